@@ -16,6 +16,7 @@ from jkroll.errors import BadRow, BadTable, JkrollError, MissingExtra, NoResult
 from jkroll.model import unsolved as of_problems
 from jkroll.model.fit_branches import BadCurve
 from jkroll.model.reasons import BEYOND_PULL_OFF, NoErrorBar
+from jkroll.quantities.numeric import NoValue
 from jkroll.tables.workers import LostWorker
 from relative import approx
 
@@ -117,6 +118,7 @@ def every_error() -> Iterator[JkrollError]:
         BadCurve("the curve has 3 points", "too few points"),
         NoErrorBar("pull_off_force", "the load breaks this contact"),
         LostWorker("ended"),
+        NoValue("pull_off_force", "needs a radius"),
     )
 
 

@@ -14,7 +14,7 @@ from ..errors import BadRequest
 from ..physics.elementary import cbrt, smaller_and_larger, sqrt
 from ..quantities.nomenclature import PROPERTIES, XI, header, named, read_only
 from ..quantities.values import Interval, QuantityError, Uncertain, ends_of, is_uncertain, middle, value_of
-from ..text import closest, listed, quoted, shown
+from ..text import TextColumn, closest, html_table, listed, quoted, shown
 
 MAX_BYTES = 64_000  # some 180 materials with all their references
 MAX_NAME = 60
@@ -371,6 +371,17 @@ class Materials:
             for each in self.materials.values()
         ]
         return import_module("pandas").DataFrame(rows, index=[*self])
+
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows: the properties in SI units."""
+        columns = [TextColumn("material", [*self], is_right=False)]
+        for name in PROPERTIES:
+            values = [each.properties.get(name) for each in self.materials.values()]
+            columns.append(TextColumn(header(name), ["–" if value is None else f"{value:.4g}" for value in values]))
+        for head, attribute in (("state", "state"), ("source", "title")):
+            cells = [getattr(each, attribute) for each in self.materials.values()]
+            columns.append(TextColumn(head, cells, is_right=False))
+        return html_table(columns)
 
     @property
     def materials(self) -> Mapping[str, Material]:

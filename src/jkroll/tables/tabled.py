@@ -13,6 +13,7 @@ from ..model.rows import BLOCK, Tally
 from ..model.solver import materials_of, refuse_arrays, words_in
 from ..model.unsolved import inputs_named
 from ..report.questions import EVERYTHING, quantities_named, quantity_named
+from ..text import as_arguments
 from .dataframes import Data, Memory, data_of
 from .header import check_inputs, understood
 from .reading import reading_of
@@ -141,7 +142,7 @@ def _in_python(text: str) -> str:
     "Write columns={'R2 (nm)': 'radius2 [nm]'}, or columns={'R2 (nm)': ''} to pass it through (pass_rest)"
     """
     text = re.sub(r"--column (['\"])(.*?)=([^=]*?)\1", r"columns={\1\2\1: \1\3\1}", text)
-    return re.sub(r"(?<![\w-])--([a-z][a-z0-9-]*)", lambda match: match[1].replace("-", "_"), text)
+    return as_arguments(text)
 
 
 def _tabled(rows: Data, asked: Asked, say: Callable[[str], object] | None, *, strict: bool) -> Any:

@@ -245,9 +245,21 @@ class Answered:
         return f"<Answered: {', '.join(texts)}>"
 
     def __str__(self) -> str:
-        values = [f"{name} = {value}" for name, value in self.values.items()]
-        doubts = [note.text for note in self._answer.doubts()]
-        return "\n".join([*values, *doubts, *self.notes])
+        from .notebook import as_text  # with the tables, for which lines in a pipe do not pay
+
+        return as_text(self._answer)
+
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows."""
+        from .notebook import as_html
+
+        return as_html(self._answer)
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
+        """Return what notebooks show, and what they convert: LaTeX for a PDF, text for a console."""
+        from .notebook import as_tabular
+
+        return {"text/plain": str(self), "text/html": self._repr_html_(), "text/latex": as_tabular(self._answer)}
 
 
 def _answered(question: Question, frame: Frame) -> Answered:
