@@ -1,7 +1,9 @@
 """Inputs from Python in SI units: numbers, texts, pint Quantities, uncertain values, and the containers of these."""
 
+import warnings
 from collections.abc import Callable, Mapping
 from functools import cache
+from importlib import import_module
 from typing import Any, get_type_hints
 
 from ..errors import BadRequest
@@ -28,7 +30,7 @@ class Reader:
 
     def __init__(self, formula: Callable[..., Any] | None = None) -> None:
         """`formula`: the formula whose arguments are read; None for the inputs of a frame."""
-        self.registry: Any = None  # the registry of the last pint Quantity
+        self.quantity: Any = None  # makes a quantity of the package that the last input with a unit came from
         self._formula = formula
         self._labelled: tuple[str, list[Axis]] | None = None  # the first input with labels
         self._owners: dict[Any, str] = {}  # by variable of the package uncertainties, the input that has it
@@ -59,6 +61,8 @@ class Reader:
             value = _of_result(name, value)
         if hasattr(value, "m_as"):
             value = self._without_unit(name, value)
+        elif hasattr(value, "to_value") and hasattr(value, "unit"):
+            value = self._of_astropy(name, value)
         if hasattr(value, "std_dev"):
             value = self._measured(name, value)
         if isinstance(value, str) or is_uncertain(value):
@@ -70,7 +74,7 @@ class Reader:
                 raise QuantityError(name, "a list", problem, "give them one by one")
             return self._floats(name, items)
         _refuse_unit(name, value)
-        self._compare_labels(name, value)
+        self.compare_labels(name, value)
         if hasattr(value, "dtype") and hasattr(value, "dims"):  # a data set of xarray has no type, and is refused
             return self.number(name, value.data)
         if hasattr(value, "dtype") and hasattr(value, "__dask_graph__"):
@@ -85,8 +89,8 @@ class Reader:
 
     def _without_unit(self, name: str, quantity: Any) -> Any:
         """Return the magnitude of a pint Quantity in SI units, as floats of 64 bits or an uncertain number."""
-        self.registry = registry = quantity._REGISTRY
-        unit = NOMENCLATURE[name].unit if self._formula is None else units_of(self._formula)[name]
+        registry, unit = quantity._REGISTRY, self._unit_of(name)
+        self.quantity = registry.Quantity
         magnitude = quantity.magnitude
         if not hasattr(magnitude, "std_dev"):
             magnitude = self.number(name, magnitude)  # 100 nm is no number of 16 bits
@@ -96,6 +100,18 @@ class Reader:
             return registry.Quantity(magnitude, quantity.units).m_as(unit)
         except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:  # those of pint are such
             raise QuantityError(name, str(quantity), f"has a unit that cannot be converted: {error}") from None
+
+    def _unit_of(self, name: str) -> str:
+        return NOMENCLATURE[name].unit if self._formula is None else units_of(self._formula)[name]
+
+    def _of_astropy(self, name: str, quantity: Any) -> Any:
+        """Return the value of a Quantity or a Column of astropy in SI units."""
+        self.quantity = import_module("astropy.units").Quantity
+        unit = self._unit_of(name)
+        try:
+            return self.quantity(quantity, dtype=float).to_value(unit)
+        except (TypeError, ValueError) as error:  # UnitConversionError is both
+            raise QuantityError(name, str(quantity), "is of another dimension", f"give a value in {unit}") from error
 
     def _measured(self, name: str, number: Any) -> Measured:
         """Return a number of the package uncertainties; raise BadRequest if it is correlated with another input."""
@@ -107,7 +123,7 @@ class Reader:
                 raise BadRequest(f"{owner} and {name} are correlated, and inputs must be independent; {remedy}")
         return Measured(number.nominal_value, number.std_dev)
 
-    def _compare_labels(self, name: str, value: Any) -> None:
+    def compare_labels(self, name: str, value: Any) -> None:
         """Raise BadRequest for arrays of pandas or xarray whose labels differ: elements are taken by position."""
         axes = _axes_of(value)
         if not axes:
@@ -142,6 +158,24 @@ class Reader:
         raise QuantityError(name, str(value), "is not a number", remedy)
 
 
+def warn_of_metres(described: Mapping[str, Any], given: Mapping[str, Any]) -> None:
+    """Warn of radii that were given as numbers without a unit, and are a metre or more."""
+    for name in described.keys() & {"radius", "diameter", "reduced_radius"}:
+        words = [word for word, value in given.items() if as_input(str(word)) == name and isinstance(value, NUMBER)]
+        if words and described[name] >= 1.0:
+            text = f"{words[0]}={given[words[0]]} is a sphere of {described[name]:g} m: numbers are in SI units"
+            warnings.warn(f'{text}; write {words[0]}="{given[words[0]]} nm" for another', stacklevel=3)
+
+
+def quantity_of(package: str) -> Any:
+    """Return what makes a quantity of a number and a unit. Raises BadRequest for a package that has no units."""
+    if package == "pint":
+        return import_module("pint").get_application_registry().Quantity
+    if package == "astropy":
+        return import_module("astropy.units").Quantity
+    raise BadRequest(f"units: {package!r} is not known; write pint or astropy")
+
+
 def _of_result(name: str, result: Numeric) -> Any:
     """Return the number of a result of jkroll. Raises QuantityError for one in another unit."""
     unit, wanted = NOMENCLATURE[result.name].unit, NOMENCLATURE[name].unit
@@ -152,12 +186,12 @@ def _of_result(name: str, result: Numeric) -> Any:
 
 def _refuse_unit(name: str, value: Any) -> None:
     """Raise QuantityError for a unit of another package, and for one that is a word among attributes."""
-    attributes, remedy = getattr(value, "attrs", {}), "give SI numbers or a pint Quantity"
+    attributes, remedy = getattr(value, "attrs", {}), "give SI numbers, or a Quantity of pint or astropy"
     for word in attributes:
         if str(word).casefold() in ("unit", "units"):
             raise QuantityError(name, f"{word} = {attributes[word]}", "is an attribute, which is not read", remedy)
     if any(hasattr(holder, word) for holder in (value, getattr(value, "dtype", None)) for word in ("unit", "units")):
-        raise QuantityError(name, str(value), "has a unit, and only those of pint Quantities are read", remedy)
+        raise QuantityError(name, str(value), "has a unit, and only those of pint and astropy are read", remedy)
 
 
 def _axes_of(value: Any) -> list[Axis]:

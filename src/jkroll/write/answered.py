@@ -285,7 +285,9 @@ def answer(
     wanted
         A command, such as "pull-off" or "report", or names of quantities, as for `solve`.
     material, material2, materials, model, profile, **given
-        The scene, as `solve` takes it, but for arrays.
+        The scene, as `solve` takes it, but for arrays and lists.
+
+    A radius of a metre or more that is a number without a unit is warned of: 100 stands for 100 m.
 
     Returns
     -------
@@ -305,11 +307,12 @@ def answer(
     >>> round(low, 10), round(high, 10), by
     (1.42e-08, 1.53e-08, 'Maugis')
     """
-    from ..model.containers import Reader
+    from ..model.containers import Reader, warn_of_metres
     from ..model.solver import materials_of, refuse_arrays, words_in
 
     described = Reader().in_si(given)
     refuse_arrays(described)
+    warn_of_metres(described, given)
     is_command = isinstance(wanted, str) and wanted in QUESTIONS
     text = ",".join(words_in(wanted))
     question = QUESTIONS[text] if is_command else question_about(text)
