@@ -19,10 +19,13 @@ _HOMES = {
     "Measured": "quantities.values",
     "Quantity": "quantities.nomenclature",
     "answer": "write.answered",
+    "curve": "pictures.drawn",
+    "figure": "pictures.drawn",
     "fit": "tables.fitted",
     "formulas": "formulas",  # the module
     "infer": "model.infer",
     "known_materials": "materials.library",
+    "map": "pictures.drawn",
     "solve": "model.solver",
     "table": "tables.tabled",
 }

@@ -8,6 +8,9 @@ from .materials.library import known_materials as known_materials
 from .model.infer import infer as infer
 from .model.solver import FORMULAS as FORMULAS
 from .model.solver import solve as solve
+from .pictures.drawn import curve as curve
+from .pictures.drawn import figure as figure
+from .pictures.drawn import map as map
 from .quantities.nomenclature import NOMENCLATURE as NOMENCLATURE
 from .quantities.nomenclature import Quantity as Quantity
 from .quantities.values import Interval as Interval
