@@ -62,6 +62,27 @@ def test_columns_of_pandas_go_together_by_their_index() -> None:
         jkroll.solve("P_c", material=data["material"], radius=data["radius"][::-1])
 
 
+def test_results_have_the_labels_of_pandas() -> None:
+    pandas = pytest.importorskip("pandas")
+    data = pandas.DataFrame({"material": SOLIDS, "radius": RADII}, index=["a", "b", "c"])
+    for forces in (jkroll.solve("P_c", **data), jkroll.solve("P_c", material="quartz", radius=data["radius"])):
+        assert forces.index.equals(data.index)
+        assert forces.name == "pull_off_force"
+        assert forces["a"] == jkroll.solve("P_c", material="quartz", radius=1e-7)
+    again = jkroll.solve("contact_radius_at_load", material="quartz", radius=data["radius"], load=-forces / 2)
+    assert again.index.equals(data.index)
+    assert isinstance(jkroll.solve("yield_force", material="quartz", radius=data["radius"]), float)  # of all radii
+
+
+def test_results_have_the_dimensions_of_xarray() -> None:
+    xarray = pytest.importorskip("xarray")
+    radii = xarray.DataArray([RADII, RADII], dims=("row", "size"), coords={"size": ["a", "b", "c"]}, name="radius")
+    forces = jkroll.solve("P_c", material="quartz", radius=radii)
+    assert forces.name == "pull_off_force"
+    assert forces.sel(size="b").values.tolist() == [jkroll.solve("P_c", material="quartz", radius=2e-7)] * 2
+    assert jkroll.solve("a", material="quartz", radius=radii, load=-forces / 2).dims == ("row", "size")
+
+
 def test_results_as_quantities_of_pint() -> None:
     bare = jkroll.solve("P_c", material="quartz", radius=1e-7)
     found = jkroll.solve("P_c", material="quartz", radius=1e-7, units="pint")

@@ -33,6 +33,7 @@ class Reader:
         self.quantity: Any = None  # makes a quantity of the package that the last input with a unit came from
         self._formula = formula
         self._labelled: tuple[str, list[Axis]] | None = None  # the first input with labels
+        self._container: Any = None  # its array of pandas or xarray
         self._owners: dict[Any, str] = {}  # by variable of the package uncertainties, the input that has it
 
     def in_si(self, given: Mapping[str, Any], name_of: Callable[[str], str] = as_input) -> dict[str, Any]:
@@ -130,12 +131,27 @@ class Reader:
             return
         if self._labelled is None:
             self._labelled = name, axes
+            self._container = value
         first, others = self._labelled
         remedy = "align them first, or give numpy arrays, which are taken by position"
         if [dimension for dimension, _ in axes] != [dimension for dimension, _ in others]:
             raise BadRequest(f"{first} and {name} have different dimensions: {remedy}")
         if not all(_are_same(labels, other) for (_, labels), (_, other) in zip(axes, others, strict=True)):
             raise BadRequest(f"{first} and {name} have different indexes: {remedy}")
+
+    def labelled(self, name: str, values: Any) -> Any:
+        """Return the values of a quantity with the labels of the inputs, if they have their shape."""
+        container = self._container
+        if container is None or getattr(values, "shape", None) != getattr(container, "shape", None):
+            return values
+        if hasattr(container, "dims"):
+            found = container.copy(data=values)
+            found.attrs = {}
+        else:
+            found = container._constructor(values, **dict(zip(("index", "columns"), container.axes, strict=False)))
+        if hasattr(found, "name"):
+            found.name = name
+        return found
 
     def _floats(self, name: str, value: Any) -> Any:
         """Return a float or an array of floats for a number, a sequence or an array of any number type."""

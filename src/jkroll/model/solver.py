@@ -120,8 +120,9 @@ def solve(
     Returns
     -------
     The value of a single wanted name, or a dict of name to value. SI numbers: floats, arrays, or Quantities if an input
-    was one. A result has the shape of the arrays on which it depends: that of `yield_force` is a float for many
-    radii. If a given value is uncertain, so are the results: `Measured` or `Interval` in SI units.
+    was one; a Series of pandas or a DataArray of xarray, with its labels, if one was. A result has the shape of the
+    arrays on which it depends: that of `yield_force` is a float for many radii. If a given value is uncertain, so are
+    the results: `Measured` or `Interval` in SI units.
 
     Raises
     ------
@@ -155,6 +156,8 @@ def solve(
             return _one_or_all(wanted, names, with_uncertainties(frame, described, results))
     if quantity is not None:
         results = {name: quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
+    else:
+        results = {name: reader.labelled(name, value) for name, value in results.items()}
     return _one_or_all(wanted, names, results)
 
 
