@@ -24,8 +24,8 @@ def test_spawned_processes_take_tables_and_results() -> None:
         assert result == jkroll.answer("P_c", **SCENE)["P_c"]
         drawn = pool.apply(jkroll.curve, [], SCENE)
         assert drawn.lines.keys() == jkroll.curve(**SCENE).lines.keys()
-        radius = pool.apply(jkroll.solve, ["P_c"], {"material": ["quartz", "iron"], "radius": 1e-7})
-        assert radius.tolist() == EXPECTED[:2]
+        forces: Any = pool.apply(jkroll.solve, ["P_c"], {"material": ["quartz", "iron"], "radius": 1e-7})
+        assert forces.tolist() == EXPECTED[:2]
 
 
 def test_tasks_of_dask() -> None:

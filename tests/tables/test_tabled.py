@@ -174,6 +174,18 @@ def test_missing_values_of_libraries_are_empty_cells() -> None:
     assert found["status"].tolist()[1:] == ["needs radius", "needs surface_energy"]
 
 
+def test_a_table_without_rows_gets_columns_without_rows() -> None:
+    found = jkroll.table({"radius [nm]": [], "material": []}, "P_c")
+    assert [*found] == ["radius [nm]", "material", "pull_off_force [N]", "doubt", "status"]
+    assert {len(column) for column in found.values()} == {0}
+
+
+def test_a_series_is_no_table() -> None:
+    pandas = pytest.importorskip("pandas")
+    with pytest.raises(jkroll.JkrollError, match="Series is no table; give a DataFrame"):
+        jkroll.table(pandas.Series([1.0], name="radius [nm]"), "P_c", material="quartz")
+
+
 def test_infinite_radii_are_planes() -> None:
     found = jkroll.table({"radius [nm]": [100.0, 100.0], "radius2 [nm]": [numpy.inf, 100.0]}, "P_c", material="quartz")
     plane, sphere = found["pull_off_force [N]"]
@@ -230,6 +242,8 @@ def test_says_how_the_table_is_read() -> None:
         ({"radius [nm]": [1.0]}, {"gamma": numpy.ones(2)}, "surface_energy"),
         ({"radius [nm]": [1.0]}, {"infer": "gamma"}, "infer and measured go together"),
         ({"note": [1.0]}, {}, "no column is an input"),
+        ({"radius [nm]": [1.0], "model": ["dmt"]}, {"material": "quartz"}, "the law is an option: model dmt"),
+        ({"radius [nm]": [1.0]}, {"gamma": 0.025, "load": [0.0]}, "load: 'an array' is not one value for all rows"),
         ({"radius [nm]": [1.0], "pull_off_force [N]": [1.0]}, {"material": "quartz"}, "already has a column"),
         (3, {}, "int is no table"),
         ([1, 2], {}, "list is no table"),

@@ -14,7 +14,7 @@ import numpy
 from ..errors import BadTable
 from ..model.rows import has_texts
 from ..text import quoted, shown
-from ..write.writers import divided, length
+from ..write.writers import divided
 from .cells import Doubles, cells_of
 from .layouts import SAMPLE
 from .table import Asked, Records
@@ -196,7 +196,6 @@ _KINDS: Mapping[str, type[Data]] = {
     "iterrows": _Pandas,
     "collect_schema": _Polars,
     "append_column": _Arrow,
-    "keys": Data,
 }
 
 
@@ -205,6 +204,8 @@ def data_of(data: Any) -> Data:
     for attribute, kind in _KINDS.items():
         if hasattr(data, attribute):
             return kind(data)
+    if isinstance(data, Mapping):
+        return Data(data)
     problem = f"{shown(type(data).__name__)} is no table"
     raise BadTable(
         f"{problem}; give a DataFrame, a dict of arrays, a Dataset of xarray or a Table of astropy or pyarrow"
@@ -331,11 +332,8 @@ class Lists:
 
     def rows(self, heads: Sequence[str], columns: Sequence[Any], before: Any) -> list[Any]:
         """Return the columns, each with a cell for every row."""
-        every = divided(columns)
-        return [
-            column if length(column) or not len(before) else [column] * len(before)
-            for _, column in zip(heads, every, strict=True)
-        ]
+        pairs = zip(heads, divided(columns), strict=True)
+        return [column if isinstance(column, list | numpy.ndarray) else [column] * len(before) for _, column in pairs]
 
 
 def cells_from(values: Any) -> Sequence[bytes]:

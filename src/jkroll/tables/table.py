@@ -21,7 +21,7 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, computed_as,
 from ..quantities.values import is_uncertain, value_of
 from ..text import quoted
 from .cells import LABEL, Indices, Lookup
-from .header import Header, is_input, stated_meanings, typed
+from .header import Header, is_input, is_law, stated_meanings, typed
 from .unread import Supply
 from .words import LABEL_OF, MATERIALS, are_kinds_of_data, rows_of_statistics
 
@@ -54,8 +54,8 @@ class Asked(NamedTuple):
         return Supply.of(names, {*columns, self.infer}, self.inputs, self.known)
 
     def is_read(self, text: str) -> bool:
-        """Return whether a header may be that of an input, or of what was measured."""
-        return is_input(self.stated.get(typed(text), text), self.measured)
+        """Return whether a header may be that of an input, or of what was measured, or of laws."""
+        return is_law(text) or is_input(self.stated.get(typed(text), text), self.measured)
 
 
 _OF_LAW = ("model", "profile")  # inputs that are words

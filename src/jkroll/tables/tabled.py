@@ -10,8 +10,9 @@ from ..errors import BadRequest, BadRow, JkrollError
 from ..materials.library import Material, Materials, known_materials
 from ..model.containers import Reader
 from ..model.rows import BLOCK, Tally
-from ..model.solver import materials_of, refuse_arrays, words_in
+from ..model.solver import materials_of, words_in
 from ..model.unsolved import inputs_named
+from ..quantities.values import QuantityError, is_uncertain
 from ..report.questions import EVERYTHING, quantities_named, quantity_named
 from ..text import as_arguments
 from .dataframes import Data, Memory, data_of
@@ -94,7 +95,9 @@ def table(
     """
     solids = dict(zip(("material", "material2"), materials_of(material, material2, materials), strict=True))
     described = Reader().in_si(given)
-    refuse_arrays(described)
+    for name, value in described.items():
+        if not (isinstance(value, float) or is_uncertain(value)):
+            raise QuantityError(name, "an array", "is not one value for all rows", "make it a column of the table")
     words = {"model": model, "profile": profile}
     inputs = {name: each for name, each in {**solids, **words, **described}.items() if each is not None}
     if bool(infer) != bool(measured):
