@@ -13,7 +13,7 @@ import jkroll
 from jkroll.model.frame import DEFAULTS
 from jkroll.physics import FORMULAS
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from tools.make_stub import STUB, stub
+from tools.make_stub import stubs
 
 SOURCE = Path(jkroll.__file__).parent
 MODULES = sorted(SOURCE.rglob("*.py"))
@@ -21,7 +21,7 @@ MODULES = sorted(SOURCE.rglob("*.py"))
 # From the top down: a folder imports from those below it. The files outside a folder are the ground.
 FOLDERS = "cli bench pictures tables write report model materials quantities physics ground".split()
 # The package and its script hand out names of all folders; the wheel's build adds the module of shipped materials.
-PUBLIC = {"__init__", "__main__"}
+PUBLIC = {"__init__", "__main__", "formulas"}
 ONLY = {
     "typer": {"cli"},
     "rich": {"write"},
@@ -145,37 +145,75 @@ def test_the_top_level_holds_what_it_may() -> None:
 # --- Types ------------------------------------------------------------------------------------------------------------
 
 USER = """
+import numpy
 import jkroll
+from jkroll.formulas import pull_off_force
 
-force: float = float(jkroll.pull_off_force(work_of_adhesion=0.05, reduced_radius=5e-8))
-both: dict[str, object] = jkroll.solve(["r_min", "n_grav"], material="quartz", radius=1e-7)
-one: float = jkroll.solve("r_min", radius=1e-7)
+radii = numpy.geomspace(1e-9, 1e-6, 4)
+bare: float = float(pull_off_force(work_of_adhesion=0.05, reduced_radius=5e-8))
+same: float = float(jkroll.formulas.pull_off_force(work_of_adhesion=0.05, reduced_radius=5e-8))
+one = jkroll.solve("r_min", radius=1e-7)
+reveal_type(one)
+many = jkroll.solve("P_c", material="quartz", radius=radii)
+reveal_type(many)
+solids = jkroll.solve("P_c", material=["quartz", "iron"], radius=1e-7)
+reveal_type(solids)
+both = jkroll.solve(["r_min", "n_grav"], material="quartz", radius=1e-7)
+reveal_type(both)
+text = jkroll.solve("P_c", material="quartz", radius="100 nm")
+reveal_type(text)
+gamma = jkroll.infer("gamma", measured={"pull_off_force": 3e-7}, radius=2e-6)
+reveal_type(gamma)
+two = jkroll.infer(["gamma", "young"], measured={"pull_off_force": 3e-7, "stiffness": 1e3}, radius=2e-6)
+size: float = two.condition
+found = jkroll.answer("pull-off", material="quartz", radius="100 nm")
+force: float = float(found["P_c"])
+rounded: str = f"{found['P_c']:.3g} {found['P_c'].unit}"
+names: list[str] = [name for name in found]
+values: list[float] = [float(result) for _, result in found.items()]
+codes: list[str] = [doubt.code for doubt in found.doubts]
+low: float = found.best["pull_off_force"].low
+numbers: dict[str, float | None] = found.to_dict()
+columns = {"radius [nm]": radii, "material": ["quartz"] * 4}
+forces = jkroll.table(columns, quantities=["P_c"], best=True)
+reveal_type(forces)
+known: jkroll.Materials = jkroll.Materials("mine.toml")
+quartz: jkroll.Material = known["quartz"]
+error: jkroll.Measured = jkroll.Measured(0.025, 0.005)
+wide: jkroll.Interval = jkroll.Interval(0.025, 0.02, 0.03)
+unit: str = jkroll.NOMENCLATURE["pull_off_force"].unit
 jkroll.pull_of_force
-jkroll.pull_off_force(work_of_adhesion=0.05)
-jkroll.solve(["r_min"], radius=1e-7).r_min
-size: float = jkroll.infer(["gamma", "young"], measured={}).condition
-jkroll.infer(["gamma", "young"], measured={}).value
+pull_off_force(work_of_adhesion=0.05)
+both.r_min
+two.value
 """
+REVEALED = (
+    "float",
+    "numpy.ndarray[tuple[Any, ...], numpy.dtype[numpy.float64]]",
+    "numpy.ndarray[tuple[Any, ...], numpy.dtype[numpy.float64]]",
+    "dict[str, float]",
+    "Any",
+    "float",
+    "dict[Any, Any]",
+)
 
 
 def test_the_stub_is_up_to_date() -> None:
-    assert STUB.read_text(encoding="utf-8") == stub(), "run tests/tools/make_stub.py"
+    for path, text in stubs().items():
+        assert path.read_text(encoding="utf-8") == text, "run tests/tools/make_stub.py"
 
 
 @pytest.mark.slow
-def test_a_type_checker_knows_all_formulas(tmp_path: Path) -> None:
+def test_a_type_checker_knows_what_a_user_writes(tmp_path: Path) -> None:
     (tmp_path / "user.py").write_text(USER, encoding="utf-8")
     out, _, _ = mypy.api.run(
-        [str(tmp_path / "user.py"), "--config-file=", "--follow-imports=silent", f"--cache-dir={tmp_path}"]
+        [str(tmp_path / "user.py"), "--strict", "--config-file=", "--follow-imports=silent", f"--cache-dir={tmp_path}"]
     )
-    wrong = [line.partition("error: ")[2] for line in out.splitlines() if "error: " in line]
-    assert [re.sub(r"[\"'].*", "", text).strip() for text in wrong] == [
-        "Module has no attribute",
-        "Missing named argument",
-        "",
-        "",
-    ], out
-    assert [int(line.split(":")[1]) for line in out.splitlines() if "error: " in line] == [7, 8, 9, 11]
+    revealed = re.findall('Revealed type is "(.*)"', out)
+    assert tuple(re.sub(r"builtins\.|typing\.", "", kind) for kind in revealed) == REVEALED, out
+    wrong = [int(line.split(":")[1]) for line in out.splitlines() if "error: " in line]
+    last = len(USER.splitlines())
+    assert wrong == [last - 3, last - 2, last - 1, last], out
 
 
 # --- What tests know --------------------------------------------------------------------------------------------------

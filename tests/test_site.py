@@ -124,7 +124,7 @@ def test_only_the_commands_of_a_transcript_are_copied(site: tuple[Browser, str])
         "import jkroll",
         'jkroll.solve("pull_off_force", material="quartz", radius="100 nm")',
         'jkroll.solve("yield_force_ratio", material="iron", radius=[1e-9, 1e-8])',
-        'f"{jkroll.pull_off_force(work_of_adhesion=0.05, reduced_radius=50e-9):.4e}"',
+        'f"{jkroll.formulas.pull_off_force(work_of_adhesion=0.05, reduced_radius=50e-9):.4e}"',
     ]
     window.open(address + "tables/")
     window.click(".language-console .md-code__button")

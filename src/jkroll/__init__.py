@@ -19,25 +19,31 @@ _HOMES = {
     "Measured": "quantities.values",
     "Quantity": "quantities.nomenclature",
     "answer": "write.answered",
+    "curve": "pictures.drawn",
+    "figure": "pictures.drawn",
     "fit": "tables.fitted",
+    "formulas": "formulas",  # the module
     "infer": "model.infer",
     "known_materials": "materials.library",
+    "map": "pictures.drawn",
     "solve": "model.solver",
+    "table": "tables.tabled",
 }
 __all__ = list(_HOMES)
 
 
 def __getattr__(name: str) -> object:
-    """Return a public name, or a formula of `FORMULAS` by its own name: `jkroll.pull_off_force`."""
+    """Return a public name."""
     from importlib import import_module
 
     if name in _HOMES:
-        value = getattr(import_module(f".{_HOMES[name]}", __name__), name)
-    elif name.startswith("_") or (value := import_module(".model.solver", __name__).FORMULAS.get(name)) is None:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    globals()[name] = value
-    return value
+        module = import_module(f".{_HOMES[name]}", __name__)
+        globals()[name] = value = module if _HOMES[name] == name else getattr(module, name)
+        return value
+    is_formula = not name.startswith("_") and name in import_module(".model.solver", __name__).FORMULAS
+    remedy = f"; it is jkroll.formulas.{name}" if is_formula else ""
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}{remedy}")
 
 
 def __dir__() -> list[str]:
-    return [*__all__, *__getattr__("FORMULAS")]
+    return __all__

@@ -266,6 +266,36 @@ class TextColumn(NamedTuple):
     is_right: bool = True
 
 
+def html_table(columns: Sequence[TextColumn]) -> str:
+    """Return columns as a table of HTML, with numbers at the right.
+
+    >>> html_table([TextColumn("<x>", ["1"])]).splitlines()[1]
+    '<tr><th style="text-align:right">&lt;x&gt;</th></tr>'
+    """
+    from html import escape
+
+    styles = [f'style="text-align:{"right" if column.is_right else "left"}"' for column in columns]
+
+    def row(tag: str, cells: Iterable[str]) -> str:
+        pairs = zip(styles, cells, strict=True)
+        return f"<tr>{''.join(f'<{tag} {style}>{escape(cell)}</{tag}>' for style, cell in pairs)}</tr>"
+
+    heads = row("th", (column.head for column in columns))
+    rows = (row("td", cells) for cells in zip(*(column.cells for column in columns), strict=True))
+    return "\n".join(["<table>", heads, *rows, "</table>"])
+
+
+def as_arguments(text: str) -> str:
+    """Return a sentence with the names of arguments in place of options.
+
+    >>> as_arguments("assumed: z0 = 400 pm (--z0), E = 1 GPa (--young2)")
+    'assumed: z0 = 400 pm (z0), E = 1 GPa (young2)'
+    """
+    import re
+
+    return re.sub(r"(?<![\w-])--([a-z][a-z0-9-]*)", lambda match: match[1].replace("-", "_"), text)
+
+
 def write_table(
     leading: Sequence[TextColumn],
     columns: Sequence[TextColumn],

@@ -78,7 +78,7 @@ def test_unit_among_attributes_is_refused(word: str, is_listed: bool) -> None:
 
 def test_unit_of_another_package_inside_a_labelled_array_is_refused() -> None:
     of_astropy = SimpleNamespace(unit="nm", value=numpy.array([100.0]))
-    with pytest.raises(jkroll.JkrollError, match="only those of pint Quantities are read"):
+    with pytest.raises(jkroll.JkrollError, match="only those of pint and astropy are read"):
         forces(Labelled(of_astropy))
 
 
@@ -130,7 +130,7 @@ def labelled(numbers: list[float], dimension: str, *labels: object) -> Labelled:
 
 DOORS: dict[str, Callable[[Any, Any], Any]] = {
     "solve": lambda energy, radius: jkroll.solve("pull_off_force", gamma=energy, radius=radius),
-    "formula": lambda energy, radius: jkroll.pull_off_force(work_of_adhesion=energy, reduced_radius=radius),
+    "formula": lambda energy, radius: jkroll.formulas.pull_off_force(work_of_adhesion=energy, reduced_radius=radius),
     "infer": lambda force, radius: jkroll.infer("gamma", measured={"pull_off_force": force}, radius=radius),
 }
 ENERGIES, SIZES = [0.025, 0.05], [1e-7, 2e-7]
@@ -205,14 +205,14 @@ def test_formula_converts_quantities_and_numbers_in_si_units() -> None:
         (Quantity(50.0, "erg/cm^2"), Quantity(0.075, "um")),
         (Quantity(numpy.uint8(50), "mJ/m^2"), Quantity(numpy.float16(75), "nm")),
     ):
-        force: Any = jkroll.pull_off_force(work_of_adhesion=energy, reduced_radius=radius)
+        force: Any = jkroll.formulas.pull_off_force(work_of_adhesion=energy, reduced_radius=radius)
         assert math.isclose(in_newtons(force), exact, rel_tol=1e-14)
         assert str(force.units) == "newton"  # as those of solve
 
 
 def test_formula_converts_quantities_that_the_nomenclature_does_not_have() -> None:
     lengths: dict[str, Any] = {"distance": Quantity(3, "nm"), "contact_radius_at_load": Quantity(0.005, "um")}
-    found: Any = jkroll.pressure(**lengths, hertz_pressure=Quantity(1.0, "GPa"), boussinesq_pressure=-1e6)
+    found: Any = jkroll.formulas.pressure(**lengths, hertz_pressure=Quantity(1.0, "GPa"), boussinesq_pressure=-1e6)
     assert math.isclose(found.m_as("Pa"), 0.8e9 - 1e6 / 0.8, rel_tol=1e-14)  # √(1 − (r/a)²) = 0.8
 
 
@@ -233,17 +233,25 @@ def test_formula_converts_quantities_that_the_nomenclature_does_not_have() -> No
 )
 def test_formula_refuses_in_words(given: dict[str, Any], words: str) -> None:
     with pytest.raises(jkroll.JkrollError, match=words):
-        jkroll.pull_off_force(**{"work_of_adhesion": 0.05, **given})
+        jkroll.formulas.pull_off_force(**{"work_of_adhesion": 0.05, **given})
 
 
 def test_formula_outside_its_domain_says_why() -> None:
     """The error is the ValueError that the formulas promise, too."""
     wrong: list[tuple[Callable[..., Any], dict[str, Any], str]] = [
-        (jkroll.load_margin, {"load": Quantity(-12, "nN"), "pull_off_force": 1e-8}, "-12 nN breaks this contact"),
-        (jkroll.load_margin, {"load": -math.inf, "pull_off_force": 1e-8}, "no value that a double can hold"),
-        (jkroll.radius_ratio, {"radius": 1.0, "radius2": 0.0}, "no value that a double can hold"),
-        (jkroll.contact_area, {"contact_radius_at_load": 1e200}, "no value that a double can hold"),
-        (jkroll.tensile_strength, {"work_of_adhesion": 1.0, "radius": 1.0, "filling_factor": -0.5}, "no value"),
+        (
+            jkroll.formulas.load_margin,
+            {"load": Quantity(-12, "nN"), "pull_off_force": 1e-8},
+            "-12 nN breaks this contact",
+        ),
+        (jkroll.formulas.load_margin, {"load": -math.inf, "pull_off_force": 1e-8}, "no value that a double can hold"),
+        (jkroll.formulas.radius_ratio, {"radius": 1.0, "radius2": 0.0}, "no value that a double can hold"),
+        (jkroll.formulas.contact_area, {"contact_radius_at_load": 1e200}, "no value that a double can hold"),
+        (
+            jkroll.formulas.tensile_strength,
+            {"work_of_adhesion": 1.0, "radius": 1.0, "filling_factor": -0.5},
+            "no value",
+        ),
     ]
     for formula, given, words in wrong:
         with pytest.raises(jkroll.JkrollError, match=words) as caught:
@@ -311,14 +319,14 @@ AT: dict[str, Callable[[Any], Any]] = {
     "answer": lambda odd: jkroll.answer("pull-off", material="quartz", radius=odd),
     "infer": lambda odd: jkroll.infer("gamma", measured={"pull_off_force": 3e-7}, radius=odd),
     "measured": lambda odd: jkroll.infer("gamma", measured={"pull_off_force": odd}, radius=1e-7),
-    "formula": lambda odd: jkroll.pull_off_force(work_of_adhesion=0.05, reduced_radius=odd),
-    "derivation": lambda odd: jkroll.initial_angular_speed(energy=1.0, moment_of_inertia=odd),
+    "formula": lambda odd: jkroll.formulas.pull_off_force(work_of_adhesion=0.05, reduced_radius=odd),
+    "derivation": lambda odd: jkroll.formulas.initial_angular_speed(energy=1.0, moment_of_inertia=odd),
     "property": lambda odd: jkroll.solve(
         "pull_off_force",
         material=jkroll.known_materials()["quartz"]._replace(properties={"surface_energy": odd}),
         radius=1e-7,
     ),
-    "position": lambda odd: jkroll.pressure(
+    "position": lambda odd: jkroll.formulas.pressure(
         distance=odd, contact_radius_at_load=1.0, hertz_pressure=1.0, boussinesq_pressure=-0.1
     ),
     "wanted": lambda odd: jkroll.solve(odd, material="quartz", radius=1e-7),

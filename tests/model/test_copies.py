@@ -16,6 +16,7 @@ from jkroll.errors import BadRow, BadTable, JkrollError, MissingExtra, NoResult
 from jkroll.model import unsolved as of_problems
 from jkroll.model.fit_branches import BadCurve
 from jkroll.model.reasons import BEYOND_PULL_OFF, NoErrorBar
+from jkroll.quantities.numeric import NoValue
 from jkroll.tables.workers import LostWorker
 from relative import approx
 
@@ -27,9 +28,12 @@ def copies(original: Any) -> Iterator[Any]:
     yield copy.copy(original)
 
 
-@pytest.mark.parametrize("name", dir(jkroll))
+PUBLIC = {name: getattr(jkroll, name) for name in dir(jkroll) if name != "formulas"}
+
+
+@pytest.mark.parametrize("name", [*PUBLIC, *dir(jkroll.formulas)])
 def test_public_name_is_copied(name: str) -> None:
-    original = getattr(jkroll, name)
+    original = PUBLIC.get(name) or getattr(jkroll.formulas, name)
     for again in copies(original):
         assert type(again) is type(original)
         if callable(original):
@@ -102,7 +106,7 @@ def every_error() -> Iterator[JkrollError]:
     yield raised(solve, "pull_off_force", gamma=[0.1, -0.1], radius=1e-7)
     yield raised(solve, "contact_radius_at_load", **scene, load=-1.0)
     yield raised(solve, "pull_off_force", **scene, model="jrk")
-    yield raised(jkroll.load_margin, load=-1.0, pull_off_force=0.5)
+    yield raised(jkroll.formulas.load_margin, load=-1.0, pull_off_force=0.5)
     yield raised(jkroll.Materials, "no such file")
     unsolved = raised(jkroll.infer, "xi", measured={"pull_off_force": 1e-9}, **scene)
     yield unsolved
@@ -117,6 +121,7 @@ def every_error() -> Iterator[JkrollError]:
         BadCurve("the curve has 3 points", "too few points"),
         NoErrorBar("pull_off_force", "the load breaks this contact"),
         LostWorker("ended"),
+        NoValue("pull_off_force", "needs a radius"),
     )
 
 
@@ -153,7 +158,7 @@ def test_another_process_computes_and_answers() -> None:
     """A process that is spawned imports everything anew."""
     scene: dict[str, Any] = {"material": "quartz", "radius": 1e-7}
     with multiprocessing.get_context("spawn").Pool(1) as pool:
-        formula, given = jkroll.pull_off_force, {"work_of_adhesion": 0.05, "reduced_radius": 5e-8}
+        formula, given = jkroll.formulas.pull_off_force, {"work_of_adhesion": 0.05, "reduced_radius": 5e-8}
         assert pool.apply(formula, kwds=given) == approx(3 * math.pi / 2 * 0.05 * 5e-8)
         answered = pool.apply(jkroll.answer, ["report"], scene)
         assert answered.as_dict() == jkroll.answer("report", **scene).as_dict()
@@ -161,3 +166,12 @@ def test_another_process_computes_and_answers() -> None:
         error = raised(pool.apply, jkroll.solve, ["load_margin"], {**scene, "load": -1.0})
         assert "breaks this contact" in str(error)
         assert error.cause == BEYOND_PULL_OFF
+
+
+def test_top_level_names_are_those_that_one_uses() -> None:
+    assert len(dir(jkroll)) < 25
+    assert {"answer", "solve", "table", "fit", "infer", "formulas"} <= {*dir(jkroll)}
+    with pytest.raises(AttributeError, match=r"it is jkroll\.formulas\.pull_off_force"):
+        jkroll.pull_off_force  # type: ignore[attr-defined]  # noqa: B018
+    with pytest.raises(AttributeError, match=r"dir\(jkroll\.formulas\) lists the formulas"):
+        jkroll.formulas.pull_of_force  # type: ignore[attr-defined]  # noqa: B018

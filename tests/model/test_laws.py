@@ -352,7 +352,7 @@ def test_a_quantity_that_the_spacing_decides_has_no_value_without_it() -> None:
     assert given[-1] == found["sticking_energy"][-1]
 
 
-@pytest.mark.parametrize("model", ["", "jkr ", 3, [], ["jkr", "dmt"], math.nan])
+@pytest.mark.parametrize("model", ["", "jkr ", 3, ["jkr", "kjr"], math.nan])
 def test_a_law_that_is_none_of_them_is_refused(model: Any) -> None:
     with pytest.raises(BadRequest, match="is not one of jkr, maugis, dmt"):
         solve("pull_off_force", **QUARTZ, model=model)

@@ -169,7 +169,7 @@ def test_integers_and_lists_are_floats() -> None:
         assert (FORMULAS[name](radius=radius, **other) == FORMULAS[name](radius=radius.astype(float), **other)).all()
     energies = {"surface_energy": radius, "surface_energy2": radius.tolist()}
     assert FORMULAS["work_of_adhesion"](**energies).tolist() == [2.0, 200.0, 510.0]
-    assert jkroll.load_factor(load_margin=1) == 1.0
+    assert jkroll.formulas.load_factor(load_margin=1) == 1.0
     for odd in ("1e-7", None, [1, "x"], np.ma.masked_array([1], [True])):
         with pytest.raises(QuantityError):
             FORMULAS["mass"](radius=odd, density=1.0)
@@ -186,17 +186,17 @@ def test_names_that_are_none_are_refused() -> None:
     for wrong in ("mine.toml", ["mine.toml"]):
         with pytest.raises(QuantityError, match=r"write Materials\(\"mine.toml\"\)"):
             solve("pull_off_force", material="quartz", radius=1e-7, materials=wrong)
-    for wrong in (["quartz", "iron"], 1, b"quartz"):
+    for wrong in (["quartz", 3], 1, b"quartz"):
         with pytest.raises(QuantityError):
             solve("pull_off_force", material=wrong, radius=1e-7)
     assert solve([], radius=1e-7) == {}
 
 
 def test_help_is_for_a_physicist() -> None:
-    text = pydoc.render_doc(jkroll.pull_off_force, renderer=pydoc.TextDoc())
+    text = pydoc.render_doc(jkroll.formulas.pull_off_force, renderer=pydoc.TextDoc())
     assert "work_of_adhesion: 'SurfaceEnergy'" in text
     assert "P_c = 3πγR" in text
-    assert "P ≥ −P_c" in pydoc.render_doc(jkroll.load_margin, renderer=pydoc.TextDoc())
+    assert "P ≥ −P_c" in pydoc.render_doc(jkroll.formulas.load_margin, renderer=pydoc.TextDoc())
     assert [name for name, formula in FORMULAS.items() if "Annotated" in str(inspect.signature(formula))] == []
 
 
@@ -208,7 +208,7 @@ def test_an_approach_beyond_the_fold_is_refused() -> None:
 
 def test_a_type_checker_sees_a_number_or_an_array() -> None:
     """Held by mypy."""
-    assert_type(jkroll.yield_angle(yield_displacement=2e-10, reduced_radius=5e-8), float | NDArray[np.float64])
+    assert_type(jkroll.formulas.yield_angle(yield_displacement=2e-10, reduced_radius=5e-8), float | NDArray[np.float64])
 
 
 def test_pint_quantities_in_and_out() -> None:

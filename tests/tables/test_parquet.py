@@ -266,3 +266,11 @@ def test_a_column_with_a_dictionary_in_small_groups(run: Run) -> None:
     found = parquet.read_table("out.parquet").to_pydict()
     assert found["kind"] == kinds
     assert found["pull_off_force [N]"] == approx([3 * math.pi * 0.025 * (100 + row) * 0.5e-9 for row in range(2000)])
+
+
+def test_a_column_of_laws_is_refused_as_in_csv(run: Run) -> None:
+    refused = run(
+        "batch", write({"radius [nm]": [100.0], "model": ["dmt"]}), "-o", "out.parquet", "--material", "quartz"
+    )
+    assert refused.code == 2
+    assert "the law is an option: --model dmt" in refused.err

@@ -1,6 +1,5 @@
 """Runners of `map`, `figure` and `contact --curve -o`: from words and option values to a drawing."""
 
-import re
 import sys
 from collections.abc import Iterable
 
@@ -9,15 +8,14 @@ import numpy
 from ..errors import BadRequest, missing_extra
 from ..model.frame import Frame
 from ..model.limits import LIMITS
-from ..model.plan import depends_on
 from ..pictures.figures import FIGURE_NAMES, PANELS, PAPER_MAPS, PROFILES, curves_of_contact, figure_laws, paper_map
-from ..pictures.picture import STYLES, Axis, Picture, evaluate, say_texts, write_picture
-from ..pictures.request import PlotRequest, picture_of
+from ..pictures.picture import STYLES, Picture, evaluate, say_texts, write_picture
+from ..pictures.request import PlotRequest, axis_of, check_axes, picture_of
 from ..quantities.formatting import amount
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.markup import plain, symbol
-from ..quantities.nomenclature import as_input, computed_as, header
-from ..quantities.values import QuantityError, between, parse_quantity
+from ..quantities.nomenclature import computed_as, header
+from ..quantities.values import QuantityError, parse_quantity
 from ..report.questions import quantity_named
 from ..text import ending, listed, quoted, say, say_wrapped
 from ..write.writers import text_output, whole_file, write_columns
@@ -148,28 +146,7 @@ def _write_data(drawn: Picture, path: str) -> None:
 
 # --- Map request ------------------------------------------------------------------------------------------------------
 
-MAX_POINTS = 2000  # of an axis
 MAX_CURVES = 24  # more cannot be told apart
-_AXIS = re.compile(r"([^=]*)=(([^:,]*):([^:,]*)(?::([0-9]+))?(?::(lin|log))?)")  # NAME=FROM:TO:COUNT:SCALE
-
-
-def axis_of(text: str, option: str) -> Axis:
-    """Return the axis of a text `NAME=FROM:TO`, optionally with `:COUNT` and `:lin` or `:log`.
-
-    >>> axis = axis_of("radius=1nm:1mm", "--x")
-    >>> axis.name, axis.low, axis.high, axis.is_log
-    ('radius', 1e-09, 0.001, True)
-    """
-    if (match := _AXIS.fullmatch(text)) is None:
-        raise BadRequest(f"{option}: write a quantity and its range, such as radius=1nm:1mm, with :lin for equal steps")
-    word, values, first, last, count, scale = match.groups(default="")
-    name = quantity_named(as_input(word))
-    spread = between(first, last, count or "2", scale, name=name, text=values)
-    if not spread.low < spread.high:
-        raise QuantityError(name, values, "does not rise", "write FROM:TO with FROM below TO")
-    if spread.size > MAX_POINTS:
-        raise QuantityError(name, values, "has too many values", f"an axis takes {MAX_POINTS}")
-    return Axis(name, spread.low, spread.high, spread.is_log, spread.size if count else 0)
 
 
 def map_request(call: Call) -> PlotRequest:
@@ -182,17 +159,7 @@ def map_request(call: Call) -> PlotRequest:
     x = axis_of(call.x, "--x")
     y = axis_of(call.y, "--y") if call.y is not None else None
     axes = [x, y] if y is not None else [x]
-    within = depends_on((quantity,), tuple(model or DEFAULT_LAW for model in call.models))
-    fixed = {*map(computed_as, call.values)}
-    for axis in axes:
-        if computed_as(axis.name) in fixed:
-            raise BadRequest(f"{axis.name} is on an axis; it cannot have one value too")
-        if axis.name == quantity:
-            raise BadRequest(f"{quantity} is the quantity that is drawn; it cannot be an axis too")
-        if axis.name not in within:
-            raise BadRequest(f"{quantity} does not depend on {axis.name}")
-    if len({computed_as(axis.name) for axis in axes}) < len(axes):
-        raise BadRequest(f"both axes are {axes[0].name}")
+    check_axes(quantity, axes, call.values, tuple(model or DEFAULT_LAW for model in call.models))
     if (count := len(call.sweep)) > (1 if len(axes) > 1 else MAX_CURVES):
         most = f"the {MAX_CURVES} curves that can be told apart; name fewer" if len(axes) == 1 else "one map"
         raise BadRequest(f"{count} pairs are more than {most}")

@@ -5,15 +5,16 @@ the others: it is raised when that material is asked for.
 """
 
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import ItemsView, Iterable, Iterator, Mapping, Sequence
 from functools import cache
+from importlib import import_module
 from typing import Any, NamedTuple
 
 from ..errors import BadRequest
 from ..physics.elementary import cbrt, smaller_and_larger, sqrt
-from ..quantities.nomenclature import PROPERTIES, XI, named, read_only
+from ..quantities.nomenclature import PROPERTIES, XI, header, named, read_only
 from ..quantities.values import Interval, QuantityError, Uncertain, ends_of, is_uncertain, middle, value_of
-from ..text import closest, listed, quoted, shown
+from ..text import TextColumn, closest, html_table, listed, quoted, shown
 
 MAX_BYTES = 64_000  # some 180 materials with all their references
 MAX_NAME = 60
@@ -344,6 +345,43 @@ class Materials:
                 "(jkroll guide materials), or write one that jkroll materials lists"
             )
         raise UnknownMaterial(f"no material {quoted(word)}{remedy}", "unknown material")
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.materials)
+
+    def __len__(self) -> int:
+        return len(self.materials)
+
+    def __contains__(self, word: object) -> bool:
+        return str(word).strip().casefold() in self._meanings
+
+    def items(self) -> ItemsView[str, Material]:
+        """Return the names with the materials, without those with which something is wrong."""
+        return self.materials.items()
+
+    def to_dict(self) -> dict[str, dict[str, float]]:
+        """Return the properties of each material in SI units, by name."""
+        return {name: {**material.properties} for name, material in self.items()}
+
+    def to_pandas(self) -> Any:
+        """Return a DataFrame with a row for each material: its properties in SI units, its state and its source."""
+        rows = [
+            {header(name): each.properties.get(name) for name in PROPERTIES}
+            | {"state": each.state, "source": each.title}
+            for each in self.materials.values()
+        ]
+        return import_module("pandas").DataFrame(rows, index=[*self])
+
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows: the properties in SI units."""
+        columns = [TextColumn("material", [*self], is_right=False)]
+        for name in PROPERTIES:
+            values = [each.properties.get(name) for each in self.materials.values()]
+            columns.append(TextColumn(header(name), ["–" if value is None else f"{value:.4g}" for value in values]))
+        for head, attribute in (("state", "state"), ("source", "title")):
+            cells = [getattr(each, attribute) for each in self.materials.values()]
+            columns.append(TextColumn(head, cells, is_right=False))
+        return html_table(columns)
 
     @property
     def materials(self) -> Mapping[str, Material]:

@@ -1,13 +1,16 @@
 """Inputs from Python in SI units: numbers, texts, pint Quantities, uncertain values, and the containers of these."""
 
+import warnings
 from collections.abc import Callable, Mapping
 from functools import cache
+from importlib import import_module
 from typing import Any, get_type_hints
 
 from ..errors import BadRequest
 from ..physics import dimensions
 from ..physics.elementary import NUMBER
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity, as_input
+from ..quantities.numeric import Numeric
 from ..quantities.values import Measured, QuantityError, checked, is_uncertain, value_of
 
 _TAKEN_BY_FORMULAS = "give a number in SI units, an array of them or a pint Quantity"
@@ -27,9 +30,10 @@ class Reader:
 
     def __init__(self, formula: Callable[..., Any] | None = None) -> None:
         """`formula`: the formula whose arguments are read; None for the inputs of a frame."""
-        self.registry: Any = None  # the registry of the last pint Quantity
+        self.quantity: Any = None  # makes a quantity of the package that the last input with a unit came from
         self._formula = formula
         self._labelled: tuple[str, list[Axis]] | None = None  # the first input with labels
+        self._container: Any = None  # its array of pandas or xarray
         self._owners: dict[Any, str] = {}  # by variable of the package uncertainties, the input that has it
 
     def in_si(self, given: Mapping[str, Any], name_of: Callable[[str], str] = as_input) -> dict[str, Any]:
@@ -54,8 +58,12 @@ class Reader:
         """
         if type(value) is float:  # as nearly always
             return value
+        if isinstance(value, Numeric):
+            value = _of_result(name, value)
         if hasattr(value, "m_as"):
             value = self._without_unit(name, value)
+        elif hasattr(value, "to_value") and hasattr(value, "unit"):
+            value = self._of_astropy(name, value)
         if hasattr(value, "std_dev"):
             value = self._measured(name, value)
         if isinstance(value, str) or is_uncertain(value):
@@ -67,7 +75,7 @@ class Reader:
                 raise QuantityError(name, "a list", problem, "give them one by one")
             return self._floats(name, items)
         _refuse_unit(name, value)
-        self._compare_labels(name, value)
+        self.compare_labels(name, value)
         if hasattr(value, "dtype") and hasattr(value, "dims"):  # a data set of xarray has no type, and is refused
             return self.number(name, value.data)
         if hasattr(value, "dtype") and hasattr(value, "__dask_graph__"):
@@ -82,8 +90,8 @@ class Reader:
 
     def _without_unit(self, name: str, quantity: Any) -> Any:
         """Return the magnitude of a pint Quantity in SI units, as floats of 64 bits or an uncertain number."""
-        self.registry = registry = quantity._REGISTRY
-        unit = NOMENCLATURE[name].unit if self._formula is None else units_of(self._formula)[name]
+        registry, unit = quantity._REGISTRY, self._unit_of(name)
+        self.quantity = registry.Quantity
         magnitude = quantity.magnitude
         if not hasattr(magnitude, "std_dev"):
             magnitude = self.number(name, magnitude)  # 100 nm is no number of 16 bits
@@ -93,6 +101,18 @@ class Reader:
             return registry.Quantity(magnitude, quantity.units).m_as(unit)
         except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:  # those of pint are such
             raise QuantityError(name, str(quantity), f"has a unit that cannot be converted: {error}") from None
+
+    def _unit_of(self, name: str) -> str:
+        return NOMENCLATURE[name].unit if self._formula is None else units_of(self._formula)[name]
+
+    def _of_astropy(self, name: str, quantity: Any) -> Any:
+        """Return the value of a Quantity or a Column of astropy in SI units."""
+        self.quantity = import_module("astropy.units").Quantity
+        unit = self._unit_of(name)
+        try:
+            return self.quantity(quantity, dtype=float).to_value(unit)
+        except (TypeError, ValueError) as error:  # UnitConversionError is both
+            raise QuantityError(name, str(quantity), "is of another dimension", f"give a value in {unit}") from error
 
     def _measured(self, name: str, number: Any) -> Measured:
         """Return a number of the package uncertainties; raise BadRequest if it is correlated with another input."""
@@ -104,19 +124,34 @@ class Reader:
                 raise BadRequest(f"{owner} and {name} are correlated, and inputs must be independent; {remedy}")
         return Measured(number.nominal_value, number.std_dev)
 
-    def _compare_labels(self, name: str, value: Any) -> None:
+    def compare_labels(self, name: str, value: Any) -> None:
         """Raise BadRequest for arrays of pandas or xarray whose labels differ: elements are taken by position."""
         axes = _axes_of(value)
         if not axes:
             return
         if self._labelled is None:
             self._labelled = name, axes
+            self._container = value
         first, others = self._labelled
         remedy = "align them first, or give numpy arrays, which are taken by position"
         if [dimension for dimension, _ in axes] != [dimension for dimension, _ in others]:
             raise BadRequest(f"{first} and {name} have different dimensions: {remedy}")
         if not all(_are_same(labels, other) for (_, labels), (_, other) in zip(axes, others, strict=True)):
             raise BadRequest(f"{first} and {name} have different indexes: {remedy}")
+
+    def labelled(self, name: str, values: Any) -> Any:
+        """Return the values of a quantity with the labels of the inputs, if they have their shape."""
+        container = self._container
+        if container is None or getattr(values, "shape", None) != getattr(container, "shape", None):
+            return values
+        if hasattr(container, "dims"):
+            found = container.copy(data=values)
+            found.attrs = {}
+        else:
+            found = container._constructor(values, **dict(zip(("index", "columns"), container.axes, strict=False)))
+        if hasattr(found, "name"):
+            found.name = name
+        return found
 
     def _floats(self, name: str, value: Any) -> Any:
         """Return a float or an array of floats for a number, a sequence or an array of any number type."""
@@ -139,14 +174,40 @@ class Reader:
         raise QuantityError(name, str(value), "is not a number", remedy)
 
 
+def warn_of_metres(described: Mapping[str, Any], given: Mapping[str, Any]) -> None:
+    """Warn of radii that were given as numbers without a unit, and are a metre or more."""
+    for name in described.keys() & {"radius", "diameter", "reduced_radius"}:
+        words = [word for word, value in given.items() if as_input(str(word)) == name and isinstance(value, NUMBER)]
+        if words and described[name] >= 1.0:
+            text = f"{words[0]}={given[words[0]]} is a sphere of {described[name]:g} m: numbers are in SI units"
+            warnings.warn(f'{text}; write {words[0]}="{given[words[0]]} nm" for another', stacklevel=3)
+
+
+def quantity_of(package: str) -> Any:
+    """Return what makes a quantity of a number and a unit. Raises BadRequest for a package that has no units."""
+    if package == "pint":
+        return import_module("pint").get_application_registry().Quantity
+    if package == "astropy":
+        return import_module("astropy.units").Quantity
+    raise BadRequest(f"units: {package!r} is not known; write pint or astropy")
+
+
+def _of_result(name: str, result: Numeric) -> Any:
+    """Return the number of a result of jkroll. Raises QuantityError for one in another unit."""
+    unit, wanted = NOMENCLATURE[result.name].unit, NOMENCLATURE[name].unit
+    if unit != wanted:
+        raise QuantityError(name, str(result), f"is a {result.name}, in {unit}", f"give a value in {wanted}")
+    return result.number
+
+
 def _refuse_unit(name: str, value: Any) -> None:
     """Raise QuantityError for a unit of another package, and for one that is a word among attributes."""
-    attributes, remedy = getattr(value, "attrs", {}), "give SI numbers or a pint Quantity"
+    attributes, remedy = getattr(value, "attrs", {}), "give SI numbers, or a Quantity of pint or astropy"
     for word in attributes:
         if str(word).casefold() in ("unit", "units"):
             raise QuantityError(name, f"{word} = {attributes[word]}", "is an attribute, which is not read", remedy)
     if any(hasattr(holder, word) for holder in (value, getattr(value, "dtype", None)) for word in ("unit", "units")):
-        raise QuantityError(name, str(value), "has a unit, and only those of pint Quantities are read", remedy)
+        raise QuantityError(name, str(value), "has a unit, and only those of pint and astropy are read", remedy)
 
 
 def _axes_of(value: Any) -> list[Axis]:

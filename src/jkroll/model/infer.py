@@ -24,6 +24,19 @@ class InferredValues(dict[str, Any]):
 
 
 @overload
+def infer(
+    wanted: str,
+    /,
+    *,
+    measured: Mapping[str, float],
+    material: str | Material | None = None,
+    material2: str | Material | None = None,
+    materials: Materials | None = None,
+    model: str | None = None,
+    profile: str | None = None,
+    **given: float,
+) -> float: ...
+@overload
 def infer(wanted: str, /, *, measured: Mapping[str, Any], **scene: Any) -> Any: ...
 @overload
 def infer(wanted: Sequence[str], /, *, measured: Mapping[str, Any], **scene: Any) -> InferredValues: ...

@@ -1,11 +1,12 @@
 """The Python face of a frame: names and values in, values out; of the inverse problem; and of the formulas."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import suppress
 from functools import wraps
 from math import isfinite
-from typing import Any, overload
+from typing import TYPE_CHECKING, Any, overload
 
-from ..errors import BadRequest
+from ..errors import BadRequest, NoResult
 from ..materials.library import Material, Materials, known_materials
 from ..physics import FORMULAS as PLAIN_FORMULAS
 from ..quantities.laws import law_given
@@ -13,15 +14,63 @@ from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, UnknownQuantity, 
 from ..quantities.values import QuantityError, is_uncertain
 from ..text import listed
 from .column import broadcast
-from .containers import Reader, units_of
+from .containers import Reader, quantity_of, units_of
 from .frame import Frame
 from .plan import parameters_of
 from .reasons import NO_DOUBLE, Failure, failure_of, reason_for
 from .uncertainty import error_bars, no_error_bar
 
+if TYPE_CHECKING:
+    from numpy import float64
+    from numpy.typing import NDArray
+
+    Floats = NDArray[float64]
+
+Solids = str | Material | Sequence[str | Material] | None  # one, or one for each element
+Words = str | Sequence[str] | None
+
 ELEMENTS_AT_ONCE = 1 << 14  # few enough that intermediate results stay in the processor's cache
 
 
+@overload
+def solve(  # type: ignore[overload-overlap]  # one law and one material are the case of floats
+    wanted: str,
+    /,
+    *,
+    material: str | Material | None = None,
+    material2: str | Material | None = None,
+    materials: Materials | None = None,
+    model: str | None = None,
+    profile: str | None = None,
+    units: None = None,
+    **given: float,
+) -> float: ...
+@overload
+def solve(
+    wanted: str,
+    /,
+    *,
+    material: Solids = None,
+    material2: Solids = None,
+    materials: Materials | None = None,
+    model: Words = None,
+    profile: Words = None,
+    units: None = None,
+    **given: "float | Floats",
+) -> "Floats": ...
+@overload
+def solve(
+    wanted: list[str] | tuple[str, ...],
+    /,
+    *,
+    material: str | Material | None = None,
+    material2: str | Material | None = None,
+    materials: Materials | None = None,
+    model: str | None = None,
+    profile: str | None = None,
+    units: None = None,
+    **given: float,
+) -> dict[str, float]: ...
 @overload
 def solve(wanted: str, /, **scene: Any) -> Any: ...
 @overload
@@ -30,11 +79,12 @@ def solve(
     wanted: str | Iterable[str],
     /,
     *,
-    material: str | Material | None = None,
-    material2: str | Material | None = None,
+    material: Solids = None,
+    material2: Solids = None,
     materials: Materials | None = None,
-    model: str | None = None,
-    profile: str | None = None,
+    model: Words = None,
+    profile: Words = None,
+    units: str | None = None,
     **given: Any,
 ) -> Any:
     """Compute quantities of the nomenclature from whatever is known of the scene.
@@ -50,25 +100,29 @@ def solve(
         "surface_energy", "P_c" is "pull_off_force".
     material, material2
         Materials, or their names or aliases; `material2` for sphere 2, which is otherwise like sphere 1. A property
-        given by name overrides the material's.
+        given by name overrides the material's. A list, or a column, has one for each element, and so may have those of
+        `model` and `profile`.
     materials
         Where materials are looked up: `Materials("mine.toml")` for some of your own besides the shipped ones.
     model
         The law of attraction: "jkr" (the paper's, the default), "maugis" or "dmt".
     profile
         The body that presses: "paraboloid" (the default) or, for a rigid sphere on a soft plane by JKR, "sphere".
+    units
+        "pint" or "astropy": results are quantities of that package. By default they are if an input was one.
     **given
-        Inputs by name: a float, an array or a list in SI units, a text with a unit ("100 nm"), or a pint Quantity,
-        which an array of xarray or dask may hold. Arrays broadcast by position: those of pandas or xarray must have the
-        same labels. `radius2` may be infinite (a plane), and one Young's modulus too (a rigid body). Single values may
-        be uncertain: `Measured`, `Interval`, "25±5 mJ/m2", "20 to 30 mJ/m2", a pint Measurement, or a number of the
-        package `uncertainties` that is independent of the other inputs.
+        Inputs by name: a float, an array or a list in SI units, a text with a unit ("100 nm"), or a Quantity of pint or
+        astropy, which an array of xarray or dask may hold. Arrays broadcast by position: those of pandas or xarray must
+        have the same labels. `radius2` may be infinite (a plane), and one Young's modulus too (a rigid body). Single
+        values may be uncertain: `Measured`, `Interval`, "25±5 mJ/m2", "20 to 30 mJ/m2", a pint Measurement, or a number
+        of the package `uncertainties` that is independent of the other inputs.
 
     Returns
     -------
-    The value of a single wanted name, or a dict of name to value. SI numbers: floats, arrays, or pint Quantities if any
-    input was one. A result has the shape of the arrays on which it depends: that of `yield_force` is a float for many
-    radii. If a given value is uncertain, so are the results: `Measured` or `Interval` in SI units.
+    The value of a single wanted name, or a dict of name to value. SI numbers: floats, arrays, or Quantities if an input
+    was one; a Series of pandas or a DataArray of xarray, with its labels, if one was. A result has the shape of the
+    arrays on which it depends: that of `yield_force` is a float for many radii. If a given value is uncertain, so are
+    the results: `Measured` or `Interval` in SI units.
 
     Raises
     ------
@@ -88,13 +142,90 @@ def solve(
     names = [*map(named, words_in(wanted))]
     reader = Reader()
     described = reader.in_si(given)
-    frame = Frame(described, *materials_of(material, material2, materials), model=law_given(model, profile))
-    results = values_of(frame, names)
-    if frame.uncertain:
-        results = with_uncertainties(frame, described, results)
-    elif reader.registry is not None:
-        results = {name: reader.registry.Quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
+    quantity = quantity_of(units) if units is not None else reader.quantity
+    words: dict[str, Any] = {"material": material, "material2": material2, "model": model, "profile": profile}
+    if lists := {name: word for name, word in words.items() if _is_list(word)}:
+        for name, word in lists.items():
+            reader.compare_labels(name, word)
+        results = _values_by_word(names, words, materials, described)
+    else:
+        solids = materials_of(words["material"], words["material2"], materials)
+        frame = Frame(described, *solids, model=law_given(words["model"], words["profile"]))
+        results = values_of(frame, names)
+        if frame.uncertain:
+            return _one_or_all(wanted, names, with_uncertainties(frame, described, results))
+    if quantity is not None:
+        results = {name: quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
+    else:
+        results = {name: reader.labelled(name, value) for name, value in results.items()}
+    return _one_or_all(wanted, names, results)
+
+
+def _one_or_all(wanted: Any, names: Sequence[str], results: dict[str, Any]) -> Any:
     return results[names[0]] if isinstance(wanted, str) else results
+
+
+def _is_list(word: Any) -> bool:
+    """Return whether there is a word for each element: a list or a column, and no name and no material."""
+    is_one = isinstance(word, str | bytes | Material | Mapping) or hasattr(word, "m_as")
+    return not is_one and hasattr(word, "__getitem__") and getattr(word, "ndim", 1) > 0
+
+
+def _values_by_word(
+    names: Sequence[str], words: Mapping[str, Any], materials: Materials | None, described: Mapping[str, Any]
+) -> dict[str, Any]:
+    """Return the values of quantities where materials or laws differ from element to element.
+
+    The elements that share them are one frame.
+    """
+    import numpy
+
+    refuse_uncertain(described)
+    lists = {name: _array_of(name, word) for name, word in words.items() if _is_list(word)}
+    arrays = {name: numpy.asarray(value) for name, value in described.items() if not isinstance(value, float)}
+    shape = broadcast({**lists, **arrays})
+    rows = {name: numpy.broadcast_to(array, shape).reshape(-1) for name, array in {**lists, **arrays}.items()}
+    groups: dict[tuple[Any, ...], list[int]] = {}
+    for row, key in enumerate(zip(*(rows[name].tolist() for name in lists), strict=True)):
+        groups.setdefault(key, []).append(row)
+    results = {name: numpy.full(shape, numpy.nan) for name in names}
+    for key, elements in groups.items():
+        of_group = {**words, **dict(zip(lists, key, strict=True))}
+        given = {name: rows[name][elements] if name in arrays else value for name, value in described.items()}
+        solids = materials_of(of_group["material"], of_group["material2"], materials)
+        frame = Frame(given, *solids, model=law_given(of_group["model"], of_group["profile"]))
+        for name in names:
+            with suppress(NoResult):  # of numbers; arrays have nan there themselves
+                results[name].reshape(-1)[elements] = values_of(frame, [name])[name]
+    return results
+
+
+def _array_of(name: str, words: Any) -> Any:
+    """Return names or materials as an array: a material is a tuple, which numpy would take apart.
+
+    Raises QuantityError for what is neither.
+    """
+    import numpy
+
+    if isinstance(words, list | tuple) and any(isinstance(word, Material) for word in words):
+        array = numpy.empty(len(words), dtype=object)
+        for position, word in enumerate(words):
+            array[position] = word
+    else:
+        array = numpy.asarray(words, dtype=object)
+    for word in array.reshape(-1).tolist():
+        if not isinstance(word, str | Material):
+            raise QuantityError(name, str(word), "is not a name", f'write {name}=["…", "…"]')
+    return array
+
+
+def refuse_uncertain(described: Mapping[str, Any]) -> None:
+    """Raise QuantityError for an uncertain value where there are several scenes."""
+    for name, value in described.items():
+        if is_uncertain(value):
+            raise QuantityError(
+                name, "an uncertain value", "is one of several scenes", "jkroll.table takes such columns"
+            )
 
 
 def words_in(wanted: str | Iterable[str]) -> list[str]:
@@ -197,11 +328,11 @@ def _of_python(formula: Callable[..., Any]) -> Callable[..., Any]:
             number = reason_for(formula.__name__, numbers) if has_words else 0
             error = failure_of(number, numbers) if number else Failure(NO_DOUBLE, formula.__name__)
             raise OutsideDomain(error.cause, error.name, error.numbers) from None
-        if reader.registry is not None:
-            return reader.registry.Quantity(value, units_of(formula)["return"])
+        if reader.quantity is not None:
+            return reader.quantity(value, units_of(formula)["return"])
         return value
 
-    call.__module__ = "jkroll"  # where pickle finds it
+    call.__module__ = "jkroll.formulas"  # where pickle finds it
     return call
 
 

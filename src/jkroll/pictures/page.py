@@ -114,6 +114,24 @@ def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption
     return figure
 
 
+def draw_on(axes: Any, panel: Panel, style: Style) -> None:
+    """Draw a panel on axes of a figure that is not ours, with a legend inside; the shape and the looks are theirs."""
+    inches = axes.get_window_extent().width / axes.figure.dpi
+    letters = _letters(inches)
+    _set_axes(axes, panel, inches, _ASPECT)
+    axes.set_box_aspect(None)
+    if panel.field is not None:
+        keys, contours = _draw_field(axes, panel, panel.field, style, letters)
+    else:
+        keys, contours = _draw_curves(axes, panel, style, letters), None
+    axes.figure.draw_without_rendering()
+    taken = _label_marks(axes, panel.marks, style)
+    if panel.field is not None and contours is not None:
+        _label_contours(axes, contours, panel.field.in_words(levels_of(panel.field))[0], taken, style)
+    if keys:
+        axes.legend(handles=keys, fontsize="small", framealpha=1.0)
+
+
 def _letters(inches: float) -> int:
     """Return the number of letters of a line that fit into a width."""
     return int(0.97 * inches * 72 / (LETTER_WIDTH * LETTER_SIZE))

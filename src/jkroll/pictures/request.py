@@ -1,5 +1,6 @@
 """A user's request for a plot as a field or curves: with caption, notes, and limits of the model that are exceeded."""
 
+import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from math import isclose, log, nan
@@ -13,15 +14,17 @@ from ..model.estimate import BETTER_LAW, estimates
 from ..model.frame import Frame
 from ..model.limits import LAW, LIMITS, Doubt, Limit, doubts
 from ..model.other_law import has_other_formulas
+from ..model.plan import depends_on
 from ..model.reasons import RESTS_ON_SPACING, Cause, Failure, MissingInput, explanation_of
 from ..model.results import Results
 from ..quantities.formatting import AS_USUAL, Format, amount, in_words, symbol_of
 from ..quantities.laws import BETWEEN
 from ..quantities.markup import symbol
-from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, computed_as
-from ..quantities.values import parse_quantity
+from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, as_input, computed_as
+from ..quantities.values import QuantityError, between, parse_quantity
 from ..report.answer import equation_of
 from ..report.notes import about_assumed, about_data, about_given, about_idle, about_middles, assumed, entering
+from ..report.questions import quantity_named
 from ..report.ranges import range_in_words
 from ..text import quoted
 from .picture import (
@@ -114,6 +117,45 @@ def _curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
     notes = [f"no curve: {text}: {error}" for text, error in errors.items()]
     notes += dict.fromkeys(note for layer in layers for note in layer.notes)
     return Picture("", (Panel(x, y, curves, marks),), caption, beyond), tuple(notes)
+
+
+# --- Axes -------------------------------------------------------------------------------------------------------------
+
+MAX_POINTS = 2000  # of an axis
+_AXIS = re.compile(r"([^=]*)=(([^:,]*):([^:,]*)(?::([0-9]+))?(?::(lin|log))?)")  # NAME=FROM:TO:COUNT:SCALE
+
+
+def axis_of(text: str, option: str) -> Axis:
+    """Return the axis of a text `NAME=FROM:TO`, optionally with `:COUNT` and `:lin` or `:log`.
+
+    >>> axis = axis_of("radius=1nm:1mm", "--x")
+    >>> axis.name, axis.low, axis.high, axis.is_log
+    ('radius', 1e-09, 0.001, True)
+    """
+    if (match := _AXIS.fullmatch(text)) is None:
+        raise BadRequest(f"{option}: write a quantity and its range, such as radius=1nm:1mm, with :lin for equal steps")
+    word, values, first, last, count, scale = match.groups(default="")
+    name = quantity_named(as_input(word))
+    spread = between(first, last, count or "2", scale, name=name, text=values)
+    if not spread.low < spread.high:
+        raise QuantityError(name, values, "does not rise", "write FROM:TO with FROM below TO")
+    if spread.size > MAX_POINTS:
+        raise QuantityError(name, values, "has too many values", f"an axis takes {MAX_POINTS}")
+    return Axis(name, spread.low, spread.high, spread.is_log, spread.size if count else 0)
+
+
+def check_axes(quantity: str, axes: Sequence[Axis], given: Iterable[str], models: tuple[str, ...]) -> None:
+    """Raise BadRequest for axes on which a quantity does not depend, or which are given besides."""
+    within, fixed = depends_on((quantity,), models), {*map(computed_as, given)}
+    for axis in axes:
+        if computed_as(axis.name) in fixed:
+            raise BadRequest(f"{axis.name} is on an axis; it cannot have one value too")
+        if axis.name == quantity:
+            raise BadRequest(f"{quantity} is the quantity that is drawn; it cannot be an axis too")
+        if axis.name not in within:
+            raise BadRequest(f"{quantity} does not depend on {axis.name}")
+    if len({computed_as(axis.name) for axis in axes}) < len(axes):
+        raise BadRequest(f"both axes are {axes[0].name}")
 
 
 # --- Marks ------------------------------------------------------------------------------------------------------------

@@ -34,6 +34,7 @@ _ESCAPED = {
     **{sign: f"${command}$" for sign, command in _COMMANDS.items()},
     **{ord(sign): f"$^{{{sign.translate(SUPERSCRIPTS)}}}$" for sign in _SUPERSCRIPTS},
     **{ord(sign): rf"\{sign}" for sign in "&%$#_{}"},
+    **{ord(sign): f"${command}$" for sign, command in (("≈", r"\approx"), ("≥", r"\geq"), ("≤", r"\leq"))},
     ord(NO_BREAK_SPACE): "~",
     ord("\\"): r"\textbackslash{}",
     ord("~"): r"\textasciitilde{}",

@@ -8,6 +8,7 @@ mJ/m2. There are lists and ranges of values: "1nm,1um" and "1nm:1um:50".
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
+from importlib import import_module
 from math import isnan, nan
 from typing import Any, Self, TypeGuard
 
@@ -96,6 +97,38 @@ class Uncertain:
         """The upper end, or the value plus its uncertainty."""
         return self.sides["high"] if "high" in self.sides else self.value + self.sides["plus"]
 
+    def changed(self, change: Callable[[Any], Any]) -> Self:
+        """Return the value in another unit, or times a number: a change that is linear and has no constant."""
+        sides = {side: change(number) for side, number in self.sides.items()}
+        if change(1.0) < 0:
+            first, second = sides.values()
+            sides = dict(zip(sides, (second, first) if "low" in sides else (-second, -first), strict=True))
+        return type(self).of(change(self.value), **sides)
+
+    def _plus(self, number: float) -> Self:
+        sides = {side: each + number if "low" in self.sides else each for side, each in self.sides.items()}
+        return type(self).of(self.value + number, **sides)
+
+    def __add__(self, other: Any) -> Any:
+        return self._plus(other) if _is_exact(other) else NotImplemented
+
+    def __sub__(self, other: Any) -> Any:
+        return self._plus(-other) if _is_exact(other) else NotImplemented
+
+    def __rsub__(self, other: Any) -> Any:
+        return (-self)._plus(other) if _is_exact(other) else NotImplemented
+
+    def __mul__(self, other: Any) -> Any:
+        return self.changed(lambda number: number * other) if _is_exact(other) else NotImplemented
+
+    def __truediv__(self, other: Any) -> Any:
+        return self.changed(lambda number: number / other) if _is_exact(other) else NotImplemented
+
+    def __neg__(self) -> Self:
+        return self.changed(lambda number: -number)
+
+    __radd__, __rmul__ = __add__, __mul__
+
     def __eq__(self, other: object) -> bool:
         return type(other) is type(self) and vars(other) == vars(self)
 
@@ -126,6 +159,12 @@ class Measured(Uncertain):
             raise BadRequest(f"Measured: {min(below, above)!r} is a negative uncertainty")
         self.sides = {"minus": below, "plus": above}
 
+    def ufloat(self) -> Any:
+        """Return the number of the package `uncertainties`. Raises BadRequest where the two sides differ."""
+        if self.minus != self.plus:
+            raise BadRequest(f"Measured: the sides {self.minus!r} and {self.plus!r} differ, and a ufloat has one")
+        return import_module("uncertainties").ufloat(self.value, self.plus)
+
     @property
     def minus(self) -> Any:
         """The uncertainty below the value."""
@@ -152,6 +191,14 @@ class Interval(Uncertain):
         if not low <= self.value <= high:
             raise BadRequest(f"Interval: {self.value!r} does not lie in the range from {low!r} to {high!r}")
         self.sides = {"low": low, "high": high}
+
+
+def _is_exact(other: object) -> bool:
+    """Return whether a value is a number; raise BadRequest for another uncertain one."""
+    if isinstance(other, Uncertain):
+        remedy = "write a.ufloat() and b.ufloat() if they are, or let solve combine the inputs"
+        raise BadRequest(f"two uncertain values may not be independent; {remedy}")
+    return isinstance(other, int | float) and not isinstance(other, bool)
 
 
 def _checked_number(owner: str, value: object) -> float:

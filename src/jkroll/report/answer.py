@@ -35,6 +35,7 @@ from ..model.uncertainty import ErrorBar, error_bars
 from ..quantities.formatting import amount, in_words
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, MODELS
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
+from ..quantities.numeric import Numeric
 from ..quantities.values import Uncertain, is_uncertain, middle
 from .notes import assumed, entering
 from .questions import Question
@@ -42,8 +43,10 @@ from .questions import Question
 # --- Results ----------------------------------------------------------------------------------------------------------
 
 
-class Result:
+class Result(Numeric):
     """A quantity in SI units, or the reason why it has no value; a text of it is rounded, as on a terminal.
+
+    It counts as its number: `float(result)`, `result * 2`, `f"{result:.3g}"`, `result.to("nN")`.
 
     `code` is that of the reason, `error` the relative error of a model of the moment, `growth` the largest factor by
     which relative errors of measured values enter an inferred one.

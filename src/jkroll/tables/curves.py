@@ -10,10 +10,10 @@ from ..materials.library import Materials
 from ..model.fit_branches import APPROACH, LOADING, RADIUS, TRAVEL, UNLOADING, Measured
 from ..quantities.nomenclature import header as header_of
 from ..text import quoted
-from .cells import Column, cells_of
+from .cells import Column
+from .dataframes import Memory, data_of
 from .files import Input, input_format, table_of_lines
 from .header import Header, understood
-from .layouts import SAMPLE
 from .table import Asked, Records
 
 # The quantities of the columns: what x may be, in the order in which they are preferred, and forces.
@@ -61,20 +61,12 @@ def read_curve(
     return ReadCurve(_curve(table, every, stiffness), table.columns.reading(*lines.remarks))
 
 
-def curve_of_columns(columns: Mapping[str, Any], known: Materials, stiffness: float | None) -> ReadCurve:
-    """Return the curve in columns by their headers, as of a DataFrame. Raises BadTable."""
-    if not hasattr(columns, "values") or not len(columns):
-        raise BadTable("a curve is a file, or columns by their headers, such as a DataFrame")
-    names = (*map(str, columns),)
-    cells = [cells_of(numpy.asarray(column).tolist()) for column in columns.values()]
-    if len({*map(len, cells)}) > 1:
-        raise BadTable("the columns of the curve have different lengths")
-    rows = [
-        [cell.decode(errors="replace") for cell in row] for row in zip(*(each[:SAMPLE] for each in cells), strict=True)
-    ]
-    table = _table(names, rows, {}, Asked({}, known, measured=MEASURED, pass_rest=True))
-    records = Records([b""] * len(cells[0]), {name: cells[place] for name, place in table.positions.items()})
-    return ReadCurve(_curve(table, [records], stiffness), table.columns.reading())
+def curve_of_columns(columns: Any, known: Materials, stiffness: float | None) -> ReadCurve:
+    """Return the curve in a table of Python. Raises BadTable."""
+    asked = Asked({}, known, measured=MEASURED, pass_rest=True)
+    rows = Memory(data_of(columns), asked)
+    table = _table(rows.names, rows.sample, {}, asked)
+    return ReadCurve(_curve(table, [rows.read(range(rows.size), table)], stiffness), table.columns.reading())
 
 
 def _opened(file: Input, asked: Asked, stated: str, mark: str) -> tuple[Any, Iterator[Any]]:

@@ -236,7 +236,7 @@ def meaning_of(text: str, cells: Sequence[str], stated: Mapping[str, str], measu
     if reading.is_symbol and not reading.part:
         kinds = {_kind(each, reading.name) for each in dict.fromkeys(cells) if not is_number(each)}
         reading = Reading() if kinds.isdisjoint((_VALUE, _UNIT)) else reading
-    elif key(text) in ("model", "law") and cell.casefold() in MODELS and not reading.is_stated:
+    elif is_law(text) and cell.casefold() in MODELS and not reading.is_stated:
         reading = Reading(problem=f"the law is an option: --model {cell.casefold()}")
     elif cell[:1].isalpha() and not reading.is_input and not reading.is_stated:
         reading = Reading()
@@ -410,6 +410,11 @@ def check_inputs(header: Header, measured: str = "") -> None:
         "header: no column is an input; a row is a contact, and its inputs have columns such as radius [nm]. "
         f"Write {_option('HEADER', 'INPUT [UNIT]')}"
     )
+
+
+def is_law(text: str) -> bool:
+    """Return whether a column of this header is refused where its cells are laws."""
+    return key(text) in ("model", "law")
 
 
 def is_input(text: str, measured: str = "") -> bool:

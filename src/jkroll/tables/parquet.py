@@ -119,7 +119,9 @@ class Arrow:
 
     def read(self, batch: Any, table: Table) -> Records:
         """Return a batch, taken apart."""
-        cells = {name: cells_of(_values(batch.column(position))) for name, position in table.columns.positions.items()}
+        cells = {
+            name: cells_of(values_of(batch.column(position))) for name, position in table.columns.positions.items()
+        }
         for name, position in table.labels.items():
             column = batch.column(position)
             cells[name] = cells_of(column.to_pylist()) if _has_texts(column.type) else [b""] * batch.num_rows
@@ -133,7 +135,7 @@ def _has_texts(type_: Any) -> bool:
     return bool(types.is_string(type_) or types.is_large_string(type_) or types.is_string_view(type_))
 
 
-def _values(column: Any) -> Any:
+def values_of(column: Any) -> Any:
     """Return the values of a column: an array of numbers where each row has one, which is twice as fast, or a list."""
     is_whole = pyarrow.types.is_integer(column.type) or pyarrow.types.is_float64(column.type)
     return column.to_numpy() if is_whole and not column.null_count else column.to_pylist()

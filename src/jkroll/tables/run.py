@@ -85,13 +85,13 @@ def run(path: str, job: Job) -> int:
         if job.resume or job.dask:
             raise BadRequest("--resume and --dask are for many files: write 'grains/*.csv' -o DIRECTORY/")
         tally, code = convert_one(path, job), 0
-    job.say(_notes(tally, job.asked))
+    job.say(notes_on(tally, job.asked))
     if tally.failed:
         say(f"jkroll: {tally.failed} of {tally.rows} rows failed; column {STATUS} says why", sys.stderr)
     return code or (ROWS_FAILED if tally.failed else 0)
 
 
-def _notes(tally: Tally, asked: Asked) -> Iterator[str]:
+def notes_on(tally: Tally, asked: Asked) -> Iterator[str]:
     """Iterate over lines on what was inferred, and in how many rows numbers are in doubt, or cells empty."""
     from ..report.notes import about_rows
 
@@ -118,7 +118,7 @@ def _summary(name: str, tally: Tally) -> str:
     return f"{sentence}; {middle}; mean {amount(name, mean)}, scatter {amount(name, scatter)}"
 
 
-def _about(table: Table) -> Iterator[str]:
+def about(table: Table) -> Iterator[str]:
     """Iterate over the lines about a table as a whole.
 
     They say which inputs are assumed, which labels may be meant as materials, which options change nothing, and what
@@ -207,11 +207,11 @@ def convert_one(path: str, job: Job) -> Tally:
         reading = header.reading(*form.remarks)
         job.say([reading])  # at once: an input is missing where a column is not understood
         table = Table(header, form.sample, asked)
-        about = [*_about(table)]
-        job.say(about)
+        remarks = [*about(table)]
+        job.say(remarks)
         with whole_file(job.target, job.mark) as output:
             convert = Converter(form, table, wanted.compression, strict=job.strict)
-            return _convert(file, blocks, convert, output, job)._replace(said=(reading, *about))
+            return _convert(file, blocks, convert, output, job)._replace(said=(reading, *remarks))
 
 
 def _convert(file: Input, blocks: Iterator[Any], convert: Converter, output: BinaryIO, job: Job) -> Tally:

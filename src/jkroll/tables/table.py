@@ -21,7 +21,7 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, computed_as,
 from ..quantities.values import is_uncertain, value_of
 from ..text import quoted
 from .cells import LABEL, Indices, Lookup
-from .header import Header, is_input, stated_meanings, typed
+from .header import Header, is_input, is_law, stated_meanings, typed
 from .unread import Supply
 from .words import LABEL_OF, MATERIALS, are_kinds_of_data, rows_of_statistics
 
@@ -31,7 +31,7 @@ _NO_ROWS: Any = numpy.empty(0)  # the values of an input where there is no row y
 class Asked(NamedTuple):
     """The request of a table: what options give to all of its rows, and what is wanted of these."""
 
-    inputs: Mapping[str, str]  # texts, by name
+    inputs: Mapping[str, Any]  # texts by name; from Python values in SI units, and materials
     known: Materials
     explicit: Sequence[str] = ()  # quantities that were asked for by name
     offered: Sequence[str] = ()  # quantities that may lack inputs
@@ -54,8 +54,8 @@ class Asked(NamedTuple):
         return Supply.of(names, {*columns, self.infer}, self.inputs, self.known)
 
     def is_read(self, text: str) -> bool:
-        """Return whether a header may be that of an input, or of what was measured."""
-        return is_input(self.stated.get(typed(text), text), self.measured)
+        """Return whether a header may be that of an input, or of what was measured, or of laws."""
+        return is_law(text) or is_input(self.stated.get(typed(text), text), self.measured)
 
 
 _OF_LAW = ("model", "profile")  # inputs that are words
@@ -73,8 +73,9 @@ class Table:
         self.labels = _labels(columns, rows, asked)
         self.positions = {**columns.positions, **self.labels}
         inputs, known = asked.inputs, asked.known
-        self.spheres = {name: known[inputs[name]] if name in inputs else None for name in MATERIALS}
-        self.fixed = {name: value_of(text, name) for name, text in inputs.items() if name not in (*MATERIALS, *_OF_LAW)}
+        self.spheres = {name: _material(inputs[name], known) if name in inputs else None for name in MATERIALS}
+        every = {name: value for name, value in inputs.items() if name not in (*MATERIALS, *_OF_LAW)}
+        self.fixed = {name: value_of(each, name) if isinstance(each, str) else each for name, each in every.items()}
         self.model = law_given(*map(inputs.get, _OF_LAW))
         self.said = LAWS[self.model].words if self.model is not None else {}  # columns of text, the same in all rows
         self.lookups = {name: Lookup(known, solid) for name, solid in self.spheres.items()}
@@ -189,6 +190,11 @@ class Table:
                 if frame.uncertainties:
                     sources.append(sources_of_results(frame, self.names))
         return sources
+
+
+def _material(given: str | Material, known: Materials) -> Material:
+    """Return the material of a name, or one that was given itself."""
+    return known[given] if isinstance(given, str) else given
 
 
 def _labels(columns: Header, rows: Sequence[Sequence[str]], asked: Asked) -> dict[str, int]:

@@ -9,7 +9,7 @@ import re
 from collections.abc import Collection, Mapping, Sequence
 from functools import cache, lru_cache
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from ..errors import JkrollError
 from ..materials.library import Materials, UnclearMaterial
@@ -56,7 +56,7 @@ class Supply(NamedTuple):
 
     @classmethod
     def of(
-        cls, names: Sequence[str], columns: Collection[str], options: Mapping[str, str], known: Materials
+        cls, names: Sequence[str], columns: Collection[str], options: Mapping[str, Any], known: Materials
     ) -> "Supply":
         """Return what is supplied to some quantities.
 
@@ -101,10 +101,11 @@ def decided_by(columns: Collection[str]) -> set[str]:
     return {name for group in groups for name in group}
 
 
-def _supplier(name: str, columns: Collection[str], options: Mapping[str, str], known: Materials) -> str:
+def _supplier(name: str, columns: Collection[str], options: Mapping[str, Any], known: Materials) -> str:
     """Return the words for what supplies an input that no column gives; "" for nothing, or sphere 1."""
     if name in options:
-        return f"{NOMENCLATURE[name].option or f'--{name}'} {shown(options[name])}"
+        value = options[name] if isinstance(options[name], str) else amount(name, options[name])
+        return f"{NOMENCLATURE[name].option or f'--{name}'} {shown(value)}"
     sphere = NOMENCLATURE[name].sphere
     solid = of_sphere(sphere, "material") if sphere else ""
     first = of_sphere(1, name)
@@ -112,7 +113,7 @@ def _supplier(name: str, columns: Collection[str], options: Mapping[str, str], k
         return "the material's" if sphere == 1 else f"that of {solid}"
     if first in PROPERTIES and solid in options:
         try:
-            material = known[options[solid]]
+            material = known[options[solid]] if isinstance(options[solid], str) else options[solid]
         except JkrollError:
             return ""
         if first in material.properties:

@@ -1,8 +1,9 @@
 """An answer as text and as objects: plain lines in a pipe, JSON, and what `jkroll.answer` returns."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import ItemsView, Iterable, Iterator, KeysView, Mapping
 from functools import cached_property
-from math import isnan
+from importlib import import_module
+from math import isnan, nan
 from typing import TYPE_CHECKING, Any, TextIO
 
 from ..errors import BadRequest
@@ -160,7 +161,7 @@ class Answered:
 
     `values` are the results by name, `inputs` what was understood and assumed, `doubts` the limits of the model that do
     not hold, `best` the best ranges of the values, `notes` the other sentences. `as_dict()` is the
-    object of `--json`.
+    object of `--json`. It iterates over the names of the results, as a dict does.
     """
 
     def __init__(self, answer: Report) -> None:
@@ -173,6 +174,8 @@ class Answered:
     @cached_property
     def values(self) -> Mapping[str, Result]:
         """The results by name, in SI units."""
+        for result in self._answer.results:
+            result.best = self.best.get(result.name)
         return {result.name: result for result in self._answer.results}
 
     @cached_property
@@ -199,6 +202,36 @@ class Answered:
         """Return the object that the command prints with `--json`."""
         return as_object(self._answer, AS_USUAL)
 
+    def to_dict(self) -> dict[str, float | None]:
+        """Return the numbers in SI units by name; None for a result without a value."""
+        return {name: result.value for name, result in self.values.items()}
+
+    def to_pandas(self) -> Any:
+        """Return a DataFrame with a row for each result: its number in SI units, and its best range."""
+        rows = []
+        for name, result in self.values.items():
+            low, high, by = self.best.get(name, (nan, nan, None))
+            row = {"symbol": NOMENCLATURE[name].symbol, "value": result.value, "unit": result.unit}
+            rows.append({**row, "best_low": low, "best_high": high, "best_by": by, "reason": result.reason or None})
+        return import_module("pandas").DataFrame(rows, index=[*self])
+
+    def keys(self) -> KeysView[str]:
+        """Return the names of the results."""
+        return self.values.keys()
+
+    def items(self) -> ItemsView[str, Result]:
+        """Return the names with the results."""
+        return self.values.items()
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.values)
+
+    def __len__(self) -> int:
+        return len(self.values)
+
+    def __contains__(self, name: object) -> bool:
+        return named(str(name), self.values) in self.values
+
     def __getitem__(self, name: str) -> Result:
         """Return the result of a name, or of a symbol."""
         known = named(str(name), self.values)
@@ -212,9 +245,21 @@ class Answered:
         return f"<Answered: {', '.join(texts)}>"
 
     def __str__(self) -> str:
-        values = [f"{name} = {value}" for name, value in self.values.items()]
-        doubts = [note.text for note in self._answer.doubts()]
-        return "\n".join([*values, *doubts, *self.notes])
+        from .notebook import as_text  # with the tables, for which lines in a pipe do not pay
+
+        return as_text(self._answer)
+
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows."""
+        from .notebook import as_html
+
+        return as_html(self._answer)
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
+        """Return what notebooks show, and what they convert: LaTeX for a PDF, text for a console."""
+        from .notebook import as_tabular
+
+        return {"text/plain": str(self), "text/html": self._repr_html_(), "text/latex": as_tabular(self._answer)}
 
 
 def _answered(question: Question, frame: Frame) -> Answered:
@@ -240,7 +285,9 @@ def answer(
     wanted
         A command, such as "pull-off" or "report", or names of quantities, as for `solve`.
     material, material2, materials, model, profile, **given
-        The scene, as `solve` takes it, but for arrays.
+        The scene, as `solve` takes it, but for arrays and lists.
+
+    A radius of a metre or more that is a number without a unit is warned of: 100 stands for 100 m.
 
     Returns
     -------
@@ -260,11 +307,12 @@ def answer(
     >>> round(low, 10), round(high, 10), by
     (1.42e-08, 1.53e-08, 'Maugis')
     """
-    from ..model.containers import Reader
+    from ..model.containers import Reader, warn_of_metres
     from ..model.solver import materials_of, refuse_arrays, words_in
 
     described = Reader().in_si(given)
     refuse_arrays(described)
+    warn_of_metres(described, given)
     is_command = isinstance(wanted, str) and wanted in QUESTIONS
     text = ",".join(words_in(wanted))
     question = QUESTIONS[text] if is_command else question_about(text)

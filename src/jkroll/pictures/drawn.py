@@ -1,0 +1,232 @@
+"""`jkroll.curve`, `jkroll.map` and `jkroll.figure`: pictures of the commands, as arrays and on axes of matplotlib."""
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy
+
+from ..errors import BadRequest, missing_extra
+from ..materials.library import Material, Materials, known_materials
+from ..model.containers import Reader
+from ..model.frame import Frame
+from ..model.solver import materials_of, refuse_arrays
+from ..quantities.laws import DEFAULT_LAW, law_given
+from ..quantities.markup import plain
+from ..report.curve import Loads, loads_of
+from ..report.questions import quantity_named
+from ..text import as_arguments, listed, quoted
+from .figures import FIGURE_NAMES, PANELS, PAPER_MAPS, PROFILES, curves_of_contact, figure_laws, paper_map
+from .picture import STYLES, Picture, evaluate
+from .request import SIDE, PlotRequest, axis_of, check_axes, picture_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+
+class Drawn:
+    """A picture: its lines as arrays in SI units, its caption and notes; `plot` draws it, and a notebook shows it."""
+
+    def __init__(self, picture: Picture, notes: Iterable[str] = ()) -> None:
+        self._picture = picture
+        self.notes = tuple(as_arguments(plain(note)) for note in notes)
+
+    @property
+    def lines(self) -> dict[str, tuple[Any, Any]]:
+        """The x and y of each line, by its label and, of several panels, its title; nan stands between its parts."""
+        panels, found = self._picture.panels, dict[str, tuple[Any, Any]]()
+        for panel in panels:
+            for curve in panel.curves:
+                label = plain(f"{panel.title}: {curve.text}" if panels[1:] else curve.text)
+                x, y = curve.x, curve.y
+                if label in found:
+                    x, y = (
+                        numpy.concatenate([first, [numpy.nan], second])
+                        for first, second in zip(found[label], (x, y), strict=True)
+                    )
+                found[label] = x, y
+        return found
+
+    @property
+    def field(self) -> tuple[Any, Any, Any] | None:
+        """The x, the y and the values of a map, with a row for each y; None for lines."""
+        (panel, *_) = self._picture.panels
+        if panel.field is None:
+            return None
+        x, y = (axis._replace(size=axis.size or SIDE) for axis in (panel.x, panel.y))
+        return x.values(), y.values(), evaluate(panel.field.frame, panel.field.quantity, x, y)
+
+    @property
+    def points(self) -> dict[str, tuple[float | None, float | None]]:
+        """The x and y of what is marked; one is None for a mark on an axis."""
+        return {plain(mark.text): (mark.x, mark.y) for panel in self._picture.panels for mark in panel.marks}
+
+    @property
+    def caption(self) -> str:
+        """The caption, with the limits of the model that do not hold."""
+        return plain(" ".join([*self._picture.caption, *self._picture.doubts, *self._picture.remarks]))
+
+    def plot(self, ax: "Axes | Sequence[Axes] | None" = None, style: str = "paper") -> Any:
+        """Draw on axes of matplotlib, one for each panel, or on those of a new figure; return them.
+
+        `style`: "paper" or "dark".
+        """
+        if ax is None:
+            first, *others = self.figure(style).axes[: len(self._picture.panels)]
+            return [first, *others] if others else first
+        _check(style)
+        with missing_extra("plot"):
+            from .page import draw_on
+        every = [*ax] if isinstance(ax, Iterable) else [ax]
+        if len(every) != len(self._picture.panels):
+            raise BadRequest(
+                f"ax: the picture has {len(self._picture.panels)} panels, and {len(every)} axes were given"
+            )
+        for panel, axes in zip(self._picture.panels, every, strict=True):
+            draw_on(axes, panel, STYLES[style])
+        return ax
+
+    def figure(self, style: str = "paper", *, caption: bool = False) -> "Figure":
+        """Return the page that the command draws, as a figure of matplotlib: figure.savefig("a.pdf")."""
+        _check(style)
+        with missing_extra("plot"):
+            from .page import figure_of, settings
+        with settings(STYLES[style]):
+            return figure_of(self._picture, None, STYLES[style], has_caption=caption)
+
+    def _repr_png_(self) -> bytes:
+        """Return what a notebook shows."""
+        with missing_extra("plot"):
+            from .page import draw
+        return draw(self._picture, "png", None, "paper", has_caption=True)
+
+    def __repr__(self) -> str:
+        return f"<Drawn: {listed([*self.lines] or [plain(self._picture.title)])}>"
+
+
+def _check(style: str) -> None:
+    if style not in STYLES:
+        raise BadRequest(f"style: {quoted(style)} is not a style; there are {listed(STYLES)}")
+
+
+def curve(
+    *,
+    material: str | Material | None = None,
+    material2: str | Material | None = None,
+    materials: Materials | None = None,
+    model: str | Sequence[str] | None = None,
+    profile: str | None = None,
+    load: str | tuple[float, float] | None = None,
+    panel: str | None = "force",
+    **given: Any,
+) -> Drawn:
+    """Return the curve of a contact, as `jkroll contact --curve` draws it.
+
+    Parameters
+    ----------
+    material, material2, materials, profile, **given
+        The contact, as `solve` takes it, but for arrays and lists.
+    model
+        The law, or several to compare.
+    load
+        The loads between which the curve is wanted, as "-5nN:20nN" or a pair of numbers in N.
+    panel
+        "force" over approach, "pressure", or "moment"; None for all of them.
+
+    Returns
+    -------
+    `Drawn`: `lines` as arrays in SI units, `points`, `caption`, `notes`; `plot(ax)`, `figure()`.
+
+    Raises
+    ------
+    BadRequest, MissingInput, QuantityError, UnknownMaterial
+        An argument is wrong, or one is missing.
+
+    >>> drawn = curve(material="quartz", radius="100 nm")
+    >>> approach, force = drawn.lines["stable"]
+    >>> f"{force.min():.4g} N"
+    '-1.178e-08 N'
+    """
+    if panel is not None and panel not in PANELS:
+        raise BadRequest(f"panel: {quoted(panel)} is not a panel; there are {listed(PANELS)}")
+    described = Reader().in_si(given)
+    refuse_arrays(described)
+    solids = materials_of(material, material2, materials)
+    models = [model] if model is None or isinstance(model, str) else [*model]
+    frames = [Frame(described, *solids, model=law_given(each, profile)) for each in models]
+    loads = loads_of(load) if isinstance(load, str) else load and Loads(float(load[0]), float(load[1]))
+    if loads and not loads.low < loads.high:
+        raise BadRequest("load: write the lower end first, as in (-5e-9, 20e-9)")
+    return Drawn(*curves_of_contact(frames, loads or None, panel))
+
+
+def map(
+    quantity: str,
+    /,
+    *,
+    x: str,
+    y: str | None = None,
+    material: str | Material | None = None,
+    material2: str | Material | None = None,
+    materials: Materials | None = None,
+    model: str | None = None,
+    profile: str | None = None,
+    marks: Sequence[str] = (),
+    **given: Any,
+) -> Drawn:
+    """Return a quantity over one input as a line, or over two as a map, as `jkroll map` draws it.
+
+    Parameters
+    ----------
+    quantity
+        A name or a symbol, or a command that is named after it.
+    x, y
+        An input and its range, as "radius=1nm:1mm"; ":lin" behind it for equal steps, ":50" for a number of values.
+    material, material2, materials, model, profile, **given
+        What is the same everywhere, as `solve` takes it, but for arrays and lists.
+    marks
+        Grains on it, as "quartz@100nm".
+
+    Returns
+    -------
+    `Drawn`: `field` or `lines` as arrays in SI units, `points`, `caption`, `notes`; `plot(ax)`, `figure()`.
+
+    Raises
+    ------
+    BadRequest, MissingInput, NoResult, QuantityError, UnknownMaterial, UnknownQuantity
+        An argument is wrong, one is missing, or there is no value anywhere.
+
+    >>> radii, energies, forces = map("P_c", x="radius=10nm:1um:3", y="gamma=10mJ/m2:1J/m2:2").field
+    >>> forces.shape, f"{forces[0, 0]:.4g} N"
+    ((2, 3), '4.712e-10 N')
+    """
+    described = Reader().in_si(given)
+    refuse_arrays(described)
+    known, law, name = materials or known_materials(), law_given(model, profile), quantity_named(quantity)
+    across, up = axis_of(x, "x"), axis_of(y, "y") if y is not None else None
+    check_axes(name, [axis for axis in (across, up) if axis is not None], described, (law or DEFAULT_LAW,))
+    frame = Frame(described, *materials_of(material, material2, materials), model=law)
+    return Drawn(*picture_of(PlotRequest(name, across, up, (("", frame),), marks, known)))
+
+
+def figure(
+    name: str, /, *, marks: Sequence[str] = (), materials: Materials | None = None, as_printed: bool = False
+) -> Drawn:
+    """Return a figure of the paper, as `jkroll figure` draws it: "2", "3a" to "3d", "6a", "6b", "8", "9", or "laws".
+
+    `marks`: grains such as "quartz@100nm"; `as_printed`: with the paper's curves where they differ.
+
+    >>> figure("laws").lines["JKR"][1].tolist()
+    [1.5, 1.5]
+    """
+    known = materials or known_materials()
+    if name not in FIGURE_NAMES:
+        raise BadRequest(f"{quoted(name)} is not a figure with data; there are {', '.join(FIGURE_NAMES)}")
+    declared = PAPER_MAPS.get(name)
+    if as_printed and not (declared and declared.printed):
+        raise BadRequest(f"figure {name} takes no as_printed")
+    if marks and name in PROFILES:
+        raise BadRequest(f"figure {name} takes no marks")
+    if declared is not None:
+        return Drawn(paper_map(name, known, marks, as_printed=as_printed))
+    return Drawn(PROFILES[name](known) if name in PROFILES else figure_laws(known, marks))

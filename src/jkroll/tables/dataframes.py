@@ -1,0 +1,345 @@
+"""Tables of Python's libraries: their columns with units, and the same kind of table with more columns.
+
+A kind is known by what it can do, so that no library is imported that the table does not come from.
+"""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cached_property
+from importlib import import_module
+from math import isnan
+from typing import Any, NamedTuple
+
+import numpy
+
+from ..errors import BadTable
+from ..model.rows import has_texts
+from ..text import quoted, shown
+from ..write.writers import divided
+from .cells import Doubles, cells_of
+from .layouts import SAMPLE
+from .table import Asked, Records
+
+Added = Mapping[str, Any]  # new columns by their headers: arrays of numbers, or lists of texts, where None is empty
+
+
+class Named(NamedTuple):
+    """A column: its name in the library, its header, which has the unit, and the function that returns its values."""
+
+    name: Any
+    head: str
+    values: Callable[[], Any]  # as an array of numbers, or as a list
+
+
+class Data:
+    """The columns of a mapping of names to arrays, lists or single values, and of any table of a library."""
+
+    def __init__(self, data: Any) -> None:
+        self.data = data
+
+    @cached_property
+    def columns(self) -> list[Named]:
+        """The columns in their order."""
+        return [
+            Named(name, headed(name, _unit_of(column)), lambda column=column: self._filled(column))  # type: ignore[misc]
+            for name, column in self._items()
+        ]
+
+    @cached_property
+    def size(self) -> int:
+        """The number of rows."""
+        sizes = {str(name): len(column) for name, column in self._items() if not _is_single(column)}
+        if len({*sizes.values()}) > 1:
+            lengths = ", ".join(f"{quoted(name)} {size}" for name, size in sizes.items())
+            raise BadTable(f"the columns have different lengths: {lengths}")
+        return next(iter(sizes.values()), 1)
+
+    def use(self, heads: Iterable[str]) -> None:
+        """Take the rows of the columns that are read: only data with dimensions have others besides."""
+
+    def with_columns(self, added: Added) -> Any:
+        """Return a table of the same kind with more columns, and with its labels."""
+        return {**self.data, **{head: _array(column) for head, column in added.items()}}
+
+    def _items(self) -> Any:
+        return self.data.items()
+
+    def _filled(self, column: Any) -> Any:
+        """Return the values of a column, one for each row."""
+        values = _magnitude(column)
+        return cells_in(numpy.full(self.size, values) if _is_single(values) else values)
+
+
+class _Pandas(Data):
+    def _items(self) -> Any:
+        return self.data.items()
+
+    def _filled(self, column: Any) -> Any:
+        if hasattr(column.dtype, "units"):  # of pint
+            column = column.pint.magnitude
+        is_plain = isinstance(column.dtype, numpy.dtype) and column.dtype.kind in "fiu"
+        return cells_in(column.to_numpy() if is_plain else column.to_numpy(dtype=object, na_value=None))
+
+    @property
+    def size(self) -> int:
+        """The number of rows."""
+        return len(self.data)
+
+    def with_columns(self, added: Added) -> Any:
+        """Return the table with more columns."""
+        return self.data.assign(**{head: _array(column) for head, column in added.items()})
+
+
+class _Polars(Data):
+    def _items(self) -> Any:
+        if not hasattr(self.data, "get_columns"):
+            raise BadTable("a LazyFrame has no rows yet: give table(frame.collect())")
+        return ((column.name, column) for column in self.data.get_columns())
+
+    def _filled(self, column: Any) -> Any:
+        return cells_in(
+            column.to_numpy() if column.dtype.is_numeric() and not column.null_count() else column.to_list()
+        )
+
+    def with_columns(self, added: Added) -> Any:
+        """Return the table with more columns."""
+        texts = {head: str for head in added if has_texts(head)}
+        return self.data.hstack(type(self.data)(added, schema_overrides=texts, nan_to_null=True))
+
+
+class _Arrow(Data):
+    def _items(self) -> Any:
+        return zip(self.data.column_names, self.data.columns, strict=True)
+
+    def _filled(self, column: Any) -> Any:
+        from .parquet import values_of
+
+        return cells_in(values_of(column))
+
+    def with_columns(self, added: Added) -> Any:
+        """Return the table with more columns."""
+        from .parquet import Batches
+
+        batch, table = Batches().rows([*added], [*added.values()]), self.data
+        for field, column in zip(batch.schema, batch.columns, strict=True):
+            table = table.append_column(field, column)
+        return table
+
+
+class _Astropy(Data):
+    def _items(self) -> Any:
+        return ((name, self.data[name]) for name in self.data.colnames)
+
+    @property
+    def size(self) -> int:
+        """The number of rows."""
+        return len(self.data)
+
+    def with_columns(self, added: Added) -> Any:
+        """Return the table with more columns, whose units stand beside them as those of the library do."""
+        quantity, table = import_module("astropy.units").Quantity, self.data.copy(copy_data=False)
+        for head, column in added.items():
+            name, unit = name_and_unit(head)
+            texts = has_texts(head)
+            table[name] = [text or "" for text in column] if texts else quantity(column, unit) if unit else column
+        return table
+
+
+class _Xarray(Data):
+    """A Dataset: rows are the points of the dimensions that the columns have which are read."""
+
+    dims: tuple[Any, ...] = ()
+
+    def _items(self) -> Any:
+        return self.data.variables.items()
+
+    def use(self, heads: Iterable[str]) -> None:
+        """Take the dimensions of the columns that are read."""
+        wanted = {*heads}
+        used = [self.data.variables[column.name].dims for column in self.columns if column.head in wanted]
+        self.dims = tuple(dimension for dimension in self.data.sizes if any(dimension in dims for dims in used))
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The number of points along each dimension."""
+        return tuple(self.data.sizes[dimension] for dimension in self.dims)
+
+    @property
+    def size(self) -> int:
+        """The number of points."""
+        return int(numpy.prod(self.shape))
+
+    def _filled(self, column: Any) -> Any:
+        if not {*column.dims} <= {*self.dims}:
+            return [None] * self.size  # it belongs to other points
+        own = [dimension for dimension in self.dims if dimension in column.dims]
+        column = column.transpose(*own)
+        data = numpy.asarray(_magnitude(column.data) if hasattr(column.data, "magnitude") else column.values)
+        spread = data.reshape(
+            [size if dimension in own else 1 for dimension, size in zip(self.dims, self.shape, strict=True)]
+        )
+        return cells_in(numpy.broadcast_to(spread, self.shape).reshape(-1))
+
+    def with_columns(self, added: Added) -> Any:
+        """Return the Dataset with more variables, whose units are attributes."""
+        variables = {}
+        for head, column in added.items():
+            name, unit = name_and_unit(head)
+            values = [text or "" for text in column] if has_texts(head) else column
+            attributes = {"units": unit} if unit else {}
+            variables[name] = (self.dims, numpy.asarray(values).reshape(self.shape), attributes)
+        return self.data.assign(variables)
+
+
+_KINDS: Mapping[str, type[Data]] = {
+    "data_vars": _Xarray,
+    "colnames": _Astropy,
+    "iterrows": _Pandas,
+    "collect_schema": _Polars,
+    "append_column": _Arrow,
+}
+
+
+def data_of(data: Any) -> Data:
+    """Return a table of a library by what it can do. Raises BadTable for what is no table."""
+    for attribute, kind in _KINDS.items():
+        if hasattr(data, attribute):
+            return kind(data)
+    if isinstance(data, Mapping):
+        return Data(data)
+    problem = f"{shown(type(data).__name__)} is no table"
+    raise BadTable(
+        f"{problem}; give a DataFrame, a dict of arrays, a Dataset of xarray or a Table of astropy or pyarrow"
+    )
+
+
+# --- Units ------------------------------------------------------------------------------------------------------------
+
+
+def headed(name: Any, unit: Any) -> str:
+    """Return a name with the unit that the library states.
+
+    >>> headed("radius", "nm"), headed("radius", None), headed("nu", "")
+    ('radius [nm]', 'radius', 'nu [1]')
+    """
+    return str(name) if unit is None else f"{name} [{_text_of(unit) or '1'}]"
+
+
+def name_and_unit(head: str) -> tuple[str, str]:
+    """Return the name and the unit of a header that jkroll made.
+
+    >>> name_and_unit("pull_off_force [N]"), name_and_unit("n_grav")
+    (('pull_off_force', 'N'), ('n_grav', ''))
+    """
+    name, _, unit = head.partition(" [")
+    return name, unit.removesuffix("]")
+
+
+def _text_of(unit: Any) -> str:
+    """Return a unit of a library as a text: of pint and of astropy in symbols, with powers."""
+    if hasattr(unit, "dimensionality"):
+        return f"{unit:~P}".replace("·", " ")
+    return str(unit.to_string("unicode")) if hasattr(unit, "to_string") else str(unit).strip()
+
+
+def _unit_of(column: Any) -> Any:
+    """Return the unit that a column has in the way of its library; None without one."""
+    attributes = {str(key).casefold(): value for key, value in dict(getattr(column, "attrs", {})).items()}
+    stated = (attributes.get(word) for word in ("units", "unit"))
+    of_type = getattr(getattr(column, "dtype", None), "units", None)  # `unit` is that of a time
+    holders = (column, column.data) if hasattr(column, "dims") else (column,)
+    own = (getattr(holder, word, None) for holder in holders for word in ("units", "unit"))
+    return next((unit for unit in (*stated, of_type, *own) if unit is not None), None)
+
+
+def _magnitude(column: Any) -> Any:
+    """Return the numbers of a quantity of pint or astropy; anything else is returned as it is."""
+    if hasattr(column, "magnitude"):
+        return column.magnitude
+    return column.value if hasattr(column, "to_value") else column
+
+
+# --- Cells ------------------------------------------------------------------------------------------------------------
+
+
+def cells_in(values: Any) -> Any:
+    """Return values as an array of whole numbers, or of doubles, nan where there is none; or a list with None there."""
+    mask = getattr(values, "mask", None)
+    array = numpy.asarray(getattr(values, "unmasked", values))
+    if array.ndim != 1:
+        raise BadTable(f"a column has the shape {array.shape}; it needs a number or a text for each row")
+    if mask is not None and numpy.any(mask):
+        return [None if is_out else value for value, is_out in zip(array.tolist(), mask.tolist(), strict=True)]
+    if array.dtype.kind in "iu":
+        return array
+    if array.dtype.kind == "f":
+        return array.astype(float, copy=False)  # a number of 32 bits is that double
+    return [None if isinstance(value, float) and isnan(value) else value for value in array.tolist()]
+
+
+def _is_single(column: Any) -> bool:
+    """Return whether a column is one value, the same in all rows."""
+    return isinstance(column, str) or getattr(column, "ndim", 1) == 0 or not hasattr(column, "__len__")
+
+
+def _array(column: Any) -> Any:
+    return numpy.array(column, dtype=object) if isinstance(column, list) else column
+
+
+# --- Rows in memory, as formats of files have them --------------------------------------------------------------------
+
+
+class Memory:
+    """The rows of a table of Python, in the form in which formats of files are read and written."""
+
+    def __init__(self, rows: Data, asked: Asked) -> None:
+        """Read the header, and the cells of the first rows that may be read."""
+        self.rows = rows
+        self.stated, self.writer = asked.stated, Lists()
+        self.names = tuple(column.head for column in rows.columns)
+        read = [*filter(asked.is_read, self.names)]
+        rows.use(read)
+        self.size = rows.size
+        self._values: dict[int, Any] = {}  # of columns, by position
+        empty = [""] * min(SAMPLE, rows.size)
+        first = [
+            [cell.decode() for cell in cells_from(self._of(position)[:SAMPLE])] if name in read else empty
+            for position, name in enumerate(self.names)
+        ]
+        self.sample: list[Sequence[str]] = [*zip(*first, strict=True)]
+
+    def _of(self, position: int) -> Any:
+        """Return the values of a column."""
+        if position not in self._values:
+            self._values[position] = self.rows.columns[position].values()
+        return self._values[position]
+
+    def read(self, block: range, table: Any) -> Records:
+        """Return some rows, taken apart."""
+        part, size = slice(block.start, block.stop), len(block)
+        cells: dict[str, Sequence[bytes]] = {
+            name: cells_from(self._of(position)[part]) for name, position in table.columns.positions.items()
+        }
+        for name, position in table.labels.items():
+            values = self._of(position)
+            cells[name] = [b""] * size if _are_doubles(values) else cells_of(values[part])
+        return Records(block, cells, {}, block, size)
+
+
+class Lists:
+    """The writer of rows as columns: arrays of numbers, and lists of texts."""
+
+    digits = None
+
+    def rows(self, heads: Sequence[str], columns: Sequence[Any], before: Any) -> list[Any]:
+        """Return the columns, each with a cell for every row."""
+        pairs = zip(heads, divided(columns), strict=True)
+        return [column if isinstance(column, list | numpy.ndarray) else [column] * len(before) for _, column in pairs]
+
+
+def cells_from(values: Any) -> Sequence[bytes]:
+    """Return the values of a column as cells."""
+    return Doubles(values) if _are_doubles(values) else cells_of(values)
+
+
+def _are_doubles(values: Any) -> bool:
+    return not isinstance(values, list) and values.dtype.kind == "f"

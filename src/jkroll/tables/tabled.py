@@ -1,0 +1,185 @@
+"""`jkroll.table`: what `batch` does, for a table of Python and without files."""
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import Any, TypeVar, overload
+
+import numpy
+
+from ..errors import BadRequest, BadRow, JkrollError
+from ..materials.library import Material, Materials, known_materials
+from ..model.containers import Reader
+from ..model.rows import BLOCK, Tally
+from ..model.solver import materials_of, words_in
+from ..model.unsolved import inputs_named
+from ..quantities.values import QuantityError, is_uncertain
+from ..report.questions import EVERYTHING, quantities_named, quantity_named
+from ..text import as_arguments
+from .dataframes import Data, Memory, data_of
+from .header import check_inputs, understood
+from .reading import reading_of
+from .run import Converter, about, notes_on
+from .table import Asked, Table
+from .words import headed as headed_input
+
+DataFrame = TypeVar("DataFrame")
+
+
+@overload
+def table(data: dict[Any, Any], /, quantities: str | Iterable[str] | None = None, **options: Any) -> dict[Any, Any]: ...
+@overload
+def table(data: DataFrame, /, quantities: str | Iterable[str] | None = None, **options: Any) -> DataFrame: ...
+def table(
+    data: Any,
+    /,
+    quantities: str | Iterable[str] | None = None,
+    *,
+    material: str | Material | None = None,
+    material2: str | Material | None = None,
+    materials: Materials | None = None,
+    model: str | None = None,
+    profile: str | None = None,
+    columns: Mapping[Any, str] | None = None,
+    pass_rest: bool = False,
+    infer: str = "",
+    measured: str = "",
+    best: bool = False,
+    doubt: bool = True,
+    uncertainty: bool = False,
+    strict: bool = False,
+    say: Callable[[str], object] | None = None,
+    **given: Any,
+) -> Any:
+    """Return a table with the results of each row as further columns.
+
+    The table is read as `jkroll batch` reads a file, and the columns that are added are the same.
+
+    Parameters
+    ----------
+    data
+        A DataFrame of pandas or polars, a dict of arrays, a Dataset of xarray, a Table of astropy or of pyarrow. Each
+        input is a column with a unit, in its name ("radius [nm]", "E_GPa") or in the way of the library: the attribute
+        "units", or a column of pint or astropy. Columns "material" and "material2" name materials, and a column
+        "gamma_err [mJ/m2]" is an uncertainty. In a DataFrame nan is an empty cell.
+    quantities
+        Names or symbols of quantities, or commands such as "pull-off"; by default all that the columns allow.
+    material, material2, materials, model, profile, **given
+        What is the same in all rows, as `solve` takes it. It fills empty cells.
+    columns
+        What columns mean whose names do not say it: {"R2 (nm)": "radius2 [nm]"}, or "" for what is no input.
+    pass_rest
+        Whether columns that are half understood pass through. They are refused otherwise.
+    infer, measured
+        The input to find in each row, and the quantity that was measured there.
+    best, doubt, uncertainty
+        Whether there are columns of best ranges, of doubts, and of uncertainties where the first rows have none.
+    strict
+        Whether the first row that has no result is an error.
+    say
+        A function that takes the lines which `batch` prints, such as `print`: how the columns are read, what is
+        assumed, and in how many rows numbers are in doubt.
+
+    Returns
+    -------
+    A table of the kind of `data`, with its columns and labels, the results in SI units, `doubt` and `status`. The names
+    have the units, as in "pull_off_force [N]"; in xarray and astropy they stand beside them.
+
+    Raises
+    ------
+    BadTable, BadRequest, QuantityError, UnknownMaterial, UnknownQuantity
+        A column may be an input and is not read, or an argument is wrong; with `strict`, a row has no result.
+
+    >>> found = table({"radius [nm]": [100, 200], "material": ["quartz", "iron"]}, "P_c")
+    >>> [f"{force:.4e}" for force in found["pull_off_force [N]"]], found["doubt"][0]
+    (['1.1781e-08', '2.8274e-06'], 'law-off-25%')
+    """
+    solids = dict(zip(("material", "material2"), materials_of(material, material2, materials), strict=True))
+    described = Reader().in_si(given)
+    for name, value in described.items():
+        if not (isinstance(value, float) or is_uncertain(value)):
+            raise QuantityError(name, "an array", "is not one value for all rows", "make it a column of the table")
+    words = {"model": model, "profile": profile}
+    inputs = {name: each for name, each in {**solids, **words, **described}.items() if each is not None}
+    if bool(infer) != bool(measured):
+        raise BadRequest('infer and measured go together, as in infer="gamma", measured="pull_off_force"')
+    wanted = words_in(quantities) if quantities is not None else []
+    explicit, offered = quantities_named(",".join(wanted)) if wanted else ([], EVERYTHING)
+    try:
+        rows = data_of(data)
+        asked = Asked(
+            inputs,
+            materials or known_materials(),
+            explicit,
+            offered,
+            columns=[*_meanings(rows, columns or {})],
+            pass_rest=pass_rest,
+            infer=inputs_named([infer])[0] if infer else "",
+            measured=quantity_named(measured) if measured else "",
+            doubt=doubt,
+            best=best,
+            uncertainty=uncertainty,
+        )
+        return _tabled(rows, asked, say, strict=strict)
+    except JkrollError as error:
+        error.args = tuple(_in_python(each) if isinstance(each, str) else each for each in error.args)
+        raise
+
+
+def _meanings(rows: Data, columns: Mapping[Any, str]) -> Iterator[str]:
+    """Iterate over what columns mean, as `--column` has it. A unit that the library states is that of the meaning."""
+    heads = {column.name: column for column in rows.columns}
+    for name, meaning in columns.items():
+        column = heads.get(name)
+        if column is None:
+            yield f"{name}={meaning}"
+            continue
+        reading, unit = reading_of(meaning), column.head.removeprefix(str(name)).strip(" []")
+        lacks_unit = unit and reading.is_input and not reading.unit_text
+        yield f"{column.head}={headed_input(reading.name, unit) if lacks_unit else meaning}"
+
+
+def _in_python(text: str) -> str:
+    """Return a message with the arguments of `table` in place of the options of `batch`.
+
+    >>> _in_python("Write --column 'R2 (nm)=radius2 [nm]', or --column 'R2 (nm)=' to pass it through (--pass-rest)")
+    "Write columns={'R2 (nm)': 'radius2 [nm]'}, or columns={'R2 (nm)': ''} to pass it through (pass_rest)"
+    """
+    text = re.sub(r"--column (['\"])(.*?)=([^=]*?)\1", r"columns={\1\2\1: \1\3\1}", text)
+    return as_arguments(text)
+
+
+def _tabled(rows: Data, asked: Asked, say: Callable[[str], object] | None, *, strict: bool) -> Any:
+    """Return a table with its results."""
+
+    def tell(lines: Iterable[str]) -> None:
+        for line in lines if say else ():
+            say(_in_python(line))  # type: ignore[misc]
+
+    form = Memory(rows, asked)
+    header = understood(
+        form.names, form.sample, form.stated, asked.inputs, asked.measured, asked.supply, pass_rest=asked.pass_rest
+    )
+    check_inputs(header, asked.measured)
+    tell([header.reading()])
+    read = Table(header, form.sample, asked)
+    tell(about(read) if say else ())
+    convert, tally = Converter(form, read, "", strict=strict), Tally()
+    blocks: list[Sequence[Any]] = []
+    for start in range(0, rows.size, BLOCK) or [0]:
+        try:
+            converted = convert.converted(range(start, min(start + BLOCK, rows.size)))
+        except BadRow as error:
+            row, reason = error.args
+            raise BadRequest(f"row {row}, counted from 0: {reason}") from None
+        blocks.append(converted.output)
+        tally = tally.plus(converted.tally)
+    tell(notes_on(tally, asked) if say else ())
+    columns = zip(read.added, *blocks, strict=True)
+    return rows.with_columns({head: _joined(parts) for head, *parts in columns})
+
+
+def _joined(parts: Sequence[Any]) -> Any:
+    """Return the parts of a column as one."""
+    if all(isinstance(part, list) for part in parts):
+        return [cell for part in parts for cell in part]
+    return numpy.concatenate(parts)

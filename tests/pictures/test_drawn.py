@@ -1,0 +1,116 @@
+"""`jkroll.curve` and `jkroll.figure`: the numbers of the commands' pictures, and pictures on axes of a user."""
+
+import csv
+from pathlib import Path
+from typing import Any
+
+import numpy
+import pytest
+
+import jkroll
+from harness import Run
+from relative import approx
+
+pytest.importorskip("matplotlib")
+
+
+PLOT: Any = jkroll.curve(material="quartz", radius=1e-7).plot
+
+
+def of_command(run: Run, *words: str) -> list[dict[str, str]]:
+    assert run(*words, "--data", "a.csv").code == 0
+    with Path("a.csv").open(encoding="utf-8") as file:
+        return [*csv.DictReader(file)]
+
+
+def test_a_map_has_the_numbers_of_the_command(run: Run) -> None:
+    axes: Any = {"x": "radius=10nm:1um:3", "y": "young=1GPa:100GPa:4"}
+    rows = of_command(run, "map", "contact_radius", "quartz", *(f"--{side}={text}" for side, text in axes.items()))
+    drawn = jkroll.map("contact_radius", material="quartz", **axes)
+    assert drawn.field is not None
+    x, y, values = drawn.field
+    assert [float(row["contact_radius [m]"]) for row in rows] == approx(values.ravel().tolist(), rel=1e-9)
+    assert [float(row["radius [m]"]) for row in rows[:3]] == approx(x.tolist(), rel=1e-9)
+    assert [float(row["youngs_modulus [Pa]"]) for row in rows[::3]] == approx(y.tolist(), rel=1e-9)
+
+
+def test_a_line_has_the_numbers_of_solve() -> None:
+    ((_, (radii, forces)),) = jkroll.map("P_c", x="radius=10nm:1um:5", material="iron", model="dmt").lines.items()
+    assert forces.tolist() == jkroll.solve("P_c", material="iron", model="dmt", radius=radii).tolist()
+
+
+def test_a_figure_has_the_numbers_of_the_command(run: Run) -> None:
+    rows, lines = of_command(run, "figure", "laws"), jkroll.figure("laws").lines
+    head_of_x, head_of_y = [*rows[0]][1:]
+    for label, (x, y) in lines.items():
+        assert [float(row[head_of_x]) for row in rows if row["curve"] == label] == approx(x.tolist(), rel=1e-9)
+        assert [float(row[head_of_y]) for row in rows if row["curve"] == label] == approx(y.tolist(), rel=1e-9)
+
+
+@pytest.mark.parametrize("model", ["jkr", "dmt"])
+def test_loads_of_a_curve_have_their_approaches(model: str) -> None:
+    drawn = jkroll.curve(material="quartz", radius="100 nm", model=model, load=(-5e-9, 20e-9))
+    approaches, loads = drawn.lines["stable"]
+    assert [loads.min(), loads.max()] == approx([-5e-9, 20e-9], rel=1e-12)
+    found = jkroll.solve("approach_at_load", material="quartz", radius=1e-7, model=model, load=loads[1:-1])
+    assert found.tolist() == approx(approaches[1:-1].tolist(), rel=1e-9)  # ends are interpolated
+
+
+def test_several_laws_are_a_line_each_with_gaps_between_branches() -> None:
+    lines = jkroll.curve(material="quartz", radius="100 nm", model=["jkr", "maugis"]).lines
+    single = jkroll.curve(material="quartz", radius="100 nm").lines.values()
+    x, y = lines["JKR"]
+    assert numpy.isnan(x).tolist() == numpy.isnan(y).tolist()
+    assert numpy.isnan(x).sum() == len(single) - 1
+    assert numpy.nanmin(y) == min(float(forces.min()) for _, forces in single)
+    assert "Maugis–Dugdale" in lines
+
+
+def test_the_pull_off_force_is_the_end_of_the_curve() -> None:
+    drawn = jkroll.curve(material="quartz", radius="100 nm")
+    force = jkroll.solve("P_c", material="quartz", radius=1e-7)
+    assert drawn.lines["stable"][1].min() == approx(-force, rel=1e-12)
+    assert drawn.points["pull-off"][1] == approx(-force, rel=1e-12)
+    assert "quartz" in drawn.caption
+
+
+@pytest.mark.parametrize("name", ["2", "3a", "6b", "laws"])
+def test_a_figure_is_drawn_on_axes_of_a_user(name: str) -> None:
+    from matplotlib.figure import Figure
+
+    drawn = jkroll.figure(name)
+    panels = len(drawn.figure().axes) if name == "2" else 1
+    axes = Figure(figsize=(5 * panels, 4)).subplots(1, panels)
+    assert drawn.plot(axes) is axes
+    for each in numpy.ravel(axes):
+        assert each.get_xlabel()
+        assert each.has_data()
+    assert drawn._repr_png_().startswith(b"\x89PNG")
+
+
+def test_without_axes_there_is_a_new_figure() -> None:
+    axes = jkroll.curve(material="quartz", radius="100 nm").plot()
+    assert len(axes.lines) >= 3
+    assert len(jkroll.curve(material="quartz", radius="100 nm", panel=None).plot()) == 3
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: jkroll.figure("4"), "is not a figure with data; there are 2, 3a"),
+        (lambda: jkroll.figure("2", marks=["quartz"]), "figure 2 takes no marks"),
+        (lambda: jkroll.figure("3a", as_printed=True), "figure 3a takes no as_printed"),
+        (lambda: jkroll.curve(material="quartz", radius=1e-7, panel="forces"), "there are force, pressure"),
+        (lambda: jkroll.curve(material="quartz", radius=1e-7, load=(1e-9, -1e-9)), "the lower end first"),
+        (lambda: jkroll.curve(material="quartz", radius=[1e-7, 2e-7]), "is more than one scene"),
+        (lambda: jkroll.curve(material="quartz", radius=1e-7).plot(style="pink"), "is not a style"),
+        (lambda: jkroll.map("P_c", x="radius=1nm:1um", radius=1e-7), "it cannot have one value too"),
+        (lambda: jkroll.map("P_c", x="density=1g/cm3:2g/cm3"), "pull_off_force does not depend on density"),
+        (lambda: jkroll.map("P_c", x="radius"), "x: write a quantity and its range"),
+        (lambda: PLOT([1, 2]), "has 1 panels, and 2 axes were given"),
+    ],
+)
+def test_what_cannot_be_drawn_is_refused(call: Any, words: str) -> None:
+    with pytest.raises(jkroll.JkrollError) as caught:
+        call()
+    assert words in str(caught.value)

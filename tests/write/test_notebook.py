@@ -1,0 +1,92 @@
+"""What a notebook shows of an answer: the table of the terminal and the lines around it, as text, HTML and LaTeX."""
+
+import re
+import shutil
+import subprocess
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import jkroll
+from harness import Run
+
+QUESTIONS = [
+    ("pull-off quartz 100nm", "pull-off", {"material": "quartz", "radius": 1e-7}),
+    ("contact ice-cold 1um --load 2nN", "contact", {"material": "ice-cold", "radius": "1 um", "load": "2nN"}),
+    ("report iron 100nm --radius2 plane", "report", {"material": "iron", "radius": "100nm", "radius2": "plane"}),
+    ("energies quartz 100nm", "energies", {"material": "quartz", "radius": "100nm"}),
+]
+
+
+class Cells(HTMLParser):
+    """The texts of cells and paragraphs, in their order."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.tags: list[str] = []
+        self.texts: list[str] = []
+        self.feed(text)
+        assert not self.tags
+
+    def handle_starttag(self, tag: str, attrs: Any) -> None:  # noqa: ARG002
+        """Open a tag, and a text."""
+        self.tags.append(tag)
+        if tag in ("td", "th", "p"):
+            self.texts.append("")
+
+    def handle_endtag(self, tag: str) -> None:
+        """Close the last tag, which it has to be."""
+        assert self.tags.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        """Take a text."""
+        if self.tags[-1] in ("td", "th", "p"):
+            self.texts[-1] += data
+
+
+def words_of(text: str) -> list[str]:
+    """Return the words of a text, without rules and with arguments in place of options."""
+    text = text.replace("more: --explain", "more: .notes and .doubts")
+    text = re.sub(r"--([a-z0-9-]+)", lambda option: option[1].replace("-", "_"), text)
+    return re.sub("─+", " ", text).split()
+
+
+@pytest.mark.parametrize(("words", "wanted", "scene"), QUESTIONS)
+def test_print_and_html_have_the_words_of_the_terminal(run: Run, words: str, wanted: str, scene: Any) -> None:
+    ran, found = run(*words.split(), terminal=True), jkroll.answer(wanted, **scene)
+    assert words_of(str(found)) == words_of(ran.out + ran.err)
+    shown = Cells(found._repr_html_())
+    assert sorted(" ".join(shown.texts).split()) == sorted(words_of(ran.out + ran.err))
+    assert "best range" in shown.texts or "law" in words
+
+
+def test_a_notebook_gets_every_form() -> None:
+    found = jkroll.answer("pull-off", material="quartz", radius=1e-7)
+    bundle = found._repr_mimebundle_(include=None, exclude=None)
+    assert bundle["text/plain"] == str(found)
+    assert bundle["text/html"] == found._repr_html_()
+    assert r"pull-off force, ideal smooth & $P_{\mathrm{c}}$ & 14–15 & Maugis & 11.78 & nN \\" in bundle["text/latex"]
+
+
+def test_texts_of_users_are_escaped() -> None:
+    solid = jkroll.known_materials()["quartz"]._replace(name="<b>&")
+    html = jkroll.answer("pull-off", material=solid, radius=1e-7)._repr_html_()
+    assert "&lt;b&gt;&amp;" in html
+    assert "<b>" not in html
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("pdflatex") is None, reason="needs LaTeX")
+def test_latex_sets_an_answer(tmp_path: Path) -> None:
+    body = jkroll.answer("report", material="quartz", radius=1e-7)._repr_mimebundle_()["text/latex"]
+    page = rf"\documentclass{{article}}\begin{{document}}{body}\end{{document}}"
+    (tmp_path / "a.tex").write_text(page, encoding="utf-8")
+    subprocess.run(["pdflatex", "-halt-on-error", "a.tex"], cwd=tmp_path, check=True, capture_output=True)
+
+
+def test_materials_are_a_table() -> None:
+    shown = Cells(jkroll.known_materials()._repr_html_())
+    assert shown.texts[:3] == ["material", "surface_energy [J/m^2]", "youngs_modulus [Pa]"]
+    assert [*jkroll.known_materials()] == shown.texts[len(shown.texts) // (1 + len(jkroll.known_materials())) :: 7]
