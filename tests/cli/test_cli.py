@@ -52,9 +52,11 @@ REFUSED = {
     "contact quartz 100nm --curve --load=:50nN": (
         "--load: ':50nN' has no lower end; write both, as in -5nN:20nN (an example); pull-off is at -11.781 nN"
     ),
-    "pull-off quartz 100nm --humidity 50%": (
-        "no such option '--humidity'; spheres are smooth, dry and elastic here: jkroll guide measurements says what "
-        "that leaves out"
+    "pull-off quartz 100nm --temperature 300K": (
+        "no such option '--temperature'; no number here depends on it, but for γ and E of a material: jkroll materials"
+    ),
+    "contact quartz 100nm --humidity 50%": (
+        "contact takes no '--humidity'; --humidity is an option of pull-off, map, batch and 1 more"
     ),
     "infer gamma quartz 100nm --measured P_c=9nN --measured P_c=8nN": (
         "infer needs a measured quantity for each input, 1 in all: --measured pull_off_force=300nN; several values of "

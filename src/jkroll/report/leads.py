@@ -4,8 +4,9 @@ from collections.abc import Iterator
 
 from ..model.estimate import BETTER_LAW, NONE, WORDS, Ranges
 from ..model.frame import Frame
+from ..model.limits import GAP_STAYS_DRY
 from ..model.results import Results
-from ..quantities.formatting import Format, amount, span
+from ..quantities.formatting import Format, amount, significant, span
 from .answer import Answer
 from .notes import Note
 from .ranges import range_in_words
@@ -21,6 +22,8 @@ def leads(answer: Answer) -> Iterator[Note]:
         yield Note("lead", _stick_or_bounce(answer))
     if "impact_pressure" in answer.values:
         yield Note("lead", _elastic_or_not(answer.frame))
+    if {"pull_off_force", "meniscus_force"} <= answer.computed.keys() and answer.estimates["pull_off_force"].by != NONE:
+        yield from _water_or_dry(answer)
     if answer.question.lead and (lead := _filled(answer)):
         yield Note("lead", lead)
     if "tabor_parameter" in answer.question.named and "tabor_parameter" in answer.values:
@@ -48,6 +51,29 @@ def _first_to_give_way(answer: Answer) -> str:
     if rolling.low > force:
         return f"pushed, {gives}; to roll it takes {rolls}"
     return f"pushed, it rolls first if ξ is small ({rolls}); else {gives}"
+
+
+def _water_or_dry(answer: Answer) -> Iterator[Note]:
+    """Iterate over the sentence that says which pulls more: the dry contact, or a meniscus of condensed water."""
+    frame, dry = answer.frame, answer.estimates["pull_off_force"]
+    force = f"the dry contact with {range_in_words('pull_off_force', dry)}"
+    fills = _filled_gap(frame)
+    if answer.is_in_doubt(GAP_STAYS_DRY):
+        yield Note("lead", f"the dry contact decides: {fills}")
+    elif "meniscus_force" in answer.values:
+        wet = answer.estimates["meniscus_force"]
+        meniscus = range_in_words("meniscus_force", wet).replace("≤", "at most")
+        is_wet, is_dry = wet.low > dry.high, wet.high < dry.low
+        verdict = "water decides" if is_wet else "the dry contact decides" if is_dry else "either may decide"
+        yield Note("lead", f"{verdict}: {fills and fills + '; '}a meniscus pulls with {meniscus}, {force}")
+
+
+def _filled_gap(frame: Frame) -> str:
+    """Return from which humidity on water fills the gap that roughness leaves; empty where no gap is given."""
+    if "roughness_gap" not in frame.given:
+        return ""
+    threshold = significant(100 * frame["threshold_humidity"], 2)
+    return f"water fills the gap of {amount('roughness_gap', frame['roughness_gap'])} from {threshold} % humidity on"
 
 
 def _stick_or_bounce(answer: Answer) -> str:

@@ -45,6 +45,7 @@ _RULES = {  # by which quantities follow that could have been given
     "shear_strength": "τ = G/4π²",
     "work_of_adhesion": "w = 2√(γ1γ2)",
 }
+_DEFAULTS = {"load": "no load", "contact_angle": "θ_c = 0, water that wets"}
 _UNLIKE = 3.0  # ratio of two surface energies from which on their geometric mean is too much
 _MAX_NOTES = 1  # below results, besides the warning
 _MAX_LENGTH = 154  # of a note, two lines of a terminal
@@ -84,7 +85,7 @@ def assumed(frame: Frame, inputs: Collection[str], names: Sequence[str], *, has_
         texts[name] += f" = {amount(name, value, Format(digits=4))}"
     for name, value in DEFAULTS.items():
         if name in inputs and name not in frame.given:
-            texts[name] = f"{symbol_of(name)} = {amount(name, value)}" if value else "no load"
+            texts[name] = _DEFAULTS.get(name, f"{symbol_of(name)} = {amount(name, value)}")
     return {name: f"{text} ({NOMENCLATURE[name].option})" for name, text in texts.items()}
 
 
