@@ -161,13 +161,22 @@ def test_no_meniscus_where_the_gap_stays_dry_or_the_meniscus_is_too_wide(run: Ru
 @pytest.mark.parametrize(
     ("option", "words"),
     [
-        ("--humidity 0", "'0' must lie above 0 and below 100 %; expected a number such as 60%"),
-        ("--humidity 60", "'60' must lie above 0 and below 100 %; expected a number such as 60%"),
-        ("--humidity 100%", "'100%' must lie above 0 and below 100 %; expected a number such as 60%"),
-        ("--humidity 60% --contact-angle 120deg", "'120deg' must be at least 0 and below 90deg: water that wets less"),
+        ("--humidity 0", "no meniscus in dry air"),
+        ("--humidity 100%", "none that ends in saturated air"),
+        ("--humidity 60% --contact-angle 120deg", "90 deg or more draws nothing together"),
+        ("--humidity 60% --contact-angle 90deg --roughness 2nm", "fills no gap"),
     ],
 )
-def test_what_no_meniscus_has_is_refused(run: Run, option: str, words: str) -> None:
-    done = run(f"pull-off quartz 1um {option}")
+def test_where_water_makes_no_meniscus_the_dry_force_stands_alone(run: Run, option: str, words: str) -> None:
+    done = run(f"pull-off quartz 1um {option}", terminal=True)
+    assert (done.code, "F_men  " in done.out, "decides" in done.out) == (0, False, False)
     assert words in done.err
-    assert done.code == 2
+    assert "P_c" in done.out
+
+
+def test_a_humidity_without_percent_is_refused(run: Run) -> None:
+    done = run("pull-off quartz 1um --humidity 60")
+    assert (done.code, "'60' must lie between 0 and 1, which is 100 %; expected a number such as 60%" in done.err) == (
+        2,
+        True,
+    )

@@ -333,6 +333,10 @@ INEXACT = (
         factor=lambda frame, _: at_least(frame["filling_factor"] / 0.5, 0.01 / frame["filling_factor"]),
     ),
     Limit(
+        "filling_factor", frozenset({"compressive_strength"}), ">", {0.1: "slides-and-twists"},
+        "in an aggregate so dense sliding and twisting decide on P_comp; its formula rests on rolling",
+    ),
+    Limit(
         "meniscus_size", frozenset({"meniscus_force"}), ">", {0.1: "wide-meniscus"},
         "the meniscus is not small beside the bodies; it pulls up to 2q² more",
     ),

@@ -8,6 +8,7 @@ Below: for which arguments the physics gives a formula no result.
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cache
+from math import pi
 from operator import ge, gt, le
 from typing import Any
 
@@ -177,6 +178,10 @@ YIELDS_ON_TOUCH = Cause(
     "{0} is below {1}, to which adhesion alone presses a contact as it forms: it yields at every speed",
     "first_yield_pressure",
 )
+DRY_OR_SATURATED = Cause(
+    "dry or saturated air", "there is no meniscus in dry air, and none that ends in saturated air: 0 < RH < 100 %"
+)
+NO_WETTING = Cause("no wetting", "water with a contact angle of 90 deg or more draws nothing together and fills no gap")
 WIDE_MENISCUS = Cause(
     "meniscus too wide",
     "{0} is above {1}: the meniscus is too wide beside the bodies for a force of first order",
@@ -194,7 +199,7 @@ _CAUSES = [
     None, MISSING, NOT_IN_LAW, HIDDEN, BEYOND_PULL_OFF, BEYOND_JKR, HELD_BY_MAUGIS, BEYOND_FOLD, TWO_RIGID_BODIES,
     RESTS_ON_SPACING, OF_IDENTICAL_SPHERES, NOT_HELD, NOT_PRESSED, NO_CHAIN, RIGID, APART, TOO_MUCH_HYSTERESIS,
     STICKS_ALWAYS, NO_POISSON_RATIO, YIELDS_ON_TOUCH, PLASTIC_ON_TOUCH, NO_DOUBLE, INFINITE, NO_STIFFNESS,
-    OF_ANOTHER_PAIR, NO_PROFILE, WIDE_MENISCUS,
+    OF_ANOTHER_PAIR, NO_PROFILE, WIDE_MENISCUS, DRY_OR_SATURATED, NO_WETTING,
 ]  # fmt: skip
 _STEPS = ("", *dict.fromkeys((*NOMENCLATURE, *FORMULAS)))
 
@@ -338,6 +343,9 @@ RULES: Mapping[str, Rule] = {
     "sticking_speed_viscous": (STICKS_ALWAYS, lambda _: FITTED_UP_TO),
     "yield_speed": (YIELDS_ON_TOUCH, lambda given: given["touch_pressure"]),
     "plastic_speed": (PLASTIC_ON_TOUCH, lambda given: given["touch_pressure"]),
+    "kelvin_radius": (DRY_OR_SATURATED, lambda given: (given["humidity"] <= 0) | (given["humidity"] >= 1)),
+    "meniscus_size": (NO_WETTING, lambda given: given["contact_angle"] >= pi / 2),
+    "threshold_humidity": (NO_WETTING, lambda given: given["contact_angle"] >= pi / 2),
     "meniscus_force": (WIDE_MENISCUS, lambda _: WIDEST),
     "artanh_at_load": (BEYOND_PULL_OFF, _pull_off_sphere),
     "artanh_at_approach": (BEYOND_FOLD, _fold_sphere),

@@ -27,9 +27,9 @@ def kelvin_radius(*, humidity: Number) -> Length:
         r_K = γ_L V_m/(R_g T ln(1/h)) = 0.5248 nm/ln(1/h)
 
     Source:   Kelvin's equation, water at 25 °C; measured for water from 9 nm on (Fisher, Gamble & Middlehurst 1981).
-    Valid:    r_K well above the 0.31 nm that a molecule of water takes.
+    Valid:    0 < h < 1. r_K well above the 0.31 nm that a molecule of water takes.
     """
-    return -KELVIN_LENGTH / ln(humidity)
+    return -KELVIN_LENGTH / ln(within((humidity > 0) & (humidity < 1), humidity))
 
 
 def meniscus_size(*, kelvin_radius: Length, reduced_radius: Length, contact_angle: Angle) -> Number:
@@ -38,9 +38,9 @@ def meniscus_size(*, kelvin_radius: Length, reduced_radius: Length, contact_angl
         q = κ√(r_K/R), κ = (π/2 − θ + sinθ cosθ)/(4 cos^(3/2) θ), which is π/8 for θ = 0
 
     Source:   First order of the nodoid between two bodies that touch.
-    Valid:    Both bodies with the same θ.
+    Valid:    θ < 90°, both bodies with the same θ.
     """
-    elevation = _elevation(contact_angle)
+    elevation = _elevation(within(contact_angle < pi / 2, contact_angle))
     slope = sin(elevation)  # cosθ
     kappa = (elevation + slope * sin(contact_angle)) / (4 * slope * sqrt(slope))
     return kappa * sqrt(kelvin_radius / reduced_radius)
@@ -65,6 +65,7 @@ def threshold_humidity(*, roughness_gap: Length, contact_angle: Angle) -> Number
         h = exp(−2 cosθ·0.5248 nm/D), at which 2r_K cosθ = D
 
     Source:   Kelvin's equation, water at 25 °C, for a meniscus across parallel walls.
-    Valid:    As r_K. Adsorbed water may bridge a gap at less: forces of menisci were measured at 2 % (arXiv:0809.1502).
+    Valid:    θ < 90°. Adsorbed water may bridge a gap at less: forces of menisci were measured at 2 % (arXiv:0809.1502).
     """
-    return exp(-2 * KELVIN_LENGTH * sin(_elevation(contact_angle)) / roughness_gap)
+    angle = within(contact_angle < pi / 2, contact_angle)
+    return exp(-2 * KELVIN_LENGTH * sin(_elevation(angle)) / roughness_gap)

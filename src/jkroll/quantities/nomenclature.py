@@ -22,8 +22,8 @@ UP_TO_INFINITE = Range(0.0, INFINITY, False, True, "must be positive")
 POISSON = Range(-1.0, 0.5, False, True, "must lie above -1, and be at most 0.5")
 LOOSE = Range(0.0, 0.74, False, False, "must lie between 0 and 0.74, that of the closest packing")
 FRACTION = Range(0.0, 1.0, False, True, "must lie between 0 and 1, which is 100%")
-HUMIDITY = Range(0.0, 1.0, False, False, "must lie above 0 and below 100 %")
-WETTING = Range(0.0, 1.5707963267948966, True, False, "must be at least 0 and below 90deg: water that wets less pushes")
+HUMIDITY = Range(0.0, 1.0, True, True, "must lie between 0 and 1, which is 100 %")
+WETTING = Range(0.0, 3.1415926535897936, True, True, "must lie between 0 and 180deg")
 SEVERAL = Range(2.0, INFINITY, True, False, "must be at least 2")
 ABOVE_MINUS_1 = Range(-1.0, INFINITY, False, False, "must lie above -1")
 FINITE = Range(-INFINITY, INFINITY, False, False, "must be finite")
@@ -80,6 +80,7 @@ OF_CURVES: Mapping[str, Quantity] = {
 _SPEED = "½(Nm1/2)v² = E"  # of two equal aggregates
 _WADA = "Wada et al. 2007"
 _E_ROLL = "E_roll is that of 90 degrees, 6π²γRξ"
+_OF_BREAK_UP = "of two-dimensional aggregates of equal masses, head-on"
 
 OF_DEM: Mapping[str, Quantity] = {
     "cutoff": Quantity("D0", "m", "cutoff distance of van der Waals' forces", range=POSITIVE, option="--cutoff",
@@ -128,17 +129,18 @@ OF_DEM: Mapping[str, Quantity] = {
     "restructuring_speed_ormel": Quantity("v_restr(1)", "m/s", "restructuring speed, Ormel",
         definition="√(4E_restr(1)/(Nm1))", of_identical=True, reference=_SPEED),
     "disruption_energy": Quantity("E_disr", "J", "energy to break up, Wada 07", definition="10·2n_c U_grips",
-        of_identical=True, reference=_WADA),
+        note=_OF_BREAK_UP, of_identical=True, reference=_WADA),
     "disruption_speed": Quantity("v_disr", "m/s", "speed to break up, Wada 07", definition="√(4E_disr/(Nm1))",
         of_identical=True, reference=_SPEED),
     "disruption_energy_dust_simulation": Quantity("E_disr(1.8)", "J", "energy to break up, E_break",
-        definition="10·2n_c·1.8F_cδ_c", of_identical=True, reference=_WADA),
+        definition="10·2n_c·1.8F_cδ_c", note=_OF_BREAK_UP, of_identical=True, reference=_WADA),
     "disruption_speed_dust_simulation": Quantity("v_disr(1.8)", "m/s", "speed to break up, E_break",
         definition="√(4E_disr(1.8)/(Nm1))", of_identical=True, reference=_SPEED),
     "compressive_strength": Quantity("P_comp", "Pa", "compressive strength",
         note="E_roll is that of 180 degrees, 6π²γR1ξ, twice as much", definition="E_roll(π)/R1³ (1/φ − 1/0.74)⁻³",
-        of_identical=True, reference="Phantom, porosity.f90"),
+        of_identical=True, reference="Tatsuuma et al. 2023"),
     "tensile_strength": Quantity("P_tens", "Pa", "tensile strength", definition="0.6φ^1.8 γ/R1",
+        note="without the volume of the aggregate, on which its strength depends (Kimura et al. 2020)",
         of_identical=True, reference="Tatsuuma et al. 2019"),
 }  # fmt: skip
 
@@ -146,9 +148,10 @@ OF_DEM: Mapping[str, Quantity] = {
 # --- Water that condenses between the bodies --------------------------------------------------------------------------
 
 OF_WATER: Mapping[str, Quantity] = {
-    "humidity": Quantity("RH", "1", "relative humidity of the air", range=HUMIDITY, option="--humidity", example="60%"),
+    "humidity": Quantity("RH", "1", "relative humidity of the air", range=HUMIDITY, option="--humidity", example="60%",
+        may_be_zero=True),
     "contact_angle": Quantity("θ_c", "rad", "contact angle of water", range=WETTING, option="--contact-angle",
-        example="20deg", may_be_zero=True),
+        example="20deg", may_be_zero=True, note="how a γ follows from contact angles: jkroll guide contact-angle"),
     "roughness_gap": Quantity("D_gap", "m", "gap that roughness leaves", range=POSITIVE, option="--roughness",
         example="2nm"),
     "kelvin_radius": Quantity("r_K", "m", "Kelvin radius of water", shown_with=["humidity"]),

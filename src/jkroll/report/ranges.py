@@ -105,6 +105,8 @@ def _kelvin(answer: Answer) -> str:
     text = "condensed water, 25 °C"
     if "roughness_gap" in answer.frame.given:
         return f"{text}; adsorbed water may bridge a gap before: forces of menisci were measured from 2 % humidity on"
+    if "meniscus_force" not in answer.values:
+        return text
     compare = "compare F_men with P_c, do not add it, as water changes γ, too"
     rough = "roughness lowers both: SiO2 of 10 µm on smooth glass had 1/8–1/5 of F_men at 67 %"
     return f"{text}, smooth bodies that touch; {compare}; {rough}; --roughness 2nm says when a gap fills"
