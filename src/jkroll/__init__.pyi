@@ -232,7 +232,7 @@ from .physics.tangential import twisting_friction_coefficient as twisting_fricti
 from .physics.tangential import twisting_moment as twisting_moment
 from .physics.tangential import twisting_stiffness as twisting_stiffness
 from .quantities.nomenclature import NOMENCLATURE as NOMENCLATURE
-from .quantities.nomenclature import Quantity as Quantity
+from .quantities.quantity import Quantity as Quantity
 from .quantities.values import Interval as Interval
 from .quantities.values import Measured as Measured
 from .tables.fitted import fit as fit

@@ -1,7 +1,6 @@
 """The force of a meniscus of condensed water, against the exact shape: a nodoid, integrated here."""
 
 import math
-from typing import Any
 
 import numpy as np
 import pytest
@@ -46,14 +45,14 @@ def nodoid(kelvin: float, contact_angle: float, *, is_pair: bool) -> tuple[float
     most = (math.pi / 2 - contact_angle) * (1 if is_pair else 2)
     least = 0.1 * min(most, math.sqrt(radius * math.cos(contact_angle)))
     top = math.exp(brentq(excess, math.log(least), math.log(most * 0.9999), xtol=1e-13))
-    return double(top) / (2 * radius) / (2 * reduced * math.cos(contact_angle)), top
+    return float(double(top) / (2 * radius) / (2 * reduced * math.cos(contact_angle))), float(top)
 
 
 def by_first_order(ratio: float, contact_angle: float) -> tuple[float, float]:
     """Return F/(4πRγ_L cosθ) of the program for r_K/R, and q."""
-    size = meniscus_size(kelvin_radius=ratio, reduced_radius=1.0, contact_angle=contact_angle)
+    size = float(meniscus_size(kelvin_radius=ratio, reduced_radius=1.0, contact_angle=contact_angle))
     force = meniscus_force(reduced_radius=1.0, contact_angle=contact_angle, meniscus_size=size)
-    return force / (4 * math.pi * WATER_TENSION * math.cos(contact_angle)), size
+    return float(force) / (4 * math.pi * WATER_TENSION * math.cos(contact_angle)), size
 
 
 @pytest.mark.parametrize("is_pair", [False, True])
@@ -69,7 +68,7 @@ def test_the_first_order_is_that_of_the_exact_meniscus(degrees: float, is_pair: 
 @pytest.mark.parametrize("degrees", ANGLES)
 def test_the_exact_meniscus_is_in_the_stated_range(degrees: float, is_pair: bool) -> None:
     angle = math.radians(degrees)
-    of_ratio_1 = meniscus_size(kelvin_radius=1.0, reduced_radius=1.0, contact_angle=angle)
+    of_ratio_1 = float(meniscus_size(kelvin_radius=1.0, reduced_radius=1.0, contact_angle=angle))
     for size in (0.01, 0.03, 0.05, 0.1, 0.2, 0.3, 0.4, WIDEST):
         force, _ = nodoid((size / of_ratio_1) ** 2, angle, is_pair=is_pair)
         first = 1 - size
@@ -139,7 +138,7 @@ def test_a_small_meniscus_pulls_alike_at_every_humidity() -> None:
         ("quartz 1um --humidity 30% --roughness 2nm", "the dry contact decides: water fills the gap of 2 nm from 59 %"),
         (
             "quartz 1um --humidity 90% --roughness 2nm",
-            "either may decide: water fills the gap of 2 nm from 59 % humidity on; a meniscus pulls with at most 430 nN",
+            "either may decide: water fills the gap of 2 nm from 59 % humidity on; a meniscus pulls with at most 430",
         ),
     ],
 )

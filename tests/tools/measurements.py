@@ -23,7 +23,9 @@ END = "\n*abstract*:"  # the paragraph below the table and its origins
 
 _OF_RATIOS = "yield_force_ratio"  # a quantity without a unit, as which ratios are read and printed
 _ROUNDED = Format(digits=3)
-_SAID = ("radius", "radius2", "surface_energy", "surface_energy2", "yield_displacement", "humidity", "contact_angle")  # of the inputs of a scene
+_SAID = (  # of the inputs of a scene
+    "radius", "radius2", "surface_energy", "surface_energy2", "yield_displacement", "humidity", "contact_angle"
+)  # fmt: skip
 
 
 class Measurement(NamedTuple):

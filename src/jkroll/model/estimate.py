@@ -35,7 +35,8 @@ from .uncertainty import ErrorBar, error_bars
 # --- Rules ------------------------------------------------------------------------------------------------------------
 
 (
-    NONE, DEFINITION, MEASURED, SCALED, XI_UNKNOWN, ADHESION_ONLY, BOUNDS, LAW_ONLY, AT_LEAST, KELVIN, GAP, BETTER_LAW, LAW_IN_USE,
+    NONE, DEFINITION, MEASURED, SCALED, XI_UNKNOWN, ADHESION_ONLY, BOUNDS, LAW_ONLY, AT_LEAST, KELVIN, GAP,
+    BETTER_LAW, LAW_IN_USE,
 ) = range(13)  # fmt: skip
 _GIVEN = {law: number for number, law in enumerate(LAWS, LAW_IN_USE + 1)}  # of laws that are given, which decide
 WORDS = (

@@ -14,7 +14,6 @@ from .laws import MODELS, PROFILES, routes_anywhere
 from .quantity import Quantity, Range
 from .synonyms import QUANTITY_SYNONYMS
 
-
 INFINITY = float("inf")
 POSITIVE = Range(0.0, INFINITY, False, False, "must be positive")
 SIZE = Range(0.0, INFINITY, False, False, "must be positive: it is the size of a tension")

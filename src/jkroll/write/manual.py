@@ -25,9 +25,7 @@ FIELD_TERMS: Mapping[tuple[str, str], str] = {
     ("dem", "What other codes call γ"): "cohesion energy density",
     ("energies", "Energies by convention"): "E_break E_roll stickiness sticking bouncing rebound restitution",
     ("energies", "Aggregates"): "agglomerates clusters fractal",
-    ("measurements", "Rough and humid"): (
-        "roughness asperities capillary meniscus humidity moisture water liquid"
-    ),
+    ("measurements", "Rough and humid"): "roughness asperities capillary meniscus humidity moisture water liquid",
     ("models", "Limits"): "doubts codes",
     ("models", "Between JKR and DMT"): "tabor parameter maugis law",
     ("models", "Sliding, twisting, peeling"): "friction detachment resuspension",
