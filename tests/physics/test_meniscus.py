@@ -179,3 +179,11 @@ def test_a_humidity_without_percent_is_refused(run: Run) -> None:
         2,
         True,
     )
+
+
+def test_a_meniscus_needs_no_surface_energy_of_the_solids(run: Run) -> None:
+    done = run("pull-off 1um --humidity 60%", terminal=True)
+    assert done.code == 0
+    assert "≈ 440  Kelvin" in done.out
+    assert "decides" not in done.out
+    assert "P_c, P_DMT: need surface energy" in done.err

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from ..model.estimate import BETTER_LAW, NONE, WORDS, Ranges
+from ..model.estimate import BETTER_LAW, NONE, WORDS, Estimate, Ranges
 from ..model.frame import Frame
 from ..model.limits import GAP_STAYS_DRY
 from ..model.results import Results
@@ -22,8 +22,9 @@ def leads(answer: Answer) -> Iterator[Note]:
         yield Note("lead", _stick_or_bounce(answer))
     if "impact_pressure" in answer.values:
         yield Note("lead", _elastic_or_not(answer.frame))
-    if {"pull_off_force", "meniscus_force"} <= answer.computed.keys() and answer.estimates["pull_off_force"].by != NONE:
-        yield from _water_or_dry(answer)
+    dry = answer.estimates.get("pull_off_force")
+    if "meniscus_force" in answer.computed and dry is not None and dry.by != NONE:
+        yield from _water_or_dry(answer, dry)
     if answer.question.lead and (lead := _filled(answer)):
         yield Note("lead", lead)
     if "tabor_parameter" in answer.question.named and "tabor_parameter" in answer.values:
@@ -53,11 +54,10 @@ def _first_to_give_way(answer: Answer) -> str:
     return f"pushed, it rolls first if ξ is small ({rolls}); else {gives}"
 
 
-def _water_or_dry(answer: Answer) -> Iterator[Note]:
+def _water_or_dry(answer: Answer, dry: Estimate) -> Iterator[Note]:
     """Iterate over the sentence that says which pulls more: the dry contact, or a meniscus of condensed water."""
-    frame, dry = answer.frame, answer.estimates["pull_off_force"]
     force = f"the dry contact with {range_in_words('pull_off_force', dry)}"
-    fills = _filled_gap(frame)
+    fills = _filled_gap(answer.frame)
     if answer.is_in_doubt(GAP_STAYS_DRY):
         yield Note("lead", f"the dry contact decides: {fills}")
     elif "meniscus_force" in answer.values:
