@@ -70,10 +70,11 @@ def _water_or_dry(answer: Answer, dry: Estimate) -> Iterator[Note]:
 
 def _filled_gap(frame: Frame) -> str:
     """Return from which humidity on water fills the gap that roughness leaves; empty where no gap is given."""
-    if "roughness_gap" not in frame.given:
+    known = frame.numbers("roughness_gap", "threshold_humidity")
+    if len(known) < 2:
         return ""
-    threshold = significant(100 * frame["threshold_humidity"], 2)
-    return f"water fills the gap of {amount('roughness_gap', frame['roughness_gap'])} from {threshold} % humidity on"
+    threshold = significant(100 * known["threshold_humidity"], 2)
+    return f"water fills the gap of {amount('roughness_gap', known['roughness_gap'])} from {threshold} % humidity on"
 
 
 def _stick_or_bounce(answer: Answer) -> str:
