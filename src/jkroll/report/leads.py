@@ -1,12 +1,22 @@
 """The sentences that stand before the results of an answer and answer its question, with best ranges."""
 
 from collections.abc import Iterator
+from math import isnan
 
-from ..model.estimate import BETTER_LAW, NONE, WORDS, Estimate, Ranges
+from ..model.estimate import (
+    ADHESION_ONLY,
+    BETTER_LAW,
+    FRICTION_ASSUMED,
+    FRICTION_FACTOR,
+    NONE,
+    WORDS,
+    Ranges,
+)
 from ..model.frame import Frame
 from ..model.limits import GAP_STAYS_DRY
+from ..model.measured import what_stuck
 from ..model.results import Results
-from ..quantities.formatting import Format, amount, significant, span
+from ..quantities.formatting import Format, amount, from_to, significant
 from .answer import Answer
 from .notes import Note
 from .ranges import range_in_words
@@ -16,15 +26,18 @@ _THREE = Format(digits=3)
 
 def leads(answer: Answer) -> Iterator[Note]:
     """Iterate over the sentences that answer a question."""
+    water = [*_water_or_dry(answer)]
+    yield from water
+    if answer.shows_surfaces and answer.estimates["pull_off_force"].by != NONE and not water:
+        force = range_in_words("pull_off_force", answer.estimates["pull_off_force"])
+        text = f"ideally smooth, they are pulled apart with {force}; real surfaces hold less"
+        yield Note("lead", f"{text}: take the row that is yours")
     if "sliding_or_peeling_force" in answer.values and "yield_force" in answer.estimates:
         yield Note("lead", _first_to_give_way(answer))
     if answer.is_of_impact and answer.estimates["sticking_speed"].by != NONE:
         yield Note("lead", _stick_or_bounce(answer))
     if "impact_pressure" in answer.values:
         yield Note("lead", _elastic_or_not(answer.frame))
-    dry = answer.estimates.get("pull_off_force")
-    if "meniscus_force" in answer.computed and dry is not None and dry.by != NONE:
-        yield from _water_or_dry(answer, dry)
     if answer.question.lead and (lead := _filled(answer)):
         yield Note("lead", lead)
     if "tabor_parameter" in answer.question.named and "tabor_parameter" in answer.values:
@@ -34,28 +47,34 @@ def leads(answer: Answer) -> Iterator[Note]:
 def _filled(answer: Answer) -> str:
     """Return the sentence that answers a question, with the best ranges; empty where one is lacking."""
     found = {name: estimate for name, estimate in answer.estimates.items() if estimate.by != NONE}
+    words = {name: range_in_words(name, each) for name, each in found.items()}
+    is_open = any(isnan(found[name].low) for name in answer.question.headline if name in found)
+    words["or_none"] = ", or not at all" if is_open else ""
     try:
-        text = answer.question.lead.format_map({name: range_in_words(name, each) for name, each in found.items()})
+        text = answer.question.lead.format_map(words)
     except KeyError:
         return ""
     return text.replace("≤", "at most").replace("≥", "at least")
 
 
 def _first_to_give_way(answer: Answer) -> str:
-    frame, rolling = answer.frame, answer.estimates["yield_force"]
-    force = frame["sliding_or_peeling_force"]
-    first, last = ("peels off", "slides") if frame["peeling_over_sliding"] < 1 else ("slides", "peels off")
-    gives = f"it {first} at {span('yield_force', force, force)}, as the push shrinks the contact, before it {last}"
+    rolling, sliding = (answer.estimates[name] for name in ("yield_force", "sliding_or_peeling_force"))
+    gives = (
+        f"it {_slides_or_peels(answer)} at {range_in_words('yield_force', sliding)}, as the push shrinks the contact"
+    )
     rolls = range_in_words("yield_force", rolling)
-    if rolling.high < force:
+    if rolling.high < sliding.low:
         return f"pushed, it rolls first ({rolls}); held from rolling, {gives}"
-    if rolling.low > force:
+    if rolling.low > sliding.high:
         return f"pushed, {gives}; to roll it takes {rolls}"
     return f"pushed, it rolls first if ξ is small ({rolls}); else {gives}"
 
 
-def _water_or_dry(answer: Answer, dry: Estimate) -> Iterator[Note]:
+def _water_or_dry(answer: Answer) -> Iterator[Note]:
     """Iterate over the sentence that says which pulls more: the dry contact, or a meniscus of condensed water."""
+    dry = answer.estimates.get("pull_off_force")
+    if dry is None or dry.by == NONE:
+        return
     force = f"the dry contact with {range_in_words('pull_off_force', dry)}"
     fills = _filled_gap(answer.frame)
     if answer.is_in_doubt(GAP_STAYS_DRY):
@@ -65,7 +84,8 @@ def _water_or_dry(answer: Answer, dry: Estimate) -> Iterator[Note]:
         meniscus = range_in_words("meniscus_force", wet).replace("≤", "at most")
         is_wet, is_dry = wet.low > dry.high, wet.high < dry.low
         verdict = "water decides" if is_wet else "the dry contact decides" if is_dry else "either may decide"
-        yield Note("lead", f"{verdict}: {fills and fills + '; '}a meniscus pulls with {meniscus}, {force}")
+        less = "; rough surfaces hold less of both" if answer.shows_surfaces else ""
+        yield Note("lead", f"{verdict}: {fills and fills + '; '}a meniscus pulls with {meniscus}, {force}{less}")
 
 
 def _filled_gap(frame: Frame) -> str:
@@ -77,13 +97,40 @@ def _filled_gap(frame: Frame) -> str:
     return f"water fills the gap of {amount('roughness_gap', known['roughness_gap'])} from {threshold} % humidity on"
 
 
+def _slides_or_peels(answer: Answer) -> str:
+    """Return what a contact does that is pushed and held from rolling, as far as its friction is known."""
+    is_assumed = answer.estimates["sliding_or_peeling_force"].by == FRICTION_ASSUMED
+    margin = FRICTION_FACTOR if is_assumed else 1.0
+    peeling_over_sliding = answer.frame["peeling_over_sliding"]
+    if peeling_over_sliding >= margin:
+        return "slides"
+    if peeling_over_sliding * margin < 1 or not is_assumed:
+        return "peels off"
+    return "slides or peels off"
+
+
 def _stick_or_bounce(answer: Answer) -> str:
     speed = answer.frame["speed"]
     sticking = answer.estimates["sticking_speed"]
     sides = range_in_words("sticking_speed", sticking)
     is_below, is_above = speed < sticking.low, speed > sticking.high
-    verdict = "they stick" if is_below else "they bounce" if is_above else "they may stick or bounce"
-    return f"at {amount('speed', speed)} {verdict}: the largest speed to stick is {sides} ({WORDS[sticking.by]})"
+    verdict = "they stick" if is_below else "they bounce" if is_above else _likely(answer)
+    text = f"at {amount('speed', speed)} {verdict}: the largest speed to stick is {sides} ({WORDS[sticking.by]})"
+    left = answer.estimates["restitution"]
+    if is_below or isnan(left.high) or left.by != ADHESION_ONLY:
+        return text
+    return f"{text}; if they bounce, adhesion alone leaves e = {from_to(answer.values['restitution'], left.high)}"
+
+
+def _likely(answer: Answer) -> str:
+    """Return what spheres do in the range of the speeds to which some stick, by those of the same solid."""
+    stuck, frame = what_stuck(answer.frame), answer.frame
+    if stuck is None or stuck.is_near(frame):
+        return "they may stick or bounce"
+    least, most = (ratio * answer.values["sticking_speed"] for ratio in stuck.over_law(frame))
+    if frame["speed"] < least:
+        return "they probably stick"
+    return "they probably bounce" if frame["speed"] > most else "they may stick or bounce"
 
 
 def _law_that_holds(answer: Answer) -> str:
