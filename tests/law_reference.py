@@ -15,12 +15,22 @@ SYMBOLS = {
     "part": "hysteresis_fraction",
     "mu": "tabor_parameter", "lambda_": "transition_parameter", "sigma0": "cohesive_stress",
     "edge": "edge_ratio", "edge0": "unloaded_edge_ratio", "T": "zone_span", "a_M": "unloaded_radius_maugis",
-    "P_DMT": "pull_off_force_dmt", "s_a": "asperity_radius", "T_vis": "viscous_time", "T_star": "viscosity_number",
+    "P_DMT": "pull_off_force_dmt", "s_a": "asperity_radius",
+    "h": "humidity", "theta_c": "contact_angle", "r_K": "kelvin_radius", "q_men": "meniscus_size", "D": "roughness_gap",
+    "T_vis": "viscous_time", "T_star": "viscosity_number",
     "l_M": "length_unit_maugis", "d_M": "approach_unit_maugis", "U_M": "energy_unit_maugis",
     "R_i": "indenter_radius", "kappa": "elastoadhesive_ratio", "L": "contact_artanh", "L_0": "unloaded_artanh",
     "L_pull": "artanh_at_pull_off", "L_fold": "artanh_at_fold",
     "fold": "fold_approach_maugis", "edge_c": "edge_ratio_at_pull_off", "edge_fold": "edge_ratio_at_fold",
 }  # fmt: skip
+
+
+KELVIN_LENGTH = mpf(5.248e-10)  # γ_L V_m/(R_g T) of water at 25 °C
+
+
+def first_order(theta_c: Exact) -> Exact:
+    """Return κ of a meniscus between bodies that touch."""
+    return (pi / 2 - theta_c + digits.sin(2 * theta_c) / 2) / (4 * digits.cos(theta_c) ** mpf(1.5))
 
 
 def length_unit(w: Exact, R: Exact, E: Exact) -> Exact:
@@ -224,6 +234,11 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
         pi * w * R * (mpf("1.5") + mpf("0.5") / (1 + mpf("1.95") * mu ** mpf("1.4")))
     ),
     "pull_off_force_rough": lambda P_DMT, R, s_a, D0: P_DMT * (s_a / (s_a + R) + 1 / (1 + s_a / D0) ** 2),
+    # water
+    "kelvin_radius": lambda h: KELVIN_LENGTH / digits.log(1 / h),
+    "meniscus_size": lambda r_K, R, theta_c: first_order(theta_c) * sqrt(r_K / R),
+    "meniscus_force": lambda R, theta_c, q_men: 4 * pi * R * mpf(0.072) * digits.cos(theta_c) * (1 - q_men),
+    "threshold_humidity": lambda D, theta_c: digits.exp(-2 * digits.cos(theta_c) * KELVIN_LENGTH / D),
     # viscous damping
     "viscosity_number": lambda T_vis, nu1, nu2, E, a0, m: T_vis / (nu1 * nu2) * sqrt(E * a0 / m),
     "sticking_speed_viscous": lambda U_stick, m, T_star: slowed(T_star) * sqrt(2 * U_stick / m),
@@ -304,6 +319,7 @@ TERMS: Mapping[str, Callable[..., Exact]] = {
 # The parameters whose condition a formula states besides its number of ulp.
 CONDITIONED: Mapping[str, tuple[str, ...]] = {
     "contact_radius_dmt": ("load",),
+    "threshold_humidity": ("roughness_gap",),
     "artanh_at_load": ("load", "artanh_at_pull_off"),
     "artanh_at_approach": ("approach_at_load", "artanh_at_fold"),
     "stiffness_sphere": ("contact_artanh", "elastoadhesive_ratio"),

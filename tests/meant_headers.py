@@ -124,6 +124,8 @@ monomers 1: monomers | number of monomers | monomer number | n monomers | monome
 contacts 1: number of contacts | n contacts | contacts | contact number | num contacts
 filling_factor 1: filling factor | volume filling factor | packing fraction | solid fraction
 rolling_angle rad: rolling angle | roll angle | angle of rolling
+humidity 1: humidity | relative humidity
+contact_angle rad: contact angle | water contact angle
 """
 
 _SYMBOLS = """
@@ -247,13 +249,11 @@ liquid density | densité apparente | apparent bulk density | rho_air | medium d
 m/s^2: vibration acceleration | a_max | radiation acceleration | ax | shaker acceleration | peak acceleration
 s: time | dt | contact time | relaxation time | period | t | Zeit | dwell time | time step | temps | duration | tau | \
 t_c
-rad: contact angle | phase | tilt angle | latitude | friction angle | angle of repose | theta_c | Kontaktwinkel | \
-phi | ψ
+rad: phase | tilt angle | latitude | friction angle | angle of repose | phi | ψ
 K: T | temperature | Temperatur | Tg | melting point | ambient temperature
 kg: mass | m | particle mass | sample mass | Masse
 1: restitution coefficient | friction coefficient | porosity | void fraction | sphericity | strain | aspect ratio | \
-mu | coefficient of restitution | mu_r | cor | e_n | roundness | coordination number | R2 fit | R-squared | \
-relative humidity
+mu | coefficient of restitution | mu_r | cor | e_n | roundness | coordination number | R2 fit | R-squared
 Hz: frequency | f0 | resonance frequency | sampling rate
 Pa s: viscosity | eta | dynamic viscosity | Viskosität
 m^2: area | contact area | cross section | grain area

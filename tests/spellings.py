@@ -8,7 +8,7 @@ from unicodedata import normalize
 from jkroll.quantities.nomenclature import NOMENCLATURE, OPTION_WORDS
 from jkroll.quantities.synonyms import SYNONYMS
 from jkroll.quantities.units import dimension_of
-from jkroll.tables.words import INPUTS
+from jkroll.tables.words import INPUTS, NO_HEADERS
 
 # Units for each SI unit of an input, with their factors.
 UNITS: Mapping[str, list[tuple[str, float]]] = {
@@ -83,7 +83,7 @@ class Spelling(NamedTuple):
 
 def words_of(name: str) -> Iterator[tuple[str, bool]]:
     """Iterate over the words and symbols of an input, and whether each is a symbol."""
-    option = next((word for word, meant in OPTION_WORDS.items() if meant == name), name)
+    option = next((word for word, meant in OPTION_WORDS.items() if meant == name and word not in NO_HEADERS), name)
     first, *others = name.split("_")
     camel = first + "".join(map(str.title, others))
     synonyms = (word.replace("_", " ") for word in SYNONYMS.get(name, ()))

@@ -72,23 +72,27 @@ ROUGH = "from the page measurements, Rough and humid: jkroll guide measurements\
         ("humidity", "**Humid**: adsorbed water"),
         ("humid", "**Humid**: adsorbed water"),
         ("how humid is it?", "**Humid**: adsorbed water"),
-        ("contact angle", "**Contact angles**: no command"),
-        ("contact angles", "**Contact angles**: no command"),
-        ("roughness", "**Rough**: `--asperity-radius"),
-        ("meniscus", "The force of a meniscus"),
-        ("menisci", "The force of a meniscus"),
+        ("meniscus", "The **meniscus** pulls"),
+        ("menisci", "The **meniscus** pulls"),
         ("water", "Roughness and water are often"),
-        ("capillary", "Roughness and water are often"),  # a term of the field, which no passage has
+        ("capillary", "capillary forces usually dominate"),
     ],
 )
 def test_words_find_passages_of_their_section(run: Run, command: str, words: str, said: str) -> None:
-    if (command, words) == ("quantities", "roughness"):
-        return  # a quantity has it
+    if command == "quantities" and words != "capillary":
+        return  # quantities have it
     ran = run(command, *words.split())
     assert ran.code == 0
     assert said in ran.out.partition(ROUGH)[0]
     assert ran.out.count("\n- ") <= (2 if command == "quantities" else 1)  # behind the line that no quantity is meant
     assert "twisting_angle" not in ran.out
+
+
+@pytest.mark.parametrize("words", ["contact angle", "contact angles", "wetting", "surface energy from contact angles"])
+def test_words_about_contact_angles_lead_to_their_page(run: Run, words: str) -> None:
+    assert "jkroll guide contact-angle\n" in run("guide", *words.split()).out
+    assert run("guide contact-angle").out == PAGES["contact-angle"]
+    assert "jkroll guide contact-angle" in run("quantities contact angle").out
 
 
 @pytest.mark.parametrize(
@@ -146,7 +150,7 @@ def test_a_word_that_nothing_has_is_refused_with_what_to_type(run: Run) -> None:
         assert refused.code == 2
         assert refused.err.startswith("jkroll: nothing has the word 'xyzzy'; leave it out, or jkroll guide lists")
         assert "the word 'humiddity'; did you mean humidity? " in run(f"{command} humiddity").err
-    assert run("quantities humidity --json").code == run("quantities humidity --csv").code == 2
+    assert run("quantities capillary --json").code == run("quantities capillary --csv").code == 2
 
 
 def test_rows_of_quantities_are_ranked_and_at_most_a_dozen(run: Run) -> None:
@@ -232,3 +236,24 @@ def test_claims_of_the_text() -> None:
         assert near("vertical_frequency", material, "100nm") == approx(1e9 * float(frequency), rel=0.02)
     ten, hundred = (near("vertical_frequency", "quartz", radius) for radius in ("10nm", "100nm"))
     assert round(ten / hundred) == 15
+
+
+def test_claims_about_contact_angles_and_rolling_in_other_codes() -> None:
+    """A solid with bases, by van Oss, Chaudhury & Good and by Owens & Wendt; the moment of Lethe's DMT contact."""
+
+    def both(dispersive: float, acid: float, base: float) -> tuple[float, float]:
+        of_diiodomethane, of_water = (dispersive * 50.8) ** 0.5, (dispersive * 21.8) ** 0.5
+        root = of_diiodomethane / 50.8**0.5
+        other = (of_water + (acid * 25.5) ** 0.5 + (base * 25.5) ** 0.5 - root * 21.8**0.5) / 51.0**0.5
+        return 2 * dispersive + 4 * (acid * base) ** 0.5, 2 * (root**2 + other**2)
+
+    assert both(40, 0, 12) == approx((80, 92), rel=5e-3)
+    assert both(34, 1, 40) == approx((93, 122), rel=5e-3)
+    assert "it is 80, and Owens–Wendt makes 92" in PAGES["contact-angle"]
+    assert "for 34, 40, 1 it is 93 and 122" in PAGES["contact-angle"]
+    for load in (0.0, 5e-9):
+        scene = {"material": "quartz", "radius": 1e-7, "load": load, "model": "dmt"}
+        names = ["yield_moment", "pull_off_force", "reduced_radius"]
+        moment, force, radius = solve(names, **scene).values()
+        assert moment == approx(2e-10 * force, rel=1e-12)  # ξ·4πγR at every load
+    assert moment / (radius * (0.0 + force)) == approx(2e-10 / radius, rel=1e-12)

@@ -17,7 +17,7 @@ _HOMES = {
     "Material": "materials.library",
     "Materials": "materials.library",
     "Measured": "quantities.values",
-    "Quantity": "quantities.nomenclature",
+    "Quantity": "quantities.quantity",
     "answer": "write.answered",
     "curve": "pictures.drawn",
     "figure": "pictures.drawn",

@@ -12,7 +12,7 @@ from .pictures.drawn import curve as curve
 from .pictures.drawn import figure as figure
 from .pictures.drawn import map as map
 from .quantities.nomenclature import NOMENCLATURE as NOMENCLATURE
-from .quantities.nomenclature import Quantity as Quantity
+from .quantities.quantity import Quantity as Quantity
 from .quantities.values import Interval as Interval
 from .quantities.values import Measured as Measured
 from .tables.fitted import fit as fit

@@ -145,6 +145,10 @@ from .physics.maugis import well_energy_maugis as well_energy_maugis
 from .physics.maugis import zone_radius as zone_radius
 from .physics.maugis import zone_span as zone_span
 from .physics.maugis import zone_span_at_approach as zone_span_at_approach
+from .physics.meniscus import kelvin_radius as kelvin_radius
+from .physics.meniscus import meniscus_force as meniscus_force
+from .physics.meniscus import meniscus_size as meniscus_size
+from .physics.meniscus import threshold_humidity as threshold_humidity
 from .physics.motion import energy as energy
 from .physics.motion import flight_ratio as flight_ratio
 from .physics.motion import initial_angular_speed as initial_angular_speed

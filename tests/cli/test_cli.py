@@ -52,9 +52,11 @@ REFUSED = {
     "contact quartz 100nm --curve --load=:50nN": (
         "--load: ':50nN' has no lower end; write both, as in -5nN:20nN (an example); pull-off is at -11.781 nN"
     ),
-    "pull-off quartz 100nm --humidity 50%": (
-        "no such option '--humidity'; spheres are smooth, dry and elastic here: jkroll guide measurements says what "
-        "that leaves out"
+    "pull-off quartz 100nm --temperature 300K": (
+        "no such option '--temperature'; no number here depends on it, but for γ and E of a material: jkroll materials"
+    ),
+    "contact quartz 100nm --humidity 50%": (
+        "contact takes no '--humidity'; --humidity is an option of pull-off, report, infer and 2 more"
     ),
     "infer gamma quartz 100nm --measured P_c=9nN --measured P_c=8nN": (
         "infer needs a measured quantity for each input, 1 in all: --measured pull_off_force=300nN; several values of "
@@ -470,7 +472,7 @@ def test_control_characters_of_a_file_and_of_arguments_stay_out(run: Run, tmp_pa
 
 @pytest.mark.parametrize("encoding", ["cp1252", "latin-1", "ascii", "koi8-r"])
 @pytest.mark.parametrize(
-    "line", ["--help", "quantities", "contact quartz 1nm:1um:3 --csv --to µN", "report ice-warm 1um --explain"]
+    "line", ["--help", "quantities", "pull-off quartz 1nm:1um:3 --csv --to µN", "report ice-warm 1um --explain"]
 )
 def test_streams_of_other_encodings(run: Run, line: str, encoding: str) -> None:
     ran = run(line, terminal="report" in line, encoding=encoding)

@@ -18,8 +18,9 @@ import pytest
 import law_reference
 from jkroll import NOMENCLATURE, physics, solve
 from jkroll.model.plan import formula_of, parameters_of
-from jkroll.physics import any_law, cylinder, dmt, dugdale, impact, maugis, shifted, sneddon, sphere
+from jkroll.physics import any_law, cylinder, dmt, dugdale, impact, maugis, meniscus, shifted, sneddon, sphere
 from jkroll.physics.accuracy import accuracy_of
+from jkroll.physics.meniscus import WIDEST
 from jkroll.physics.motion import FITTED_UP_TO
 from jkroll.report.questions import QUESTIONS
 from reference import (
@@ -91,7 +92,7 @@ def worst(errors: Iterable[Error]) -> Error:
     return max(errors, key=lambda error: error.ulp)
 
 
-LAWS = {module.__name__ for module in (any_law, dmt, maugis, sphere)}
+LAWS = {module.__name__ for module in (any_law, dmt, maugis, meniscus, sphere)}
 LAW_FORMULAS = {
     *(name for name, formula in physics.FORMULAS.items() if formula.__module__ in LAWS),
     "viscosity_number",
@@ -214,6 +215,15 @@ def _damped(random: Random) -> Iterator[tuple[str, Any]]:
     )
 
 
+def _wet(random: Random) -> Iterator[tuple[str, Any]]:
+    """Iterate over values of a meniscus of water, next to dry and saturated air and to where water wets no more."""
+    yield "humidity", random.choice([random.random(), log_uniform(random, 1e-30, 1), 1 - log_uniform(random, 1e-15, 1)])
+    yield "contact_angle", random.choice([0.0, random.uniform(0, 1.57), math.pi / 2 - log_uniform(random, 1e-9, 1)])
+    yield "kelvin_radius", log_uniform(random, 1e-11, 1e-5)
+    yield "roughness_gap", log_uniform(random, 1e-10, 1e-6)
+    yield "meniscus_size", random.choice([random.uniform(0, WIDEST), log_uniform(random, 1e-9, WIDEST), WIDEST])
+
+
 def _of_sphere(random: Random, modulus: float) -> Iterator[tuple[str, Any]]:
     """Iterate over values of a rigid sphere on a soft plane, of any softness and in any state."""
     radius, ratio = log_uniform(random, 1e-9, 1e3), log_uniform(random, 1e-15, 10)
@@ -255,6 +265,7 @@ def _law_values(random: Random) -> Iterator[tuple[str, Any]]:
     ):  # fmt: skip
         yield name, unit * log_uniform(random, 1e-3, 1e3)
     yield from _damped(random)
+    yield from _wet(random)
     yield from _of_sphere(random, modulus)
     for name, low, high in (("hamaker", 1e-24, 1e-15), ("hamaker2", 1e-24, 1e-15), ("cutoff", 1e-11, 1e-8)):
         yield name, log_uniform(random, low, high)

@@ -16,7 +16,7 @@ from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
 from jkroll.errors import BadRequest
 from jkroll.model.reasons import Failure, MissingInput
 from jkroll.physics import FORMULAS as PLAIN_FORMULAS
-from jkroll.physics import cylinder, dimensions
+from jkroll.physics import cylinder, dimensions, meniscus
 from jkroll.quantities.nomenclature import UnknownQuantity
 from jkroll.quantities.units import dimension_of, kind_of
 from jkroll.quantities.values import QuantityError
@@ -95,8 +95,10 @@ IN_DOMAIN = {
 
 
 @pytest.mark.parametrize("name", [*FORMULAS, *OF_A_STRIP])
-def test_dimensions(name: str) -> None:
+def test_dimensions(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """A formula fed with pint Quantities gives one of the dimension that its annotation and the nomenclature say."""
+    for constant, of_unit in (("WATER_TENSION", "N/m"), ("KELVIN_LENGTH", "m")):
+        monkeypatch.setattr(meniscus, constant, UREG.Quantity(vars(meniscus)[constant], of_unit))
     formula = {**PLAIN_FORMULAS, **OF_A_STRIP}[name]
     hints = get_type_hints(formula, localns=vars(dimensions), include_extras=True)
     units = {parameter: hint.__metadata__[0] for parameter, hint in hints.items()}

@@ -180,7 +180,7 @@ PASSING = (
     "material_id | density_type | d [s] | equivalent diameter [um] | v_m | hysteresis_ratio | spread [m/s] | "
     "sigma_xx [Pa] | u [m/s] | u(x) [nm] | sigma [Pa] | kinetic_energy [J] | head [nN] | grain area [nm^2] | "
     "nu_g0 | E...MPa. | velocity_c_m_s | E_loss (GPa) | rho_bulk [kg/m3] | num [-] | nu_e [Hz] | "
-    "speed of sound (m/s) | contact angle (deg) | energy_per_atom_eV | R | n_c | Size (mm) | rad | rad [1/s] | "
+    "speed of sound (m/s) | tilt angle (deg) | energy_per_atom_eV | R | n_c | Size (mm) | rad | rad [1/s] | "
     "G' (GPa) | storage shear modulus (Pa)"
 ).split(" | ")
 

@@ -23,7 +23,9 @@ END = "\n*abstract*:"  # the paragraph below the table and its origins
 
 _OF_RATIOS = "yield_force_ratio"  # a quantity without a unit, as which ratios are read and printed
 _ROUNDED = Format(digits=3)
-_SAID = ("radius", "radius2", "surface_energy", "surface_energy2", "yield_displacement")  # of the inputs of a scene
+_SAID = (  # of the inputs of a scene
+    "radius", "radius2", "surface_energy", "surface_energy2", "yield_displacement", "humidity", "contact_angle"
+)  # fmt: skip
 
 
 class Measurement(NamedTuple):
@@ -203,6 +205,11 @@ MEASUREMENTS = (
             )),
         )
     ),
+    Measurement(
+        "SiO2, 67 % humidity", "meniscus_force", "1.2 to 1.9 uN", "quartz",
+        {"radius": "10 um", "humidity": "67%", **_PLANE}, _MOUTINHO, "second hand",
+        "Roughness, presumably: the form is of smooth bodies that touch; the sizes are diameters presumably",
+    ),
 )  # fmt: skip
 
 
@@ -247,7 +254,8 @@ def _compared(row: Measurement) -> Compared:
     if row.beside:
         computed /= _scene(row, {**row.given, "radius": row.beside})[row.quantity]
         told += f", over that at R1 = {amount('radius', value_of(row.beside, 'radius'))}"
-    return Compared(row, _middle(row.measured, unit_of), computed, f"{told}, by {scene.law.name.upper()}")
+    law = "the first order of a meniscus" if row.quantity == "meniscus_force" else scene.law.name.upper()
+    return Compared(row, _middle(row.measured, unit_of), computed, f"{told}, by {law}")
 
 
 def _scene(row: Measurement, given: Mapping[str, str]) -> Frame:

@@ -97,7 +97,7 @@ _ALWAYS = ("radius2", "diameter", "diameter2", "material2", "surface_energy", "w
 # Inputs that stand among the further options of the help, even where they are used.
 _FURTHER = ("diameter2", "shear_modulus", *_OF_SPHERE_2, "atomic_spacing", *OF_THE_PAIR, "energy_ratio",
     "adhesion_hysteresis", "hysteresis_fraction", "hamaker", "hamaker2", "cutoff", "viscous_time",
-    "asperity_radius", "profile", "yield_strength")  # fmt: skip
+    "asperity_radius", "profile", "yield_strength", "contact_angle", "roughness_gap")  # fmt: skip
 
 
 @cache
@@ -118,7 +118,7 @@ def input_options(quantities: tuple[str, ...] = ()) -> tuple[Option[Any], ...]:
         depends |= {"profile"}
     names = dict.fromkeys((*_ALWAYS, *(name for name in NOMENCLATURE if not quantities or name in depends)))
     shown = {*depends, "material2", "radius2"}.difference(_FURTHER)
-    shown = shown | {"diameter"} if quantities else shown - {"diameter"}  # a longer help has no line for it
+    shown = shown | {"diameter"} if quantities else shown - {"diameter", "density"}  # no lines in a longer help
     return tuple(
         Option(None, quantity.option, metavar=quantity.example, name=name, hidden=name not in shown)
         for name, quantity in ((name, NOMENCLATURE[name]) for name in names)
@@ -263,7 +263,10 @@ MIN_WIDTH = 48
 MIN_TEXT = 20
 GUTTER = 10  # of the names of groups
 
-_WITH_THE_PAIR = "material material2 work_of_adhesion monomers contacts filling_factor asperity_radius yield_strength"
+_WITH_THE_PAIR = (
+    "material material2 work_of_adhesion monomers contacts filling_factor asperity_radius yield_strength humidity "
+    "contact_angle roughness_gap"
+)
 
 Row = tuple[str, str]  # what is typed, and its meaning
 

@@ -12,7 +12,8 @@ from typing import Any
 
 from ..errors import FAILED, JkrollError
 from ..quantities.laws import MODELS, PROFILES
-from ..quantities.nomenclature import ANY, NOMENCLATURE
+from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.quantity import ANY
 from ..text import say
 from .commands import COMMANDS, Command, flags_of
 from .options import Option

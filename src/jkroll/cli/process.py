@@ -49,10 +49,7 @@ HINTS: Mapping[str, str] = {
     "--gamma12": "the energy of an interface stands in the work of adhesion: --work-of-adhesion, γ1 + γ2 - γ12",
     "--plane": "a plane is a sphere 2 without end: --radius2 plane",
     "--material": "a material stands alone: jkroll pull-off quartz 100nm",
-    **dict.fromkeys(
-        ("--roughness", "--humidity", "--temperature"),
-        "spheres are smooth, dry and elastic here: jkroll guide measurements says what that leaves out",
-    ),
+    "--temperature": "no number here depends on it, but for γ and E of a material: jkroll materials",
     **dict.fromkeys(("-R", "--radius"), "a radius stands alone: jkroll pull-off quartz 100nm"),
     **dict.fromkeys(("export -o", "export --output", "export --out"), "it writes to standard output: add > FILE"),
     **dict.fromkeys(

@@ -43,9 +43,10 @@ def run_question(call: Call) -> int:
     check_format(call)
     question = question_of(call, QUESTIONS[call.command])
     sweep = call.sweep
-    form = call.form(question.quantities)  # has the values as they were typed, once they are read
+    frame = sweep.groups[0]
+    shown = [name for name in question.quantities if name in question.named or frame.shows_to_identical(name)]
+    form = call.form(shown or question.quantities)  # has the values as they were typed, once they are read
     for name in question.named:
-        frame = sweep.groups[0]
         if name in frame.stated or (name in frame.values and formula_of(name) is None):
             raise BadRequest(f"--quantities: {name} is an input here; leave it out: results stand beside it")
 

@@ -35,17 +35,18 @@ from .uncertainty import ErrorBar, error_bars
 # --- Rules ------------------------------------------------------------------------------------------------------------
 
 (
-    NONE, DEFINITION, MEASURED, SCALED, XI_UNKNOWN, FRICTION_ASSUMED, ADHESION_ONLY, BOUNDS, LAW_ONLY, AT_LEAST,
-    BETTER_LAW, LAW_IN_USE,
-) = range(12)  # fmt: skip
+    NONE, DEFINITION, MEASURED, SCALED, XI_UNKNOWN, FRICTION_ASSUMED, ADHESION_ONLY, BOUNDS, LAW_ONLY, AT_LEAST, KELVIN,
+    GAP, BETTER_LAW, LAW_IN_USE,
+) = range(14)  # fmt: skip
 _GIVEN = {law: number for number, law in enumerate(LAWS, LAW_IN_USE + 1)}  # of laws that are given, which decide
 WORDS = (
     "–", "definition", "measured", "scaled", "ξ unknown", "τ assumed", "adhesion only", "JKR to DMT", "JKR only",
-    "at least", "Maugis", "JKR",
+    "at least", "Kelvin", "roughness", "Maugis", "JKR",
     *(law.short for law in LAWS.values()),
 )  # fmt: skip
 
 _LAWS_THEMSELVES = ("pull_off_force_dmt", "pull_off_force_lennard_jones")
+_OF_WATER = ("meniscus_force", "kelvin_radius", "threshold_humidity")
 _STICKING = {"sticking_speed": 1, "sticking_energy": 2}  # powers of the speed
 _LOSING = ("restitution", "lost_energy")
 # Measured quantities that every loss of a collision moves one way, and the inputs that move them so as they grow.
@@ -114,6 +115,8 @@ class Ranges:
         own, is_rolling = self.hull(name, _itself), bool(rolling([name]))
         if name in _LAWS_THEMSELVES:
             yield True, nan, nan, NONE
+        elif name in _OF_WATER:
+            yield self._of_water(name, own)
         elif NOMENCLATURE[name].reference and not is_rolling and name not in (*_STICKING, *_LOSING):
             yield True, *own, DEFINITION
         elif self._is_from_losses(name):
@@ -156,6 +159,18 @@ class Ranges:
         ours = self.results.computed[name].or_else(0.0)
         yield farthest((value, ours) for value in theirs) > LAW_MATTERS, *better, BETTER_LAW
         yield True, *of_both, LAW_IN_USE
+
+    def _of_water(self, name: str, own: Ends) -> Rule:
+        """Return the rule of what condensed water does: by the exact meniscus, or at most that where there is a gap.
+
+        A meniscus that is so small that the two differ by less than half a percent is that of first order.
+        """
+        if name != "meniscus_force":
+            return True, *own, KELVIN
+        if "roughness_gap" in self.frame.given:
+            return True, nan, own[1], GAP
+        size = self.frame["meniscus_size"]
+        return True, own[0], own[1] * where(size > 0.05, 1 + 2 * size * size, 1.0), KELVIN
 
     def _of_sticking(self, name: str, own: Ends) -> Iterator[Rule]:
         """Iterate over the rules of a speed or an energy up to which hard spheres stick: by what was measured."""

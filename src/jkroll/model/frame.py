@@ -62,6 +62,7 @@ DEFAULTS = {
     "energy_ratio": 1.0,
     "atomic_spacing": 4e-10,
     "cutoff": 1.65e-10,
+    "contact_angle": 0.0,
 }
 # The values of inputs from which more follows than from others: a plane, a rigid body, no load.
 FOLLOWS: Mapping[str, tuple[float, Mapping[str, float]]] = {

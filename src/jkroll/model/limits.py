@@ -145,6 +145,7 @@ _DISPLACEMENT = frozenset({"yield_displacement"})
 JUMP = 0.7  # Tabor parameter below which no jump was found of a contact of Lennard-Jones' 3-9 law at fixed grips
 STICKING_UNSURE = "sticking-unsure"
 ROUGH_MATTERS = "rough-matters"
+GAP_STAYS_DRY = "gap-stays-dry"
 WIDE_CONTACT = "wide-contact"
 _PUSHED = frozenset({"yield_force", "yield_force_fixed_load", "yield_force_ratio"})
 _TURNS = frozenset({"n_roll", "n_roll_energy_balance", "n_roll_after_impact"})
@@ -238,6 +239,13 @@ ENDING = (
         ends_meaning=True,
     ),
     Limit(
+        "threshold_humidity", frozenset({"meniscus_force"}), "<", {1.0: GAP_STAYS_DRY},
+        "no meniscus, as the gap fills at a higher humidity",
+        lambda frame, _: {"humidity", "roughness_gap"} <= frame.stated.keys(),
+        ends_meaning=True,
+        factor=lambda frame, _: frame["humidity"] / frame["threshold_humidity"],
+    ),
+    Limit(
         "speed_over_sound", _IMPACT, ">", {1.0: "faster-than-sound"},
         "faster than sound in the solid, which no contact at rest describes",
         lambda frame, _: "speed" in frame.stated,
@@ -323,6 +331,19 @@ INEXACT = (
         "filling_factor", frozenset({"tensile_strength"}), ">", {1.0: "filling-out-of-range"},
         "the formula of P_tens was fitted to filling factors of 0.01 to 0.5",
         factor=lambda frame, _: at_least(frame["filling_factor"] / 0.5, 0.01 / frame["filling_factor"]),
+    ),
+    Limit(
+        "filling_factor", frozenset({"compressive_strength"}), ">", {0.1: "slides-and-twists"},
+        "in an aggregate so dense sliding and twisting decide on P_comp; its formula rests on rolling",
+    ),
+    Limit(
+        "meniscus_size", frozenset({"meniscus_force"}), ">", {0.1: "wide-meniscus"},
+        "the meniscus is not small beside the bodies; it pulls up to 2q² more",
+    ),
+    Limit(
+        "kelvin_radius", frozenset({"kelvin_radius"}), "<", {1.0: "few-molecules"},
+        "the meniscus is 3 molecules of water wide or less, too few for a surface tension",
+        factor=lambda frame, _: frame["kelvin_radius"] / 1e-9,
     ),
     Limit(
         "contact_radius_in_spacings", _ELASTICITY, "<", {3.0: "few-atoms"},

@@ -8,6 +8,7 @@ Below: for which arguments the physics gives a formula no result.
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cache
+from math import pi
 from operator import gt, le
 from typing import Any
 
@@ -16,6 +17,7 @@ from ..physics import FORMULAS
 from ..physics.contact import pull_off_force_dmt
 from ..physics.elementary import where
 from ..physics.jkr import approach_at_fold
+from ..physics.meniscus import WIDEST
 from ..physics.motion import FITTED_UP_TO
 from ..physics.sphere import approach_at_fold_sphere, pull_off_force_sphere
 from ..quantities.formatting import Format, amount
@@ -180,6 +182,16 @@ YIELDS_ON_TOUCH = Cause(
     "{0} is below {1}, to which adhesion alone presses a contact as it forms: it yields at every speed",
     "first_yield_pressure",
 )
+DRY_OR_SATURATED = Cause(
+    "dry or saturated air", "there is no meniscus in dry air, and none that ends in saturated air: 0 < RH < 100 %"
+)
+NO_WETTING = Cause("no wetting", "water with a contact angle of 90 deg or more draws nothing together and fills no gap")
+WIDE_MENISCUS = Cause(
+    "meniscus too wide",
+    "{0} is above {1}: the meniscus is too wide beside the bodies for a force of first order",
+    "meniscus_size",
+    gt,
+)
 PLASTIC_ON_TOUCH = Cause("plastic on touching", YIELDS_ON_TOUCH.words, "plastic_pressure")
 NO_DOUBLE = Cause("no finite value", "no value that a double can hold")
 INFINITE = Cause("infinite", "infinite")  # where a number is to be written, such as the mass of a plane
@@ -191,7 +203,7 @@ _CAUSES = [
     None, MISSING, NOT_IN_LAW, HIDDEN, BEYOND_PULL_OFF, BEYOND_JKR, HELD_BY_MAUGIS, BEYOND_FOLD, TWO_RIGID_BODIES,
     RESTS_ON_SPACING, OF_IDENTICAL_SPHERES, NOT_HELD, NOT_PRESSED, NO_CHAIN, RIGID, APART, TOO_MUCH_HYSTERESIS,
     STICKS_ALWAYS, NO_POISSON_RATIO, YIELDS_ON_TOUCH, PLASTIC_ON_TOUCH, NO_DOUBLE, INFINITE, NO_STIFFNESS,
-    OF_ANOTHER_PAIR, NO_PROFILE,
+    OF_ANOTHER_PAIR, NO_PROFILE, WIDE_MENISCUS, DRY_OR_SATURATED, NO_WETTING,
 ]  # fmt: skip
 _STEPS = ("", *dict.fromkeys((*NOMENCLATURE, *FORMULAS)))
 
@@ -334,6 +346,10 @@ RULES: Mapping[str, Rule] = {
     "sticking_speed_viscous": (STICKS_ALWAYS, lambda _: FITTED_UP_TO),
     "yield_speed": (YIELDS_ON_TOUCH, lambda given: given["touch_pressure"]),
     "plastic_speed": (PLASTIC_ON_TOUCH, lambda given: given["touch_pressure"]),
+    "kelvin_radius": (DRY_OR_SATURATED, lambda given: (given["humidity"] <= 0) | (given["humidity"] >= 1)),
+    "meniscus_size": (NO_WETTING, lambda given: given["contact_angle"] >= pi / 2),
+    "threshold_humidity": (NO_WETTING, lambda given: given["contact_angle"] >= pi / 2),
+    "meniscus_force": (WIDE_MENISCUS, lambda _: WIDEST),
     "artanh_at_load": (BEYOND_PULL_OFF, _pull_off_sphere),
     "artanh_at_approach": (BEYOND_FOLD, _fold_sphere),
     "indenter_radius": (NO_PROFILE, lambda _: True),

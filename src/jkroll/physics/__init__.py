@@ -11,15 +11,15 @@ names in `dimensions`. Its arguments are positive, but for these, where its docs
 - `radius2` is infinite for a plane, Young's moduli are for a rigid body, `mass2` and `moment_of_inertia2` if held;
 - `radius_ratio` is 0 on a plane, edge ratios and `contact_radius_at_load` are 0 without contact;
 - `load_margin` is 0 at pull-off, and negative between pull-off and the fold;
-- Poisson's ratios lie between −1 and 1/2, filling factors below 0.74.
+- Poisson's ratios lie between −1 and 1/2, filling factors below 0.74, humidities below 1, contact angles below π/2.
 """
 
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from . import any_law, contact, conventions, dmt, impact, jkr, maugis, motion, rolling, sphere, tangential
+from . import any_law, contact, conventions, dmt, impact, jkr, maugis, meniscus, motion, rolling, sphere, tangential
 
-_MODULES = (contact, jkr, rolling, motion, impact, conventions, tangential, any_law, dmt, maugis, sphere)
+_MODULES = (contact, jkr, rolling, motion, impact, conventions, tangential, any_law, meniscus, dmt, maugis, sphere)
 FORMULAS: Mapping[str, Callable[..., Any]] = {  # the public functions of the modules, by name
     name: function
     for module in _MODULES

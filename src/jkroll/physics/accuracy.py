@@ -38,6 +38,7 @@ _OTHERS = {
     "6 ulp, times 1 plus its condition in v, T and σ0": "stiffness_maugis",
     "6 ulp; without contact, times 1 plus its condition in the approach and λ": "zone_span_at_approach",
     "7 ulp of the largest term": "asymmetric_pressure",
+    "3 ulp, times 1 plus its condition in the gap": "threshold_humidity",
     "3 ulp, times 1 plus its condition in the two pressures": "yield_speed plastic_speed",
     "8 ulp": "impact_pressure unloaded_artanh compressive_strength pull_off_force_maugis fold_approach_maugis",
     "8 ulp of the larger term": "load_sphere load_maugis approach_at_pull_off_maugis",

@@ -170,7 +170,7 @@ def disruption_energy(*, pull_off_work: Energy, contacts: Number) -> Energy:
         E_disr = 10·2n_c E_break, E_break = U_grips = 1.5426 F_cδ_c
 
     Source:   Wada et al. 2007: "approximately 10 times the energy necessary to break all contacts", here those of both.
-    Valid:    Two-dimensional aggregates, head-on. The abstract does not say which E_break it takes.
+    Valid:    Two-dimensional aggregates of equal masses, head-on. The abstract does not say which E_break it takes.
     """
     return 20 * contacts * pull_off_work
 
@@ -181,7 +181,7 @@ def disruption_energy_dust_simulation(*, break_energy_dust_simulation: Energy, c
         E_disr = 10·2n_c E_break, E_break = 1.8 F_cδ_c
 
     Source:   Wada et al. 2007, as above; E_break as coded in Lumajord/DustSimulation.
-    Valid:    Two-dimensional aggregates, head-on. The abstract does not say which E_break it takes.
+    Valid:    Two-dimensional aggregates of equal masses, head-on. The abstract does not say which E_break it takes.
     """
     return 20 * contacts * break_energy_dust_simulation
 
@@ -215,9 +215,9 @@ def compressive_strength(*, roll_energy_half_turn: Energy, radius: Length, filli
 
         P = (E_roll/R1³)(1/φ − 1/φ_max)⁻³, E_roll = 6π²γR1ξ (180 degrees), φ_max = 0.74
 
-    Source:   As coded in danieljprice/phantom, porosity.f90, which has another E_roll; it tends to Kataoka et al. 2013,
-              E_roll φ³/R1³, with E_roll as StephaneMichoulier/Pamdeas has it.
-    Valid:    φ < 0.74. Static: an impact needs more.
+    Source:   Tatsuuma et al. 2023, whose abstract was read; the form as codes have it that name it or its authors, with
+              φ_max 0.74 in danieljprice/phantom, porosity.f90, and 0.78 in another. It tends to E_roll φ³/R1³.
+    Valid:    Rolling decides below φ = 0.1; above, sliding and twisting do. φ < 0.74. Static: an impact needs more.
     """
     loose = filling_factor / (CLOSEST_PACKING - filling_factor + _BELOW) / radius
     return CLOSEST_PACKING**3 * roll_energy_half_turn * cube(loose)
@@ -229,6 +229,6 @@ def tensile_strength(*, work_of_adhesion: SurfaceEnergy, radius: Length, filling
         P = 0.6 φ^1.8 γ/R1, γ = w/2
 
     Source:   Tatsuuma et al. 2019, as coded in StephaneMichoulier/Pamdeas, disruption.cpp, and danieljprice/phantom.
-    Valid:    Filling factors of 0.01 to 0.5.
+    Valid:    Filling factors of 0.01 to 0.5. The strength depends on the aggregate's volume, too (Kimura et al. 2020).
     """
     return 0.3 * (filling_factor**2 / filling_factor**0.2) * (work_of_adhesion / radius)

@@ -55,6 +55,24 @@ def ln(value: FloatOrArray) -> FloatOrArray:
         return numpy.log(numpy.maximum(value, 0.0))
 
 
+def exp(value: FloatOrArray) -> FloatOrArray:
+    """Return the exponential."""
+    if isinstance(value, NUMBER):
+        return math.exp(value)
+    import numpy
+
+    return numpy.exp(value)
+
+
+def sin(value: FloatOrArray) -> FloatOrArray:
+    """Return the sine."""
+    if isinstance(value, NUMBER):
+        return math.sin(value)
+    import numpy
+
+    return numpy.sin(value)
+
+
 def log1p(value: FloatOrArray) -> FloatOrArray:
     """Return ln(1 + x), with all digits for small x."""
     if isinstance(value, NUMBER):

@@ -12,7 +12,8 @@ from ..model.frame import Frame
 from ..model.solver import values_of
 from ..quantities.formatting import in_units
 from ..quantities.markup import plain
-from ..quantities.nomenclature import NOMENCLATURE, Quantity, bracketed, header
+from ..quantities.nomenclature import NOMENCLATURE, bracketed, header
+from ..quantities.quantity import Quantity
 from ..text import TextColumn, padded, say, say_wrapped, terminal_width, width_of, write_table
 
 _WIDE = 30.0  # ratio of the ends from which contours are logarithmic

@@ -11,68 +11,21 @@ from typing import Any
 from ..errors import BadRequest, JkrollError
 from ..text import ascii_text, closest, listed, quoted
 from .laws import MODELS, PROFILES, routes_anywhere
+from .quantity import Quantity, Range
 from .synonyms import QUANTITY_SYNONYMS
 
-
-class Range:
-    """An interval of values that a user may give, with the words for an error."""
-
-    def __init__(self, low: float, high: float, low_allowed: bool, high_allowed: bool, words: str) -> None:
-        self.low, self.high, self.low_allowed, self.high_allowed = low, high, low_allowed, high_allowed
-        self.words = words
-
-    def admits(self, value: Any) -> Any:
-        """Return whether a number, or each element of an array, lies in the range; nan lies in none."""
-        above = value >= self.low if self.low_allowed else value > self.low
-        below = value <= self.high if self.high_allowed else value < self.high
-        return above & below
-
-
 INFINITY = float("inf")
-ANY = Range(-INFINITY, INFINITY, True, True, "")
 POSITIVE = Range(0.0, INFINITY, False, False, "must be positive")
 SIZE = Range(0.0, INFINITY, False, False, "must be positive: it is the size of a tension")
 UP_TO_INFINITE = Range(0.0, INFINITY, False, True, "must be positive")
 POISSON = Range(-1.0, 0.5, False, True, "must lie above -1, and be at most 0.5")
 LOOSE = Range(0.0, 0.74, False, False, "must lie between 0 and 0.74, that of the closest packing")
 FRACTION = Range(0.0, 1.0, False, True, "must lie between 0 and 1, which is 100%")
+HUMIDITY = Range(0.0, 1.0, True, True, "must lie between 0 and 1, which is 100 %")
+WETTING = Range(0.0, 3.1415926535897936, True, True, "must lie between 0 and 180deg")
 SEVERAL = Range(2.0, INFINITY, True, False, "must be at least 2")
 ABOVE_MINUS_1 = Range(-1.0, INFINITY, False, False, "must lie above -1")
 FINITE = Range(-INFINITY, INFINITY, False, False, "must be finite")
-
-
-class Quantity:
-    """The meaning of a name, and the range of its values."""
-
-    def __init__(
-        self,
-        symbol: str,
-        unit: str,  # SI; "1" for a plain number, "" for a word
-        sentence: str,
-        equation: str = "",  # as the paper numbers it
-        range: Range = ANY,  # of the values that a user may give
-        infinity: str = "",  # the word for an infinite value
-        option: str = "",  # of the command line
-        example: str = "",  # a value as a user types it
-        note: str = "",  # the reason why it is shown beside another quantity
-        definition: str = "",  # of one among several conventions: the factor, in units that are common to them
-        reference: str = "",  # of a convention: the paper or code where it stands
-        may_be_zero: bool = False,  # a result of exactly 0 is its value, and no underflow
-        shown_with: Collection[str] = (),  # inputs; it is shown only where one of them was stated
-        of_identical: bool = False,  # shown for identical spheres only
-        variant_of: str = "",  # the quantity that it is by another formula or on another way
-        sphere: int = 0,  # 1 or 2 for what belongs to one of the spheres
-        twin: str = "",  # the name of the same quantity of the other sphere
-    ) -> None:
-        self.symbol, self.unit, self.sentence, self.equation = symbol, unit, sentence, equation
-        self.range, self.infinity, self.option, self.example = range, infinity, option, example
-        self.note, self.definition, self.reference, self.may_be_zero = note, definition, reference, may_be_zero
-        self.shown_with, self.of_identical = shown_with, of_identical
-        self.variant_of, self.sphere, self.twin = variant_of, sphere, twin
-        self.is_word = not unit  # such as a material
-
-    def __repr__(self) -> str:
-        return f"Quantity({self.symbol!r}, {self.unit!r}, {self.sentence!r})"
 
 
 # --- Quantities that one law alone has --------------------------------------------------------------------------------
@@ -126,6 +79,7 @@ OF_CURVES: Mapping[str, Quantity] = {
 _SPEED = "½(Nm1/2)v² = E"  # of two equal aggregates
 _WADA = "Wada et al. 2007"
 _E_ROLL = "E_roll is that of 90 degrees, 6π²γRξ"
+_OF_BREAK_UP = "of two-dimensional aggregates of equal masses, head-on"
 
 OF_DEM: Mapping[str, Quantity] = {
     "cutoff": Quantity("D0", "m", "cutoff distance of van der Waals' forces", range=POSITIVE, option="--cutoff",
@@ -174,18 +128,35 @@ OF_DEM: Mapping[str, Quantity] = {
     "restructuring_speed_ormel": Quantity("v_restr(1)", "m/s", "restructuring speed, Ormel",
         definition="√(4E_restr(1)/(Nm1))", of_identical=True, reference=_SPEED),
     "disruption_energy": Quantity("E_disr", "J", "energy to break up, Wada 07", definition="10·2n_c U_grips",
-        of_identical=True, reference=_WADA),
+        note=_OF_BREAK_UP, of_identical=True, reference=_WADA),
     "disruption_speed": Quantity("v_disr", "m/s", "speed to break up, Wada 07", definition="√(4E_disr/(Nm1))",
         of_identical=True, reference=_SPEED),
     "disruption_energy_dust_simulation": Quantity("E_disr(1.8)", "J", "energy to break up, E_break",
-        definition="10·2n_c·1.8F_cδ_c", of_identical=True, reference=_WADA),
+        definition="10·2n_c·1.8F_cδ_c", note=_OF_BREAK_UP, of_identical=True, reference=_WADA),
     "disruption_speed_dust_simulation": Quantity("v_disr(1.8)", "m/s", "speed to break up, E_break",
         definition="√(4E_disr(1.8)/(Nm1))", of_identical=True, reference=_SPEED),
     "compressive_strength": Quantity("P_comp", "Pa", "compressive strength",
         note="E_roll is that of 180 degrees, 6π²γR1ξ, twice as much", definition="E_roll(π)/R1³ (1/φ − 1/0.74)⁻³",
-        of_identical=True, reference="Phantom, porosity.f90"),
+        of_identical=True, reference="Tatsuuma et al. 2023"),
     "tensile_strength": Quantity("P_tens", "Pa", "tensile strength", definition="0.6φ^1.8 γ/R1",
+        note="without the volume of the aggregate, on which its strength depends (Kimura et al. 2020)",
         of_identical=True, reference="Tatsuuma et al. 2019"),
+}  # fmt: skip
+
+
+# --- Water that condenses between the bodies --------------------------------------------------------------------------
+
+OF_WATER: Mapping[str, Quantity] = {
+    "humidity": Quantity("RH", "1", "relative humidity of the air", range=HUMIDITY, option="--humidity", example="60%",
+        may_be_zero=True),
+    "contact_angle": Quantity("θ_c", "rad", "contact angle of water", range=WETTING, option="--contact-angle",
+        example="20deg", may_be_zero=True, note="how a γ follows from contact angles: jkroll guide contact-angle"),
+    "roughness_gap": Quantity("D_gap", "m", "gap that roughness leaves", range=POSITIVE, option="--roughness",
+        example="2nm"),
+    "kelvin_radius": Quantity("r_K", "m", "Kelvin radius of water", shown_with=["humidity"]),
+    "meniscus_size": Quantity("q", "1", "part by which a meniscus of finite size pulls less"),
+    "meniscus_force": Quantity("F_men", "N", "force of a water meniscus", shown_with=["humidity"]),
+    "threshold_humidity": Quantity("RH_gap", "1", "humidity that fills the gap", shown_with=["roughness_gap"]),
 }  # fmt: skip
 
 
@@ -423,6 +394,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
     "sticking_speed_pencil_code": Quantity("v_stick(19.2)", "m/s", "speed to stick, Pencil Code",
         definition="√(2E_stick(19.2)/m)", reference="code pencil-code/pencil-code"),
     **OF_DEM,
+    **OF_WATER,
     **OF_MAUGIS,
     **OF_SPHERE,
     **OF_CURVES,

@@ -18,6 +18,7 @@ WORDS_OF_OTHERS = {
         certain="interatomic_spacing",
         likely="interatomic_distance atomic_distance equilibrium_separation equilibrium_distance",
     ),
+    "contact_angle": Words(certain="water_contact_angle wetting_angle kontaktwinkel angle_de_contact"),
     "contact_modulus": Words(
         certain="""e_star reduced_modulus reduced_youngs_modulus reduced_young_modulus effective_youngs_modulus
             effective_young_modulus reduced_elastic_modulus reduzierter_modul reduzierter_e_modul module_reduit
@@ -44,6 +45,7 @@ WORDS_OF_OTHERS = {
             fallbeschleunigung schwerebeschleunigung pesanteur gravedad""",
     ),
     "hamaker": Words(certain="hamaker_constant hamaker_coefficient hamaker_konstante constante_de_hamaker"),
+    "humidity": Words(certain="relative_humidity luftfeuchte humidite"),
     "hysteresis_fraction": Words(certain="adhesion_hysteresis_fraction relative_adhesion_hysteresis"),
     "lever_deflection": Words(certain="deflection defl"),
     "lever_force": Words(certain="force"),

@@ -3,11 +3,20 @@
 from collections.abc import Iterator
 from math import isnan
 
-from ..model.estimate import ADHESION_ONLY, BETTER_LAW, FRICTION_ASSUMED, FRICTION_FACTOR, NONE, WORDS, Ranges
+from ..model.estimate import (
+    ADHESION_ONLY,
+    BETTER_LAW,
+    FRICTION_ASSUMED,
+    FRICTION_FACTOR,
+    NONE,
+    WORDS,
+    Ranges,
+)
 from ..model.frame import Frame
+from ..model.limits import GAP_STAYS_DRY
 from ..model.measured import what_stuck
 from ..model.results import Results
-from ..quantities.formatting import Format, amount, from_to
+from ..quantities.formatting import Format, amount, from_to, significant
 from .answer import Answer
 from .notes import Note
 from .ranges import range_in_words
@@ -17,7 +26,9 @@ _THREE = Format(digits=3)
 
 def leads(answer: Answer) -> Iterator[Note]:
     """Iterate over the sentences that answer a question."""
-    if answer.shows_surfaces and answer.estimates["pull_off_force"].by != NONE:
+    water = [*_water_or_dry(answer)]
+    yield from water
+    if answer.shows_surfaces and answer.estimates["pull_off_force"].by != NONE and not water:
         force = range_in_words("pull_off_force", answer.estimates["pull_off_force"])
         text = f"ideally smooth, they are pulled apart with {force}; real surfaces hold less"
         yield Note("lead", f"{text}: take the row that is yours")
@@ -57,6 +68,33 @@ def _first_to_give_way(answer: Answer) -> str:
     if rolling.low > sliding.high:
         return f"pushed, {gives}; to roll it takes {rolls}"
     return f"pushed, it rolls first if ξ is small ({rolls}); else {gives}"
+
+
+def _water_or_dry(answer: Answer) -> Iterator[Note]:
+    """Iterate over the sentence that says which pulls more: the dry contact, or a meniscus of condensed water."""
+    dry = answer.estimates.get("pull_off_force")
+    if dry is None or dry.by == NONE:
+        return
+    force = f"the dry contact with {range_in_words('pull_off_force', dry)}"
+    fills = _filled_gap(answer.frame)
+    if answer.is_in_doubt(GAP_STAYS_DRY):
+        yield Note("lead", f"the dry contact decides: {fills}")
+    elif "meniscus_force" in answer.values:
+        wet = answer.estimates["meniscus_force"]
+        meniscus = range_in_words("meniscus_force", wet).replace("≤", "at most")
+        is_wet, is_dry = wet.low > dry.high, wet.high < dry.low
+        verdict = "water decides" if is_wet else "the dry contact decides" if is_dry else "either may decide"
+        less = "; rough surfaces hold less of both" if answer.shows_surfaces else ""
+        yield Note("lead", f"{verdict}: {fills and fills + '; '}a meniscus pulls with {meniscus}, {force}{less}")
+
+
+def _filled_gap(frame: Frame) -> str:
+    """Return from which humidity on water fills the gap that roughness leaves; empty where no gap is given."""
+    known = frame.numbers("roughness_gap", "threshold_humidity")
+    if len(known) < 2:
+        return ""
+    threshold = significant(100 * known["threshold_humidity"], 2)
+    return f"water fills the gap of {amount('roughness_gap', known['roughness_gap'])} from {threshold} % humidity on"
 
 
 def _slides_or_peels(answer: Answer) -> str:

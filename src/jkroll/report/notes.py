@@ -46,6 +46,7 @@ _RULES = {  # by which quantities follow that could have been given
     "shear_strength": "τ = G/4π²",
     "work_of_adhesion": "w = 2√(γ1γ2)",
 }
+_DEFAULTS = {"load": "no load", "contact_angle": "θ_c = 0, water that wets"}
 FRICTION = Note("remark", "sliding and twisting are known to an order of magnitude: τ = G/4π² (--shear-strength)")
 _UNLIKE = 3.0  # ratio of two surface energies from which on their geometric mean is too much
 _MAX_NOTES = 1  # below results, besides the warning
@@ -87,7 +88,7 @@ def assumed(frame: Frame, inputs: Collection[str], names: Sequence[str], *, has_
     for name, value in DEFAULTS.items():
         if name in inputs and name not in frame.given:
             speed = _speed_of(frame) if name == "energy_ratio" and has_values else ""
-            texts[name] = f"{symbol_of(name)} = {amount(name, value)}{speed}" if value else "no load"
+            texts[name] = _DEFAULTS.get(name, f"{symbol_of(name)} = {amount(name, value)}{speed}")
     return {name: f"{text} ({NOMENCLATURE[name].option})" for name, text in texts.items()}
 
 

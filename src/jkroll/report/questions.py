@@ -34,7 +34,8 @@ def _question(headline: str, quantities: str = "", without_row: str = "", lead: 
 _QUESTIONS = {
     "pull-off": _question(
         "pull_off_force",
-        "pull_off_force pull_off_force_dmt pull_off_force_lennard_jones pull_off_force_rough",
+        "pull_off_force pull_off_force_dmt pull_off_force_lennard_jones pull_off_force_rough meniscus_force "
+        "kelvin_radius threshold_humidity",
         without_row="pull_off_force_dmt",
     ),
     "yield-force": _question(

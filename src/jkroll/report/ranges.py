@@ -9,6 +9,8 @@ from ..model.estimate import (
     BETTER_LAW,
     BOUNDS,
     FRICTION_ASSUMED,
+    GAP,
+    KELVIN,
     LAW_IN_USE,
     LAW_ONLY,
     MEASURED,
@@ -102,12 +104,25 @@ _WORDS: Mapping[int, str] = {
     BOUNDS: "JKR's holds for soft spheres, DMT's for hard ones; E and ν tell which",
     LAW_ONLY: "no other law here has it; where Maugis' contact is smaller, so is what goes with its area",
     AT_LEAST: f"Lennard-Jones' law binds more than JKR's at a Tabor parameter below {JUMP}",
+    KELVIN: "condensed water at 25 °C (--contact-angle) between smooth bodies that touch: compare with P_c, do not add",
+    GAP: "a gap lowers the force of a meniscus, to none where it just fills; no closed form says how far",
     BETTER_LAW: f"JKR is more than 5 % off; z0 = 2–4 Å (--z0); {_SMOOTH_AND_DRY}",
     LAW_IN_USE: "Maugis' law is within 5 %; the range is of both",
 }
 
 
 # --- Rules in words, for an answer ------------------------------------------------------------------------------------
+
+
+def _kelvin(answer: Answer) -> str:
+    text = "condensed water, 25 °C"
+    if "roughness_gap" in answer.frame.given:
+        return f"{text}; adsorbed water may bridge a gap before: forces of menisci were measured from 2 % humidity on"
+    if "meniscus_force" not in answer.values:
+        return text
+    compare = "compare F_men with P_c, do not add it, as water changes γ, too"
+    rough = "roughness lowers both: SiO2 of 10 µm on smooth glass had 1/8–1/5 of F_men at 67 %"
+    return f"{text}, smooth bodies that touch; {compare}; {rough}; --roughness 2nm says when a gap fills"
 
 
 def _better_law(answer: Answer) -> str:
@@ -271,6 +286,7 @@ def _law_only(answer: Answer) -> str:
 
 _OF_ANSWER: Mapping[int, Callable[[Answer], str]] = {
     BETTER_LAW: _better_law,
+    KELVIN: _kelvin,
     BOUNDS: _bounds,
     MEASURED: _measured,
     SCALED: _scaled,

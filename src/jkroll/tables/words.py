@@ -32,6 +32,7 @@ _OF_CURVES = {
     "lever_force": "F",
     "lever_deflection": "d",
 }
+NO_HEADERS = ("roughness",)  # words of options that are no headers: a column of roughness has a height, and no gap
 RATIOS = ("poisson_ratio", "poisson_ratio2")  # the only ratios whose symbols have no other common meaning
 
 
@@ -184,6 +185,8 @@ def meanings(measured: str) -> dict[str, Meaning]:
     `measured`: quantities, with commas, whose names, symbols and synonyms are words besides those of inputs.
     """
     names = {name: name for name in (*INPUTS, *MATERIALS)} | OPTION_WORDS
+    for word in NO_HEADERS:
+        del names[word]
     names |= {word: name for name, others in SYNONYMS.items() for word in others}
     inputs = {word: Meaning([name]) for word, name in names.items() if name in INPUTS or name in MATERIALS}
     inputs |= {re.sub("us$", "i", re.sub("y$", "ies", word)): meaning for word, meaning in inputs.items()}  # radii
@@ -491,7 +494,8 @@ POINTERS: Mapping[str, tuple[Sequence[str], Sequence[str]]] = {
     ),
 }
 GENERIC = {
-    *"energy energie energia modulus module modulo modul coefficient constante rate radius rayon radio work of".split()
+    *"energy energie energia modulus module modulo modul coefficient constante rate radius rayon radio work of".split(),
+    *"roughness gap".split(),
 }  # which tell no inputs of one dimension apart
 # By SI unit, words of what is no input.
 NO_INPUTS: Mapping[str, frozenset[str]] = {

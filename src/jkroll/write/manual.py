@@ -18,14 +18,14 @@ _ENDING = ".md"
 
 # Words of the field by which a section is sought, besides those of its heading.
 FIELD_TERMS: Mapping[tuple[str, str], str] = {
+    ("contact-angle", "γ from contact angles"): "wetting wettability contact angle owens wendt surface tension",
+    ("contact-angle", "Owens and Wendt, worked"): "contact angle wetting",
     ("dem", "DEM"): "lammps",
     ("dem", "Other programs, and damping"): "dissipation viscous coefficient of restitution",
     ("dem", "What other codes call γ"): "cohesion energy density",
     ("energies", "Energies by convention"): "E_break E_roll stickiness sticking bouncing rebound restitution",
     ("energies", "Aggregates"): "agglomerates clusters fractal",
-    ("measurements", "Rough and humid"): (
-        "roughness asperities capillary meniscus humidity moisture water liquid wetting contact angle"
-    ),
+    ("measurements", "Rough and humid"): "roughness asperities capillary meniscus humidity moisture water liquid",
     ("models", "Limits"): "doubts codes",
     ("models", "Between JKR and DMT"): "tabor parameter maugis law",
     ("models", "Sliding, twisting, peeling"): "friction detachment resuspension",

@@ -9,6 +9,8 @@ from ..model.estimate import (
     BETTER_LAW,
     DEFINITION,
     FRICTION_ASSUMED,
+    GAP,
+    KELVIN,
     LAW_IN_USE,
     LAW_ONLY,
     NONE,
@@ -191,6 +193,8 @@ def _rows(answer: "Report", form: Format) -> tuple[_Rows, _Rows]:
         units |= {quantity.unit: unit} if sizes[-1] else {}
         row = [quantity.sentence, symbol_among(name, answer.inputs), *_range(estimate, unit, form)]
         row += [_cell(result.value, unit, form), _cell(result.measure, unit, form), unit[0]]
+        if estimate and estimate.by in (KELVIN, GAP):  # no law of adhesion enters
+            row[4] = "–"
         is_convention = estimate and estimate.by == DEFINITION and f"{{{name}}}" not in answer.question.lead
         (conventions if is_convention else physics)[name] = row
     return physics, conventions
@@ -237,8 +241,8 @@ def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) ->
         return ["–", "–"]
     low, high = (end if isnan(end) else convert(end, unit[1]) for end in estimate[:2])
     digits = form.digits or 2
-    if estimate.by == LAW_ONLY and form.digits is None:  # not known to all the digits of the law
-        return [f"≈ {from_to(low, high, digits)}", WORDS[LAW_ONLY]]
+    if estimate.by in (LAW_ONLY, KELVIN) and form.digits is None:  # not known to all the digits of the formula
+        return [f"≈ {from_to(low, high, digits)}", WORDS[int(estimate.by)]]
     is_narrow = form.digits is None and abs(high - low) < _NARROW * abs(high)
     if abs(high - low) <= _SAME * abs(high):
         text = significant(low, form.digits or RESULT_DIGITS, zeros=form.digits is None and low != 0)

@@ -1,0 +1,55 @@
+"""What the nomenclature says of a quantity: symbol, unit, sentence, range of values, option."""
+
+from collections.abc import Collection
+from typing import Any
+
+
+class Range:
+    """An interval of values that a user may give, with the words for an error."""
+
+    def __init__(self, low: float, high: float, low_allowed: bool, high_allowed: bool, words: str) -> None:
+        self.low, self.high, self.low_allowed, self.high_allowed = low, high, low_allowed, high_allowed
+        self.words = words
+
+    def admits(self, value: Any) -> Any:
+        """Return whether a number, or each element of an array, lies in the range; nan lies in none."""
+        above = value >= self.low if self.low_allowed else value > self.low
+        below = value <= self.high if self.high_allowed else value < self.high
+        return above & below
+
+
+ANY = Range(-float("inf"), float("inf"), True, True, "")
+
+
+class Quantity:
+    """The meaning of a name, and the range of its values."""
+
+    def __init__(
+        self,
+        symbol: str,
+        unit: str,  # SI; "1" for a plain number, "" for a word
+        sentence: str,
+        equation: str = "",  # as the paper numbers it
+        range: Range = ANY,  # of the values that a user may give
+        infinity: str = "",  # the word for an infinite value
+        option: str = "",  # of the command line
+        example: str = "",  # a value as a user types it
+        note: str = "",  # the reason why it is shown beside another quantity
+        definition: str = "",  # of one among several conventions: the factor, in units that are common to them
+        reference: str = "",  # of a convention: the paper or code where it stands
+        may_be_zero: bool = False,  # a result of exactly 0 is its value, and no underflow
+        shown_with: Collection[str] = (),  # inputs; it is shown only where one of them was stated
+        of_identical: bool = False,  # shown for identical spheres only
+        variant_of: str = "",  # the quantity that it is by another formula or on another way
+        sphere: int = 0,  # 1 or 2 for what belongs to one of the spheres
+        twin: str = "",  # the name of the same quantity of the other sphere
+    ) -> None:
+        self.symbol, self.unit, self.sentence, self.equation = symbol, unit, sentence, equation
+        self.range, self.infinity, self.option, self.example = range, infinity, option, example
+        self.note, self.definition, self.reference, self.may_be_zero = note, definition, reference, may_be_zero
+        self.shown_with, self.of_identical = shown_with, of_identical
+        self.variant_of, self.sphere, self.twin = variant_of, sphere, twin
+        self.is_word = not unit  # such as a material
+
+    def __repr__(self) -> str:
+        return f"Quantity({self.symbol!r}, {self.unit!r}, {self.sentence!r})"
