@@ -3,7 +3,7 @@
 import glob
 import os
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from time import monotonic
 from typing import Any, NamedTuple
 
@@ -16,15 +16,14 @@ from ..quantities.formatting import Format, amount
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import value_of
-from ..tables.fitted import fit_of_file, known_of, modulus_of_body
+from ..report.fitted import in_words, is_sure, sentences
+from ..tables.fitted import fit_of_file, known_of
 from ..text import quoted, say, say_wrapped
 from ..write.fitted import (
     curve_columns,
     heads_of,
-    in_words,
     json_of,
     row_of,
-    sentences,
     write_fit,
     write_json,
 )
@@ -36,7 +35,7 @@ _SUMMARY = ("work_of_adhesion_opening", "work_of_adhesion_closing", "adhesion_hy
 _RADII = ("radius", "diameter", "reduced_radius")
 
 
-class Outcome(NamedTuple):
+class FileFit(NamedTuple):
     """The fit of a file and how it was read, or the error about it."""
 
     fitted: Fit | None
@@ -44,7 +43,7 @@ class Outcome(NamedTuple):
     error: JkrollError | None
 
 
-class Task(NamedTuple):
+class FileFitter(NamedTuple):
     """Fits a file, in this process or in another."""
 
     known: Known
@@ -53,13 +52,13 @@ class Task(NamedTuple):
     form: str
     mark: str
 
-    def outcome(self, path: str) -> Outcome:
+    def fitted(self, path: str) -> FileFit:
         """Return the outcome of a file."""
         try:
             fitted, reading = fit_of_file(path, self.known, self.materials, self.columns, self.form, self.mark)
         except JkrollError as error:
-            return Outcome(None, "", error.with_traceback(None))
-        return Outcome(fitted, reading, None)
+            return FileFit(None, "", error.with_traceback(None))
+        return FileFit(fitted, reading, None)
 
 
 def run_fit(call: Call) -> int:
@@ -71,7 +70,7 @@ def run_fit(call: Call) -> int:
         "range": call.range, "baseline": call.baseline,
     }  # fmt: skip
     known = known_of(words, call.spring, given)
-    task = Task(known, call.materials, call.columns, call.format, call.delimiter)
+    fitter = FileFitter(known, call.materials, call.columns, call.format, call.delimiter)
     if call.names_picture:
         if len(paths) > 1:
             raise BadRequest(f"a picture shows one curve; {len(paths)} files were given")
@@ -79,10 +78,10 @@ def run_fit(call: Call) -> int:
 
         check_picture(call, call.target)
     if len(paths) == 1:
-        return _write_single(call, paths[0], task.outcome(paths[0]), given)
+        return _write_single(call, paths[0], fitter.fitted(paths[0]))
     if call.curve:
         raise BadRequest("--curve writes the points of one file")
-    return _write_rows(call, paths, [*_outcomes(call, task, paths)], known)
+    return _write_rows(call, paths, [*_outcomes(call, fitter, paths)], known)
 
 
 def _paths(call: Call) -> list[str]:
@@ -104,7 +103,7 @@ def _paths(call: Call) -> list[str]:
 # --- One file ---------------------------------------------------------------------------------------------------------
 
 
-def _write_single(call: Call, path: str, outcome: Outcome, given: Mapping[str, Any]) -> int:
+def _write_single(call: Call, path: str, outcome: FileFit) -> int:
     """Write the fit of one file in the form that was asked for; return the exit code."""
     fitted = outcome.fitted
     if fitted is None:
@@ -112,9 +111,7 @@ def _write_single(call: Call, path: str, outcome: Outcome, given: Mapping[str, A
         raise outcome.error
     if not call.quiet:
         say_wrapped(outcome.reading, sys.stderr)
-    is_sure = {"poor-fit", "modulus-undetermined"}.isdisjoint(fitted.remarks)
-    following = following_command(call, fitted) if is_sure else ""
-    body = modulus_of_body(fitted, given) if is_sure else None
+    following = following_command(call, fitted) if is_sure(fitted) else ""
     if call.names_picture:
         return _draw(call, path, fitted)
     output = call.output
@@ -133,7 +130,7 @@ def _write_single(call: Call, path: str, outcome: Outcome, given: Mapping[str, A
             row, form = row_of(path, fitted), "md" if output is MARKDOWN else "csv"
             write_columns(heads_of(is_scaled=fitted.is_scaled), [[cell] for cell in row], form, out)
         else:
-            write_fit(fitted, out, heading=_heading(call, path, fitted), following=following, body=body)
+            write_fit(fitted, out, heading=_heading(call, path, fitted), following=following)
     return 0
 
 
@@ -205,10 +202,10 @@ def _draw(call: Call, path: str, fitted: Fit) -> int:
 # --- Many files -------------------------------------------------------------------------------------------------------
 
 
-def _outcomes(call: Call, task: Task, paths: Sequence[str]) -> Iterator[Outcome]:
+def _outcomes(call: Call, fitter: FileFitter, paths: Sequence[str]) -> Iterator[FileFit]:
     """Iterate over the outcomes of files, with a line of progress on a terminal."""
-    answered: Iterator[Outcome]
-    run: Callable[[Any], Any] = task.outcome
+    answered: Iterator[FileFit]
+    run: Callable[[Any], Any] = fitter.fitted
     if (call.jobs or 1) > 1:
         from ..tables.workers import answers
 
@@ -223,7 +220,7 @@ def _outcomes(call: Call, task: Task, paths: Sequence[str]) -> Iterator[Outcome]
             sys.stderr.flush()
 
 
-def _write_rows(call: Call, paths: Sequence[str], outcomes: Sequence[Outcome], known: Known) -> int:
+def _write_rows(call: Call, paths: Sequence[str], outcomes: Sequence[FileFit], known: Known) -> int:
     """Write a row for each file, and a summary on stderr; return the exit code."""
     rows = [
         row_of(path, outcome.fitted, "" if outcome.error is None else outcome.error.phrase or str(outcome.error))
