@@ -19,7 +19,7 @@ _HOMES = {
     "Measured": "quantities.values",
     "Quantity": "quantities.nomenclature",
     "answer": "write.answered",
-    "fit": "tables.fitted",
+    "fit": "pictures.fitted",
     "infer": "model.infer",
     "known_materials": "materials.library",
     "solve": "model.solver",

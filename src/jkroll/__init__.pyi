@@ -227,11 +227,11 @@ from .physics.tangential import twisting_energy as twisting_energy
 from .physics.tangential import twisting_friction_coefficient as twisting_friction_coefficient
 from .physics.tangential import twisting_moment as twisting_moment
 from .physics.tangential import twisting_stiffness as twisting_stiffness
+from .pictures.fitted import fit as fit
 from .quantities.nomenclature import NOMENCLATURE as NOMENCLATURE
 from .quantities.nomenclature import Quantity as Quantity
 from .quantities.values import Interval as Interval
 from .quantities.values import Measured as Measured
-from .tables.fitted import fit as fit
 from .write.answered import answer as answer
 
 __version__: str

@@ -214,11 +214,11 @@ def test_points_of_a_pause_are_left_out_and_gaps_in_time_are_named() -> None:
     z, force = jkr_curve()
     top = int(numpy.argmax(z)) + 1
     names = numpy.array([LOADING] * top + [PAUSE] * 50 + [UNLOADING] * (len(z) - top), dtype=object)
-    still = [numpy.concatenate([column[:top], numpy.full(50, column[top]), column[top:]]) for column in (z, force)]
+    z, force = (numpy.concatenate([column[:top], numpy.full(50, column[top]), column[top:]]) for column in (z, force))
     time = numpy.arange(len(names), dtype=float)
-    fit = fit_curve(ForceCurve(TRAVEL, *still, branch=names, time=time), PROBE)
+    fit = fit_curve(ForceCurve(TRAVEL, z, force, branch=names, time=time), PROBE)
     assert fit.values[OPENING] == approx(0.06, rel=1e-3)
     assert fit.remarks["pause"].startswith("50 points")
     assert "time-gaps" not in fit.remarks
     time[1400:] += 100.0
-    assert "time-gaps" in fit_curve(ForceCurve(TRAVEL, *still, branch=names, time=time), PROBE).remarks
+    assert "time-gaps" in fit_curve(ForceCurve(TRAVEL, z, force, branch=names, time=time), PROBE).remarks

@@ -1,4 +1,4 @@
-"""How good a fit is: the misfit, runs of residuals of one sign, an edge that rests, and remarks by code."""
+"""The goodness of a fit: the misfit, runs of residuals of one sign, an edge that rests, and remarks by code."""
 
 from collections.abc import Iterator, Mapping
 

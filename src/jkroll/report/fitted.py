@@ -16,8 +16,8 @@ WORDS = {
     "hysteresis_fraction": ("hysteresis over w", "Δw/w"),
     "contact_modulus": ("contact modulus", "E*"),
     "contact_point": ("contact point", "z_c"),
-    "pull_off_force_fitted": ("pull-off force fitted", "P_c"),
-    "pull_off_force_measured": ("least force measured", "P_min"),
+    "pull_off_force_fitted": ("pull-off, fitted", "P_c"),
+    "pull_off_force_measured": ("pull-off, measured", "P_min"),
 }
 HEADS = ("quantity", "symbol", "fit", "unit", "noise", "calibration", "model")
 _SCALED = {"J/m^2": "J/m", "Pa": "Pa m^0.5"}  # of wR and E*√R
@@ -34,6 +34,11 @@ def unit_without_radius(name: str) -> str:
     """Return the SI unit of a result of a contact without a radius."""
     unit = NOMENCLATURE[RESULTS[name]].unit
     return _SCALED.get(unit, unit)
+
+
+def sentence_of(name: str) -> str:
+    """Return the words for a result in a sentence."""
+    return WORDS[name][0].replace("adhesion on", "work of adhesion on")
 
 
 # --- Results ----------------------------------------------------------------------------------------------------------
@@ -118,7 +123,8 @@ def _about_laws(fitted: Fit) -> Iterator[str]:
         number = amount("work_of_adhesion", fitted.by_law[key][name], Format(digits=3))
         texts.append(f"{LAWS[law].short}{words} {number}")
     tabor = significant(fitted.goodness["tabor_parameter"], 2)
-    yield f"w by law, the one that holds first: {', '.join(texts)} (Tabor parameter {tabor}; JKR needs 5)"
+    advice = "" if best == fitted.known.law else f": take --model {best}"
+    yield f"w by law, the one that holds first: {', '.join(texts)} (Tabor parameter {tabor}; JKR needs 5{advice})"
     if profile == "sphere":
         yield "only JKR is known for a sphere: the other laws are fitted for a paraboloid"
 

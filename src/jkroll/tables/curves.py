@@ -60,7 +60,8 @@ def read_curve(
         lines, blocks = _opened(file, asked, form, mark)
         table = _table(lines.names, lines.sample, lines.stated, asked)
         every = [lines.read(block, table) for block in blocks]
-    return ReadCurve(_curve(table, every, stiffness), table.columns.reading(*lines.remarks))
+    branches = [f"branches from {lines.names[table.labels[_BRANCH]]}"] if _BRANCH in table.labels else []
+    return ReadCurve(_curve(table, every, stiffness), table.columns.reading(*branches, *lines.remarks))
 
 
 def curve_of_columns(columns: Mapping[str, Any], known: Materials, stiffness: float | None) -> ReadCurve:
@@ -109,6 +110,8 @@ def _table(
         places = [place for place, text in enumerate(names) if re.fullmatch(headers, text.strip())]
         free = [place for place in places if typed(names[place]) not in stated]
         labels |= {label: free[0]} if free else {}
+    used = labels.get(_BRANCH)
+    columns = columns._replace(texts=tuple("" if place == used else text for place, text in enumerate(names)))
     return CurveTable(columns, asked, {**columns.positions, **labels}, labels)
 
 

@@ -1,4 +1,4 @@
-"""`jkroll.fit`: the work of adhesion and the contact modulus of a measured force curve."""
+"""The fit of a measured force curve in a table, from what is given in words and numbers."""
 
 import os
 from collections.abc import Mapping
@@ -28,58 +28,8 @@ _BODIES = ("youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2
 _TAKEN = (*_RADII, *_BODIES, "atomic_spacing")
 
 
-def fit(
-    curve: Any,
-    /,
-    *,
-    spring: Any = None,
-    model: str = DEFAULT_LAW,
-    branch: str = "both",
-    range: str | None = None,
-    profile: str = "paraboloid",
-    baseline: str = "median",
-    **given: Any,
-) -> Fit:
-    """Return the fit of a measured force curve.
-
-    Parameters
-    ----------
-    curve
-        The path of a table, or a mapping of headers to columns, such as a DataFrame: contact radius and load, approach
-        and load, or travel and force or deflection of a lever, with units in the headers.
-    spring
-        The stiffness of the lever in N/m, or a text such as "3.01±0.1N/m". A travel and a deflection need it.
-    model
-        The law: jkr, maugis or dmt.
-    branch
-        both, load or unload.
-    range
-        Loads that are fitted, as "-100%:30%" of the largest tension and load, or "-2uN:500nN".
-    profile
-        paraboloid, or sphere: a rigid one on a body whose Poisson's ratio is 0.45 or more.
-    baseline
-        median, or tilt: lines through the parts away from contact.
-    **given
-        The radii, as `solve` takes them; without one the fit has wR and E*√R. Poisson's ratios and Young's modulus of
-        one body, from which that of the other follows; `atomic_spacing`.
-
-    Returns
-    -------
-    `Fit`: `values` and `errors` by name, in SI units, with `covariance` and `points`.
-
-    Raises
-    ------
-    BadCurve, BadRequest, BadTable, QuantityError
-        The curve cannot be fitted, an argument is wrong, or the table has no curve.
-
-    >>> import numpy
-    >>> a = numpy.linspace(80e-6, 40e-6, 30)
-    >>> load = 4 / 3 * 2e6 * a**3 / 1e-3 - numpy.sqrt(8 * numpy.pi * 0.05 * 2e6 * a**3)
-    >>> fitted = fit({"contact radius [m]": a, "load [N]": load}, radius=1e-3, radius2="plane")
-    >>> [f"{fitted.values[name]:.4g}" for name in ("work_of_adhesion_opening", "contact_modulus")]
-    ['0.05', '2e+06']
-    """
-    words = {"model": model, "branch": branch, "range": range, "profile": profile, "baseline": baseline}
+def fit_given(curve: Any, words: Mapping[str, str | None], spring: Any, given: Mapping[str, Any]) -> Fit:
+    """Return the fit of a curve in a file or in columns; arguments as in `jkroll.fit`. `words`: its texts by name."""
     for name in given.keys() - {*_TAKEN}:
         raise BadRequest(f"fit takes no {quoted(name)}; it takes {listed(_TAKEN)}")
     read = Reader().in_si(given)

@@ -1,14 +1,28 @@
-"""The fit of a force curve as text, JSON and a row of a table."""
+"""The fit of a force curve as text, JSON, BibTeX, a paragraph on methods, and a row of a table."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from math import isfinite
 from typing import Any, TextIO
 
 from .. import __version__
 from ..model.fit_result import RESULTS, Fit
+from ..quantities.formatting import Format, amount
+from ..quantities.laws import LAWS
+from ..quantities.markup import as_latex
 from ..quantities.nomenclature import NOMENCLATURE, bracketed
-from ..report.fitted import HEADS, WORDS, row_of_result, sentences, unit_of_result, unit_without_radius
-from ..text import json_text, say, say_wrapped, write_texts
+from ..quantities.values import Measured
+from ..report.fitted import (
+    HEADS,
+    WORDS,
+    in_words,
+    row_of_result,
+    sentence_of,
+    sentences,
+    unit_of_result,
+    unit_without_radius,
+)
+from ..text import json_text, listed, say, say_wrapped, write_texts
+from .sources import bibtex, cite_command, references
 
 FILE, LIMIT, REASON = "file", "largest_work_of_adhesion", "status"
 
@@ -93,6 +107,67 @@ def _cell(cell: Any) -> Any:
 def write_json(answers: Sequence[Mapping[str, Any]], out: TextIO) -> None:
     """Write one object, or an array of several."""
     say(json_text(answers[0] if len(answers) == 1 else [*answers], out), out)
+
+
+# --- Sources ----------------------------------------------------------------------------------------------------------
+
+
+def write_fit_citations(fitted: Fit, out: TextIO) -> None:
+    """Write the BibTeX entries of this program and of the law of a fit."""
+    for entry in (references()["program"], *_laws_cited(fitted)):
+        say(bibtex(entry), out)
+
+
+def write_fit_methods(fitted: Fit, out: TextIO) -> None:
+    """Write a paragraph for a Methods section: what was fitted to what, how, and what came out."""
+    say_wrapped(" ".join(_methods(fitted)), out, 0)
+
+
+def _laws_cited(fitted: Fit) -> list[Mapping[str, str]]:
+    """Return the references of the law of a fit; Hertz' contact has none."""
+    known, law = references(), fitted.known.law
+    has_adhesion = fitted.largest_adhesion is None
+    return ([known[law]] if has_adhesion else []) + ([known["jkr-sphere"]] if fitted.known.profile == "sphere" else [])
+
+
+def _methods(fitted: Fit) -> Iterator[str]:
+    """Iterate over the sentences of a Methods section."""
+    known, data = fitted.known, []
+    if known.radius is not None:
+        data.append(amount("reduced_radius", _with_error(known.radius, known.radius_error)))
+    shape = "a rigid sphere" if known.profile == "sphere" else "a paraboloid"
+    theory = f"the {LAWS[known.law].title} theory" if fitted.largest_adhesion is None else "Hertz' theory"
+    program, of_law = cite_command([references()["program"]]), cite_command(_laws_cited(fitted))
+    radius = as_latex(f" of radius {data[0]}") if data else ""
+    yield (
+        f"With jkroll {__version__}{program} we fitted the {fitted.kind} and the force of the curve by {theory} for "
+        f"{shape}{radius}{of_law}."
+    )
+    if isfinite(known.stiffness) and fitted.kind == "travel":
+        stiffness = amount("lever_stiffness", _with_error(known.stiffness, known.stiffness_error))
+        yield as_latex(f"The lever has a stiffness of {stiffness}.")
+    form = Format(digits=3)
+    parts = [
+        f"{name}, at loads of {amount('load', low, form)} to {amount('load', high, form)}"
+        for name, (low, high) in fitted.fitted_loads.items()
+    ]
+    first, *others = parts
+    yield as_latex(f"Least squares gave all results from one branch ({first}).")
+    if others:
+        yield as_latex(f"With its modulus and contact point the other gave its work of adhesion ({others[0]}).")
+    line = "a line" if known.tilt else "the median"
+    yield f"Away from contact {line} of the force is its zero." if fitted.baselines else "The force was not shifted."
+    yield (
+        "Residuals were whitened as an autoregression of first order, and those beyond three standard deviations have "
+        "Huber's weights."
+    )
+    results = (f"{sentence_of(name)} {in_words(fitted, name)}" for name in RESULTS if name in fitted.errors)
+    yield as_latex(f"Results: {listed(results)}.")
+    yield "Errors are standard deviations: of noise, of the calibration (radius, stiffness, baseline) and of the model."
+
+
+def _with_error(value: float, relative: float) -> float | Measured:
+    return Measured(value, value * relative) if relative else value
 
 
 # --- Rows -------------------------------------------------------------------------------------------------------------
