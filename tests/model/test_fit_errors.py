@@ -1,5 +1,6 @@
 """The errors of a fit: what the instrument and the model move, and what is not known is absent."""
 
+from pathlib import Path
 from typing import Any
 
 import numpy
@@ -7,6 +8,7 @@ import pytest
 from numpy import pi
 
 from curves import autoregression, jkr_curve, jkr_force, ramp
+from jkroll import fit
 from jkroll.model.fit_branches import (
     APPROACH,
     LOADING,
@@ -70,7 +72,7 @@ def test_the_baseline_of_each_branch_moves_its_w() -> None:
     noise = numpy.random.default_rng(4).normal(0, 3e-9, len(z))
     quiet = numpy.where(numpy.arange(len(z)) < len(z) // 2, 10 * noise, noise)  # loading is ten times as noisy
     errors = fit_curve(ForceCurve(TRAVEL, z, force + quiet), PROBE).errors
-    opening, closing = (errors[name].calibration for name in (OPENING, CLOSING))
+    opening, closing = (errors[name].statistical for name in (OPENING, CLOSING))
     assert opening is not None
     assert closing is not None
     assert closing > 3 * opening
@@ -222,3 +224,42 @@ def test_points_of_a_pause_are_left_out_and_gaps_in_time_are_named() -> None:
     assert "time-gaps" not in fit.remarks
     time[1400:] += 100.0
     assert "time-gaps" in fit_curve(ForceCurve(TRAVEL, z, force, branch=names, time=time), PROBE).remarks
+
+
+# --- A measured curve -------------------------------------------------------------------------------------------------
+
+
+def jkr_of_lever(z: Any, adhesion: float, modulus: float, point: float, stiffness: float) -> tuple[Any, Any, float]:
+    """Return force, dF/dz and the travel of the jump of a lever for R = 1, by the formulas of JKR (1971)."""
+    unloaded = (9 * pi * adhesion / (2 * modulus)) ** (1 / 3)
+    a = numpy.geomspace(0.2 * unloaded, 30 * unloaded, 20_001)
+    approach = a**2 - numpy.sqrt(2 * pi * adhesion * a / modulus)
+    load = 4 / 3 * modulus * a**3 - numpy.sqrt(8 * pi * adhesion * modulus * a**3)
+    travel = point + approach + load / stiffness
+    last = int(numpy.argmin(travel))
+    travel, load = travel[last:], load[last:]
+    slope = numpy.gradient(load, travel)
+    return numpy.interp(z, travel, load), numpy.interp(z, travel, slope), float(travel[0])
+
+
+def test_the_curve_of_an_afm_gives_what_another_code_finds() -> None:
+    """The same points, by scipy; both errors of a point are equal as forces, σ_z = σ_F/k."""
+    optimize = pytest.importorskip("scipy.optimize")
+    path = Path(__file__).parents[1] / "data" / "afm_retract.csv"
+    fitted, stiffness = fit(str(path), spring="0.31451 N/m"), 0.31451
+    _, most = fitted.fitted_loads[UNLOADING]
+    is_fitted = fitted.points["force"] <= most
+    z, force = (fitted.points[name][is_fitted] for name in ("z", "force"))
+    noise = 1e-10
+
+    def left(unknowns: Any) -> Any:
+        adhesion, modulus = (float(each) for each in numpy.exp(unknowns[:2]))
+        model, slope, jump = jkr_of_lever(z, adhesion, modulus, 1e-7 * unknowns[2], stiffness)
+        inside = (force - model) / numpy.hypot(noise, slope * noise / stiffness)
+        return numpy.where(z < jump, (z - jump) * stiffness / noise, inside)
+
+    found = optimize.least_squares(left, [numpy.log(4e-9), numpy.log(250), -4.5], xtol=1e-12, ftol=1e-12).x
+    assert is_fitted.sum() == fitted.goodness["points"] > 100
+    assert fitted.values[OPENING] == approx(numpy.exp(found[0]), rel=5e-3)
+    assert fitted.values[MODULUS] == approx(numpy.exp(found[1]), rel=5e-3)
+    assert fitted.values["contact_point"] == approx(1e-7 * found[2], rel=5e-3)

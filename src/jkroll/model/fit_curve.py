@@ -17,6 +17,7 @@ from .fit_errors import (
     by_range,
     covariance_of,
     statistical_errors,
+    with_baselines,
 )
 from .fit_goodness import goodness_of, on_profile, remarks_on
 from .fit_laws import Array, Grip
@@ -64,6 +65,8 @@ def _result(solution: Solution, remarks: dict[str, str]) -> Fit:
     """Return the fit with its errors, its results by other laws and its remarks."""
     problem, main = solution.problem, solution.main
     names, covariance = covariance_of(solution)
+    few = solution.thinned()
+    covariance = with_baselines(few, names, covariance)
     errors = statistical_errors(solution, names, covariance)
     has_adhesion = ADHESION in main.free
     result = Fit(
@@ -86,9 +89,8 @@ def _result(solution: Solution, remarks: dict[str, str]) -> Fit:
         if has_adhesion:
             contact = solution.setting.contact(main.unknowns).without_spacing
             result.goodness["unloaded_contact_over_radius"] = float(contact_radius(**contact)) / problem.radius
-    moved = by_calibration(solution)
-    _add(result, "calibration", [_moves(each, solution.values) for each in moved.values()])
-    few = solution.thinned()
+    moves = by_calibration(few)
+    _add(result, "calibration", [*moves.values()])
     _add(result, "model", [each for each in (by_range(few),) if each])
     models = by_models(solution, few, width)
     result.by_law = {law: dict(each) for law, each in models.by_law.items()}
@@ -100,12 +102,8 @@ def _result(solution: Solution, remarks: dict[str, str]) -> Fit:
         for text in on_profile(solution.values, sphere, result.errors, width):
             result.remarks["profile-matters"] = text
     _add(result, "model", models.moves)
-    result.remarks |= dict(remarks_on(solution, result, moved.get("spring")))
+    result.remarks |= dict(remarks_on(solution, result, moves.get("spring")))
     return result
-
-
-def _moves(there: Results, here: Results) -> Results:
-    return {name: there[name] - here[name] for name in there}
 
 
 def _add(result: Fit, part: str, moves: list[Results]) -> None:

@@ -1,7 +1,8 @@
 """The three errors of a fit: of noise (statistical), of the instrument (calibration) and of the model.
 
-Calibration is how far the results move with R and k by their errors, and with the baselines by theirs. The model's
-error is how far they move with the range, the shape of the sphere, the law that holds and the atomic spacing.
+Noise moves the points, and the baselines that are taken off them. Calibration is how far the results move with R and k
+by their errors. The model's error is how far they move with the range, the shape of the sphere, the law that holds and
+the atomic spacing.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -12,7 +13,7 @@ import numpy
 from numpy import exp, inf, sqrt
 
 from ..physics.contact import tabor_parameter
-from .fit_branches import LEAST_POINTS, TRAVEL, BadCurve, Baseline
+from .fit_branches import LEAST_POINTS, TRAVEL, Baseline
 from .fit_laws import Array
 from .fit_minimum import ADHESION, MODULUS, POINT, Minimum, Points, Setting, minimum, with_point
 from .fit_problem import NAMES, Problem, Solved
@@ -61,6 +62,10 @@ class Solution(NamedTuple):
         other = minimum(change(self.other), setting, main.unknowns, self.other.free, self.other.minimum.noise)
         return self.results(main, other)
 
+    def moves(self, setting: Setting, change: Callable[[Solved], Points] = lambda each: each.points) -> Results:
+        """Return how far the results move by another setting or changed points."""
+        return difference(self.refitted(setting, change), self.values)
+
     def thinned(self) -> "Solution":
         """Return the solution of fewer points, whose moves by a change are nearly those of all."""
         parts: list[Solved] = []
@@ -98,6 +103,15 @@ def covariance_of(solution: Solution) -> tuple[tuple[str, ...], Array]:
     return (*names, NAMES[other.branch.name]), covariance
 
 
+def with_baselines(few: Solution, names: tuple[str, ...], covariance: Array) -> Array:
+    """Return the covariance with that of the baselines, by how far each moves the results with its error."""
+    for base, offset, slope in _baseline_changes(few):
+        moves = few.moves(few.setting, partial(_shifted, base, offset, slope))
+        column = numpy.array([moves[name] for name in names])
+        covariance = covariance + numpy.outer(column, column)
+    return covariance
+
+
 def statistical_errors(solution: Solution, names: tuple[str, ...], covariance: Array) -> dict[str, Errors]:
     """Return the errors of the results by noise."""
     errors = {
@@ -115,21 +129,18 @@ def statistical_errors(solution: Solution, names: tuple[str, ...], covariance: A
 # --- Calibration ------------------------------------------------------------------------------------------------------
 
 
-def by_calibration(solution: Solution) -> dict[str, Results]:
-    """Return the results with the radius, the spring and each baseline moved by its error, by the name of the cause."""
-    problem, setting, known = solution.problem, solution.setting, solution.problem.known
-    moved: dict[str, Results] = {}
+def by_calibration(few: Solution) -> dict[str, Results]:
+    """Return the moves of the results with the radius and the spring by their errors, by the name of the cause."""
+    problem, setting, known = few.problem, few.setting, few.problem.known
+    moves: dict[str, Results] = {}
     if known.radius is not None and known.radius_error:
-        moved["radius"] = solution.refitted(setting._replace(reduced_radius=known.radius * (1 + known.radius_error)))
+        moves["radius"] = few.moves(setting._replace(reduced_radius=known.radius * (1 + known.radius_error)))
     stiffer, factor = setting, 1 + known.stiffness_error
     if known.stiffness_error and (problem.kind == TRAVEL or problem.is_deflection):
         if problem.kind == TRAVEL:
             stiffer = setting._replace(grip=setting.grip._replace(stiffness=known.stiffness * factor))
-        change = partial(_stronger, factor if problem.is_deflection else 1.0)
-        moved["spring"] = solution.refitted(stiffer, change)
-    for number, (base, offset, slope) in enumerate(_baseline_changes(solution), 1):
-        moved[f"baseline {number}"] = solution.refitted(setting, partial(_shifted, base, offset, slope))
-    return moved
+        moves["spring"] = few.moves(stiffer, partial(_stronger, factor if problem.is_deflection else 1.0))
+    return moves
 
 
 def _stronger(factor: float, part: Solved) -> Points:
@@ -197,8 +208,9 @@ def by_models(solution: Solution, few: Solution, width: float) -> Models:
     own = key_of(known.law if has_adhesion else "jkr", known.profile)
     by_law: dict[str, Results] = {own: values}
 
-    def moved(setting: Setting) -> Results:
-        there = _from_best_start(few, setting)
+    def moved(law: str, profile: str = "paraboloid", spacing: float | None = None) -> Results:
+        setting = problem.by_law(law, profile, spacing)
+        there = _refitted_anew(few, setting) if "dmt" in (law, known.law) else few.refitted(setting)
         return {name: values[name] + there[name] - here[name] for name in there}
 
     if problem.known.radius is None:
@@ -208,34 +220,29 @@ def by_models(solution: Solution, few: Solution, width: float) -> Models:
     moves: list[Results] = []
     for law in ("jkr", "maugis", "dmt") if has_adhesion else ("jkr",):
         if law not in by_law and not (law == "maugis" and tabor > _ALIKE):
-            by_law[law] = moved(problem.by_law(law))
+            by_law[law] = moved(law)
     if has_adhesion:
         by_law.setdefault("maugis", by_law["jkr"])
     if has_adhesion and tabor < STRONG:
-        by_law["maugis, z0/2"] = moved(problem.by_law("maugis", spacing=known.spacing / 2))
-        moves.append(_difference(by_law["maugis, z0/2"], by_law["maugis"]))
+        by_law["maugis, z0/2"] = moved("maugis", spacing=known.spacing / 2)
+        moves.append(difference(by_law["maugis, z0/2"], by_law["maugis"]))
     if (holds := "jkr" if tabor >= STRONG else "maugis") != known.law and has_adhesion:
-        moves.append(_difference(by_law[holds], by_law[known.law]))
+        moves.append(difference(by_law[holds], by_law[known.law]))
     if width > _WIDE and known.profile == "paraboloid" and known.law == "jkr":
-        by_law["jkr, sphere"] = moved(problem.by_law("jkr", "sphere"))
-        moves.append(_difference(by_law["jkr, sphere"], values))
+        by_law["jkr, sphere"] = moved("jkr", "sphere")
+        moves.append(difference(by_law["jkr, sphere"], values))
     return Models(by_law, moves, tabor)
 
 
-def _from_best_start(few: Solution, setting: Setting) -> Results:
-    """Return the results by another law from the better of two starts: the present unknowns, and their z_c anew."""
+def _refitted_anew(few: Solution, setting: Setting) -> Results:
+    """Return the results by a law whose z_c is another one, such as DMT's beside JKR's."""
     main = few.main
-    starts = [main.unknowns]
-    if ADHESION in main.free:
-        w, modulus = (float(each) for each in exp(main.unknowns[:POINT]))
-        starts.append(with_point(main.points, setting, w, modulus))
-    found = [minimum(main.points, setting, start, main.free, main.minimum.noise) for start in starts]
-    best = min((each for each in found if numpy.isfinite(each.cost)), key=lambda each: each.cost, default=None)
-    if best is None:
-        raise BadCurve("no contact of another law resembles the curve", "no minimum")
-    return few._replace(main=main.at(main.points, best)).refitted(setting)
+    w, modulus = (float(each) for each in exp(main.unknowns[:POINT]))
+    start = with_point(main.points, setting, w, modulus)
+    found = minimum(main.points, setting, start, main.free, main.minimum.noise)
+    return few._replace(main=main.at(main.points, found)).refitted(setting)
 
 
-def _difference(one: Results, other: Results) -> Results:
+def difference(one: Results, other: Results) -> Results:
     """Return the moves of results from others."""
     return {name: one[name] - other[name] for name in one}

@@ -38,7 +38,7 @@ def _longest_run(misfit: numpy.ndarray) -> int:
 
 
 def remarks_on(solution: Solution, result: Fit, by_spring: Results | None) -> Iterator[tuple[str, str]]:
-    """Iterate over codes with their sentences. `by_spring`: the results with the stiffness moved by its error."""
+    """Iterate over codes with their sentences. `by_spring`: the moves of the results by its error."""
     main, good, errors = solution.main, result.goodness, result.errors
     has_adhesion = ADHESION in main.free
     if has_adhesion and main.branch.name == LOADING and result.kind != RADIUS:
@@ -54,7 +54,7 @@ def remarks_on(solution: Solution, result: Fit, by_spring: Results | None) -> It
             "E* is not determined: the contact is stiffer than the lever, or has too few points; P_c alone counts",
         )
     if by_spring is not None:
-        yield from _on_spring(by_spring["contact_modulus"] / modulus - 1, errors["contact_modulus"], modulus)
+        yield from _on_spring(by_spring["contact_modulus"] / modulus, errors["contact_modulus"], modulus)
     if has_adhesion and result.kind != RADIUS and int((main.points.force < 0).sum()) < LEAST_POINTS:
         yield "few-below-zero", "fewer than 5 points are in tension: w is hardly determined"
     if not result.is_scaled and good["contact_over_radius"] > _WIDEST:

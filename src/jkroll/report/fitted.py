@@ -132,7 +132,7 @@ def _about_laws(fitted: Fit) -> Iterator[str]:
 def _about_errors(fitted: Fit) -> Iterator[str]:
     """Iterate over a sentence on the error of E*, where it is not that of noise."""
     errors = fitted.errors["contact_modulus"]
-    parts = {"the instrument (R, k, baseline)": errors.calibration or 0.0, "the model": errors.model or 0.0}
+    parts = {"the instrument (R, k)": errors.calibration or 0.0, "the model": errors.model or 0.0}
     largest = max(parts, key=lambda part: parts[part])
     if errors.statistical is not None and isfinite(errors.statistical) and parts[largest] > errors.statistical:
         yield f"most of the error of E* comes from {largest}, not from noise"

@@ -163,7 +163,7 @@ def _methods(fitted: Fit) -> Iterator[str]:
     )
     results = (f"{sentence_of(name)} {in_words(fitted, name)}" for name in RESULTS if name in fitted.errors)
     yield as_latex(f"Results: {listed(results)}.")
-    yield "Errors are standard deviations: of noise, of the calibration (radius, stiffness, baseline) and of the model."
+    yield "Errors are standard deviations: of noise, of the calibration (radius, stiffness) and of the model."
 
 
 def _with_error(value: float, relative: float) -> float | Measured:
