@@ -266,6 +266,7 @@ def test_what_is_refused_says_what_to_type(run: Run, curve: str, words: str, sai
         ("travel [um],force [V]\n1,2\n3,4\n", "no column has the force"),
         ("travel [um],force [nN],branch\n1,2,up\n3,4,down\n", "is none of loading and unloading"),
         ("", "no header"),
+        ("travel (um);force (nN)\n1,0;2,0\n3,0;4,0\n", "write --delimiter semicolon"),
     ],
 )
 def test_a_table_that_is_no_curve_says_so(run: Run, text: str, said: str) -> None:

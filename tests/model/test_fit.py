@@ -225,7 +225,7 @@ def test_the_statistical_error_is_as_large_as_it_says(phi: Any) -> None:
     z, force = jkr_curve()
     every = [
         pulls(fit_curve(ForceCurve(TRAVEL, z, force + autoregression(seed, len(z), 3e-9, phi)), known))
-        for seed in range(150)
+        for seed in range(300)
     ]
     inside = (abs(numpy.array(every)) < 1).mean(axis=0)
     assert (inside > 0.6).all()

@@ -141,7 +141,8 @@ def _write_single(call: Call, path: str, outcome: FileFit) -> int:
 def _heading(call: Call, path: str, fitted: Fit) -> str:
     """Return the line above a fit: the file and what is known."""
     known = fitted.known
-    texts = [f"{os.path.basename(path)}: {fitted.kind} and force, by {LAWS[known.law].short}"]
+    law = LAWS[known.law].short if fitted.largest_adhesion is None else "Hertz"
+    texts = [f"{os.path.basename(path)}: {fitted.kind} and force, by {law}"]
     if known.radius is not None:
         is_of_two = {"radius2", "diameter2", "reduced_radius"}.isdisjoint(call.inputs)
         of_two = " of two equal spheres (--radius2 plane for a flat)" if is_of_two else ""

@@ -140,6 +140,8 @@ def _columns_of(solution: Solution, part: Solved) -> dict[str, Array]:
     points, main = part.branch.in_contact, solution.main.unknowns
     loads = residuals(points, part.unknowns, solution.setting).loads
     rate, radius = release_rate(solution.problem, points, main)
+    if ADHESION not in solution.main.free:
+        rate, radius = numpy.full((2, len(rate)), numpy.nan)
     return {
         "z": points.z * solution.problem.branches.sign, "force": points.force, "model": loads,
         "residual": points.force - loads, "release_rate": rate, "contact_radius": radius,

@@ -20,6 +20,7 @@ WORDS = {
     "pull_off_force_measured": ("pull-off, measured", "P_min"),
 }
 HEADS = ("quantity", "symbol", "fit", "unit", "noise", "calibration", "model")
+_ABSENT = "–"
 _SCALED = {"J/m^2": "J/m", "Pa": "Pa m^0.5"}  # of wR and E*√R
 _WITHOUT_RADIUS = {"work_of_adhesion_opening": "wR_open", "work_of_adhesion_closing": "wR_close",
     "adhesion_hysteresis": "ΔwR", "contact_modulus": "E*√R"}  # fmt: skip
@@ -53,13 +54,14 @@ def row_of_result(fitted: Fit, name: str) -> list[str]:
         (text, *_), unit = _cells(fitted, name, [fitted.values[name]])
         return [words, symbol, text, unit, "", "", ""]
     (text, *parts, total), unit = _cells(fitted, name, [fitted.values[name], *errors, errors.total])
-    return [words, symbol, f"{text} ± {total}", unit, *parts]
+    return [words, symbol, text if total == _ABSENT else f"{text} ± {total}", unit, *parts]
 
 
 def in_words(fitted: Fit, name: str) -> str:
     """Return a result with its unit and its total error, for a sentence."""
     errors = fitted.errors.get(name)
-    texts, unit = _cells(fitted, name, [fitted.values[name], *([errors.total] if errors else [])])
+    is_known = errors is not None and isfinite(errors.total)
+    texts, unit = _cells(fitted, name, [fitted.values[name], *([errors.total] if errors and is_known else [])])
     return with_unit(" ± ".join(texts), unit)
 
 
@@ -71,12 +73,20 @@ def _cells(fitted: Fit, name: str, numbers: Sequence[float | None]) -> tuple[lis
         power = 0 if power in (0, 3) else power
         unit, factor = f"1e{power} {unit_of_result(fitted, name)}".removeprefix("1e0 "), 10.0**-power
     else:
-        unit, scale = Format().common_unit(quantity, [abs(first)])
+        sizes = (abs(number) for number in (first, numbers[-1]) if number is not None and isfinite(number))
+        unit, scale = Format().common_unit(quantity, [max(sizes)])
         factor = scale[1] / scale[0]
     errors = [None if number is None or not isfinite(number) else number * factor for number in numbers[1:]]
     total = errors[-1] if errors else None
-    texts = ["–" if error is None else significant(error, 2, zeros=True) for error in errors]
-    return [bar_digits(first * factor, total or 0.0), *texts], unit
+    texts = [_ABSENT if error is None else significant(error, 2, zeros=True) for error in errors]
+    return [_rounded(first * factor, total or 0.0), *texts], unit
+
+
+def _rounded(value: float, error: float) -> str:
+    """Return a value to the second digit of its error, which may be the larger one."""
+    if error <= abs(value):
+        return bar_digits(value, error)
+    return f"{value:.{max(1 - floor(log10(error)), 0)}f}"
 
 
 # --- Sentences --------------------------------------------------------------------------------------------------------
@@ -145,7 +155,9 @@ def _about_misfit(fitted: Fit) -> str:
     text = f"misfit {amount('pull_off_force', good['rms'], Format(digits=2))} rms{share}"
     if fitted.kind != "contact radius":
         text += f", {good['rms_over_noise']:.2g} times the noise"
-    points = f"{good['points']:.0f} points, {good['independent_points']:.0f} of them independent"
+    independent = good["independent_points"]
+    alike = f"{independent:.0f} of them independent" if independent >= 1.5 else "all of one trend"
+    points = f"{good['points']:.0f} points, {alike}"
     past = f", {good['points_past_jump']:.0f} past the fitted jump-off" if good["points_past_jump"] else ""
     return f"{text}; {points}{past}"
 
@@ -157,5 +169,5 @@ def _about_baselines(fitted: Fit) -> str:
         unit, scale = Format().common_unit("load", [max(abs(base["force"]), base["error"])])
         value, error = (base[part] * scale[1] / scale[0] for part in ("force", "error"))
         where = "before the contact" if name == LOADING else "behind the contact"
-        texts.append(f"{bar_digits(value, error)} ± {significant(error, 2, zeros=True)} {unit} {where}")
+        texts.append(f"{_rounded(value, error)} ± {significant(error, 2, zeros=True)} {unit} {where}")
     return f"baseline: {', '.join(texts)}"
