@@ -205,3 +205,17 @@ def test_many_rows_have_the_ranges_of_each() -> None:
             of_row = [numpy.broadcast_to(part, radii.shape)[row] for part in every[name]]
             expected = found.get(name, Estimate(nan, nan, 0))
             assert of_row == [approx(part, rel=1e-12, nan_ok=True) for part in expected], (name, radius)
+
+
+def test_friction_that_is_assumed_is_known_to_an_order_of_magnitude() -> None:
+    """Forces go with τ, energies with its square; a contact that peels off before it slides does so at any τ."""
+    names = ("sliding_force", "sliding_energy", "sliding_or_peeling_force", "peeling_force")
+    found = best(" ".join(names), **QUARTZ)
+    strength = solve("shear_strength", **QUARTZ)
+    for name in names[:3]:
+        ends = [solve(name, shear_strength=strength * factor, **QUARTZ) for factor in (1 / 3, 3)]
+        assert found[name] == (approx(ends[0]), approx(ends[1]), "τ assumed")
+    assert found["sliding_force"].high == approx(9 * found["sliding_force"].low)
+    assert found["peeling_force"].by == "JKR only"
+    given = best("sliding_force", shear_strength=strength, **QUARTZ)["sliding_force"]
+    assert given == (approx(given.low), approx(given.low), "JKR only")

@@ -108,10 +108,18 @@ def test_what_no_material_has_stands_alone(run: Run) -> None:
         (
             "gamma quartz",
             1 / 32,
-            r"γ is 1/([\d.]+) of quartz's \(25 mJ/m²\): rough or wet surfaces\? jkroll guide meas",
+            r"γ is 1/([\d.]+) to 1/([\d.]+) of quartz's \(25 mJ/m²\): rough or wet surfaces\? jkroll guide meas",
         ),
-        ("w quartz", 1 / 32, r"w is 1/([\d.]+) of quartz's \(50 mJ/m²\): rough or wet surfaces\? jkroll guide meas"),
-        ("w quartz --material2 mica", 1 / 6, r"w is 1/([\d.]+) of quartz and mica's \(122 mJ/m²\): rough or wet"),
+        (
+            "w quartz",
+            1 / 32,
+            r"w is 1/([\d.]+) to 1/([\d.]+) of quartz's \(50 mJ/m²\): rough or wet surfaces\? jkroll guide meas",
+        ),
+        (
+            "w quartz --material2 mica",
+            1 / 6,
+            r"w is 1/([\d.]+) to 1/([\d.]+) of quartz and mica's \(122 mJ/m²\): rough or wet",
+        ),
         ("gamma quartz", 8.0, r"γ is ([\d.]+) times quartz's \(25 mJ/m²\): rough or wet surfaces\?"),
         ("gamma quartz", 1 / 4, ""),
         ("gamma quartz", 4.9, ""),
@@ -125,7 +133,7 @@ def test_energies_far_from_the_materials_are_told(run: Run, words: str, factor: 
     if "young" in words:  # a0³ = 9πwR²/8E* of a plane
         modulus = factor * 54e9 / 2 / (1 - 0.17**2)
         measured = f"contact_radius={(9 * math.pi * work * RADIUS**2 / 8 / modulus) ** (1 / 3)}m"
-    said = " ".join(run(f"infer {words} 2um --radius2 plane --measured {measured}", terminal=True).err.split())
+    said = " ".join(run(f"infer {words} 2um --radius2 plane --measured {measured}", terminal=True).out.split())
     if not note:
         assert "rough or wet" not in said
         return

@@ -16,7 +16,7 @@ from relative import approx
 
 GEL = "15um --radius2 plane --work-of-adhesion 71mJ/m2 --young rigid --young2 3kPa --poisson2 0.5"
 WIDE, FLIES = "the contact is wider than the smaller sphere", "too fast to roll around body 2: it flies off"
-SLOW, SHORT = "2/7 of the energy cannot begin rolling", "held out level, even one sphere rolls down"
+SLOW, SHORT = "once it has slid, the energy left is too small to roll", "held out level, even one sphere rolls down"
 SONIC = "faster than sound in the solid, which no contact at rest describes"
 XI = "ξ is too large for the formula"
 # Of each call with two values, the last of which ends the meaning of these results; None: of all.

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, TextIO
 
 from ..errors import ROWS_FAILED, BadRequest, JkrollError
 from ..materials.library import UnknownMaterial
-from ..model.frame import Frame
-from ..model.limits import ENDING_MEANING
+from ..model.frame import HELD_BY_LOAD, Frame
+from ..model.limits import ENDING_MEANING, EVERY_DOUBT
 from ..model.plan import formula_of
 from ..model.sweep import Sweep
 from ..quantities.formatting import Format, symbol_of
@@ -138,7 +138,8 @@ def _write_columns(
         sys.stdout.flush()
     tally = reduce(Tally.plus, tallies, Tally())
     if single is None or (tally.with_doubts(ENDING_MEANING) and not single.ended):  # of states of a curve
-        notes = notes_on_rows(groups, tally, wanted.reported_doubts)
+        told = ENDING_MEANING if is_table else EVERY_DOUBT  # the lines of a table say what its codes mean
+        notes = notes_on_rows(groups, tally, wanted.reported_doubts & told)
     else:
         notes = _told(single, is_shown=False)
     for line in lines_of(notes, has_head=is_table, quiet=call.quiet):
@@ -254,6 +255,8 @@ def _write_curve(call: Call) -> int:
     if (first := next(failures)) is not None and None not in failures:
         raise first
     frames = (frame for frame in sweep.frames() for frame in frames_of_curve(frame, loads))
+    if call.output is TABLE and loads is not None:  # which is read from load to load
+        frames = (frame for frame in frames if frame.state in HELD_BY_LOAD)
     if call.output is JSON:
         every = [*frames]
         return _write_answers(call, (answer_at_state(question, frame) for frame in every), len(every), form)
@@ -306,7 +309,7 @@ def run_export(call: Call) -> int:
     lacking = frame.missing(program.quantities)
     names = tuple(name for name in program.quantities if name not in lacking)
     answer = Report(Question(names, names), frame)
-    ranges = [f"the numbers are those of {frame.law.short}; compare them with their best ranges before you run it:"]
+    ranges = [f"the numbers above are those of {frame.law.short}; beside them stand:"]
     ranges += [note.text for note in answer.notes_on_ranges()]
     notes = [*(note.line for note in about_middles(answer.uncertain)), *every_line(answer)]
     if program.about:
@@ -314,9 +317,9 @@ def run_export(call: Call) -> int:
         for line in (*(f"note: {text}" for text in (*ranges, *program.about(frame))), *notes):
             say_wrapped(line, sys.stderr)
         return 0
-    _write_comments(ranges)
+    _write_comments(["compare the best ranges at the end before you run this"])
     sys.stdout.write(text)
-    _write_comments(notes)
+    _write_comments([*ranges, *notes])
     return 0
 
 

@@ -6,7 +6,7 @@ that nothing was measured, make a range of it: by the first rule that applies, r
 
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
-from functools import cache
+from functools import cache, partial
 from math import inf, nan
 from typing import Any, NamedTuple
 
@@ -35,12 +35,13 @@ from .uncertainty import ErrorBar, error_bars
 # --- Rules ------------------------------------------------------------------------------------------------------------
 
 (
-    NONE, DEFINITION, MEASURED, SCALED, XI_UNKNOWN, ADHESION_ONLY, BOUNDS, LAW_ONLY, AT_LEAST, BETTER_LAW, LAW_IN_USE,
-) = range(11)  # fmt: skip
+    NONE, DEFINITION, MEASURED, SCALED, XI_UNKNOWN, FRICTION_ASSUMED, ADHESION_ONLY, BOUNDS, LAW_ONLY, AT_LEAST,
+    BETTER_LAW, LAW_IN_USE,
+) = range(12)  # fmt: skip
 _GIVEN = {law: number for number, law in enumerate(LAWS, LAW_IN_USE + 1)}  # of laws that are given, which decide
 WORDS = (
-    "–", "definition", "measured", "scaled", "ξ unknown", "adhesion only", "JKR to DMT", "JKR only", "at least",
-    "Maugis", "JKR",
+    "–", "definition", "measured", "scaled", "ξ unknown", "τ assumed", "adhesion only", "JKR to DMT", "JKR only",
+    "at least", "Maugis", "JKR",
     *(law.short for law in LAWS.values()),
 )  # fmt: skip
 
@@ -53,6 +54,7 @@ _LOSE = ("surface_energy", "work_of_adhesion", "hamaker", "viscous_time")
 _SEPARATION = ("well_energy", "pull_off_work", "pull_off_work_at_dead_load")
 _PULL_OFF = ("pull_off_force", "pull_off_force_lennard_jones")
 _AS_PULL_OFF = ("pull_off_force", "bond_number")  # in proportion to it
+FRICTION_FACTOR = 3.0  # to which the shear strength that is assumed is known, either way: an order of magnitude
 _SAME = 1e-9  # relative difference of numbers that laws give alike
 _TOO_WIDE = reason(ENDS[CONTACT_EXCEEDS_SPHERE.codes[1.0]])
 
@@ -139,6 +141,8 @@ class Ranges:
         if name not in self._ends(_between):
             if name in _AS_PULL_OFF:  # without a contact modulus
                 yield True, own[0], own[1] * self._dmt_over_jkr, BOUNDS
+            if "shear_strength" in self.frame.formulas_to(name):
+                yield True, *self.hull(name, *_FRICTIONS), FRICTION_ASSUMED
             yield True, *own, LAW_ONLY
             return
         if name in _SEPARATION:
@@ -324,7 +328,13 @@ def _at_twice(frame: Frame) -> Frame:
     return frame.replace(**{XI: 2 * frame[XI]})
 
 
+def _with_friction(factor: float, frame: Frame) -> Frame:
+    """Return the frame with a multiple of its shear strength."""
+    return frame.replace(shear_strength=frame["shear_strength"] * factor)
+
+
 _BETTER = (_between, _between_at_half)
+_FRICTIONS = (partial(_with_friction, 1 / FRICTION_FACTOR), partial(_with_friction, FRICTION_FACTOR))
 
 
 @cache

@@ -223,13 +223,13 @@ ENDING = (
     *(
         Limit(
             "energy_over_yield", frozenset({turns}), "<=", {least: code},
-            f"{energy} of the energy cannot begin rolling",
+            words,
             ends_meaning=True,
         )
-        for turns, least, code, energy in (
-            ("n_roll", 7 / 2, "does-not-roll-sliding", "2/7"),
-            ("n_roll_after_impact", 7 / 5, "does-not-roll-after-impact", "5/7"),
-            ("n_roll_energy_balance", 1.0, "does-not-roll", "all"),
+        for turns, least, code, words in (
+            ("n_roll", 7 / 2, "does-not-roll-sliding", "once it has slid, the energy left is too small to roll"),
+            ("n_roll_after_impact", 7 / 5, "does-not-roll-after-impact", "after the impact it is too slow to roll"),
+            ("n_roll_energy_balance", 1.0, "does-not-roll", "its energy is too small to roll"),
         )
     ),
     Limit(
@@ -247,7 +247,7 @@ ENDING = (
 LAW = Limit(
     "tabor_parameter", _ELASTICITY, ">",
     {LAW_MATTERS: "law-off-5%", 1.25: "law-off-25%", 2.0: "law-off-2x"},
-    "another law differs",
+    "another law differs by more",
     factor=factor_of_law,
 )  # fmt: skip
 INEXACT = (

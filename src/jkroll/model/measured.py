@@ -141,6 +141,14 @@ class Stuck(NamedTuple):
         speed = self.at(frame["radius"])
         return speed * (1 - self.error), speed * (1 + self.error)
 
+    def over_law(self, frame: Frame) -> tuple[float, float]:
+        """Return the ratios of what was measured to the law's speeds at the γ of a frame, the least and the largest."""
+        ratios = []
+        for radius in self.radii:
+            speed = frame.replace(radius=radius, radius2=INFINITY)["sticking_speed"]
+            ratios.append(self.at(radius) / speed)
+        return min(ratios), max(ratios)
+
     def is_near(self, frame: Frame) -> Any:
         """Return whether the spheres have radii as they were measured, and meet a plane."""
         least, most = self.radii
@@ -161,13 +169,24 @@ def what_stuck(frame: Frame) -> Stuck | None:
 
 MOST_SEEN = 10  # times the speed of JKR: the largest at which hard spheres were seen to stick
 
-# Part of JKR's pull-off force that was measured of hard solids: 1 over the first number to 1 over the second.
-SURFACES = {"on smooth glass": (4, 2), "for rough grains in air": (100, 10)}
+
+class Surface(NamedTuple):
+    """The part of JKR's pull-off force that was measured of hard solids: 1/most to 1/least, and of which spheres."""
+
+    most: int
+    least: int
+    spheres: str
+
+
+SURFACES: Mapping[str, Surface] = {
+    "on smooth glass": Surface(4, 2, "SiO2 of 5 and 20 µm, dry"),
+    "for rough grains in air": Surface(100, 10, "tens of µm"),
+}
 
 
 def on_surfaces(low: float, high: float) -> Mapping[str, tuple[float, float]]:
     """Return the least and the largest pull-off force on each surface, of one that is `low` to `high` by JKR."""
-    return {surface: (low / most, high / least) for surface, (most, least) in SURFACES.items()}
+    return {name: (low / surface.most, high / surface.least) for name, surface in SURFACES.items()}
 
 
 # --- Rolling ---

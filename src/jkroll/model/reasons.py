@@ -8,7 +8,7 @@ Below: for which arguments the physics gives a formula no result.
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cache
-from operator import ge, gt, le
+from operator import gt, le
 from typing import Any
 
 from ..errors import JkrollError, NoResult, code_of
@@ -129,7 +129,9 @@ MISSING = Cause("", "an input is missing, which the plan names", code="missing-i
 NOT_IN_LAW = Cause("", "the law does not have the quantity, as its plan says", code="not-in-law")
 HIDDEN = Cause("", "a quantity of identical spheres, not asked for by name", code="hidden")
 BEYOND_PULL_OFF = Cause("beyond pull-off", "{0} breaks this contact: the hardest pull that it holds is {1}", "load")
-BEYOND_JKR = Cause(BEYOND_PULL_OFF.phrase, f"{BEYOND_PULL_OFF.words} by JKR, {{2}} by Maugis' law", "load")
+BEYOND_JKR = Cause(
+    BEYOND_PULL_OFF.phrase, f"{BEYOND_PULL_OFF.words} by JKR, {{2}} to {{3}} by Maugis' law at z0 = 2 to 4 Å", "load"
+)
 HELD_BY_MAUGIS = Cause(BEYOND_PULL_OFF.phrase, f"{BEYOND_JKR.words}: --model maugis", "load")
 NO_PROFILE = Cause(
     "no rigid sphere on a soft plane",
@@ -141,7 +143,9 @@ BEYOND_FOLD = Cause(
     "at {0} the spheres have parted; the farthest that a stiff machine holds them is {1}",
     "approach_at_load",
 )
-TWO_RIGID_BODIES = Cause("both bodies are rigid", "both bodies are rigid; a contact area needs one that deforms")
+TWO_RIGID_BODIES = Cause(
+    "both bodies are rigid", "both bodies are rigid and have no contact area; --model dmt has their pull-off force"
+)
 RESTS_ON_SPACING = Cause("needs atomic_spacing", "rests on z0; give --z0 4angstrom")
 OF_IDENTICAL_SPHERES = Cause(
     "sphere 2 differs", "sphere 2 differs from sphere 1; this is known of identical spheres only"
@@ -228,14 +232,13 @@ class Failure(NoResult):
     def explanation(self) -> str:
         """Return the words of its cause, with its numbers: with more digits where a value and its limit look the same.
 
-        A limit is one that may be typed: rounding does not put it beyond what a contact holds.
+        The first limit is one that may be typed: rounding does not put it beyond what a contact holds.
         """
         if not self.numbers:
             return self.cause.words
         for digits in range(_FEWEST, MAX_DIGITS + 1):
             value, *limits = (amount(self.name, number, Format(digits=digits)) for number in self.numbers)
-            held = (parse_quantity(text, self.name) for text in limits)
-            if value != limits[0] and all(map(ge, held, self.numbers[1:])):
+            if value != limits[0] and parse_quantity(limits[0], self.name) >= self.numbers[1]:
                 break
         return self.cause.words.format(value, *limits)
 

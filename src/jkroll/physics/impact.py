@@ -43,10 +43,15 @@ def impact_pressure(
     energy = reduced_mass * speed * speed / (2 * adhesion_energy)
     root = _PEAK_OF_TOUCH + at_most(energy / 15, (5 / 24 * energy) ** 0.1)
     for _ in range(_STEPS):
-        third = root * root * root
-        slope = 8 * third * (6 * third - 1) * (third - 1)
-        root = root - (_energy(root) - _AT_TOUCH - energy) / slope
-    return _pressure_unit(pull_off_force, contact_radius) * (6 * root * root - 2 / root)
+        root = root - _beyond(root, energy)
+    rounding = (12 * root + 2 / (root * root)) * _beyond(root, energy)  # of the root, which the pressure magnifies
+    return _pressure_unit(pull_off_force, contact_radius) * (6 * root * root - 2 / root - rounding)
+
+
+def _beyond(root: FloatOrArray, energy: FloatOrArray) -> FloatOrArray:
+    """Return by how much y = √â lies beyond the peak of an impact, by the slope of Û there."""
+    third = root * root * root
+    return (_energy(root) - _AT_TOUCH - energy) / (8 * third * (6 * third - 1) * (third - 1))
 
 
 def touch_pressure(*, pull_off_force: Force, contact_radius: Length) -> Stress:

@@ -20,7 +20,7 @@ from ..model.limits import (
     may_be_rough,
     touched,
 )
-from ..model.other_law import factor_of_law, has_other_formulas
+from ..model.other_law import at_half_spacing, factor_of_law, has_other_formulas
 from ..model.reasons import (
     BEYOND_JKR,
     BEYOND_PULL_OFF,
@@ -124,10 +124,13 @@ def with_force_by_maugis(error: Failure, frame: Frame) -> Failure:
     """Return the error of a load beyond pull-off by JKR, with the pull-off force of Maugis' law if that has one."""
     if not frame.law.is_default:
         return error
-    for force in frame.replace(model=BETWEEN).numbers("pull_off_force").values():
-        cause = HELD_BY_MAUGIS if force >= -error.numbers[0] else BEYOND_JKR
-        return Failure(cause, numbers=(*error.numbers, -force))
-    return error
+    other = frame.replace(model=BETWEEN)
+    scenes = (other, at_half_spacing(other))
+    forces = [force for each in scenes for force in each.numbers("pull_off_force").values()]
+    if len(forces) < len(scenes):
+        return error
+    cause = HELD_BY_MAUGIS if forces[0] >= -error.numbers[0] else BEYOND_JKR
+    return Failure(cause, numbers=(*error.numbers, *(-force for force in sorted(forces))))
 
 
 # --- Answers ----------------------------------------------------------------------------------------------------------

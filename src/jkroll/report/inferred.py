@@ -8,7 +8,7 @@ from ..model.frame import Frame
 from ..model.limits import ROUGH_MATTERS, Doubt
 from ..model.reasons import explanation_of
 from ..model.unsolved import SIZES, equal, sizes_in_words
-from ..quantities.formatting import Format, amount, significant, symbol_among, symbol_of
+from ..quantities.formatting import Format, amount, from_to, symbol_among, symbol_of
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES
 from ..quantities.values import Uncertain, middle
@@ -64,13 +64,14 @@ def _about_library(answer: Answer) -> Iterator[Note]:
     for name, usual in library_values(answer.described).items():
         better = answer.ranges.by_better_law(name) if BETWEEN in laws_of(answer) else ()
         ends = [end for end in better if end > 0] or [answer.values[name]]  # nan where that law has no value
-        factor = min((end / middle(usual) for end in ends), key=lambda factor: abs(log(factor)))
+        factors = sorted((end / middle(usual) for end in ends), key=lambda factor: abs(log(factor)))
         far, question = _FAR.get(name, (INFINITY, ""))
-        if not 1 / far <= factor <= far:
-            times = f"{significant(factor, 2)} times" if factor > 1 else f"1/{significant(1 / factor, 2)} of"
+        if not 1 / far <= factors[0] <= far:
+            sizes = from_to(*(max(factor, 1 / factor) for factor in (factors[0], factors[-1])))
+            times = f"{sizes} times" if factors[0] > 1 else f"1/{sizes.replace('–', ' to 1/')} of"
             whose = f"{listed(solids_of(answer.described, name))}'s ({amount(name, usual, Format(digits=3))})"
             symbol = symbol_among(name, answer.inputs)
-            yield Note("caveat", f"{symbol} is {times} {whose}: {question} jkroll guide measurements")
+            yield Note("lead", f"{symbol} is {times} {whose}: {question} jkroll guide measurements")
 
 
 # --- Sentences --------------------------------------------------------------------------------------------------------

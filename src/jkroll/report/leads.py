@@ -1,11 +1,13 @@
 """The sentences that stand before the results of an answer and answer its question, with best ranges."""
 
 from collections.abc import Iterator
+from math import isnan
 
-from ..model.estimate import BETTER_LAW, NONE, WORDS, Ranges
+from ..model.estimate import ADHESION_ONLY, BETTER_LAW, FRICTION_ASSUMED, FRICTION_FACTOR, NONE, WORDS, Ranges
 from ..model.frame import Frame
+from ..model.measured import what_stuck
 from ..model.results import Results
-from ..quantities.formatting import Format, amount, span
+from ..quantities.formatting import Format, amount, from_to
 from .answer import Answer
 from .notes import Note
 from .ranges import range_in_words
@@ -15,6 +17,10 @@ _THREE = Format(digits=3)
 
 def leads(answer: Answer) -> Iterator[Note]:
     """Iterate over the sentences that answer a question."""
+    if answer.shows_surfaces and answer.estimates["pull_off_force"].by != NONE:
+        force = range_in_words("pull_off_force", answer.estimates["pull_off_force"])
+        text = f"ideally smooth, they are pulled apart with {force}; real surfaces hold less"
+        yield Note("lead", f"{text}: take the row that is yours")
     if "sliding_or_peeling_force" in answer.values and "yield_force" in answer.estimates:
         yield Note("lead", _first_to_give_way(answer))
     if answer.is_of_impact and answer.estimates["sticking_speed"].by != NONE:
@@ -30,24 +36,39 @@ def leads(answer: Answer) -> Iterator[Note]:
 def _filled(answer: Answer) -> str:
     """Return the sentence that answers a question, with the best ranges; empty where one is lacking."""
     found = {name: estimate for name, estimate in answer.estimates.items() if estimate.by != NONE}
+    words = {name: range_in_words(name, each) for name, each in found.items()}
+    is_open = any(isnan(found[name].low) for name in answer.question.headline if name in found)
+    words["or_none"] = ", or not at all" if is_open else ""
     try:
-        text = answer.question.lead.format_map({name: range_in_words(name, each) for name, each in found.items()})
+        text = answer.question.lead.format_map(words)
     except KeyError:
         return ""
     return text.replace("≤", "at most").replace("≥", "at least")
 
 
 def _first_to_give_way(answer: Answer) -> str:
-    frame, rolling = answer.frame, answer.estimates["yield_force"]
-    force = frame["sliding_or_peeling_force"]
-    first, last = ("peels off", "slides") if frame["peeling_over_sliding"] < 1 else ("slides", "peels off")
-    gives = f"it {first} at {span('yield_force', force, force)}, as the push shrinks the contact, before it {last}"
+    rolling, sliding = (answer.estimates[name] for name in ("yield_force", "sliding_or_peeling_force"))
+    gives = (
+        f"it {_slides_or_peels(answer)} at {range_in_words('yield_force', sliding)}, as the push shrinks the contact"
+    )
     rolls = range_in_words("yield_force", rolling)
-    if rolling.high < force:
+    if rolling.high < sliding.low:
         return f"pushed, it rolls first ({rolls}); held from rolling, {gives}"
-    if rolling.low > force:
+    if rolling.low > sliding.high:
         return f"pushed, {gives}; to roll it takes {rolls}"
     return f"pushed, it rolls first if ξ is small ({rolls}); else {gives}"
+
+
+def _slides_or_peels(answer: Answer) -> str:
+    """Return what a contact does that is pushed and held from rolling, as far as its friction is known."""
+    is_assumed = answer.estimates["sliding_or_peeling_force"].by == FRICTION_ASSUMED
+    margin = FRICTION_FACTOR if is_assumed else 1.0
+    peeling_over_sliding = answer.frame["peeling_over_sliding"]
+    if peeling_over_sliding >= margin:
+        return "slides"
+    if peeling_over_sliding * margin < 1 or not is_assumed:
+        return "peels off"
+    return "slides or peels off"
 
 
 def _stick_or_bounce(answer: Answer) -> str:
@@ -55,8 +76,23 @@ def _stick_or_bounce(answer: Answer) -> str:
     sticking = answer.estimates["sticking_speed"]
     sides = range_in_words("sticking_speed", sticking)
     is_below, is_above = speed < sticking.low, speed > sticking.high
-    verdict = "they stick" if is_below else "they bounce" if is_above else "they may stick or bounce"
-    return f"at {amount('speed', speed)} {verdict}: the largest speed to stick is {sides} ({WORDS[sticking.by]})"
+    verdict = "they stick" if is_below else "they bounce" if is_above else _likely(answer)
+    text = f"at {amount('speed', speed)} {verdict}: the largest speed to stick is {sides} ({WORDS[sticking.by]})"
+    left = answer.estimates["restitution"]
+    if is_below or isnan(left.high) or left.by != ADHESION_ONLY:
+        return text
+    return f"{text}; if they bounce, adhesion alone leaves e = {from_to(answer.values['restitution'], left.high)}"
+
+
+def _likely(answer: Answer) -> str:
+    """Return what spheres do in the range of the speeds to which some stick, by those of the same solid."""
+    stuck, frame = what_stuck(answer.frame), answer.frame
+    if stuck is None or stuck.is_near(frame):
+        return "they may stick or bounce"
+    least, most = (ratio * answer.values["sticking_speed"] for ratio in stuck.over_law(frame))
+    if frame["speed"] < least:
+        return "they probably stick"
+    return "they probably bounce" if frame["speed"] > most else "they may stick or bounce"
 
 
 def _law_that_holds(answer: Answer) -> str:

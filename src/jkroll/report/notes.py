@@ -2,6 +2,7 @@
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
+from math import sqrt
 from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
 
 from ..errors import JkrollError
@@ -45,6 +46,7 @@ _RULES = {  # by which quantities follow that could have been given
     "shear_strength": "τ = G/4π²",
     "work_of_adhesion": "w = 2√(γ1γ2)",
 }
+FRICTION = Note("remark", "sliding and twisting are known to an order of magnitude: τ = G/4π² (--shear-strength)")
 _UNLIKE = 3.0  # ratio of two surface energies from which on their geometric mean is too much
 _MAX_NOTES = 1  # below results, besides the warning
 _MAX_LENGTH = 154  # of a note, two lines of a terminal
@@ -84,8 +86,17 @@ def assumed(frame: Frame, inputs: Collection[str], names: Sequence[str], *, has_
         texts[name] += f" = {amount(name, value, Format(digits=4))}"
     for name, value in DEFAULTS.items():
         if name in inputs and name not in frame.given:
-            texts[name] = f"{symbol_of(name)} = {amount(name, value)}" if value else "no load"
+            speed = _speed_of(frame) if name == "energy_ratio" and has_values else ""
+            texts[name] = f"{symbol_of(name)} = {amount(name, value)}{speed}" if value else "no load"
     return {name: f"{text} ({NOMENCLATURE[name].option})" for name, text in texts.items()}
+
+
+def _speed_of(frame: Frame) -> str:
+    """Return the speed at which sphere 1 has its energy, if its mass is known."""
+    known = frame.numbers("energy", "mass")
+    if len(known) < 2:
+        return ""
+    return f", v = {amount('speed', sqrt(2 * known['energy'] / known['mass']), Format(digits=2))}"
 
 
 def about_assumed(texts: Mapping[str, str]) -> list[Note]:
@@ -96,7 +107,7 @@ def about_assumed(texts: Mapping[str, str]) -> list[Note]:
 def about_given(frame: Frame, names: Sequence[str], inputs: Collection[str]) -> Iterator[Note]:
     """Iterate over the notes that follow from what is given; `inputs`: those of these quantities."""
     if "shear_strength" in frame.formulas_to(*names):
-        yield Note("remark", "sliding and twisting are known to an order of magnitude: τ = G/4π² (--shear-strength)")
+        yield FRICTION
     energies = [frame[name] for name in ("surface_energy", "surface_energy2") if name in inputs]
     if len(energies) == 2 and max(energies) > _UNLIKE * min(energies):
         bounds = "w = 2√(γ1γ2) is an upper estimate for solids so unlike, 4/(1/γ1 + 1/γ2) a lower one"
@@ -207,6 +218,15 @@ def about_rows(tally: "Tally", reported: int, where: str) -> Iterator[Note]:
     for number, first, words in tally.gaps.values():
         others = f", likewise {number - 1} more" if number > 1 else ""
         yield Note("caveat", f"{words}: row {first}{others}")
+
+
+def lines_on_codes(codes: Iterable[str]) -> Iterator[str]:
+    """Iterate over a line for each limit of whose codes some stand in a table: what they mean."""
+    shown = {*codes}
+    for limit in LIMITS:
+        of_limit = [code for code in limit.codes.values() if code in shown]
+        if of_limit and not limit.ends_meaning:  # a warning says what that means
+            yield f"{', '.join(of_limit)}: {limit.consequence.partition(';')[0]}"
 
 
 def assumed_in(groups: Iterable[Group], *, judges: bool = True) -> dict[str, str]:

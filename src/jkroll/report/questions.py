@@ -42,7 +42,7 @@ _QUESTIONS = {
         "yield_force yield_force_fixed_load yield_force_ratio yield_moment yield_angle yield_displacement",
         lead="pushed at its centre, a sphere starts to roll at {yield_force}",
     ),
-    "r-min": _question("r_min", lead="before a contact rolls, a chain bends to a radius of {r_min}"),
+    "r-min": _question("r_min", lead="a chain bends to a radius of {r_min} before one of its contacts rolls"),
     "n-grav": _question(
         "n_grav",
         "n_grav gravity_moment bond_number",
@@ -58,7 +58,7 @@ _QUESTIONS = {
     "n-roll": _question(
         "n_roll",
         "n_roll_after_impact n_roll n_roll_energy_balance",
-        lead="it rolls {n_roll_energy_balance} of a turn if it begins without sliding, {n_roll} if it slides first",
+        lead="it rolls {n_roll_energy_balance} of a turn{or_none}: so far without sliding, {n_roll} once it has slid",
     ),
     "contact": _question(
         "contact_radius_at_load approach_at_load",
@@ -68,20 +68,26 @@ _QUESTIONS = {
         # energies, which are of contacts without load, are the question of `energies`
         without_row="load_ratio contact_radius_ratio approach_ratio well_energy pull_off_work "
         "pull_off_work_at_dead_load sticking_energy",
+        lead="the contact has a radius of {contact_radius_at_load} at an approach of {approach_at_load}",
     ),
     "moment": _question(
         "yield_moment",
         "yield_moment yield_displacement unloaded_moment half_circles_moment fixed_approach_moment rolling_stiffness "
         "mean_rolling_moment mean_rolling_force",
         without_row="half_circles_moment fixed_approach_moment",  # approximations of the first
-        lead="the moment rises to {yield_moment}, where rolling starts; while it rolls its mean is half of that",
+        lead="the moment rises to {yield_moment}, where rolling starts; it springs back after each step of ξ, so that "
+        "its mean while rolling is half of that",
     ),
 }
 # What contradicts a headline, in the report, too; Eq (41) as printed does so in `frequencies` alone.
 _CONTRARY = ("n_roll_energy_balance", "n_roll_after_impact")
 _REPORT = Question(
     tuple(name for question in _QUESTIONS.values() for name in question.headline),
-    tuple(name for asked in _QUESTIONS.values() for name in asked.quantities if name in (*asked.headline, *_CONTRARY)),
+    (
+        *(name for asked in _QUESTIONS.values() for name in asked.quantities if name in (*asked.headline, *_CONTRARY)),
+        *("roll_energy_quarter_turn", "sticking_speed"),
+    ),
+    lead="they are pulled apart with {pull_off_force}, roll from {yield_force} on and stick up to {sticking_speed}",
 )
 QUESTIONS: Mapping[str, Question] = {
     **_QUESTIONS,
@@ -93,7 +99,8 @@ QUESTIONS: Mapping[str, Question] = {
         "sticking_energy sticking_energy_paszun_dominik sticking_energy_pencil_code roll_energy "
         "roll_energy_quarter_turn roll_energy_half_turn sticking_speed sticking_speed_paszun_dominik "
         "sticking_speed_pencil_code",
-        lead="colliding, they stick up to {sticking_speed}; a quarter turn takes {roll_energy_quarter_turn}",
+        lead="to part them takes {pull_off_work}; to roll by a quarter turn, {roll_energy_quarter_turn}; they stick up "
+        "to {sticking_speed}",
     ),
     "impact": _question(
         "restitution",
@@ -111,8 +118,9 @@ QUESTIONS: Mapping[str, Question] = {
         "restructuring_energy restructuring_speed restructuring_energy_ormel restructuring_speed_ormel "
         "disruption_energy disruption_speed disruption_energy_dust_simulation disruption_speed_dust_simulation "
         "compressive_strength tensile_strength",
-        lead="two equal aggregates restructure from {restructuring_speed} on (5E_roll, D&T 97), from "
-        "{restructuring_speed_ormel} by E_roll (Ormel 07); they break up at {disruption_speed} (Wada 07)",
+        lead="two equal aggregates begin to restructure at {restructuring_speed} (5E_roll, D&T 97, borne out with "
+        "measured rolling forces) or at {restructuring_speed_ormel} (E_roll, Ormel 07); they break up at about "
+        "{disruption_speed} (Wada 07, computed with JKR's spheres)",
     ),
 }
 EVERYTHING = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities))

@@ -8,6 +8,7 @@ from ..model.estimate import (
     AT_LEAST,
     BETTER_LAW,
     BOUNDS,
+    FRICTION_ASSUMED,
     LAW_IN_USE,
     LAW_ONLY,
     MEASURED,
@@ -16,8 +17,9 @@ from ..model.estimate import (
     XI_UNKNOWN,
     Estimate,
 )
+from ..model.frame import Frame
 from ..model.limits import JUMP, LAW_MATTERS, ROUGH_MATTERS, may_be_rough
-from ..model.measured import MOST_SEEN, SURFACES, solid_of_pair, solid_that_rolled, what_rolled, what_stuck
+from ..model.measured import MOST_SEEN, SURFACES, Stuck, solid_of_pair, solid_that_rolled, what_rolled, what_stuck
 from ..model.other_law import farthest
 from ..quantities.formatting import amount, from_to, significant, span, symbol_among
 from ..quantities.laws import BETWEEN
@@ -75,19 +77,30 @@ def made_of(name: str, answer: Answer) -> str:
 
 def part_of_jkr(surface: str) -> str:
     """Return which part of JKR's pull-off force was measured on a surface: "1/4–1/2"."""
-    return "–".join(f"1/{part}" for part in SURFACES[surface])
+    return f"1/{SURFACES[surface].most}–1/{SURFACES[surface].least}"
+
+
+def parts_on_surfaces() -> str:
+    """Return which parts of JKR's pull-off force were measured, and on what."""
+    parts = ", ".join(f"{part_of_jkr(name)} {name} ({surface.spheres})" for name, surface in SURFACES.items())
+    return f"of JKR's force, as measured and carried to this size: {parts}; humid air, up to twice; none in vacuum"
 
 
 _ON_SURFACES = ", ".join(f"{part_of_jkr(surface)} of it {surface}" for surface in SURFACES)
 _SMOOTH_AND_DRY = f"for smooth, dry spheres; measured was {_ON_SURFACES}, up to twice in humid air"
 _SEEN = f"hard spheres were seen to stick at 1–{MOST_SEEN} times JKR's speed"
+_FRICTION = (
+    "sliding and twisting rest on τ = G/4π², known to an order of magnitude: the range is of a third to three times it "
+    "(--shear-strength)"
+)
 _WORDS: Mapping[int, str] = {
     MEASURED: f"{_SEEN}, SiO2 to a plane as in jkroll guide validation",
     SCALED: "forces that rolled spheres of this solid, taken as R^(2/3) to R",
     XI_UNKNOWN: "nothing was measured: low is ξ = 2 Å (one atom), high all of the work of adhesion lost; give --xi",
     ADHESION_ONLY: "adhesion alone loses at most this; any other loss comes on top and lowers e",
+    FRICTION_ASSUMED: _FRICTION,
     BOUNDS: "JKR's holds for soft spheres, DMT's for hard ones; E and ν tell which",
-    LAW_ONLY: "no other law here has it; what grows with the contact is less where Maugis' law has a smaller one",
+    LAW_ONLY: "no other law here has it; where Maugis' contact is smaller, so is what goes with its area",
     AT_LEAST: f"Lennard-Jones' law binds more than JKR's at a Tabor parameter below {JUMP}",
     BETTER_LAW: f"JKR is more than 5 % off; z0 = 2–4 Å (--z0); {_SMOOTH_AND_DRY}",
     LAW_IN_USE: "Maugis' law is within 5 %; the range is of both",
@@ -99,10 +112,11 @@ _WORDS: Mapping[int, str] = {
 
 def _better_law(answer: Answer) -> str:
     frame = answer.frame
-    is_pulled = not {"pull_off_force", "bond_number"}.isdisjoint(answer.estimates)
-    parameter, spacing = frame["tabor_parameter"], frame["atomic_spacing"]
-    tabor = f"Tabor parameter {from_to(parameter, 2 * parameter)}"
-    law = f"{frame.law.short} is more than 5 % off at this size and stiffness ({tabor})"
+    is_pulled = "pull_off_force" in answer.estimates
+    spacing = frame["atomic_spacing"]
+    known = frame.numbers("tabor_parameter").values()  # which rigid bodies have none of
+    at = "".join(f" (Tabor parameter {from_to(parameter, 2 * parameter)})" for parameter in known)
+    law = f"{frame.law.short} is more than 5 % off at this size and stiffness{at}"
     text = f"{law}; z0 = {_angstroms(spacing / 2, spacing)} (--z0){_with_bars(answer)}"
     is_told = answer.is_in_doubt(ROUGH_MATTERS) or answer.shows_surfaces  # with numbers
     return f"{text}. It is {_SMOOTH_AND_DRY}" if is_pulled and may_be_rough(frame) and not is_told else text
@@ -117,19 +131,31 @@ def _angstroms(low: float, high: float) -> str:
 
 
 def _bounds(answer: Answer) -> str:
-    limits = "JKR's holds for soft spheres, DMT's for hard ones; give --young and --poisson to narrow it"
-    text = f"{limits}{_with_bars(answer)}"
+    jkr, dmt = (span(name, *2 * (answer.frame[name],)) for name in ("pull_off_force", "pull_off_force_dmt"))
+    limits = f"JKR's ({jkr}) holds for soft spheres, DMT's ({dmt}) for hard ones"
+    text = f"{limits}; give --young and --poisson to narrow it{_with_bars(answer)}"
     return text if answer.shows_surfaces else f"{text}. It is {_SMOOTH_AND_DRY}"
 
 
 def _measured(answer: Answer) -> str:
     stuck = what_stuck(answer.frame)
     if stuck is None or not stuck.is_near(answer.frame):
-        return f"{_SEEN} (silica, ices, silver), as adhesion is not their only loss"
+        return f"{_SEEN} (silica, ices, silver), as adhesion is not their only loss{_beside_stuck(answer.frame, stuck)}"
     pairs = (f"{significant(stuck.at(radius), 2)} m/s ({amount('radius', radius)})" for radius in stuck.radii)
     bar = f"±{stuck.error:.0%}".replace("%", " %")
     solid = solid_of_pair(answer.frame)
     return f"{solid} stuck to a plane up to {' and '.join(pairs)}, between them as R^{stuck.exponent}, {bar}"
+
+
+def _beside_stuck(frame: Frame, stuck: Stuck | None) -> str:
+    """Return at which speeds spheres of the same solid stuck, over those of JKR at the γ of the frame."""
+    if stuck is None or frame.missing(["sticking_speed"]):
+        return ""
+    ratios = stuck.over_law(frame)
+    low, high = (frame["sticking_speed"] * ratio for ratio in ratios)
+    sizes = " and ".join(amount("radius", radius) for radius in stuck.radii)
+    seen = f"{solid_of_pair(frame)} of {sizes} stuck to a plane at {from_to(*ratios)} times JKR's at this γ"
+    return f"; {seen}, which is {span('sticking_speed', low, high)} here"
 
 
 def _scaled(answer: Answer) -> str:
@@ -145,8 +171,16 @@ def _scaled(answer: Answer) -> str:
     if abs(radius / rolled.radius - 1) < _ALIKE:
         return f"{what} of {at}{whatever}"
     low, high = ("R", "R^(2/3)") if radius < rolled.radius else ("R^(2/3)", "R")
-    text = f"{what} of {at}, taken as {low} (low) or {high} (high) to {amount('radius', radius)}{whatever}"
+    ratio = from_to(*2 * (max(radius / rolled.radius, rolled.radius / radius),))
+    to = f"{amount('radius', radius)}, {ratio} times {'less' if radius < rolled.radius else 'more'}"
+    text = f"{what} of {at}, carried as {low} (low) or {high} (high) to {to}{_as_displacement(answer)}{whatever}"
     return text + _of_both_laws(answer) + _ceiling(answer)
+
+
+def _as_displacement(answer: Answer) -> str:
+    """Return which displacement forces that were measured mean by the law in use."""
+    (low, high), *_ = answer.ranges.of_laws(XI, SCALED)
+    return f"; by {answer.frame.law.short} ξ = {span(XI, low, high)}" if low < high else ""
 
 
 def _of_both_laws(answer: Answer) -> str:
@@ -178,8 +212,8 @@ def _ceiling(answer: Answer) -> str:
 def _xi_unknown(answer: Answer) -> str:
     if answer.frame.missing(["hysteresis_ratio"]):
         return (
-            "this end is at ξ = 2 Å, one atom; how large ξ can be needs γ, Young's modulus and Poisson's ratio: "
-            "name a material"
+            "that is at ξ = 2 Å, about one atom; most spheres that were measured roll at a larger ξ. How large it can "
+            "be, and whether yours was measured, needs a material: jkroll materials"
         )
     by_law = "" if answer.frame.law.name == BETWEEN else ", by Maugis' law"
     most = answer.ranges.at_full_hysteresis(XI)[1]
@@ -192,15 +226,17 @@ def _xi_unknown(answer: Answer) -> str:
 def _of_measured_solid(answer: Answer) -> str:
     """Return the forces that were measured on spheres of the same solid, but of another size or surface energy."""
     rolled, solid = what_rolled(answer.frame), solid_that_rolled(answer.frame)
-    if rolled is None or "yield_force" not in answer.estimates:
+    if rolled is None:
         return ""
     radius = 2 * answer.frame["reduced_radius"]
     if not rolled.has_size(radius):
         at, here = (amount("radius", each) for each in (rolled.radius, radius))
-        return f". {solid} rolled at {at}, which is too far from {here}"
+        return f". {solid} rolled at {at}; that is carried to {span('radius', *rolled.radii)}, not as far as to {here}"
+    if "yield_force" not in answer.estimates:
+        return ""
     energies = span("surface_energy", *rolled.energies)
     forces = span(rolled.name, rolled.least(radius), rolled.most(radius))
-    return f". No force was measured at this γ; {solid} of {energies} rolled at {forces} (scaled)"
+    return f". No force was measured at this γ; {solid} of {energies} rolled at {forces} (scaled), and Q grows with γ"
 
 
 def _adhesion_only(answer: Answer) -> str:
@@ -211,8 +247,7 @@ def _adhesion_only(answer: Answer) -> str:
     text = "so small and stiff they touch and part without a jump, which loses at most JKR's energy"
     if "restitution" not in answer.values or answer.estimates["restitution"].by != ADHESION_ONLY:
         return text
-    left = from_to(answer.values["restitution"], 1.0)
-    return f"{text}: it alone leaves e = {left}; any other loss lowers it, and e is 0 if they stick"
+    return f"{text}; any other loss lowers e, which is 0 if they stick"
 
 
 def _by_dmt(answer: Answer) -> str:
@@ -230,7 +265,7 @@ def _law_only(answer: Answer) -> str:
     radii = (frame.numbers("contact_radius_at_load") for frame in (answer.frame.by_law_at_spacing, answer.frame))
     other, ours = (values.get("contact_radius_at_load", 1.0) for values in radii)
     ratio = (other / ours) ** 2
-    less = f"; what grows with the contact is less: Maugis' law has {significant(ratio, 2)} of its area"
+    less = f"; Maugis' contact has {significant(ratio, 2)} of this area: what goes with it is smaller"
     return f"no other law here has it{less if ratio * LAW_MATTERS < 1 else ''}"
 
 

@@ -4,9 +4,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 from math import erfc, hypot, sqrt
 
-from ..model.estimate import ADHESION_ONLY, MEASURED, NONE, WORDS
+from ..model.estimate import ADHESION_ONLY, FRICTION_ASSUMED, MEASURED, NONE, WORDS
 from ..model.frame import Frame
-from ..model.limits import LAW, ROUGH_MATTERS, STICKING_UNSURE, WIDE_CONTACT, Doubt
+from ..model.limits import LAW, ROUGH_MATTERS, STICKING_UNSURE, WIDE_CONTACT, Doubt, may_be_rough
 from ..model.measured import on_surfaces
 from ..model.uncertainty import error_bars
 from ..quantities.formatting import significant, span, symbol_among
@@ -17,6 +17,7 @@ from .inferred import about_limit, proofs
 from .leads import leads
 from .notes import (
     ABOVE,
+    FRICTION,
     Note,
     Severity,
     about_assumed,
@@ -30,7 +31,7 @@ from .notes import (
 )
 from .ranges import part_of_jkr, range_in_words, why
 
-_MOST = 3  # results in a note
+_MOST = 4  # results in a note
 _LOST = 0.01  # part of the uncertain values from which on a note says that they have no contact
 
 
@@ -73,11 +74,13 @@ class Report(Answer):
             *about_given(self.frame, self._possible, inputs),
             *about_idle(idle),
             *about_values(self.frame, self._valued),
+            *self._about_pull(),
             *leads(self),
             *about_limits(self.validity),
             *_about_lost_contacts(self),
         )
-        return tuple(dict.fromkeys(every))
+        is_in_range = any(estimate.by == FRICTION_ASSUMED for estimate in self.estimates.values())
+        return tuple(note for note in dict.fromkeys(every) if not (is_in_range and note is FRICTION))
 
     def doubts(self) -> list[Note]:
         """Return a note for each limit of the model that does not hold, in the order of `exceeded`."""
@@ -127,6 +130,14 @@ class Report(Answer):
         """The sentences that a table leaves to the lines below it."""
         in_rows = {_about_roughness(self.frame)} if self.shows_surfaces else set()
         return [note for note in self.sentences if note.severity not in ABOVE and note.text not in in_rows]
+
+    def _about_pull(self) -> Iterator[Note]:
+        """Iterate over a note where a contact is pulled harder than rough ones hold."""
+        pull = -self.frame.values["load"] if "load" in self.frame.stated else 0.0
+        forces = self.frame.numbers("pull_off_force").values() if pull > 0 and may_be_rough(self.frame) else ()
+        for force in forces:
+            if any(pull > low for low, _ in on_surfaces(force, force).values()):
+                yield Note("caveat", f"rough spheres may have parted at this pull, {_about_roughness(self.frame)}")
 
     @property
     def _valued(self) -> list[str]:

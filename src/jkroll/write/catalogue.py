@@ -90,12 +90,13 @@ def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
     for material, energy in zip(chosen, energies, strict=True):
         rows_of_set = rows.setdefault(material.title, [(material.title, "", "")])
         if "surface_energy" in material.properties:
-            rows_of_set.append((f"  {material.name}", energy, material.state or _keys(material)))
+            note, _, _ = material.notes.get("surface_energy", "").partition(";")
+            rows_of_set.append((f"  {material.name}", energy, material.state or note or _keys(material)))
         else:
             without.setdefault(material.title, []).append(material.name)
     for title, names in without.items():
         rows[title].append(("  with --gamma", "–", ", ".join(names)))
-    heads = ("material", head, "state, or reference")
+    heads = ("material", head, "state, what to know of γ, or reference")
     write_texts(heads, [row for rows_of_set in rows.values() for row in rows_of_set], out)
     say(f"\n{_IN_FULL}; find some: jkroll materials WORD", out)
 

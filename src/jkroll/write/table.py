@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any, TextIO
 from ..model.estimate import (
     BETTER_LAW,
     DEFINITION,
+    FRICTION_ASSUMED,
     LAW_IN_USE,
     LAW_ONLY,
-    MEASURED,
     NONE,
     SCALED,
     WORDS,
@@ -18,7 +18,7 @@ from ..model.estimate import (
     Estimate,
 )  # fmt: skip
 from ..model.limits import codes
-from ..model.measured import SURFACES, on_surfaces
+from ..model.measured import on_surfaces
 from ..model.rows import DOUBT, as_list
 from ..quantities.formatting import DIGITS, RESULT_DIGITS, Format, amount, from_to, in_words, significant, symbol_among
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS
@@ -26,8 +26,8 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, STATE_OR_LOAD, X
 from ..quantities.units import Unit, convert
 from ..quantities.values import Interval, Uncertain, middle, with_sides
 from ..report.inferred import laws_of, library_values, solids_of
-from ..report.notes import lines_above
-from ..report.ranges import lines_on_rules, part_of_jkr
+from ..report.notes import lines_above, lines_on_codes
+from ..report.ranges import lines_on_rules, parts_on_surfaces
 from ..text import TextColumn, first_of, fit_terminal, listed, say_wrapped, text_columns, write_table
 
 if TYPE_CHECKING:
@@ -42,6 +42,7 @@ _LEAST, _MOST, _LARGEST = 0.25, 2000, 10000
 _SAME = 1e-12  # relative width of a range that is a number
 _NARROW = 0.05  # relative width of a range below which its ends have a digit more
 _BEST_RANGE = "best range"
+_PARTS = "in parts"  # by what a pull-off force on a surface stands
 _CODES = 24  # characters of the codes of doubts in a cell
 _OF_MATERIALS = {"material": [*PROPERTIES], "material2": [of_sphere(2, name) for name in PROPERTIES]}
 # Inputs without a column unless they were typed, as they follow from others; of a material, γ has one.
@@ -148,9 +149,7 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
         if any(column.head == _BEST_RANGE for column in columns):
             yield from answer.lines_on_ranges(physics)
     if surfaces:
-        parts = ", ".join(f"{part_of_jkr(surface)} {surface}" for surface in SURFACES)
-        text = f"parts of JKR's force on µm spheres ({parts}; humid air, up to twice)"
-        yield f"measured: {text}; take the row that is yours"
+        yield f"{_PARTS}: {parts_on_surfaces()}"
     if conventions:
         yield "conventions of other codes and authors, to compare with them"
         yield _of_results([*conventions.values()], law)
@@ -159,11 +158,11 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
 def _in_column(answer: "Report") -> dict[str, str]:
     """Return what was assumed, by name: ξ in the law's column alone where ranges rest on no ξ; no spacing of theirs."""
     texts, rules = {**answer.assumed}, {estimate.by for estimate in answer.estimates.values()}
-    if not rules <= {DEFINITION, LAW_ONLY, LAW_IN_USE}:
+    if not rules <= {DEFINITION, FRICTION_ASSUMED, LAW_ONLY, LAW_IN_USE}:
         texts.pop("atomic_spacing", None)  # ranges have their own
     if XI in texts and not rules.isdisjoint((SCALED, XI_UNKNOWN)):
         text, _, option = texts.pop(XI).rpartition(" ")
-        texts[XI] = f"{text} in the column plain {answer.frame.law.short} {option}"
+        texts[XI] = f"{text} in the column of {answer.frame.law.short} {option}"
     return texts
 
 
@@ -192,7 +191,8 @@ def _rows(answer: "Report", form: Format) -> tuple[_Rows, _Rows]:
         units |= {quantity.unit: unit} if sizes[-1] else {}
         row = [quantity.sentence, symbol_among(name, answer.inputs), *_range(estimate, unit, form)]
         row += [_cell(result.value, unit, form), _cell(result.measure, unit, form), unit[0]]
-        (conventions if estimate and estimate.by == DEFINITION else physics)[name] = row
+        is_convention = estimate and estimate.by == DEFINITION and f"{{{name}}}" not in answer.question.lead
+        (conventions if is_convention else physics)[name] = row
     return physics, conventions
 
 
@@ -208,8 +208,8 @@ def _on_surfaces(answer: "Report", form: Format) -> list[list[str]]:
     rows = []
     for surface, ends in on_surfaces(*by_law_in_use).items():
         unit = form.common_unit("pull_off_force", ends[1:])
-        row = [surface, "P_c", *_range(Estimate(*ends, MEASURED), unit, form)]
-        rows.append([*row, "–", "–", unit[0]])
+        shown, _ = _range(Estimate(*ends, SCALED), unit, form)
+        rows.append([surface, "P_c", shown, _PARTS, "–", "–", unit[0]])
     return rows
 
 
@@ -225,7 +225,10 @@ def _of_results(rows: Sequence[Sequence[str]], law: str) -> list[TextColumn]:
         heads = ["quantity", "symbol", _BEST_RANGE, "by", f"plain {law}", "unit"]
         rows = [[*row[:5], row[6]] for row in rows]
     columns = text_columns([heads, *rows], words=2)
-    return [column._replace(is_right=column.head not in (*heads[:2], "by", "unit")) for column in columns]
+    columns = [column._replace(is_right=column.head not in (*heads[:2], "by", "unit")) for column in columns]
+    if not fit_terminal(columns):
+        columns = [column._replace(head=column.head.removeprefix("plain ")) for column in columns]
+    return columns
 
 
 def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) -> list[str]:
@@ -300,7 +303,7 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     for line in _about_inputs(count, common, assumed, form, several):
         say_wrapped(line, out)
     if BETWEEN in distinct.get("model", ()):
-        say_wrapped("take the rows of maugis; law-off-5%, -25%: the law of that row is off by more", out)
+        say_wrapped("take the rows of maugis", out)
     exact, leading, results = Format(form.units, form.digits or DIGITS), [], []
     following = _FOLLOWING | STATE_OR_LOAD if "state" in inputs else _FOLLOWING
     for name in several:
@@ -315,15 +318,23 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
             results += [*best, *columns_of(name, {own: _measures(columns, name)}, form)]
             rules += of_rows
     told = [codes(bits & columns.wanted.reported_doubts) for bits in as_list(columns.doubts)]
-    doubts = [text if len(text) <= _CODES else first_of(text.split(), 1) for text in told]
-    if any(doubts):
-        results.append(TextColumn(DOUBT, doubts, is_right=False))
+    results += _of_doubts(told, [*leading, *results])
     across = text_columns([(column.head, *column.cells) for column in (*leading, *results)], words=1)
     if fit_terminal(across) and not fit_terminal([*leading, *results]):
         leading, results = across[:1], across[1:]
     write_table(leading, results, out)
-    for line in lines_on_rules(int(by) for by in rules if not isnan(by)):
+    of_codes = lines_on_codes(code for text in told for code in text.split())
+    for line in (*lines_on_rules(int(by) for by in rules if not isnan(by)), *of_codes):
         say_wrapped(line, out)
+
+
+def _of_doubts(told: Sequence[str], others: Sequence[TextColumn]) -> list[TextColumn]:
+    """Return the column of doubts, if there are some: with all codes of a row where that fits beside others."""
+    if not any(told):
+        return []
+    whole = TextColumn(DOUBT, told, is_right=False)
+    cut = [text if len(text) <= _CODES else first_of(text.split(), 1) for text in told]
+    return [whole if fit_terminal([*others, whole]) else whole._replace(cells=cut)]
 
 
 def _best(columns: "Columns", name: str, form: Format) -> tuple[list[TextColumn], list[float]]:
