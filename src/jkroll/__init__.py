@@ -21,7 +21,7 @@ _HOMES = {
     "answer": "write.answered",
     "curve": "pictures.drawn",
     "figure": "pictures.drawn",
-    "fit": "tables.fitted",
+    "fit": "pictures.fitted",
     "formulas": "formulas",  # the module
     "infer": "model.infer",
     "known_materials": "materials.library",

@@ -74,7 +74,7 @@ def test_a_column_of_branches_divides_them(run: Run, curve: str) -> None:
 
 
 def test_the_curve_of_another_law_and_program(run: Run) -> None:
-    """The recipe with scipy in `guide measurements` gives γ 27.84 ± 0.11 (JKR), 26.41 ± 0.11 mJ/m² and E 5.95 GPa."""
+    """A fit of scipy's to `jkroll.solve` gave γ 27.84 ± 0.11 (JKR), 26.41 ± 0.11 mJ/m² and E 5.95 GPa."""
     for law, gamma in (("jkr", 27.84e-3), ("maugis", 26.41e-3)):
         found = values(run("fit", str(OF_NINES), *"--radius 1um --radius2 plane --json --model".split(), law).out)
         assert found["work_of_adhesion_opening"] == approx(2 * gamma, rel=0.008)
@@ -90,6 +90,109 @@ def test_the_answer_ends_with_the_command_that_goes_on(run: Run, curve: str) -> 
     ran = run(*command.split())
     assert ran.code == 0
     assert ran.out.startswith("yield_force ")
+
+
+def test_a_fit_cites_its_law_and_says_its_method(run: Run, curve: str) -> None:
+    assert curve
+    cited = run(f"fit curve.csv {KNOWN} --model dmt --cite").out
+    assert "@article{derjaguin-muller-toporov-1975," in cited
+    assert "johnson-kendall-roberts" not in cited
+    method = " ".join(run("fit curve.csv --radius 7.5um --radius2 plane --spring 3.01±0.1N/m --cite --tex").out.split())
+    assert r"the JKR theory for a paraboloid of radius 7.5~${\mu}$m~\cite{johnson-kendall-roberts-1971}" in method
+    assert r"stiffness of 3.01~${\pm}$~0.10~N/m" in method
+    values = jkroll.fit("curve.csv", radius="7.5 um", radius2="plane", spring="3.01±0.1 N/m")
+    error = 1e3 * values.errors["work_of_adhesion_opening"].total
+    assert f"work of adhesion on opening {1e3 * values.values['work_of_adhesion_opening']:.1f}" in method
+    assert rf"${{\pm}}$~{error:.1f}~mJ/m$^{{2}}$" in method
+    assert run("fit curve.csv curve.csv --cite").code == 2
+
+
+def test_a_fit_in_python_has_its_points_and_a_picture(curve: str) -> None:
+    assert curve
+    fitted = jkroll.fit("curve.csv", radius="7.5 um", radius2="plane", spring="3.01 N/m")
+    columns = fitted.curve
+    assert columns["residual [N]"] == approx(columns["load [N]"] - columns["load_fitted [N]"])
+    pytest.importorskip("matplotlib")
+    drawing = fitted.plot("curve.png")
+    assert Path("curve.png").read_bytes().startswith(b"\x89PNG")
+    assert drawing._repr_svg_().rstrip().endswith("</svg>")
+    with pytest.raises(jkroll.JkrollError, match=r"ends in \.svg"):
+        fitted.plot("curve.txt")
+
+
+def test_json_has_what_was_known_and_the_range(run: Run, curve: str) -> None:
+    assert curve
+    words = "--radius 7.5±0.1um --radius2 plane --spring 3.01±0.1N/m --branch unload --range -100%:30% --json"
+    answer = json.loads(run(f"fit curve.csv {words}").out)
+    inputs = answer["inputs"]
+    assert inputs["reduced_radius_err"] == approx(1e-7)
+    assert inputs["lever_stiffness_err"] == approx(0.1)
+    assert (inputs["branch"], inputs["baseline"]) == ("unload", "median")
+    assert inputs["range"] == {"low": -1.0, "high": 0.3, "unit": "1"}
+    low, high = answer["fitted_loads"]["unloading"]
+    assert -2.2e-6 < low < -2.0e-6
+    assert high == approx(0.3 * (jkr_curve(count=250)[1][250:].max() - 1e-8), rel=0.05)
+    assert set(answer["baselines"]) == {"loading", "unloading"}
+    assert answer["baselines"]["unloading"]["force"] == approx(1e-8, abs=1e-9)
+    unloaded = (9 * numpy.pi * 0.06 / (2 * 1.75e6 * 7.5e-6)) ** (1 / 3)
+    assert answer["goodness"]["unloaded_contact_over_radius"] == approx(unloaded, rel=0.01)
+
+
+def test_columns_that_are_used_are_named_alone(run: Run, curve: str) -> None:
+    rows = [line.split(",") for line in curve.splitlines()[1:]]
+    text = "travel [um],approach [um],force [nN],segment\n" + "".join(
+        f"{z},{float(z) - float(force) / 3.01e3},{force},{'extend' if number < 250 else 'retract'}\n"
+        for number, (z, force) in enumerate(rows)
+    )
+    Path("curve.csv").write_text(text, encoding="utf-8")
+    ran = run(f"fit curve.csv {KNOWN} --json")
+    check(values(ran.out))
+    read = " ".join(ran.err.split())
+    assert (
+        "read: approach_at_load [um] from approach [um], lever_force [nN] from force [nN]; branches from segment"
+        in read
+    )
+    assert "passed through: travel [um]" in read
+    paused = text + "".join(f"{z},0,{force},pause\n" for z, force in rows[245:250])
+    Path("curve.csv").write_text(paused, encoding="utf-8")
+    assert "pause: 5 points of a pause are left out" in " ".join(
+        run(f"fit curve.csv {KNOWN}", terminal=True).out.split()
+    )
+    stated = run(f"fit curve.csv {KNOWN} --column segment= --json")
+    assert "branches from" not in stated.err
+
+
+def test_a_curve_without_adhesion_has_an_upper_limit_in_each_form(run: Run) -> None:
+    z = numpy.linspace(-1e-6, 1e-6, 300)
+    force = 4 / 3 * 1e6 * 5e-6**0.5 * numpy.maximum(z, 0) ** 1.5 + numpy.random.default_rng(1).normal(0, 1e-10, 300)
+    Path("hertz.csv").write_text(table(z, force, "approach [um],force [nN]"), encoding="utf-8")
+    words = "fit hertz.csv --radius 5±0.05um --radius2 plane"
+    (row,) = csv.DictReader(io.StringIO(run(f"{words} --csv").out))
+    limit = float(row["largest_work_of_adhesion [J/m^2]"])
+    assert limit == approx(5 * 1e-10 / (1.5 * numpy.pi * 5e-6), rel=0.2)
+    assert row["work_of_adhesion_opening [J/m^2]"] == ""
+    assert json.loads(run(f"{words} --json").out)["largest_work_of_adhesion"] == approx(limit)
+    assert "w: below" in run(words, terminal=True).out
+
+
+def test_a_sphere_that_is_not_rigid_is_refused(run: Run, curve: str) -> None:
+    """E2 of the curve is about 1.3 MPa."""
+    assert curve
+    words = f"fit curve.csv {KNOWN} --profile sphere --poisson2 0.5 --poisson 0.5"
+    assert run(f"{words} --young 1GPa").code == 0
+    ran = run(f"{words} --young 50MPa")
+    assert ran.code == 1
+    assert "100 times as stiff as the plane, and E1 is 3" in " ".join(ran.err.split())
+
+
+def test_an_error_that_was_not_computed_is_a_dash(run: Run, curve: str) -> None:
+    lines = [curve.splitlines()[0], *(line for line in curve.splitlines()[251:] if float(line.split(",")[1]) < -50)]
+    Path("curve.csv").write_text("\n".join(lines), encoding="utf-8")
+    out = run(f"fit curve.csv {KNOWN}", terminal=True).out
+    row = next(line for line in out.splitlines() if line.startswith("contact modulus"))
+    assert row.split()[-2] == "–"
+    parts = json.loads(run(f"fit curve.csv {KNOWN} --json").out)["results"][0]["errors"]
+    assert parts["calibration"] is None
 
 
 def test_python_takes_files_and_columns(run: Run, curve: str) -> None:
@@ -163,6 +266,7 @@ def test_what_is_refused_says_what_to_type(run: Run, curve: str, words: str, sai
         ("travel [um],force [V]\n1,2\n3,4\n", "no column has the force"),
         ("travel [um],force [nN],branch\n1,2,up\n3,4,down\n", "is none of loading and unloading"),
         ("", "no header"),
+        ("travel (um);force (nN)\n1,0;2,0\n3,0;4,0\n", "write --delimiter semicolon"),
     ],
 )
 def test_a_table_that_is_no_curve_says_so(run: Run, text: str, said: str) -> None:

@@ -1,53 +1,59 @@
-"""The recipe for a force curve in the manual, against the truth of a curve that the program did not make."""
+"""The fit of a force curve in the manual, against the truth of a curve that the program did not make."""
 
-import doctest
-import re
-import shutil
 from pathlib import Path
 from typing import Any
 
 import numpy
 import pytest
 
-from jkroll import infer, solve
+from jkroll import fit, infer, solve
 from jkroll.model.unsolved import Unseparated
-from jkroll.write.manual import page
 from relative import approx
 from tools import lennard_jones as made
 
 CURVE = Path(__file__).parents[1] / "data" / "force_curve.csv"
-RECIPE = page("measurements").partition("## A force curve")[2].partition("## ")[0]
+SPHERE: dict[str, Any] = {"radius": "1 um", "radius2": "plane", "poisson_ratio": 0.3}
 
 
-@pytest.fixture
-def recipe() -> dict[str, Any]:
-    """Return the names of the recipe once it was run, with their values."""
-    shutil.copy(CURVE, "curve.csv")
-    block = re.findall(r"```python\n(.*?)```", RECIPE, re.DOTALL)[0]
-    names: dict[str, Any] = {}
-    for example in doctest.DocTestParser().get_examples(block):
-        exec(example.source, names)
-    return names
+def fitted_by(law: str, **given: Any) -> Any:
+    return fit(str(CURVE), **SPHERE, youngs_modulus2="rigid", model=law, **given)
 
 
-def test_what_was_put_in_is_found_as_well_as_the_page_says(recipe: dict[str, Any]) -> None:
-    fits, force_by, approach, force = (recipe[name] for name in ("fits", "force_by", "approach", "force"))
-    gamma = {law: 1e-3 * fit[0] / made.GAMMA for law, fit in fits.items()}
-    assert gamma == approx({"jkr": 1.11, "maugis": 1.06}, abs=0.005)
-    for law, fit in fits.items():
-        assert 1e9 * fit[1] == approx(made.YOUNGS_MODULUS, rel=0.01)
-        assert 1e-9 * fit[2] == approx(made.ZERO - made.SPACING, abs=0.02e-9)
-        left = 1e-9 * force_by(law)(approach, *fit) - force
-        assert left.std() == approx(made.NOISE, rel=0.2)
-        thirds = [abs(part.mean()) for part in numpy.array_split(left, 3)]
-        assert max(thirds) < 2 * made.NOISE / len(left) ** 0.5  # no trend
-    assert (
-        abs(force_by("jkr")(approach, *fits["jkr"]) - force_by("maugis")(approach, *fits["maugis"])).max()
-        < 1e9 * made.NOISE
-    )
-    recipe["sphere"]["atomic_spacing"] = "2 angstrom"
-    fit, _ = recipe["curve_fit"](force_by("maugis"), approach, 1e9 * force, fits["maugis"])
-    assert 1e-3 * fit[0] / made.GAMMA == approx(1.10, abs=0.005)
+@pytest.mark.parametrize(("law", "spacing", "ratio"), [("jkr", 4, 1.11), ("maugis", 4, 1.06), ("maugis", 2, 1.10)])
+def test_what_was_put_in_is_found_as_well_as_the_page_says(law: str, spacing: float, ratio: float) -> None:
+    fitted = fitted_by(law, atomic_spacing=1e-10 * spacing)
+    assert fitted.values["work_of_adhesion_opening"] / 2 / made.GAMMA == approx(ratio, abs=0.008)
+    assert fitted.other_modulus[1] == approx(made.YOUNGS_MODULUS, rel=0.01)
+    assert fitted.values["contact_point"] == approx(made.ZERO - made.SPACING, abs=0.02e-9)
+    assert fitted.goodness["rms"] == approx(made.NOISE, rel=0.2)
+    left = fitted.curve["residual [N]"]
+    thirds = [abs(part.mean()) for part in numpy.array_split(left, 3)]
+    assert max(thirds) < 2 * made.NOISE / len(left) ** 0.5  # no trend
+    if spacing == 4:  # that of the curve
+        total = fitted.errors["work_of_adhesion_opening"].total
+        assert abs(fitted.values["work_of_adhesion_opening"] - 2 * made.GAMMA) < 2 * total
+
+
+@pytest.mark.parametrize("law", ["jkr", "maugis"])
+def test_scipy_and_solve_give_the_same(law: str) -> None:
+    """By loads at approaches, each with the same weight."""
+    optimize = pytest.importorskip("scipy.optimize")
+    approach, force = numpy.loadtxt(CURVE, delimiter=",", skiprows=1, unpack=True)
+
+    def force_at(depth: Any, gamma: Any, modulus: Any, zero: Any) -> Any:
+        given = {
+            **SPHERE,
+            "surface_energy": 1e-3 * gamma,
+            "youngs_modulus": 1e9 * modulus,
+            "youngs_modulus2": numpy.inf,
+        }
+        return 1e9 * numpy.nan_to_num(solve("load", approach_at_load=depth - 1e-9 * zero, model=law, **given))
+
+    found, covariance = optimize.curve_fit(force_at, approach, 1e9 * force, [27.0, 6.0, 11.9])
+    fitted = fitted_by(law)
+    own = [500 * fitted.values["work_of_adhesion_opening"], fitted.other_modulus[1] / 1e9]
+    errors = numpy.sqrt(numpy.diag(covariance))
+    assert (abs(own - found[:2]) < 1.5 * errors[:2]).all()
 
 
 @pytest.mark.slow

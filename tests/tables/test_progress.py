@@ -1,6 +1,7 @@
 """The progress of a run, on a terminal."""
 
 import sys
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -8,7 +9,7 @@ import pytest
 from harness import Run, Stream
 from jkroll.model.rows import Tally
 from jkroll.tables.files import Input
-from jkroll.tables.run import Converted, with_progress
+from jkroll.tables.run import Converted, progress_of, with_progress
 
 
 def test_a_bar_shows_part_and_rows(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -20,7 +21,8 @@ def test_a_bar_shows_part_and_rows(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr("jkroll.tables.run.WAIT", 0)
         monkeypatch.setattr("jkroll.tables.run.monotonic", iter([0.0, 10.0]).__next__)  # as it begins, after a block
         monkeypatch.setattr(file, "share_read", lambda rows: rows / 200_000)
-        blocks = with_progress(iter([Converted(b"", 0, Tally(rows=50_000))] * 2), file)
+        every = [Converted(b"", 0, Tally(rows=50_000))] * 2
+        blocks = with_progress(every, lambda block: block.tally.rows, partial(progress_of, file))
         assert [next(blocks), next(blocks)]
     line = out.text()
     assert " 25%, 30 s left, " in line

@@ -83,6 +83,8 @@ FIT = (
     Options.curve.but(help="Write the points: residuals and energy release rate", excludes=[]),
     *_LISTED,
     Options.target.but(help="Write a file; a picture as x.svg, .pdf or .png"),
+    Options.cite.but(help="BibTeX of the law; with --tex a paragraph for Methods"),
+    Options.tex.but(hidden=True),
     *(option.but(hidden=True) for option in (Options.width, Options.style, Options.uncaptioned)),
     Options.jobs.but(help="Number of processes for many files"),
     Options.file,

@@ -3,8 +3,7 @@
 import glob
 import os
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from time import monotonic
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 import numpy
@@ -16,27 +15,27 @@ from ..quantities.formatting import Format, amount
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import value_of
-from ..tables.fitted import fit_of_file, known_of, modulus_of_body
-from ..text import quoted, say, say_wrapped
+from ..report.fitted import in_words, is_sure, sentences
+from ..tables.fitted import fit_of_file, known_of
+from ..text import ascii_text, quoted, say, say_wrapped
 from ..write.fitted import (
     curve_columns,
     heads_of,
-    in_words,
     json_of,
     row_of,
-    sentences,
     write_fit,
+    write_fit_citations,
+    write_fit_methods,
     write_json,
 )
 from ..write.writers import text_output, write_columns
-from .call import CSV, JSON, MARKDOWN, TABLE, Call
+from .call import CITE, CSV, JSON, MARKDOWN, TABLE, Call
 
-_WAIT = 0.5  # seconds before progress is shown
 _SUMMARY = ("work_of_adhesion_opening", "work_of_adhesion_closing", "adhesion_hysteresis", "contact_modulus")
 _RADII = ("radius", "diameter", "reduced_radius")
 
 
-class Outcome(NamedTuple):
+class FileFit(NamedTuple):
     """The fit of a file and how it was read, or the error about it."""
 
     fitted: Fit | None
@@ -44,7 +43,7 @@ class Outcome(NamedTuple):
     error: JkrollError | None
 
 
-class Task(NamedTuple):
+class FileFitter(NamedTuple):
     """Fits a file, in this process or in another."""
 
     known: Known
@@ -53,13 +52,13 @@ class Task(NamedTuple):
     form: str
     mark: str
 
-    def outcome(self, path: str) -> Outcome:
+    def fitted(self, path: str) -> FileFit:
         """Return the outcome of a file."""
         try:
             fitted, reading = fit_of_file(path, self.known, self.materials, self.columns, self.form, self.mark)
         except JkrollError as error:
-            return Outcome(None, "", error.with_traceback(None))
-        return Outcome(fitted, reading, None)
+            return FileFit(None, "", error.with_traceback(None))
+        return FileFit(fitted, reading, None)
 
 
 def run_fit(call: Call) -> int:
@@ -71,7 +70,7 @@ def run_fit(call: Call) -> int:
         "range": call.range, "baseline": call.baseline,
     }  # fmt: skip
     known = known_of(words, call.spring, given)
-    task = Task(known, call.materials, call.columns, call.format, call.delimiter)
+    fitter = FileFitter(known, call.materials, call.columns, call.format, call.delimiter)
     if call.names_picture:
         if len(paths) > 1:
             raise BadRequest(f"a picture shows one curve; {len(paths)} files were given")
@@ -79,10 +78,12 @@ def run_fit(call: Call) -> int:
 
         check_picture(call, call.target)
     if len(paths) == 1:
-        return _write_single(call, paths[0], task.outcome(paths[0]), given)
+        return _write_single(call, paths[0], fitter.fitted(paths[0]))
     if call.curve:
         raise BadRequest("--curve writes the points of one file")
-    return _write_rows(call, paths, [*_outcomes(call, task, paths)], known)
+    if call.output is CITE:
+        raise BadRequest(f"--cite is of one curve; {len(paths)} files were given")
+    return _write_rows(call, paths, [*_outcomes(call, fitter, paths)], known)
 
 
 def _paths(call: Call) -> list[str]:
@@ -104,7 +105,7 @@ def _paths(call: Call) -> list[str]:
 # --- One file ---------------------------------------------------------------------------------------------------------
 
 
-def _write_single(call: Call, path: str, outcome: Outcome, given: Mapping[str, Any]) -> int:
+def _write_single(call: Call, path: str, outcome: FileFit) -> int:
     """Write the fit of one file in the form that was asked for; return the exit code."""
     fitted = outcome.fitted
     if fitted is None:
@@ -112,14 +113,14 @@ def _write_single(call: Call, path: str, outcome: Outcome, given: Mapping[str, A
         raise outcome.error
     if not call.quiet:
         say_wrapped(outcome.reading, sys.stderr)
-    is_sure = {"poor-fit", "modulus-undetermined"}.isdisjoint(fitted.remarks)
-    following = following_command(call, fitted) if is_sure else ""
-    body = modulus_of_body(fitted, given) if is_sure else None
+    following = following_command(call, fitted) if is_sure(fitted) else ""
     if call.names_picture:
         return _draw(call, path, fitted)
     output = call.output
     with text_output(call.target or "-") as out:
-        if output is JSON:
+        if output is CITE:
+            (write_fit_methods if call.tex else write_fit_citations)(fitted, out)
+        elif output is JSON:
             write_json([json_of(fitted, path, outcome.reading, following, curve=call.curve)], out)
         elif call.curve and output is TABLE:
             from ..pictures.fitted import picture_of_fit
@@ -133,14 +134,15 @@ def _write_single(call: Call, path: str, outcome: Outcome, given: Mapping[str, A
             row, form = row_of(path, fitted), "md" if output is MARKDOWN else "csv"
             write_columns(heads_of(is_scaled=fitted.is_scaled), [[cell] for cell in row], form, out)
         else:
-            write_fit(fitted, out, heading=_heading(call, path, fitted), following=following, body=body)
+            write_fit(fitted, out, heading=_heading(call, path, fitted), following=following)
     return 0
 
 
 def _heading(call: Call, path: str, fitted: Fit) -> str:
     """Return the line above a fit: the file and what is known."""
     known = fitted.known
-    texts = [f"{os.path.basename(path)}: {fitted.kind} and force, by {LAWS[known.law].short}"]
+    law = LAWS[known.law].short if fitted.largest_adhesion is None else "Hertz"
+    texts = [f"{os.path.basename(path)}: {fitted.kind} and force, by {law}"]
     if known.radius is not None:
         is_of_two = {"radius2", "diameter2", "reduced_radius"}.isdisjoint(call.inputs)
         of_two = " of two equal spheres (--radius2 plane for a flat)" if is_of_two else ""
@@ -158,17 +160,16 @@ def following_command(call: Call, fitted: Fit) -> str:
     radii = [name for name in _RADII if name in call.inputs]
     if w is None or not radii or fitted.is_scaled:
         return ""
-    form = Format(digits=3)
     words = ["jkroll yield-force"]
     if "radius" in call.inputs:
         words.append(call.inputs["radius"])
     words += _as_typed(call, ("diameter", "reduced_radius", "radius2", "diameter2"))
-    words.append(f"--work-of-adhesion {_typed('work_of_adhesion', w, form)}")
-    words.append(f"--contact-modulus {_typed('contact_modulus', values['contact_modulus'], form)}")
+    words.append(f"--work-of-adhesion {_typed(fitted, 'work_of_adhesion_opening')}")
+    words.append(f"--contact-modulus {_typed(fitted, 'contact_modulus')}")
     words += _as_typed(call, ("model", "atomic_spacing"))
     hysteresis = values.get("adhesion_hysteresis", 0.0)
     if hysteresis > 0:
-        words.append(f"--adhesion-hysteresis {_typed('adhesion_hysteresis', hysteresis, form)}")
+        words.append(f"--adhesion-hysteresis {_typed(fitted, 'adhesion_hysteresis')}")
     return " ".join(words)
 
 
@@ -177,53 +178,44 @@ def _as_typed(call: Call, names: Sequence[str]) -> list[str]:
     return [f"{NOMENCLATURE[name].option} {call.inputs[name]}" for name in names if name in call.inputs]
 
 
-def _typed(name: str, value: float, form: Format) -> str:
-    """Return a value as it is typed."""
-    return amount(name, value, form).replace(" ", "").replace("²", "2").replace("µ", "u")
+def _typed(fitted: Fit, name: str) -> str:
+    """Return a result as it is typed, with its error unless that is larger than the result."""
+    errors, value = fitted.errors[name], fitted.values[name]
+    text = in_words(fitted, name) if errors.total < value else amount(RESULTS[name], value, Format(digits=3))
+    return ascii_text(text).replace(" ", "").replace("^", "").replace("+/-", "±")
 
 
 def _draw(call: Call, path: str, fitted: Fit) -> int:
     """Draw the fit into a file; return the exit code."""
-    from ..pictures.fitted import picture_of_fit
+    from ..pictures.fitted import caption_of_fit, picture_of_fit
     from .map import draw_into
 
-    names = [
-        name
-        for name in ("work_of_adhesion_opening", "work_of_adhesion_closing", "contact_modulus")
-        if name in fitted.values
-    ]
-    caption = [f"{name.replace('_', ' ')} {in_words(fitted, name)}" for name in names]
     assert call.target is not None
-    draw_into(
-        call.target,
-        picture_of_fit(fitted, os.path.basename(path), [f"{text}." for text in (*caption, *sentences(fitted))]),
-        call,
-    )
+    draw_into(call.target, picture_of_fit(fitted, os.path.basename(path), caption_of_fit(fitted)), call)
     return 0
 
 
 # --- Many files -------------------------------------------------------------------------------------------------------
 
 
-def _outcomes(call: Call, task: Task, paths: Sequence[str]) -> Iterator[Outcome]:
+def _outcomes(call: Call, fitter: FileFitter, paths: Sequence[str]) -> Iterator[FileFit]:
     """Iterate over the outcomes of files, with a line of progress on a terminal."""
-    answered: Iterator[Outcome]
-    run: Callable[[Any], Any] = task.outcome
+    answered: Iterator[FileFit]
+    run: Callable[[Any], Any] = fitter.fitted
     if (call.jobs or 1) > 1:
         from ..tables.workers import answers
 
         answered = answers(min(call.jobs, len(paths)), run, paths)
     else:
         answered = map(run, paths)
-    began, is_shown = monotonic(), sys.stderr.isatty() and not call.quiet
-    for done, outcome in enumerate(answered, 1):
-        yield outcome
-        if is_shown and monotonic() - began > _WAIT:
-            sys.stderr.write(f"\r{done} of {len(paths)} files".ljust(40) + "\r")
-            sys.stderr.flush()
+    if not sys.stderr.isatty() or call.quiet:
+        return answered
+    from ..tables.run import with_progress
+
+    return with_progress(answered, lambda _: 1, lambda done, _: f"{done} of {len(paths)} files")
 
 
-def _write_rows(call: Call, paths: Sequence[str], outcomes: Sequence[Outcome], known: Known) -> int:
+def _write_rows(call: Call, paths: Sequence[str], outcomes: Sequence[FileFit], known: Known) -> int:
     """Write a row for each file, and a summary on stderr; return the exit code."""
     rows = [
         row_of(path, outcome.fitted, "" if outcome.error is None else outcome.error.phrase or str(outcome.error))
@@ -258,16 +250,12 @@ def _write_rows(call: Call, paths: Sequence[str], outcomes: Sequence[Outcome], k
     return ROWS_FAILED if failed else 0
 
 
-def _summary(fits: Sequence[Fit], count: int) -> Iterator[str]:
+def _summary(fits: Sequence[Fit], files: int) -> Iterator[str]:
     """Iterate over sentences on the results of many curves: median, quartiles, mean and scatter."""
+    from ..tables.run import scatter_in_words
+
     for name in _SUMMARY:
         values = numpy.array([each.values[name] for each in fits if name in each.values])
         if len(values) < 2 or any(each.is_scaled for each in fits):
             continue
-        quantity = RESULTS[name]
-        low, median, high = (amount(quantity, float(each)) for each in numpy.quantile(values, [0.25, 0.5, 0.75]))
-        mean, scatter = amount(quantity, float(values.mean())), amount(quantity, float(values.std(ddof=1)))
-        yield (
-            f"note: {name}: {len(values)} of {count} files; median {median}, quartiles {low} and {high}; mean {mean}, "
-            f"scatter {scatter}"
-        )
+        yield f"note: {name}: {len(values)} of {files} files; {scatter_in_words(RESULTS[name], values)}"

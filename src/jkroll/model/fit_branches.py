@@ -8,25 +8,29 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple, Self
 
 import numpy
+from numpy import pi, sqrt
 
 from ..errors import JkrollError
-from .fit_minimum import Points
+from .fit_minimum import Noise, Points, noise_of
 
 Array = Any
 
-LOADING, UNLOADING = "loading", "unloading"
+LOADING, UNLOADING, PAUSE = "loading", "unloading", "pause"
 LEAST_POINTS = 5
 _NOISE = 5.0  # standard deviations of the noise from which on a force is no noise
 _SMOOTH = 9  # points of a running median
 _END = 0.1  # share of a branch that is taken as its end
+_FLATTER = 0.05  # of the range of forces, that a free end may rise by; a straight line rises by a tenth
 _LOST = 0.5  # of the depth of the minimum: above, the contact is lost
 _RISE = 0.05  # of the depth, by which the force has risen where a lever lets go
 _SHORT = 0.03  # share of the points below which a way to the largest force is no branch
 _STEEPER = 5.0  # ratio of the rise of force at both ends from which on it says which is free
 _NEAR_ONCE = 1.5  # length of all ways of z over that of one way there and one back
+_PAUSED = 10.0  # usual steps of time that make a gap
 _LEAST_NOISE = 1e-9  # of the range of forces: of curves that a program made
 _FLAT = 5  # equal largest readings in a row from which on the sensor is saturated
 _LONG = 0.2  # of the travel, which a flat end must have to be free where no force is below it
+_MOST_PHI = 0.99  # correlation of neighbours in the baseline, at most
 _SETTLES = 0.1  # share of the free part behind the jump in which a lever swings
 
 
@@ -41,11 +45,12 @@ class BadCurve(JkrollError):
         self.phrase = phrase
 
 
-class Measured(NamedTuple):
+class ForceCurve(NamedTuple):
     """Columns of a curve in their order in time, in SI units: z or a, the force, and what else a table gives.
 
     `z` is a contact radius, an approach or a travel, as `kind` says. Errors are standard deviations, None if unknown;
-    `branch` is the name of the branch at each point, None if no column says so.
+    `branch` is the name of the branch at each point, PAUSE for one of neither, None if no column says so.
+    `time` is in any unit; `is_deflection`: the force is a measured deflection times the stiffness of the lever.
     """
 
     kind: str
@@ -54,25 +59,27 @@ class Measured(NamedTuple):
     z_error: Array | None = None
     force_error: Array | None = None
     branch: Array | None = None
+    time: Array | None = None
+    is_deflection: bool = False
 
     def chosen(self, which: Array) -> Self:
         """Return the points at some indices, or where a mask is True."""
-        return self._replace(
-            **{name: column[which] for name, column in self._asdict().items() if name != "kind" and column is not None}
-        )
+        columns = {name: each[which] for name, each in self._asdict().items() if isinstance(each, numpy.ndarray)}
+        return type(self)(**{**self._asdict(), **columns})
 
 
 RADIUS, APPROACH, TRAVEL = "contact radius", "approach", "travel"
 
 
 class Baseline(NamedTuple):
-    """The force away from contact, as a line over z: its middle, slope and standard error, and the noise there."""
+    """The force away from contact, as a line over z: its middle and slope with standard errors, and the noise there."""
 
     force: float
     slope: float
     error: float
     noise: float
     z: float = 0.0  # at which the line has the force
+    slope_error: float = 0.0
 
     def at(self, z: Array) -> Array:
         """Return the baseline at some z."""
@@ -82,14 +89,16 @@ class Baseline(NamedTuple):
 class Branch(NamedTuple):
     """A branch: its points with loads in place of forces, and the slice of those in contact, in their order in time.
 
-    `reach` is the slice of those that may be in contact, beyond the least load.
+    `reach` is the slice of those that may be in contact, beyond the least load. The baseline is None for contact radii,
+    and that of the other branch where this one has no free part.
     """
 
     name: str
     points: Points
     contact: slice
     reach: slice
-    baseline: Baseline | None  # its own, if it has a free part
+    baseline: Baseline | None = None
+    has_free_part: bool = False
 
     def extended(self, first_z: float) -> Self:
         """Return the branch with the contact as far as travels from `first_z` on may reach."""
@@ -112,23 +121,23 @@ class Branches(NamedTuple):
     by_name: Mapping[str, Branch]
     noise: float
     remarks: Mapping[str, str]
-    baseline_error: float
     sign: float  # of z
 
 
-def branches_of(curve: Measured, stiffness: float, *, tilt: bool = False, only: str = "") -> Branches:
+def branches_of(curve: ForceCurve, stiffness: float, *, tilt: bool = False, only: str = "") -> Branches:
     """Return the branches of a curve; `stiffness` of its lever, infinite without one. Raises BadCurve.
 
     `only`: the name of the branch that is wanted alone, which the only one of a curve then has.
     """
     remarks: dict[str, str] = {}
-    curve = _finite(curve, remarks)
+    curve = _finite(_without_pause(curve, remarks), remarks)
     if curve.kind == RADIUS:
         return _of_radii(curve, remarks)
     curve = _unsaturated(curve, remarks)
     sign = _sign(curve)
     curve = _with_pull_negative(curve._replace(z=sign * curve.z), remarks)
     parts = _split(curve, only, remarks)
+    _check_time(parts, remarks)
     floor = _LEAST_NOISE * float(numpy.ptp(curve.force))
     noise = max(_white_noise(curve.force), floor)
     ends = {name: _free(part, name, noise) for name, part in parts.items()}
@@ -145,13 +154,34 @@ def branches_of(curve: Measured, stiffness: float, *, tilt: bool = False, only: 
         give = 1 / stiffness or float(numpy.ptp(part.z)) / float(numpy.ptp(load))
         errors = _errors(part, max(own.noise, noise), give)
         inside = _in_contact(load, name, max(own.noise, noise))
-        branches[name] = Branch(name, Points(part.z, load, *errors), *inside, baselines[name])
+        branches[name] = Branch(name, Points(part.z, load, *errors), *inside, own, baselines[name] is not None)
     _check(branches, max(noise, *(each.noise for each in known)), remarks)
-    used = next((baselines[name] for name in (UNLOADING, LOADING) if baselines.get(name) is not None), None)
-    return Branches(branches, max(known[0].noise, floor), remarks, used.error if used else 0.0, sign)
+    return Branches(branches, max(known[0].noise, floor), remarks, sign)
 
 
-def _finite(curve: Measured, remarks: dict[str, str]) -> Measured:
+def _without_pause(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
+    """Return a curve without the points at which a column says that the machine paused."""
+    if curve.branch is None or not (is_pause := curve.branch == PAUSE).any():
+        return curve
+    remarks["pause"] = f"{int(is_pause.sum())} points of a pause are left out"
+    return curve.chosen(~is_pause)
+
+
+def _check_time(parts: Mapping[str, ForceCurve], remarks: dict[str, str]) -> None:
+    """Remark on gaps in the time of a branch, whose neighbours are no neighbours."""
+    for name, part in parts.items():
+        if part.time is None:
+            continue
+        steps = abs(numpy.diff(part.time))
+        usual = float(numpy.median(steps))
+        count = int((steps > _PAUSED * usual).sum()) if usual > 0 else 0
+        if count:
+            longest = float(steps.max()) / usual
+            many = "1 gap" if count == 1 else f"{count} gaps, the longest"
+            remarks["time-gaps"] = f"{name}: the time has {many} of {longest:.0f} usual steps: points may be missing"
+
+
+def _finite(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
     """Return the points that have numbers. Raises BadCurve for too few."""
     is_known = numpy.isfinite(curve.z) & numpy.isfinite(curve.force)
     if curve.kind == RADIUS:
@@ -167,12 +197,16 @@ def _finite(curve: Measured, remarks: dict[str, str]) -> Measured:
     return curve
 
 
-def _unsaturated(curve: Measured, remarks: dict[str, str]) -> Measured:
-    """Return a curve without the points at which the sensor gave its largest or its least reading again and again."""
+def _unsaturated(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
+    """Return a curve without the points at which the sensor gave its largest or its least reading again and again.
+
+    A reading of exactly 0 is none of a sensor's end, but the force away from contact in a computed curve.
+    """
     is_kept = numpy.ones(len(curve.force), bool)
     for end in (curve.force.max(), curve.force.min()):
         at_end = curve.force == end
-        if at_end.sum() >= _FLAT and at_end.sum() < 0.5 * len(at_end) and (at_end[1:] & at_end[:-1]).sum() >= _FLAT - 1:
+        are_many = _FLAT <= at_end.sum() < 0.5 * len(at_end) and (at_end[1:] & at_end[:-1]).sum() >= _FLAT - 1
+        if end != 0 and are_many:
             is_kept &= ~at_end
     count = int((~is_kept).sum())
     if count and is_kept.sum() >= LEAST_POINTS:
@@ -181,7 +215,7 @@ def _unsaturated(curve: Measured, remarks: dict[str, str]) -> Measured:
     return curve
 
 
-def _sign(curve: Measured) -> float:
+def _sign(curve: ForceCurve) -> float:
     """Return the sign that makes z rise into the contact: the free end is flat, and the force at it is the smaller one.
 
     Raises BadCurve where neither end of the travel differs from the other.
@@ -203,7 +237,7 @@ def _sign(curve: Measured) -> float:
     return 1.0 if high > low else -1.0
 
 
-def _with_pull_negative(curve: Measured, remarks: dict[str, str]) -> Measured:
+def _with_pull_negative(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
     """Return a curve whose force rises into the contact, as its slope at that end of z says."""
     order = numpy.argsort(curve.z, kind="stable")[-max(LEAST_POINTS, len(curve.z) // 40) :]
     z, force = curve.z[order], curve.force[order]
@@ -216,7 +250,7 @@ def _with_pull_negative(curve: Measured, remarks: dict[str, str]) -> Measured:
     return curve._replace(force=-curve.force)
 
 
-def _split(curve: Measured, only: str, remarks: dict[str, str]) -> dict[str, Measured]:
+def _split(curve: ForceCurve, only: str, remarks: dict[str, str]) -> dict[str, ForceCurve]:
     """Return the points of each branch in time, as a column says, or before and behind the turn of z or the force.
 
     A file may hold a branch of a column in the order of z.
@@ -241,7 +275,7 @@ def _split(curve: Measured, only: str, remarks: dict[str, str]) -> dict[str, Mea
     return kept
 
 
-def _in_time(part: Measured, name: str) -> Measured:
+def _in_time(part: ForceCurve, name: str) -> ForceCurve:
     """Return the points of a branch in their order in time: z rises while loading."""
     if len(part.z) and (part.z[-1] < part.z[0]) == (name == LOADING):
         return part.chosen(slice(None, None, -1))
@@ -254,7 +288,7 @@ def _turns_once(z: Array, top: int) -> bool:
     return ways < _NEAR_ONCE * float(2 * z[top] - z[0] - z[-1])
 
 
-def _varies(part: Measured) -> bool:
+def _varies(part: ForceCurve) -> bool:
     return bool(numpy.ptp(part.z) > 0 and numpy.ptp(part.force) > 0)
 
 
@@ -280,7 +314,7 @@ def _white_noise(force: Array) -> float:
     return float(min(sizes))
 
 
-def _free(part: Measured, name: str, noise: float) -> slice:
+def _free(part: ForceCurve, name: str, noise: float) -> slice:
     """Return the slice of a branch away from contact; an empty one if it has none."""
     force = part.force if name == UNLOADING else part.force[::-1]
     count = max(LEAST_POINTS, int(_END * len(force)))
@@ -293,7 +327,7 @@ def _free(part: Measured, name: str, noise: float) -> slice:
     least = int(numpy.argmin(smooth))
     depth = level - float(smooth[least])
     slope = numpy.polyfit(numpy.arange(count), end, 1)[0] * count
-    if abs(slope) > 0.2 * float(numpy.ptp(force)):
+    if abs(slope) > max(_FLATTER * float(numpy.ptp(force)), 3 * noise):
         return slice(0, 0)  # still in contact
     if depth > _NOISE * spread:
         above = numpy.nonzero(smooth[least:] > level - max(_NOISE * spread, 0.1 * depth))[0]
@@ -310,23 +344,34 @@ def _free(part: Measured, name: str, noise: float) -> slice:
     return slice(first, len(force)) if name == UNLOADING else slice(0, len(force) - first)
 
 
-def _baseline(part: Measured, free: slice, *, tilt: bool) -> Baseline | None:
+def _baseline(part: ForceCurve, free: slice, *, tilt: bool) -> Baseline | None:
     """Return the baseline of a free part: its median, or a line; None without one."""
     force, z = part.force[free], part.z[free]
     if len(force) < LEAST_POINTS:
         return None
     middle, slope = float(numpy.mean(z)), 0.0
-    if tilt and numpy.ptp(z) > 0:
+    is_line = tilt and numpy.ptp(z) > 0
+    if is_line:
         slope = float(numpy.polyfit(z - middle, force, 1)[0])
     rest = force - slope * (z - middle)
     level = float(numpy.median(rest))
-    noise = 1.4826 * float(numpy.median(abs(rest - level)))
-    shifted = rest - level
-    square = float(shifted @ shifted)
-    phi = float(shifted[1:] @ shifted[:-1]) / square if square > 0 else 0.0
-    phi = max(0.0, min(phi, 0.99))
-    error = noise * ((1 + phi) / (1 - phi) / len(force)) ** 0.5
-    return Baseline(level, slope, error, noise, middle)
+    size = 1.4826 * float(numpy.median(abs(rest - level)))
+    noise = noise_of(rest - level, 2 if is_line else 1)
+    phi = max(0.0, min(noise.phi, _MOST_PHI))
+    error = size * _error_of_median(phi, len(force))
+    slope_error = size * sqrt(Noise(phi).correlation_time) / float(numpy.linalg.norm(z - middle)) if is_line else 0.0
+    return Baseline(level, slope, error, size, middle, slope_error)
+
+
+def _error_of_median(phi: float, count: int) -> float:
+    """Return the standard error of a median over the standard deviation of normal noise, correlated by φ.
+
+        n var = Σ arcsin ρ_k = π/2 + 2Σ(1 − k/n) arcsin φ^k
+
+    Source:   Sheppard's formula for the signs of two normal variables. White noise has √(π/2n).
+    """
+    lags = numpy.arange(1, count)
+    return float(sqrt((pi / 2 + 2 * ((1 - lags / count) * numpy.arcsin(phi**lags)).sum()) / count))
 
 
 def _compare(baselines: Mapping[str, Baseline | None], remarks: dict[str, str]) -> None:
@@ -343,7 +388,7 @@ def _compare(baselines: Mapping[str, Baseline | None], remarks: dict[str, str]) 
         )
 
 
-def _errors(part: Measured, noise: float, give: float) -> tuple[Array, Array]:
+def _errors(part: ForceCurve, noise: float, give: float) -> tuple[Array, Array]:
     """Return standard deviations of the force and of z, of which the ratio counts.
 
     Where a column has no errors of z, they are those of the force times `give`, a length over a force.
@@ -388,7 +433,7 @@ def _check(branches: dict[str, Branch], noise: float, remarks: dict[str, str]) -
     if branch is None:
         return
     load = branch.points.force
-    if branch.baseline is None and float(load.min()) < -_NOISE * noise:
+    if not branch.has_free_part and float(load.min()) < -_NOISE * noise:
         remarks["no-jump-off"] = "no part behind the jump-off: the curve may end before its least force"
     behind = load[branch.reach.stop :]
     if len(behind) > 2 * _SMOOTH:
@@ -397,7 +442,7 @@ def _check(branches: dict[str, Branch], noise: float, remarks: dict[str, str]) -
             remarks["several-minima"] = "several minima behind the jump-off (strands, or asperities that let go late)"
 
 
-def _of_radii(curve: Measured, remarks: dict[str, str]) -> Branches:
+def _of_radii(curve: ForceCurve, remarks: dict[str, str]) -> Branches:
     """Return the branches of contact radii over loads: all points are in contact, and loads have no baseline."""
     top = int(numpy.argmax(curve.force))
     if curve.branch is not None:
@@ -419,14 +464,14 @@ def _of_radii(curve: Measured, remarks: dict[str, str]) -> Branches:
             for column, size in zip((part.z_error, part.force_error), ranges, strict=True)
         ]
         points = Points(part.z, part.force, errors[1], errors[0])
-        branches[name] = Branch(name, points, slice(0, len(part.z)), slice(0, len(part.z)), None)
-    return Branches(branches, ranges[1], remarks, 0.0, 1.0)
+        branches[name] = Branch(name, points, slice(0, len(part.z)), slice(0, len(part.z)))
+    return Branches(branches, ranges[1], remarks, 1.0)
 
 
 # --- The range that is fitted -----------------------------------------------------------------------------------------
 
 
-class Range(NamedTuple):
+class LoadRange(NamedTuple):
     """The loads that are fitted, in newtons, or in parts of the largest load and, below 0, of the largest tension."""
 
     low: float

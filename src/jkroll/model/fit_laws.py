@@ -71,7 +71,7 @@ class Grip(NamedTuple):
         return values.radius if self.is_radius else values.approach + values.load / self.stiffness
 
 
-class Law(Protocol):
+class CurveLaw(Protocol):
     """The force curve of a law."""
 
     def states(self, q: Array, contact: Contact) -> States:
@@ -90,7 +90,7 @@ class Law(Protocol):
         """Return the upper bound of q."""
 
 
-def state_at(law: Law, x: Array, contact: Contact, grip: Grip) -> tuple[Array, float, float]:
+def state_at(law: CurveLaw, x: Array, contact: Contact, grip: Grip) -> tuple[Array, float, float]:
     """Return q of the stable states at x, with q and x of the last state, which stands for all x beyond it.
 
     Solved by Newton's method between bounds, by bisection where a step leaves them. In JKR x is convex in a, so that
@@ -320,7 +320,7 @@ def _difference(below: Values, above: Values, step: Array) -> Values:
     return Values(*((high - low) / step for low, high in zip(below, above, strict=True)))
 
 
-def law_of(name: str, profile: str) -> Law:
+def curve_law(name: str, profile: str) -> CurveLaw:
     """Return the law of a name, jkr, dmt or maugis; the last two have a paraboloid alone."""
-    others: Mapping[str, Law] = {"dmt": Dmt(), "maugis": Maugis()}
+    others: Mapping[str, CurveLaw] = {"dmt": Dmt(), "maugis": Maugis()}
     return others.get(name) or Jkr(PROFILES[profile])

@@ -21,7 +21,7 @@ from typing import NamedTuple, Self
 import numpy
 from numpy import exp, inf, log, sqrt
 
-from .fit_laws import Array, Contact, Grip, Law, state_at
+from .fit_laws import Array, Contact, CurveLaw, Grip, state_at
 
 ADHESION, MODULUS, POINT = range(3)  # the indices of ln w, ln E* and z_c among the unknowns
 
@@ -53,16 +53,15 @@ class Points(NamedTuple):
         """Return the points at some indices, or where a mask is True."""
         return self._replace(**{name: column[which] for name, column in self._asdict().items()})
 
-    def thinned(self, most: int) -> Self:
-        """Return about as many points at equal distances in the order."""
-        step = -(-len(self.z) // most)
+    def thinned(self, step: int) -> Self:
+        """Return one point in `step`."""
         return self.chosen(slice(None, None, step)) if step > 1 else self
 
 
 class Setting(NamedTuple):
     """The known part of a fit: the law, radius and spacing of the contact, and the grip."""
 
-    law: Law
+    law: CurveLaw
     reduced_radius: float
     atomic_spacing: float
     grip: Grip
@@ -126,6 +125,11 @@ class Noise(NamedTuple):
         """Return residuals, or rows of their derivatives, as independent ones of unit variance."""
         first = rows[:1] * sqrt(1 - self.phi**2)
         return numpy.concatenate([first, rows[1:] - self.phi * rows[:-1]]) / self.scale
+
+    def thinned(self, step: int) -> Self:
+        """Return the noise of one point in `step`, which is less correlated and as large."""
+        phi = abs(self.phi) ** step * (1 if self.phi >= 0 or step % 2 == 0 else -1)
+        return self._replace(phi=phi, scale=self.scale * float(sqrt((1 - phi**2) / (1 - self.phi**2))))
 
     @property
     def correlation_time(self) -> float:

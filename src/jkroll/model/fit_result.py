@@ -1,12 +1,13 @@
 """The fit of a measured curve as a value: what was known, what was found, and how far it can be trusted."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from types import MappingProxyType
+from typing import Any, NamedTuple, Self
 
 from numpy import inf, sqrt
 
-from .fit_branches import Range
+from .fit_branches import RADIUS, LoadRange
 from .fit_laws import Array
 from .frame import DEFAULTS
 
@@ -29,7 +30,8 @@ FITTED = ("work_of_adhesion_opening", "work_of_adhesion_closing", "contact_modul
 class Known(NamedTuple):
     """The data of an instrument and a contact that are known, with relative standard deviations.
 
-    Without a radius the fit gives wR and E*√R. `stiffness` is that of the lever, for a travel alone.
+    Without a radius the fit gives wR and E*√R. `stiffness` is that of the lever; `bodies` has Young's moduli and
+    Poisson's ratios by name.
     """
 
     radius: float | None = None
@@ -40,21 +42,29 @@ class Known(NamedTuple):
     law: str = "jkr"
     profile: str = "paraboloid"
     branch: str = "both"
-    range: Range | None = None
+    range: LoadRange | None = None
     tilt: bool = False
+    bodies: Mapping[str, float] = MappingProxyType({})
 
 
 class Errors(NamedTuple):
-    """The standard deviations of a result by their causes."""
+    """The standard deviations of a result by their causes; None for a cause that was not computed."""
 
-    statistical: float = 0.0
-    calibration: float = 0.0
-    model: float = 0.0
+    statistical: float | None = None
+    calibration: float | None = None
+    model: float | None = None
 
     @property
     def total(self) -> float:
         """The root of the sum of squares."""
-        return float(sqrt(sum(each * each for each in self)))
+        return float(sqrt(sum(each * each for each in self if each is not None)))
+
+    def plus(self, part: str, moves: Sequence[float]) -> Self:
+        """Return the errors with the squares of moves of the result added to those of a part."""
+        if not moves:
+            return self
+        old = getattr(self, part) or 0.0
+        return self._replace(**{part: float(sqrt(old * old + sum(move * move for move in moves)))})
 
 
 @dataclass
@@ -62,7 +72,8 @@ class Fit:
     """The fit of a curve, in SI units.
 
     `values` and `errors` by the names of `RESULTS`; `covariance` is the statistical one of those of `names`, in their
-    units. `remarks` are sentences by code. Of a curve without adhesion, `largest_adhesion` is the upper limit of w.
+    units. `remarks` are sentences by code, `baselines` and `fitted_loads` (the least and the largest) are by branch. Of
+    a curve without adhesion, `largest_adhesion` is the upper limit of w.
     """
 
     known: Known
@@ -75,12 +86,20 @@ class Fit:
     remarks: dict[str, str] = field(default_factory=dict)
     goodness: dict[str, float] = field(default_factory=dict)
     points: dict[str, Array] = field(default_factory=dict)
+    baselines: dict[str, dict[str, float]] = field(default_factory=dict)
+    fitted_loads: dict[str, tuple[float, float]] = field(default_factory=dict)
     largest_adhesion: float | None = None
 
     @property
-    def radius(self) -> float:
-        """The reduced radius; 1 m where it is not known, so that w stands for wR."""
-        return self.known.radius or 1.0
+    def curve(self) -> dict[str, Array]:
+        """The points of `points` by headers with SI units, as `--curve --csv` writes them, for a DataFrame."""
+        heads = {
+            "branch": "branch", "z": "contact_radius_at_load [m]" if self.kind == RADIUS else "z [m]",
+            "force": "load [N]", "model": "load_fitted [N]", "residual": "residual [N]",
+            "release_rate": f"energy_release_rate [{'J/m' if self.is_scaled else 'J/m^2'}]",
+            "contact_radius": f"contact_radius [{'m^0.5' if self.is_scaled else 'm'}]",
+        }  # fmt: skip
+        return {head: self.points[name] for name, head in heads.items()}
 
     @property
     def is_scaled(self) -> bool:
@@ -91,3 +110,22 @@ class Fit:
     def law_that_holds(self) -> str:
         """The law by which w and E* are best: Maugis' where the Tabor parameter is small."""
         return "jkr" if self.goodness.get("tabor_parameter", inf) >= STRONG else "maugis"
+
+    @property
+    def other_modulus(self) -> tuple[str, float] | None:
+        """Young's modulus of the body that has none, by name, where the other's and both Poisson's ratios are known.
+
+        (1 − ν²)/E = 1/E* − (1 − ν'²)/E'
+        """
+        bodies = self.known.bodies
+        for known, sought in (("", "2"), ("2", "")):
+            modulus, ratio = bodies.get(f"youngs_modulus{known}"), bodies.get(f"poisson_ratio{sought}")
+            if self.is_scaled or modulus is None or ratio is None or f"youngs_modulus{sought}" in bodies:
+                continue
+            if f"poisson_ratio{known}" not in bodies and modulus < inf:
+                continue
+            other = bodies.get(f"poisson_ratio{known}", 0.0)
+            compliance = 1 / self.values["contact_modulus"] - (1 - other**2) / modulus
+            if compliance > 0:
+                return f"youngs_modulus{sought}", (1 - ratio**2) / compliance
+        return None

@@ -1,14 +1,115 @@
 """The picture of a fit: the curve with what was fitted, the residuals, and the energy release rate over the radius."""
 
 from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 import numpy
 
+from ..errors import BadRequest, missing_extra
 from ..model.fit_result import Fit
-from .picture import Curve, Panel, Picture, axis_around
+from ..quantities.laws import DEFAULT_LAW
+from ..report.fitted import in_words, sentence_of, sentences
+from ..tables.fitted import fit_given
+from ..text import ending, listed, quoted
+from ..write.writers import whole_file
+from .picture import STYLES, Curve, Panel, Picture, axis_around
 
 _MOST = 600  # points of a drawn curve
 _X = {"contact radius": "contact_radius_at_load", "approach": "approach_at_load", "travel": "lever_travel"}
+
+
+class Drawing(NamedTuple):
+    """A drawn picture, which a notebook shows."""
+
+    svg: str
+
+    def _repr_svg_(self) -> str:
+        return self.svg
+
+
+class FittedCurve(Fit):
+    """The fit of a curve, which can be drawn."""
+
+    def plot(self, path: str | None = None, *, style: str = "paper") -> Drawing:
+        """Return the picture of the curve, its residuals and G, and write it into a file if a path is given.
+
+        `path`: ends in .svg, .pdf or .png; `style`: paper or dark. Needs the extra `plot`. Raises BadRequest and
+        MissingExtra.
+        """
+        with missing_extra("plot"):
+            from .page import FORMATS, draw
+        if style not in STYLES:
+            raise BadRequest(f"style: {quoted(style)} is none of {listed(STYLES)}")
+        picture = picture_of_fit(self, "", caption_of_fit(self))
+        if path is not None:
+            if ending(path) not in FORMATS:
+                raise BadRequest(f"{quoted(path)} is no picture: its name ends in .svg, .pdf or .png")
+            with whole_file(path) as stream:
+                stream.write(draw(picture, ending(path), None, style))
+        return Drawing(draw(picture, "svg", None, style).decode())
+
+
+def fit(
+    curve: Any,
+    /,
+    *,
+    spring: Any = None,
+    model: str = DEFAULT_LAW,
+    branch: str = "both",
+    range: str | None = None,
+    profile: str = "paraboloid",
+    baseline: str = "median",
+    **given: Any,
+) -> FittedCurve:
+    """Return the fit of a measured force curve.
+
+    Parameters
+    ----------
+    curve
+        The path of a table, or a mapping of headers to columns, such as a DataFrame: contact radius and load, approach
+        and load, or travel and force or deflection of a lever, with units in the headers.
+    spring
+        The stiffness of the lever in N/m, or a text such as "3.01±0.1N/m". A travel and a deflection need it.
+    model
+        The law: jkr, maugis or dmt.
+    branch
+        both, load or unload.
+    range
+        Loads that are fitted, as "-100%:30%" of the largest tension and load, or "-2uN:500nN".
+    profile
+        paraboloid, or sphere: a rigid one on a body whose Poisson's ratio is 0.45 or more.
+    baseline
+        median, or tilt: lines through the parts away from contact.
+    **given
+        The radii, as `solve` takes them; without one the fit has wR and E*√R. Poisson's ratios and Young's modulus of
+        one body, from which that of the other follows; `atomic_spacing`.
+
+    Returns
+    -------
+    `FittedCurve`: `values` and `errors` by name, in SI units, with `covariance`; `curve` has the points by headers, and
+    `plot()` draws them.
+
+    Raises
+    ------
+    BadCurve, BadRequest, BadTable, QuantityError
+        The curve cannot be fitted, an argument is wrong, or the table has no curve.
+
+    >>> import numpy
+    >>> a = numpy.linspace(80e-6, 40e-6, 30)
+    >>> load = 4 / 3 * 2e6 * a**3 / 1e-3 - numpy.sqrt(8 * numpy.pi * 0.05 * 2e6 * a**3)
+    >>> fitted = fit({"contact radius [m]": a, "load [N]": load}, radius=1e-3, radius2="plane")
+    >>> [f"{fitted.values[name]:.4g}" for name in ("work_of_adhesion_opening", "contact_modulus")]
+    ['0.05', '2e+06']
+    """
+    words = {"model": model, "branch": branch, "range": range, "profile": profile, "baseline": baseline}
+    return FittedCurve(**vars(fit_given(curve, words, spring, given)))
+
+
+def caption_of_fit(fitted: Fit) -> list[str]:
+    """Return the sentences below the picture of a fit."""
+    names = ("work_of_adhesion_opening", "work_of_adhesion_closing", "contact_modulus")
+    results = [f"{sentence_of(name)} {in_words(fitted, name)}" for name in names if name in fitted.values]
+    return [f"{text}." for text in (*results, *sentences(fitted))]
 
 
 def picture_of_fit(fitted: Fit, title: str, caption: Sequence[str]) -> Picture:
@@ -28,10 +129,10 @@ def picture_of_fit(fitted: Fit, title: str, caption: Sequence[str]) -> Picture:
     x = axis_around(_X[fitted.kind], [points["z"]])
     panels = [
         Panel(x, axis_around("load", [points["force"], points["model"]]), (*forces,), title="force"),
-        Panel(x, axis_around("load", [points["residual"]]), (*residuals,), title="residual"),
+        Panel(x, axis_around("residual_load", [points["residual"]]), (*residuals,), title="residual"),
     ]
     if rates and not fitted.is_scaled:
         across = axis_around("contact_radius_at_load", [curve.x for curve in rates])
-        up = axis_around("work_of_adhesion", [curve.y for curve in rates])
+        up = axis_around("energy_release_rate", [curve.y for curve in rates])
         panels.append(Panel(across, up, (*rates,), title="energy release rate"))
     return Picture(title, (*panels,), (*caption,))

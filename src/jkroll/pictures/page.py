@@ -54,6 +54,7 @@ _NARROWEST = 2.0  # width of a panel beside others
 _ASPECT, _ASPECT_BESIDE = 0.75, 1.0  # height of axes over their width, alone in a row and beside others
 _HIGHEST = 5  # height of the sheet that a page is cut from, over the width of the page, for each row
 _UNDATED: dict[str, dict[str, Any]] = {"svg": {"Date": None}, "pdf": {"CreationDate": None}, "png": {}}
+FORMATS = (*_UNDATED,)  # of files, by the endings of their names
 _GAP = 0.04  # around the parts of a page, in inches
 
 

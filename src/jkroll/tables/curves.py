@@ -1,5 +1,6 @@
-"""Measured force curves from tables: their columns by the grammar of `batch`, as arrays in SI units."""
+"""ForceCurve force curves from tables: their columns by the grammar of `batch`, as arrays in SI units."""
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -7,24 +8,25 @@ import numpy
 
 from ..errors import BadTable, missing_extra
 from ..materials.library import Materials
-from ..model.fit_branches import APPROACH, LOADING, RADIUS, TRAVEL, UNLOADING, Measured
+from ..model.fit_branches import APPROACH, LOADING, PAUSE, RADIUS, TRAVEL, UNLOADING, ForceCurve
 from ..quantities.nomenclature import header as header_of
 from ..text import quoted
 from .cells import Column
 from .dataframes import Memory, data_of
 from .files import Input, input_format, table_of_lines
-from .header import Header, understood
+from .header import Header, typed, understood
 from .table import Asked, Records
 
 # The quantities of the columns: what x may be, in the order in which they are preferred, and forces.
 _X = {"contact_radius_at_load": RADIUS, "approach_at_load": APPROACH, "lever_travel": TRAVEL}
 _FORCES = ("load", "lever_force", "lever_deflection")
 MEASURED = "contact_radius_at_load,lever_travel,lever_force,lever_deflection"
-_BRANCH = "branch"
-_BRANCH_HEADERS = ("branch", "segment", "direction")
+_BRANCH, _TIME = "branch", "time"
+_LABELS = {_BRANCH: r"(?i)branch|segment|direction", _TIME: r"(?i)(time|t)\s*([\[(].*)?"}
 _WORDS = {
     **dict.fromkeys("loading load approach approaching extend extension trace advance closing in 0".split(), LOADING),
     **dict.fromkeys("unloading unload retract retraction withdraw retrace opening out 1".split(), UNLOADING),
+    **dict.fromkeys("pause dwell hold holding".split(), PAUSE),
 }
 
 
@@ -41,7 +43,7 @@ class CurveTable(NamedTuple):
 class ReadCurve(NamedTuple):
     """A curve with the sentence that says how its table was read."""
 
-    curve: Measured
+    curve: ForceCurve
     reading: str
 
 
@@ -58,7 +60,8 @@ def read_curve(
         lines, blocks = _opened(file, asked, form, mark)
         table = _table(lines.names, lines.sample, lines.stated, asked)
         every = [lines.read(block, table) for block in blocks]
-    return ReadCurve(_curve(table, every, stiffness), table.columns.reading(*lines.remarks))
+    branches = [f"branches from {lines.names[table.labels[_BRANCH]]}"] if _BRANCH in table.labels else []
+    return ReadCurve(_curve(table, every, stiffness), table.columns.reading(*branches, *lines.remarks))
 
 
 def curve_of_columns(columns: Any, known: Materials, stiffness: float | None) -> ReadCurve:
@@ -82,38 +85,45 @@ def _opened(file: Input, asked: Asked, stated: str, mark: str) -> tuple[Any, Ite
 def _table(
     names: Sequence[str], sample: Sequence[Sequence[str]], stated: Mapping[str, str], asked: Asked
 ) -> CurveTable:
-    """Return the columns of a curve among those of a table. Raises BadTable."""
+    """Return the columns of a curve among those of a table. Raises BadTable where there is no pair of x and force."""
     header = understood(names, sample, stated, (), asked.measured, pass_rest=True)
-    place = next((place for place, text in enumerate(names) if text.strip().casefold() in _BRANCH_HEADERS), None)
-    labels = {} if place is None else {_BRANCH: place}
-    wanted = tuple(column for column in header.inputs if column.name in (*_X, *_FORCES))
-    columns = header._replace(inputs=wanted, materials=())
+    found = {column.name: column for column in header.inputs}
+    x_name, force_name = (next((name for name in every if name in found), "") for every in (_X, _FORCES))
+    if not x_name or not force_name:
+        lacking = "force" if x_name else "contact radius, approach or travel"
+        quantities = ("lever_travel", "lever_force", "contact_radius_at_load", "approach_at_load", "load")
+        raise BadTable(
+            f"header: no column has the {lacking} of the curve; write --column 'HEADER=QUANTITY [UNIT]', with one of "
+            f"{', '.join(map(header_of, quantities))}"
+        )
+    columns = header._replace(inputs=(found[x_name], found[force_name]), materials=())
+    labels: dict[str, int] = {}
+    for label, headers in _LABELS.items():
+        places = [place for place, text in enumerate(names) if re.fullmatch(headers, text.strip())]
+        free = [place for place in places if typed(names[place]) not in stated]
+        labels |= {label: free[0]} if free else {}
+    used = labels.get(_BRANCH)
+    columns = columns._replace(texts=tuple("" if place == used else text for place, text in enumerate(names)))
     return CurveTable(columns, asked, {**columns.positions, **labels}, labels)
 
 
-def _curve(table: CurveTable, records: list[Records], stiffness: float | None) -> Measured:
-    """Return the columns of a curve. Raises BadTable where there is no pair of x and force."""
-    found = {column.name: column for column in table.columns.inputs}
-    x_name = next((name for name in _X if name in found), "")
-    force_name = next((name for name in _FORCES if name in found), "")
-    if not x_name or not force_name:
-        lacking = "force" if x_name else "contact radius, approach or travel"
-        names = ("lever_travel", "lever_force", "contact_radius_at_load", "approach_at_load", "load")
-        raise BadTable(
-            f"header: no column has the {lacking} of the curve; write --column 'HEADER=QUANTITY [UNIT]', with one of "
-            f"{', '.join(map(header_of, names))}"
-        )
+def _curve(table: CurveTable, records: list[Records], stiffness: float | None) -> ForceCurve:
+    """Return the columns of a curve. Raises BadTable for a travel or a deflection without a stiffness."""
+    x, force_column = table.columns.inputs
+    x_name, force_name = x.name, force_column.name
     if x_name == "lever_travel" and stiffness is None:
         raise BadTable("a travel holds the bending of the lever: give its stiffness, as in --spring 3.01N/m")
     if force_name == "lever_deflection" and stiffness is None:
         raise BadTable("a deflection becomes a force by the lever's stiffness: give --spring 3.01N/m")
-    z, z_error = _numbers(found[x_name], records)
-    force, force_error = _numbers(found[force_name], records)
-    if force_name == "lever_deflection" and stiffness is not None:
+    z, z_error = _numbers(x, records)
+    force, force_error = _numbers(force_column, records)
+    is_deflection = force_name == "lever_deflection"
+    if is_deflection and stiffness is not None:
         force = force * stiffness
         force_error = None if force_error is None else force_error * stiffness
-    branch = _branch_of(records) if table.labels else None
-    return Measured(_X[x_name], z, force, z_error, force_error, branch)
+    branch = _branch_of(records) if _BRANCH in table.labels else None
+    time = _time_of(records) if _TIME in table.labels else None
+    return ForceCurve(_X[x_name], z, force, z_error, force_error, branch, time, is_deflection)
 
 
 def _numbers(column: Column, records: list[Records]) -> tuple[Any, Any]:
@@ -141,5 +151,14 @@ def _branch_of(records: list[Records]) -> Any:
     cells = [cell.decode(errors="replace").strip() for block in records for cell in block.cells[_BRANCH]]
     for cell in dict.fromkeys(cells):
         if cell.casefold() not in _WORDS:
-            raise BadTable(f"branch: {quoted(cell)} is none of loading and unloading, approach and retract, 0 and 1")
+            known = "loading and unloading, approach and retract, 0 and 1, pause"
+            raise BadTable(f"branch: {quoted(cell)} is none of {known}")
     return numpy.array([_WORDS[cell.casefold()] for cell in cells], dtype=object)
+
+
+def _time_of(records: list[Records]) -> Any:
+    """Return the time of each row in any unit; None where a cell has no number."""
+    try:
+        return numpy.array([float(cell) for block in records for cell in block.cells[_TIME]])
+    except ValueError:
+        return None

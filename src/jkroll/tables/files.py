@@ -350,7 +350,7 @@ class Delimited:
         is_marked, below[0] = is_comment(below[0]), bare(below[0])
         _, stop, cells, problem = next(self.records(below))
         line = "".join(below[:stop])
-        self.names, self.lines = self._names(cells, line, problem), above + stop
+        self.names, self.lines = self._names(cells, line, problem, is_read), above + stop
         self.remarks = [f"lines passed over before the header: {above}"] if above else []
         rows = self._rows(below[stop:])
         first = [*islice(rows, SAMPLE)]
@@ -429,7 +429,7 @@ class Delimited:
             lines.append(self.writer.rows(added, [*[None] * (len(added) - 1), status], [line]))
         return b"".join(lines)
 
-    def _names(self, cells: Sequence[str], line: str, problem: str) -> tuple[str, ...]:
+    def _names(self, cells: Sequence[str], line: str, problem: str, is_read: Callable[[str], bool]) -> tuple[str, ...]:
         """Return the names of columns. `cells`, `line`, `problem`: of the first record. Raises BadTable."""
         if not line.strip(self.blanks):
             raise BadTable("the table has no header; begin with a line of the columns' names")
@@ -437,18 +437,18 @@ class Delimited:
         if "\0" in text or "\ufffd" in text:  # which stands for what is not UTF-8
             remedy = "a compressed one has a name such as x.csv.gz, or --format csv.gz"
             raise BadTable(f"the table is not UTF-8; save it as UTF-8; {remedy}")
-        if not any(map(is_input, names)):
-            self._check_separator(text, len(names))
+        if not any(map(is_read, names)):
+            self._check_separator(text, len(names), is_read)
         if problem:
             raise BadTable(f"header: {problem}")
         return tuple(names)
 
-    def _check_separator(self, line: str, count: int) -> None:
+    def _check_separator(self, line: str, count: int, is_read: Callable[[str], bool]) -> None:
         """Refuse a header that another separator divides into inputs; blanks into two at least."""
         for word, mark in DELIMITERS.items():
             is_blank = mark == " "
             cells = line.replace('"', "").split(None if is_blank else mark)
-            if mark != self.separator and (count == 1 or not is_blank) and sum(map(is_input, cells)) > is_blank:
+            if mark != self.separator and (count == 1 or not is_blank) and sum(map(is_read, cells)) > is_blank:
                 raise BadTable(f"header: {quoted(line)} has {word}s between its columns; write --delimiter {word}")
 
     # --- Rows ---------------------------------------------------------------------------------------------------------

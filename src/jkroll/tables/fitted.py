@@ -1,4 +1,4 @@
-"""`jkroll.fit`: the work of adhesion and the contact modulus of a measured force curve."""
+"""The fit of a measured force curve in a table, from what is given in words and numbers."""
 
 import os
 from collections.abc import Mapping
@@ -8,14 +8,14 @@ from typing import Any
 from ..errors import BadRequest
 from ..materials.library import Materials, materials_of_user
 from ..model.containers import Reader
-from ..model.fit_branches import Range
+from ..model.fit_branches import BadCurve, ForceCurve, LoadRange
 from ..model.fit_curve import fit_curve
 from ..model.fit_result import Fit, Known
 from ..model.frame import DEFAULTS
 from ..model.ranges import check_range
 from ..model.reasons import MissingInput
 from ..model.solver import solve
-from ..physics.sphere import INCOMPRESSIBLE
+from ..physics.sphere import INCOMPRESSIBLE, STIFFER
 from ..quantities.laws import DEFAULT_LAW, JKR_OF_SPHERE, PARABOLOID, SPHERE, law_given
 from ..quantities.values import QuantityError, is_uncertain, middle, value_of
 from ..text import listed, quoted
@@ -24,61 +24,12 @@ from .curves import curve_of_columns, read_curve
 _BRANCHES = ("both", "load", "unload")
 _BASELINES = ("median", "tilt")
 _RADII = ("radius", "radius2", "diameter", "diameter2", "reduced_radius")
-_TAKEN = (*_RADII, "youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2", "atomic_spacing")
+_BODIES = ("youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2")
+_TAKEN = (*_RADII, *_BODIES, "atomic_spacing")
 
 
-def fit(
-    curve: Any,
-    /,
-    *,
-    spring: Any = None,
-    model: str = DEFAULT_LAW,
-    branch: str = "both",
-    range: str | None = None,
-    profile: str = "paraboloid",
-    baseline: str = "median",
-    **given: Any,
-) -> Fit:
-    """Return the fit of a measured force curve.
-
-    Parameters
-    ----------
-    curve
-        The path of a table, or a mapping of headers to columns, such as a DataFrame: contact radius and load, approach
-        and load, or travel and force or deflection of a lever, with units in the headers.
-    spring
-        The stiffness of the lever in N/m, or a text such as "3.01±0.1N/m". A travel and a deflection need it.
-    model
-        The law: jkr, maugis or dmt.
-    branch
-        both, load or unload.
-    range
-        Loads that are fitted, as "-100%:30%" of the largest tension and load, or "-2uN:500nN".
-    profile
-        paraboloid, or sphere: a rigid one on a body whose Poisson's ratio is 0.45 or more.
-    baseline
-        median, or tilt: lines through the parts away from contact.
-    **given
-        The radii, as `solve` takes them; without one the fit has wR and E*√R. Poisson's ratios and Young's modulus of
-        one body, from which that of the other follows; `atomic_spacing`.
-
-    Returns
-    -------
-    `Fit`: `values` and `errors` by name, in SI units, with `covariance` and `points`.
-
-    Raises
-    ------
-    BadCurve, BadRequest, BadTable, QuantityError
-        The curve cannot be fitted, an argument is wrong, or the table has no curve.
-
-    >>> import numpy
-    >>> a = numpy.linspace(80e-6, 40e-6, 30)
-    >>> load = 4 / 3 * 2e6 * a**3 / 1e-3 - numpy.sqrt(8 * numpy.pi * 0.05 * 2e6 * a**3)
-    >>> fitted = fit({"contact radius [m]": a, "load [N]": load}, radius=1e-3, radius2="plane")
-    >>> [f"{fitted.values[name]:.4g}" for name in ("work_of_adhesion_opening", "contact_modulus")]
-    ['0.05', '2e+06']
-    """
-    words = {"model": model, "branch": branch, "range": range, "profile": profile, "baseline": baseline}
+def fit_given(curve: Any, words: Mapping[str, str | None], spring: Any, given: Mapping[str, Any]) -> Fit:
+    """Return the fit of a curve in a file or in columns; arguments as in `jkroll.fit`. `words`: its texts by name."""
     for name in given.keys() - {*_TAKEN}:
         raise BadRequest(f"fit takes no {quoted(name)}; it takes {listed(_TAKEN)}")
     read = Reader().in_si(given)
@@ -89,7 +40,7 @@ def fit(
     known = known_of(words, spring, read)
     if isinstance(curve, str | os.PathLike):
         return fit_of_file(os.fspath(curve), known)[0]
-    return fit_curve(curve_of_columns(curve, materials_of_user(None), _stiffness(known)).curve, known)
+    return _fitted(curve_of_columns(curve, materials_of_user(None), _stiffness(known)).curve, known)
 
 
 def fit_of_file(
@@ -103,7 +54,21 @@ def fit_of_file(
     """Return the fit of the curve in a file, and the sentence that says how the file was read."""
     materials = materials or materials_of_user(None)
     read = read_curve(path, materials, _stiffness(known), columns, form, mark)
-    return fit_curve(read.curve, known), read.reading
+    return _fitted(read.curve, known), read.reading
+
+
+def _fitted(curve: ForceCurve, known: Known) -> Fit:
+    """Return the fit of a curve. Raises BadCurve, also for a sphere that is not rigid."""
+    fitted = fit_curve(curve, known)
+    moduli = {**known.bodies, **(dict([fitted.other_modulus]) if fitted.other_modulus else {})}
+    first, second = (moduli.get(name) for name in _BODIES[:2])
+    if known.profile == SPHERE and first is not None and second is not None and not first >= STIFFER * second:
+        here = f"E1 is {first / second:.3g} times E2 here"
+        raise BadCurve(
+            f"--profile sphere holds for a sphere {STIFFER:.0f} times as stiff as the plane, and {here}",
+            "sphere is not rigid",
+        )
+    return fitted
 
 
 def _stiffness(known: Known) -> float | None:
@@ -138,6 +103,7 @@ def known_of(words: Mapping[str, str | None], spring: Any, given: Mapping[str, A
         branch=str(words["branch"]),
         range=_range(words.get("range")),
         tilt=words["baseline"] == "tilt",
+        bodies={name: float(middle(given[name])) for name in _BODIES if name in given},
     )
 
 
@@ -182,7 +148,7 @@ def _check_sphere(given: Mapping[str, Any]) -> None:
         raise BadRequest("--profile sphere holds for a sphere on a plane: give --radius2 plane")
 
 
-def _range(text: str | None) -> Range | None:
+def _range(text: str | None) -> LoadRange | None:
     """Return the range of a text FROM:TO, in percent of the largest load or in forces."""
     if text is None:
         return None
@@ -201,24 +167,4 @@ def _range(text: str | None) -> Range | None:
         low, high = (float(middle(value_of(end, "load"))) for end in ends)
     if not low < high:
         raise BadRequest(f"--range: {quoted(text)} does not rise; write FROM:TO with FROM below TO")
-    return Range(low, high, all(are_shares))
-
-
-def modulus_of_body(fitted: Fit, given: Mapping[str, Any]) -> tuple[str, float] | None:
-    """Return Young's modulus of the body that has none, by name, where the other's and both ratios are known.
-
-    (1 − ν²)/E = 1/E* − (1 − ν'²)/E'
-    """
-    if fitted.is_scaled:
-        return None
-    for known, sought in (("", "2"), ("2", "")):
-        modulus, ratio = given.get(f"youngs_modulus{known}"), given.get(f"poisson_ratio{sought}")
-        if modulus is None or ratio is None or f"youngs_modulus{sought}" in given:
-            continue
-        if f"poisson_ratio{known}" not in given and middle(modulus) < inf:
-            continue
-        other = middle(given.get(f"poisson_ratio{known}", 0.0))
-        compliance = 1 / fitted.values["contact_modulus"] - (1 - other**2) / middle(modulus)
-        if compliance > 0:
-            return f"youngs_modulus{sought}", (1 - middle(ratio) ** 2) / compliance
-    return None
+    return LoadRange(low, high, all(are_shares))

@@ -15,7 +15,7 @@ from contextlib import closing
 from functools import partial
 from itertools import chain, islice
 from time import monotonic, sleep
-from typing import Any, BinaryIO, NamedTuple
+from typing import Any, BinaryIO, NamedTuple, TypeVar
 
 from ..errors import ROWS_FAILED, BadRequest, BadRow, BadTable, JkrollError, MissingExtra, missing_extra
 from ..model.limits import EVERY_DOUBT
@@ -48,6 +48,8 @@ LITTLE = 1 << 19  # bytes of files that a process converts in the time in which 
 DASK_WAIT = 20.0  # seconds for a scheduler of Dask to answer, and then for it to have a worker
 DASK_CHECK = 2.0  # seconds between looks whether it still has one
 DASK_STEP = 0.02  # seconds between looks whether a table is converted
+
+T = TypeVar("T")
 
 
 class Job(NamedTuple):
@@ -110,12 +112,17 @@ def _summary(name: str, tally: Tally) -> str:
     values = numpy.concatenate(tally.inferred)
     known = values[~numpy.isnan(values)]
     sentence = f"note: {name}: {len(known)} of {len(values)} rows"
-    if len(known) < 2:
-        return sentence
+    return sentence if len(known) < 2 else f"{sentence}; {scatter_in_words(name, known)}"
+
+
+def scatter_in_words(name: str, known: Any) -> str:
+    """Return median, quartiles, mean and scatter of two or more values of a quantity, for a sentence."""
+    import numpy
+
     low, median, high = numpy.quantile(known, [0.25, 0.5, 0.75]).tolist()
     middle = f"median {amount(name, median)}, quartiles {amount(name, low)} and {amount(name, high)}"
     mean, scatter = float(known.mean()), float(known.std(ddof=1))
-    return f"{sentence}; {middle}; mean {amount(name, mean)}, scatter {amount(name, scatter)}"
+    return f"{middle}; mean {amount(name, mean)}, scatter {amount(name, scatter)}"
 
 
 def about(table: Table) -> Iterator[str]:
@@ -221,7 +228,7 @@ def _convert(file: Input, blocks: Iterator[Any], convert: Converter, output: Bin
     line = form.lines
     converted = _converted(blocks, convert, job.processes)
     if sys.stderr.isatty() and not job.quiet:
-        converted = with_progress(converted, file)
+        converted = with_progress(converted, lambda block: block.tally.rows, partial(progress_of, file))
     try:
         with form.writer.sink(output, header) as write, closing(converted):
             for block in converted:
@@ -250,22 +257,32 @@ def _converted(blocks: Iterator[Any], convert: Converter, processes: int) -> Gen
     yield from answers(processes, convert.converted, chain([block], blocks))
 
 
-def with_progress(blocks: Iterator[Converted], file: Input) -> Generator[Converted]:
-    """Iterate over blocks. A line on the terminal says how much is done, if it is known, and goes at the end."""
-    began, rows, line = monotonic(), 0, ""
+def with_progress(
+    items: Iterable[T], size_of: Callable[[T], int], line_of: Callable[[int, float], str]
+) -> Generator[T]:
+    """Iterate over items. A line on the terminal says how much is done, and goes at the end.
+
+    `line_of`: returns it for the sizes of all items so far, and the seconds since the beginning.
+    """
+    began, done, line = monotonic(), 0, ""
     try:
-        for block in blocks:
-            rows += block.tally.rows
-            yield block
-            del block  # as above
+        for item in items:
+            done += size_of(item)
+            yield item
+            del item  # as above
             if (taken := monotonic() - began) > WAIT:
-                share = file.share_read(rows)
-                left = f"{share:4.0%}, {taken * (1 / share - 1):.0f} s left, " if share else ""
-                line = f"{left}{rows:,} rows"
+                line = line_of(done, taken)
                 sys.stderr.write(f"\r{line:{WIDTH}}\r")
                 sys.stderr.flush()
     finally:
         sys.stderr.write(f"\r{'':{WIDTH}}\r" if line else "")
+
+
+def progress_of(file: Input, rows: int, taken: float) -> str:
+    """Return how many rows of a file are converted after some seconds, and how long the rest takes, if known."""
+    share = file.share_read(rows)
+    left = f"{share:4.0%}, {taken * (1 / share - 1):.0f} s left, " if share else ""
+    return f"{left}{rows:,} rows"
 
 
 # --- Many tables ------------------------------------------------------------------------------------------------------

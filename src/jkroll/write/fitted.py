@@ -1,129 +1,40 @@
-"""The fit of a force curve as text, JSON and a row of a table."""
+"""The fit of a force curve as text, JSON, BibTeX, a paragraph on methods, and a row of a table."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from math import floor, isfinite, log10
+from math import isfinite
 from typing import Any, TextIO
 
 from .. import __version__
 from ..model.fit_result import RESULTS, Fit
-from ..quantities.formatting import Format, amount, bar_digits, significant, with_unit
+from ..quantities.formatting import Format, amount
 from ..quantities.laws import LAWS
+from ..quantities.markup import as_latex
 from ..quantities.nomenclature import NOMENCLATURE, bracketed
-from ..text import json_text, say, say_wrapped, write_texts
+from ..quantities.values import Measured
+from ..report.fitted import (
+    HEADS,
+    WORDS,
+    in_words,
+    row_of_result,
+    sentence_of,
+    sentences,
+    unit_of_result,
+    unit_without_radius,
+)
+from ..text import json_text, listed, say, say_wrapped, write_texts
+from .sources import bibtex, cite_command, references
 
-_WORDS = {
-    "work_of_adhesion_opening": ("work of adhesion, opening", "w_open"),
-    "work_of_adhesion_closing": ("work of adhesion, closing", "w_close"),
-    "adhesion_hysteresis": ("adhesion hysteresis", "Δw"),
-    "hysteresis_fraction": ("as a part of w", "Δw/w"),
-    "contact_modulus": ("contact modulus", "E*"),
-    "contact_point": ("contact point", "z_c"),
-    "pull_off_force_fitted": ("pull-off force, fitted", "P_c"),
-    "pull_off_force_measured": ("pull-off force, measured", "P_min"),
-}
-_SCALED = {"J/m^2": "J/m", "Pa": "Pa m^0.5"}  # of wR and E*√R
-_WITHOUT_RADIUS = {"work_of_adhesion_opening": "wR_open", "work_of_adhesion_closing": "wR_close",
-    "adhesion_hysteresis": "ΔwR", "contact_modulus": "E*√R"}  # fmt: skip
-FILE, REASON = "file", "status"
-
-
-def unit_of_result(fitted: Fit, name: str) -> str:
-    """Return the SI unit of a result; without a radius, that of wR or E*√R."""
-    unit = NOMENCLATURE[RESULTS[name]].unit
-    return _SCALED.get(unit, unit) if fitted.is_scaled else unit
+FILE, LIMIT, REASON = "file", "largest_work_of_adhesion", "status"
 
 
-def in_words(fitted: Fit, name: str) -> str:
-    """Return a result with its unit and its total error, for a sentence."""
-    value, errors = fitted.values[name], fitted.errors.get(name)
-    texts, unit = _cells(fitted, name, [value, *([errors.total] if errors else [])])
-    return with_unit(" ± ".join(texts), unit)
-
-
-def _cells(fitted: Fit, name: str, numbers: Sequence[float]) -> tuple[list[str], str]:
-    """Return a value and its errors as texts in one unit; errors with two digits, the value to their last place."""
-    form = Format()
-    quantity = RESULTS[name]
-    if fitted.is_scaled and unit_of_result(fitted, name) != NOMENCLATURE[quantity].unit:
-        power = 3 * floor(log10(abs(numbers[0])) / 3) if numbers[0] else 0
-        power = 0 if power in (0, 3) else power
-        unit, factor = f"1e{power} {unit_of_result(fitted, name)}".removeprefix("1e0 "), 10.0**-power
-    else:
-        shown, scale = form.common_unit(quantity, [abs(numbers[0])])
-        unit, factor = shown, scale[1] / scale[0]
-    value, *errors = (number * factor for number in numbers)
-    total = errors[-1] if errors else 0.0
-    texts = [
-        bar_digits(value, total),
-        *(significant(error, 2, zeros=True) if isfinite(error) else "–" for error in errors),
-    ]
-    return texts, unit
-
-
-# --- Text -------------------------------------------------------------------------------------------------------------
-
-
-def write_fit(fitted: Fit, out: TextIO, *, heading: str, following: str, body: tuple[str, float] | None) -> None:
+def write_fit(fitted: Fit, out: TextIO, *, heading: str, following: str) -> None:
     """Write a fit as a table, with sentences below. `following`: the command that goes on, if there is one."""
     say_wrapped(heading, out)
-    rows = []
-    for name in RESULTS:
-        if name not in fitted.values:
-            continue
-        words, symbol = _WORDS[name]
-        errors = fitted.errors.get(name)
-        parts = [errors.statistical, errors.calibration, errors.model, errors.total] if errors else []
-        texts, unit = _cells(fitted, name, [fitted.values[name], *parts])
-        symbol = _WITHOUT_RADIUS.get(name, symbol) if fitted.is_scaled else symbol
-        cells = [*texts[1:4], texts[0] + (f" ± {texts[4]}" if parts else "")] if parts else ["", "", "", texts[0]]
-        rows.append([words, symbol, cells[3], unit, *cells[:3]])
-    write_texts(["quantity", "symbol", "fit", "unit", "noise", "R, k", "model"], rows, out)
-    for line in sentences(fitted, body):
+    write_texts(HEADS, [row_of_result(fitted, name) for name in RESULTS if name in fitted.values], out)
+    for line in sentences(fitted):
         say_wrapped(line, out)
     if following:
         say_wrapped(f"then: {following}", out)
-
-
-def sentences(fitted: Fit, body: tuple[str, float] | None = None) -> Iterator[str]:
-    """Iterate over the sentences below a fit."""
-    values, good = fitted.values, fitted.goodness
-    if fitted.largest_adhesion is not None:
-        unit = "work_of_adhesion"
-        limit = amount(unit, fitted.largest_adhesion, Format(digits=2))
-        yield f"w: below {limit if not fitted.is_scaled else f'{fitted.largest_adhesion:.2g} J/m for wR'}, by the noise"
-    if body is not None:
-        name, modulus = body
-        yield f"{NOMENCLATURE[name].symbol} = {amount(name, modulus, Format(digits=3))} of the other body"
-    if "tabor_parameter" in good and not fitted.is_scaled:
-        yield from _about_laws(fitted)
-    largest = [name for name, errors in fitted.errors.items() if max(errors) > errors.statistical > 0]
-    if "contact_modulus" in largest:
-        by = max(("calibration", "model"), key=lambda part: getattr(fitted.errors["contact_modulus"], part))
-        cause = {"calibration": "the instrument (R, k, baseline)", "model": "the model"}[by]
-        yield f"the error of E* is not that of noise: most of it is of {cause}"
-    if "rms" in good and "pull_off_force_fitted" in values:
-        rms = amount("pull_off_force", good["rms"], Format(digits=2))
-        noise = good["rms_over_noise"]
-        yield (
-            f"misfit {rms} rms, {good['rms_over_pull_off']:.1%} of P_c, {noise:.2g} of the noise; {good['points']:.0f} "
-            f"points, {good['independent_points']:.0f} of them independent"
-        )
-    for code, text in fitted.remarks.items():
-        yield f"{code}: {text}"
-
-
-def _about_laws(fitted: Fit) -> Iterator[str]:
-    """Iterate over sentences on w by each law, the one that holds first."""
-    name = next((name for name in RESULTS if name in fitted.values), "")
-    best = fitted.law_that_holds
-    order = sorted(fitted.by_law, key=lambda law: (law.partition(",")[0] != best, law))
-    texts = [
-        f"{LAWS[law.partition(',')[0]].short}{law[len(law.partition(',')[0]) :]} "
-        + amount("work_of_adhesion", fitted.by_law[law][name], Format(digits=3))
-        for law in order
-    ]
-    number = significant(fitted.goodness["tabor_parameter"], 2)
-    yield f"w by law, the one that holds first: {', '.join(texts)} (Tabor parameter {number}; JKR needs 5)"
 
 
 # --- JSON -------------------------------------------------------------------------------------------------------------
@@ -131,38 +42,54 @@ def _about_laws(fitted: Fit) -> Iterator[str]:
 
 def json_of(fitted: Fit, path: str, reading: str, following: str, *, curve: bool) -> dict[str, Any]:
     """Return a fit as an object of JSON, in SI units. `curve`: whether it has the points."""
-    known = fitted.known
-    inputs = {
-        "file": path, "read": reading, "reduced_radius": known.radius, "lever_stiffness": _finite(known.stiffness),
-        "model": known.law, "profile": known.profile,
-    }  # fmt: skip
     results = []
     for name in RESULTS:
         if name not in fitted.values:
             continue
-        errors = fitted.errors.get(name)
-        parts = {**{part: _finite(value) for part, value in errors._asdict().items()}} if errors else None
-        entry: dict[str, Any] = {"name": name, "symbol": _WORDS[name][1], "value": _finite(fitted.values[name]),
+        entry: dict[str, Any] = {"name": name, "symbol": WORDS[name][1], "value": _finite(fitted.values[name]),
             "unit": unit_of_result(fitted, name)}  # fmt: skip
-        if parts is not None and errors is not None:
+        if (errors := fitted.errors.get(name)) is not None:
+            parts = {part: _finite(value) for part, value in errors._asdict().items()}
             entry["errors"] = {**parts, "total": _finite(errors.total)}
         results.append(entry)
     matrix = [[_finite(float(cell)) for cell in row] for row in fitted.covariance]
     answer: dict[str, Any] = {
-        "inputs": inputs,
+        "inputs": {"file": path, "read": reading, **_inputs(fitted)},
         "results": results,
         "covariance": {"names": [*fitted.names], "matrix": matrix},
         "by_law": {law: {name: _finite(value) for name, value in each.items()} for law, each in fitted.by_law.items()},
         "law_that_holds": fitted.law_that_holds,
-        "largest_work_of_adhesion": fitted.largest_adhesion,
+        LIMIT: fitted.largest_adhesion,
+        "other_body": None if (other := fitted.other_modulus) is None else dict([other]),
+        "fitted_loads": {branch: [*map(_finite, ends)] for branch, ends in fitted.fitted_loads.items()},
+        "baselines": {name: {part: _finite(each) for part, each in base.items()}
+            for name, base in fitted.baselines.items()},
         "goodness": {name: _finite(value) for name, value in fitted.goodness.items()},
         "notes": [{"code": code, "text": text} for code, text in fitted.remarks.items()],
         "next": following or None,
         "version": __version__,
-    }
+    }  # fmt: skip
     if curve:
         answer["curve"] = {name: _column(column) for name, column in fitted.points.items()}
     return answer
+
+
+def _inputs(fitted: Fit) -> dict[str, Any]:
+    """Return what a fit was given, with standard deviations."""
+    known, stiffness = fitted.known, _finite(fitted.known.stiffness)
+    asked, unit = known.range, "1" if known.range is not None and known.range.is_share else "N"
+    return {
+        "reduced_radius": known.radius,
+        "reduced_radius_err": None if known.radius is None else known.radius * known.radius_error or None,
+        "lever_stiffness": stiffness,
+        "lever_stiffness_err": None if stiffness is None else stiffness * known.stiffness_error or None,
+        "atomic_spacing": known.spacing,
+        "model": known.law,
+        "profile": known.profile,
+        "branch": known.branch,
+        "range": None if asked is None else {"low": asked.low, "high": asked.high, "unit": unit},
+        "baseline": "tilt" if known.tilt else "median",
+    }
 
 
 def _finite(value: float | None) -> float | None:
@@ -182,6 +109,67 @@ def write_json(answers: Sequence[Mapping[str, Any]], out: TextIO) -> None:
     say(json_text(answers[0] if len(answers) == 1 else [*answers], out), out)
 
 
+# --- Sources ----------------------------------------------------------------------------------------------------------
+
+
+def write_fit_citations(fitted: Fit, out: TextIO) -> None:
+    """Write the BibTeX entries of this program and of the law of a fit."""
+    for entry in (references()["program"], *_laws_cited(fitted)):
+        say(bibtex(entry), out)
+
+
+def write_fit_methods(fitted: Fit, out: TextIO) -> None:
+    """Write a paragraph for a Methods section: what was fitted to what, how, and what came out."""
+    say_wrapped(" ".join(_methods(fitted)), out, 0)
+
+
+def _laws_cited(fitted: Fit) -> list[Mapping[str, str]]:
+    """Return the references of the law of a fit; Hertz' contact has none."""
+    known, law = references(), fitted.known.law
+    has_adhesion = fitted.largest_adhesion is None
+    return ([known[law]] if has_adhesion else []) + ([known["jkr-sphere"]] if fitted.known.profile == "sphere" else [])
+
+
+def _methods(fitted: Fit) -> Iterator[str]:
+    """Iterate over the sentences of a Methods section."""
+    known, data = fitted.known, []
+    if known.radius is not None:
+        data.append(amount("reduced_radius", _with_error(known.radius, known.radius_error)))
+    shape = "a rigid sphere" if known.profile == "sphere" else "a paraboloid"
+    theory = f"the {LAWS[known.law].title} theory" if fitted.largest_adhesion is None else "Hertz' theory"
+    program, of_law = cite_command([references()["program"]]), cite_command(_laws_cited(fitted))
+    radius = as_latex(f" of radius {data[0]}") if data else ""
+    yield (
+        f"With jkroll {__version__}{program} we fitted the {fitted.kind} and the force of the curve by {theory} for "
+        f"{shape}{radius}{of_law}."
+    )
+    if isfinite(known.stiffness) and fitted.kind == "travel":
+        stiffness = amount("lever_stiffness", _with_error(known.stiffness, known.stiffness_error))
+        yield as_latex(f"The lever has a stiffness of {stiffness}.")
+    form = Format(digits=3)
+    parts = [
+        f"{name}, at loads of {amount('load', low, form)} to {amount('load', high, form)}"
+        for name, (low, high) in fitted.fitted_loads.items()
+    ]
+    first, *others = parts
+    yield as_latex(f"Least squares gave all results from one branch ({first}).")
+    if others:
+        yield as_latex(f"With its modulus and contact point the other gave its work of adhesion ({others[0]}).")
+    line = "a line" if known.tilt else "the median"
+    yield f"Away from contact {line} of the force is its zero." if fitted.baselines else "The force was not shifted."
+    yield (
+        "Residuals were whitened as an autoregression of first order, and those beyond three standard deviations have "
+        "Huber's weights."
+    )
+    results = (f"{sentence_of(name)} {in_words(fitted, name)}" for name in RESULTS if name in fitted.errors)
+    yield as_latex(f"Results: {listed(results)}.")
+    yield "Errors are standard deviations: of noise, of the calibration (radius, stiffness) and of the model."
+
+
+def _with_error(value: float, relative: float) -> float | Measured:
+    return Measured(value, value * relative) if relative else value
+
+
 # --- Rows -------------------------------------------------------------------------------------------------------------
 
 
@@ -189,12 +177,12 @@ def heads_of(*, is_scaled: bool) -> list[str]:
     """Return the headers of a row for each file."""
     heads = [FILE]
     for name, quantity in RESULTS.items():
-        unit = NOMENCLATURE[quantity].unit
-        unit = bracketed(_SCALED.get(unit, unit) if is_scaled else unit)
+        unit = bracketed(unit_without_radius(name) if is_scaled else NOMENCLATURE[quantity].unit)
         heads.append(f"{name}{unit}")
         if not name.startswith("pull_off"):
             heads.append(f"{name}_err{unit}")
-    return [*heads, "codes", REASON]
+    limit = unit_without_radius("work_of_adhesion_opening") if is_scaled else NOMENCLATURE["work_of_adhesion"].unit
+    return [*heads, f"{LIMIT}{bracketed(limit)}", "codes", REASON]
 
 
 def row_of(path: str, fitted: Fit | None, reason: str = "") -> list[Any]:
@@ -207,17 +195,9 @@ def row_of(path: str, fitted: Fit | None, reason: str = "") -> list[Any]:
             errors = fitted.errors.get(name) if fitted else None
             row.append(_finite(errors.total) if errors else None)
     codes = " ".join(fitted.remarks) if fitted else ""
-    return [*row, codes or None, reason or None]
+    return [*row, fitted.largest_adhesion if fitted else None, codes or None, reason or None]
 
 
 def curve_columns(fitted: Fit) -> tuple[list[str], list[Any]]:
     """Return the headers and the columns of the points of a fit."""
-    x = "contact_radius_at_load [m]" if fitted.kind == "contact radius" else "z [m]"
-    rate, heads = "J/m" if fitted.is_scaled else "J/m^2", {
-        "branch": "branch", "z": x, "force": "load [N]", "model": "load_fitted [N]", "residual": "residual [N]",
-        "release_rate": "energy_release_rate", "contact_radius": "contact_radius",
-    }  # fmt: skip
-    heads["release_rate"] += f" [{rate}]"
-    heads["contact_radius"] += " [m^0.5]" if fitted.is_scaled else " [m]"
-    columns = [fitted.points[name].tolist() for name in heads]
-    return [*heads.values()], [[_cell(cell) for cell in column] for column in columns]
+    return [*fitted.curve], [_column(column) for column in fitted.curve.values()]

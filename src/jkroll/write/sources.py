@@ -250,14 +250,14 @@ def write_methods(answers: Iterable[Report], out: TextIO) -> None:
 def _computed(answer: Report, cited: Cited) -> str:
     """Return the sentence with the program, the equations, the laws and conventions, and the quantities."""
     program, paper, *_ = references().values()
-    authors = f"Dominik \\& Tielens{_cite([paper])}"
+    authors = f"Dominik \\& Tielens{cite_command([paper])}"
     equations = f"{cited_equations(cited.equations).replace('. ', '.~', 1)} of " if cited.equations else ""
     ways = [f"{equations}{authors}"]
-    ways += [f"the {answer.frame.law.title} theory{_cite(cited.law)}"] if cited.law else []
-    ways += [f"the conventions of{_cite(cited.conventions)}"] if cited.conventions else []
+    ways += [f"the {answer.frame.law.title} theory{cite_command(cited.law)}"] if cited.law else []
+    ways += [f"the conventions of{cite_command(cited.conventions)}"] if cited.conventions else []
     names = [name for name in answer.question.headline if name in cited.names] or cited.names
     quantities = as_latex("; ".join(f"{NOMENCLATURE[name].sentence} ({symbol(name)})" for name in names))
-    with_program = f"With jkroll {__version__}{_cite([program])}"
+    with_program = f"With jkroll {__version__}{cite_command([program])}"
     return f"{with_program}, after {listed(ways)}, we computed for elastic spheres in adhesive contact: {quantities}."
 
 
@@ -273,11 +273,11 @@ def _values(answer: Report) -> str:
         meaning = quantity.sentence + ("; assumed" if name in answer.assumed else "")
         used = answer.frame.data_used([name])
         data = [entry for material, of_material in used for entry in material.sources_of(of_material)]
-        texts.append(as_latex(f"{lead}{amount(name, value)} ({meaning})") + _cite(data))
+        texts.append(as_latex(f"{lead}{amount(name, value)} ({meaning})") + cite_command(data))
     return f"Values used: {', '.join(texts)}."
 
 
-def _cite(entries: Iterable[Mapping[str, str]]) -> str:
+def cite_command(entries: Iterable[Mapping[str, str]]) -> str:
     """Return the command that cites entries; nothing without any."""
     keys = ",".join(dict.fromkeys(entry["key"] for entry in entries))
     return f"~\\cite{{{keys}}}" if keys else ""

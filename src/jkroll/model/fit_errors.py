@@ -1,0 +1,248 @@
+"""The three errors of a fit: of noise (statistical), of the instrument (calibration) and of the model.
+
+Noise moves the points, and the baselines that are taken off them. Calibration is how far the results move with R and k
+by their errors. The model's error is how far they move with the range, the shape of the sphere, the law that holds and
+the atomic spacing.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from functools import partial
+from typing import NamedTuple
+
+import numpy
+from numpy import exp, inf, sqrt
+
+from ..physics.contact import tabor_parameter
+from .fit_branches import LEAST_POINTS, TRAVEL, Baseline
+from .fit_laws import Array
+from .fit_minimum import ADHESION, MODULUS, POINT, Minimum, Points, Setting, minimum, with_point
+from .fit_problem import NAMES, Problem, Solved
+from .fit_result import STRONG, Errors
+
+_FEW = 300  # points of a fit that shows how far the model moves the results
+_ALIKE = 50.0  # Tabor parameter from which on Maugis' law is JKR's
+_WIDE = 0.1  # a/R from which on the sphere's shape matters
+
+Results = Mapping[str, float]
+
+
+class Solution(NamedTuple):
+    """The minima of a curve: of its main branch, and of the other one with E* and z_c of the main one."""
+
+    problem: Problem
+    setting: Setting
+    main: Solved
+    other: Solved | None = None
+
+    @property
+    def values(self) -> dict[str, float]:
+        """The results."""
+        return self.results(self.main.minimum, None if self.other is None else self.other.minimum)
+
+    def results(self, main: Minimum, other: Minimum | None) -> dict[str, float]:
+        """Return the results of minima."""
+        values: dict[str, float] = {}
+        w, modulus = (float(each) for each in exp(main.unknowns[:POINT]))
+        if ADHESION in self.main.free:
+            values[NAMES[self.main.branch.name]] = w
+        values["contact_modulus"] = modulus
+        if POINT in self.main.free:
+            values["contact_point"] = self.problem.branches.sign * float(main.unknowns[POINT])
+        if self.other is not None and other is not None:
+            closing = float(exp(other.unknowns[ADHESION]))
+            values[NAMES[self.other.branch.name]] = closing
+            values |= {"adhesion_hysteresis": w - closing, "hysteresis_fraction": 1 - closing / w}
+        return values
+
+    def refitted(self, setting: Setting, change: Callable[[Solved], Points] = lambda each: each.points) -> Results:
+        """Return the results by another setting or changed points, from the present minima and with their noise."""
+        main = minimum(change(self.main), setting, self.main.unknowns, self.main.free, self.main.minimum.noise)
+        if self.other is None:
+            return self.results(main, None)
+        other = minimum(change(self.other), setting, main.unknowns, self.other.free, self.other.minimum.noise)
+        return self.results(main, other)
+
+    def moves(self, setting: Setting, change: Callable[[Solved], Points] = lambda each: each.points) -> Results:
+        """Return how far the results move by another setting or changed points."""
+        return difference(self.refitted(setting, change), self.values)
+
+    def thinned(self) -> "Solution":
+        """Return the solution of fewer points, whose moves by a change are nearly those of all."""
+        parts: list[Solved] = []
+        for part in (self.main, self.other):
+            if part is not None:
+                step = -(-len(part.points.z) // _FEW)
+                points, noise = part.points.thinned(step), part.minimum.noise.thinned(step)
+                start = part.unknowns if not parts else parts[0].unknowns
+                parts.append(part.at(points, minimum(points, self.setting, start, part.free, noise)))
+        return self._replace(main=parts[0], other=parts[1] if parts[1:] else None)
+
+
+# --- Statistical ------------------------------------------------------------------------------------------------------
+
+
+def covariance_of(solution: Solution) -> tuple[tuple[str, ...], Array]:
+    """Return the names of the fitted results, and their covariance by noise."""
+    main, other = solution.main, solution.other
+    every = {ADHESION: NAMES[main.branch.name], MODULUS: "contact_modulus", POINT: "contact_point"}
+    scales = {ADHESION: exp(main.unknowns[ADHESION]), MODULUS: exp(main.unknowns[MODULUS])}
+    scale = numpy.array([scales.get(each, solution.problem.branches.sign) for each in main.free])
+    names, matrix = tuple(every[each] for each in main.free), main.minimum.covariance
+    covariance = matrix * numpy.outer(scale, scale)
+    if other is None:
+        return names, covariance
+    found = other.minimum
+    rows = found.noise.whitened(found.residuals.derivatives)
+    weighted = rows[:, ADHESION] * found.weights
+    pulls = -(weighted @ rows[:, [*main.free]]) / (weighted @ rows[:, ADHESION])  # of ln w by the others
+    pulls[main.free.index(ADHESION)] = 0.0
+    w = float(exp(found.unknowns[ADHESION]))
+    variance = (float(found.covariance[0, 0]) + float(pulls @ matrix @ pulls)) * w * w
+    column = matrix @ pulls * scale * w
+    covariance = numpy.block([[covariance, column[:, None]], [column[None], variance]])
+    return (*names, NAMES[other.branch.name]), covariance
+
+
+def with_baselines(few: Solution, names: tuple[str, ...], covariance: Array) -> Array:
+    """Return the covariance with that of the baselines, by how far each moves the results with its error."""
+    for base, offset, slope in _baseline_changes(few):
+        moves = few.moves(few.setting, partial(_shifted, base, offset, slope))
+        column = numpy.array([moves[name] for name in names])
+        covariance = covariance + numpy.outer(column, column)
+    return covariance
+
+
+def statistical_errors(solution: Solution, names: tuple[str, ...], covariance: Array) -> dict[str, Errors]:
+    """Return the errors of the results by noise."""
+    errors = {
+        name: Errors(statistical=float(sqrt(each))) for name, each in zip(names, numpy.diag(covariance), strict=True)
+    }
+    if solution.other is not None:
+        opening, closing = (solution.values[name] for name in (names[0], names[-1]))
+        first, last, both = covariance[0, 0], covariance[-1, -1], covariance[0, -1]
+        relative = first / opening**2 + last / closing**2 - 2 * both / opening / closing
+        errors["adhesion_hysteresis"] = Errors(statistical=float(sqrt(max(first + last - 2 * both, 0.0))))
+        errors["hysteresis_fraction"] = Errors(statistical=float(sqrt(max(relative, 0.0)) * closing / opening))
+    return errors
+
+
+# --- Calibration ------------------------------------------------------------------------------------------------------
+
+
+def by_calibration(few: Solution) -> dict[str, Results]:
+    """Return the moves of the results with the radius and the spring by their errors, by the name of the cause."""
+    problem, setting, known = few.problem, few.setting, few.problem.known
+    moves: dict[str, Results] = {}
+    if known.radius is not None and known.radius_error:
+        moves["radius"] = few.moves(setting._replace(reduced_radius=known.radius * (1 + known.radius_error)))
+    stiffer, factor = setting, 1 + known.stiffness_error
+    if known.stiffness_error and (problem.kind == TRAVEL or problem.is_deflection):
+        if problem.kind == TRAVEL:
+            stiffer = setting._replace(grip=setting.grip._replace(stiffness=known.stiffness * factor))
+        moves["spring"] = few.moves(stiffer, partial(_stronger, factor if problem.is_deflection else 1.0))
+    return moves
+
+
+def _stronger(factor: float, part: Solved) -> Points:
+    """Return points with their forces multiplied."""
+    points = part.points
+    return points._replace(force=points.force * factor, force_error=points.force_error * factor)
+
+
+def _baseline_changes(solution: Solution) -> Iterator[tuple[Baseline, float, float]]:
+    """Iterate over baselines that have an error, with the change of the force that it makes and its slope."""
+    parts = [part for part in (solution.main, solution.other) if part is not None]
+    for base in dict.fromkeys(part.branch.baseline for part in parts):
+        if base is not None and base.error:
+            yield base, base.error, 0.0
+        if base is not None and base.slope_error:
+            yield base, 0.0, base.slope_error
+
+
+def _shifted(base: Baseline, offset: float, slope: float, part: Solved) -> Points:
+    """Return points whose force is changed where their branch has a baseline."""
+    points = part.points
+    is_of_base = part.branch.baseline == base
+    return points._replace(force=points.force + offset + slope * (points.z - base.z)) if is_of_base else points
+
+
+# --- Model ------------------------------------------------------------------------------------------------------------
+
+
+def by_range(few: Solution) -> Results:
+    """Return half the spread of the results over ranges of the main branch; empty where there is one range."""
+    points, here = few.main.points, few.values
+    spread = {name: [0.0] for name in here}
+    most, least = float(points.force.max()), float(points.force.min())
+    has_adhesion = ADHESION in few.main.free
+    for top in (0.5 * most, 0.1 * least if has_adhesion else 0.25 * most):
+        which = points.force <= top
+        if which.sum() < 4 * LEAST_POINTS or which.all() or (has_adhesion and not least < 0):
+            continue
+        chosen = few.main.at(points.chosen(which), few.main.minimum)
+        for name, value in few._replace(main=chosen).refitted(few.setting).items():
+            spread[name].append(value - here[name])
+    return {name: (max(each) - min(each)) / 2 for name, each in spread.items() if len(each) > 1}
+
+
+class Models(NamedTuple):
+    """Results by other laws and profiles, and their moves that count as errors of the model."""
+
+    by_law: dict[str, Results]
+    moves: list[Results]
+    tabor_parameter: float = inf
+
+
+def key_of(law: str, profile: str) -> str:
+    """Return the key of a law and profile among results by law."""
+    return law if profile == "paraboloid" else f"{law}, {profile}"
+
+
+def by_models(solution: Solution, few: Solution, width: float) -> Models:
+    """Return results by each law for a paraboloid, and for a sphere where the contact is wide, `width` being a/R.
+
+    Those of another law are the present ones, moved as the fit of fewer points is.
+    """
+    problem, known, values, here = solution.problem, solution.problem.known, solution.values, few.values
+    has_adhesion = ADHESION in few.main.free
+    own = key_of(known.law if has_adhesion else "jkr", known.profile)
+    by_law: dict[str, Results] = {own: values}
+
+    def moved(law: str, profile: str = "paraboloid", spacing: float | None = None) -> Results:
+        setting = problem.by_law(law, profile, spacing)
+        there = _refitted_anew(few, setting) if "dmt" in (law, known.law) else few.refitted(setting)
+        return {name: values[name] + there[name] - here[name] for name in there}
+
+    if problem.known.radius is None:
+        return Models(by_law, [])
+    contact = solution.setting.contact(solution.main.unknowns)
+    tabor = float(tabor_parameter(**contact._asdict())) if has_adhesion else inf
+    moves: list[Results] = []
+    for law in ("jkr", "maugis", "dmt") if has_adhesion else ("jkr",):
+        if law not in by_law and not (law == "maugis" and tabor > _ALIKE):
+            by_law[law] = moved(law)
+    if has_adhesion:
+        by_law.setdefault("maugis", by_law["jkr"])
+    if has_adhesion and tabor < STRONG:
+        by_law["maugis, z0/2"] = moved("maugis", spacing=known.spacing / 2)
+        moves.append(difference(by_law["maugis, z0/2"], by_law["maugis"]))
+    if (holds := "jkr" if tabor >= STRONG else "maugis") != known.law and has_adhesion:
+        moves.append(difference(by_law[holds], by_law[known.law]))
+    if width > _WIDE and known.profile == "paraboloid" and known.law == "jkr":
+        by_law["jkr, sphere"] = moved("jkr", "sphere")
+        moves.append(difference(by_law["jkr, sphere"], values))
+    return Models(by_law, moves, tabor)
+
+
+def _refitted_anew(few: Solution, setting: Setting) -> Results:
+    """Return the results by a law whose z_c is another one, such as DMT's beside JKR's."""
+    main = few.main
+    w, modulus = (float(each) for each in exp(main.unknowns[:POINT]))
+    start = with_point(main.points, setting, w, modulus)
+    found = minimum(main.points, setting, start, main.free, main.minimum.noise)
+    return few._replace(main=main.at(main.points, found)).refitted(setting)
+
+
+def difference(one: Results, other: Results) -> Results:
+    """Return the moves of results from others."""
+    return {name: one[name] - other[name] for name in one}

@@ -1,0 +1,110 @@
+"""The goodness of a fit: the misfit, runs of residuals of one sign, an edge that rests, and remarks by code."""
+
+from collections.abc import Iterator, Mapping
+
+import numpy
+from numpy import exp, sqrt
+
+from .fit_branches import LEAST_POINTS, LOADING, RADIUS, running_median
+from .fit_errors import Results, Solution
+from .fit_minimum import ADHESION, FEW_INDEPENDENT
+from .fit_problem import NAMES
+from .fit_result import Errors, Fit
+
+_UNDETERMINED = 0.5  # standard deviation of ln E* from which on E* is not determined
+_POOR = 0.1  # rms over the pull-off force from which on the curve is no contact's
+_WIDEST = 0.9  # a/R beyond which no theory of a half-space holds
+
+
+def goodness_of(solution: Solution, pull_off: float | None) -> dict[str, float]:
+    """Return measures of goodness; the load of a point beyond the model's jump is that of the last state."""
+    main, found = solution.main, solution.main.minimum
+    misfit = main.points.force - found.residuals.loads
+    rms, count = float(sqrt(numpy.mean(misfit**2))), len(main.points.z)
+    tau = max(found.correlation_time, 1.0)
+    good = {
+        "points": float(count), "points_past_jump": float(found.residuals.is_beyond.sum()), "rms": rms,
+        "rms_over_noise": rms / solution.problem.branches.noise, "correlation_time": found.correlation_time,
+        "independent_points": count / tau, "longest_run": float(_longest_run(misfit)),
+    }  # fmt: skip
+    return good if pull_off is None else good | {"rms_over_pull_off": rms / pull_off}
+
+
+def _longest_run(misfit: numpy.ndarray) -> int:
+    """Return the largest number of residuals of one sign in a row."""
+    changes = numpy.nonzero(numpy.diff(numpy.sign(misfit)) != 0)[0]
+    ends = numpy.concatenate([[-1], changes, [len(misfit) - 1]])
+    return int(numpy.diff(ends).max())
+
+
+def remarks_on(solution: Solution, result: Fit, by_spring: Results | None) -> Iterator[tuple[str, str]]:
+    """Iterate over codes with their sentences. `by_spring`: the moves of the results by its error."""
+    main, good, errors = solution.main, result.goodness, result.errors
+    has_adhesion = ADHESION in main.free
+    if has_adhesion and main.branch.name == LOADING and result.kind != RADIUS:
+        yield "loading-only", "a loading branch alone hardly tells w from E*: their errors are of one another"
+    yield from _on_noise(good)
+    if good.get("rms_over_pull_off", 0.0) > _POOR:
+        share = f"{good['rms_over_pull_off']:.0%} of the pull-off force"
+        yield "poor-fit", f"the misfit is {share}: this is not the curve of one contact"
+    modulus = result.values["contact_modulus"]
+    if not (errors["contact_modulus"].statistical or 0.0) < _UNDETERMINED * modulus:
+        yield (
+            "modulus-undetermined",
+            "E* is not determined: the contact is stiffer than the lever, or has too few points; P_c alone counts",
+        )
+    if by_spring is not None:
+        yield from _on_spring(by_spring["contact_modulus"] / modulus, errors["contact_modulus"], modulus)
+    if has_adhesion and result.kind != RADIUS and int((main.points.force < 0).sum()) < LEAST_POINTS:
+        yield "few-below-zero", "fewer than 5 points are in tension: w is hardly determined"
+    if not result.is_scaled and good["contact_over_radius"] > _WIDEST:
+        yield "wide-contact", "the contact is wider than 0.9 of the radius: no theory of a half-space holds"
+    if has_adhesion:
+        yield from _on_resting_edge(solution, result.points)
+
+
+def _on_noise(good: Mapping[str, float]) -> Iterator[tuple[str, str]]:
+    """Iterate over remarks on points that are few or alike, and on a trend in the residuals."""
+    count, tau = good["points"], good["correlation_time"]
+    if good["independent_points"] < FEW_INDEPENDENT:
+        cause = "the misfit is one trend" if tau > count / 2 else f"neighbours are alike over {tau:.0f} points"
+        few = f"{count:.0f} points are few" if tau < 2 else cause
+        yield "few-independent", f"{few}: the statistical error is not to be trusted"
+    elif tau > 1 and good["longest_run"] > 0.1 * count + 10:
+        run = f"residuals have one sign over {good['longest_run']:.0f} points in a row"
+        yield "residual-trend", f"{run}: the model, not the noise, limits the fit"
+
+
+def _on_spring(move: float, errors: Errors, modulus: float) -> Iterator[tuple[str, str]]:
+    """Iterate over a remark where the error of the spring is the largest of E*."""
+    if abs(move) * modulus > max(errors.statistical or 0.0, errors.model or 0.0):
+        yield "lever-decides", f"the spring's error moves E* by {abs(move):.0%}, more than all else"
+
+
+def on_profile(values: Results, sphere: Results, errors: Mapping[str, Errors], width: float) -> Iterator[str]:
+    """Iterate over the sentence on a sphere's results that differ by more than the other errors."""
+    names = [name for name in (*NAMES.values(), "contact_modulus") if name in values]
+    if not any(abs(sphere[name] - values[name]) > errors[name].total for name in names[:1] + names[-1:]):
+        return
+    shares = {name: sphere[name] / values[name] - 1 for name in names}
+    texts = [f"{'E*' if name == 'contact_modulus' else 'w'} {shares[name]:+.1%}" for name in names[:1] + names[-1:]]
+    moved = ", ".join(dict.fromkeys(texts))
+    yield f"the contact is {width:.2f} of the radius wide, where a sphere is no paraboloid: {moved} by --profile sphere"
+
+
+def _on_resting_edge(solution: Solution, points: Mapping[str, numpy.ndarray]) -> Iterator[tuple[str, str]]:
+    """Iterate over a remark on a vertical stretch of G over a: the edge rests while G moves by a fifth of w or more."""
+    is_own = (points["branch"] == solution.main.branch.name) & numpy.isfinite(points["release_rate"])
+    if is_own.sum() < LEAST_POINTS:
+        return
+    rate, radius = (running_median(points[name][is_own]) for name in ("release_rate", "contact_radius"))
+    size = max(LEAST_POINTS, len(rate) // 15)
+    w = float(exp(solution.main.unknowns[ADHESION]))
+    noise = 1.4826 * float(numpy.median(abs(points["release_rate"][is_own] - rate)))
+    for at in range(0, len(rate) - size, max(1, size // 2)):
+        moved_rate = float(numpy.ptp(rate[at : at + size]))
+        moved_radius = float(numpy.ptp(radius[at : at + size]))
+        if moved_rate > max(0.2 * w, 10 * noise) and moved_radius < 0.01 * float(radius[at]):
+            place = float(radius[at]) / solution.problem.radius
+            yield "edge-pinned", f"G has a vertical stretch at a/R = {place:.2f}: the edge of the contact is held there"
+            return

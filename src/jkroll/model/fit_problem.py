@@ -1,0 +1,264 @@
+"""A measured curve with its known data as the problem of a fit: starts, minima, the fitted range, and G of its points.
+
+The unloading branch gives w of opening, E* and z_c. With these E* and z_c the loading branch gives w of closing: by
+itself it hardly tells w from E*.
+"""
+
+from typing import NamedTuple, Self
+
+import numpy
+from numpy import exp, inf, pi, sqrt
+
+from .fit_branches import (
+    APPROACH,
+    LEAST_POINTS,
+    LOADING,
+    RADIUS,
+    TRAVEL,
+    UNLOADING,
+    BadCurve,
+    Branch,
+    Branches,
+    LoadRange,
+    running_median,
+)
+from .fit_laws import PROFILES, Array, Grip, curve_law
+from .fit_minimum import ADHESION, MODULUS, POINT, Minimum, Points, Setting, best_of, minimum, with_point
+from .fit_result import Known
+
+FIRST_RANGE = LoadRange(-1.0, 0.3, True)
+EVERYTHING = LoadRange(-inf, inf, False)
+_PLATEAU = 0.03  # of the energy release rate, within which it is constant
+_PLATEAUS = 4  # times that the plateau of contact radii is found anew
+_BINS = 24
+_LARGEST = 60.0  # ln w or ln E* beyond which a minimum is none
+_NO_ADHESION = 5.0  # standard deviations of the noise that a tension must have
+_NEXT_TO_NOTHING = 1e-12  # of the upper limit of w, by which Hertz' contact is JKR's
+_ROOT_STEPS = 60  # of Newton's method for the contact radius of a point
+_ROOT = 1e-6  # of the load, up to which a contact radius is a solution
+
+NAMES = {UNLOADING: "work_of_adhesion_opening", LOADING: "work_of_adhesion_closing"}
+
+
+class Problem(NamedTuple):
+    """The branches of a curve, and what is known of the contact and the instrument."""
+
+    kind: str
+    known: Known
+    branches: Branches
+    is_deflection: bool = False
+
+    @property
+    def radius(self) -> float:
+        """The reduced radius; 1 m where it is not known, so that w stands for wR."""
+        return self.known.radius or 1.0
+
+    @property
+    def stiffness(self) -> float:
+        """The stiffness of the lever; infinite where x is no travel."""
+        return self.known.stiffness if self.kind == TRAVEL else inf
+
+    @property
+    def setting(self) -> Setting:
+        """The setting of the law that was asked for."""
+        return self.by_law(self.known.law, self.known.profile)
+
+    def by_law(self, law: str, profile: str = "paraboloid", spacing: float | None = None) -> Setting:
+        """Return the setting of a law."""
+        grip = Grip(self.stiffness, self.kind == RADIUS)
+        return Setting(curve_law(law, profile), self.radius, spacing or self.known.spacing, grip)
+
+    def without_adhesion(self, profile: str = "paraboloid") -> Setting:
+        """Return the setting of Hertz' contact, which is JKR's with next to no adhesion."""
+        return self.by_law("jkr", profile)
+
+    @property
+    def largest_adhesion(self) -> float:
+        """The w whose pull-off force stands out from the noise."""
+        return _NO_ADHESION * self.branches.noise / (1.5 * pi * self.radius)
+
+    def has_adhesion(self, branch: Branch) -> bool:
+        """Return whether a branch has a tension beyond the noise; contact radii show w without one."""
+        tension = -float(running_median(branch.in_contact.force, 3).min())
+        return self.kind == RADIUS or tension >= _NO_ADHESION * self.branches.noise
+
+    def range_of(self, branch: Branch, default: LoadRange) -> slice:
+        """Return the slice of the range that was asked for; else of a default, or of all where that has few points."""
+        if self.known.range is not None:
+            return self.known.range.within(branch)
+        try:
+            return default.within(branch)
+        except BadCurve:
+            return branch.contact
+
+
+class Solved(NamedTuple):
+    """A branch with its fitted points and their minimum; `free`: the unknowns that were moved."""
+
+    branch: Branch
+    points: Points
+    minimum: Minimum
+    free: tuple[int, ...]
+
+    @property
+    def unknowns(self) -> Array:
+        """The unknowns at the minimum."""
+        return self.minimum.unknowns
+
+    def at(self, points: Points, minimum: Minimum) -> Self:
+        """Return the same branch with other points and their minimum."""
+        return self._replace(points=points, minimum=minimum)
+
+
+# --- Minima -----------------------------------------------------------------------------------------------------------
+
+
+def solved(problem: Problem, branch: Branch) -> Solved:
+    """Return the minimum of a branch with all unknowns, in the given range or up to the end of G's plateau.
+
+    A first minimum says how far the contact holds behind the least load. Raises BadCurve.
+    """
+    asked, free = problem.known.range, problem.setting.names
+    if problem.kind == RADIUS and asked is None:
+        return _solved_by_radii(problem, branch)
+    points = branch.points.chosen(problem.range_of(branch, FIRST_RANGE))
+    first = Solved(branch, points, _first_minimum(problem, points), free)
+    branch = extended(problem, branch, first.unknowns)
+    if asked is not None or branch.name == LOADING:
+        within = problem.range_of(branch, FIRST_RANGE)
+    else:
+        within = _plateau(problem, branch, first.unknowns)
+    points = branch.points.chosen(within)
+    return Solved(branch, points, minimum(points, problem.setting, first.unknowns), free)
+
+
+def _solved_by_radii(problem: Problem, branch: Branch) -> Solved:
+    """Return the minimum of contact radii; of unloading from where the edge recedes, which E* decides with it."""
+    points = branch.in_contact
+    found = _first_minimum(problem, points)
+    for _ in range(_PLATEAUS if branch.name == UNLOADING else 0):
+        points = branch.points.chosen(_plateau(problem, branch, found.unknowns))
+        found = minimum(points, problem.setting, found.unknowns)
+    return Solved(branch, points, found, problem.setting.names)
+
+
+def solved_with(problem: Problem, branch: Branch, main: Solved) -> Solved:
+    """Return the minimum of a branch by w alone, with E* and z_c of another. Raises BadCurve."""
+    branch = extended(problem, branch, main.unknowns)
+    points = branch.points.chosen(problem.range_of(branch, EVERYTHING))
+    found = minimum(points, problem.setting, main.unknowns, free=[ADHESION])
+    return Solved(branch, points, found, (ADHESION,))
+
+
+def solved_without_adhesion(problem: Problem, branch: Branch) -> Solved:
+    """Return the minimum of Hertz' contact. Raises BadCurve."""
+    points = branch.points.chosen(problem.range_of(branch, EVERYTHING))
+    setting = problem.without_adhesion(problem.known.profile)
+    w = _NEXT_TO_NOTHING * problem.largest_adhesion
+    depth = float(numpy.ptp(points.z)) or 1e-9
+    modulus = 0.75 * float(points.force.max()) / (sqrt(problem.radius) * depth**1.5)
+    starts = [with_point(points, setting, w, modulus * factor) for factor in (1.0, 10.0)]
+    try:
+        found = best_of(starts, points, setting, (MODULUS, POINT))
+    except ValueError:
+        raise BadCurve("no contact resembles the curve", "no minimum") from None
+    return Solved(branch, points, found, (MODULUS, POINT))
+
+
+def _first_minimum(problem: Problem, points: Points) -> Minimum:
+    """Return the best minimum from some starts; by other laws than JKR from that of JKR, too."""
+    starts, setting = _starts(problem, points), problem.setting
+    try:
+        if problem.known.law != "jkr":
+            by_jkr = best_of(starts, points, problem.by_law("jkr")).unknowns
+            starts = [*starts, with_point(points, setting, *(float(exp(each)) for each in by_jkr[:POINT]))]
+        found = best_of(starts, points, setting)
+    except ValueError:
+        found = None
+    if found is None or not (abs(found.unknowns[:POINT]) < _LARGEST).all():
+        raise BadCurve("no contact of this law resembles the curve", "no minimum")
+    return found
+
+
+def _starts(problem: Problem, points: Points) -> list[Array]:
+    """Return two starts: by the depth and the width of the tensile part, and from a modulus 3 times as large."""
+    setting, radius = problem.setting, problem.radius
+    w = max(-float(running_median(points.force, 3).min()), 1e-300) / (1.5 * pi * radius)
+    if setting.grip.is_radius:
+        shape = 4 / 3 / radius * points.z**1.5
+        rows = numpy.stack([shape, -numpy.ones_like(shape)], 1)
+        modulus, offset = numpy.linalg.lstsq(rows, points.force / points.z**1.5, rcond=None)[0]
+        modulus = modulus if modulus > 0 else 0.75 * radius * float((points.force / points.z**3).max())
+        w = offset**2 / (8 * pi * modulus) if offset > 0 else w
+        return [with_point(points, setting, w, abs(modulus) * factor) for factor in (1.0, 3.0)]
+    approach = points.z - points.force / setting.grip.stiffness
+    least = int(numpy.argmin(points.force))
+    pressed = points.force > 0.3 * points.force.max()
+    zero = int(numpy.argmin(abs(points.force)))
+    width = abs(float(approach[zero] - approach[least])) / (1 / 3 + 1 / 3 / 4 ** (2 / 3))
+    if width == 0 and pressed.any():
+        width = float(numpy.ptp(approach))
+    unloaded = sqrt(radius * max(width, 1e-6 * float(numpy.ptp(points.z))))
+    modulus = 9 * pi * w * radius**2 / (2 * unloaded**3)
+    return [with_point(points, setting, w, modulus * factor) for factor in (1.0, 5.0)]
+
+
+def extended(problem: Problem, branch: Branch, unknowns: Array) -> Branch:
+    """Return a branch with the contact as far as a minimum holds it, by fixed grips."""
+    if problem.kind != APPROACH:
+        return branch  # a lever's way from its least load is its way apart
+    setting = problem.setting
+    contact, grip, law = setting.contact(unknowns), setting.grip, setting.law
+    x_last = float(grip.x(law.values(numpy.float64(law.last(contact, grip)), contact)[0]))
+    return branch.extended(unknowns[POINT] + x_last)
+
+
+# --- The energy release rate ------------------------------------------------------------------------------------------
+
+
+def _plateau(problem: Problem, branch: Branch, unknowns: Array) -> slice:
+    """Return the slice from where the energy release rate is constant to the last point in contact."""
+    rate, _ = release_rate(problem, branch.in_contact, unknowns)
+    size = max(LEAST_POINTS, len(rate) // _BINS)
+    middles = [float(numpy.nanmedian(rate[at : at + size])) for at in range(0, len(rate) - size + 1, size)]
+    lower = middles[len(middles) // 2 :]
+    if len(lower) < 2:
+        return branch.contact
+    level = float(numpy.nanmedian(lower))
+    scatter = 1.4826 * float(numpy.nanmedian(abs(numpy.array(lower) - level)))
+    tolerance = max(_PLATEAU * level, 3 * scatter)
+    outside = [place for place, value in enumerate(middles) if abs(value - level) > tolerance]
+    above = [place for place in outside if place < len(middles) - 3]
+    first = (above[-1] + 1) * size if above else 0
+    start = min(branch.contact.start + first, branch.contact.stop - 4 * LEAST_POINTS)
+    return slice(max(start, branch.contact.start), branch.contact.stop)
+
+
+def release_rate(problem: Problem, points: Points, unknowns: Array) -> tuple[Array, Array]:
+    """Return the energy release rate G and the contact radius of measured points by E* and z_c, under any law by JKR.
+
+    Both are nan where no contact radius has the approach and the load of a point.
+    """
+    modulus, radius, grip = float(exp(unknowns[MODULUS])), problem.radius, problem.setting.grip
+    depth_of = PROFILES[problem.known.profile]
+    if grip.is_radius:
+        a = points.z
+        hertz = modulus * depth_of.without_adhesion(a, radius)[3]
+        return (hertz - points.force) ** 2 / (8 * pi * modulus * a**3), a
+    approach = points.z - unknowns[POINT] - points.force / grip.stiffness
+    root = sqrt(numpy.maximum(radius * approach, 0))
+    a = numpy.maximum(1.5 * root, numpy.cbrt(abs(points.force) * radius * 3 / modulus)) + 2 * root
+    a = numpy.clip(a, 1e-9 * radius, 0.999999 * depth_of.most * radius)
+    for _ in range(_ROOT_STEPS):
+        depth, _, _, hertz = depth_of.without_adhesion(a, radius)
+        excess = 2 * modulus * a * (depth - approach) - modulus * hertz + points.force
+        new = numpy.maximum(a - excess / (2 * modulus * (depth - approach)), 1e-9 * radius)
+        is_done = bool((abs(new - a) <= 1e-10 * a).all())
+        a = new
+        if is_done:
+            break
+    depth, _, _, hertz = depth_of.without_adhesion(a, radius)
+    pull = 2 * modulus * a * (depth - approach)
+    has_root = abs(pull - modulus * hertz + points.force) <= _ROOT * (abs(pull) + abs(points.force))
+    rate = modulus * (depth - approach) ** 2 / (2 * pi * a)
+    return numpy.where(has_root, rate, numpy.nan), numpy.where(has_root, a, numpy.nan)

@@ -1,0 +1,265 @@
+"""The errors of a fit: what the instrument and the model move, and what is not known is absent."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy
+import pytest
+from numpy import pi
+
+from curves import autoregression, jkr_curve, jkr_force, ramp
+from jkroll import fit
+from jkroll.model.fit_branches import (
+    APPROACH,
+    LOADING,
+    PAUSE,
+    RADIUS,
+    TRAVEL,
+    UNLOADING,
+    ForceCurve,
+    branches_of,
+)
+from jkroll.model.fit_curve import fit_curve
+from jkroll.model.fit_errors import Solution
+from jkroll.model.fit_goodness import goodness_of
+from jkroll.model.fit_laws import PROFILES, Contact, Grip, curve_law, state_at
+from jkroll.model.fit_minimum import Noise, Setting, minimum, noise_of, residuals
+from jkroll.model.fit_problem import Problem, Solved, release_rate
+from jkroll.model.fit_result import Known
+from relative import approx
+
+PROBE = Known(radius=7.5e-6, stiffness=3.01)
+OPENING, CLOSING, MODULUS = "work_of_adhesion_opening", "work_of_adhesion_closing", "contact_modulus"
+
+
+def maugis_curve(w: float, modulus: float, radius: float, stiffness: float) -> ForceCurve:
+    """Return a curve by Maugis' law at a spacing of 4 Å, with little noise."""
+    setting = Setting(curve_law("maugis", "paraboloid"), radius, 4e-10, Grip(stiffness))
+    z = ramp(-20e-9, 20e-9, 800, UNLOADING)
+    contact = Contact(w, modulus, radius, 4e-10)
+    q, _, last = state_at(setting.law, z, contact, setting.grip)
+    force = numpy.where(z < last, 0, setting.law.values(q, contact)[0].load)
+    return ForceCurve(TRAVEL, z, force + numpy.random.default_rng(1).normal(0, 1e-11, len(z)))
+
+
+# --- Calibration ------------------------------------------------------------------------------------------------------
+
+
+def test_w_and_modulus_go_with_the_spring_of_a_deflection() -> None:
+    """A force k d and a travel in which P/k is d: w and E* are proportional to k."""
+    z, force = jkr_curve()
+    known = PROBE._replace(stiffness_error=0.05)
+    errors = fit_curve(ForceCurve(TRAVEL, z, force, is_deflection=True), known).errors
+    assert errors[OPENING].calibration == approx(0.05 * 0.06, rel=5e-3)
+    assert errors[CLOSING].calibration == approx(0.05 * 0.047, rel=5e-3)
+    assert errors[MODULUS].calibration == approx(0.05 * 1.75e6, rel=5e-3)
+    of_force = fit_curve(ForceCurve(TRAVEL, z, force), known).errors[OPENING].calibration
+    assert of_force is not None
+    assert of_force < 0.3 * 0.05 * 0.06
+
+
+def test_an_error_without_a_cause_is_absent() -> None:
+    z, force = jkr_curve(branches=(UNLOADING,), baseline=0.0)
+    held = force != 0
+    errors = fit_curve(ForceCurve(TRAVEL, z[held], force[held]), PROBE).errors
+    assert {each.calibration for each in errors.values()} == {None}
+    assert all(each.statistical is not None and each.model is not None for each in errors.values())
+
+
+def test_the_baseline_of_each_branch_moves_its_w() -> None:
+    """A load that is wrong by ε moves w of a branch that is held with the E* and z_c of the other by its own ε."""
+    z, force = jkr_curve()
+    noise = numpy.random.default_rng(4).normal(0, 3e-9, len(z))
+    quiet = numpy.where(numpy.arange(len(z)) < len(z) // 2, 10 * noise, noise)  # loading is ten times as noisy
+    errors = fit_curve(ForceCurve(TRAVEL, z, force + quiet), PROBE).errors
+    opening, closing = (errors[name].statistical for name in (OPENING, CLOSING))
+    assert opening is not None
+    assert closing is not None
+    assert closing > 3 * opening
+
+
+@pytest.mark.parametrize("phi", [0.0, 0.7])
+def test_the_error_of_a_baseline_is_the_scatter_of_medians(phi: Any) -> None:
+    z, force = jkr_curve(count=400)
+    found = [
+        branch.baseline
+        for seed in range(300)
+        for branch in [
+            branches_of(ForceCurve(TRAVEL, z, force + autoregression(seed, len(z), 3e-9, phi)), 3.01).by_name[UNLOADING]
+        ]
+    ]
+    scatter = numpy.std([each.force for each in found if each is not None])
+    stated = numpy.median([each.error for each in found if each is not None])
+    assert stated == approx(scatter, rel=0.12)
+
+
+def test_the_slope_of_a_tilted_baseline_has_its_scatter() -> None:
+    z, force = jkr_curve(count=400)
+    found = [
+        branches_of(ForceCurve(TRAVEL, z, force + autoregression(seed, len(z), 3e-9, 0.0)), 3.01, tilt=True)
+        .by_name[UNLOADING]
+        .baseline
+        for seed in range(300)
+    ]
+    scatter = numpy.std([each.slope for each in found if each is not None])
+    assert numpy.median([each.slope_error for each in found if each is not None]) == approx(scatter, rel=0.12)
+
+
+# --- Model ------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("w", "modulus", "radius", "stiffness"), [(0.02, 1e10, 5e-8, 40.0), (0.02, 1e9, 5e-8, 4.0)])
+def test_below_a_tabor_parameter_of_5_the_error_has_the_distance_to_maugis(
+    w: float, modulus: float, radius: float, stiffness: float
+) -> None:
+    curve = maugis_curve(w, modulus, radius, stiffness)
+    fit = fit_curve(curve, Known(radius=radius, stiffness=stiffness))
+    by_maugis = fit_curve(curve, Known(radius=radius, stiffness=stiffness, law="maugis"))
+    assert by_maugis.values[OPENING] == approx(w, rel=5e-3)
+    assert fit.law_that_holds == "maugis"
+    model = fit.errors[OPENING].model
+    assert model is not None
+    assert model >= 0.98 * abs(fit.values[OPENING] - by_maugis.values[OPENING]) > 0.05 * w
+    assert abs(fit.values[OPENING] - w) < fit.errors[OPENING].total
+
+
+def test_thinned_noise_is_that_of_thinned_residuals() -> None:
+    values = autoregression(8, 30_000, 2.0, 0.8)
+    whole, thinned = noise_of(values, 0).thinned(3), noise_of(values[::3], 0)
+    assert whole.phi == approx(thinned.phi, abs=0.02)
+    assert whole.scale == approx(thinned.scale, rel=0.02)
+
+
+def test_under_a_sphere_other_laws_are_named_as_those_of_a_paraboloid() -> None:
+    z, force = jkr_curve()
+    fit = fit_curve(ForceCurve(TRAVEL, z, force), PROBE._replace(profile="sphere"))
+    assert set(fit.by_law) == {"jkr, sphere", "jkr", "maugis", "dmt"}
+    assert fit.by_law["jkr, sphere"][OPENING] == fit.values[OPENING]
+    of_paraboloid = fit_curve(ForceCurve(TRAVEL, z, force), PROBE).values[OPENING]
+    assert fit.by_law["jkr"][OPENING] == approx(of_paraboloid, rel=5e-3)
+    assert fit.values[OPENING] > 1.01 * of_paraboloid
+
+
+# --- Without adhesion -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("profile", ["paraboloid", "sphere"])
+def test_without_adhesion_the_profile_counts_and_so_does_the_radius(profile: str) -> None:
+    """E* ∝ R^(−1/2) for a paraboloid."""
+    a = numpy.linspace(0, 2.5e-6, 4000)
+    depth, _, _, load = PROFILES[profile].without_adhesion(a, 5e-6)
+    z = ramp(-1e-6, 1.2e-6, 600, LOADING)
+    force = numpy.interp(z, depth, 1e6 * load, left=0) + numpy.random.default_rng(6).normal(0, 1e-10, len(z))
+    fit = fit_curve(ForceCurve(APPROACH, z, force), Known(radius=5e-6, radius_error=0.01, profile=profile))
+    assert fit.values[MODULUS] == approx(1e6, rel=1e-3)
+    assert "no-adhesion" in fit.remarks
+    if profile == "paraboloid":
+        assert fit.errors[MODULUS].calibration == approx(0.005e6, rel=0.02)
+        assert "profile-matters" in fit.remarks
+    else:
+        by_paraboloid = fit_curve(ForceCurve(APPROACH, z, force), Known(radius=5e-6))
+        assert by_paraboloid.values[MODULUS] < 0.98e6
+
+
+def test_exact_zeros_are_no_saturation() -> None:
+    z = ramp(-1e-6, 1e-6, 400, LOADING)
+    force = 4 / 3 * 1e6 * 5e-6**0.5 * numpy.maximum(z, 0) ** 1.5
+    fit = fit_curve(ForceCurve(APPROACH, z, force), Known(radius=5e-6))
+    assert {"saturated", "no-baseline"}.isdisjoint(fit.remarks)
+    cut = fit_curve(ForceCurve(APPROACH, z, numpy.minimum(force, 0.6 * force.max())), Known(radius=5e-6))
+    assert "saturated" in cut.remarks
+
+
+# --- Goodness and remarks ---------------------------------------------------------------------------------------------
+
+
+def test_the_misfit_counts_points_past_the_jump() -> None:
+    """The contact point is 30 nm off, so that the model's jump comes before the last points."""
+    z, force = jkr_curve(branches=(UNLOADING,), baseline=0.0)
+    problem = Problem(TRAVEL, PROBE, branches_of(ForceCurve(TRAVEL, z, force), 3.01))
+    branch = problem.branches.by_name[UNLOADING]
+    points, unknowns = branch.in_contact, numpy.array([numpy.log(0.06), numpy.log(1.75e6), 2.3e-7])
+    found = minimum(points, problem.setting, unknowns, noise=Noise())
+    found = found._replace(residuals=residuals(points, unknowns, problem.setting))
+    good = goodness_of(Solution(problem, problem.setting, Solved(branch, points, found, (0, 1, 2))), 2e-6)
+    shifted = jkr_force(points.z - 2.3e-7, 0.06, 1.75e6, 7.5e-6, 3.01)
+    past = (shifted == 0).sum()
+    shifted = numpy.where(shifted == 0, shifted.min(), shifted)  # the load of the last state
+    assert good["points_past_jump"] == past > 5
+    assert good["rms"] == approx(numpy.sqrt(numpy.mean((points.force - shifted) ** 2)), rel=0.02)
+
+
+def test_a_wide_contact_is_named_for_every_profile() -> None:
+    w, modulus, radius = 0.045, 2e4, 1e-4
+    a = numpy.linspace(0.95, 0.3, 40) * radius
+    load = 4 / 3 * modulus * a**3 / radius - numpy.sqrt(8 * pi * w * modulus * a**3)
+    assert "wide-contact" in fit_curve(ForceCurve(RADIUS, a, load), Known(radius=radius)).remarks
+    narrow = fit_curve(ForceCurve(RADIUS, a[20:], load[20:]), Known(radius=radius))
+    assert "wide-contact" not in narrow.remarks
+
+
+def test_there_is_no_release_rate_where_there_is_no_contact_radius() -> None:
+    """No contact with adhesion has a larger load than Hertz' at its approach."""
+    z, force = jkr_curve(branches=(UNLOADING,), baseline=0.0)
+    curve = ForceCurve(TRAVEL, z, force)
+    problem = Problem(TRAVEL, PROBE, branches_of(curve, 3.01))
+    points = problem.branches.by_name[UNLOADING].in_contact
+    unknowns = numpy.log([0.06, 1.75e6, 1.0])
+    unknowns[2] = 2e-7
+    rate, radius = release_rate(problem, points._replace(force=points.force + 1e-5), unknowns)
+    assert numpy.isnan(rate).all()
+    assert numpy.isnan(radius).all()
+    assert release_rate(problem, points, unknowns)[0] == approx(0.06 + 0 * points.z, rel=1e-3)
+
+
+def test_points_of_a_pause_are_left_out_and_gaps_in_time_are_named() -> None:
+    z, force = jkr_curve()
+    top = int(numpy.argmax(z)) + 1
+    names = numpy.array([LOADING] * top + [PAUSE] * 50 + [UNLOADING] * (len(z) - top), dtype=object)
+    z, force = (numpy.concatenate([column[:top], numpy.full(50, column[top]), column[top:]]) for column in (z, force))
+    time = numpy.arange(len(names), dtype=float)
+    fit = fit_curve(ForceCurve(TRAVEL, z, force, branch=names, time=time), PROBE)
+    assert fit.values[OPENING] == approx(0.06, rel=1e-3)
+    assert fit.remarks["pause"].startswith("50 points")
+    assert "time-gaps" not in fit.remarks
+    time[1400:] += 100.0
+    assert "time-gaps" in fit_curve(ForceCurve(TRAVEL, z, force, branch=names, time=time), PROBE).remarks
+
+
+# --- A measured curve -------------------------------------------------------------------------------------------------
+
+
+def jkr_of_lever(z: Any, adhesion: float, modulus: float, point: float, stiffness: float) -> tuple[Any, Any, float]:
+    """Return force, dF/dz and the travel of the jump of a lever for R = 1, by the formulas of JKR (1971)."""
+    unloaded = (9 * pi * adhesion / (2 * modulus)) ** (1 / 3)
+    a = numpy.geomspace(0.2 * unloaded, 30 * unloaded, 20_001)
+    approach = a**2 - numpy.sqrt(2 * pi * adhesion * a / modulus)
+    load = 4 / 3 * modulus * a**3 - numpy.sqrt(8 * pi * adhesion * modulus * a**3)
+    travel = point + approach + load / stiffness
+    last = int(numpy.argmin(travel))
+    travel, load = travel[last:], load[last:]
+    slope = numpy.gradient(load, travel)
+    return numpy.interp(z, travel, load), numpy.interp(z, travel, slope), float(travel[0])
+
+
+def test_the_curve_of_an_afm_gives_what_another_code_finds() -> None:
+    """The same points, by scipy; both errors of a point are equal as forces, σ_z = σ_F/k."""
+    optimize = pytest.importorskip("scipy.optimize")
+    path = Path(__file__).parents[1] / "data" / "afm_retract.csv"
+    fitted, stiffness = fit(str(path), spring="0.31451 N/m"), 0.31451
+    _, most = fitted.fitted_loads[UNLOADING]
+    is_fitted = fitted.points["force"] <= most
+    z, force = (fitted.points[name][is_fitted] for name in ("z", "force"))
+    noise = 1e-10
+
+    def left(unknowns: Any) -> Any:
+        adhesion, modulus = (float(each) for each in numpy.exp(unknowns[:2]))
+        model, slope, jump = jkr_of_lever(z, adhesion, modulus, 1e-7 * unknowns[2], stiffness)
+        inside = (force - model) / numpy.hypot(noise, slope * noise / stiffness)
+        return numpy.where(z < jump, (z - jump) * stiffness / noise, inside)
+
+    found = optimize.least_squares(left, [numpy.log(4e-9), numpy.log(250), -4.5], xtol=1e-12, ftol=1e-12).x
+    assert is_fitted.sum() == fitted.goodness["points"] > 100
+    assert fitted.values[OPENING] == approx(numpy.exp(found[0]), rel=5e-3)
+    assert fitted.values[MODULUS] == approx(numpy.exp(found[1]), rel=5e-3)
+    assert fitted.values["contact_point"] == approx(1e-7 * found[2], rel=5e-3)
