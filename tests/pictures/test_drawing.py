@@ -34,17 +34,24 @@ pytest.importorskip("matplotlib")
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.mathtext import MathTextParser
+from matplotlib.path import Path as MplPath
 from matplotlib.text import Text
 
-from jkroll.pictures.page import FINE, figure_of, levels_of, line_of, settings
+from jkroll.pictures.fields import levels_of
+from jkroll.pictures.page import figure_of, line_of, settings
 from jkroll.pictures.picture import DARK, PAPER, STYLES, Style
 
 POWERS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
-SVG_TEXT = re.compile(r"<!-- (.*?) -->", re.DOTALL)  # letters are paths; their text stands beside them
+_TEXT = re.compile(r"<text[^>]*>(.*?)</text>", re.DOTALL)
 
 
 # The figures of the paper, one of them in the fast run.
 OF_EACH_KIND = [pytest.param(name, marks=pytest.mark.slow) if name != "8" else name for name in PAPER_MAPS]
+
+
+def texts_of(svg: str) -> list[str]:
+    """Return the texts of an SVG, without their styles."""
+    return [unescape(re.sub(r"<[^>]*>", "", text)) for text in _TEXT.findall(svg)]
 
 
 def map_drawn(words: list[str]) -> tuple[Picture, Panel, Field]:
@@ -73,21 +80,27 @@ def contact_of_quartz() -> Picture:
     return curves_of_contact([Frame({"radius": 1e-7}, known_materials()["quartz"])], None, None)[0]
 
 
-def contour_sets(page: Figure) -> list[Any]:
-    """Return the sets of labelled contours of a drawn map: as computed, and as printed if they are there."""
-    drawings: list[Any] = [*page.axes[0].collections]
-    sets = [drawing for drawing in drawings if hasattr(drawing, "levels")]
-    return [drawing for drawing in sets if not drawing.filled and len(drawing.levels) > 1]
+def lines_of(page: Figure, name: str) -> list[Any]:
+    """Return the lines of a drawn map that have a name in the file, in points of the picture."""
+    drawings: list[Any] = [drawing for drawing in page.axes[0].collections if drawing.get_gid() == name]
+    return [np.asarray(path.vertices) for drawing in drawings for path in drawing.get_paths()]
 
 
 def contours(field: Field, page: Figure) -> list[tuple[float, Any]]:
-    """Return the levels of a drawn map, and points on their paths in SI units, between the vertices too."""
+    """Return the levels of a drawn map, and points on their lines in SI units, between the vertices too.
+
+    The lines are straight on the page, so that these are found in its pixels.
+    """
+    (axes,) = page.axes
     found = []
-    for level, path in zip(levels_of(field), contour_sets(page)[0].get_paths(), strict=True):
-        ends, codes = np.asarray(path.vertices), np.asarray(path.codes)
-        is_drawn = codes[1:] == 2  # a line from the vertex before; others begin anew
-        middles = (ends[1:] + ends[:-1])[is_drawn] / 2
-        found.append((level, np.concatenate([ends, middles]).T))
+    for position, level in enumerate(levels_of(field)):
+        points = []
+        for line in lines_of(page, f"contour-{position}"):
+            ends = axes.transData.transform(line)
+            points += [
+                start + (end - start) * share for start, end in itertools.pairwise(ends) for share in (0, 0.3, 0.7, 1)
+            ]
+        found.append((level, axes.transData.inverted().transform(points).T))
     return found
 
 
@@ -100,7 +113,7 @@ def test_a_contour_of_the_paper_is_its_formula(name: str) -> None:
         given: dict[str, Any] = {**declared.given, **panel.x.inputs(x), "radius": y}
         np.testing.assert_allclose(solve(declared.quantity, **given), value, rtol=2e-3)
         sampled += len(x)
-    assert sampled > 100
+    assert sampled >= 20
 
 
 @pytest.mark.parametrize(
@@ -145,7 +158,7 @@ def test_every_figure_is_drawn_and_says_what_it_is(run: Run, tmp_path: Path, nam
     assert (ran.code, ran.err) == (0, "")
     text = (tmp_path / "figure.svg").read_text(encoding="utf-8")
     assert f'<svg xmlns:xlink="http://www.w3.org/1999/xlink" width="{0.085 / 0.0254 * 72:.5f}'[:-2] in text
-    shown = " ".join(SVG_TEXT.findall(text))
+    shown = " ".join(texts_of(text))
     words = {word for word in " ".join(ran.out.splitlines()[:2]).split() if re.fullmatch(r"[A-Za-z]{3,}[:,.]?", word)}
     assert words <= {*unescape(shown).split()}
     assert STYLES["dark"].paper in text
@@ -154,7 +167,7 @@ def test_every_figure_is_drawn_and_says_what_it_is(run: Run, tmp_path: Path, nam
 @pytest.mark.slow
 def test_a_picture_without_a_caption(run: Run, tmp_path: Path) -> None:
     run("figure 3a -o bare.svg --no-caption")
-    assert "Fixed" not in " ".join(SVG_TEXT.findall((tmp_path / "bare.svg").read_text(encoding="utf-8")))
+    assert "Fixed" not in " ".join(texts_of((tmp_path / "bare.svg").read_text(encoding="utf-8")))
 
 
 @pytest.mark.parametrize(
@@ -187,8 +200,8 @@ def test_a_caption_has_the_inputs_of_what_is_drawn(run: Run, tmp_path: Path, opt
     assert ran.out.splitlines()[-1] == f"Fixed: quartz, {held}"
     assert ("assumed: z0" in ran.err) is ("z0" in held)
     assert "(--xi)" not in ran.err
-    shown = SVG_TEXT.findall((tmp_path / "contact.svg").read_text(encoding="utf-8"))
-    moments = [typeset(text) for text in ("⟦M⟧:", "⟦M_half⟧:", "⟦M_δ⟧:")]
+    shown = texts_of((tmp_path / "contact.svg").read_text(encoding="utf-8"))
+    moments = ("M: ", "Mhalf: ", "Mδ: ")  # their indices are texts of another size
     if options in ("", "--panel force"):
         assert {"fold", "pull-off", "jump-in", "stable", "unstable", "fixed grips"} <= {*shown}
         assert all(any(moment in text for text in shown) for moment in moments) is (not options)
@@ -202,14 +215,14 @@ def test_a_hatch_belongs_to_one_limit_and_shows_beneath_any_other() -> None:
         _, page = in_a_column(name)
         legend: Any = page.axes[0].get_legend()
         keys = {str(patch.get_label()): patch.get_hatch() for patch in legend.get_patches() if patch.get_hatch()}
-        drawn = {hatch for one in page.axes[0].collections for hatch in getattr(one, "hatches", [None]) if hatch}
+        drawn = {one.get_hatch() for one in page.axes[0].collections if one.get_hatch()}
         assert drawn == {*keys.values()}
         assert len(keys) >= 3
         for text, hatch in keys.items():
             hatch_of.setdefault(" ".join(text.split()), set()).add(hatch)
     assert {len(hatches) for hatches in hatch_of.values()} == {1}
     of_law = [hatch_of.pop(f"JKR is off by more than {least}") for least in ("5 %", "a factor of 2")]
-    assert of_law == [{"|"}, {"||||"}]  # denser where it is worse
+    assert of_law == [{"||"}, {"||||||"}]  # denser where it is worse, by whole multiples
     hatch_of["JKR"] = of_law[0]
     both = {"x": "/\\", "+": "-|"}
     strokes = [{stroke for sign in hatch for stroke in both.get(sign, sign)} for (hatch,) in hatch_of.values()]
@@ -284,23 +297,42 @@ def test_labels_without_a_unit_have_it_in_the_title() -> None:
     assert drawn.title.endswith("⟦m1⟧ [kg]")
 
 
-def test_the_edge_of_a_gap_is_where_the_contact_breaks() -> None:
-    """The border of the part without a value, as drawn, is P = -P_c."""
-    words = "contact-radius-at-load quartz --x radius=10nm:1um --y load=-20nN:50nN:lin"
-    drawn, panel, _ = map_drawn(words.split())
-    (axes,) = figure_of(drawn, 4.0, PAPER, has_caption=False).axes
-    (edge,) = (one for one in axes.collections if hasattr(one, "levels") and [*one.levels] == [0.5])
-    radius, load = np.asarray(edge.get_paths()[0].vertices).T
-    assert len(radius) > 100
-    step = (panel.y.high - panel.y.low) / (FINE - 1)
-    assert abs(load + solve("pull_off_force", material="quartz", radius=radius)).max() < 1.5 * step
+@pytest.mark.parametrize("model", ["jkr", pytest.param("maugis", marks=pytest.mark.slow)])
+def test_the_edge_of_a_gap_is_where_the_contact_breaks(model: str) -> None:
+    """The border of the part without a value, as drawn, is P = -P_c: no staircase of the points of a mesh."""
+    words = f"contact-radius-at-load quartz --x radius=10nm:1um --y load=-20nN:50nN:lin --model {model}"
+    drawn, panel, field = map_drawn(words.split())
+    (edge,) = lines_of(figure_of(drawn, 4.0, PAPER, has_caption=False), "edge")
+    radius, load = edge.T
+    assert 20 < len(radius) < 200
+    pull_off = solve("pull_off_force", material="quartz", radius=radius, model=model)
+    assert abs(load + pull_off).max() < 1e-6 * (panel.y.high - panel.y.low)
+    assert field.gaps == ("beyond pull-off",)
+
+
+def test_a_limit_that_holds_in_part_of_a_map_has_its_name_at_its_line() -> None:
+    drawn, _, field = map_drawn("n-roll quartz --x radius=10nm:1um --y speed=1cm/s:1m/s".split())
+    with settings(PAPER):
+        page = figure_of(drawn, 120 / 25.4, PAPER, has_caption=True)
+    (axes,) = page.axes
+    (region,) = (region for region in field.regions if region.name == "⟦M/2cRw > 1⟧")
+    (label,) = (text for text in axes.texts if text.get_text() == typeset(region.name))
+    box = label.get_window_extent()
+    x, y = axes.transData.inverted().transform(box.corners()).T
+    assert (region.excess(field.frame.replace(radius=x, speed=y)) > 0).all()
+    beyond = axes.transData.inverted().transform(box.translated(box.width / 2, 0).corners()).T
+    assert (region.excess(field.frame.replace(radius=beyond[0], speed=beyond[1])) < 0).any()
+    legend: Any = axes.get_legend()
+    assert any("hysteresis cannot" in text.get_text().replace("\n", " ") for text in legend.get_texts())
+    assert not any("hysteresis" in doubt for doubt in drawn.doubts)
 
 
 @pytest.mark.slow
 def test_regions_may_have_gaps(run: Run, tmp_path: Path) -> None:
     """The margins of bounds have no value beyond the fold, as the quantity has none."""
     run("map load_at_factor quartz --x radius=10nm:1um --y approach_at_load=-0.3nm:1nm:lin -o load.svg --quiet")
-    assert "no value" in SVG_TEXT.findall((tmp_path / "load.svg").read_text(encoding="utf-8"))
+    shown = texts_of((tmp_path / "load.svg").read_text(encoding="utf-8"))
+    assert any(text.startswith("no value") for text in shown)
 
 
 def test_many_curves_have_a_legend_clear_of_the_caption() -> None:
@@ -319,19 +351,24 @@ def test_each_contour_has_its_label_on_its_line_and_on_no_other(name: str, width
     """A label is horizontal and within the frame, on a patch that hides what runs beneath it."""
     drawn, page = in_a_column(name, width)
     (axes,) = page.axes
-    labels = [text for text in axes.texts if text.get_text().startswith(" ")]
+    _, field = field_of(drawn)
+    shown = field.in_words(levels_of(field))[0]
+    labels = [text for text in axes.texts if text.get_text() in {*map(typeset, shown)}]
     boxes = [text.get_window_extent() for text in labels]
     assert {text.get_rotation() for text in labels} == {0.0}
-    frame = axes.get_window_extent().padded(1e-6)
+    frame = axes.get_window_extent().padded(-3 * page.dpi / 72)  # where its ticks are
     assert all(frame.count_contains(box.corners()) == 4 for box in boxes)
     assert not any(one.overlaps(other) for one, other in itertools.combinations(boxes, 2))
-    paths = [path.transformed(axes.transData) for path in contour_sets(page)[0].get_paths()]
-    _, field = field_of(drawn)
-    for level, path in zip(field.in_words(levels_of(field))[0], paths, strict=True):
-        of_level = [box for text, box in zip(labels, boxes, strict=True) if text.get_text().strip() == typeset(level)]
-        own = [box for box in of_level if path.intersects_bbox(box, filled=False)]
-        assert len(own) == 1, level
-        assert [other for other in paths if other.intersects_bbox(own[0], filled=False)] == [path]
+    paths = [
+        [MplPath(axes.transData.transform(line)) for line in lines_of(page, f"contour-{position}")]
+        for position in range(len(shown))
+    ]
+    assert len(labels) >= len(shown) - 2  # contours may lie in the ticks of the lower and the upper edge
+    for text, box in zip(labels, boxes, strict=True):
+        crossing = [
+            label for label, own in zip(shown, paths, strict=True) if any(path.intersects_bbox(box) for path in own)
+        ]
+        assert [*map(typeset, crossing)] == [text.get_text()]
 
 
 @pytest.mark.parametrize(
@@ -429,7 +466,7 @@ def test_the_curves_of_several_laws_are_over_one_another(run: Run, tmp_path: Pat
     ran = run("contact quartz 100nm --curve --model jkr,maugis,dmt -o laws.svg")
     assert ran.code == 0
     assert ran.err.count("not in DMT") == 1
-    shown = SVG_TEXT.findall((tmp_path / "laws.svg").read_text(encoding="utf-8"))
+    shown = texts_of((tmp_path / "laws.svg").read_text(encoding="utf-8"))
     assert all(shown.count(law) == 2 for law in ("JKR", "Maugis–Dugdale", "DMT"))
     on_screen = run("contact quartz 100nm --curve --model jkr,dmt --panel force --load=-20nN:10nN --quiet")
     assert re.split(r"  +", on_screen.out.splitlines()[1].strip()) == ["δ [pm]", "P [nN]"]
@@ -501,8 +538,8 @@ def test_the_pull_off_force_by_law_tends_to_its_limits(run: Run, tmp_path: Path)
     assert found["Maugis–Dugdale"][0] == approx(2, rel=2e-3)
     assert found["Maugis–Dugdale"][-1] == approx(1.5, rel=1e-3)
     assert max(float(row["tabor_parameter"]) for row in rows if row["curve"] == "Lennard-Jones") == 2.0
-    shown = SVG_TEXT.findall((tmp_path / "laws.svg").read_text(encoding="utf-8"))
-    assert {"quartz@100nm", "ice-warm@1um"} <= {*shown}
+    shown = texts_of((tmp_path / "laws.svg").read_text(encoding="utf-8"))
+    assert {"quartz, 100 nm", "ice-warm, 1 µm"} <= {*shown}
     assert "nowhere" in run("figure laws --mark quartz").err
 
 
@@ -640,7 +677,7 @@ def test_the_pictures_of_the_readme_are_current(words: str, file: str, rest: str
     """Texts are the same, and lines within a tenth of a point, for every version of matplotlib."""
     assert f"](tests/data/{file})" in README.read_text(encoding="utf-8")
     kept, new = (KEPT / file).read_text(encoding="utf-8"), written(words, rest, tmp_path / file)
-    assert SVG_TEXT.findall(kept) == SVG_TEXT.findall(new)
+    assert texts_of(kept) == texts_of(new)
     np.testing.assert_allclose(drawing_of(kept), drawing_of(new), atol=0.1)
     assert len(kept) < 160_000
 
@@ -658,14 +695,15 @@ if __name__ == "__main__":
 def test_texts_of_marks_keep_apart() -> None:
     """From each other, from contours' and within the frame; where another dot is nearer, a line leads to its own."""
     marks = "quartz@100nm,silica-dry@100nm,iron@1um,gold@10nm,graphite@10um,ice-warm@1um,polystyrene@1um"
+    names = re.findall(r"[^,]+, \d+ .m", re.sub(r"@(\d+)(.)m", r", \1 \2m", marks).replace("um", "µm"))
     drawn, panel, _ = map_drawn(f"pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 --mark {marks}".split())
     with settings(PAPER):
         page = figure_of(drawn, 85 / 25.4, PAPER, has_caption=False)
     axes: Any = page.axes[0]
-    texts: dict[str, Any] = {text.get_text(): text for text in axes.texts if "@" in text.get_text()}
-    assert {*texts} == {*marks.split(",")}
+    texts: dict[str, Any] = {text.get_text(): text for text in axes.texts if text.get_text() in names}
+    assert {*texts} == {*names}
     boxes = [text.get_window_extent() for text in texts.values()]
-    contours = [text.get_window_extent() for text in axes.texts if text.get_text().startswith(" ")]
+    contours = [text.get_window_extent() for text in axes.texts if text.get_text().endswith("N")]
     assert contours
     assert not any(box.padded(2 * page.dpi / 72).overlaps(other) for box in boxes for other in contours)
     assert not any(one.overlaps(other) for one, other in itertools.combinations([*boxes, *contours], 2))

@@ -199,7 +199,7 @@ def map_request(call: Call) -> PlotRequest:
     frames = tuple((_distinction(frame, call), frame) for frame in call.sweep.frames())
     limits = () if call.plain else LIMITS
     marks = [*filter(None, call.mark.split(","))]
-    return PlotRequest(quantity, x, y, frames, marks, call.materials, limits)
+    return PlotRequest(quantity, x, y, frames, marks, call.materials, limits, has_best=not call.plain)
 
 
 def _distinction(frame: Frame, call: Call) -> str:
