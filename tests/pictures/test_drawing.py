@@ -16,9 +16,10 @@ import pytest
 
 from doors import call_of
 from harness import Run
-from jkroll import known_materials, solve
+from jkroll import __version__, answer, known_materials, solve
 from jkroll.cli.map import MAX_CURVES, map_request
 from jkroll.cli.process import main
+from jkroll.model.estimate import WORDS
 from jkroll.model.frame import Frame
 from jkroll.pictures.figures import PAPER_MAPS, PROFILES, curves_of_contact, paper_map
 from jkroll.pictures.picture import Curve, Field, Panel, Picture, described
@@ -164,8 +165,95 @@ def test_every_figure_is_drawn_and_says_what_it_is(run: Run, tmp_path: Path, nam
     assert STYLES["dark"].paper in text
 
 
-@pytest.mark.slow
+@pytest.mark.parametrize("kind", ["svg", "pdf", "png"])
+def test_a_file_says_what_drew_it(run: Run, tmp_path: Path, kind: str) -> None:
+    run(f"figure 2 --style dark -o out.{kind} --quiet")
+    content = (tmp_path / f"out.{kind}").read_bytes()
+    for said in ("Fig. 2: the shifted contact", f"jkroll {__version__}", "jkroll figure 2 --style=dark"):
+        assert said.encode() in content
+    assert b"out." not in content
+
+
+def test_the_text_of_an_svg_is_text_in_a_font_of_its_own(run: Run, tmp_path: Path) -> None:
+    """Words are whole, the letters of each text stand in their order, and straight lines take few bytes."""
+    run("figure 3a -o out.svg --quiet")
+    svg = (tmp_path / "out.svg").read_text(encoding="utf-8")
+    assert {"surface energy per surface, γ1", "100 mJ/m2", "10 mN", "graphite"} <= {*texts_of(svg)}
+    assert "<title>Fig. 3a: P_c</title>" in svg
+    assert "<desc>Pull-off force, P_c, Eq (1), by JKR." in svg
+    assert svg.count("@font-face") == 2
+    assert len(svg) < 70_000
+
+
+@pytest.mark.parametrize(
+    ("words", "data"),
+    [("pull-off ice-warm", ()), ("yield-force quartz", ()), ("restitution quartz --speed 1m/s", ("speed",))],
+)
+def test_the_band_of_a_curve_is_the_best_range_of_each_answer(words: str, data: tuple[str, ...]) -> None:
+    """The rule is that of single answers, with the error bars of the material, and the word for it."""
+    drawn, _ = picture_of(map_request(call_of(["map", *words.split(), "--x", "radius=10nm:10um:7"])))
+    ((curve,),) = (panel.curves for panel in drawn.panels)
+    assert curve.band is not None
+    material = words.split()[1]
+    given: dict[str, Any] = dict.fromkeys(data, "1 m/s")
+    name = drawn.panels[0].y.name
+    for position, radius in enumerate(curve.x.tolist()):
+        best = answer(name, material=material, radius=radius, **given).estimates[name]
+        ends = [end[position] for end in (curve.band.low, curve.band.high)]
+        assert [math.nan if math.isinf(end) else end for end in ends] == approx([best.low, best.high], nan_ok=True)
+        assert curve.band.by[position] == best.by
+        assert WORDS[best.by].replace("ξ", "⟦ξ⟧") in curve.key
+
+
+def test_a_band_of_a_map_has_the_value_of_its_contour() -> None:
+    """At the ends of a band the best range ends at the value of the contour."""
+    drawn, _, field = map_drawn("contact-radius-at-load quartz --x radius=50nm:1um --y load=0nN:50nN:lin".split())
+    with settings(PAPER):
+        page = figure_of(drawn, 85 / 25.4, PAPER, has_caption=True)
+    levels, ends = levels_of(field), []
+    for line in lines_of(page, "band"):
+        radius, load = line[len(line) // 2]
+        best = answer("contact_radius_at_load", material="quartz", radius=radius, load=load)[
+            "contact_radius_at_load"
+        ].best
+        ends.append(min(abs(end / level - 1) for end in (best.low, best.high) for level in levels))
+    assert len(ends) > 8
+    assert max(ends) < 3e-3
+    legend: Any = page.axes[0].get_legend()
+    assert any("best range" in text.get_text().replace("\n", " ") for text in legend.get_texts())
+
+
+def test_the_figures_of_the_paper_have_no_best_ranges() -> None:
+    _, page = in_a_column("8")
+    assert not lines_of(page, "band")
+
+
+def test_the_sketch_has_all_symbols(run: Run, tmp_path: Path) -> None:
+    assert run("figure geometry -o out.svg").code == 0
+    shown = texts_of((tmp_path / "out.svg").read_text(encoding="utf-8"))
+    assert {"R1", "R2", "a", "δ", "ξ", "P", "Q", "M"} <= {*shown}
+    assert run("figure geometry --data -").code == 2
+
+
+def test_the_sketch_of_the_manual_is_current(run: Run, tmp_path: Path) -> None:
+    run("figure geometry --no-caption -o out.svg")
+    files = tmp_path / "out.svg", PAGE.parent / "geometry.svg"
+    new, kept = (file.read_text(encoding="utf-8") for file in files)
+    assert texts_of(new) == texts_of(kept)
+    np.testing.assert_allclose(drawing_of(new), drawing_of(kept), atol=0.1)
+
+
+def test_a_caption_ends_with_what_to_cite(run: Run) -> None:
+    out = run("map contact-radius quartz --x radius=10nm:1um --cite").out.splitlines()[-1]
+    assert "Dominik & Tielens 1995" in out
+    assert "Kendall et al. 1987" in out
+    assert f"By jkroll {__version__}" in out
+    assert "Tielens" not in run("map contact-radius quartz --x radius=10nm:1um").out
+
+
 def test_a_picture_without_a_caption(run: Run, tmp_path: Path) -> None:
+    run("contact quartz 100nm --curve --panel force --no-caption -o force.svg --quiet")
+    assert not [text for text in texts_of((tmp_path / "force.svg").read_text(encoding="utf-8")) if "Eqs" in text]
     run("figure 3a -o bare.svg --no-caption")
     assert "Fixed" not in " ".join(texts_of((tmp_path / "bare.svg").read_text(encoding="utf-8")))
 
@@ -389,7 +477,8 @@ def test_a_caption_has_three_lines_in_a_column(name: str) -> None:
 @pytest.mark.slow
 def test_a_mark_on_the_edge_is_a_whole_dot() -> None:
     drawn, *_ = map_drawn("pull-off --x radius=100nm:1um --y gamma=1mJ/m2:1J/m2 --mark quartz@100nm".split())
-    (axes,) = figure_of(drawn, 4.0, PAPER, has_caption=False).axes
+    with settings(PAPER):
+        (axes,) = figure_of(drawn, 4.0, PAPER, has_caption=False).axes
     dots = [line for line in axes.lines if line.get_marker() == "o"]
     assert [np.ravel(line.get_xdata()).tolist() for line in dots] == [[1e-7]]
     assert not dots[0].get_clip_on()
@@ -687,6 +776,7 @@ def test_the_readme_shows_the_pictures_that_are_kept() -> None:
 
 
 if __name__ == "__main__":
+    written("figure geometry", "--no-caption", PAGE.parent / "geometry.svg")
     for words, file, rest in SHOWN:
         written(words, rest, KEPT / file)
 

@@ -130,6 +130,7 @@ def test_materials_are_where_table_1_has_them() -> None:
         (Axis("radius", 1e-9, 1e-6), 7, [1e-9, 3e-9, 1e-8, 3e-8, 1e-7, 3e-7, 1e-6]),
         (Axis("radius", 5e-10, 1e-6), 4, [1e-9, 1e-8, 1e-7, 1e-6]),
         (Axis("radius", 1.42e-9, 1.44e-9), 3, [1.42e-9, 1.43e-9, 1.44e-9]),
+        (Axis("radius", 1e-8, 3e-8), 11, [1e-8, 1.2e-8, 1.5e-8, 2e-8, 2.5e-8, 3e-8]),
         (Axis("radius", 1e-20, 1e20), 3, [1e-20, 1, 1e20]),
         (Axis("load", -5e-8, 5e-8, is_log=False), 5, [-4e-8, -2e-8, 0.0, 2e-8, 4e-8]),
         (Axis("load", -5e-8, 5e-8, is_log=False), 13, [count * 1e-8 for count in range(-5, 6)]),

@@ -45,6 +45,7 @@ PICTURE = (
     Options.style,
     Options.uncaptioned.but(help=Options.plain.help),
     Options.plain,
+    Options.cite.but(help="End the caption with what to cite"),
     Options.file,
     Options.quiet,
 )

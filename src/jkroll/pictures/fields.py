@@ -275,7 +275,7 @@ class _Drawing:
             self._fill(self.mesh.area(excess, 0.0, 3 * far), facecolor=self.style.paper, alpha=_PALE, zorder=1.1)
             for end in (low, high):
                 paths = self.mesh.lines(numpy.where(abs(end) < far, end, numpy.nan), height)
-                self._line(paths, color=self.style.hatch, linewidth=0.35, zorder=1.1)
+                self._line(paths, color=self.style.hatch, linewidth=0.35, zorder=1.1, gid="band")
         which = "contours" if step == 1 else "thick contours"
         text = f"{which}: {self.field.frame.law.short}; bands: where the best range has their value, by {best.rules()}"
         look: dict[str, Any] = {"facecolor": self.style.paper, "edgecolor": self.style.hatch, "linewidth": 0.35}

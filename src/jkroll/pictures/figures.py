@@ -416,4 +416,4 @@ def figure_laws(materials: Materials, marks: Sequence[str]) -> Picture:
 # --- All of them ------------------------------------------------------------------------------------------------------
 
 PROFILES: Mapping[str, Callable[[Materials], Picture]] = {"2": figure_2, "9": figure_9}  # which take no options
-FIGURE_NAMES = (*sorted({*PAPER_MAPS, *PROFILES}), "laws")
+FIGURE_NAMES = (*sorted({*PAPER_MAPS, *PROFILES}), "laws", "geometry")

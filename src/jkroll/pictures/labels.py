@@ -15,7 +15,7 @@ _ASIDE = 20.0  # times as far as it is from its line, a label may be from the mi
 _DOT = 3.0  # half the size of a point, in points of the page
 _STEP = 1.5  # distance of the points along a line, in points of the page
 _WAYS = ((0.7, 0.7), (0.7, -0.7), (-0.7, 0.7), (-0.7, -0.7), (1, 0), (-1, 0), (0, 1), (0, -1))  # the best first
-_REACH = (7.0, 11.0, 16.0, 22.0, 30.0, 42.0, 56.0)  # from a point to its text, in points of the page
+_REACH = (7.0, 11.0, 16.0, 22.0, 30.0, 42.0, 56.0, 75.0)  # from a point to its text, in points of the page
 
 Ground = Callable[[Any], str]  # the colour of the picture at a place, in pixels
 
@@ -49,7 +49,7 @@ class Labels:
             dot = self._pixels(place)
             middles = (dot + steps + half * numpy.sign(steps)).clip(self.frame.min + half, self.frame.max - half)
             boxes = [_box(middle, half) for middle in middles]
-            free = [box for box in boxes if self._is_free(box)] or boxes
+            free = next((some for apart in (_APART, 0.5) if (some := self._free(boxes, apart))), boxes)
             box = min(free, key=lambda box: self._crossings(box, dot))  # the first of those that cross as little
             leader = numpy.array([dot, dot.clip(box.min, box.max)])
             ends = self.axes.transData.inverted().transform(leader)
@@ -82,7 +82,7 @@ class Labels:
             is_on_line = (abs(own - inside) < half - 2 * self.scale).all(axis=1)
             cost = numpy.hypot(*(inside - middle).T) + _ASIDE * numpy.hypot(*(inside - own).T)
             boxes = [_box(place, half) for place in inside[is_on_line][cost[is_on_line].argsort(kind="stable")]]
-            free = [box for box in boxes if self._is_free(box)]
+            free = self._free(boxes)
             for lines in (self.drawn, _joined(every)):  # all lines, or at least the other contours
                 box = next((box for box in free if box.count_contains(lines) <= box.count_contains(own)), None)
                 if box is not None:
@@ -96,8 +96,8 @@ class Labels:
             boxes = [
                 box
                 for path in bound.paths
-                for box in self._beside(self._dense(self._pixels(path)), half, bound.has)
-                if self._is_free(box) and bound.has(numpy.array([*box.corners(), (box.min + box.max) / 2])).all()
+                for box in self._free(self._beside(self._dense(self._pixels(path)), half, bound.has))
+                if bound.has(numpy.array([*box.corners(), (box.min + box.max) / 2])).all()
             ]
             crossings = [box.padded(1).count_contains(self.drawn) for box in boxes]
             self._put(text, boxes[int(numpy.argmin(crossings))] if boxes else None)
@@ -115,9 +115,9 @@ class Labels:
             if (place - half >= self.frame.min).all() and (place + half <= self.frame.max).all():
                 yield _box(place, half)
 
-    def _is_free(self, box: Any) -> bool:
-        """Return whether a box keeps off the texts that are there."""
-        return not any(map(box.padded(_APART * self.scale).overlaps, self.taken))
+    def _free(self, boxes: Iterable[Any], apart: float = _APART) -> list[Any]:
+        """Return the boxes that keep off the texts that are there."""
+        return [box for box in boxes if not any(map(box.padded(apart * self.scale).overlaps, self.taken))]
 
     def _pixels(self, points: Any) -> Any:
         return self.axes.transData.transform(points)

@@ -14,7 +14,7 @@ import numpy
 from matplotlib import font_manager, ticker  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.figure import Figure  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.layout_engine import ConstrainedLayoutEngine  # type: ignore[import-not-found,unused-ignore]
-from matplotlib.patches import Patch  # type: ignore[import-not-found,unused-ignore]
+from matplotlib.patches import FancyArrowPatch, Patch  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.transforms import Bbox, ScaledTranslation  # type: ignore[import-not-found,unused-ignore]
 
 from ..errors import BadRequest
@@ -32,6 +32,7 @@ _TICK_WIDTHS = {False: 0.45, True: 0.6}  # of a number of the lower axis, linear
 LETTER_WIDTH = 0.42  # width of a letter over its size, on average
 MARKERS = "os^Dv*"
 DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
+_HEADS = ("-", "-|>", "<|-|>")  # of an arrow with so many ends
 _OPAQUE = 0.22  # of a band of best ranges
 _ONE_PANEL, _MORE_PANELS = 85 / 25.4, 180 / 25.4  # default widths in inches: one column of a journal, or two
 _NARROWEST = 2.0  # width of a panel beside others
@@ -51,7 +52,8 @@ def draw(
     names = [curve.text for panel in drawn.panels for curve in panel.curves]
     names += [mark.text for panel in drawn.panels for mark in panel.marks]
     _check_letters([*names, *drawn.caption, *drawn.doubts] if has_caption else names)
-    title, *rest = map(plain, filter(None, (drawn.title, *drawn.caption, *drawn.doubts)))
+    of_panels = "; ".join(filter(None, (panel.title for panel in drawn.panels)))
+    title, *rest = map(plain, filter(None, (drawn.title or of_panels, *drawn.caption, *drawn.doubts)))
     about = About(title.removesuffix("."), " ".join(rest), command)
     with settings(STYLES[style]):
         figure = figure_of(drawn, inches, STYLES[style], has_caption=has_caption)
@@ -152,6 +154,10 @@ def _set_axes(axes: Any, panel: Panel, inches: float, aspect: float) -> None:
     if panel.is_true_to_scale:
         aspect = (panel.y.high - panel.y.low) / (panel.x.high - panel.x.low)
     axes.set_box_aspect(aspect)
+    if not panel.has_axes:
+        axes.set(xlim=(panel.x.low, panel.x.high), ylim=(panel.y.low, panel.y.high))
+        axes.set_axis_off()
+        return
     letters = _letters(0.77 * inches)  # of a line of a title
     _set_axis(axes, panel.x, "x", max(2, int(inches / _TICK_WIDTHS[panel.x.is_log])), letters)
     _set_axis(axes, panel.y, "y", 9, int(1.1 * aspect * letters))
@@ -206,6 +212,11 @@ def _draw_curves(axes: Any, panel: Panel, style: Style, letters: int) -> Drawn:
         handles[label] = (
             line if curve.band is None else (_draw_band(axes, panel, curve, curve.band, label, style), line)
         )
+    for arrow in panel.arrows:
+        look = {"arrowstyle": _HEADS[arrow.ends], "connectionstyle": f"arc3,rad={arrow.bend}", "mutation_scale": 7}
+        line = FancyArrowPatch(arrow.start, arrow.stop, shrinkA=0, shrinkB=0, color=style.ink, linewidth=0.6, **look)
+        axes.add_patch(line)
+        axes.text(*arrow.place, typeset(arrow.text), ha="center", va="center")
     keys = [*handles.values()] if len(handles) > 1 or has_bands else []
     return Drawn(keys, lambda _: None, lambda _: style.paper)
 

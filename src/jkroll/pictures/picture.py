@@ -23,6 +23,7 @@ SAME = 1e-9  # relative difference of values that are the same but for rounding
 _OF_FIGURES: Mapping[str, Quantity] = {
     "position_across": Quantity("x", "m", "position from the contact point"),
     "position_beside": Quantity("y", "m", "position perpendicular to the rolling direction"),
+    "position_upwards": Quantity("z", "m", "position along the line of centres"),
     "pressure_across": Quantity("p", "Pa", "pressure, tension negative"),
     "time_of_a_point": Quantity("t", "s", "time of a point"),
     "error": Quantity("", "1", "error in ulp/(1+κ)"),
@@ -93,6 +94,17 @@ class Curve(NamedTuple):
     rows: Rows | None = None  # by default some of the points
 
 
+class Arrow(NamedTuple):
+    """An arrow of a sketch, or a line without a head, with a text beside it."""
+
+    start: tuple[float, float]
+    stop: tuple[float, float]
+    text: str = ""
+    place: tuple[float, float] = (0.0, 0.0)  # of the middle of the text
+    ends: int = 1  # with a head
+    bend: float = 0.0  # height of the arc over its chord, to the left
+
+
 class Region(NamedTuple):
     """The points at which an excess is positive: there the model is not exact, or has no meaning.
 
@@ -140,6 +152,8 @@ class Panel(NamedTuple):
     title: str = ""
     field: Field | None = None
     is_true_to_scale: bool = False
+    has_axes: bool = True
+    arrows: tuple[Arrow, ...] = ()
 
 
 class Picture(NamedTuple):
@@ -229,7 +243,10 @@ def clipped(curve: Curve, low: float, high: float) -> Curve:
 ROWS, COLUMNS = 13, 9  # of a field
 CURVE_ROWS = 11  # of each curve
 DIGITS = 3
-_DIGITS = ((1, 2, 5), (1, 3), (1,))  # of each decade, the most that have room
+_DIGITS = ("1 2 5", "1 3", "1")  # of each decade, the most that have room
+_MORE = (" ".join(f"{digit / 10:g}" for digit in range(10, 100)), "1 1.2 1.5 2 2.5 3 4 5 6 8", "1 1.5 2 3 5 7")
+_FEW = 4  # values, below which an axis of few decades takes more digits
+_NARROW = 1.5  # ratio of the ends below which the steps of a logarithmic axis are equal
 NO_VALUE = "—"
 _GAP = "  "  # between columns
 _PAPERS = (230, 194, 152, 116, 74)  # from low numbers to high ones: those of a page, among the 256 of terminals
@@ -239,6 +256,8 @@ def write_picture(drawn: Picture, out: TextIO) -> None:
     """Write panels below each other: a table of a field, or some rows of each curve, and the points."""
     say_texts([drawn.title], out)
     for panel in drawn.panels:
+        if not panel.has_axes:  # a sketch has no numbers
+            continue
         say_texts([panel.title], out)
         if panel.field is not None:
             _write_field(panel, panel.field, out)
@@ -252,16 +271,27 @@ def shown_values(axis: Axis, most: int) -> Any:
     """Return at most so many values of an axis: its own if they are so few, else round ones, or equally spaced ones."""
     if 0 < axis.size <= most:
         return axis.values()
-    values = axis._replace(size=most).values()
-    if axis.is_log:
-        decades = range(floor(log10(axis.low)), floor(log10(axis.high)) + 1)
-        choices = [[float(f"{digit}e{decade}") for decade in decades for digit in digits] for digits in _DIGITS]
-    else:
+    if not axis.is_log or axis.high < _NARROW * axis.low:
         decade = 10.0 ** floor(log10((axis.high - axis.low) / most))
-        steps = [decade * digit for digit in (1, 2, 5, 10)]
-        choices = [(numpy.arange(ceil(axis.low / step), floor(axis.high / step) + 1) * step).tolist() for step in steps]
-    insides = (numpy.array([*filter(axis.has, choice)]) for choice in choices)
-    return next((inside for inside in insides if 1 < len(inside) <= most), values)
+        steps = (decade * digit for digit in (1, 2, 5, 10))
+        ends = ((step, ceil(axis.low / step - SAME), floor(axis.high / step + SAME)) for step in steps)
+        return next(_within(axis, numpy.arange(low, high + 1) * step) for step, low, high in ends if high - low < most)
+    decades = range(floor(log10(axis.low)), floor(log10(axis.high)) + 1)
+
+    def round_values(digits: str) -> Any:
+        every = numpy.array([float(f"{digit}e{decade}") for decade in decades for digit in digits.split()])
+        return every[axis.has(every)]
+
+    for choices, least in ((_DIGITS, min(_FEW, most)), (_MORE, 2), (_DIGITS, 2)):
+        for values in map(round_values, choices):
+            if least <= len(values) <= most:
+                return values
+    return axis._replace(size=most).values()
+
+
+def _within(axis: Axis, values: Any) -> Any:
+    """Return values that rounding may have put beyond the ends of an axis."""
+    return numpy.clip(values, axis.low, axis.high)
 
 
 def _write_field(panel: Panel, field: Field, out: TextIO) -> None:
