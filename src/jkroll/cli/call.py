@@ -71,7 +71,7 @@ class Call(Options):
 
         flags = {option.name: flag for flag, option in COMMANDS[self.command].flags().items()}
         words = ["jkroll", self.command, *filter(None, (self.subject,)), *self.words]
-        for name, value in (self.inputs | self.given).items():
+        for name, value in {**self.inputs, **self.given}.items():
             if name in flags and name not in ("target", "data", "quiet"):
                 words += [flags[name]] if value is True else [f"{flags[name]}={value}"]
         return shlex.join(words)
