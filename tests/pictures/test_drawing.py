@@ -40,8 +40,7 @@ from matplotlib.mathtext import MathTextParser
 from matplotlib.path import Path as MplPath
 from matplotlib.text import Text
 
-from jkroll.pictures.fields import levels_of
-from jkroll.pictures.page import figure_of, line_of, settings
+from jkroll.pictures.page import figure_of, levels_of, line_of, settings
 from jkroll.pictures.picture import DARK, PAPER, STYLES, Style
 
 POWERS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")

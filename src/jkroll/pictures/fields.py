@@ -193,9 +193,9 @@ class Drawn(NamedTuple):
     ground: Callable[[Any], str]  # the colour at a place in pixels
 
 
-def draw_field(axes: Any, panel: Panel, field: Field, style: Style, letters: int) -> Drawn:
-    """Draw all of a field but the texts inside. `letters`: of a line of the legend."""
-    drawing = _Drawing(axes, panel, field, style, letters)
+def draw_field(axes: Any, panel: Panel, levels: Sequence[float], style: Style, letters: int) -> Drawn:
+    """Draw all of a field but the texts inside. `levels`: of its contours; `letters`: of a line of the legend."""
+    drawing = _Drawing(axes, panel, levels, style, letters)
     drawing.draw_regions()
     drawing.draw_contours()
     drawing.draw_edge()
@@ -205,10 +205,12 @@ def draw_field(axes: Any, panel: Panel, field: Field, style: Style, letters: int
 class _Drawing:
     """A field on axes, with the keys of a legend and the bounds of regions so far."""
 
-    def __init__(self, axes: Any, panel: Panel, field: Field, style: Style, letters: int) -> None:
+    def __init__(self, axes: Any, panel: Panel, levels: Sequence[float], style: Style, letters: int) -> None:
         """Fill the axes with the bands of the field."""
-        self.axes, self.panel, self.field, self.style, self.letters = axes, panel, field, style, letters
-        self.mesh, self.levels = Mesh(panel.x, panel.y), levels_of(field)
+        assert panel.field is not None
+        self.axes, self.panel, self.levels, self.style, self.letters = axes, panel, levels, style, letters
+        self.mesh, self.field = Mesh(panel.x, panel.y), panel.field
+        field = panel.field
         self.heights = [float(self._scaled(level)) for level in self.levels]
         self.values = self._scaled(evaluate(field.frame, field.quantity, self.mesh.x, self.mesh.y))
         self.known, self.around = numpy.isfinite(self.values), one_further(self.values)

@@ -20,7 +20,7 @@ from matplotlib.transforms import Bbox, ScaledTranslation  # type: ignore[import
 from ..errors import BadRequest
 from ..quantities.markup import lines, plain, typeset
 from ..text import quoted
-from .fields import Drawn, draw_field
+from .fields import Drawn, draw_field, levels_of
 from .files import FONT, About, content_of
 from .labels import Labels
 from .picture import STYLES, Axis, Curve, Panel, Picture, Style, described
@@ -88,7 +88,7 @@ def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption
         title = " ".join((*([f"({letter})"] if count > 1 else []), *([panel.title] if has_caption else [])))
         axes.set_title(typeset(title), loc="left" if count > 1 else "center", fontsize=LETTER_SIZE)
         if panel.field is not None:
-            drawings.append(draw_field(axes, panel, panel.field, style, letters))
+            drawings.append(draw_field(axes, panel, levels_of(panel.field), style, letters))
         else:
             drawings.append(_draw_curves(axes, panel, style, letters))
     _lay_out(figure, every, [drawing.keys for drawing in drawings])
