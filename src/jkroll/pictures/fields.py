@@ -11,7 +11,6 @@ from typing import Any, NamedTuple
 
 import numpy
 from contourpy import contour_generator  # type: ignore[import-not-found,unused-ignore]
-from matplotlib import ticker  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.collections import LineCollection, PathCollection  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.colors import (  # type: ignore[import-not-found,unused-ignore]
     LinearSegmentedColormap,
@@ -25,11 +24,10 @@ from ..model.frame import Frame
 from ..model.solver import values_of
 from ..quantities.markup import lines
 from .labels import Bound, Labels
-from .picture import Axis, Field, Panel, Style, evaluate, extent, is_flat, over
+from .picture import Axis, Panel, Style, evaluate, over
 from .ranges import band_of
 
 FINE = 401  # points a side of a field, between which its lines are straight
-_CONTOURS = 12
 _THIN, _THICK = 0.7, 1.1  # contours, in points
 _TOLERANCE = 0.005  # by which a line may be off, in steps of the mesh
 _HALVINGS = 24  # that find the edge of the part without a value
@@ -38,17 +36,6 @@ _PALE = 0.55  # share of paper in a band of best ranges
 _CERTAIN, _UNCERTAIN = 201, 41  # points a side at which best ranges are found, without error bars of inputs and with
 _OVERLAP = 0.02  # part of the picture in which bands may lie over each other
 _FARTHEST = 20.0  # from the edge of a band
-
-
-def levels_of(field: Field) -> list[float]:
-    """Return the values of the contours: round ones within the extent of a field."""
-    low, high = extent(field.values)
-    if is_flat(field.values):
-        return []
-    ticks: Any = ticker.MaxNLocator(_CONTOURS, steps=[1, 2, 5, 10])
-    if field.is_log:
-        ticks = ticker.LogLocator(subs=(1, 2, 5) if high < 1e3 * low else (1,), numticks=_CONTOURS)
-    return [float(f"{value:.12g}") for value in ticks.tick_values(low, high) if low <= value <= high]
 
 
 # --- Lines on a mesh --------------------------------------------------------------------------------------------------

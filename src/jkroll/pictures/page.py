@@ -20,13 +20,14 @@ from matplotlib.transforms import Bbox, ScaledTranslation  # type: ignore[import
 from ..errors import BadRequest
 from ..quantities.markup import lines, plain, typeset
 from ..text import quoted
-from .fields import Drawn, draw_field, levels_of
+from .fields import Drawn, draw_field
 from .files import FONT, About, content_of
 from .labels import Labels
-from .picture import STYLES, Axis, Curve, Panel, Picture, Style, described
+from .picture import STYLES, Axis, Curve, Field, Panel, Picture, Style, described, extent, is_flat
 from .ranges import Band
 
 LETTER_SIZE = 8.6  # in points, whatever the width of the page: subscripts, 0.7 times as large, have 6
+_CONTOURS = 12  # at most
 _TICK_DIGITS = 6  # at most
 _TICK_WIDTHS = {False: 0.45, True: 0.6}  # of a number of the lower axis, linear or logarithmic, with a gap, in inches
 LETTER_WIDTH = 0.42  # width of a letter over its size, on average
@@ -197,7 +198,18 @@ def _mark_edge(axes: Any, which: str, marks: Sequence[tuple[Any, str]]) -> None:
     side.tick_params(direction="inout", length=6)
 
 
-# --- Curves -----------------------------------------------------------------------------------------------------------
+# --- Levels and curves ------------------------------------------------------------------------------------------------
+
+
+def levels_of(field: Field) -> list[float]:
+    """Return the values of the contours: round ones within the extent of a field."""
+    low, high = extent(field.values)
+    if is_flat(field.values):
+        return []
+    ticks: Any = ticker.MaxNLocator(_CONTOURS, steps=[1, 2, 5, 10])
+    if field.is_log:
+        ticks = ticker.LogLocator(subs=(1, 2, 5) if high < 1e3 * low else (1,), numticks=_CONTOURS)
+    return [float(f"{value:.12g}") for value in ticks.tick_values(low, high) if low <= value <= high]
 
 
 def _draw_curves(axes: Any, panel: Panel, style: Style, letters: int) -> Drawn:
