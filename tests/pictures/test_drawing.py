@@ -793,7 +793,7 @@ def test_texts_of_marks_keep_apart() -> None:
     names = re.findall(r"[^,]+, \d+ .m", re.sub(r"@(\d+)(.)m", r", \1 \2m", marks).replace("um", "µm"))
     drawn, panel, _ = map_drawn(f"pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 --mark {marks}".split())
     with settings(PAPER):
-        page = figure_of(drawn, 85 / 25.4, PAPER, has_caption=False)
+        page = figure_of(drawn, 100 / 25.4, PAPER, has_caption=False)
     axes: Any = page.axes[0]
     texts: dict[str, Any] = {text.get_text(): text for text in axes.texts if text.get_text() in names}
     assert {*texts} == {*names}
