@@ -22,7 +22,7 @@ from bridge import FILES  # noqa: E402
 from prompt_files import put_prompt  # noqa: E402
 
 CHECKOUT = HERE.parent
-FIGURES = ("2", "3a", "3b", "3c", "3d", "6a", "6b", "8", "9", "laws")
+FIGURES = ("2", "3a", "3b", "3c", "3d", "6a", "6b", "8", "9", "laws", "geometry")
 MAPS = {
     "Pull-off force of quartz": "map pull-off quartz --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 --mark quartz@100nm",
     "Frequencies": "map frequencies quartz,iron --x radius=10nm:1um --mark quartz@100nm",

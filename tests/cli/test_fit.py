@@ -113,11 +113,11 @@ def test_a_fit_in_python_has_its_points_and_a_picture(curve: str) -> None:
     columns = fitted.curve
     assert columns["residual [N]"] == approx(columns["load [N]"] - columns["load_fitted [N]"])
     pytest.importorskip("matplotlib")
-    drawing = fitted.plot("curve.png")
+    axes = fitted.plot()
+    assert len(axes) == 3
+    axes[0].figure.savefig("curve.png")
     assert Path("curve.png").read_bytes().startswith(b"\x89PNG")
-    assert drawing._repr_svg_().rstrip().endswith("</svg>")
-    with pytest.raises(jkroll.JkrollError, match=r"ends in \.svg"):
-        fitted.plot("curve.txt")
+    assert fitted.drawn._repr_png_().startswith(b"\x89PNG")
 
 
 def test_json_has_what_was_known_and_the_range(run: Run, curve: str) -> None:

@@ -1,6 +1,7 @@
 """A call of a command: its words and options, read as far as they are needed, as frames and as a format of results."""
 
 import os
+import shlex
 import sys
 from collections.abc import Collection, Mapping, Sequence
 from functools import cached_property
@@ -62,6 +63,18 @@ class Call(Options):
         given = options or {}
         self.inputs: dict[str, str] = {name: value for name, value in given.items() if name in NOMENCLATURE}
         super().__init__({name: value for name, value in given.items() if name not in NOMENCLATURE})
+
+    @property
+    def line(self) -> str:
+        """The command line, without the names of files to write, by which a picture says what drew it."""
+        from .commands import COMMANDS
+
+        flags = {option.name: flag for flag, option in COMMANDS[self.command].flags().items()}
+        words = ["jkroll", self.command, *filter(None, (self.subject,)), *self.words]
+        for name, value in {**self.inputs, **self.given}.items():
+            if name in flags and name not in ("target", "data", "quiet"):
+                words += [flags[name]] if value is True else [f"{flags[name]}={value}"]
+        return shlex.join(words)
 
     # --- Frames -------------------------------------------------------------------------------------------------------
 

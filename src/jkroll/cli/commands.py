@@ -36,6 +36,7 @@ _CURVE = (
 _AS_TEXT = "Output as JSON, CSV or Markdown"
 _LISTED = (Options.json.but(help=_AS_TEXT), Options.csv.but(help=_AS_TEXT), Options.md.but(help=_AS_TEXT))
 _CITE = Options.cite.but(help="Show the BibTeX entries of the data")
+_SAID = "End the caption with sources; suppress notes"
 AXES = (Options.x, Options.y)
 PICTURE = (
     Options.mark,
@@ -46,7 +47,8 @@ PICTURE = (
     Options.uncaptioned.but(help=Options.plain.help),
     Options.plain,
     Options.file,
-    Options.quiet,
+    Options.cite.but(help=_SAID),
+    Options.quiet.but(help=_SAID),
 )
 TABLE = (
     Options.target.but(flag="--output", short="-o", help="Output file (written atomically)"),

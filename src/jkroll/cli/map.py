@@ -1,7 +1,7 @@
 """Runners of `map`, `figure` and `contact --curve -o`: from words and option values to a drawing."""
 
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import numpy
 
@@ -9,6 +9,7 @@ from ..errors import BadRequest, missing_extra
 from ..model.frame import Frame
 from ..model.limits import LIMITS
 from ..pictures.figures import FIGURE_NAMES, PANELS, PAPER_MAPS, PROFILES, curves_of_contact, figure_laws, paper_map
+from ..pictures.geometry import sketch
 from ..pictures.picture import STYLES, Picture, evaluate, say_texts, write_picture
 from ..pictures.request import PlotRequest, axis_of, check_axes, picture_of
 from ..quantities.formatting import amount
@@ -59,7 +60,12 @@ def inches_of(width: str | None) -> float | None:
 def run_map(call: Call) -> int:
     """Draw a quantity over one or two inputs; return the exit code."""
     check_picture(call, call.target)
-    return _deliver(*picture_of(map_request(call)), call)
+    request = map_request(call)
+    drawn, notes = picture_of(request)
+    axes = [axis for axis in (request.x, request.y) if axis is not None]
+    ends = {name: value for axis in axes for name, value in axis.inputs(axis.high).items()}
+    frames = [frame.replace(**ends) for _, frame in request.frames]
+    return _deliver(_with_sources(drawn, [request.quantity], frames, call), notes, call)
 
 
 def run_figure(call: Call) -> int:
@@ -71,7 +77,8 @@ def run_figure(call: Call) -> int:
         raise BadRequest(f"{mistake}; there are {', '.join(FIGURE_NAMES)}")
     declared, materials, marks = PAPER_MAPS.get(name), call.materials, [*filter(None, call.mark.split(","))]
     idle = {
-        "--mark": call.mark and name in PROFILES,
+        "--mark": call.mark and (name in PROFILES or name == "geometry"),
+        "--data": call.data and name == "geometry",
         "--plain": call.plain and declared is None,
         "--as-printed": call.as_printed and not (declared and declared.printed),
     }
@@ -79,9 +86,25 @@ def run_figure(call: Call) -> int:
         raise BadRequest(f"figure {name} takes no {given[0]}")
     if declared is not None:
         drawn = paper_map(name, materials, marks, as_printed=call.as_printed, is_plain=call.plain)
+        ends = {**declared.given, **declared.x.inputs(declared.x.high), "radius": 1e-7}
+        return _deliver(_with_sources(drawn, [declared.quantity], [Frame(ends)], call), (), call)
+    if name == "geometry":
+        drawn = sketch()
     else:
         drawn = PROFILES[name](materials) if name in PROFILES else figure_laws(materials, marks)
-    return _deliver(drawn, (), call)
+    return _deliver(_with_sources(drawn, (), (), call), (), call)
+
+
+def _with_sources(drawn: Picture, names: Sequence[str], frames: Iterable[Frame], call: Call) -> Picture:
+    """Return a picture whose caption ends with what is to be cited, if a call asks for it."""
+    if not call.cite:
+        return drawn
+    from ..report.questions import Question
+    from ..report.report import Report
+    from ..write.sources import citations_in_words
+
+    answers = [Report(Question((*names,), (*names,)), frame) for frame in frames]
+    return drawn._replace(doubts=(*drawn.doubts, citations_in_words(answers)))
 
 
 def draw_contact(call: Call) -> int:
@@ -120,8 +143,8 @@ def draw_into(path: str, drawn: Picture, call: Call) -> None:
     """Draw into a file, with the looks that a call has chosen."""
     from ..pictures.page import draw
 
-    style = call.style or "paper"
-    content = draw(drawn, ending(path), inches_of(call.width), style, has_caption=not call.uncaptioned)
+    style, has_caption = call.style or "paper", not call.uncaptioned
+    content = draw(drawn, ending(path), inches_of(call.width), style, has_caption=has_caption, command=call.line)
     with whole_file(path) as stream:
         stream.write(content)
 
@@ -166,7 +189,7 @@ def map_request(call: Call) -> PlotRequest:
     frames = tuple((_distinction(frame, call), frame) for frame in call.sweep.frames())
     limits = () if call.plain else LIMITS
     marks = [*filter(None, call.mark.split(","))]
-    return PlotRequest(quantity, x, y, frames, marks, call.materials, limits)
+    return PlotRequest(quantity, x, y, frames, marks, call.materials, limits, has_best=not call.plain)
 
 
 def _distinction(frame: Frame, call: Call) -> str:

@@ -23,7 +23,7 @@ from ..physics.shifted import exact_pressure, half_circle_pressure, unloaded_hal
 from ..quantities.formatting import Format, amount
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.markup import symbol
-from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.nomenclature import NOMENCLATURE, bracketed
 from ..report.curve import EQUILIBRIUM, MAX_LOAD, NAMED, PULL_OFF, WHOLE_CURVE, Loads, states
 from ..report.questions import Question
 from ..report.report import Report
@@ -68,7 +68,7 @@ def _force(frames: Sequence[Frame], loads: Loads | None) -> Panel:
         if not curves:
             raise Failure(BEYOND_PULL_OFF, numbers=(loads.high, least))
     x = axis_around("approach_at_load", [curve.x for curve in curves])
-    y = axis_around("load", [curve.y for curve in curves], margin=0.08)
+    y = axis_around("load", [curve.y for curve in curves], margin=0.15)
     ends = Axis("load", *loads, is_log=False) if loads is not None else y
     title = "force, Eqs (5) and (6)" if is_one and frames[0].law.is_default else f"force{_of_law(frames)}"
     return Panel(x, ends, tuple(curves), tuple(points), title)
@@ -280,10 +280,11 @@ def paper_map(
     frames, printed = (("", Frame(declared.given)),), declared.printed if as_printed else ""
     limits = () if is_plain else DRAWN_LIMITS
     drawn, _ = picture_of(
-        PlotRequest(declared.quantity, declared.x, RADII, frames, marks, materials, limits, printed=printed)
+        PlotRequest(declared.quantity, declared.x, RADII, frames, marks, materials, limits, printed, has_best=False)
     )
     dashed = (f"Dashed in files: Eq ({NOMENCLATURE[printed].equation}), each below its contour.",) if printed else ()
-    title, remarks = f"Fig. {name}: {symbol(declared.quantity)}", (*drawn.remarks, declared.remark)
+    _, unit = field.in_words([]) if (field := drawn.panels[0].field) is not None else ([], "")
+    title, remarks = f"Fig. {name}: {symbol(declared.quantity)}{bracketed(unit)}", (*drawn.remarks, declared.remark)
     return Picture(title, drawn.panels, (*drawn.caption, *dashed), drawn.doubts, remarks)
 
 
@@ -304,8 +305,8 @@ def figure_2(materials: Materials) -> Picture:
     half = angle / 2 + numpy.pi
     outlines = (
         Curve("contact, shifted by ⟦ξ⟧", a * numpy.cos(angle) - shift, a * numpy.sin(angle), 0),
-        Curve("half-circle ⟦a + ξ⟧", (a + shift) * numpy.cos(half), (a + shift) * numpy.sin(half), 1, is_dashed=True),
-        Curve("half-circle ⟦a − ξ⟧", -(a - shift) * numpy.cos(half), (a - shift) * numpy.sin(half), 2, is_dashed=True),
+        Curve("half-circle ⟦a + ξ⟧", (a + shift) * numpy.cos(half), (a + shift) * numpy.sin(half), 1),
+        Curve("half-circle ⟦a − ξ⟧", -(a - shift) * numpy.cos(half), (a - shift) * numpy.sin(half), 2),
     )
     reach = 1.5 * (a + shift)
     x, y = (Axis(name, -reach, reach, is_log=False) for name in ("position_across", "position_beside"))
@@ -343,7 +344,7 @@ def _halves(word: str, a: float, shift: float, pressure_of: Callable[[Any, float
     `pressure_of` returns it for positions and the size of a half.
     """
     for sign, size, x in (("+", a + shift, across(-a - shift, 0.0)), ("−", a - shift, across(0.0, a - shift))):
-        yield Curve(f"{word} ⟦a {sign} ξ⟧", x, pressure_of(x, size), 1 if sign == "+" else 2, is_dashed=True)
+        yield Curve(f"{word} ⟦a {sign} ξ⟧", x, pressure_of(x, size), 1 if sign == "+" else 2)
 
 
 def figure_9(materials: Materials) -> Picture:
@@ -415,4 +416,4 @@ def figure_laws(materials: Materials, marks: Sequence[str]) -> Picture:
 # --- All of them ------------------------------------------------------------------------------------------------------
 
 PROFILES: Mapping[str, Callable[[Materials], Picture]] = {"2": figure_2, "9": figure_9}  # which take no options
-FIGURE_NAMES = (*sorted({*PAPER_MAPS, *PROFILES}), "laws")
+FIGURE_NAMES = (*sorted({*PAPER_MAPS, *PROFILES}), "laws", "geometry")

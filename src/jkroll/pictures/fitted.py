@@ -1,52 +1,32 @@
 """The picture of a fit: the curve with what was fitted, the residuals, and the energy release rate over the radius."""
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy
 
-from ..errors import BadRequest, missing_extra
 from ..model.fit_result import Fit
 from ..quantities.laws import DEFAULT_LAW
 from ..report.fitted import in_words, sentence_of, sentences
 from ..tables.fitted import fit_given
-from ..text import ending, listed, quoted
-from ..write.writers import whole_file
-from .picture import STYLES, Curve, Panel, Picture, axis_around
+from .drawn import Drawn
+from .picture import Curve, Panel, Picture, axis_around
 
 _MOST = 600  # points of a drawn curve
 _X = {"contact radius": "contact_radius_at_load", "approach": "approach_at_load", "travel": "lever_travel"}
 
 
-class Drawing(NamedTuple):
-    """A drawn picture, which a notebook shows."""
-
-    svg: str
-
-    def _repr_svg_(self) -> str:
-        return self.svg
-
-
 class FittedCurve(Fit):
     """The fit of a curve, which can be drawn."""
 
-    def plot(self, path: str | None = None, *, style: str = "paper") -> Drawing:
-        """Return the picture of the curve, its residuals and G, and write it into a file if a path is given.
+    @property
+    def drawn(self) -> Drawn:
+        """The curve, its residuals and G as a picture, which a notebook shows."""
+        return Drawn(picture_of_fit(self, "", caption_of_fit(self)))
 
-        `path`: ends in .svg, .pdf or .png; `style`: paper or dark. Needs the extra `plot`. Raises BadRequest and
-        MissingExtra.
-        """
-        with missing_extra("plot"):
-            from .page import FORMATS, draw
-        if style not in STYLES:
-            raise BadRequest(f"style: {quoted(style)} is none of {listed(STYLES)}")
-        picture = picture_of_fit(self, "", caption_of_fit(self))
-        if path is not None:
-            if ending(path) not in FORMATS:
-                raise BadRequest(f"{quoted(path)} is no picture: its name ends in .svg, .pdf or .png")
-            with whole_file(path) as stream:
-                stream.write(draw(picture, ending(path), None, style))
-        return Drawing(draw(picture, "svg", None, style).decode())
+    def plot(self, ax: Any = None, style: str = "paper") -> Any:
+        """Draw on three axes of matplotlib, or on those of a new figure; return them. Needs the extra `plot`."""
+        return self.drawn.plot(ax, style)
 
 
 def fit(

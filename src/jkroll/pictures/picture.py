@@ -11,10 +11,11 @@ import numpy
 from ..model.frame import Frame
 from ..model.solver import values_of
 from ..quantities.formatting import in_units
-from ..quantities.markup import plain
+from ..quantities.markup import marked, plain
 from ..quantities.nomenclature import NOMENCLATURE, bracketed, header
 from ..quantities.quantity import Quantity
 from ..text import TextColumn, padded, say, say_wrapped, terminal_width, width_of, write_table
+from .ranges import Band
 
 _WIDE = 30.0  # ratio of the ends from which contours are logarithmic
 SAME = 1e-9  # relative difference of values that are the same but for rounding
@@ -23,6 +24,7 @@ SAME = 1e-9  # relative difference of values that are the same but for rounding
 _OF_FIGURES: Mapping[str, Quantity] = {
     "position_across": Quantity("x", "m", "position from the contact point"),
     "position_beside": Quantity("y", "m", "position perpendicular to the rolling direction"),
+    "position_upwards": Quantity("z", "m", "position along the line of centres"),
     "pressure_across": Quantity("p", "Pa", "pressure, tension negative"),
     "time_of_a_point": Quantity("t", "s", "time of a point"),
     "error": Quantity("", "1", "error in ulp/(1+κ)"),
@@ -60,7 +62,9 @@ class Axis(NamedTuple):
 
     def in_words(self, values: Sequence[float], digits: int) -> tuple[list[str], str]:
         """Return values on the axis as texts, and their unit, which is empty where each has its own."""
-        return in_units(quantity_of(self.name).unit, values, digits, is_log=self.is_log)
+        every = [*values, *((self.low, self.high) if self.is_log else ())]  # one way for all numbers of an axis
+        texts, unit = in_units(quantity_of(self.name).unit, every, digits, is_log=self.is_log)
+        return texts[: len(values)], unit
 
 
 class Mark(NamedTuple):
@@ -71,6 +75,15 @@ class Mark(NamedTuple):
     y: float | None
 
 
+class Rows(NamedTuple):
+    """The points of a curve that a terminal shows, with the words for their best ranges, if there are any."""
+
+    x: Any
+    y: Any
+    best: tuple[str, ...] = ()
+    by: tuple[str, ...] = ()
+
+
 class Curve(NamedTuple):
     """A line through points. Curves that belong together share a colour."""
 
@@ -79,18 +92,33 @@ class Curve(NamedTuple):
     y: Any
     colour: int = 0
     is_dashed: bool = False
+    band: Band | None = None
+    key: str = ""  # what line and band are, in a legend
+    rows: Rows | None = None  # by default some of the points
+
+
+class Arrow(NamedTuple):
+    """An arrow of a sketch, or a line without a head, with a text beside it."""
+
+    start: tuple[float, float]
+    stop: tuple[float, float]
+    text: str = ""
+    place: tuple[float, float] = (0.0, 0.0)  # of the middle of the text
+    ends: int = 1  # with a head
+    bend: float = 0.0  # height of the arc over its chord, to the left
 
 
 class Region(NamedTuple):
     """The points at which an excess is positive: there the model is not exact, or has no meaning.
 
-    In a terminal its numbers have the sign, on a page it has the hatch. Without a sign it is told in the caption alone.
+    In a terminal its numbers have the sign, on a page it has the hatch; without one, a line with the name bounds it.
     """
 
     text: str
     where: str  # empty: everywhere
     sign: str
     hatch: str
+    name: str
     excess: Callable[[Frame], Any]  # of a frame of arrays
 
 
@@ -102,6 +130,8 @@ class Field(NamedTuple):
     values: Any  # a row for each value of y, at few points; nan where there is no value
     regions: tuple[Region, ...]
     printed: str = ""  # the same quantity as the paper prints it
+    gaps: tuple[str, ...] = ()  # why it has no value in a part
+    has_best: bool = False  # whether a page shows the best ranges
 
     @property
     def is_log(self) -> bool:
@@ -125,6 +155,8 @@ class Panel(NamedTuple):
     title: str = ""
     field: Field | None = None
     is_true_to_scale: bool = False
+    has_axes: bool = True
+    arrows: tuple[Arrow, ...] = ()
 
 
 class Picture(NamedTuple):
@@ -152,7 +184,7 @@ def described(name: str, unit: str = "") -> str:
     'load; a pull is negative, ⟦P⟧ [nN]'
     """
     quantity = quantity_of(name)
-    return quantity.sentence + (f", ⟦{quantity.symbol}⟧" if quantity.symbol else "") + bracketed(unit)
+    return marked(quantity.sentence) + (f", ⟦{quantity.symbol}⟧" if quantity.symbol else "") + bracketed(unit)
 
 
 def axis_around(name: str, values: Iterable[Any], *, may_be_log: bool = False, margin: float = 0.05) -> Axis:
@@ -161,8 +193,8 @@ def axis_around(name: str, values: Iterable[Any], *, may_be_log: bool = False, m
     low, high = extent(known)
     if may_be_log and is_wide(known):
         return Axis(name, low / (1 + 4 * margin), high * (1 + 4 * margin))
-    if is_flat(known):  # no rounding errors as large as the picture
-        return Axis(name, low - (abs(low) * margin or 1.0), high + (abs(high) * margin or 1.0), is_log=False)
+    if is_flat(known):  # no differences that there are not
+        return Axis(name, *((min(0.0, 2 * low), max(0.0, 2 * high)) if low else (-1.0, 1.0)), is_log=False)
     room = (high - low) * margin
     return Axis(name, low - room, high + room, is_log=False)
 
@@ -214,7 +246,10 @@ def clipped(curve: Curve, low: float, high: float) -> Curve:
 ROWS, COLUMNS = 13, 9  # of a field
 CURVE_ROWS = 11  # of each curve
 DIGITS = 3
-_DIGITS = ((1, 2, 5), (1, 3), (1,))  # of each decade, the most that have room
+_DIGITS = ("1 2 5", "1 3", "1")  # of each decade, the most that have room
+_MORE = (" ".join(f"{digit / 10:g}" for digit in range(10, 100)), "1 1.2 1.5 2 2.5 3 4 5 6 8", "1 1.5 2 3 5 7")
+_FEW = 4  # values, below which an axis of few decades takes more digits
+_NARROW = 1.5  # ratio of the ends below which the steps of a logarithmic axis are equal
 NO_VALUE = "—"
 _GAP = "  "  # between columns
 _PAPERS = (230, 194, 152, 116, 74)  # from low numbers to high ones: those of a page, among the 256 of terminals
@@ -224,12 +259,14 @@ def write_picture(drawn: Picture, out: TextIO) -> None:
     """Write panels below each other: a table of a field, or some rows of each curve, and the points."""
     say_texts([drawn.title], out)
     for panel in drawn.panels:
+        if not panel.has_axes:  # a sketch has no numbers
+            continue
         say_texts([panel.title], out)
         if panel.field is not None:
             _write_field(panel, panel.field, out)
         else:
-            names, x, y = _columns(panel)
-            write_table([names], [x, y], out)
+            names, *columns = _columns(panel)
+            write_table([names], columns, out)
     say_texts([*drawn.caption, *drawn.doubts, *drawn.remarks], out)
 
 
@@ -237,16 +274,27 @@ def shown_values(axis: Axis, most: int) -> Any:
     """Return at most so many values of an axis: its own if they are so few, else round ones, or equally spaced ones."""
     if 0 < axis.size <= most:
         return axis.values()
-    values = axis._replace(size=most).values()
-    if axis.is_log:
-        decades = range(floor(log10(axis.low)), floor(log10(axis.high)) + 1)
-        choices = [[float(f"{digit}e{decade}") for decade in decades for digit in digits] for digits in _DIGITS]
-    else:
+    if not axis.is_log or axis.high < _NARROW * axis.low:
         decade = 10.0 ** floor(log10((axis.high - axis.low) / most))
-        steps = [decade * digit for digit in (1, 2, 5, 10)]
-        choices = [(numpy.arange(ceil(axis.low / step), floor(axis.high / step) + 1) * step).tolist() for step in steps]
-    insides = (numpy.array([*filter(axis.has, choice)]) for choice in choices)
-    return next((inside for inside in insides if 1 < len(inside) <= most), values)
+        steps = (decade * digit for digit in (1, 2, 5, 10))
+        ends = ((step, ceil(axis.low / step - SAME), floor(axis.high / step + SAME)) for step in steps)
+        return next(_within(axis, numpy.arange(low, high + 1) * step) for step, low, high in ends if high - low < most)
+    decades = range(floor(log10(axis.low)), floor(log10(axis.high)) + 1)
+
+    def round_values(digits: str) -> Any:
+        every = numpy.array([float(f"{digit}e{decade}") for decade in decades for digit in digits.split()])
+        return every[axis.has(every)]
+
+    for choices, least in ((_DIGITS, min(_FEW, most)), (_MORE, 2), (_DIGITS, 2)):
+        for values in map(round_values, choices):
+            if least <= len(values) <= most:
+                return values
+    return axis._replace(size=most).values()
+
+
+def _within(axis: Axis, values: Any) -> Any:
+    """Return values that rounding may have put beyond the ends of an axis."""
+    return numpy.clip(values, axis.low, axis.high)
 
 
 def _write_field(panel: Panel, field: Field, out: TextIO) -> None:
@@ -274,8 +322,10 @@ def _write_field(panel: Panel, field: Field, out: TextIO) -> None:
     has_colours = out.isatty() and "NO_COLOR" not in os.environ and os.environ.get("TERM", "dumb") != "dumb"
     for (head_of_row, *texts), numbers in zip(rows, values, strict=True):
         say(_GAP.join([head_of_row, *(_painted(field, texts, numbers) if has_colours else texts)]).rstrip(), out)
-    gaps = [f"{NO_VALUE} no value"] if not numpy.isfinite(values).all() else []
-    say_texts([*(f"{region.sign} {region.text}" for region in field.regions if region.sign in signs), *gaps], out)
+    gaps = [": ".join(filter(None, (f"{NO_VALUE} no value", "; ".join(field.gaps))))]
+    keys = [f"{region.sign} {region.text}" for region in field.regions if region.sign and region.sign in signs]
+    say_texts([*keys, *(gaps if not numpy.isfinite(values).all() else ())], out)
+    say_texts([f"{region.text} ({region.where})." for region in field.regions if not region.sign], out)
 
 
 def _cells(field: Field, frame: Frame, values: Any) -> tuple[list[list[str]], str]:
@@ -306,18 +356,28 @@ def _painted(field: Field, texts: Sequence[str], numbers: Any) -> list[str]:
 
 def _columns(panel: Panel) -> list[TextColumn]:
     """Return the columns of a panel of curves: the curve or the point, x and y."""
-    rows: list[tuple[str, float, float]] = []
+    rows: list[tuple[str, float, float, str, str]] = []
     for curve in panel.curves:
-        x, y = (values[panel.x.has(curve.x) & panel.y.has(curve.y)] for values in (curve.x, curve.y))
-        some = numpy.linspace(0, len(x) - 1, min(CURVE_ROWS, len(x))).round().astype(int)
-        rows += [(plain(curve.text), *point) for point in zip(x[some].tolist(), y[some].tolist(), strict=True)]
-    rows += [(plain(mark.text), mark.x, mark.y) for mark in panel.marks if mark.x is not None and mark.y is not None]
-    names, *numbers = zip(*rows, strict=True)
+        x, y, best, by = curve.rows or _some_of(curve, panel)
+        empty = ("",) * len(x)
+        rows += zip([plain(curve.text)] * len(x), x.tolist(), y.tolist(), best or empty, by or empty, strict=True)
+    points = [(plain(mark.text), mark.x, mark.y) for mark in panel.marks if mark.x is not None and mark.y is not None]
+    rows += [(*point, "", "") for point in points]
+    names, *numbers, best, by = zip(*rows, strict=True)
     columns = [TextColumn("", names, is_right=False)]
     for axis, values in zip((panel.x, panel.y), numbers, strict=True):
         texts, unit = axis.in_words(values, DIGITS + 1)
         columns.append(TextColumn(quantity_of(axis.name).symbol + bracketed(unit), texts))
+    if any(best):
+        columns += [TextColumn("best range", best), TextColumn("by", by, is_right=False)]
     return columns
+
+
+def _some_of(curve: Curve, panel: Panel) -> Rows:
+    """Return points of a curve at equal distances within the axes."""
+    x, y = (values[panel.x.has(curve.x) & panel.y.has(curve.y)] for values in (curve.x, curve.y))
+    some = numpy.linspace(0, len(x) - 1, min(CURVE_ROWS, len(x))).round().astype(int)
+    return Rows(x[some], y[some])
 
 
 def say_texts(texts: Iterable[str], out: TextIO) -> None:

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import partial
+from itertools import compress
 from math import isclose, log, nan
 from typing import Any, NamedTuple
 
@@ -10,16 +11,17 @@ import numpy
 
 from ..errors import BadRequest, JkrollError, NoResult
 from ..materials.library import Materials
-from ..model.estimate import BETTER_LAW, estimates
+from ..model.estimate import BETTER_LAW, WORDS, estimates
 from ..model.frame import Frame
 from ..model.limits import LAW, LIMITS, Doubt, Limit, doubts
 from ..model.other_law import has_other_formulas
 from ..model.plan import depends_on
-from ..model.reasons import RESTS_ON_SPACING, Cause, Failure, MissingInput, explanation_of
+from ..model.reasons import RESTS_ON_SPACING, Cause, Failure, MissingInput, cause_and_step, explanation_of
 from ..model.results import Results
+from ..model.solver import values_of
 from ..quantities.formatting import AS_USUAL, Format, amount, in_words, symbol_of
 from ..quantities.laws import BETWEEN
-from ..quantities.markup import symbol
+from ..quantities.markup import marked, symbol
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, as_input, computed_as
 from ..quantities.values import QuantityError, between, parse_quantity
 from ..report.answer import equation_of
@@ -28,6 +30,7 @@ from ..report.questions import quantity_named
 from ..report.ranges import range_in_words
 from ..text import quoted
 from .picture import (
+    CURVE_ROWS,
     SAME,
     Axis,
     Curve,
@@ -36,15 +39,19 @@ from .picture import (
     Panel,
     Picture,
     Region,
+    Rows,
     axis_around,
     described,
     evaluate,
     extent,
     is_flat,
     over,
+    shown_values,
 )
+from .ranges import band_of
 
 SIDE = 201  # points a side of a field, from which captions and limits follow, and of its numbers if none were asked for
+MOST_BANDS = 4  # of best ranges, that can be told apart
 ALONG = 1001  # points of a curve, unless its axis says another number
 # The limits that have a place on a map, each with its sign in a terminal and its hatch on a page. A pattern belongs to
 # one limit on every map. No two patterns together look like a third.
@@ -52,9 +59,9 @@ SIGNS = {
     "contact_radius_in_spacings": ("x", "...."),
     "displacement_ratio": ("/", "////"),
     "energy_over_yield": ("^", "----"),
-    "tabor_parameter": ("|", "||||"),
+    "tabor_parameter": ("|", "||||||"),
 }
-SLIGHT = ("'", "|")  # where a law is off by little
+SLIGHT = ("'", "||")  # where a law is off by little: each of its lines is one of those where it is off by much
 UNDRAWN = ("", "")
 DRAWN_LIMITS = tuple(limit for limit in LIMITS if limit.name in SIGNS and not limit.conclusion)
 _FARTHEST = log(1e3)  # excess of a limit that has a place on a map
@@ -72,6 +79,7 @@ class PlotRequest(NamedTuple):
     materials: Materials
     limits: Sequence[Limit] = LIMITS  # of which those that concern the quantity are drawn or told
     printed: str = ""  # the same quantity as the paper prints it
+    has_best: bool = True  # whether the best ranges are drawn
 
 
 def picture_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
@@ -85,8 +93,8 @@ def _map_of(request: PlotRequest, upright: Axis) -> tuple[Picture, tuple[str, ..
     x, y = (axis._replace(size=axis.size or SIDE) for axis in (request.x, upright))
     layer = Layer(request, "", frame, [axis._replace(size=SIDE) for axis in (x, y)])
     regions = [*layer.regions()]
-    drawn = tuple(region for region in regions if region.sign and region.where)
-    field = Field(quantity, frame, layer.values, drawn, request.printed)
+    drawn = tuple(region for region in regions if region.where)
+    field = Field(quantity, frame, layer.values, drawn, request.printed, layer.gaps, request.has_best)
     marks = [mark_at(text, request.materials, frame, x, y) for text in request.marks]
     of_materials, left_out = _material_marks(request.materials, x, y) if frame.material is None else ([], ())
     panel = Panel(x, y, marks=(*of_materials, *marks), field=field)
@@ -108,8 +116,9 @@ def _curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
             errors[text] = error
     if not layers:
         raise next(iter(errors.values()))
-    curves = tuple(Curve(layer.text, x.values(), layer.values, colour) for colour, layer in enumerate(layers))
-    y = axis_around(quantity, [curve.y for curve in curves], may_be_log=True)
+    has_best = request.has_best and len(layers) <= MOST_BANDS
+    curves = tuple(layer.curve(colour, has_best=has_best) for colour, layer in enumerate(layers))
+    y = axis_around(quantity, _values_of(curves), may_be_log=True)
     marks = tuple(mark_at(text, request.materials, request.frames[0][1], x, y) for text in request.marks)
     farthest = _farthest_off(x, layers[0]) if len(layers) == 1 else ()
     told = {layer.text: [*layer.regions()] for layer in layers}
@@ -117,6 +126,15 @@ def _curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
     notes = [f"no curve: {text}: {error}" for text, error in errors.items()]
     notes += dict.fromkeys(note for layer in layers for note in layer.notes)
     return Picture("", (Panel(x, y, curves, marks),), caption, beyond), tuple(notes)
+
+
+def _values_of(curves: Sequence[Curve]) -> list[Any]:
+    """Return the values of curves and of the ends of their bands, positive ones if the axis may be logarithmic."""
+    values = [curve.y for curve in curves]
+    ends = [end[numpy.isfinite(end)] for curve in curves if curve.band is not None for end in curve.band[:2]]
+    if min(extent(of_curve)[0] for of_curve in values) > 0:
+        ends = [end[end > 0] for end in ends]
+    return [*values, *ends]
 
 
 # --- Axes -------------------------------------------------------------------------------------------------------------
@@ -166,7 +184,17 @@ def mark_at(text: str, materials: Materials, frame: Frame, x: Axis, y: Axis) -> 
     numbers = _frame_at(text, materials, frame).numbers(x.name, y.name)
     if not numbers or not all(axis.has(numbers.get(axis.name, axis.low)) for axis in (x, y)):
         raise BadRequest(f"--mark {quoted(text)} is nowhere on {x.name} and {y.name} as they are drawn")
-    return Mark(text, numbers.get(x.name), numbers.get(y.name))
+    return Mark(_name_of(text), numbers.get(x.name), numbers.get(y.name))
+
+
+def _name_of(text: str) -> str:
+    """Return the name of a mark.
+
+    >>> _name_of("quartz@100nm"), _name_of("quartz"), _name_of("@1um")
+    ('quartz, 100 nm', 'quartz', '1 µm')
+    """
+    name, _, radius = text.partition("@")
+    return ", ".join(filter(None, (name, amount("radius", parse_quantity(radius, "radius")) if radius else "")))
 
 
 def _frame_at(text: str, materials: Materials, frame: Frame) -> Frame:
@@ -196,11 +224,12 @@ def _material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[list[Mark],
 def _about_marks(request: PlotRequest, panel: Panel) -> Iterator[str]:
     """Iterate over the places of marks on an axis, and the values of grains at points, by their own inputs."""
     quantity, ((_, frame),) = request.quantity, request.frames
+    typed = {_name_of(text): text for text in request.marks}
     for mark in panel.marks:
         numbers = {axis.name: value for axis, value in ((panel.x, mark.x), (panel.y, mark.y)) if value is not None}
         if len(numbers) == 2:
             drawn = frame.replace(**panel.x.inputs(mark.x), **panel.y.inputs(mark.y)).numbers(quantity)
-            numbers = _frame_at(mark.text, request.materials, frame).numbers(quantity) or drawn
+            numbers = _frame_at(typed.get(mark.text, mark.text), request.materials, frame).numbers(quantity) or drawn
             if drawn and not isclose(numbers[quantity], drawn[quantity], rel_tol=SAME):
                 yield f"{mark.text} has other inputs than are fixed here"
         for name, value in numbers.items():
@@ -246,6 +275,26 @@ class Layer:
             errors = self.frame.errors(self.frame.columns([quantity]))
             explanation = "".join(f": {explanation_of(quantity, error)}" for error in errors.values())
             raise Failure(Cause("", f"no value anywhere on these axes{explanation}"), quantity)
+        self.gaps = _phrases(points.column(quantity).reasons)
+
+    def curve(self, colour: int, *, has_best: bool) -> Curve:
+        """Return the curve of the quantity along its axis, with the band of its best ranges, and the rows to show."""
+        (x,) = self.axes
+        shown = shown_values(x, CURVE_ROWS)
+        here = self.given.replace(**x.inputs(shown))
+        values = numpy.broadcast_to(values_of(here, [self.quantity])[self.quantity], shown.shape)
+        known = numpy.isfinite(values)
+        rows = Rows(shown[known], values[known]) if known.any() else None
+        band = band_of(over(self.given, x), self.quantity, self.values.shape) if has_best else None
+        if band is None:
+            return Curve(self.text, x.values(), self.values, colour, rows=rows)
+        if rows is not None and (best := band_of(here, self.quantity, shown.shape)) is not None:
+            every = [*compress(best.estimates(), known)]
+            ranges = (range_in_words(self.quantity, estimate) for estimate in every)
+            rows = rows._replace(best=(*ranges,), by=(*(WORDS[estimate.by] for estimate in every),))
+        law = self.frame.law.short if self.frame.stated_model is None else ""
+        key = "; ".join(filter(None, (law, f"band: best range, by {band.rules(self._where)}")))
+        return Curve(self.text, x.values(), self.values, colour, band=band, key=key, rows=rows)
 
     def regions(self) -> Iterator[Region]:
         """Iterate over the thresholds that values pass: of a law the last, then the first unless all pass the last."""
@@ -260,7 +309,8 @@ class Layer:
                     look = SIGNS[limit.name] if limit in DRAWN_LIMITS else UNDRAWN
                     if look != UNDRAWN and limit.factor is not None and step == 0:
                         look = SLIGHT
-                    yield Region(text, where, *look, partial(_excess_over, limit, step, self.quantity))
+                    name = text.partition(":")[0] if limit.factor is None else limit.codes[threshold].replace("-", " ")
+                    yield Region(text, where, *look, name, partial(_excess_over, limit, step, self.quantity))
                     if not where:
                         break
 
@@ -291,6 +341,12 @@ class Layer:
 def _shear_moduli(frame: Frame) -> dict[str, str]:
     """Return the shear moduli that were given, by the Young's moduli that vary with Poisson's ratio."""
     return {CONVERTED[name]: name for name in ("shear_modulus", "shear_modulus2") if name in frame.described}
+
+
+def _phrases(reasons: Any) -> tuple[str, ...]:
+    """Return the phrases of the reasons why points have no value."""
+    causes = (cause_and_step(number)[0] for number in numpy.unique(reasons).tolist() if number)
+    return (*dict.fromkeys(cause.phrase for cause in causes if cause is not None and cause.phrase),)
 
 
 def _without(error: JkrollError) -> str:
@@ -340,7 +396,7 @@ def fixed_inputs(inputs: Sequence[str]) -> tuple[str, ...]:
 
 def _opening(quantity: str, layers: Sequence[Layer]) -> Iterator[str]:
     """Iterate over the sentences that every caption begins with: on the quantity, its inputs, and on its values."""
-    sentence = NOMENCLATURE[quantity].sentence
+    sentence = marked(NOMENCLATURE[quantity].sentence)  # one that begins with a formula keeps its first letter
     clauses = [f"{sentence[0].upper()}{sentence[1:]}", symbol(quantity)]
     equations = {equation_of(layer.frame, quantity) for layer in layers}
     laws = {layer.frame.law.title for layer in layers if layer.frame.stated_model is not None}

@@ -17,6 +17,7 @@ _PREFIXES = dict(
     zip(range(-24, 18, 3), ("y", "z", "a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T", "P"), strict=True)
 )
 _KNOWN = range(-12, 10)  # powers of ten whose prefix stands in a text; others stand as such
+_ON_AXES = range(-15, 13)  # those whose prefix stands beside its neighbours', from f to T
 WITH_PREFIXES = ("m", "s", "N", "J", "Pa", "Hz", "rad", "m/s", "N m", "N/m", "J/m^2", "N m/rad")
 
 
@@ -82,20 +83,22 @@ def _sizes(values: Sequence[float | str | Uncertain | None]) -> list[float]:
     return sorted(abs(value) for value in middles if value and not isinf(value))
 
 
-def _multiple(unit: str, power: int) -> str:
+def _multiple(unit: str, power: int, known: range = _KNOWN) -> str:
     """Return the multiple of a unit by a power of ten: with a prefix that all know, else with the power itself."""
-    return _PREFIXES[power] + unit.removeprefix("1") if power in _KNOWN else f"1e{power} {unit}"
+    return _PREFIXES[power] + unit.removeprefix("1") if power in known else f"1e{power} {unit}"
 
 
-def engineering(value: float, unit: str, digits: int = DIGITS) -> tuple[str, str]:
+def engineering(value: float, unit: str, digits: int = DIGITS, known: range = _KNOWN) -> tuple[str, str]:
     """Round a value to significant digits and choose a prefix for its unit, if there is one that all know.
+
+    `known`: the powers of ten of these.
 
     >>> engineering(1.1780972e-08, "N"), engineering(2e-17, "J")
     (('11.781', 'nN'), ('2e-17', 'J'))
     """
     power = _power(value, unit, digits)
-    power = power if power in _KNOWN else 0
-    return significant(convert(value, (*power_of_ten(power), ())), digits), _multiple(unit, power)
+    power = power if power in known else 0
+    return significant(convert(value, (*power_of_ten(power), ())), digits), _multiple(unit, power, known)
 
 
 def _power(value: float, unit: str, digits: int) -> int:
@@ -222,21 +225,37 @@ def in_words(name: str, value: float | str) -> float | str:
 def in_units(unit: str, values: Sequence[float], digits: int = ROUND_DIGITS, *, is_log: bool) -> tuple[list[str], str]:
     """Return values as text, and the unit of them all: on a logarithmic scale empty where each has its own.
 
-    >>> in_units("m", [1e-9, 1e-7], is_log=True), in_units("1", [1000.0, 1e6], is_log=True)
-    ((['1 nm', '100 nm'], ''), (['1000', '1e6'], ''))
+    Numbers on such a scale are written in one way: with prefixes if there are any for all of them, else all or none
+    with an exponent.
+
+    >>> in_units("Hz", [1e9, 1e12], is_log=True), in_units("J", [1e-18, 1e-15], is_log=True)
+    ((['1 GHz', '1 THz'], ''), (['1e-18', '1e-15'], 'J'))
+    >>> in_units("1", [0.01, 1000.0], is_log=True), in_units("1", [1000.0, 2e6], is_log=True)
+    ((['0.01', '1000'], ''), (['1e3', '2e6'], ''))
     >>> in_units("kg/m^3", [10.0, 1000.0], is_log=True), in_units("N", [-1e-8, 0.0, 1e-8], is_log=False)
     ((['10', '1000'], 'kg/m³'), (['-10', '0', '10'], 'nN'))
     """
-    if is_log and unit in WITH_PREFIXES:
-        with_prefixes = (engineering(value, unit, digits) for value in values)
+    if not is_log:
+        largest = max(map(abs, values), default=0.0)
+        power = _power(largest, unit, 3)
+        scale = (*power_of_ten(power), ())
+        without_errors = [value if abs(value) > _ERRORS * largest else 0.0 for value in values]
+        return [significant(convert(value, scale), digits) for value in without_errors], pretty(_multiple(unit, power))
+    if unit in WITH_PREFIXES and all(_power(value, unit, digits) in _ON_AXES for value in values):
+        with_prefixes = (engineering(value, unit, digits, _ON_AXES) for value in values)
         return [f"{number} {pretty(shown)}" for number, shown in with_prefixes], ""
-    largest = 0.0 if is_log else max(map(abs, values), default=0.0)
-    power = _power(largest, unit, 3)
-    scale = (*power_of_ten(power), ())
-    without_errors = [value if abs(value) > _ERRORS * largest else 0.0 for value in values]
-    digits = min(digits, DIGITS) if is_log else digits  # these are round, and may be large
-    texts = [significant(convert(value, scale), digits) for value in without_errors]
-    return texts, pretty(_multiple(unit, power))
+    digits = min(digits, DIGITS)  # these are round, and may be large
+    texts = [significant(value, digits) for value in values]
+    if any("e" in text for text in texts):
+        texts = [_with_exponent(value, digits) for value in values]
+    return texts, pretty(unit.removeprefix("1"))
+
+
+def _with_exponent(value: float, digits: int) -> str:
+    """Return a rounded number with an exponent, 0 without one."""
+    mantissa, _, exponent = f"{value:.{digits - 1}e}".partition("e")
+    mantissa = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
+    return f"{mantissa}e{int(exponent)}" if value else "0"
 
 
 def first_symbols(names: list[str]) -> str:

@@ -18,6 +18,10 @@ _TOKEN = re.compile(
     rf"log₁₀|(?P<letter>[A-Za-zΑ-Ωα-ωâ])(?:_(?P<word>[A-Za-z]+|[α-ω])|(?P<index>_?\d+))?(?P<star>\*?)"
     rf"|(?P<exponent>[{_SUPERSCRIPTS}]+)|\^\((?P<power>[^)]*)\)|[\d.]+|[-+−/·=<>≤()⟨⟩√]"
 )
+# A formula in a sentence: a root, the argument of artanh, or a word of one letter or with a sign that no other has.
+_IN_SENTENCE = re.compile(
+    r"2?√\([^()]*\)|(?<=artanh)\([^()]*\)|(?<!\S)(?:(?=[^\s,]*[_^*α-ω])|(?=[A-Za-z]\d?(?![^\s,]))(?!a ))[^\s,]+"
+)
 _SIGNS = {
     "·": r"{\cdot}",
     "⟨": r"{\langle}",
@@ -52,6 +56,15 @@ def symbol(name: str) -> str:
     """
     quantity = NOMENCLATURE[name]
     return quantity.symbol if quantity.is_word else f"⟦{quantity.symbol}⟧"
+
+
+def marked(sentence: str) -> str:
+    """Return a sentence of the nomenclature with its formulas marked.
+
+    >>> marked("pull-off force over πwR"), marked("w of opening less of closing"), marked("√(1 + P/P_c) at the load")
+    ('pull-off force over ⟦πwR⟧', '⟦w⟧ of opening less of closing', '⟦√(1 + P/P_c)⟧ at the load')
+    """
+    return _IN_SENTENCE.sub(r"⟦\g<0>⟧", sentence)
 
 
 def plain(text: str) -> str:

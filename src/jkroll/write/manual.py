@@ -15,6 +15,7 @@ from .search import Field, Search, words_in, words_sought
 
 _FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "guide")
 _ENDING = ".md"
+_IMAGE = re.compile(r"!\[[^]]*\]\([^)]*\)\n\n")  # which the site shows
 
 # Words of the field by which a section is sought, besides those of its heading.
 FIELD_TERMS: Mapping[tuple[str, str], str] = {
@@ -77,7 +78,7 @@ def topics() -> tuple[str, ...]:
 def page(topic: str) -> str:
     """Return the page of a topic as Markdown."""
     with open(os.path.join(_FOLDER, topic + _ENDING), encoding="utf-8") as file:
-        return file.read()
+        return _IMAGE.sub("", file.read())
 
 
 def sections() -> list[Section]:

@@ -212,6 +212,29 @@ def write_citations(answers: Iterable[Report], out: TextIO) -> None:
         say(bibtex(entry), out)
 
 
+def citations_in_words(answers: Iterable[Report]) -> str:
+    """Return what a caption cites: this program, the paper with the equations used, and laws and data."""
+    equations: set[str] = set()
+    others: dict[str, str] = {}
+    for _, cited in _with_cited(answers):
+        equations |= cited.equations
+        others |= {entry["key"]: _author_and_year(entry) for entry in (*cited.law, *cited.data, *cited.conventions)}
+    _, paper, *_ = references().values()
+    of_paper = f"{cited_equations(equations)} of " if equations else ""
+    return f"By jkroll {__version__}, after {'; '.join((of_paper + _author_and_year(paper), *others.values()))}."
+
+
+def _author_and_year(entry: Mapping[str, str]) -> str:
+    """Return how a text cites an entry.
+
+    >>> _author_and_year({"author": "Dominik, C. and Tielens, A. G. G. M.", "year": "1995"})
+    'Dominik & Tielens 1995'
+    """
+    authors = [author.partition(",")[0].strip("{}") for author in entry.get("author", "").split(" and ")]
+    names = " & ".join(authors) if len(authors) < 3 else f"{authors[0]} et al."
+    return f"{names or entry.get('title', '')} {entry.get('year', '')}".strip()
+
+
 def cited_equations(equations: Iterable[str]) -> str:
     """Return equations of the paper by their numbers.
 

@@ -1,0 +1,325 @@
+"""Draw the field of a quantity over two inputs: bands, contours, the limits of the model, and where no value is.
+
+All lines are found on a fine mesh, in steps of it, along which the axes of the picture are straight; the edge of the
+part without a value is found by bisection between the points of the mesh.
+"""
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from itertools import cycle, pairwise
+from typing import Any, NamedTuple
+
+import numpy
+from contourpy import contour_generator  # type: ignore[import-not-found,unused-ignore]
+from matplotlib.collections import LineCollection, PathCollection  # type: ignore[import-not-found,unused-ignore]
+from matplotlib.colors import (  # type: ignore[import-not-found,unused-ignore]
+    LinearSegmentedColormap,
+    to_hex,
+)
+from matplotlib.lines import Line2D  # type: ignore[import-not-found,unused-ignore]
+from matplotlib.patches import Patch  # type: ignore[import-not-found,unused-ignore]
+from matplotlib.path import Path  # type: ignore[import-not-found,unused-ignore]
+
+from ..model.frame import Frame
+from ..model.solver import values_of
+from ..quantities.markup import lines
+from .labels import Bound, Labels
+from .picture import Axis, Panel, Style, evaluate, over
+from .ranges import band_of
+
+FINE = 401  # points a side of a field, between which its lines are straight
+_THIN, _THICK = 0.7, 1.1  # contours, in points
+_TOLERANCE = 0.005  # by which a line may be off, in steps of the mesh
+_HALVINGS = 24  # that find the edge of the part without a value
+_BOUNDS = ((0, (4, 2)), (0, (7, 2, 1.5, 2)), (0, (10, 3)), (0, (5, 1.5, 1, 1.5, 1, 1.5)))  # dashes of lines with names
+_PALE = 0.55  # share of paper in a band of best ranges
+_CERTAIN, _UNCERTAIN = 201, 41  # points a side at which best ranges are found, without error bars of inputs and with
+_OVERLAP = 0.02  # part of the picture in which bands may lie over each other
+_FARTHEST = 20.0  # from the edge of a band
+
+
+# --- Lines on a mesh --------------------------------------------------------------------------------------------------
+
+
+class Mesh:
+    """Points over both axes of a picture, and lines through a field on them."""
+
+    def __init__(self, x: Axis, y: Axis, size: int = FINE) -> None:
+        self.x, self.y = (axis._replace(size=size) for axis in (x, y))
+        self.axes = (self.x, self.y)
+
+    def points(self, steps: Any) -> Any:
+        """Return points of the picture by their positions in steps."""
+        every = []
+        for axis, position in zip(self.axes, numpy.asarray(steps).T, strict=True):
+            share = position / (axis.size - 1)
+            between = axis.low + (axis.high - axis.low) * share
+            every.append(axis.low * (axis.high / axis.low) ** share if axis.is_log else between)
+        return numpy.stack(every, axis=1)
+
+    def steps(self, points: Any) -> Any:
+        """Return the positions of points of the picture in steps: the inverse of `points`."""
+        every = []
+        for axis, value in zip(self.axes, numpy.asarray(points).T, strict=True):
+            scale = numpy.log if axis.is_log else numpy.asarray
+            every.append((axis.size - 1) * (scale(value) - scale(axis.low)) / (scale(axis.high) - scale(axis.low)))
+        return numpy.stack(every, axis=1)
+
+    def lines(self, values: Any, level: float) -> list[Any]:
+        """Return the lines, in points of the picture, along which values on the mesh are at a level."""
+        return [self.points(simplified(line)) for line in _lines(values, level)]
+
+    def area(self, values: Any, low: float, high: float) -> Path:
+        """Return the part of the picture in which values on the mesh are between two levels."""
+        return self.path(_rings(values, low, high))
+
+    def path(self, rings: Sequence[Any]) -> Path:
+        """Return the area within closed lines in steps of the mesh."""
+        simple = [self.points(simplified(ring)) for ring in rings]
+        codes = [[Path.MOVETO, *[Path.LINETO] * (len(ring) - 2), Path.CLOSEPOLY] for ring in simple]
+        if not simple:
+            return Path(numpy.empty((0, 2)))
+        return Path(numpy.concatenate(simple), numpy.concatenate(codes))
+
+
+def _lines(values: Any, level: float) -> Any:
+    return contour_generator(z=numpy.ma.masked_invalid(values), line_type="Separate").lines(level)
+
+
+def _rings(values: Any, low: float, high: float) -> list[Any]:
+    generator: Any = contour_generator(z=numpy.ma.masked_invalid(values), fill_type="OuterOffset")
+    areas, offsets = generator.filled(low, high)
+    return [area[first:last] for area, ends in zip(areas, offsets, strict=True) for first, last in pairwise(ends)]
+
+
+def simplified(points: Any) -> Any:
+    """Return the fewest of the points of a line from which no other one is farther than the tolerance."""
+    kept = numpy.zeros(len(points), dtype=bool)
+    kept[[0, -1]] = True
+    spans = [(0, len(points) - 1)]
+    while spans:
+        first, last = spans.pop()
+        if last - first < 2:
+            continue
+        chord, offsets = points[last] - points[first], points[first + 1 : last] - points[first]
+        length = numpy.hypot(*chord)
+        across = abs(chord[0] * offsets[:, 1] - chord[1] * offsets[:, 0])
+        away = across / length if length else numpy.hypot(*offsets.T)
+        if away.max() > _TOLERANCE:
+            middle = first + 1 + int(away.argmax())
+            kept[middle] = True
+            spans += [(first, middle), (middle, last)]
+    return points[kept]
+
+
+def one_further(values: Any) -> Any:
+    """Return values with the means of their neighbours at those points without a value that have some.
+
+    Lines then reach beyond the edge of the part with values, where they are cut.
+    """
+    known = numpy.isfinite(values)
+    total, count = numpy.zeros(values.shape), numpy.zeros(values.shape)
+    inner = numpy.pad(numpy.where(known, values, 0.0), 1), numpy.pad(known.astype(float), 1)
+    height, width = values.shape
+    for down in range(3):
+        for right in range(3):
+            total += inner[0][down : down + height, right : right + width]
+            count += inner[1][down : down + height, right : right + width]
+    return numpy.where(known, values, numpy.where(count > 0, total / numpy.maximum(count, 1), numpy.nan))
+
+
+def finer(values: Any) -> Any:
+    """Return values on the fine mesh by those on a coarser one, linearly between its points."""
+    for _ in range(2):
+        places = numpy.linspace(0, len(values) - 1, FINE)
+        before = numpy.floor(places).astype(int).clip(0, len(values) - 2)
+        share = (places - before)[:, None]
+        values = ((1 - share) * values[before] + share * values[before + 1]).T
+    return values
+
+
+class Edge:
+    """The edge of the part of a picture in which a quantity has no value."""
+
+    def __init__(self, mesh: Mesh, frame: Frame, quantity: str, known: Any) -> None:
+        self.mesh, self.frame, self.quantity, self.known = mesh, frame, quantity, known
+
+    def lines(self) -> list[Any]:
+        """Return the lines of the edge, in points of the picture."""
+        unknown = (~self.known).astype(float)
+        return [self.mesh.points(simplified(self._refined(line))) for line in _lines(unknown, 0.5)]
+
+    def area(self) -> Path:
+        """Return the part without a value."""
+        return self.mesh.path([*map(self._refined, _rings((~self.known).astype(float), 0.5, 2.0))])
+
+    def _refined(self, line: Any) -> Any:
+        """Return a line whose points, each half-way between two points of the mesh, are moved to the edge."""
+        low, high = numpy.floor(line), numpy.ceil(line)
+        is_known = self.known[low[:, 1].astype(int), low[:, 0].astype(int)]
+        for _ in range(_HALVINGS):
+            middle = (low + high) / 2
+            is_like_low = (self._has_value(middle) == is_known)[:, None]
+            low, high = numpy.where(is_like_low, middle, low), numpy.where(is_like_low, high, middle)
+        return (low + high) / 2
+
+    def _has_value(self, steps: Any) -> Any:
+        x, y = self.mesh.points(steps).T
+        here = self.frame.replace(**self.mesh.x.inputs(x), **self.mesh.y.inputs(y))
+        return numpy.isfinite(numpy.broadcast_to(values_of(here, [self.quantity])[self.quantity], x.shape))
+
+
+# --- The drawing ------------------------------------------------------------------------------------------------------
+
+
+class Drawn(NamedTuple):
+    """What is left to draw: the keys of a legend, and the texts inside the axes."""
+
+    keys: list[Any]
+    label: Callable[[Labels], None]
+    ground: Callable[[Any], str]  # the colour at a place in pixels
+
+
+def draw_field(axes: Any, panel: Panel, levels: Sequence[float], style: Style, letters: int) -> Drawn:
+    """Draw all of a field but the texts inside. `levels`: of its contours; `letters`: of a line of the legend."""
+    drawing = _Drawing(axes, panel, levels, style, letters)
+    drawing.draw_regions()
+    drawing.draw_contours()
+    drawing.draw_edge()
+    return Drawn(drawing.keys, drawing.label, drawing.ground)
+
+
+class _Drawing:
+    """A field on axes, with the keys of a legend and the bounds of regions so far."""
+
+    def __init__(self, axes: Any, panel: Panel, levels: Sequence[float], style: Style, letters: int) -> None:
+        """Fill the axes with the bands of the field."""
+        assert panel.field is not None
+        self.axes, self.panel, self.levels, self.style, self.letters = axes, panel, levels, style, letters
+        self.mesh, self.field = Mesh(panel.x, panel.y), panel.field
+        field = panel.field
+        self.heights = [float(self._scaled(level)) for level in self.levels]
+        self.values = self._scaled(evaluate(field.frame, field.quantity, self.mesh.x, self.mesh.y))
+        self.known, self.around = numpy.isfinite(self.values), one_further(self.values)
+        self.keys: list[Any] = []
+        self.bounds: list[Bound] = []
+        self.contours: list[list[Any]] = []
+        axes.set_axisbelow(False)  # ticks are seen where no value is
+        shares = numpy.linspace(0, 1, len(self.heights) + 1)
+        self.colours = [to_hex(colour) for colour in LinearSegmentedColormap.from_list("", style.bands)(shares)]
+        ends = [numpy.nanmin(self.around) - 1, *self.heights, numpy.nanmax(self.around) + 1]
+        for colour, (low, high) in zip(self.colours, pairwise(ends), strict=True):
+            self._fill(self.mesh.area(self.around, low, high), facecolor=colour, zorder=1)
+
+    def draw_regions(self) -> None:
+        """Draw where limits of the model are exceeded: hatched, or beyond a line with a name."""
+        here, dashes = over(self.field.frame, self.mesh.x, self.mesh.y), cycle(_BOUNDS)
+        for region in self.field.regions:
+            excess = numpy.where(self.known, region.excess(here), numpy.nan)
+            around = one_further(excess)
+            paths = self.mesh.lines(around, 0.0)
+            if region.hatch:
+                self._line(paths, linewidth=0.5, linestyle="dotted")
+                hatched: dict[str, Any] = {"facecolor": "none", "hatch": region.hatch, "edgecolor": self.style.hatch}
+                area = self.mesh.area(around, 0.0, max(1.0, float(numpy.nanmax(around)) + 1))
+                self._fill(area, zorder=1.2, **hatched)
+                self.keys.append(Patch(label=self._in_lines(region.text), linewidth=0.4, **hatched))
+            else:
+                look: dict[str, Any] = {"linewidth": 0.7, "linestyle": next(dashes)}
+                self._line(paths, **look)
+                self.keys.append(Line2D([], [], color=self.style.ink, label=self._in_lines(region.text), **look))
+                inside = numpy.nan_to_num(excess, nan=-1.0) > 0
+                self.bounds.append(Bound(region.name, paths, partial(self._at, inside)))
+
+    def draw_contours(self) -> None:
+        """Draw the contours, those of the quantity as it was printed, and the bands of best ranges."""
+        self.contours = [self.mesh.lines(self.around, height) for height in self.heights]
+        step = self._draw_bands() if self.field.has_best and self.levels else 0
+        for position, paths in enumerate(self.contours):
+            has_band = step > 1 and position % step == step // 2
+            self._line(paths, linewidth=_THICK if has_band else _THIN, gid=f"contour-{position}")
+        if self.field.printed:
+            printed = self._scaled(evaluate(self.field.frame, self.field.printed, self.mesh.x, self.mesh.y))
+            look: dict[str, Any] = {"linewidth": 0.6, "linestyle": "dashed"}
+            for position, height in enumerate(self.heights):
+                self._line(self.mesh.lines(printed, height), gid=f"printed-{position}", **look)
+            self.keys.append(Line2D([], [], color=self.style.ink, label="as printed", **look))
+
+    def _draw_bands(self) -> int:
+        """Draw bands in which the best range has the value of a contour, for as many contours as have room.
+
+        Return of which contours, every so many; 0 if there are no best ranges.
+        """
+        size = _UNCERTAIN if self.field.frame.uncertainties else _CERTAIN
+        coarse = Mesh(self.panel.x, self.panel.y, size)
+        best = band_of(over(self.field.frame, coarse.x, coarse.y), self.field.quantity, (size, size))
+        if best is None:
+            return 0
+        far = 2 * float(abs(numpy.array(self.heights)).max()) + _FARTHEST  # stands for an infinite end
+        low, high = (finer(one_further(self._scaled(end).clip(-far, far))) for end in (best.low, best.high))
+        inside = numpy.array([numpy.minimum(high - height, height - low) for height in self.heights])
+        steps = range(1, len(self.heights) + 1)
+        step = next(step for step in steps if _overlap(inside[step // 2 :: step]) < _OVERLAP)
+        for excess, height in [*zip(inside, self.heights, strict=True)][step // 2 :: step]:
+            self._fill(self.mesh.area(excess, 0.0, 3 * far), facecolor=self.style.paper, alpha=_PALE, zorder=1.1)
+            for end in (low, high):
+                paths = self.mesh.lines(numpy.where(abs(end) < far, end, numpy.nan), height)
+                self._line(paths, color=self.style.hatch, linewidth=0.35, zorder=1.1, gid="band")
+        which = "contours" if step == 1 else "thick contours"
+        text = f"{which}: {self.field.frame.law.short}; bands: where the best range has their value, by {best.rules()}"
+        look: dict[str, Any] = {"facecolor": self.style.paper, "edgecolor": self.style.hatch, "linewidth": 0.35}
+        line = Line2D([], [], color=self.style.ink, linewidth=_THIN if step == 1 else _THICK)
+        self.keys.append((Patch(label=self._in_lines(text), **look), line))
+        return step
+
+    def draw_edge(self) -> None:
+        """Clear the part without a value, and draw its edge."""
+        if self.known.all():
+            return
+        edge = Edge(self.mesh, self.field.frame, self.field.quantity, self.known)
+        paths, gaps = edge.lines(), self.field.gaps
+        self._fill(edge.area(), facecolor=self.style.paper, zorder=2.1)
+        self._line(paths, linewidth=0.8, zorder=2.2, gid="edge")
+        label = self._in_lines(f"no value: {'; '.join(gaps)}" if gaps else "no value")
+        self.keys.append(Patch(label=label, facecolor=self.style.paper, edgecolor=self.style.ink, linewidth=0.8))
+        if len(gaps) == 1:
+            self.bounds.append(Bound(gaps[0], paths, partial(self._at, ~self.known)))
+
+    def label(self, labels: Labels) -> None:
+        """Put the texts of contours and of bounds into the axes."""
+        labels.of_contours(self.field.in_words(self.levels)[0], self.contours)
+        labels.of_bounds(self.bounds)
+
+    def ground(self, pixels: Any) -> str:
+        """Return the colour at a place."""
+        (value,) = self._at(self.values, [pixels])
+        if not numpy.isfinite(value):
+            return self.style.paper
+        return self.colours[int(numpy.searchsorted(self.heights, value))]
+
+    def _at(self, values: Any, pixels: Any) -> Any:
+        """Return values on the mesh at the points nearest to places in pixels."""
+        steps = self.mesh.steps(self.axes.transData.inverted().transform(pixels))
+        columns, rows = numpy.rint(steps).astype(int).clip(0, FINE - 1).T
+        return values[rows, columns]
+
+    def _scaled(self, values: Any) -> Any:
+        with numpy.errstate(invalid="ignore", divide="ignore"):
+            return numpy.log10(values) if self.field.is_log else numpy.asarray(values)
+
+    def _in_lines(self, text: str) -> str:
+        return "\n".join(lines(text, self.letters))
+
+    def _fill(self, area: Path, *, zorder: float, **look: Any) -> None:
+        if area.codes is not None:
+            filled = PathCollection([area], linewidth=0, zorder=zorder, **look)
+            self.axes.add_collection(filled, autolim=False)
+
+    def _line(self, paths: Sequence[Any], **look: Any) -> None:
+        look = {"color": self.style.ink, "zorder": 2, **look}
+        self.axes.add_collection(LineCollection([*paths], **look), autolim=False)
+
+
+def _overlap(inside: Any) -> float:
+    """Return the share of points that are inside of several bands."""
+    return float(((inside > 0).sum(axis=0) > 1).mean())

@@ -1,0 +1,130 @@
+"""Write pages into files: what they say of themselves, and SVG whose text is text, with the letters of its font."""
+
+import re
+from base64 import b64encode
+from collections.abc import Iterable
+from functools import cache
+from io import BytesIO
+from typing import Any, NamedTuple
+from xml.sax.saxutils import escape, unescape
+
+from fontTools import subset, ttLib  # type: ignore[import-not-found,unused-ignore,import-untyped]
+from matplotlib import font_manager  # type: ignore[import-not-found,unused-ignore]
+
+from .. import __version__
+from ..text import NO_BREAK_SPACE
+
+FONT = "STIXGeneral"
+_OTHERS = "'STIX Two Text', 'Times New Roman', Times, serif"  # where a program takes no font from the file
+_PROGRAM = f"jkroll {__version__}"
+_TEXT = re.compile(r"<text>\s*((?:<tspan [^>]*>[^<]*</tspan>\s*)+)</text>")
+_SPAN = re.compile(r'<tspan x="([^"]*)" y="([^"]*)" style="([^"]*)">([^<]*)</tspan>')
+_SIZE = re.compile(r"font-size: ([\d.]+)px")
+_FAMILY = re.compile(rf" ?font-family: '{FONT}'")
+_DOTS = re.compile(
+    r'(<pattern [^>]*width=")72(" height=")72(">\s*<rect [^>]*/>\s*<path d=")([^"]*C[^"]*)(")', re.DOTALL
+)
+_JOINED = 0.02  # of the size of letters, by which those of a word may be apart
+_TILE = 6  # points after which the dots of a hatch repeat
+
+
+class About(NamedTuple):
+    """What a file says of itself."""
+
+    title: str
+    description: str
+    command: str  # that drew it; empty for one of Python
+
+    def fields(self, file_format: str) -> dict[str, Any]:
+        """Return the fields of a format. There is no date, so that the same picture gives the same bytes."""
+        made_by = ", ".join(filter(None, (_PROGRAM, self.command)))
+        if file_format == "svg":
+            return {"Title": self.title, "Description": self.description, "Source": made_by, "Creator": _PROGRAM,
+                "Date": None}  # fmt: skip
+        if file_format == "pdf":
+            return {"Title": self.title, "Subject": self.description, "Keywords": made_by, "Creator": _PROGRAM,
+                "CreationDate": None}  # fmt: skip
+        return {"Title": self.title, "Description": self.description, "Source": made_by, "Software": _PROGRAM}
+
+
+def content_of(figure: Any, file_format: str, about: About, **layout: Any) -> bytes:
+    """Return a figure of matplotlib as the content of an SVG, PDF or PNG file."""
+    buffer = BytesIO()
+    figure.savefig(buffer, format=file_format, metadata=about.fields(file_format), **layout)
+    if file_format != "svg":
+        return buffer.getvalue()
+    return _readable(buffer.getvalue().decode(), about).encode()
+
+
+def _readable(svg: str, about: About) -> str:
+    """Return an SVG with its texts in lines, its description, its font, and small hatches."""
+    svg = re.sub(r"\s*<!--.*?-->", "", svg, flags=re.DOTALL)
+    svg = _TEXT.sub(lambda match: f"<text>{_in_lines(match[1])}</text>", svg)
+    svg = _DOTS.sub(lambda match: f"{match[1]}{_TILE}{match[2]}{_TILE}{match[3]}{_tile(match[4])}{match[5]}", svg)
+    fonts = "".join(_face(style, letters) for style, letters in _letters(svg).items())
+    rules = f"{fonts}text{{font-family: '{FONT}', {_OTHERS}; white-space: pre}}"
+    svg = _FAMILY.sub("", svg).replace('<style type="text/css">', f'<style type="text/css">{rules}', 1)
+    described = f"<desc>{escape(about.description)}</desc>\n <metadata>"
+    return svg.replace("<metadata>", described, 1).replace(' version="1.1">', ' version="1.1" role="img">', 1)
+
+
+def _in_lines(spans: str) -> str:
+    """Return the letters of a line of text in their order, those of a style that follow each other in one span."""
+    letters = [
+        (float(x), y, style, unescape(text).replace(NO_BREAK_SPACE, " ")) for x, y, style, text in _SPAN.findall(spans)
+    ]
+    runs: list[list[Any]] = []  # x, y, style, text, the position of the next letter
+    for x, y, style, text in sorted(letters, key=lambda letter: letter[0]):
+        size = float(_SIZE.findall(style)[0])
+        after = x + _advance(text, "italic" if "italic" in style else "normal", size)
+        if runs and runs[-1][1:3] == [y, style] and abs(x - runs[-1][4]) < _JOINED * size:
+            runs[-1][3:] = runs[-1][3] + text, after
+        else:
+            runs.append([x, y, style, text, after])
+    return "".join(
+        f'<tspan x="{x:g}" y="{float(y):g}" style="{style}">{escape(text)}</tspan>' for x, y, style, text, _ in runs
+    )
+
+
+def _advance(text: str, style: str, size: float) -> float:
+    """Return the width of letters of a size."""
+    font: Any = font_manager.get_font(_path_of(style))
+    font.set_size(size, 72)
+    return float(sum(font.load_char(ord(letter)).linearHoriAdvance / 65536 for letter in text))
+
+
+@cache
+def _path_of(style: Any) -> str:
+    return str(font_manager.findfont(font_manager.FontProperties(family=FONT, style=style)))
+
+
+def _letters(svg: str) -> dict[str, set[str]]:
+    """Return the letters of an SVG by their style, as far as they are of its font."""
+    letters: dict[str, set[str]] = {}
+    for style, text in re.findall(r'<t(?:ext|span)[^>]* style="([^"]*)"[^>]*>([^<]+)<', svg):
+        if _FAMILY.search(style):
+            letters.setdefault("italic" if "italic" in style else "normal", set()).update(unescape(text))
+    return dict(sorted(letters.items()))
+
+
+def _face(style: str, letters: Iterable[str]) -> str:
+    """Return a font of some letters as a rule of a style sheet."""
+    options = subset.Options(hinting=False, layout_features=[], notdef_outline=True, name_IDs=[])
+    options.drop_tables += ["FFTM", "GDEF", "GPOS", "GSUB"]
+    font = ttLib.TTFont(_path_of(style), recalcTimestamp=False)
+    reduced = subset.Subsetter(options)
+    reduced.populate(unicodes=[*map(ord, letters)])
+    reduced.subset(font)
+    buffer = BytesIO()
+    font.save(buffer)
+    source = f"url(data:font/ttf;base64,{b64encode(buffer.getvalue()).decode()})"
+    return f"@font-face{{font-family: '{FONT}'; font-style: {style}; src: {source}}}\n"
+
+
+def _tile(path: str) -> str:
+    """Return those dots of a hatch that one tile of it needs."""
+    dots = re.findall(r"M ([-\d.]+) ([-\d.]+)[^M]*", path)
+    whole = re.findall(r"M [^M]*", path)
+    room = _TILE + 1.0
+    near = (dot for dot, (x, y) in zip(whole, dots, strict=True) if -1 < float(x) < room and -1 < float(y) < room)
+    return "".join(near)

@@ -1,0 +1,164 @@
+"""Put texts inside axes: of marked points, of contours, and of lines that bound a region. All sizes are in pixels."""
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any, NamedTuple
+
+import numpy
+from matplotlib.transforms import Bbox  # type: ignore[import-not-found,unused-ignore]
+
+from ..quantities.markup import typeset
+from .picture import Mark, Style
+
+_EDGE = 4.0  # points of the page inside the frame that its ticks take
+_APART = 2.0  # points of the page between two texts, and between a text and the line that it names
+_ASIDE = 20.0  # times as far as it is from its line, a label may be from the middle
+_DOT = 3.0  # half the size of a point, in points of the page
+_STEP = 1.5  # distance of the points along a line, in points of the page
+_WAYS = ((0.7, 0.7), (0.7, -0.7), (-0.7, 0.7), (-0.7, -0.7), (1, 0), (-1, 0), (0, 1), (0, -1))  # the best first
+_REACH = (7.0, 11.0, 16.0, 22.0, 30.0, 42.0, 56.0, 75.0)  # from a point to its text, in points of the page
+
+Ground = Callable[[Any], str]  # the colour of the picture at a place, in pixels
+
+
+class Bound(NamedTuple):
+    """A line that bounds a region, with the name that stands on the side of the region."""
+
+    text: str
+    paths: Sequence[Any]  # in data coordinates
+    has: Callable[[Any], Any]  # whether places, in pixels, are in the region
+
+
+class Labels:
+    """The texts of axes, which keep off each other, off the lines and off the frame."""
+
+    def __init__(self, axes: Any, style: Style, ground: Ground) -> None:
+        self.axes, self.style, self.ground = axes, style, ground
+        self.scale = axes.figure.dpi / 72
+        self.frame = axes.get_window_extent().padded(-_EDGE * self.scale)
+        self.drawn = _joined(map(self._dense, _paths_on(axes)))
+        self.taken: list[Any] = []
+
+    def of_marks(self, marks: Sequence[Mark]) -> None:
+        """Draw marked points with their texts at free places, and lines to them."""
+        points = [(mark.text, mark.x, mark.y) for mark in marks if mark.x is not None and mark.y is not None]
+        self.taken += [_box(self._pixels(place), _DOT * self.scale) for _, *place in points]
+        steps = numpy.array([[reach * self.scale * numpy.array(way) for way in _WAYS] for reach in _REACH])
+        steps = steps.reshape(-1, 2)
+        for label, *place in sorted(points, key=lambda point: -point[1]):  # those on the right have the least room
+            text, half = self._text(typeset(label), zorder=5)
+            dot = self._pixels(place)
+            middles = (dot + steps + half * numpy.sign(steps)).clip(self.frame.min + half, self.frame.max - half)
+            boxes = [_box(middle, half) for middle in middles]
+            free = next((some for apart in (_APART, 0.5) if (some := self._free(boxes, apart))), boxes)
+            box = min(free, key=lambda box: self._crossings(box, dot))  # the first of those that cross as little
+            leader = numpy.array([dot, dot.clip(box.min, box.max)])
+            ends = self.axes.transData.inverted().transform(leader)
+            self.drawn = _joined([self.drawn, self._dense(leader)])
+            self.axes.plot(*ends.T, color=self.style.ink, linewidth=0.4, zorder=3)
+            look = {"color": self.style.ink, "markeredgecolor": self.style.paper, "markersize": 3.5, "zorder": 4}
+            self.axes.plot(*place, "o", clip_on=False, **look)
+            self._put(text, box)
+
+    def _crossings(self, box: Any, dot: Any) -> int:
+        """Return how many lines, or texts behind the dot, a text and its leader cross."""
+        leader = self._dense(numpy.array([dot, dot.clip(box.min, box.max)]))
+        leader = leader[numpy.hypot(*(leader - dot).T) > 2 * _DOT * self.scale]
+        texts = sum(bool(other.count_contains(leader)) for other in self.taken)
+        near = abs(self.drawn[None] - leader[:, None]).max(axis=2) < self.scale
+        return 3 * int(box.padded(1).count_contains(self.drawn) > 0) + int(near.any()) + 2 * texts  # the worst first
+
+    def of_contours(self, texts: Sequence[str], contours: Sequence[Sequence[Any]]) -> None:
+        """Write each label horizontally onto its contour, at the free place nearest to the middle.
+
+        It stands on a patch in the colour of the picture there, so that no hatch runs through it and its minus sign
+        cannot be taken for the contour. A contour without room has no label.
+        """
+        every = [_joined(self._dense(self._pixels(path)) for path in paths) for paths in contours]
+        middle = (self.frame.min + self.frame.max) / 2
+        for label, own in zip(texts, every, strict=True):
+            text, half = self._text(typeset(label), zorder=3)
+            half = half + self.scale
+            inside = own.clip(self.frame.min + half, self.frame.max - half)
+            is_on_line = (abs(own - inside) < half - 2 * self.scale).all(axis=1)
+            cost = numpy.hypot(*(inside - middle).T) + _ASIDE * numpy.hypot(*(inside - own).T)
+            boxes = [_box(place, half) for place in inside[is_on_line][cost[is_on_line].argsort(kind="stable")]]
+            free = self._free(boxes)
+            for lines in (self.drawn, _joined(every)):  # all lines, or at least the other contours
+                box = next((box for box in free if box.count_contains(lines) <= box.count_contains(own)), None)
+                if box is not None:
+                    break
+            self._put(text, box)
+
+    def of_bounds(self, bounds: Iterable[Bound]) -> None:
+        """Write the name of each line beside it, in the region that it bounds; a line without room has none."""
+        for bound in bounds:
+            text, half = self._text(typeset(bound.text), zorder=3)
+            boxes = [
+                box
+                for path in bound.paths
+                for box in self._free(self._beside(self._dense(self._pixels(path)), half, bound.has))
+                if bound.has(numpy.array([*box.corners(), (box.min + box.max) / 2])).all()
+            ]
+            crossings = [box.padded(1).count_contains(self.drawn) for box in boxes]
+            self._put(text, boxes[int(numpy.argmin(crossings))] if boxes else None)
+
+    def _beside(self, path: Any, half: Any, has: Callable[[Any], Any]) -> Iterable[Any]:
+        """Iterate over the boxes beside a path, on the side of its region, within the frame; the middle ones first."""
+        along = numpy.diff(path, axis=0)
+        across = numpy.stack([-along[:, 1], along[:, 0]], axis=1)
+        across /= numpy.maximum(numpy.hypot(*across.T), 1e-12)[:, None]
+        middles = (path[1:] + path[:-1]) / 2
+        across *= numpy.where(has(middles + self.scale * across), 1, -1)[:, None]
+        reach = (abs(across) * half).sum(axis=1) + _APART * self.scale
+        places = middles + reach[:, None] * across
+        for place in places[abs(numpy.arange(len(places)) - len(places) / 2).argsort(kind="stable")]:
+            if (place - half >= self.frame.min).all() and (place + half <= self.frame.max).all():
+                yield _box(place, half)
+
+    def _free(self, boxes: Iterable[Any], apart: float = _APART) -> list[Any]:
+        """Return the boxes that keep off the texts that are there."""
+        return [box for box in boxes if not any(map(box.padded(apart * self.scale).overlaps, self.taken))]
+
+    def _pixels(self, points: Any) -> Any:
+        return self.axes.transData.transform(points)
+
+    def _dense(self, points: Any) -> Any:
+        """Return points at equal distances along a line of few."""
+        lengths = numpy.hypot(*numpy.diff(points, axis=0).T)
+        away = numpy.concatenate([[0.0], numpy.cumsum(lengths)])
+        steps = numpy.linspace(0, away[-1], int(away[-1] / (_STEP * self.scale)) + 2)
+        return numpy.stack([numpy.interp(steps, away, of_axis) for of_axis in numpy.asarray(points).T], axis=1)
+
+    def _text(self, label: str, zorder: int) -> tuple[Any, Any]:
+        """Return a text that is to be put somewhere by its middle, and half its size."""
+        text = self.axes.text(0.5, 0.5, label, ha="center", va="center", zorder=zorder)
+        return text, text.get_window_extent().size / 2
+
+    def _put(self, text: Any, box: Any) -> None:
+        """Put a text into a box, on a patch in the colour there; remove it without a box."""
+        if box is None:
+            text.remove()
+            return
+        middle = (box.min + box.max) / 2
+        text.set_position(self.axes.transData.inverted().transform(middle))
+        text.set_bbox({"boxstyle": "square,pad=0.05", "linewidth": 0, "facecolor": self.ground(middle)})
+        self.taken.append(box)
+
+
+def _paths_on(axes: Any) -> Iterable[Any]:
+    """Iterate over the lines on axes, in pixels; those without a fill, if they are collections or patches."""
+    for line in axes.lines:
+        yield line.get_transform().transform_path(line.get_path()).vertices
+    for drawing in axes.collections:
+        if not drawing.get_facecolor().size:
+            for path in drawing.get_paths():
+                yield axes.transData.transform(path.vertices)
+
+
+def _joined(paths: Iterable[Any]) -> Any:
+    return numpy.concatenate([*paths, numpy.empty((0, 2))])
+
+
+def _box(middle: Any, half: Any) -> Any:
+    """Return the box around a place."""
+    return Bbox([middle - half, middle + half])

@@ -1,0 +1,51 @@
+"""The best ranges of a quantity along a curve or over a map: those of single answers, point by point."""
+
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from math import inf
+from typing import Any, NamedTuple
+
+import numpy
+
+from ..errors import JkrollError
+from ..model.estimate import NONE, WORDS, Estimate, estimates
+from ..model.frame import Frame
+from ..model.results import Results
+
+_HAS_WIDTH = 1e-6  # relative, below which a range is a line
+
+
+class Band(NamedTuple):
+    """Best ranges as arrays: an open end is infinite, and nan stands where there is no range."""
+
+    low: Any
+    high: Any
+    by: Any  # the rule of each, a position in WORDS
+
+    def rules(self, where: Callable[[Any], str] = lambda _: "") -> str:
+        """Return the words of the rules, in their order, each with the place where it applies."""
+        rules = [rule for rule in dict.fromkeys(self.by.ravel().tolist()) if rule != NONE]
+        words: dict[str, int] = {WORDS[rule].replace("ξ", "⟦ξ⟧"): rule for rule in rules}
+        places = ((word, where(self.by == rule)) for word, rule in words.items())
+        return ", ".join(f"{word} ({place})" if place else word for word, place in places)
+
+    def estimates(self) -> Iterator[Estimate]:
+        """Iterate over the ranges as estimates of single points."""
+        low, high = (numpy.where(numpy.isinf(end), numpy.nan, end) for end in (self.low, self.high))
+        for point in zip(low.tolist(), high.tolist(), self.by.tolist(), strict=True):
+            yield Estimate(*point)
+
+
+def band_of(here: Frame, quantity: str, shape: tuple[int, ...]) -> Band | None:
+    """Return the best ranges at the points of a frame of arrays; None if there are none, or each is a number."""
+    best: Estimate | None = None
+    with suppress(JkrollError):  # error bars that some points do not have
+        best = estimates(Results(here, here.columns([quantity])), [quantity]).get(quantity)
+    if best is None:
+        return None
+    low, high, by = (numpy.broadcast_to(values, shape) for values in best)
+    has_none = numpy.isnan(low) & numpy.isnan(high)
+    low = numpy.where(has_none, numpy.nan, numpy.where(numpy.isnan(low), -inf, low))
+    high = numpy.where(has_none, numpy.nan, numpy.where(numpy.isnan(high), inf, high))
+    has_width = high - low > _HAS_WIDTH * abs(numpy.where(numpy.isinf(high), low, high))
+    return Band(low, high, by) if has_width.any() else None
