@@ -295,7 +295,7 @@ def test_they_are_axes_of_maps(run: Run) -> None:
         assert radii == approx([circle(30e9 / (1 - nu)) for nu in (0.1, 0.2, 0.3)], rel=1e-12)
         assert "G1 = 30 GPa" in run(f"map contact_radius {solid} --diameter 200nm {words}").out
     said = run("map pull-off --x diameter=10nm:1um --y gamma=1mJ/m2:100mJ/m2 --mark quartz@100nm").out
-    assert "quartz@100nm: P_c = 11.78 nN" in said
+    assert "quartz, 100 nm: P_c = 11.78 nN" in said
     assert "R1 =" not in run("map pull-off quartz --x diameter=10nm:1um").out
     curves = run("map pull-off --diameter 100nm,200nm --x gamma=1mJ/m2:1J/m2:2 --data - --quiet").out
     assert re.findall(r"R1 = \d+ nm", curves) == ["R1 = 50 nm"] * 2 + ["R1 = 100 nm"] * 2
