@@ -222,6 +222,15 @@ def _is_blank(letter: str) -> bool:
     return category(letter) == "Zs"
 
 
+def capital(text: str) -> str:
+    """Return a text that begins with a capital letter.
+
+    >>> capital("rough spheres"), capital("")
+    ('Rough spheres', '')
+    """
+    return text[:1].upper() + text[1:]
+
+
 def listed(texts: Iterable[str], word: str = "and") -> str:
     """Return texts as an enumeration, with a word before the last one.
 

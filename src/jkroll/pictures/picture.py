@@ -14,7 +14,7 @@ from ..quantities.formatting import in_units
 from ..quantities.markup import marked, plain
 from ..quantities.nomenclature import NOMENCLATURE, bracketed, header
 from ..quantities.quantity import Quantity
-from ..text import TextColumn, padded, say, say_wrapped, terminal_width, width_of, write_table
+from ..text import TextColumn, capital, padded, say, say_wrapped, terminal_width, width_of, write_table
 from .ranges import Band
 
 _WIDE = 30.0  # ratio of the ends from which contours are logarithmic
@@ -325,7 +325,7 @@ def _write_field(panel: Panel, field: Field, out: TextIO) -> None:
     gaps = [": ".join(filter(None, (f"{NO_VALUE} no value", "; ".join(field.gaps))))]
     keys = [f"{region.sign} {region.text}" for region in field.regions if region.sign and region.sign in signs]
     say_texts([*keys, *(gaps if not numpy.isfinite(values).all() else ())], out)
-    say_texts([f"{region.text} ({region.where})." for region in field.regions if not region.sign], out)
+    say_texts([f"{capital(region.text)} ({region.where})." for region in field.regions if not region.sign], out)
 
 
 def _cells(field: Field, frame: Frame, values: Any) -> tuple[list[list[str]], str]:

@@ -28,7 +28,7 @@ from ..report.answer import equation_of
 from ..report.notes import about_assumed, about_data, about_given, about_idle, about_middles, assumed, entering
 from ..report.questions import quantity_named
 from ..report.ranges import range_in_words
-from ..text import quoted
+from ..text import capital, quoted
 from .picture import (
     CURVE_ROWS,
     SAME,
@@ -264,6 +264,8 @@ class Layer:
         self.inputs = inputs_as_texts(self.frame, [moduli.get(name, name) for name in shown if name not in on_axes])
         remark = NOMENCLATURE[quantity].note
         self.unjudged = [f"Limits are not judged: {_without(error)}." for error in missing[:1]]
+        if missing and quantity == "pull_off_force" and frame.law.is_default and len(axes) > 1:
+            self.unjudged.insert(0, "DMT's law, which is for small, hard spheres, has 4/3 of this.")
         self.notes = (
             *(note.text for note in about_idle(entering(self.frame, names, judges=False)[1])),
             *notes_on(points, self.frame, shown, names),
@@ -329,13 +331,21 @@ class Layer:
         """Return where something holds: stretches of a curve, or a part of a map; empty for all points with a value."""
         if (is_beyond == self.known).all():
             return ""
-        x, *others = self.axes
-        if others:
-            return "in part of the map"
-        values, beyond = x.values()[self.known], is_beyond[self.known]
-        edges = numpy.flatnonzero(numpy.diff(beyond, prepend=False, append=False)).reshape(-1, 2)
-        ends = ([amount(x.name, values[end], _TWO) for end in (first, last - 1)] for first, last in edges)
-        return f"{symbol(x.name)} = {', '.join(' to '.join(dict.fromkeys(pair)) for pair in ends)}"
+        if len(self.axes) == 1:
+            return _stretches(self.axes[0], is_beyond, self.known)
+        for axis, across in zip(self.axes, (0, 1), strict=True):  # rows of a map go along x
+            beyond, known = is_beyond.any(axis=across), self.known.any(axis=across)
+            if (is_beyond == (self.known & numpy.expand_dims(beyond, across))).all():
+                return _stretches(axis, beyond, known)
+        return "in part of the map"
+
+
+def _stretches(axis: Axis, is_beyond: Any, known: Any) -> str:
+    """Return the stretches of an axis in which something holds, without points that have no value."""
+    values, beyond = axis.values()[known], is_beyond[known]
+    edges = numpy.flatnonzero(numpy.diff(beyond, prepend=False, append=False)).reshape(-1, 2)
+    ends = ([amount(axis.name, values[end], _TWO) for end in (first, last - 1)] for first, last in edges)
+    return f"{symbol(axis.name)} = {', '.join(' to '.join(dict.fromkeys(pair)) for pair in ends)}"
 
 
 def _shear_moduli(frame: Frame) -> dict[str, str]:
@@ -397,7 +407,7 @@ def fixed_inputs(inputs: Sequence[str]) -> tuple[str, ...]:
 def _opening(quantity: str, layers: Sequence[Layer]) -> Iterator[str]:
     """Iterate over the sentences that every caption begins with: on the quantity, its inputs, and on its values."""
     sentence = marked(NOMENCLATURE[quantity].sentence)  # one that begins with a formula keeps its first letter
-    clauses = [f"{sentence[0].upper()}{sentence[1:]}", symbol(quantity)]
+    clauses = [capital(sentence), symbol(quantity)]
     equations = {equation_of(layer.frame, quantity) for layer in layers}
     laws = {layer.frame.law.title for layer in layers if layer.frame.stated_model is not None}
     if len(equations) == 1 and (equation := equations.pop()):
@@ -428,7 +438,7 @@ def _sentences(told: Mapping[str, Iterable[Region]]) -> Iterator[str]:
             yield f"Everywhere {text}."
         else:
             each_place = (", ".join(filter(None, (label, place or "everywhere"))) for label, place in where.items())
-            yield f"{text[0].upper()}{text[1:]} ({'; '.join(each_place)})."
+            yield f"{capital(text)} ({'; '.join(each_place)})."
 
 
 def _farthest_off(x: Axis, layer: Layer) -> Iterator[str]:
