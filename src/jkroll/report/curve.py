@@ -19,7 +19,8 @@ FORCE_CURVE = Question(
     ("approach_at_load", "load"),
     ("approach_at_load", "load", "contact_radius_at_load", "stiffness"),
 )
-WHOLE_CURVE = Question(("pull_off_force",), ("pull_off_force",))
+_OF_CURVE = ("pull_off_force", "contact_radius", "approach")
+WHOLE_CURVE = Question(_OF_CURVE, _OF_CURVE)
 FOLD, PULL_OFF, JUMP_IN, EQUILIBRIUM = "fold", "pull-off", "jump-in", "equilibrium"
 NAMED = {FOLD: 1 / 6, PULL_OFF: 1 / 2, JUMP_IN: 2 / 3, EQUILIBRIUM: 1.0}  # the load factors of JKR
 STEPS = 40  # on the stable branch

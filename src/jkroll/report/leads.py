@@ -8,15 +8,16 @@ from ..model.estimate import (
     BETTER_LAW,
     FRICTION_ASSUMED,
     FRICTION_FACTOR,
+    MEASURED,
     NONE,
     WORDS,
     Ranges,
 )
 from ..model.frame import Frame
 from ..model.limits import GAP_STAYS_DRY
-from ..model.measured import what_stuck
+from ..model.measured import solid_of_pair, what_stuck
 from ..model.results import Results
-from ..quantities.formatting import Format, amount, from_to, significant
+from ..quantities.formatting import Format, amount, from_to, significant, span
 from .answer import Answer
 from .notes import Note
 from .ranges import range_in_words
@@ -48,6 +49,8 @@ def _filled(answer: Answer) -> str:
     """Return the sentence that answers a question, with the best ranges; empty where one is lacking."""
     found = {name: estimate for name, estimate in answer.estimates.items() if estimate.by != NONE}
     words = {name: range_in_words(name, each) for name, each in found.items()}
+    if "sticking_speed" in words:
+        words["sticking_speed"] += _as_seen(answer)
     is_open = any(isnan(found[name].low) for name in answer.question.headline if name in found)
     words["or_none"] = ", or not at all" if is_open else ""
     try:
@@ -115,11 +118,21 @@ def _stick_or_bounce(answer: Answer) -> str:
     sides = range_in_words("sticking_speed", sticking)
     is_below, is_above = speed < sticking.low, speed > sticking.high
     verdict = "they stick" if is_below else "they bounce" if is_above else _likely(answer)
-    text = f"at {amount('speed', speed)} {verdict}: the largest speed to stick is {sides} ({WORDS[sticking.by]})"
+    seen = _as_seen(answer) or f" ({WORDS[sticking.by]})"
+    text = f"at {amount('speed', speed)} {verdict}: the largest speed to stick is {sides}{seen}"
     left = answer.estimates["restitution"]
     if is_below or isnan(left.high) or left.by != ADHESION_ONLY:
         return text
     return f"{text}; if they bounce, adhesion alone leaves e = {from_to(answer.values['restitution'], left.high)}"
+
+
+def _as_seen(answer: Answer) -> str:
+    """Return the largest speed to stick in the proportion to JKR's that was measured on the same solid, if it was."""
+    stuck, is_scaled = what_stuck(answer.frame), answer.estimates["sticking_speed"].by == MEASURED
+    if stuck is None or not is_scaled or stuck.is_near(answer.frame):
+        return ""
+    ends = (ratio * answer.values["sticking_speed"] for ratio in stuck.over_law(answer.frame))
+    return f" ({span('sticking_speed', *ends)} if as on {solid_of_pair(answer.frame)})"
 
 
 def _likely(answer: Answer) -> str:

@@ -22,9 +22,9 @@ if TYPE_CHECKING:
     from ..quantities.values import Interval, Uncertain
 
 # A warning is of a number without a meaning; a lead answers the question in a sentence; a caveat may change what a
-# reader does; a remark is less; what was assumed stands above results; "more" is in explanations alone. Of one severity
-# they stand in the order in which they are made.
-Severity = Literal["warning", "lead", "caveat", "remark", "assumed", "more"]
+# reader does; a remark is less; data are what the source of a material says; what was assumed stands above results;
+# "more" is in explanations alone. Of one severity they stand in the order in which they are made.
+Severity = Literal["warning", "lead", "caveat", "remark", "data", "assumed", "more"]
 ABOVE: tuple[Severity, ...] = ("assumed", "warning", "lead")  # the results of an answer, on a terminal
 _SEVERITIES = get_args(Severity)
 
@@ -122,7 +122,7 @@ def about_data(frame: Frame, inputs: Collection[str]) -> Iterator[Note]:
         radii = material.note_radii.get(of_solid)
         is_used = name in inputs and of_solid in material.notes
         if is_used and (radii is None or _has_radius_in(radii, frame, NOMENCLATURE[name].sphere)):
-            severity: Severity = "caveat" if of_solid in material.origins else "remark"  # what speaks against a value
+            severity: Severity = "caveat" if of_solid in material.origins else "data"  # what speaks against a value
             sizes = f" (R = {amount('radius', radii)})" if radii is not None else ""
             yield Note(severity, f"{symbol_among(of_solid, ())} of {material.name}{sizes}: {material.notes[of_solid]}")
 
@@ -273,14 +273,17 @@ def lines_of(notes: Sequence[Note], *, has_head: bool = False, quiet: bool = Fal
     """Return the lines below an answer or rows, the last of which says that there is more.
 
     They are what was assumed unless a head has it, warnings, and of what answers the question and of the other notes
-    the first; warnings alone if `quiet`.
+    the first, and below a table with a head what the sources of its materials say; warnings alone if `quiet`.
     """
     texts = {severity: [note.text for note in notes if note.severity == severity] for severity in _SEVERITIES}
     lines = _warning(texts["warning"])
     if quiet:
         return lines
-    leads, others = texts["lead"], [*texts["caveat"], *texts["remark"]]
-    shown = [_first_clauses(f"note: {text}") for text in (*leads[:_MAX_NOTES], *others[:_MAX_NOTES])]
+    leads, others = texts["lead"], [*texts["caveat"], *texts["remark"], *texts["data"]]
+    first = others[:_MAX_NOTES]
+    if has_head:
+        first += [text for text in texts["data"] if text not in first]
+    shown = [_first_clauses(f"note: {text}") for text in (*leads[:_MAX_NOTES], *first)]
     has_more = shown != [f"note: {text}" for text in (*leads, *others)] or texts["more"]
     return [*([] if has_head else texts["assumed"]), *lines, *shown, *(["more: --explain"] if has_more else [])]
 

@@ -43,7 +43,7 @@ _QUESTIONS = {
         "yield_force yield_force_fixed_load yield_force_ratio yield_moment yield_angle yield_displacement",
         lead="pushed at its centre, a sphere starts to roll at {yield_force}",
     ),
-    "r-min": _question("r_min", lead="a chain bends to a radius of {r_min} before one of its contacts rolls"),
+    "r-min": _question("r_min", lead="before one of its contacts rolls, a chain bends to a radius of {r_min}"),
     "n-grav": _question(
         "n_grav",
         "n_grav gravity_moment bond_number",

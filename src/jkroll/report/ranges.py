@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from math import isnan
 
+from ..materials.library import known_materials
 from ..model.estimate import (
     ADHESION_ONLY,
     AT_LEAST,
@@ -18,11 +19,13 @@ from ..model.estimate import (
     WORDS,
     XI_UNKNOWN,
     Estimate,
+    Ranges,
 )
 from ..model.frame import Frame
 from ..model.limits import JUMP, LAW_MATTERS, ROUGH_MATTERS, may_be_rough
 from ..model.measured import MOST_SEEN, SURFACES, Stuck, solid_of_pair, solid_that_rolled, what_rolled, what_stuck
 from ..model.other_law import farthest
+from ..model.results import Results
 from ..quantities.formatting import amount, from_to, significant, span, symbol_among
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import INFINITY, XI
@@ -98,7 +101,7 @@ _FRICTION = (
 _WORDS: Mapping[int, str] = {
     MEASURED: f"{_SEEN}, SiO2 to a plane as in jkroll guide validation",
     SCALED: "forces that rolled spheres of this solid, taken as R^(2/3) to R",
-    XI_UNKNOWN: "nothing was measured: low is ξ = 2 Å (one atom), high all of the work of adhesion lost; give --xi",
+    XI_UNKNOWN: "not measured: one end is ξ = 2 Å (one atom), the other all of the work of adhesion lost; give --xi",
     ADHESION_ONLY: "adhesion alone loses at most this; any other loss comes on top and lowers e",
     FRICTION_ASSUMED: _FRICTION,
     BOUNDS: "JKR's holds for soft spheres, DMT's for hard ones; E and ν tell which",
@@ -226,16 +229,22 @@ def _ceiling(answer: Answer) -> str:
 
 def _xi_unknown(answer: Answer) -> str:
     if answer.frame.missing(["hysteresis_ratio"]):
-        return (
-            "that is at ξ = 2 Å, about one atom; most spheres that were measured roll at a larger ξ. How large it can "
-            "be, and whether yours was measured, needs a material: jkroll materials"
-        )
+        return f"that is at ξ = 2 Å, about one atom; {_of_silica(answer.frame)}name your material"
     by_law = "" if answer.frame.law.name == BETWEEN else ", by Maugis' law"
     most = answer.ranges.at_full_hysteresis(XI)[1]
     at_most = "" if isnan(most) else f" at ξ = {span(XI, most, most)},"
     ends = f"one end is at ξ = 2 Å (one atom{by_law}), the other{at_most} where all of the work of adhesion is lost"
     text = f"how far the contact lags before it rolls was not measured for this pair: {ends}"
     return f"{text}. Limits, no error bar; give --xi{_of_measured_solid(answer)}"
+
+
+def _of_silica(frame: Frame) -> str:
+    """Return what forces that rolled spheres of SiO2 mean for a chain of such spheres, to compare with."""
+    silica = Frame(frame.stated, known_materials()["quartz"])
+    if not isinstance(frame.given.get("radius"), float) or silica.missing(["r_min"]):
+        return ""
+    found = Ranges(Results(silica, silica.columns(["r_min"]))).estimate("r_min")
+    return f"for SiO2 (quartz), which was measured, R_min is {range_in_words('r_min', found)}; "
 
 
 def _of_measured_solid(answer: Answer) -> str:

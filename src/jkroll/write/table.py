@@ -241,7 +241,7 @@ def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) ->
         return ["–", "–"]
     low, high = (end if isnan(end) else convert(end, unit[1]) for end in estimate[:2])
     digits = form.digits or 2
-    if estimate.by in (LAW_ONLY, KELVIN) and form.digits is None:  # not known to all the digits of the formula
+    if estimate.by in (DEFINITION, LAW_ONLY, KELVIN) and form.digits is None:  # not known to all digits
         return [f"≈ {from_to(low, high, digits)}", WORDS[int(estimate.by)]]
     is_narrow = form.digits is None and abs(high - low) < _NARROW * abs(high)
     if abs(high - low) <= _SAME * abs(high):
@@ -307,7 +307,8 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     for line in _about_inputs(count, common, assumed, form, several):
         say_wrapped(line, out)
     if BETWEEN in distinct.get("model", ()):
-        say_wrapped("take the rows of maugis", out)
+        spacing = "" if "atomic_spacing" in form.typed else ", which are at z0 = 4 Å; the other end is --z0 2angstrom"
+        say_wrapped(f"take the rows of maugis{spacing}", out)
     exact, leading, results = Format(form.units, form.digits or DIGITS), [], []
     following = _FOLLOWING | STATE_OR_LOAD if "state" in inputs else _FOLLOWING
     for name in several:
