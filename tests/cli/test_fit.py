@@ -308,7 +308,7 @@ def broken(text: str, seed: int) -> bytes:
     return "\n".join(lines).encode()
 
 
-@pytest.mark.parametrize(("first", "last"), [(0, 40), pytest.param(40, 200, marks=pytest.mark.slow)])
+@pytest.mark.parametrize(("first", "last"), [(0, 40), (85, 86), pytest.param(40, 200, marks=pytest.mark.slow)])
 def test_broken_files_give_words_and_no_bug(run: Run, curve: str, first: int, last: int) -> None:
     for seed in range(first, last):
         Path("broken.csv").write_bytes(broken(curve, seed))

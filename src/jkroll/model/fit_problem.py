@@ -220,18 +220,24 @@ def _plateau(problem: Problem, branch: Branch, unknowns: Array) -> slice:
     """Return the slice from where the energy release rate is constant to the last point in contact."""
     rate, _ = release_rate(problem, branch.in_contact, unknowns)
     size = max(LEAST_POINTS, len(rate) // _BINS)
-    middles = [float(numpy.nanmedian(rate[at : at + size])) for at in range(0, len(rate) - size + 1, size)]
+    middles = [_median(rate[at : at + size]) for at in range(0, len(rate) - size + 1, size)]
     lower = middles[len(middles) // 2 :]
     if len(lower) < 2:
         return branch.contact
-    level = float(numpy.nanmedian(lower))
-    scatter = 1.4826 * float(numpy.nanmedian(abs(numpy.array(lower) - level)))
+    level = _median(numpy.array(lower))
+    scatter = 1.4826 * _median(abs(numpy.array(lower) - level))
     tolerance = max(_PLATEAU * level, 3 * scatter)
     outside = [place for place, value in enumerate(middles) if abs(value - level) > tolerance]
     above = [place for place in outside if place < len(middles) - 3]
     first = (above[-1] + 1) * size if above else 0
     start = min(branch.contact.start + first, branch.contact.stop - 4 * LEAST_POINTS)
     return slice(max(start, branch.contact.start), branch.contact.stop)
+
+
+def _median(values: Array) -> float:
+    """Return the median of the numbers among some values; nan if there is none."""
+    numbers = values[numpy.isfinite(values)]
+    return float(numpy.median(numbers)) if len(numbers) else numpy.nan
 
 
 def release_rate(problem: Problem, points: Points, unknowns: Array) -> tuple[Array, Array]:
