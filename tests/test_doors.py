@@ -7,6 +7,7 @@ z0, and how far a contact would hold by Maugis' law.
 
 import math
 import os
+import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from random import Random
@@ -197,6 +198,9 @@ FOUND: Mapping[str, str] = {
     "a law of rigid bodies, which have no Tabor parameter": (
         "moment quartz '1e-6 m' --young '2e9 Pa,rigid' --quantities pull_off_work_maugis,cohesive_stress"
     ),
+    "a shear strength of which a multiple is more than a frame takes": (
+        "resistances '1e-7 m,1e-6 m' --gamma '0.025 J/m^2' --young '9e29 Pa,54e9 Pa' --poisson -0.97"
+    ),
     "two reasons that are not those of all rows": (
         "contact quartz,gold '1e-7 m' --load '-1 N,0 N' --material2 graphite,gold"
     ),
@@ -341,7 +345,9 @@ def _in_answer(ask: Ask, texts: Mapping[str, str], floats: Rows, row: int) -> It
     names += [name for name, error in reasons.items() if is_end_of_meaning(error)]
     given: dict[str, Any] = {name: text if name in SPHERES else value_of(text, name) for name, text in texts.items()}
     try:
-        found = answer(names, model=ask.model, **given)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UserWarning)  # of radii that are a metre or more
+            found = answer(names, model=ask.model, **given)
         of_json = found.as_dict()
     except JkrollError:
         return

@@ -28,6 +28,7 @@ from .measured import (
     what_stuck,
 )
 from .other_law import at_half_spacing, farthest
+from .ranges import LEAST, MOST
 from .reasons import MissingInput, reason
 from .results import Results
 from .uncertainty import ErrorBar, error_bars
@@ -344,8 +345,9 @@ def _at_twice(frame: Frame) -> Frame:
 
 
 def _with_friction(factor: float, frame: Frame) -> Frame:
-    """Return the frame with a multiple of its shear strength."""
-    return frame.replace(shear_strength=frame["shear_strength"] * factor)
+    """Return the frame with a multiple of its shear strength, as far as a frame takes it."""
+    strength = frame["shear_strength"] * factor
+    return frame.replace(shear_strength=at_most(at_least(strength, LEAST), MOST))
 
 
 _BETTER = (_between, _between_at_half)
