@@ -284,6 +284,10 @@ BEST: Mapping[str, str] = {
     "a contact wider than its sphere": f"contact {GEL}",
     "a pull-off force of it": f"pull-off {GEL}",
     "a chain without a sphere": "n-grav quartz '1e-6 m,1e-3 m'",
+    "a state that another law has in some rows": (
+        "report '4.4e-8 m' --radius2 '2e-9 m,plane' --gamma '0.043 J/m^2' --young '4.2e10 Pa' --poisson '-0.455' "
+        "--approach '-2.4e-11 m' --adhesion-hysteresis '0.0005 J/m^2' --quantities displacement_over_contact_radius"
+    ),
     "no modulus": "pull-off '1e-7 m,1e-6 m' --gamma '0.025 J/m^2'",
     "a displacement that another law allows": "resistances iron '1e-6 m,2e-9 m' --approach '0.0 m' --xi '5e-10 m'",
 }

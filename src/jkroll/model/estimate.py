@@ -149,6 +149,7 @@ class Ranges:
                 yield True, *self.hull(name, *_FRICTIONS), FRICTION_ASSUMED
             yield True, *own, LAW_ONLY
             return
+        yield _between(self.results.described).column(name).reasons != 0, *own, LAW_ONLY
         if name in _SEPARATION:
             yield self._tabor_parameter < JUMP, own[0], nan, AT_LEAST
         better, of_both = self.by_better_law(name), self.hull(name, _itself, *_BETTER)
