@@ -127,15 +127,24 @@ class Doubt:
         if self.error is not None:
             return NOT_JUDGED
         (_, code), *others = self.limit.codes.items()
-        bits = where(self.is_beyond, BITS.get(code, 0), 0)
+        bits = _bits_where(self.is_beyond, BITS.get(code, 0), 0)
         for threshold, code in others if self.is_beyond is not False else ():
-            bits = where(self.limit.is_beyond(self.judged, threshold), BITS[code], bits)
-        return where(self.unjudged, NOT_JUDGED, bits)
+            bits = _bits_where(self.limit.is_beyond(self.judged, threshold), BITS[code], bits)
+        return _bits_where(self.unjudged, NOT_JUDGED, bits)
 
     @cached_property
     def ends(self) -> Any:
         """The reasons of rows in which the limit ends the meaning of results, 0 for the others."""
         return where(self.is_beyond, reason(ENDS[next(iter(self.limit.codes.values()))]), 0)
+
+
+def _bits_where(condition: Any, bits: int, otherwise: Any) -> Any:
+    """Return bits in the rows of a condition: 64 of them, which numpy's own whole numbers have not in a browser."""
+    if isinstance(condition, bool):
+        return bits if condition else otherwise
+    import numpy
+
+    return numpy.where(condition, numpy.int64(bits), otherwise)
 
 
 # What rests on the law and on elasticity; in DMT, at an approach, the radius rests on no work of adhesion, nor does
