@@ -6,7 +6,7 @@ from typing import Any, Generic, Self, TypeVar, overload
 
 from ..errors import BadRequest
 from ..quantities.nomenclature import NOMENCLATURE
-from ..text import quoted
+from ..text import capital, quoted
 
 Value = TypeVar("Value")
 
@@ -83,7 +83,7 @@ class Option(Generic[Value]):
 
         meaning = NOMENCLATURE[self.name].sentence
         default = f", default {amount(self.name, DEFAULTS[self.name])}" if self.name in DEFAULTS else ""
-        return f"{meaning[0].upper()}{meaning[1:]}{default}{_WITH.get(self.name, '')}."
+        return f"{capital(meaning)}{default}{_WITH.get(self.name, '')}."
 
 
 def _switch(flag: str, help: str, **others: Any) -> Option[bool]:

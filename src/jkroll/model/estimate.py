@@ -149,11 +149,12 @@ class Ranges:
                 yield True, *self.hull(name, *_FRICTIONS), FRICTION_ASSUMED
             yield True, *own, LAW_ONLY
             return
-        yield _between(self.results.described).column(name).reasons != 0, *own, LAW_ONLY
+        columns = [law(self.results.described).column(name) for law in _BETTER]
+        yield columns[0].reasons != 0, *own, LAW_ONLY
         if name in _SEPARATION:
             yield self._tabor_parameter < JUMP, own[0], nan, AT_LEAST
         better, of_both = self.by_better_law(name), self.hull(name, _itself, *_BETTER)
-        theirs = [law(self.results.described).column(name).or_else(0.0) for law in _BETTER]
+        theirs = [column.or_else(0.0) for column in columns]
         if name in _AS_PULL_OFF:
             force, most = self._by_lennard_jones(name)
             theirs.append(force)

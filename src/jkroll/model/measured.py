@@ -149,6 +149,11 @@ class Stuck(NamedTuple):
             ratios.append(self.at(radius) / speed)
         return min(ratios), max(ratios)
 
+    def in_proportion(self, frame: Frame) -> tuple[float, float]:
+        """Return the least and the largest speed of a frame in these ratios to that of its law."""
+        least, most = self.over_law(frame)
+        return least * frame["sticking_speed"], most * frame["sticking_speed"]
+
     def is_near(self, frame: Frame) -> Any:
         """Return whether the spheres have radii as they were measured, and meet a plane."""
         least, most = self.radii

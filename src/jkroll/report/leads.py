@@ -128,22 +128,28 @@ def _stick_or_bounce(answer: Answer) -> str:
 
 def _as_seen(answer: Answer) -> str:
     """Return the largest speed to stick in the proportion to JKR's that was measured on the same solid, if it was."""
-    stuck, is_scaled = what_stuck(answer.frame), answer.estimates["sticking_speed"].by == MEASURED
-    if stuck is None or not is_scaled or stuck.is_near(answer.frame):
+    if answer.estimates["sticking_speed"].by != MEASURED:
         return ""
-    ends = (ratio * answer.values["sticking_speed"] for ratio in stuck.over_law(answer.frame))
-    return f" ({span('sticking_speed', *ends)} if as on {solid_of_pair(answer.frame)})"
+    speeds = _speeds_in_proportion(answer.frame)
+    if speeds is None:
+        return ""
+    return f" ({span('sticking_speed', *speeds)} if as on {solid_of_pair(answer.frame)})"
 
 
 def _likely(answer: Answer) -> str:
     """Return what spheres do in the range of the speeds to which some stick, by those of the same solid."""
-    stuck, frame = what_stuck(answer.frame), answer.frame
-    if stuck is None or stuck.is_near(frame):
-        return "they may stick or bounce"
-    least, most = (ratio * answer.values["sticking_speed"] for ratio in stuck.over_law(frame))
-    if frame["speed"] < least:
+    speed, speeds = answer.frame["speed"], _speeds_in_proportion(answer.frame)
+    if speeds is not None and speed < speeds[0]:
         return "they probably stick"
-    return "they probably bounce" if frame["speed"] > most else "they may stick or bounce"
+    if speeds is not None and speed > speeds[1]:
+        return "they probably bounce"
+    return "they may stick or bounce"
+
+
+def _speeds_in_proportion(frame: Frame) -> tuple[float, float] | None:
+    """Return the speeds to stick in proportion to what was measured on the same solid, unless that was this pair."""
+    stuck = what_stuck(frame)
+    return None if stuck is None or stuck.is_near(frame) else stuck.in_proportion(frame)
 
 
 def _law_that_holds(answer: Answer) -> str:

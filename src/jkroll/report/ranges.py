@@ -94,16 +94,15 @@ def parts_on_surfaces() -> str:
 _ON_SURFACES = ", ".join(f"{part_of_jkr(surface)} of it {surface}" for surface in SURFACES)
 _SMOOTH_AND_DRY = f"for smooth, dry spheres; measured was {_ON_SURFACES}, up to twice in humid air"
 _SEEN = f"hard spheres were seen to stick at 1–{MOST_SEEN} times JKR's speed"
-_FRICTION = (
-    "sliding and twisting rest on τ = G/4π², known to an order of magnitude: the range is of a third to three times it "
-    "(--shear-strength)"
-)
 _WORDS: Mapping[int, str] = {
     MEASURED: f"{_SEEN}, SiO2 to a plane as in jkroll guide validation",
     SCALED: "forces that rolled spheres of this solid, taken as R^(2/3) to R",
     XI_UNKNOWN: "not measured: one end is ξ = 2 Å (one atom), the other all of the work of adhesion lost; give --xi",
     ADHESION_ONLY: "adhesion alone loses at most this; any other loss comes on top and lowers e",
-    FRICTION_ASSUMED: _FRICTION,
+    FRICTION_ASSUMED: (
+        "sliding and twisting rest on τ = G/4π², known to an order of magnitude: the range is of a third to three "
+        "times it (--shear-strength)"
+    ),
     BOUNDS: "JKR's holds for soft spheres, DMT's for hard ones; E and ν tell which",
     LAW_ONLY: "no other law here has it; where Maugis' contact is smaller, so is what goes with its area",
     AT_LEAST: f"Lennard-Jones' law binds more than JKR's at a Tabor parameter below {JUMP}",
@@ -169,11 +168,10 @@ def _beside_stuck(frame: Frame, stuck: Stuck | None) -> str:
     """Return at which speeds spheres of the same solid stuck, over those of JKR at the γ of the frame."""
     if stuck is None or frame.missing(["sticking_speed"]):
         return ""
-    ratios = stuck.over_law(frame)
-    low, high = (frame["sticking_speed"] * ratio for ratio in ratios)
+    ratios, speeds = stuck.over_law(frame), stuck.in_proportion(frame)
     sizes = " and ".join(amount("radius", radius) for radius in stuck.radii)
     seen = f"{solid_of_pair(frame)} of {sizes} stuck to a plane at {from_to(*ratios)} times JKR's at this γ"
-    return f"; {seen}, which is {span('sticking_speed', low, high)} here"
+    return f"; {seen}, which is {span('sticking_speed', *speeds)} here"
 
 
 def _scaled(answer: Answer) -> str:
@@ -189,7 +187,7 @@ def _scaled(answer: Answer) -> str:
     if abs(radius / rolled.radius - 1) < _ALIKE:
         return f"{what} of {at}{whatever}"
     low, high = ("R", "R^(2/3)") if radius < rolled.radius else ("R^(2/3)", "R")
-    ratio = from_to(*2 * (max(radius / rolled.radius, rolled.radius / radius),))
+    ratio = significant(max(radius / rolled.radius, rolled.radius / radius), 2)
     to = f"{amount('radius', radius)}, {ratio} times {'less' if radius < rolled.radius else 'more'}"
     text = f"{what} of {at}, carried as {low} (low) or {high} (high) to {to}{_as_displacement(answer)}{whatever}"
     return text + _of_both_laws(answer) + _ceiling(answer)
