@@ -27,7 +27,7 @@ pytestmark = [
     pytest.mark.skipif(not SITE.exists() and not IS_CI, reason="needs the built site"),
 ]
 GALLERY = [
-    *(f"figure {number}" for number in "2 3a 3b 3c 3d 6a 6b 8 9 laws".split()),
+    *(f"figure {number}" for number in "2 3a 3b 3c 3d 6a 6b 8 9 laws geometry".split()),
     "map pull-off quartz --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 --mark quartz@100nm",
     "map frequencies quartz,iron --x radius=10nm:1um --mark quartz@100nm",
     "contact quartz 100nm --curve",

@@ -6,7 +6,6 @@ the names in DEFAULTS have values if nothing else is said. A frame takes numbers
 """
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from contextlib import AbstractContextManager, nullcontext
 from functools import cached_property, lru_cache, reduce, wraps
 from itertools import product
 from math import nan
@@ -388,17 +387,7 @@ class Frame:
 
     def columns(self, names: Iterable[str]) -> dict[str, Column]:
         """Return the columns of quantities."""
-        with self._quiet:
-            return {name: self.column(name) for name in names}
-
-    @property
-    def _quiet(self) -> AbstractContextManager[Any]:
-        """The context in which numpy gives no warnings about elements without a value."""
-        if not self.arrays:
-            return nullcontext()
-        import numpy
-
-        return numpy.errstate(all="ignore")
+        return {name: self.column(name) for name in names}
 
     def column(self, name: str) -> Column:
         """Return the column of a quantity."""
@@ -452,7 +441,10 @@ class Frame:
         else:
             key = (step.name, *map(id, given.values()), id(self.is_rigid))
             if key not in self._shared:
-                self._shared[key] = made_of(step, given, reasons), (given, self.is_rigid)
+                import numpy
+
+                with numpy.errstate(all="ignore"):  # elements without a value are nan or an infinity
+                    self._shared[key] = made_of(step, given, reasons), (given, self.is_rigid)
             values, reasons = self._shared[key][0]
         self.values[step.name] = values
         if not isinstance(reasons, int) or reasons:
