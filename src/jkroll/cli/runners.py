@@ -102,7 +102,7 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, sing
         wanted = sweep.wanted(quantities, question.named, keeps_all=call.output.keeps_all)
         if call.best:
             wanted = wanted.with_best(wanted.names)
-        elif is_shown and len(sweep.models) == 1:
+        elif is_shown:
             wanted = wanted.with_best(question.headline)
     blocks = sweep.columns(wanted) if single is None else [of_single_row(wanted, single)]
     single = None if call.quiet else single
