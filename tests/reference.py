@@ -53,13 +53,7 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
     What is not said of sphere 2 is as for sphere 1; its radius may be infinite. The state of the contact is that of a
     load or, if `approach_at_load` is given, of an approach.
     """
-    known = {name: mpf(value) for name, value in {**DEFAULTS, **given}.items()}
-    values = Values({name + "2": value for name, value in known.items()} | known)
-    if "approach_at_load" in known:
-        del values["load"]
-        values.routes = AT_AN_APPROACH
-    if "speed" in known and "energy" not in known:
-        values["energy"] = values["kinetic_energy"]
+    values = values_in(given)
     names = {*EQUATIONS, *OF_A_SCENE, "load"} - {*law_reference.EQUATIONS, *AT_AN_APPROACH.values(), *NO_RESULTS}
     names |= {"adhesive_force", *values.routes.values()}
     results = {name: values.get_exact(name) for name in sorted(names - given.keys())}
@@ -68,6 +62,18 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
     if values["load"] / values["pull_off_force"] < 1e-12:  # within the rounding of an approach
         del results["rolling_resistance_coefficient"]
     return {name: value for name, value in results.items() if value is not None}
+
+
+def values_in(given: Mapping[str, float]) -> "Values":
+    """Return the values of a scene: those that are given, and the others once they are asked for."""
+    known = {name: mpf(value) for name, value in {**DEFAULTS, **given}.items()}
+    values = Values({name + "2": value for name, value in known.items()} | known)
+    if "approach_at_load" in known:
+        del values["load"]
+        values.routes = AT_AN_APPROACH
+    if "speed" in known and "energy" not in known:
+        values["energy"] = values["kinetic_energy"]
+    return values
 
 
 class Values(dict[str, Exact]):
@@ -169,8 +175,25 @@ def _evaluate(equation: Callable[..., Exact], arguments: Mapping[str, float]) ->
 
 @cache
 def parameters(equation: Callable[..., Exact]) -> list[str]:
-    """Return the names of the quantities that an equation takes."""
-    return [SYMBOLS[symbol] for symbol in equation.__code__.co_varnames[: equation.__code__.co_argcount]]
+    """Return the names of the quantities that an equation takes, by their symbols or by name."""
+    return [SYMBOLS.get(symbol, symbol) for symbol in equation.__code__.co_varnames[: equation.__code__.co_argcount]]
+
+
+@cache
+def inputs_of(name: str) -> frozenset[str]:
+    """Return the inputs from which the equations lead to a quantity; of an input, itself."""
+    reached: set[str] = set()
+    pending = [name]
+    while pending:
+        each = pending.pop()
+        if each not in reached:
+            reached.add(each)
+            pending += parameters(OF_A_SCENE.get(each) or EQUATIONS[each]) if _has_equation(each) else ()
+    return frozenset(each for each in reached if not _has_equation(each))
+
+
+def _has_equation(name: str) -> bool:
+    return name in OF_A_SCENE or name in EQUATIONS
 
 
 SYMBOLS = {

@@ -6,6 +6,9 @@ from random import Random
 from typing import Any
 
 from jkroll import solve
+from jkroll.model.frame import DEFAULTS
+from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.quantities.values import parse_quantity
 
 Frame = dict[str, Any]  # SI numbers by name
 
@@ -20,6 +23,14 @@ OTHER: Frame = {
 def log_uniform(random: Random, low: float, high: float) -> float:
     """Return a number of any magnitude between two."""
     return math.exp(random.uniform(math.log(low), math.log(high)))
+
+
+def near_example(name: str, random: Random) -> float:
+    """Return a value of an input in its range: its example, or a hundredth to a hundred times that."""
+    quantity = NOMENCLATURE[name]
+    example = parse_quantity(quantity.example, name)
+    value = example * log_uniform(random, 0.01, 100)
+    return value if quantity.range.admits(value) else example
 
 
 def any_sphere(random: Random) -> Frame:
@@ -106,6 +117,9 @@ ENDS: dict[str, tuple[float, ...]] = {
     "poisson_ratio": (-1 + 2.0**-53, -0.5, 0.0, 0.5), "poisson_ratio2": (-1 + 2.0**-53, 0.5),
     "density": (1.0, 1e5), "yield_displacement": (1e-13, 1e-3), "gravity": (1e-3, 1e3),
 }  # fmt: skip
+
+
+OF_HARD_SCENES = {*QUARTZ, *OTHER, *ENDS, *DEFAULTS, "load", "approach_at_load"}  # inputs that these have
 
 
 def hard_scenes(fold: float) -> Iterator[Frame]:
