@@ -318,7 +318,7 @@ def run_export(call: Call) -> int:
         for line in (*(f"note: {text}" for text in (*ranges, *program.about(frame))), *notes):
             say_wrapped(line, sys.stderr)
         return 0
-    _write_comments(["compare the best ranges at the end before you run this"])
+    _write_comments(["the best ranges stand at the end: --gamma and --xi bring other values of them into these lines"])
     sys.stdout.write(text)
     _write_comments([*ranges, *notes])
     return 0
