@@ -168,6 +168,9 @@ two = jkroll.infer(["gamma", "young"], measured={"pull_off_force": 3e-7, "stiffn
 size: float = two.condition
 found = jkroll.answer("pull-off", material="quartz", radius="100 nm")
 force: float = float(found["P_c"])
+several = jkroll.answer("pull-off", material=["quartz", "iron"], radius=["100 nm", 1e-6])
+strings: list[str] = [str(each["P_c"]) for each in several]
+reveal_type(several["P_c"])
 rounded: str = f"{found['P_c']:.3g} {found['P_c'].unit}"
 names: list[str] = [name for name in found]
 values: list[float] = [float(result) for _, result in found.items()]
@@ -194,6 +197,7 @@ REVEALED = (
     "dict[str, float]",
     "Any",
     "float",
+    "numpy.ndarray[tuple[Any, ...], numpy.dtype[numpy.float64]]",
     "dict[Any, Any]",
 )
 

@@ -17,6 +17,6 @@ from .quantities.quantity import Quantity as Quantity
 from .quantities.values import Interval as Interval
 from .quantities.values import Measured as Measured
 from .tables.tabled import table as table
-from .write.answered import answer as answer
+from .write.answers import answer as answer
 
 __version__: str

@@ -18,6 +18,19 @@ QUESTIONS = [
     ("report iron 100nm --radius2 plane", "report", {"material": "iron", "radius": "100nm", "radius2": "plane"}),
     ("energies quartz 100nm", "energies", {"material": "quartz", "radius": "100nm"}),
 ]
+LISTS: list[tuple[str, str, dict[str, Any]]] = [
+    (
+        "pull-off quartz,silica-dry,iron 100nm",
+        "pull-off",
+        {"material": ["quartz", "silica-dry", "iron"], "radius": 1e-7},
+    ),
+    (
+        "contact quartz,iron 100nm,1um --load -20nN --model jkr,maugis",
+        "contact",
+        {"material": ("quartz", "iron"), "radius": ["100nm", 1e-6], "load": "-20nN", "model": ["jkr", "maugis"]},
+    ),
+    ("report 1um --gamma 25±5mJ/m2,30mJ/m2", "report", {"radius": "1um", "gamma": ["25±5mJ/m2", 0.03]}),
+]
 
 
 class Cells(HTMLParser):
@@ -48,7 +61,7 @@ class Cells(HTMLParser):
 
 def words_of(text: str) -> list[str]:
     """Return the words of a text, without rules and with arguments in place of options."""
-    text = text.replace("more: --explain", "more: .notes and .doubts")
+    text = text.replace("more: --explain", "more: .notes and .doubts").replace(".doubts of each answer", ".doubts")
     text = re.sub(r"--([a-z0-9-]+)", lambda option: option[1].replace("-", "_"), text)
     return re.sub("─+", " ", text).split()
 
@@ -60,6 +73,25 @@ def test_print_and_html_have_the_words_of_the_terminal(run: Run, words: str, wan
     shown = Cells(found._repr_html_())
     assert sorted(" ".join(shown.texts).split()) == sorted(words_of(ran.out + ran.err))
     assert "best range" in shown.texts or "law" in words
+
+
+@pytest.mark.parametrize(("words", "wanted", "scene"), LISTS)
+def test_lists_have_the_words_of_the_terminal(run: Run, words: str, wanted: str, scene: Any) -> None:
+    ran, found = run(*words.split(), terminal=True), jkroll.answer(wanted, **scene)
+    notes = re.sub(r"jkroll: .*\n", "", ran.err)  # how many rows failed: in Python their answers say so
+    assert words_of(str(found)) == words_of(ran.out + notes)
+
+
+def test_a_list_is_one_table_of_html_however_wide() -> None:
+    found = jkroll.answer("contact", material=["quartz", "iron"], radius=["100nm", "1um"])
+    html = found._repr_html_()
+    assert html.count("<table>") == 1
+    rows = [Cells(row).texts for row in html.splitlines() if row.startswith("<tr>")]
+    assert rows[0][:3] == ["material", "R1 [nm]", "γ [mJ/m²]"]
+    assert [row[0] for row in rows[1:]] == ["quartz", "quartz", "iron", "iron"]
+    bundle = found._repr_mimebundle_(include=None, exclude=None)
+    assert (bundle["text/plain"], bundle["text/html"]) == (str(found), html)
+    assert bundle["text/latex"].count(r"\hline") == 1
 
 
 def test_a_notebook_gets_every_form() -> None:

@@ -126,7 +126,7 @@ class Reader:
 
     def compare_labels(self, name: str, value: Any) -> None:
         """Raise BadRequest for arrays of pandas or xarray whose labels differ: elements are taken by position."""
-        axes = _axes_of(value)
+        axes = axes_of(value)
         if not axes:
             return
         if self._labelled is None:
@@ -210,7 +210,7 @@ def _refuse_unit(name: str, value: Any) -> None:
         raise QuantityError(name, str(value), "has a unit, and only those of pint and astropy are read", remedy)
 
 
-def _axes_of(value: Any) -> list[Axis]:
+def axes_of(value: Any) -> list[Axis]:
     """Return the axes of an array of pandas or xarray; none for other containers, and for a single number."""
     if hasattr(value, "dims"):
         indexes = getattr(value, "indexes", {})

@@ -144,7 +144,7 @@ def solve(
     described = reader.in_si(given)
     quantity = quantity_of(units) if units is not None else reader.quantity
     words: dict[str, Any] = {"material": material, "material2": material2, "model": model, "profile": profile}
-    if lists := {name: word for name, word in words.items() if _is_list(word)}:
+    if lists := {name: word for name, word in words.items() if is_list(word)}:
         for name, word in lists.items():
             reader.compare_labels(name, word)
         results = _values_by_word(names, words, materials, described)
@@ -165,7 +165,7 @@ def _one_or_all(wanted: Any, names: Sequence[str], results: dict[str, Any]) -> A
     return results[names[0]] if isinstance(wanted, str) else results
 
 
-def _is_list(word: Any) -> bool:
+def is_list(word: Any) -> bool:
     """Return whether there is a word for each element: a list or a column, and no name and no material."""
     is_one = isinstance(word, str | bytes | Material | Mapping) or hasattr(word, "m_as")
     return not is_one and hasattr(word, "__getitem__") and getattr(word, "ndim", 1) > 0
@@ -181,7 +181,7 @@ def _values_by_word(
     import numpy
 
     refuse_uncertain(described)
-    lists = {name: _array_of(name, word) for name, word in words.items() if _is_list(word)}
+    lists = {name: _array_of(name, word) for name, word in words.items() if is_list(word)}
     arrays = {name: numpy.asarray(value) for name, value in described.items() if not isinstance(value, float)}
     shape = broadcast({**lists, **arrays})
     rows = {name: numpy.broadcast_to(array, shape).reshape(-1) for name, array in {**lists, **arrays}.items()}

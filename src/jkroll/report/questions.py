@@ -1,8 +1,13 @@
 """The questions that a command asks of a frame: the quantities that it is named after, and all that it shows."""
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity, named
+
+if TYPE_CHECKING:
+    from ..model.rows import Wanted
+    from ..model.sweep import Sweep
 
 
 class Question:
@@ -166,3 +171,9 @@ def question_about(text: str) -> Question:
     explicit, offered = quantities_named(text)
     names = tuple(dict.fromkeys((*explicit, *offered)))
     return Question(names, names, named=tuple(explicit))
+
+
+def columns_in_table(question: Question, sweep: "Sweep") -> "Wanted":
+    """Return the columns of a list for readers: with best ranges of the headline, unless laws are compared."""
+    wanted = sweep.wanted(question.with_row, question.named)
+    return wanted.with_best(question.headline) if len(sweep.models) == 1 else wanted

@@ -14,7 +14,7 @@ import numpy
 from ..errors import BadTable
 from ..model.rows import has_texts
 from ..text import quoted, shown
-from ..write.writers import divided
+from ..write.writers import Lists
 from .cells import Doubles, cells_of
 from .layouts import SAMPLE
 from .table import Asked, Records
@@ -323,17 +323,6 @@ class Memory:
             values = self._of(position)
             cells[name] = [b""] * size if _are_doubles(values) else cells_of(values[part])
         return Records(block, cells, {}, block, size)
-
-
-class Lists:
-    """The writer of rows as columns: arrays of numbers, and lists of texts."""
-
-    digits = None
-
-    def rows(self, heads: Sequence[str], columns: Sequence[Any], before: Any) -> list[Any]:
-        """Return the columns, each with a cell for every row."""
-        pairs = zip(heads, divided(columns), strict=True)
-        return [column if isinstance(column, list | numpy.ndarray) else [column] * len(before) for _, column in pairs]
 
 
 def cells_from(values: Any) -> Sequence[bytes]:

@@ -1,4 +1,4 @@
-"""An answer as text and as objects: plain lines in a pipe, JSON, and what `jkroll.answer` returns."""
+"""An answer as text and as objects: plain lines in a pipe, JSON, and what `jkroll.answer` returns for one scene."""
 
 from collections.abc import ItemsView, Iterable, Iterator, KeysView, Mapping
 from functools import cached_property
@@ -7,15 +7,14 @@ from math import isnan, nan
 from typing import TYPE_CHECKING, Any, TextIO
 
 from ..errors import BadRequest
-from ..materials.library import Material, Materials
 from ..model.estimate import NONE, WORDS, Estimate
 from ..model.frame import Frame
 from ..quantities.formatting import AS_USUAL, Format, in_words
-from ..quantities.laws import DEFAULT_LAW, LAWS, law_given
+from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, named
 from ..quantities.values import Uncertain, is_uncertain, middle
 from ..report.answer import Result
-from ..report.questions import QUESTIONS, Question, question_about
+from ..report.questions import Question
 from ..report.report import Report
 from ..text import json_text, listed, quoted, say, spelled
 
@@ -245,80 +244,21 @@ class Answered:
         return f"<Answered: {', '.join(texts)}>"
 
     def __str__(self) -> str:
-        from .notebook import as_text  # with the tables, for which lines in a pipe do not pay
+        from .notebook import as_text, parts_of_answer  # with the tables, for which lines in a pipe do not pay
 
-        return as_text(self._answer)
+        return as_text(parts_of_answer(self._answer))
 
     def _repr_html_(self) -> str:
         """Return what a notebook shows."""
-        from .notebook import as_html
-
-        return as_html(self._answer)
+        return self._repr_mimebundle_()["text/html"]
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
         """Return what notebooks show, and what they convert: LaTeX for a PDF, text for a console."""
-        from .notebook import as_tabular
+        from .notebook import bundle, parts_of_answer
 
-        return {"text/plain": str(self), "text/html": self._repr_html_(), "text/latex": as_tabular(self._answer)}
+        return bundle(parts_of_answer(self._answer))
 
 
 def _answered(question: Question, frame: Frame) -> Answered:
     """Return the answer to a question about a frame."""
     return Answered(Report(question, frame))
-
-
-def answer(
-    wanted: str | Iterable[str],
-    /,
-    *,
-    material: str | Material | None = None,
-    material2: str | Material | None = None,
-    materials: Materials | None = None,
-    model: str | None = None,
-    profile: str | None = None,
-    **given: Any,
-) -> Answered:
-    """Answer a question about one scene, with all that is to be said of the numbers.
-
-    Parameters
-    ----------
-    wanted
-        A command, such as "pull-off" or "report", or names of quantities, as for `solve`.
-    material, material2, materials, model, profile, **given
-        The scene, as `solve` takes it, but for arrays and lists.
-
-    A radius of a metre or more that is a number without a unit is warned of: 100 stands for 100 m.
-
-    Returns
-    -------
-    An object with `values` by name, `inputs`, `doubts`, `notes` and `as_dict()`. All numbers are in SI units.
-
-    Raises
-    ------
-    MissingInput, UnknownMaterial, UnknownQuantity, QuantityError
-        An input is wrong, or one is missing without which there is no result.
-    NoResult
-        There is no contact, or no result at all. A single result without a value has a reason instead.
-
-    >>> answered = answer("pull-off", material="quartz", radius="100 nm")
-    >>> str(answered["pull_off_force"]), answered["P_c"].unit
-    ('11.781 nN', 'N')
-    >>> low, high, by = answered.best["pull_off_force"]
-    >>> round(low, 10), round(high, 10), by
-    (1.42e-08, 1.53e-08, 'Maugis')
-    """
-    from ..model.containers import Reader, warn_of_metres
-    from ..model.solver import materials_of, refuse_arrays, words_in
-
-    described = Reader().in_si(given)
-    refuse_arrays(described)
-    warn_of_metres(described, given)
-    is_command = isinstance(wanted, str) and wanted in QUESTIONS
-    text = ",".join(words_in(wanted))
-    question = QUESTIONS[text] if is_command else question_about(text)
-    answered = Report(
-        question, Frame(described, *materials_of(material, material2, materials), model=law_given(model, profile))
-    )
-    if answered.failure is not None and answered.has_no_headline:
-        raise answered.failure
-    return Answered(answered)

@@ -287,10 +287,25 @@ def _of_inferred(answer: "Report", form: Format) -> list[TextColumn]:
 # --- Lists ------------------------------------------------------------------------------------------------------------
 
 
+Rows = tuple[list[TextColumn], list[TextColumn]]  # columns that each part of a wide table has, and those in one of them
+
+
 def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[str, str]) -> None:
-    """Write a table with a row for each pair; inputs that all of them share stand above, and what was assumed.
+    """Write a table with a row for each pair, as `parts_of_rows` has it.
 
     A pair is a column where only that fits the terminal.
+    """
+    for part in parts_of_rows(columns, form, assumed):
+        if isinstance(part, str):
+            say_wrapped(part, out)
+        else:
+            write_table(*in_width(*part), out)
+
+
+def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str]) -> Iterator[str | Rows]:
+    """Iterate over lines and the table of a list: a row for each pair, and what its words and codes mean.
+
+    Inputs that all pairs share stand above, and what was assumed.
     """
     inputs = {name: [in_words(name, value) for value in as_list(each)] for name, each in columns.inputs.items()}
     distinct = {name: {*values} - {None} for name, values in inputs.items()}  # None: does not enter a row
@@ -304,12 +319,11 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
         count += " of equal spheres (R2 = R1)"
     if any(map(columns.wanted.best_of, columns.wanted.names)):
         assumed = {name: text for name, text in assumed.items() if name != "atomic_spacing"}  # ranges have their own
-    for line in _about_inputs(count, common, assumed, form, several):
-        say_wrapped(line, out)
+    yield from _about_inputs(count, common, assumed, form, several)
     if BETWEEN in distinct.get("model", ()):
         spacing = "" if "atomic_spacing" in form.typed else ", which are at z0 = 4 Å; the other end is --z0 2angstrom"
-        say_wrapped(f"take the rows of maugis{spacing}", out)
-    exact, leading, results = Format(form.units, form.digits or DIGITS), [], []
+        yield f"take the rows of maugis{spacing}"
+    exact, leading, results = Format(form.units, form.digits or DIGITS), list[TextColumn](), list[TextColumn]()
     following = _FOLLOWING | STATE_OR_LOAD if "state" in inputs else _FOLLOWING
     for name in several:
         if name in form.typed or name not in following:
@@ -323,23 +337,24 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
             results += [*best, *columns_of(name, {own: _measures(columns, name)}, form)]
             rules += of_rows
     told = [codes(bits & columns.wanted.reported_doubts) for bits in as_list(columns.doubts)]
-    results += _of_doubts(told, [*leading, *results])
+    yield leading, [*results, *([TextColumn(DOUBT, told, is_right=False)] if any(told) else [])]
+    of_codes = lines_on_codes(code for text in told for code in text.split())
+    yield from (*lines_on_rules(int(by) for by in rules if not isnan(by)), *of_codes)
+
+
+def in_width(leading: list[TextColumn], results: list[TextColumn]) -> Rows:
+    """Return the columns of a list as they suit the terminal.
+
+    Rows have all codes of doubts where that fits, and a pair is a column where only that fits.
+    """
+    if results and results[-1].head == DOUBT and not fit_terminal([*leading, *results]):
+        told = results[-1].cells
+        cut = [text if len(text) <= _CODES else first_of(text.split(), 1) for text in told]
+        results = [*results[:-1], results[-1]._replace(cells=cut)]
     across = text_columns([(column.head, *column.cells) for column in (*leading, *results)], words=1)
     if fit_terminal(across) and not fit_terminal([*leading, *results]):
-        leading, results = across[:1], across[1:]
-    write_table(leading, results, out)
-    of_codes = lines_on_codes(code for text in told for code in text.split())
-    for line in (*lines_on_rules(int(by) for by in rules if not isnan(by)), *of_codes):
-        say_wrapped(line, out)
-
-
-def _of_doubts(told: Sequence[str], others: Sequence[TextColumn]) -> list[TextColumn]:
-    """Return the column of doubts, if there are some: with all codes of a row where that fits beside others."""
-    if not any(told):
-        return []
-    whole = TextColumn(DOUBT, told, is_right=False)
-    cut = [text if len(text) <= _CODES else first_of(text.split(), 1) for text in told]
-    return [whole if fit_terminal([*others, whole]) else whole._replace(cells=cut)]
+        return across[:1], across[1:]
+    return leading, results
 
 
 def _best(columns: "Columns", name: str, form: Format) -> tuple[list[TextColumn], list[float]]:

@@ -1,0 +1,291 @@
+"""`jkroll.answer`: what a command says of one scene, and of each combination of lists."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cached_property, reduce
+from importlib import import_module
+from itertools import chain, product
+from typing import TYPE_CHECKING, Any, overload
+
+from ..errors import BadRequest
+from ..materials.library import Material, Materials
+from ..model.containers import Reader, axes_of, warn_of_metres
+from ..model.frame import Frame
+from ..model.ranges import check_range
+from ..model.rows import Columns, Tally, Wanted, as_list
+from ..model.solver import Solids, is_list, materials_of, words_in
+from ..model.sweep import Sweep
+from ..quantities.formatting import AS_USUAL, Format, symbol_of
+from ..quantities.laws import law_given
+from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, named
+from ..quantities.numeric import Numeric
+from ..quantities.values import QuantityError, Spread, Uncertain, is_uncertain, middle
+from ..report.questions import QUESTIONS, Question, columns_in_table, question_about
+from ..report.report import Report
+from ..text import listed, quoted
+from .answered import Answered
+
+if TYPE_CHECKING:
+    from numpy import float64
+    from numpy.typing import NDArray
+
+    Single = float | str | Uncertain | Numeric
+    Several = Single | Sequence[Single] | NDArray[float64]
+
+
+class Answers:
+    """The answers to a question about several scenes: all combinations of lists, as a command has them.
+
+    It iterates over the answers. `answers[0]` is the first one, `answers["P_c"]` an array of values in SI units.
+    `print` shows the table of the command, and so does a notebook.
+    """
+
+    def __init__(self, question: Question, sweep: Sweep) -> None:
+        self._question, self._sweep = question, sweep
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the question and the scenes; the rest is computed anew."""
+        return Answers, (self._question, self._sweep)
+
+    def __len__(self) -> int:
+        return len(self._sweep)
+
+    def __iter__(self) -> Iterator[Answered]:
+        return (self[position] for position in range(len(self)))
+
+    @overload
+    def __getitem__(self, item: int) -> Answered: ...
+    @overload
+    def __getitem__(self, item: str) -> "NDArray[float64]": ...
+    def __getitem__(self, item: int | str) -> "Answered | NDArray[float64]":
+        """Return an answer by its position, or the values of a quantity in SI units, nan where there is none."""
+        if isinstance(item, str):
+            import numpy
+
+            wanted, blocks = self._all
+            name = named(item, wanted.names)
+            if name not in wanted.names:
+                raise BadRequest(f"{quoted(item)} is not in these answers, which have {listed(wanted.names)}")
+            return numpy.concatenate([columns.column(name) for columns in blocks])
+        if not -len(self) <= item < len(self):
+            raise IndexError(f"there are {len(self)} answers")
+        return Answered(Report(self._question, self._sweep.row(item % len(self))))
+
+    @cached_property
+    def _all(self) -> tuple[Wanted, Sequence[Columns]]:
+        """The columns of all quantities with their best ranges."""
+        wanted = self._sweep.wanted(self._question.quantities, self._question.named)
+        wanted = wanted.with_best(wanted.names)
+        return wanted, [*self._sweep.columns(wanted)]
+
+    def to_dict(self) -> dict[str, list[Any]]:
+        """Return the columns of `--csv --best` by their headers, such as "radius [m]", in SI units."""
+        from .writers import Lists, written
+
+        heads, *blocks = written(Lists(), *self._all, AS_USUAL)
+        columns = zip(heads, *blocks, strict=True)
+        return {head: [*chain.from_iterable(map(as_list, parts))] for head, *parts in columns}
+
+    def to_pandas(self) -> Any:
+        """Return a DataFrame with a row for each answer and the columns of `to_dict`."""
+        return import_module("pandas").DataFrame(self.to_dict())
+
+    # --- The table ----------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def in_table(self) -> Wanted:
+        """The columns of the table."""
+        return columns_in_table(self._question, self._sweep)
+
+    @cached_property
+    def blocks(self) -> Sequence[Columns]:
+        """The rows of the table."""
+        return [*self._sweep.columns(self.in_table)]
+
+    @cached_property
+    def tally(self) -> Tally:
+        """The rows, and those of them that have no result, counted."""
+        return reduce(Tally.plus, (Tally.of(columns, symbol_of) for columns in self.blocks), Tally())
+
+    @cached_property
+    def groups(self) -> Sequence[tuple[Frame, Sequence[str]]]:
+        """A frame for each group of rows with the same inputs, with the quantities that it shows."""
+        return [*self._sweep.noted(self.in_table)]
+
+    @property
+    def form(self) -> Format:
+        """The format, which knows what inputs were given."""
+        given = [*self._sweep.spreads]
+        return Format(typed=dict.fromkeys([*given, *(CONVERTED[name] for name in given if name in CONVERTED)], ""))
+
+    def __repr__(self) -> str:
+        symbols = (NOMENCLATURE[name].symbol for name in self._question.headline)
+        return f"<Answers: {listed(symbols)} of {len(self)} scenes>"
+
+    def __str__(self) -> str:
+        from .notebook import as_text, parts_of_answers
+
+        return as_text(parts_of_answers(self))
+
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows."""
+        return self._repr_mimebundle_()["text/html"]
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
+        """Return what notebooks show, and what they convert: LaTeX for a PDF, text for a console."""
+        from .notebook import bundle, parts_of_answers
+
+        return bundle(parts_of_answers(self))
+
+
+@overload
+def answer(  # type: ignore[overload-overlap]  # single values are the case of one scene
+    wanted: str | Iterable[str],
+    /,
+    *,
+    material: str | Material | None = None,
+    material2: str | Material | None = None,
+    materials: Materials | None = None,
+    model: str | None = None,
+    profile: str | None = None,
+    **given: "Single",
+) -> Answered: ...
+@overload
+def answer(
+    wanted: str | Iterable[str],
+    /,
+    *,
+    material: Solids = None,
+    material2: Solids = None,
+    materials: Materials | None = None,
+    model: str | Sequence[str] | None = None,
+    profile: str | None = None,
+    **given: "Several",
+) -> Answers: ...
+@overload
+def answer(wanted: str | Iterable[str], /, **scene: Any) -> Any: ...
+def answer(
+    wanted: str | Iterable[str],
+    /,
+    *,
+    material: Solids = None,
+    material2: Solids = None,
+    materials: Materials | None = None,
+    model: str | Sequence[str] | None = None,
+    profile: str | None = None,
+    **given: Any,
+) -> Any:
+    """Answer a question about one scene, or about each combination of lists, with all that is to be said of numbers.
+
+    Parameters
+    ----------
+    wanted
+        A command, such as "pull-off" or "report", or names of quantities, as for `solve`.
+    material, material2, materials, model, profile, **given
+        The scene, as `solve` takes it. Lists of materials, laws and values are several scenes: all their combinations,
+        as the command makes them, and not element by element. A table is answered row by row by `jkroll.table`.
+
+    A radius of a metre or more that is a number without a unit is warned of: 100 stands for 100 m.
+
+    Returns
+    -------
+    For one scene, an object with `values` by name, `inputs`, `doubts`, `notes` and `as_dict()`. For lists, `Answers`:
+    it iterates over such objects, and is shown as a table; `to_pandas()`, `to_dict()`. All numbers are in SI units.
+
+    Raises
+    ------
+    MissingInput, UnknownMaterial, UnknownQuantity, QuantityError
+        An input is wrong, or one is missing without which there is no result.
+    NoResult
+        There is no contact, or no result at all. A single result without a value has a reason instead.
+
+    >>> answered = answer("pull-off", material="quartz", radius="100 nm")
+    >>> str(answered["pull_off_force"]), answered["P_c"].unit
+    ('11.781 nN', 'N')
+    >>> low, high, by = answered.best["pull_off_force"]
+    >>> round(low, 10), round(high, 10), by
+    (1.42e-08, 1.53e-08, 'Maugis')
+    >>> several = answer("pull-off", material=["quartz", "iron"], radius=["100 nm", "1 um"])
+    >>> [str(each["P_c"]) for each in several]
+    ['11.781 nN', '117.81 nN', '1.41372 µN', '14.1372 µN']
+    """
+    words: dict[str, Any] = {"material": material, "material2": material2, "model": model}
+    values = _values(given)
+    is_single = not any(map(is_list, words.values())) and not any(map(_is_several, given.values()))
+    question = _question(wanted)
+    if is_single:
+        one = {name: value for name, (value,) in values.items()}
+        pair = materials_of(words["material"], words["material2"], materials)
+        answered = Report(question, Frame(one, *pair, model=law_given(words["model"], profile)))
+        if answered.failure is not None and answered.has_no_headline:
+            raise answered.failure
+        return Answered(answered)
+    _refuse_rows({**words, **given})
+    of_first, of_second, models = (_listed(name, word) for name, word in words.items())
+    firsts = [materials_of(each, None, materials)[0] for each in of_first]
+    seconds = [materials_of(None, each, materials)[1] for each in of_second]
+    laws = [law_given(each, profile) for each in models]
+    if len({*laws}) < len(laws):
+        raise BadRequest(f"model: {listed(models)} name a law more than once")
+    sweep = Sweep([*product(firsts, seconds)], {name: _spreads(name, each) for name, each in values.items()}, laws)
+    if (count := len(sweep)) > sweep.sizes.most_in_table:
+        raise BadRequest(f"{count} scenes are more than {sweep.sizes.most_in_table}; jkroll.solve takes any number")
+    answers = Answers(question, sweep)
+    if answers.tally.failed == count and (failure := answers[0]._answer.failure) is not None:
+        raise failure
+    return answers
+
+
+def _question(wanted: str | Iterable[str]) -> Question:
+    """Return the question of a command, or about quantities."""
+    if isinstance(wanted, str) and wanted in QUESTIONS:
+        return QUESTIONS[wanted]
+    return question_about(",".join(words_in(wanted)))
+
+
+def _is_several(value: Any) -> bool:
+    return isinstance(value, list | tuple) or getattr(value, "ndim", 0) > 0
+
+
+def _values(given: Mapping[str, Any]) -> dict[str, list[Any]]:
+    """Return the values of inputs in SI units, by name, in the order of the nomenclature. Raises QuantityError."""
+    items = {word: [*value] if isinstance(value, list | tuple) else [value] for word, value in given.items()}
+    for word, each in items.items():
+        if not each:
+            raise QuantityError(word, "[]", "is an empty list")
+    reader, firsts = Reader(), {word: each[0] for word, each in items.items()}
+    read = reader.in_si(firsts)
+    warn_of_metres({name: value for name, value in read.items() if isinstance(value, float)}, firsts)
+    values: dict[str, list[Any]] = {}
+    for (name, first), (_, *others) in zip(read.items(), items.values(), strict=True):
+        values[name] = []
+        for value in (first, *(reader.number(name, other) for other in others)):
+            if getattr(value, "ndim", 0) > 1:
+                raise QuantityError(name, "an array", "has more than one dimension", "give a list of values")
+            values[name] += value.tolist() if hasattr(value, "tolist") else [value]
+    return {name: values[name] for name in NOMENCLATURE if name in values}
+
+
+def _spreads(name: str, values: Iterable[Any]) -> list[Spread]:
+    """Return the values of an input as a command lists them. Raises QuantityError for one that it cannot have."""
+    spreads = []
+    for value in values:
+        number = middle(value)
+        check_range(name, number)
+        spreads.append(Spread(number, number, uncertainty=value if is_uncertain(value) else None))
+    return spreads
+
+
+def _listed(name: str, words: Any) -> list[Any]:
+    """Return the words of a list, or one word as a list. Raises QuantityError for an empty list."""
+    several = [*words] if is_list(words) else [words]
+    if not several:
+        raise QuantityError(name, "[]", "is an empty list")
+    return several
+
+
+def _refuse_rows(given: Mapping[str, Any]) -> None:
+    """Raise BadRequest for several columns of a table: their rows belong together, and lists are combined."""
+    columns = [name for name, value in given.items() if value is not None and axes_of(value)]
+    if len(columns) > 1:
+        problem = f"{listed(columns)} are columns, whose rows belong together, and answer combines lists"
+        raise BadRequest(f"{problem}: jkroll.table answers a table row by row")
