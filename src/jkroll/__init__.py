@@ -11,7 +11,7 @@ __version__ = "0.4.0"
 # Type checkers know them from the stub beside this file.
 _HOMES = {
     "FORMULAS": "model.solver",
-    "NOMENCLATURE": "quantities.nomenclature",
+    "NOMENCLATURE": "write.nomenclature",
     "Interval": "quantities.values",
     "JkrollError": "errors",
     "Material": "materials.library",

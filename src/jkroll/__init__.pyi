@@ -12,11 +12,11 @@ from .pictures.drawn import curve as curve
 from .pictures.drawn import figure as figure
 from .pictures.drawn import map as map
 from .pictures.fitted import fit as fit
-from .quantities.nomenclature import NOMENCLATURE as NOMENCLATURE
 from .quantities.quantity import Quantity as Quantity
 from .quantities.values import Interval as Interval
 from .quantities.values import Measured as Measured
 from .tables.tabled import table as table
 from .write.answers import answer as answer
+from .write.nomenclature import NOMENCLATURE as NOMENCLATURE
 
 __version__: str

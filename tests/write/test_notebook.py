@@ -118,7 +118,38 @@ def test_latex_sets_an_answer(tmp_path: Path) -> None:
     subprocess.run(["pdflatex", "-halt-on-error", "a.tex"], cwd=tmp_path, check=True, capture_output=True)
 
 
-def test_materials_are_a_table() -> None:
-    shown = Cells(jkroll.known_materials()._repr_html_())
-    assert shown.texts[:3] == ["material", "surface_energy [J/m^2]", "youngs_modulus [Pa]"]
-    assert [*jkroll.known_materials()] == shown.texts[len(shown.texts) // (1 + len(jkroll.known_materials())) :: 7]
+def test_materials_are_a_table(run: Run) -> None:
+    known = jkroll.known_materials()
+    shown = Cells(known._repr_html_())
+    assert shown.texts[:4] == ["material", "γ [mJ/m²]", "E [GPa]", "ν"]
+    assert [*known] == shown.texts[len(shown.texts) // (1 + len(known)) :: 7]
+    two = Cells(jkroll.Materials()._repr_html_()).texts
+    for line in run("materials", "quartz,ice-warm", terminal=True).out.splitlines()[2:4]:
+        name, *cells = re.split("  +", line)
+        assert two[two.index(name) : two.index(name) + 5] == [name, *cells]
+
+
+@pytest.mark.parametrize("name", ["quartz", "ice-cold", "silicon-oxide"])
+def test_a_material_has_the_words_of_the_terminal(run: Run, name: str) -> None:
+    bundle = jkroll.known_materials()[name]._repr_mimebundle_()
+    title, *texts = Cells(bundle["text/html"]).texts
+    assert words_of(" ".join([title, *texts[2:]])) == words_of(run("materials", name, terminal=True).out)
+    assert bundle["text/latex"].count(r"\\") == len(texts) / 2
+
+
+def test_the_nomenclature_has_the_words_of_the_terminal(run: Run) -> None:
+    known = jkroll.NOMENCLATURE
+    assert words_of(str(known)) == words_of(run("quantities", terminal=True).out)
+    assert sorted(" ".join(Cells(known._repr_html_()).texts).split()) == sorted(words_of(str(known)))
+    assert (known["radius"].unit, "radius" in known, len(known), "radius" in repr(known)) == ("m", True, 268, False)
+
+
+def test_a_fit_has_the_words_of_the_terminal(run: Run) -> None:
+    data = str(Path(__file__).parents[1] / "data" / "afm_retract.csv")
+    ran = run("fit", data, *"--radius 7.5um --radius2 plane --spring".split(), "3.01 N/m", terminal=True)
+    fitted = jkroll.fit(data, radius="7.5um", radius2="plane", spring="3.01N/m")
+    text, _, _ = ran.out.removeprefix("afm_retract.csv: ").partition("\nthen: ")
+    assert words_of(str(fitted)) == words_of(text)
+    assert sorted(" ".join(Cells(fitted._repr_html_()).texts).split()) == sorted(words_of(str(fitted)))
+    assert r"\begin{tabular}" in fitted._repr_mimebundle_()["text/latex"]
+    assert repr(fitted).startswith("<FittedCurve: work_of_adhesion_opening = ")

@@ -12,6 +12,7 @@ from ..model.frame import Frame
 from ..quantities.formatting import AS_USUAL, Format, in_words
 from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, named
+from ..quantities.shown import Part, Shown
 from ..quantities.values import Uncertain, is_uncertain, middle
 from ..report.answer import Result
 from ..report.questions import Question
@@ -155,7 +156,7 @@ class Exceeded:
         return self.text
 
 
-class Answered:
+class Answered(Shown):
     """The answer to a question about one scene.
 
     `values` are the results by name, `inputs` what was understood and assumed, `doubts` the limits of the model that do
@@ -243,20 +244,10 @@ class Answered:
         texts = (f"{NOMENCLATURE[name].symbol} = {result}" for name, result in shown.items())
         return f"<Answered: {', '.join(texts)}>"
 
-    def __str__(self) -> str:
-        from .notebook import as_text, parts_of_answer  # with the tables, for which lines in a pipe do not pay
+    def _parts(self) -> Iterable[Part]:
+        from .notebook import parts_of_answer  # with the tables, for which lines in a pipe do not pay
 
-        return as_text(parts_of_answer(self._answer))
-
-    def _repr_html_(self) -> str:
-        """Return what a notebook shows."""
-        return self._repr_mimebundle_()["text/html"]
-
-    def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
-        """Return what notebooks show, and what they convert: LaTeX for a PDF, text for a console."""
-        from .notebook import bundle, parts_of_answer
-
-        return bundle(parts_of_answer(self._answer))
+        return parts_of_answer(self._answer)
 
 
 def _answered(question: Question, frame: Frame) -> Answered:

@@ -18,6 +18,7 @@ from ..quantities.formatting import AS_USUAL, Format, symbol_of
 from ..quantities.laws import law_given
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, named
 from ..quantities.numeric import Numeric
+from ..quantities.shown import Part, Shown, as_text
 from ..quantities.values import QuantityError, Spread, Uncertain, is_uncertain, middle
 from ..report.questions import QUESTIONS, Question, columns_in_table, question_about
 from ..report.report import Report
@@ -32,7 +33,7 @@ if TYPE_CHECKING:
     Several = Single | Sequence[Single] | NDArray[float64]
 
 
-class Answers:
+class Answers(Shown):
     """The answers to a question about several scenes: all combinations of lists, as a command has them.
 
     It iterates over the answers. `answers[0]` is the first one, `answers["P_c"]` an array of values in SI units.
@@ -122,19 +123,14 @@ class Answers:
         return f"<Answers: {listed(symbols)} of {len(self)} scenes>"
 
     def __str__(self) -> str:
-        from .notebook import as_text, parts_of_answers
+        from .table import in_width
 
-        return as_text(parts_of_answers(self))
+        return as_text(part if isinstance(part, str) else in_width(*part) for part in self._parts())
 
-    def _repr_html_(self) -> str:
-        """Return what a notebook shows."""
-        return self._repr_mimebundle_()["text/html"]
+    def _parts(self) -> Iterable[Part]:
+        from .notebook import parts_of_answers
 
-    def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
-        """Return what notebooks show, and what they convert: LaTeX for a PDF, text for a console."""
-        from .notebook import bundle, parts_of_answers
-
-        return bundle(parts_of_answers(self))
+        return parts_of_answers(self)
 
 
 @overload

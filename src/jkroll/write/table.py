@@ -25,8 +25,9 @@ from ..model.rows import DOUBT, as_list
 from ..quantities.formatting import DIGITS, RESULT_DIGITS, Format, amount, from_to, in_words, significant, symbol_among
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, STATE_OR_LOAD, XI, of_sphere
+from ..quantities.shown import Rows, cell, columns_of
 from ..quantities.units import Unit, convert
-from ..quantities.values import Interval, Uncertain, middle, with_sides
+from ..quantities.values import Uncertain, middle, with_sides
 from ..report.inferred import laws_of, library_values, solids_of
 from ..report.notes import lines_above, lines_on_codes
 from ..report.ranges import lines_on_rules, parts_on_surfaces
@@ -35,8 +36,6 @@ from ..text import TextColumn, first_of, fit_terminal, listed, say_wrapped, text
 if TYPE_CHECKING:
     from ..model.rows import Columns
     from ..report.report import Report
-
-    Value = float | str | Uncertain | None  # of a cell: a word as it is, and None where there is no value
 
 
 # A row has the unit of the rows above it if its least number is between the first two, and its largest below the last.
@@ -52,28 +51,6 @@ _FOLLOWING = {"radius2", "energy"}.union(*_OF_MATERIALS.values()) - {"surface_en
 
 
 # --- Values and inputs ------------------------------------------------------------------------------------------------
-
-
-def _cell(value: "Value", unit: tuple[str, Unit], form: Format) -> str:
-    """Return a value in a unit, one without an error bar with four digits and their zeros."""
-    if value is None or isinstance(value, str):
-        return value or "–"
-    if isinstance(value, Interval):
-        return from_to(convert(value.low, unit[1]), convert(value.high, unit[1]), form.digits or 2)
-    if isinstance(value, float):
-        zeros = form.digits is None and value != 0
-        return significant(convert(value, unit[1]), form.digits or RESULT_DIGITS, zeros=zeros)
-    return form.in_unit(value, unit)
-
-
-def columns_of(name: str, values: "Mapping[str, Sequence[Value]]", form: Format) -> list[TextColumn]:
-    """Return the columns of values of a quantity, by their heads, in the unit that suits them all."""
-    unit = form.common_unit(name, [*chain.from_iterable(values.values())])
-    in_unit, is_right = f" [{unit[0]}]" if unit[0] else "", not NOMENCLATURE[name].is_word
-    return [
-        TextColumn(f"{head}{in_unit}", [_cell(value, unit, form) for value in each], is_right)
-        for head, each in values.items()
-    ]
 
 
 def _about_inputs(
@@ -192,7 +169,7 @@ def _rows(answer: "Report", form: Format) -> tuple[_Rows, _Rows]:
             unit = form.common_unit(name, sizes[-1:])
         units |= {quantity.unit: unit} if sizes[-1] else {}
         row = [quantity.sentence, symbol_among(name, answer.inputs), *_range(estimate, unit, form)]
-        row += [_cell(result.value, unit, form), _cell(result.measure, unit, form), unit[0]]
+        row += [cell(result.value, unit, form), cell(result.measure, unit, form), unit[0]]
         if estimate and estimate.by in (KELVIN, GAP):  # no law of adhesion enters
             row[4] = "–"
         is_convention = estimate and estimate.by == DEFINITION and f"{{{name}}}" not in answer.question.lead
@@ -270,7 +247,7 @@ def _of_inferred(answer: "Report", form: Format) -> list[TextColumn]:
             name, known = result.name, library.get(result.name)
             unit = form.common_unit(name, [result.measure if known is None else known])
             better = Estimate(*answer.ranges.by_better_law(name), BETTER_LAW)
-            inferred = _cell(result.measure, unit, form) if law == own else _range(better, unit, form)[0]
+            inferred = cell(result.measure, unit, form) if law == own else _range(better, unit, form)[0]
             short = f"{LAWS[law].short} (best)" if law != own else LAWS[law].short
             row = [NOMENCLATURE[name].sentence, symbol_among(name, answer.inputs), short, inferred]
             rows.append([*row, "–" if known is None else exact.in_unit(known, unit), unit[0]])
@@ -285,9 +262,6 @@ def _of_inferred(answer: "Report", form: Format) -> list[TextColumn]:
 
 
 # --- Lists ------------------------------------------------------------------------------------------------------------
-
-
-Rows = tuple[list[TextColumn], list[TextColumn]]  # columns that each part of a wide table has, and those in one of them
 
 
 def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[str, str]) -> None:
