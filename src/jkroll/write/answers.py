@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any, overload
 
 from ..errors import BadRequest
 from ..materials.library import Material, Materials
-from ..model.containers import Reader, axes_of, warn_of_metres
+from ..model.containers import Reader, warn_of_metres
 from ..model.frame import Frame
+from ..model.labels import axes_of
 from ..model.ranges import check_range
 from ..model.rows import Columns, Tally, Wanted, as_list
 from ..model.solver import Solids, is_list, materials_of, words_in
@@ -248,6 +249,8 @@ def _values(given: Mapping[str, Any]) -> dict[str, list[Any]]:
     for word, each in items.items():
         if not each:
             raise QuantityError(word, "[]", "is an empty list")
+        if isinstance(each[0], list | tuple):
+            raise QuantityError(word, str(each), "is a list of lists", "give a list of values")
     reader, firsts = Reader(), {word: each[0] for word, each in items.items()}
     read = reader.in_si(firsts)
     warn_of_metres({name: value for name, value in read.items() if isinstance(value, float)}, firsts)
