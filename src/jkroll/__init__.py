@@ -18,7 +18,7 @@ _HOMES = {
     "Materials": "materials.library",
     "Measured": "quantities.values",
     "Quantity": "quantities.quantity",
-    "answer": "write.answers",
+    "answer": "pictures.answers",
     "curve": "pictures.drawn",
     "figure": "pictures.drawn",
     "fit": "pictures.fitted",

@@ -1,23 +1,17 @@
-"""An answer as text and as objects: plain lines in a pipe, JSON, and what `jkroll.answer` returns for one scene."""
+"""An answer as plain lines in a pipe, and as an object of JSON."""
 
-from collections.abc import ItemsView, Iterable, Iterator, KeysView, Mapping
-from functools import cached_property
-from importlib import import_module
-from math import isnan, nan
+from collections.abc import Iterable, Mapping
+from math import isnan
 from typing import TYPE_CHECKING, Any, TextIO
 
-from ..errors import BadRequest
 from ..model.estimate import NONE, WORDS, Estimate
-from ..model.frame import Frame
 from ..quantities.formatting import AS_USUAL, Format, in_words
 from ..quantities.laws import DEFAULT_LAW, LAWS
-from ..quantities.nomenclature import NOMENCLATURE, named
-from ..quantities.shown import Part, Shown
+from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import Uncertain, is_uncertain, middle
 from ..report.answer import Result
-from ..report.questions import Question
 from ..report.report import Report
-from ..text import json_text, listed, quoted, say, spelled
+from ..text import json_text, say, spelled
 
 if TYPE_CHECKING:
     from ..model.limits import Doubt
@@ -132,124 +126,3 @@ def _doubt_object(doubt: "Doubt", text: str) -> dict[str, Any]:
         "code": doubt.code or None,
         **({"verdict": doubt.limit.conclusion} if doubt.limit.conclusion else {}),
     }
-
-
-# --- Python -----------------------------------------------------------------------------------------------------------
-
-
-class Exceeded:
-    """A limit of the model that does not hold; a text of it is the sentence.
-
-    `name` and `value` are of the number that limits the model, `limit` is the first threshold of what is judged (of a
-    law the factor between answers, of radii the smaller), and `factor` how many times that is beyond it; None if it is
-    infinite, or over 0.
-    """
-
-    def __init__(self, text: str, doubt: "Doubt") -> None:
-        self.text, self.code, self.name, self.value = text, doubt.code, doubt.limit.name, doubt.value
-        self.limit, self.factor = doubt.limit.threshold, doubt.factor
-
-    def __repr__(self) -> str:
-        return f"<{self.code}: {self.text}>"
-
-    def __str__(self) -> str:
-        return self.text
-
-
-class Answered(Shown):
-    """The answer to a question about one scene.
-
-    `values` are the results by name, `inputs` what was understood and assumed, `doubts` the limits of the model that do
-    not hold, `best` the best ranges of the values, `notes` the other sentences. `as_dict()` is the
-    object of `--json`. It iterates over the names of the results, as a dict does.
-    """
-
-    def __init__(self, answer: Report) -> None:
-        self._answer = answer
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle the question and the frame; the rest is computed anew."""
-        return _answered, (self._answer.question, self._answer.described)
-
-    @cached_property
-    def values(self) -> Mapping[str, Result]:
-        """The results by name, in SI units."""
-        for result in self._answer.results:
-            result.best = self.best.get(result.name)
-        return {result.name: result for result in self._answer.results}
-
-    @cached_property
-    def inputs(self) -> Mapping[str, float | str | Uncertain]:
-        """The inputs that were stated or enter the results, in SI units, with their error bars."""
-        return self._answer.measures
-
-    @cached_property
-    def doubts(self) -> tuple[Exceeded, ...]:
-        """The limits of the model that do not hold, the one that is exceeded most first."""
-        return tuple(Exceeded(self._answer.about(doubt), doubt) for doubt in self._answer.exceeded)
-
-    @cached_property
-    def best(self) -> Mapping[str, Estimate]:
-        """The best ranges of the results, by name: `low`, `high`, of which nan is open, and `by`."""
-        return {name: estimate._replace(by=WORDS[estimate.by]) for name, estimate in self._answer.estimates.items()}
-
-    @cached_property
-    def notes(self) -> tuple[str, ...]:
-        """The other sentences: what was assumed, what the material's source says, what contradicts a result."""
-        return tuple(note.text for note in self._answer.notes)
-
-    def as_dict(self) -> dict[str, Any]:
-        """Return the object that the command prints with `--json`."""
-        return as_object(self._answer, AS_USUAL)
-
-    def to_dict(self) -> dict[str, float | None]:
-        """Return the numbers in SI units by name; None for a result without a value."""
-        return {name: result.value for name, result in self.values.items()}
-
-    def to_pandas(self) -> Any:
-        """Return a DataFrame with a row for each result: its number in SI units, and its best range."""
-        rows = []
-        for name, result in self.values.items():
-            low, high, by = self.best.get(name, (nan, nan, None))
-            row = {"symbol": NOMENCLATURE[name].symbol, "value": result.value, "unit": result.unit}
-            rows.append({**row, "best_low": low, "best_high": high, "best_by": by, "reason": result.reason or None})
-        return import_module("pandas").DataFrame(rows, index=[*self])
-
-    def keys(self) -> KeysView[str]:
-        """Return the names of the results."""
-        return self.values.keys()
-
-    def items(self) -> ItemsView[str, Result]:
-        """Return the names with the results."""
-        return self.values.items()
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self.values)
-
-    def __len__(self) -> int:
-        return len(self.values)
-
-    def __contains__(self, name: object) -> bool:
-        return named(str(name), self.values) in self.values
-
-    def __getitem__(self, name: str) -> Result:
-        """Return the result of a name, or of a symbol."""
-        known = named(str(name), self.values)
-        if known not in self.values:
-            raise BadRequest(f"{quoted(str(name))} is not in this answer, which has {listed(self.values)}")
-        return self.values[known]
-
-    def __repr__(self) -> str:
-        shown = {name: "no value" if result.value is None else result for name, result in self.values.items()}
-        texts = (f"{NOMENCLATURE[name].symbol} = {result}" for name, result in shown.items())
-        return f"<Answered: {', '.join(texts)}>"
-
-    def _parts(self) -> Iterable[Part]:
-        from .notebook import parts_of_answer  # with the tables, for which lines in a pipe do not pay
-
-        return parts_of_answer(self._answer)
-
-
-def _answered(question: Question, frame: Frame) -> Answered:
-    """Return the answer to a question about a frame."""
-    return Answered(Report(question, frame))

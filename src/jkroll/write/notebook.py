@@ -1,17 +1,17 @@
 """The lines and tables of answers for a notebook: those of a terminal, with arguments in place of options."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from ..quantities.formatting import AS_USUAL
+from ..quantities.formatting import AS_USUAL, Format
 from ..quantities.shown import Part
-from ..report.notes import assumed_in, lines_of, notes_below
+from ..report.notes import Group, assumed_in, lines_of, notes_below
 from ..text import as_arguments
 from .table import parts_of_frame, parts_of_rows
 
 if TYPE_CHECKING:
+    from ..model.rows import Columns, Tally, Wanted
     from ..report.report import Report
-    from .answers import Answers
 
 _MORE = "more: --explain"  # of a terminal
 
@@ -22,11 +22,13 @@ def parts_of_answer(answer: "Report") -> Iterator[Part]:
     return _in_python((part if isinstance(part, str) else (part, []) for part in parts), ".notes and .doubts")
 
 
-def parts_of_answers(answers: "Answers") -> Iterator[Part]:
-    """Iterate over lines and tables of a list of answers."""
-    assumed, reported = assumed_in(answers.groups), answers.in_table.reported_doubts
-    tables = (part for columns in answers.blocks for part in parts_of_rows(columns, answers.form, assumed))
-    notes = notes_below(answers.groups, answers.tally, reported, is_table=True)
+def parts_of_answers(
+    groups: Sequence[Group], blocks: "Iterable[Columns]", wanted: "Wanted", tally: "Tally", form: Format
+) -> Iterator[Part]:
+    """Iterate over lines and tables of a list of answers: of the columns that are wanted, block by block."""
+    assumed = assumed_in(groups)
+    tables = (part for columns in blocks for part in parts_of_rows(columns, form, assumed))
+    notes = notes_below(groups, tally, wanted.reported_doubts, is_table=True)
     return _in_python((*tables, *lines_of(notes, has_head=True)), ".notes and .doubts of each answer")
 
 

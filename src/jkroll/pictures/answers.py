@@ -1,14 +1,16 @@
-"""`jkroll.answer`: what a command says of one scene, and of each combination of lists."""
+"""`jkroll.answer`: what a command says of one scene, and of each combination of lists, shown and drawn."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import ItemsView, Iterable, Iterator, KeysView, Mapping, Sequence
 from functools import cached_property, reduce
 from importlib import import_module
 from itertools import chain, product
+from math import nan
 from typing import TYPE_CHECKING, Any, overload
 
 from ..errors import BadRequest
 from ..materials.library import Material, Materials
 from ..model.containers import Reader, warn_of_metres
+from ..model.estimate import WORDS, Estimate
 from ..model.frame import Frame
 from ..model.labels import axes_of
 from ..model.ranges import check_range
@@ -21,17 +23,158 @@ from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, named
 from ..quantities.numeric import Numeric
 from ..quantities.shown import Part, Shown, as_text
 from ..quantities.values import QuantityError, Spread, Uncertain, is_uncertain, middle
+from ..report.answer import Result
 from ..report.questions import QUESTIONS, Question, columns_in_table, question_about
 from ..report.report import Report
 from ..text import listed, quoted
-from .answered import Answered
+from ..write.answered import as_object
+from ..write.notebook import parts_of_answer, parts_of_answers
+from ..write.table import in_width
+from ..write.writers import Lists, written
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from numpy import float64
     from numpy.typing import NDArray
 
+    from ..model.limits import Doubt
+    from .drawn import Drawn
+
     Single = float | str | Uncertain | Numeric
     Several = Single | Sequence[Single] | NDArray[float64]
+
+
+# --- One scene --------------------------------------------------------------------------------------------------------
+
+
+class Exceeded:
+    """A limit of the model that does not hold; a text of it is the sentence.
+
+    `name` and `value` are of the number that limits the model, `limit` is the first threshold of what is judged (of a
+    law the factor between answers, of radii the smaller), and `factor` how many times that is beyond it; None if it is
+    infinite, or over 0.
+    """
+
+    def __init__(self, text: str, doubt: "Doubt") -> None:
+        self.text, self.code, self.name, self.value = text, doubt.code, doubt.limit.name, doubt.value
+        self.limit, self.factor = doubt.limit.threshold, doubt.factor
+
+    def __repr__(self) -> str:
+        return f"<{self.code}: {self.text}>"
+
+    def __str__(self) -> str:
+        return self.text
+
+
+class Answered(Shown):
+    """The answer to a question about one scene.
+
+    `values` are the results by name, `inputs` what was understood and assumed, `doubts` the limits of the model that do
+    not hold, `best` the best ranges of the values, `notes` the other sentences. `as_dict()` is the
+    object of `--json`. It iterates over the names of the results, as a dict does.
+    """
+
+    def __init__(self, answer: Report) -> None:
+        self._answer = answer
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the question and the frame; the rest is computed anew."""
+        return _answered, (self._answer.question, self._answer.described)
+
+    @cached_property
+    def values(self) -> Mapping[str, Result]:
+        """The results by name, in SI units."""
+        for result in self._answer.results:
+            result.best = self.best.get(result.name)
+        return {result.name: result for result in self._answer.results}
+
+    @cached_property
+    def inputs(self) -> Mapping[str, float | str | Uncertain]:
+        """The inputs that were stated or enter the results, in SI units, with their error bars."""
+        return self._answer.measures
+
+    @cached_property
+    def doubts(self) -> tuple[Exceeded, ...]:
+        """The limits of the model that do not hold, the one that is exceeded most first."""
+        return tuple(Exceeded(self._answer.about(doubt), doubt) for doubt in self._answer.exceeded)
+
+    @cached_property
+    def best(self) -> Mapping[str, Estimate]:
+        """The best ranges of the results, by name: `low`, `high`, of which nan is open, and `by`."""
+        return {name: estimate._replace(by=WORDS[estimate.by]) for name, estimate in self._answer.estimates.items()}
+
+    @cached_property
+    def notes(self) -> tuple[str, ...]:
+        """The other sentences: what was assumed, what the material's source says, what contradicts a result."""
+        return tuple(note.text for note in self._answer.notes)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the object that the command prints with `--json`."""
+        return as_object(self._answer, AS_USUAL)
+
+    def to_dict(self) -> dict[str, float | None]:
+        """Return the numbers in SI units by name; None for a result without a value."""
+        return {name: result.value for name, result in self.values.items()}
+
+    def to_pandas(self) -> Any:
+        """Return a DataFrame with a row for each result: its number in SI units, and its best range."""
+        rows = []
+        for name, result in self.values.items():
+            low, high, by = self.best.get(name, (nan, nan, None))
+            row = {"symbol": NOMENCLATURE[name].symbol, "value": result.value, "unit": result.unit}
+            rows.append({**row, "best_low": low, "best_high": high, "best_by": by, "reason": result.reason or None})
+        return import_module("pandas").DataFrame(rows, index=[*self])
+
+    @property
+    def drawn(self) -> "Drawn":
+        """The force over the approach, as `jkroll contact --curve` draws it, with a mark at the state of the answer."""
+        from .answer_pictures import curve_with_state
+
+        return curve_with_state(self._answer.frame)
+
+    def plot(self, ax: "Axes | None" = None, style: str = "paper") -> Any:
+        """Draw the contact on axes of matplotlib, or on those of a new figure; return them. Needs the extra `plot`."""
+        return self.drawn.plot(ax, style)
+
+    def keys(self) -> KeysView[str]:
+        """Return the names of the results."""
+        return self.values.keys()
+
+    def items(self) -> ItemsView[str, Result]:
+        """Return the names with the results."""
+        return self.values.items()
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.values)
+
+    def __len__(self) -> int:
+        return len(self.values)
+
+    def __contains__(self, name: object) -> bool:
+        return named(str(name), self.values) in self.values
+
+    def __getitem__(self, name: str) -> Result:
+        """Return the result of a name, or of a symbol."""
+        known = named(str(name), self.values)
+        if known not in self.values:
+            raise BadRequest(f"{quoted(str(name))} is not in this answer, which has {listed(self.values)}")
+        return self.values[known]
+
+    def __repr__(self) -> str:
+        shown = {name: "no value" if result.value is None else result for name, result in self.values.items()}
+        texts = (f"{NOMENCLATURE[name].symbol} = {result}" for name, result in shown.items())
+        return f"<Answered: {', '.join(texts)}>"
+
+    def _parts(self) -> Iterable[Part]:
+        return parts_of_answer(self._answer)
+
+
+def _answered(question: Question, frame: Frame) -> Answered:
+    """Return the answer to a question about a frame."""
+    return Answered(Report(question, frame))
+
+
+# --- Several scenes ---------------------------------------------------------------------------------------------------
 
 
 class Answers(Shown):
@@ -81,8 +224,6 @@ class Answers(Shown):
 
     def to_dict(self) -> dict[str, list[Any]]:
         """Return the columns of `--csv --best` by their headers, such as "radius [m]", in SI units."""
-        from .writers import Lists, written
-
         heads, *blocks = written(Lists(), *self._all, AS_USUAL)
         columns = zip(heads, *blocks, strict=True)
         return {head: [*chain.from_iterable(map(as_list, parts))] for head, *parts in columns}
@@ -90,6 +231,20 @@ class Answers(Shown):
     def to_pandas(self) -> Any:
         """Return a DataFrame with a row for each answer and the columns of `to_dict`."""
         return import_module("pandas").DataFrame(self.to_dict())
+
+    @property
+    def drawn(self) -> "Drawn":
+        """The first quantity over the input that has most values, as `jkroll map` draws it; of laws alone, the contact.
+
+        Raises BadRequest where no input has several values.
+        """
+        from .answer_pictures import lines_over_input
+
+        return lines_over_input(self._question.headline[0], self._sweep)
+
+    def plot(self, ax: "Axes | None" = None, style: str = "paper") -> Any:
+        """Draw the answers on axes of matplotlib, or on those of a new figure; return them. Needs the extra `plot`."""
+        return self.drawn.plot(ax, style)
 
     # --- The table ----------------------------------------------------------------------------------------------------
 
@@ -124,14 +279,13 @@ class Answers(Shown):
         return f"<Answers: {listed(symbols)} of {len(self)} scenes>"
 
     def __str__(self) -> str:
-        from .table import in_width
-
         return as_text(part if isinstance(part, str) else in_width(*part) for part in self._parts())
 
     def _parts(self) -> Iterable[Part]:
-        from .notebook import parts_of_answers
+        return parts_of_answers(self.groups, self.blocks, self.in_table, self.tally, self.form)
 
-        return parts_of_answers(self)
+
+# --- The question -----------------------------------------------------------------------------------------------------
 
 
 @overload

@@ -12,6 +12,7 @@ import pytest
 import jkroll
 from harness import Run
 from jkroll.text import spelled
+from relative import approx
 
 SOLIDS, RADII = ["quartz", "iron"], ["100 nm", "1 um"]
 
@@ -119,3 +120,60 @@ def test_a_grain_of_a_metre_is_warned_of_in_a_list() -> None:
 def test_a_list_is_pickled_as_its_scenes() -> None:
     answers = jkroll.answer("pull-off", material=SOLIDS, radius=RADII)
     assert str(pickle.loads(pickle.dumps(answers))) == str(answers)
+
+
+# --- Pictures ---------------------------------------------------------------------------------------------------------
+
+
+def same_lines(drawn: Any, other: Any) -> bool:
+    """Return whether two pictures have the same lines."""
+    pairs = zip(drawn.lines.items(), other.lines.items(), strict=True)
+    return all(name == same and numpy.array_equal(line, like, equal_nan=True) for (name, line), (same, like) in pairs)
+
+
+def test_an_answer_is_drawn_as_the_curve_of_its_contact() -> None:
+    scene: dict[str, Any] = {"material": "quartz", "radius": "100 nm", "model": "maugis"}
+    drawn, curve = jkroll.answer("contact", **scene, load="5nN").drawn, jkroll.curve(**scene)
+    assert same_lines(drawn, curve)
+    state = jkroll.solve("approach_at_load", **scene, load=5e-9)
+    assert drawn.points == {**curve.points, "P = 5 nN": (state, 5e-9)}
+    assert jkroll.answer("pull-off", **scene).drawn.points == curve.points
+
+
+def test_laws_are_compared_by_their_curves() -> None:
+    laws = ["jkr", "dmt"]
+    drawn = jkroll.answer("pull-off", material="quartz", radius=1e-7, model=laws).drawn
+    assert same_lines(drawn, jkroll.curve(material="quartz", radius=1e-7, model=laws))
+
+
+def test_answers_are_drawn_over_their_input() -> None:
+    drawn = jkroll.answer("pull-off", material="quartz", radius=["1 um", "10 nm", "100 nm"]).drawn
+    (line,) = jkroll.map("P_c", material="quartz", x="radius=10nm:1um").lines.values()
+    assert numpy.array_equal(drawn.lines["quartz"], line)
+    both = jkroll.answer("r-min", radius=["1 um", "10 nm", "100 nm"], xi=["1 angstrom", "2 angstrom"]).drawn
+    assert [*both.lines] == ["ξ = 100 pm", "ξ = 200 pm"]
+    x, y = both.lines["ξ = 200 pm"]
+    assert y.tolist() == approx((x**2 / 2e-10).tolist())  # R_min = R1·R2/ξ
+    assert [*jkroll.answer("P_c", material=SOLIDS, radius=["1 um", "10 nm"]).drawn.lines] == SOLIDS
+
+
+def test_axes_are_taken_and_returned() -> None:
+    pytest.importorskip("matplotlib")
+    from matplotlib.figure import Figure
+
+    axes = Figure().subplots(1, 2)
+    answers = jkroll.answer("pull-off", material="quartz", radius=["1 um", "10 nm"])
+    assert answers.plot(axes[0]) is axes[0]
+    assert answers[0].plot(ax=axes[1], style="dark") is axes[1]
+    assert answers.plot().get_xlabel() == axes[0].get_xlabel() != ""
+    assert len(axes[1].lines) > 1
+
+
+def test_what_cannot_be_drawn_says_why() -> None:
+    with pytest.raises(jkroll.JkrollError, match="no input to draw over: give several values"):
+        _ = jkroll.answer("pull-off", material=SOLIDS, radius="100 nm").drawn
+    many = jkroll.answer("P_c", radius=numpy.geomspace(1e-8, 1e-6, 31), gamma=numpy.geomspace(0.01, 0.1, 30))
+    with pytest.raises(jkroll.JkrollError, match="30 lines are more than the 24"):
+        _ = many.drawn
+    with pytest.raises(jkroll.JkrollError, match="needs Young's modulus"):
+        jkroll.answer("pull-off", gamma=0.025, radius="100 nm").plot()
