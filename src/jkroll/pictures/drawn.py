@@ -94,11 +94,12 @@ class Drawn:
         with settings(STYLES[style]):
             return figure_of(self._picture, None, STYLES[style], has_caption=caption)
 
-    def _repr_png_(self) -> bytes:
-        """Return what a notebook shows."""
+    def _repr_png_(self) -> tuple[bytes, dict[str, int]]:
+        """Return what a notebook shows, at half of its pixels, so that letters have the size of those around it."""
         with missing_extra("plot"):
             from .page import draw
-        return draw(self._picture, "png", None, "paper", has_caption=True)
+        content = draw(self._picture, "png", None, "paper", has_caption=True)
+        return content, {"width": int.from_bytes(content[16:20]) // 2}  # where PNG has its width
 
     def __repr__(self) -> str:
         return f"<Drawn: {listed([*self.lines] or [plain(self._picture.title)])}>"
