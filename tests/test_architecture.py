@@ -2,8 +2,13 @@
 
 import ast
 import inspect
+import json
 import re
+import shutil
+import subprocess
+import sys
 from functools import cache
+from importlib.util import find_spec
 from pathlib import Path
 
 import mypy.api
@@ -218,6 +223,23 @@ def test_a_type_checker_knows_what_a_user_writes(tmp_path: Path) -> None:
     wrong = [int(line.split(":")[1]) for line in out.splitlines() if "error: " in line]
     last = len(USER.splitlines())
     assert wrong == [last - 3, last - 2, last - 1, last], out
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(find_spec("pyright") is None or shutil.which("node") is None, reason="needs pyright and node")
+def test_the_checker_of_editors_knows_the_same(tmp_path: Path) -> None:
+    """Without a node of its own pyright would load one."""
+    (tmp_path / "user.py").write_text(USER, encoding="utf-8")
+    settings = {"extraPaths": [str(SOURCE.parent)], "typeCheckingMode": "strict"}
+    (tmp_path / "pyrightconfig.json").write_text(json.dumps(settings), encoding="utf-8")
+    line = [sys.executable, "-m", "pyright", "--outputjson", "--pythonpath", sys.executable, "user.py"]
+    ran = subprocess.run(line, cwd=tmp_path, capture_output=True, text=True)
+    told = json.loads(ran.stdout)["generalDiagnostics"]
+    revealed = [re.sub('.* is "(.*)"', r"\1", each["message"]) for each in told if each["severity"] == "information"]
+    assert revealed == [kind.replace("numpy.", "") for kind in REVEALED], ran.stdout
+    wrong = {each["range"]["start"]["line"] for each in told if each["severity"] != "information"}
+    last = len(USER.splitlines())
+    assert wrong == {*range(last - 4, last)}, ran.stdout
 
 
 # --- What tests know --------------------------------------------------------------------------------------------------
