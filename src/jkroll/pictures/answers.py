@@ -249,27 +249,27 @@ class Answers(Shown):
     # --- The table ----------------------------------------------------------------------------------------------------
 
     @cached_property
-    def in_table(self) -> Wanted:
+    def _in_table(self) -> Wanted:
         """The columns of the table."""
         return columns_in_table(self._question, self._sweep)
 
     @cached_property
-    def blocks(self) -> Sequence[Columns]:
+    def _blocks(self) -> Sequence[Columns]:
         """The rows of the table."""
-        return [*self._sweep.columns(self.in_table)]
+        return [*self._sweep.columns(self._in_table)]
 
     @cached_property
-    def tally(self) -> Tally:
+    def _tally(self) -> Tally:
         """The rows, and those of them that have no result, counted."""
-        return reduce(Tally.plus, (Tally.of(columns, symbol_of) for columns in self.blocks), Tally())
+        return reduce(Tally.plus, (Tally.of(columns, symbol_of) for columns in self._blocks), Tally())
 
     @cached_property
-    def groups(self) -> Sequence[tuple[Frame, Sequence[str]]]:
+    def _groups(self) -> Sequence[tuple[Frame, Sequence[str]]]:
         """A frame for each group of rows with the same inputs, with the quantities that it shows."""
-        return [*self._sweep.noted(self.in_table)]
+        return [*self._sweep.noted(self._in_table)]
 
     @property
-    def form(self) -> Format:
+    def _form(self) -> Format:
         """The format, which knows what inputs were given."""
         given = [*self._sweep.spreads]
         return Format(typed=dict.fromkeys([*given, *(CONVERTED[name] for name in given if name in CONVERTED)], ""))
@@ -282,7 +282,7 @@ class Answers(Shown):
         return as_text(part if isinstance(part, str) else in_width(*part) for part in self._parts())
 
     def _parts(self) -> Iterable[Part]:
-        return parts_of_answers(self.groups, self.blocks, self.in_table, self.tally, self.form)
+        return parts_of_answers(self._groups, self._blocks, self._in_table, self._tally, self._form)
 
 
 # --- The question -----------------------------------------------------------------------------------------------------
@@ -381,7 +381,7 @@ def answer(
     if (count := len(sweep)) > sweep.sizes.most_in_table:
         raise BadRequest(f"{count} scenes are more than {sweep.sizes.most_in_table}; jkroll.solve takes any number")
     answers = Answers(question, sweep)
-    if answers.tally.failed == count and (failure := answers[0]._answer.failure) is not None:
+    if answers._tally.failed == count and (failure := answers[0]._answer.failure) is not None:
         raise failure
     return answers
 

@@ -213,9 +213,27 @@ def map(
 def figure(
     name: str, /, *, marks: Sequence[str] = (), materials: Materials | None = None, as_printed: bool = False
 ) -> Drawn:
-    """Return a figure of the paper, as `jkroll figure` draws it: "2", "3a" to "3d", "6a", "6b", "8", "9", or "laws".
+    """Return a figure of the paper, as `jkroll figure` draws it.
 
-    `marks`: grains such as "quartz@100nm"; `as_printed`: with the paper's curves where they differ.
+    Parameters
+    ----------
+    name
+        "2", "3a" to "3d", "6a", "6b", "8", "9", or "laws".
+    marks
+        Grains on it, as "quartz@100nm".
+    materials
+        Where materials are looked up.
+    as_printed
+        Whether the paper's curves are drawn, too, where they differ.
+
+    Returns
+    -------
+    `Drawn`: `field` or `lines` as arrays in SI units, `points`, `caption`, `notes`; `plot(ax)`, `figure()`.
+
+    Raises
+    ------
+    BadRequest, UnknownMaterial
+        There is no such figure, or it takes no such argument.
 
     >>> figure("laws").lines["JKR"][1].tolist()
     [1.5, 1.5]

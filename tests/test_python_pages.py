@@ -1,6 +1,8 @@
-"""The notebook of the page on Python, run by Jupyter: it shows what the page does."""
+"""What the site has for Python: a notebook of the page, run by Jupyter, and the reference of the public names."""
 
 import importlib.util
+import inspect
+import re
 from pathlib import Path
 from typing import Any
 
@@ -8,13 +10,13 @@ import pytest
 
 import jkroll
 
-MAKER = Path(__file__).parents[1] / ".docs" / "notebook.py"
+MAKER = Path(__file__).parents[1] / ".docs" / "python_pages.py"
 pytestmark = pytest.mark.skipif(not MAKER.exists(), reason="the sdist has no .docs")
 
 
 def maker() -> Any:
     """Return the module that makes a notebook."""
-    spec = importlib.util.spec_from_file_location("notebook", MAKER)
+    spec = importlib.util.spec_from_file_location("python_pages", MAKER)
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
@@ -65,3 +67,42 @@ def test_jupyter_shows_what_the_page_shows(tmp_path: Path, monkeypatch: pytest.M
 def text_of(output: Any) -> str:
     """Return the text of an output of a cell."""
     return str(output.text if output.output_type == "stream" else output.data["text/plain"])
+
+
+# --- The reference ----------------------------------------------------------------------------------------------------
+
+
+def test_the_reference_has_every_public_name() -> None:
+    text = maker().reference()
+    named = {
+        *re.findall(r"^### `jkroll\.(\w+)`$", text, re.MULTILINE),
+        *re.findall(r"^- `jkroll\.(\w+)`", text, re.MULTILINE),
+    }
+    assert named == {*dir(jkroll)}
+    kinds = {*re.findall(r"^ *- `(\w+)`: ", text.partition("## Errors")[2], re.MULTILINE)}
+    for name in dir(jkroll):
+        doc = inspect.getdoc(getattr(jkroll, name)) or ""
+        raised = re.findall(r"^([A-Z]\w+(?:, [A-Z]\w+)*)(?:;.*)?$", doc.partition("Raises\n---")[2], re.MULTILINE)
+        assert {kind for line in raised for kind in line.split(", ")} <= kinds, name
+
+
+def test_functions_have_arguments_and_returns_in_the_reference() -> None:
+    sections = maker().reference().partition("## Classes")[0].split("### `jkroll.")[1:]
+    assert len(sections) > 8
+    for section in sections:
+        name = section.partition("`")[0]
+        parameters = inspect.signature(getattr(jkroll, name)).parameters
+        assert f"jkroll.{name}(" in section
+        assert [each for each in parameters if not re.search(rf"^- `[^`]*\b{each}\b", section, re.MULTILINE)] == []
+        assert not parameters or ("**Returns**" in section and "**Raises**" in section), name
+
+
+def test_every_formula_has_its_units_in_the_reference() -> None:
+    text = maker().reference()
+    rows = dict(re.findall(r"^\| `(\w+)` \| (.*) \|$", text, re.MULTILINE))
+    assert rows.keys() == jkroll.FORMULAS.keys()
+    taken, given, equation, source, valid = rows["pull_off_force"].split(" | ")
+    assert (taken, given) == ("work_of_adhesion [J/m^2], reduced_radius [m]", "N")
+    assert (equation, source) == ("P_c = 3πγR = (3/2)πwR", "Eq (1).")
+    assert valid.startswith("Large, soft spheres")
+    assert not [name for name, row in rows.items() if "" in row.split(" | ")[:3]]
