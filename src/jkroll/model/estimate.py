@@ -36,12 +36,12 @@ from .uncertainty import ErrorBar, error_bars
 # --- Rules ------------------------------------------------------------------------------------------------------------
 
 (
-    NONE, DEFINITION, MEASURED, SCALED, XI_UNKNOWN, FRICTION_ASSUMED, ADHESION_ONLY, BOUNDS, LAW_ONLY, AT_LEAST, KELVIN,
-    GAP, BETTER_LAW, LAW_IN_USE,
-) = range(14)  # fmt: skip
+    NONE, DEFINITION, MEASURED, SCALED, XI_UNKNOWN, FRICTION_ASSUMED, SPACING_ASSUMED, ADHESION_ONLY, BOUNDS, LAW_ONLY,
+    AT_LEAST, KELVIN, GAP, BETTER_LAW, LAW_IN_USE,
+) = range(15)  # fmt: skip
 _GIVEN = {law: number for number, law in enumerate(LAWS, LAW_IN_USE + 1)}  # of laws that are given, which decide
 WORDS = (
-    "–", "definition", "measured", "scaled", "ξ unknown", "τ assumed", "adhesion only", "JKR to DMT", "JKR only",
+    "–", "definition", "measured", "scaled", "ξ unknown", "τ assumed", "z0 assumed", "adhesion only", "JKR to DMT", "JKR only",
     "at least", "Kelvin", "roughness", "Maugis", "JKR",
     *(law.short for law in LAWS.values()),
 )  # fmt: skip
@@ -123,7 +123,7 @@ class Ranges:
         elif self._is_from_losses(name):
             yield True, nan, own[1], ADHESION_ONLY
         elif self.frame.stated_model is not None:
-            yield True, *own, _GIVEN[self.frame.stated_model]
+            yield from self._of_given_law(name, own, self.frame.stated_model)
         elif is_rolling and assumes_displacement(self.frame):
             yield from self._of_rolling(name)
         else:
@@ -139,6 +139,13 @@ class Ranges:
         """Return whether all that a collision loses is taken for what an inferred value makes it lose."""
         is_unknown = name in _LOSE and name in self.results.described.unknowns
         return is_unknown and not _LOSSES.isdisjoint(self.results.judged)
+
+    def _of_given_law(self, name: str, own: Ends, law: str) -> Iterator[Rule]:
+        """Iterate over the rules of a law that was given, which decides; what is left open is its atomic spacing."""
+        if self.frame.assumes_spacing:
+            low, high = self.hull(name, _itself, at_half_spacing)
+            yield low < high, low, high, SPACING_ASSUMED
+        yield True, *own, _GIVEN[law]
 
     def _of_laws(self, name: str, own: Ends) -> Iterator[Rule]:
         """Iterate over the rules of what a law decides."""

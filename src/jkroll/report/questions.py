@@ -174,6 +174,5 @@ def question_about(text: str) -> Question:
 
 
 def columns_in_table(question: Question, sweep: "Sweep") -> "Wanted":
-    """Return the columns of a list for readers: with best ranges of the headline, unless laws are compared."""
-    wanted = sweep.wanted(question.with_row, question.named)
-    return wanted.with_best(question.headline) if len(sweep.models) == 1 else wanted
+    """Return the columns of a list for readers, with best ranges of the headline."""
+    return sweep.wanted(question.with_row, question.named).with_best(question.headline)

@@ -16,6 +16,7 @@ from ..model.estimate import (
     LAW_ONLY,
     MEASURED,
     SCALED,
+    SPACING_ASSUMED,
     WORDS,
     XI_UNKNOWN,
     Estimate,
@@ -103,6 +104,7 @@ _WORDS: Mapping[int, str] = {
         "sliding and twisting rest on τ = G/4π², known to an order of magnitude: the range is of a third to three "
         "times it (--shear-strength)"
     ),
+    SPACING_ASSUMED: "the range is of z0 = 2–4 Å, as far as it is known; give --z0",
     BOUNDS: "JKR's holds for soft spheres, DMT's for hard ones; E and ν tell which",
     LAW_ONLY: "no other law here has it; where Maugis' contact is smaller, so is what goes with its area",
     AT_LEAST: f"Lennard-Jones' law binds more than JKR's at a Tabor parameter below {JUMP}",

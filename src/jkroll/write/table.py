@@ -15,6 +15,7 @@ from ..model.estimate import (
     LAW_ONLY,
     NONE,
     SCALED,
+    SPACING_ASSUMED,
     WORDS,
     XI_UNKNOWN,
     Estimate,
@@ -111,7 +112,8 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
 
     Conventions of other codes stand below the others.
     """
-    yield from _about_inputs("", answer.measures, _in_column(answer), form)
+    stated = {name: value for name, value in answer.measures.items() if name not in answer.assumed}
+    yield from _about_inputs("", stated, _in_column(answer), form)
     yield from lines_above(answer.sentences)
     if answer.described.unknowns:
         yield _of_inferred(answer, form)
@@ -137,7 +139,7 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
 def _in_column(answer: "Report") -> dict[str, str]:
     """Return what was assumed, by name: ξ in the law's column alone where ranges rest on no ξ; no spacing of theirs."""
     texts, rules = {**answer.assumed}, {estimate.by for estimate in answer.estimates.values()}
-    if not rules <= {DEFINITION, FRICTION_ASSUMED, LAW_ONLY, LAW_IN_USE}:
+    if any(by < LAW_IN_USE and by not in (DEFINITION, FRICTION_ASSUMED, LAW_ONLY) for by in rules):
         texts.pop("atomic_spacing", None)  # ranges have their own
     if XI in texts and not rules.isdisjoint((SCALED, XI_UNKNOWN)):
         text, _, option = texts.pop(XI).rpartition(" ")
@@ -293,10 +295,10 @@ def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str]) 
         count += " of equal spheres (R2 = R1)"
     if any(map(columns.wanted.best_of, columns.wanted.names)):
         assumed = {name: text for name, text in assumed.items() if name != "atomic_spacing"}  # ranges have their own
+        common = {name: value for name, value in common.items() if name != "atomic_spacing" or name in form.typed}
     yield from _about_inputs(count, common, assumed, form, several)
-    if BETWEEN in distinct.get("model", ()):
-        spacing = "" if "atomic_spacing" in form.typed else ", which are at z0 = 4 Å; the other end is --z0 2angstrom"
-        yield f"take the rows of maugis{spacing}"
+    if BETWEEN in distinct.get("model", ()) and "model" in several:
+        yield "take the rows of maugis"
     exact, leading, results = Format(form.units, form.digits or DIGITS), list[TextColumn](), list[TextColumn]()
     following = _FOLLOWING | STATE_OR_LOAD if "state" in inputs else _FOLLOWING
     for name in several:
@@ -308,7 +310,10 @@ def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str]) 
             best, of_rows = _best(columns, name, form)
             head = symbol_among(name, columns.inputs)
             own = f"{head} by {LAWS[DEFAULT_LAW].short}" if best and "model" not in inputs else head
-            results += [*best, *columns_of(name, {own: _measures(columns, name)}, form)]
+            of_law = columns_of(name, {own: _measures(columns, name)}, form)
+            if "model" in several and best:  # each row by a law of its own
+                of_law, best = [_with_ranges(of_law[0], best[0], of_rows)], []
+            results += [*best, *of_law]
             rules += of_rows
     told = [codes(bits & columns.wanted.reported_doubts) for bits in as_list(columns.doubts)]
     yield leading, [*results, *([TextColumn(DOUBT, told, is_right=False)] if any(told) else [])]
@@ -346,6 +351,13 @@ def _best(columns: "Columns", name: str, form: Format) -> tuple[list[TextColumn]
     ranges = [_range(Estimate(*row), unit, form)[0] for row in zip(lows, highs, rules, strict=True)]
     head = f"best {symbol_among(name, columns.inputs)}" + (f" [{unit[0]}]" if unit[0] else "")
     return [TextColumn(head, ranges), TextColumn("by", words, is_right=False)], rules
+
+
+def _with_ranges(values: TextColumn, ranges: TextColumn, rules: Sequence[float]) -> TextColumn:
+    """Return a column of values, with a range in rows whose law leaves the atomic spacing open."""
+    of_rows = zip(values.cells, ranges.cells, rules, strict=True)
+    cells = [best if by == SPACING_ASSUMED else value for value, best, by in of_rows]
+    return values._replace(cells=cells)
 
 
 def _measures(columns: "Columns", key: str) -> list[Any]:
