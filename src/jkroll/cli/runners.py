@@ -480,12 +480,6 @@ def run_guide(call: Call) -> int:
     return 0
 
 
-def run_verify(_: Call) -> int:
-    """Say where the audit of the paper went; the command itself goes with 1.0."""
-    say_wrapped("The audit of the paper is `jkroll guide paper` now; the tests recompute it.", sys.stdout)
-    return 0
-
-
 def run_bench(call: Call) -> int:
     """Measure speed against error; return the exit code.
 

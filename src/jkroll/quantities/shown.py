@@ -86,7 +86,7 @@ def cell(value: Value, unit: tuple[str, Unit], form: Format) -> str:
     if value is None or isinstance(value, str):
         return value or "–"
     if isinstance(value, Interval):
-        return from_to(convert(value.low, unit[1]), convert(value.high, unit[1]), form.digits or 2)
+        return from_to(convert(value.low, unit[1]), convert(value.high, unit[1]), form.digits)
     if isinstance(value, float):
         zeros = form.digits is None and value != 0
         return significant(convert(value, unit[1]), form.digits or RESULT_DIGITS, zeros=zeros)

@@ -36,13 +36,13 @@ from ..text import TextColumn, first_of, fit_terminal, listed, say_wrapped, text
 
 if TYPE_CHECKING:
     from ..model.rows import Columns
+    from ..report.questions import Question
     from ..report.report import Report
 
 
 # A row has the unit of the rows above it if its least number is between the first two, and its largest below the last.
 _LEAST, _MOST, _LARGEST = 0.25, 2000, 10000
 _SAME = 1e-12  # relative width of a range that is a number
-_NARROW = 0.05  # relative width of a range below which its ends have a digit more
 _BEST_RANGE = "best range"
 _PARTS = "in parts"  # by what a pull-off force on a surface stands
 _CODES = 24  # characters of the codes of doubts in a cell
@@ -125,7 +125,7 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
     if surfaces:
         physics["pull_off_force"][0] += ", ideal smooth"
     if physics:
-        columns = _of_results([*physics.values(), *surfaces], law)
+        columns = _of_results([*_grouped(physics, answer.question), *surfaces], law)
         yield columns
         if any(column.head == _BEST_RANGE for column in columns):
             yield from answer.lines_on_ranges(physics)
@@ -179,6 +179,19 @@ def _rows(answer: "Report", form: Format) -> tuple[_Rows, _Rows]:
     return physics, conventions
 
 
+def _grouped(rows: _Rows, question: "Question") -> list[list[str]]:
+    """Return the rows of results, with a row for the title of each group of them."""
+    grouped, shown, title = [], "", ""
+    for name in question.quantities:
+        title = question.groups.get(name, title)
+        if name in rows:
+            if title != shown:
+                grouped.append([f"{title}:", *["" for _ in rows[name][1:]]])
+            grouped.append(rows[name])
+            shown = title
+    return grouped
+
+
 def _sizes(measure: "float | Uncertain | None", estimate: "Estimate | None") -> list[float]:
     """Return the sizes in order of the numbers that a row should show well: of its best range, or of the result."""
     ends = [] if estimate is None else [float(end) for end in estimate[:2] if not isnan(end)]
@@ -202,7 +215,7 @@ def _of_results(rows: Sequence[Sequence[str]], law: str) -> list[TextColumn]:
     Ranges are left out where all of them are those of the law in use; elsewhere they have the error bars, and the law's
     column has none.
     """
-    if {row[3] for row in rows} <= {law, WORDS[DEFINITION], "–"}:
+    if {row[3] for row in rows} <= {law, WORDS[DEFINITION], "–", ""}:
         heads, rows = ["quantity", "symbol", law, "unit"], [[*row[:2], *row[5:]] for row in rows]
     else:
         heads = ["quantity", "symbol", _BEST_RANGE, "by", f"plain {law}", "unit"]
@@ -221,8 +234,7 @@ def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) ->
     low, high = (end if isnan(end) else convert(end, unit[1]) for end in estimate[:2])
     digits = form.digits or 2
     if estimate.by in (DEFINITION, LAW_ONLY, KELVIN) and form.digits is None:  # not known to all digits
-        return [f"≈ {from_to(low, high, digits)}", WORDS[int(estimate.by)]]
-    is_narrow = form.digits is None and abs(high - low) < _NARROW * abs(high)
+        return [f"≈ {from_to(low, high)}", WORDS[int(estimate.by)]]
     if abs(high - low) <= _SAME * abs(high):
         text = significant(low, form.digits or RESULT_DIGITS, zeros=form.digits is None and low != 0)
     elif isnan(low) and isnan(high):
@@ -232,7 +244,7 @@ def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) ->
     elif isnan(low):
         text = f"≤ {significant(high, digits)}"
     else:
-        text = from_to(low, high, digits + is_narrow)
+        text = from_to(low, high, form.digits)
     return [text, WORDS[int(estimate.by)]]
 
 
@@ -318,7 +330,8 @@ def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str]) 
     told = [codes(bits & columns.wanted.reported_doubts) for bits in as_list(columns.doubts)]
     yield leading, [*results, *([TextColumn(DOUBT, told, is_right=False)] if any(told) else [])]
     of_codes = lines_on_codes(code for text in told for code in text.split())
-    yield from (*lines_on_rules(int(by) for by in rules if not isnan(by)), *of_codes)
+    rules_shown = (int(by) for by in rules if not isnan(by))
+    yield from (*lines_on_rules(rules_shown, columns.wanted.names), *of_codes)
 
 
 def in_width(leading: list[TextColumn], results: list[TextColumn]) -> Rows:
