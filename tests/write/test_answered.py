@@ -77,8 +77,6 @@ def test_what_has_no_answer_is_an_error() -> None:
         jkroll.answer("pull-off", material="quartz")
     with pytest.raises(jkroll.JkrollError, match="hardest pull"):
         jkroll.answer("contact", material="quartz", radius=1e-7, load=-1e-6)
-    with pytest.raises(jkroll.JkrollError, match="is more than one scene; solve takes arrays"):
-        jkroll.answer("pull-off", material="quartz", radius=[1e-7, 2e-7])
     with pytest.raises(jkroll.JkrollError, match="pull-of"):
         jkroll.answer("pull-of", material="quartz", radius=1e-7)
 

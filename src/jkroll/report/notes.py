@@ -259,6 +259,14 @@ def notes_on_rows(groups: Sequence[Group], tally: "Tally", reported: int) -> lis
     return [*dict.fromkeys(every), *about_idle(idle_in(groups)), *about_assumed(assumed_in(groups))]
 
 
+def notes_below(groups: Sequence[Group], tally: "Tally", reported: int, *, is_table: bool) -> list[Note]:
+    """Return the notes on counted rows that a table, whose own lines say what its codes mean, leaves to those below it.
+
+    `reported`: the bits of the doubts to report.
+    """
+    return notes_on_rows(groups, tally, reported & ENDING_MEANING if is_table else reported)
+
+
 # --- Lines ------------------------------------------------------------------------------------------------------------
 
 

@@ -2,8 +2,13 @@
 
 from collections.abc import Mapping
 from types import MappingProxyType
+from typing import TYPE_CHECKING
 
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity, named
+
+if TYPE_CHECKING:
+    from ..model.rows import Wanted
+    from ..model.sweep import Sweep
 
 
 class Question:
@@ -182,3 +187,8 @@ def question_about(text: str) -> Question:
     explicit, offered = quantities_named(text)
     names = tuple(dict.fromkeys((*explicit, *offered)))
     return Question(names, names, named=tuple(explicit))
+
+
+def columns_in_table(question: Question, sweep: "Sweep") -> "Wanted":
+    """Return the columns of a list for readers, with best ranges of the headline."""
+    return sweep.wanted(question.with_row, question.named).with_best(question.headline)
