@@ -46,6 +46,26 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Browser, st
     assert hosts_asked(profile) == {"127.0.0.1"}
 
 
+@pytest.mark.parametrize(
+    "page",
+    [
+        "<img src=https://example.invalid/a.png>",
+        "<script>new Worker(URL.createObjectURL(new Blob(['fetch(\"https://example.invalid/\")'])))</script>",
+        "<iframe sandbox=allow-scripts srcdoc='<img src=https://example.invalid/a.png>'></iframe>",
+    ],
+    ids=["picture", "worker", "frame without an origin"],
+)
+def test_a_request_to_another_host_is_seen(tmp_path: Path, page: str) -> None:
+    (tmp_path / "index.html").write_text(f"<!doctype html><title>asks</title>{page}")
+    log = tmp_path / "requests.json"
+    with served(tmp_path) as address, browser(tmp_path) as window:
+        window.open(address)
+        window.wait("document.readyState === 'complete'")
+        while "example.invalid" not in log.read_text(encoding="utf-8"):
+            window.script("return 0")  # the log is written as the browser works
+    assert hosts_asked(tmp_path) == {"127.0.0.1", "example.invalid"}
+
+
 def address_of(topic: str) -> str:
     """Return the address of a page on the site."""
     return "" if topic == "index" else f"{topic}/"
