@@ -19,6 +19,7 @@ from jkroll.quantities.nomenclature import NOMENCLATURE
 HERE = Path(__file__).parent
 sys.path[:0] = [str(HERE), str(HERE / "prompt")]
 from bridge import FILES  # noqa: E402
+from explorer_page import explorer  # noqa: E402
 from prompt_files import put_prompt  # noqa: E402
 
 CHECKOUT = HERE.parent
@@ -34,13 +35,15 @@ GALLERY = {f"Figure {number}": f"figure {number}" for number in FIGURES} | MAPS 
 def on_files(files: Files, config: Any) -> Files:
     """Add the generated pages and the pictures, so that mkdocs checks the links to them."""
     content: dict[str, str | bytes] = {
-        "index.md": home(),
+        "index.md": explore(),
+        "start.md": start(),
         "try.md": "# Try it\n\n<iframe class=prompt src=../prompt/ title='a prompt that runs jkroll'></iframe>\n",
         "all-quantities.md": quantities(),
         "all-materials.md": materials(),
         "gallery.md": gallery(),
         "run.js": f"const FILES = {json.dumps(sorted(FILES))};\n" + (HERE / "run.js").read_text(encoding="utf-8"),
         "run.css": (HERE / "run.css").read_text(encoding="utf-8"),
+        **{name: (HERE / "explorer" / name).read_text(encoding="utf-8") for name in ("explorer.js", "explorer.css")},
         "gallery/contact.svg": (CHECKOUT / "tests" / "data" / "contact.svg").read_bytes(),
         **dict(pictures()),
     }
@@ -49,7 +52,18 @@ def on_files(files: Files, config: Any) -> Files:
     return files
 
 
-def home() -> str:
+def explore() -> str:
+    """Return the first page: a line of words, and the explorer."""
+    head = "---\nhide: [navigation, toc]\n---\n\n# Two elastic spheres touch and stick\n\n"
+    words = (
+        "What pulls them apart, rolls them and shakes them, each with the range in which it lies and what says so. "
+        "Drag a slider, or [read how to start](start.md).\n\n"
+    )
+    files = '<link rel="stylesheet" href="explorer.css"><script type="module" src="explorer.js"></script>\n\n'
+    return head + words + files + explorer()
+
+
+def start() -> str:
     """Return the README, with links that hold on the site."""
     text = (CHECKOUT / "README.md").read_text(encoding="utf-8")
     text = text.replace("](tests/data/contact.svg)", "](gallery/contact.svg)")

@@ -24,7 +24,14 @@ QUIET = [
         "127.0.0.1"
     ),
 ]  # fmt: skip
-KEYS = {"Enter": "\ue007", "Tab": "\ue004", "ArrowUp": "\ue013", "ArrowDown": "\ue015", "Escape": "\ue00c"}
+KEYS = {
+    "Enter": "\ue007",
+    "Tab": "\ue004",
+    "ArrowUp": "\ue013",
+    "ArrowDown": "\ue015",
+    "ArrowRight": "\ue014",
+    "Escape": "\ue00c",
+}
 
 
 class _Silent(SimpleHTTPRequestHandler):

@@ -4,28 +4,19 @@ Build the site first (see CONTRIBUTING): a site that is older than its sources i
 `.docs`, these tests are left out. Where CI is set, a missing browser or site is a failure.
 """
 
-import os
-import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 from urllib.parse import urldefrag
 
 import pytest
 
-from browser import CHROMIUM, DRIVER, Browser, browser, hosts_asked, served
+from browser import Browser, browser, hosts_asked, served
+from built_site import MARKS, ROOT, SITE, site_in_browser
 from jkroll.write.manual import page, topics
 from terminal import script, without_colours
 from transcripts import commands, rounded, transcripts
 
-ROOT = Path(__file__).parents[1]
-DOCS, SITE = ROOT / ".docs", ROOT / ".docs" / "site"
-IS_CI = bool(os.environ.get("CI"))
-pytestmark = [
-    pytest.mark.slow,
-    pytest.mark.skipif(not DOCS.exists(), reason="the sdist has no .docs"),
-    pytest.mark.skipif(not (CHROMIUM and DRIVER) and not IS_CI, reason="needs chromium and chromedriver"),
-    pytest.mark.skipif(not SITE.exists() and not IS_CI, reason="needs the built site"),
-]
+pytestmark = MARKS
 GALLERY = [
     *(f"figure {number}" for number in "2 3a 3b 3c 3d 6a 6b 8 9 laws geometry".split()),
     "map pull-off quartz --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 --mark quartz@100nm",
@@ -36,14 +27,8 @@ GALLERY = [
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Browser, str]]:
-    """A browser and the address of the site; at the end, no page has sent a request to another host."""
-    tracked = subprocess.run(["git", "ls-files", ".docs", "src", "*.md"], cwd=ROOT, capture_output=True, text=True)
-    newest = max((ROOT / name).stat().st_mtime for name in tracked.stdout.split() if (ROOT / name).exists())
-    assert newest < (SITE / "index.html").stat().st_mtime, "the site is older than its sources: build it"
-    profile = tmp_path_factory.mktemp("profile")
-    with served(SITE) as address, browser(profile) as window:
-        yield window, address
-    assert hosts_asked(profile) == {"127.0.0.1"}
+    with site_in_browser(tmp_path_factory.mktemp("profile")) as window:
+        yield window
 
 
 @pytest.mark.parametrize(
@@ -66,16 +51,11 @@ def test_a_request_to_another_host_is_seen(tmp_path: Path, page: str) -> None:
     assert hosts_asked(tmp_path) == {"127.0.0.1", "example.invalid"}
 
 
-def address_of(topic: str) -> str:
-    """Return the address of a page on the site."""
-    return "" if topic == "index" else f"{topic}/"
-
-
 def runnable(topic: str) -> list[str]:
     """Return the commands of a page that need no files, in their order."""
     if topic == "gallery":
         return GALLERY
-    text = (ROOT / "README.md").read_text(encoding="utf-8") if topic == "index" else page(topic)
+    text = (ROOT / "README.md").read_text(encoding="utf-8") if topic == "start" else page(topic)
     lines = [command for block in transcripts(text) for command in commands(block)]
     asked = [line.removeprefix("jkroll ") for line in lines if line.startswith("jkroll ")]
     return [line for line in asked if not line.startswith("batch ") and " -o " not in line]
@@ -112,27 +92,26 @@ def test_every_picture_is_shown_and_every_link_leads_to_a_place(site: tuple[Brow
     assert broken == []
 
 
-@pytest.mark.parametrize("topic", ["index", "gallery", *topics()])
+@pytest.mark.parametrize("topic", ["start", "gallery", *topics()])
 def test_every_run_button_answers_as_the_program_does(site: tuple[Browser, str], topic: str) -> None:
     window, address = site
-    window.open(address + address_of(topic))
+    window.open(f"{address}{topic}/")
     titles = window.script("return [...document.querySelectorAll('.run button')].map((button) => button.title)")
     assert titles == [f"jkroll {line}" for line in runnable(topic)]
     for place, line in enumerate(runnable(topic)):
         window.script("document.querySelectorAll('.run button')[arguments[0]].click()", place)
-        window.wait("document.querySelector('iframe.prompt').contentDocument?.body?.dataset.ready")
+        window.wait("document.querySelector('pre.ran[aria-busy=false]')")
         text, code = window.script("""
-            const frame = document.querySelector("iframe.prompt");
-            const answer = frame.contentDocument.getElementById("answer");
-            frame.remove();
-            return [answer.textContent, Number(answer.dataset.code)]""")
+            const box = document.querySelector("pre.ran");
+            box.remove();
+            return [box.textContent, Number(box.dataset.code)]""")
         printed, ended = script(line)
         assert (rounded(text), code) == (rounded(without_colours(printed)), ended), line
 
 
 def test_only_the_commands_of_a_transcript_are_copied(site: tuple[Browser, str]) -> None:
     window, address = site
-    window.open(address)
+    window.open(address + "start/")
     window.click(".language-console .md-code__button")
     assert window.clipboard() == "jkroll pull-off quartz 100nm"
     window.click(".language-sh .md-code__button")
@@ -160,6 +139,6 @@ def test_a_link_of_the_prompt_leaves_its_frame(site: tuple[Browser, str]) -> Non
     window.open(address + "try/")
     window.wait("document.querySelector('iframe').contentDocument?.querySelector('#keys a')")
     window.script("document.querySelector('iframe').contentDocument.querySelector('#keys a').click()")
-    window.wait("location.pathname === '/' && document.readyState === 'complete'", 10)
+    window.wait("location.pathname === '/start/' && document.readyState === 'complete'", 10)
     assert window.script("return location.hash") == "#install"
     assert window.script("return document.querySelector('iframe')") is None
