@@ -44,3 +44,10 @@ for (const block of document.querySelectorAll(".highlight")) {
   const typed = [...block.textContent.matchAll(/^(?:\$|>>>|\.\.\.)(?: (.*))?$/gm)].map((match) => match[1] ?? "");
   if (typed.length) block.dataset.copy = typed.join("\n");
 }
+
+// What scrolls by itself is reached by the keyboard.
+const reach = () => {
+  for (const each of document.querySelectorAll("pre > code, .md-typeset__scrollwrap")) each.tabIndex = 0;
+};
+reach();
+addEventListener("load", reach);

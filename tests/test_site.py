@@ -11,7 +11,7 @@ from urllib.parse import urldefrag
 import pytest
 
 from browser import Browser, browser, hosts_asked, served
-from built_site import MARKS, ROOT, SITE, site_in_browser
+from built_site import MARKS, ROOT, SITE, axe, site_in_browser
 from jkroll.write.manual import page, topics
 from terminal import script, without_colours
 from transcripts import commands, rounded, transcripts
@@ -132,6 +132,44 @@ def test_only_the_commands_of_a_transcript_are_copied(site: tuple[Browser, str])
         "jkroll batch grains.csv -o forces.csv --quantities pull_off_force,contact_radius_at_load",
         "cat forces.csv",
     ]
+
+
+@pytest.mark.parametrize("path", ["", "start/", "prompt/", "models/", "all-quantities/"])
+def test_axe_finds_nothing_on_wide_and_narrow_light_and_dark_pages(
+    site: tuple[Browser, str], path: str, tmp_path: Path
+) -> None:
+    window, address = site
+    script_of_axe = axe(tmp_path)
+    for width, height in ((1280, 800), (390, 844)):
+        window.open(address + path, width, height)
+        for scheme in (0, 1):
+            window.script(
+                """
+                document.head.append(Object.assign(document.createElement("style"),
+                  {textContent: "*, *::before, *::after { transition: none !important; }"}));
+                document.querySelectorAll(".md-option")[arguments[0]]?.click();
+                if (document.documentElement.scrollWidth > innerWidth) throw new Error("wider than its window");
+                """,
+                scheme,
+            )
+            window.script(script_of_axe)
+            found = window.script("""
+                const tags = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"];
+                const { violations } = await axe.run(document, { runOnly: tags });
+                return violations.map(({ id, nodes }) => [id, nodes.map(({ target }) => target.join(" "))]);""")
+            assert found == [], (width, scheme)
+
+
+def test_every_page_has_a_policy_and_says_what_it_is() -> None:
+    for path in SITE.rglob("*.html"):
+        html = path.read_text(encoding="utf-8")
+        assert '<meta http-equiv="Content-Security-Policy" content="default-src \'self\';' in html, path
+        assert "unsafe-eval'" not in html.replace("'wasm-unsafe-eval'", "")
+        assert '<meta name="description" content="' in html, path
+    pages = (SITE / "llms.txt").read_text(encoding="utf-8")
+    for topic in topics():
+        assert f"]({topic}.md): " in pages
+        assert (SITE / f"{topic}.md").read_text(encoding="utf-8").startswith("# ")
 
 
 def test_a_link_of_the_prompt_leaves_its_frame(site: tuple[Browser, str]) -> None:

@@ -113,8 +113,17 @@ async function copy(text, what) {
 document.getElementById("copy").onclick = () => copy(`$ jkroll ${answer.dataset.line}\n${answer.textContent}`, "answer");
 document.getElementById("link").onclick = () => copy(location.href, "link");
 
-line.value = new URLSearchParams(location.search).get("c")?.replace(/^jkroll /, "") ?? line.value;
+for (const example of document.querySelectorAll(".example"))
+  example.onclick = () => {
+    line.value = example.textContent;
+    form.requestSubmit();
+  };
+
+// A line that came with a link is shown, and waits for a press.
+const linked = new URLSearchParams(location.search).get("c")?.replace(/^jkroll /, "");
+line.value = linked ?? line.value;
 ask({}).then(async () => {
-  await run(line.value);
+  if (linked === undefined) await run(line.value);
+  else status.textContent = "this line came with the link: press run";
   document.body.dataset.ready = "yes";
 });
