@@ -73,12 +73,13 @@ def test_every_picture_is_shown_and_every_link_leads_to_a_place(site: tuple[Brow
             await Promise.all(pictures.map((picture) => picture.decode().catch(() => {})));
             return {
               pictures: pictures.map((picture) => [picture.src, picture.naturalWidth]),
+              count: pictures.filter((picture) => picture.closest("article")).length,
               files: performance.getEntriesByType("resource").map((file) => [file.name, file.responseStatus]),
               frames: [...document.querySelectorAll("iframe")].map((frame) => frame.src),
               links: [...document.links].map((link) => link.href),
               places: [...document.querySelectorAll("[id]")].map((element) => element.id),
             }""")
-        pictures += len(found["pictures"])
+        pictures += found["count"]
         broken += [(shown, source) for source, width in found["pictures"] if not width]
         broken += [(shown, file) for file, status in found["files"] if status >= 400]
         places[shown] = {"", *found["places"]}
