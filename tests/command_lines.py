@@ -64,7 +64,7 @@ VALUES = {
 # How often each command is drawn: figures and tables take a hundred times as long as a scene.
 WEIGHTS = dict.fromkeys(QUESTIONS, 100.0)
 WEIGHTS |= {"infer": 100, "materials": 50, "batch": 12, "map": 16, "export": 30, "quantities": 10, "guide": 3}
-WEIGHTS |= {"figure": 1, "verify": 0.3, "bench": 1, "fit": 6}
+WEIGHTS |= {"figure": 1, "bench": 1, "fit": 6}
 HOSTILE = (
     "", " ", "-", "--", "---", "=", "-=", "--=", "-h", "--help", "--version", "--debug", "-V", "--install-completion=x",
     "nan", "inf", "-inf", "1e9999nm", "1e-9999nm", "1e400m", "5e-324m", "0", "-0nm", "1,2,3", ",", ",,", ":", "::",
@@ -115,7 +115,6 @@ def _words(source: Random, name: str) -> list[str]:
         "export": [source.choice(PROGRAMS), *scene],
         "quantities": [source.choice(QUANTITIES)] * (source.random() < 0.5),
         "guide": [source.choice(("dem", "units", "nowhere"))] * (source.random() < 0.9),
-        "verify": [],
         "fit": [source.choice(TABLES)],
         "bench": ["nothing"],  # it takes seconds, so it is never called rightly
     }

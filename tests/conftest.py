@@ -2,6 +2,7 @@
 
 import os
 import secrets
+import sys
 from pathlib import Path
 
 import pytest
@@ -9,6 +10,28 @@ from hypothesis import HealthCheck, settings
 
 from harness import Ran, Run, Stream
 from jkroll.cli.process import main
+
+# The tests that other systems cannot run, and what they need; CONTRIBUTING has the same table.
+ON_LINUX = {
+    "cli/test_command_lines.py": "limits of memory",
+    "cli/test_completion.py": "shells on terminals of their own",
+    "cli/test_faults.py": "limits of files, pipes and signals",
+    "cli/test_hostile.py": "limits of memory",
+    "cli/test_shells.py": "bash",
+    "invariants.py": "limits of memory",
+    "shells.py": "terminals of their own",
+    "tables/test_batch.py": "pipes, links and devices such as /dev/full",
+    "tables/test_kills.py": "signals, and what /proc says of processes",
+    "tables/test_memory.py": "what /proc says of memory",
+    "tables/test_parts.py": "signals and /dev/full",
+    "tables/test_rivals.py": "what the kernel says of finished processes",
+    "terminal.py": "terminals of their own",
+    "test_install.py": "the folders of a virtual environment on POSIX",
+    "test_explorer.py": "a browser, and terminals of their own",
+    "test_prompt.py": "a browser, and terminals of their own",
+    "test_site.py": "a browser, and terminals of their own",
+}
+collect_ignore = [] if sys.platform == "linux" else [*ON_LINUX]
 
 # The same examples in every run, and no limit of time: a busy machine fails no test. tests/tools/fuzz.py looks for new
 # ones.

@@ -25,6 +25,7 @@ SYMBOLS = {
 }  # fmt: skip
 
 
+RIGID_WELL = mpf(16) / 7 * mpf(2) ** (mpf(1) / 3)  # over πwRz0, by the 3-9 law
 KELVIN_LENGTH = mpf(5.248e-10)  # γ_L V_m/(R_g T) of water at 25 °C
 
 
@@ -232,6 +233,14 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "cohesive_stress": lambda w, z0: 16 * w / (9 * sqrt(mpf(3)) * z0),
     "pull_off_force_lennard_jones": lambda w, R, mu: (
         pi * w * R * (mpf("1.5") + mpf("0.5") / (1 + mpf("1.95") * mu ** mpf("1.4")))
+    ),
+    "well_energy_lennard_jones": lambda w, R, z0, mu: (
+        pi * w * R * z0 * (RIGID_WELL + mpf(3.508) * mu / (1 + mpf(0.3652) * mu ** mpf(-0.5175)))
+    ),
+    "dead_load_work_lennard_jones": lambda w, R, z0, mu: (
+        pi * w * R * z0 * (
+            RIGID_WELL - mpf(18) / 7 + mpf(12.894) * mu ** mpf(1.613) / (1 + mpf(3.608) * mu ** mpf(0.924))
+        )
     ),
     "pull_off_force_rough": lambda P_DMT, R, s_a, D0: P_DMT * (s_a / (s_a + R) + 1 / (1 + s_a / D0) ** 2),
     # water

@@ -8,7 +8,7 @@ import pytest
 from transcripts import commands, copied_once, exit_code, failures, printed, rounded, transcripts
 
 README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
-MOST = 9_000  # bytes
+MOST = 7_000  # bytes
 
 
 @pytest.mark.parametrize("block", transcripts(README), ids=lambda block: commands(block)[0])

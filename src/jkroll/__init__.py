@@ -5,7 +5,7 @@
 '1.1781e-08 N'
 """
 
-__version__ = "0.4.0"
+__version__ = "0.5.0"
 
 # The public names, by the modules that are imported when one is first used: a command line pays only for what it needs.
 # Type checkers know them from the stub beside this file.

@@ -4,6 +4,7 @@ from .physics.any_law import adhesion_hysteresis_of_fraction as adhesion_hystere
 from .physics.any_law import adhesive_force as adhesive_force
 from .physics.any_law import atomic_spacing_of_cutoff as atomic_spacing_of_cutoff
 from .physics.any_law import cohesive_stress as cohesive_stress
+from .physics.any_law import dead_load_work_lennard_jones as dead_load_work_lennard_jones
 from .physics.any_law import hysteresis_moment as hysteresis_moment
 from .physics.any_law import hysteresis_ratio as hysteresis_ratio
 from .physics.any_law import pull_off_force_lennard_jones as pull_off_force_lennard_jones
@@ -11,6 +12,7 @@ from .physics.any_law import pull_off_force_rough as pull_off_force_rough
 from .physics.any_law import rolling_frequency_no_slip_of_stiffness as rolling_frequency_no_slip_of_stiffness
 from .physics.any_law import transition_parameter as transition_parameter
 from .physics.any_law import unloaded_moment_of_radius as unloaded_moment_of_radius
+from .physics.any_law import well_energy_lennard_jones as well_energy_lennard_jones
 from .physics.any_law import work_of_adhesion_of_hamaker as work_of_adhesion_of_hamaker
 from .physics.any_law import yield_displacement_at_hysteresis as yield_displacement_at_hysteresis
 from .physics.any_law import yield_energy_of_moment as yield_energy_of_moment

@@ -10,7 +10,6 @@ from audit.checks import Check, Terms, Verdict
 from audit.claims import PAGE, claims, table
 from audit.moment import XI, A, C, E, R, X
 from audit.pair import pair, twins
-from harness import Run
 from jkroll import solve
 from jkroll.model.plan import parameters_of
 from jkroll.physics import cylinder, shifted
@@ -159,7 +158,3 @@ def test_the_pressure_that_is_drawn_dents_to_the_shifted_sphere(place: float) ->
 def test_the_manual_has_the_claims_that_do_not_hold() -> None:
     """If it fails: `python tests/audit/claims.py` writes the table anew."""
     assert table() in PAGE.read_text(encoding="utf-8")
-
-
-def test_verify_says_where_it_went(run: Run) -> None:
-    assert "jkroll guide paper" in run("verify").out

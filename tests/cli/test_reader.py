@@ -59,7 +59,6 @@ REFUSED = {
     "pull-off 1um --gamma 1J/m2 --surface-energy 2J/m2": "--gamma is given more than once",
     "batch in.csv -o x.csv --output y.csv": "--output is given more than once",
     "materials quartz iron": "no material 'quartz iron'; did you mean quartz? jkroll materials lists all",
-    "verify quickly": "'quickly' is one word too many: jkroll verify",
     "batch a.csv b.csv": "'b.csv' is one word too many: jkroll batch IN",
     "pull-off quartz 1um --=x": "no such option '--'; see jkroll pull-off --help",
     "pull-off quartz 1um -output x.csv": "no such option '-output'; did you mean -o?",
@@ -71,6 +70,7 @@ REFUSED = {
         "pull-off takes no '--format'; write --json, --csv, --md or --bare, or name a file: -o x.tsv"
     ),
     "pull-off quartz 1um –to nN": "'–to' begins with a dash; options begin with hyphens: --to",
+    "verify": "no such command 'verify'; jkroll guide paper has the audit of the paper",
     "plot quartz": f"no such command 'plot'; {HINTS['plot']}",
     "--install-completion bash": "--install-completion stands alone: jkroll --install-completion",
     "--version=x": "--version takes no value: leave '=x' out",

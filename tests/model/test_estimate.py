@@ -134,16 +134,37 @@ def test_a_chain_that_a_displacement_ends_has_the_other_end() -> None:
     assert found == (approx(nan, nan_ok=True), approx(most), "ξ unknown")
 
 
-def test_energies_to_separate_have_a_least_value_in_smooth_contacts() -> None:
-    energy = best("pull_off_work", **QUARTZ)["pull_off_work"]
-    assert (energy.low, energy.by) == (approx(solve("pull_off_work", **QUARTZ)), "at least")
-    assert isnan(energy.high)
+@pytest.mark.parametrize(
+    ("name", "by_lennard_jones"),
+    [
+        ("well_energy", "well_energy_lennard_jones"),
+        ("pull_off_work", "well_energy_lennard_jones"),
+        ("pull_off_work_at_dead_load", "dead_load_work_lennard_jones"),
+    ],
+)
+def test_energies_to_separate_are_from_maugis_to_lennard_jones_in_smooth_contacts(
+    name: str, by_lennard_jones: str
+) -> None:
+    low, high, by = best(name, **QUARTZ)[name]
+    most = solve(by_lennard_jones, **QUARTZ)
+    assert (low, high, by) == (approx(min(by_maugis(name, **QUARTZ))), approx(most), "Maugis")
+    assert low > solve(name, **QUARTZ)
 
 
-def test_energies_to_separate_have_it_at_the_spacing_in_use() -> None:
-    """Lennard-Jones' law binds more than the other two below a Tabor parameter of 0.7; silica of 100 nm has 0.45."""
-    energy = best("well_energy", "silica-dry", radius=1e-7)["well_energy"]
-    assert (energy.low, energy.by) == (approx(39.29e-18, rel=1e-3), "at least")
+def test_energies_with_a_jump_are_by_maugis_alone() -> None:
+    """The Tabor parameter of a millimetre of quartz is 2.9."""
+    big = {**QUARTZ, "radius": 1e-3}
+    energy, ends = best("pull_off_work", **big)["pull_off_work"], by_maugis("pull_off_work", **big)
+    own = solve("pull_off_work", **big)
+    assert energy == (approx(min(own, *ends)), approx(max(own, *ends)), "JKR")
+
+
+def test_aggregates_break_up_as_their_contacts_do() -> None:
+    """The energy of Wada's fit is in proportion to the work to part two spheres, and the speed to its root."""
+    crowd = {**QUARTZ, "density": 2600.0, "monomers": 1000.0}
+    parted = best("pull_off_work", **crowd)["pull_off_work"].high / solve("pull_off_work", **crowd)
+    for name, power in (("disruption_energy", 1), ("disruption_speed", 0.5)):
+        assert best(name, **crowd)[name].high / solve(name, **crowd) == approx(parted**power)
 
 
 def test_without_a_modulus_a_pull_off_force_is_from_jkr_to_dmt() -> None:
@@ -178,11 +199,27 @@ def test_what_stuck_otherwise_was_not_measured(other: Mapping[str, Any]) -> None
         assert found[:2] == (approx(speed), approx(10 * speed))
 
 
-@pytest.mark.parametrize(("model", "word"), [("jkr", "JKR"), ("maugis", "Maugis"), ("dmt", "DMT")])
-def test_a_law_that_is_given_decides(model: str, word: str) -> None:
-    force = solve("pull_off_force", model=model, **QUARTZ)
-    estimate = best("pull_off_force", model=model, **QUARTZ)["pull_off_force"]
+@pytest.mark.parametrize(
+    ("model", "spacing", "word"),
+    [("jkr", {}, "JKR"), ("maugis", {"atomic_spacing": 3e-10}, "Maugis"), ("dmt", {}, "DMT")],
+)
+def test_a_law_that_is_given_decides(model: str, spacing: dict[str, Any], word: str) -> None:
+    force = solve("pull_off_force", model=model, **spacing, **QUARTZ)
+    estimate = best("pull_off_force", model=model, **spacing, **QUARTZ)["pull_off_force"]
     assert estimate == (approx(force), approx(force), word)
+
+
+def test_a_law_that_is_given_leaves_the_atomic_spacing_open() -> None:
+    estimate = best("pull_off_force", model="maugis", **QUARTZ)["pull_off_force"]
+    ends = by_maugis("pull_off_force", **QUARTZ)
+    assert estimate == (approx(min(ends)), approx(max(ends)), "z0 assumed")
+
+
+def test_an_atomic_spacing_that_is_given_is_the_only_one() -> None:
+    estimate = best("pull_off_force", atomic_spacing=3e-10, **QUARTZ)["pull_off_force"]
+    least = solve("pull_off_force", model="maugis", atomic_spacing=3e-10, **QUARTZ)
+    most = solve("pull_off_force_lennard_jones", atomic_spacing=3e-10, **QUARTZ)
+    assert estimate == (approx(least), approx(most), "Maugis")
 
 
 def test_conventions_are_exact_and_laws_have_none() -> None:

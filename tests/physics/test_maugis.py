@@ -97,3 +97,27 @@ def test_pull_off_of_lennard_jones(tabor: float, ratio: float) -> None:
         work_of_adhesion=1 / math.pi, reduced_radius=1.0, tabor_parameter=tabor
     )
     assert math.isclose(force, ratio, rel_tol=3e-3)
+
+
+@pytest.mark.parametrize(
+    ("tabor", "well", "at_dead_load"),
+    [(0.03, 2.90929, 0.34858), (0.1, 3.03744, 0.52705), (0.3, 3.50893, 1.15878), (0.7, 4.58361, 2.31711)],
+)
+def test_energies_of_lennard_jones(tabor: float, well: float, at_dead_load: float) -> None:
+    """Numbers of tests/tools/lennard_jones.py."""
+    scene = {"work_of_adhesion": 1 / math.pi, "reduced_radius": 1.0, "atomic_spacing": 1.0, "tabor_parameter": tabor}
+    assert math.isclose(any_law.well_energy_lennard_jones(**scene), well, rel_tol=2e-3)
+    assert math.isclose(any_law.dead_load_work_lennard_jones(**scene), at_dead_load, rel_tol=5e-3)
+
+
+def test_energies_of_rigid_spheres_by_lennard_jones() -> None:
+    """The sphere rests where the energy of two half-spaces, (8/3)(1/2H² - 1/8H⁸), is 0, and pulls most at H = 1."""
+
+    def to_infinity(gap: float) -> float:  # of that energy, twice, as a force is 2πR times it
+        return 16 / 3 * (1 / (2 * gap) - 1 / (56 * gap**7))
+
+    scene = {"work_of_adhesion": 1 / math.pi, "reduced_radius": 1.0, "atomic_spacing": 1.0, "tabor_parameter": 1e-9}
+    well, at_rest = any_law.well_energy_lennard_jones(**scene), 4 ** (-1 / 6)
+    assert math.isclose(well, to_infinity(at_rest), rel_tol=1e-6)
+    at_dead_load = any_law.dead_load_work_lennard_jones(**scene)
+    assert math.isclose(at_dead_load, to_infinity(at_rest) - to_infinity(1.0), rel_tol=1e-6)

@@ -1,9 +1,10 @@
-"""Make the table of the pull-off force of an elastic sphere that attracts by the 3-9 law, and hold the fit against it.
+"""Make the tables of an elastic sphere that attracts by the 3-9 law, and hold the program's fits against them.
 
-    python tests/tools/lennard_jones.py [μ ...]
+    python tests/tools/lennard_jones.py [μ ...]          # the pull-off force
+    python tests/tools/lennard_jones.py energies [μ ...] # the work to part, and that up to pull-off under a dead load
     python tests/tools/lennard_jones.py curve > tests/data/force_curve.csv
 
-The second makes a force curve as it is measured, with noise and an unknown zero of the approach.
+The last makes a force curve as it is measured, with noise and an unknown zero of the approach.
 
 The gap is h/z0 = H = ρ²/2 − D + μ^(3/2) u(ρ), with ρ = r/√(Rz0) and a traction (8/3)(H^-3 − H^-9) w/z0 on an elastic
 half-space. Traction is constant on rings, whose displacement is the difference of that of two discs (elliptic
@@ -17,11 +18,19 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy
+from scipy.interpolate import CubicSpline  # type: ignore[import-untyped]
 from scipy.special import ellipe, ellipk  # type: ignore[import-untyped]
 
 TABLE = {
     0.01: 1.99897, 0.03: 1.99468, 0.05: 1.98866, 0.1: 1.96896, 0.136: 1.95223, 0.2: 1.92014, 0.3: 1.87019,
     0.5: 1.78748, 0.7: 1.72892, 1.0: 1.67068, 1.5: 1.61486, 2.0: 1.58349,
+}  # fmt: skip
+# The energies over πwRz0: the depth of the well, and the work from rest to the largest tension. Below μ = 0.698 the
+# approach moves one way along the whole curve, and the first is the work to part at fixed grips.
+ENERGIES = {
+    0.01: (2.88567, 0.31633), 0.03: (2.90929, 0.34858), 0.05: (2.94093, 0.39226), 0.1: (3.03744, 0.52705),
+    0.136: (3.11533, 0.63610), 0.2: (3.26324, 0.83963), 0.3: (3.50893, 1.15878), 0.5: (4.03202, 1.75904),
+    0.7: (4.58361, 2.31711), 1.0: (5.44910, 3.11404),
 }  # fmt: skip
 
 
@@ -91,6 +100,28 @@ def pull_off(tabor: float, rings: int) -> float:
     return top - (above - below) ** 2 / (8 * (above - 2 * top + below))
 
 
+def energies(tabor: float, rings: int) -> tuple[float, float]:
+    """Return the depth of the well and the work up to the largest tension over πwRz0, with a number of rings.
+
+    The tension is that of a rigid sphere beyond 30 z0, and is integrated there in closed form.
+    """
+    gaps = [*numpy.geomspace(30, 3, 60)[:-1], *numpy.linspace(3, 1.2, 80)[:-1], *numpy.linspace(1.2, 0.7, 400)]
+    found: list[tuple[float, float]] = []
+    for state in states(tabor, rings, gaps):
+        found.append(state)
+        if state[1] < 0:
+            break
+    (before, pull), (beyond, push) = found[-2:]
+    at_rest = before + (beyond - before) * pull / (pull - push)
+    approach, tension = numpy.array([*found[:-1], (at_rest, 0.0)]).T
+    by_approach, by_tension = (CubicSpline(range(len(each)), each) for each in (approach, tension))
+    places = numpy.linspace(0, len(approach) - 1, 40001)
+    power = by_tension(places) * by_approach(places, 1)
+    largest = int(numpy.argmax(by_tension(places)))
+    well = numpy.trapezoid(power, places) + 8 / 3 * (1 / gaps[0] - 1 / (28 * gaps[0] ** 7))
+    return float(well), float(numpy.trapezoid(power[largest:], places[largest:]))
+
+
 # --- A force curve ----------------------------------------------------------------------------------------------------
 
 GAMMA, RADIUS, YOUNGS_MODULUS, POISSON_RATIO = 0.025, 1e-6, 6e9, 0.3  # of a sphere on a rigid plane of its own γ
@@ -116,6 +147,11 @@ def main() -> None:
         print("approach [m],force [N]")
         for approach, force in force_curve():
             print(f"{approach:.4e},{force:.3e}")
+        return
+    if sys.argv[1:2] == ["energies"]:
+        for tabor in map(float, sys.argv[2:] or ENERGIES):
+            few, many = (numpy.array(energies(tabor, rings)) for rings in (200, 400))
+            print(f"{tabor:6g}", *(many + (many - few) / 3).round(5), *ENERGIES.get(tabor, ()))
         return
     for tabor in map(float, sys.argv[1:] or TABLE):
         coarse, fine = pull_off(tabor, 300), pull_off(tabor, 600)

@@ -31,7 +31,7 @@ def test_scenes_are_rows_or_columns_or_several_tables(
     assert (len(heads) > 1) == (columns == "30")
     assert all(({"graphite", "iron"} <= set(head.split())) == (rows == 14) for head in heads)
     if len(heads) == 1:
-        table = [line for line in lines if not line.startswith("rough-matters: ")]  # what that means
+        table = [line for line in lines if not line.startswith(("rough-matters: ", "law-off"))]  # what that means
         assert len(table) - table.index(heads[0]) - 2 == rows
         assert all(len(line) <= int(columns) for line in lines)
 
@@ -91,6 +91,7 @@ def test_a_definition_of_jkr_stands_beside_values_of_jkr_alone(
     explained = run(f"{words} --explain").out
     energies = json.loads(run(f"{words} --json").out)["results"]
     others = json.loads(run(f"{words} --model {law} --json").out)["results"]
+    others = [one for one in others if not one["name"].endswith("lennard_jones")]  # which energies has no row of
     assert {one["value"] for one in others if "jkr" in one} >= {None}
     for one, other in zip(energies, others, strict=True):
         assert one["definition"] in re.sub(r"\s+", " ", explained)
@@ -158,7 +159,8 @@ def test_powers_of_ten_have_one_form(run: Run) -> None:
 def test_a_list_of_laws_says_which_of_them_holds(run: Run) -> None:
     """No column has another law beside it, so that the doubts name the laws that are off."""
     ran = run("pull-off quartz 100nm --model jkr,maugis,dmt --quantities P_c", terminal=True)
-    assert [line.split()[2:] for line in ran.out.splitlines()[-4:-1]] == [["law-off-25%"], [], []]
+    rows = [line.split() for line in ran.out.splitlines() if line.startswith(("jkr", "maugis", "dmt"))]
+    assert rows == [["jkr", "11.78", "law-off-25%"], ["maugis", "14–15"], ["dmt", "15.71"]]
     assert "law-off" not in run("pull-off quartz 100nm,1um --quantities P_c", terminal=True).out
 
 

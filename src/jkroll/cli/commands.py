@@ -235,7 +235,6 @@ _COMMANDS = (
         lambda: _LISTED, "runners:run_quantities", "tabor"),
     Command("guide", "List the pages of the manual, show one, or search it by words.", "[TOPIC]...",
         tuple, "runners:run_guide", "models"),
-    Command("verify", "Say where the audit of the paper went.", "", tuple, "runners:run_verify", ""),
     Command("bench", "Measure speed and error of each method.", "",
         lambda: BENCH, "runners:run_bench", "--quick --csv"),
 )  # fmt: skip

@@ -44,6 +44,7 @@ SYNONYMS: Mapping[str, str] = {
 }
 # What others type, behind any command or behind that one, and what may be meant by it.
 HINTS: Mapping[str, str] = {
+    "verify": "jkroll guide paper has the audit of the paper",
     "plot": "jkroll map draws a quantity, jkroll figure a figure of the paper, jkroll contact --curve a force curve",
     "--format": "write --json, --csv, --md or --bare, or name a file: -o x.tsv",
     "--gamma12": "the energy of an interface stands in the work of adhesion: --work-of-adhesion, γ1 + γ2 - γ12",

@@ -102,7 +102,7 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, sing
         wanted = sweep.wanted(quantities, question.named, keeps_all=call.output.keeps_all)
         if call.best:
             wanted = wanted.with_best(wanted.names)
-        elif is_shown and len(sweep.models) == 1:
+        elif is_shown:
             wanted = wanted.with_best(question.headline)
     blocks = sweep.columns(wanted) if single is None else [of_single_row(wanted, single)]
     single = None if call.quiet else single
@@ -470,12 +470,6 @@ def run_guide(call: Call) -> int:
         write_text(section.text, sys.stdout)
     else:
         write_hits(text, hits_of(text, call.materials.materials.values()), sys.stdout)
-    return 0
-
-
-def run_verify(_: Call) -> int:
-    """Say where the audit of the paper went; the command itself goes with 1.0."""
-    say_wrapped("The audit of the paper is `jkroll guide paper` now; the tests recompute it.", sys.stdout)
     return 0
 
 

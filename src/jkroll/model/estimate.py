@@ -36,26 +36,39 @@ from .uncertainty import ErrorBar, error_bars
 # --- Rules ------------------------------------------------------------------------------------------------------------
 
 (
-    NONE, DEFINITION, MEASURED, SCALED, XI_UNKNOWN, FRICTION_ASSUMED, ADHESION_ONLY, BOUNDS, LAW_ONLY, AT_LEAST, KELVIN,
-    GAP, BETTER_LAW, LAW_IN_USE,
+    NONE, DEFINITION, MEASURED, SCALED, XI_UNKNOWN, FRICTION_ASSUMED, SPACING_ASSUMED, ADHESION_ONLY, BOUNDS, LAW_ONLY,
+    KELVIN, GAP, BETTER_LAW, LAW_IN_USE,
 ) = range(14)  # fmt: skip
 _GIVEN = {law: number for number, law in enumerate(LAWS, LAW_IN_USE + 1)}  # of laws that are given, which decide
 WORDS = (
-    "–", "definition", "measured", "scaled", "ξ unknown", "τ assumed", "adhesion only", "JKR to DMT", "JKR only",
-    "at least", "Kelvin", "roughness", "Maugis", "JKR",
+    "–", "definition", "measured", "scaled", "ξ unknown", "τ assumed", "z0 assumed", "adhesion only", "JKR to DMT",
+    "JKR only", "Kelvin", "roughness", "Maugis", "JKR",
     *(law.short for law in LAWS.values()),
 )  # fmt: skip
 
-_LAWS_THEMSELVES = ("pull_off_force_dmt", "pull_off_force_lennard_jones")
+_LAWS_THEMSELVES = (
+    "pull_off_force_dmt", "pull_off_force_lennard_jones", "well_energy_lennard_jones",
+    "dead_load_work_lennard_jones",
+)  # fmt: skip
 _OF_WATER = ("meniscus_force", "kelvin_radius", "threshold_humidity")
 _STICKING = {"sticking_speed": 1, "sticking_energy": 2}  # powers of the speed
 _LOSING = ("restitution", "lost_energy")
 # Measured quantities that every loss of a collision moves one way, and the inputs that move them so as they grow.
 _LOSSES = frozenset({"restitution", "sticking_speed"})
 _LOSE = ("surface_energy", "work_of_adhesion", "hamaker", "viscous_time")
-_SEPARATION = ("well_energy", "pull_off_work", "pull_off_work_at_dead_load")
-_PULL_OFF = ("pull_off_force", "pull_off_force_lennard_jones")
 _AS_PULL_OFF = ("pull_off_force", "bond_number")  # in proportion to it
+_BREAKING = ("disruption_energy", "disruption_speed")  # by fits to simulations, with the work to part two spheres
+# What Lennard-Jones' law gives: the power of a quantity in which a result is, and that quantity by this law.
+_BY_LENNARD_JONES = {
+    **dict.fromkeys(_AS_PULL_OFF, (1.0, "pull_off_force", "pull_off_force_lennard_jones")),
+    "well_energy": (1.0, "well_energy", "well_energy_lennard_jones"),
+    "pull_off_work": (1.0, "pull_off_work", "well_energy_lennard_jones"),
+    "pull_off_work_at_dead_load": (
+        1.0, "pull_off_work_at_dead_load", "dead_load_work_lennard_jones"
+    ),
+    "disruption_energy": (1.0, "pull_off_work", "well_energy_lennard_jones"),
+    "disruption_speed": (0.5, "pull_off_work", "well_energy_lennard_jones"),
+}  # fmt: skip
 FRICTION_FACTOR = 3.0  # to which the shear strength that is assumed is known, either way: an order of magnitude
 _SAME = 1e-9  # relative difference of numbers that laws give alike
 _TOO_WIDE = reason(ENDS[CONTACT_EXCEEDS_SPHERE.codes[1.0]])
@@ -118,12 +131,12 @@ class Ranges:
             yield True, nan, nan, NONE
         elif name in _OF_WATER:
             yield self._of_water(name, own)
-        elif NOMENCLATURE[name].reference and not is_rolling and name not in (*_STICKING, *_LOSING):
+        elif NOMENCLATURE[name].reference and not is_rolling and name not in (*_STICKING, *_LOSING, *_BREAKING):
             yield True, *own, DEFINITION
         elif self._is_from_losses(name):
             yield True, nan, own[1], ADHESION_ONLY
         elif self.frame.stated_model is not None:
-            yield True, *own, _GIVEN[self.frame.stated_model]
+            yield from self._of_given_law(name, own, self.frame.stated_model)
         elif is_rolling and assumes_displacement(self.frame):
             yield from self._of_rolling(name)
         else:
@@ -133,12 +146,21 @@ class Ranges:
                 yield from self._of_restitution()
             if name == "lost_energy":
                 yield self._is_smooth, nan, own[1], ADHESION_ONLY
+            if name in _BREAKING:
+                yield self._tabor_parameter >= JUMP, *own, DEFINITION
             yield from self._of_laws(name, own)
 
     def _is_from_losses(self, name: str) -> bool:
         """Return whether all that a collision loses is taken for what an inferred value makes it lose."""
         is_unknown = name in _LOSE and name in self.results.described.unknowns
         return is_unknown and not _LOSSES.isdisjoint(self.results.judged)
+
+    def _of_given_law(self, name: str, own: Ends, law: str) -> Iterator[Rule]:
+        """Iterate over the rules of a law that was given, which decides; what is left open is its atomic spacing."""
+        if self.frame.assumes_spacing:
+            low, high = self.hull(name, _itself, at_half_spacing)
+            yield (low < own[0]) | (high > own[1]), low, high, SPACING_ASSUMED
+        yield True, *own, _GIVEN[law]
 
     def _of_laws(self, name: str, own: Ends) -> Iterator[Rule]:
         """Iterate over the rules of what a law decides."""
@@ -151,13 +173,11 @@ class Ranges:
             return
         columns = [law(self.results.described).column(name) for law in _BETTER]
         yield columns[0].reasons != 0, *own, LAW_ONLY
-        if name in _SEPARATION:
-            yield self._tabor_parameter < JUMP, own[0], nan, AT_LEAST
         better, of_both = self.by_better_law(name), self.hull(name, _itself, *_BETTER)
         theirs = [column.or_else(0.0) for column in columns]
-        if name in _AS_PULL_OFF:
-            force, most = self._by_lennard_jones(name)
-            theirs.append(force)
+        if name in _BY_LENNARD_JONES:
+            value, most = self._by_lennard_jones(name)
+            theirs.append(value)
             better, of_both = ((low, at_least(high, most)) for low, high in (better, of_both))
         ours = self.results.computed[name].or_else(0.0)
         yield farthest((value, ours) for value in theirs) > LAW_MATTERS, *better, BETTER_LAW
@@ -228,7 +248,7 @@ class Ranges:
     # --- What follows by other laws, and from what was measured ---
 
     def by_better_law(self, name: str) -> Ends:
-        """Return the ends of a result by the law between JKR and DMT, at the atomic spacing and at half of it."""
+        """Return the ends of a result by the law between JKR and DMT, at all atomic spacings that are likely."""
         return self.hull(name, *_BETTER)
 
     def hull(self, name: str, *makers: Make) -> Ends:
@@ -266,8 +286,9 @@ class Ranges:
         if make not in self._made:
             self._made[make] = {}
             with suppress(MissingInput, NoResult):
-                forces = () if {*self.names}.isdisjoint(_AS_PULL_OFF) else _PULL_OFF
-                names = dict.fromkeys((*self.names, XI, "hysteresis_ratio", *forces))
+                names = dict.fromkeys((*self.names, XI, "hysteresis_ratio"))
+                for each in self.names:
+                    names |= dict.fromkeys(_BY_LENNARD_JONES.get(each, ())[1:])
                 self._made[make] = _ends_by(make, self.results.described, names)
         return self._made[make]
 
@@ -282,8 +303,8 @@ class Ranges:
 
     @property
     def _is_smooth(self) -> Any:
-        """The rows in which the contact forms and opens without a jump, at both atomic spacings."""
-        return 2 * self._tabor_parameter < JUMP
+        """The rows in which the contact forms and opens without a jump, at any atomic spacing that is likely."""
+        return self._tabor_parameter * (2 if self.frame.assumes_spacing else 1) < JUMP
 
     @property
     def _dmt_over_jkr(self) -> Any:
@@ -291,10 +312,14 @@ class Ranges:
         return self.frame["pull_off_force_dmt"] / self.frame["pull_off_force"]
 
     def _by_lennard_jones(self, name: str) -> Ends:
-        """Return what is in proportion to the pull-off force by Lennard-Jones' law, and its upper end."""
-        own, force, by_lennard_jones = (self.frame.column(each).values for each in (name, *_PULL_OFF))
-        own_most, most, most_by_lennard_jones = (self.hull(each, _itself)[1] for each in (name, *_PULL_OFF))
-        return by_lennard_jones * (own / force), most_by_lennard_jones * (own_most / most)
+        """Return a result by Lennard-Jones' law, and its upper end; of energies, where the contact has no jump."""
+        power, base, by_law = _BY_LENNARD_JONES[name]
+        own, ours, theirs = (self.frame.column(each).values for each in (name, base, by_law))
+        own_most, most, most_of_law = (self.hull(each, _itself)[1] for each in (name, base, by_law))
+        applies = True if name in _AS_PULL_OFF else self._tabor_parameter < JUMP
+        factors = (theirs / ours, most_of_law / most)
+        value, largest = (end * factor**power for end, factor in zip((own, own_most), factors, strict=True))
+        return where(applies, value, own), where(applies, largest, -inf)
 
 
 def _ends_by(make: Make, frame: Frame, names: Iterable[str]) -> dict[str, tuple[Any, Any, Any]]:
@@ -338,7 +363,8 @@ def _between(frame: Frame) -> Frame:
 
 
 def _between_at_half(frame: Frame) -> Frame:
-    return at_half_spacing(_between(frame))
+    """Return the same at half the atomic spacing, unless that was given."""
+    return at_half_spacing(_between(frame)) if frame.assumes_spacing else _between(frame)
 
 
 def _at_twice(frame: Frame) -> Frame:

@@ -415,11 +415,14 @@ class Frame:
             shown[name] = column.without(is_infinite, reason(INFINITE, name)).hidden(concern[name])
         return shown
 
+    @property
+    def assumes_spacing(self) -> bool:
+        """True if the atomic spacing was not given, neither by itself nor by a Hamaker constant."""
+        return self.given.keys().isdisjoint(("atomic_spacing", "hamaker"))
+
     def may_rest_on_spacing(self, name: str) -> bool:
         """Return whether the atomic spacing, which was not given, decides on a quantity of small, hard spheres."""
-        if not self.law.by_spacing or not self.given.keys().isdisjoint(("atomic_spacing", "hamaker")):
-            return False
-        return not self.law.by_spacing.isdisjoint(self.plan(name).steps.keys() - {name})
+        return self.assumes_spacing and not self.law.by_spacing.isdisjoint(self.plan(name).steps.keys() - {name})
 
     def rests_on_spacing(self, name: str) -> Any:
         """Return whether it does so here, row by row."""

@@ -19,6 +19,11 @@ def at_half_spacing(frame: Frame) -> Frame:
     return frame.replace(atomic_spacing=at_least(frame["atomic_spacing"] / 2, LEAST))
 
 
+def least_spacing(frame: Frame) -> Any:
+    """Return the least atomic spacing that is likely: half of the usual one, or the one that was given."""
+    return frame["atomic_spacing"] / (2 if frame.assumes_spacing else 1)
+
+
 def by_law_at_spacing(frame: Frame, names: Iterable[str]) -> Frame:
     """Return the frame under the other law, with its atomic spacing stated where that decides on some quantities."""
     rests = any(map(frame.by_law.may_rest_on_spacing, names))

@@ -131,9 +131,7 @@ MISSING = Cause("", "an input is missing, which the plan names", code="missing-i
 NOT_IN_LAW = Cause("", "the law does not have the quantity, as its plan says", code="not-in-law")
 HIDDEN = Cause("", "a quantity of identical spheres, not asked for by name", code="hidden")
 BEYOND_PULL_OFF = Cause("beyond pull-off", "{0} breaks this contact: the hardest pull that it holds is {1}", "load")
-BEYOND_JKR = Cause(
-    BEYOND_PULL_OFF.phrase, f"{BEYOND_PULL_OFF.words} by JKR, {{2}} to {{3}} by Maugis' law at z0 = 2 to 4 Å", "load"
-)
+BEYOND_JKR = Cause(BEYOND_PULL_OFF.phrase, f"{BEYOND_PULL_OFF.words} by JKR, {{2}} at most by Maugis' law", "load")
 HELD_BY_MAUGIS = Cause(BEYOND_PULL_OFF.phrase, f"{BEYOND_JKR.words}: --model maugis", "load")
 NO_PROFILE = Cause(
     "no rigid sphere on a soft plane",

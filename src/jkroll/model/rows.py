@@ -100,8 +100,8 @@ class Wanted:
 
     @property
     def reported_doubts(self) -> int:
-        """The bits of the doubts to report. Those of the law are left out beside best ranges."""
-        return EVERY_DOUBT ^ NOT_JUDGED ^ (LAW.bits if self.best else 0)
+        """The bits of the doubts to report. Those of the law are left out beside best ranges, unless it was given."""
+        return EVERY_DOUBT ^ NOT_JUDGED ^ (LAW.bits if self.best and "model" not in self.inputs else 0)
 
     # --- Results ------------------------------------------------------------------------------------------------------
 

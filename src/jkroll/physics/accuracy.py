@@ -13,6 +13,7 @@ _OTHERS = {
     "2 ulp, for the ratio δ̂ as it is rounded": "load_factor_at_approach",
     "2.5 ulp of the larger term": "boussinesq_pressure_at_approach",
     "3 ulp of the fit": "pull_off_force_lennard_jones",
+    "5 ulp of the fit": "well_energy_lennard_jones dead_load_work_lennard_jones",
     "3 ulp of the larger term": (
         "yield_force_fixed_load approach_sphere unloaded_approach_sphere approach_at_pull_off_sphere "
         "approach_at_fold_sphere"

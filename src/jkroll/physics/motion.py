@@ -14,8 +14,8 @@ from .dimensions import (
     Length,
     Mass,
     Moment,
+    MomentPerAngle,
     Number,
-    RollingStiffness,
     Speed,
     Stiffness,
     Stress,
@@ -36,7 +36,7 @@ def vertical_frequency(*, stiffness: Stiffness, reduced_mass: Mass) -> Frequency
     return sqrt(stiffness / reduced_mass) / (2 * pi)
 
 
-def rolling_frequency(*, rolling_stiffness: RollingStiffness, reduced_moment_of_inertia: Inertia) -> Frequency:
+def rolling_frequency(*, rolling_stiffness: MomentPerAngle, reduced_moment_of_inertia: Inertia) -> Frequency:
     """Return the frequency at which the two spheres roll back and forth over each other, each about its own centre.
 
         f_roll = (1/2π)√(4P_c â^(3/2) R/I)
@@ -80,7 +80,7 @@ def sliding_frequency(*, tangential_stiffness: Stiffness, reduced_mass: Mass) ->
     return sqrt(3.5 * tangential_stiffness / reduced_mass) / (2 * pi)
 
 
-def twisting_frequency(*, twisting_stiffness: Moment, reduced_moment_of_inertia: Inertia) -> Frequency:
+def twisting_frequency(*, twisting_stiffness: MomentPerAngle, reduced_moment_of_inertia: Inertia) -> Frequency:
     """Return the frequency at which two spheres twist to and fro about the line of centres.
 
         f_twist = (1/2π)√(k_t/I)

@@ -13,8 +13,8 @@ from .dimensions import (
     Length,
     Mass,
     Moment,
+    MomentPerAngle,
     Number,
-    RollingStiffness,
     Stiffness,
     Stress,
     SurfaceEnergy,
@@ -33,7 +33,7 @@ def yield_moment(*, adhesive_force: Force, yield_displacement: Length) -> Moment
     return adhesive_force * yield_displacement
 
 
-def rolling_stiffness(*, adhesive_force: Force, reduced_radius: Length) -> RollingStiffness:
+def rolling_stiffness(*, adhesive_force: Force, reduced_radius: Length) -> MomentPerAngle:
     """Return the moment per angle between the spheres while they roll back and forth without yielding.
 
         k = M/δ_α = F_aR, which is 4 P_c â^(3/2) R = 6πw â^(3/2) R² in JKR, with ξ = R δ_α
@@ -44,7 +44,7 @@ def rolling_stiffness(*, adhesive_force: Force, reduced_radius: Length) -> Rolli
     return adhesive_force * reduced_radius
 
 
-def rolling_spring_constant(*, rolling_stiffness: RollingStiffness, reduced_radius: Length) -> Stiffness:
+def rolling_spring_constant(*, rolling_stiffness: MomentPerAngle, reduced_radius: Length) -> Stiffness:
     """Return the constant of the spring by which LAMMPS lets a contact roll: force per rolling displacement.
 
         k_roll = k/R²

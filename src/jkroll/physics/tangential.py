@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .dimensions import Angle, Energy, Force, Length, Moment, Number, Stiffness, Stress, SurfaceEnergy
+from .dimensions import Angle, Energy, Force, Length, Moment, MomentPerAngle, Number, Stiffness, Stress, SurfaceEnergy
 from .elementary import at_least, cbrt, cube, pi, sqrt, within
 
 _NEWTON_STEPS = 3
@@ -64,7 +64,7 @@ def twisting_stiffness(
     youngs_modulus2: Stress,
     poisson_ratio2: Number,
     contact_radius_at_load: Length,
-) -> Moment:
+) -> MomentPerAngle:
     """Return the torsional stiffness: the moment per angle about the line of centres, without slip.
 
         k_t = (16/3)a³/(1/G1 + 1/G2), G = E/(2(1 + ν))
@@ -88,7 +88,7 @@ def twisting_moment(*, shear_strength: Stress, contact_radius_at_load: Length) -
     return 2 / 3 * pi * shear_strength * cube(contact_radius_at_load)
 
 
-def twisting_angle(*, twisting_moment: Moment, twisting_stiffness: Moment) -> Angle:
+def twisting_angle(*, twisting_moment: Moment, twisting_stiffness: MomentPerAngle) -> Angle:
     """Return the elastic angle of torsion when the contact begins to twist.
 
         φ = M_twist/k_t, which is 1/(16π) for identical solids with the default τ

@@ -13,6 +13,7 @@ RESULT_DIGITS = 4  # of a result in a table for readers
 ROUND_DIGITS = 12  # all that a round value has, and no rounding error
 _PLAIN = 10**DIGITS  # numbers below have no exponent for want of digits
 _ERRORS = 1e-14  # numbers below so much of the largest on a linear scale are errors of 0
+_NARROW = 0.05  # relative width of a range below which its ends have a digit more
 _PREFIXES = dict(
     zip(range(-24, 18, 3), ("y", "z", "a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T", "P"), strict=True)
 )
@@ -162,7 +163,7 @@ def amount(name: str, value: float | str | Uncertain, form: Format = AS_USUAL) -
     return with_unit(*form.rounded(name, value))
 
 
-def span(name: str, low: float, high: float, digits: int = 2) -> str:
+def span(name: str, low: float, high: float, digits: int | None = None) -> str:
     """Return the ends of a range for a sentence, as `from_to` has them.
 
     >>> span("pull_off_force", 1.437e-8, 1.5e-8), span("pull_off_force", 3.97e-7, 3.995e-7)
@@ -176,12 +177,16 @@ def span(name: str, low: float, high: float, digits: int = 2) -> str:
     return with_unit(from_to(convert(low, scale), convert(high, scale), digits), unit)
 
 
-def from_to(low: float, high: float, digits: int = 2) -> str:
+def from_to(low: float, high: float, digits: int | None = None) -> str:
     """Return the ends of a range, with one digit more where that tells them apart; else one number.
+
+    They have two digits, or three where the range is narrow, unless `digits` says how many.
 
     >>> from_to(14.37, 15.0), from_to(-1.0, 2.0), from_to(3.0, 3.0), from_to(1.02e6, 1.31e6), from_to(397.0, 399.5)
     ('14–15', '-1 to 2', '3', '(1–1.3)e6', '397–400')
     """
+    if digits is None:
+        digits = 3 if 0 < abs(high - low) < _NARROW * abs(high) else 2
     shift = _shift(max(abs(low), abs(high)))
     ends = [end * 10.0**-shift for end in (low, high)]
     texts = dict.fromkeys(significant(end, digits) for end in ends)

@@ -61,6 +61,9 @@ class Law:
 
 
 ALWAYS = ""  # in place of an input
+_BY_LENNARD_JONES = (
+    "pull_off_force_lennard_jones", "well_energy_lennard_jones", "dead_load_work_lennard_jones"
+)  # fmt: skip
 _OF_EVERY_LAW: Mapping[str, Routes] = {
     ALWAYS: {
         "edge_ratio": "edge_ratio_at_load",  # Maugis' edge ratio is known by its own name under any law
@@ -97,7 +100,7 @@ _JKR = Law(
             "load_margin": "load_margin_at_approach",
         },
     },
-    omits=frozenset({"pull_off_force_lennard_jones"}),
+    omits=frozenset(_BY_LENNARD_JONES),
 )
 
 _PEAK_OF_JKR = ("impact_pressure", "touch_pressure", "yield_speed", "plastic_speed")  # by its energies
@@ -189,9 +192,7 @@ _DMT = Law(
         },
         "approach_at_load": {"load": "load_dmt", "contact_radius_at_load": "contact_radius_dmt_at_approach"},
     },
-    omits=frozenset(
-        {"rolling_frequency_as_printed", "pull_off_force_lennard_jones", "pull_off_force_dmt", *_PEAK_OF_JKR}
-    ),
+    omits=frozenset({"rolling_frequency_as_printed", *_BY_LENNARD_JONES, "pull_off_force_dmt", *_PEAK_OF_JKR}),
 )
 
 # JKR's law for a rigid sphere of true shape on a soft plane. It has the contact, and nothing that follows from JKR's
@@ -228,7 +229,7 @@ _OF_SPHERE = Law(
         },
         "approach_at_load": {"load": "load_sphere", "contact_artanh": "artanh_at_approach"},
     },
-    omits=frozenset({"pull_off_force_lennard_jones", "pull_off_force_dmt", "pull_off_force_rough"}),
+    omits=frozenset({*_BY_LENNARD_JONES, "pull_off_force_dmt", "pull_off_force_rough"}),
     profile=SPHERE,
 )
 

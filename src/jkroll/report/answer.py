@@ -128,12 +128,12 @@ def with_force_by_maugis(error: Failure, frame: Frame) -> Failure:
     if not frame.law.is_default:
         return error
     other = frame.replace(model=BETWEEN)
-    scenes = (other, at_half_spacing(other))
+    scenes = (other, at_half_spacing(other)) if frame.assumes_spacing else (other,)
     forces = [force for each in scenes for force in each.numbers("pull_off_force").values()]
     if len(forces) < len(scenes):
         return error
     cause = HELD_BY_MAUGIS if forces[0] >= -error.numbers[0] else BEYOND_JKR
-    return Failure(cause, numbers=(*error.numbers, *(-force for force in sorted(forces))))
+    return Failure(cause, numbers=(*error.numbers, -max(forces)))
 
 
 # --- Answers ----------------------------------------------------------------------------------------------------------

@@ -11,22 +11,27 @@ from ..model.estimate import (
     MEASURED,
     NONE,
     WORDS,
+    XI_UNKNOWN,
+    Estimate,
     Ranges,
 )
 from ..model.frame import Frame
 from ..model.limits import GAP_STAYS_DRY
 from ..model.measured import solid_of_pair, what_stuck
 from ..model.results import Results
-from ..quantities.formatting import Format, amount, from_to, significant, span
+from ..quantities.formatting import Format, amount, from_to, significant, span, symbol_among
+from ..text import listed
 from .answer import Answer
 from .notes import Note
 from .ranges import range_in_words
 
-_THREE = Format(digits=3)
+_THREE, _FOUR = Format(digits=3), Format(digits=4)
 
 
 def leads(answer: Answer) -> Iterator[Note]:
     """Iterate over the sentences that answer a question."""
+    if answer.described.unknowns and answer.values:
+        yield Note("lead", _what_it_means(answer))
     water = [*_water_or_dry(answer)]
     yield from water
     if answer.shows_surfaces and answer.estimates["pull_off_force"].by != NONE and not water:
@@ -45,19 +50,42 @@ def leads(answer: Answer) -> Iterator[Note]:
         yield Note("lead", _law_that_holds(answer))
 
 
+def _what_it_means(answer: Answer) -> str:
+    """Return the inferred values: their best ranges or, by the law in use, the values with their error bars."""
+    texts = []
+    for result in answer.results:
+        if result.name not in answer.described.unknowns:
+            continue
+        estimate, symbol = answer.estimates[result.name], symbol_among(result.name, answer.inputs)
+        if estimate.by in (BETTER_LAW, ADHESION_ONLY):
+            text = range_in_words(result.name, estimate)
+            texts.append(f"{symbol} {text}" if text.startswith("≤") else f"{symbol} = {text}")
+        else:
+            texts.append(f"{symbol} = {amount(result.name, result.measure or 0.0, _FOUR)}")
+    return f"what was measured means {listed(texts)}"
+
+
 def _filled(answer: Answer) -> str:
     """Return the sentence that answers a question, with the best ranges; empty where one is lacking."""
     found = {name: estimate for name, estimate in answer.estimates.items() if estimate.by != NONE}
-    words = {name: range_in_words(name, each) for name, each in found.items()}
+    words = {name: _spoken(name, each) for name, each in found.items()}
     if "sticking_speed" in words:
         words["sticking_speed"] += _as_seen(answer)
     is_open = any(isnan(found[name].low) for name in answer.question.headline if name in found)
     words["or_none"] = ", or not at all" if is_open else ""
     try:
-        text = answer.question.lead.format_map(words)
+        return answer.question.lead.format_map(words)
     except KeyError:
         return ""
-    return text.replace("≤", "at most").replace("≥", "at least")
+
+
+def _spoken(name: str, estimate: Estimate) -> str:
+    """Return a best range for a sentence; the end at a displacement of one atom is no sharp one."""
+    text = range_in_words(name, estimate)
+    about = "about " if estimate.by == XI_UNKNOWN else ""
+    if text.startswith("≥ "):
+        return f"{about}{text.removeprefix('≥ ')} or more"
+    return text.replace("≤ ", f"at most {about}")
 
 
 def _first_to_give_way(answer: Answer) -> str:

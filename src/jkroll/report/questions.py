@@ -1,6 +1,7 @@
 """The questions that a command asks of a frame: the quantities that it is named after, and all that it shows."""
 
 from collections.abc import Mapping
+from types import MappingProxyType
 
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity, named
 
@@ -15,9 +16,10 @@ class Question:
         named: tuple[str, ...] = (),  # asked for by name: shown for any frame
         without_row: tuple[str, ...] = (),  # left to programs by the table of an answer
         lead: str = "",  # the sentence that answers, with names of quantities in braces for their best ranges
+        groups: Mapping[str, str] = MappingProxyType({}),  # the title of the rows from a quantity on
     ) -> None:
         self.headline, self.quantities, self.named, self.without_row = headline, quantities, named, without_row
-        self.lead = lead
+        self.lead, self.groups = lead, groups
 
     @property
     def with_row(self) -> list[str]:
@@ -25,10 +27,16 @@ class Question:
         return [name for name in self.quantities if name in self.named or name not in self.without_row]
 
 
-def _question(headline: str, quantities: str = "", without_row: str = "", lead: str = "") -> Question:
+def _question(
+    headline: str,
+    quantities: str = "",
+    without_row: str = "",
+    lead: str = "",
+    groups: Mapping[str, str] = MappingProxyType({}),
+) -> Question:
     """Return the question of a command from the names of quantities, with blanks between them."""
     every = (*(quantities or headline).split(),)
-    return Question((*headline.split(),), every, without_row=(*without_row.split(),), lead=lead)
+    return Question((*headline.split(),), every, without_row=(*without_row.split(),), lead=lead, groups=groups)
 
 
 _QUESTIONS = {
@@ -97,6 +105,7 @@ QUESTIONS: Mapping[str, Question] = {
     "energies": _question(
         "fold_energy pull_off_work break_energy_dust_simulation sticking_energy",
         "fold_energy well_energy pull_off_work break_energy_dust_simulation pull_off_work_at_dead_load "
+        "well_energy_lennard_jones dead_load_work_lennard_jones "
         "sticking_energy sticking_energy_paszun_dominik sticking_energy_pencil_code roll_energy "
         "roll_energy_quarter_turn roll_energy_half_turn sticking_speed sticking_speed_paszun_dominik "
         "sticking_speed_pencil_code",
@@ -113,6 +122,11 @@ QUESTIONS: Mapping[str, Question] = {
         "rolling_stiffness yield_displacement yield_angle yield_force yield_moment yield_energy "
         "tangential_stiffness sliding_displacement sliding_force sliding_energy sliding_or_peeling_force "
         "peeling_force peeling_radius twisting_stiffness twisting_angle twisting_moment twisting_energy",
+        groups={
+            "rolling_stiffness": "to roll",
+            "tangential_stiffness": "to slide or peel off",
+            "twisting_stiffness": "to twist",
+        },
     ),
     "aggregates": _question(
         "restructuring_energy disruption_energy",
@@ -120,8 +134,8 @@ QUESTIONS: Mapping[str, Question] = {
         "disruption_energy disruption_speed disruption_energy_dust_simulation disruption_speed_dust_simulation "
         "compressive_strength tensile_strength",
         lead="two equal aggregates begin to restructure at {restructuring_speed} (5E_roll, D&T 97, borne out with "
-        "measured rolling forces) or at {restructuring_speed_ormel} (E_roll, Ormel 07); they break up at about "
-        "{disruption_speed} (Wada 07, computed with JKR's spheres)",
+        "measured rolling forces) or at {restructuring_speed_ormel} (E_roll, Ormel 07); they break up at "
+        "{disruption_speed} (Wada 07, a fit to JKR's spheres)",
     ),
 }
 EVERYTHING = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities))

@@ -1,12 +1,11 @@
 """The words for best ranges: by which rule each stands, in a line, and what it holds and leaves out."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from math import isnan
 
 from ..materials.library import known_materials
 from ..model.estimate import (
     ADHESION_ONLY,
-    AT_LEAST,
     BETTER_LAW,
     BOUNDS,
     FRICTION_ASSUMED,
@@ -16,6 +15,7 @@ from ..model.estimate import (
     LAW_ONLY,
     MEASURED,
     SCALED,
+    SPACING_ASSUMED,
     WORDS,
     XI_UNKNOWN,
     Estimate,
@@ -24,7 +24,7 @@ from ..model.estimate import (
 from ..model.frame import Frame
 from ..model.limits import JUMP, LAW_MATTERS, ROUGH_MATTERS, may_be_rough
 from ..model.measured import MOST_SEEN, SURFACES, Stuck, solid_of_pair, solid_that_rolled, what_rolled, what_stuck
-from ..model.other_law import farthest
+from ..model.other_law import farthest, least_spacing
 from ..model.results import Results
 from ..quantities.formatting import amount, from_to, significant, span, symbol_among
 from ..quantities.laws import BETWEEN
@@ -38,11 +38,12 @@ _MOST = 3  # results in a note
 _ALIKE = 0.01  # relative difference of radii that needs no scaling
 
 
-def lines_on_rules(rules: Iterable[int]) -> Iterator[str]:
-    """Iterate over a line for each rule, for many rows."""
+def lines_on_rules(rules: Iterable[int], names: Collection[str]) -> Iterator[str]:
+    """Iterate over a line for each rule, for many rows of some results."""
     for by in dict.fromkeys(rules):
         if by in _WORDS:
-            yield f"{WORDS[by]}: {_WORDS[by]}"
+            surfaces = f"; {_SMOOTH_AND_DRY}" if by == BETTER_LAW and "pull_off_force" in names else ""
+            yield f"{WORDS[by]}: {_WORDS[by]}{surfaces}"
 
 
 def range_in_words(name: str, estimate: Estimate) -> str:
@@ -65,11 +66,14 @@ def why(by: int, answer: Answer) -> str:
 
 def made_of(name: str, answer: Answer) -> str:
     """Return what the best range of a result is made of: its ends by each law, at both atomic spacings."""
-    estimate, half = answer.estimates[name], answer.frame.numbers("atomic_spacing").get("atomic_spacing", 0.0) / 2
+    estimate = answer.estimates[name]
     if estimate.by not in (SCALED, XI_UNKNOWN, BETTER_LAW, LAW_IN_USE):
         return ""
-    laws = (answer.frame.law.short, f"Maugis at {_angstroms(2 * half, 2 * half)}", f"at {_angstroms(half, half)}")
-    parts = zip(laws, answer.ranges.of_laws(name, estimate.by), strict=True)
+    laws, spacing = [answer.frame.law.short], answer.frame.numbers("atomic_spacing").get("atomic_spacing", 0.0)
+    laws.append(f"Maugis at {_angstroms(spacing, spacing)}")
+    if answer.frame.assumes_spacing:
+        laws.append(f"at {_angstroms(spacing / 2, spacing / 2)}")
+    parts = zip(laws, answer.ranges.of_laws(name, estimate.by), strict=False)
     texts = [f"{law} {range_in_words(name, Estimate(*ends, estimate.by))}" for law, ends in parts]
     if name == "pull_off_force":
         forces = answer.frame.numbers("pull_off_force_lennard_jones").values()
@@ -103,12 +107,12 @@ _WORDS: Mapping[int, str] = {
         "sliding and twisting rest on τ = G/4π², known to an order of magnitude: the range is of a third to three "
         "times it (--shear-strength)"
     ),
+    SPACING_ASSUMED: "the range is of z0 = 2–4 Å, as far as it is known; give --z0",
     BOUNDS: "JKR's holds for soft spheres, DMT's for hard ones; E and ν tell which",
     LAW_ONLY: "no other law here has it; where Maugis' contact is smaller, so is what goes with its area",
-    AT_LEAST: f"Lennard-Jones' law binds more than JKR's at a Tabor parameter below {JUMP}",
     KELVIN: "condensed water at 25 °C (--contact-angle) between smooth bodies that touch: compare with P_c, do not add",
     GAP: "a gap lowers the force of a meniscus, to none where it just fills; no closed form says how far",
-    BETTER_LAW: f"JKR is more than 5 % off; z0 = 2–4 Å (--z0); {_SMOOTH_AND_DRY}",
+    BETTER_LAW: "JKR is more than 5 % off; z0 = 2–4 Å (--z0)",
     LAW_IN_USE: "Maugis' law is within 5 %; the range is of both",
 }
 
@@ -130,11 +134,12 @@ def _kelvin(answer: Answer) -> str:
 def _better_law(answer: Answer) -> str:
     frame = answer.frame
     is_pulled = "pull_off_force" in answer.estimates
-    spacing = frame["atomic_spacing"]
+    low, high = least_spacing(frame), frame["atomic_spacing"]
     known = frame.numbers("tabor_parameter").values()  # which rigid bodies have none of
-    at = "".join(f" (Tabor parameter {from_to(parameter, 2 * parameter)})" for parameter in known)
+    at = "".join(f" (Tabor parameter {from_to(parameter, high / low * parameter)})" for parameter in known)
     law = f"{frame.law.short} is more than 5 % off at this size and stiffness{at}"
-    text = f"{law}; z0 = {_angstroms(spacing / 2, spacing)} (--z0){_with_bars(answer)}"
+    narrowed = " (--z0)" if frame.assumes_spacing else ""
+    text = f"{law}; z0 = {_angstroms(low, high)}{narrowed}{_with_bars(answer)}"
     is_told = answer.is_in_doubt(ROUGH_MATTERS) or answer.shows_surfaces  # with numbers
     return f"{text}. It is {_SMOOTH_AND_DRY}" if is_pulled and may_be_rough(frame) and not is_told else text
 
@@ -148,7 +153,9 @@ def _angstroms(low: float, high: float) -> str:
 
 
 def _bounds(answer: Answer) -> str:
-    jkr, dmt = (span(name, *2 * (answer.frame[name],)) for name in ("pull_off_force", "pull_off_force_dmt"))
+    ends, *_ = answer.ranges.of_laws("pull_off_force", BOUNDS)
+    ratio = answer.frame["pull_off_force_dmt"] / answer.frame["pull_off_force"]
+    jkr, dmt = (span("pull_off_force", *(factor * end for end in ends)) for factor in (1.0, ratio))
     limits = f"JKR's ({jkr}) holds for soft spheres, DMT's ({dmt}) for hard ones"
     text = f"{limits}; give --young and --poisson to narrow it{_with_bars(answer)}"
     return text if answer.shows_surfaces else f"{text}. It is {_SMOOTH_AND_DRY}"
@@ -227,7 +234,7 @@ def _ceiling(answer: Answer) -> str:
 
 def _xi_unknown(answer: Answer) -> str:
     if answer.frame.missing(["hysteresis_ratio"]):
-        return f"that is at ξ = 2 Å, about one atom; {_of_silica(answer.frame)}name your material"
+        return f"the end is at ξ = 2 Å, about one atom; {_of_silica(answer)}name your material"
     by_law = "" if answer.frame.law.name == BETWEEN else ", by Maugis' law"
     most = answer.ranges.at_full_hysteresis(XI)[1]
     at_most = "" if isnan(most) else f" at ξ = {span(XI, most, most)},"
@@ -236,13 +243,23 @@ def _xi_unknown(answer: Answer) -> str:
     return f"{text}. Limits, no error bar; give --xi{_of_measured_solid(answer)}"
 
 
-def _of_silica(frame: Frame) -> str:
-    """Return what forces that rolled spheres of SiO2 mean for a chain of such spheres, to compare with."""
-    silica = Frame(frame.stated, known_materials()["quartz"])
-    if not isinstance(frame.given.get("radius"), float) or silica.missing(["r_min"]):
+def _of_silica(answer: Answer) -> str:
+    """Return what forces that rolled spheres of SiO2 mean for the headline of such spheres, to compare with."""
+    silica = Frame(answer.frame.stated, known_materials()["quartz"])
+    if not isinstance(answer.frame.given.get("radius"), float):
         return ""
-    found = Ranges(Results(silica, silica.columns(["r_min"]))).estimate("r_min")
-    return f"for SiO2 (quartz), which was measured, R_min is {range_in_words('r_min', found)}; "
+    columns = silica.columns(silica.possible(answer.question.headline))
+    ranges = Ranges(Results(silica, columns))
+    found = {name: ranges.estimate(name) for name in ranges.names}
+    scaled = [
+        f"{symbol_among(name, answer.inputs)} is {range_in_words(name, estimate)}"
+        for name, estimate in found.items()
+        if estimate.by == SCALED
+    ]
+    if not scaled:
+        return ""
+    displacement, *_ = ranges.of_laws(XI, SCALED)
+    return f"for SiO2 (quartz), which was measured, {first_of(scaled, _MOST)} (ξ = {span(XI, *displacement)}); "
 
 
 def _of_measured_solid(answer: Answer) -> str:
@@ -264,7 +281,8 @@ def _of_measured_solid(answer: Answer) -> str:
 def _adhesion_only(answer: Answer) -> str:
     if answer.described.unknowns:
         return "it is an upper limit: other losses of the collision are taken for it"
-    if answer.frame.numbers("tabor_parameter").get("tabor_parameter", INFINITY) * 2 >= JUMP:
+    most = 2 if answer.frame.assumes_spacing else 1
+    if answer.frame.numbers("tabor_parameter").get("tabor_parameter", INFINITY) * most >= JUMP:
         return "adhesion alone leaves the higher end; any other loss lowers it"
     text = "so small and stiff they touch and part without a jump, which loses at most JKR's energy"
     if "restitution" not in answer.values or answer.estimates["restitution"].by != ADHESION_ONLY:

@@ -67,6 +67,7 @@ class Report(Answer):
             return ()
         inputs, idle = self._entering
         every = (
+            *leads(self),
             *proofs(self),
             *about_assumed(self.assumed),
             *about_missing({**self.lacking, **self.open_bars()}),
@@ -75,7 +76,6 @@ class Report(Answer):
             *about_idle(idle),
             *about_values(self.frame, self._valued),
             *self._about_pull(),
-            *leads(self),
             *about_limits(self.validity),
             *_about_lost_contacts(self),
         )

@@ -45,6 +45,7 @@ WAIT = 0.5  # seconds before progress is shown
 WIDTH = 60  # of the line of progress, in characters
 MAX_NOTES = 6  # about rows, or about many tables, at the end
 LITTLE = 1 << 19  # bytes of files that a process converts in the time in which another one starts
+FOLDER_ENDS = ("/", os.sep)  # behind the name of a directory; Windows has both
 DASK_WAIT = 20.0  # seconds for a scheduler of Dask to answer, and then for it to have a worker
 DASK_CHECK = 2.0  # seconds between looks whether it still has one
 DASK_STEP = 0.02  # seconds between looks whether a table is converted
@@ -81,7 +82,7 @@ class Job(NamedTuple):
 
 def run(path: str, job: Job) -> int:
     """Convert a table, or several; return the exit code."""
-    if (glob.has_magic(path) and not os.path.exists(path)) or job.target.endswith(os.sep):
+    if (glob.has_magic(path) and not os.path.exists(path)) or job.target.endswith(FOLDER_ENDS):
         tally, code = _convert_many(path, job)
     else:
         if job.resume or job.dask:
@@ -318,7 +319,7 @@ def _convert_many(path: str, job: Job) -> tuple[Tally, int]:
 
 def _pairs(directory: str, path: str) -> list[Pair]:
     """Return the tables that a pattern names, and make the directory of their results; BadRequest if it can be none."""
-    place = directory.rstrip(os.sep)
+    place = directory.rstrip("".join(FOLDER_ENDS))
     is_file = os.path.exists(place) or format_of_name(directory, WRITTEN) is not None
     if directory == "-" or (is_file and not os.path.isdir(place)):
         raise BadRequest("several tables need a directory for the results: -o DIRECTORY/")

@@ -15,6 +15,7 @@ from ..model.estimate import (
     LAW_ONLY,
     NONE,
     SCALED,
+    SPACING_ASSUMED,
     WORDS,
     XI_UNKNOWN,
     Estimate,
@@ -44,6 +45,7 @@ from ..text import TextColumn, first_of, fit_terminal, listed, say_wrapped, text
 
 if TYPE_CHECKING:
     from ..model.rows import Columns
+    from ..report.questions import Question
     from ..report.report import Report
 
     Value = float | str | Uncertain | None  # of a cell: a word as it is, and None where there is no value
@@ -52,7 +54,6 @@ if TYPE_CHECKING:
 # A row has the unit of the rows above it if its least number is between the first two, and its largest below the last.
 _LEAST, _MOST, _LARGEST = 0.25, 2000, 10000
 _SAME = 1e-12  # relative width of a range that is a number
-_NARROW = 0.05  # relative width of a range below which its ends have a digit more
 _BEST_RANGE = "best range"
 _PARTS = "in parts"  # by what a pull-off force on a surface stands
 _CODES = 24  # characters of the codes of doubts in a cell
@@ -69,7 +70,7 @@ def _cell(value: "Value", unit: tuple[str, Unit], form: Format) -> str:
     if value is None or isinstance(value, str):
         return value or "–"
     if isinstance(value, Interval):
-        return from_to(convert(value.low, unit[1]), convert(value.high, unit[1]), form.digits or 2)
+        return from_to(convert(value.low, unit[1]), convert(value.high, unit[1]), form.digits)
     if isinstance(value, float):
         zeros = form.digits is None and value != 0
         return significant(convert(value, unit[1]), form.digits or RESULT_DIGITS, zeros=zeros)
@@ -155,7 +156,8 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
 
     Conventions of other codes stand below the others.
     """
-    yield from _about_inputs("", answer.measures, _in_column(answer), form)
+    stated = {name: value for name, value in answer.measures.items() if name not in answer.assumed}
+    yield from _about_inputs("", stated, _in_column(answer), form)
     yield from lines_above(answer.sentences)
     if answer.described.unknowns:
         yield _of_inferred(answer, form)
@@ -167,7 +169,7 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
     if surfaces:
         physics["pull_off_force"][0] += ", ideal smooth"
     if physics:
-        columns = _of_results([*physics.values(), *surfaces], law)
+        columns = _of_results([*_grouped(physics, answer.question), *surfaces], law)
         yield columns
         if any(column.head == _BEST_RANGE for column in columns):
             yield from answer.lines_on_ranges(physics)
@@ -191,7 +193,7 @@ def rows_in_words(answer: "Report", form: Format) -> dict[str, Row]:
 def _in_column(answer: "Report") -> dict[str, str]:
     """Return what was assumed, by name: ξ in the law's column alone where ranges rest on no ξ; no spacing of theirs."""
     texts, rules = {**answer.assumed}, {estimate.by for estimate in answer.estimates.values()}
-    if not rules <= {DEFINITION, FRICTION_ASSUMED, LAW_ONLY, LAW_IN_USE}:
+    if any(by < LAW_IN_USE and by not in (DEFINITION, FRICTION_ASSUMED, LAW_ONLY) for by in rules):
         texts.pop("atomic_spacing", None)  # ranges have their own
     if XI in texts and not rules.isdisjoint((SCALED, XI_UNKNOWN)):
         text, _, option = texts.pop(XI).rpartition(" ")
@@ -231,6 +233,19 @@ def _rows(answer: "Report", form: Format) -> tuple[_Rows, _Rows]:
     return physics, conventions
 
 
+def _grouped(rows: _Rows, question: "Question") -> list[list[str]]:
+    """Return the rows of results, with a row for the title of each group of them."""
+    grouped, shown, title = [], "", ""
+    for name in question.quantities:
+        title = question.groups.get(name, title)
+        if name in rows:
+            if title != shown:
+                grouped.append([f"{title}:", *["" for _ in rows[name][1:]]])
+            grouped.append(rows[name])
+            shown = title
+    return grouped
+
+
 def _sizes(measure: "float | Uncertain | None", estimate: "Estimate | None") -> list[float]:
     """Return the sizes in order of the numbers that a row should show well: of its best range, or of the result."""
     ends = [] if estimate is None else [float(end) for end in estimate[:2] if not isnan(end)]
@@ -254,7 +269,7 @@ def _of_results(rows: Sequence[Sequence[str]], law: str) -> list[TextColumn]:
     Ranges are left out where all of them are those of the law in use; elsewhere they have the error bars, and the law's
     column has none.
     """
-    if {row[3] for row in rows} <= {law, WORDS[DEFINITION], "–"}:
+    if {row[3] for row in rows} <= {law, WORDS[DEFINITION], "–", ""}:
         heads, rows = ["quantity", "symbol", law, "unit"], [[*row[:2], *row[5:]] for row in rows]
     else:
         heads = ["quantity", "symbol", _BEST_RANGE, "by", f"plain {law}", "unit"]
@@ -273,8 +288,7 @@ def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) ->
     low, high = (end if isnan(end) else convert(end, unit[1]) for end in estimate[:2])
     digits = form.digits or 2
     if estimate.by in (DEFINITION, LAW_ONLY, KELVIN) and form.digits is None:  # not known to all digits
-        return [f"≈ {from_to(low, high, digits)}", WORDS[int(estimate.by)]]
-    is_narrow = form.digits is None and abs(high - low) < _NARROW * abs(high)
+        return [f"≈ {from_to(low, high)}", WORDS[int(estimate.by)]]
     if abs(high - low) <= _SAME * abs(high):
         text = significant(low, form.digits or RESULT_DIGITS, zeros=form.digits is None and low != 0)
     elif isnan(low) and isnan(high):
@@ -284,7 +298,7 @@ def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) ->
     elif isnan(low):
         text = f"≤ {significant(high, digits)}"
     else:
-        text = from_to(low, high, digits + is_narrow)
+        text = from_to(low, high, form.digits)
     return [text, WORDS[int(estimate.by)]]
 
 
@@ -335,11 +349,11 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
         count += " of equal spheres (R2 = R1)"
     if any(map(columns.wanted.best_of, columns.wanted.names)):
         assumed = {name: text for name, text in assumed.items() if name != "atomic_spacing"}  # ranges have their own
+        common = {name: value for name, value in common.items() if name != "atomic_spacing" or name in form.typed}
     for line in _about_inputs(count, common, assumed, form, several):
         say_wrapped(line, out)
-    if BETWEEN in distinct.get("model", ()):
-        spacing = "" if "atomic_spacing" in form.typed else ", which are at z0 = 4 Å; the other end is --z0 2angstrom"
-        say_wrapped(f"take the rows of maugis{spacing}", out)
+    if BETWEEN in distinct.get("model", ()) and "model" in several:
+        say_wrapped("take the rows of maugis", out)
     exact, leading, results = Format(form.units, form.digits or DIGITS), [], []
     following = _FOLLOWING | STATE_OR_LOAD if "state" in inputs else _FOLLOWING
     for name in several:
@@ -351,7 +365,10 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
             best, of_rows = _best(columns, name, form)
             head = symbol_among(name, columns.inputs)
             own = f"{head} by {LAWS[DEFAULT_LAW].short}" if best and "model" not in inputs else head
-            results += [*best, *columns_of(name, {own: _measures(columns, name)}, form)]
+            of_law = columns_of(name, {own: _measures(columns, name)}, form)
+            if "model" in several and best:  # each row by a law of its own
+                of_law, best = [_with_ranges(of_law[0], best[0], of_rows)], []
+            results += [*best, *of_law]
             rules += of_rows
     told = [codes(bits & columns.wanted.reported_doubts) for bits in as_list(columns.doubts)]
     results += _of_doubts(told, [*leading, *results])
@@ -360,7 +377,7 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
         leading, results = across[:1], across[1:]
     write_table(leading, results, out)
     of_codes = lines_on_codes(code for text in told for code in text.split())
-    for line in (*lines_on_rules(int(by) for by in rules if not isnan(by)), *of_codes):
+    for line in (*lines_on_rules((int(by) for by in rules if not isnan(by)), columns.wanted.names), *of_codes):
         say_wrapped(line, out)
 
 
@@ -388,6 +405,13 @@ def _best(columns: "Columns", name: str, form: Format) -> tuple[list[TextColumn]
     ranges = [_range(Estimate(*row), unit, form)[0] for row in zip(lows, highs, rules, strict=True)]
     head = f"best {symbol_among(name, columns.inputs)}" + (f" [{unit[0]}]" if unit[0] else "")
     return [TextColumn(head, ranges), TextColumn("by", words, is_right=False)], rules
+
+
+def _with_ranges(values: TextColumn, ranges: TextColumn, rules: Sequence[float]) -> TextColumn:
+    """Return a column of values, with a range in rows whose law leaves the atomic spacing open."""
+    of_rows = zip(values.cells, ranges.cells, rules, strict=True)
+    cells = [best if by == SPACING_ASSUMED else value for value, best, by in of_rows]
+    return values._replace(cells=cells)
 
 
 def _measures(columns: "Columns", key: str) -> list[Any]:
