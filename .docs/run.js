@@ -1,6 +1,6 @@
 // Each command of a console block gets a "run", which prints below the block what the program says; one Python a page.
 // The site's build puts FILES before this text: the options with which a line needs files, which a page does not have.
-const { ask, coloured, inWords, listen, stop } = await import(new URL("prompt/python.js", import.meta.url));
+import { ask, coloured, inWords, listen, stop } from "./prompt/python.js";
 const needsFiles = (command) =>
   command.startsWith("batch ") || command.split(/[ =]/).some((word) => FILES.includes(word));
 

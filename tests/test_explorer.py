@@ -40,8 +40,8 @@ def settle(window: Browser) -> None:
     })()""")
 
 
-def texts(window: Browser) -> dict[str, tuple[str, str]]:
-    """Return the best range, and the line below it, of each result that is shown."""
+def texts(window: Browser) -> dict[str, tuple[str, str, str]]:
+    """Return the best range, the line below it, and the words of each result that is shown."""
     found: dict[str, Any] = window.script("""
         return Object.fromEntries([...document.querySelectorAll('[data-result]')].map((output) => [
           output.dataset.result,

@@ -179,5 +179,5 @@ def test_a_link_of_the_prompt_leaves_its_frame(site: tuple[Browser, str]) -> Non
     window.wait("document.querySelector('iframe').contentDocument?.querySelector('#keys a')")
     window.script("document.querySelector('iframe').contentDocument.querySelector('#keys a').click()")
     window.wait("location.pathname === '/start/' && document.readyState === 'complete'", 10)
-    assert window.script("return location.hash") == "#install"
+    assert window.script("return location.hash") == "#thirty-seconds-to-the-first-number"
     assert window.script("return document.querySelector('iframe')") is None

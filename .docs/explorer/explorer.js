@@ -1,6 +1,5 @@
 // The explorer: sliders, a sketch and a curve of a contact. Python computes every number; here they are only drawn.
-const root = new URL(".", import.meta.url); // of the site
-const { ask, coloured, inWords, listen, stop } = await import(new URL("prompt/python.js", root));
+import { ask, coloured, inWords, listen, stop } from "./prompt/python.js";
 
 const $ = (id) => document.getElementById(id);
 const NAMES = ["material", "material2", "radius", "radius2", "gamma", "young", "poisson", "density", "load", "xi", "speed", "model"];

@@ -184,7 +184,7 @@ def rows_in_words(answer: "Report", form: Format) -> dict[str, Row]:
     """Return the rows of the table of an answer by name, each number with its unit."""
     found: dict[str, Row] = {}
     for rows in _rows(answer, form):
-        for name, (quantity, symbol, best, by, _, value, unit) in rows.items():
+        for name, (quantity, symbol, best, by, value, _, unit) in rows.items():
             texts = (text if text == "–" else with_unit(text, unit) for text in (best, value))
             found[name] = Row(quantity, symbol, next(texts), by, next(texts), answer.frame.law.short)
     return found
