@@ -17,7 +17,7 @@ from ..model.ranges import check_range
 from ..model.rows import Columns, Tally, Wanted, as_list
 from ..model.solver import Solids, is_list, materials_of, words_in
 from ..model.sweep import Sweep
-from ..quantities.formatting import AS_USUAL, Format, symbol_of
+from ..quantities.formatting import AS_USUAL, Format, amount, symbol_of
 from ..quantities.laws import law_given
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, named
 from ..quantities.numeric import Numeric
@@ -29,7 +29,7 @@ from ..report.report import Report
 from ..text import listed, quoted
 from ..write.answered import as_object
 from ..write.notebook import parts_of_answer, parts_of_answers
-from ..write.table import in_width
+from ..write.table import Row, in_width, rows_in_words
 from ..write.writers import Lists, written
 
 if TYPE_CHECKING:
@@ -52,12 +52,12 @@ class Exceeded:
 
     `name` and `value` are of the number that limits the model, `limit` is the first threshold of what is judged (of a
     law the factor between answers, of radii the smaller), and `factor` how many times that is beyond it; None if it is
-    infinite, or over 0.
+    infinite, or over 0. `ends` has the names of results that have no meaning for it.
     """
 
-    def __init__(self, text: str, doubt: "Doubt") -> None:
+    def __init__(self, text: str, doubt: "Doubt", ends: tuple[str, ...]) -> None:
         self.text, self.code, self.name, self.value = text, doubt.code, doubt.limit.name, doubt.value
-        self.limit, self.factor = doubt.limit.threshold, doubt.factor
+        self.limit, self.factor, self.ends = doubt.limit.threshold, doubt.factor, ends
 
     def __repr__(self) -> str:
         return f"<{self.code}: {self.text}>"
@@ -94,14 +94,30 @@ class Answered(Shown):
         return self._answer.measures
 
     @cached_property
+    def inputs_in_words(self) -> Mapping[str, str]:
+        """The same as texts with units, rounded as on a terminal."""
+        return {name: amount(name, value) for name, value in self.inputs.items()}
+
+    @cached_property
     def doubts(self) -> tuple[Exceeded, ...]:
         """The limits of the model that do not hold, the one that is exceeded most first."""
-        return tuple(Exceeded(self._answer.about(doubt), doubt) for doubt in self._answer.exceeded)
+        answer = self._answer
+        return tuple(Exceeded(answer.about(doubt), doubt, answer.ended_by(doubt)) for doubt in answer.exceeded)
 
     @cached_property
     def best(self) -> Mapping[str, Estimate]:
         """The best ranges of the results, by name: `low`, `high`, of which nan is open, and `by`."""
         return {name: estimate._replace(by=WORDS[estimate.by]) for name, estimate in self._answer.estimates.items()}
+
+    @cached_property
+    def why(self) -> Mapping[str, str]:
+        """Why results have their best ranges, by the word for the rule: what such a range holds and leaves out."""
+        return {WORDS[by]: text for by, text in self._answer.whys.items() if text}
+
+    @cached_property
+    def rows(self) -> Mapping[str, Row]:
+        """The rows of the table on a terminal, by name: each with its best range as text, and what says so."""
+        return rows_in_words(self._answer, AS_USUAL)
 
     @cached_property
     def notes(self) -> tuple[str, ...]:

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
 from math import isnan
-from typing import TYPE_CHECKING, Any, TextIO
+from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 
 from ..model.estimate import (
     BETTER_LAW,
@@ -23,7 +23,17 @@ from ..model.estimate import (
 from ..model.limits import codes
 from ..model.measured import on_surfaces
 from ..model.rows import DOUBT, as_list
-from ..quantities.formatting import DIGITS, RESULT_DIGITS, Format, amount, from_to, in_words, significant, symbol_among
+from ..quantities.formatting import (
+    DIGITS,
+    RESULT_DIGITS,
+    Format,
+    amount,
+    from_to,
+    in_words,
+    significant,
+    symbol_among,
+    with_unit,
+)
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, STATE_OR_LOAD, XI, of_sphere
 from ..quantities.shown import Rows, cell, columns_of
@@ -95,6 +105,17 @@ def _of_solid(inputs: "Mapping[str, float | str | Uncertain]", several: Sequence
     return "" if own else " of the same solid"
 
 
+class Row(NamedTuple):
+    """A result as the table of an answer has it: its words, its best range and why, and the value by the law in use."""
+
+    quantity: str
+    symbol: str
+    best: str  # "14–15 nN"; "–" without a range
+    by: str
+    value: str  # "11.78 nN"; "–" without a value
+    law: str
+
+
 # --- One frame --------------------------------------------------------------------------------------------------------
 
 
@@ -134,6 +155,16 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
     if conventions:
         yield "conventions of other codes and authors, to compare with them"
         yield _of_results([*conventions.values()], law)
+
+
+def rows_in_words(answer: "Report", form: Format) -> dict[str, Row]:
+    """Return the rows of the table of an answer by name, each number with its unit."""
+    found: dict[str, Row] = {}
+    for rows in _rows(answer, form):
+        for name, (quantity, symbol, best, by, value, _, unit) in rows.items():
+            texts = (text if text == "–" else with_unit(text, unit) for text in (best, value))
+            found[name] = Row(quantity, symbol, next(texts), by, next(texts), answer.frame.law.short)
+    return found
 
 
 def _in_column(answer: "Report") -> dict[str, str]:
