@@ -6,6 +6,7 @@ A test replays tests/corpus on them, and tests/tools/fuzz.py searches for violat
 import os
 import resource
 import tempfile
+import tomllib
 from collections.abc import Callable
 from pathlib import Path
 
@@ -20,6 +21,7 @@ from jkroll.quantities.values import QuantityError, parse_quantity, unit_of
 from material_files import read
 
 CORPUS = Path(__file__).parent / "corpus"
+MATERIALS = tomllib.loads((CORPUS / "materials.toml").read_text(encoding="utf-8"))
 LONGEST_MESSAGE = 2000
 CODES = (0, 1, 2)
 TYPED = [name for name, quantity in NOMENCLATURE.items() if quantity.example and name != "material2"]
@@ -116,6 +118,15 @@ TARGETS: dict[str, Callable[[bytes], None]] = {
     "materials": materials,
     "words": words,
 }
+
+
+def kept(target: str) -> list[bytes]:
+    """Return the inputs of a target in tests/corpus: files of a folder, but for materials the entries of a table."""
+    if target != "materials":
+        return [path.read_bytes() for path in sorted((CORPUS / target).iterdir())]
+    files = [file for entry in MATERIALS["refused"] for file in entry["files"]]
+    files += [entry["file"] for entry in MATERIALS["read"]]
+    return [file.encode() for file in files]
 
 
 # What command lines may name besides small files.

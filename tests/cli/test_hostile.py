@@ -1,18 +1,20 @@
 """Input made to hurt: it costs no more, by the byte, than ordinary input, and it is refused as such."""
 
 import math
+import re
 import tracemalloc
 from collections.abc import Callable, Iterable
 from decimal import Decimal
 from itertools import count, product
 from pathlib import Path
 from string import ascii_lowercase
+from typing import Any
 
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from invariants import CORPUS, TARGETS, TYPED
+from invariants import MATERIALS, TARGETS, TYPED, kept
 from jkroll.errors import JkrollError
 from jkroll.materials.library import MAX_BYTES, MaterialsFileError
 from jkroll.quantities.formatting import Format
@@ -44,10 +46,28 @@ def peak_memory(work: Callable[[], object]) -> int:
 
 @pytest.mark.parametrize("target", TARGETS)
 def test_what_fuzzing_found_stays_mended(target: str) -> None:
-    inputs = sorted((CORPUS / target).iterdir())
+    inputs = kept(target)
     assert inputs
-    for path in inputs:
-        TARGETS[target](path.read_bytes())
+    for data in inputs:
+        TARGETS[target](data)
+
+
+@pytest.mark.parametrize("entry", MATERIALS["refused"], ids=lambda entry: entry["reason"])
+def test_a_materials_file_is_refused(entry: dict[str, Any], tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    for file in entry["files"]:
+        path.write_bytes(file.encode())
+        with pytest.raises(MaterialsFileError) as error:
+            read(path)
+        message = re.sub("is not TOML: .+", "is not TOML", str(error.value))
+        assert message == f"materials file '{path}': {entry['error']}", file
+
+
+@pytest.mark.parametrize("entry", MATERIALS["read"], ids=lambda entry: entry["reason"])
+def test_a_materials_file_is_read(entry: dict[str, Any], tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_bytes(entry["file"].encode())
+    assert {material.name: material.properties for material in read(path)} == entry["materials"]
 
 
 # --- Materials files --------------------------------------------------------------------------------------------------

@@ -4,10 +4,11 @@
 
 The targets are quantity, unit, materials and words. The options after the target are libFuzzer's, which writes a
 violation to the current directory as crash-*. Inputs that reach new code go to a temporary folder, jkroll-fuzz/TARGET;
-`python tests/tools/fuzz.py TARGET --keep` copies the small ones to tests/corpus, which a test replays. Needs `pip
-install jkroll[fuzz]`.
+`python tests/tools/fuzz.py TARGET --keep` copies the small ones to tests/corpus, which a test replays. Those of
+materials are printed, to be copied to an entry of tests/corpus/materials.toml. Needs `pip install jkroll[fuzz]`.
 """
 
+import json
 import shutil
 import sys
 import tempfile
@@ -19,7 +20,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 with atheris.instrument_imports(include=["jkroll", "tomllib"]):
     import tomllib  # noqa: F401
 
-    from invariants import CORPUS, TARGETS, isolate
+    from invariants import CORPUS, TARGETS, isolate, kept
     from jkroll.quantities import values
 
 
@@ -31,17 +32,25 @@ def main() -> None:
     target, *options = sys.argv[1:] or ["none"]
     if target not in TARGETS:
         sys.exit(f"{__doc__}\nno target {target!r}: {', '.join(TARGETS)}")
-    found, kept = Path(tempfile.gettempdir()) / "jkroll-fuzz" / target, CORPUS / target
+    found = Path(tempfile.gettempdir()) / "jkroll-fuzz" / target
     found.mkdir(parents=True, exist_ok=True)
     if options == ["--keep"]:
         for path in found.iterdir():
-            if path.stat().st_size <= MAX_KEPT:
-                shutil.copy(path, kept)
+            if path.stat().st_size > MAX_KEPT:
+                continue
+            if target == "materials":
+                print(f"  {json.dumps(path.read_text(encoding='utf-8', errors='replace'))},")
+            else:
+                shutil.copy(path, CORPUS / target)
         return
     values.unit_of("nautical_mile", "radius")  # pint starts, which is no input's fault
     with tempfile.TemporaryDirectory() as directory:
+        seeds = Path(directory, "seeds")
+        seeds.mkdir()
+        for number, data in enumerate(kept(target)):
+            (seeds / str(number)).write_bytes(data)
         isolate(directory)
-        atheris.Setup([sys.argv[0], *options, str(found), str(kept)], TARGETS[target])
+        atheris.Setup([sys.argv[0], *options, str(found), str(seeds)], TARGETS[target])
         atheris.Fuzz()
 
 
