@@ -1,20 +1,17 @@
 """What the site has beside the pages of the manual: generated pages, a gallery, and the prompt."""
 
-import inspect
 import io
 import json
 import re
 import sys
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from contextlib import redirect_stdout
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 from mkdocs.structure.files import File, Files
 
-import jkroll
 from jkroll.cli.process import main
 from jkroll.materials.library import known_materials
 from jkroll.quantities.nomenclature import NOMENCLATURE
@@ -25,8 +22,10 @@ from bridge import FILES  # noqa: E402
 from explorer_page import explorer  # noqa: E402
 from page_meta import described, with_card, with_policy  # noqa: E402
 from prompt_files import put_prompt  # noqa: E402
+from python_pages import notebook, reference  # noqa: E402
 
 CHECKOUT = HERE.parent
+PYTHON = CHECKOUT / "src" / "jkroll" / "guide" / "python.md"
 FIGURES = ("2", "3a", "3b", "3c", "3d", "6a", "6b", "8", "9", "laws", "geometry")
 MAPS = {
     "Pull-off force of quartz": "map pull-off quartz --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 --mark quartz@100nm",
@@ -44,7 +43,8 @@ def on_files(files: Files, config: Any) -> Files:
         "try.md": "# Try it\n\n<iframe class=prompt src=../prompt/ title='a prompt that runs jkroll'></iframe>\n",
         "all-quantities.md": quantities(),
         "all-materials.md": materials(),
-        "api.md": api(),
+        "reference.md": reference(),
+        "python.ipynb": json.dumps(notebook(PYTHON.read_text(encoding="utf-8"))),
         "favicon.svg": (HERE / "favicon.svg").read_bytes(),
         "gallery.md": gallery(),
         "run.js": f"const FILES = {json.dumps(sorted(FILES))};\n" + (HERE / "run.js").read_text(encoding="utf-8"),
@@ -91,21 +91,6 @@ def materials() -> str:
     """Return the sheets of all materials."""
     sheets = (f"## {name}\n\n```text\n{printed(f'materials {name}')}```\n" for name in known_materials().materials)
     return "# All materials\n\n" + "\n".join(sheets)
-
-
-def api() -> str:
-    """Return the public names of Python with their signatures and docstrings."""
-    parts = ["# Python reference\n\nThe public names of `import jkroll`; `jkroll guide python` shows them at work.\n"]
-    for name in jkroll.__all__:
-        item = getattr(jkroll, name)
-        if isinstance(item, Mapping | ModuleType):
-            continue
-        try:
-            signature = str(inspect.signature(item)) if inspect.isfunction(item) else ""
-        except ValueError:
-            signature = ""
-        parts.append(f"## {name}\n\n```text\n{name}{signature}\n\n{inspect.getdoc(item)}\n```\n")
-    return "\n".join(parts)
 
 
 def on_page_markdown(markdown: str, page: Any, config: Any, files: Files) -> str:  # noqa: ARG001
