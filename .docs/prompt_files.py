@@ -36,7 +36,6 @@ def put_prompt(folder: Path) -> None:
     subprocess.run([*pip, "wheel", "--no-deps", "--wheel-dir", wheels, HERE.parent], check=True)
     pins = HERE / "prompt-requirements.txt"
     subprocess.run([*pip, "download", "--no-deps", "--require-hashes", "-r", pins, "-d", wheels], check=True)
-    (wheels / "index.json").write_text(json.dumps(sorted(path.name for path in wheels.glob("*.whl"))))
     packed = subprocess.run(
         ["npm", "pack", "--silent", f"pyodide@{PYODIDE}"], cwd=python, check=True, capture_output=True, text=True
     )
@@ -48,7 +47,17 @@ def put_prompt(folder: Path) -> None:
             assert member is not None
             (python / name).write_bytes(member.read())
     archive.unlink()
+    put_list(folder)
     put_numpy(python)
+
+
+def put_list(folder: Path) -> None:
+    """Write which wheels there are, and how many bytes come before the first answer: all but those of tables."""
+    wheels = folder / "python"
+    own, *tables = sorted((path.name for path in wheels.glob("*.whl")), key=lambda name: not name.startswith("jkroll"))
+    first = [wheels / own, *folder.glob("*.py"), *(folder / "pyodide" / name for name in PYODIDE_FILES)]
+    size = sum(path.stat().st_size for path in first)
+    (wheels / "index.json").write_text(json.dumps({"own": own, "tables": tables, "bytes": size}))
 
 
 def put_numpy(python: Path) -> None:

@@ -19,9 +19,13 @@ from jkroll.quantities.nomenclature import NOMENCLATURE
 HERE = Path(__file__).parent
 sys.path[:0] = [str(HERE), str(HERE / "prompt")]
 from bridge import FILES  # noqa: E402
+from explorer_page import explorer  # noqa: E402
+from page_meta import described, with_card, with_policy  # noqa: E402
 from prompt_files import put_prompt  # noqa: E402
+from python_pages import notebook, reference  # noqa: E402
 
 CHECKOUT = HERE.parent
+PYTHON = CHECKOUT / "src" / "jkroll" / "guide" / "python.md"
 FIGURES = ("2", "3a", "3b", "3c", "3d", "6a", "6b", "8", "9", "laws", "geometry")
 MAPS = {
     "Pull-off force of quartz": "map pull-off quartz --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 --mark quartz@100nm",
@@ -34,13 +38,18 @@ GALLERY = {f"Figure {number}": f"figure {number}" for number in FIGURES} | MAPS 
 def on_files(files: Files, config: Any) -> Files:
     """Add the generated pages and the pictures, so that mkdocs checks the links to them."""
     content: dict[str, str | bytes] = {
-        "index.md": home(),
+        "index.md": explore(),
+        "start.md": start(),
         "try.md": "# Try it\n\n<iframe class=prompt src=../prompt/ title='a prompt that runs jkroll'></iframe>\n",
         "all-quantities.md": quantities(),
         "all-materials.md": materials(),
+        "reference.md": reference(),
+        "python.ipynb": json.dumps(notebook(PYTHON.read_text(encoding="utf-8"))),
+        "favicon.svg": (HERE / "favicon.svg").read_bytes(),
         "gallery.md": gallery(),
         "run.js": f"const FILES = {json.dumps(sorted(FILES))};\n" + (HERE / "run.js").read_text(encoding="utf-8"),
         "run.css": (HERE / "run.css").read_text(encoding="utf-8"),
+        **{name: (HERE / "explorer" / name).read_text(encoding="utf-8") for name in ("explorer.js", "explorer.css")},
         "gallery/contact.svg": (CHECKOUT / "tests" / "data" / "contact.svg").read_bytes(),
         **dict(pictures()),
     }
@@ -49,7 +58,18 @@ def on_files(files: Files, config: Any) -> Files:
     return files
 
 
-def home() -> str:
+def explore() -> str:
+    """Return the first page: a line of words, and the explorer."""
+    head = "---\nhide: [navigation, toc]\n---\n\n# Two elastic spheres touch and stick\n\n"
+    words = (
+        "What pulls them apart, rolls them and shakes them, each with the range in which it lies and what says so. "
+        "Drag a slider, or [read how to start](start.md).\n\n"
+    )
+    files = '<link rel="stylesheet" href="explorer.css"><script type="module" src="explorer.js"></script>\n\n'
+    return head + words + files + explorer()
+
+
+def start() -> str:
     """Return the README, with links that hold on the site."""
     text = (CHECKOUT / "README.md").read_text(encoding="utf-8")
     text = text.replace("](tests/data/contact.svg)", "](gallery/contact.svg)")
@@ -71,6 +91,31 @@ def materials() -> str:
     """Return the sheets of all materials."""
     sheets = (f"## {name}\n\n```text\n{printed(f'materials {name}')}```\n" for name in known_materials().materials)
     return "# All materials\n\n" + "\n".join(sheets)
+
+
+def on_page_markdown(markdown: str, page: Any, config: Any, files: Files) -> str:  # noqa: ARG001
+    """Describe a page by its first paragraph, and make each `jkroll guide X` in its text a link."""
+    page.meta.setdefault("description", described(markdown))
+    known = {path.stem for path in (CHECKOUT / "src" / "jkroll" / "guide").glob("*.md")}
+
+    def linked(match: re.Match[str]) -> str:
+        return f"[{match[0]}]({match[1]}.md)" if match[1] in known else match[0]
+
+    parts = re.split(r"(^```.*?^```\s*?$)", markdown, flags=re.MULTILINE | re.DOTALL)  # blocks of code stay
+    return "".join(
+        part if part.startswith("```") else re.sub(r"(?<!\[)`jkroll guide ([a-z-]+)`(?!\])", linked, part)
+        for part in parts
+    )
+
+
+def on_post_page(output: str, page: Any, config: Any) -> str:  # noqa: ARG001
+    """Put what a page says of itself, and its policy, into its head."""
+    return with_policy(with_card(output, page))
+
+
+def on_post_template(output_content: str, template_name: str, config: Any) -> str:  # noqa: ARG001
+    """Give the page of what is not found the policy, too."""
+    return with_policy(output_content) if template_name.endswith(".html") else output_content
 
 
 def gallery() -> str:
@@ -101,5 +146,13 @@ def printed(line: str) -> str:
 
 
 def on_post_build(config: Any) -> None:
-    """Put the prompt beside the pages."""
-    put_prompt(Path(config["site_dir"]) / "prompt")
+    """Put the prompt beside the pages, and the pages as Markdown with a list of them for language models."""
+    site = Path(config["site_dir"])
+    put_prompt(site / "prompt")
+    lines = ["# jkroll", "", f"> {config['site_description']}", "", "## Manual", ""]
+    for path in sorted((CHECKOUT / "src" / "jkroll" / "guide").glob("*.md")):
+        text = path.read_text(encoding="utf-8")
+        (site / path.name).write_text(text, encoding="utf-8")
+        title = text.partition("\n")[0].removeprefix("# ")
+        lines.append(f"- [{title}]({path.name}): {described(text)}")
+    (site / "llms.txt").write_text("\n".join(lines) + "\n", encoding="utf-8")

@@ -13,6 +13,7 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from threading import Thread
 from typing import Any
+from urllib.error import HTTPError
 from urllib.parse import urlsplit
 
 CHROMIUM, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")
@@ -23,7 +24,14 @@ QUIET = [
         "127.0.0.1"
     ),
 ]  # fmt: skip
-KEYS = {"Enter": "\ue007", "Tab": "\ue004", "ArrowUp": "\ue013", "ArrowDown": "\ue015", "Escape": "\ue00c"}
+KEYS = {
+    "Enter": "\ue007",
+    "Tab": "\ue004",
+    "ArrowUp": "\ue013",
+    "ArrowDown": "\ue015",
+    "ArrowRight": "\ue014",
+    "Escape": "\ue00c",
+}
 
 
 class _Silent(SimpleHTTPRequestHandler):
@@ -57,8 +65,12 @@ class Browser:
         """Send a command of the protocol; return its value."""
         data = None if body is None else json.dumps(body).encode()
         request = urllib.request.Request(self.driver + path, data, {"Content-Type": "application/json"}, method=method)
-        with urllib.request.urlopen(request, timeout=300) as answer:
-            return json.loads(answer.read())["value"]
+        try:
+            with urllib.request.urlopen(request, timeout=300) as answer:
+                return json.loads(answer.read())["value"]
+        except HTTPError as error:
+            error.add_note(error.read().decode())  # what the driver says
+            raise
 
     def open(self, address: str, width: int = 1000, height: int = 900) -> None:
         """Open a page in a window of a size."""
@@ -102,11 +114,16 @@ class Browser:
 def hosts_asked(profile: Path) -> set[str | None]:
     """Return the hosts that pages and workers sent requests to, by the log of a browser that has ended.
 
-    The browser's own requests, which reach nobody, have no page as their initiator.
+    The browser's own requests, which reach nobody, have no initiator, or one of its own pages: chrome://newtab.
     """
     events = json.loads((profile / "requests.json").read_text(encoding="utf-8"))["events"]
     requests = [event["params"] for event in events if "initiator" in event.get("params", {})]
-    return {urlsplit(each["url"]).hostname for each in requests if urlsplit(each["initiator"]).hostname}
+    return {urlsplit(each["url"]).hostname for each in requests if not _is_of_browser(each["initiator"])}
+
+
+def _is_of_browser(initiator: str) -> bool:
+    """Return whether the initiator of a request is the browser itself; a page without an origin is a page."""
+    return initiator == "not an origin" or urlsplit(initiator).scheme.startswith("chrome")
 
 
 @contextmanager

@@ -27,6 +27,7 @@ ON_LINUX = {
     "tables/test_rivals.py": "what the kernel says of finished processes",
     "terminal.py": "terminals of their own",
     "test_install.py": "the folders of a virtual environment on POSIX",
+    "test_explorer.py": "a browser, and terminals of their own",
     "test_prompt.py": "a browser, and terminals of their own",
     "test_site.py": "a browser, and terminals of their own",
 }

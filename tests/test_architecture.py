@@ -2,8 +2,13 @@
 
 import ast
 import inspect
+import json
 import re
+import shutil
+import subprocess
+import sys
 from functools import cache
+from importlib.util import find_spec
 from pathlib import Path
 
 import mypy.api
@@ -168,6 +173,9 @@ two = jkroll.infer(["gamma", "young"], measured={"pull_off_force": 3e-7, "stiffn
 size: float = two.condition
 found = jkroll.answer("pull-off", material="quartz", radius="100 nm")
 force: float = float(found["P_c"])
+several = jkroll.answer("pull-off", material=["quartz", "iron"], radius=["100 nm", 1e-6])
+strings: list[str] = [str(each["P_c"]) for each in several]
+reveal_type(several["P_c"])
 rounded: str = f"{found['P_c']:.3g} {found['P_c'].unit}"
 names: list[str] = [name for name in found]
 values: list[float] = [float(result) for _, result in found.items()]
@@ -194,6 +202,7 @@ REVEALED = (
     "dict[str, float]",
     "Any",
     "float",
+    "numpy.ndarray[tuple[Any, ...], numpy.dtype[numpy.float64]]",
     "dict[Any, Any]",
 )
 
@@ -214,6 +223,23 @@ def test_a_type_checker_knows_what_a_user_writes(tmp_path: Path) -> None:
     wrong = [int(line.split(":")[1]) for line in out.splitlines() if "error: " in line]
     last = len(USER.splitlines())
     assert wrong == [last - 3, last - 2, last - 1, last], out
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(find_spec("pyright") is None or shutil.which("node") is None, reason="needs pyright and node")
+def test_the_checker_of_editors_knows_the_same(tmp_path: Path) -> None:
+    """Without a node of its own pyright would load one."""
+    (tmp_path / "user.py").write_text(USER, encoding="utf-8")
+    settings = {"extraPaths": [str(SOURCE.parent)], "typeCheckingMode": "strict"}
+    (tmp_path / "pyrightconfig.json").write_text(json.dumps(settings), encoding="utf-8")
+    line = [sys.executable, "-m", "pyright", "--outputjson", "--pythonpath", sys.executable, "user.py"]
+    ran = subprocess.run(line, cwd=tmp_path, capture_output=True, text=True)
+    told = json.loads(ran.stdout)["generalDiagnostics"]
+    revealed = [re.sub('.* is "(.*)"', r"\1", each["message"]) for each in told if each["severity"] == "information"]
+    assert revealed == [kind.replace("numpy.", "") for kind in REVEALED], ran.stdout
+    wrong = {each["range"]["start"]["line"] for each in told if each["severity"] != "information"}
+    last = len(USER.splitlines())
+    assert wrong == {*range(last - 4, last)}, ran.stdout
 
 
 # --- What tests know --------------------------------------------------------------------------------------------------

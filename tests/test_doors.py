@@ -276,8 +276,9 @@ BEST: Mapping[str, str] = {
     "a range of what has no value": "report ice-warm '4e-6 m' --load '-5.4e-6 N' --gravity '1 to 4 m/s^2'",
     "another law": "yield-force quartz '1e-7 m,1e-6 m' --model dmt",
     "a displacement that was given": "yield-force quartz '1e-7 m,1e-6 m' --xi '1e-10 m'",
-    "one pair with open ends": "energies quartz '1e-7 m'",
-    "open ends": "energies quartz,iron '1e-7 m,1e-5 m'",
+    "one pair with an open end": "r-min '1e-7 m'",
+    "open ends": "r-min '1e-7 m,1e-5 m'",
+    "energies with and without a jump": "energies quartz,iron '1e-7 m,1e-5 m'",
     "a displacement beyond its limit": "yield-force quartz '2e-9 m,1e-7 m'",
     "turns that do not begin": "n-roll quartz '1e-7 m' --speed '0.12 m/s,0.1 m/s'",
     "a sphere that flies off": "n-roll quartz '1e-6 m' --speed '4.65 m/s,4.66 m/s'",
@@ -378,6 +379,15 @@ def _or_none(part: Any) -> Any:
     return None if isinstance(part, float) and math.isnan(part) else part
 
 
+LENNARD_JONES = {
+    "pull_off_force": "pull_off_force_lennard_jones",
+    "well_energy": "well_energy_lennard_jones",
+    "pull_off_work": "well_energy_lennard_jones",
+    "pull_off_work_at_dead_load": "dead_load_work_lennard_jones",
+}
+IN_PROPORTION = ("bond_number", "disruption_energy", "disruption_speed")  # to one of these
+
+
 def _in_scene(scene: Frame, values: Mapping[str, float]) -> Iterator[str]:
     """Iterate over the best ranges by laws that do not hold what these laws give, each asked for itself."""
     if scene.uncertainties or scene.stated_model is not None or "tabor_parameter" in scene.missing(["tabor_parameter"]):
@@ -385,12 +395,14 @@ def _in_scene(scene: Frame, values: Mapping[str, float]) -> Iterator[str]:
     for key in (key for key in values if key.endswith("_best_by") and WORDS[int(values[key])] in ("Maugis", "JKR")):
         name = best_of(key)
         other = Frame(scene.stated, scene.material, scene.material2, model="maugis")
-        spacings = other["atomic_spacing"], other["atomic_spacing"] / 2
+        spacings = [other["atomic_spacing"]]
+        if {"atomic_spacing", "hamaker"}.isdisjoint(scene.given):
+            spacings.append(spacings[0] / 2)
         scenes = [other.replace(atomic_spacing=spacing) for spacing in spacings]
         ends = [outcomes(each, (name,))[name] for each in scenes]
-        if name == "pull_off_force":
-            ends.append(outcomes(scene, ("pull_off_force_lennard_jones",))["pull_off_force_lennard_jones"])
-        elif name == "bond_number":
+        if name in LENNARD_JONES and (name == "pull_off_force" or scene["tabor_parameter"] < 0.7):
+            ends.append(outcomes(scene, (LENNARD_JONES[name],))[LENNARD_JONES[name]])
+        elif name in IN_PROPORTION:
             continue
         if WORDS[int(values[key])] == "JKR" and name in values:  # which has a meaning
             ends.append(values[name])

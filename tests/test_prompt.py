@@ -144,9 +144,12 @@ def test_history_and_completion_by_the_keyboard(page: tuple[Browser, str]) -> No
     assert window.script("return document.getElementById('line').value") == "r-min 100nm"
 
 
-def test_a_link_carries_the_line(page: tuple[Browser, str]) -> None:
+def test_a_link_carries_the_line_which_waits_for_a_press(page: tuple[Browser, str]) -> None:
     window = opened(page, "?c=r-min%20200nm")
-    assert window.script("return document.getElementById('answer').dataset.line") == "r-min 200nm"
+    assert window.script("return document.getElementById('line').value") == "r-min 200nm"
+    assert window.script("return document.getElementById('answer').textContent") == ""
+    window.click("form button")
+    window.wait("document.getElementById('answer').dataset.line === 'r-min 200nm'")
     answer(window, "r-min 300nm")
     assert window.script("return location.search") == "?c=r-min%20300nm"
 
@@ -154,6 +157,7 @@ def test_a_link_carries_the_line(page: tuple[Browser, str]) -> None:
 def test_a_narrow_screen_shows_all_of_the_page(page: tuple[Browser, str]) -> None:
     """The answer scrolls by itself; the page does not."""
     window = opened(page, "?c=contact%20quartz%20100nm", width=390, height=800)
+    answer(window, "contact quartz 100nm")
     assert window.script("return document.documentElement.scrollWidth <= document.documentElement.clientWidth")
     assert window.script("const pre = document.getElementById('answer'); return pre.scrollWidth > pre.clientWidth")
 

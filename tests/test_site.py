@@ -4,28 +4,19 @@ Build the site first (see CONTRIBUTING): a site that is older than its sources i
 `.docs`, these tests are left out. Where CI is set, a missing browser or site is a failure.
 """
 
-import os
-import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 from urllib.parse import urldefrag
 
 import pytest
 
-from browser import CHROMIUM, DRIVER, Browser, browser, hosts_asked, served
+from browser import Browser, browser, hosts_asked, served
+from built_site import MARKS, ROOT, SITE, axe, site_in_browser
 from jkroll.write.manual import page, topics
 from terminal import script, without_colours
 from transcripts import commands, rounded, transcripts
 
-ROOT = Path(__file__).parents[1]
-DOCS, SITE = ROOT / ".docs", ROOT / ".docs" / "site"
-IS_CI = bool(os.environ.get("CI"))
-pytestmark = [
-    pytest.mark.slow,
-    pytest.mark.skipif(not DOCS.exists(), reason="the sdist has no .docs"),
-    pytest.mark.skipif(not (CHROMIUM and DRIVER) and not IS_CI, reason="needs chromium and chromedriver"),
-    pytest.mark.skipif(not SITE.exists() and not IS_CI, reason="needs the built site"),
-]
+pytestmark = MARKS
 GALLERY = [
     *(f"figure {number}" for number in "2 3a 3b 3c 3d 6a 6b 8 9 laws geometry".split()),
     "map pull-off quartz --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 --mark quartz@100nm",
@@ -36,26 +27,35 @@ GALLERY = [
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Browser, str]]:
-    """A browser and the address of the site; at the end, no page has sent a request to another host."""
-    tracked = subprocess.run(["git", "ls-files", ".docs", "src", "*.md"], cwd=ROOT, capture_output=True, text=True)
-    newest = max((ROOT / name).stat().st_mtime for name in tracked.stdout.split() if (ROOT / name).exists())
-    assert newest < (SITE / "index.html").stat().st_mtime, "the site is older than its sources: build it"
-    profile = tmp_path_factory.mktemp("profile")
-    with served(SITE) as address, browser(profile) as window:
-        yield window, address
-    assert hosts_asked(profile) == {"127.0.0.1"}
+    with site_in_browser(tmp_path_factory.mktemp("profile")) as window:
+        yield window
 
 
-def address_of(topic: str) -> str:
-    """Return the address of a page on the site."""
-    return "" if topic == "index" else f"{topic}/"
+@pytest.mark.parametrize(
+    "page",
+    [
+        "<img src=https://example.invalid/a.png>",
+        "<script>new Worker(URL.createObjectURL(new Blob(['fetch(\"https://example.invalid/\")'])))</script>",
+        "<iframe sandbox=allow-scripts srcdoc='<img src=https://example.invalid/a.png>'></iframe>",
+    ],
+    ids=["picture", "worker", "frame without an origin"],
+)
+def test_a_request_to_another_host_is_seen(tmp_path: Path, page: str) -> None:
+    (tmp_path / "index.html").write_text(f"<!doctype html><title>asks</title>{page}")
+    log = tmp_path / "requests.json"
+    with served(tmp_path) as address, browser(tmp_path) as window:
+        window.open(address)
+        window.wait("document.readyState === 'complete'")
+        while "example.invalid" not in log.read_text(encoding="utf-8"):
+            window.script("return 0")  # the log is written as the browser works
+    assert hosts_asked(tmp_path) == {"127.0.0.1", "example.invalid"}
 
 
 def runnable(topic: str) -> list[str]:
     """Return the commands of a page that need no files, in their order."""
     if topic == "gallery":
         return GALLERY
-    text = (ROOT / "README.md").read_text(encoding="utf-8") if topic == "index" else page(topic)
+    text = (ROOT / "README.md").read_text(encoding="utf-8") if topic == "start" else page(topic)
     lines = [command for block in transcripts(text) for command in commands(block)]
     asked = [line.removeprefix("jkroll ") for line in lines if line.startswith("jkroll ")]
     return [line for line in asked if not line.startswith("batch ") and " -o " not in line]
@@ -73,12 +73,13 @@ def test_every_picture_is_shown_and_every_link_leads_to_a_place(site: tuple[Brow
             await Promise.all(pictures.map((picture) => picture.decode().catch(() => {})));
             return {
               pictures: pictures.map((picture) => [picture.src, picture.naturalWidth]),
+              count: pictures.filter((picture) => picture.closest("article")).length,
               files: performance.getEntriesByType("resource").map((file) => [file.name, file.responseStatus]),
               frames: [...document.querySelectorAll("iframe")].map((frame) => frame.src),
               links: [...document.links].map((link) => link.href),
               places: [...document.querySelectorAll("[id]")].map((element) => element.id),
             }""")
-        pictures += len(found["pictures"])
+        pictures += found["count"]
         broken += [(shown, source) for source, width in found["pictures"] if not width]
         broken += [(shown, file) for file, status in found["files"] if status >= 400]
         places[shown] = {"", *found["places"]}
@@ -92,27 +93,26 @@ def test_every_picture_is_shown_and_every_link_leads_to_a_place(site: tuple[Brow
     assert broken == []
 
 
-@pytest.mark.parametrize("topic", ["index", "gallery", *topics()])
+@pytest.mark.parametrize("topic", ["start", "gallery", *topics()])
 def test_every_run_button_answers_as_the_program_does(site: tuple[Browser, str], topic: str) -> None:
     window, address = site
-    window.open(address + address_of(topic))
+    window.open(f"{address}{topic}/")
     titles = window.script("return [...document.querySelectorAll('.run button')].map((button) => button.title)")
     assert titles == [f"jkroll {line}" for line in runnable(topic)]
     for place, line in enumerate(runnable(topic)):
         window.script("document.querySelectorAll('.run button')[arguments[0]].click()", place)
-        window.wait("document.querySelector('iframe.prompt').contentDocument?.body?.dataset.ready")
+        window.wait("document.querySelector('pre.ran[aria-busy=false]')")
         text, code = window.script("""
-            const frame = document.querySelector("iframe.prompt");
-            const answer = frame.contentDocument.getElementById("answer");
-            frame.remove();
-            return [answer.textContent, Number(answer.dataset.code)]""")
+            const box = document.querySelector("pre.ran");
+            box.remove();
+            return [box.textContent, Number(box.dataset.code)]""")
         printed, ended = script(line)
         assert (rounded(text), code) == (rounded(without_colours(printed)), ended), line
 
 
 def test_only_the_commands_of_a_transcript_are_copied(site: tuple[Browser, str]) -> None:
     window, address = site
-    window.open(address)
+    window.open(address + "start/")
     window.click(".language-console .md-code__button")
     assert window.clipboard() == "jkroll pull-off quartz 100nm"
     window.click(".language-sh .md-code__button")
@@ -135,11 +135,49 @@ def test_only_the_commands_of_a_transcript_are_copied(site: tuple[Browser, str])
     ]
 
 
+@pytest.mark.parametrize("path", ["", "start/", "prompt/", "models/", "all-quantities/"])
+def test_axe_finds_nothing_on_wide_and_narrow_light_and_dark_pages(
+    site: tuple[Browser, str], path: str, tmp_path: Path
+) -> None:
+    window, address = site
+    script_of_axe = axe(tmp_path)
+    for width, height in ((1280, 800), (390, 844)):
+        window.open(address + path, width, height)
+        for scheme in (0, 1):
+            window.script(
+                """
+                document.head.append(Object.assign(document.createElement("style"),
+                  {textContent: "*, *::before, *::after { transition: none !important; }"}));
+                document.querySelectorAll(".md-option")[arguments[0]]?.click();
+                if (document.documentElement.scrollWidth > innerWidth) throw new Error("wider than its window");
+                """,
+                scheme,
+            )
+            window.script(script_of_axe)
+            found = window.script("""
+                const tags = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"];
+                const { violations } = await axe.run(document, { runOnly: tags });
+                return violations.map(({ id, nodes }) => [id, nodes.map(({ target }) => target.join(" "))]);""")
+            assert found == [], (width, scheme)
+
+
+def test_every_page_has_a_policy_and_says_what_it_is() -> None:
+    for path in SITE.rglob("*.html"):
+        html = path.read_text(encoding="utf-8")
+        assert '<meta http-equiv="Content-Security-Policy" content="default-src \'self\';' in html, path
+        assert "unsafe-eval'" not in html.replace("'wasm-unsafe-eval'", "")
+        assert '<meta name="description" content="' in html, path
+    pages = (SITE / "llms.txt").read_text(encoding="utf-8")
+    for topic in topics():
+        assert f"]({topic}.md): " in pages
+        assert (SITE / f"{topic}.md").read_text(encoding="utf-8").startswith("# ")
+
+
 def test_a_link_of_the_prompt_leaves_its_frame(site: tuple[Browser, str]) -> None:
     window, address = site
     window.open(address + "try/")
     window.wait("document.querySelector('iframe').contentDocument?.querySelector('#keys a')")
     window.script("document.querySelector('iframe').contentDocument.querySelector('#keys a').click()")
-    window.wait("location.pathname === '/' && document.readyState === 'complete'", 10)
-    assert window.script("return location.hash") == "#install"
+    window.wait("location.pathname === '/start/' && document.readyState === 'complete'", 10)
+    assert window.script("return location.hash") == "#thirty-seconds-to-the-first-number"
     assert window.script("return document.querySelector('iframe')") is None

@@ -85,26 +85,9 @@ def needs_files(words: Sequence[str]) -> str:
 
 
 def candidates(line: str) -> list[str]:
-    """Return the words that may stand in place of the last one of a line: commands, materials, options, pages."""
-    from jkroll.cli.commands import COMMANDS
-    from jkroll.materials.library import known_materials
+    """Return the words that may stand in place of the last one of a line, as the shell's completion has them."""
+    from jkroll.cli.completion import candidates as candidates_for
 
-    words = line.split(" ")
-    last = words[-1]
-    before = [word for word in words[:-1] if word and word != "jkroll"]
-    if not before:
-        names = [*COMMANDS]
-    elif last.startswith("-"):
-        command = COMMANDS.get(before[0])
-        names = (
-            sorted({flag for option in command.options() for flag in option.flags if not option.hidden})
-            if command
-            else []
-        )
-    elif before[0] == "guide":
-        from jkroll.write.manual import topics
-
-        names = [*topics()]
-    else:
-        names = sorted(known_materials().materials)
-    return [name for name in names if name.startswith(last) and name != last][:30]
+    *before, begun = line.split(" ")
+    words = [word for word in before if word and word != "jkroll"]
+    return [word for word, _ in candidates_for(words, begun) if word != begun][:30]

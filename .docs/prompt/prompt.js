@@ -1,47 +1,10 @@
 // The prompt: a line to type, its answer, history by arrow keys, completion by Tab, a link that carries the line.
+import { ask, coloured, inWords, listen, stop } from "./python.js";
+
 const form = document.forms[0];
 const [line, answer, status, choices] = ["line", "answer", "status", "choices"].map((id) => document.getElementById(id));
-const worker = new Worker("./worker.js", { type: "module" });
-const waiting = new Map();
-let last = 0;
-
-const ask = (question) =>
-  new Promise((resolve) => {
-    waiting.set(++last, resolve);
-    worker.postMessage({ id: last, ...question });
-  });
-worker.onmessage = ({ data }) => {
-  waiting.get(data.id)(data);
-  waiting.delete(data.id);
-};
-worker.onerror = () => (status.textContent = "This browser cannot run Python (WebAssembly, module workers); the manual says how to install jkroll");
-
-// --- Colours: the ANSI codes of a terminal as classes of the page ---
-
-const ANSI = /\x1b\[([\d;]*)m/g;
-
-function coloured(text) {
-  const fragment = document.createDocumentFragment();
-  let classes = [];
-  let from = 0;
-  const put = (part) => {
-    if (!part) return;
-    const span = document.createElement("span");
-    span.className = classes.join(" ");
-    span.textContent = part;
-    fragment.append(span);
-  };
-  for (const match of text.matchAll(ANSI)) {
-    put(text.slice(from, match.index));
-    from = match.index + match[0].length;
-    for (const code of match[1].split(";").map(Number)) {
-      if (code === 0) classes = [];
-      else classes.push(`ansi${code}`);
-    }
-  }
-  put(text.slice(from));
-  return fragment;
-}
+const go = form.querySelector("button");
+listen((news) => (status.textContent = inWords(news)));
 
 // --- A line and its answer ---
 
@@ -50,11 +13,13 @@ let place = history.length;
 
 async function run(text) {
   status.textContent = "working …";
+  go.textContent = "stop";
   answer.setAttribute("aria-busy", "true");
   const found = await ask({ line: text });
   answer.replaceChildren(coloured(found.text));
   answer.raw = found.text;
   answer.setAttribute("aria-busy", "false");
+  go.textContent = "run";
   answer.dataset.code = found.code;
   answer.dataset.line = text;
   status.textContent = found.code ? `ended with code ${found.code}` : "";
@@ -62,6 +27,7 @@ async function run(text) {
 
 form.onsubmit = (event) => {
   event.preventDefault();
+  if (go.textContent === "stop") return stop();
   const text = line.value.trim();
   hide();
   if (!text) return;
@@ -147,8 +113,17 @@ async function copy(text, what) {
 document.getElementById("copy").onclick = () => copy(`$ jkroll ${answer.dataset.line}\n${answer.textContent}`, "answer");
 document.getElementById("link").onclick = () => copy(location.href, "link");
 
-line.value = new URLSearchParams(location.search).get("c")?.replace(/^jkroll /, "") ?? line.value;
+for (const example of document.querySelectorAll(".example"))
+  example.onclick = () => {
+    line.value = example.textContent;
+    form.requestSubmit();
+  };
+
+// A line that came with a link is shown, and waits for a press.
+const linked = new URLSearchParams(location.search).get("c")?.replace(/^jkroll /, "");
+line.value = linked ?? line.value;
 ask({}).then(async () => {
-  await run(line.value);
+  if (linked === undefined) await run(line.value);
+  else status.textContent = "this line came with the link: press run";
   document.body.dataset.ready = "yes";
 });

@@ -1,45 +1,93 @@
-// Python in a worker, so that the page does not freeze: lines and completions in, texts out.
+// Python in a worker, so that the page does not freeze: contacts, lines and completions in, texts out.
 import { loadPyodide } from "./pyodide/pyodide.mjs";
 
+const here = (path) => new URL(path, self.location).href;
 const send = (id, answer) => postMessage({ id, ...answer });
 
-async function begin() {
-  const python = await loadPyodide({ indexURL: new URL("./pyodide/", self.location).href });
-  const archives = await (await fetch("./python/index.json")).json();
-  for (const name of archives) {
-    const bytes = await (await fetch(`./python/${name}`)).arrayBuffer();
-    python.unpackArchive(bytes, "zip", { extractDir: "/lib/site" });
+// Every file that is fetched is counted while it comes, and named if it does not.
+const plain = self.fetch;
+let loaded = 0;
+let total = Infinity;
+let told = 0;
+let absent = "";
+self.fetch = async (from, options) => {
+  const name = String(from.url ?? from).replace(here("./"), "");
+  const response = await plain(from, options).catch(() => ({ status: "no answer, or not the pinned file" }));
+  if (!response.ok) {
+    absent = `prompt/${name} could not be loaded (${response.status})`;
+    if (told < Infinity) postMessage({ progress: { error: absent } }); // Pyodide itself keeps silent of some
+    throw new Error(absent);
   }
-  for (const name of ["bridge.py", "orjson.py"])
-    python.FS.writeFile(`/lib/site/${name}`, await (await fetch(`./${name}`)).text());
+  count(response.clone().body.getReader(), name);
+  return response;
+};
+async function count(reader, name) {
+  for (let piece = await reader.read(); !piece.done; piece = await reader.read()) {
+    loaded += piece.value.length;
+    if (performance.now() < told + 80 || absent || told === Infinity) continue;
+    told = performance.now();
+    postMessage({ progress: { part: Math.min(loaded / total, 0.99), name } });
+  }
+}
+const bytes = async (path) => (await fetch(here(path))).arrayBuffer();
+const unpack = async (python, wheel) => python.unpackArchive(await wheel, "zip", { extractDir: "/lib/site" });
+
+async function begin() {
+  const list = bytes("./python/index.json").then((text) => JSON.parse(new TextDecoder().decode(text)));
+  list.then(({ bytes }) => (total = bytes));
+  const own = list.then(({ own }) => bytes(`./python/${own}`));
+  const scripts = ["bridge", "explore", "orjson"];
+  const [python, files, wheel, ...texts] = await Promise.all([
+    loadPyodide({ indexURL: here("./pyodide/") }), list, own, ...scripts.map((name) => bytes(`./${name}.py`)),
+  ]);
+  await unpack(python, wheel);
+  scripts.forEach((name, place) => python.FS.writeFile(`/lib/site/${name}.py`, new Uint8Array(texts[place])));
   python.runPython("import sys; sys.path.insert(0, '/lib/site'); import bridge; bridge.begin()");
-  return python;
+  told = Infinity;
+  postMessage({ progress: { part: 1, ready: true } });
+  return { python, files, bridge: python.pyimport("bridge") };
 }
 
 const ready = begin();
+ready.catch((error) => absent || postMessage({ progress: { error: String(error.message ?? error) } }));
+
+// What comes when it is first needed: numpy, and what a terminal's tables take.
+const silent = () => {};
+const loadNumpy = async (python) => {
+  await python.loadPackage("numpy", { messageCallback: silent, errorCallback: silent });
+  if (absent) throw new Error(absent);
+};
+let tables;
+const loadTables = ({ python, files }) =>
+  (tables ??= Promise.all(files.tables.map((name) => unpack(python, bytes(`./python/${name}`)))));
+
 const toObject = (proxy) => {
   const value = proxy.toJs({ dict_converter: Object.fromEntries });
   proxy.destroy();
   return value;
 };
 
-// numpy lies beside Pyodide on this site, and comes the first time that a line needs it.
-async function answer(python, bridge, line) {
-  const first = toObject(bridge.run(line));
+async function answer(all, line) {
+  await loadTables(all);
+  const first = toObject(all.bridge.run(line));
   if (!first.missing.length) return first;
-  const silent = () => {};
-  await python.loadPackage(first.missing, { messageCallback: silent, errorCallback: silent }).catch(silent);
-  return toObject(bridge.run(line));
+  await loadNumpy(all.python);
+  return toObject(all.bridge.run(line));
 }
 
-onmessage = async ({ data: { id, line, prefix } }) => {
+onmessage = async ({ data: { id, line, prefix, contact, drawn } }) => {
   try {
-    const python = await ready;
-    const bridge = python.pyimport("bridge");
-    if (line !== undefined) send(id, await answer(python, bridge, line));
+    const all = await ready;
+    const { python, bridge } = all;
+    if (contact !== undefined) send(id, { contact: JSON.parse(python.pyimport("explore").explore(JSON.stringify(contact))) });
+    else if (drawn !== undefined) {
+      await loadNumpy(python);
+      send(id, { curve: JSON.parse(python.pyimport("explore").curve(JSON.stringify(drawn))) });
+    } else if (line !== undefined) send(id, await answer(all, line));
     else if (prefix !== undefined) send(id, { words: toObject(bridge.candidates(prefix)) });
     else send(id, { text: "", code: 0 });
   } catch (error) {
-    send(id, { text: `jkroll: ${error.message ?? error}\n`, code: 1 });
+    send(id, { text: `jkroll: ${absent || (error.message ?? error)}\n`, code: 1 });
+    absent = "";
   }
 };

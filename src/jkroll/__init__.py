@@ -11,14 +11,14 @@ __version__ = "0.5.0"
 # Type checkers know them from the stub beside this file.
 _HOMES = {
     "FORMULAS": "model.solver",
-    "NOMENCLATURE": "quantities.nomenclature",
+    "NOMENCLATURE": "write.nomenclature",
     "Interval": "quantities.values",
     "JkrollError": "errors",
     "Material": "materials.library",
     "Materials": "materials.library",
     "Measured": "quantities.values",
     "Quantity": "quantities.quantity",
-    "answer": "write.answered",
+    "answer": "pictures.answers",
     "curve": "pictures.drawn",
     "figure": "pictures.drawn",
     "fit": "pictures.fitted",

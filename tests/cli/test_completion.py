@@ -88,6 +88,10 @@ def test_only_names_that_are_one_word_are_offered(tmp_path: Path, monkeypatch: p
         ("jkroll map r_", ["r_min", "r_min_over_radius"]),
         ("jkroll report quartz --quantities surf", []),
         ("jkroll map r_min qua", ["quartz"]),
+        ("jkroll export l", ["lammps", "liggghts"]),
+        ("jkroll export lammps l", ["lactose-crystalline", "lactose-amorphous"]),
+        ("jkroll pull-off --model m", ["maugis"]),
+        ("jkroll guide wo", ["words"]),
         ("jkroll contact --model dmt,j", ["dmt,jkr"]),
         ("jkroll contact --gamma 5mJ", ["5mJ/m2"]),
         ("jkroll contact --material2 = ir", ["iron"]),  # as bash divides --material2=ir

@@ -117,7 +117,9 @@ def test_a_fit_in_python_has_its_points_and_a_picture(curve: str) -> None:
     assert len(axes) == 3
     axes[0].figure.savefig("curve.png")
     assert Path("curve.png").read_bytes().startswith(b"\x89PNG")
-    assert fitted.drawn._repr_png_().startswith(b"\x89PNG")
+    content, shown = fitted.drawn._repr_png_()
+    assert content.startswith(b"\x89PNG")
+    assert 300 < shown["width"] < 1200
 
 
 def test_json_has_what_was_known_and_the_range(run: Run, curve: str) -> None:

@@ -17,13 +17,13 @@ import pytest
 from doors import call_of
 from harness import Run
 from jkroll import __version__, known_materials, solve
-from jkroll.cli.map import MAX_CURVES, map_request
+from jkroll.cli.map import map_request
 from jkroll.cli.process import main
 from jkroll.model.estimate import WORDS, Estimate
 from jkroll.model.frame import Frame
 from jkroll.pictures.figures import PAPER_MAPS, PROFILES, curves_of_contact, paper_map
 from jkroll.pictures.picture import Curve, Field, Panel, Picture, described
-from jkroll.pictures.request import picture_of
+from jkroll.pictures.request import MAX_CURVES, picture_of
 from jkroll.quantities.markup import lines, plain, symbol, typeset
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.values import parse_quantity

@@ -85,7 +85,9 @@ def test_a_figure_is_drawn_on_axes_of_a_user(name: str) -> None:
     for each in numpy.ravel(axes):
         assert each.get_xlabel()
         assert each.has_data()
-    assert drawn._repr_png_().startswith(b"\x89PNG")
+    content, shown = drawn._repr_png_()
+    assert content.startswith(b"\x89PNG")
+    assert 300 < shown["width"] < 1200
 
 
 def test_without_axes_there_is_a_new_figure() -> None:

@@ -55,6 +55,37 @@ def test_error_bars_and_units() -> None:
     assert found.inputs["surface_energy"] == jkroll.Measured(0.025, 0.005)
 
 
+def test_rows_are_those_of_the_table(run: Run) -> None:
+    found = jkroll.answer("report", material="quartz", radius="100nm", speed="20cm/s")
+    printed = run("report", "quartz", "100nm", "--speed", "20cm/s", terminal=True).out.splitlines()
+    for row in found.rows.values():
+        (line,) = (line for line in printed if line.startswith(f"{row.quantity}  "))
+        cells = [cell for cell in re.split(r"\s{2,}", line) if cell]
+        unit = cells[5] if cells[5:] else ""
+        power = re.sub(r"^1(?=e)", "", unit)
+        joint = "" if power != unit else " "
+        assert cells[:2] == [row.quantity, row.symbol]
+        assert row.value == f"{cells[4]}{joint}{power}".strip()
+        assert row.best.replace("(", "").replace(")", "") == f"{cells[2]}{joint}{power}".strip()
+        assert (row.by, row.law) == (cells[3], "JKR")
+        assert f"{row.by}: " in "\n".join(printed)
+        assert found.why[row.by]
+    assert found.inputs_in_words["youngs_modulus"] == "54 GPa"
+
+
+def test_a_doubt_names_the_results_whose_meaning_it_ends() -> None:
+    found = jkroll.answer(["P_c", "yield_force", "r_min"], material="quartz", radius="1 nm", xi="2 nm")
+    without = {name for name, result in found.items() if result.value is None}
+    assert without == {"yield_force", "r_min"}
+    assert without == {name for doubt in found.doubts for name in doubt.ends}
+    assert [doubt.code for doubt in found.doubts if doubt.ends] == [
+        "xi-over-limit",
+        "slides-first",
+        "xi-over-contact",
+        "bend-below-sphere",
+    ]
+
+
 def test_an_answer_is_shown_in_a_line() -> None:
     found = jkroll.answer("pull-off", material="quartz", radius="100 nm")
     assert repr(found) == "<Answered: P_c = 11.781 nN, P_DMT = 15.708 nN>"
@@ -77,8 +108,6 @@ def test_what_has_no_answer_is_an_error() -> None:
         jkroll.answer("pull-off", material="quartz")
     with pytest.raises(jkroll.JkrollError, match="hardest pull"):
         jkroll.answer("contact", material="quartz", radius=1e-7, load=-1e-6)
-    with pytest.raises(jkroll.JkrollError, match="is more than one scene; solve takes arrays"):
-        jkroll.answer("pull-off", material="quartz", radius=[1e-7, 2e-7])
     with pytest.raises(jkroll.JkrollError, match="pull-of"):
         jkroll.answer("pull-of", material="quartz", radius=1e-7)
 

@@ -12,7 +12,6 @@ import pytest
 import jkroll
 from harness import Run
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from relative import approx
 
 GEL = "15um --radius2 plane --work-of-adhesion 71mJ/m2 --young rigid --young2 3kPa --poisson2 0.5"
 WIDE, FLIES = "the contact is wider than the smaller sphere", "too fast to roll around body 2: it flies off"
@@ -185,9 +184,7 @@ def test_python_has_the_reason_and_solve_the_number() -> None:
     assert (found["n_roll"].value, found["n_roll"].reason) == (None, SLOW)
     assert str(found["n_roll"]) == f"no value: {SLOW}"
     assert f"{found['n_imp'].value:.4g}" == "0.001314"
-    least_force = 0.69e-9 * 0.1 / 0.95  # that rolled, scaled as R; a turn costs 2π times half its moment
-    most = 2 / 7 * 0.5 * 2600.0 * 4 / 3 * math.pi * 1e-21 * 0.01 / (math.pi * least_force * 1e-7)
-    assert found.best["n_roll"] == (approx(math.nan, nan_ok=True), approx(most, rel=1e-6), "scaled")
+    assert found.best["n_roll"].by == "–"  # it does not roll by any force that was measured
     assert f"{jkroll.solve('n_roll', **given):.5g}" == "0.00052546"
 
 

@@ -18,6 +18,19 @@ QUESTIONS = [
     ("report iron 100nm --radius2 plane", "report", {"material": "iron", "radius": "100nm", "radius2": "plane"}),
     ("energies quartz 100nm", "energies", {"material": "quartz", "radius": "100nm"}),
 ]
+LISTS: list[tuple[str, str, dict[str, Any]]] = [
+    (
+        "pull-off quartz,silica-dry,iron 100nm",
+        "pull-off",
+        {"material": ["quartz", "silica-dry", "iron"], "radius": 1e-7},
+    ),
+    (
+        "contact quartz,iron 100nm,1um --load -20nN --model jkr,maugis",
+        "contact",
+        {"material": ("quartz", "iron"), "radius": ["100nm", 1e-6], "load": "-20nN", "model": ["jkr", "maugis"]},
+    ),
+    ("report 1um --gamma 25±5mJ/m2,30mJ/m2", "report", {"radius": "1um", "gamma": ["25±5mJ/m2", 0.03]}),
+]
 
 
 class Cells(HTMLParser):
@@ -48,7 +61,7 @@ class Cells(HTMLParser):
 
 def words_of(text: str) -> list[str]:
     """Return the words of a text, without rules and with arguments in place of options."""
-    text = text.replace("more: --explain", "more: .notes and .doubts")
+    text = text.replace("more: --explain", "more: .notes and .doubts").replace(".doubts of each answer", ".doubts")
     text = re.sub(r"--([a-z0-9-]+)", lambda option: option[1].replace("-", "_"), text)
     return re.sub("─+", " ", text).split()
 
@@ -60,6 +73,25 @@ def test_print_and_html_have_the_words_of_the_terminal(run: Run, words: str, wan
     shown = Cells(found._repr_html_())
     assert sorted(" ".join(shown.texts).split()) == sorted(words_of(ran.out + ran.err))
     assert "best range" in shown.texts or "law" in words
+
+
+@pytest.mark.parametrize(("words", "wanted", "scene"), LISTS)
+def test_lists_have_the_words_of_the_terminal(run: Run, words: str, wanted: str, scene: Any) -> None:
+    ran, found = run(*words.split(), terminal=True), jkroll.answer(wanted, **scene)
+    notes = re.sub(r"jkroll: .*\n", "", ran.err)  # how many rows failed: in Python their answers say so
+    assert words_of(str(found)) == words_of(ran.out + notes)
+
+
+def test_a_list_is_one_table_of_html_however_wide() -> None:
+    found = jkroll.answer("contact", material=["quartz", "iron"], radius=["100nm", "1um"])
+    html = found._repr_html_()
+    assert html.count("<table>") == 1
+    rows = [Cells(row).texts for row in html.splitlines() if row.startswith("<tr>")]
+    assert rows[0][:3] == ["material", "R1 [nm]", "γ [mJ/m²]"]
+    assert [row[0] for row in rows[1:]] == ["quartz", "quartz", "iron", "iron"]
+    bundle = found._repr_mimebundle_(include=None, exclude=None)
+    assert (bundle["text/plain"], bundle["text/html"]) == (str(found), html)
+    assert bundle["text/latex"].count(r"\hline") == 1
 
 
 def test_a_notebook_gets_every_form() -> None:
@@ -86,7 +118,39 @@ def test_latex_sets_an_answer(tmp_path: Path) -> None:
     subprocess.run(["pdflatex", "-halt-on-error", "a.tex"], cwd=tmp_path, check=True, capture_output=True)
 
 
-def test_materials_are_a_table() -> None:
-    shown = Cells(jkroll.known_materials()._repr_html_())
-    assert shown.texts[:3] == ["material", "surface_energy [J/m^2]", "youngs_modulus [Pa]"]
-    assert [*jkroll.known_materials()] == shown.texts[len(shown.texts) // (1 + len(jkroll.known_materials())) :: 7]
+def test_materials_are_a_table(run: Run) -> None:
+    known = jkroll.known_materials()
+    shown = Cells(known._repr_html_())
+    assert shown.texts[:4] == ["material", "γ [mJ/m²]", "E [GPa]", "ν"]
+    assert [*known] == shown.texts[len(shown.texts) // (1 + len(known)) :: 7]
+    two = Cells(jkroll.Materials()._repr_html_()).texts
+    for line in run("materials", "quartz,ice-warm", terminal=True).out.splitlines()[2:4]:
+        name, *cells = re.split("  +", line)
+        assert two[two.index(name) : two.index(name) + 5] == [name, *cells]
+
+
+@pytest.mark.parametrize("name", ["quartz", "ice-cold", "silicon-oxide"])
+def test_a_material_has_the_words_of_the_terminal(run: Run, name: str) -> None:
+    bundle = jkroll.known_materials()[name]._repr_mimebundle_()
+    title, *texts = Cells(bundle["text/html"]).texts
+    assert words_of(" ".join([title, *texts[2:]])) == words_of(run("materials", name, terminal=True).out)
+    assert bundle["text/latex"].count(r"\\") == len(texts) / 2
+
+
+def test_the_nomenclature_has_the_words_of_the_terminal(run: Run) -> None:
+    known = jkroll.NOMENCLATURE
+    assert words_of(str(known)) == words_of(run("quantities", terminal=True).out)
+    assert sorted(" ".join(Cells(known._repr_html_()).texts).split()) == sorted(words_of(str(known)))
+    assert (known["radius"].unit, "radius" in known, len(known)) == ("m", True, len([*known]))
+    assert repr(known) == f"<Nomenclature: {len(known)} quantities>"
+
+
+def test_a_fit_has_the_words_of_the_terminal(run: Run) -> None:
+    data = str(Path(__file__).parents[1] / "data" / "afm_retract.csv")
+    ran = run("fit", data, *"--radius 7.5um --radius2 plane --spring".split(), "3.01 N/m", terminal=True)
+    fitted = jkroll.fit(data, radius="7.5um", radius2="plane", spring="3.01N/m")
+    text, _, _ = ran.out.removeprefix("afm_retract.csv: ").partition("\nthen: ")
+    assert words_of(str(fitted)) == words_of(text)
+    assert sorted(" ".join(Cells(fitted._repr_html_()).texts).split()) == sorted(words_of(str(fitted)))
+    assert r"\begin{tabular}" in fitted._repr_mimebundle_()["text/latex"]
+    assert repr(fitted).startswith("<FittedCurve: work_of_adhesion_opening = ")

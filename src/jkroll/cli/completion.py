@@ -117,7 +117,7 @@ def _fitting(words: Sequence[str], begun: str) -> Iterable[Candidate]:
     if option is not None and option.metavar:
         places: Sequence[str] = [option.name]
     else:
-        places = [] if is_joined else _placeholders(command, value)
+        places = [] if is_joined else _placeholders(command, words, value)
     return [(word, "") for place in places for word in _values(place, value)]
 
 
@@ -142,9 +142,18 @@ def _options(given: Set[str], options: Iterable[Option[Any]]) -> Iterator[Candid
                 yield flag, option.sentence()
 
 
-def _placeholders(command: Command, begun: str) -> Sequence[str]:
-    """Return the first placeholder of a command or, once a word may stand before it, all of them."""
-    return command.placeholders if begun else command.placeholders[:1]
+def _placeholders(command: Command, words: Sequence[str], begun: str) -> Sequence[str]:
+    """Return the placeholders that a word may stand for: the first whose names it begins, if no word has that place.
+
+    Without a begun word it is the first of the command; where none fits, all of them.
+    """
+    if not begun:
+        return command.placeholders[:1]
+    for place in command.placeholders:
+        names = {*_NAMES[place]("")} if place in _NAMES else set()
+        if names.isdisjoint(words) and any(name.startswith(begun) for name in names):
+            return [place]
+    return command.placeholders
 
 
 def _values(place: str, begun: str) -> Iterable[str]:
@@ -179,6 +188,20 @@ def _materials(begun: str) -> list[str]:
     return names or [name for name in materials.aliases if name.startswith(begun)]
 
 
+def _topics(_: str) -> Iterable[str]:
+    """Return the pages of the manual."""
+    from ..write.manual import topics
+
+    return topics()
+
+
+def _programs(_: str) -> Iterable[str]:
+    """Return the programs that `export` writes for."""
+    from ..write.exports import PROGRAMS
+
+    return PROGRAMS
+
+
 _RESULTS = [  # the quantities that a formula gives, without variants and without what is only an input
     name
     for name, quantity in NOMENCLATURE.items()
@@ -188,6 +211,8 @@ _RESULTS = [  # the quantities that a formula gives, without variants and withou
 _NAMES: Mapping[str, Callable[[str], Iterable[str]]] = {
     **dict.fromkeys(("MATERIAL", "material", "material2", "mark"), _materials),
     **dict.fromkeys(("QUANTITY", "NAME", "quantities"), lambda _: _RESULTS),
+    "TOPIC": _topics,
+    "PROGRAM": _programs,
     "model": lambda _: MODELS,
     "profile": lambda _: PROFILES,
 }

@@ -12,10 +12,9 @@ from ..errors import ROWS_FAILED, BadRequest, JkrollError
 from ..materials.library import Materials
 from ..model.fit_result import RESULTS, Fit, Known
 from ..quantities.formatting import Format, amount
-from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import value_of
-from ..report.fitted import in_words, is_sure, sentences
+from ..report.fitted import in_words, is_sure, line_on_known, sentences
 from ..tables.fitted import fit_of_file, known_of
 from ..text import ascii_text, quoted, say, say_wrapped
 from ..write.fitted import (
@@ -140,17 +139,10 @@ def _write_single(call: Call, path: str, outcome: FileFit) -> int:
 
 def _heading(call: Call, path: str, fitted: Fit) -> str:
     """Return the line above a fit: the file and what is known."""
-    known = fitted.known
-    law = LAWS[known.law].short if fitted.largest_adhesion is None else "Hertz"
-    texts = [f"{os.path.basename(path)}: {fitted.kind} and force, by {law}"]
-    if known.radius is not None:
-        is_of_two = {"radius2", "diameter2", "reduced_radius"}.isdisjoint(call.inputs)
-        of_two = " of two equal spheres (--radius2 plane for a flat)" if is_of_two else ""
-        texts.append(f"R = {amount('reduced_radius', known.radius)}{of_two}")
-    if fitted.kind == "travel":
-        texts.append(f"k = {call.spring}")
-    texts.append(f"{known.profile}, {int(fitted.goodness['points'])} points")
-    return ", ".join(texts)
+    is_of_two = {"radius2", "diameter2", "reduced_radius"}.isdisjoint(call.inputs)
+    of_two = " of two equal spheres (--radius2 plane for a flat)" if is_of_two else ""
+    known = line_on_known(fitted, on_radius=of_two, stiffness=call.spring or "")
+    return f"{os.path.basename(path)}: {known}"
 
 
 def following_command(call: Call, fitted: Fit) -> str:

@@ -11,11 +11,10 @@ from ..model.limits import LIMITS
 from ..pictures.figures import FIGURE_NAMES, PANELS, PAPER_MAPS, PROFILES, curves_of_contact, figure_laws, paper_map
 from ..pictures.geometry import sketch
 from ..pictures.picture import STYLES, Picture, evaluate, say_texts, write_picture
-from ..pictures.request import PlotRequest, axis_of, check_axes, picture_of
-from ..quantities.formatting import amount
+from ..pictures.request import MAX_CURVES, PlotRequest, axis_of, check_axes, distinction, picture_of
 from ..quantities.laws import DEFAULT_LAW
-from ..quantities.markup import plain, symbol
-from ..quantities.nomenclature import computed_as, header
+from ..quantities.markup import plain
+from ..quantities.nomenclature import header
 from ..quantities.values import QuantityError, parse_quantity
 from ..report.questions import quantity_named
 from ..text import ending, listed, quoted, say, say_wrapped
@@ -169,8 +168,6 @@ def _write_data(drawn: Picture, path: str) -> None:
 
 # --- Map request ------------------------------------------------------------------------------------------------------
 
-MAX_CURVES = 24  # more cannot be told apart
-
 
 def map_request(call: Call) -> PlotRequest:
     """Return what a call asks for: a quantity, axes, frames to draw, and marks."""
@@ -186,18 +183,8 @@ def map_request(call: Call) -> PlotRequest:
     if (count := len(call.sweep)) > (1 if len(axes) > 1 else MAX_CURVES):
         most = f"the {MAX_CURVES} curves that can be told apart; name fewer" if len(axes) == 1 else "one map"
         raise BadRequest(f"{count} pairs are more than {most}")
-    frames = tuple((_distinction(frame, call), frame) for frame in call.sweep.frames())
+    several = [name for name, text in call.values.items() if "," in text or ":" in text]
+    frames = tuple((distinction(frame, several, call.models), frame) for frame in call.sweep.frames())
     limits = () if call.plain else LIMITS
     marks = [*filter(None, call.mark.split(","))]
     return PlotRequest(quantity, x, y, frames, marks, call.materials, limits, has_best=not call.plain)
-
-
-def _distinction(frame: Frame, call: Call) -> str:
-    """Return the materials of a frame, and those of its values of which several were given, without uncertainties."""
-    parts = [material.name for material, _ in frame.materials]
-    if len(call.models) > 1 and frame.stated_model is not None:
-        parts.append(frame.law.title)
-    several = [name for name, text in call.values.items() if "," in text or ":" in text]
-    computed = [name if name in frame.given else computed_as(name) for name in several]
-    parts += [f"{symbol(name)} = {amount(name, frame.given[name])}" for name in computed]
-    return ", ".join(parts)

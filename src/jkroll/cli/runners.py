@@ -13,14 +13,22 @@ from typing import TYPE_CHECKING, TextIO
 from ..errors import ROWS_FAILED, BadRequest, JkrollError
 from ..materials.library import UnknownMaterial
 from ..model.frame import HELD_BY_LOAD, Frame
-from ..model.limits import ENDING_MEANING, EVERY_DOUBT
+from ..model.limits import ENDING_MEANING
 from ..model.plan import formula_of
 from ..model.sweep import Sweep
 from ..quantities.formatting import Format, symbol_of
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity
 from ..quantities.values import Spread, spreads_of
-from ..report.notes import Group, assumed_in, lines_of, notes_on_rows
-from ..report.questions import EVERYTHING, QUESTIONS, Question, quantities_named, quantity_named, question_about
+from ..report.notes import Group, assumed_in, lines_of, notes_below
+from ..report.questions import (
+    EVERYTHING,
+    QUESTIONS,
+    Question,
+    columns_in_table,
+    quantities_named,
+    quantity_named,
+    question_about,
+)
 from ..text import ascii_text, closest, listed, quoted, say, say_wrapped, wrapped
 from .call import BARE, CITE, EXPLAIN, JSON, MARKDOWN, PLAIN, TABLE, Call, message_of
 from .options import Options
@@ -98,12 +106,12 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, sing
     if call.output is BARE:
         wanted = sweep.headline(question.headline, question.named, doubts=not call.quiet)
     else:
-        quantities = question.with_row if is_shown else question.quantities
-        wanted = sweep.wanted(quantities, question.named, keeps_all=call.output.keeps_all)
+        if is_shown:
+            wanted = columns_in_table(question, sweep)
+        else:
+            wanted = sweep.wanted(question.quantities, question.named, keeps_all=call.output.keeps_all)
         if call.best:
             wanted = wanted.with_best(wanted.names)
-        elif is_shown:
-            wanted = wanted.with_best(question.headline)
     blocks = sweep.columns(wanted) if single is None else [of_single_row(wanted, single)]
     single = None if call.quiet else single
     return _write_columns(call, wanted, [*sweep.noted(wanted)], blocks, form, is_table=is_shown, single=single)
@@ -139,8 +147,7 @@ def _write_columns(
         sys.stdout.flush()
     tally = reduce(Tally.plus, tallies, Tally())
     if single is None or (tally.with_doubts(ENDING_MEANING) and not single.ended):  # of states of a curve
-        told = ENDING_MEANING if is_table else EVERY_DOUBT  # the lines of a table say what its codes mean
-        notes = notes_on_rows(groups, tally, wanted.reported_doubts & told)
+        notes = notes_below(groups, tally, wanted.reported_doubts, is_table=is_table)
     else:
         notes = _told(single, is_shown=False)
     for line in lines_of(notes, has_head=is_table, quiet=call.quiet):
@@ -318,7 +325,7 @@ def run_export(call: Call) -> int:
         for line in (*(f"note: {text}" for text in (*ranges, *program.about(frame))), *notes):
             say_wrapped(line, sys.stderr)
         return 0
-    _write_comments(["compare the best ranges at the end before you run this"])
+    _write_comments(["the best ranges stand at the end: --gamma and --xi bring other values of them into these lines"])
     sys.stdout.write(text)
     _write_comments([*ranges, *notes])
     return 0

@@ -14,7 +14,7 @@ from ..errors import BadRequest
 from ..physics.elementary import cbrt, smaller_and_larger, sqrt
 from ..quantities.nomenclature import PROPERTIES, XI, header, named, read_only
 from ..quantities.values import Interval, QuantityError, Uncertain, ends_of, is_uncertain, middle, value_of
-from ..text import TextColumn, closest, html_table, listed, quoted, shown
+from ..text import closest, listed, quoted, shown
 
 MAX_BYTES = 64_000  # some 180 materials with all their references
 MAX_NAME = 60
@@ -99,6 +99,17 @@ class Material(NamedTuple):
         """The properties with their error bars, and the yield displacement as it was measured."""
         displacement = {} if self.displacement is None else {XI: self.displacement.measured}
         return {**self.properties, **self.uncertainties, **displacement}
+
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows."""
+        return self._repr_mimebundle_()["text/html"]
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
+        """Return what notebooks show and convert: a row for each fact."""
+        from ..quantities.shown import bundle
+        from .sheet import parts_of_material
+
+        return bundle(parts_of_material(self))
 
     def sources_of(self, name: str) -> list[Mapping[str, str]]:
         """Return the references of a property: its own, or else those that belong to no other property."""
@@ -373,15 +384,15 @@ class Materials:
         return import_module("pandas").DataFrame(rows, index=[*self])
 
     def _repr_html_(self) -> str:
-        """Return what a notebook shows: the properties in SI units."""
-        columns = [TextColumn("material", [*self], is_right=False)]
-        for name in PROPERTIES:
-            values = [each.properties.get(name) for each in self.materials.values()]
-            columns.append(TextColumn(header(name), ["–" if value is None else f"{value:.4g}" for value in values]))
-        for head, attribute in (("state", "state"), ("source", "title")):
-            cells = [getattr(each, attribute) for each in self.materials.values()]
-            columns.append(TextColumn(head, cells, is_right=False))
-        return html_table(columns)
+        """Return what a notebook shows."""
+        return self._repr_mimebundle_()["text/html"]
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
+        """Return what notebooks show and convert: a row for each material."""
+        from ..quantities.shown import bundle
+        from .sheet import parts_of_materials
+
+        return bundle(parts_of_materials([*self.materials.values()]))
 
     @property
     def materials(self) -> Mapping[str, Material]:

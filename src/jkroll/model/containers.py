@@ -11,11 +11,12 @@ from ..physics import dimensions
 from ..physics.elementary import NUMBER
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity, as_input
 from ..quantities.numeric import Numeric
-from ..quantities.values import Measured, QuantityError, checked, is_uncertain, value_of
+from ..quantities.units import BadUnit, dimension_of
+from ..quantities.values import Measured, QuantityError, checked, is_uncertain, unit_meant, value_of
+from .labels import Axis, aligned, axes_of, have_same_dimensions, have_same_labels, text_of_unit, unit_stated
 
 _TAKEN_BY_FORMULAS = "give a number in SI units, an array of them or a pint Quantity"
 _BYTES = bytes, bytearray, memoryview  # which numpy reads as integers
-Axis = tuple[Any, Any]  # the name of a dimension and the labels along it, None where there are none
 
 
 @cache
@@ -34,7 +35,19 @@ class Reader:
         self._formula = formula
         self._labelled: tuple[str, list[Axis]] | None = None  # the first input with labels
         self._container: Any = None  # its array of pandas or xarray
+        self._outer: Any = None  # an array with the labels of the results, if these are not those of the inputs
+        self._states_units = False  # whether an input has a unit among its attributes
         self._owners: dict[Any, str] = {}  # by variable of the package uncertainties, the input that has it
+
+    def aligned(self, *groups: Mapping[str, Any]) -> list[dict[str, Any]]:
+        """Return groups of inputs in which arrays of pandas or xarray are aligned as their library does."""
+        every = [dict(group) for group in groups]
+        places = [(group, key) for group in every for key, value in group.items() if axes_of(value)]
+        if len(places) > 1:
+            arrays, self._outer = aligned([group[key] for group, key in places])
+            for (group, key), array in zip(places, arrays, strict=True):
+                group[key] = array
+        return every
 
     def in_si(self, given: Mapping[str, Any], name_of: Callable[[str], str] = as_input) -> dict[str, Any]:
         """Return the inputs of a frame in SI units by name. `name_of` returns the quantity that a word stands for."""
@@ -74,8 +87,14 @@ class Reader:
                 problem = "holds uncertain values, and arrays have no uncertainty"
                 raise QuantityError(name, "a list", problem, "give them one by one")
             return self._floats(name, items)
-        _refuse_unit(name, value)
         self.compare_labels(name, value)
+        return self._of_array(name, value)
+
+    def _of_array(self, name: str, value: Any) -> Any:
+        """Return the floats of a number or of a container of numbers, with the unit that an array may state."""
+        if (unit := unit_stated(value)) is not None and hasattr(value, "attrs"):
+            return self._of_stated_unit(name, value, text_of_unit(unit))
+        _refuse_unit(name, value)
         if hasattr(value, "dtype") and hasattr(value, "dims"):  # a data set of xarray has no type, and is refused
             return self.number(name, value.data)
         if hasattr(value, "dtype") and hasattr(value, "__dask_graph__"):
@@ -114,6 +133,23 @@ class Reader:
         except (TypeError, ValueError) as error:  # UnitConversionError is both
             raise QuantityError(name, str(quantity), "is of another dimension", f"give a value in {unit}") from error
 
+    def _of_stated_unit(self, name: str, array: Any, text: str) -> Any:
+        """Return the numbers of an array in SI units whose unit is an attribute, or that of a column of pint."""
+        wanted = self._unit_of(name)
+        try:
+            unit = unit_meant(text, dimension_of(wanted)) if text != "1" else (1, 1, dimension_of("1"))
+        except BadUnit as error:
+            raise QuantityError(name, text, str(error), error.remedy([dimension_of(wanted)])) from None
+        if unit[2] != dimension_of(wanted):
+            raise QuantityError(name, text, "is of another dimension", f"give a value in {wanted}")
+        data = array.data if hasattr(array, "dims") else array
+        if hasattr(data, "m_as") or hasattr(data, "to_value"):
+            raise QuantityError(name, text, "is an attribute of numbers that have a unit", "leave one of them out")
+        self._states_units = True
+        if hasattr(getattr(array, "dtype", None), "units"):  # a column of pint
+            data = data.pint.magnitude
+        return self.number(name, data.to_numpy() if hasattr(data, "to_numpy") else data) * unit[0] / unit[1]
+
     def _measured(self, name: str, number: Any) -> Measured:
         """Return a number of the package uncertainties; raise BadRequest if it is correlated with another input."""
         for variable, part in getattr(number, "error_components", dict)().items():
@@ -126,7 +162,7 @@ class Reader:
 
     def compare_labels(self, name: str, value: Any) -> None:
         """Raise BadRequest for arrays of pandas or xarray whose labels differ: elements are taken by position."""
-        axes = _axes_of(value)
+        axes = axes_of(value)
         if not axes:
             return
         if self._labelled is None:
@@ -134,21 +170,22 @@ class Reader:
             self._container = value
         first, others = self._labelled
         remedy = "align them first, or give numpy arrays, which are taken by position"
-        if [dimension for dimension, _ in axes] != [dimension for dimension, _ in others]:
+        if not have_same_dimensions(axes, others):
             raise BadRequest(f"{first} and {name} have different dimensions: {remedy}")
-        if not all(_are_same(labels, other) for (_, labels), (_, other) in zip(axes, others, strict=True)):
+        if not have_same_labels(axes, others):
             raise BadRequest(f"{first} and {name} have different indexes: {remedy}")
 
-    def labelled(self, name: str, values: Any) -> Any:
+    def labelled(self, name: str, values: Any, unit: str) -> Any:
         """Return the values of a quantity with the labels of the inputs, if they have their shape."""
         container = self._container
         if container is None or getattr(values, "shape", None) != getattr(container, "shape", None):
             return values
         if hasattr(container, "dims"):
             found = container.copy(data=values)
-            found.attrs = {}
         else:
             found = container._constructor(values, **dict(zip(("index", "columns"), container.axes, strict=False)))
+            found = found if self._outer is None else found.reindex_like(self._outer)
+        found.attrs = {"units": unit} if self._states_units else {}
         if hasattr(found, "name"):
             found.name = name
         return found
@@ -201,25 +238,7 @@ def _of_result(name: str, result: Numeric) -> Any:
 
 
 def _refuse_unit(name: str, value: Any) -> None:
-    """Raise QuantityError for a unit of another package, and for one that is a word among attributes."""
-    attributes, remedy = getattr(value, "attrs", {}), "give SI numbers, or a Quantity of pint or astropy"
-    for word in attributes:
-        if str(word).casefold() in ("unit", "units"):
-            raise QuantityError(name, f"{word} = {attributes[word]}", "is an attribute, which is not read", remedy)
+    """Raise QuantityError for a unit of another package."""
+    remedy = "give SI numbers, or a Quantity of pint or astropy"
     if any(hasattr(holder, word) for holder in (value, getattr(value, "dtype", None)) for word in ("unit", "units")):
         raise QuantityError(name, str(value), "has a unit, and only those of pint and astropy are read", remedy)
-
-
-def _axes_of(value: Any) -> list[Axis]:
-    """Return the axes of an array of pandas or xarray; none for other containers, and for a single number."""
-    if hasattr(value, "dims"):
-        indexes = getattr(value, "indexes", {})
-        return [(dimension, indexes.get(dimension)) for dimension in value.dims]
-    if hasattr(getattr(value, "index", None), "equals"):  # as a method, `index` is that of a sequence
-        return [(None, labels) for labels in value.axes]
-    return []
-
-
-def _are_same(labels: Any, other: Any) -> bool:
-    """Return whether two axes have the same labels, or none."""
-    return labels is other or (labels is not None and bool(labels.equals(other)))

@@ -203,8 +203,12 @@ class Ranges:
         speed = self.frame.numbers("sticking_speed").get("sticking_speed")
         if stuck is not None and speed is not None:
             value = self.results.computed[name].values
-            ends = (value * (end / speed) ** power for end in stuck.ends(self.frame))
-            yield stuck.is_near(self.frame), *ends, MEASURED
+            is_carried = stuck.has_size(self.frame) & self._is_hard
+            for applies, ends in (
+                (stuck.is_near(self.frame), stuck.ends(self.frame)),
+                (is_carried, stuck.in_proportion(self.frame)),
+            ):
+                yield applies, *(value * (end / speed) ** power for end in ends), MEASURED
         yield self._is_hard, own[0], MOST_SEEN**power * own[1], MEASURED
 
     def _of_restitution(self) -> Iterator[Rule]:

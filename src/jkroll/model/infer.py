@@ -5,7 +5,7 @@ from typing import Any, overload
 
 from ..materials.library import Material, Materials
 from ..quantities.laws import law_given
-from ..quantities.nomenclature import named
+from ..quantities.nomenclature import NOMENCLATURE, named
 from ..quantities.values import QuantityError, is_uncertain, middle
 from .containers import Reader
 from .frame import Frame
@@ -91,6 +91,7 @@ def infer(
         lack, example = "is not a quantity and its value for each input", 'write {"pull_off_force": "300 nN"}'
         raise QuantityError("measured", str(measured), lack, example)
     reader = Reader()
+    measured, given = reader.aligned(measured, given)
     levels = reader.in_si(measured, named)
     described = reader.in_si(given)
     for name, value in levels.items():
@@ -100,4 +101,5 @@ def infer(
     values, inputs = {name: frame[name] for name in names}, {**described, **levels}
     if any(map(is_uncertain, inputs.values())):  # as in `solve`
         values = with_uncertainties(frame, inputs, values)
+    values = {name: reader.labelled(name, value, NOMENCLATURE[name].unit) for name, value in values.items()}
     return InferredValues(values, frame.solution.condition) if is_list else values[names[0]]

@@ -89,12 +89,15 @@ def _end_of(rolled: Rolled, end: Callable[[Rolled, Any], Any]) -> Make:
 
 
 def _rolled_at(rolled: Rolled, end: Callable[[Rolled, Any], Any], frame: Frame) -> Frame:
-    """Return a frame with the displacement that an end of what was measured means, under its law and without load."""
+    """Return a frame with the displacement that an end of what was measured means, under its law and without load.
+
+    What is carried far may mean less than the displacement that is assumed, of about one atom; that is the least.
+    """
     radius = 2 * frame["reduced_radius"]
     displacement = end(rolled, radius)
     if rolled.name != XI:  # a force, which acts at the centre of a sphere
         displacement = frame[XI] * (displacement * radius / frame["unloaded_moment"])
-    return frame.replace(**{XI: where(takes(XI, displacement), displacement, frame[XI])})
+    return frame.replace(**{XI: where(takes(XI, displacement), at_least(displacement, frame[XI]), frame[XI])})
 
 
 ROLLED: Mapping[str, Rolled] = {
@@ -124,13 +127,17 @@ def what_rolled(frame: Frame) -> Rolled | None:
 
 
 class Stuck(NamedTuple):
-    """The largest speed at which spheres of some radii stuck to a plane, as a power of the radius."""
+    """The largest speed at which spheres of some radii stuck to a plane, as a power of the radius.
+
+    It is carried to other pairs, of a wider range of radii, in proportion to the law's speed.
+    """
 
     speed: float
     radius: float
     exponent: float
     error: float  # relative
     radii: tuple[float, float]
+    carried: tuple[float, float]
 
     def at(self, radius: Any) -> Any:
         """Return the speed at which spheres of a radius stick."""
@@ -141,18 +148,19 @@ class Stuck(NamedTuple):
         speed = self.at(frame["radius"])
         return speed * (1 - self.error), speed * (1 + self.error)
 
-    def over_law(self, frame: Frame) -> tuple[float, float]:
-        """Return the ratios of what was measured to the law's speeds at the γ of a frame, the least and the largest."""
-        ratios = []
-        for radius in self.radii:
-            speed = frame.replace(radius=radius, radius2=INFINITY)["sticking_speed"]
-            ratios.append(self.at(radius) / speed)
-        return min(ratios), max(ratios)
+    def in_proportion(self, frame: Frame) -> tuple[Any, Any]:
+        """Return the least and the largest speed for a frame, in proportion to its law's."""
+        speeds = [
+            self.at(radius) / frame.replace(radius=radius, radius2=INFINITY)["sticking_speed"] * frame["sticking_speed"]
+            for radius in self.radii
+        ]
+        return at_most(*speeds) * (1 - self.error), at_least(*speeds) * (1 + self.error)
 
-    def in_proportion(self, frame: Frame) -> tuple[float, float]:
-        """Return the least and the largest speed of a frame in these ratios to that of its law."""
-        least, most = self.over_law(frame)
-        return least * frame["sticking_speed"], most * frame["sticking_speed"]
+    def has_size(self, frame: Frame) -> Any:
+        """Return whether what was measured is carried to the pair of a frame."""
+        least, most = self.carried
+        radius = 2 * frame["reduced_radius"]
+        return (least <= radius) & (radius <= most)
 
     def is_near(self, frame: Frame) -> Any:
         """Return whether the spheres have radii as they were measured, and meet a plane."""
@@ -163,7 +171,7 @@ class Stuck(NamedTuple):
 
 STUCK: Mapping[str, Stuck] = {
     # Poppe, Blum & Henning 2000, second hand: 1.9 m/s at 0.25 µm and 1.2 m/s at 0.6 µm, on a plane of silica
-    SIO2: Stuck(1.2, 0.6e-6, -0.53, 0.3, (0.25e-6, 0.6e-6)),
+    SIO2: Stuck(1.2, 0.6e-6, -0.53, 0.3, (0.25e-6, 0.6e-6), carried=(1e-7, 3e-6)),
 }
 
 

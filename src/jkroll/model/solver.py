@@ -112,10 +112,11 @@ def solve(
         "pint" or "astropy": results are quantities of that package. By default they are if an input was one.
     **given
         Inputs by name: a float, an array or a list in SI units, a text with a unit ("100 nm"), or a Quantity of pint or
-        astropy, which an array of xarray or dask may hold. Arrays broadcast by position: those of pandas or xarray must
-        have the same labels. `radius2` may be infinite (a plane), and one Young's modulus too (a rigid body). Single
-        values may be uncertain: `Measured`, `Interval`, "25±5 mJ/m2", "20 to 30 mJ/m2", a pint Measurement, or a number
-        of the package `uncertainties` that is independent of the other inputs.
+        astropy, which an array of xarray or dask may hold. Arrays broadcast by position. Those of pandas and xarray are
+        aligned by their labels, as in arithmetic, and their attribute "units" is read. `radius2` may be infinite (a
+        plane), and one Young's modulus too (a rigid body). Single values may be uncertain: `Measured`, `Interval`,
+        "25±5 mJ/m2", "20 to 30 mJ/m2", a pint Measurement, or a number of the package `uncertainties` that is
+        independent of the other inputs.
 
     Returns
     -------
@@ -141,10 +142,11 @@ def solve(
     """
     names = [*map(named, words_in(wanted))]
     reader = Reader()
+    of_words = {"material": material, "material2": material2, "model": model, "profile": profile}
+    words, given = reader.aligned(of_words, given)
     described = reader.in_si(given)
     quantity = quantity_of(units) if units is not None else reader.quantity
-    words: dict[str, Any] = {"material": material, "material2": material2, "model": model, "profile": profile}
-    if lists := {name: word for name, word in words.items() if _is_list(word)}:
+    if lists := {name: word for name, word in words.items() if is_list(word)}:
         for name, word in lists.items():
             reader.compare_labels(name, word)
         results = _values_by_word(names, words, materials, described)
@@ -157,7 +159,7 @@ def solve(
     if quantity is not None:
         results = {name: quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
     else:
-        results = {name: reader.labelled(name, value) for name, value in results.items()}
+        results = {name: reader.labelled(name, value, NOMENCLATURE[name].unit) for name, value in results.items()}
     return _one_or_all(wanted, names, results)
 
 
@@ -165,7 +167,7 @@ def _one_or_all(wanted: Any, names: Sequence[str], results: dict[str, Any]) -> A
     return results[names[0]] if isinstance(wanted, str) else results
 
 
-def _is_list(word: Any) -> bool:
+def is_list(word: Any) -> bool:
     """Return whether there is a word for each element: a list or a column, and no name and no material."""
     is_one = isinstance(word, str | bytes | Material | Mapping) or hasattr(word, "m_as")
     return not is_one and hasattr(word, "__getitem__") and getattr(word, "ndim", 1) > 0
@@ -181,7 +183,7 @@ def _values_by_word(
     import numpy
 
     refuse_uncertain(described)
-    lists = {name: _array_of(name, word) for name, word in words.items() if _is_list(word)}
+    lists = {name: _array_of(name, word) for name, word in words.items() if is_list(word)}
     arrays = {name: numpy.asarray(value) for name, value in described.items() if not isinstance(value, float)}
     shape = broadcast({**lists, **arrays})
     rows = {name: numpy.broadcast_to(array, shape).reshape(-1) for name, array in {**lists, **arrays}.items()}
@@ -317,6 +319,7 @@ def _of_python(formula: Callable[..., Any]) -> Callable[..., Any]:
         if unnamed or arguments.keys() != names:
             raise BadRequest(f"{formula.__name__} takes {listed(parameters)}, each by its name")
         reader = Reader(formula)
+        (arguments,) = reader.aligned(arguments)
         numbers = {name: reader.number(name, value) for name, value in arguments.items()}
         broadcast({name: number for name, number in numbers.items() if not isinstance(number, float)})
         try:
@@ -330,7 +333,7 @@ def _of_python(formula: Callable[..., Any]) -> Callable[..., Any]:
             raise OutsideDomain(error.cause, error.name, error.numbers) from None
         if reader.quantity is not None:
             return reader.quantity(value, units_of(formula)["return"])
-        return value
+        return reader.labelled(formula.__name__, value, units_of(formula)["return"])
 
     call.__module__ = "jkroll.formulas"  # where pickle finds it
     return call

@@ -94,11 +94,12 @@ class Drawn:
         with settings(STYLES[style]):
             return figure_of(self._picture, None, STYLES[style], has_caption=caption)
 
-    def _repr_png_(self) -> bytes:
-        """Return what a notebook shows."""
+    def _repr_png_(self) -> tuple[bytes, dict[str, int]]:
+        """Return what a notebook shows, at half of its pixels, so that letters have the size of those around it."""
         with missing_extra("plot"):
             from .page import draw
-        return draw(self._picture, "png", None, "paper", has_caption=True)
+        content = draw(self._picture, "png", None, "paper", has_caption=True)
+        return content, {"width": int.from_bytes(content[16:20]) // 2}  # where PNG has its width
 
     def __repr__(self) -> str:
         return f"<Drawn: {listed([*self.lines] or [plain(self._picture.title)])}>"
@@ -212,9 +213,27 @@ def map(
 def figure(
     name: str, /, *, marks: Sequence[str] = (), materials: Materials | None = None, as_printed: bool = False
 ) -> Drawn:
-    """Return a figure of the paper, as `jkroll figure` draws it: "2", "3a" to "3d", "6a", "6b", "8", "9", or "laws".
+    """Return a figure of the paper, as `jkroll figure` draws it.
 
-    `marks`: grains such as "quartz@100nm"; `as_printed`: with the paper's curves where they differ.
+    Parameters
+    ----------
+    name
+        "2", "3a" to "3d", "6a", "6b", "8", "9", or "laws".
+    marks
+        Grains on it, as "quartz@100nm".
+    materials
+        Where materials are looked up.
+    as_printed
+        Whether the paper's curves are drawn, too, where they differ.
+
+    Returns
+    -------
+    `Drawn`: `field` or `lines` as arrays in SI units, `points`, `caption`, `notes`; `plot(ax)`, `figure()`.
+
+    Raises
+    ------
+    BadRequest, UnknownMaterial
+        There is no such figure, or it takes no such argument.
 
     >>> figure("laws").lines["JKR"][1].tolist()
     [1.5, 1.5]

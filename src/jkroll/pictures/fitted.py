@@ -7,8 +7,11 @@ import numpy
 
 from ..model.fit_result import Fit
 from ..quantities.laws import DEFAULT_LAW
+from ..quantities.shown import Part, Shown
 from ..report.fitted import in_words, sentence_of, sentences
 from ..tables.fitted import fit_given
+from ..text import listed
+from ..write.fitted import parts_of_fit
 from .drawn import Drawn
 from .picture import Curve, Panel, Picture, axis_around
 
@@ -16,13 +19,19 @@ _MOST = 600  # points of a drawn curve
 _X = {"contact radius": "contact_radius_at_load", "approach": "approach_at_load", "travel": "lever_travel"}
 
 
-class FittedCurve(Fit):
-    """The fit of a curve, which can be drawn."""
+class FittedCurve(Shown, Fit):
+    """The fit of a curve, which can be drawn, and is shown as on a terminal."""
 
     @property
     def drawn(self) -> Drawn:
         """The curve, its residuals and G as a picture, which a notebook shows."""
         return Drawn(picture_of_fit(self, "", caption_of_fit(self)))
+
+    def __repr__(self) -> str:
+        return f"<FittedCurve: {listed(f'{name} = {in_words(self, name)}' for name in self.values)}>"
+
+    def _parts(self) -> list[Part]:
+        return parts_of_fit(self)
 
     def plot(self, ax: Any = None, style: str = "paper") -> Any:
         """Draw on three axes of matplotlib, or on those of a new figure; return them. Needs the extra `plot`."""

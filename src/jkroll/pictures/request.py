@@ -50,6 +50,7 @@ from .picture import (
 )
 from .ranges import band_of
 
+MAX_CURVES = 24  # more cannot be told apart
 SIDE = 201  # points a side of a field, from which captions and limits follow, and of its numbers if none were asked for
 MOST_BANDS = 4  # of best ranges, that can be told apart
 ALONG = 1001  # points of a curve, unless its axis says another number
@@ -135,6 +136,16 @@ def _values_of(curves: Sequence[Curve]) -> list[Any]:
     if min(extent(of_curve)[0] for of_curve in values) > 0:
         ends = [end[end > 0] for end in ends]
     return [*values, *ends]
+
+
+def distinction(frame: Frame, several: Iterable[str], models: Sequence[object]) -> str:
+    """Return the materials of a frame, its law if there are several, and its values of inputs that have several."""
+    parts = [material.name for material, _ in frame.materials]
+    if len(models) > 1 and frame.stated_model is not None:
+        parts.append(frame.law.title)
+    computed = [name if name in frame.given else computed_as(name) for name in several]
+    parts += [f"{symbol(name)} = {amount(name, frame.given[name])}" for name in computed]
+    return ", ".join(parts)
 
 
 # --- Axes -------------------------------------------------------------------------------------------------------------

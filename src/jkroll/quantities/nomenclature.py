@@ -150,7 +150,9 @@ OF_WATER: Mapping[str, Quantity] = {
     "humidity": Quantity("RH", "1", "relative humidity of the air", range=HUMIDITY, option="--humidity", example="60%",
         may_be_zero=True),
     "contact_angle": Quantity("θ_c", "rad", "contact angle of water", range=WETTING, option="--contact-angle",
-        example="20deg", may_be_zero=True, note="how a γ follows from contact angles: jkroll guide contact-angle"),
+        example="20deg", may_be_zero=True,
+        note="of the water that condenses at a --humidity; 0 wets fully. How a γ follows from contact angles: "
+            "jkroll guide contact-angle"),
     "roughness_gap": Quantity("D_gap", "m", "gap that roughness leaves", range=POSITIVE, option="--roughness",
         example="2nm"),
     "kelvin_radius": Quantity("r_K", "m", "Kelvin radius of water", shown_with=["humidity"]),

@@ -42,6 +42,24 @@ def sentence_of(name: str) -> str:
     return WORDS[name][0].replace("adhesion on", "work of adhesion on")
 
 
+def line_on_known(fitted: Fit, *, on_radius: str = "", stiffness: str = "") -> str:
+    """Return the line above a fit: what was fitted, and what is known. `stiffness`: of the lever, as it was typed."""
+    known = fitted.known
+    law = LAWS[known.law].short if fitted.largest_adhesion is None else "Hertz"
+    texts = [f"{fitted.kind} and force, by {law}"]
+    if known.radius is not None:
+        texts.append(f"R = {amount('reduced_radius', known.radius)}{on_radius}")
+    if fitted.kind == "travel":
+        texts.append(f"k = {stiffness or amount('lever_stiffness', known.stiffness)}")
+    texts.append(f"{known.profile}, {int(fitted.goodness['points'])} points")
+    return ", ".join(texts)
+
+
+def rows_of_results(fitted: Fit) -> list[list[str]]:
+    """Return the rows of a table of results, the heads first."""
+    return [[*HEADS], *(row_of_result(fitted, name) for name in RESULTS if name in fitted.values)]
+
+
 # --- Results ----------------------------------------------------------------------------------------------------------
 
 

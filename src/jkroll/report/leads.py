@@ -8,7 +8,6 @@ from ..model.estimate import (
     BETTER_LAW,
     FRICTION_ASSUMED,
     FRICTION_FACTOR,
-    MEASURED,
     NONE,
     WORDS,
     XI_UNKNOWN,
@@ -17,9 +16,8 @@ from ..model.estimate import (
 )
 from ..model.frame import Frame
 from ..model.limits import GAP_STAYS_DRY
-from ..model.measured import solid_of_pair, what_stuck
 from ..model.results import Results
-from ..quantities.formatting import Format, amount, from_to, significant, span, symbol_among
+from ..quantities.formatting import Format, amount, from_to, significant, symbol_among
 from ..text import listed
 from .answer import Answer
 from .notes import Note
@@ -68,9 +66,7 @@ def _what_it_means(answer: Answer) -> str:
 def _filled(answer: Answer) -> str:
     """Return the sentence that answers a question, with the best ranges; empty where one is lacking."""
     found = {name: estimate for name, estimate in answer.estimates.items() if estimate.by != NONE}
-    words = {name: _spoken(name, each) for name, each in found.items()}
-    if "sticking_speed" in words:
-        words["sticking_speed"] += _as_seen(answer)
+    words = {name: _spoken(name, each) for name, each in found.items()} | dict.fromkeys(answer.ended, "none")
     is_open = any(isnan(found[name].low) for name in answer.question.headline if name in found)
     words["or_none"] = ", or not at all" if is_open else ""
     try:
@@ -145,39 +141,12 @@ def _stick_or_bounce(answer: Answer) -> str:
     sticking = answer.estimates["sticking_speed"]
     sides = range_in_words("sticking_speed", sticking)
     is_below, is_above = speed < sticking.low, speed > sticking.high
-    verdict = "they stick" if is_below else "they bounce" if is_above else _likely(answer)
-    seen = _as_seen(answer) or f" ({WORDS[sticking.by]})"
-    text = f"at {amount('speed', speed)} {verdict}: the largest speed to stick is {sides}{seen}"
+    verdict = "they stick" if is_below else "they bounce" if is_above else "they may stick or bounce"
+    text = f"at {amount('speed', speed)} {verdict}: the largest speed to stick is {sides} ({WORDS[sticking.by]})"
     left = answer.estimates["restitution"]
     if is_below or isnan(left.high) or left.by != ADHESION_ONLY:
         return text
     return f"{text}; if they bounce, adhesion alone leaves e = {from_to(answer.values['restitution'], left.high)}"
-
-
-def _as_seen(answer: Answer) -> str:
-    """Return the largest speed to stick in the proportion to JKR's that was measured on the same solid, if it was."""
-    if answer.estimates["sticking_speed"].by != MEASURED:
-        return ""
-    speeds = _speeds_in_proportion(answer.frame)
-    if speeds is None:
-        return ""
-    return f" ({span('sticking_speed', *speeds)} if as on {solid_of_pair(answer.frame)})"
-
-
-def _likely(answer: Answer) -> str:
-    """Return what spheres do in the range of the speeds to which some stick, by those of the same solid."""
-    speed, speeds = answer.frame["speed"], _speeds_in_proportion(answer.frame)
-    if speeds is not None and speed < speeds[0]:
-        return "they probably stick"
-    if speeds is not None and speed > speeds[1]:
-        return "they probably bounce"
-    return "they may stick or bounce"
-
-
-def _speeds_in_proportion(frame: Frame) -> tuple[float, float] | None:
-    """Return the speeds to stick in proportion to what was measured on the same solid, unless that was this pair."""
-    stuck = what_stuck(frame)
-    return None if stuck is None or stuck.is_near(frame) else stuck.in_proportion(frame)
 
 
 def _law_that_holds(answer: Answer) -> str:

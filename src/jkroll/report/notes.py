@@ -60,16 +60,15 @@ _MAX_CODES = 4  # of doubts, which are named
 def entering(frame: Frame, names: Sequence[str], *, judges: bool = True) -> tuple[set[str], list[str]]:
     """Return the inputs of quantities, and those that were given though neither these nor a limit depends on them.
 
-    The atomic spacing is among the former if it enters a limit, as it enters few answers. A load that enters limits
-    alone is among the latter: it was meant for more. `judges`: whether all limits are judged, and not only those that
-    end meaning.
+    A load that enters limits alone is among the latter: it was meant for more. `judges`: whether all limits are judged,
+    and not only those that end meaning.
     """
     limits = touched(frame, frame.possible(names), LIMITS if judges else ENDING)
     every = [*names, *(limit.name for limit in limits)]
     own, used = ({*frame.inputs_of(*frame.possible(each))} for each in (names, every))
     needed = used - (STATE_OR_LOAD - own) | depends_on((*frame.missing(every),), (frame.law.name,))
     idle = [name for name in frame.described if needed.isdisjoint((name, computed_as(name)))]
-    return own | used & {"atomic_spacing"}, idle
+    return own, idle
 
 
 def assumed(frame: Frame, inputs: Collection[str], names: Sequence[str], *, has_values: bool) -> dict[str, str]:
@@ -258,6 +257,14 @@ def notes_on_rows(groups: Sequence[Group], tally: "Tally", reported: int) -> lis
         every += about_given(frame, possible, frame.inputs_of(*possible))
         every += about_limits(doubts(frame, frame.columns(possible)))
     return [*dict.fromkeys(every), *about_idle(idle_in(groups)), *about_assumed(assumed_in(groups))]
+
+
+def notes_below(groups: Sequence[Group], tally: "Tally", reported: int, *, is_table: bool) -> list[Note]:
+    """Return the notes on counted rows that a table, whose own lines say what its codes mean, leaves to those below it.
+
+    `reported`: the bits of the doubts to report.
+    """
+    return notes_on_rows(groups, tally, reported & ENDING_MEANING if is_table else reported)
 
 
 # --- Lines ------------------------------------------------------------------------------------------------------------

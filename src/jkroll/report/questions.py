@@ -2,8 +2,13 @@
 
 from collections.abc import Mapping
 from types import MappingProxyType
+from typing import TYPE_CHECKING
 
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity, named
+
+if TYPE_CHECKING:
+    from ..model.rows import Wanted
+    from ..model.sweep import Sweep
 
 
 class Question:
@@ -67,7 +72,8 @@ _QUESTIONS = {
     "n-roll": _question(
         "n_roll",
         "n_roll_after_impact n_roll n_roll_energy_balance",
-        lead="it rolls {n_roll_energy_balance} of a turn{or_none}: so far without sliding, {n_roll} once it has slid",
+        lead="set rolling, it makes {n_roll_energy_balance} of a turn without sliding, {n_roll} once it has "
+        "slid{or_none}",
     ),
     "contact": _question(
         "contact_radius_at_load approach_at_load",
@@ -96,7 +102,8 @@ _REPORT = Question(
         *(name for asked in _QUESTIONS.values() for name in asked.quantities if name in (*asked.headline, *_CONTRARY)),
         *("roll_energy_quarter_turn", "sticking_speed"),
     ),
-    lead="they are pulled apart with {pull_off_force}, roll from {yield_force} on and stick up to {sticking_speed}",
+    lead="ideally smooth, they are pulled apart with {pull_off_force}, roll from {yield_force} on and stick up to "
+    "{sticking_speed}",
 )
 QUESTIONS: Mapping[str, Question] = {
     **_QUESTIONS,
@@ -133,8 +140,8 @@ QUESTIONS: Mapping[str, Question] = {
         "restructuring_energy restructuring_speed restructuring_energy_ormel restructuring_speed_ormel "
         "disruption_energy disruption_speed disruption_energy_dust_simulation disruption_speed_dust_simulation "
         "compressive_strength tensile_strength",
-        lead="two equal aggregates begin to restructure at {restructuring_speed} (5E_roll, D&T 97, borne out with "
-        "measured rolling forces) or at {restructuring_speed_ormel} (E_roll, Ormel 07); they break up at "
+        lead="two equal aggregates begin to restructure at {restructuring_speed} (5E_roll, D&T 97, which "
+        "measured rolling forces bear out; E_roll, Ormel 07: {restructuring_speed_ormel}); they break up at "
         "{disruption_speed} (Wada 07, a fit to JKR's spheres)",
     ),
 }
@@ -180,3 +187,8 @@ def question_about(text: str) -> Question:
     explicit, offered = quantities_named(text)
     names = tuple(dict.fromkeys((*explicit, *offered)))
     return Question(names, names, named=tuple(explicit))
+
+
+def columns_in_table(question: Question, sweep: "Sweep") -> "Wanted":
+    """Return the columns of a list for readers, with best ranges of the headline."""
+    return sweep.wanted(question.with_row, question.named).with_best(question.headline)

@@ -23,7 +23,7 @@ from ..model.estimate import (
 )
 from ..model.frame import Frame
 from ..model.limits import JUMP, LAW_MATTERS, ROUGH_MATTERS, may_be_rough
-from ..model.measured import MOST_SEEN, SURFACES, Stuck, solid_of_pair, solid_that_rolled, what_rolled, what_stuck
+from ..model.measured import MOST_SEEN, SURFACES, solid_of_pair, solid_that_rolled, what_rolled, what_stuck
 from ..model.other_law import farthest, least_spacing
 from ..model.results import Results
 from ..quantities.formatting import amount, from_to, significant, span, symbol_among
@@ -92,14 +92,15 @@ def part_of_jkr(surface: str) -> str:
 def parts_on_surfaces() -> str:
     """Return which parts of JKR's pull-off force were measured, and on what."""
     parts = ", ".join(f"{part_of_jkr(name)} {name} ({surface.spheres})" for name, surface in SURFACES.items())
-    return f"of JKR's force, as measured and carried to this size: {parts}; humid air, up to twice; none in vacuum"
+    not_there = "up to twice in humid air (--humidity); not measured in vacuum"
+    return f"of JKR's force, as measured and carried to this size: {parts}; {not_there}"
 
 
-_ON_SURFACES = ", ".join(f"{part_of_jkr(surface)} of it {surface}" for surface in SURFACES)
-_SMOOTH_AND_DRY = f"for smooth, dry spheres; measured was {_ON_SURFACES}, up to twice in humid air"
+_ON_SURFACES = ", ".join(f"{part_of_jkr(surface)} {surface}" for surface in SURFACES)
+_SMOOTH_AND_DRY = f"for smooth, dry spheres; of JKR's force was measured {_ON_SURFACES}, up to twice in humid air"
 _SEEN = f"hard spheres were seen to stick at 1–{MOST_SEEN} times JKR's speed"
 _WORDS: Mapping[int, str] = {
-    MEASURED: f"{_SEEN}, SiO2 to a plane as in jkroll guide validation",
+    MEASURED: f"{_SEEN}; of SiO2 (0.1–3 µm) what stuck to a plane, in proportion to JKR's speed",
     SCALED: "forces that rolled spheres of this solid, taken as R^(2/3) to R",
     XI_UNKNOWN: "not measured: one end is ξ = 2 Å (one atom), the other all of the work of adhesion lost; give --xi",
     ADHESION_ONLY: "adhesion alone loses at most this; any other loss comes on top and lowers e",
@@ -109,7 +110,7 @@ _WORDS: Mapping[int, str] = {
     ),
     SPACING_ASSUMED: "the range is of z0 = 2–4 Å, as far as it is known; give --z0",
     BOUNDS: "JKR's holds for soft spheres, DMT's for hard ones; E and ν tell which",
-    LAW_ONLY: "no other law here has it; where Maugis' contact is smaller, so is what goes with its area",
+    LAW_ONLY: "no other law here has it",
     KELVIN: "condensed water at 25 °C (--contact-angle) between smooth bodies that touch: compare with P_c, do not add",
     GAP: "a gap lowers the force of a meniscus, to none where it just fills; no closed form says how far",
     BETTER_LAW: "JKR is more than 5 % off; z0 = 2–4 Å (--z0)",
@@ -163,22 +164,14 @@ def _bounds(answer: Answer) -> str:
 
 def _measured(answer: Answer) -> str:
     stuck = what_stuck(answer.frame)
-    if stuck is None or not stuck.is_near(answer.frame):
-        return f"{_SEEN} (silica, ices, silver), as adhesion is not their only loss{_beside_stuck(answer.frame, stuck)}"
+    if stuck is None or not stuck.has_size(answer.frame):
+        return f"{_SEEN} (silica, ices, silver), as adhesion is not their only loss"
     pairs = (f"{significant(stuck.at(radius), 2)} m/s ({amount('radius', radius)})" for radius in stuck.radii)
     bar = f"±{stuck.error:.0%}".replace("%", " %")
-    solid = solid_of_pair(answer.frame)
-    return f"{solid} stuck to a plane up to {' and '.join(pairs)}, between them as R^{stuck.exponent}, {bar}"
-
-
-def _beside_stuck(frame: Frame, stuck: Stuck | None) -> str:
-    """Return at which speeds spheres of the same solid stuck, over those of JKR at the γ of the frame."""
-    if stuck is None or frame.missing(["sticking_speed"]):
-        return ""
-    ratios, speeds = stuck.over_law(frame), stuck.in_proportion(frame)
-    sizes = " and ".join(amount("radius", radius) for radius in stuck.radii)
-    seen = f"{solid_of_pair(frame)} of {sizes} stuck to a plane at {from_to(*ratios)} times JKR's at this γ"
-    return f"; {seen}, which is {span('sticking_speed', *speeds)} here"
+    seen = f"{solid_of_pair(answer.frame)} stuck to a plane up to {' and '.join(pairs)}"
+    if stuck.is_near(answer.frame):
+        return f"{seen}, between them as R^{stuck.exponent}, {bar}"
+    return f"{seen}; carried to this pair in proportion to {answer.frame.law.short}'s speed, {bar}"
 
 
 def _scaled(answer: Answer) -> str:
@@ -195,7 +188,7 @@ def _scaled(answer: Answer) -> str:
         return f"{what} of {at}{whatever}"
     low, high = ("R", "R^(2/3)") if radius < rolled.radius else ("R^(2/3)", "R")
     ratio = significant(max(radius / rolled.radius, rolled.radius / radius), 2)
-    to = f"{amount('radius', radius)}, {ratio} times {'less' if radius < rolled.radius else 'more'}"
+    to = f"{amount('radius', radius)}, {ratio} times {'smaller' if radius < rolled.radius else 'larger'}"
     text = f"{what} of {at}, carried as {low} (low) or {high} (high) to {to}{_as_displacement(answer)}{whatever}"
     return text + _of_both_laws(answer) + _ceiling(answer)
 
@@ -258,8 +251,7 @@ def _of_silica(answer: Answer) -> str:
     ]
     if not scaled:
         return ""
-    displacement, *_ = ranges.of_laws(XI, SCALED)
-    return f"for SiO2 (quartz), which was measured, {first_of(scaled, _MOST)} (ξ = {span(XI, *displacement)}); "
+    return f"for SiO2 (quartz), which was measured, {first_of(scaled, _MOST)}; "
 
 
 def _of_measured_solid(answer: Answer) -> str:
@@ -305,7 +297,7 @@ def _law_only(answer: Answer) -> str:
     radii = (frame.numbers("contact_radius_at_load") for frame in (answer.frame.by_law_at_spacing, answer.frame))
     other, ours = (values.get("contact_radius_at_load", 1.0) for values in radii)
     ratio = (other / ours) ** 2
-    less = f"; Maugis' contact has {significant(ratio, 2)} of this area: what goes with it is smaller"
+    less = f"; by Maugis' law the area of contact is {significant(ratio, 2)} of JKR's"
     return f"no other law here has it{less if ratio * LAW_MATTERS < 1 else ''}"
 
 

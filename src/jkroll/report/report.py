@@ -6,7 +6,7 @@ from math import erfc, hypot, sqrt
 
 from ..model.estimate import ADHESION_ONLY, FRICTION_ASSUMED, MEASURED, NONE, WORDS
 from ..model.frame import Frame
-from ..model.limits import LAW, ROUGH_MATTERS, STICKING_UNSURE, WIDE_CONTACT, Doubt, may_be_rough
+from ..model.limits import LAW, ROUGH_MATTERS, STICKING_UNSURE, WIDE_CONTACT, Doubt, may_be_rough, touched
 from ..model.measured import on_surfaces
 from ..model.uncertainty import error_bars
 from ..quantities.formatting import significant, span, symbol_among
@@ -111,6 +111,12 @@ class Report(Answer):
         names = [name for name in doubt.limit.touches if name in self.ended]
         alone = len(doubt.limit.touches) == 1 and names and doubt.limit.name not in names
         return f"{symbol_among(names[0], self.inputs)}: " if alone else ""
+
+    def ended_by(self, doubt: Doubt) -> tuple[str, ...]:
+        """Return the names of results whose meaning a limit ends."""
+        judged = self.described.judged
+        limits = [doubt.limit] if doubt.is_exceeded and doubt.limit.ends_meaning else []
+        return tuple(name for name in self.ended if touched(self.frame, judged([name]), limits))
 
     def about(self, doubt: Doubt) -> str:
         """Return what follows from a limit for the results, or for the unknowns."""

@@ -12,9 +12,10 @@ from typing import Any, NamedTuple
 import numpy
 
 from ..errors import BadTable
+from ..model.labels import text_of_unit, unit_stated
 from ..model.rows import has_texts
 from ..text import quoted, shown
-from ..write.writers import divided
+from ..write.writers import Lists
 from .cells import Doubles, cells_of
 from .layouts import SAMPLE
 from .table import Asked, Records
@@ -221,7 +222,7 @@ def headed(name: Any, unit: Any) -> str:
     >>> headed("radius", "nm"), headed("radius", None), headed("nu", "")
     ('radius [nm]', 'radius', 'nu [1]')
     """
-    return str(name) if unit is None else f"{name} [{_text_of(unit) or '1'}]"
+    return str(name) if unit is None else f"{name} [{text_of_unit(unit)}]"
 
 
 def name_and_unit(head: str) -> tuple[str, str]:
@@ -234,21 +235,11 @@ def name_and_unit(head: str) -> tuple[str, str]:
     return name, unit.removesuffix("]")
 
 
-def _text_of(unit: Any) -> str:
-    """Return a unit of a library as a text: of pint and of astropy in symbols, with powers."""
-    if hasattr(unit, "dimensionality"):
-        return f"{unit:~P}".replace("·", " ")
-    return str(unit.to_string("unicode")) if hasattr(unit, "to_string") else str(unit).strip()
-
-
 def _unit_of(column: Any) -> Any:
     """Return the unit that a column has in the way of its library; None without one."""
-    attributes = {str(key).casefold(): value for key, value in dict(getattr(column, "attrs", {})).items()}
-    stated = (attributes.get(word) for word in ("units", "unit"))
-    of_type = getattr(getattr(column, "dtype", None), "units", None)  # `unit` is that of a time
     holders = (column, column.data) if hasattr(column, "dims") else (column,)
     own = (getattr(holder, word, None) for holder in holders for word in ("units", "unit"))
-    return next((unit for unit in (*stated, of_type, *own) if unit is not None), None)
+    return next((unit for unit in (unit_stated(column), *own) if unit is not None), None)
 
 
 def _magnitude(column: Any) -> Any:
@@ -323,17 +314,6 @@ class Memory:
             values = self._of(position)
             cells[name] = [b""] * size if _are_doubles(values) else cells_of(values[part])
         return Records(block, cells, {}, block, size)
-
-
-class Lists:
-    """The writer of rows as columns: arrays of numbers, and lists of texts."""
-
-    digits = None
-
-    def rows(self, heads: Sequence[str], columns: Sequence[Any], before: Any) -> list[Any]:
-        """Return the columns, each with a cell for every row."""
-        pairs = zip(heads, divided(columns), strict=True)
-        return [column if isinstance(column, list | numpy.ndarray) else [column] * len(before) for _, column in pairs]
 
 
 def cells_from(values: Any) -> Sequence[bytes]:

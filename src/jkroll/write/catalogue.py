@@ -1,16 +1,16 @@
 """The materials and the quantities of the nomenclature as text: lists of them, and all that is known of one."""
 
-import re
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from typing import Any, TextIO
 
 from ..materials.library import ORIGIN, Material
+from ..materials.sheet import EXACT, sheet_of, values_of_materials
 from ..model.frame import DEFAULTS
 from ..model.limits import LIMITS
 from ..model.plan import arguments_of, depends_on, formula_of
 from ..model.rows import Wanted
 from ..physics.accuracy import accuracy_of
-from ..quantities.formatting import AS_USUAL, DIGITS, Format, amount, in_words, pretty, symbol_among
+from ..quantities.formatting import AS_USUAL, amount, in_words, pretty
 from ..quantities.nomenclature import (
     NOMENCLATURE,
     OF_CURVES,
@@ -23,15 +23,14 @@ from ..quantities.nomenclature import (
     bracketed,
     header,
 )
+from ..quantities.shown import columns_of
 from ..report.questions import QUESTIONS
-from ..text import TextColumn, json_text, say, say_wrapped, write_table, write_texts
+from ..text import json_text, say, say_wrapped, write_table, write_texts
 from .answered import bar_object, numbers_of, write_measure
 from .manual import without_variants
 from .search import words_in
 from .sources import bibtex, docstring_fields
 from .writers import Cell, write_records
-
-_EXACT = Format(digits=DIGITS)  # of values in a table
 
 
 def write_materials(chosen: Sequence[Material], out: TextIO, output: str, *, named: bool) -> None:
@@ -70,22 +69,15 @@ def _write_rows(chosen: Sequence[Material], out: TextIO, output: str) -> None:
 
 def _write_values(chosen: Sequence[Material], out: TextIO) -> None:
     """Write a table of the properties of some materials."""
-    from .table import columns_of
-
-    columns: list[TextColumn] = []
-    for name in PROPERTIES:
-        values = [material.measures.get(name) for material in chosen]
-        columns += columns_of(name, {symbol_among(name, ()): values}, _EXACT)
-    write_table([TextColumn("material", [material.name for material in chosen], is_right=False)], columns, out)
+    leading, columns = values_of_materials(chosen)
+    write_table(leading, columns, out)
     say(f"\n{_IN_FULL}", out)
 
 
 def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
     """Write a table of materials by sets: the surface energy of each, and in which state it has it."""
-    from .table import columns_of
-
     measures = [material.measures.get("surface_energy") for material in chosen]
-    ((head, energies, _),) = columns_of("surface_energy", {"γ": measures}, _EXACT)
+    ((head, energies, _),) = columns_of("surface_energy", {"γ": measures}, EXACT)
     rows: dict[str, list[tuple[str, str, str]]] = {}
     without: dict[str, list[str]] = {}
     for material, energy in zip(chosen, energies, strict=True):
@@ -144,22 +136,8 @@ def _write_lines(material: Material, out: TextIO) -> None:
 
 def _write_material(material: Material, out: TextIO) -> None:
     """Write the properties of a material with its state, aliases, origins, notes and references."""
-    aliases = f" (also {', '.join(material.aliases)})" if material.aliases else ""
-    facts = [("state", material.state)]
-    for name, measure in {**dict.fromkeys(PROPERTIES), **material.measures}.items():
-        text = f"none in {material.title}" if measure is None else amount(name, measure)
-        if name == XI and material.displacement is not None:
-            text += f", spheres of {amount('radius', material.displacement.radius)}"
-        facts += [(name, text), *((f"  {field}", text) for field, text in material.origins.get(name, {}).items())]
-    for name, note in material.notes.items():
-        radii = material.note_radii.get(name)
-        sizes = f" (R = {amount('radius', radii)})" if radii is not None else ""
-        facts.append(("note", f"{NOMENCLATURE[name].sentence}{sizes}: {note}"))
-    for entry in material.references:
-        label = f"{entry['key']}: " if material.origins else ""
-        words = ", ".join(entry[field] for field in _REFERENCE if entry.get(field))
-        facts.append(("reference", label + re.sub("[{}]", "", words)))  # without the braces of BibTeX
-    _write_sheet(f"material {material.name}{aliases}", [*facts, ("source", material.title)], out)
+    title, facts = sheet_of(material)
+    _write_sheet(title, facts, out)
 
 
 def _write_sheet(title: str, facts: Iterable[tuple[str, str]], out: TextIO) -> None:
@@ -171,7 +149,6 @@ def _write_sheet(title: str, facts: Iterable[tuple[str, str]], out: TextIO) -> N
 
 
 _INDENT = 16  # of the texts of a sheet
-_REFERENCE = ("author", "title", "journal", "volume", "pages", "year", "eprint", "doi", "url", "note")
 
 
 # --- Quantities -------------------------------------------------------------------------------------------------------
@@ -192,9 +169,11 @@ def write_quantities(
     elif output in ("table", "plain") and len(names) == 1:
         _write_quantity(names[0], out, takers(names[0]))
     elif output == "table":
-        for title, members in (_groups() if len(names) == len(NOMENCLATURE) else {"name": names[:most]}).items():
-            heads = (title, "symbol [unit]", "meaning")
-            write_texts(heads, map(_quantity_table_row, members), out)
+        for title, members in (
+            groups_of_quantities() if len(names) == len(NOMENCLATURE) else {"name": names[:most]}
+        ).items():
+            heads, *rows = quantity_table(title, members)
+            write_texts(heads, rows, out)
             say("", out)
         if others := names[len(names) if most is None else most :]:
             say_wrapped(f"and {len(others)} more: {', '.join(others)}", out)
@@ -246,14 +225,16 @@ def commands_of(name: str) -> tuple[str, ...]:
     )
 
 
-def _quantity_table_row(name: str) -> list[str]:
-    """Return the cells of a quantity in a list."""
-    quantity = NOMENCLATURE[name]
-    variant = f", variant of {quantity.variant_of}" if quantity.variant_of else ""
-    return [name, quantity.symbol + bracketed(pretty(quantity.unit)), quantity.sentence + variant]
+def quantity_table(title: str, names: Iterable[str]) -> Iterator[tuple[str, str, str]]:
+    """Iterate over the heads and the rows of a list of quantities."""
+    yield title, "symbol [unit]", "meaning"
+    for name in names:
+        quantity = NOMENCLATURE[name]
+        variant = f", variant of {quantity.variant_of}" if quantity.variant_of else ""
+        yield name, quantity.symbol + bracketed(pretty(quantity.unit)), quantity.sentence + variant
 
 
-def _groups() -> dict[str, list[str]]:
+def groups_of_quantities() -> dict[str, list[str]]:
     """Return all quantities but variants in groups of a screen, each in the first to which it belongs."""
     groups: dict[str, Collection[str]] = {
         **{

@@ -10,18 +10,20 @@ from ..quantities.formatting import Format, amount
 from ..quantities.laws import LAWS
 from ..quantities.markup import as_latex
 from ..quantities.nomenclature import NOMENCLATURE, bracketed
+from ..quantities.shown import Part
 from ..quantities.values import Measured
 from ..report.fitted import (
     HEADS,
     WORDS,
     in_words,
-    row_of_result,
+    line_on_known,
+    rows_of_results,
     sentence_of,
     sentences,
     unit_of_result,
     unit_without_radius,
 )
-from ..text import json_text, listed, say, say_wrapped, write_texts
+from ..text import as_arguments, json_text, listed, say, say_wrapped, text_columns, write_texts
 from .sources import bibtex, cite_command, references
 
 FILE, LIMIT, REASON = "file", "largest_work_of_adhesion", "status"
@@ -30,11 +32,18 @@ FILE, LIMIT, REASON = "file", "largest_work_of_adhesion", "status"
 def write_fit(fitted: Fit, out: TextIO, *, heading: str, following: str) -> None:
     """Write a fit as a table, with sentences below. `following`: the command that goes on, if there is one."""
     say_wrapped(heading, out)
-    write_texts(HEADS, [row_of_result(fitted, name) for name in RESULTS if name in fitted.values], out)
+    heads, *rows = rows_of_results(fitted)
+    write_texts(heads, rows, out)
     for line in sentences(fitted):
         say_wrapped(line, out)
     if following:
         say_wrapped(f"then: {following}", out)
+
+
+def parts_of_fit(fitted: Fit) -> list[Part]:
+    """Return the lines and the table of a fit that a notebook shows, with arguments in place of options."""
+    columns = text_columns(rows_of_results(fitted), words=len(HEADS))
+    return [line_on_known(fitted), (columns, []), *map(as_arguments, sentences(fitted))]
 
 
 # --- JSON -------------------------------------------------------------------------------------------------------------

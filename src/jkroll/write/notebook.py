@@ -1,58 +1,41 @@
-"""An answer as text, as HTML and as LaTeX: the tables of a terminal, and the lines around them."""
+"""The lines and tables of answers for a notebook: those of a terminal, with arguments in place of options."""
 
-from collections.abc import Iterator, Sequence
-from html import escape
-from io import StringIO
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from ..quantities.formatting import AS_USUAL
-from ..quantities.markup import as_latex
-from ..report.notes import lines_of
-from ..text import TextColumn, as_arguments, html_table, say, write_table
-from .table import parts_of_frame
+from ..quantities.formatting import AS_USUAL, Format
+from ..quantities.shown import Part
+from ..report.notes import Group, assumed_in, lines_of, notes_below
+from ..text import as_arguments
+from .table import parts_of_frame, parts_of_rows
 
 if TYPE_CHECKING:
+    from ..model.rows import Columns, Tally, Wanted
     from ..report.report import Report
 
-_MORE = {"more: --explain": "more: .notes and .doubts"}
+_MORE = "more: --explain"  # of a terminal
 
 
-def _parts(answer: "Report") -> Iterator[str | list[TextColumn]]:
-    """Iterate over lines and tables, as on a terminal, with arguments in place of options."""
-    for part in (*parts_of_frame(answer, AS_USUAL), *lines_of(answer.sentences_below)):
-        yield as_arguments(_MORE.get(part, part)) if isinstance(part, str) else part
+def parts_of_answer(answer: "Report") -> Iterator[Part]:
+    """Iterate over lines and tables of an answer."""
+    parts = (*parts_of_frame(answer, AS_USUAL), *lines_of(answer.sentences_below))
+    return _in_python((part if isinstance(part, str) else (part, []) for part in parts), ".notes and .doubts")
 
 
-def as_text(answer: "Report") -> str:
-    """Return an answer as a terminal shows it."""
-    out = StringIO()
-    for part in _parts(answer):
+def parts_of_answers(
+    groups: Sequence[Group], blocks: "Iterable[Columns]", wanted: "Wanted", tally: "Tally", form: Format
+) -> Iterator[Part]:
+    """Iterate over lines and tables of a list of answers: of the columns that are wanted, block by block."""
+    assumed = assumed_in(groups)
+    tables = (part for columns in blocks for part in parts_of_rows(columns, form, assumed))
+    notes = notes_below(groups, tally, wanted.reported_doubts, is_table=True)
+    return _in_python((*tables, *lines_of(notes, has_head=True)), ".notes and .doubts of each answer")
+
+
+def _in_python(parts: Iterable[Part], more: str) -> Iterator[Part]:
+    """Iterate over parts with arguments in place of options. `more`: where to read more."""
+    for part in parts:
         if isinstance(part, str):
-            say(part, out)
+            yield f"more: {more}" if part == _MORE else as_arguments(part)
         else:
-            write_table(part, [], out)
-    return out.getvalue().rstrip("\n")
-
-
-def as_html(answer: "Report") -> str:
-    """Return an answer as HTML."""
-    parts = (f"<p>{escape(part)}</p>" if isinstance(part, str) else html_table(part) for part in _parts(answer))
-    return "\n".join(["<div>", *parts, "</div>"])
-
-
-def as_tabular(answer: "Report") -> str:
-    """Return an answer as LaTeX: paragraphs, and tables with symbols as mathematics."""
-    parts = (as_latex(part) if isinstance(part, str) else _tabular(part) for part in _parts(answer))
-    return "\n\n".join(parts)
-
-
-def _tabular(columns: Sequence[TextColumn]) -> str:
-    marked = [
-        column._replace(cells=[f"⟦{cell}⟧" for cell in column.cells]) if column.head == "symbol" else column
-        for column in columns
-    ]
-    heads = " & ".join(as_latex(column.head) for column in columns)
-    rows = (" & ".join(map(as_latex, cells)) for cells in zip(*(column.cells for column in marked), strict=True))
-    form = "".join("r" if column.is_right else "l" for column in columns)
-    lines = [rf"{line} \\" for line in (heads, *rows)]
-    return "\n".join([rf"\begin{{tabular}}{{{form}}}", lines[0], r"\hline", *lines[1:], r"\end{tabular}"])
+            yield part

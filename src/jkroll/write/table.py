@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
 from math import isnan
-from typing import TYPE_CHECKING, Any, TextIO
+from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 
 from ..model.estimate import (
     BETTER_LAW,
@@ -23,11 +23,22 @@ from ..model.estimate import (
 from ..model.limits import codes
 from ..model.measured import on_surfaces
 from ..model.rows import DOUBT, as_list
-from ..quantities.formatting import DIGITS, RESULT_DIGITS, Format, amount, from_to, in_words, significant, symbol_among
+from ..quantities.formatting import (
+    DIGITS,
+    RESULT_DIGITS,
+    Format,
+    amount,
+    from_to,
+    in_words,
+    significant,
+    symbol_among,
+    with_unit,
+)
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, STATE_OR_LOAD, XI, of_sphere
+from ..quantities.shown import Rows, cell, columns_of
 from ..quantities.units import Unit, convert
-from ..quantities.values import Interval, Uncertain, middle, with_sides
+from ..quantities.values import Uncertain, middle, with_sides
 from ..report.inferred import laws_of, library_values, solids_of
 from ..report.notes import lines_above, lines_on_codes
 from ..report.ranges import lines_on_rules, parts_on_surfaces
@@ -37,8 +48,6 @@ if TYPE_CHECKING:
     from ..model.rows import Columns
     from ..report.questions import Question
     from ..report.report import Report
-
-    Value = float | str | Uncertain | None  # of a cell: a word as it is, and None where there is no value
 
 
 # A row has the unit of the rows above it if its least number is between the first two, and its largest below the last.
@@ -53,28 +62,6 @@ _FOLLOWING = {"radius2", "energy"}.union(*_OF_MATERIALS.values()) - {"surface_en
 
 
 # --- Values and inputs ------------------------------------------------------------------------------------------------
-
-
-def _cell(value: "Value", unit: tuple[str, Unit], form: Format) -> str:
-    """Return a value in a unit, one without an error bar with four digits and their zeros."""
-    if value is None or isinstance(value, str):
-        return value or "–"
-    if isinstance(value, Interval):
-        return from_to(convert(value.low, unit[1]), convert(value.high, unit[1]), form.digits)
-    if isinstance(value, float):
-        zeros = form.digits is None and value != 0
-        return significant(convert(value, unit[1]), form.digits or RESULT_DIGITS, zeros=zeros)
-    return form.in_unit(value, unit)
-
-
-def columns_of(name: str, values: "Mapping[str, Sequence[Value]]", form: Format) -> list[TextColumn]:
-    """Return the columns of values of a quantity, by their heads, in the unit that suits them all."""
-    unit = form.common_unit(name, [*chain.from_iterable(values.values())])
-    in_unit, is_right = f" [{unit[0]}]" if unit[0] else "", not NOMENCLATURE[name].is_word
-    return [
-        TextColumn(f"{head}{in_unit}", [_cell(value, unit, form) for value in each], is_right)
-        for head, each in values.items()
-    ]
 
 
 def _about_inputs(
@@ -118,6 +105,17 @@ def _of_solid(inputs: "Mapping[str, float | str | Uncertain]", several: Sequence
     return "" if own else " of the same solid"
 
 
+class Row(NamedTuple):
+    """A result as the table of an answer has it: its words, its best range and why, and the value by the law in use."""
+
+    quantity: str
+    symbol: str
+    best: str  # "14–15 nN"; "–" without a range
+    by: str
+    value: str  # "11.78 nN"; "–" without a value
+    law: str
+
+
 # --- One frame --------------------------------------------------------------------------------------------------------
 
 
@@ -159,6 +157,16 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
         yield _of_results([*conventions.values()], law)
 
 
+def rows_in_words(answer: "Report", form: Format) -> dict[str, Row]:
+    """Return the rows of the table of an answer by name, each number with its unit."""
+    found: dict[str, Row] = {}
+    for rows in _rows(answer, form):
+        for name, (quantity, symbol, best, by, value, _, unit) in rows.items():
+            texts = (text if text == "–" else with_unit(text, unit) for text in (best, value))
+            found[name] = Row(quantity, symbol, next(texts), by, next(texts), answer.frame.law.short)
+    return found
+
+
 def _in_column(answer: "Report") -> dict[str, str]:
     """Return what was assumed, by name: ξ in the law's column alone where ranges rest on no ξ; no spacing of theirs."""
     texts, rules = {**answer.assumed}, {estimate.by for estimate in answer.estimates.values()}
@@ -194,7 +202,7 @@ def _rows(answer: "Report", form: Format) -> tuple[_Rows, _Rows]:
             unit = form.common_unit(name, sizes[-1:])
         units |= {quantity.unit: unit} if sizes[-1] else {}
         row = [quantity.sentence, symbol_among(name, answer.inputs), *_range(estimate, unit, form)]
-        row += [_cell(result.value, unit, form), _cell(result.measure, unit, form), unit[0]]
+        row += [cell(result.value, unit, form), cell(result.measure, unit, form), unit[0]]
         if estimate and estimate.by in (KELVIN, GAP):  # no law of adhesion enters
             row[4] = "–"
         is_convention = estimate and estimate.by == DEFINITION and f"{{{name}}}" not in answer.question.lead
@@ -284,7 +292,7 @@ def _of_inferred(answer: "Report", form: Format) -> list[TextColumn]:
             name, known = result.name, library.get(result.name)
             unit = form.common_unit(name, [result.measure if known is None else known])
             better = Estimate(*answer.ranges.by_better_law(name), BETTER_LAW)
-            inferred = _cell(result.measure, unit, form) if law == own else _range(better, unit, form)[0]
+            inferred = cell(result.measure, unit, form) if law == own else _range(better, unit, form)[0]
             short = f"{LAWS[law].short} (best)" if law != own else LAWS[law].short
             row = [NOMENCLATURE[name].sentence, symbol_among(name, answer.inputs), short, inferred]
             rows.append([*row, "–" if known is None else exact.in_unit(known, unit), unit[0]])
@@ -302,9 +310,21 @@ def _of_inferred(answer: "Report", form: Format) -> list[TextColumn]:
 
 
 def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[str, str]) -> None:
-    """Write a table with a row for each pair; inputs that all of them share stand above, and what was assumed.
+    """Write a table with a row for each pair, as `parts_of_rows` has it.
 
     A pair is a column where only that fits the terminal.
+    """
+    for part in parts_of_rows(columns, form, assumed):
+        if isinstance(part, str):
+            say_wrapped(part, out)
+        else:
+            write_table(*in_width(*part), out)
+
+
+def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str]) -> Iterator[str | Rows]:
+    """Iterate over lines and the table of a list: a row for each pair, and what its words and codes mean.
+
+    Inputs that all pairs share stand above, and what was assumed.
     """
     inputs = {name: [in_words(name, value) for value in as_list(each)] for name, each in columns.inputs.items()}
     distinct = {name: {*values} - {None} for name, values in inputs.items()}  # None: does not enter a row
@@ -319,11 +339,10 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     if any(map(columns.wanted.best_of, columns.wanted.names)):
         assumed = {name: text for name, text in assumed.items() if name != "atomic_spacing"}  # ranges have their own
         common = {name: value for name, value in common.items() if name != "atomic_spacing" or name in form.typed}
-    for line in _about_inputs(count, common, assumed, form, several):
-        say_wrapped(line, out)
+    yield from _about_inputs(count, common, assumed, form, several)
     if BETWEEN in distinct.get("model", ()) and "model" in several:
-        say_wrapped("take the rows of maugis", out)
-    exact, leading, results = Format(form.units, form.digits or DIGITS), [], []
+        yield "take the rows of maugis"
+    exact, leading, results = Format(form.units, form.digits or DIGITS), list[TextColumn](), list[TextColumn]()
     following = _FOLLOWING | STATE_OR_LOAD if "state" in inputs else _FOLLOWING
     for name in several:
         if name in form.typed or name not in following:
@@ -340,23 +359,25 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
             results += [*best, *of_law]
             rules += of_rows
     told = [codes(bits & columns.wanted.reported_doubts) for bits in as_list(columns.doubts)]
-    results += _of_doubts(told, [*leading, *results])
+    yield leading, [*results, *([TextColumn(DOUBT, told, is_right=False)] if any(told) else [])]
+    of_codes = lines_on_codes(code for text in told for code in text.split())
+    rules_shown = (int(by) for by in rules if not isnan(by))
+    yield from (*lines_on_rules(rules_shown, columns.wanted.names), *of_codes)
+
+
+def in_width(leading: list[TextColumn], results: list[TextColumn]) -> Rows:
+    """Return the columns of a list as they suit the terminal.
+
+    Rows have all codes of doubts where that fits, and a pair is a column where only that fits.
+    """
+    if results and results[-1].head == DOUBT and not fit_terminal([*leading, *results]):
+        told = results[-1].cells
+        cut = [text if len(text) <= _CODES else first_of(text.split(), 1) for text in told]
+        results = [*results[:-1], results[-1]._replace(cells=cut)]
     across = text_columns([(column.head, *column.cells) for column in (*leading, *results)], words=1)
     if fit_terminal(across) and not fit_terminal([*leading, *results]):
-        leading, results = across[:1], across[1:]
-    write_table(leading, results, out)
-    of_codes = lines_on_codes(code for text in told for code in text.split())
-    for line in (*lines_on_rules((int(by) for by in rules if not isnan(by)), columns.wanted.names), *of_codes):
-        say_wrapped(line, out)
-
-
-def _of_doubts(told: Sequence[str], others: Sequence[TextColumn]) -> list[TextColumn]:
-    """Return the column of doubts, if there are some: with all codes of a row where that fits beside others."""
-    if not any(told):
-        return []
-    whole = TextColumn(DOUBT, told, is_right=False)
-    cut = [text if len(text) <= _CODES else first_of(text.split(), 1) for text in told]
-    return [whole if fit_terminal([*others, whole]) else whole._replace(cells=cut)]
+        return across[:1], across[1:]
+    return leading, results
 
 
 def _best(columns: "Columns", name: str, form: Format) -> tuple[list[TextColumn], list[float]]:

@@ -170,6 +170,23 @@ class Markdown(Lines):
         return in_markdown(text).encode()
 
 
+class Lists:
+    """Rows as columns of Python: arrays of numbers, and lists of texts."""
+
+    digits = None
+    has_words, is_plain = False, False
+
+    def header(self, heads: Sequence[str]) -> Sequence[str]:
+        """Return the headers."""
+        return heads
+
+    def rows(self, _: Sequence[str], columns: Sequence[Any], before: Sequence[Any] = ()) -> list[Any]:
+        """Return the columns, each with a cell for every row. `before`: the beginning of each row."""
+        size = len(before) or max(map(length, columns), default=0)
+        is_same = [column is None or isinstance(column, str) for column in divided(columns)]
+        return [[column] * size if same else column for same, column in zip(is_same, divided(columns), strict=True)]
+
+
 WRITERS = {
     "csv": Lines(","),
     "tsv": Lines("\t"),

@@ -1,0 +1,36 @@
+"""What the site's pages have in their heads: a description, and a policy that lets no page ask another host."""
+
+import re
+from base64 import b64encode
+from hashlib import sha256
+from html import escape, unescape
+from typing import Any
+
+_INLINE = re.compile(r"<script(?![^>]*(?:\bsrc=|application/json))[^>]*>(.*?)</script>", re.DOTALL)
+
+
+def with_policy(html: str) -> str:
+    """Return a page with a content security policy: its own files, and its inline scripts by their hashes."""
+    hashes = {b64encode(sha256(script.encode()).digest()).decode() for script in _INLINE.findall(html)}
+    scripts = " ".join(["'self'", "'wasm-unsafe-eval'", *(f"'sha256-{each}'" for each in sorted(hashes))])
+    policy = (
+        f"default-src 'self'; script-src {scripts}; style-src 'self' 'unsafe-inline'; img-src 'self' data:; "
+        "object-src 'none'; base-uri 'self'"
+    )
+    tag = f'<meta http-equiv="Content-Security-Policy" content="{policy}">'
+    return html.replace('<meta charset="utf-8">', f'<meta charset="utf-8">\n      {tag}', 1)
+
+
+def with_card(html: str, page: Any) -> str:
+    """Return a page with the title and the description that a link to it shows elsewhere."""
+    texts = {"og:title": f"{page.title} – jkroll", "og:description": page.meta["description"], "og:type": "article"}
+    tags = "".join(f'<meta property="{name}" content="{escape(text)}">' for name, text in texts.items())
+    return html.replace("</head>", f"{tags}</head>", 1)
+
+
+def described(text: str) -> str:
+    """Return the first paragraph of a page, without its marks, as a description of at most 160 characters."""
+    blocks = (block.strip() for block in re.split(r"\n\s*\n", text))
+    first = next((block for block in blocks if block and not block.startswith(("```", *"#<|-!>"))), "")
+    plain = unescape(re.sub(r"\s+", " ", re.sub(r"\[([^]]*)\]\([^)]*\)|[`*]", r"\1", first)))
+    return plain if len(plain) <= 160 else plain[:157].rpartition(" ")[0] + " …"

@@ -1,0 +1,61 @@
+"""Materials for readers: the facts of one, and a table of several."""
+
+import re
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from ..quantities.formatting import DIGITS, Format, amount, symbol_among
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI
+from ..quantities.shown import Part, Rows, columns_of
+from ..text import TextColumn
+
+if TYPE_CHECKING:
+    from .library import Material
+
+EXACT = Format(digits=DIGITS)  # of values in a table
+_REFERENCE = ("author", "title", "journal", "volume", "pages", "year", "eprint", "doi", "url", "note")
+
+
+def values_of_materials(chosen: "Sequence[Material]") -> Rows:
+    """Return the names of some materials, and the columns of their properties."""
+    columns: list[TextColumn] = []
+    for name in PROPERTIES:
+        values = [material.measures.get(name) for material in chosen]
+        columns += columns_of(name, {symbol_among(name, ()): values}, EXACT)
+    return [TextColumn("material", [material.name for material in chosen], is_right=False)], columns
+
+
+def parts_of_materials(chosen: "Sequence[Material]") -> list[Part]:
+    """Return the table that a notebook shows of materials: their properties, state and source."""
+    leading, columns = values_of_materials(chosen)
+    about = {"state": [each.state for each in chosen], "source": [each.title for each in chosen]}
+    return [(leading, [*columns, *(TextColumn(head, cells, is_right=False) for head, cells in about.items())])]
+
+
+def parts_of_material(material: "Material") -> list[Part]:
+    """Return what a notebook shows of a material: its title, and a row for each fact."""
+    title, facts = sheet_of(material)
+    heads, texts = zip(*facts, strict=True)
+    columns = [TextColumn("property", heads, is_right=False), TextColumn("value", texts, is_right=False)]
+    return [title, (columns, [])]
+
+
+def sheet_of(material: "Material") -> tuple[str, list[tuple[str, str]]]:
+    """Return the title and the facts of a material: state, properties with their origins, notes and references."""
+    aliases = f" (also {', '.join(material.aliases)})" if material.aliases else ""
+    facts = [("state", material.state)]
+    for name, measure in {**dict.fromkeys(PROPERTIES), **material.measures}.items():
+        text = f"none in {material.title}" if measure is None else amount(name, measure)
+        if name == XI and material.displacement is not None:
+            text += f", spheres of {amount('radius', material.displacement.radius)}"
+        facts += [(name, text), *((f"  {field}", text) for field, text in material.origins.get(name, {}).items())]
+    for name, note in material.notes.items():
+        radii = material.note_radii.get(name)
+        sizes = f" (R = {amount('radius', radii)})" if radii is not None else ""
+        facts.append(("note", f"{NOMENCLATURE[name].sentence}{sizes}: {note}"))
+    for entry in material.references:
+        label = f"{entry['key']}: " if material.origins else ""
+        words = ", ".join(entry[field] for field in _REFERENCE if entry.get(field))
+        facts.append(("reference", label + re.sub("[{}]", "", words)))  # without the braces of BibTeX
+    facts.append(("source", material.title))
+    return f"material {material.name}{aliases}", [(head, text) for head, text in facts if text]

@@ -1,0 +1,460 @@
+"""`jkroll.answer`: what a command says of one scene, and of each combination of lists, shown and drawn."""
+
+from collections.abc import ItemsView, Iterable, Iterator, KeysView, Mapping, Sequence
+from functools import cached_property, reduce
+from importlib import import_module
+from itertools import chain, product
+from math import nan
+from typing import TYPE_CHECKING, Any, overload
+
+from ..errors import BadRequest
+from ..materials.library import Material, Materials
+from ..model.containers import Reader, warn_of_metres
+from ..model.estimate import WORDS, Estimate
+from ..model.frame import Frame
+from ..model.labels import axes_of
+from ..model.ranges import check_range
+from ..model.rows import Columns, Tally, Wanted, as_list
+from ..model.solver import Solids, is_list, materials_of, words_in
+from ..model.sweep import Sweep
+from ..quantities.formatting import AS_USUAL, Format, amount, symbol_of
+from ..quantities.laws import law_given
+from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, named
+from ..quantities.numeric import Numeric
+from ..quantities.shown import Part, Shown, as_text
+from ..quantities.values import QuantityError, Spread, Uncertain, is_uncertain, middle
+from ..report.answer import Result
+from ..report.questions import QUESTIONS, Question, columns_in_table, question_about
+from ..report.report import Report
+from ..text import listed, quoted
+from ..write.answered import as_object
+from ..write.notebook import parts_of_answer, parts_of_answers
+from ..write.table import Row, in_width, rows_in_words
+from ..write.writers import Lists, written
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from numpy import float64
+    from numpy.typing import NDArray
+
+    from ..model.limits import Doubt
+    from .drawn import Drawn
+
+    Single = float | str | Uncertain | Numeric
+    Several = Single | Sequence[Single] | NDArray[float64]
+
+
+# --- One scene --------------------------------------------------------------------------------------------------------
+
+
+class Exceeded:
+    """A limit of the model that does not hold; a text of it is the sentence.
+
+    `name` and `value` are of the number that limits the model, `limit` is the first threshold of what is judged (of a
+    law the factor between answers, of radii the smaller), and `factor` how many times that is beyond it; None if it is
+    infinite, or over 0. `ends` has the names of results that have no meaning for it.
+    """
+
+    def __init__(self, text: str, doubt: "Doubt", ends: tuple[str, ...]) -> None:
+        self.text, self.code, self.name, self.value = text, doubt.code, doubt.limit.name, doubt.value
+        self.limit, self.factor, self.ends = doubt.limit.threshold, doubt.factor, ends
+
+    def __repr__(self) -> str:
+        return f"<{self.code}: {self.text}>"
+
+    def __str__(self) -> str:
+        return self.text
+
+
+class Answered(Shown):
+    """The answer to a question about one scene.
+
+    `values` are the results by name, `inputs` what was understood and assumed, `doubts` the limits of the model that do
+    not hold, `best` the best ranges of the values, `notes` the other sentences. `as_dict()` is the
+    object of `--json`. It iterates over the names of the results, as a dict does.
+    """
+
+    def __init__(self, answer: Report) -> None:
+        self._answer = answer
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the question and the frame; the rest is computed anew."""
+        return _answered, (self._answer.question, self._answer.described)
+
+    @cached_property
+    def values(self) -> Mapping[str, Result]:
+        """The results by name, in SI units."""
+        for result in self._answer.results:
+            result.best = self.best.get(result.name)
+        return {result.name: result for result in self._answer.results}
+
+    @cached_property
+    def inputs(self) -> Mapping[str, float | str | Uncertain]:
+        """The inputs that were stated or enter the results, in SI units, with their error bars."""
+        return self._answer.measures
+
+    @cached_property
+    def inputs_in_words(self) -> Mapping[str, str]:
+        """The same as texts with units, rounded as on a terminal."""
+        return {name: amount(name, value) for name, value in self.inputs.items()}
+
+    @cached_property
+    def doubts(self) -> tuple[Exceeded, ...]:
+        """The limits of the model that do not hold, the one that is exceeded most first."""
+        answer = self._answer
+        return tuple(Exceeded(answer.about(doubt), doubt, answer.ended_by(doubt)) for doubt in answer.exceeded)
+
+    @cached_property
+    def best(self) -> Mapping[str, Estimate]:
+        """The best ranges of the results, by name: `low`, `high`, of which nan is open, and `by`."""
+        return {name: estimate._replace(by=WORDS[estimate.by]) for name, estimate in self._answer.estimates.items()}
+
+    @cached_property
+    def why(self) -> Mapping[str, str]:
+        """Why results have their best ranges, by the word for the rule: what such a range holds and leaves out."""
+        return {WORDS[by]: text for by, text in self._answer.whys.items() if text}
+
+    @cached_property
+    def rows(self) -> Mapping[str, Row]:
+        """The rows of the table on a terminal, by name: each with its best range as text, and what says so."""
+        return rows_in_words(self._answer, AS_USUAL)
+
+    @cached_property
+    def notes(self) -> tuple[str, ...]:
+        """The other sentences: what was assumed, what the material's source says, what contradicts a result."""
+        return tuple(note.text for note in self._answer.notes)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the object that the command prints with `--json`."""
+        return as_object(self._answer, AS_USUAL)
+
+    def to_dict(self) -> dict[str, float | None]:
+        """Return the numbers in SI units by name; None for a result without a value."""
+        return {name: result.value for name, result in self.values.items()}
+
+    def to_pandas(self) -> Any:
+        """Return a DataFrame with a row for each result: its number in SI units, and its best range."""
+        rows = []
+        for name, result in self.values.items():
+            low, high, by = self.best.get(name, (nan, nan, None))
+            row = {"symbol": NOMENCLATURE[name].symbol, "value": result.value, "unit": result.unit}
+            rows.append({**row, "best_low": low, "best_high": high, "best_by": by, "reason": result.reason or None})
+        return import_module("pandas").DataFrame(rows, index=[*self])
+
+    @property
+    def drawn(self) -> "Drawn":
+        """The force over the approach, as `jkroll contact --curve` draws it, with a mark at the state of the answer."""
+        from .answer_pictures import curve_with_state
+
+        return curve_with_state(self._answer.frame)
+
+    def plot(self, ax: "Axes | None" = None, style: str = "paper") -> Any:
+        """Draw the contact on axes of matplotlib, or on those of a new figure; return them. Needs the extra `plot`."""
+        return self.drawn.plot(ax, style)
+
+    def keys(self) -> KeysView[str]:
+        """Return the names of the results."""
+        return self.values.keys()
+
+    def items(self) -> ItemsView[str, Result]:
+        """Return the names with the results."""
+        return self.values.items()
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.values)
+
+    def __len__(self) -> int:
+        return len(self.values)
+
+    def __contains__(self, name: object) -> bool:
+        return named(str(name), self.values) in self.values
+
+    def __getitem__(self, name: str) -> Result:
+        """Return the result of a name, or of a symbol."""
+        known = named(str(name), self.values)
+        if known not in self.values:
+            raise BadRequest(f"{quoted(str(name))} is not in this answer, which has {listed(self.values)}")
+        return self.values[known]
+
+    def __repr__(self) -> str:
+        shown = {name: "no value" if result.value is None else result for name, result in self.values.items()}
+        texts = (f"{NOMENCLATURE[name].symbol} = {result}" for name, result in shown.items())
+        return f"<Answered: {', '.join(texts)}>"
+
+    def _parts(self) -> Iterable[Part]:
+        return parts_of_answer(self._answer)
+
+
+def _answered(question: Question, frame: Frame) -> Answered:
+    """Return the answer to a question about a frame."""
+    return Answered(Report(question, frame))
+
+
+# --- Several scenes ---------------------------------------------------------------------------------------------------
+
+
+class Answers(Shown):
+    """The answers to a question about several scenes: all combinations of lists, as a command has them.
+
+    It iterates over the answers. `answers[0]` is the first one, `answers["P_c"]` an array of values in SI units.
+    `print` shows the table of the command, and so does a notebook.
+    """
+
+    def __init__(self, question: Question, sweep: Sweep) -> None:
+        self._question, self._sweep = question, sweep
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the question and the scenes; the rest is computed anew."""
+        return Answers, (self._question, self._sweep)
+
+    def __len__(self) -> int:
+        return len(self._sweep)
+
+    def __iter__(self) -> Iterator[Answered]:
+        return (self[position] for position in range(len(self)))
+
+    @overload
+    def __getitem__(self, item: int) -> Answered: ...
+    @overload
+    def __getitem__(self, item: str) -> "NDArray[float64]": ...
+    def __getitem__(self, item: int | str) -> "Answered | NDArray[float64]":
+        """Return an answer by its position, or the values of a quantity in SI units, nan where there is none."""
+        if isinstance(item, str):
+            import numpy
+
+            wanted, blocks = self._all
+            name = named(item, wanted.names)
+            if name not in wanted.names:
+                raise BadRequest(f"{quoted(item)} is not in these answers, which have {listed(wanted.names)}")
+            return numpy.concatenate([columns.column(name) for columns in blocks])
+        if not -len(self) <= item < len(self):
+            raise IndexError(f"there are {len(self)} answers")
+        return Answered(Report(self._question, self._sweep.row(item % len(self))))
+
+    @cached_property
+    def _all(self) -> tuple[Wanted, Sequence[Columns]]:
+        """The columns of all quantities with their best ranges."""
+        wanted = self._sweep.wanted(self._question.quantities, self._question.named)
+        wanted = wanted.with_best(wanted.names)
+        return wanted, [*self._sweep.columns(wanted)]
+
+    def to_dict(self) -> dict[str, list[Any]]:
+        """Return the columns of `--csv --best` by their headers, such as "radius [m]", in SI units."""
+        heads, *blocks = written(Lists(), *self._all, AS_USUAL)
+        columns = zip(heads, *blocks, strict=True)
+        return {head: [*chain.from_iterable(map(as_list, parts))] for head, *parts in columns}
+
+    def to_pandas(self) -> Any:
+        """Return a DataFrame with a row for each answer and the columns of `to_dict`."""
+        return import_module("pandas").DataFrame(self.to_dict())
+
+    @property
+    def drawn(self) -> "Drawn":
+        """The first quantity over the input that has most values, as `jkroll map` draws it; of laws alone, the contact.
+
+        Raises BadRequest where no input has several values.
+        """
+        from .answer_pictures import lines_over_input
+
+        return lines_over_input(self._question.headline[0], self._sweep)
+
+    def plot(self, ax: "Axes | None" = None, style: str = "paper") -> Any:
+        """Draw the answers on axes of matplotlib, or on those of a new figure; return them. Needs the extra `plot`."""
+        return self.drawn.plot(ax, style)
+
+    # --- The table ----------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def _in_table(self) -> Wanted:
+        """The columns of the table."""
+        return columns_in_table(self._question, self._sweep)
+
+    @cached_property
+    def _blocks(self) -> Sequence[Columns]:
+        """The rows of the table."""
+        return [*self._sweep.columns(self._in_table)]
+
+    @cached_property
+    def _tally(self) -> Tally:
+        """The rows, and those of them that have no result, counted."""
+        return reduce(Tally.plus, (Tally.of(columns, symbol_of) for columns in self._blocks), Tally())
+
+    @cached_property
+    def _groups(self) -> Sequence[tuple[Frame, Sequence[str]]]:
+        """A frame for each group of rows with the same inputs, with the quantities that it shows."""
+        return [*self._sweep.noted(self._in_table)]
+
+    @property
+    def _form(self) -> Format:
+        """The format, which knows what inputs were given."""
+        given = [*self._sweep.spreads]
+        return Format(typed=dict.fromkeys([*given, *(CONVERTED[name] for name in given if name in CONVERTED)], ""))
+
+    def __repr__(self) -> str:
+        symbols = (NOMENCLATURE[name].symbol for name in self._question.headline)
+        return f"<Answers: {listed(symbols)} of {len(self)} scenes>"
+
+    def __str__(self) -> str:
+        return as_text(part if isinstance(part, str) else in_width(*part) for part in self._parts())
+
+    def _parts(self) -> Iterable[Part]:
+        return parts_of_answers(self._groups, self._blocks, self._in_table, self._tally, self._form)
+
+
+# --- The question -----------------------------------------------------------------------------------------------------
+
+
+@overload
+def answer(  # type: ignore[overload-overlap]  # single values are the case of one scene
+    wanted: str | Iterable[str],
+    /,
+    *,
+    material: str | Material | None = None,
+    material2: str | Material | None = None,
+    materials: Materials | None = None,
+    model: str | None = None,
+    profile: str | None = None,
+    **given: "Single",
+) -> Answered: ...
+@overload
+def answer(
+    wanted: str | Iterable[str],
+    /,
+    *,
+    material: Solids = None,
+    material2: Solids = None,
+    materials: Materials | None = None,
+    model: str | Sequence[str] | None = None,
+    profile: str | None = None,
+    **given: "Several",
+) -> Answers: ...
+@overload
+def answer(wanted: str | Iterable[str], /, **scene: Any) -> Any: ...
+def answer(
+    wanted: str | Iterable[str],
+    /,
+    *,
+    material: Solids = None,
+    material2: Solids = None,
+    materials: Materials | None = None,
+    model: str | Sequence[str] | None = None,
+    profile: str | None = None,
+    **given: Any,
+) -> Any:
+    """Answer a question about one scene, or about each combination of lists, with all that is to be said of numbers.
+
+    Parameters
+    ----------
+    wanted
+        A command, such as "pull-off" or "report", or names of quantities, as for `solve`.
+    material, material2, materials, model, profile, **given
+        The scene, as `solve` takes it. Lists of materials, laws and values are several scenes: all their combinations,
+        as the command makes them, and not element by element. A table is answered row by row by `jkroll.table`.
+
+    A radius of a metre or more that is a number without a unit is warned of: 100 stands for 100 m.
+
+    Returns
+    -------
+    For one scene, an object with `values` by name, `inputs`, `doubts`, `notes` and `as_dict()`. For lists, `Answers`:
+    it iterates over such objects, and is shown as a table; `to_pandas()`, `to_dict()`. All numbers are in SI units.
+
+    Raises
+    ------
+    MissingInput, UnknownMaterial, UnknownQuantity, QuantityError
+        An input is wrong, or one is missing without which there is no result.
+    NoResult
+        There is no contact, or no result at all. A single result without a value has a reason instead.
+
+    >>> answered = answer("pull-off", material="quartz", radius="100 nm")
+    >>> str(answered["pull_off_force"]), answered["P_c"].unit
+    ('11.781 nN', 'N')
+    >>> low, high, by = answered.best["pull_off_force"]
+    >>> round(low, 10), round(high, 10), by
+    (1.42e-08, 1.53e-08, 'Maugis')
+    >>> several = answer("pull-off", material=["quartz", "iron"], radius=["100 nm", "1 um"])
+    >>> [str(each["P_c"]) for each in several]
+    ['11.781 nN', '117.81 nN', '1.41372 µN', '14.1372 µN']
+    """
+    words: dict[str, Any] = {"material": material, "material2": material2, "model": model}
+    values = _values(given)
+    is_single = not any(map(is_list, words.values())) and not any(map(_is_several, given.values()))
+    question = _question(wanted)
+    if is_single:
+        one = {name: value for name, (value,) in values.items()}
+        pair = materials_of(words["material"], words["material2"], materials)
+        answered = Report(question, Frame(one, *pair, model=law_given(words["model"], profile)))
+        if answered.failure is not None and answered.has_no_headline:
+            raise answered.failure
+        return Answered(answered)
+    _refuse_rows({**words, **given})
+    of_first, of_second, models = (_listed(name, word) for name, word in words.items())
+    firsts = [materials_of(each, None, materials)[0] for each in of_first]
+    seconds = [materials_of(None, each, materials)[1] for each in of_second]
+    laws = [law_given(each, profile) for each in models]
+    if len({*laws}) < len(laws):
+        raise BadRequest(f"model: {listed(models)} name a law more than once")
+    sweep = Sweep([*product(firsts, seconds)], {name: _spreads(name, each) for name, each in values.items()}, laws)
+    if (count := len(sweep)) > sweep.sizes.most_in_table:
+        raise BadRequest(f"{count} scenes are more than {sweep.sizes.most_in_table}; jkroll.solve takes any number")
+    answers = Answers(question, sweep)
+    if answers._tally.failed == count and (failure := answers[0]._answer.failure) is not None:
+        raise failure
+    return answers
+
+
+def _question(wanted: str | Iterable[str]) -> Question:
+    """Return the question of a command, or about quantities."""
+    if isinstance(wanted, str) and wanted in QUESTIONS:
+        return QUESTIONS[wanted]
+    return question_about(",".join(words_in(wanted)))
+
+
+def _is_several(value: Any) -> bool:
+    return isinstance(value, list | tuple) or getattr(value, "ndim", 0) > 0
+
+
+def _values(given: Mapping[str, Any]) -> dict[str, list[Any]]:
+    """Return the values of inputs in SI units, by name, in the order of the nomenclature. Raises QuantityError."""
+    items = {word: [*value] if isinstance(value, list | tuple) else [value] for word, value in given.items()}
+    for word, each in items.items():
+        if not each:
+            raise QuantityError(word, "[]", "is an empty list")
+        if isinstance(each[0], list | tuple):
+            raise QuantityError(word, str(each), "is a list of lists", "give a list of values")
+    reader, firsts = Reader(), {word: each[0] for word, each in items.items()}
+    read = reader.in_si(firsts)
+    warn_of_metres({name: value for name, value in read.items() if isinstance(value, float)}, firsts)
+    values: dict[str, list[Any]] = {}
+    for (name, first), (_, *others) in zip(read.items(), items.values(), strict=True):
+        values[name] = []
+        for value in (first, *(reader.number(name, other) for other in others)):
+            if getattr(value, "ndim", 0) > 1:
+                raise QuantityError(name, "an array", "has more than one dimension", "give a list of values")
+            values[name] += value.tolist() if hasattr(value, "tolist") else [value]
+    return {name: values[name] for name in NOMENCLATURE if name in values}
+
+
+def _spreads(name: str, values: Iterable[Any]) -> list[Spread]:
+    """Return the values of an input as a command lists them. Raises QuantityError for one that it cannot have."""
+    spreads = []
+    for value in values:
+        number = middle(value)
+        check_range(name, number)
+        spreads.append(Spread(number, number, uncertainty=value if is_uncertain(value) else None))
+    return spreads
+
+
+def _listed(name: str, words: Any) -> list[Any]:
+    """Return the words of a list, or one word as a list. Raises QuantityError for an empty list."""
+    several = [*words] if is_list(words) else [words]
+    if not several:
+        raise QuantityError(name, "[]", "is an empty list")
+    return several
+
+
+def _refuse_rows(given: Mapping[str, Any]) -> None:
+    """Raise BadRequest for several columns of a table: their rows belong together, and lists are combined."""
+    columns = [name for name, value in given.items() if value is not None and axes_of(value)]
+    if len(columns) > 1:
+        problem = f"{listed(columns)} are columns, whose rows belong together, and answer combines lists"
+        raise BadRequest(f"{problem}: jkroll.table answers a table row by row")

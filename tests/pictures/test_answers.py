@@ -1,0 +1,179 @@
+"""`jkroll.answer` with lists: a table of answers."""
+
+import csv
+import io
+import math
+import pickle
+from typing import Any
+
+import numpy
+import pytest
+
+import jkroll
+from harness import Run
+from jkroll.text import spelled
+from relative import approx
+
+SOLIDS, RADII = ["quartz", "iron"], ["100 nm", "1 um"]
+
+
+def test_lists_are_combined_as_the_command_does() -> None:
+    answers = jkroll.answer("pull-off", material=SOLIDS, radius=RADII)
+    assert len(answers) == 4
+    each = [jkroll.answer("pull-off", material=solid, radius=radius) for solid in SOLIDS for radius in RADII]
+    assert [answer.as_dict() for answer in answers] == [answer.as_dict() for answer in each]
+    assert answers["P_c"].tolist() == [float(answer["P_c"]) for answer in each]
+    assert (str(answers[-1]), repr(answers)) == (str(each[-1]), "<Answers: P_c of 4 scenes>")
+    with pytest.raises(IndexError, match="4 answers"):
+        answers[4]
+    with pytest.raises(jkroll.JkrollError, match="'a0' is not in these answers, which have pull_off_force"):
+        answers["a0"]
+
+
+def test_columns_are_those_of_csv(run: Run) -> None:
+    words = "contact quartz,iron 100nm,1um --radius2 plane --load -20nN --model jkr,maugis --csv --best"
+    answers = jkroll.answer(
+        "contact", material=SOLIDS, radius=RADII, radius2="plane", load="-20nN", model=["jkr", "maugis"]
+    )
+    heads, *rows = csv.reader(io.StringIO(run(*words.split()).out))
+    found = answers.to_dict()
+    assert [*found] == heads
+    for head, texts in zip(heads, zip(*rows, strict=True), strict=True):
+        assert [as_csv(head, cell) for cell in found[head]] == [*texts], head
+
+
+def as_csv(head: str, cell: Any) -> str:
+    """Return a cell as CSV writes it."""
+    if isinstance(cell, float):
+        return "" if math.isnan(cell) else "plane" if head == "radius2 [m]" else spelled(cell)
+    return cell or ""
+
+
+def test_a_list_of_one_is_a_list() -> None:
+    answers = jkroll.answer("pull-off", material=["quartz"], radius="100 nm")
+    assert [*answers[0]] == [*jkroll.answer("pull-off", material="quartz", radius="100 nm")]
+    assert len(answers) == 1
+
+
+def test_arrays_and_materials_made_by_hand() -> None:
+    solid = jkroll.known_materials()["quartz"]._replace(name="mine", properties={"surface_energy": 0.05})
+    answers = jkroll.answer(
+        "P_c", material=[solid, "iron"], material2=["quartz"], radius=numpy.geomspace(1e-8, 1e-6, 3)
+    )
+    forces = jkroll.solve(
+        "P_c", material=[[solid], ["iron"]], material2="quartz", radius=numpy.geomspace(1e-8, 1e-6, 3)
+    )
+    assert answers["P_c"].tolist() == forces.reshape(-1).tolist()
+    many = jkroll.answer("P_c", material=SOLIDS, radius=numpy.geomspace(1e-8, 1e-6, 400))  # more than row by row
+    assert many["P_c"].tolist() == [float(answer["P_c"]) for answer in many]
+
+
+def test_a_data_frame_has_a_row_for_each_answer() -> None:
+    pandas = pytest.importorskip("pandas")
+    found = jkroll.answer("pull-off", material=SOLIDS, radius=RADII).to_pandas()
+    assert found["material"].tolist() == ["quartz", "quartz", "iron", "iron"]
+    assert pandas.api.types.is_float_dtype(found["pull_off_force_best_low [N]"])
+    again = jkroll.table(found[["material", "radius [m]", "radius2 [m]", "surface_energy [J/m^2]"]], "P_c")
+    assert again["pull_off_force [N]"].tolist() == found["pull_off_force [N]"].tolist()
+
+
+def test_rows_of_a_table_are_not_combined() -> None:
+    pandas = pytest.importorskip("pandas")
+    data = pandas.DataFrame({"material": SOLIDS, "radius": [1e-7, 1e-6]})
+    with pytest.raises(jkroll.JkrollError, match="material and radius are columns, whose rows belong"):
+        jkroll.answer("pull-off", **data)
+    assert len(jkroll.answer("pull-off", material=SOLIDS, radius=data["radius"])) == 4
+
+
+def test_one_answer_without_a_result_has_a_reason_among_others() -> None:
+    answers = jkroll.answer("contact", material=SOLIDS, radius="100 nm", load="-100 nN")
+    assert numpy.isnan(answers["a"]).tolist() == [True, False]
+    assert answers.to_dict()["status"] == ["beyond pull-off", None]
+    assert "breaks this contact" in answers[0]["a"].reason
+
+
+@pytest.mark.parametrize(
+    ("scene", "words"),
+    [
+        ({"material": SOLIDS}, "needs radius"),
+        ({"material": SOLIDS, "radius": []}, "is an empty list"),
+        ({"material": [], "radius": 1e-7}, "is an empty list"),
+        ({"material": ["quarz", "iron"], "radius": 1e-7}, "no material 'quarz'"),
+        ({"material": SOLIDS, "radius": [1e-7, -1e-7]}, "must be positive"),
+        ({"material": SOLIDS, "radius": 1e-7, "model": ["jkr", "jkr"]}, "more than once"),
+        ({"material": SOLIDS, "radius": [[1e-7], [1e-6]]}, "is a list of lists"),
+        ({"material": SOLIDS, "radius": numpy.ones((2, 2))}, "more than one dimension"),
+        ({"gamma": 0.025, "radius": numpy.ones(20000) * 1e-7}, "20000 scenes are more than 10000"),
+        ({"gamma": 0.025, "radius": [1e-7], "surface_energy": [1.0]}, "one quantity; give it once"),
+    ],
+)
+def test_what_is_wrong_is_refused(scene: dict[str, Any], words: str) -> None:
+    with pytest.raises(jkroll.JkrollError, match=words):
+        jkroll.answer("pull-off", **scene)
+
+
+def test_a_grain_of_a_metre_is_warned_of_in_a_list() -> None:
+    with pytest.warns(UserWarning, match="100 is a sphere of 100 m"):
+        jkroll.answer("P_c", gamma=0.025, radius=[100, 200])
+
+
+def test_a_list_is_pickled_as_its_scenes() -> None:
+    answers = jkroll.answer("pull-off", material=SOLIDS, radius=RADII)
+    assert str(pickle.loads(pickle.dumps(answers))) == str(answers)
+
+
+# --- Pictures ---------------------------------------------------------------------------------------------------------
+
+
+def same_lines(drawn: Any, other: Any) -> bool:
+    """Return whether two pictures have the same lines."""
+    pairs = zip(drawn.lines.items(), other.lines.items(), strict=True)
+    return all(name == same and numpy.array_equal(line, like, equal_nan=True) for (name, line), (same, like) in pairs)
+
+
+def test_an_answer_is_drawn_as_the_curve_of_its_contact() -> None:
+    scene: dict[str, Any] = {"material": "quartz", "radius": "100 nm", "model": "maugis"}
+    drawn, curve = jkroll.answer("contact", **scene, load="5nN").drawn, jkroll.curve(**scene)
+    assert same_lines(drawn, curve)
+    state = jkroll.solve("approach_at_load", **scene, load=5e-9)
+    assert drawn.points == {**curve.points, "P = 5 nN": (state, 5e-9)}
+    assert jkroll.answer("pull-off", **scene).drawn.points == curve.points
+
+
+def test_laws_are_compared_by_their_curves() -> None:
+    laws = ["jkr", "dmt"]
+    drawn = jkroll.answer("pull-off", material="quartz", radius=1e-7, model=laws).drawn
+    assert same_lines(drawn, jkroll.curve(material="quartz", radius=1e-7, model=laws))
+
+
+def test_answers_are_drawn_over_their_input() -> None:
+    drawn = jkroll.answer("pull-off", material="quartz", radius=["1 um", "10 nm", "100 nm"]).drawn
+    (line,) = jkroll.map("P_c", material="quartz", x="radius=10nm:1um").lines.values()
+    assert numpy.array_equal(drawn.lines["quartz"], line)
+    both = jkroll.answer("r-min", radius=["1 um", "10 nm", "100 nm"], xi=["1 angstrom", "2 angstrom"]).drawn
+    assert [*both.lines] == ["ξ = 100 pm", "ξ = 200 pm"]
+    x, y = both.lines["ξ = 200 pm"]
+    assert y.tolist() == approx((x**2 / 2e-10).tolist())  # R_min = R1·R2/ξ
+    assert [*jkroll.answer("P_c", material=SOLIDS, radius=["1 um", "10 nm"]).drawn.lines] == SOLIDS
+
+
+def test_axes_are_taken_and_returned() -> None:
+    pytest.importorskip("matplotlib")
+    from matplotlib.figure import Figure
+
+    axes = Figure().subplots(1, 2)
+    answers = jkroll.answer("pull-off", material="quartz", radius=["1 um", "10 nm"])
+    assert answers.plot(axes[0]) is axes[0]
+    assert answers[0].plot(ax=axes[1], style="dark") is axes[1]
+    assert answers.plot().get_xlabel() == axes[0].get_xlabel() != ""
+    assert len(axes[1].lines) > 1
+
+
+def test_what_cannot_be_drawn_says_why() -> None:
+    with pytest.raises(jkroll.JkrollError, match="no input to draw over: give several values"):
+        _ = jkroll.answer("pull-off", material=SOLIDS, radius="100 nm").drawn
+    many = jkroll.answer("P_c", radius=numpy.geomspace(1e-8, 1e-6, 31), gamma=numpy.geomspace(0.01, 0.1, 30))
+    with pytest.raises(jkroll.JkrollError, match="30 lines are more than the 24"):
+        _ = many.drawn
+    with pytest.raises(jkroll.JkrollError, match="needs Young's modulus"):
+        jkroll.answer("pull-off", gamma=0.025, radius="100 nm").plot()
