@@ -40,15 +40,16 @@ def changes(section: str) -> list[tuple[str, str, str]]:
     return found
 
 
-def copy_with(folder: Path, *sections: str) -> Path:
-    """Return a copy of this checkout in which the changes of sections are made."""
+def copy_with(folder: Path, *sections: str, only: str = "") -> Path:
+    """Return a copy of this checkout in which the changes of sections are made; `only`: below this folder."""
     copy = folder / "copy"
     for name in ("src", "tests"):
         shutil.copytree(ROOT / name, copy / name, ignore=shutil.ignore_patterns("__pycache__"))
     for name in ("materials.toml", "pyproject.toml", "README.md", "LICENSE", ".github"):
         source = ROOT / name
         (shutil.copytree if source.is_dir() else shutil.copy)(source, copy / name)
-    for path, before, after in (change for section in sections for change in changes(SECTIONS[section])):
+    every = [change for section in sections for change in changes(SECTIONS[section])]
+    for path, before, after in (change for change in every if change[0].startswith(only)):
         text = (copy / path).read_text(encoding="utf-8")
         assert text.count(before) == 1, f"CONTRIBUTING.md changes lines that {path} does not have once:\n{before}"
         (copy / path).write_text(text.replace(before, after), encoding="utf-8")
@@ -76,6 +77,15 @@ def test_the_shown_change_is_all_that_it_takes(tmp_path: Path, title: str) -> No
     assert title.endswith(f": {COUNTED[len(places)]}")
     for block in transcripts(SECTIONS[title]):
         assert block == transcript(copy, block)
+
+
+def test_what_a_new_quantity_lacks_is_named(tmp_path: Path) -> None:
+    title = "A quantity: three places"
+    copy = copy_with(tmp_path, title, only="src/")
+    words = ["tests/tools/missing.py", "contact_circumference"]
+    ran = subprocess.run([sys.executable, *words], cwd=copy, env=environment(copy), capture_output=True, text=True)
+    assert (ran.returncode, ran.stderr) == (1, "")
+    assert f"```\n{ran.stdout}```\n" in SECTIONS[title]
 
 
 def test_there_is_a_change_of_each_kind() -> None:

@@ -65,11 +65,15 @@ def test_the_corpus() -> None:
 
 
 def wrong_with_inputs(name: str | None, inputs: Iterable[str]) -> dict[str, list[str]]:
-    """Return what is wrong with the example of a command and each of some inputs besides, by what is typed."""
+    """Return what is wrong with the example of a command and each of some inputs besides, by what is typed.
+
+    Such a line has the exit code of the example alone.
+    """
     example = f"jkroll {name} {COMMANDS[name].example}" if name else "jkroll pull-off quartz 100nm"
     with among_input_files():
+        code = run(Line(0, example)).code
         options = [NOMENCLATURE[each] for each in inputs]
-        tried = [Line(0, f"{example} {option.option} {option.example}") for option in options]
+        tried = [Line(code, f"{example} {option.option} {option.example}") for option in options]
         found = {line.typed: faults(line, run(line)) for line in tried}
     return {typed: what for typed, what in found.items() if what}
 
