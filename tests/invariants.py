@@ -21,7 +21,7 @@ from jkroll.quantities.values import QuantityError, parse_quantity, unit_of
 from material_files import read
 
 CORPUS = Path(__file__).parent / "corpus"
-MATERIALS = tomllib.loads((CORPUS / "materials.toml").read_text(encoding="utf-8"))
+MATERIALS = tomllib.loads((CORPUS / "material_files.toml").read_text(encoding="utf-8"))
 LONGEST_MESSAGE = 2000
 CODES = (0, 1, 2)
 TYPED = [name for name, quantity in NOMENCLATURE.items() if quantity.example and name != "material2"]

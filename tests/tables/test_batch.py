@@ -72,7 +72,7 @@ def test_doubts_have_a_column(run: Run, end: str) -> None:
     assert unknown.startswith("note: no material 'quarz'; did you mean quartz? jkroll materials lists all")
     assert unknown.endswith(": row 3")
     assert [*lines[1:], failed] == [
-        "assumed: ξ = 200 pm (--xi), no load (--load), z0 = 400 pm (--z0)",
+        "assumed: ξ = 200 pm (--xi), no load (--load)",
         (
             "warning: numbers have no meaning in 1 of 3 rows (column doubt): xi-over-limit 1 (ξ is too large for the "
             "formula), xi-over-contact 1 (ξ is larger than the contact) and 1 more"

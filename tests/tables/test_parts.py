@@ -78,7 +78,7 @@ def test_a_table_that_fails_is_named_and_resumed(run: Run, grains: list[str]) ->
     assert reading.startswith("read: material, ")
     assert reading.endswith(": 4 of 5 files")
     assumed, directory, warning, doubtful, *gaps, failed = said.splitlines()
-    in_words = "w = 2√(γ1γ2) (--work-of-adhesion), g = 9.80665 m/s² (--gravity), z0 = 400 pm (--z0)"
+    in_words = "w = 2√(γ1γ2) (--work-of-adhesion), g = 9.80665 m/s² (--gravity)"
     assert assumed == f"assumed: {in_words}: 4 of 5 files"
     assert (ran.code, directory) == (2, f"jkroll: '{grains[3]}': Is a directory")
     assert warning.startswith("warning: numbers have no meaning in ")

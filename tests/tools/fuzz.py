@@ -5,7 +5,7 @@
 The targets are quantity, unit, materials and words. The options after the target are libFuzzer's, which writes a
 violation to the current directory as crash-*. Inputs that reach new code go to a temporary folder, jkroll-fuzz/TARGET;
 `python tests/tools/fuzz.py TARGET --keep` copies the small ones to tests/corpus, which a test replays. Those of
-materials are printed, to be copied to an entry of tests/corpus/materials.toml. Needs `pip install jkroll[fuzz]`.
+materials are printed, to be copied to an entry of tests/corpus/material_files.toml. Needs `pip install jkroll[fuzz]`.
 """
 
 import json

@@ -167,7 +167,7 @@ def span(name: str, low: float, high: float, digits: int | None = None) -> str:
     """Return the ends of a range for a sentence, as `from_to` has them.
 
     >>> span("pull_off_force", 1.437e-8, 1.5e-8), span("pull_off_force", 3.97e-7, 3.995e-7)
-    ('14–15 nN', '397–400 nN')
+    ('14.4–15 nN', '397–400 nN')
     >>> span("sticking_speed", 0.6, 6.0), span("yield_force", 6.9e-10, 1.57e-9)
     ('0.6–6 m/s', '0.69–1.6 nN')
     >>> span("well_energy", 1e-18, 3e-18), span("atomic_spacing", 4e-10, 4e-10)
@@ -183,7 +183,7 @@ def from_to(low: float, high: float, digits: int | None = None) -> str:
     They have two digits, or three where the range is narrow, unless `digits` says how many.
 
     >>> from_to(14.37, 15.0), from_to(-1.0, 2.0), from_to(3.0, 3.0), from_to(1.02e6, 1.31e6), from_to(397.0, 399.5)
-    ('14–15', '-1 to 2', '3', '(1–1.3)e6', '397–400')
+    ('14.4–15', '-1 to 2', '3', '(1–1.3)e6', '397–400')
     """
     if digits is None:
         digits = 3 if 0 < abs(high - low) < _NARROW * abs(high) else 2
