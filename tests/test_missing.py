@@ -135,6 +135,12 @@ def test_a_found_table_is_read_otherwise(monkeypatch: pytest.MonkeyPatch) -> Non
     assert missing("yield_strength") == [Lack("tests/tables/found_tables.toml", line)]
 
 
+def test_an_option_is_a_word_for_another_quantity(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(tool, "SYNONYMS", {"pull_off_force": ["adhesion", "gravity"]})
+    line = "pull_off_force without gravity, which is an option now"
+    assert missing("gravity") == [Lack("src/jkroll/quantities/synonyms.py", line)]
+
+
 def test_words_on_a_format_are_missing(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tool, "FORMATS", {"ods": "ods"})
     files = ["src/jkroll/cli/options.py", "tests/corpus/command_lines.txt", "src/jkroll/guide/tables.md"]

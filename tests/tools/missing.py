@@ -30,6 +30,7 @@ from jkroll.physics import FORMULAS, dimensions
 from jkroll.physics.accuracy import accuracy_of
 from jkroll.quantities.laws import routes_anywhere
 from jkroll.quantities.nomenclature import CONVERTED, OF_CURVES
+from jkroll.quantities.synonyms import SYNONYMS
 from jkroll.quantities.values import QuantityError, parse_quantity
 from jkroll.report.questions import QUESTIONS
 from jkroll.tables.files import FORMATS
@@ -131,6 +132,10 @@ def _of_input(name: str) -> Iterator[Lack]:
     too_long = [command for command in QUESTIONS if shown in help_of(command) and is_too_long(help_of(command))]
     if too_long:
         yield Lack("src/jkroll/cli/commands.py", f'_FURTHER: "{name}", as the help of {too_long[0]} is too long')
+    word = _word_of(name)
+    for other, words in SYNONYMS.items():
+        if other != name and word in words:
+            yield Lack("src/jkroll/quantities/synonyms.py", f"{other} without {word}, which is an option now")
     for repository in tables_read_as(name):
         yield Lack("tests/tables/found_tables.toml", f"{name} in `reads` of [[{repository}]]")
 
@@ -139,6 +144,11 @@ def _is_in_formulas(name: str) -> bool:
     """Return whether a formula takes an input, besides those of other laws, whose tests draw all values."""
     takers = [formula for formula in FORMULAS.values() if name in parameters_of(formula)]
     return any(_reference_of(formula.__module__) == REFERENCE for formula in takers)
+
+
+def _word_of(name: str) -> str:
+    """Return the word of an input's option, as a name."""
+    return NOMENCLATURE[name].option.removeprefix("--").replace("-", "_")
 
 
 @cache
@@ -160,7 +170,7 @@ def tables_read_as(name: str) -> list[str]:
     """
     if name in CONVERTED:
         return []
-    found, own = [], {name, NOMENCLATURE[name].option.removeprefix("--").replace("-", "_")}
+    found, own = [], {name, _word_of(name)}
     for repository, record in found_tables():
         headers = re.split(r"[,;\t|]", record["table"].lstrip("\n").splitlines()[0])
         words = {re.sub(r"[(\[].*", "", header).strip(' "#').casefold().replace(" ", "_") for header in headers}
