@@ -321,8 +321,9 @@ class Ranges:
         own, ours, theirs = (self.frame.column(each).values for each in (name, base, by_law))
         own_most, most, most_of_law = (self.hull(each, _itself)[1] for each in (name, base, by_law))
         applies = True if name in _AS_PULL_OFF else self._tabor_parameter < JUMP
-        factors = (theirs / ours, most_of_law / most)
-        value, largest = (end * factor**power for end, factor in zip((own, own_most), factors, strict=True))
+        value, largest = theirs, most_of_law
+        if name != base:
+            value, largest = own * (theirs / ours) ** power, own_most * (most_of_law / most) ** power
         return where(applies, value, own), where(applies, largest, -inf)
 
 
