@@ -400,15 +400,16 @@ def _in_scene(scene: Frame, values: Mapping[str, float]) -> Iterator[str]:
             spacings.append(spacings[0] / 2)
         scenes = [other.replace(atomic_spacing=spacing) for spacing in spacings]
         ends = [outcomes(each, (name,))[name] for each in scenes]
-        if name in LENNARD_JONES and (name == "pull_off_force" or scene["tabor_parameter"] < 0.7):
-            ends.append(outcomes(scene, (LENNARD_JONES[name],))[LENNARD_JONES[name]])
-        elif name in IN_PROPORTION:
+        if name in IN_PROPORTION:
             continue
         if WORDS[int(values[key])] == "JKR" and name in values:  # which has a meaning
             ends.append(values[name])
         numbers = [end for end in ends if isinstance(end, float)]
+        most = [*numbers]
+        if name in LENNARD_JONES and (name == "pull_off_force" or scene["tabor_parameter"] < 0.7):  # an upper end
+            most.append(outcomes(scene, (LENNARD_JONES[name],))[LENNARD_JONES[name]])
         is_open = any(name in Results(each, each.columns([name])).ended for each in scenes)  # by what has no meaning
-        for end, expected in zip(("low", "high"), (min(numbers), max(numbers)), strict=True):
+        for end, expected in zip(("low", "high"), (min(numbers), max(most)), strict=True):
             if (found := values.get(f"{name}_best_{end}")) != expected and not (is_open and found is None):
                 yield f"{name}: {_best_in(values, name)} and {expected}"
 

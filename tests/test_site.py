@@ -97,6 +97,8 @@ def test_every_picture_is_shown_and_every_link_leads_to_a_place(site: tuple[Brow
 def test_every_run_button_answers_as_the_program_does(site: tuple[Browser, str], topic: str) -> None:
     window, address = site
     window.open(f"{address}{topic}/")
+    if runnable(topic):
+        window.wait("document.querySelector('.run button')")
     titles = window.script("return [...document.querySelectorAll('.run button')].map((button) => button.title)")
     assert titles == [f"jkroll {line}" for line in runnable(topic)]
     for place, line in enumerate(runnable(topic)):
