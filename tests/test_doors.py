@@ -96,7 +96,8 @@ def _in_refusals(run: Run, ask: Ask, error: JkrollError) -> Iterator[str]:
             yield f"{form} does not refuse: {error}"
         except Refused as other:
             refusals.add(str(other))
-    if len(refusals) > 1 or not all(said in other or _lacks(other) for other in refusals):
+    is_last = error.phrase == "± and range together"  # what else is wrong with a single pair comes before it
+    if len(refusals) > 1 or not (is_last or all(said in other or _lacks(other) for other in refusals)):
         yield f"{error} and {refusals}"  # a single pair is told first what it lacks
     try:
         found = of_table(run, sheet_of(ask))

@@ -754,7 +754,7 @@ def test_states_beyond_pull_off_have_no_counterpart_under_another_law(run: Run) 
 @pytest.mark.slow
 def test_the_notes_on_a_curve_are_those_on_its_pull_off_force(run: Run) -> None:
     inexact = "note: best range of P_c: 14–15 nN"
-    assert run("pull-off quartz 100nm").err.splitlines()[1].startswith(f"{inexact} (Maugis)")
+    assert run("pull-off quartz 100nm").err.splitlines()[0].startswith(f"{inexact} (Maugis)")
     for options in ("--csv", "--bare", "-o curve.csv", "-o curve.svg", "--panel force"):
         lines = run(f"contact quartz 100nm --curve {options}").err.splitlines()
         assert any(line.startswith(inexact) for line in lines), options
