@@ -318,7 +318,7 @@ def write_table(
     are compared, the first stands in them again, if it has room.
     """
     if not columns:
-        say("\n".join(_lines(leading)), out)
+        say("\n".join(_lines(leading, _GAP if fit_terminal(leading) else 1)), out)
     repeated = columns[:1] if trailing else []
     while columns:
         room = terminal_width() + _GAP - _size([*leading, *trailing])
@@ -348,9 +348,9 @@ def text_columns(rows: Iterable[Sequence[str]], *, words: int) -> list[TextColum
     return [TextColumn(head, cells, place >= words) for place, (head, *cells) in enumerate(zip(*rows, strict=True))]
 
 
-def _lines(columns: Iterable[TextColumn]) -> list[str]:
-    """Return the heads of columns, a line below them, and the rows."""
-    lines = [(" " * _GAP).join(cells) for cells in zip(*map(padded, columns), strict=True)]
+def _lines(columns: Iterable[TextColumn], gap: int = _GAP) -> list[str]:
+    """Return the heads of columns, a line below them, and the rows; `gap`: the blanks between columns."""
+    lines = [(" " * gap).join(cells) for cells in zip(*map(padded, columns), strict=True)]
     head, *rows = map(str.rstrip, lines)
     return [head, "─" * min(width_of(lines[0]), terminal_width()), *rows]
 

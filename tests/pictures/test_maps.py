@@ -575,7 +575,7 @@ def test_the_panel_of_moments_says_where_it_ends(run: Run) -> None:
 @pytest.mark.parametrize("words", ["pull-off gold,quartz", "pull-off gold", "pull-off --gamma 25mJ/m2"])
 def test_limits_that_are_not_judged_are_told(run: Run, words: str) -> None:
     said = run(f"map {words} --x radius=100nm:1um", terminal=True).out.replace("\n", " ")
-    assert re.search(r" Limits are not judged: a/R_small needs [^.]*modulus[^.]*\.", said)
+    assert re.search(r" Limits are not judged: that needs [^.]*modulus[^.]*\.", said)
     assert "not judged" not in run("map pull-off quartz --x radius=100nm:1um", terminal=True).out
 
 

@@ -251,18 +251,27 @@ def _write_curve(call: Call) -> int:
     Raises the failure of the first state if each has one.
     """
     from ..model.rows import Columns, Wanted
-    from ..report.curve import FORCE_CURVE, WHOLE_CURVE, answer_at_state, curve_columns, frames_of_curve
+    from ..report.curve import (
+        FEW_STEPS,
+        FORCE_CURVE,
+        STEPS,
+        WHOLE_CURVE,
+        answer_at_state,
+        curve_columns,
+        frames_of_curve,
+    )
     from ..report.report import Report
 
     check_format(call)
     question = question_of(call, FORCE_CURVE)
     loads, sweep = call.loads, call.sweep
     form = call.form(question.quantities)
-    samples = [frame for frame in sweep.groups for frame in frames_of_curve(frame, loads)]
+    steps = FEW_STEPS if call.output is TABLE else STEPS
+    samples = [frame for frame in sweep.groups for frame in frames_of_curve(frame, loads, steps)]
     failures = (answer_at_state(question, frame).failure for frame in samples)
     if (first := next(failures)) is not None and None not in failures:
         raise first
-    frames = (frame for frame in sweep.frames() for frame in frames_of_curve(frame, loads))
+    frames = (frame for frame in sweep.frames() for frame in frames_of_curve(frame, loads, steps))
     if call.output is TABLE and loads is not None:  # which is read from load to load
         frames = (frame for frame in frames if frame.state in HELD_BY_LOAD)
     if call.output is JSON:
@@ -295,6 +304,7 @@ def _write_curve(call: Call) -> int:
 
 def run_export(call: Call) -> int:
     """Write the contact of one pair as the input of a program; return the exit code."""
+    from ..report.leads import with_middles
     from ..report.notes import about_middles
     from ..report.report import Report, every_line
     from ..write.exports import PROGRAMS
@@ -317,17 +327,21 @@ def run_export(call: Call) -> int:
     lacking = frame.missing(program.quantities)
     names = tuple(name for name in program.quantities if name not in lacking)
     answer = Report(Question(names, names), frame)
-    ranges = [f"the numbers above are those of {frame.law.short}; beside them stand:"]
-    ranges += [note.text for note in answer.notes_on_ranges()]
-    notes = [*(note.line for note in about_middles(answer.uncertain)), *every_line(answer)]
+    notes = [answer.best_ranges, *(note.line for note in about_middles(answer.uncertain)), *every_line(answer)]
     if program.about:
         sys.stdout.write(text)
-        for line in (*(f"note: {text}" for text in (*ranges, *program.about(frame))), *notes):
+        for line in (*(f"note: {text}" for text in program.about(frame)), *notes):
             say_wrapped(line, sys.stderr)
         return 0
-    _write_comments(["the best ranges stand at the end: --gamma and --xi bring other values of them into these lines"])
+    if (found := with_middles(answer)) is not None:
+        better, options = found
+        lines = zip(program.text(better).splitlines(), text.splitlines(), strict=True)
+        advice = "for the middles of the best ranges take this line, and not that of plain JKR below"
+        _write_comments([f"{options}: {advice}"])
+        for line in (line for line, plain in lines if line != plain and not line.startswith("#")):
+            say(f"# {line}", sys.stdout)
     sys.stdout.write(text)
-    _write_comments([*ranges, *notes])
+    _write_comments(notes)
     return 0
 
 

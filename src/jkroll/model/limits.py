@@ -13,7 +13,7 @@ from ..quantities.laws import JKR_OF_SPHERE
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE_OR_LOAD
 from .column import Column
 from .frame import Frame, once_a_frame
-from .measured import is_smooth
+from .measured import SURFACES_FROM, is_smooth
 from .other_law import factor_of_law
 from .plan import taken_by
 from .reasons import MISSING, RESTS_ON_SPACING, EndOfMeaning, Failure, cause_and_step, reason, register
@@ -330,7 +330,7 @@ INEXACT = (
         "23 ps for 0.6 µm and 7 ps for 0.25 µm, if γ is 25 mJ/m², and the damping is for T* well below 1",
     ),
     Limit(
-        "radius", _PULLED, ">=", {1e-6: ROUGH_MATTERS},
+        "radius", _PULLED, ">=", {SURFACES_FROM: ROUGH_MATTERS},
         "rough spheres of hard solids had 1/2 to 1/100 of this",
         lambda _, names: not _PULLED.isdisjoint(names),
         factor=lambda frame, _: at_most(frame["radius"], frame["radius2"]),

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 from ..materials.library import Material
 from ..physics.elementary import at_least, at_most, cbrt, where
+from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import INFINITY, XI
 from .frame import IN_ITS_PLACE, Frame
 from .plan import depends_on
@@ -184,7 +185,7 @@ MOST_SEEN = 10  # times the speed of JKR: the largest at which hard spheres were
 
 
 class Surface(NamedTuple):
-    """The part of JKR's pull-off force that was measured of hard solids: 1/most to 1/least, and of which spheres."""
+    """The part of JKR's pull-off force that was measured of SiO2: 1/most to 1/least, and of which spheres."""
 
     most: int
     least: int
@@ -192,13 +193,22 @@ class Surface(NamedTuple):
 
 
 SURFACES: Mapping[str, Surface] = {
-    "on smooth glass": Surface(4, 2, "SiO2 of 5 and 20 µm, dry"),
+    "on smooth glass": Surface(4, 2, "spheres of 5 and 20 µm at 0 % humidity; 1/2–4/5 at 67 %"),
     "for rough grains in air": Surface(100, 10, "tens of µm"),
 }
+SURFACES_FROM = 1e-6  # radius of the smallest spheres to which this is carried, in m
+ENERGY_ON_SURFACES = 0.025  # surface energy of the pull-off forces of which these are parts, in J/m²
 
 
-def on_surfaces(low: float, high: float) -> Mapping[str, tuple[float, float]]:
-    """Return the least and the largest pull-off force on each surface, of one that is `low` to `high` by JKR."""
+def on_surfaces(frame: Frame, ends: tuple[float, float] | None = None) -> Mapping[str, tuple[float, float]]:
+    """Return the least and the largest pull-off force on each surface; `ends`: of JKR's, with its error bars.
+
+    For SiO2 it is as measured, whatever surface energy the pair has.
+    """
+    force = frame.under(DEFAULT_LAW)["pull_off_force"]
+    low, high = ends or (force, force)
+    if solid_of_pair(frame) == SIO2:
+        low = high = force * 2 * ENERGY_ON_SURFACES / frame["work_of_adhesion"]
     return {name: (low / surface.most, high / surface.least) for name, surface in SURFACES.items()}
 
 

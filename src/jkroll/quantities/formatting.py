@@ -1,6 +1,6 @@
 """Values as text: rounded and with a suitable prefix, or as the shortest text that parses back to the same value."""
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from math import floor, isinf, log10
 
 from ..text import first_of
@@ -167,7 +167,7 @@ def span(name: str, low: float, high: float, digits: int | None = None) -> str:
     """Return the ends of a range for a sentence, as `from_to` has them.
 
     >>> span("pull_off_force", 1.437e-8, 1.5e-8), span("pull_off_force", 3.97e-7, 3.995e-7)
-    ('14.4–15 nN', '397–400 nN')
+    ('14.4–15.0 nN', '397–400 nN')
     >>> span("sticking_speed", 0.6, 6.0), span("yield_force", 6.9e-10, 1.57e-9)
     ('0.6–6 m/s', '0.69–1.6 nN')
     >>> span("well_energy", 1e-18, 3e-18), span("atomic_spacing", 4e-10, 4e-10)
@@ -183,19 +183,26 @@ def from_to(low: float, high: float, digits: int | None = None) -> str:
     They have two digits, or three where the range is narrow, unless `digits` says how many.
 
     >>> from_to(14.37, 15.0), from_to(-1.0, 2.0), from_to(3.0, 3.0), from_to(1.02e6, 1.31e6), from_to(397.0, 399.5)
-    ('14.4–15', '-1 to 2', '3', '(1–1.3)e6', '397–400')
+    ('14.4–15.0', '-1 to 2', '3', '(1.0–1.3)e6', '397–400')
     """
     if digits is None:
         digits = 3 if 0 < abs(high - low) < _NARROW * abs(high) else 2
     shift = _shift(max(abs(low), abs(high)))
     ends = [end * 10.0**-shift for end in (low, high)]
-    texts = dict.fromkeys(significant(end, digits) for end in ends)
+    texts = _alike(ends, digits)
     if low != high and len(texts) == 1:
-        texts = dict.fromkeys(significant(end, digits + 1) for end in ends)
+        texts = _alike(ends, digits + 1)
     text = (" to " if low < 0 else "–").join(texts)
     if not shift:
         return text
     return f"({text})e{shift}" if len(texts) > 1 else f"{text}e{shift}"
+
+
+def _alike(ends: Iterable[float], digits: int) -> list[str]:
+    """Return numbers that differ, rounded; with the zeros at their ends if one of them has a last digit."""
+    short, full = ([significant(end, digits, zeros=zeros and end != 0) for end in ends] for zeros in (False, True))
+    is_cut = all(text != other for text, other in zip(short, full, strict=True))
+    return [*dict.fromkeys(short if is_cut else full)]
 
 
 def _shift(size: float) -> int:

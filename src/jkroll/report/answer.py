@@ -15,11 +15,13 @@ from ..model.limits import (
     CONTACT_EXCEEDS_SPHERE,
     LAW,
     LAW_MATTERS,
+    ROUGH_MATTERS,
     Doubt,
     Limit,
     may_be_rough,
     touched,
 )
+from ..model.measured import SIO2, solid_of_pair
 from ..model.other_law import at_half_spacing, factor_of_law, has_other_formulas
 from ..model.reasons import (
     BEYOND_JKR,
@@ -302,9 +304,15 @@ class Answer(Results):
 
     @property
     def shows_surfaces(self) -> bool:
-        """True if a table has rows of what was measured on other surfaces: the pull-off force is the question."""
-        is_asked = self.question.headline == ("pull_off_force",) and "pull_off_force" in self.values
-        return is_asked and not self.frame.stated_model and bool(may_be_rough(self.frame))
+        """True if a table has rows of what was measured on real surfaces: of SiO2, if its pull-off force is asked."""
+        is_asked = "pull_off_force" in self.question.headline and not self.frame.stated_model
+        return is_asked and self.is_in_doubt(ROUGH_MATTERS) and solid_of_pair(self.frame) == SIO2
+
+    @property
+    def is_on_pull_off(self) -> bool:
+        """True if the question is the pull-off force alone, of which real surfaces may hold less."""
+        is_alone = self.question.headline == ("pull_off_force",) and "pull_off_force" in self.values
+        return is_alone and not self.frame.stated_model and bool(may_be_rough(self.frame))
 
     @cached_property
     def failure(self) -> JkrollError | None:

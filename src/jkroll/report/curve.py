@@ -23,7 +23,7 @@ _OF_CURVE = ("pull_off_force", "contact_radius", "approach")
 WHOLE_CURVE = Question(_OF_CURVE, _OF_CURVE)
 FOLD, PULL_OFF, JUMP_IN, EQUILIBRIUM = "fold", "pull-off", "jump-in", "equilibrium"
 NAMED = {FOLD: 1 / 6, PULL_OFF: 1 / 2, JUMP_IN: 2 / 3, EQUILIBRIUM: 1.0}  # the load factors of JKR
-STEPS = 40  # on the stable branch
+STEPS, FEW_STEPS = 40, 12  # on the stable branch; and on a terminal
 MAX_LOAD = 16 / 9  # over the pull-off force of the law, where no loads are given
 # By law, the input that sets a state, and the quantity that has its value at a load; by others both are the load.
 _SET_BY = {
@@ -121,9 +121,9 @@ def _without_contact(frame: Frame, ratio: float, steps: int) -> Iterator[State]:
         yield State("approach_at_load", fold + (touch - fold) * step / steps, "without contact" if step else FOLD)
 
 
-def frames_of_curve(frame: Frame, loads: Loads | None = None) -> Iterator[Frame]:
+def frames_of_curve(frame: Frame, loads: Loads | None = None, steps: int = STEPS) -> Iterator[Frame]:
     """Iterate over the frames at the states of the force curve of a frame, under its law."""
-    return (state.in_frame(frame) for state in states(frame, loads))
+    return (state.in_frame(frame) for state in states(frame, loads, steps))
 
 
 def answer_at_state(question: Question, frame: Frame) -> Report:

@@ -1,7 +1,7 @@
 """The sentences that stand before the results of an answer and answer its question, with best ranges."""
 
 from collections.abc import Iterator
-from math import isnan
+from math import isnan, sqrt
 
 from ..model.estimate import (
     ADHESION_ONLY,
@@ -14,16 +14,18 @@ from ..model.estimate import (
     Estimate,
     Ranges,
 )
-from ..model.frame import Frame
+from ..model.frame import IN_ITS_PLACE, Frame
 from ..model.limits import GAP_STAYS_DRY
 from ..model.results import Results
 from ..quantities.formatting import Format, amount, from_to, significant, symbol_among
+from ..quantities.nomenclature import XI
 from ..text import listed
 from .answer import Answer
 from .notes import Note
-from .ranges import range_in_words
+from .ranges import held_on_surfaces, range_in_words
 
-_THREE, _FOUR = Format(digits=3), Format(digits=4)
+_TWO, _THREE, _FOUR = Format(digits=2), Format(digits=3), Format(digits=4)
+_WIDE = 2  # the end of a range over the other from which on one number is said, too
 
 
 def leads(answer: Answer) -> Iterator[Note]:
@@ -32,10 +34,9 @@ def leads(answer: Answer) -> Iterator[Note]:
         yield Note("lead", _what_it_means(answer))
     water = [*_water_or_dry(answer)]
     yield from water
-    if answer.shows_surfaces and answer.estimates["pull_off_force"].by != NONE and not water:
+    if answer.is_on_pull_off and answer.estimates["pull_off_force"].by != NONE and not water:
         force = range_in_words("pull_off_force", answer.estimates["pull_off_force"])
-        text = f"ideally smooth, they are pulled apart with {force}; real surfaces hold less"
-        yield Note("lead", f"{text}: take the row that is yours")
+        yield Note("lead", f"if ideally smooth, they are pulled apart with {force}; {held_on_surfaces(answer.frame)}")
     if "sliding_or_peeling_force" in answer.values and "yield_force" in answer.estimates:
         yield Note("lead", _first_to_give_way(answer))
     if answer.is_of_impact and answer.estimates["sticking_speed"].by != NONE:
@@ -46,6 +47,31 @@ def leads(answer: Answer) -> Iterator[Note]:
         yield Note("lead", lead)
     if "tabor_parameter" in answer.question.named and "tabor_parameter" in answer.values:
         yield Note("lead", _law_that_holds(answer))
+
+
+def with_middles(answer: Answer) -> tuple[Frame, str] | None:
+    """Return a frame that has the middles of the best ranges of P_c and M by its law, and its γ and ξ as options.
+
+    The pull-off force of two like spheres grows with γ, and with it their moment where rolling starts; that with ξ.
+    None of a frame in which they do not, or without these ranges.
+    """
+    frame, names = answer.frame, ("pull_off_force", "yield_moment")
+    found = [answer.estimates[name] for name in names if name in answer.estimates]
+    middles = [sqrt(estimate.low * estimate.high) for estimate in found]  # nan where an end is open
+    follows = not frame.given.keys().isdisjoint({"work_of_adhesion", *IN_ITS_PLACE})  # from what is given
+    if len(middles) < len(names) or any(map(isnan, middles)) or follows or not frame.is_identical or frame["load"]:
+        return None
+    force, moment = middles
+    energy = _rounded(frame["work_of_adhesion"] / 2 * force / frame["pull_off_force"])
+    frame = frame.replace(surface_energy=energy)
+    lag = _rounded(frame[XI] * moment / frame["yield_moment"])
+    options = (("--gamma", "surface_energy", energy), ("--xi", XI, lag))
+    texts = (f"{option} {amount(name, value, _THREE).replace(' ', '')}" for option, name, value in options)
+    return frame.replace(**{XI: lag}), " ".join(texts)
+
+
+def _rounded(value: float) -> float:
+    return float(f"{value:.3g}")
 
 
 def _what_it_means(answer: Answer) -> str:
@@ -60,13 +86,17 @@ def _what_it_means(answer: Answer) -> str:
             texts.append(f"{symbol} {text}" if text.startswith("≤") else f"{symbol} = {text}")
         else:
             texts.append(f"{symbol} = {amount(result.name, result.measure or 0.0, _FOUR)}")
-    return f"what was measured means {listed(texts)}"
+    frame = answer.described
+    is_of_both = "surface_energy" in frame.unknowns and frame.material2 is None and "surface_energy2" not in frame.given
+    return f"what was measured means {listed(texts)}{'; w = 2γ' if is_of_both else ''}"
 
 
 def _filled(answer: Answer) -> str:
     """Return the sentence that answers a question, with the best ranges; empty where one is lacking."""
     found = {name: estimate for name, estimate in answer.estimates.items() if estimate.by != NONE}
     words = {name: _spoken(name, each) for name, each in found.items()} | dict.fromkeys(answer.ended, "none")
+    if len(answer.question.headline) == 1:
+        words |= {name: words[name] + _middle(name, found[name]) for name in answer.question.headline if name in found}
     is_open = any(isnan(found[name].low) for name in answer.question.headline if name in found)
     words["or_none"] = ", or not at all" if is_open else ""
     try:
@@ -81,7 +111,17 @@ def _spoken(name: str, estimate: Estimate) -> str:
     about = "about " if estimate.by == XI_UNKNOWN else ""
     if text.startswith("≥ "):
         return f"{about}{text.removeprefix('≥ ')} or more"
-    return text.replace("≤ ", f"at most {about}")
+    return f"{about}{text.removeprefix('≤ ')} or less" if text.startswith("≤ ") else text
+
+
+def _middle(name: str, estimate: Estimate) -> str:
+    """Return the one number to take of a wide range, and how far it may be off."""
+    low, high = estimate.low, estimate.high
+    if not low > 0 or not high >= _WIDE * low:
+        return ""
+    return (
+        f" (say {amount(name, sqrt(low * high), _TWO)}, at worst off by a factor of {significant(sqrt(high / low), 2)})"
+    )
 
 
 def _first_to_give_way(answer: Answer) -> str:
@@ -111,7 +151,7 @@ def _water_or_dry(answer: Answer) -> Iterator[Note]:
         meniscus = range_in_words("meniscus_force", wet).replace("≤", "at most")
         is_wet, is_dry = wet.low > dry.high, wet.high < dry.low
         verdict = "water decides" if is_wet else "the dry contact decides" if is_dry else "either may decide"
-        less = "; rough surfaces hold less of both" if answer.shows_surfaces else ""
+        less = "; rough surfaces hold less of both" if answer.is_on_pull_off else ""
         yield Note("lead", f"{verdict}: {fills and fills + '; '}a meniscus pulls with {meniscus}, {force}{less}")
 
 

@@ -21,11 +21,11 @@ if TYPE_CHECKING:
     from ..model.rows import Tally
     from ..quantities.values import Interval, Uncertain
 
-# A warning is of a number without a meaning; a lead answers the question in a sentence; a caveat may change what a
-# reader does; a remark is less; data are what the source of a material says; what was assumed stands above results;
+# A warning is of a number without a meaning; a lead answers the question in a sentence; data are what the source of a
+# material says; a caveat may change what a reader does; a remark is less; what was assumed stands above results;
 # "more" is in explanations alone. Of one severity they stand in the order in which they are made.
-Severity = Literal["warning", "lead", "caveat", "remark", "data", "assumed", "more"]
-ABOVE: tuple[Severity, ...] = ("assumed", "warning", "lead")  # the results of an answer, on a terminal
+Severity = Literal["warning", "lead", "data", "caveat", "remark", "assumed", "more"]
+ABOVE: tuple[Severity, ...] = ("assumed", "warning", "lead", "data")  # the results of an answer, on a terminal
 _SEVERITIES = get_args(Severity)
 
 
@@ -87,7 +87,8 @@ def assumed(frame: Frame, inputs: Collection[str], names: Sequence[str], *, has_
     for name, value in DEFAULTS.items():
         if name in inputs and name not in frame.given:
             speed = _speed_of(frame) if name == "energy_ratio" and has_values else ""
-            texts[name] = _DEFAULTS.get(name, f"{symbol_of(name)} = {amount(name, value)}{speed}")
+            of_turns = "n_roll at " if name == "energy_ratio" and len(names) > 1 else ""
+            texts[name] = _DEFAULTS.get(name, f"{of_turns}{symbol_of(name)} = {amount(name, value)}{speed}")
     return {name: f"{text} ({NOMENCLATURE[name].option})" for name, text in texts.items()}
 
 
@@ -121,9 +122,8 @@ def about_data(frame: Frame, inputs: Collection[str]) -> Iterator[Note]:
         radii = material.note_radii.get(of_solid)
         is_used = name in inputs and of_solid in material.notes
         if is_used and (radii is None or _has_radius_in(radii, frame, NOMENCLATURE[name].sphere)):
-            severity: Severity = "caveat" if of_solid in material.origins else "data"  # what speaks against a value
             sizes = f" (R = {amount('radius', radii)})" if radii is not None else ""
-            yield Note(severity, f"{symbol_among(of_solid, ())} of {material.name}{sizes}: {material.notes[of_solid]}")
+            yield Note("data", f"{symbol_among(of_solid, ())} of {material.name}{sizes}: {material.notes[of_solid]}")
 
 
 def _has_radius_in(radii: "Interval", frame: Frame, sphere: int) -> bool:
@@ -181,9 +181,9 @@ def about_limits(every: Iterable[Doubt]) -> list[Note]:
     return [Note("more", text) for text in texts]
 
 
-def about_missing(errors: Mapping[str, JkrollError]) -> list[Note]:
+def about_missing(errors: Mapping[str, JkrollError], severity: Severity) -> list[Note]:
     """Return a note for each reason why there are no values, with the names of all that it concerns."""
-    return [Note("caveat", f"{first_symbols(names)}: {reason}") for names, reason in grouped(errors)]
+    return [Note(severity, f"{first_symbols(names)}: {reason}") for names, reason in grouped(errors)]
 
 
 def about_left_out(*every: Sources | None) -> list[Note]:
@@ -271,27 +271,27 @@ def notes_below(groups: Sequence[Group], tally: "Tally", reported: int, *, is_ta
 
 
 def lines_above(notes: Sequence[Note]) -> list[str]:
-    """Return the lines above the results of an answer, on a terminal: of warnings, and of what answers its question."""
-    warnings, leads = ([note.text for note in notes if note.severity == severity] for severity in ("warning", "lead"))
-    return [*_warning(warnings), *leads]
+    """Return the lines above the results of an answer, on a terminal: warnings, what answers its question, and data."""
+    warnings, leads, data = (
+        [note.text for note in notes if note.severity == severity] for severity in ("warning", "lead", "data")
+    )
+    return [*_warning(warnings), *leads, *map(_first_clauses, data)]
 
 
 def lines_of(notes: Sequence[Note], *, has_head: bool = False, quiet: bool = False) -> list[str]:
     """Return the lines below an answer or rows, the last of which says that there is more.
 
     They are what was assumed unless a head has it, warnings, and of what answers the question and of the other notes
-    the first, and below a table with a head what the sources of its materials say; warnings alone if `quiet`.
+    the first, and below a table with a head all that the sources of its materials say; warnings alone if `quiet`.
     """
     texts = {severity: [note.text for note in notes if note.severity == severity] for severity in _SEVERITIES}
     lines = _warning(texts["warning"])
     if quiet:
         return lines
-    leads, others = texts["lead"], [*texts["caveat"], *texts["remark"], *texts["data"]]
-    first = others[:_MAX_NOTES]
-    if has_head:
-        first += [text for text in texts["data"] if text not in first]
+    leads, data, others = texts["lead"], texts["data"], [*texts["caveat"], *texts["remark"]]
+    first = [*(data if has_head else data[:_MAX_NOTES]), *others[:_MAX_NOTES]]
     shown = [_first_clauses(f"note: {text}") for text in (*leads[:_MAX_NOTES], *first)]
-    has_more = shown != [f"note: {text}" for text in (*leads, *others)] or texts["more"]
+    has_more = shown != [f"note: {text}" for text in (*leads, *data, *others)] or texts["more"]
     return [*([] if has_head else texts["assumed"]), *lines, *shown, *(["more: --explain"] if has_more else [])]
 
 

@@ -56,7 +56,7 @@ _QUESTIONS = {
         "yield_force yield_force_fixed_load yield_force_ratio yield_moment yield_angle yield_displacement",
         lead="pushed at its centre, a sphere starts to roll at {yield_force}",
     ),
-    "r-min": _question("r_min", lead="before one of its contacts rolls, a chain bends to a radius of {r_min}"),
+    "r-min": _question("r_min", lead="a chain can be bent to a radius of {r_min} before a contact of it rolls"),
     "n-grav": _question(
         "n_grav",
         "n_grav gravity_moment bond_number",
@@ -67,13 +67,13 @@ _QUESTIONS = {
         "vertical_frequency rolling_frequency rolling_frequency_as_printed rolling_frequency_no_slip "
         "sliding_frequency twisting_frequency rayleigh_time",
         without_row="rolling_frequency_as_printed",
-        lead="free to move, they vibrate with {vertical_frequency} along their centres, {rolling_frequency} in rolling",
+        lead="free to move, they vibrate with {vertical_frequency} along their centres, {sliding_frequency} in sliding "
+        "and {rolling_frequency} in rolling",
     ),
     "n-roll": _question(
         "n_roll",
         "n_roll_after_impact n_roll n_roll_energy_balance",
-        lead="set rolling, it makes {n_roll_energy_balance} of a turn without sliding, {n_roll} once it has "
-        "slid{or_none}",
+        lead="turns: {n_roll_energy_balance} if it rolls from the start; {n_roll} once it has slid{or_none}",
     ),
     "contact": _question(
         "contact_radius_at_load approach_at_load",
@@ -90,8 +90,8 @@ _QUESTIONS = {
         "yield_moment yield_displacement unloaded_moment half_circles_moment fixed_approach_moment rolling_stiffness "
         "mean_rolling_moment mean_rolling_force",
         without_row="half_circles_moment fixed_approach_moment",  # approximations of the first
-        lead="the moment rises to {yield_moment}, where rolling starts; it springs back after each step of ξ, so that "
-        "its mean while rolling is half of that",
+        lead="the moment rises to {yield_moment}, where rolling starts, the threshold in a simulation; it springs back "
+        "after each step of ξ, so that its mean while rolling is half of that",
     ),
 }
 # What contradicts a headline, in the report, too; Eq (41) as printed does so in `frequencies` alone.
@@ -102,7 +102,7 @@ _REPORT = Question(
         *(name for asked in _QUESTIONS.values() for name in asked.quantities if name in (*asked.headline, *_CONTRARY)),
         *("roll_energy_quarter_turn", "sticking_speed"),
     ),
-    lead="ideally smooth, they are pulled apart with {pull_off_force}, roll from {yield_force} on and stick up to "
+    lead="if ideally smooth, they are pulled apart with {pull_off_force}, roll from {yield_force} on and stick up to "
     "{sticking_speed}",
 )
 QUESTIONS: Mapping[str, Question] = {
@@ -116,8 +116,9 @@ QUESTIONS: Mapping[str, Question] = {
         "sticking_energy sticking_energy_paszun_dominik sticking_energy_pencil_code roll_energy "
         "roll_energy_quarter_turn roll_energy_half_turn sticking_speed sticking_speed_paszun_dominik "
         "sticking_speed_pencil_code",
-        lead="to part them takes {pull_off_work}; to roll by a quarter turn, {roll_energy_quarter_turn}; they stick up "
-        "to {sticking_speed}",
+        lead="to part them takes {pull_off_work} if free or held by stiff grips, {pull_off_work_at_dead_load} by a "
+        "soft spring (most AFMs); to roll by a quarter turn, {roll_energy_quarter_turn}; they stick up to "
+        "{sticking_speed}",
     ),
     "impact": _question(
         "restitution",
@@ -127,11 +128,11 @@ QUESTIONS: Mapping[str, Question] = {
     "resistances": _question(
         "yield_force sliding_force twisting_moment",
         "rolling_stiffness yield_displacement yield_angle yield_force yield_moment yield_energy "
-        "tangential_stiffness sliding_displacement sliding_force sliding_energy sliding_or_peeling_force "
+        "sliding_or_peeling_force tangential_stiffness sliding_displacement sliding_force sliding_energy "
         "peeling_force peeling_radius twisting_stiffness twisting_angle twisting_moment twisting_energy",
         groups={
             "rolling_stiffness": "to roll",
-            "tangential_stiffness": "to slide or peel off",
+            "sliding_or_peeling_force": "to slide or peel off",
             "twisting_stiffness": "to twist",
         },
     ),
@@ -140,9 +141,9 @@ QUESTIONS: Mapping[str, Question] = {
         "restructuring_energy restructuring_speed restructuring_energy_ormel restructuring_speed_ormel "
         "disruption_energy disruption_speed disruption_energy_dust_simulation disruption_speed_dust_simulation "
         "compressive_strength tensile_strength",
-        lead="two equal aggregates begin to restructure at {restructuring_speed} (5E_roll, D&T 97, which "
-        "measured rolling forces bear out; E_roll, Ormel 07: {restructuring_speed_ormel}); they break up at "
-        "{disruption_speed} (Wada 07, a fit to JKR's spheres)",
+        lead="two equal aggregates that meet at {restructuring_speed} begin to restructure: take this, 5E_roll (D&T "
+        "97), which measured rolling forces bear out, not {restructuring_speed_ormel}, E_roll (Ormel 07); at "
+        "{disruption_speed} they break up (Wada 07, a fit to JKR's spheres)",
     ),
 }
 EVERYTHING = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities))

@@ -23,7 +23,19 @@ from ..model.estimate import (
 )
 from ..model.frame import Frame
 from ..model.limits import JUMP, LAW_MATTERS, ROUGH_MATTERS, may_be_rough
-from ..model.measured import MOST_SEEN, SURFACES, solid_of_pair, solid_that_rolled, what_rolled, what_stuck
+from ..model.measured import (
+    ENERGY_ON_SURFACES,
+    MOST_SEEN,
+    SIO2,
+    SURFACES,
+    SURFACES_FROM,
+    Surface,
+    on_surfaces,
+    solid_of_pair,
+    solid_that_rolled,
+    what_rolled,
+    what_stuck,
+)
 from ..model.other_law import farthest, least_spacing
 from ..model.results import Results
 from ..quantities.formatting import amount, from_to, significant, span, symbol_among
@@ -84,20 +96,30 @@ def made_of(name: str, answer: Answer) -> str:
 # --- Rules in words, for many rows ------------------------------------------------------------------------------------
 
 
-def part_of_jkr(surface: str) -> str:
-    """Return which part of JKR's pull-off force was measured on a surface: "1/4–1/2"."""
-    return f"1/{SURFACES[surface].most}–1/{SURFACES[surface].least}"
+def _part(surface: Surface) -> str:
+    return f"1/{surface.most}–1/{surface.least}"
 
 
-def parts_on_surfaces() -> str:
+def held_on_surfaces(frame: Frame) -> str:
+    """Return what real surfaces hold: of SiO2 the forces, of others the parts of JKR's that SiO2 held."""
+    if min(frame["radius"], frame["radius2"]) < SURFACES_FROM:
+        return "rough ones hold less, by how much was not measured at this size"
+    if solid_of_pair(frame) != SIO2:
+        return f"real surfaces hold less: of JKR's force SiO2 held {_ON_SURFACES}"
+    forces = (f"{span('pull_off_force', *ends)} {surface}" for surface, ends in on_surfaces(frame).items())
+    return f"real surfaces hold less: {', '.join(forces)}"
+
+
+def about_surfaces(frame: Frame) -> str:
     """Return which parts of JKR's pull-off force were measured, and on what."""
-    parts = ", ".join(f"{part_of_jkr(name)} {name} ({surface.spheres})" for name, surface in SURFACES.items())
-    not_there = "up to twice in humid air (--humidity); not measured in vacuum"
-    return f"of JKR's force, as measured and carried to this size: {parts}; {not_there}"
+    parts = ", ".join(f"{_part(surface)} {name} ({surface.spheres})" for name, surface in SURFACES.items())
+    energy, radius = amount("surface_energy", ENERGY_ON_SURFACES), amount("radius", frame["radius"])
+    choice = "ideal is an upper limit; take smooth glass for microspheres, rough grains for broken or natural ones"
+    return f"{choice}. In parts of JKR's force for γ = {energy}, carried to {radius}: {parts}; not measured in vacuum"
 
 
-_ON_SURFACES = ", ".join(f"{part_of_jkr(surface)} {surface}" for surface in SURFACES)
-_SMOOTH_AND_DRY = f"for smooth, dry spheres; of JKR's force was measured {_ON_SURFACES}, up to twice in humid air"
+_ON_SURFACES = ", ".join(f"{_part(surface)} {name}" for name, surface in SURFACES.items())
+_SMOOTH_AND_DRY = f"for smooth, dry spheres; from 1 µm on real SiO2 (25 mJ/m²) held, of JKR's force, {_ON_SURFACES}"
 _SEEN = f"hard spheres were seen to stick at 1–{MOST_SEEN} times JKR's speed"
 _WORDS: Mapping[int, str] = {
     MEASURED: f"{_SEEN}; of SiO2 (0.1–3 µm) what stuck to a plane, in proportion to JKR's speed",
@@ -113,7 +135,7 @@ _WORDS: Mapping[int, str] = {
     LAW_ONLY: "no other law here has it",
     KELVIN: "condensed water at 25 °C (--contact-angle) between smooth bodies that touch: compare with P_c, do not add",
     GAP: "a gap lowers the force of a meniscus, to none where it just fills; no closed form says how far",
-    BETTER_LAW: "JKR is more than 5 % off; z0 = 2–4 Å (--z0)",
+    BETTER_LAW: "JKR may be more than 5 % off; z0 = 2–4 Å (--z0)",
     LAW_IN_USE: "Maugis' law is within 5 %; the range is of both",
 }
 
@@ -138,14 +160,25 @@ def _better_law(answer: Answer) -> str:
     low, high = least_spacing(frame), frame["atomic_spacing"]
     known = frame.numbers("tabor_parameter").values()  # which rigid bodies have none of
     at = "".join(f" (Tabor parameter {from_to(parameter, high / low * parameter)})" for parameter in known)
-    law = f"{frame.law.short} is more than 5 % off at this size and stiffness{at}"
+    found = [estimate for estimate in answer.estimates.items() if estimate[1].by == BETTER_LAW]
+    is_off = all(_is_off(answer.values.get(name), estimate) for name, estimate in found)
+    law = f"{frame.law.short} {'is' if is_off else 'may be'} more than 5 % off at this size and stiffness{at}"
     narrowed = " (--z0)" if frame.assumes_spacing else ""
     text = f"{law}; z0 = {_angstroms(low, high)}{narrowed}{_with_bars(answer)}"
-    is_told = answer.is_in_doubt(ROUGH_MATTERS) or answer.shows_surfaces  # with numbers
+    is_told = answer.is_in_doubt(ROUGH_MATTERS) or answer.is_on_pull_off
     return f"{text}. It is {_SMOOTH_AND_DRY}" if is_pulled and may_be_rough(frame) and not is_told else text
 
 
+def _is_off(value: float | None, estimate: Estimate) -> bool:
+    """Return whether a value is farther than 5 % from all of a best range."""
+    if value is None or isnan(estimate.low) or isnan(estimate.high):
+        return True
+    return not min(estimate[:2]) / LAW_MATTERS <= value <= max(estimate[:2]) * LAW_MATTERS
+
+
 def _with_bars(answer: Answer) -> str:
+    if answer.described.unknowns and not answer.described.uncertainties:
+        return " alone: give what was measured with its error, 300±20nN"
     return "; your error bars are in the range" if answer.described.uncertainties else ""
 
 
@@ -159,19 +192,28 @@ def _bounds(answer: Answer) -> str:
     jkr, dmt = (span("pull_off_force", *(factor * end for end in ends)) for factor in (1.0, ratio))
     limits = f"JKR's ({jkr}) holds for soft spheres, DMT's ({dmt}) for hard ones"
     text = f"{limits}; give --young and --poisson to narrow it{_with_bars(answer)}"
-    return text if answer.shows_surfaces else f"{text}. It is {_SMOOTH_AND_DRY}"
+    return text if answer.is_on_pull_off else f"{text}. It is {_SMOOTH_AND_DRY}"
 
 
 def _measured(answer: Answer) -> str:
     stuck = what_stuck(answer.frame)
     if stuck is None or not stuck.has_size(answer.frame):
         return f"{_SEEN} (silica, ices, silver), as adhesion is not their only loss"
-    pairs = (f"{significant(stuck.at(radius), 2)} m/s ({amount('radius', radius)})" for radius in stuck.radii)
-    bar = f"±{stuck.error:.0%}".replace("%", " %")
+    pairs = (f"{significant(stuck.at(radius), 2)} m/s (R = {amount('radius', radius)})" for radius in stuck.radii)
+    bar = f"±{stuck.error:.0%}".replace("%", " %") + _above_law(answer)
     seen = f"{solid_of_pair(answer.frame)} stuck to a plane up to {' and '.join(pairs)}"
     if stuck.is_near(answer.frame):
         return f"{seen}, between them as R^{stuck.exponent}, {bar}"
-    return f"{seen}; carried to this pair in proportion to {answer.frame.law.short}'s speed, {bar}"
+    return f"{seen}; carried to this pair as {answer.frame.law.short}'s speed goes with size, whatever γ, {bar}"
+
+
+def _above_law(answer: Answer) -> str:
+    """Return how many times the law's speed was measured, if all of the range is above it."""
+    estimate, speed = answer.estimates.get("sticking_speed"), answer.values.get("sticking_speed", INFINITY)
+    if estimate is None or not estimate.low > speed:
+        return ""
+    times = from_to(estimate.low / speed, estimate.high / speed)
+    return f"; {times} times {answer.frame.law.short}'s, as adhesion is not the only loss"
 
 
 def _scaled(answer: Answer) -> str:
@@ -190,23 +232,19 @@ def _scaled(answer: Answer) -> str:
     ratio = significant(max(radius / rolled.radius, rolled.radius / radius), 2)
     to = f"{amount('radius', radius)}, {ratio} times {'smaller' if radius < rolled.radius else 'larger'}"
     text = f"{what} of {at}, carried as {low} (low) or {high} (high) to {to}{_as_displacement(answer)}{whatever}"
-    return text + _of_both_laws(answer) + _ceiling(answer)
+    return text + _ceiling(answer)
 
 
 def _as_displacement(answer: Answer) -> str:
-    """Return which displacement forces that were measured mean by the law in use."""
-    (low, high), *_ = answer.ranges.of_laws(XI, SCALED)
-    return f"; by {answer.frame.law.short} ξ = {span(XI, low, high)}" if low < high else ""
-
-
-def _of_both_laws(answer: Answer) -> str:
-    """Return the results whose ends are by different laws, as forces mean another ξ by each."""
-    of_two = [
-        symbol_among(name, answer.inputs)
-        for name, estimate in answer.estimates.items()
-        if estimate.by == SCALED and _differ(answer.ranges.of_laws(name, SCALED))
-    ]
-    return f"; {first_of(of_two, _MOST)} by both laws" if of_two else ""
+    """Return which displacement forces that were measured mean, by the law in use and by Maugis'."""
+    (low, high), *better = answer.ranges.of_laws(XI, SCALED)
+    if not low < high:
+        return ""
+    by_law = f"; ξ = {span(XI, low, high)} by {answer.frame.law.short}"
+    if not better or not _differ([(low, high), *better]):
+        return by_law
+    lows, highs = zip(*better, strict=True)
+    return f"{by_law}, {span(XI, min(lows), max(highs))} by Maugis' law; the range is of both"
 
 
 def _differ(every: Sequence[tuple[float, float]]) -> bool:
@@ -233,7 +271,7 @@ def _xi_unknown(answer: Answer) -> str:
     at_most = "" if isnan(most) else f" at ξ = {span(XI, most, most)},"
     ends = f"one end is at ξ = 2 Å (one atom{by_law}), the other{at_most} where all of the work of adhesion is lost"
     text = f"how far the contact lags before it rolls was not measured for this pair: {ends}"
-    return f"{text}. Limits, no error bar; give --xi{_of_measured_solid(answer)}"
+    return f"{text}; --xi narrows it{_of_measured_solid(answer)}"
 
 
 def _of_silica(answer: Answer) -> str:
@@ -278,7 +316,7 @@ def _adhesion_only(answer: Answer) -> str:
         return "adhesion alone leaves the higher end; any other loss lowers it"
     text = "so small and stiff they touch and part without a jump, which loses at most JKR's energy"
     if "restitution" not in answer.values or answer.estimates["restitution"].by != ADHESION_ONLY:
-        return text
+        return f"{text}; what else is lost, the solids take up"
     return f"{text}; any other loss lowers e, which is 0 if they stick"
 
 
@@ -298,7 +336,7 @@ def _law_only(answer: Answer) -> str:
     other, ours = (values.get("contact_radius_at_load", 1.0) for values in radii)
     ratio = (other / ours) ** 2
     less = f"; by Maugis' law the area of contact is {significant(ratio, 2)} of JKR's"
-    return f"no other law here has it{less if ratio * LAW_MATTERS < 1 else ''}"
+    return f"no other law here has it; it goes with the column of JKR{less if ratio * LAW_MATTERS < 1 else ''}"
 
 
 _OF_ANSWER: Mapping[int, Callable[[Answer], str]] = {

@@ -9,7 +9,7 @@ from ..model.frame import Frame
 from ..model.limits import LAW, ROUGH_MATTERS, STICKING_UNSURE, WIDE_CONTACT, Doubt, may_be_rough, touched
 from ..model.measured import on_surfaces
 from ..model.uncertainty import error_bars
-from ..quantities.formatting import significant, span, symbol_among
+from ..quantities.formatting import significant, symbol_among
 from ..quantities.laws import DEFAULT_LAW, JKR_OF_SPHERE
 from ..text import first_of
 from .answer import Answer
@@ -29,7 +29,7 @@ from .notes import (
     about_values,
     by_severity,
 )
-from .ranges import part_of_jkr, range_in_words, why
+from .ranges import held_on_surfaces, range_in_words, why
 
 _MOST = 4  # results in a note
 _LOST = 0.01  # part of the uncertain values from which on a note says that they have no contact
@@ -60,6 +60,16 @@ class Report(Answer):
             if text := self.whys[by]:
                 yield Note("lead", f"best range of {first_of(of_rule, _MOST)} ({WORDS[by]}); {text}")
 
+    @property
+    def best_ranges(self) -> str:
+        """The best ranges of results of the headline in one line."""
+        texts = (
+            f"{symbol_among(name, self.inputs)} {range_in_words(name, estimate)} ({WORDS[estimate.by]})"
+            for name, estimate in self.estimates.items()
+            if name in self.question.headline
+        )
+        return f"best ranges (jkroll report says why): {', '.join(texts)}"
+
     @cached_property
     def notes(self) -> tuple[Note, ...]:
         """The sentences about the answer, but for doubts."""
@@ -70,7 +80,7 @@ class Report(Answer):
             *leads(self),
             *proofs(self),
             *about_assumed(self.assumed),
-            *about_missing({**self.lacking, **self.open_bars()}),
+            *self._about_missing(),
             *about_left_out(self.sources),
             *about_given(self.frame, self._possible, inputs),
             *about_idle(idle),
@@ -124,7 +134,7 @@ class Report(Answer):
             return _of_a_sphere(self.frame) or doubt.text
         if self.described.unknowns:
             return about_limit(doubt, self)
-        return _about_roughness(self.frame) if doubt.code == ROUGH_MATTERS else doubt.text
+        return held_on_surfaces(self.frame) if doubt.code == ROUGH_MATTERS else doubt.text
 
     @property
     def sentences(self) -> list[Note]:
@@ -134,16 +144,22 @@ class Report(Answer):
     @property
     def sentences_below(self) -> list[Note]:
         """The sentences that a table leaves to the lines below it."""
-        in_rows = {_about_roughness(self.frame)} if self.shows_surfaces else set()
-        return [note for note in self.sentences if note.severity not in ABOVE and note.text not in in_rows]
+        above = {held_on_surfaces(self.frame)} if self.shows_surfaces or self.is_on_pull_off else set()
+        return [note for note in self.sentences if note.severity not in ABOVE and note.text not in above]
+
+    def _about_missing(self) -> Iterator[Note]:
+        """Iterate over notes on results without a value: those that were asked for by name first."""
+        errors = {**self.lacking, **self.open_bars()}
+        is_asked = {name: name in (*self.question.named, *self.question.headline) for name in errors}
+        yield from about_missing({name: error for name, error in errors.items() if is_asked[name]}, "caveat")
+        yield from about_missing({name: error for name, error in errors.items() if not is_asked[name]}, "remark")
 
     def _about_pull(self) -> Iterator[Note]:
         """Iterate over a note where a contact is pulled harder than rough ones hold."""
         pull = -self.frame.values["load"] if "load" in self.frame.stated else 0.0
-        forces = self.frame.numbers("pull_off_force").values() if pull > 0 and may_be_rough(self.frame) else ()
-        for force in forces:
-            if any(pull > low for low, _ in on_surfaces(force, force).values()):
-                yield Note("caveat", f"rough spheres may have parted at this pull, {_about_roughness(self.frame)}")
+        is_rough = pull > 0 and bool(may_be_rough(self.frame)) and bool(self.frame.numbers("pull_off_force"))
+        if is_rough and any(pull > low for low, _ in on_surfaces(self.frame).values()):
+            yield Note("caveat", f"rough spheres may have parted at this pull: {held_on_surfaces(self.frame)}")
 
     @property
     def _valued(self) -> list[str]:
@@ -153,16 +169,6 @@ class Report(Answer):
 
 
 # --- Sentences --------------------------------------------------------------------------------------------------------
-
-
-def _about_roughness(frame: Frame) -> str:
-    """Return what was measured where the pull-off force is that of smooth spheres."""
-    force = frame.numbers("pull_off_force").get("pull_off_force", 0.0)
-    texts = (
-        f"{surface} {part_of_jkr(surface)} of P_c ({span('pull_off_force', *ends)})"
-        for surface, ends in on_surfaces(force, force).items()
-    )
-    return f"measured: {', '.join(texts)}"
 
 
 def _of_a_sphere(frame: Frame) -> str:
@@ -191,5 +197,5 @@ def _about_lost_contacts(answer: Answer) -> Iterator[Note]:
 
 
 def every_line(report: Report) -> list[str]:
-    """Return a line for each note of a report, by falling importance, for a file that is read without the answer."""
-    return [note.line for note in by_severity(report.sentences)]
+    """Return a line for each note of a report that a terminal shows, for a file that is read without the answer."""
+    return [note.line for note in by_severity(report.sentences) if note.severity != "more"]

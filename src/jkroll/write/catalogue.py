@@ -88,7 +88,7 @@ def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
         else:
             without.setdefault(material.title, []).append(material.name)
     for title, names in without.items():
-        rows[title].append(("  with --gamma", "–", ", ".join(names)))
+        rows[title].append(("  no γ (--gamma)", "–", ", ".join(names)))
     heads = ("material", head, "state, what to know of γ, or reference")
     write_texts(heads, [row for rows_of_set in rows.values() for row in rows_of_set], out)
     say(f"\n{_IN_FULL}; find some: jkroll materials WORD", out)

@@ -29,39 +29,32 @@ _STATED = ("work_of_adhesion", "yield_displacement", "load")
 _LAMMPS = """\
 # Contact of {bodies} by jkroll: {title}, gamma = w/2
 # w = {work_of_adhesion:.12g} J/m^2, xi = {yield_displacement:.12g} m, P = {load:.12g} N{place}
-{of_pairs}# units si
+{of_collisions}{of_pairs}# units si
 {types}
 comm_modify vel yes
 neighbor {skin:.12g} bin
 pair_style granular
 {coefficients}
 timestep {step:.12g}
-# Legend, SI units. {law}: 2E* [Pa], damping 0, Poisson's ratio 0, gamma per surface [J/m^2].
-# tangential mindlin_rescale: 8G* [Pa], damping 0, coefficient of friction [1]{friction}.
-# Without _rescale, the spring of sliding gives energy to spheres that collide.
-# rolling sds: stiffness [N/m], damping 0, coefficient M/(R(P + 2P_c)) [1], M the moment at which it rolls.
-# E = 2E*, nu = 0: only E* enters the normal force. The tangential constant is 8G*, Mindlin's for these solids.
-# neighbor: the skin [m] is a fifth of the smallest radius, and at least 0.4 delta0. With less, LAMMPS 22Jul2025 without
-# its updates lets JKR contacts go before the pull-off force. These lines were run with 22Jul2025 update 4.
-# The time step is the shorter of a twentieth of the period of sliding with rotation, stable up to 40 contacts a sphere,
-# at this P, and a fifth of the Rayleigh time, which needs no load.
-# A harder impact is stiffer: for its time step give its largest force as --load.
-# Damping is left out. No damping coeff_restitution here: with adhesion it gives nan (LAMMPS issue 4180).
+# SI units. {law}: 2E* [Pa], damping, Poisson's ratio 0, as only E* enters, gamma per surface [J/m^2].
+# tangential mindlin_rescale: 8G* [Pa], damping, coefficient of friction [1]{friction}.
+# rolling sds: stiffness [N/m], damping, coefficient M/(R(P + 2P_c)) [1], M the moment at which it rolls.
+# Damping is left out; coeff_restitution gives nan with adhesion. timestep [s] and thresholds are for the P above: where
+# collisions press harder, give their largest force as --load. What is behind each line: jkroll guide dem
+"""
+_OF_COLLISIONS = """\
+# In LAMMPS grains stick only below 0.7028 v_stick: it lets go at the pull-off force, 3 pi gamma R, where jkroll's curve
+# goes on to where fixed grips let go, so that a collision loses 0.3814 P_c delta0, for 0.7722 here.
 """
 _REMARKS_ON = {  # by law
     "jkr": """\
-# twisting sds: stiffness [N m], damping 0, coefficient M_twist/(P + 2P_c) [m]. timestep in s.
-# LAMMPS lets go at the pull-off force, 3 pi gamma R; jkroll's curve goes on to where fixed grips let go. So a
-# collision loses 0.3814 P_c delta0 in LAMMPS, for 0.7722 here: its grains stick only below 0.7028 v_stick.
-# LAMMPS has one stiffness of rolling and twisting for all loads, and thresholds linear in P: jkroll's at the P above.
+# twisting sds: stiffness [N m], damping, coefficient M_twist/(P + 2P_c) [m].
 # It slides at pi a^2 tau, twists at (2/3) pi a^3 tau, tau = {shear_strength:.6g} Pa{place}; a contact may peel before.
-# The friction is adhesion's at the P above, and LAMMPS multiplies it with every load: where contacts are pushed
-# harder, give their --load, or write your solid's coefficient of friction.
+# LAMMPS multiplies the coefficient of friction, adhesion's at the P above, with every load: for contacts that are
+# pushed harder write your solid's.
 """,
     "dmt": """\
-# P_c is 4 pi gamma R here. timestep in s.
-# The force is (4/3) E* sqrt(R delta^3) - 4 pi gamma R while the spheres touch; jkroll's JKR has another contact radius.
-# The rolling moment is 4 pi gamma R xi at any load; LAMMPS has a yield force linear in P, right at the P above.
+# P_c is 4 pi gamma R here. The rolling moment is 4 pi gamma R xi at any load, the one in LAMMPS right at the P above.
 # The contact does not slip: for the 1e9, write your coefficient of friction. Twisting is left out.
 """,
 }
@@ -99,6 +92,7 @@ def lammps_input(frame: Frame) -> str:
         title=frame.law.name.upper(),
         bodies=bodies,
         place=place,
+        of_collisions=_OF_COLLISIONS if is_jkr else "",
         of_pairs=f"# {at_rest}The time step is the shortest of all pairs.\n" if len(pairs) > 1 else "",
         types="\n".join(types),
         skin=_skin(frame, pairs.values()),

@@ -41,7 +41,7 @@ from ..quantities.units import Unit, convert
 from ..quantities.values import Uncertain, middle, with_sides
 from ..report.inferred import laws_of, library_values, solids_of
 from ..report.notes import lines_above, lines_on_codes
-from ..report.ranges import lines_on_rules, parts_on_surfaces
+from ..report.ranges import about_surfaces, lines_on_rules
 from ..text import TextColumn, first_of, fit_terminal, listed, say_wrapped, text_columns, write_table
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ if TYPE_CHECKING:
 _LEAST, _MOST, _LARGEST = 0.25, 2000, 10000
 _SAME = 1e-12  # relative width of a range that is a number
 _BEST_RANGE = "best range"
-_PARTS = "in parts"  # by what a pull-off force on a surface stands
+_AS_SILICA = "as SiO2"  # by what a pull-off force on a surface stands
 _CODES = 24  # characters of the codes of doubts in a cell
 _OF_MATERIALS = {"material": [*PROPERTIES], "material2": [of_sphere(2, name) for name in PROPERTIES]}
 # Inputs without a column unless they were typed, as they follow from others; of a material, γ has one.
@@ -142,16 +142,15 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
         return
     law = answer.frame.law.short
     physics, conventions = _rows(answer, form)
-    surfaces = _on_surfaces(answer, form) if answer.shows_surfaces else []
-    if surfaces:
-        physics["pull_off_force"][0] += ", ideal smooth"
+    if answer.shows_surfaces:
+        physics = _with_surfaces(physics, answer, form)
     if physics:
-        columns = _of_results([*_grouped(physics, answer.question), *surfaces], law)
+        columns = _of_results(_grouped(physics, answer.question), law)
         yield columns
         if any(column.head == _BEST_RANGE for column in columns):
             yield from answer.lines_on_ranges(physics)
-    if surfaces:
-        yield f"{_PARTS}: {parts_on_surfaces()}"
+    if answer.shows_surfaces:
+        yield f"{_AS_SILICA}: {about_surfaces(answer.frame)}"
     if conventions:
         yield "conventions of other codes and authors, to compare with them"
         yield _of_results([*conventions.values()], law)
@@ -212,14 +211,16 @@ def _rows(answer: "Report", form: Format) -> tuple[_Rows, _Rows]:
 
 def _grouped(rows: _Rows, question: "Question") -> list[list[str]]:
     """Return the rows of results, with a row for the title of each group of them."""
-    grouped, shown, title = [], "", ""
+    titles, title = {}, ""
     for name in question.quantities:
-        title = question.groups.get(name, title)
-        if name in rows:
-            if title != shown:
-                grouped.append([f"{title}:", *["" for _ in rows[name][1:]]])
-            grouped.append(rows[name])
-            shown = title
+        titles[name] = title = question.groups.get(name, title)
+    grouped, shown = [], ""
+    for name, row in rows.items():
+        title = titles.get(name, shown)
+        if title != shown:
+            grouped.append([f"{title}:", *["" for _ in row[1:]]])
+        grouped.append(row)
+        shown = title
     return grouped
 
 
@@ -229,15 +230,20 @@ def _sizes(measure: "float | Uncertain | None", estimate: "Estimate | None") -> 
     return sorted(map(abs, ends or [middle(measure or 0.0)]))
 
 
-def _on_surfaces(answer: "Report", form: Format) -> list[list[str]]:
-    """Return the rows of what was measured on surfaces, in parts of the pull-off force of the law in use."""
-    by_law_in_use, *_ = answer.ranges.of_laws("pull_off_force", LAW_IN_USE)
-    rows = []
-    for surface, ends in on_surfaces(*by_law_in_use).items():
-        unit = form.common_unit("pull_off_force", ends[1:])
-        shown, _ = _range(Estimate(*ends, SCALED), unit, form)
-        rows.append([surface, "P_c", shown, _PARTS, "–", "–", unit[0]])
-    return rows
+def _with_surfaces(rows: _Rows, answer: "Report", form: Format) -> _Rows:
+    """Return rows of results with those of what was measured on surfaces, below the pull-off force."""
+    found: _Rows = {}
+    for name, row in rows.items():
+        if name != "pull_off_force":
+            found[name] = row
+            continue
+        found[name] = [f"{row[0]}, ideal smooth", *row[1:]]
+        by_law_in_use, *_ = answer.ranges.of_laws(name, LAW_IN_USE)
+        unit = form.common_unit(name, by_law_in_use[1:])
+        for surface, ends in on_surfaces(answer.frame, by_law_in_use).items():
+            shown, _ = _range(Estimate(*ends, SCALED), unit, form)
+            found[surface] = [surface, "P_c", shown, _AS_SILICA, "–", "–", unit[0]]
+    return found
 
 
 def _of_results(rows: Sequence[Sequence[str]], law: str) -> list[TextColumn]:
@@ -333,7 +339,7 @@ def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str]) 
     number = len(columns) // max(len(distinct.get("model", ())), 1)
     count = f"{number} {'states' if 'state' in inputs else 'pairs'}" if number > 1 else ""
     if "state" in inputs and "model" not in inputs:
-        count += f" by {LAWS[DEFAULT_LAW].short}"
+        count += f" by {LAWS[DEFAULT_LAW].short} (--model)"
     if "radius2" in several and "radius2" not in form.typed:
         count += " of equal spheres (R2 = R1)"
     if any(map(columns.wanted.best_of, columns.wanted.names)):
@@ -341,7 +347,8 @@ def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str]) 
         common = {name: value for name, value in common.items() if name != "atomic_spacing" or name in form.typed}
     yield from _about_inputs(count, common, assumed, form, several)
     if BETWEEN in distinct.get("model", ()) and "model" in several:
-        yield "take the rows of maugis"
+        is_named = "tabor_parameter" in columns.wanted.names
+        yield f"take the rows of maugis{'; μ is the Tabor parameter' if is_named else ''}"
     exact, leading, results = Format(form.units, form.digits or DIGITS), list[TextColumn](), list[TextColumn]()
     following = _FOLLOWING | STATE_OR_LOAD if "state" in inputs else _FOLLOWING
     for name in several:
