@@ -55,8 +55,9 @@ def test_error_bars_and_units() -> None:
     assert found.inputs["surface_energy"] == jkroll.Measured(0.025, 0.005)
 
 
-def test_rows_are_those_of_the_table(run: Run) -> None:
+def test_rows_are_those_of_the_table(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     found = jkroll.answer("report", material="quartz", radius="100nm", speed="20cm/s")
+    monkeypatch.setenv("COLUMNS", "100")  # where columns are two blanks apart
     printed = run("report", "quartz", "100nm", "--speed", "20cm/s", terminal=True).out.splitlines()
     for row in found.rows.values():
         (line,) = (line for line in printed if line.startswith(f"{row.quantity}  "))

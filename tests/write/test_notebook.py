@@ -99,7 +99,7 @@ def test_a_notebook_gets_every_form() -> None:
     bundle = found._repr_mimebundle_(include=None, exclude=None)
     assert bundle["text/plain"] == str(found)
     assert bundle["text/html"] == found._repr_html_()
-    assert r"pull-off force, ideal smooth & $P_{\mathrm{c}}$ & 14–15 & Maugis & 11.78 & nN \\" in bundle["text/latex"]
+    assert r"pull-off force & $P_{\mathrm{c}}$ & 14–15 & Maugis & 11.78 & nN \\" in bundle["text/latex"]
 
 
 def test_texts_of_users_are_escaped() -> None:

@@ -304,9 +304,9 @@ def _write_curve(call: Call) -> int:
 
 def run_export(call: Call) -> int:
     """Write the contact of one pair as the input of a program; return the exit code."""
-    from ..report.leads import with_middles
-    from ..report.notes import about_middles
-    from ..report.report import Report, every_line
+    from ..report.leads import options_for_centre
+    from ..report.notes import about_middles, by_severity
+    from ..report.report import Report
     from ..write.exports import PROGRAMS
 
     word = call.subject.casefold()
@@ -327,19 +327,15 @@ def run_export(call: Call) -> int:
     lacking = frame.missing(program.quantities)
     names = tuple(name for name in program.quantities if name not in lacking)
     answer = Report(Question(names, names), frame)
-    notes = [answer.best_ranges, *(note.line for note in about_middles(answer.uncertain)), *every_line(answer)]
+    shown = (note for note in by_severity(answer.sentences) if note.severity != "more")
+    notes = [answer.best_ranges, *(note.line for note in (*about_middles(answer.uncertain), *shown))]
     if program.about:
         sys.stdout.write(text)
         for line in (*(f"note: {text}" for text in program.about(frame)), *notes):
             say_wrapped(line, sys.stderr)
         return 0
-    if (found := with_middles(answer)) is not None:
-        better, options = found
-        lines = zip(program.text(better).splitlines(), text.splitlines(), strict=True)
-        advice = "for the middles of the best ranges take this line, and not that of plain JKR below"
-        _write_comments([f"{options}: {advice}"])
-        for line in (line for line, plain in lines if line != plain and not line.startswith("#")):
-            say(f"# {line}", sys.stdout)
+    if options := options_for_centre(answer):
+        _write_comments([f"plain {frame.law.short}; for the centre of the best ranges of P_c and M add {options}"])
     sys.stdout.write(text)
     _write_comments(notes)
     return 0

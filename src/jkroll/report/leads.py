@@ -49,29 +49,22 @@ def leads(answer: Answer) -> Iterator[Note]:
         yield Note("lead", _law_that_holds(answer))
 
 
-def with_middles(answer: Answer) -> tuple[Frame, str] | None:
-    """Return a frame that has the middles of the best ranges of P_c and M by its law, and its γ and ξ as options.
+def options_for_centre(answer: Answer) -> str:
+    """Return the options with which the law gives the centre of the best ranges of P_c and M; empty where none do.
 
     The pull-off force of two like spheres grows with γ, and with it their moment where rolling starts; that with ξ.
-    None of a frame in which they do not, or without these ranges.
     """
     frame, names = answer.frame, ("pull_off_force", "yield_moment")
     found = [answer.estimates[name] for name in names if name in answer.estimates]
-    middles = [sqrt(estimate.low * estimate.high) for estimate in found]  # nan where an end is open
+    centres = [sqrt(estimate.low * estimate.high) for estimate in found]  # nan where an end is open
     follows = not frame.given.keys().isdisjoint({"work_of_adhesion", *IN_ITS_PLACE})  # from what is given
-    if len(middles) < len(names) or any(map(isnan, middles)) or follows or not frame.is_identical or frame["load"]:
-        return None
-    force, moment = middles
-    energy = _rounded(frame["work_of_adhesion"] / 2 * force / frame["pull_off_force"])
-    frame = frame.replace(surface_energy=energy)
-    lag = _rounded(frame[XI] * moment / frame["yield_moment"])
+    if len(centres) < len(names) or any(map(isnan, centres)) or follows or not frame.is_identical or frame["load"]:
+        return ""
+    force, moment = centres
+    energy = frame["work_of_adhesion"] / 2 * force / frame["pull_off_force"]
+    lag = frame[XI] * moment / frame.replace(surface_energy=energy)["yield_moment"]
     options = (("--gamma", "surface_energy", energy), ("--xi", XI, lag))
-    texts = (f"{option} {amount(name, value, _THREE).replace(' ', '')}" for option, name, value in options)
-    return frame.replace(**{XI: lag}), " ".join(texts)
-
-
-def _rounded(value: float) -> float:
-    return float(f"{value:.3g}")
+    return " ".join(f"{option} {amount(name, value, _THREE).replace(' ', '')}" for option, name, value in options)
 
 
 def _what_it_means(answer: Answer) -> str:

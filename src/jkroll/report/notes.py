@@ -21,11 +21,12 @@ if TYPE_CHECKING:
     from ..model.rows import Tally
     from ..quantities.values import Interval, Uncertain
 
-# A warning is of a number without a meaning; a lead answers the question in a sentence; data are what the source of a
-# material says; a caveat may change what a reader does; a remark is less; what was assumed stands above results;
-# "more" is in explanations alone. Of one severity they stand in the order in which they are made.
-Severity = Literal["warning", "lead", "data", "caveat", "remark", "assumed", "more"]
-ABOVE: tuple[Severity, ...] = ("assumed", "warning", "lead", "data")  # the results of an answer, on a terminal
+# A warning is of a number without a meaning; a lead answers the question in a sentence; a source may speak against a
+# value of a material, or say what it is (data); a caveat may change what a reader does; a remark is less; what was
+# assumed stands above results; "more" is in explanations alone. Of one severity they stand in the order in which they
+# are made.
+Severity = Literal["warning", "lead", "against", "caveat", "remark", "data", "assumed", "more"]
+ABOVE: tuple[Severity, ...] = ("assumed", "warning", "lead", "against", "data")  # the results, on a terminal
 _SEVERITIES = get_args(Severity)
 
 
@@ -122,8 +123,9 @@ def about_data(frame: Frame, inputs: Collection[str]) -> Iterator[Note]:
         radii = material.note_radii.get(of_solid)
         is_used = name in inputs and of_solid in material.notes
         if is_used and (radii is None or _has_radius_in(radii, frame, NOMENCLATURE[name].sphere)):
+            severity: Severity = "against" if of_solid in material.origins else "data"
             sizes = f" (R = {amount('radius', radii)})" if radii is not None else ""
-            yield Note("data", f"{symbol_among(of_solid, ())} of {material.name}{sizes}: {material.notes[of_solid]}")
+            yield Note(severity, f"{symbol_among(of_solid, ())} of {material.name}{sizes}: {material.notes[of_solid]}")
 
 
 def _has_radius_in(radii: "Interval", frame: Frame, sphere: int) -> bool:
@@ -181,9 +183,9 @@ def about_limits(every: Iterable[Doubt]) -> list[Note]:
     return [Note("more", text) for text in texts]
 
 
-def about_missing(errors: Mapping[str, JkrollError], severity: Severity) -> list[Note]:
+def about_missing(errors: Mapping[str, JkrollError]) -> list[Note]:
     """Return a note for each reason why there are no values, with the names of all that it concerns."""
-    return [Note(severity, f"{first_symbols(names)}: {reason}") for names, reason in grouped(errors)]
+    return [Note("caveat", f"{first_symbols(names)}: {reason}") for names, reason in grouped(errors)]
 
 
 def about_left_out(*every: Sources | None) -> list[Note]:
@@ -272,10 +274,10 @@ def notes_below(groups: Sequence[Group], tally: "Tally", reported: int, *, is_ta
 
 def lines_above(notes: Sequence[Note]) -> list[str]:
     """Return the lines above the results of an answer, on a terminal: warnings, what answers its question, and data."""
-    warnings, leads, data = (
-        [note.text for note in notes if note.severity == severity] for severity in ("warning", "lead", "data")
+    warnings, leads, against, data = (
+        [note.text for note in notes if note.severity == severity] for severity in ABOVE if severity != "assumed"
     )
-    return [*_warning(warnings), *leads, *map(_first_clauses, data)]
+    return [*_warning(warnings), *leads, *map(_first_clauses, (*against, *data))]
 
 
 def lines_of(notes: Sequence[Note], *, has_head: bool = False, quiet: bool = False) -> list[str]:
@@ -288,10 +290,10 @@ def lines_of(notes: Sequence[Note], *, has_head: bool = False, quiet: bool = Fal
     lines = _warning(texts["warning"])
     if quiet:
         return lines
-    leads, data, others = texts["lead"], texts["data"], [*texts["caveat"], *texts["remark"]]
-    first = [*(data if has_head else data[:_MAX_NOTES]), *others[:_MAX_NOTES]]
+    leads, data, others = texts["lead"], texts["data"], [*texts["against"], *texts["caveat"], *texts["remark"]]
+    first = [*others[:_MAX_NOTES], *data] if has_head else [*others, *data][:_MAX_NOTES]
     shown = [_first_clauses(f"note: {text}") for text in (*leads[:_MAX_NOTES], *first)]
-    has_more = shown != [f"note: {text}" for text in (*leads, *data, *others)] or texts["more"]
+    has_more = shown != [f"note: {text}" for text in (*leads, *others, *data)] or texts["more"]
     return [*([] if has_head else texts["assumed"]), *lines, *shown, *(["more: --explain"] if has_more else [])]
 
 

@@ -80,7 +80,7 @@ class Report(Answer):
             *leads(self),
             *proofs(self),
             *about_assumed(self.assumed),
-            *self._about_missing(),
+            *about_missing({**self.lacking, **self.open_bars()}),
             *about_left_out(self.sources),
             *about_given(self.frame, self._possible, inputs),
             *about_idle(idle),
@@ -147,17 +147,11 @@ class Report(Answer):
         above = {held_on_surfaces(self.frame)} if self.shows_surfaces or self.is_on_pull_off else set()
         return [note for note in self.sentences if note.severity not in ABOVE and note.text not in above]
 
-    def _about_missing(self) -> Iterator[Note]:
-        """Iterate over notes on results without a value: those that were asked for by name first."""
-        errors = {**self.lacking, **self.open_bars()}
-        is_asked = {name: name in (*self.question.named, *self.question.headline) for name in errors}
-        yield from about_missing({name: error for name, error in errors.items() if is_asked[name]}, "caveat")
-        yield from about_missing({name: error for name, error in errors.items() if not is_asked[name]}, "remark")
-
     def _about_pull(self) -> Iterator[Note]:
         """Iterate over a note where a contact is pulled harder than rough ones hold."""
         pull = -self.frame.values["load"] if "load" in self.frame.stated else 0.0
-        is_rough = pull > 0 and bool(may_be_rough(self.frame)) and bool(self.frame.numbers("pull_off_force"))
+        has_force = bool(self.frame.under(DEFAULT_LAW).numbers("pull_off_force"))
+        is_rough = pull > 0 and has_force and bool(may_be_rough(self.frame))
         if is_rough and any(pull > low for low, _ in on_surfaces(self.frame).values()):
             yield Note("caveat", f"rough spheres may have parted at this pull: {held_on_surfaces(self.frame)}")
 
@@ -197,5 +191,5 @@ def _about_lost_contacts(answer: Answer) -> Iterator[Note]:
 
 
 def every_line(report: Report) -> list[str]:
-    """Return a line for each note of a report that a terminal shows, for a file that is read without the answer."""
-    return [note.line for note in by_severity(report.sentences) if note.severity != "more"]
+    """Return a line for each note of a report, by falling importance, for a file that is read without the answer."""
+    return [note.line for note in by_severity(report.sentences)]
