@@ -42,7 +42,8 @@ def leads(answer: Answer) -> Iterator[Note]:
     if answer.is_of_impact and answer.estimates["sticking_speed"].by != NONE:
         yield Note("lead", _stick_or_bounce(answer))
     if "impact_pressure" in answer.values:
-        yield Note("lead", _elastic_or_not(answer.frame))
+        is_known = not answer.frame.missing(["first_yield_pressure"])
+        yield Note("lead" if is_known else "remark", _elastic_or_not(answer.frame))
     if answer.question.lead and (lead := _filled(answer)):
         yield Note("lead", lead)
     if "tabor_parameter" in answer.question.named and "tabor_parameter" in answer.values:
@@ -119,9 +120,8 @@ def _middle(name: str, estimate: Estimate) -> str:
 
 def _first_to_give_way(answer: Answer) -> str:
     rolling, sliding = (answer.estimates[name] for name in ("yield_force", "sliding_or_peeling_force"))
-    gives = (
-        f"it {_slides_or_peels(answer)} at {range_in_words('yield_force', sliding)}, as the push shrinks the contact"
-    )
+    force = range_in_words("yield_force", sliding)
+    gives = f"it {_slides_or_peels(answer)} at {force}, the limit of friction in a simulation (T_first)"
     rolls = range_in_words("yield_force", rolling)
     if rolling.high < sliding.low:
         return f"pushed, it rolls first ({rolls}); held from rolling, {gives}"
