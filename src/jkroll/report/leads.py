@@ -43,7 +43,7 @@ def leads(answer: Answer) -> Iterator[Note]:
         yield Note("lead", _stick_or_bounce(answer))
     if "impact_pressure" in answer.values:
         is_known = not answer.frame.missing(["first_yield_pressure"])
-        yield Note("lead" if is_known else "remark", _elastic_or_not(answer.frame))
+        yield Note("lead" if is_known else "more", _elastic_or_not(answer.frame))
     if answer.question.lead and (lead := _filled(answer)):
         yield Note("lead", lead)
     if "tabor_parameter" in answer.question.named and "tabor_parameter" in answer.values:
