@@ -1,4 +1,4 @@
-"""The words for best ranges: by which rule each stands, in a line, and what it holds and leaves out."""
+"""Sentences that explain best ranges: the rule of each, what it includes, and what it leaves out."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from math import isnan
@@ -35,11 +35,11 @@ from .answer import Answer
 from .inferred import lack_by_better_law
 
 _MOST = 3  # results in a note
-_ALIKE = 0.01  # relative difference of radii that needs no scaling
+_ALIKE = 0.01  # relative difference of radii below which nothing is scaled
 
 
 def lines_on_rules(rules: Iterable[int], names: Collection[str]) -> Iterator[str]:
-    """Iterate over a line for each rule, for many rows of some results."""
+    """Iterate over a line for each rule that gives ranges in a table of these quantities."""
     for by in dict.fromkeys(rules):
         if by in _WORDS:
             surfaces = f"; {_SMOOTH_AND_DRY}" if by == BETTER_LAW and "pull_off_force" in names else ""
@@ -58,14 +58,14 @@ def range_in_words(name: str, estimate: Estimate) -> str:
 
 
 def why(by: int, answer: Answer) -> str:
-    """Return why results have a range by a rule, what it holds and leaves out; empty for the law in use."""
+    """Return the reason for a range by one rule, what it includes and leaves out; empty for the law in use."""
     if by == LAW_ONLY and (lack := lack_by_better_law(answer)):
         return lack
     return _OF_ANSWER[by](answer) if by in _OF_ANSWER else _WORDS.get(by, "")
 
 
 def made_of(name: str, answer: Answer) -> str:
-    """Return what the best range of a result is made of: its ends by each law, at both atomic spacings."""
+    """Return the parts of a best range: its ends by each law, at both atomic spacings."""
     estimate = answer.estimates[name]
     if estimate.by not in (SCALED, XI_UNKNOWN, BETTER_LAW, LAW_IN_USE):
         return ""
@@ -81,16 +81,16 @@ def made_of(name: str, answer: Answer) -> str:
     return "; ".join(texts)
 
 
-# --- Rules in words, for many rows ------------------------------------------------------------------------------------
+# --- Rules, for many rows ---------------------------------------------------------------------------------------------
 
 
 def part_of_jkr(surface: str) -> str:
-    """Return which part of JKR's pull-off force was measured on a surface: "1/4–1/2"."""
+    """Return the fraction of JKR's pull-off force measured on a surface: "1/4–1/2"."""
     return f"1/{SURFACES[surface].most}–1/{SURFACES[surface].least}"
 
 
 def parts_on_surfaces() -> str:
-    """Return which parts of JKR's pull-off force were measured, and on what."""
+    """Return the fractions of JKR's pull-off force that were measured, and the surfaces they belong to."""
     parts = ", ".join(f"{part_of_jkr(name)} {name} ({surface.spheres})" for name, surface in SURFACES.items())
     not_there = "up to twice in humid air (--humidity); not measured in vacuum"
     return f"of JKR's force, as measured and carried to this size: {parts}; {not_there}"
@@ -118,7 +118,7 @@ _WORDS: Mapping[int, str] = {
 }
 
 
-# --- Rules in words, for an answer ------------------------------------------------------------------------------------
+# --- Rules, for one answer --------------------------------------------------------------------------------------------
 
 
 def _kelvin(answer: Answer) -> str:
@@ -136,12 +136,12 @@ def _better_law(answer: Answer) -> str:
     frame = answer.frame
     is_pulled = "pull_off_force" in answer.estimates
     low, high = least_spacing(frame), frame["atomic_spacing"]
-    known = frame.numbers("tabor_parameter").values()  # which rigid bodies have none of
+    known = frame.numbers("tabor_parameter").values()  # rigid bodies have none
     at = "".join(f" (Tabor parameter {from_to(parameter, high / low * parameter)})" for parameter in known)
     law = f"{frame.law.short} is more than 5 % off at this size and stiffness{at}"
     narrowed = " (--z0)" if frame.assumes_spacing else ""
     text = f"{law}; z0 = {_angstroms(low, high)}{narrowed}{_with_bars(answer)}"
-    is_told = answer.is_in_doubt(ROUGH_MATTERS) or answer.shows_surfaces  # with numbers
+    is_told = answer.is_in_doubt(ROUGH_MATTERS) or answer.shows_surfaces  # elsewhere, with numbers
     return f"{text}. It is {_SMOOTH_AND_DRY}" if is_pulled and may_be_rough(frame) and not is_told else text
 
 
@@ -194,13 +194,13 @@ def _scaled(answer: Answer) -> str:
 
 
 def _as_displacement(answer: Answer) -> str:
-    """Return which displacement forces that were measured mean by the law in use."""
+    """Return the displacement that measured forces imply by the law in use."""
     (low, high), *_ = answer.ranges.of_laws(XI, SCALED)
     return f"; by {answer.frame.law.short} ξ = {span(XI, low, high)}" if low < high else ""
 
 
 def _of_both_laws(answer: Answer) -> str:
-    """Return the results whose ends are by different laws, as forces mean another ξ by each."""
+    """Return the results whose two ends come from different laws, because forces imply another ξ by each."""
     of_two = [
         symbol_among(name, answer.inputs)
         for name, estimate in answer.estimates.items()
@@ -210,13 +210,13 @@ def _of_both_laws(answer: Answer) -> str:
 
 
 def _differ(every: Sequence[tuple[float, float]]) -> bool:
-    """Return whether the ends of a result by laws differ by as much as matters."""
+    """Return whether a result differs noticeably between the laws."""
     (low, high), *others = every
     return bool(farthest(pair for least, most in others for pair in ((least, low), (most, high))) > LAW_MATTERS)
 
 
 def _ceiling(answer: Answer) -> str:
-    """Return what adhesion supplies at most, if forces that were measured mean more."""
+    """Return the largest force that adhesion explains, if the measured forces exceed it."""
     ceiling = answer.ranges.at_full_hysteresis("yield_force")
     found = answer.estimates.get("yield_force")
     if found is None or not found.high > ceiling[1]:
@@ -237,7 +237,7 @@ def _xi_unknown(answer: Answer) -> str:
 
 
 def _of_silica(answer: Answer) -> str:
-    """Return what forces that rolled spheres of SiO2 mean for the headline of such spheres, to compare with."""
+    """Return the headline for spheres of SiO2, by measured rolling forces, to compare with."""
     silica = Frame(answer.frame.stated, known_materials()["quartz"])
     if not isinstance(answer.frame.given.get("radius"), float):
         return ""
@@ -255,7 +255,7 @@ def _of_silica(answer: Answer) -> str:
 
 
 def _of_measured_solid(answer: Answer) -> str:
-    """Return the forces that were measured on spheres of the same solid, but of another size or surface energy."""
+    """Return the forces measured on spheres of the same solid, but of another size or surface energy."""
     rolled, solid = what_rolled(answer.frame), solid_that_rolled(answer.frame)
     if rolled is None:
         return ""
@@ -283,7 +283,7 @@ def _adhesion_only(answer: Answer) -> str:
 
 
 def _by_dmt(answer: Answer) -> str:
-    """Return what DMT's law, which needs no modulus, gives for inferred values."""
+    """Return the inferred values by DMT's law, which needs no modulus."""
     found = answer.by_law.get("dmt", {})
     texts = [
         f"{symbol_among(name, answer.inputs)} = {span(name, *2 * (middle(value),))}" for name, value in found.items()
