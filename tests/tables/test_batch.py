@@ -349,7 +349,7 @@ def test_quantities_are_names_or_commands(run: Run) -> None:
         run("batch", table(GRAINS), "--quantities", "pulloff").err
         == "jkroll: 'pulloff' is not a quantity; did you mean pull_off_force? jkroll quantities lists them\n"
     )
-    said = "jkroll: --quantities: load is an input here; leave it out: results stand beside it\n"
+    said = "jkroll: --quantities: load is an input here; leave it out: results show their inputs\n"
     assert run("batch", table(GRAINS), "--quantities", "load", "--quiet").err == said
 
 

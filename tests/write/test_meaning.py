@@ -16,7 +16,7 @@ from jkroll.quantities.nomenclature import NOMENCLATURE
 GEL = "15um --radius2 plane --work-of-adhesion 71mJ/m2 --young rigid --young2 3kPa --poisson2 0.5"
 WIDE, FLIES = "the contact is wider than the smaller sphere", "too fast to roll around body 2: it flies off"
 SLOW, SHORT = "once it has slid, the energy left is too small to roll", "held out level, even one sphere rolls down"
-SONIC = "faster than sound in the solid, which no contact at rest describes"
+SONIC = "faster than sound in the solid; no static contact describes that"
 XI = "ξ is too large for the formula"
 # Of each call with two values, the last of which ends the meaning of these results; None: of all.
 CALLS: dict[str, tuple[tuple[str, str, str], set[str] | None, str, str]] = {
@@ -239,7 +239,7 @@ def test_an_inferred_value_ends_with_the_meaning_of_what_was_measured(run: Run) 
 def test_a_result_of_identical_spheres_has_no_number_for_others(run: Run) -> None:
     words = "frequencies quartz 100nm --radius2 200nm --quantities rolling_frequency_as_printed,vertical_frequency"
     printed, vertical = json.loads(run(f"{words} --json").out)["results"]
-    assert (printed["value"], printed["reason"]) == (None, "it is of identical spheres alone")
+    assert (printed["value"], printed["reason"]) == (None, "defined for identical spheres only")
     assert vertical["value"] > 0
     [row] = csv.DictReader(run(f"{words} --csv").out.splitlines())
     assert (row["rolling_frequency_as_printed [Hz]"], row["status"]) == ("", "sphere 2 differs")

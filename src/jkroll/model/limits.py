@@ -212,7 +212,7 @@ def _too_slow(name: str, least: float, code: str, words: str) -> Limit:
 # First the limits that end the meaning of results; then the law of attraction; then causes of inexact results.
 CONTACT_EXCEEDS_SPHERE = Limit(
     "contact_over_sphere", _ELASTICITY | _DISPLACEMENT, ">", {1.0: "contact-exceeds-sphere"},
-    "the contact is wider than the smaller sphere; what matters then is the surface tension of the solid",
+    "the contact is wider than the smaller sphere; the surface tension of the solid matters then",
     ends_meaning=True,
 )  # fmt: skip
 ENDING = (
@@ -259,7 +259,7 @@ ENDING = (
     ),
     Limit(
         "speed_over_sound", _IMPACT, ">", {1.0: "faster-than-sound"},
-        "faster than sound in the solid, which no contact at rest describes",
+        "faster than sound in the solid; no static contact describes that",
         _has_speed,
         ends_meaning=True,
     ),
@@ -292,18 +292,18 @@ INEXACT = (
     ),
     Limit(
         "speed_over_sticking", frozenset({"restitution", "sticking_speed"}), ">", {1.0: "bounces"},
-        "head-on and free, they bounce if adhesion is the only loss; others let them stick at higher speeds",
+        "head-on and free, they bounce if adhesion is the only loss; other losses let them stick at higher speeds",
         _has_speed,
         is_shown=False,  # e implies it
     ),
     Limit(
         "speed_over_sound", _IMPACT, ">", {0.1: "near-sound-speed"},
-        "too fast for a contact that is taken as static: waves in the spheres carry energy away",
+        "too fast for a static contact: waves in the spheres carry energy away",
         _has_speed,
     ),
     Limit(
         "impact_pressure_over_modulus", _IMPACT, ">", {0.1: "impact-may-yield"},
-        "the impact presses more than even a solid without flaws bears; e is an upper bound",
+        "the impact presses more than even a flawless solid bears; e is an upper bound",
         _has_speed,
         where=_is_not_rubbery,
     ),
@@ -346,11 +346,11 @@ INEXACT = (
     ),
     Limit(
         "filling_factor", frozenset({"compressive_strength"}), ">", {0.1: "slides-and-twists"},
-        "in an aggregate so dense sliding and twisting decide on P_comp; its formula rests on rolling",
+        "in so dense an aggregate sliding and twisting decide P_comp; its formula assumes rolling",
     ),
     Limit(
         "meniscus_size", frozenset({"meniscus_force"}), ">", {0.1: "wide-meniscus"},
-        "the meniscus is not small beside the bodies; it pulls up to 2q² more",
+        "the meniscus is not small compared with the bodies; it pulls up to 2q² more",
     ),
     Limit(
         "kelvin_radius", frozenset({"kelvin_radius"}), "<", {1.0: "few-molecules"},
@@ -363,7 +363,7 @@ INEXACT = (
     ),
     Limit(
         "hertz_pressure_over_modulus", _ELASTICITY, ">", {0.1: "may-yield"},
-        "more pressure than even a solid without flaws bears; no plasticity is modelled",
+        "more pressure than even a flawless solid bears; no plasticity is modelled",
         where=_is_not_rubbery,
     ),
     Limit(

@@ -140,17 +140,17 @@ NO_PROFILE = Cause(
 )
 BEYOND_FOLD = Cause(
     "beyond the fold",
-    "at {0} the spheres have parted; the farthest that a stiff machine holds them is {1}",
+    "at {0} the spheres have parted; a stiff machine holds them up to {1}",
     "approach_at_load",
 )
 TWO_RIGID_BODIES = Cause(
     "both bodies are rigid", "both bodies are rigid and have no contact area; --model dmt has their pull-off force"
 )
-RESTS_ON_SPACING = Cause("needs atomic_spacing", "rests on z0; give --z0 4angstrom")
+RESTS_ON_SPACING = Cause("needs atomic_spacing", "depends on z0; give --z0 4angstrom")
 OF_IDENTICAL_SPHERES = Cause(
-    "sphere 2 differs", "sphere 2 differs from sphere 1; this is known of identical spheres only"
+    "sphere 2 differs", "sphere 2 differs from sphere 1; this is known for identical spheres only"
 )
-OF_ANOTHER_PAIR = EndOfMeaning("sphere 2 differs", "it is of identical spheres alone")
+OF_ANOTHER_PAIR = EndOfMeaning("sphere 2 differs", "defined for identical spheres only")
 NOT_HELD = Cause(  # between pull-off and the fold, where free spheres fly apart
     "held by grips alone", "beyond pull-off only fixed grips hold the contact; free spheres fly apart"
 )
@@ -160,13 +160,13 @@ RIGID = Cause("sphere 1 is rigid", "sphere 1 is rigid, and no wave runs around i
 APART = Cause("no contact circle", "the spheres are bound without touching; there is no contact circle")
 TOO_MUCH_HYSTERESIS = Cause(
     "hysteresis above work of adhesion",
-    "{0} is above the work of adhesion, {1}, of which it is a part",
+    "{0} is above the work of adhesion, {1}, but it is a part of it",
     "adhesion_hysteresis",
     gt,
 )
 STICKS_ALWAYS = Cause(
     "sticks at every speed",
-    "T* = {0} is above {1}: they stick at every speed that this damping can mean",
+    "T* = {0} is above {1}: they stick at every speed that this damping can describe",
     "viscosity_number",
     gt,
 )
@@ -177,7 +177,7 @@ NO_POISSON_RATIO = Cause(
 )
 YIELDS_ON_TOUCH = Cause(
     "yields on touching",
-    "{0} is below {1}, to which adhesion alone presses a contact as it forms: it yields at every speed",
+    "{0} is below {1}, the pressure of adhesion alone as a contact forms: it yields at every speed",
     "first_yield_pressure",
 )
 DRY_OR_SATURATED = Cause(
@@ -186,7 +186,7 @@ DRY_OR_SATURATED = Cause(
 NO_WETTING = Cause("no wetting", "water with a contact angle of 90 deg or more draws nothing together and fills no gap")
 WIDE_MENISCUS = Cause(
     "meniscus too wide",
-    "{0} is above {1}: the meniscus is too wide beside the bodies for a force of first order",
+    "{0} is above {1}: the meniscus is too wide for a force of first order",
     "meniscus_size",
     gt,
 )

@@ -68,7 +68,7 @@ def fit(
     profile
         paraboloid, or sphere: a rigid one on a body whose Poisson's ratio is 0.45 or more.
     baseline
-        median, or tilt: lines through the parts away from contact.
+        median, or tilt: lines through the parts out of contact.
     **given
         The radii, as `solve` takes them; without one the fit has wR and E*√R. Poisson's ratios and Young's modulus of
         one body, from which that of the other follows; `atomic_spacing`.

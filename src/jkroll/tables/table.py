@@ -158,7 +158,7 @@ class Table:
             return [self.asked.infer], [self.asked.infer]
         for name in explicit:
             if name in self.given:
-                raise BadRequest(f"--quantities: {name} is an input here; leave it out: results stand beside it")
+                raise BadRequest(f"--quantities: {name} is an input here; leave it out: results show their inputs")
             if all(frame.missing([name]) for frame in frames):
                 try:
                     frames[0].plans(name)
