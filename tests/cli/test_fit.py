@@ -331,7 +331,7 @@ def test_the_following_command_has_the_law_and_two_spheres_are_named(run: Run, c
     ("columns", "given", "said"),
     [
         ({}, {}, "header: no column has the contact radius, approach or travel of the curve"),
-        ([1, 2], {}, "list is no table; give a DataFrame"),
+        ([1, 2], {}, "list is not a table; give a DataFrame"),
         ({"z [m]": [1]}, {"radius": [1e-6, 2e-6]}, "radius: a curve has one value, not an array"),
         ({"z [m]": [1]}, {"load": 1.0}, "fit takes no 'load'"),
         ({"z [m]": [1]}, {"reduced_radius": 0.0}, "reduced_radius"),

@@ -588,7 +588,7 @@ def test_a_table_says_once_which_a_name_may_be(run: Run) -> None:
     assert len(early) == 2
     assert last.startswith(early[0])
     assert last.endswith("row 1, likewise 97 more")
-    assert ran.err.splitlines()[-1] == "jkroll: 98 of 147 rows failed; column status says why"
+    assert ran.err.splitlines()[-1] == "jkroll: 98 of 147 rows failed; column status has the reasons"
     assert Path("out.csv").read_text(encoding="utf-8").count("unclear material") == 98
     assert "one of several" not in run("batch grains.csv --quantities pull_off_force -o out.csv --quiet").err
 

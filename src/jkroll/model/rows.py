@@ -124,7 +124,7 @@ class Wanted:
         """Return the error for uncertainties that have no columns; None if all have."""
         if self.sides is None or results.sources is None or self.has_bars(results):
             return None
-        problem = "error bars are left out, for which the table has no columns; --uncertainty adds them"
+        problem = "the table has no columns for error bars, which are left out; --uncertainty adds them"
         return BadRequest(f"{listed(results.sources.given)}: {problem}", "error bars left out")
 
 
@@ -539,7 +539,7 @@ class Tally(NamedTuple):
     gaps: Mapping[str, Gaps] = _NONE  # rows with empty cells, by status
     doubts: Counter[int] = _NO_DOUBTS  # numbers of rows, by the bits of their doubts
     inferred: tuple[Any, ...] = ()  # the inferred values of a table, in parts
-    said: tuple[str, ...] = ()  # remarks on whole tables
+    remarks: tuple[str, ...] = ()  # on whole tables
 
     @classmethod
     def of(cls, columns: Columns, word_of: Callable[[str], str] = str) -> "Tally":
