@@ -246,7 +246,7 @@ def test_a_curve_is_written_point_by_point(run: Run, curve: str) -> None:
         ("--spring 3N/m --profile sphere --poisson2 0.5", "needs --radius"),
         ("--spring 3N/m --profile sphere --poisson2 0.5 --radius 1um", "give --radius2 plane"),
         ("--spring 3N/m --range 30%", "is not of the form FROM:TO"),
-        ("--spring 3N/m --range 30%:1nN", "write two of one kind"),
+        ("--spring 3N/m --range 30%:1nN", "write two of the same"),
         ("--spring 3N/m --range 30%:10%", "does not rise"),
         ("--spring 3N/m --model hertz", "hertz"),
         ("--spring 3N/m --model maugis", "needs --radius"),

@@ -318,7 +318,7 @@ def test_a_sticking_energy_that_the_spacing_decides_has_no_value_at_the_prompt_e
     for name in ("sticking_energy", "sticking_speed"):
         assert (results[name].value, results[name].reason) == (None, "depends on z0; give --z0 4angstrom")
     alone = Report(question_about("v_stick"), Frame({"radius": 1e-7}, quartz, model="maugis"))
-    assert str(alone.failure) == "sticking_speed: rests on z0; give --z0 4angstrom"
+    assert str(alone.failure) == "sticking_speed: depends on z0; give --z0 4angstrom"
     said = Report(QUESTIONS["contact"], Frame({"radius": 1e-7, "atomic_spacing": 4e-10}, quartz, model="maugis"))
     assert said.values["sticking_energy"] == solve("sticking_energy", model="maugis", **QUARTZ, atomic_spacing=4e-10)
 

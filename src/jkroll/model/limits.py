@@ -259,7 +259,7 @@ ENDING = (
     ),
     Limit(
         "speed_over_sound", _IMPACT, ">", {1.0: "faster-than-sound"},
-        "faster than sound in the solid; no static contact describes that",
+        "faster than sound in the solid: no static contact describes that",
         _has_speed,
         ends_meaning=True,
     ),
