@@ -241,7 +241,10 @@ def divided(columns: Sequence[Any]) -> list[Any]:
     """Return all columns separately; arrays may hold several."""
     single: list[Any] = []
     for column in columns:
-        single += column if getattr(column, "ndim", 1) > 1 else [column]
+        if getattr(column, "ndim", 1) > 1:
+            single.extend(column)
+        else:
+            single.append(column)
     return single
 
 
