@@ -543,7 +543,7 @@ def outcome(header: Header) -> str:
 def advised(message: str) -> set[str]:
     """Return the inputs that a message names for a column."""
     columns = re.findall(r"--column '(?:[^']*)=(\w+)|--column \"(?:[^\"]*)=(\w+)", message)
-    places = re.findall(r"a column (.*?) in place of", message)
+    places = re.findall(r"a column (.*?) instead of", message)
     return {*map("".join, columns), *(name for place in places for name in re.findall(r"[a-z]\w+", place))} - {"or"}
 
 

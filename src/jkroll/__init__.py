@@ -7,8 +7,8 @@
 
 __version__ = "0.5.0"
 
-# The public names, by the modules that are imported when one is first used: a command line pays only for what it needs.
-# Type checkers know them from the stub beside this file.
+# The modules of the public names. Each is imported at the first use of a name, so that a command loads only what it
+# needs. Type checkers know the names from the stub next to this file.
 _HOMES = {
     "FORMULAS": "model.solver",
     "NOMENCLATURE": "write.nomenclature",
@@ -33,7 +33,7 @@ __all__ = list(_HOMES)
 
 
 def __getattr__(name: str) -> object:
-    """Return a public name."""
+    """Return the public object with a name."""
     from importlib import import_module
 
     if name in _HOMES:

@@ -1,23 +1,23 @@
-"""Script `jkroll` and `python -m jkroll`. Imports come late, so that an interrupt ends them, too, without a word."""
+"""The script `jkroll` and `python -m jkroll`. Imports come late, so that an interrupt ends them silently, too."""
 
 import gc
 import os
 import sys
 from collections.abc import Callable
 
-SELDOM = 50_000  # new objects until the next search for cycles: what imports make is no garbage
+SELDOM = 50_000  # new objects between searches for cycles; imports leave hardly any garbage
 
 
 def run() -> None:
     """Run the command line and exit with its code.
 
-    An interrupt ends the process as other signals do, by their default action. `whole_file` removes what it has begun.
+    An interrupt ends the process by the signal's default action. `whole_file` removes an unfinished file.
     """
     gc.set_threshold(SELDOM)
     import signal
 
     signal.signal(signal.SIGINT, signal.SIG_DFL)
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # no matrices are multiplied: no thread for each core
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # no matrices are multiplied, so threads are useless
     code = _main()()
     from .errors import FAILED
 
@@ -26,11 +26,11 @@ def run() -> None:
             stream.flush()
         except OSError:
             code = code or FAILED
-    os._exit(code)  # everything is written, and an orderly shutdown of the interpreter would take a tenth of a call
+    os._exit(code)  # all is written, and an orderly shutdown would take a tenth of a call
 
 
 def _main() -> Callable[[], int]:
-    """Return what a shell asks for: candidates of a begun word, a script for completion, or an answer."""
+    """Return the function that a shell asks for: to complete a word, to print a completion script, or to answer."""
     if asked := os.environ.get("_JKROLL_COMPLETE"):
         from .cli import completion
 

@@ -1,18 +1,18 @@
-"""Errors that jkroll declares. The command line prints one as a line and ends with its exit code."""
+"""The errors that jkroll raises. The command line prints an error as a line and exits with its code."""
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
 
-ROWS_FAILED = 1  # exit code of a call that answered, though not for every row
-FAILED = 1  # exit code of a call that could not write, or met what nobody foresaw
+ROWS_FAILED = 1  # exit code of a call that has no answer for some rows
+FAILED = 1  # exit code of a call that could not write, or met an unexpected error
 
 
 class JkrollError(Exception):
-    """Base class of all errors that jkroll declares."""
+    """Base class of all errors that jkroll raises."""
 
     exit_code = 2
-    phrase = ""  # of a row's status, the same for all errors of a kind; the message where it is empty
+    phrase = ""  # a row's status, the same for all errors of a kind; if empty, the status is the message
 
     @property
     def code(self) -> str:
@@ -20,12 +20,12 @@ class JkrollError(Exception):
         return code_of(self.phrase)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle the attributes: `args` may be others than those of `__init__`, by which exceptions are pickled."""
+        """Pickle the attributes: `args`, which exceptions pickle, may differ from the arguments of `__init__`."""
         return _unpickled, (type(self), self.args, vars(self))
 
 
 def _unpickled(cls: type[JkrollError], arguments: tuple[Any, ...], attributes: Mapping[str, Any]) -> JkrollError:
-    """Return an error of a kind with its attributes."""
+    """Return an error of a class with its attributes."""
     error = cls.__new__(cls, *arguments)
     vars(error).update(attributes)
     return error
@@ -41,12 +41,12 @@ def code_of(phrase: str) -> str:
 
 
 class MissingExtra(JkrollError):
-    """Error raised when a library is needed that only an extra installs."""
+    """Error raised if a library is missing that an extra installs."""
 
 
 @contextmanager
 def missing_extra(extra: str) -> Iterator[None]:
-    """Name the extra that installs a missing library."""
+    """Convert the error about a missing library into one that names the extra with the library."""
     try:
         yield
     except ModuleNotFoundError as error:
@@ -55,11 +55,11 @@ def missing_extra(extra: str) -> Iterator[None]:
 
 
 class NoResult(JkrollError):
-    """Error raised when a quantity has no value for the given inputs."""
+    """Error raised if a quantity has no value for the given inputs."""
 
     exit_code = 1
-    name = ""  # the quantity that has no value, or whose value rules a contact out, if it is a single one
-    cause: Any  # of its reason in a column
+    name = ""  # the single quantity, if any, that has no value, or whose value rules a contact out
+    cause: Any  # the cause in a column of reasons
 
     def explanation(self) -> str:
         """Return why there is no answer, without the name of the quantity."""
@@ -70,22 +70,22 @@ class NoResult(JkrollError):
 
 
 class BadRequest(JkrollError):
-    """Error raised for arguments, options or cells that do not make a request, or make one that cannot be met."""
+    """Error raised for arguments, options or cells that are no request, or one that cannot be met."""
 
     def __init__(self, problem: str, phrase: str = "") -> None:
-        """`phrase`: of a row's status, where it is not the problem."""
+        """`phrase`: the row's status, unless the problem is."""
         super().__init__(problem)
         self.phrase = phrase
 
 
 class BadTable(JkrollError):
-    """Error raised for a header, a format or a file that makes no table of scenes."""
+    """Error raised for a header, a format or a file that is no table of scenes."""
 
 
 class BadRow(JkrollError):
-    """Error raised for the first row that fails, with `--strict`.
+    """Error raised with `--strict` for the first row that fails.
 
-    Its arguments are the line, counted from the beginning of the block or of the table, and the reason.
+    Its arguments are the line, counted from the beginning of the block or table, and the reason.
     """
 
     exit_code = 1

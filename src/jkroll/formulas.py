@@ -11,7 +11,7 @@ from typing import Any
 
 
 def __getattr__(name: str) -> Callable[..., Any]:
-    """Return a formula. The modules of physics are imported when the first one is used."""
+    """Return a formula. The first use of one imports the modules of physics."""
     formula = None if name.startswith("_") else import_module(".model.solver", __package__).FORMULAS.get(name)
     if formula is None:
         raise AttributeError(f"jkroll.formulas has no {name}; dir(jkroll.formulas) lists the formulas")

@@ -1,4 +1,4 @@
-"""Text for people and programs: ASCII, lines, tables, JSON, the terminal, suggestions, quotes, lists, names."""
+"""Text for people and programs: ASCII, JSON, wrapped lines, tables, terminal width, similar words, quotes and lists."""
 
 import codecs
 import os
@@ -17,11 +17,11 @@ _ASCII = {
     "─": "-", "≤": "<=", "±": "+/-", "≈": "~", "→": "->", "∞": "inf", "°": " deg",
 }  # fmt: skip
 
-LETTERS = {name: letter for letter, name in _ASCII.items() if len(name) > 1 and name.isalpha()}  # by their names
+LETTERS = {name: letter for letter, name in _ASCII.items() if len(name) > 1 and name.isalpha()}  # by name
 
 
 def ascii_text(text: str) -> str:
-    """Replace what is not ASCII. A Greek letter becomes its name, with spaces between it and other letters.
+    """Return a text in ASCII. A Greek letter becomes its name, separated by spaces from other letters.
 
     >>> ascii_text("P_c = 3πγR, 50 µm")
     'P_c = 3 pi gamma R, 50 um'
@@ -38,7 +38,7 @@ def ascii_text(text: str) -> str:
 
 
 def composed(text: str) -> str:
-    """Return a text with letters and marks as one character, wide forms as usual ones; superscripts and ① stay.
+    """Return a text with letters and marks combined, and wide forms as usual ones; superscripts and ① stay.
 
     >>> composed("1㎚"), composed("A\u030a"), composed("１（ｍ²）"), composed("5①")
     ('1nm', 'Å', '1(m²)', '5①')
@@ -48,18 +48,20 @@ def composed(text: str) -> str:
     from unicodedata import category, decomposition, normalize
 
     letters = normalize("NFC", text)
-    return "".join(
-        letter if category(letter) == "No" or decomposition(letter)[:3] in ("<su", "<ci") else normalize("NFKC", letter)
-        for letter in letters
-    )
+    composed_letters = []
+    for letter in letters:
+        is_kept = category(letter) == "No" or decomposition(letter)[:3] in ("<su", "<ci")
+        composed_letters.append(letter if is_kept else normalize("NFKC", letter))
+    return "".join(composed_letters)
 
 
 def _replace(error: UnicodeError) -> tuple[str, int]:
-    """Return the replacement of characters that a stream cannot encode: an error handler of `codecs`."""
+    """Return the ASCII text for characters that a stream cannot encode; an error handler for `codecs`."""
     assert isinstance(error, UnicodeEncodeError)
     text, start, end = error.object, error.start, error.end
-    before, after = (letter if letter.isascii() else "" for letter in (text[start - 1 : start], text[end : end + 1]))
-    replaced = ascii_text(before + text[start:end] + after)  # spaces stand between a Greek letter and others
+    before, after = text[start - 1 : start], text[end : end + 1]
+    before, after = before if before.isascii() else "", after if after.isascii() else ""
+    replaced = ascii_text(before + text[start:end] + after)  # separates a Greek letter from its neighbours
     return replaced[len(before) : len(replaced) - len(after)], end
 
 
@@ -78,7 +80,7 @@ def json_text(value: Any, out: TextIO) -> str:
 
 
 def spelled(number: float) -> str:
-    """Return a finite number for programs: the shortest text that is the same double, spelled as orjson spells it.
+    """Return a finite number for programs: the shortest text that gives the same double, spelled like orjson's.
 
     >>> spelled(1e-07), spelled(4.999999999999999e-05), spelled(100.0), spelled(1e22)
     ('1e-7', '0.00004999999999999999', '100.0', '1e22')
@@ -94,14 +96,14 @@ def spelled(number: float) -> str:
 
 
 def say(text: str, out: TextIO) -> None:
-    """Print a line in one piece, so that output that is cut off ends with a whole line."""
+    """Print a line in a single write, so that output that is cut off ends with a whole line."""
     out.write(text + "\n")
 
 
 def say_wrapped(text: str, out: TextIO, indent: int = 2) -> None:
-    """Print a sentence in one line, or, on a terminal, in lines that fit, with those after the first indented.
+    """Print a sentence in one line, or, on a terminal, wrapped, with the later lines indented.
 
-    A number stays with its unit.
+    No line breaks between a number and its unit.
     """
     is_long = out.isatty() and len(text) > terminal_width()
     say("\n".join(wrapped(text, terminal_width(), indent)) if is_long else text, out)
@@ -111,7 +113,7 @@ NO_BREAK_SPACE = "\N{NO-BREAK SPACE}"
 
 
 def wrapped(text: str, width: int, indent: int = 0) -> list[str]:
-    """Return the lines of a sentence, broken at spaces but not before a unit or at an equals sign, the later indented.
+    """Return the wrapped lines of a sentence, the later indented; none breaks before a unit or at an equals sign.
 
     >>> wrapped("load 0 N", 5), wrapped("load P = 0 N", 9, 2)
     (['load', '0 N'], ['load', '  P = 0 N'])
@@ -125,7 +127,7 @@ def wrapped(text: str, width: int, indent: int = 0) -> list[str]:
 
 
 def with_units_joined(text: str) -> str:
-    """Return a text with no-break spaces within a number with a unit, around = and ±, and before an option in brackets.
+    """Return a text with no-break spaces between number and unit, around = and ±, and before an option in brackets.
 
     >>> with_units_joined("M [fN m] is 5 fN m, 0.3 % less").replace(NO_BREAK_SPACE, "_")
     'M [fN_m] is 5_fN_m, 0.3_% less'
@@ -137,7 +139,7 @@ def with_units_joined(text: str) -> str:
 
 
 def width_of(text: str) -> int:
-    """Return how many columns of a terminal a text takes: a wide letter two, a mark on another letter none.
+    """Return how many columns of a terminal a text takes: two for a wide letter, none for a combining mark.
 
     >>> width_of("P_c"), width_of("δ\u0302"), width_of("石英")
     (3, 1, 4)
@@ -146,7 +148,11 @@ def width_of(text: str) -> int:
         return len(text)
     from unicodedata import combining, east_asian_width
 
-    return sum(0 if combining(letter) else 1 + (east_asian_width(letter) in "WF") for letter in text)
+    width = 0
+    for letter in text:
+        if not combining(letter):
+            width += 2 if east_asian_width(letter) in "WF" else 1
+    return width
 
 
 MAX_SIZE = 1000  # a table or a picture of this size still fits into memory
@@ -155,7 +161,7 @@ MAX_SIZE = 1000  # a table or a picture of this size still fits into memory
 def terminal_width() -> int:
     """Return the width of the terminal: the variable COLUMNS, else the terminal's own, else 80; at most MAX_SIZE."""
     stated = os.environ.get("COLUMNS", "")
-    try:  # shutil does the same, and its import takes a tenth of a call
+    try:  # shutil does the same, but importing it takes a tenth of a call
         width = int(stated) if stated.isdecimal() else 0
         columns = width or os.get_terminal_size(sys.__stdout__.fileno()).columns  # type: ignore[union-attr]
     except (AttributeError, ValueError, OSError):
@@ -163,11 +169,11 @@ def terminal_width() -> int:
     return min(columns or 80, MAX_SIZE)
 
 
-MAX_WORD = 80  # a longer word is not a typing mistake, and comparing it takes long
+MAX_WORD = 80  # a longer word is no misspelling, and it would take long to compare
 
 
 def closest(word: str, known: Iterable[str], cutoff: float = 0.6) -> str | None:
-    """Return the known word that differs from a word only by case, else the most similar one; None if none is similar.
+    """Return the known word that differs only by case, else the most similar one; None if none is similar.
 
     >>> closest("Quartz", ["quartz", "iron"]), closest("quarz", ["quartz", "iron"]), closest("x", ["quartz"])
     ('quartz', 'quartz', None)
@@ -177,8 +183,9 @@ def closest(word: str, known: Iterable[str], cutoff: float = 0.6) -> str | None:
     from difflib import get_close_matches
 
     words = list(known)
-    if same := [candidate for candidate in words if candidate.casefold() == word.casefold()]:
-        return min(same, key=lambda candidate: sum(map(str.__ne__, candidate, word)))  # MPA is MPa rather than mPa
+    same = [candidate for candidate in words if candidate.casefold() == word.casefold()]
+    if same:  # MPA is closer to MPa than to mPa
+        return min(same, key=lambda candidate: sum(map(str.__ne__, candidate, word)))
     return next(iter(get_close_matches(word, words, n=1, cutoff=cutoff)), None)
 
 
@@ -195,7 +202,7 @@ def quoted(text: str, limit: int = MAX_QUOTED) -> str:
 
 
 def shown(text: str, limit: int = MAX_QUOTED) -> str:
-    """Return a user's text shortened, and without characters that move the cursor or reverse the line."""
+    """Return a user's text shortened, without characters that move the cursor or reverse the line."""
     text = text if len(text) <= limit else text[:limit] + "..."
     if text.isprintable():
         return text
@@ -203,9 +210,9 @@ def shown(text: str, limit: int = MAX_QUOTED) -> str:
 
 
 def for_terminal(text: str) -> str:
-    r"""Return lines of others for a terminal, without characters that move the cursor or reverse the line.
+    r"""Return lines from other sources for a terminal, without characters that move the cursor or reverse the line.
 
-    Tabs, ends of lines and blanks of any width stay.
+    Tabs, line ends and blanks of any width stay.
 
     >>> for_terminal("a\tb\r\nc\u00a0\x1b[31m\u202e\n")
     'a\tb\nc\xa0?[31m?\n'
@@ -213,7 +220,11 @@ def for_terminal(text: str) -> str:
     text = text.replace("\r\n", "\n")
     if text.replace("\n", "").replace("\t", "").isprintable():
         return text
-    return "".join(letter if letter in "\n\t" or letter.isprintable() or _is_blank(letter) else "?" for letter in text)
+    shown_letters = []
+    for letter in text:
+        is_kept = letter in "\n\t" or letter.isprintable() or _is_blank(letter)
+        shown_letters.append(letter if is_kept else "?")
+    return "".join(shown_letters)
 
 
 def _is_blank(letter: str) -> bool:
@@ -223,7 +234,7 @@ def _is_blank(letter: str) -> bool:
 
 
 def capital(text: str) -> str:
-    """Return a text that begins with a capital letter.
+    """Return a text with a capital first letter.
 
     >>> capital("rough spheres"), capital("")
     ('Rough spheres', '')
@@ -242,7 +253,7 @@ def listed(texts: Iterable[str], word: str = "and") -> str:
 
 
 def first_of(texts: Sequence[str], most: int = 3) -> str:
-    """Return the first of some texts as a list, and how many more there are.
+    """Return the first few texts as a list, followed by how many more there are.
 
     >>> first_of(["a", "b", "c"]), first_of(["a", "b", "c"], 1)
     ('a, b, c', 'a and 2 more')
@@ -252,7 +263,7 @@ def first_of(texts: Sequence[str], most: int = 3) -> str:
 
 
 def ending(path: str) -> str:
-    """Return the ending of a file name, in lower case and without its point.
+    """Return the extension of a file name, in lower case and without the dot.
 
     >>> ending("a/Map.SVG"), ending("svg")
     ('svg', '')
@@ -264,11 +275,11 @@ def ending(path: str) -> str:
 # --- Tables -----------------------------------------------------------------------------------------------------------
 
 _GAP = 2  # blanks between columns
-_LEAST_TEXT = 24  # of a text in several lines
+_LEAST_TEXT = 24  # least width of a wrapped text
 
 
 class TextColumn(NamedTuple):
-    """A column of texts. Numbers are set to the right."""
+    """A column of texts; numbers are aligned to the right."""
 
     head: str
     cells: Sequence[str]
@@ -276,7 +287,7 @@ class TextColumn(NamedTuple):
 
 
 def html_table(columns: Sequence[TextColumn]) -> str:
-    """Return columns as a table of HTML, with numbers at the right.
+    """Return columns as an HTML table, with numbers aligned to the right.
 
     >>> html_table([TextColumn("<x>", ["1"])]).splitlines()[1]
     '<tr><th style="text-align:right">&lt;x&gt;</th></tr>'
@@ -285,9 +296,9 @@ def html_table(columns: Sequence[TextColumn]) -> str:
 
     styles = [f'style="text-align:{"right" if column.is_right else "left"}"' for column in columns]
 
-    def row(tag: str, cells: Iterable[str]) -> str:
-        pairs = zip(styles, cells, strict=True)
-        return f"<tr>{''.join(f'<{tag} {style}>{escape(cell)}</{tag}>' for style, cell in pairs)}</tr>"
+    def row(tag: str, texts: Iterable[str]) -> str:
+        cells = [f"<{tag} {style}>{escape(text)}</{tag}>" for style, text in zip(styles, texts, strict=True)]
+        return f"<tr>{''.join(cells)}</tr>"
 
     heads = row("th", (column.head for column in columns))
     rows = (row("td", cells) for cells in zip(*(column.cells for column in columns), strict=True))
@@ -295,7 +306,7 @@ def html_table(columns: Sequence[TextColumn]) -> str:
 
 
 def as_arguments(text: str) -> str:
-    """Return a sentence with the names of arguments in place of options.
+    """Return a sentence with the names of arguments instead of options.
 
     >>> as_arguments("assumed: z0 = 400 pm (--z0), E = 1 GPa (--young2)")
     'assumed: z0 = 400 pm (z0), E = 1 GPa (young2)'
@@ -312,24 +323,25 @@ def write_table(
     trailing: Sequence[TextColumn] = (),
     silent: Collection[str] = ("", "–"),
 ) -> None:
-    """Write columns between leading and trailing ones, in as many tables as the width of the terminal takes.
+    """Write columns between leading and trailing ones, in as many tables as the width of the terminal requires.
 
-    Those below the first leave out rows in which all cells are `silent`. Where trailing ones make a row of values that
-    are compared, the first stands in them again, if it has room.
+    Tables after the first leave out rows in which all cells are `silent`. If there are trailing columns, each table
+    repeats the first column, if it has room, so that its values can be compared.
     """
     if not columns:
         say("\n".join(_lines(leading, _GAP if fit_terminal(leading) else 1)), out)
     repeated = columns[:1] if trailing else []
+
+    def kept_rows(of: Sequence[TextColumn]) -> list[TextColumn]:
+        return [column._replace(cells=[*compress(column.cells, is_kept)]) for column in of]
+
     while columns:
         room = terminal_width() + _GAP - _size([*leading, *trailing])
         count = max(sum(end <= room for end in accumulate(_size([column]) for column in columns)), 1)
         say("\n".join(_lines([*leading, *columns[:count], *trailing])), out)
         columns = columns[count:]
-        is_said = [not {*cells} <= {*silent} for cells in zip(*(column.cells for column in columns), strict=True)]
-        leading, columns, trailing, repeated = (
-            [column._replace(cells=[*compress(column.cells, is_said)]) for column in each]
-            for each in (leading, columns, trailing, repeated)
-        )
+        is_kept = [not {*cells} <= {*silent} for cells in zip(*(column.cells for column in columns), strict=True)]
+        leading, columns, trailing, repeated = map(kept_rows, (leading, columns, trailing, repeated))
         if columns:
             say("", out)
             has_room = fit_terminal([*leading, *repeated, columns[0], *trailing])
@@ -337,26 +349,29 @@ def write_table(
 
 
 def write_texts(heads: Sequence[str], rows: Iterable[Sequence[str]], out: TextIO) -> None:
-    """Write rows of texts; what is wider than the terminal goes on below the last column."""
+    """Write rows of texts; a row wider than the terminal continues below the last column."""
     columns = text_columns([heads, *rows], words=len(heads))
     for line in _lines(columns):
         say_wrapped(line, out, min(_size(columns[:-1]), terminal_width() - _LEAST_TEXT))
 
 
 def text_columns(rows: Iterable[Sequence[str]], *, words: int) -> list[TextColumn]:
-    """Return the columns of rows, the first of which has the heads; so many columns are of words."""
-    return [TextColumn(head, cells, place >= words) for place, (head, *cells) in enumerate(zip(*rows, strict=True))]
+    """Return the columns of rows, the first of which holds the heads; the first `words` columns hold words."""
+    columns = []
+    for position, (head, *cells) in enumerate(zip(*rows, strict=True)):
+        columns.append(TextColumn(head, cells, is_right=position >= words))
+    return columns
 
 
 def _lines(columns: Iterable[TextColumn], gap: int = _GAP) -> list[str]:
-    """Return the heads of columns, a line below them, and the rows; `gap`: the blanks between columns."""
+    """Return the heads of columns, a rule below them, and the rows; `gap`: the blanks between columns."""
     lines = [(" " * gap).join(cells) for cells in zip(*map(padded, columns), strict=True)]
     head, *rows = map(str.rstrip, lines)
     return [head, "─" * min(width_of(lines[0]), terminal_width()), *rows]
 
 
 def padded(column: TextColumn) -> list[str]:
-    """Return the head and the cells of a column, all as wide as the widest of them."""
+    """Return the head and the cells of a column, padded to the same width."""
     texts = [column.head, *column.cells]
     width = max(map(width_of, texts))
     blanks = [" " * (width - width_of(text)) for text in texts]
@@ -364,10 +379,10 @@ def padded(column: TextColumn) -> list[str]:
 
 
 def fit_terminal(columns: Iterable[TextColumn]) -> bool:
-    """Return whether columns beside each other are no wider than the terminal."""
+    """Return whether columns next to each other fit the width of the terminal."""
     return _size(columns) <= terminal_width() + _GAP
 
 
 def _size(columns: Iterable[TextColumn]) -> int:
-    """Return the width of columns on a terminal, with the blanks behind each."""
+    """Return the width of columns in a terminal, including the blanks after each."""
     return sum(width_of(padded(column)[0]) + _GAP for column in columns)

@@ -38,8 +38,8 @@ REFUSED = {
     "batch -1.csv -oout.csv": "'-1.csv': No such file or directory",
     "batch grains.csv --output=": "-o: the name of the output file is empty",
     "pull-off quartz 100nm --to nN,pN": "--to: 'nN' and 'pN' are units of one dimension; give one of them",
-    "pull-off quartz plane": "plane is said of sphere 2: write --radius2 plane",
-    "contact iron 1um --material2 rigid": "rigid is said of sphere 2: write --young2 rigid",
+    "pull-off quartz plane": "plane is for sphere 2: write --radius2 plane",
+    "contact iron 1um --material2 rigid": "rigid is for sphere 2: write --young2 rigid",
     "pull-off": f"pull-off needs radius of sphere 1 and surface energy per surface; {GIVE}",
     "pull-off 100nm --gamma 1J/m2 --work-of-adhesion 1J/m2": (
         "--gamma and --work-of-adhesion exclude each other: one follows from the other"
@@ -54,20 +54,20 @@ REFUSED = {
         "--load: ':50nN' has no lower end; write both, as in -5nN:20nN (an example); pull-off is at -11.781 nN"
     ),
     "pull-off quartz 100nm --temperature 300K": (
-        "no such option '--temperature'; no number here depends on it, but for γ and E of a material: jkroll materials"
+        "no such option '--temperature'; no formula depends on it, though γ and E of a material do: jkroll materials"
     ),
     "contact quartz 100nm --humidity 50%": (
         "contact takes no '--humidity'; --humidity is an option of pull-off, report, infer and 2 more"
     ),
     "infer gamma quartz 100nm --measured P_c=9nN --measured P_c=8nN": (
-        "infer needs a measured quantity for each input, 1 in all: --measured pull_off_force=300nN; several values of "
-        "one have commas"
+        "infer needs a measured quantity for each input, 1 in all: --measured pull_off_force=300nN; separate several "
+        "values of one by commas"
     ),
     "n-roll gold 100nm": f"n-roll needs Young's modulus and Poisson's ratio; {GOLD}",
     "pull-off quartz 100nm --model maugus": "--model: 'maugus' is not one of jkr, maugis, dmt; did you mean maugis?",
     "export ligghts quartz 100nm": (
         "export: which program, lammps, liggghts, dust-collider, dust-simulation? "
-        "Write jkroll export liggghts quartz 100nm; what other codes call γ is in jkroll guide dem"
+        "Write jkroll export liggghts quartz 100nm; jkroll guide dem says what other codes call γ"
     ),
     "pull-off quartz 100nm --model jkr,dmt,jkr": "--model: 'jkr,dmt,jkr' names a law more than once",
     "r-min 1e-170m": "radius: 1e-170 must lie between 1e-30 and 1e30 in SI units",
@@ -88,9 +88,9 @@ REFUSED = {
     "pull-off 100nm --surface-tension 25mJ/m2": "no such option '--surface-tension'; did you mean --gamma?",
     "pull-off 100nm -gamma 25mJ/m2": "no such option '-gamma'; did you mean --gamma?",
     "pull-off quartz --R 1nm": "R may be a sphere's radius or the reduced radius: write --radius or --reduced-radius",
-    "pull-off --gamma 25mJ/m2 -R 100nm": "no such option '-R'; a radius stands alone: jkroll pull-off quartz 100nm",
+    "pull-off --gamma 25mJ/m2 -R 100nm": "no such option '-R'; a radius needs no option: jkroll pull-off quartz 100nm",
     "pull-off quartz 100nm --gamma12 3mJ/m2": (
-        "no such option '--gamma12'; the energy of an interface stands in the work of adhesion: "
+        "no such option '--gamma12'; the interface energy is part of the work of adhesion: "
         "--work-of-adhesion, γ1 + γ2 - γ12"
     ),
     "pull-off quartz 100nm --diameter 200nm": "a radius and --diameter exclude each other: one follows from the other",
@@ -512,7 +512,7 @@ def test_beyond_the_fold(run: Run) -> None:
     ran = run("contact quartz 100nm --approach -0.1nm --bare")
     assert ran.code == 1
     assert ran.err.startswith(
-        "jkroll: --approach: at -100 pm the spheres have parted; the farthest that a stiff machine holds them is -87.6"
+        "jkroll: --approach: at -100 pm the spheres have parted; a stiff machine holds them up to -87.6"
     )
 
 

@@ -198,8 +198,8 @@ def test_a_pair_of_rigid_bodies_is_left_out(run: Run) -> None:
 
 _NAMES = "lammps, liggghts, dust-collider, dust-simulation"
 WHICH = (
-    f"export: which program, {_NAMES}? Write jkroll export lammps quartz 100nm; what other codes call γ is in jkroll "
-    "guide dem"
+    f"export: which program, {_NAMES}? Write jkroll export lammps quartz 100nm; jkroll guide dem says what other "
+    "codes call γ"
 )
 
 
@@ -223,7 +223,7 @@ WHICH = (
             "dust-simulation quartz 100nm --poisson 0",
             "export: dust-simulation divides by Poisson's ratio, which is 0 here",
         ),
-        ("lammps quartz,iron 100nm", "export takes one pair of spheres, not 2; for unlike ones: --radius2"),
+        ("lammps quartz,iron 100nm", "export takes one pair of spheres, not 2; for an unequal pair: --radius2"),
         ("lammps quartz 100nm --model maugis", "--model: LAMMPS has jkr and dmt, not 'maugis'"),
         (
             "lammps 100nm --gamma 25mJ/m2 --young 54GPa --poisson 0.17",

@@ -246,7 +246,7 @@ def test_a_curve_is_written_point_by_point(run: Run, curve: str) -> None:
         ("--spring 3N/m --profile sphere --poisson2 0.5", "needs --radius"),
         ("--spring 3N/m --profile sphere --poisson2 0.5 --radius 1um", "give --radius2 plane"),
         ("--spring 3N/m --range 30%", "is not of the form FROM:TO"),
-        ("--spring 3N/m --range 30%:1nN", "write two of one kind"),
+        ("--spring 3N/m --range 30%:1nN", "write two of the same"),
         ("--spring 3N/m --range 30%:10%", "does not rise"),
         ("--spring 3N/m --model hertz", "hertz"),
         ("--spring 3N/m --model maugis", "needs --radius"),
@@ -331,7 +331,7 @@ def test_the_following_command_has_the_law_and_two_spheres_are_named(run: Run, c
     ("columns", "given", "said"),
     [
         ({}, {}, "header: no column has the contact radius, approach or travel of the curve"),
-        ([1, 2], {}, "list is no table; give a DataFrame"),
+        ([1, 2], {}, "list is not a table; give a DataFrame"),
         ({"z [m]": [1]}, {"radius": [1e-6, 2e-6]}, "radius: a curve has one value, not an array"),
         ({"z [m]": [1]}, {"load": 1.0}, "fit takes no 'load'"),
         ({"z [m]": [1]}, {"reduced_radius": 0.0}, "reduced_radius"),

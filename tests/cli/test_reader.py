@@ -72,7 +72,7 @@ REFUSED = {
     "pull-off quartz 1um –to nN": "'–to' begins with a dash; options begin with hyphens: --to",
     "verify": "no such command 'verify'; jkroll guide paper has the audit of the paper",
     "plot quartz": f"no such command 'plot'; {HINTS['plot']}",
-    "--install-completion bash": "--install-completion stands alone: jkroll --install-completion",
+    "--install-completion bash": "--install-completion takes nothing else: jkroll --install-completion",
     "--version=x": "--version takes no value: leave '=x' out",
     "--": "no such command '--'; see jkroll --help, or write, for example, jkroll pull-off quartz 100nm",
     "-": "no such command '-'; see jkroll --help, or write, for example, jkroll pull-off quartz 100nm",

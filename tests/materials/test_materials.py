@@ -192,16 +192,14 @@ BROKEN = {
     "[materials.a]\naliases = 'x'": "a.aliases is not a list",
     '[materials."a\\u001b[31m"]': f"'a?[31m' cannot name a material; {RULE}",
     '[materials."a\\u202eb"]': f"'a?b' cannot name a material; {RULE}",
-    "[materials.a]\nreferences = ['x']": "'a' cites 'x', which [references] does not have",
+    "[materials.a]\nreferences = ['x']": "'a' cites 'x', which is not in [references]",
     "[materials.ice]\n[materials.Ice]": "'Ice' names both 'ice' and 'Ice'; case makes no difference",
     "[materials.'a ']": f"'a ' cannot name a material; {RULE}",
     "[materials.a]\ndensity = { value = '1 g/cm3', methd = 'x' }": (
         "'a.density.methd' is an unknown key; did you mean method?"
     ),
     "[materials.a]\ndensity = { method = 'x' }": "a.density has no value",
-    "[materials.a]\ndensity = { value = '1 g/cm3', reference = 'x' }": (
-        "'a' cites 'x', which [references] does not have"
-    ),
+    "[materials.a]\ndensity = { value = '1 g/cm3', reference = 'x' }": ("'a' cites 'x', which is not in [references]"),
     "[materials.a]\ndensity = '3.4(9) g/cm3'": (
         "a: density: '3.4(9) g/cm3' can be read as 3.4±0.9 or as 3.4e9; write the one that is meant"
     ),
@@ -212,7 +210,7 @@ BROKEN = {
     "[materials.a.notes]\ndensity = { radii = '1 to 2 um' }": "a.notes.density has no note",
     "[materials.a.notes]\ndensity = { note = 3 }": "a.notes.density is not a text in quotes",
     "[materials.a.notes]\ndensity = { note = 'y', radii = '1 um' }": (
-        "a.notes.density.radii is no range; write one such as '0.5 to 5 um'"
+        "a.notes.density.radii is not a range; write one such as '0.5 to 5 um'"
     ),
     "[materials.a.notes]\ndensity = { note = 'y', radii = '1 to 2 kg' }": (
         "a: radius: '1 to 2 kg' is a mass; expected a length such as 100nm"
@@ -504,7 +502,7 @@ def test_a_material_s_displacement_is_shown(run: Run, own: str) -> None:
     [
         ('"2 nm"', "own.yield_displacement has no radius"),
         ('{ value = "2 nm" }', "own.yield_displacement has no radius"),
-        ('{ value = "2 nm", radius = "1 to 2 um" }', "the radius of the spheres is a single one"),
+        ('{ value = "2 nm", radius = "1 to 2 um" }', "the radius of the spheres must be a single value"),
         ('{ value = "2 nm", radius = "-1 um" }', "must be positive"),
         ('{ radius = "1 um" }', "own.yield_displacement has no value"),
         ('{ value = "2 nm", radius = "1 um", size = "x" }', "yield_displacement.size' is an unknown key"),
@@ -588,7 +586,7 @@ def test_a_table_says_once_which_a_name_may_be(run: Run) -> None:
     assert len(early) == 2
     assert last.startswith(early[0])
     assert last.endswith("row 1, likewise 97 more")
-    assert ran.err.splitlines()[-1] == "jkroll: 98 of 147 rows failed; column status says why"
+    assert ran.err.splitlines()[-1] == "jkroll: 98 of 147 rows failed; column status has the reasons"
     assert Path("out.csv").read_text(encoding="utf-8").count("unclear material") == 98
     assert "one of several" not in run("batch grains.csv --quantities pull_off_force -o out.csv --quiet").err
 

@@ -316,9 +316,9 @@ def test_a_sticking_energy_that_the_spacing_decides_has_no_value_at_the_prompt_e
     found = Report(QUESTIONS["energies"], Frame({"radius": 1e-7}, quartz, model="maugis"))
     results = {result.name: result for result in found.results}
     for name in ("sticking_energy", "sticking_speed"):
-        assert (results[name].value, results[name].reason) == (None, "rests on z0; give --z0 4angstrom")
+        assert (results[name].value, results[name].reason) == (None, "depends on z0; give --z0 4angstrom")
     alone = Report(question_about("v_stick"), Frame({"radius": 1e-7}, quartz, model="maugis"))
-    assert str(alone.failure) == "sticking_speed: rests on z0; give --z0 4angstrom"
+    assert str(alone.failure) == "sticking_speed: depends on z0; give --z0 4angstrom"
     said = Report(QUESTIONS["contact"], Frame({"radius": 1e-7, "atomic_spacing": 4e-10}, quartz, model="maugis"))
     assert said.values["sticking_energy"] == solve("sticking_energy", model="maugis", **QUARTZ, atomic_spacing=4e-10)
 
@@ -339,7 +339,7 @@ def test_what_the_spacing_decides_is_judged_with_the_spacing_that_is_assumed(rad
 
 def test_a_quantity_that_the_spacing_decides_has_no_value_without_it() -> None:
     """From Python as at the prompt: an error for numbers, nan in arrays where the transition parameter is below 1."""
-    with pytest.raises(Failure, match="rests on z0; give --z0 4angstrom"):
+    with pytest.raises(Failure, match="depends on z0; give --z0 4angstrom"):
         solve("sticking_energy", model="maugis", **QUARTZ)
     radii = numpy.geomspace(1e-7, 1e-3, 30)
     found = solve(["sticking_energy", "transition_parameter"], model="maugis", **{**QUARTZ, "radius": radii})

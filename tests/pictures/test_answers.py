@@ -170,7 +170,7 @@ def test_axes_are_taken_and_returned() -> None:
 
 
 def test_what_cannot_be_drawn_says_why() -> None:
-    with pytest.raises(jkroll.JkrollError, match="no input to draw over: give several values"):
+    with pytest.raises(jkroll.JkrollError, match="no input has several values to draw over: give several values"):
         _ = jkroll.answer("pull-off", material=SOLIDS, radius="100 nm").drawn
     many = jkroll.answer("P_c", radius=numpy.geomspace(1e-8, 1e-6, 31), gamma=numpy.geomspace(0.01, 0.1, 30))
     with pytest.raises(jkroll.JkrollError, match="30 lines are more than the 24"):

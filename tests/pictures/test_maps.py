@@ -369,15 +369,15 @@ def test_a_material_that_is_left_out_is_named_in_the_caption(run: Run) -> None:
 def test_a_curve_without_values_is_not_drawn_and_gaps_have_their_reason(run: Run) -> None:
     """The atomic spacing decides whether small, hard spheres stick by Maugis' law."""
     curves = " ".join(run("map v_stick silica-dry --x radius=10nm:10um --model jkr,maugis").out.split())
-    assert "No value where it rests on z0; give --z0 4angstrom." in curves
+    assert "No value where it depends on z0; give --z0 4angstrom." in curves
     small = run("map v_stick quartz --x radius=1nm:2nm --model jkr,maugis").err
     nowhere = "sticking_speed: no value anywhere on these axes"
-    assert f"no curve: quartz, Maugis–Dugdale: {nowhere}: rests on z0; give --z0 4angstrom\n" in small
+    assert f"no curve: quartz, Maugis–Dugdale: {nowhere}: depends on z0; give --z0 4angstrom\n" in small
     drawn = (
         "map v_stick --x R1=10nm:10um --y gamma=1mJ/m2:1J/m2 --young 7GPa --poisson 0.25 --density 1g/cm3 --model "
         "maugis"
     )
-    assert "No value where it rests on z0" in run(drawn).out
+    assert "No value where it depends on z0" in run(drawn).out
     assert "No value" not in run(f"{drawn} --z0 4angstrom").out
 
 

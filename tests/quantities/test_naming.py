@@ -87,7 +87,7 @@ def test_search_shows_the_quantity_before_what_mentions_it(run: Run) -> None:
     assert run("quantities", "surface tension") == run("quantities surface tension")
     assert names("critical rolling displacement") == ["yield_displacement"]
     assert "variants      pull_off_force_maugis" in run("quantities P_c").out
-    assert "'++' has no word that could be sought" in run("quantities ++").err
+    assert "'++' has no word to search for" in run("quantities ++").err
 
 
 def test_an_input_by_the_word_of_an_option_is_what_the_option_gives() -> None:

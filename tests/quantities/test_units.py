@@ -97,12 +97,12 @@ REFUSED = {
     "5-6 nm": f"radius: '5-6 nm' {TWO_NUMBERS}",
     "5nm-6nm": f"radius: '5nm-6nm' {TWO_NUMBERS}",
     "5..6 nm": f"radius: '5..6 nm' {TWO_NUMBERS}",
-    "1.25d1": "radius: '1.25d1' has d1 directly behind the number; write e for a power of ten, as in 1.25e1",
-    "1.5D-07": "radius: '1.5D-07' has D-07 directly behind the number; write e for a power of ten, as in 1.5e-07",
-    "1.5D-07m": "radius: '1.5D-07m' has D-07 directly behind the number; write e for a power of ten, as in 1.5e-07",
-    "5m1": "radius: '5m1' has m1 directly behind the number; write e for a power of ten, or a space before a unit",
+    "1.25d1": "radius: '1.25d1' has d1 directly after the number; write e for a power of ten, as in 1.25e1",
+    "1.5D-07": "radius: '1.5D-07' has D-07 directly after the number; write e for a power of ten, as in 1.5e-07",
+    "1.5D-07m": "radius: '1.5D-07m' has D-07 directly after the number; write e for a power of ten, as in 1.5e-07",
+    "5m1": "radius: '5m1' has m1 directly after the number; write e for a power of ten, or a space before a unit",
     "1x10-7m": (
-        "radius: '1x10-7m' has x10 directly behind the number; write e for a power of ten, or a space before a unit"
+        "radius: '1x10-7m' has x10 directly after the number; write e for a power of ten, or a space before a unit"
     ),
     "5 nm!": "radius: '5 nm!' is not a number and a unit; expected a length such as 100nm",
     "$5 nm": "radius: '$5 nm' does not begin with a number; expected a length such as 100nm",

@@ -78,7 +78,7 @@ def test_doubts_have_a_column(run: Run, end: str) -> None:
             "formula), xi-over-contact 1 (ξ is larger than the contact) and 1 more"
         ),
         "note: doubts in 1 of 3 rows (column doubt): law-off-2x 1",
-        "jkroll: 1 of 3 rows failed; column status says why",
+        "jkroll: 1 of 3 rows failed; column status has the reasons",
     ]
     found = read_rows(f"out.{end}")
     assert [*found[0]][-3:] == ["yield_force [N]", "doubt", "status"]
@@ -154,7 +154,7 @@ STATUS = {
     ),
     "x,quartz,,0": ("needs radius", "contact_radius_at_load: needs radius of sphere 1; give a radius such as 100nm"),
     "x,quartz,0,0": ("bad radius", "radius: '0' must be positive; expected a length such as 100nm"),
-    "x,quartz,100,-": ("bad load", "load: '-' is no number; leave the cell empty if there is none"),
+    "x,quartz,100,-": ("bad load", "load: '-' is not a number; leave the cell empty if there is none"),
     "x,quartz,100,-20": (
         "beyond pull-off",
         "load: -20 nN breaks this contact: the hardest pull that it holds is -11.78 nN",
@@ -168,7 +168,7 @@ STATUS = {
         "'x,quartz,100,0,' has 5 cells, and the header 4: write text with a comma in quotes",
     ),
     'x,"quartz,100,0': ("a quote is not closed", "a quote is not closed"),
-    "x,quartz\ry,100,0": ("a carriage return stands outside quotes: lines end in line feeds",) * 2,
+    "x,quartz\ry,100,0": ("there is a carriage return outside quotes; lines end in line feeds",) * 2,
     "x,quartz,1e400,0": ("bad radius", "radius: '1e400' is too large for a double; expected a length such as 100nm"),
     "x,quartz,1\x1b[31m,0": (
         "bad radius",
@@ -191,7 +191,10 @@ def test_a_bad_row_says_why_and_spoils_no_other(run: Run, line: str) -> None:
     status, words = STATUS[line]
     ran = run("batch", name, "--quantities", "contact_radius_at_load", "-o", "out.csv", "--jobs", "1", "--no-doubt")
     assert ran.code == 1
-    assert ran.err.splitlines()[-2:] == [f"note: {words}: row 3", "jkroll: 1 of 4 rows failed; column status says why"]
+    assert ran.err.splitlines()[-2:] == [
+        f"note: {words}: row 3",
+        "jkroll: 1 of 4 rows failed; column status has the reasons",
+    ]
     good, _, bad, last = rows(Path("out.csv").read_text(encoding="utf-8"))
     assert bad["status"] == status
     assert bad["contact_radius_at_load [m]"] == ""
@@ -248,7 +251,7 @@ def test_a_line_end_of_two_carriage_returns_splits_no_row(run: Run) -> None:
 def test_other_separators_and_line_ends_are_named(run: Run) -> None:
     run("batch", table(GRAINS.replace("\n", "\r")), "-o", "out.csv")
     assert run("batch", table(GRAINS.replace("\n", "\r")), "-o", "out.csv").err == (
-        "jkroll: header: a carriage return stands outside quotes: lines end in line feeds\n"
+        "jkroll: header: there is a carriage return outside quotes; lines end in line feeds\n"
     )
     message = "has semicolons between its columns; write --delimiter semicolon"
     for header in ("material;radius [nm];a,b", '"material";"radius [nm]"'):
@@ -276,11 +279,11 @@ def test_a_row_with_other_cells_keeps_what_it_has(run: Run, cells: str, kept: st
 def mistaken(text: str, name: str, unit: str = " [UNIT]") -> str:
     columns = " or ".join(f"--column '{text}={name}{sphere}{unit}'" for sphere in ("", "2"))
     remedy = f"Write {columns}, or --column '{text}=' to pass it through"
-    return f"header: '{text}' (first cell '100'): what stands behind {name} is not its unit. {remedy}"
+    return f"header: '{text}' (first cell '100'): the text after {name} is not its unit. {remedy}"
 
 
 HEADERS = {
-    "radius [nm],radius [nm]": "header: of the columns 'radius [nm]' and 'radius [nm]' one must go: rename it",
+    "radius [nm],radius [nm]": "header: the columns 'radius [nm]' and 'radius [nm]' mean the same: rename one",
     "radius [kg]": mistaken("radius [kg]", "radius"),
     "young GP": mistaken("young GP", "youngs_modulus").replace(" or --column 'young GP=youngs_modulus2 [UNIT]'", ""),
     "material [m]": mistaken("material [m]", "material", unit=""),
@@ -349,7 +352,7 @@ def test_quantities_are_names_or_commands(run: Run) -> None:
         run("batch", table(GRAINS), "--quantities", "pulloff").err
         == "jkroll: 'pulloff' is not a quantity; did you mean pull_off_force? jkroll quantities lists them\n"
     )
-    said = "jkroll: --quantities: load is an input here; leave it out: results stand beside it\n"
+    said = "jkroll: --quantities: load is an input here; leave it out: results show their inputs\n"
     assert run("batch", table(GRAINS), "--quantities", "load", "--quiet").err == said
 
 
@@ -574,7 +577,7 @@ def test_a_table_without_a_radius_says_so(run: Run, tmp_path: Path) -> None:
     assert ran.err.splitlines() == [
         "read: yield_displacement [nm] from xi [nm]; passed through: height_um",
         "assumed: no load (--load)",
-        "note: no column and no option gives a radius; what needs one is left out",
+        "note: no column and no option gives a radius; quantities that need one are left out",
         "note: doubts in 1 of 1 rows (column doubt): unchecked 1 (a limit needs an input that is not given)",
     ]
     assert (tmp_path / "out.csv").read_text(encoding="utf-8").splitlines()[

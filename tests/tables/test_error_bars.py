@@ -16,7 +16,7 @@ CELLS = ["25±5", "25+-5", "25(5)", "25±20%", "25+/-5 mJ/m2", "0.025 J/m2 ± 5 
 SIDES = ["pull_off_force [N]", "pull_off_force_minus [N]", "pull_off_force_plus [N]"]
 FORCE = 3 * math.pi * 0.025 * 50e-9  # Eq (1) for two spheres of 100 nm and 25 mJ/m²
 close = partial(approx, rel=1e-12)
-LEFT_OUT = "surface_energy: error bars are left out, for which the table has no columns; --uncertainty adds them"
+LEFT_OUT = "surface_energy: the table has no columns for error bars, which are left out; --uncertainty adds them"
 
 
 def written(rows: list[dict[str, Any]], end: str = "csv") -> str:
@@ -40,7 +40,7 @@ def _read(cell: Any) -> Any:
 def test_error_bars_in_any_form_and_format(run: Run, end: str) -> None:
     rows = [{"radius [nm]": 100.0, "gamma [mJ/m2]": cell} for cell in [*CELLS, "25", "20 to 30", "25±20"]]
     ran = run(f"batch {written(rows, end)} -o out.{end} --quantities pull_off_force,r_min --quiet")
-    assert (ran.code, ran.err) == (1, "jkroll: 1 of 10 rows failed; column status says why\n")
+    assert (ran.code, ran.err) == (1, "jkroll: 1 of 10 rows failed; column status has the reasons\n")
     *standard, plain, of_range, refused = found(end)
     assert [*plain][2:7] == [*SIDES, "pull_off_force_low [N]", "pull_off_force_high [N]"]
     for row in standard:
@@ -153,7 +153,10 @@ def test_a_row_whose_error_bar_lacks_a_side_has_none(run: Run, others: dict[str,
         for minus, plus in bars
     ]
     ran = run(f"batch {written(rows, end)} -o out.{end} --quantities pull_off_force --no-doubt")
-    assert (ran.code, "its error bar lacks a side, and the row has none" in ran.err.replace("\n  ", " ")) == (0, True)
+    assert (ran.code, "one side of its error bar is missing, so the row has none" in ran.err.replace("\n  ", " ")) == (
+        0,
+        True,
+    )
     of_radius = FORCE / 10 if others else 0.0
     both, no_minus, no_plus, neither, zero = found(end)
     assert [row["pull_off_force [N]"] for row in found(end)] == close([FORCE] * 5)

@@ -85,7 +85,7 @@ def meanings(line: str) -> dict[str, tuple[str, float]]:
 READ = {text: meaning for line in _READ.strip().splitlines() for text, meaning in meanings(line).items()}
 READ |= dict.fromkeys((' "gamma [mJ/m2]"', "\u200fsurface energy [mJ∙m⁻²]\u200e"), ("surface_energy", 1e-3))
 _LACKING = "(first cell '100'): neither has a unit. Write --column"
-_FACTOR = "a sign or a factor stands beside the word or its unit"
+_FACTOR = "a sign or a factor is next to the word or its unit"
 # Programs that know no µ and no capitals have written m for µm, and m for M.
 LOSSY = ("radius__m_", "Load___N_", "hamakerZj", "load_MN", "speed__m_s_")
 REFUSED = {
@@ -106,14 +106,14 @@ REFUSED = {
         for text, unit in {"size": " [UNIT]", "particle size [um]": " [um]", "size2_um": "2 [um]"}.items()
     },
     "Diameter": f"Diameter' {_LACKING} 'Diameter=diameter [UNIT]', or --column 'Diameter=' to pass it through",
-    "equivalent diameter [um]": "Write a column diameter [UNIT] in place of 'equivalent diameter [um]', or",
+    "equivalent diameter [um]": "Write a column diameter [UNIT] instead of 'equivalent diameter [um]', or",
     "G_s [GPa]": "=shear_modulus [UNIT]' or --column 'G_s [GPa]=shear_modulus2 [UNIT]'",
     "r [nm]": "r may be a distance. Write --column 'r [nm]=radius [nm]'",
     **dict.fromkeys(("s [nm]", "S (nm)"), "s may be a distance. Write --column"),
     **dict.fromkeys(("indentation [nm]", "Overlap (nm)"), "it may be the approach. Write --column"),
     "R* [nm]": "'R* [nm]=reduced_radius [nm]'",
     "W_12 (mJ/m²)": "'W_12 (mJ/m²)=work_of_adhesion [mJ/m²]'",
-    "γ12 (mJ/m²)": "a column work_of_adhesion [UNIT] in place of",
+    "γ12 (mJ/m²)": "a column work_of_adhesion [UNIT] instead of",
     "adhesion [mJ/m2]": "it may be that of a pair",
     "R [nm]": "--column 'R [nm]=radius [nm]' or --column 'R [nm]=reduced_radius [nm]'",
     "R_um": "=reduced_radius [um]'",
@@ -122,49 +122,49 @@ REFUSED = {
         for word, name in {"radius": "radius", "density": "density", "Radius": "radius"}.items()
     },
     "radius ()": "neither has a unit",
-    "radius [kg]": "what stands behind radius is not its unit",
-    "Energy (old)": "what stands behind energy is not its unit",
+    "radius [kg]": "the text after radius is not its unit",
+    "Energy (old)": "the text after energy is not its unit",
     "radiuss [nm]": "=radius [nm]'",
     **dict.fromkeys(("radius [?m]", "LOAD [PN]", "Radius (Mm)", "load [-nN]", *LOSSY), "is not its unit. Write"),
-    "asperity tip radius [nm]": "Write a column asperity_radius [UNIT] in place of",
-    "rho_w [kg/m3]": "Write a column density [UNIT] or density2 [UNIT] in place of",
+    "asperity tip radius [nm]": "Write a column asperity_radius [UNIT] instead of",
+    "rho_w [kg/m3]": "Write a column density [UNIT] or density2 [UNIT] instead of",
     "loadpN": "'loadpN=load [UNIT]'",  # no N
     # maxLoad (µN) and load P (N) among them
     **dict.fromkeys(("load_p_n", "Load.P..N.", "load_micro_N"), "=load [UNIT]'"),
     # of another quantity, or of a spread
-    "maxLoad___N_": "Write a column load [UNIT] in place of 'maxLoad___N_', or",
-    "load_uncertanty [nN]": "Write a column load [UNIT] in place of 'load_uncertanty [nN]', or",
+    "maxLoad___N_": "Write a column load [UNIT] instead of 'maxLoad___N_', or",
+    "load_uncertanty [nN]": "Write a column load [UNIT] instead of 'load_uncertanty [nN]', or",
     **dict.fromkeys(("Hamaker.A.J.", "hamaker_a_j"), "=hamaker [UNIT]'"),
     "mean\u2009load\n[nN]": "'mean load [nN]=load [nN]'",
     "Young's E (mean $x$) [GPa]": '"Young\'s E (mean \\$x\\$) [GPa]="',
     "E (Young's modulus) [GPa]": "it may be youngs_modulus",
     "gamma' [mJ/m2]": "it may be surface_energy",
-    "surface energy (polar) [mJ/m2]": "a column surface_energy [UNIT] or surface_energy2 [UNIT] in place of",
+    "surface energy (polar) [mJ/m2]": "a column surface_energy [UNIT] or surface_energy2 [UNIT] instead of",
     "gama [mJ/m2]": "=surface_energy [mJ/m2]'",
     "gama": "=surface_energy [UNIT]'",
-    "surface_energy in GPa": "what stands behind surface_energy is not its unit",
-    "log radius [nm]": "Write a column radius [UNIT] in place of 'log radius [nm]', or --column",
-    "radius_cv [nm]": "Write a column radius [UNIT] or radius2 [UNIT] in place of 'radius_cv [nm]', or --column",
+    "surface_energy in GPa": "the text after surface_energy is not its unit",
+    "log radius [nm]": "Write a column radius [UNIT] instead of 'log radius [nm]', or --column",
+    "radius_cv [nm]": "Write a column radius [UNIT] or radius2 [UNIT] instead of 'radius_cv [nm]', or --column",
     **{
         f"{word} [nm]": f"'{word} [nm]=radius [nm]' or --column '{word} [nm]=reduced_radius [nm]', or"
         for word in ("Equivalent radius", "harmonic mean radius", "combined radius")
     },
     "Reduced Young Modulus": "'Reduced Young Modulus=contact_modulus [UNIT]', or",
-    "gravity (g)": "what stands behind gravity is not its unit",  # g may be its symbol
+    "gravity (g)": "the text after gravity is not its unit",  # g may be its symbol
     "DMT modulus (MPa)": "it may be Young's modulus, or E* of the contact",
     **dict.fromkeys(("radius*1e9", "radius (×10⁻⁶ m)", "E [1e9 Pa]", "A (10^-20 J)", "density¹ [kg/m³]"), _FACTOR),
-    "work_of_adhesion_mJ": "what stands behind work_of_adhesion is not its unit",
+    "work_of_adhesion_mJ": "the text after work_of_adhesion is not its unit",
     **dict.fromkeys(("modulus (GPa)", "modulus1 [GPa]"), "it may be Young's modulus"),
     "normal force [nN]": "it may be a load, or a force that was measured",
     "F_n [nN]": "--column 'F_n [nN]=load [nN]'",
     "hysteresis (mJ/m2)": "it may be another hysteresis",
-    "gamma [nm]": "what stands behind surface_energy is not its unit",  # no N/m
+    "gamma [nm]": "the text after surface_energy is not its unit",  # no N/m
     "R_p [nm]": "--column 'R_p [nm]=radius [nm]'",
     "E_avg (GPa)": "=youngs_modulus [UNIT]' or --column 'E_avg (GPa)=youngs_modulus2 [UNIT]'",
     **dict.fromkeys(("rho_p [kg/m3]", "ρs (g/cm³)"), "it may be density"),
     "second radius (nm)": "Write --column 'second radius (nm)=radius2 [nm]', or",
     **dict.fromkeys(("applied tip load [nN]", "laod [nN]", "Indentation load (nN)"), "=load [nN]'"),
-    "radius_max [nm]": "alone is no uncertainty of radius",
+    "radius_max [nm]": "alone is not an uncertainty of radius",
     **dict.fromkeys(
         ("-load [nN]", "2gamma [mJ/m2]", "radius/2 [nm]", "w=2γ [mJ/m2]", "2γ", "radius (nm) x 10"), _FACTOR
     ),
@@ -248,7 +248,7 @@ def test_what_may_be_of_sphere_2_or_of_the_pair_is_refused_beside_what_is_of_sph
 
 @pytest.mark.parametrize("other", ["G12 [GPa]", "nu12", "ν_xy", "E3 [GPa]", "E_3_GPa"])
 def test_moduli_along_directions_are_not_those_of_two_spheres(other: str) -> None:
-    with pytest.raises(BadTable, match="says that it is along a direction"):
+    with pytest.raises(BadTable, match="may be a modulus along one direction"):
         understood(["E1 [GPa]", "E2 [GPa]", other])
     stated = stated_meanings(["E1 [GPa]=youngs_modulus", "E2 [GPa]="])
     assert understood(["E1 [GPa]", "E2 [GPa]", other], [], stated).names == {"youngs_modulus"}
@@ -279,7 +279,7 @@ UNITS_TO_WRITE = "--column 'Radius=radius [nm]' --column 'Surface energy=surface
     [
         # as a spreadsheet writes it
         ("sep=;\nradius [nm];load [nN]\n100;1\n", "x.csv", "write --delimiter semicolon"),
-        ("PK", "x.xlsx", "'x.xlsx': its name says no format that is read; save it as CSV"),
+        ("PK", "x.xlsx", "'x.xlsx': its name has no known extension; save it as CSV"),
         ('name radius_nm\n"a b 1\n', "x.txt --delimiter blank", """line 2: a quote is not closed in '"a b 1'"""),
         # all mistakes together
         (MISTAKEN, "x.csv", "--column 'Surface energy mJ=surface_energy [UNIT]'"),
@@ -299,7 +299,7 @@ def test_a_table_is_refused_with_what_to_write(run: Run, text: str, words: str, 
 def test_a_line_that_tells_a_spreadsheet_the_separator_is_passed_over(run: Run, name: str, mark: str) -> None:
     Path("x.csv").write_text("sep=;\nradius [nm];load [nN]\n100;1\n".replace(";", mark), encoding="utf-8")
     ran = run(f"batch x.csv --delimiter {name} --material quartz --quantities pull_off_force --no-doubt -o out.csv")
-    assert (ran.code, "lines passed over before the header: 1" in ran.err) == (0, True)
+    assert (ran.code, "lines skipped before the header: 1" in ran.err) == (0, True)
     header, row = Path("out.csv").read_text(encoding="utf-8").splitlines()
     assert (header.split(mark)[:2], row.split(mark)[:2]) == (["radius [nm]", "load [nN]"], ["100", "1"])
 
@@ -574,10 +574,10 @@ def test_per_cent_is_no_unit_of_a_length() -> None:
 def test_two_columns_of_one_name_pass_and_two_of_one_input_do_not() -> None:
     assert understood(["a", "radius [nm]", "a"]).reading() == "read: radius [nm]; passed through: a"
     with pytest.raises(
-        BadTable, match=re.escape("one must go. Write --column 'R1 (um)=' or --column 'radius [nm]=' to")
+        BadTable, match=re.escape("mean the same. Write --column 'R1 (um)=' or --column 'radius [nm]=' to")
     ):
         understood(["radius [nm]", "R1 (um)"])
-    with pytest.raises(BadTable, match="one must go: rename it"):
+    with pytest.raises(BadTable, match="mean the same: rename one"):
         understood(["radius [nm]", "radius [nm]"])
 
 
@@ -586,7 +586,7 @@ def test_an_uncertainty_in_another_unit_or_of_nothing_is_refused() -> None:
         understood(["P [nN]", "P_plus [nN]", "P_minus [uN]"])
     with pytest.raises(BadRequest, match="is not its unit"):
         understood(["P [nN]", "P_err [nm]"], stated=stated_meanings(["P_err [nm]=load_err [nm]"]))
-    with pytest.raises(BadTable, match="is no uncertainty of surface_energy"):
+    with pytest.raises(BadTable, match="is not an uncertainty of surface_energy"):
         understood(["dG", "R1 (nm)"], stated=stated_meanings(["dG=surface_energy_err [mJ/m2]"]))
     header = understood(["gamma [mJ/m2]", "dG"], stated=stated_meanings(["dG=surface_energy_err [mJ/m2]"]))
     assert header.inputs[0].joined("25", "5") == "(25±5)"

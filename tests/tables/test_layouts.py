@@ -55,7 +55,7 @@ ATOMS = (
     "2 1 1 0.0002 0.0002 3e-05 0 0 0 5e-08 1.5 0\x20\n"
     "3 2 2 0.0004 0.0002 3e-05 0 0 0 1e-07 1.5 0\x20\n"
 )
-READ = "read: radius [m]; lines passed over before the header: 8; passed through:"
+READ = "read: radius [m]; lines skipped before the header: 8; passed through:"
 DUMP = ITEMS.format(0) + ATOMS
 ASKED = "--gamma 25mJ/m2"
 IN_M = f"{ASKED} --column 'radius=radius [m]'"
@@ -107,7 +107,7 @@ def test_a_dump_between_commas_says_what_divides_its_columns(run: Run, name: str
         # A variable time step, and the units of the simulation.
         (
             f"ITEM: UNITS\nsi\nITEM: TIME\n0.5\n{DUMP}",
-            "read: radius [m]; lines passed over before the header: 12; passed through: id,",
+            "read: radius [m]; lines skipped before the header: 12; passed through: id,",
         ),
         ("ITEM: ATOMS id radius\n1 1e-7\n", "read: radius [m]; passed through: id\n"),
         (DUMP.replace("\n", "\r\n"), f"{READ} id,"),
@@ -120,7 +120,7 @@ def test_a_dump_between_commas_says_what_divides_its_columns(run: Run, name: str
         ),
         (
             DUMP + "4 2 2 0 0 0 0 0 0 1e-7 0 0\n",
-            "line 4 says 3 rows, and there are 4: a dump has no others. Write 4 there",
+            "line 4 says 3 rows, and there are 4: there are extra lines. Write 4 there",
         ),
         (ITEMS.format(0), "line 4 says 3 rows, and there are 0"),
         # As versions of 2008 write it.
@@ -150,7 +150,7 @@ def test_a_row_of_a_dump_that_is_cut_off_fails(run: Run) -> None:
         1,
         [
             "note: '3 2 2 0.0004' has 4 cells, and the header 12: write \"\" for an empty cell: row 3",
-            "jkroll: 1 of 3 rows failed; column status says why",
+            "jkroll: 1 of 3 rows failed; column status has the reasons",
         ],
     )
     ran = batch(run, DUMP.replace("5e-08", "x"), f"{IN_M} --strict", "dump0.liggghts")
@@ -207,7 +207,7 @@ def test_averages_of_a_simulation_have_their_header_in_a_comment(run: Run) -> No
     ran = batch(run, AVERAGES, f"{words} --column 'v_f=load [nN]'", "ave.txt")
     assert (ran.code, ran.err.splitlines()[0]) == (
         0,
-        "read: load [nN] from v_f; lines passed over before the header: 1; passed through: TimeStep, c_1[3]",
+        "read: load [nN] from v_f; lines skipped before the header: 1; passed through: TimeStep, c_1[3]",
     )
     assert [line.split("\t")[:3] for line in written("out.tsv")[1:]] == [["100", "1.0", "2.0"], ["200", "1.5", "2.0"]]
     # As `fix print` writes it, without a title of its own and with one.
@@ -225,7 +225,7 @@ def test_rows_between_rows_are_said_to_have_other_cells(run: Run) -> None:
     ran = batch(run, text, f"--delimiter blank {ASKED} --column 'v_r=radius [m]'", "chunks.txt")
     assert ran.err.splitlines()[1:] == [
         "note: '200.0 2 400' has 3 cells, and the header 4: write \"\" for an empty cell: row 1, likewise 1 more",
-        "jkroll: 2 of 6 rows failed; column status says why",
+        "jkroll: 2 of 6 rows failed; column status has the reasons",
     ]
 
 
@@ -261,7 +261,7 @@ def test_rows_of_row_names_keep_their_numbers(run: Run) -> None:
     ran = batch(run, text.removesuffix('"3" 100\n'), words, "r.txt")
     assert ran.err.splitlines()[1:] == [
         "note: radius: 'x' does not begin with a number; expected a length such as 100nm: row 2",
-        "jkroll: 1 of 2 rows failed; column status says why",
+        "jkroll: 1 of 2 rows failed; column status has the reasons",
     ]
     assert "line 3: radius: 'x'" in batch(run, text.removesuffix('"3" 100\n'), f"{words} --strict", "r.txt").err
     # One row has as many cells as the header: nothing is missing there.
@@ -284,7 +284,7 @@ def test_rows_of_row_names_keep_their_numbers(run: Run) -> None:
         (
             "My data\nradius_nm,gamma_mJ_m2\n100,25\n",
             "",
-            "'My data' is no header, and line 2 may be one: write # before",
+            "'My data' is not a header, but line 2 may be: write # before",
         ),
     ],
 )
@@ -414,10 +414,10 @@ def test_a_row_of_units_stands_in_any_table(run: Run, text: str, words: str) -> 
         # The header has other units.
         (
             "radius [nm],gamma\num,mJ/m2\n100,25\n",
-            "'radius [nm]' stands above 'um' in the row of units, line 2: make the two agree, or delete the row",
+            "'radius [nm]' is above 'um' in the row of units, line 2: make the two agree, or delete the row",
         ),
-        ("# a\nradius,gamma_J_m2\nnm,mJ/m2\n100,25\n", "'gamma_J_m2' stands above 'mJ/m2' in the row of units, line 3"),
-        ("radius,gamma,nu [-]\nnm,mJ/m2,%\n100,25,20\n", "header: 'nu [-]' stands above '%'"),
+        ("# a\nradius,gamma_J_m2\nnm,mJ/m2\n100,25\n", "'gamma_J_m2' is above 'mJ/m2' in the row of units, line 3"),
+        ("radius,gamma,nu [-]\nnm,mJ/m2,%\n100,25,20\n", "header: 'nu [-]' is above '%'"),
         # A unit leaves open what it would in the header.
         ("r,gamma\nnm,mJ/m2\n100,25\n", "'r [nm]' (first cell '100'): r may be a distance. Write --column 'r [nm]="),
         ("radius,gamma,gamma_var\nnm,mJ/m2,mJ/m2\n100,25,2\n", "'gamma_var [mJ/m2]' (first cell '2'): it may be"),
@@ -454,7 +454,7 @@ def test_a_row_of_units_is_no_contact(run: Run) -> None:
     ran = batch(run, text, "--material quartz")
     assert ran.err.splitlines()[-2:] == [
         "note: radius: 'x' does not begin with a number; expected a length such as 100nm: row 2",
-        "jkroll: 1 of 2 rows failed; column status says why",
+        "jkroll: 1 of 2 rows failed; column status has the reasons",
     ]
     assert "; units: line 3" in ran.err
     assert batch(run, text, "--strict").err.splitlines()[-1].startswith("jkroll: line 5: radius: 'x'")
@@ -524,7 +524,7 @@ def test_rows_of_origin_above_the_numbers(run: Run, rows: list[str]) -> None:
 def test_a_row_of_comments_without_a_label_is_a_row(run: Run) -> None:
     ran = batch(run, "Radius\tSurface energy\nnm\tmJ/m2\nFig. 1\tby AFM\n100\t25\n", "", "x.tsv")
     assert (ran.code, "radius: 'Fig. 1' does not begin with a number" in ran.err) == (1, True)
-    assert ran.err.endswith("1 of 2 rows failed; column status says why\n")
+    assert ran.err.endswith("1 of 2 rows failed; column status has the reasons\n")
 
 
 def test_a_table_in_json_has_no_row_of_units(run: Run) -> None:

@@ -84,7 +84,7 @@ def test_a_table_that_fails_is_named_and_resumed(run: Run, grains: list[str]) ->
     assert warning.startswith("warning: numbers have no meaning in ")
     assert doubtful.startswith("note: doubts in 87 of 87 rows (column doubt): law-off-2x 34, ")
     assert len(gaps) == 5
-    assert failed == "jkroll: 18 of 87 rows failed; column status says why"
+    assert failed == "jkroll: 18 of 87 rows failed; column status has the reasons"
     before = times("forces")
     assert sorted(before) == [f"part-{place}.csv" for place in (0, 1, 2, 4)]
     Path(grains[3]).rmdir()
@@ -215,7 +215,7 @@ def test_two_dask_workers_write_what_one_process_writes(
                 assert batch.poll() is None
             os.kill(workers[0].pid, signal.SIGKILL)
         _, message = batch.communicate()
-        assert re.search(r"^jkroll: \d+ of 20000 rows failed; column status says why\n", message, re.MULTILINE)
+        assert re.search(r"^jkroll: \d+ of 20000 rows failed; column status has the reasons\n", message, re.MULTILINE)
     finally:
         for process in workers:
             process.kill()

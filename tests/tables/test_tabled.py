@@ -182,7 +182,7 @@ def test_a_table_without_rows_gets_columns_without_rows() -> None:
 
 def test_a_series_is_no_table() -> None:
     pandas = pytest.importorskip("pandas")
-    with pytest.raises(jkroll.JkrollError, match="Series is no table; give a DataFrame"):
+    with pytest.raises(jkroll.JkrollError, match="Series is not a table; give a DataFrame"):
         jkroll.table(pandas.Series([1.0], name="radius [nm]"), "P_c", material="quartz")
 
 
@@ -245,8 +245,8 @@ def test_says_how_the_table_is_read() -> None:
         ({"radius [nm]": [1.0], "model": ["dmt"]}, {"material": "quartz"}, "the law is an option: model dmt"),
         ({"radius [nm]": [1.0]}, {"gamma": 0.025, "load": [0.0]}, "load: 'an array' is not one value for all rows"),
         ({"radius [nm]": [1.0], "pull_off_force [N]": [1.0]}, {"material": "quartz"}, "already has a column"),
-        (3, {}, "int is no table"),
-        ([1, 2], {}, "list is no table"),
+        (3, {}, "int is not a table"),
+        ([1, 2], {}, "list is not a table"),
     ],
 )
 def test_what_is_no_table_of_contacts_is_refused(data: Any, arguments: Any, words: str) -> None:

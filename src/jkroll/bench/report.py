@@ -1,8 +1,8 @@
-"""`jkroll bench`: cost against error of every way to six quantities, measured, as one table or one page of a plot.
+"""`jkroll bench`: the cost and error of every way to compute six quantities, as one table or one page of a plot.
 
-The ways are the package's, the paper's equations, inversions by other codes and a table. The equations stand in their
-plainest form, for doubles and for decimals of 60 digits, which give exact values. The state is that of a load and a
-pull-off force, or of an approach in units of the unloaded one.
+The ways are the package's, the paper's equations, inversions by other codes and a table. The equations are written in
+their plainest form, for doubles and for decimals of 60 digits, which give the exact values. The inputs include a load
+and a pull-off force, or an approach in units of the unloaded one.
 """
 
 # ruff: noqa: D102, N803, N806  (names of quantities and the paper's symbols)
@@ -37,10 +37,10 @@ SYMBOLS = {
     "delta": "approach_at_load", "delta0": "approach", "z0": "atomic_spacing",
 }  # fmt: skip
 DIGITS = 60
-_STEP = Decimal("1e-20")  # of an input, relative, for a slope: its square is beyond the digits that are compared
+_STEP = Decimal("1e-20")  # relative step of an input for a slope; its square is below the digits that are compared
 
 Way = Callable[..., Any]  # a function whose parameters are the paper's symbols
-Errors = tuple[float, float]  # of a way at the points of a region: their median and the largest, in ulp/(1 + κ)
+Errors = tuple[float, float]  # median and largest error of a way in a region, in ulp/(1 + κ)
 
 
 def inputs_taken(way: Way) -> tuple[str, ...]:
@@ -50,9 +50,9 @@ def inputs_taken(way: Way) -> tuple[str, ...]:
 
 
 class Equations:
-    """The equations, for numbers with these roots and this π.
+    """The paper's equations, for numbers with the given roots and π.
 
-    `tolerance`: of the last step but one of an iteration, which squares it.
+    `tolerance`: of an iteration's last step but one, which the last step squares.
     """
 
     def __init__(self, sqrt: Way, cbrt: Way, pi: Any, tolerance: Any) -> None:
@@ -81,13 +81,13 @@ class Equations:
         return self.radius(R1, R2, w, E) * self.stretch(P, P_c)
 
     def stiffness(self, R1: Any, R2: Any, w: Any, E: Any, P: Any, P_c: Any) -> Any:
-        """Return the slope of P(δ) through those of P(â), Eq 5, and of δ(â), Eq 6."""
+        """Return the slope of P(δ), the ratio of those of P(â), Eq 5, and δ(â), Eq 6."""
         a_ = self.stretch(P, P_c)
         slope = (12 * a_**2 - 6 * self.sqrt(a_)) / (6 * a_ - 1 / self.sqrt(a_))
         return self.pull_off_force(R1, R2, w) / self.approach(R1, R2, w, E) * slope
 
     def load_factor_at_approach(self, delta: Any, delta0: Any) -> Any:
-        """Solve Eq 6, 3y⁴ − 2y = δ/δ0, by Newton's method, which is monotone from above the root."""
+        """Solve Eq 6, 3y⁴ − 2y = δ/δ0, by Newton's method, which is monotonic from above the root."""
         ratio = delta / delta0
         y = 1 + self.sqrt(self.sqrt(abs(ratio)))
         for _ in range(200):
@@ -101,9 +101,9 @@ class Equations:
         return 4 * self.pull_off_force(R1, R2, w) * self.factor(P, P_c) * xi
 
     def contact_radius_maugis(self, R1: Any, R2: Any, w: Any, E: Any, z0: Any, P: Any) -> Any:
-        """Return a by Maugis' two equations for a and m = c/a at a load, solved in v = 1/√(m² − 1).
+        """Return a from Maugis' two equations for a and m = c/a at a load, solved for v = 1/√(m² − 1).
 
-        Takes decimals alone.
+        The arguments must be decimals.
         """
         R, K = self.reduced(R1, R2), 4 * E / 3
         unit_force = self.pi * w * R
@@ -125,7 +125,7 @@ class Equations:
 
 
 def _arc_tangent(value: Decimal) -> Decimal:
-    """Return the arc tangent by its series, after eight halvings of the angle."""
+    """Return the arc tangent from its series, after halving the angle eight times."""
     for _ in range(8):
         value = value / (1 + (1 + value * value).sqrt())
     total, power, number = value, value, 1
@@ -136,10 +136,10 @@ def _arc_tangent(value: Decimal) -> Decimal:
 
 
 def _root(function: Callable[[Decimal], Decimal], near: Decimal) -> Decimal:
-    """Return the root of a function near a value, by the secant method."""
+    """Return the root of a function near a value, found by the secant method."""
     last, root = near, near * (1 + Decimal("1e-9"))
     value_at_last = function(last)
-    while abs(root - last) > abs(root).scaleb(-25):  # the last step leaves far less
+    while abs(root - last) > abs(root).scaleb(-25):  # the error after the last step is far smaller
         value = function(root)
         last, root, value_at_last = root, root - value * (root - last) / (value - value_at_last), value
     return root
@@ -151,9 +151,9 @@ DOUBLES = Equations(numpy.sqrt, numpy.cbrt, numpy.pi, 1e-15)
 
 
 def exact(quantity: str, point: Mapping[str, float]) -> tuple[Decimal, float]:
-    """Return a quantity at a point of doubles in 60 digits, and its condition κ.
+    """Return a quantity at a point of doubles, to 60 digits, and its condition κ.
 
-    κ says how many times a relative error of the state and, by Maugis, of λ appears in the value.
+    κ is the ratio of the value's relative error to that of the state and, for Maugis, of λ.
     """
     equation = getattr(DECIMALS, quantity)
     names = inputs_taken(equation)
@@ -173,9 +173,10 @@ def exact(quantity: str, point: Mapping[str, float]) -> tuple[Decimal, float]:
 
 
 def _by_quartic(delta: Any, delta0: Any) -> Any:
-    """Solve the quartic of the contact radius as codes of many particles do (Parteli et al., Sci. Rep. 4, 6227, 2014).
+    """Solve the quartic of the contact radius like codes for many particles (Parteli et al., Sci. Rep. 4, 6227, 2014).
 
-    Their a⁴ − 2Rδa² − 4πw(1−ν²)R²/E a + R²δ² = 0, here with a in units of a0: a0² = 3Rδ0 and 2πwR²/E* = 4a0³/9.
+    Their equation is a⁴ − 2Rδa² − 4πw(1−ν²)R²/E a + R²δ² = 0, here with a in units of a0: a0² = 3Rδ0 and
+    2πwR²/E* = 4a0³/9.
     """
     ratio = delta / delta0
     c0, c1, c2 = ratio**2 / 9, -4 / 9, -2 * ratio / 3
@@ -197,10 +198,10 @@ def _table() -> tuple[Any, Any]:
 
 
 def _radius_by_cos(R1: Any, R2: Any, w: Any, E: Any, z0: Any, P: Any) -> Any:
-    """Return the fit of Carpick, Ogletree & Salmeron (J. Colloid Interface Sci. 211, 395, 1999).
+    """Return the contact radius by the fit of Carpick, Ogletree & Salmeron (J. Colloid Interface Sci. 211, 395, 1999).
 
-    The coefficients are those of the code woodem/woo, pkg/dem/Hertz.cpp, which cites Eqs (7), (10), (12a) and (12b) of
-    the article.
+    The coefficients are from the code woodem/woo, pkg/dem/Hertz.cpp, which cites Eqs (7), (10), (12a) and (12b) of the
+    article.
     """
     R = DOUBLES.reduced(R1, R2)
     transition = TRANSITION_OVER_TABOR * cbrt(R * (w / E) ** 2) / z0
@@ -231,14 +232,14 @@ QUANTITIES = tuple(OTHER_WAYS)
 # --- The measurement --------------------------------------------------------------------------------------------------
 
 DEFAULT, FLOATS = "jkroll, arrays", "jkroll, floats"
-PROMISE, PROMISE_OF_MAUGIS = 15, 40  # ulp/(1 + κ), of the guide
+PROMISE, PROMISE_OF_MAUGIS = 15, 40  # ulp/(1 + κ), as the guide promises
 
 
 class Size(NamedTuple):
-    """The extent of a measurement."""
+    """The size of a measurement."""
 
-    points: int  # of each region, whose errors are measured, and of the ordinary one, whose single numbers are timed
-    elements: int  # of the arrays that are timed
+    points: int  # in each region, for errors, and in the ordinary one, to time single numbers
+    elements: int  # in the arrays that are timed
     repeats: int
 
 
@@ -247,17 +248,17 @@ QUICK = Size(points=50, elements=20_000, repeats=2)
 
 
 class Row(NamedTuple):
-    """One way to one quantity."""
+    """The cost and the errors of one way to compute one quantity."""
 
     quantity: str
     way: str
-    cost: float  # ns a point
-    cube_roots: float  # the same in cube roots of an array by numpy
-    errors: Mapping[str, Errors]  # by region; none where the quantity has no points
+    cost: float  # in ns per point
+    cube_roots: float  # the cost in cube roots of an array by numpy
+    errors: Mapping[str, Errors]  # by region; a region without points of the quantity is missing
 
     @property
     def worst(self) -> float:
-        """The largest error anywhere."""
+        """The largest error in all regions."""
         return max(worst for _, worst in self.errors.values())
 
 
@@ -266,7 +267,7 @@ class Row(NamedTuple):
 Arrays = Mapping[str, Any]
 REGIONS = ("ordinary", "pull-off", "fold", "δ = 0", "extreme")
 _PULL_OFF_APPROACH = -(2 ** (-4 / 3))  # δ/δ0 at the pull-off force
-# Decades of ordinary inputs, and of any.
+# Powers of ten between which ordinary inputs lie, and inputs of any size.
 _ORDINARY = {
     "radius": (-8, -4), "radius2": (-8, -4), "work_of_adhesion": (-2, 0.3), "contact_modulus": (9, 11.5),
     "yield_displacement": (-10, -9.3), "atomic_spacing": (-10, -9),
@@ -278,10 +279,10 @@ _ANY = {
 
 
 def regions(count: int) -> Mapping[str, Arrays]:
-    """Return points of each region: ordinary ones, those near pull-off, the fold and δ = 0, and tiny and huge states.
+    """Return points in each region: ordinary, near pull-off, near the fold, near δ = 0, and of extreme states.
 
-    Ordinary ones are grains of 10 nm to 100 µm under loads from −0.8 to 2 P_c, or at approaches from −0.8 to 3 δ0. The
-    others have sizes and properties of any magnitude. A load reaches no fold.
+    Ordinary points are grains of 10 nm to 100 µm under loads of −0.8 to 2 P_c, or at approaches of −0.8 to 3 δ0. The
+    others have sizes and properties of any magnitude. At the fold there are approaches only.
     """
     random = numpy.random.default_rng(1997)
 
@@ -311,7 +312,7 @@ def _reduced(sizes: Arrays) -> Any:
 
 
 def _at(sizes: Arrays, approach_ratio: Any, load_ratio: Any = None) -> Arrays:
-    """Return points at approaches and, if there are any, at loads that are multiples of the rounded pull-off force."""
+    """Return points at approaches and, if given, at loads in multiples of the rounded pull-off force."""
     points = {**sizes, "approach_at_load": approach_ratio, "approach": numpy.ones_like(approach_ratio)}
     if load_ratio is None:
         return points
@@ -329,7 +330,7 @@ def as_rows(points: Arrays) -> list[dict[str, float]]:
 
 
 def measure(size: Size, quantities: Sequence[str] = QUANTITIES) -> Iterator[Row]:
-    """Measure every way to the quantities; iterate over the rows."""
+    """Measure every way to compute the quantities; iterate over the rows."""
     points = regions(size.points)
     elements = numpy.linspace(1, 2, size.elements)
     root = _best({"cbrt": lambda: numpy.cbrt(elements)}, size.repeats)["cbrt"] / size.elements
@@ -339,19 +340,22 @@ def measure(size: Size, quantities: Sequence[str] = QUANTITIES) -> Iterator[Row]
 
 
 def _measure_quantity(quantity: str, points: Mapping[str, Arrays], size: Size, root: float) -> Iterator[Row]:
-    """Measure every way to a quantity by arrays, and the package's by floats, too; `root`: ns of a cube root.
+    """Measure every way to compute a quantity from arrays, and the package's also from floats.
 
-    The package's is what `jkroll.solve` does.
+    The package's way is that of `jkroll.solve`. `root`: the time of a cube root in ns.
     """
     others = OTHER_WAYS[quantity]
 
     def ours(given: Arrays) -> Any:
         return Frame(given)[quantity]
 
-    names = {name for way in (getattr(DECIMALS, quantity), *others.values()) for name in inputs_taken(way)}
-    given = {
-        region: {name: arrays[name] for name in names} for region, arrays in points.items() if names <= arrays.keys()
-    }
+    names = set(inputs_taken(getattr(DECIMALS, quantity)))
+    for way in others.values():
+        names.update(inputs_taken(way))
+    given = {}
+    for region, arrays in points.items():
+        if names <= arrays.keys():
+            given[region] = {name: arrays[name] for name in names}
     exacts = {region: [exact(quantity, point) for point in as_rows(arrays)] for region, arrays in given.items()}
     ways: dict[str, Way] = {DEFAULT: ours, **{name: partial(_by_symbols, way) for name, way in others.items()}}
     many = {name: numpy.resize(values, size.elements) for name, values in given["ordinary"].items()}
@@ -369,20 +373,20 @@ def _by_symbols(way: Way, arrays: Arrays) -> Any:
 
 
 def _error(values: Any, exacts: Sequence[tuple[Decimal, float]]) -> Errors:
-    """Return the errors of values, in units of the last place of the exact ones over 1 + κ; inf for no number."""
-    ulps = [
-        float(abs(Decimal(value) - exactly) / Decimal(math.ulp(exactly))) / (1 + condition)
-        if math.isfinite(value)
-        else math.inf
-        for value, (exactly, condition) in zip(numpy.asarray(values).tolist(), exacts, strict=True)
-    ]
+    """Return the median and largest error of values, in units of the exact ones' last place over 1 + κ; inf for nan."""
+    ulps = []
+    for value, (exactly, condition) in zip(numpy.asarray(values).tolist(), exacts, strict=True):
+        if math.isfinite(value):
+            ulps.append(float(abs(Decimal(value) - exactly) / Decimal(math.ulp(exactly))) / (1 + condition))
+        else:
+            ulps.append(math.inf)
     return median(ulps), max(ulps)
 
 
 def _best(runs: Mapping[str, Callable[[], Any]], repeats: int) -> dict[str, float]:
-    """Return the shortest time of each, in ns; they take turns, so that a busy machine slows all of them."""
+    """Return the shortest time of each run, in ns; they take turns, so that a busy machine slows all of them."""
     best = dict.fromkeys(runs, math.inf)
-    for _ in range(2 * repeats):  # the first of all warms up
+    for _ in range(2 * repeats):  # the first round warms up
         for name, run in runs.items():
             start = perf_counter_ns()
             run()
@@ -405,47 +409,52 @@ others  median and largest error in ulp/(1 + κ) in a region of points, κ the c
 
 
 def write_bench(out: TextIO, output: str, size: Size) -> list[Row]:
-    """Measure everything, write it in a format, and return it. A table for readers has a part for each quantity."""
+    """Measure everything, write it in a format, and return the rows. `table` has a part for each quantity."""
     if output != "table":
         rows = [*measure(size)]
         write_records(HEADS, map(_in_full, rows), output, out)
         return rows
     say(f"{machine()}\n{LEGEND}", out)
     rows = []
-    for quantity, ways in groupby(measure(size), lambda row: row.quantity):
-        rows += (of_quantity := [*ways])
+    for quantity, group in groupby(measure(size), lambda row: row.quantity):
+        of_quantity = [*group]
+        rows += of_quantity
         write_records((quantity, "ns", "× cbrt", *REGIONS), map(_in_short, of_quantity), output, out)
         say("", out)
     return rows
 
 
 def machine() -> str:
-    """Return what the times depend on: processor and versions."""
+    """Return the processor and the versions on which the times depend."""
     versions = f"Python {platform.python_version()}, numpy {numpy.__version__}, jkroll {__version__}"
     return f"{platform.processor() or platform.machine()}, {versions}"
 
 
 def _in_full(row: Row) -> list[Cell]:
     """Return the cells of a row with all digits; a cell without a number is None."""
-    errors = [number for region in REGIONS for number in row.errors.get(region, (math.nan, math.nan))]
-    cells = [error if math.isfinite(error) else None for error in errors]
+    cells: list[Cell] = []
+    for region in REGIONS:
+        for error in row.errors.get(region, (math.nan, math.nan)):
+            cells.append(error if math.isfinite(error) else None)
     return [row.quantity, row.way, row.cost, row.cube_roots, *cells]
 
 
 def _in_short(row: Row) -> list[Cell]:
-    """Return the cells of a row with two digits: for errors and times, more say nothing."""
-    pairs = [row.errors.get(region) for region in REGIONS]
-    errors = [pair and " ".join(significant(number, 2) for number in pair) for pair in pairs]
+    """Return the cells of a row with two digits; more would mean nothing for errors and times."""
+    errors: list[Cell] = []
+    for region in REGIONS:
+        pair = row.errors.get(region)
+        errors.append(pair and " ".join(significant(number, 2) for number in pair))
     return [row.way, significant(row.cost, 2), significant(row.cube_roots, 2), *errors]
 
 
 # --- The page ---------------------------------------------------------------------------------------------------------
 
-_NEAREST, _ALL_DIGITS = 0.1, 2.0**53  # ulp: least error that is drawn, and an error as large as the value
+_NEAREST, _ALL_DIGITS = 0.1, 2.0**53  # in ulp: the smallest error that is drawn, and an error as large as the value
 
 
 def picture_of_bench(rows: Sequence[Row]) -> Picture:
-    """Return error against cost, a panel for each quantity."""
+    """Return the picture of error against cost, with a panel for each quantity."""
     panels = tuple(_panel(name, [*ways]) for name, ways in groupby(rows, lambda row: row.quantity))
     caption = (
         "Each point is a way, with its largest error in all regions, in ulp/(1 + κ).",

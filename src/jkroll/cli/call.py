@@ -1,4 +1,4 @@
-"""A call of a command: its words and options, read as far as they are needed, as frames and as a format of results."""
+"""A call of a command: its words and options, read on demand, as frames and as a format of results."""
 
 import os
 import shlex
@@ -29,19 +29,19 @@ if TYPE_CHECKING:
 
 
 class Output(NamedTuple):
-    """A form in which results are written."""
+    """A form of output."""
 
     name: str
-    has_rows: bool = False  # of columns
-    has_answers: bool = False  # each by itself, with its notes
-    keeps_all: bool = False  # numbers without a meaning, too: it has no place for a reason
-    for_readers: bool = False  # inputs as they were typed, and lines around the table of an answer
+    has_rows: bool = False  # writes columns
+    has_answers: bool = False  # writes single answers with their notes
+    keeps_all: bool = False  # keeps numbers without a meaning: it cannot show a reason
+    for_readers: bool = False  # shows inputs as typed, and lines around a table
 
 
 TABLE = Output("table", has_rows=True, has_answers=True, for_readers=True)
 PLAIN = Output("plain", has_rows=True, has_answers=True, keeps_all=True)
 FILE = Output("file", has_rows=True)
-CHOSEN = (  # by options of these names
+CHOSEN = (  # by options with these names
     BARE := Output("bare", has_rows=True, keeps_all=True),
     JSON := Output("json", has_answers=True),
     CSV := Output("csv", has_rows=True),
@@ -55,10 +55,10 @@ class Call(Options):
     """One call of a command."""
 
     def __init__(self, command: "Command", words: Sequence[str] = (), options: Mapping[str, Any] | None = None) -> None:
-        """`options`: values by the names of options, which for inputs are those of the nomenclature."""
+        """`options`: values by the names of options; options of inputs have the names of the nomenclature."""
         self.command = command.name
         first = 1 if command.has_subject else 0
-        self.subject = "".join(words[:first])  # the program, input, quantity, table or figure; empty without one
+        self.subject = "".join(words[:first])  # the program, input, quantity, table or figure; may be empty
         self.words = tuple(words[first:])
         given = options or {}
         self.inputs: dict[str, str] = {name: value for name, value in given.items() if name in NOMENCLATURE}
@@ -66,7 +66,7 @@ class Call(Options):
 
     @property
     def line(self) -> str:
-        """The command line, without the names of files to write, by which a picture says what drew it."""
+        """The command line as written on pictures, without the names of output files."""
         from .commands import COMMANDS
 
         flags = {option.name: flag for flag, option in COMMANDS[self.command].flags().items()}
@@ -80,7 +80,7 @@ class Call(Options):
 
     @cached_property
     def materials(self) -> Materials:
-        """The known materials; on stderr, which names those of the user's files take from others."""
+        """The known materials; stderr reports those that a user's file replaces."""
         known = materials_of_user(self.file)
         for text in known.overrides:
             say_wrapped(f"note: {text}", sys.stderr)
@@ -88,7 +88,7 @@ class Call(Options):
 
     @cached_property
     def models(self) -> Sequence[str | None]:
-        """The names of laws; None where none was given."""
+        """The names of laws; None if none was given."""
         text, profile = self.inputs.get("model"), self.inputs.get("profile")
         if text is None:
             return [law_given(None, profile)]
@@ -99,12 +99,13 @@ class Call(Options):
 
     @cached_property
     def values(self) -> dict[str, str]:
-        """The texts of inputs that are numbers, by name; the radii among the words are one of them."""
+        """The texts of numeric inputs by name, including the radii among the words."""
         texts = {name: text for name, text in self.inputs.items() if name not in ("material2", "model", "profile")}
-        if radii := [word for word in self.words if not _is_material(word)]:
-            for word in radii:
-                if not word[:1].isdigit():
-                    self._refuse_file(word)
+        radii = [word for word in self.words if not _is_material(word)]
+        for word in radii:
+            if not word[:1].isdigit():
+                self._refuse_file(word)
+        if radii:
             texts["radius"] = ",".join(radii)
         check_exclusive(texts, lambda name: NOMENCLATURE[name].option or "a radius")
         return texts
@@ -113,7 +114,7 @@ class Call(Options):
     def spreads(self) -> dict[str, list[Spread]]:
         """The values of each input, in the order of the nomenclature, without the loads of a force curve.
 
-        Raises QuantityError for a value that the input cannot have.
+        Raises QuantityError for a value outside the range of the input.
         """
         texts = {name: text for name, text in self.values.items() if not (self.curve and name == "load")}
         every = {name: spreads_of(text, name) for name, text in texts.items()}
@@ -125,18 +126,18 @@ class Call(Options):
 
     @property
     def typed(self) -> dict[str, str]:
-        """The inputs and measured quantities that were given, as they were typed.
+        """The given inputs and measured quantities, as typed.
 
-        The text is empty for several values, and for an input that was typed in place of another one.
+        The text is empty for several values, and for an input that was converted from another one.
         """
         measured = (text.partition("=") for text in self.measured)
         texts = self.values | {quantity_named(word): value for word, _, value in measured}
         typed = {name: "" if "," in text or ":" in text else as_typed(text) for name, text in texts.items()}
-        return typed | {CONVERTED[name]: "" for name in self.values.keys() & CONVERTED.keys()}
+        return typed | dict.fromkeys((CONVERTED[name] for name in self.values.keys() & CONVERTED.keys()), "")
 
     @cached_property
     def loads(self) -> "Loads | None":
-        """The loads between which a force curve is wanted, if they are given."""
+        """The ends of the loads of a force curve, if they are given."""
         from ..report.curve import loads_of
 
         if "approach_at_load" in self.values:
@@ -151,13 +152,14 @@ class Call(Options):
 
     @cached_property
     def pairs(self) -> list[Pair]:
-        """The materials of the two spheres, in all combinations. A file of materials is checked, needed or not."""
+        """The materials of the two spheres, in all combinations. A given file of materials is always checked."""
         if self.file is not None:
             _ = self.materials
         named = [word for word in self.words if _is_material(word)]
         for word in map(str.casefold, (*self.words, self.inputs.get("material2", ""))):
-            if option := {"plane": "--radius2", "rigid": "--young2"}.get(word):
-                raise BadRequest(f"{word} is said of sphere 2: write {option} {word}")
+            option = {"plane": "--radius2", "rigid": "--young2"}.get(word)
+            if option:
+                raise BadRequest(f"{word} is for sphere 2: write {option} {word}")
         if len(named) > 1:
             both = f"two materials, {quoted(named[0])} and {quoted(named[1])}"
             raise BadRequest(f"{both}; for a list write quartz,iron; for sphere 2, --material2 iron")
@@ -169,7 +171,7 @@ class Call(Options):
         return Sweep(self.pairs, self.spreads, self.models)
 
     def _named(self, text: str | None) -> list[Material | None]:
-        """Return the materials of a list; None where none was given. Of all, those with a mistake are left out."""
+        """Return the materials in a list, or None if none was given; "all" leaves out those with a mistake."""
         if text is None:
             return [None]
         if text.casefold() == "all":
@@ -179,7 +181,7 @@ class Call(Options):
         return [*map(self._material, text.split(","))]
 
     def _material(self, word: str) -> Material:
-        """Return the material of a name. One that is unknown may be the name of a table."""
+        """Return a material by name. An unknown name may be the name of a table."""
         try:
             return self.materials[word]
         except UnknownMaterial:
@@ -187,7 +189,7 @@ class Call(Options):
             raise
 
     def _refuse_file(self, word: str) -> None:
-        """Raise BadRequest for the name of a file, which `batch` reads."""
+        """Raise BadRequest if a word is the name of a file, with the command that reads it."""
         if os.path.isfile(word):
             asked = " --infer INPUT --measured QUANTITY" if self.command == "infer" else ""
             raise BadRequest(f"{quoted(word)} is a file; jkroll batch {shown(word)}{asked} reads tables")
@@ -196,7 +198,7 @@ class Call(Options):
 
     @cached_property
     def output(self) -> Output:
-        """The form that was chosen, or that the name of the output file has; else a table, or in a pipe plain lines."""
+        """The chosen form, or that of the output file; else a table on a terminal, and unformatted lines in a pipe."""
         chosen = next((output for output in CHOSEN if output.name in self.given), None)
         if self.target is None:
             return chosen or (TABLE if sys.stdout.isatty() else PLAIN)
@@ -208,13 +210,13 @@ class Call(Options):
 
     @property
     def names_picture(self) -> bool:
-        """True if the name of the output file is that of a picture."""
+        """True if the output file has the name of a picture."""
         return self.target is not None and ending(self.target) in PICTURES
 
     def form(self, quantities: Sequence[str]) -> Format:
         """Return the format of results; each unit of `--to` applies to the quantities of its dimension.
 
-        A table for readers has inputs as they were typed.
+        Tables for readers show inputs as typed.
         """
         units: dict[str, tuple[str, Unit]] = {}
         of_results = {name: NOMENCLATURE[name].unit for name in quantities}
@@ -240,7 +242,7 @@ PICTURES = ("svg", "pdf", "png")
 
 
 def message_of(error: JkrollError, command: str, options: Collection[str]) -> str:
-    """Return the message of an error in the words typed: the command that lacks an input, the option of a bad one."""
+    """Return the message of an error in the user's terms: the command that lacks an input, the option of a bad one."""
     if type(error) is MissingInput and command in QUESTIONS:
         return f"{command} {error.explanation()}"
     name, _, problem = str(error).partition(": ")

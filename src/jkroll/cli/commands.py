@@ -1,4 +1,4 @@
-"""The commands: their words and options, as they are typed, the function that runs each, and the help on a screen."""
+"""The commands: their words and options, the function that runs each, and the help on a terminal."""
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -58,7 +58,7 @@ TABLE = (
     Options.columns,
     Options.infer,
     Options.pass_rest,
-    Options.measured.but(help="The quantity whose measured values a column has", metavar="QUANTITY"),
+    Options.measured.but(help="The quantity with measured values in a column", metavar="QUANTITY"),
     Options.strict,
     Options.resume,
     Options.no_doubt,
@@ -95,10 +95,10 @@ FIT = (
 BENCH = (Options.quick, Options.plot, Options.width, Options.style, Options.uncaptioned, *_LISTED)
 
 _OF_SPHERE_2 = ("surface_energy2", "youngs_modulus2", "shear_modulus2", "poisson_ratio2", "density2")
-# Inputs that every question takes, as it takes materials.
+# Inputs that every question accepts, like materials.
 _ALWAYS = ("radius2", "diameter", "diameter2", "material2", "surface_energy", "work_of_adhesion", "youngs_modulus",
     "shear_modulus", "poisson_ratio", "density", *_OF_SPHERE_2, "atomic_spacing")  # fmt: skip
-# Inputs that stand among the further options of the help, even where they are used.
+# Inputs listed among the further options of the help, even where they are used.
 _FURTHER = ("diameter2", "shear_modulus", *_OF_SPHERE_2, "atomic_spacing", *OF_THE_PAIR, "energy_ratio",
     "adhesion_hysteresis", "hysteresis_fraction", "hamaker", "hamaker2", "cutoff", "viscous_time",
     "asperity_radius", "profile", "yield_strength", "contact_angle", "roughness_gap")  # fmt: skip
@@ -106,10 +106,10 @@ _FURTHER = ("diameter2", "shear_modulus", *_OF_SPHERE_2, "atomic_spacing", *OF_T
 
 @cache
 def input_options(quantities: tuple[str, ...] = ()) -> tuple[Option[Any], ...]:
-    """Return the options for the inputs that quantities depend on, or for all inputs where any may be asked for.
+    """Return the options for the inputs that quantities depend on; without quantities, for all inputs.
 
-    The properties of a material are taken by every command, but shown only where they are used. Of all inputs, those of
-    the report are shown.
+    Every command accepts the properties of materials, but shows them only where they matter. Without quantities, the
+    inputs of the report are shown.
     """
     from ..model.plan import depends_on
     from ..quantities.laws import LAWS, has_profile, varies_by_law
@@ -120,28 +120,33 @@ def input_options(quantities: tuple[str, ...] = ()) -> tuple[Option[Any], ...]:
         depends |= {"model"}
     if has_profile(of_results[0]):  # the question is about the contact itself
         depends |= {"profile"}
-    names = dict.fromkeys((*_ALWAYS, *(name for name in NOMENCLATURE if not quantities or name in depends)))
-    shown = {*depends, "material2", "radius2"}.difference(_FURTHER)
-    shown = shown | {"diameter"} if quantities else shown - {"diameter", "density"}  # no lines in a longer help
-    return tuple(
-        Option(None, quantity.option, metavar=quantity.example, name=name, hidden=name not in shown)
-        for name, quantity in ((name, NOMENCLATURE[name]) for name in names)
-        if quantity.option
-    )
+    if quantities:
+        names = dict.fromkeys((*_ALWAYS, *(name for name in NOMENCLATURE if name in depends)))
+        shown = {*depends, "material2", "radius2"}.difference(_FURTHER) | {"diameter"}
+    else:
+        names = dict.fromkeys((*_ALWAYS, *NOMENCLATURE))
+        shown = {*depends, "material2", "radius2"}.difference(_FURTHER) - {"diameter", "density"}
+    return tuple(_input(name, hidden=name not in shown) for name in names if NOMENCLATURE[name].option)
+
+
+def _input(name: str, *, hidden: bool = False) -> Option[Any]:
+    """Return the option of an input; the radius, usually a word, has one where words are something else."""
+    quantity = NOMENCLATURE[name]
+    return Option(None, quantity.option or "--radius", metavar=quantity.example, name=name, hidden=hidden)
 
 
 # --- Commands ---------------------------------------------------------------------------------------------------------
 
-Action = Callable[[], int]  # what a command line asks for; it returns the exit code
+Action = Callable[[], int]  # runs a command line and returns the exit code
 
 JOBS = CONTACT, ROLLING, DUST, DEM, ALL, OTHERS = "Contact", "Rolling", "Dust", "DEM", "All", "Look up"
 
 
 class Command:
-    """A command, with the `words` that it takes besides its options, as the help shows them.
+    """A command; `words` are the arguments that it takes besides options, as shown in the help.
 
-    Its runner, `module:function`, answers a call and returns the exit code. The module is imported when the command is
-    called, so that each call pays for its own command only.
+    Its runner, `module:function`, answers a call and returns the exit code. The module is imported with the first call,
+    so a command loads only what it uses.
     """
 
     def __init__(
@@ -153,11 +158,19 @@ class Command:
         self.placeholders = tuple(word.strip("[].") for word in words.split())  # MATERIAL, RADIUS and so on
         can_vary = "[" in words or "..." in words
         self.most_words = INFINITY if can_vary else len(self.placeholders)
-        self.has_subject = words != "" and not words.startswith("[")  # the first word says what the command is about
+        self.has_subject = words != "" and not words.startswith("[")  # the first word is the subject of the command
 
     def flags(self) -> dict[str, Option[Any]]:
         """Return the options by their spellings."""
-        return {flag: option for option in (*self.options(), HELP) for flag in option.flags}
+        return _by_flag((*self.options(), HELP))
+
+
+def _by_flag(options: Iterable[Option[Any]]) -> dict[str, Option[Any]]:
+    """Return options by their spellings."""
+    flags: dict[str, Option[Any]] = {}
+    for option in options:
+        flags |= dict.fromkeys(option.flags, option)
+    return flags
 
 
 def _options_of_export() -> tuple[Option[Any], ...]:
@@ -169,20 +182,12 @@ def _options_of_export() -> tuple[Option[Any], ...]:
 
 
 def _options_of_table() -> tuple[Option[Any], ...]:
-    inputs = (
-        Option(None, quantity.option or "--radius", metavar=quantity.example, name=name, hidden=True)
-        for name, quantity in NOMENCLATURE.items()
-        if quantity.example
-    )
+    inputs = (_input(name, hidden=True) for name, quantity in NOMENCLATURE.items() if quantity.example)
     return (*TABLE, *inputs, Options.file, Options.quiet)
 
 
 def _options_of_fit() -> tuple[Option[Any], ...]:
-    inputs = (
-        Option(None, NOMENCLATURE[name].option or "--radius", metavar=NOMENCLATURE[name].example, name=name)
-        for name in _OF_CURVES
-    )
-    return (*inputs, *FIT)
+    return (*map(_input, _OF_CURVES), *FIT)
 
 
 _SCENE = "[MATERIAL] [RADIUS]..."
@@ -191,7 +196,7 @@ _SCENE = "[MATERIAL] [RADIUS]..."
 def _question(
     name: str, job: str, sentence: str, example: str, *others: Option[Any], runner: str = "runners:run_question"
 ) -> Command:
-    """Return the command of a question: it takes inputs, options of its own, and those of the output."""
+    """Return the command of a question: its inputs, its own options, and those of the output."""
     quantities = () if name == "report" else QUESTIONS[name].quantities
     return Command(name, sentence, _SCENE, lambda: (*input_options(quantities), *others, *OUTPUT), runner, example, job)
 
@@ -242,16 +247,16 @@ COMMANDS: Mapping[str, Command] = {command.name: command for command in _COMMAND
 
 
 def takers(name: str) -> list[str]:
-    """Return the commands that take an input."""
+    """Return the names of the commands that take an input."""
     return [command.name for command in _COMMANDS if any(option.name == name for option in command.options())]
 
 
 def flags_of(name: str | None) -> dict[str, Option[Any]]:
-    """Return the options of a command, or of the program before any command, by their spellings."""
-    return COMMANDS[name].flags() if name else {flag: option for option in PROGRAM for flag in option.flags}
+    """Return the options of a command by their spellings; without a command, those of the program."""
+    return COMMANDS[name].flags() if name else _by_flag(PROGRAM)
 
 
-# --- The help: of the program by what is to be done, of a command in groups of options --------------------------------
+# --- The help: of the program by task, of a command by groups of options ----------------------------------------------
 
 TITLE = "Two elastic spheres touch and stick: forces, rolling, vibrations, doubts."
 EXAMPLES = (
@@ -264,14 +269,14 @@ LISTS = "Lists 1nm,1um and ranges 1nm:1um:50 (with :lin equal steps) give a row 
 MAX_WIDTH = 98
 MIN_WIDTH = 48
 MIN_TEXT = 20
-GUTTER = 10  # of the names of groups
+GUTTER = 10  # width of the names of groups
 
 _WITH_THE_PAIR = (
     "material material2 work_of_adhesion monomers contacts filling_factor asperity_radius yield_strength humidity "
     "contact_angle roughness_gap"
 )
 
-Row = tuple[str, str]  # what is typed, and its meaning
+Row = tuple[str, str]  # what to type, and its meaning
 
 
 def help_of(name: str | None) -> str:
@@ -281,7 +286,7 @@ def help_of(name: str | None) -> str:
 
 
 def _of_program(width: int) -> list[str]:
-    """Return the lines of the help of the program: examples, and the commands by what is to be done."""
+    """Return the help of the program as lines: examples, then the commands by task."""
     lines = [
         *wrapped("Usage: jkroll COMMAND [MATERIAL] [RADIUS]... [OPTIONS]", width),
         *_indented(TITLE, width, 2),
@@ -295,7 +300,7 @@ def _of_program(width: int) -> list[str]:
 
 
 def _of_command(name: str, width: int) -> list[str]:
-    """Return the lines of the help of a command: usage, meaning, groups of options, an example."""
+    """Return the help of a command as lines: usage, meaning, groups of options, an example."""
     command = COMMANDS[name]
     options = (*command.options(), HELP)
     lines = [*wrapped(f"Usage: jkroll {name} {command.words} [OPTIONS]".replace("  ", " "), width)]
@@ -309,7 +314,7 @@ def _of_command(name: str, width: int) -> list[str]:
 
 
 def _group(option: Option[Any]) -> str:
-    """Return the group in which an option stands."""
+    """Return the group of an option."""
     quantity = NOMENCLATURE.get(option.name)
     if quantity is None:
         return option.group
@@ -317,24 +322,29 @@ def _group(option: Option[Any]) -> str:
 
 
 def _rows(options: Iterable[Option[Any]]) -> list[Row]:
-    """Return options as they are typed, those with one text together, and the text; last hidden ones, without a text.
+    """Return rows of options and their meaning: options with one text share a row, hidden ones come last without text.
 
-    An option that the text of another one names has no row.
+    An option that the text of another one mentions has no row.
     """
     rows: dict[str, list[str]] = {}
     for option in options:
         if not option.hidden:
             typed = f"{', '.join(reversed(option.flags))} {option.metavar}".rstrip()
             rows.setdefault(option.sentence(), []).append(typed)
-    named = {*re.findall(r"--?[a-z][a-z0-9-]*", " ".join(rows))}
-    unnamed = {text: [flag for flag in flags if flag.split()[0] not in named] for text, flags in rows.items()}
-    shown = [(", ".join(flags), text) for text, flags in unnamed.items() if flags]
-    further = [option.flag for option in options if option.hidden and option.flag not in named]
-    return [*shown, *([(", ".join(further), "")] if further else [])]
+    mentioned = {*re.findall(r"--?[a-z][a-z0-9-]*", " ".join(rows))}
+    shown = []
+    for text, flags in rows.items():
+        unmentioned = [flag for flag in flags if flag.split()[0] not in mentioned]
+        if unmentioned:
+            shown.append((", ".join(unmentioned), text))
+    further = [option.flag for option in options if option.hidden and option.flag not in mentioned]
+    if further:
+        shown.append((", ".join(further), ""))
+    return shown
 
 
 def _listed(title: str, rows: Sequence[Row], width: int) -> list[str]:
-    """Return rows in two columns behind a title; a row without a meaning goes over both."""
+    """Return rows as two columns after a title; a row without a meaning spans both."""
     left = GUTTER + max((len(typed) for typed, meaning in rows if meaning), default=0) + 2
     lines = []
     for typed, meaning in rows:
@@ -347,5 +357,5 @@ def _listed(title: str, rows: Sequence[Row], width: int) -> list[str]:
 
 
 def _indented(text: str, width: int, indent: int) -> list[str]:
-    """Return the lines of a text, each behind an indent."""
+    """Return the lines of a text, each with an indent."""
     return [" " * indent + line for line in wrapped(text, width - indent)]

@@ -1,7 +1,7 @@
-"""Completion on TAB: what may stand in place of a begun word, written as the shell reads it.
+"""Completion with TAB: candidates for a partial word, written in the form that each shell reads.
 
-The scripts are typer's, which `--install-completion` installs. They pass what was typed in variables of the environment
-and stay where they are when typer changes. A key is answered without typer, whose import takes longer than an answer.
+The scripts are those that typer's `--install-completion` installs. They pass the typed words in environment variables.
+We answer without typer, because its import takes longer than an answer.
 """
 
 import os
@@ -21,11 +21,11 @@ from .process import finished, flag_and_value
 
 SHELLS = ("bash", "zsh", "fish", "powershell", "pwsh")
 
-Candidate = tuple[str, str]  # a word, and what it means where a shell shows that
+Candidate = tuple[str, str]  # a word, and its meaning for shells that show it
 
 
 def is_asked_by(instruction: str) -> bool:
-    """Return whether a script asks for candidates, as in complete_bash, and not for a script."""
+    """Return whether a script asks for candidates, as in complete_bash, rather than for a script."""
     action, _, shell = instruction.partition("_")
     return action == "complete" and shell in SHELLS
 
@@ -39,16 +39,16 @@ def _write() -> int:
     shell = os.environ["_JKROLL_COMPLETE"].partition("_")[2]
     found = list(candidates(*_typed(shell)))
     if shell == "fish" and os.environ.get("_TYPER_COMPLETE_FISH_ACTION") == "is-args":
-        return 0 if found else FAILED  # fish offers files then
+        return 0 if found else FAILED  # fish then offers files
     say(_written(shell, found), sys.stdout)
     return 0
 
 
-# --- What was typed, and what a shell reads ---------------------------------------------------------------------------
+# --- Input from a shell, and output to it -----------------------------------------------------------------------------
 
 
 def _typed(shell: str) -> tuple[list[str], str]:
-    """Return the words behind the name of the program, and the one that is begun, which may be empty."""
+    """Return the words after the name of the program, and the partial word, which may be empty."""
     if shell == "bash":
         words, position = _divided(os.environ.get("COMP_WORDS", "")), int(os.environ.get("COMP_CWORD", "0"))
         return words[1:position], (words[position:] or [""])[0]
@@ -61,7 +61,7 @@ def _typed(shell: str) -> tuple[list[str], str]:
 
 
 def _divided(line: str) -> list[str]:
-    """Return the words of a line, of which the last may have begun with a quote."""
+    """Return the words of a line; the last one may have an open quote."""
     reader = shlex.shlex(line, posix=True)
     reader.whitespace_split, reader.commenters = True, ""
     words: list[str] = []
@@ -73,7 +73,7 @@ def _divided(line: str) -> list[str]:
 
 
 def _written(shell: str, found: Sequence[Candidate]) -> str:
-    """Return candidates as a shell reads them."""
+    """Return candidates in the form that a shell reads."""
     if shell == "bash":
         return "\n".join(word for word, _ in found)
     if shell == "fish":
@@ -95,9 +95,9 @@ def _for_zsh(text: str) -> str:
 
 
 def candidates(words: Sequence[str], begun: str) -> Iterator[Candidate]:
-    """Iterate over what may stand in place of the begun word, behind other words.
+    """Iterate over the candidates for a partial word after other words.
 
-    Nothing is offered that a shell could run.
+    Candidates contain no characters that a shell could interpret.
     """
     for word, meaning in _fitting(words, begun):
         if word.startswith(begun.rpartition("=")[2]) and all(char.isalnum() or char in "_-−.+,@=:/" for char in word):
@@ -105,8 +105,9 @@ def candidates(words: Sequence[str], begun: str) -> Iterator[Candidate]:
 
 
 def _fitting(words: Sequence[str], begun: str) -> Iterable[Candidate]:
-    """Return what fits behind some words: commands, options, or words and values of these."""
-    command = next((COMMANDS[word] for word in words if word in COMMANDS), None)
+    """Return the candidates after some words: commands, options, arguments or values of options."""
+    commands = [COMMANDS[word] for word in words if word in COMMANDS]
+    command = commands[0] if commands else None
     flags = flags_of(command.name if command else None)
     if begun.startswith("-") and "=" not in begun and "--" not in words:
         return _options({flag_and_value(word, flags)[0] for word in words}, flags.values())
@@ -115,16 +116,18 @@ def _fitting(words: Sequence[str], begun: str) -> Iterable[Candidate]:
     flag, value, is_joined = _flag_and_begun(words, begun)
     option = flags.get(flag if flag.startswith("-") or not is_joined else f"--{flag}")  # gamma=25mJ/m2
     if option is not None and option.metavar:
-        places: Sequence[str] = [option.name]
-    else:
-        places = [] if is_joined else _placeholders(command, words, value)
-    return [(word, "") for place in places for word in _values(place, value)]
+        return _values(option.name, value)
+    found: list[Candidate] = []
+    if not is_joined:
+        for placeholder in _placeholders(command, words, value):
+            found += _values(placeholder, value)
+    return found
 
 
 def _flag_and_begun(words: Sequence[str], begun: str) -> tuple[str, str, bool]:
-    """Return the word whose value may have begun, that value, and whether a "=" joins the two.
+    """Return the word whose value may be partial, that value, and whether "=" joins the two.
 
-    bash divides `--to=nN` into three words.
+    bash splits `--to=nN` into three words.
     """
     if begun == "=":
         return words[-1], "", True
@@ -135,7 +138,7 @@ def _flag_and_begun(words: Sequence[str], begun: str) -> tuple[str, str, bool]:
 
 
 def _options(given: Set[str], options: Iterable[Option[Any]]) -> Iterator[Candidate]:
-    """Iterate over the options that are shown, but for those that were given and do not repeat."""
+    """Iterate over the visible options, except those given that do not repeat."""
     for option in dict.fromkeys(options):
         if not option.hidden and (option.repeats or given.isdisjoint(option.flags)):
             for flag in option.flags:
@@ -143,46 +146,46 @@ def _options(given: Set[str], options: Iterable[Option[Any]]) -> Iterator[Candid
 
 
 def _placeholders(command: Command, words: Sequence[str], begun: str) -> Sequence[str]:
-    """Return the placeholders that a word may stand for: the first whose names it begins, if no word has that place.
+    """Return the placeholders that a partial word may fill: the first with a matching name that no other word fills.
 
-    Without a begun word it is the first of the command; where none fits, all of them.
+    For an empty word it is the first placeholder of the command; if none matches, all of them.
     """
     if not begun:
         return command.placeholders[:1]
-    for place in command.placeholders:
-        names = {*_NAMES[place]("")} if place in _NAMES else set()
+    for placeholder in command.placeholders:
+        names = {*_NAMES[placeholder]("")} if placeholder in _NAMES else set()
         if names.isdisjoint(words) and any(name.startswith(begun) for name in names):
-            return [place]
+            return [placeholder]
     return command.placeholders
 
 
-def _values(place: str, begun: str) -> Iterable[str]:
-    """Return words for a placeholder or values of an option: names, which may form a list, or numbers with units."""
+def _values(placeholder: str, begun: str) -> list[Candidate]:
+    """Return values for a placeholder or an option: names, also within a list, or numbers with units."""
     head, comma, word = begun.rpartition(",")
-    if place in _NAMES:
-        return [head + comma + name for name in _NAMES[place](word)]
-    name = "radius" if place == "RADIUS" else place
+    if placeholder in _NAMES:
+        return [(head + comma + name, "") for name in _NAMES[placeholder](word)]
+    name = "radius" if placeholder == "RADIUS" else placeholder
     if name not in NOMENCLATURE:
         return []
     if not begun:
-        return [] if place == "RADIUS" else [NOMENCLATURE[name].example]
+        return [] if placeholder == "RADIUS" else [(NOMENCLATURE[name].example, "")]
     number = begun[: len(begun) - len(begun.lstrip("0123456789.-+−"))]
-    return [number + unit for unit in _units(NOMENCLATURE[name].unit) if number]
+    return [(number + unit, "") for unit in _units(NOMENCLATURE[name].unit)] if number else []
 
 
 def _units(unit: str) -> Iterable[str]:
-    """Return the units of the examples of inputs of a dimension, in order."""
+    """Return the units in the examples of inputs of a dimension, in order."""
     alike = (quantity for quantity in NOMENCLATURE.values() if quantity.example and quantity.unit == unit)
     return dict.fromkeys(quantity.example.lstrip("0123456789.e-") for quantity in alike if not quantity.is_word)
 
 
 def _materials(begun: str) -> list[str]:
-    """Return materials, and aliases where no name fits; only the shipped ones while a user's file is broken."""
+    """Return matching materials, or else aliases; only shipped ones while a user's file has errors."""
     from ..materials.library import known_materials, materials_of_user
 
     try:
         materials = materials_of_user(None)
-    except JkrollError:  # which the call itself will report
+    except JkrollError:  # the call itself will report it
         materials = known_materials()
     names = [name for name in (*materials.materials, "all") if name.startswith(begun)]
     return names or [name for name in materials.aliases if name.startswith(begun)]
@@ -202,12 +205,12 @@ def _programs(_: str) -> Iterable[str]:
     return PROGRAMS
 
 
-_RESULTS = [  # the quantities that a formula gives, without variants and without what is only an input
+_RESULTS = [  # quantities with a formula, without variants
     name
     for name, quantity in NOMENCLATURE.items()
     if not (quantity.is_word or quantity.variant_of) and (quantity.equation or quantity.range is ANY)
 ]
-# The names that a begun word may become, by its placeholder, or by the name of the option whose value it is.
+# The names that a partial word may become, by placeholder or by the name of its option.
 _NAMES: Mapping[str, Callable[[str], Iterable[str]]] = {
     **dict.fromkeys(("MATERIAL", "material", "material2", "mark"), _materials),
     **dict.fromkeys(("QUANTITY", "NAME", "quantities"), lambda _: _RESULTS),

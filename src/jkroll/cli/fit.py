@@ -1,4 +1,4 @@
-"""Runner of `fit`: from files of curves and options to answers, rows or a picture."""
+"""The runner of `fit`: from files of curves and options to an answer, rows or a picture."""
 
 import glob
 import os
@@ -35,7 +35,7 @@ _RADII = ("radius", "diameter", "reduced_radius")
 
 
 class FileFit(NamedTuple):
-    """The fit of a file and how it was read, or the error about it."""
+    """The fit of a file and a sentence on how it was read, or an error."""
 
     fitted: Fit | None
     reading: str
@@ -43,7 +43,7 @@ class FileFit(NamedTuple):
 
 
 class FileFitter(NamedTuple):
-    """Fits a file, in this process or in another."""
+    """A function that fits a file; it can be sent to another process."""
 
     known: Known
     materials: Materials
@@ -52,7 +52,7 @@ class FileFitter(NamedTuple):
     mark: str
 
     def fitted(self, path: str) -> FileFit:
-        """Return the outcome of a file."""
+        """Return the fit of a file, or its error."""
         try:
             fitted, reading = fit_of_file(path, self.known, self.materials, self.columns, self.form, self.mark)
         except JkrollError as error:
@@ -81,12 +81,12 @@ def run_fit(call: Call) -> int:
     if call.curve:
         raise BadRequest("--curve writes the points of one file")
     if call.output is CITE:
-        raise BadRequest(f"--cite is of one curve; {len(paths)} files were given")
+        raise BadRequest(f"--cite takes one curve; {len(paths)} files were given")
     return _write_rows(call, paths, [*_outcomes(call, fitter, paths)], known)
 
 
 def _paths(call: Call) -> list[str]:
-    """Return the files that the words name. Raises BadRequest."""
+    """Return the files given by the words. Raises BadRequest."""
     words = [word for word in (call.subject, *call.words) if word]
     if not words:
         raise BadRequest("fit needs a curve, such as curve.csv; jkroll guide fit has an example")
@@ -105,7 +105,7 @@ def _paths(call: Call) -> list[str]:
 
 
 def _write_single(call: Call, path: str, outcome: FileFit) -> int:
-    """Write the fit of one file in the form that was asked for; return the exit code."""
+    """Write the fit of one file in the chosen form; return the exit code."""
     fitted = outcome.fitted
     if fitted is None:
         assert outcome.error is not None
@@ -138,7 +138,7 @@ def _write_single(call: Call, path: str, outcome: FileFit) -> int:
 
 
 def _heading(call: Call, path: str, fitted: Fit) -> str:
-    """Return the line above a fit: the file and what is known."""
+    """Return the line above a fit: the file and the known data."""
     is_of_two = {"radius2", "diameter2", "reduced_radius"}.isdisjoint(call.inputs)
     of_two = " of two equal spheres (--radius2 plane for a flat)" if is_of_two else ""
     known = line_on_known(fitted, on_radius=of_two, stiffness=call.spring or "")
@@ -146,7 +146,7 @@ def _heading(call: Call, path: str, fitted: Fit) -> str:
 
 
 def following_command(call: Call, fitted: Fit) -> str:
-    """Return the command that goes on from a fit to rolling; empty where w or the radius is not known."""
+    """Return the command that continues from a fit to rolling; empty if w or the radius is unknown."""
     values = fitted.values
     w = values.get("work_of_adhesion_opening")
     radii = [name for name in _RADII if name in call.inputs]
@@ -166,12 +166,12 @@ def following_command(call: Call, fitted: Fit) -> str:
 
 
 def _as_typed(call: Call, names: Sequence[str]) -> list[str]:
-    """Return the options of those of some inputs that were given."""
+    """Return the options of those inputs that were given, as typed."""
     return [f"{NOMENCLATURE[name].option} {call.inputs[name]}" for name in names if name in call.inputs]
 
 
 def _typed(fitted: Fit, name: str) -> str:
-    """Return a result as it is typed, with its error unless that is larger than the result."""
+    """Return a result as one types it, with its error unless the error is larger."""
     errors, value = fitted.errors[name], fitted.values[name]
     text = in_words(fitted, name) if errors.total < value else amount(RESULTS[name], value, Format(digits=3))
     return ascii_text(text).replace(" ", "").replace("^", "").replace("+/-", "±")
@@ -191,7 +191,7 @@ def _draw(call: Call, path: str, fitted: Fit) -> int:
 
 
 def _outcomes(call: Call, fitter: FileFitter, paths: Sequence[str]) -> Iterator[FileFit]:
-    """Iterate over the outcomes of files, with a line of progress on a terminal."""
+    """Iterate over the outcomes of files, with a progress line on a terminal."""
     answered: Iterator[FileFit]
     run: Callable[[Any], Any] = fitter.fitted
     if (call.jobs or 1) > 1:
@@ -216,20 +216,11 @@ def _write_rows(call: Call, paths: Sequence[str], outcomes: Sequence[FileFit], k
     fits = [outcome.fitted for outcome in outcomes if outcome.fitted is not None]
     with text_output(call.target or "-") as out:
         if call.output is JSON:
-            write_json(
-                [
-                    json_of(each.fitted, path, each.reading, "", curve=False)
-                    if each.fitted is not None
-                    else {"inputs": {"file": path}, "results": [], "reason": str(each.error)}
-                    for path, each in zip(paths, outcomes, strict=True)
-                ],
-                out,
-            )
+            write_json([_json_of_outcome(path, each) for path, each in zip(paths, outcomes, strict=True)], out)
         else:
+            heads = heads_of(is_scaled=known.radius is None)
             form = "md" if call.output is MARKDOWN else "csv"
-            write_columns(
-                heads_of(is_scaled=known.radius is None), [list(each) for each in zip(*rows, strict=True)], form, out
-            )
+            write_columns(heads, [list(each) for each in zip(*rows, strict=True)], form, out)
     for path, outcome in zip(paths, outcomes, strict=True):
         if outcome.error is not None:
             say_wrapped(f"jkroll: {quoted(path)}: {outcome.error}", sys.stderr)
@@ -238,8 +229,15 @@ def _write_rows(call: Call, paths: Sequence[str], outcomes: Sequence[FileFit], k
             say_wrapped(line, sys.stderr)
     failed = len(paths) - len(fits)
     if failed:
-        say(f"jkroll: {failed} of {len(paths)} files failed; column status says why", sys.stderr)
+        say(f"jkroll: {failed} of {len(paths)} files failed; column status has the reasons", sys.stderr)
     return ROWS_FAILED if failed else 0
+
+
+def _json_of_outcome(path: str, outcome: FileFit) -> dict[str, Any]:
+    """Return the fit of a file, or its error, for JSON."""
+    if outcome.fitted is None:
+        return {"inputs": {"file": path}, "results": [], "reason": str(outcome.error)}
+    return json_of(outcome.fitted, path, outcome.reading, "", curve=False)
 
 
 def _summary(fits: Sequence[Fit], files: int) -> Iterator[str]:

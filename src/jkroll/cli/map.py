@@ -1,7 +1,8 @@
-"""Runners of `map`, `figure` and `contact --curve -o`: from words and option values to a drawing."""
+"""The runners of `map`, `figure` and `contact --curve -o`: from words and options to a drawing."""
 
 import sys
 from collections.abc import Iterable, Sequence
+from typing import Any
 
 import numpy
 
@@ -25,7 +26,7 @@ from .call import CHOSEN, PICTURES, Call
 def check_picture(call: Call, path: str | None, flag: str = "-o") -> None:
     """Raise BadRequest for a picture that cannot be drawn, before anything is computed.
 
-    `path`: of the file that `flag` names, if there is one.
+    `path`: the file given with `flag`, if there is one.
     """
     inches_of(call.width)
     for option, word, known in (("style", call.style, STYLES), ("panel", call.panel, PANELS)):
@@ -33,7 +34,8 @@ def check_picture(call: Call, path: str | None, flag: str = "-o") -> None:
             raise BadRequest(f"--{option}: {quoted(word)} is not a {option}; there are {listed(known)}")
     if path is None:
         looks = {"--width": call.width, "--style": call.style, "--no-caption": call.uncaptioned}
-        if given := [option for option, value in looks.items() if value]:
+        given = [option for option, value in looks.items() if value]
+        if given:
             verb = "applies" if len(given) == 1 else "apply"
             raise BadRequest(f"{listed(given)} {verb} to files; add {flag} FILE")
         return
@@ -44,7 +46,7 @@ def check_picture(call: Call, path: str | None, flag: str = "-o") -> None:
 
 
 def inches_of(width: str | None) -> float | None:
-    """Return the width of a page in inches, None if it was not given."""
+    """Return the width of a page in inches; None if it was not given."""
     if width is None:
         return None
     try:
@@ -61,8 +63,10 @@ def run_map(call: Call) -> int:
     check_picture(call, call.target)
     request = map_request(call)
     drawn, notes = picture_of(request)
-    axes = [axis for axis in (request.x, request.y) if axis is not None]
-    ends = {name: value for axis in axes for name, value in axis.inputs(axis.high).items()}
+    ends: dict[str, Any] = {}
+    for axis in (request.x, request.y):
+        if axis is not None:
+            ends |= axis.inputs(axis.high)
     frames = [frame.replace(**ends) for _, frame in request.frames]
     return _deliver(_with_sources(drawn, [request.quantity], frames, call), notes, call)
 
@@ -81,7 +85,8 @@ def run_figure(call: Call) -> int:
         "--plain": call.plain and declared is None,
         "--as-printed": call.as_printed and not (declared and declared.printed),
     }
-    if given := [option for option, is_idle in idle.items() if is_idle]:
+    given = [option for option, is_idle in idle.items() if is_idle]
+    if given:
         raise BadRequest(f"figure {name} takes no {given[0]}")
     if declared is not None:
         drawn = paper_map(name, materials, marks, as_printed=call.as_printed, is_plain=call.plain)
@@ -95,7 +100,7 @@ def run_figure(call: Call) -> int:
 
 
 def _with_sources(drawn: Picture, names: Sequence[str], frames: Iterable[Frame], call: Call) -> Picture:
-    """Return a picture whose caption ends with what is to be cited, if a call asks for it."""
+    """Return a picture with its sources at the end of the caption, if the call asks for them."""
     if not call.cite:
         return drawn
     from ..report.questions import Question
@@ -112,8 +117,14 @@ def draw_contact(call: Call) -> int:
     flag = "-o" if call.target else "--panel"
     if not call.curve:
         raise BadRequest(f"{flag} draws the curve: add --curve")
-    _ = call.output  # which a name of a file may exclude
-    for name in (*(output.name for output in CHOSEN), "quantities", "to", "digits", "no_doubt"):  # of numbers
+    _ = call.output  # raises for a file name that excludes it
+    for name in (
+        *(output.name for output in CHOSEN),
+        "quantities",
+        "to",
+        "digits",
+        "no_doubt",
+    ):  # options for numbers only
         if name in call.given:
             raise BadRequest(f"{flag} and --{name.replace('_', '-')} exclude each other")
     if (count := len(call.sweep) // len(call.models)) > 1:
@@ -122,7 +133,7 @@ def draw_contact(call: Call) -> int:
 
 
 def _deliver(drawn: Picture, notes: Iterable[str], call: Call) -> int:
-    """Draw into a file and print its caption, or draw on the screen; write the numbers where they are wanted."""
+    """Draw into a file and print the caption, or draw on the screen; write the data if asked for."""
     if call.data is not None:
         _write_data(drawn, call.data)
     if call.target is not None:
@@ -139,7 +150,7 @@ def _deliver(drawn: Picture, notes: Iterable[str], call: Call) -> int:
 
 
 def draw_into(path: str, drawn: Picture, call: Call) -> None:
-    """Draw into a file, with the looks that a call has chosen."""
+    """Draw into a file, with the width, style and caption of a call."""
     from ..pictures.page import draw
 
     style, has_caption = call.style or "paper", not call.uncaptioned
@@ -155,22 +166,25 @@ def _write_data(drawn: Picture, path: str) -> None:
             if number > 0:
                 say("", out)
             heads = (panel.x.header(), panel.y.header())
-            if (field := panel.field) is not None:
+            field = panel.field
+            if field is not None:
                 x, y = numpy.meshgrid(panel.x.values(), panel.y.values())
                 values = evaluate(field.frame, field.quantity, panel.x, panel.y)
                 columns = [numbers.ravel() for numbers in (x, y, values)]
                 write_columns((*heads, header(field.quantity)), columns, "csv", out)
-            else:
-                names = [plain(curve.text) for curve in panel.curves for _ in curve.x]
-                x, y = (numpy.concatenate([getattr(curve, side) for curve in panel.curves]) for side in ("x", "y"))
-                write_columns(("curve", *heads), [names, x, y], "csv", out)
+                continue
+            names: list[str] = []
+            for curve in panel.curves:
+                names += [plain(curve.text)] * len(curve.x)
+            x, y = (numpy.concatenate([getattr(curve, side) for curve in panel.curves]) for side in ("x", "y"))
+            write_columns(("curve", *heads), [names, x, y], "csv", out)
 
 
-# --- Map request ------------------------------------------------------------------------------------------------------
+# --- Requests for maps ------------------------------------------------------------------------------------------------
 
 
 def map_request(call: Call) -> PlotRequest:
-    """Return what a call asks for: a quantity, axes, frames to draw, and marks."""
+    """Return the request of a call: a quantity, axes, frames to draw, and marks."""
     if not call.subject:
         raise BadRequest("map needs a quantity, such as pull_off_force")
     quantity = quantity_named(call.subject)

@@ -1,4 +1,4 @@
-"""The options of the commands, each declared once: its spelling, its help, and the type of its value in a call."""
+"""The options of the commands, declared once: spelling, help, and the type of the value in a call."""
 
 from collections.abc import Mapping
 from copy import copy
@@ -27,9 +27,9 @@ _WITH = {
 class Option(Generic[Value]):
     """An option of a command: `Options.quiet` is the option, `call.quiet` its value in a call.
 
-    Without a `metavar` for its value it is a switch. The value is a whole number from 1 to `most`, or a text if that is
-    0; a tuple of texts if the option `repeats`. In the help it stands in its `group`; a `hidden` one has no text there,
-    and that of an input, which has no `help` of its own, is the sentence of the nomenclature.
+    Without a `metavar` it is a switch. Its value is an integer from 1 to `most`, or a text if `most` is 0; a tuple of
+    texts if the option `repeats`. In the help it belongs to a `group`, and a `hidden` one has no text. An input has no
+    `help` of its own: its text is the sentence of the nomenclature.
     """
 
     def __init__(
@@ -37,7 +37,7 @@ class Option(Generic[Value]):
         short: str = "", hidden: bool = False, repeats: bool = False, group: str = "Output",
         needs: str = "", excludes: str = "",
     ) -> None:  # fmt: skip
-        """`needs`, `excludes`: names of the options that it needs one of, and that it excludes, with blanks."""
+        """`needs`, `excludes`: names of options separated by blanks; it needs one of the former."""
         self.default, self.flag, self.help, self.metavar, self.most = default, flag, help, metavar, most
         self.name, self.short, self.hidden, self.repeats, self.group = name, short, hidden, repeats, group
         self.needs, self.excludes = needs.split(), excludes.split()
@@ -54,17 +54,17 @@ class Option(Generic[Value]):
 
     @property
     def flags(self) -> tuple[str, ...]:
-        """The spellings."""
+        """The spellings of the option."""
         return (self.flag, self.short) if self.short else (self.flag,)
 
     def but(self, **changes: Any) -> Self:
-        """Return the option of a command that spells or explains it otherwise."""
+        """Return the option with another spelling or help, for one command."""
         other = copy(self)
         vars(other).update(changes)
         return other
 
     def parsed(self, text: str) -> str | int:
-        """Return the value of a text, or raise BadRequest."""
+        """Return the value of a text; raise BadRequest for a bad one."""
         if not text and self.name == "target":
             raise BadRequest(f"{self.flags[-1]}: the name of the output file is empty")
         if not self.most:
@@ -102,7 +102,7 @@ def _number(flag: str, help: str, metavar: str, most: int) -> Option[int | None]
     return Option(None, flag, help, metavar, most)
 
 
-# Options with one text stand in one line of the help.
+# Options with the same text share a line of the help.
 _FORMAT = "JSON, CSV, Markdown; --bare numbers; -o a file"
 _INSTEAD = "Derivation; BibTeX, with --tex for Methods"
 _OMITTED = "Omit title and caption, or the limits"
@@ -110,22 +110,22 @@ _AXIS = "NAME=FROM:TO, with :lin for a linear axis"
 
 
 class Options:
-    """The values of the options of a call that are no inputs. A command takes those that it lists."""
+    """The values of the options of a call, except for inputs. A command takes the options that it lists."""
 
     def __init__(self, given: Mapping[str, Any]) -> None:
-        """`given`: values by the names of options. Raises BadRequest for options that do not go together."""
+        """`given`: values by the names of options. Raises BadRequest for options that exclude each other."""
         self.given = given
         for option in EVERY:
             if option.name in given:
                 _check(option, given)
 
-    # Of all
+    # For all commands
     file = _text("--materials", "Read your own materials as well", "FILE")
     quiet = _switch("--quiet", "Suppress notes")
 
-    # Of results
-    quantities = _text("--quantities", "Show these quantities instead, with commas", "NAMES", excludes="infer")
-    to = _text("--to", "Units of results, with commas; --digits N", "UNIT")
+    # For results
+    quantities = _text("--quantities", "Show these quantities instead, comma-separated", "NAMES", excludes="infer")
+    to = _text("--to", "Units of results, comma-separated; --digits N", "UNIT")
     digits = _number("--digits", "Significant digits", "N", 17)
     json = _switch("--json", _FORMAT, excludes="bare")
     csv = _switch("--csv", _FORMAT, excludes="bare json")
@@ -141,7 +141,7 @@ class Options:
         "QUANTITY=VALUE", group="Measured")  # fmt: skip
     curve = _switch("--curve", "Whole force curve; with -o x.svg a picture", excludes="best")
 
-    # Of pictures
+    # For pictures
     x = _text("--x", _AXIS, "AXIS", group="Axes")
     y = _text("--y", _AXIS, "AXIS", group="Axes")
     mark = Option("", "--mark", "Mark grains as points, separated by commas", "quartz@100nm")
@@ -153,30 +153,30 @@ class Options:
     panel = _text("--panel", "One panel only: force, pressure or moment", "force")
     as_printed = _switch("--as-printed", "Add Eq (41) as printed to 6b, dashed")
 
-    # Of tables
-    format = Option("", "--format", "csv, tsv, ndjson or parquet, if no name says so; with .gz, .zst", "FORMAT")
-    delimiter = Option("", "--delimiter", "What divides columns: comma, semicolon, bar, tab or blank", "WORD",
+    # For tables
+    format = Option("", "--format", "csv, tsv, ndjson or parquet, if the file name does not tell; .gz, .zst", "FORMAT")
+    delimiter = Option("", "--delimiter", "Column separator: comma, semicolon, bar, tab or blank", "WORD",
         excludes="format")  # fmt: skip
-    columns = _texts("--column", "Read a column as an input, or, with nothing behind =, as none", "HEADER=INPUT")
-    infer = _text("--infer", "Find this input of each row from a measured quantity", "INPUT", group="Measured")
+    columns = _texts("--column", "Read a column as an input; pass it through if nothing follows =", "HEADER=INPUT")
+    infer = _text("--infer", "Infer this input of each row from a measured quantity", "INPUT", group="Measured")
     pass_rest = _switch("--pass-rest", "Pass through all columns that are not read")
     strict = _switch("--strict", "Stop at the first row that fails")
-    resume = _switch("--resume", "Keep what is newer than its table, of many")
-    uncertainty = _switch("--uncertainty", "Add columns of error bars, though the first rows have none")
+    resume = _switch("--resume", "Of many tables, skip those with a newer output")
+    uncertainty = _switch("--uncertainty", "Add columns of uncertainties even if the first rows have none")
     jobs = Option(0, "--jobs", "Number of processes (default: one per core, at most 16)", "N", 64)
     dask = Option("", "--dask", "Convert many tables on a Dask cluster", "ADDRESS")
     excel_safe = _switch("--excel-safe", "Escape text that a spreadsheet would run")
 
-    # Of measured force curves
+    # For measured force curves
     spring = _text("--spring", "Stiffness of the lever, for a travel or a deflection", "3.01±0.1N/m", group="Curve")
     branch = Option("both", "--branch", "both, load or unload", "BRANCH", group="Curve")
     range = _text(
-        "--range", "Loads that are fitted: parts of the largest tension and load, or forces", "-100%:30%", group="Curve"
+        "--range", "Loads to fit: parts of the largest tension and load, or forces", "-100%:30%", group="Curve"
     )
-    baseline = Option("median", "--baseline", "median, or tilt: lines through the parts away from contact", "KIND",
+    baseline = Option("median", "--baseline", "median, or tilt: lines through the parts out of contact", "KIND",
         group="Curve")  # fmt: skip
 
-    # Of the measurements of speed
+    # For the benchmark
     quick = _switch("--quick", "Measure fewer points")
     plot = _text("--plot", "Draw error against cost (needs the plot extra)", "FILE")
 
@@ -185,7 +185,7 @@ EVERY: list[Option[Any]] = [option for option in vars(Options).values() if isins
 
 
 def _check(option: Option[Any], given: Mapping[str, Any]) -> None:
-    """Raise BadRequest if an option that was given does not go with others."""
+    """Raise BadRequest if a given option conflicts with others."""
     for name in option.excludes:
         if name in given:
             raise BadRequest(f"{vars(Options)[name].flag} and {option.flag} exclude each other")
@@ -194,7 +194,7 @@ def _check(option: Option[Any], given: Mapping[str, Any]) -> None:
         raise BadRequest(f"{option.flag} goes with {needed}")
 
 
-# The options that every command takes, and those of the program before any command.
+# Options of every command, and options of the program itself.
 HELP = _switch("--help", "Show this message and exit", name="help", short="-h")
 VERSION = _switch("--version", "Show the version and exit", name="version")
 DEBUG = _switch("--debug", "Show where an error comes from", name="debug")

@@ -1,7 +1,7 @@
-"""The command line: words are read as what they ask for, which is run; an error is one line and an exit code.
+"""The command line as a process: read the words, run the command, print an error in one line with an exit code.
 
-A command stands first, its words and options behind it in any order: `--to nN`, `--to=nN`, `-o x.csv` or `-ox.csv`. A
-value that begins with a hyphen stands behind `=`, unless it is negative. Behind `--` there are words only.
+The command comes first, then its words and options in any order: `--to nN`, `--to=nN`, `-o x.csv` or `-ox.csv`. A value
+that begins with a hyphen needs `=`, unless it is a negative number. After `--` there are only words.
 """
 
 import errno
@@ -25,7 +25,7 @@ from .options import DEBUG, HELP, VERSION, Option
 
 BROKEN_PIPE = 141
 
-# What others type, and what is certainly meant by it; the names and symbols of quantities are taken as options, too.
+# Words of other programs with a certain meaning here; names and symbols of quantities are accepted as options, too.
 SYNONYMS: Mapping[str, str] = {
     "help": "--help",
     "manual": "guide",
@@ -42,16 +42,16 @@ SYNONYMS: Mapping[str, str] = {
     "--unit": "--to",
     "--units": "--to",
 }
-# What others type, behind any command or behind that one, and what may be meant by it.
+# Words of other programs (for all commands, or after one), and a hint at what to type.
 HINTS: Mapping[str, str] = {
     "verify": "jkroll guide paper has the audit of the paper",
     "plot": "jkroll map draws a quantity, jkroll figure a figure of the paper, jkroll contact --curve a force curve",
     "--format": "write --json, --csv, --md or --bare, or name a file: -o x.tsv",
-    "--gamma12": "the energy of an interface stands in the work of adhesion: --work-of-adhesion, γ1 + γ2 - γ12",
-    "--plane": "a plane is a sphere 2 without end: --radius2 plane",
-    "--material": "a material stands alone: jkroll pull-off quartz 100nm",
-    "--temperature": "no number here depends on it, but for γ and E of a material: jkroll materials",
-    **dict.fromkeys(("-R", "--radius"), "a radius stands alone: jkroll pull-off quartz 100nm"),
+    "--gamma12": "the interface energy is part of the work of adhesion: --work-of-adhesion, γ1 + γ2 - γ12",
+    "--plane": "a plane is an infinite sphere 2: --radius2 plane",
+    "--material": "a material needs no option: jkroll pull-off quartz 100nm",
+    "--temperature": "no formula depends on it, though γ and E of a material do: jkroll materials",
+    **dict.fromkeys(("-R", "--radius"), "a radius needs no option: jkroll pull-off quartz 100nm"),
     **dict.fromkeys(("export -o", "export --output", "export --out"), "it writes to standard output: add > FILE"),
     **dict.fromkeys(
         (f"{command} --{form}" for command in ("map", "figure") for form in ("csv", "json", "md")),
@@ -59,20 +59,20 @@ HINTS: Mapping[str, str] = {
     ),
     "map --quantities": "the quantity comes first: jkroll map a quartz 100nm --x load=-5nN:20nN",
     **dict.fromkeys(
-        ("batch --json", "batch --csv", "batch --bare"), "--format and the name of the file say the format"
+        ("batch --json", "batch --csv", "batch --bare"), "--format or the name of the file sets the format"
     ),
     "batch --md": "name the file: -o x.md",
 }
-# Words of a frame that may be given by name, too.
+# Words of a frame that may also be given as options.
 NAMED = {
     "MATERIAL": Option(None, "--material", metavar="quartz", name="material"),
     "RADIUS": Option(None, "--radius", metavar="100nm", name="radius"),
 }
-_DASHES = ("–", "—")  # as word processors make them of hyphens
+_DASHES = ("–", "—")  # word processors make them of hyphens
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run what a command line is read as, and return the exit code."""
+    """Run a command line and return the exit code."""
     words = list(sys.argv[1:] if arguments is None else arguments)
     is_debugged = DEBUG.flag in words
     words = [word for word in words if word != DEBUG.flag]
@@ -85,12 +85,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def finished(run: Action, words: Sequence[str] = (), *, is_debugged: bool = False) -> int:
-    """Run what writes to the standard output, to its end; return the exit code. An error is a line on stderr.
+    """Run an action that writes to stdout, and return the exit code. An error becomes a line on stderr.
 
-    `words`: as typed.
+    `words`: the command line as typed.
     """
     if sys.stderr is None:
-        sys.stderr = open(os.devnull, "w", encoding="utf-8")  # it was closed: nobody listens
+        sys.stderr = open(os.devnull, "w", encoding="utf-8")  # it was closed
     try:
         if sys.stdout is None:
             raise OSError(errno.EBADF, os.strerror(errno.EBADF))
@@ -111,7 +111,7 @@ def finished(run: Action, words: Sequence[str] = (), *, is_debugged: bool = Fals
 
 
 def _check(words: Iterable[str]) -> None:
-    """Refuse words that no shell can pass on, since no file can have them as its name."""
+    """Raise BadRequest for words that no shell can pass on, since they cannot be file names."""
     for word in words:
         if "\0" in word:
             raise BadRequest(f"{quoted(word)} contains a NUL character")
@@ -122,7 +122,7 @@ def _check(words: Iterable[str]) -> None:
 
 
 def report(error: Exception, words: Sequence[str]) -> int:
-    """Print an error on stderr, in one line unless a terminal is narrower; return the exit code. `words`: as typed."""
+    """Print an error on stderr, in one line if the terminal is wide enough; return the exit code. `words`: as typed."""
     code = FAILED
     if isinstance(error, JkrollError):
         from .call import message_of
@@ -146,7 +146,7 @@ def report(error: Exception, words: Sequence[str]) -> int:
 
 
 def action_of(words: Sequence[str]) -> Action:
-    """Return what a command line asks for, or raise the error that says what is wrong with it."""
+    """Return the action of a command line; raise an error if it is wrong."""
     first, *rest = words or (HELP.flag,)
     if rest and (first == "help" or first in HELP.flags):
         first, rest = rest[0], [HELP.flag]
@@ -161,11 +161,11 @@ def action_of(words: Sequence[str]) -> Action:
         return partial(_print_help, None)
     if VERSION.name in given:
         return partial(_print, f"jkroll {__version__}")
-    raise BadRequest(f"{first} stands alone: jkroll {first}")
+    raise BadRequest(f"{first} takes nothing else: jkroll {first}")
 
 
 def _action_of_command(command: Command, words: Sequence[str]) -> Action:
-    """Return what the words behind a command ask for."""
+    """Return the action of a command with the words after it."""
     end = words.index("--") if "--" in words else len(words)
     if any(flag in words[:end] for flag in HELP.flags):
         return partial(_print_help, command.name)
@@ -184,7 +184,7 @@ def _action_of_command(command: Command, words: Sequence[str]) -> Action:
 
 
 def _print_help(name: str | None) -> int:
-    """Print the help of a command, or of the program; return the exit code of an answer."""
+    """Print the help of a command, or of the program; return exit code 0."""
     return _print(help_of(name))
 
 
@@ -196,7 +196,7 @@ def _print(text: str) -> int:
 def _parsed(
     words: Iterable[str], flags: Mapping[str, Option[Any]], command: Command | None = None
 ) -> tuple[list[str], dict[str, Any]]:
-    """Return the words without the options, and the values of the options by name."""
+    """Return the words that are not options, and the values of the options by name."""
     placeholders = command.placeholders if command else ()
     arguments: list[str] = []
     given: dict[str, Any] = {}
@@ -234,7 +234,7 @@ def _parsed(
 
 
 def flag_and_value(word: str, flags: Mapping[str, Option[Any]]) -> tuple[str, str | None]:
-    """Return the option of a word, and the value that is joined to it, if there is one: --to=nN, -ox.csv."""
+    """Return the option of a word, and the value joined to it, if any: --to=nN, -ox.csv."""
     flag, has_value, value = word.partition("=")
     short = flags.get(word[:2])
     if short is not None and short.metavar and word[2:] and _option(f"-{flag}", flags) is None:
@@ -243,7 +243,7 @@ def flag_and_value(word: str, flags: Mapping[str, Option[Any]]) -> tuple[str, st
 
 
 def _value(option: Option[Any], value: str | None, rest: deque[str]) -> str:
-    """Return the value of an option, which is joined to it or the next of the other words."""
+    """Return the value of an option: the joined one, or the next word."""
     if value is None:
         following = rest[0] if rest else HELP.flag
         if following.startswith("-") and following != "-" and not _is_negative(following):
@@ -254,7 +254,7 @@ def _value(option: Option[Any], value: str | None, rest: deque[str]) -> str:
 
 
 def _with_unit(number: str, rest: deque[str]) -> str:
-    """Return a value, if it is a number with the unit that follows it after a space."""
+    """Return a value; a number takes the unit that follows after a space."""
     is_number = number[-1:].isdigit() and not number.strip("+-−±().0123456789eE")
     if is_number and rest and rest[0][:1].isalpha() and rest[0].casefold() not in ("plane", "all"):
         return f"{number} {rest.popleft()}"
@@ -262,13 +262,14 @@ def _with_unit(number: str, rest: deque[str]) -> str:
 
 
 def _is_negative(text: str) -> bool:
-    """Return whether a text begins as a negative value does."""
+    """Return whether a text begins like a negative number."""
     return len(text) > 1 and text[0] == "-" and text[1] in "0123456789."
 
 
 def _option(flag: str, flags: Mapping[str, Option[Any]]) -> Option[Any] | None:
-    """Return the option of a flag, of a synonym, or of the name or the symbol of a quantity; None if there is none."""
-    if option := flags.get(flag) or flags.get(SYNONYMS.get(flag, "")):
+    """Return the option of a flag, a synonym, or the name or symbol of a quantity; None if there is none."""
+    option = flags.get(flag) or flags.get(SYNONYMS.get(flag, ""))
+    if option:
         return option
     by_name = {option.name: option for option in flags.values() if option.name in NOMENCLATURE}
     return by_name.get(named(as_input(flag).lstrip("-"), by_name)) if flag.startswith("--") else None
@@ -278,7 +279,7 @@ def _option(flag: str, flags: Mapping[str, Option[Any]]) -> Option[Any] | None:
 
 
 def _no_such_command(word: str) -> BadRequest:
-    """Return the error about a first word that is not a command."""
+    """Return the error for a first word that is not a command."""
     name = word.replace("-", "_").casefold()
     if name in HINTS:
         hint = HINTS[name]
@@ -292,7 +293,7 @@ def _no_such_command(word: str) -> BadRequest:
 
 
 def _no_such_option(flag: str, command: str | None) -> BadRequest:
-    """Return the error about an option that a command, or the program before any command, does not take."""
+    """Return the error for an option that a command, or the program itself, does not take."""
     if _is_negative(flag):
         remedy = "a negative value follows the option that takes it: --load -5nN"
         return BadRequest(f"{quoted(flag)} begins with a hyphen, as options do; {remedy}")
@@ -301,7 +302,8 @@ def _no_such_option(flag: str, command: str | None) -> BadRequest:
     problem = f"no such option {quoted(flag)}"
     if flag in everywhere:
         problem, flags = f"{command or 'jkroll without a command'} takes no {quoted(flag)}", {}
-    if hint := HINTS.get(f"{command} {flag}") or HINTS.get(flag):
+    hint = HINTS.get(f"{command} {flag}") or HINTS.get(flag)
+    if hint:
         return BadRequest(f"{problem}; {hint}")
     if guess := _meant(flag, flags):
         return BadRequest(f"{problem}; did you mean {guess}?")
@@ -312,7 +314,7 @@ def _no_such_option(flag: str, command: str | None) -> BadRequest:
 
 
 def _meant(flag: str, flags: Mapping[str, Option[Any]]) -> str | None:
-    """Return the option that a word stands for, also as others call it, begins or resembles; None if there is none."""
+    """Return the option that a word means by another name, abbreviates or resembles; None if there is none."""
     name = flag.lstrip("-").replace("-", "_").casefold()
     if option := _option(f"--{flag.lstrip('-')}", flags):
         return option.flag

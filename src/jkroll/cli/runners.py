@@ -1,4 +1,4 @@
-"""Runners of the commands but those that draw: from a call to printed answers and an exit code.
+"""The runners of all commands that do not draw: from a call to printed answers and an exit code.
 
 Imports are local, so a command loads only the modules it uses.
 """
@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from functools import reduce
-from itertools import islice
+from itertools import chain, islice
 from typing import TYPE_CHECKING, TextIO
 
 from ..errors import ROWS_FAILED, BadRequest, JkrollError
@@ -38,31 +38,31 @@ if TYPE_CHECKING:
     from ..report.notes import Note
     from ..report.report import Report
 
-CURVE_BLOCK = 500  # rows of force curves that are computed before they are written
-MOST_FOUND = 12  # quantities in a table of those that have some words
-WIDTH_OF_EXPORT = 120  # of a comment
+CURVE_BLOCK = 500  # rows of force curves that are computed at a time
+MOST_FOUND = 12  # quantities in a table of search results
+WIDTH_OF_EXPORT = 120  # width of a comment
 
 
 # --- Questions --------------------------------------------------------------------------------------------------------
 
 
 def run_question(call: Call) -> int:
-    """Answer the question of a command for every frame that was described; return the exit code."""
+    """Answer the question of a command for each frame; return the exit code."""
     check_format(call)
     question = question_of(call, QUESTIONS[call.command])
     sweep = call.sweep
     frame = sweep.groups[0]
     shown = [name for name in question.quantities if name in question.named or frame.shows_to_identical(name)]
-    form = call.form(shown or question.quantities)  # has the values as they were typed, once they are read
+    form = call.form(shown or question.quantities)  # after the inputs are read: it shows them as typed
     for name in question.named:
         if name in frame.stated or (name in frame.values and formula_of(name) is None):
-            raise BadRequest(f"--quantities: {name} is an input here; leave it out: results stand beside it")
+            raise BadRequest(f"--quantities: {name} is an input here; leave it out: results show their inputs")
 
     return answer_rows(call, sweep, question, form)
 
 
 def answer_rows(call: Call, sweep: Sweep, question: Question, form: Format) -> int:
-    """Write what is asked, as rows or as answers; return the exit code."""
+    """Write the answers to a question, as rows or one after the other; return the exit code."""
 
     def answer(row: Frame) -> "Report":
         from ..report.report import Report  # of which rows that are written with fewer words need nothing
@@ -78,19 +78,19 @@ def answer_rows(call: Call, sweep: Sweep, question: Question, form: Format) -> i
     if count > sizes.most_answers:
         raise BadRequest(f"--{output.name}: {count} pairs are more than {sizes.most_answers}; --csv writes any number")
     if count > 1:
-        sweep.wanted(question.quantities, question.named)  # what is wrong with rows is raised before one is written
+        sweep.wanted(question.quantities, question.named)  # raises errors before anything is written
     return _write_answers(call, map(answer, sweep.frames()) if single is None else [single], count, form, single)
 
 
 def check_format(call: Call) -> None:
-    """Raise BadRequest for an output format that does not go with other options."""
+    """Raise BadRequest for an output format that conflicts with other options."""
     if call.names_picture:
         remedy = "add --curve to contact, or see jkroll map --help"
         raise BadRequest(f"-o: {quoted(call.target or '')} is a picture; {remedy}")
 
 
 def question_of(call: Call, usual: Question) -> Question:
-    """Return the question about the quantities that `--quantities` lists, or the usual one; bare, its headline."""
+    """Return the question about the quantities in `--quantities`, or the usual one; for bare output, its headline."""
     question = usual if call.quantities is None else question_about(call.quantities)
     return Question(question.headline, question.headline, question.named) if call.output is BARE else question
 
@@ -99,7 +99,7 @@ def question_of(call: Call, usual: Question) -> Question:
 
 
 def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, single: "Report | None") -> int:
-    """Write a row for each frame; return the exit code. `single`: the answer of the only one."""
+    """Write a row for each frame; return the exit code. `single`: the answer if there is only one row."""
     from ..model.rows import of_single_row
 
     is_shown = call.output is TABLE and len(sweep) <= sweep.sizes.most_in_table
@@ -121,9 +121,9 @@ def _write_columns(
     call: Call, wanted: "Wanted", groups: Sequence[Group], blocks: "Iterable[Columns]", form: Format, *,
     is_table: bool, single: "Report | None",
 ) -> int:  # fmt: skip
-    """Write columns to a file, to stdout as lines, or as a table, and their notes; return the exit code.
+    """Write columns to a file, to stdout as lines, or as a table, with notes; return the exit code.
 
-    `groups`: those of the rows; `single`: the answer whose notes are those of the columns.
+    `groups`: the groups of the rows; `single`: the answer that provides the notes.
     """
     from ..model.rows import Tally, counted
 
@@ -146,24 +146,24 @@ def _write_columns(
             sys.stdout.write(text.decode())
         sys.stdout.flush()
     tally = reduce(Tally.plus, tallies, Tally())
-    if single is None or (tally.with_doubts(ENDING_MEANING) and not single.ended):  # of states of a curve
+    if single is None or (tally.with_doubts(ENDING_MEANING) and not single.ended):  # such states of a curve
         notes = notes_below(groups, tally, wanted.reported_doubts, is_table=is_table)
     else:
-        notes = _told(single, is_shown=False)
+        notes = _notes_of(single, has_table=False)
     for line in lines_of(notes, has_head=is_table, quiet=call.quiet):
         say_wrapped(line, sys.stderr)
     return _exit_code(call, tally.failed, tally.rows)
 
 
-def _told(single: "Report", *, is_shown: bool) -> "list[Note]":
-    """Return the sentences about a single answer; where its table `is_shown`, without those that stand in it."""
-    if is_shown:
+def _notes_of(single: "Report", *, has_table: bool) -> "list[Note]":
+    """Return the sentences about a single answer; with a table, those below it only."""
+    if has_table:
         return single.sentences_below
     return [*single.notes_on_ranges(), *single.sentences]
 
 
 def _exit_code(call: Call, failed: int, count: int, first: JkrollError | None = None) -> int:
-    """Return the exit code of rows, and print how many failed, or the error of a single one."""
+    """Return the exit code of rows, and print the number of failed ones, or the error of a single row."""
     if not failed:
         return 0
     options = [NOMENCLATURE[name].option for name in call.inputs]
@@ -178,7 +178,7 @@ def _exit_code(call: Call, failed: int, count: int, first: JkrollError | None = 
 def _write_answers(
     call: Call, answers: "Iterable[Report]", count: int, form: Format, single: "Report | None" = None
 ) -> int:
-    """Write answers one by one, and behind them the notes of a `single` one unless these are in it.
+    """Write answers one after the other, and the notes of a `single` one if they are not part of it.
 
     Return the exit code.
     """
@@ -218,13 +218,13 @@ def _write_answers(
             write_plain(next(watched()), out, form, best=call.best)
         out.flush()
     if single is not None and call.output.has_rows:
-        for line in lines_of(_told(single, is_shown=call.output.for_readers), quiet=call.quiet):
+        for line in lines_of(_notes_of(single, has_table=call.output.for_readers), quiet=call.quiet):
             say_wrapped(line, sys.stderr)
     return _exit_code(call, len(failures), count, failures[0] if failures else None)
 
 
 def _output(target: str | None) -> AbstractContextManager[TextIO]:
-    """Return the file of a name, which is written whole, or stdout."""
+    """Return an output file, which is replaced only when complete, or stdout."""
     if target is None:
         return nullcontext(sys.stdout)
     from ..write.writers import text_output
@@ -236,7 +236,7 @@ def _output(target: str | None) -> AbstractContextManager[TextIO]:
 
 
 def run_contact(call: Call) -> int:
-    """Answer the question of the command, or write or draw the force curve; return the exit code."""
+    """Answer the question of `contact`, or write or draw the force curve; return the exit code."""
     is_drawn = call.curve and call.names_picture
     if is_drawn or call.width is not None or call.style is not None or call.uncaptioned or call.panel:
         from .map import draw_contact
@@ -246,9 +246,9 @@ def run_contact(call: Call) -> int:
 
 
 def _write_curve(call: Call) -> int:
-    """Write the force curve of every frame; return the exit code.
+    """Write the force curve of each frame; return the exit code.
 
-    Raises the failure of the first state if each has one.
+    Raises the error of the first state if every state has one.
     """
     from ..model.rows import Columns, Wanted
     from ..report.curve import (
@@ -267,12 +267,12 @@ def _write_curve(call: Call) -> int:
     loads, sweep = call.loads, call.sweep
     form = call.form(question.quantities)
     steps = FEW_STEPS if call.output is TABLE else STEPS
-    samples = [frame for frame in sweep.groups for frame in frames_of_curve(frame, loads, steps)]
+    samples = [*chain.from_iterable(frames_of_curve(frame, loads, steps) for frame in sweep.groups)]
     failures = (answer_at_state(question, frame).failure for frame in samples)
     if (first := next(failures)) is not None and None not in failures:
         raise first
-    frames = (frame for frame in sweep.frames() for frame in frames_of_curve(frame, loads, steps))
-    if call.output is TABLE and loads is not None:  # which is read from load to load
+    frames: Iterator[Frame] = chain.from_iterable(frames_of_curve(frame, loads, steps) for frame in sweep.frames())
+    if call.output is TABLE and loads is not None:  # a table goes from load to load
         frames = (frame for frame in frames if frame.state in HELD_BY_LOAD)
     if call.output is JSON:
         every = [*frames]
@@ -282,7 +282,7 @@ def _write_curve(call: Call) -> int:
     if call.output is BARE:
         wanted = Wanted(names, named=names, doubts=not call.quiet, keeps_all=True)
     else:
-        has_notes = is_table and len(sweep) == 1  # which say more of one curve than the codes of its states
+        has_notes = is_table and len(sweep) == 1  # the notes on one curve replace the codes of its states
         wanted = curve_columns(samples, names, doubts=not has_notes, keeps_all=call.output.keeps_all)
     size = None if is_table else CURVE_BLOCK
 
@@ -303,20 +303,21 @@ def _write_curve(call: Call) -> int:
 
 
 def run_export(call: Call) -> int:
-    """Write the contact of one pair as the input of a program; return the exit code."""
+    """Write the contact of one pair as input for a program; return the exit code."""
     from ..report.leads import options_for_centre
     from ..report.notes import about_middles, by_severity
     from ..report.report import Report
     from ..write.exports import PROGRAMS
 
     word = call.subject.casefold()
-    program = next((known for name, known in PROGRAMS.items() if word in (name, known.title.casefold())), None)
-    if program is None:
+    programs = [known for name, known in PROGRAMS.items() if word in (name, known.title.casefold())]
+    if not programs:
         guess = closest(word, PROGRAMS) or next(iter(PROGRAMS))
         question = f"which program, {', '.join(PROGRAMS)}? Write jkroll export {guess} quartz 100nm"
-        raise BadRequest(f"export: {question}; what other codes call γ is in jkroll guide dem")
+        raise BadRequest(f"export: {question}; jkroll guide dem says what other codes call γ")
+    (program,) = programs
     if (count := len(call.sweep)) != 1:
-        raise BadRequest(f"export takes one pair of spheres, not {count}; for unlike ones: --radius2")
+        raise BadRequest(f"export takes one pair of spheres, not {count}; for an unequal pair: --radius2")
     frame = next(call.sweep.frames())
     if (model := frame.law.name) not in program.models:
         raise BadRequest(f"--model: {program.title} has {listed(program.models)}, not {quoted(model)}")
@@ -342,13 +343,13 @@ def run_export(call: Call) -> int:
 
 
 def _write_comments(lines: Iterable[str]) -> None:
-    """Write lines as comments of the input of a program."""
+    """Write lines as comments in the input of a program."""
     for line in lines:
         say("\n".join(f"# {text}" for text in wrapped(ascii_text(line), WIDTH_OF_EXPORT, 2)), sys.stdout)
 
 
 def run_infer(call: Call) -> int:
-    """Find inputs for every frame and measured value; return the exit code."""
+    """Infer inputs for each frame and measured value; return the exit code."""
     from ..model.unsolved import SIZES, inputs_named
 
     if not call.subject:
@@ -360,7 +361,7 @@ def run_infer(call: Call) -> int:
 
 
 def _measured(call: Call, names: Sequence[str]) -> dict[str, list[Spread]]:
-    """Read the measured quantities and their values: as many as inputs are sought."""
+    """Return the values of the measured quantities, one quantity for each unknown."""
     measured: dict[str, list[Spread]] = {}
     for text in call.measured:
         word, has_value, value = text.partition("=")
@@ -371,7 +372,7 @@ def _measured(call: Call, names: Sequence[str]) -> dict[str, list[Spread]]:
     if not len(call.measured) == len(measured) == len(names):
         example = "--measured pull_off_force=300nN" + " --measured stiffness=1kN/m" * (len(names) - 1)
         wanted = f"infer needs a measured quantity for each input, {len(names)} in all: {example}"
-        raise BadRequest(f"{wanted}; several values of one have commas")
+        raise BadRequest(f"{wanted}; separate several values of one by commas")
     return measured
 
 
@@ -416,7 +417,7 @@ def run_batch(call: Call) -> int:
 
 
 def _unknown_and_measured(call: Call) -> tuple[str, str]:
-    """Return the names of the input that is sought and of the quantity that was measured; empty texts if none is."""
+    """Return the names of the unknown input and of the measured quantity; empty texts if there is none."""
     if not call.infer and not call.measured:
         return "", ""
     if not call.infer or "," in call.infer or len(call.measured) != 1:
@@ -428,7 +429,7 @@ def _unknown_and_measured(call: Call) -> tuple[str, str]:
 
 
 def run_materials(call: Call) -> int:
-    """List the materials, or those that have some words, or show some in full; return the exit code."""
+    """List the materials, search them by words, or show some in full; return the exit code."""
     from ..write.catalogue import write_materials
 
     output, materials = call.output.name, call.materials
@@ -452,13 +453,14 @@ def run_materials(call: Call) -> int:
 
 
 def run_quantities(call: Call) -> int:
-    """List quantities, those that have some words, or one in full, or what the manual has; return the exit code."""
+    """List quantities, search them by words, or show one in full; without a match search the manual."""
     from ..write.catalogue import write_quantities
     from ..write.manual import hits_of, quantities_meant, write_hits
     from .commands import takers
 
     output, text = call.output.name, " ".join(call.words)
-    if names := quantities_meant(call.words):
+    names = quantities_meant(call.words)
+    if names:
         write_quantities(names, sys.stdout, output, takers)
         return 0
     hits = hits_of(text, call.materials.materials.values())
@@ -475,7 +477,7 @@ def run_quantities(call: Call) -> int:
 
 
 def run_guide(call: Call) -> int:
-    """Show a page of the manual, list the pages, or show what has some words; return the exit code."""
+    """Show a page of the manual, list the pages, or search them by words; return the exit code."""
     from ..write.manual import hits_of, page, section_meant, topics, write_hits, write_text, write_topics
 
     text = " ".join(call.words)
@@ -493,7 +495,7 @@ def run_guide(call: Call) -> int:
 def run_bench(call: Call) -> int:
     """Measure speed against error; return the exit code.
 
-    Whatever prevents a plot is reported before anything is measured.
+    Obstacles to a plot are reported before anything is measured.
     """
     from .map import check_picture, draw_into
 

@@ -1,6 +1,6 @@
-"""The program as a typer application, which installs completion, documents itself and runs under CliRunner.
+"""The program as a typer application, for installing completion, for documentation and for CliRunner.
 
-The words of a call that typer has read are written anew and go to our own reader, by which every line is run.
+The words that typer has read are assembled again and passed to our own reader, which runs every command line.
 """
 
 from collections.abc import Callable, Iterable
@@ -30,27 +30,34 @@ def main() -> int:
 
 
 def _parameter(option: Option[Any]) -> Parameter:
-    """Return an option as the parameter of a function from which typer makes an option."""
-    kind: Any = list[str] if option.repeats else str | None if option.metavar else bool
+    """Return an option as the parameter of a function, from which typer makes an option."""
+    kind: Any = bool
+    empty: Any = False
+    if option.repeats:
+        kind, empty = list[str], []
+    elif option.metavar:
+        kind, empty = str | None, None
     default: Any = typer.Option(
-        [] if option.repeats else None if option.metavar else False, *option.flags, metavar=option.metavar or None,
-        help=option.sentence(), hidden=option.hidden, show_default=False,
+        empty, *option.flags, metavar=option.metavar or None, help=option.sentence(), hidden=option.hidden,
+        show_default=False,
     )  # fmt: skip
     return Parameter(option.name, Parameter.KEYWORD_ONLY, default=default, annotation=kind)
 
 
 def _typed(options: Iterable[Option[Any]], values: dict[str, Any]) -> list[str]:
-    """Return options with their values as they are typed."""
+    """Return options with their values as words of a command line."""
     typed = []
     for option in options:
         value = values[option.name]
-        texts = value if isinstance(value, list) else [value] if value else []
-        typed += [f"{option.flag}={text}" if option.metavar else option.flag for text in texts]
+        if isinstance(value, list):
+            typed += [f"{option.flag}={text}" for text in value]
+        elif value:
+            typed.append(f"{option.flag}={value}" if option.metavar else option.flag)
     return typed
 
 
 def _function(command: Command) -> Callable[..., None]:
-    """Return a function that runs a command, with the parameters that typer has from its signature."""
+    """Return a function that runs a command; typer reads the parameters from its signature."""
     options = command.options()
 
     def run(**values: Any) -> None:
@@ -64,8 +71,9 @@ def _function(command: Command) -> Callable[..., None]:
 
 
 def _before_a_command(**values: Any) -> None:
-    """Run what stands before any command."""
-    if typed := _typed((VERSION, DEBUG), values):
+    """Run the options of the program itself."""
+    typed = _typed((VERSION, DEBUG), values)
+    if typed:
         raise typer.Exit(process.main(typed))
 
 

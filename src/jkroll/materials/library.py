@@ -1,13 +1,14 @@
-"""Materials by name: the shipped ones and those of the user's files, which take precedence.
+"""Materials by name: the shipped ones, and those of the user's files, which take precedence.
 
-A file is TOML of a size that cannot keep a call waiting. A mistake in one material of a file does not keep a user from
-the others: it is raised when that material is asked for.
+A file is TOML of limited size, so that it loads fast. A mistake in one material does not affect the others: it is
+raised when that material is used.
 """
 
 import os
 from collections.abc import ItemsView, Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from importlib import import_module
+from itertools import chain
 from typing import Any, NamedTuple
 
 from ..errors import BadRequest
@@ -20,7 +21,7 @@ MAX_BYTES = 64_000  # some 180 materials with all their references
 MAX_NAME = 60
 
 _HERE = os.path.dirname(os.path.abspath(__file__))
-# A wheel has the file here, and a checkout at its top level.
+# A wheel has the file here, a checkout at its top level.
 _PLACES = (os.path.join(folder, "materials.toml") for folder in (_HERE, os.path.join(_HERE, *[os.pardir] * 3)))
 SHIPPED = next(path for path in _PLACES if os.path.exists(path))
 
@@ -28,7 +29,7 @@ Path = str | os.PathLike[str]
 
 
 class MaterialsFileError(BadRequest):
-    """Error raised when a materials file cannot be read, or when something in it is not a material."""
+    """Error raised for a materials file that cannot be read, or that contains something other than materials."""
 
     def __init__(self, path: object, problem: str) -> None:
         super().__init__(f"materials file {quoted(str(path))}: {problem}", "bad materials file")
@@ -39,16 +40,16 @@ class UnknownMaterial(BadRequest):
 
 
 class UnclearMaterial(BadRequest):
-    """Error raised for a name that stands for several materials."""
+    """Error raised for a name of several materials."""
 
 
 # --- Materials --------------------------------------------------------------------------------------------------------
 
-ORIGIN = ("method", "law", "reference")  # of a property: how it was found, by which contact law, and where it stands
+ORIGIN = ("method", "law", "reference")  # of a property: the method, the contact law and the reference
 
 
 class Displacement(NamedTuple):
-    """A yield displacement with its ends, in SI units, and the radius of the identical pairs that were measured."""
+    """A yield displacement with its range, in SI units, and the radius of the identical pairs measured."""
 
     measured: Interval
     radius: float
@@ -56,7 +57,7 @@ class Displacement(NamedTuple):
     def scaled(self, radius: Any) -> Interval:
         """Return the displacement of identical pairs of another radius.
 
-        It is the range between its growth with the radius of the contact, as R^(2/3), and with that of the spheres.
+        Its range is between growth with the contact radius, as R^(2/3), and growth with the sphere radius.
         """
         scale = radius / self.radius
         least, most = smaller_and_larger(scale, cbrt(scale) * cbrt(scale))
@@ -68,22 +69,22 @@ class Material(NamedTuple):
     """A material: its properties in SI units, and their sources."""
 
     name: str
-    title: str  # of the set: "Table 1"
+    title: str  # the title of its set: "Table 1"
     path: str
     properties: Mapping[str, float] = read_only({})
     aliases: tuple[str, ...] = ()
     notes: Mapping[str, str] = read_only({})  # by property
     references: tuple[Mapping[str, str], ...] = ()
     state: str = ""  # "below 175 K"
-    uncertainties: Mapping[str, Uncertain] = read_only({})  # of properties that have one
-    origins: Mapping[str, Mapping[str, str]] = read_only({})  # of properties: what is stated of `ORIGIN`
-    displacement: Displacement | None = None  # from which that of a contact follows
-    note_radii: Mapping[str, Interval] = read_only({})  # of spheres that a note concerns, unless it concerns all
-    problem: str = ""  # what is wrong with it in its file, in place of its data
+    uncertainties: Mapping[str, Uncertain] = read_only({})  # by property
+    origins: Mapping[str, Mapping[str, str]] = read_only({})  # by property: the fields of `ORIGIN` that are stated
+    displacement: Displacement | None = None  # measured, to be scaled to a contact
+    note_radii: Mapping[str, Interval] = read_only({})  # radii of spheres that a note concerns, unless it concerns all
+    problem: str = ""  # the mistake in its file, if its data cannot be used
 
     @property
     def key(self) -> tuple[str, str]:
-        """The file and the name, by which a material is the same, whatever became of its properties in a scene."""
+        """The file and the name; they identify a material even if a frame changes its properties."""
         return self.path, self.name
 
     def __hash__(self) -> int:
@@ -96,16 +97,16 @@ class Material(NamedTuple):
 
     @property
     def measures(self) -> dict[str, float | Uncertain]:
-        """The properties with their error bars, and the yield displacement as it was measured."""
+        """The properties with their uncertainties, and the measured yield displacement."""
         displacement = {} if self.displacement is None else {XI: self.displacement.measured}
         return {**self.properties, **self.uncertainties, **displacement}
 
     def _repr_html_(self) -> str:
-        """Return what a notebook shows."""
+        """Return the HTML for notebooks."""
         return self._repr_mimebundle_()["text/html"]
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
-        """Return what notebooks show and convert: a row for each fact."""
+        """Return all forms that notebooks show and convert: a row for each fact."""
         from ..quantities.shown import bundle
         from .sheet import parts_of_material
 
@@ -119,7 +120,7 @@ class Material(NamedTuple):
         return [entry for entry in self.references if entry["key"] not in keys.values()]
 
     def missing_text(self, name: str) -> str:
-        """Return that it has no value of a property, with what its file says of that."""
+        """Return a sentence on a missing property, with the note of its file."""
         note = self.notes.get(name)
         return f"{self.name}: {note}" if note else f"{self.name} has none in {self.title}"
 
@@ -132,7 +133,7 @@ def data_of(path: str) -> Mapping[str, Any]:
     try:
         with open(path, "rb") as file:
             content = file.read(MAX_BYTES + 1)
-    except (OSError, ValueError) as error:  # a NUL makes no path
+    except (OSError, ValueError) as error:  # a path cannot contain NUL
         raise BadRequest(getattr(error, "strerror", "") or "cannot be read") from None
     if len(content) > MAX_BYTES:
         raise BadRequest(f"is larger than {MAX_BYTES // 1000} kB")
@@ -150,14 +151,14 @@ _FORMS: Mapping[type, str] = {dict: "a table", list: "a list", str: "a text in q
 
 
 def in_form(value: object, form: type, where: str) -> Any:
-    """Return a value if it has a form: a table, a list or a text; `where`: its place. Raises BadRequest."""
+    """Return a value if it is a table, a list or a text as required; `where`: its key. Raises BadRequest."""
     if not isinstance(value, form):
         raise BadRequest(f"{shown(where)} is not {_FORMS[form]}")
     return value
 
 
 def texts(value: object, form: type, where: str) -> Any:
-    """Return a text, or the texts of a list or a table, safe to print; raise BadRequest if it is none."""
+    """Return a text, or the texts of a list or a table, safe to print; raise BadRequest for other values."""
     content = in_form(value, form, where)
     if form is dict:
         return {key: texts(text, str, f"{where}.{key}") for key, text in content.items()}
@@ -168,7 +169,7 @@ _RULE = f"begins with a letter, has no comma and {MAX_NAME} characters at most, 
 
 
 def is_material_name(word: str) -> bool:
-    """Return whether a word can name a material: it differs from a radius and from a list.
+    """Return whether a word can name a material: it must differ from a radius and from a list.
 
     >>> is_material_name("SiO2"), is_material_name("100nm"), is_material_name("a,b"), is_material_name("all")
     (True, False, False, False)
@@ -178,7 +179,7 @@ def is_material_name(word: str) -> bool:
 
 
 def materials_in(path: str) -> list[Material]:
-    """Return the materials of a file, those with a mistake too; raise MaterialsFileError if it is no materials file."""
+    """Return the materials of a file, including those with a mistake; raise MaterialsFileError for other files."""
     try:
         data = data_of(path)
         _refuse_unknown_keys("", data, ("title", "materials", "references"))
@@ -190,7 +191,8 @@ def materials_in(path: str) -> list[Material]:
             for key, word in material.words.items():
                 if not is_material_name(word):
                     raise BadRequest(f"{quoted(word, MAX_NAME)} cannot name a material; a name {_RULE}")
-                if (other := names.get(key, material.name)) != material.name:
+                other = names.get(key, material.name)
+                if other != material.name:
                     both = f"{quoted(other)} and {quoted(material.name)}"
                     raise BadRequest(f"{quoted(word)} names both {both}; case makes no difference")
     except BadRequest as error:
@@ -202,7 +204,7 @@ _ABOUT: Mapping[str, type] = {"aliases": list, "references": list, "state": str,
 
 
 def _read(name: str, table: Any, title: str, path: str, references: Mapping[str, Any]) -> Material:
-    """Return a material with what its table says, or with what is wrong with it. `title`: of the set, by default."""
+    """Return a material from its table, or with the mistake in it. `title`: the default title of its set."""
     material, values, origins = Material(name, title, path), {}, {}
     try:
         in_form(table, dict, f"materials.{name}")
@@ -210,24 +212,29 @@ def _read(name: str, table: Any, title: str, path: str, references: Mapping[str,
         material = material._replace(aliases=about["aliases"], title=about["source"] or title, state=about["state"])
         _refuse_unknown_keys(f"{name}.", table, (*PROPERTIES, XI, *_ABOUT, "notes"))
         notes, note_radii = _notes(name, table)
-        for key in (key for key in (*PROPERTIES, XI) if key in table):
+        for key in (*PROPERTIES, XI):
+            if key not in table:
+                continue
             where, needed = f"{name}.{key}", ["value", "radius"] if key == XI else ["value"]
             given = table[key] if isinstance(table[key], dict) else {"value": table[key]}
             _refuse_unknown_keys(f"{where}.", given, (*needed, *ORIGIN))
-            if lacking := [each for each in needed if each not in given]:
-                raise BadRequest(f"{shown(where)} has no {lacking[0]}")
+            missing = [each for each in needed if each not in given]
+            if missing:
+                raise BadRequest(f"{shown(where)} has no {missing[0]}")
             values[key] = _value(key, given["value"], name, where)
             if given is table[key]:
                 origins[key] = texts({each: given[each] for each in ORIGIN if given.get(each, "") != ""}, dict, where)
         displacement = None
-        if (measured := values.pop(XI, None)) is not None:
+        measured = values.pop(XI, None)
+        if measured is not None:
             radius = _value("radius", table[XI]["radius"], name, f"{name}.{XI}.radius")
             if not isinstance(radius, float):
-                raise BadRequest(f"{shown(name)}.{XI}: the radius of the spheres is a single one")
+                raise BadRequest(f"{shown(name)}.{XI}: the radius of the spheres must be a single value")
             displacement = Displacement(Interval(middle(measured), *ends_of(measured)), radius)
         keys = [*about["references"], *(origin["reference"] for origin in origins.values() if "reference" in origin)]
-        if lacking := [key for key in keys if key not in references]:
-            raise BadRequest(f"{quoted(name)} cites {quoted(lacking[0])}, which [references] does not have")
+        missing = [key for key in keys if key not in references]
+        if missing:
+            raise BadRequest(f"{quoted(name)} cites {quoted(missing[0])}, which is not in [references]")
         return material._replace(
             properties=read_only({key: middle(value) for key, value in values.items()}),
             notes=read_only(notes),
@@ -244,7 +251,7 @@ def _read(name: str, table: Any, title: str, path: str, references: Mapping[str,
 
 
 def _notes(name: str, table: Mapping[str, Any]) -> tuple[dict[str, str], dict[str, Interval]]:
-    """Return the notes of a material by property, and the radii of those that concern some spheres only."""
+    """Return the notes of a material by property, and the radii of notes on spheres of some sizes only."""
     every = in_form(table.get("notes", {}), dict, f"{name}.notes")
     _refuse_unknown_keys(f"{name}.notes.", every, (*PROPERTIES, XI))
     notes, radii = {}, {}
@@ -258,32 +265,33 @@ def _notes(name: str, table: Mapping[str, Any]) -> tuple[dict[str, str], dict[st
         if "radii" in note:
             of_spheres = _value("radius", note["radii"], name, f"{where}.radii")
             if not isinstance(of_spheres, Interval):
-                raise BadRequest(f"{shown(where)}.radii is no range; write one such as '0.5 to 5 um'")
+                raise BadRequest(f"{shown(where)}.radii is not a range; write one such as '0.5 to 5 um'")
             radii[key] = of_spheres
     return notes, radii
 
 
 def _refuse_unknown_keys(where: str, table: Mapping[str, Any], known: Sequence[str]) -> None:
-    if unknown := [key for key in table if key not in known]:
+    unknown = [key for key in table if key not in known]
+    if unknown:
         guess = closest(named(unknown[0]), known)
         hint = f"; did you mean {guess}?" if guess else ""
         raise BadRequest(f"{quoted(where + unknown[0])} is an unknown key{hint}")
 
 
 def _value(key: str, value: object, name: str, where: str) -> float | Uncertain:
-    """Return the SI value of a property: a text, or a number if it has no unit."""
+    """Return the SI value of a property from a text, or from a number if it has no unit."""
     is_number = isinstance(value, int | float) and not isinstance(value, bool)
     try:
         return value_of(repr(value) if is_number else texts(value, str, where), key)
     except QuantityError as error:
         raise BadRequest(f"{shown(name)}: {error}") from None
-    except ValueError:  # thousands of hexadecimal digits, which Python does not convert
+    except ValueError:  # Python refuses thousands of hexadecimal digits
         raise BadRequest(f"{shown(where)} has too many digits") from None
 
 
 @cache
 def shipped() -> Sequence[Material]:
-    """Return the shipped materials, which a wheel holds as a module, made when it was built."""
+    """Return the shipped materials; a wheel contains them as a module generated by its build."""
     if os.path.dirname(SHIPPED) != _HERE:  # a checkout
         return materials_in(SHIPPED)
     from .shipped import MATERIALS  # type: ignore  # mypy does not find it, or finds it without types
@@ -295,23 +303,23 @@ def shipped() -> Sequence[Material]:
 
 
 class Materials:
-    """All known materials, by name or alias in any case. A name that stands for several is refused when used."""
+    """All known materials, by name or alias in any case. A name of several materials is refused when used."""
 
     def __init__(self, paths: Path | Iterable[Path] = (), *, added: Path | Iterable[Path] = ()) -> None:
         """Read the shipped file, then `added`, then that of `paths`, or each of them.
 
-        A material takes the names that it shares with those of earlier files, but one of `added` takes none of the
-        shipped file: such a name stands for both.
+        A material takes over names of earlier files. Only one of `added` does not take over shipped names: these then
+        mean both materials.
         """
-        self.overrides: list[str] = []  # sentences on the names that were taken
+        self.overrides: list[str] = []  # sentences on names that were taken over
         self._materials: dict[str, Material] = {}  # by name, case folded
-        self._meanings: dict[str, list[Material]] = {}  # of a name or alias, case folded
+        self._meanings: dict[str, list[Material]] = {}  # by name or alias, case folded
         taking = _decoded(paths)
         for path in dict.fromkeys((SHIPPED, *_decoded(added), *taking)):
             self._add(shipped() if path == SHIPPED else materials_in(path), takes=path in taking)
 
     def _add(self, materials: Sequence[Material], *, takes: bool) -> None:
-        """Add the materials of a file. They take the names of earlier ones, of shipped ones only where `takes`."""
+        """Add the materials of a file. They take over earlier names, and shipped ones if `takes`."""
         meanings: dict[str, list[Material]] = {}
         named: dict[str, Material] = {}
         for material in materials:
@@ -325,16 +333,16 @@ class Materials:
                 meanings.setdefault(key, shared).append(material)
             if len(meanings[key := material.name.casefold()]) == 1:
                 named[key] = material
-        for others in self._meanings.values():  # what takes a name takes the other names of the one that had it
+        for others in self._meanings.values():  # a material that takes over a name also takes over the aliases
             others[:] = [named.get(other.name.casefold(), other) for other in others]
         self._materials |= named
         self._meanings |= meanings
 
     def __getitem__(self, word: str) -> Material:
-        """Return the material of a name or alias, in any case.
+        """Return a material by its name or alias, in any case.
 
-        Raises UnknownMaterial, UnclearMaterial for a name that stands for several, and MaterialsFileError for a bad
-        material.
+        Raises UnknownMaterial, UnclearMaterial for a name of several materials, and MaterialsFileError for a material
+        with a mistake.
         """
         word = str(word)
         key = word.strip().casefold()
@@ -345,7 +353,8 @@ class Materials:
             if material.problem:
                 raise MaterialsFileError(material.path, material.problem)
             return material
-        if len(several := meanings or states) > 1:
+        several = meanings or states
+        if len(several) > 1:
             raise _unclear(word, several)
         if guess := states[0].name if states else closest(key, [*self.materials, *self.aliases]):
             guess = listed([material.name for material in self._meanings[guess.casefold()]], "or")
@@ -367,7 +376,7 @@ class Materials:
         return str(word).strip().casefold() in self._meanings
 
     def items(self) -> ItemsView[str, Material]:
-        """Return the names with the materials, without those with which something is wrong."""
+        """Return the names with the materials, without those with a mistake."""
         return self.materials.items()
 
     def to_dict(self) -> dict[str, dict[str, float]]:
@@ -376,19 +385,18 @@ class Materials:
 
     def to_pandas(self) -> Any:
         """Return a DataFrame with a row for each material: its properties in SI units, its state and its source."""
-        rows = [
-            {header(name): each.properties.get(name) for name in PROPERTIES}
-            | {"state": each.state, "source": each.title}
-            for each in self.materials.values()
-        ]
+        rows = []
+        for each in self.materials.values():
+            properties = {header(name): each.properties.get(name) for name in PROPERTIES}
+            rows.append({**properties, "state": each.state, "source": each.title})
         return import_module("pandas").DataFrame(rows, index=[*self])
 
     def _repr_html_(self) -> str:
-        """Return what a notebook shows."""
+        """Return the HTML for notebooks."""
         return self._repr_mimebundle_()["text/html"]
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
-        """Return what notebooks show and convert: a row for each material."""
+        """Return all forms that notebooks show and convert: a row for each material."""
         from ..quantities.shown import bundle
         from .sheet import parts_of_materials
 
@@ -396,22 +404,22 @@ class Materials:
 
     @property
     def materials(self) -> Mapping[str, Material]:
-        """All materials by name, without those with which something is wrong."""
+        """All materials by name, without those with a mistake."""
         return {material.name: material for material in self._materials.values() if not material.problem}
 
     @property
     def mistakes(self) -> list[MaterialsFileError]:
-        """The errors of the materials with which something is wrong."""
+        """The errors of materials with a mistake."""
         return [MaterialsFileError(each.path, each.problem) for each in self._materials.values() if each.problem]
 
     @property
     def aliases(self) -> list[str]:
-        """The other names of all materials."""
-        return [*dict.fromkeys(alias for material in self._materials.values() for alias in material.aliases)]
+        """The aliases of all materials."""
+        return [*dict.fromkeys(chain.from_iterable(material.aliases for material in self._materials.values()))]
 
 
 def _decoded(paths: Path | Iterable[Path]) -> list[str]:
-    """Return one path or several as texts; raise MaterialsFileError for what is no path."""
+    """Return one path or several as texts; raise MaterialsFileError for other objects."""
     is_path = isinstance(paths, str | bytes) or not isinstance(paths, Iterable)
     try:
         return [*map(os.fsdecode, [paths] if is_path else paths)]  # type: ignore[arg-type]
@@ -420,11 +428,11 @@ def _decoded(paths: Path | Iterable[Path]) -> list[str]:
 
 
 def _unclear(word: str, materials: Sequence[Material]) -> UnclearMaterial:
-    """Return the error about a name of several materials, with their surface energies and states or sets."""
+    """Return the error for a name of several materials, with their surface energies and states or sets."""
     from ..quantities.formatting import amount
 
     first, last, name = materials[0], materials[-1], quoted(word)
-    if first.path == SHIPPED != last.path and word.strip().casefold() in last.words:  # which must not take its names
+    if first.path == SHIPPED != last.path and word.strip().casefold() in last.words:
         title, file = first.title, shown(last.path)
         meanings = f"shipped ({title}) and also in {file}; rename it, or pass --materials {file}"
         return UnclearMaterial(f"material {name} is {meanings}", "unclear material")
@@ -448,10 +456,10 @@ def known_materials() -> Materials:
 
 
 def materials_of_user(option: str | None) -> Materials:
-    """Return the known materials with those of the user's files.
+    """Return the known materials, including those of the user's files.
 
-    By rising precedence these are the files of the configuration directory and of the environment, which may add
-    materials but change no shipped one, and that of the option, which may.
+    In order of precedence, these are the file of the configuration directory, the file of the environment, and the file
+    of the option. Only the last may replace shipped materials.
     """
     configuration = os.environ.get("XDG_CONFIG_HOME") or os.path.expanduser("~/.config")
     path = os.path.join(configuration, "jkroll", "materials.toml")

@@ -1,4 +1,4 @@
-"""Materials for readers: the facts of one, and a table of several."""
+"""Materials for readers: the facts about one, and a table of several."""
 
 import re
 from collections.abc import Sequence
@@ -12,7 +12,7 @@ from ..text import TextColumn
 if TYPE_CHECKING:
     from .library import Material
 
-EXACT = Format(digits=DIGITS)  # of values in a table
+EXACT = Format(digits=DIGITS)  # for values in a table
 _REFERENCE = ("author", "title", "journal", "volume", "pages", "year", "eprint", "doi", "url", "note")
 
 
@@ -26,14 +26,15 @@ def values_of_materials(chosen: "Sequence[Material]") -> Rows:
 
 
 def parts_of_materials(chosen: "Sequence[Material]") -> list[Part]:
-    """Return the table that a notebook shows of materials: their properties, state and source."""
+    """Return a table of materials for a notebook: their properties, state and source."""
     leading, columns = values_of_materials(chosen)
-    about = {"state": [each.state for each in chosen], "source": [each.title for each in chosen]}
-    return [(leading, [*columns, *(TextColumn(head, cells, is_right=False) for head, cells in about.items())])]
+    columns.append(TextColumn("state", [each.state for each in chosen], is_right=False))
+    columns.append(TextColumn("source", [each.title for each in chosen], is_right=False))
+    return [(leading, columns)]
 
 
 def parts_of_material(material: "Material") -> list[Part]:
-    """Return what a notebook shows of a material: its title, and a row for each fact."""
+    """Return a material for a notebook: its title, and a row for each fact."""
     title, facts = sheet_of(material)
     heads, texts = zip(*facts, strict=True)
     columns = [TextColumn("property", heads, is_right=False), TextColumn("value", texts, is_right=False)]
@@ -48,7 +49,8 @@ def sheet_of(material: "Material") -> tuple[str, list[tuple[str, str]]]:
         text = f"none in {material.title}" if measure is None else amount(name, measure)
         if name == XI and material.displacement is not None:
             text += f", spheres of {amount('radius', material.displacement.radius)}"
-        facts += [(name, text), *((f"  {field}", text) for field, text in material.origins.get(name, {}).items())]
+        facts.append((name, text))
+        facts += [(f"  {field}", origin) for field, origin in material.origins.get(name, {}).items()]
     for name, note in material.notes.items():
         radii = material.note_radii.get(name)
         sizes = f" (R = {amount('radius', radii)})" if radii is not None else ""

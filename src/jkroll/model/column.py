@@ -1,4 +1,4 @@
-"""The columns of a frame: values and the reasons of cells without one, as numbers that hold for all rows, or arrays."""
+"""Columns of a frame: values, and reasons for missing ones. Each is an array, or a number that holds for all rows."""
 
 from collections.abc import Mapping
 from math import nan
@@ -10,14 +10,14 @@ from .reasons import HIDDEN, reason
 
 
 class Column(NamedTuple):
-    """The values of a quantity, nan where there is none, and the reasons; a number holds for all rows."""
+    """The values of a quantity, nan where there is none, and the reasons. A number holds for all rows."""
 
     values: Any
     reasons: Any = 0
 
     @property
     def is_empty(self) -> bool:
-        """True if no row has a value, all for one reason."""
+        """True if no row has a value, for one common reason."""
         return isinstance(self.reasons, int) and self.reasons != 0
 
     @property
@@ -26,24 +26,24 @@ class Column(NamedTuple):
         return self.reasons == reason(HIDDEN)
 
     def or_else(self, number: float) -> Any:
-        """Return the values, and a number where there is none: nan has no place in the order of numbers."""
+        """Return the values, with a number where there is none, since nan does not compare."""
         return where(self.reasons == 0, self.values, number)
 
     def without(self, is_out: Any, number: int) -> "Column":
-        """Return the column where some cells, if they have a value, have a reason in its place."""
+        """Return the column without the values of some cells; these get a reason unless they have one."""
         if not is_anywhere(is_out):
             return self
         return Column(where(is_out, nan, self.values), first_of(self.reasons, where(is_out, number, 0)))
 
     def hidden(self, is_shown: Any) -> "Column":
-        """Return the column where only some cells are shown, whatever else is the reason of the others."""
+        """Return the column with all other cells hidden, whatever their reasons."""
         if is_shown is True:
             return self
         return Column(where(is_shown, self.values, nan), where(is_shown, self.reasons, reason(HIDDEN)))
 
 
 def first_of(reasons: Any, others: Any) -> Any:
-    """Return the reasons of cells that have one, and elsewhere the others: numbers for all rows, or arrays."""
+    """Return the reason of each cell, or the other reason where it has none; numbers for all rows, or arrays."""
     if isinstance(reasons, int):
         return reasons or others
     if others is reasons or (isinstance(others, int) and not others):
@@ -52,12 +52,12 @@ def first_of(reasons: Any, others: Any) -> Any:
 
 
 def at_row(values: Any, row: int) -> Any:
-    """Return the number of a row, by its index, as a Python number."""
+    """Return the value in a row, by its index, as a Python number."""
     return values if isinstance(values, NUMBER) else values.item(row)
 
 
 def broadcast(arrays: Mapping[str, Any]) -> tuple[int, ...]:
-    """Return the shape of the arrays together; raise BadRequest if they do not broadcast."""
+    """Return the common shape of the arrays; raise BadRequest if they do not broadcast."""
     if not arrays:
         return ()
     import numpy

@@ -1,4 +1,4 @@
-"""Inputs from Python in SI units: numbers, texts, pint Quantities, uncertain values, and the containers of these."""
+"""Inputs from Python in SI units: numbers, texts, pint Quantities, uncertain values, and containers of them."""
 
 import warnings
 from collections.abc import Callable, Mapping
@@ -16,41 +16,43 @@ from ..quantities.values import Measured, QuantityError, checked, is_uncertain, 
 from .labels import Axis, aligned, axes_of, have_same_dimensions, have_same_labels, text_of_unit, unit_stated
 
 _TAKEN_BY_FORMULAS = "give a number in SI units, an array of them or a pint Quantity"
-_BYTES = bytes, bytearray, memoryview  # which numpy reads as integers
+_BYTES = bytes, bytearray, memoryview  # numpy reads them as integers
 
 
 @cache
 def units_of(formula: Callable[..., Any]) -> Mapping[str, str]:
-    """Return the SI units of the parameters of a formula, and of what it returns, from its annotations."""
+    """Return the SI units of a formula's parameters and of its result, from its annotations."""
     hints = get_type_hints(formula, localns=vars(dimensions), include_extras=True)
     return {name: hint.__metadata__[0] for name, hint in hints.items()}
 
 
 class Reader:
-    """Reads the inputs of one call, and compares what containers say of several inputs."""
+    """Read the inputs of one call, and compare the labels, units and correlations of several inputs."""
 
     def __init__(self, formula: Callable[..., Any] | None = None) -> None:
-        """`formula`: the formula whose arguments are read; None for the inputs of a frame."""
-        self.quantity: Any = None  # makes a quantity of the package that the last input with a unit came from
+        """`formula`: the formula whose arguments are read, or None for the inputs of a frame."""
+        self.quantity: Any = None  # the Quantity class of the last input with a unit
         self._formula = formula
         self._labelled: tuple[str, list[Axis]] | None = None  # the first input with labels
         self._container: Any = None  # its array of pandas or xarray
-        self._outer: Any = None  # an array with the labels of the results, if these are not those of the inputs
-        self._states_units = False  # whether an input has a unit among its attributes
-        self._owners: dict[Any, str] = {}  # by variable of the package uncertainties, the input that has it
+        self._outer: Any = None  # an array with the labels of the results, if inputs had others
+        self._states_units = False  # True if an input has a unit among its attributes
+        self._owners: dict[Any, str] = {}  # the input that depends on each variable of the package uncertainties
 
     def aligned(self, *groups: Mapping[str, Any]) -> list[dict[str, Any]]:
-        """Return groups of inputs in which arrays of pandas or xarray are aligned as their library does."""
+        """Return groups of inputs; arrays of pandas or xarray are aligned by their own library."""
         every = [dict(group) for group in groups]
-        places = [(group, key) for group in every for key, value in group.items() if axes_of(value)]
-        if len(places) > 1:
-            arrays, self._outer = aligned([group[key] for group, key in places])
-            for (group, key), array in zip(places, arrays, strict=True):
+        labelled = []
+        for group in every:
+            labelled += [(group, key) for key, value in group.items() if axes_of(value)]
+        if len(labelled) > 1:
+            arrays, self._outer = aligned([group[key] for group, key in labelled])
+            for (group, key), array in zip(labelled, arrays, strict=True):
                 group[key] = array
         return every
 
     def in_si(self, given: Mapping[str, Any], name_of: Callable[[str], str] = as_input) -> dict[str, Any]:
-        """Return the inputs of a frame in SI units by name. `name_of` returns the quantity that a word stands for."""
+        """Return the inputs of a frame in SI units by name. `name_of` returns the quantity for a word."""
         values: dict[str, Any] = {}
         words: dict[str, str] = {}
         for key, value in given.items():
@@ -66,10 +68,10 @@ class Reader:
     def number(self, name: str, value: Any) -> Any:
         """Return a float, an uncertain value or an array of floats.
 
-        A unit is read where pint has it, also inside an array of xarray or dask, from which numpy would drop it. Any
-        other unit raises QuantityError.
+        The unit of a pint Quantity is read, also inside an array of xarray or dask: numpy would drop it. Any other unit
+        raises QuantityError.
         """
-        if type(value) is float:  # as nearly always
+        if type(value) is float:  # the usual case
             return value
         if isinstance(value, Numeric):
             value = _of_result(name, value)
@@ -91,18 +93,18 @@ class Reader:
         return self._of_array(name, value)
 
     def _of_array(self, name: str, value: Any) -> Any:
-        """Return the floats of a number or of a container of numbers, with the unit that an array may state."""
+        """Return the floats of a number or a container of numbers, with the unit of the array if it has one."""
         if (unit := unit_stated(value)) is not None and hasattr(value, "attrs"):
             return self._of_stated_unit(name, value, text_of_unit(unit))
         _refuse_unit(name, value)
-        if hasattr(value, "dtype") and hasattr(value, "dims"):  # a data set of xarray has no type, and is refused
+        if hasattr(value, "dtype") and hasattr(value, "dims"):  # a Dataset of xarray has no dtype, and is refused
             return self.number(name, value.data)
         if hasattr(value, "dtype") and hasattr(value, "__dask_graph__"):
             return self.number(name, value.compute())
         return self._floats(name, value)
 
     def _single(self, name: str, value: Any) -> Any:
-        """Return what a text or an uncertain value is in a frame. A formula takes neither."""
+        """Return the SI value of a text or of an uncertain value. A formula takes neither."""
         if self._formula is not None:
             raise QuantityError(name, str(value), "is not a number", _TAKEN_BY_FORMULAS)
         return value_of(value, name) if isinstance(value, str) else checked(value, name, str(value.value))
@@ -113,12 +115,12 @@ class Reader:
         self.quantity = registry.Quantity
         magnitude = quantity.magnitude
         if not hasattr(magnitude, "std_dev"):
-            magnitude = self.number(name, magnitude)  # 100 nm is no number of 16 bits
+            magnitude = self.number(name, magnitude)  # 16 bits cannot hold 1e-7
         try:
             if not quantity.is_compatible_with(unit):
                 raise QuantityError(name, str(quantity), "is of another dimension", f"give a value in {unit}")
             return registry.Quantity(magnitude, quantity.units).m_as(unit)
-        except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:  # those of pint are such
+        except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:  # those of pint
             raise QuantityError(name, str(quantity), f"has a unit that cannot be converted: {error}") from None
 
     def _unit_of(self, name: str) -> str:
@@ -134,7 +136,7 @@ class Reader:
             raise QuantityError(name, str(quantity), "is of another dimension", f"give a value in {unit}") from error
 
     def _of_stated_unit(self, name: str, array: Any, text: str) -> Any:
-        """Return the numbers of an array in SI units whose unit is an attribute, or that of a column of pint."""
+        """Return the SI numbers of an array whose unit is an attribute or belongs to a pint column."""
         wanted = self._unit_of(name)
         try:
             unit = unit_meant(text, dimension_of(wanted)) if text != "1" else (1, 1, dimension_of("1"))
@@ -151,7 +153,7 @@ class Reader:
         return self.number(name, data.to_numpy() if hasattr(data, "to_numpy") else data) * unit[0] / unit[1]
 
     def _measured(self, name: str, number: Any) -> Measured:
-        """Return a number of the package uncertainties; raise BadRequest if it is correlated with another input."""
+        """Return a number of the package uncertainties. Raises BadRequest if it is correlated with another input."""
         for variable, part in getattr(number, "error_components", dict)().items():
             if part and (owner := self._owners.setdefault(variable, name)) != name:
                 remedy = (
@@ -161,7 +163,7 @@ class Reader:
         return Measured(number.nominal_value, number.std_dev)
 
     def compare_labels(self, name: str, value: Any) -> None:
-        """Raise BadRequest for arrays of pandas or xarray whose labels differ: elements are taken by position."""
+        """Raise BadRequest if arrays of pandas or xarray have different labels: elements pair up by position."""
         axes = axes_of(value)
         if not axes:
             return
@@ -176,7 +178,7 @@ class Reader:
             raise BadRequest(f"{first} and {name} have different indexes: {remedy}")
 
     def labelled(self, name: str, values: Any, unit: str) -> Any:
-        """Return the values of a quantity with the labels of the inputs, if they have their shape."""
+        """Return the values of a quantity with the labels of the inputs, if the shapes match."""
         container = self._container
         if container is None or getattr(values, "shape", None) != getattr(container, "shape", None):
             return values
@@ -191,7 +193,7 @@ class Reader:
         return found
 
     def _floats(self, name: str, value: Any) -> Any:
-        """Return a float or an array of floats for a number, a sequence or an array of any number type."""
+        """Return a float or an array of floats for a number, a sequence or an array of any numeric type."""
         remedy = "" if self._formula is None else _TAKEN_BY_FORMULAS
         if isinstance(value, NUMBER) and not isinstance(value, bool):
             try:
@@ -212,7 +214,7 @@ class Reader:
 
 
 def warn_of_metres(described: Mapping[str, Any], given: Mapping[str, Any]) -> None:
-    """Warn of radii that were given as numbers without a unit, and are a metre or more."""
+    """Warn about a radius of a metre or more that was given as a number without a unit."""
     for name in described.keys() & {"radius", "diameter", "reduced_radius"}:
         words = [word for word, value in given.items() if as_input(str(word)) == name and isinstance(value, NUMBER)]
         if words and described[name] >= 1.0:
@@ -221,7 +223,7 @@ def warn_of_metres(described: Mapping[str, Any], given: Mapping[str, Any]) -> No
 
 
 def quantity_of(package: str) -> Any:
-    """Return what makes a quantity of a number and a unit. Raises BadRequest for a package that has no units."""
+    """Return the Quantity class of a package. Raises BadRequest for a package without units."""
     if package == "pint":
         return import_module("pint").get_application_registry().Quantity
     if package == "astropy":
@@ -230,7 +232,7 @@ def quantity_of(package: str) -> Any:
 
 
 def _of_result(name: str, result: Numeric) -> Any:
-    """Return the number of a result of jkroll. Raises QuantityError for one in another unit."""
+    """Return the number of a result of jkroll. Raises QuantityError if its unit differs."""
     unit, wanted = NOMENCLATURE[result.name].unit, NOMENCLATURE[name].unit
     if unit != wanted:
         raise QuantityError(name, str(result), f"is a {result.name}, in {unit}", f"give a value in {wanted}")
@@ -238,7 +240,9 @@ def _of_result(name: str, result: Numeric) -> Any:
 
 
 def _refuse_unit(name: str, value: Any) -> None:
-    """Raise QuantityError for a unit of another package."""
+    """Raise QuantityError for a value with a unit from another package."""
     remedy = "give SI numbers, or a Quantity of pint or astropy"
-    if any(hasattr(holder, word) for holder in (value, getattr(value, "dtype", None)) for word in ("unit", "units")):
-        raise QuantityError(name, str(value), "has a unit, and only those of pint and astropy are read", remedy)
+    for holder in (value, getattr(value, "dtype", None)):
+        if hasattr(holder, "unit") or hasattr(holder, "units"):
+            problem = "has a unit, and only those of pint and astropy are read"
+            raise QuantityError(name, str(value), problem, remedy)

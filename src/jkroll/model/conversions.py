@@ -1,4 +1,4 @@
-"""Inputs in place of others: a diameter for a radius, a shear modulus for Young's modulus. They are converted once."""
+"""Convert alternative inputs: a diameter to a radius, a shear modulus to Young's modulus."""
 
 from collections.abc import Collection, Mapping
 from typing import Any
@@ -12,11 +12,11 @@ _CORRELATED = "correlated error bars"  # the phrase of a status
 
 
 def converted(given: Mapping[str, Any], of_solids: Mapping[str, Any], *, own_material2: bool) -> dict[str, Any]:
-    """Return inputs with R = D/2 in place of diameters and E = 2G(1 + ν) in place of shear moduli.
+    """Return the inputs with diameters converted to R = D/2 and shear moduli to E = 2G(1 + ν).
 
-    `of_solids`: the values of the materials, with their uncertainties; `own_material2`: whether sphere 2 has a material
-    of its own. If not, it has the shear modulus and Poisson's ratio of sphere 1 unless its own are given. A shear
-    modulus stays where Poisson's ratio is missing. Raises BadRequest where the error bars of two inputs would be
+    `of_solids`: the values of the materials, with their uncertainties. `own_material2`: True if sphere 2 has its own
+    material; if not, it takes the shear modulus and Poisson's ratio of sphere 1 unless its own are given. A shear
+    modulus is kept if Poisson's ratio is missing. Raises BadRequest if the uncertainties of two inputs would be
     correlated.
     """
     known = {**of_solids, **given}
@@ -36,14 +36,17 @@ def converted(given: Mapping[str, Any], of_solids: Mapping[str, Any], *, own_mat
                 remedy = f"give {young} with its error bar, or {poisson} without one"
                 raise BadRequest(f"E = 2G(1 + ν) is correlated with ν, which is uncertain; {remedy}", _CORRELATED)
             factors[modulus] = 2 * (1 + middle(ratio))
-    return {
-        CONVERTED[name] if name in factors else name: scaled(value, factors[name]) if name in factors else value
-        for name, value in given.items()
-    }
+    inputs = {}
+    for name, value in given.items():
+        if name in factors:
+            inputs[CONVERTED[name]] = scaled(value, factors[name])
+        else:
+            inputs[name] = value
+    return inputs
 
 
 def lacked(missing: frozenset[str], stated: Collection[str]) -> frozenset[str]:
-    """Return missing inputs, with Poisson's ratio in place of E where a shear modulus lacks it."""
+    """Return the missing inputs, with Poisson's ratio instead of E if a shear modulus was given without it."""
     for modulus in ("shear_modulus", "shear_modulus2"):
         if modulus in stated and CONVERTED[modulus] in missing:
             missing = missing - {CONVERTED[modulus]} | {of_sphere(NOMENCLATURE[modulus].sphere, "poisson_ratio")}

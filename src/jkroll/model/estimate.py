@@ -1,7 +1,7 @@
-"""The best range of each result: where the number lies, and what says so.
+"""The best range of each result, and the rule that gives it.
 
-A result has the value of the law in use. A law that holds better here, forces that were measured on the same solid, or
-that nothing was measured, make a range of it: by the first rule that applies, row by row.
+A result has the value by the law in use. A law that holds better here, forces measured on the same solid, or a lack of
+measurements widen it to a range. In each row, the first rule that applies decides.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
@@ -39,7 +39,7 @@ from .uncertainty import ErrorBar, error_bars
     NONE, DEFINITION, MEASURED, SCALED, XI_UNKNOWN, FRICTION_ASSUMED, SPACING_ASSUMED, ADHESION_ONLY, BOUNDS, LAW_ONLY,
     KELVIN, GAP, BETTER_LAW, LAW_IN_USE,
 ) = range(14)  # fmt: skip
-_GIVEN = {law: number for number, law in enumerate(LAWS, LAW_IN_USE + 1)}  # of laws that are given, which decide
+_GIVEN = {law: number for number, law in enumerate(LAWS, LAW_IN_USE + 1)}  # a law that the user gives decides
 WORDS = (
     "–", "definition", "measured", "scaled", "ξ unknown", "τ assumed", "z0 assumed", "adhesion only", "JKR to DMT",
     "JKR only", "Kelvin", "roughness", "Maugis", "JKR",
@@ -53,12 +53,15 @@ _LAWS_THEMSELVES = (
 _OF_WATER = ("meniscus_force", "kelvin_radius", "threshold_humidity")
 _STICKING = {"sticking_speed": 1, "sticking_energy": 2}  # powers of the speed
 _LOSING = ("restitution", "lost_energy")
-# Measured quantities that every loss of a collision moves one way, and the inputs that move them so as they grow.
+# Measured quantities that any loss in a collision moves one way, and inputs that move them the same way as they grow.
 _LOSSES = frozenset({"restitution", "sticking_speed"})
 _LOSE = ("surface_energy", "work_of_adhesion", "hamaker", "viscous_time")
-_AS_PULL_OFF = ("pull_off_force", "bond_number")  # in proportion to it
-_BREAKING = ("disruption_energy", "disruption_speed")  # by fits to simulations, with the work to part two spheres
-# What Lennard-Jones' law gives: the power of a quantity in which a result is, and that quantity by this law.
+_AS_PULL_OFF = ("pull_off_force", "bond_number")  # in proportion to the pull-off force
+_BREAKING = (
+    "disruption_energy",
+    "disruption_speed",
+)  # by fits to simulations; they depend on the work to part two spheres
+# Results by Lennard-Jones' law: each is a power of a quantity, which that law gives under another name.
 _BY_LENNARD_JONES = {
     **dict.fromkeys(_AS_PULL_OFF, (1.0, "pull_off_force", "pull_off_force_lennard_jones")),
     "well_energy": (1.0, "well_energy", "well_energy_lennard_jones"),
@@ -69,15 +72,15 @@ _BY_LENNARD_JONES = {
     "disruption_energy": (1.0, "pull_off_work", "well_energy_lennard_jones"),
     "disruption_speed": (0.5, "pull_off_work", "well_energy_lennard_jones"),
 }  # fmt: skip
-FRICTION_FACTOR = 3.0  # to which the shear strength that is assumed is known, either way: an order of magnitude
-_SAME = 1e-9  # relative difference of numbers that laws give alike
+FRICTION_FACTOR = 3.0  # uncertainty of the assumed shear strength, up or down: an order of magnitude in all
+_SAME = 1e-9  # relative difference below which two laws agree
 _TOO_WIDE = reason(ENDS[CONTACT_EXCEEDS_SPHERE.codes[1.0]])
 
 
 class Estimate(NamedTuple):
-    """The range in which a result lies, numbers or arrays, and the rule by which: the position of its word in WORDS.
+    """The range of a result (numbers or arrays), and the rule that gives it, as an index into WORDS.
 
-    An end is nan where the range is open, or where there is none.
+    An end is nan where the range is open, or where there is no range.
     """
 
     low: Any
@@ -86,11 +89,11 @@ class Estimate(NamedTuple):
 
 
 Ends = tuple[Any, Any]  # nan where there is none
-Rule = tuple[Any, Any, Any, int]  # the rows to which it applies, the ends there, and its number
+Rule = tuple[Any, Any, Any, int]  # the rows to which it applies, the two ends there, its number
 
 
 def _first(rules: Iterable[Rule]) -> Estimate:
-    """Return for each row what the first rule says that applies to it; the last one applies to all."""
+    """Return the range by the first rule that applies, row by row; the last rule applies to all rows."""
     *others, (_, low, high, by) = rules
     found = Estimate(low, high, by)
     for applies, *rule in reversed(others):
@@ -99,13 +102,13 @@ def _first(rules: Iterable[Rule]) -> Estimate:
 
 
 def estimates(results: Results, names: Iterable[str]) -> dict[str, Estimate]:
-    """Return the estimates of those of some results that have a number in some row, with a meaning or not."""
+    """Return the estimates of those results that have a number in some row, with or without a meaning."""
     ranges = Ranges(results)
     return {name: ranges.estimate(name) for name in names if name in ranges.names}
 
 
 class Ranges:
-    """The ranges of results that laws and measurements give, each computed once."""
+    """The ranges of results by laws and measurements; each is computed once."""
 
     def __init__(self, results: Results) -> None:
         self.results, self.frame = results, results.frame
@@ -115,10 +118,10 @@ class Ranges:
     def estimate(self, name: str) -> Estimate:
         """Return the estimate of a result that has a number in some row.
 
-        There is none where neither end has a meaning, nor where the contact is wider than the smaller sphere.
+        It is NONE where neither end has a meaning, and where the contact is wider than the smaller sphere.
         """
         low, high, by = _first(self._rules(name))
-        has_end = (low <= inf) | (high <= inf)  # which nan is not
+        has_end = (low <= inf) | (high <= inf)  # false for nan
         is_ended = where(has_end, False, self.results.ended.get(name, False))
         is_wide = self.results.meant[name].reasons == _TOO_WIDE
         has_none = (self.results.computed[name].reasons != 0) | is_ended | is_wide
@@ -151,21 +154,21 @@ class Ranges:
             yield from self._of_laws(name, own)
 
     def _is_from_losses(self, name: str) -> bool:
-        """Return whether all that a collision loses is taken for what an inferred value makes it lose."""
+        """Return whether an inferred value ascribes all losses of a collision to its own cause."""
         is_unknown = name in _LOSE and name in self.results.described.unknowns
         return is_unknown and not _LOSSES.isdisjoint(self.results.judged)
 
     def _of_given_law(self, name: str, own: Ends, law: str) -> Iterator[Rule]:
-        """Iterate over the rules of a law that was given, which decides; what is left open is its atomic spacing."""
+        """Iterate over the rules of a law that the user gave: it decides, except for an assumed atomic spacing."""
         if self.frame.assumes_spacing:
             low, high = self.hull(name, _itself, at_half_spacing)
             yield (low < own[0]) | (high > own[1]), low, high, SPACING_ASSUMED
         yield True, *own, _GIVEN[law]
 
     def _of_laws(self, name: str, own: Ends) -> Iterator[Rule]:
-        """Iterate over the rules of what a law decides."""
+        """Iterate over the rules for results that depend on the law of attraction."""
         if name not in self._ends(_between):
-            if name in _AS_PULL_OFF:  # without a contact modulus
+            if name in _AS_PULL_OFF:  # the contact modulus is missing
                 yield True, own[0], own[1] * self._dmt_over_jkr, BOUNDS
             if "shear_strength" in self.frame.formulas_to(name):
                 yield True, *self.hull(name, *_FRICTIONS), FRICTION_ASSUMED
@@ -184,9 +187,9 @@ class Ranges:
         yield True, *of_both, LAW_IN_USE
 
     def _of_water(self, name: str, own: Ends) -> Rule:
-        """Return the rule of what condensed water does: by the exact meniscus, or at most that where there is a gap.
+        """Return the rule for condensed water: the exact meniscus or, where there is a gap, at most its force.
 
-        A meniscus that is so small that the two differ by less than half a percent is that of first order.
+        For a meniscus so small that both differ by less than half a percent, the first order counts as exact.
         """
         if name != "meniscus_force":
             return True, *own, KELVIN
@@ -196,7 +199,7 @@ class Ranges:
         return True, own[0], own[1] * where(size > 0.05, 1 + 2 * size * size, 1.0), KELVIN
 
     def _of_sticking(self, name: str, own: Ends) -> Iterator[Rule]:
-        """Iterate over the rules of a speed or an energy up to which hard spheres stick: by what was measured."""
+        """Iterate over the rules for the largest speed or energy at which hard spheres stick, by measurements."""
         if VISCOUS_TIME in self.frame.stated:
             return
         power, stuck = _STICKING[name], what_stuck(self.frame)
@@ -212,7 +215,7 @@ class Ranges:
         yield self._is_hard, own[0], MOST_SEEN**power * own[1], MEASURED
 
     def _of_restitution(self) -> Iterator[Rule]:
-        """Iterate over the rules of the coefficient of restitution, which losses other than to adhesion lower."""
+        """Iterate over the rules for the coefficient of restitution, which any further loss lowers."""
         if "sticking_speed" in self.names:
             speeds = self.estimate("sticking_speed")
             yield (speeds.by == MEASURED) & (self.frame["speed"] < speeds.low), 0.0, 0.0, MEASURED
@@ -223,25 +226,25 @@ class Ranges:
             yield self._is_hard, least, self.hull("restitution", _itself, *_BETTER)[1], ADHESION_ONLY
 
     def _of_rolling(self, name: str) -> Iterator[Rule]:
-        """Iterate over the rules of a rolling quantity with an assumed ξ: by what was measured, or between its ends."""
+        """Iterate over the rules for a rolling quantity with an assumed ξ: measured forces, then the limits of ξ."""
         if (rolled := what_rolled(self.frame)) is not None:
             ends = (then(law, end) for law in (_itself, *_BETTER) for end in rolled.ends)
             yield rolled.is_near(self.frame), *self.hull(name, *ends), SCALED
         laws = _BETTER if name in self._ends(_between) else (_itself,)
         at_an_atom = self.hull(name, *laws)
         low, high = self.hull(name, *(then(law, at_full_hysteresis) for law in laws))
-        is_past = self.hull("hysteresis_ratio", *laws)[1] >= 1  # more is lost at 2 Å than there is
+        is_past = self.hull("hysteresis_ratio", *laws)[1] >= 1  # at 2 Å more than all of it would be lost
         rises = self._most(name, *(then(law, _at_twice) for law in laws)) > self._most(name, *laws)
         low = where(rises, where(is_past, nan, at_an_atom[0]), low)
         high = where(rises, high, where(is_past, nan, at_an_atom[1]))
         yield True, low, high, XI_UNKNOWN
 
     def at_full_hysteresis(self, name: str) -> Ends:
-        """Return the ends of a result where all of the work of adhesion is lost, by the better law."""
+        """Return the ends of a result if all of the work of adhesion is lost, by the better law."""
         return self.hull(name, *(then(law, at_full_hysteresis) for law in _BETTER))
 
     def of_laws(self, name: str, by: int) -> list[Ends]:
-        """Return the ends of a result, found by a rule, by the law in use and by Maugis' at both spacings."""
+        """Return the ends of a result for a rule, by the law in use and by Maugis' law at both spacings."""
         ends: tuple[Make, ...] = (_itself,)
         if by == SCALED and (rolled := what_rolled(self.frame)) is not None:
             ends = rolled.ends
@@ -249,16 +252,16 @@ class Ranges:
             ends = (_itself, at_full_hysteresis)
         return [self.hull(name, *(then(law, end) for end in ends)) for law in (_itself, *_BETTER)]
 
-    # --- What follows by other laws, and from what was measured ---
+    # --- Other laws and measurements ---
 
     def by_better_law(self, name: str) -> Ends:
-        """Return the ends of a result by the law between JKR and DMT, at all atomic spacings that are likely."""
+        """Return the ends of a result by the law between JKR and DMT, over all likely atomic spacings."""
         return self.hull(name, *_BETTER)
 
     def hull(self, name: str, *makers: Make) -> Ends:
-        """Return the least and the largest value of a result among what is made of the frame, with error bars.
+        """Return the least and the largest value of a result over variants of the frame, uncertainties included.
 
-        An end is open where the value beyond it has no meaning.
+        An end is open where the next value beyond it has no meaning.
         """
         low: Any = inf
         high: Any = -inf
@@ -275,7 +278,7 @@ class Ranges:
         return where(low < inf, low, nan), where(high > -inf, high, nan)
 
     def _most(self, name: str, *makers: Make) -> Any:
-        """Return the largest value of a result among what is made of the frame, with a meaning or not."""
+        """Return the largest value of a result over variants of the frame, with or without a meaning."""
         most: Any = -inf
         for ends in map(self._ends, makers):
             if name in ends:
@@ -283,9 +286,9 @@ class Ranges:
         return most
 
     def _ends(self, make: Make) -> Mapping[str, tuple[Any, Any, Any]]:
-        """Return the ends of the error bars of results of what is made of the frame, once, or their values.
+        """Return the ends of results in a variant of the frame, with the rows in which they have no meaning.
 
-        With them stand the rows in which they have no meaning.
+        The ends are those of the uncertainty, or the value itself; each variant is computed once.
         """
         if make not in self._made:
             self._made[make] = {}
@@ -302,12 +305,12 @@ class Ranges:
 
     @property
     def _is_hard(self) -> Any:
-        """The rows in which solids are not as soft as those that close over their roughness."""
+        """The rows whose solids are too hard to close over their roughness."""
         return self.frame.numbers("contact_modulus").get("contact_modulus", 0.0) >= SOFT
 
     @property
     def _is_smooth(self) -> Any:
-        """The rows in which the contact forms and opens without a jump, at any atomic spacing that is likely."""
+        """The rows in which the contact forms and opens without a jump, at all likely atomic spacings."""
         return self._tabor_parameter * (2 if self.frame.assumes_spacing else 1) < JUMP
 
     @property
@@ -316,7 +319,7 @@ class Ranges:
         return self.frame["pull_off_force_dmt"] / self.frame["pull_off_force"]
 
     def _by_lennard_jones(self, name: str) -> Ends:
-        """Return a result by Lennard-Jones' law, and its upper end; of energies, where the contact has no jump."""
+        """Return a result by Lennard-Jones' law, and its upper end; energies only without a jump."""
         power, base, by_law = _BY_LENNARD_JONES[name]
         own, ours, theirs = (self.frame.column(each).values for each in (name, base, by_law))
         own_most, most, most_of_law = (self.hull(each, _itself)[1] for each in (name, base, by_law))
@@ -328,11 +331,11 @@ class Ranges:
 
 
 def _ends_by(make: Make, frame: Frame, names: Iterable[str]) -> dict[str, tuple[Any, Any, Any]]:
-    """Return the ends of the error bars of quantities of what is made of a frame; where there is none, twice the value.
+    """Return the ends of quantities in a variant of a frame, with the rows in which a limit ends their meaning.
 
-    With them stand the rows in which a limit ends their meaning.
+    The ends are those of the uncertainty; without one, both are the value.
 
-    Raises a JkrollError for several rows of which some have no error bars.
+    Raises a JkrollError if some of several rows have no uncertainties.
     """
     other = make(frame)
     columns, bars = other.columns(other.possible(names)), dict[str, ErrorBar]()
@@ -368,7 +371,7 @@ def _between(frame: Frame) -> Frame:
 
 
 def _between_at_half(frame: Frame) -> Frame:
-    """Return the same at half the atomic spacing, unless that was given."""
+    """Return the frame by that law at half the atomic spacing, unless the spacing was given."""
     return at_half_spacing(_between(frame)) if frame.assumes_spacing else _between(frame)
 
 
@@ -378,7 +381,7 @@ def _at_twice(frame: Frame) -> Frame:
 
 
 def _with_friction(factor: float, frame: Frame) -> Frame:
-    """Return the frame with a multiple of its shear strength, as far as a frame takes it."""
+    """Return the frame with its shear strength multiplied by a factor, within the range that a frame accepts."""
     strength = frame["shear_strength"] * factor
     return frame.replace(shear_strength=at_most(at_least(strength, LEAST), MOST))
 
@@ -389,5 +392,5 @@ _FRICTIONS = (partial(_with_friction, 1 / FRICTION_FACTOR), partial(_with_fricti
 
 @cache
 def then(first: Make, second: Make) -> Make:
-    """Return what makes a frame by one function and another one of it by the second: always the same."""
+    """Return the composition of two variants; the same pair gives the same function."""
     return lambda frame: second(first(frame))

@@ -1,7 +1,7 @@
-"""A measured force curve as branches: signs, baseline, the free parts, the contact, and the range that is fitted.
+"""Divide a measured force curve into branches: signs, baseline, free parts, contact, and the range to fit.
 
-Loading is the way to the largest force, unloading the way back. Away from contact a branch is free: there its force is
-the baseline. Loads are forces less the baseline, tension negative; travel and approach rise into the contact.
+Loading leads to the largest force, unloading away from it. A branch is free where it is out of contact: there its force
+is the baseline. Loads are forces minus the baseline, tension negative; travel and approach increase into the contact.
 """
 
 from collections.abc import Mapping
@@ -17,21 +17,21 @@ Array = Any
 
 LOADING, UNLOADING, PAUSE = "loading", "unloading", "pause"
 LEAST_POINTS = 5
-_NOISE = 5.0  # standard deviations of the noise from which on a force is no noise
+_NOISE = 5.0  # standard deviations of the noise above which a force is a signal
 _SMOOTH = 9  # points of a running median
-_END = 0.1  # share of a branch that is taken as its end
-_FLATTER = 0.05  # of the range of forces, that a free end may rise by; a straight line rises by a tenth
-_LOST = 0.5  # of the depth of the minimum: above, the contact is lost
-_RISE = 0.05  # of the depth, by which the force has risen where a lever lets go
-_SHORT = 0.03  # share of the points below which a way to the largest force is no branch
-_STEEPER = 5.0  # ratio of the rise of force at both ends from which on it says which is free
-_NEAR_ONCE = 1.5  # length of all ways of z over that of one way there and one back
-_PAUSED = 10.0  # usual steps of time that make a gap
-_LEAST_NOISE = 1e-9  # of the range of forces: of curves that a program made
-_FLAT = 5  # equal largest readings in a row from which on the sensor is saturated
-_LONG = 0.2  # of the travel, which a flat end must have to be free where no force is below it
-_MOST_PHI = 0.99  # correlation of neighbours in the baseline, at most
-_SETTLES = 0.1  # share of the free part behind the jump in which a lever swings
+_END = 0.1  # fraction of a branch that counts as its end
+_FLATTER = 0.05  # of the range of forces: the largest rise over a free end; a straight line rises by 0.1
+_LOST = 0.5  # of the depth of the minimum: above this force the contact is lost
+_RISE = 0.05  # of the depth of the minimum: the rise of the force where a lever lets go
+_SHORT = 0.03  # a branch has at least this fraction of the points
+_STEEPER = 5.0  # ratio of the rises of force at both ends above which the flatter one is free
+_NEAR_ONCE = 1.5  # total path of z over the path of one approach and one retraction
+_PAUSED = 10.0  # a gap in time is longer than this many usual steps
+_LEAST_NOISE = 1e-9  # of the range of forces, for computed curves
+_FLAT = 5  # equal largest readings in a row that show a saturated sensor
+_LONG = 0.2  # of the travel: the least length of a flat, free end without a force below it
+_MOST_PHI = 0.99  # largest correlation of neighbours in the baseline
+_SETTLES = 0.1  # fraction of the free part after the jump in which the lever swings
 
 
 class BadCurve(JkrollError):
@@ -40,17 +40,17 @@ class BadCurve(JkrollError):
     exit_code = 1
 
     def __init__(self, problem: str, phrase: str) -> None:
-        """`phrase`: for the row of a table."""
+        """`phrase`: the reason in a table."""
         super().__init__(problem)
         self.phrase = phrase
 
 
 class ForceCurve(NamedTuple):
-    """Columns of a curve in their order in time, in SI units: z or a, the force, and what else a table gives.
+    """The columns of a curve in order of time, in SI units: z or a, the force, and optional columns.
 
-    `z` is a contact radius, an approach or a travel, as `kind` says. Errors are standard deviations, None if unknown;
-    `branch` is the name of the branch at each point, PAUSE for one of neither, None if no column says so.
-    `time` is in any unit; `is_deflection`: the force is a measured deflection times the stiffness of the lever.
+    `z` is a contact radius, an approach or a travel; `kind` tells which. Errors are standard deviations, None if
+    unknown. `branch` names the branch of each point, or PAUSE if it belongs to neither; None without such a column.
+    `time` has any unit. `is_deflection`: the force is a measured deflection times the stiffness of the lever.
     """
 
     kind: str
@@ -72,25 +72,25 @@ RADIUS, APPROACH, TRAVEL = "contact radius", "approach", "travel"
 
 
 class Baseline(NamedTuple):
-    """The force away from contact, as a line over z: its middle and slope with standard errors, and the noise there."""
+    """The force out of contact as a line over z: its middle and slope with standard errors, and the noise."""
 
     force: float
     slope: float
     error: float
     noise: float
-    z: float = 0.0  # at which the line has the force
+    z: float = 0.0  # the position at which the line has `force`
     slope_error: float = 0.0
 
     def at(self, z: Array) -> Array:
-        """Return the baseline at some z."""
+        """Return the baseline at positions z."""
         return self.force + self.slope * (z - self.z)
 
 
 class Branch(NamedTuple):
-    """A branch: its points with loads in place of forces, and the slice of those in contact, in their order in time.
+    """A branch: its points with loads instead of forces, and the slice in contact, in order of time.
 
-    `reach` is the slice of those that may be in contact, beyond the least load. The baseline is None for contact radii,
-    and that of the other branch where this one has no free part.
+    `reach` is the slice that may be in contact, beyond the least load. Contact radii have no baseline; a branch without
+    a free part takes the baseline of the other.
     """
 
     name: str
@@ -101,7 +101,7 @@ class Branch(NamedTuple):
     has_free_part: bool = False
 
     def extended(self, first_z: float) -> Self:
-        """Return the branch with the contact as far as travels from `first_z` on may reach."""
+        """Return the branch with its contact extended to all positions within reach from `first_z` on."""
         held = numpy.nonzero(self.points.z[self.reach] >= first_z)[0]
         if self.name == UNLOADING:
             last = int(held[-1]) + 1 if len(held) else 0
@@ -125,9 +125,9 @@ class Branches(NamedTuple):
 
 
 def branches_of(curve: ForceCurve, stiffness: float, *, tilt: bool = False, only: str = "") -> Branches:
-    """Return the branches of a curve; `stiffness` of its lever, infinite without one. Raises BadCurve.
+    """Return the branches of a curve. `stiffness` is that of the lever, infinite without one. Raises BadCurve.
 
-    `only`: the name of the branch that is wanted alone, which the only one of a curve then has.
+    `only`: the name of the only branch to fit; a curve with one branch takes it as the name.
     """
     remarks: dict[str, str] = {}
     curve = _finite(_without_pause(curve, remarks), remarks)
@@ -160,7 +160,7 @@ def branches_of(curve: ForceCurve, stiffness: float, *, tilt: bool = False, only
 
 
 def _without_pause(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
-    """Return a curve without the points at which a column says that the machine paused."""
+    """Return a curve without the points that a column marks as a pause."""
     if curve.branch is None or not (is_pause := curve.branch == PAUSE).any():
         return curve
     remarks["pause"] = f"{int(is_pause.sum())} points of a pause are left out"
@@ -168,7 +168,7 @@ def _without_pause(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
 
 
 def _check_time(parts: Mapping[str, ForceCurve], remarks: dict[str, str]) -> None:
-    """Remark on gaps in the time of a branch, whose neighbours are no neighbours."""
+    """Add a remark on gaps in time within a branch, where points may be missing."""
     for name, part in parts.items():
         if part.time is None:
             continue
@@ -182,7 +182,7 @@ def _check_time(parts: Mapping[str, ForceCurve], remarks: dict[str, str]) -> Non
 
 
 def _finite(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
-    """Return the points that have numbers. Raises BadCurve for too few."""
+    """Return the points with finite numbers. Raises BadCurve if there are too few."""
     is_known = numpy.isfinite(curve.z) & numpy.isfinite(curve.force)
     if curve.kind == RADIUS:
         is_known &= curve.z > 0
@@ -198,9 +198,9 @@ def _finite(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
 
 
 def _unsaturated(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
-    """Return a curve without the points at which the sensor gave its largest or its least reading again and again.
+    """Return a curve without the points where the sensor is saturated: repeated largest or least readings.
 
-    A reading of exactly 0 is none of a sensor's end, but the force away from contact in a computed curve.
+    Readings of exactly 0 are kept: a computed curve has them out of contact.
     """
     is_kept = numpy.ones(len(curve.force), bool)
     for end in (curve.force.max(), curve.force.min()):
@@ -216,9 +216,9 @@ def _unsaturated(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
 
 
 def _sign(curve: ForceCurve) -> float:
-    """Return the sign that makes z rise into the contact: the free end is flat, and the force at it is the smaller one.
+    """Return the sign that makes z rise into the contact: the free end is flat, and its force is the smaller one.
 
-    Raises BadCurve where neither end of the travel differs from the other.
+    Raises BadCurve if the two ends do not differ.
     """
     order = numpy.argsort(curve.z, kind="stable")
     count = max(3, len(order) // 10)
@@ -230,15 +230,15 @@ def _sign(curve: ForceCurve) -> float:
         return 1.0 if bend_high > bend_low else -1.0
     if abs(high - low) < 0.02 * spread:
         raise BadCurve(
-            f"at both ends of the {curve.kind} the force is the same: which end is in contact is not known. Leave out "
-            "what is not of one approach and retraction",
+            f"the force is the same at both ends of the {curve.kind}, so the end in contact is not known. Leave out "
+            "all points that do not belong to one approach and retraction",
             "unknown direction",
         )
     return 1.0 if high > low else -1.0
 
 
 def _with_pull_negative(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
-    """Return a curve whose force rises into the contact, as its slope at that end of z says."""
+    """Return a curve whose force rises into the contact, judged by its slope at that end."""
     order = numpy.argsort(curve.z, kind="stable")[-max(LEAST_POINTS, len(curve.z) // 40) :]
     z, force = curve.z[order], curve.force[order]
     slope = float(numpy.polyfit(z - z.mean(), force, 1)[0]) if numpy.ptp(z) > 0 else 0.0
@@ -251,9 +251,9 @@ def _with_pull_negative(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurv
 
 
 def _split(curve: ForceCurve, only: str, remarks: dict[str, str]) -> dict[str, ForceCurve]:
-    """Return the points of each branch in time, as a column says, or before and behind the turn of z or the force.
+    """Return the points of each branch in time, divided by a column or at the turning point of z or of the force.
 
-    A file may hold a branch of a column in the order of z.
+    Branches named in a column may be sorted by z in the file.
     """
     if curve.branch is not None:
         parts = {name: _in_time(curve.chosen(curve.branch == name), name) for name in (LOADING, UNLOADING)}
@@ -276,14 +276,14 @@ def _split(curve: ForceCurve, only: str, remarks: dict[str, str]) -> dict[str, F
 
 
 def _in_time(part: ForceCurve, name: str) -> ForceCurve:
-    """Return the points of a branch in their order in time: z rises while loading."""
+    """Return the points of a branch in order of time: z rises during loading."""
     if len(part.z) and (part.z[-1] < part.z[0]) == (name == LOADING):
         return part.chosen(slice(None, None, -1))
     return part
 
 
 def _turns_once(z: Array, top: int) -> bool:
-    """Return whether z rises up to an index and falls from there, but for noise."""
+    """Return whether z rises up to an index and falls after it, except for noise."""
     ways = float(abs(numpy.diff(running_median(z))).sum())
     return ways < _NEAR_ONCE * float(2 * z[top] - z[0] - z[-1])
 
@@ -293,7 +293,7 @@ def _varies(part: ForceCurve) -> bool:
 
 
 def running_median(values: Array, size: int = _SMOOTH) -> Array:
-    """Return the running median over an odd number of points, fewer at the ends."""
+    """Return the running median over an odd number of points; windows shrink at the ends."""
     size = min(size, len(values) - (len(values) + 1) % 2)
     if size < 3:
         return values
@@ -303,9 +303,9 @@ def running_median(values: Array, size: int = _SMOOTH) -> Array:
 
 
 def _white_noise(force: Array) -> float:
-    """Return the standard deviation of noise from one point to the next: by differences, the least of some orders.
+    """Return the standard deviation of white noise, from differences of neighbours: the least over some orders.
 
-    In a curve of few points, differences of low order hold its bend.
+    In a curve with few points, differences of low order include its curvature.
     """
     sizes = []
     for order, square in ((2, 6), (3, 20), (4, 70)):
@@ -315,7 +315,7 @@ def _white_noise(force: Array) -> float:
 
 
 def _free(part: ForceCurve, name: str, noise: float) -> slice:
-    """Return the slice of a branch away from contact; an empty one if it has none."""
+    """Return the slice of a branch that is out of contact, or an empty slice."""
     force = part.force if name == UNLOADING else part.force[::-1]
     count = max(LEAST_POINTS, int(_END * len(force)))
     if len(force) < 2 * count:
@@ -337,7 +337,7 @@ def _free(part: ForceCurve, name: str, noise: float) -> slice:
         first = int(pressed[-1]) + 1 if len(pressed) else len(force)
         z = part.z if name == UNLOADING else part.z[::-1]
         if not len(z[first:]) or numpy.ptp(z[first:]) < _LONG * numpy.ptp(z):
-            return slice(0, 0)  # it may be the least force of a curve that ends there
+            return slice(0, 0)  # a curve that ends at its least force looks the same
     first += int(_SETTLES * (len(force) - first))
     if len(force) - first < LEAST_POINTS:
         return slice(0, 0)
@@ -345,7 +345,7 @@ def _free(part: ForceCurve, name: str, noise: float) -> slice:
 
 
 def _baseline(part: ForceCurve, free: slice, *, tilt: bool) -> Baseline | None:
-    """Return the baseline of a free part: its median, or a line; None without one."""
+    """Return the baseline of a free part: its median, or a line if `tilt`; None without a free part."""
     force, z = part.force[free], part.z[free]
     if len(force) < LEAST_POINTS:
         return None
@@ -364,7 +364,7 @@ def _baseline(part: ForceCurve, free: slice, *, tilt: bool) -> Baseline | None:
 
 
 def _error_of_median(phi: float, count: int) -> float:
-    """Return the standard error of a median over the standard deviation of normal noise, correlated by φ.
+    """Return the standard error of a median in units of the standard deviation, for normal noise correlated by φ.
 
         n var = Σ arcsin ρ_k = π/2 + 2Σ(1 − k/n) arcsin φ^k
 
@@ -375,7 +375,7 @@ def _error_of_median(phi: float, count: int) -> float:
 
 
 def _compare(baselines: Mapping[str, Baseline | None], remarks: dict[str, str]) -> None:
-    """Remark on baselines before and after the contact that differ."""
+    """Add a remark if the baselines before and after the contact differ."""
     both = [each for each in baselines.values() if each is not None]
     if len(both) < 2:
         return
@@ -389,9 +389,9 @@ def _compare(baselines: Mapping[str, Baseline | None], remarks: dict[str, str]) 
 
 
 def _errors(part: ForceCurve, noise: float, give: float) -> tuple[Array, Array]:
-    """Return standard deviations of the force and of z, of which the ratio counts.
+    """Return standard deviations of the force and of z; only their ratio matters.
 
-    Where a column has no errors of z, they are those of the force times `give`, a length over a force.
+    Without a column of errors of z, these are the errors of the force times `give`, a compliance.
     """
     force_error = part.force_error if part.force_error is not None else numpy.full(len(part.z), noise)
     if part.z_error is not None:
@@ -400,9 +400,9 @@ def _errors(part: ForceCurve, noise: float, give: float) -> tuple[Array, Array]:
 
 
 def _in_contact(load: Array, name: str, noise: float) -> tuple[slice, slice]:
-    """Return the slices of a branch in contact: between the largest load and the least one, and as far as it may be.
+    """Return two slices of a branch in contact: from the largest to the least load, and to where it may still hold.
 
-    Behind the least load a stiff lever still holds the contact, and with a soft one it is on its way apart.
+    After the least load, a stiff lever still holds the contact; a soft one is already snapping off.
     """
     forward = load if name == UNLOADING else load[::-1]
     smooth = running_median(forward, 5)
@@ -421,7 +421,7 @@ def _in_contact(load: Array, name: str, noise: float) -> tuple[slice, slice]:
 
 
 def _check(branches: dict[str, Branch], noise: float, remarks: dict[str, str]) -> None:
-    """Leave out a branch with too few points in contact, and remark on what the others lack. Raises BadCurve."""
+    """Drop a branch with too few points in contact, and remark on what the others lack. Raises BadCurve."""
     for name in [*branches]:
         if len(branches[name].in_contact.z) < LEAST_POINTS:
             problem = f"{name}: fewer than {LEAST_POINTS} points are in contact"
@@ -434,16 +434,16 @@ def _check(branches: dict[str, Branch], noise: float, remarks: dict[str, str]) -
         return
     load = branch.points.force
     if not branch.has_free_part and float(load.min()) < -_NOISE * noise:
-        remarks["no-jump-off"] = "no part behind the jump-off: the curve may end before its least force"
+        remarks["no-jump-off"] = "no points after the jump-off: the curve may end before its least force"
     behind = load[branch.reach.stop :]
     if len(behind) > 2 * _SMOOTH:
         smooth = running_median(behind)[_SMOOTH:]
         if float(smooth.min()) < min(-4 * _NOISE * noise, 0.2 * float(load.min())):
-            remarks["several-minima"] = "several minima behind the jump-off (strands, or asperities that let go late)"
+            remarks["several-minima"] = "several minima after the jump-off (strands, or asperities that let go late)"
 
 
 def _of_radii(curve: ForceCurve, remarks: dict[str, str]) -> Branches:
-    """Return the branches of contact radii over loads: all points are in contact, and loads have no baseline."""
+    """Return the branches of contact radii over loads: all points are in contact, and there is no baseline."""
     top = int(numpy.argmax(curve.force))
     if curve.branch is not None:
         parts = {name: curve.chosen(curve.branch == name) for name in (LOADING, UNLOADING)}
@@ -468,11 +468,11 @@ def _of_radii(curve: ForceCurve, remarks: dict[str, str]) -> Branches:
     return Branches(branches, ranges[1], remarks, 1.0)
 
 
-# --- The range that is fitted -----------------------------------------------------------------------------------------
+# --- The fitted range -------------------------------------------------------------------------------------------------
 
 
 class LoadRange(NamedTuple):
-    """The loads that are fitted, in newtons, or in parts of the largest load and, below 0, of the largest tension."""
+    """The range of loads to fit, in newtons or as fractions of the largest load and (below 0) the largest tension."""
 
     low: float
     high: float
@@ -485,9 +485,9 @@ class LoadRange(NamedTuple):
         return end * (float(load.max()) if end > 0 else -float(load.min()))
 
     def within(self, branch: Branch) -> slice:
-        """Return the slice of a branch in contact whose loads lie in the range; all is one run of points.
+        """Return the slice of a branch in contact with loads in the range, as one run of points.
 
-        Ends are those of the running median, so that the noise of a point decides on none.
+        The running median sets its ends, so that the noise of a single point does not.
         """
         load = branch.in_contact.force
         low, high = map(self._load, (self.low, self.high), [load] * 2)
@@ -495,7 +495,7 @@ class LoadRange(NamedTuple):
         order = smooth if branch.name == UNLOADING else smooth[::-1]
         below = numpy.nonzero(order <= high)[0]
         first = int(below[0]) if len(below) else len(load)
-        is_whole = self.is_share and self.low <= -1  # to the last point, which noise may put below the median
+        is_whole = self.is_share and self.low <= -1  # up to the last point, even if noise puts it below the median
         beyond = numpy.nonzero(order[first:] < (-numpy.inf if is_whole else low))[0]
         last = first + int(beyond[0]) if len(beyond) else len(load)
         if last - first < LEAST_POINTS:

@@ -1,7 +1,7 @@
-"""The fit of a measured curve: work of adhesion of each branch, contact modulus and contact point, with three errors.
+"""Fit a measured curve: work of adhesion of each branch, contact modulus and contact point, with three errors.
 
-`fit_branches` divides the curve, `fit_problem` finds the minima of its branches, `fit_errors` what moves them, and
-`fit_goodness` how well they hold.
+`fit_branches` divides the curve, `fit_problem` finds the minima of its branches, `fit_errors` computes the errors, and
+`fit_goodness` measures how well the fit describes the points.
 """
 
 import numpy
@@ -27,7 +27,7 @@ from .fit_result import Fit, Known
 
 
 def fit_curve(curve: ForceCurve, known: Known) -> Fit:
-    """Return the fit of a curve. Raises BadCurve where there is none."""
+    """Return the fit of a curve. Raises BadCurve if there is none."""
     if curve.kind == RADIUS and known.radius is None:
         raise BadCurve("contact radii give w with the radius of the sphere alone: give --radius", "no radius")
     try:
@@ -56,7 +56,7 @@ def _solution(curve: ForceCurve, known: Known) -> tuple[Solution, dict[str, str]
     if len(found) > 1:
         try:
             other = solved_with(problem, found[1], main)
-        except BadCurve as error:  # of the range
+        except BadCurve as error:  # it has too few points in the range
             remarks["branch-left-out"] = f"{error}; the branch is left out"
     return Solution(problem, problem.setting, main, other), remarks
 
@@ -72,10 +72,7 @@ def _result(solution: Solution, remarks: dict[str, str]) -> Fit:
     result = Fit(
         problem.known, problem.kind, values=solution.values, errors=errors, names=names, covariance=covariance,
         remarks=remarks, points=_points_of(solution), baselines=_baselines_of(solution),
-        fitted_loads={
-            part.branch.name: (float(part.points.force.min()), float(part.points.force.max()))
-            for part in (main, solution.other) if part is not None
-        },
+        fitted_loads=_fitted_loads(solution),
         largest_adhesion=None if has_adhesion else problem.largest_adhesion,
     )  # fmt: skip
     pull_off = _pull_off(solution) if has_adhesion else None
@@ -107,32 +104,42 @@ def _result(solution: Solution, remarks: dict[str, str]) -> Fit:
 
 
 def _add(result: Fit, part: str, moves: list[Results]) -> None:
-    """Add moves of results in squares to a part of their errors."""
+    """Add moves of the results to one part of their errors, in squares."""
     for name, errors in [*result.errors.items()]:
         result.errors[name] = errors.plus(part, [each[name] for each in moves if name in each])
 
 
 def _pull_off(solution: Solution) -> float:
-    """Return the largest tension of the fitted curve, by a lever or grips that hold all of it."""
+    """Return the largest tension of the fitted curve, for a grip stiff enough to hold all of it."""
     setting, unknowns = solution.setting, solution.main.unknowns
     soft = Grip(1e-9 * float(exp(unknowns[MODULUS])) * solution.problem.radius)
     contact = setting.contact(unknowns)
     return -float(setting.law.values(numpy.float64(setting.law.last(contact, soft)), contact)[0].load)
 
 
+def _fitted_loads(solution: Solution) -> dict[str, tuple[float, float]]:
+    """Return the least and the largest fitted load of each branch."""
+    loads = {}
+    for part in solution.parts:
+        loads[part.branch.name] = float(part.points.force.min()), float(part.points.force.max())
+    return loads
+
+
 def _baselines_of(solution: Solution) -> dict[str, dict[str, float]]:
-    """Return the baseline of each branch that has a part away from contact."""
-    return {
-        name: {"force": base.force, "error": base.error, "slope": base.slope, "z": base.z, "noise": base.noise}
-        for name, branch in solution.problem.branches.by_name.items()
-        if (base := branch.baseline) is not None and branch.has_free_part
-    }
+    """Return the baseline of each branch that has a part out of contact."""
+    baselines = {}
+    for name, branch in solution.problem.branches.by_name.items():
+        base = branch.baseline
+        if base is not None and branch.has_free_part:
+            baselines[name] = {
+                "force": base.force, "error": base.error, "slope": base.slope, "z": base.z, "noise": base.noise,
+            }  # fmt: skip
+    return baselines
 
 
 def _points_of(solution: Solution) -> dict[str, Array]:
-    """Return the points of the fitted branches in contact, with the fitted loads, residuals, G and a."""
-    parts = [part for part in (solution.main, solution.other) if part is not None]
-    columns = [_columns_of(solution, part) for part in parts]
+    """Return the points of the fitted branches in contact, with fitted loads, residuals, G and a."""
+    columns = [_columns_of(solution, part) for part in solution.parts]
     return {name: numpy.concatenate([each[name] for each in columns]) for name in columns[0]}
 
 

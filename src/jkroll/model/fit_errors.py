@@ -1,7 +1,7 @@
-"""The three errors of a fit: of noise (statistical), of the instrument (calibration) and of the model.
+"""The three errors of a fit: statistical (noise), calibration (the instrument) and model.
 
-Noise moves the points, and the baselines that are taken off them. Calibration is how far the results move with R and k
-by their errors. The model's error is how far they move with the range, the shape of the sphere, the law that holds and
+Noise moves the points, and the baselines subtracted from them. The calibration error is the move of the results when R
+or k changes by its error. The model error is their move with the range, the shape of the sphere, the law that holds and
 the atomic spacing.
 """
 
@@ -19,15 +19,15 @@ from .fit_minimum import ADHESION, MODULUS, POINT, Minimum, Points, Setting, min
 from .fit_problem import NAMES, Problem, Solved
 from .fit_result import STRONG, Errors
 
-_FEW = 300  # points of a fit that shows how far the model moves the results
-_ALIKE = 50.0  # Tabor parameter from which on Maugis' law is JKR's
-_WIDE = 0.1  # a/R from which on the sphere's shape matters
+_FEW = 300  # points of a refit that shows the moves of the results
+_ALIKE = 50.0  # Tabor parameter above which Maugis' law equals JKR's
+_WIDE = 0.1  # a/R above which the shape of the sphere matters
 
 Results = Mapping[str, float]
 
 
 class Solution(NamedTuple):
-    """The minima of a curve: of its main branch, and of the other one with E* and z_c of the main one."""
+    """The minima of a curve: the main branch, and the other one at the E* and z_c of the main branch."""
 
     problem: Problem
     setting: Setting
@@ -35,12 +35,17 @@ class Solution(NamedTuple):
     other: Solved | None = None
 
     @property
+    def parts(self) -> list[Solved]:
+        """The fitted branches, the main one first."""
+        return [self.main] if self.other is None else [self.main, self.other]
+
+    @property
     def values(self) -> dict[str, float]:
         """The results."""
         return self.results(self.main.minimum, None if self.other is None else self.other.minimum)
 
     def results(self, main: Minimum, other: Minimum | None) -> dict[str, float]:
-        """Return the results of minima."""
+        """Return the results at two minima."""
         values: dict[str, float] = {}
         w, modulus = (float(each) for each in exp(main.unknowns[:POINT]))
         if ADHESION in self.main.free:
@@ -55,7 +60,7 @@ class Solution(NamedTuple):
         return values
 
     def refitted(self, setting: Setting, change: Callable[[Solved], Points] = lambda each: each.points) -> Results:
-        """Return the results by another setting or changed points, from the present minima and with their noise."""
+        """Return the results with another setting or changed points; fits start from the present minima and noise."""
         main = minimum(change(self.main), setting, self.main.unknowns, self.main.free, self.main.minimum.noise)
         if self.other is None:
             return self.results(main, None)
@@ -63,18 +68,17 @@ class Solution(NamedTuple):
         return self.results(main, other)
 
     def moves(self, setting: Setting, change: Callable[[Solved], Points] = lambda each: each.points) -> Results:
-        """Return how far the results move by another setting or changed points."""
+        """Return the moves of the results with another setting or changed points."""
         return difference(self.refitted(setting, change), self.values)
 
     def thinned(self) -> "Solution":
-        """Return the solution of fewer points, whose moves by a change are nearly those of all."""
+        """Return the solution for fewer points; its moves by a change are nearly those of all points."""
         parts: list[Solved] = []
-        for part in (self.main, self.other):
-            if part is not None:
-                step = -(-len(part.points.z) // _FEW)
-                points, noise = part.points.thinned(step), part.minimum.noise.thinned(step)
-                start = part.unknowns if not parts else parts[0].unknowns
-                parts.append(part.at(points, minimum(points, self.setting, start, part.free, noise)))
+        for part in self.parts:
+            step = -(-len(part.points.z) // _FEW)
+            points, noise = part.points.thinned(step), part.minimum.noise.thinned(step)
+            start = part.unknowns if not parts else parts[0].unknowns
+            parts.append(part.at(points, minimum(points, self.setting, start, part.free, noise)))
         return self._replace(main=parts[0], other=parts[1] if parts[1:] else None)
 
 
@@ -82,7 +86,7 @@ class Solution(NamedTuple):
 
 
 def covariance_of(solution: Solution) -> tuple[tuple[str, ...], Array]:
-    """Return the names of the fitted results, and their covariance by noise."""
+    """Return the names of the fitted results, and their covariance from noise."""
     main, other = solution.main, solution.other
     every = {ADHESION: NAMES[main.branch.name], MODULUS: "contact_modulus", POINT: "contact_point"}
     scales = {ADHESION: exp(main.unknowns[ADHESION]), MODULUS: exp(main.unknowns[MODULUS])}
@@ -94,7 +98,7 @@ def covariance_of(solution: Solution) -> tuple[tuple[str, ...], Array]:
     found = other.minimum
     rows = found.noise.whitened(found.residuals.derivatives)
     weighted = rows[:, ADHESION] * found.weights
-    pulls = -(weighted @ rows[:, [*main.free]]) / (weighted @ rows[:, ADHESION])  # of ln w by the others
+    pulls = -(weighted @ rows[:, [*main.free]]) / (weighted @ rows[:, ADHESION])  # of the other unknowns on ln w
     pulls[main.free.index(ADHESION)] = 0.0
     w = float(exp(found.unknowns[ADHESION]))
     variance = (float(found.covariance[0, 0]) + float(pulls @ matrix @ pulls)) * w * w
@@ -104,7 +108,7 @@ def covariance_of(solution: Solution) -> tuple[tuple[str, ...], Array]:
 
 
 def with_baselines(few: Solution, names: tuple[str, ...], covariance: Array) -> Array:
-    """Return the covariance with that of the baselines, by how far each moves the results with its error."""
+    """Return the covariance with the errors of the baselines added, each by the moves that it causes."""
     for base, offset, slope in _baseline_changes(few):
         moves = few.moves(few.setting, partial(_shifted, base, offset, slope))
         column = numpy.array([moves[name] for name in names])
@@ -113,7 +117,7 @@ def with_baselines(few: Solution, names: tuple[str, ...], covariance: Array) -> 
 
 
 def statistical_errors(solution: Solution, names: tuple[str, ...], covariance: Array) -> dict[str, Errors]:
-    """Return the errors of the results by noise."""
+    """Return the errors of the results from noise."""
     errors = {
         name: Errors(statistical=float(sqrt(each))) for name, each in zip(names, numpy.diag(covariance), strict=True)
     }
@@ -130,7 +134,7 @@ def statistical_errors(solution: Solution, names: tuple[str, ...], covariance: A
 
 
 def by_calibration(few: Solution) -> dict[str, Results]:
-    """Return the moves of the results with the radius and the spring by their errors, by the name of the cause."""
+    """Return the moves of the results when radius and spring change by their errors, by cause."""
     problem, setting, known = few.problem, few.setting, few.problem.known
     moves: dict[str, Results] = {}
     if known.radius is not None and known.radius_error:
@@ -150,9 +154,8 @@ def _stronger(factor: float, part: Solved) -> Points:
 
 
 def _baseline_changes(solution: Solution) -> Iterator[tuple[Baseline, float, float]]:
-    """Iterate over baselines that have an error, with the change of the force that it makes and its slope."""
-    parts = [part for part in (solution.main, solution.other) if part is not None]
-    for base in dict.fromkeys(part.branch.baseline for part in parts):
+    """Iterate over uncertain baselines, each with a change of its force or of its slope by the error."""
+    for base in dict.fromkeys(part.branch.baseline for part in solution.parts):
         if base is not None and base.error:
             yield base, base.error, 0.0
         if base is not None and base.slope_error:
@@ -160,7 +163,7 @@ def _baseline_changes(solution: Solution) -> Iterator[tuple[Baseline, float, flo
 
 
 def _shifted(base: Baseline, offset: float, slope: float, part: Solved) -> Points:
-    """Return points whose force is changed where their branch has a baseline."""
+    """Return points with a changed force, if their branch has this baseline."""
     points = part.points
     is_of_base = part.branch.baseline == base
     return points._replace(force=points.force + offset + slope * (points.z - base.z)) if is_of_base else points
@@ -170,7 +173,7 @@ def _shifted(base: Baseline, offset: float, slope: float, part: Solved) -> Point
 
 
 def by_range(few: Solution) -> Results:
-    """Return half the spread of the results over ranges of the main branch; empty where there is one range."""
+    """Return half the spread of the results over ranges of the main branch; empty if there is only one range."""
     points, here = few.main.points, few.values
     spread = {name: [0.0] for name in here}
     most, least = float(points.force.max()), float(points.force.min())
@@ -186,7 +189,7 @@ def by_range(few: Solution) -> Results:
 
 
 class Models(NamedTuple):
-    """Results by other laws and profiles, and their moves that count as errors of the model."""
+    """The results by other laws and profiles, and the moves that count as errors of the model."""
 
     by_law: dict[str, Results]
     moves: list[Results]
@@ -199,9 +202,9 @@ def key_of(law: str, profile: str) -> str:
 
 
 def by_models(solution: Solution, few: Solution, width: float) -> Models:
-    """Return results by each law for a paraboloid, and for a sphere where the contact is wide, `width` being a/R.
+    """Return the results by each law for a paraboloid, and for a sphere if the contact is wide (`width` is a/R).
 
-    Those of another law are the present ones, moved as the fit of fewer points is.
+    Results by another law are the present ones plus their moves in a fit of fewer points.
     """
     problem, known, values, here = solution.problem, solution.problem.known, solution.values, few.values
     has_adhesion = ADHESION in few.main.free
@@ -235,7 +238,7 @@ def by_models(solution: Solution, few: Solution, width: float) -> Models:
 
 
 def _refitted_anew(few: Solution, setting: Setting) -> Results:
-    """Return the results by a law whose z_c is another one, such as DMT's beside JKR's."""
+    """Return the results by a law with a very different z_c, such as DMT's compared with JKR's."""
     main = few.main
     w, modulus = (float(each) for each in exp(main.unknowns[:POINT]))
     start = with_point(main.points, setting, w, modulus)
@@ -244,5 +247,5 @@ def _refitted_anew(few: Solution, setting: Setting) -> Results:
 
 
 def difference(one: Results, other: Results) -> Results:
-    """Return the moves of results from others."""
+    """Return the differences of two sets of results."""
     return {name: one[name] - other[name] for name in one}

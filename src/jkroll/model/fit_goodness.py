@@ -1,4 +1,4 @@
-"""The goodness of a fit: the misfit, runs of residuals of one sign, an edge that rests, and remarks by code."""
+"""The goodness of a fit: misfit, runs of residuals with one sign, a pinned edge, and remarks by code."""
 
 from collections.abc import Iterator, Mapping
 
@@ -11,13 +11,13 @@ from .fit_minimum import ADHESION, FEW_INDEPENDENT
 from .fit_problem import NAMES
 from .fit_result import Errors, Fit
 
-_UNDETERMINED = 0.5  # standard deviation of ln E* from which on E* is not determined
-_POOR = 0.1  # rms over the pull-off force from which on the curve is no contact's
-_WIDEST = 0.9  # a/R beyond which no theory of a half-space holds
+_UNDETERMINED = 0.5  # standard deviation of ln E* above which E* is undetermined
+_POOR = 0.1  # rms over the pull-off force above which the curve is not that of a contact
+_WIDEST = 0.9  # a/R above which no theory of a half-space holds
 
 
 def goodness_of(solution: Solution, pull_off: float | None) -> dict[str, float]:
-    """Return measures of goodness; the load of a point beyond the model's jump is that of the last state."""
+    """Return the measures of goodness; a point beyond the model's jump is compared with the last state."""
     main, found = solution.main, solution.main.minimum
     misfit = main.points.force - found.residuals.loads
     rms, count = float(sqrt(numpy.mean(misfit**2))), len(main.points.z)
@@ -31,18 +31,18 @@ def goodness_of(solution: Solution, pull_off: float | None) -> dict[str, float]:
 
 
 def _longest_run(misfit: numpy.ndarray) -> int:
-    """Return the largest number of residuals of one sign in a row."""
+    """Return the largest number of consecutive residuals with one sign."""
     changes = numpy.nonzero(numpy.diff(numpy.sign(misfit)) != 0)[0]
     ends = numpy.concatenate([[-1], changes, [len(misfit) - 1]])
     return int(numpy.diff(ends).max())
 
 
 def remarks_on(solution: Solution, result: Fit, by_spring: Results | None) -> Iterator[tuple[str, str]]:
-    """Iterate over codes with their sentences. `by_spring`: the moves of the results by its error."""
+    """Iterate over codes with their sentences. `by_spring`: the moves of the results by the error of the spring."""
     main, good, errors = solution.main, result.goodness, result.errors
     has_adhesion = ADHESION in main.free
     if has_adhesion and main.branch.name == LOADING and result.kind != RADIUS:
-        yield "loading-only", "a loading branch alone hardly tells w from E*: their errors are of one another"
+        yield "loading-only", "a loading branch alone hardly separates w from E*: their errors are correlated"
     yield from _on_noise(good)
     if good.get("rms_over_pull_off", 0.0) > _POOR:
         share = f"{good['rms_over_pull_off']:.0%} of the pull-off force"
@@ -51,7 +51,7 @@ def remarks_on(solution: Solution, result: Fit, by_spring: Results | None) -> It
     if not (errors["contact_modulus"].statistical or 0.0) < _UNDETERMINED * modulus:
         yield (
             "modulus-undetermined",
-            "E* is not determined: the contact is stiffer than the lever, or has too few points; P_c alone counts",
+            "E* is not determined: the contact is stiffer than the lever, or has too few points; use P_c alone",
         )
     if by_spring is not None:
         yield from _on_spring(by_spring["contact_modulus"] / modulus, errors["contact_modulus"], modulus)
@@ -64,7 +64,7 @@ def remarks_on(solution: Solution, result: Fit, by_spring: Results | None) -> It
 
 
 def _on_noise(good: Mapping[str, float]) -> Iterator[tuple[str, str]]:
-    """Iterate over remarks on points that are few or alike, and on a trend in the residuals."""
+    """Iterate over remarks on few or correlated points, and on a trend in the residuals."""
     count, tau = good["points"], good["correlation_time"]
     if good["independent_points"] < FEW_INDEPENDENT:
         cause = "the misfit is one trend" if tau > count / 2 else f"neighbours are alike over {tau:.0f} points"
@@ -76,13 +76,13 @@ def _on_noise(good: Mapping[str, float]) -> Iterator[tuple[str, str]]:
 
 
 def _on_spring(move: float, errors: Errors, modulus: float) -> Iterator[tuple[str, str]]:
-    """Iterate over a remark where the error of the spring is the largest of E*."""
+    """Iterate over a remark if the spring is the largest source of error of E*."""
     if abs(move) * modulus > max(errors.statistical or 0.0, errors.model or 0.0):
         yield "lever-decides", f"the spring's error moves E* by {abs(move):.0%}, more than all else"
 
 
 def on_profile(values: Results, sphere: Results, errors: Mapping[str, Errors], width: float) -> Iterator[str]:
-    """Iterate over the sentence on a sphere's results that differ by more than the other errors."""
+    """Iterate over a sentence if the results for a sphere differ by more than the other errors."""
     names = [name for name in (*NAMES.values(), "contact_modulus") if name in values]
     if not any(abs(sphere[name] - values[name]) > errors[name].total for name in names[:1] + names[-1:]):
         return
@@ -93,7 +93,7 @@ def on_profile(values: Results, sphere: Results, errors: Mapping[str, Errors], w
 
 
 def _on_resting_edge(solution: Solution, points: Mapping[str, numpy.ndarray]) -> Iterator[tuple[str, str]]:
-    """Iterate over a remark on a vertical stretch of G over a: the edge rests while G moves by a fifth of w or more."""
+    """Iterate over a remark if G rises vertically over a: the edge is pinned while G moves by w/5 or more."""
     is_own = (points["branch"] == solution.main.branch.name) & numpy.isfinite(points["release_rate"])
     if is_own.sum() < LEAST_POINTS:
         return
@@ -101,10 +101,10 @@ def _on_resting_edge(solution: Solution, points: Mapping[str, numpy.ndarray]) ->
     size = max(LEAST_POINTS, len(rate) // 15)
     w = float(exp(solution.main.unknowns[ADHESION]))
     noise = 1.4826 * float(numpy.median(abs(points["release_rate"][is_own] - rate)))
-    for at in range(0, len(rate) - size, max(1, size // 2)):
-        moved_rate = float(numpy.ptp(rate[at : at + size]))
-        moved_radius = float(numpy.ptp(radius[at : at + size]))
-        if moved_rate > max(0.2 * w, 10 * noise) and moved_radius < 0.01 * float(radius[at]):
-            place = float(radius[at]) / solution.problem.radius
-            yield "edge-pinned", f"G has a vertical stretch at a/R = {place:.2f}: the edge of the contact is held there"
+    for start in range(0, len(rate) - size, max(1, size // 2)):
+        moved_rate = float(numpy.ptp(rate[start : start + size]))
+        moved_radius = float(numpy.ptp(radius[start : start + size]))
+        if moved_rate > max(0.2 * w, 10 * noise) and moved_radius < 0.01 * float(radius[start]):
+            pinned = float(radius[start]) / solution.problem.radius
+            yield "edge-pinned", f"G has a vertical stretch at a/R = {pinned:.2f}: the edge is held there"
             return

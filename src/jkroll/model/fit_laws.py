@@ -1,8 +1,8 @@
 """Force curves of the laws as functions of one variable, with the derivatives by ln w and ln E* that a fit needs.
 
-A state of the curve has a variable q: the contact radius a in JKR, the approach δ in DMT, the edge ratio v in Maugis'
-law. With it a, δ and P are explicit, and so are their derivatives at fixed q. A fit compares loads at a measured x: at
-an approach, at the travel δ + P/k of a lever, or at a contact radius.
+A state has a variable q: the contact radius a in JKR, the approach δ in DMT, the edge ratio v in Maugis' law. Given q,
+a, δ and P are explicit, and so are their derivatives at fixed q. A fit compares loads at a measured x: an approach, the
+travel δ + P/k of a lever, or a contact radius.
 
 All values are floats or arrays of one dimension in SI units. `profile` is the shape of body 1; w and E* are positive.
 """
@@ -18,11 +18,11 @@ from ..physics.contact import contact_radius, tabor_parameter
 
 Array = Any  # a float, or an array of floats
 
-_STEPS = 60  # of Newton's method at most, which takes about 6
-_NEAR = 1e-10  # relative step after which the next one is rounding
+_STEPS = 60  # most steps of Newton's method; it takes about 6
+_NEAR = 1e-10  # a smaller relative step is rounding
 _SECANTS = 60
-_STRETCH = 1e-5  # relative step of derivatives by differences
-_WIDEST = 1 - 1e-9  # a/R of a sphere
+_STRETCH = 1e-5  # relative step of numerical derivatives
+_WIDEST = 1 - 1e-9  # largest a/R of a sphere
 _LEAST_RATIO = 1e-6  # edge ratio below which there is no contact
 
 
@@ -36,7 +36,7 @@ class Contact(NamedTuple):
 
     @property
     def without_spacing(self) -> dict[str, float]:
-        """The constants that laws without an atomic spacing take."""
+        """The constants for laws without an atomic spacing."""
         return {name: value for name, value in self._asdict().items() if name != "atomic_spacing"}
 
 
@@ -49,7 +49,7 @@ class Values(NamedTuple):
 
 
 class States(NamedTuple):
-    """States of a force curve, and their derivatives: along the curve by q, and at fixed q by ln w and ln E*."""
+    """States of a force curve, with derivatives by q along the curve, and by ln w and ln E* at fixed q."""
 
     values: Values
     slopes: Values
@@ -58,7 +58,7 @@ class States(NamedTuple):
 
 
 class Grip(NamedTuple):
-    """The meaning of a measured x: an approach, the travel of a lever of a stiffness, or a contact radius.
+    """The meaning of a measured x: an approach, the travel of a lever, or a contact radius.
 
     An approach is the travel of an infinitely stiff lever.
     """
@@ -67,12 +67,12 @@ class Grip(NamedTuple):
     is_radius: bool = False
 
     def x(self, values: Values) -> Array:
-        """Return x of values, or its derivative from theirs."""
+        """Return x of some values, or its derivative from their derivatives."""
         return values.radius if self.is_radius else values.approach + values.load / self.stiffness
 
 
 class CurveLaw(Protocol):
-    """The force curve of a law."""
+    """The interface of a law's force curve."""
 
     def states(self, q: Array, contact: Contact) -> States:
         """Return states with their derivatives."""
@@ -81,10 +81,10 @@ class CurveLaw(Protocol):
         """Return states and their derivatives by q."""
 
     def last(self, contact: Contact, grip: Grip) -> float:
-        """Return q of the last state before a contact is lost, at which dx/dq is 0, or a is."""
+        """Return q of the last state before the contact is lost, where dx/dq = 0 or a = 0."""
 
     def start(self, x: Array, contact: Contact, grip: Grip, last: float, x_last: float) -> Array:
-        """Return q to begin with, at best above the state at x. `last`, `x_last`: of the last state."""
+        """Return a first guess of q, preferably above the state at x. `last`, `x_last`: q and x of the last state."""
 
     def most(self, contact: Contact) -> float:
         """Return the upper bound of q."""
@@ -93,8 +93,8 @@ class CurveLaw(Protocol):
 def state_at(law: CurveLaw, x: Array, contact: Contact, grip: Grip) -> tuple[Array, float, float]:
     """Return q of the stable states at x, with q and x of the last state, which stands for all x beyond it.
 
-    Solved by Newton's method between bounds, by bisection where a step leaves them. In JKR x is convex in a, so that
-    no step does.
+    Newton's method between bounds, with bisection where a step leaves them. In JKR x is convex in a, so that no step
+    does.
     """
     last, most = law.last(contact, grip), law.most(contact)
     x_last = float(grip.x(law.values(last, contact)[0]))
@@ -118,7 +118,7 @@ def state_at(law: CurveLaw, x: Array, contact: Contact, grip: Grip) -> tuple[Arr
 
 
 def _root(excess: Callable[[float], float], low: float, high: float) -> float:
-    """Return where an excess that rises through 0 is 0; an end where it does not. By the Illinois method."""
+    """Return the root of a rising function by the Illinois method; an end of the interval if there is none."""
     below, above = excess(low), excess(high)
     if below >= 0 or above <= 0:
         return low if below >= 0 else high
@@ -189,7 +189,7 @@ class Jkr(NamedTuple):
         return values, Values(1 + 0 * a, slope - rise, stiffness * (slope - 3 * rise))
 
     def last(self, contact: Contact, grip: Grip) -> float:
-        """Return a where dx/da = 0, at the fold of fixed grips and at pull-off of a dead load; of a radius, near 0."""
+        """Return a where dx/da = 0: the fold for fixed grips, pull-off for a dead load; near 0 for a radius."""
         if grip.is_radius:
             return _LEAST_RATIO * contact.reduced_radius
         unloaded = contact_radius(**contact.without_spacing)
@@ -202,7 +202,7 @@ class Jkr(NamedTuple):
         return _root(slope, low, high)
 
     def start(self, x: Array, contact: Contact, grip: Grip, last: float, x_last: float) -> Array:
-        """Return a above that at x, by the curvature at the last state; the measured radius itself."""
+        """Return an a above that at x, from the curvature at the last state; for a radius, the measured one."""
         if grip.is_radius:
             return x
         radius, modulus = contact.reduced_radius, contact.contact_modulus
@@ -215,7 +215,7 @@ class Jkr(NamedTuple):
         return numpy.minimum(last + sqrt(2 * numpy.maximum(x - x_last, 0) / curvature), (last + most) / 2)
 
     def most(self, contact: Contact) -> float:
-        """Return the largest contact radius that the profile has."""
+        """Return the largest contact radius on the profile."""
         return self.profile.most * contact.reduced_radius
 
 
@@ -247,11 +247,11 @@ class Dmt:
         return 0.0
 
     def start(self, x: Array, contact: Contact, grip: Grip, last: float, x_last: float) -> Array:  # noqa: ARG002
-        """Return δ above that at x: without the lever's deflection."""
+        """Return a δ above that at x: the deflection of the lever is ignored."""
         return x * x / contact.reduced_radius if grip.is_radius else numpy.maximum(x - x_last, 0)
 
     def most(self, contact: Contact) -> float:  # noqa: ARG002
-        """Return that there is no bound."""
+        """Return infinity: δ has no bound."""
         return inf
 
 
@@ -259,7 +259,7 @@ class Dmt:
 
 
 class Maugis:
-    """Maugis' law at a fixed atomic spacing, in contact. Derivatives are by central differences."""
+    """Maugis' law in contact at a fixed atomic spacing. Derivatives are central differences."""
 
     def states(self, q: Array, contact: Contact) -> States:
         """Return states with their derivatives."""
@@ -276,7 +276,7 @@ class Maugis:
         return self._values(q, contact), _difference(below, above, 2 * _STRETCH * q)
 
     def _values(self, q: Array, contact: Contact) -> Values:
-        """Return states at edge ratios."""
+        """Return the states at edge ratios."""
         transition, length, depth = _scales(contact)
         ring = dugdale.Shape(q)
         span = dugdale.span(transition, ring)
@@ -285,7 +285,7 @@ class Maugis:
         return Values(q * span * length, approach * depth, load * force)
 
     def last(self, contact: Contact, grip: Grip) -> float:
-        """Return v where dx/dv = 0; a small v where a vanishes before, or for a measured radius."""
+        """Return v where dx/dv = 0; a small v if a vanishes first, or for a measured radius."""
         if grip.is_radius:
             return _LEAST_RATIO
         transition, *_ = _scales(contact)
@@ -297,30 +297,30 @@ class Maugis:
         return _root(slope, max(low, _LEAST_RATIO), max(high, 2 * _LEAST_RATIO))
 
     def start(self, x: Array, contact: Contact, grip: Grip, last: float, x_last: float) -> Array:
-        """Return v near that at x, by Hertz' contact radius and the width of the ring."""
+        """Return a v near that at x, from Hertz' contact radius and the width of the ring."""
         transition, length, depth = _scales(contact)
         area = (x / length) ** 2 if grip.is_radius else numpy.maximum(x - x_last, 0) / depth
         wide = numpy.minimum(sqrt(pi / 4 * transition * area), numpy.cbrt(2 / 3 * transition * area))
         return last + wide + transition * sqrt(2 / 3 * sqrt(area))
 
     def most(self, contact: Contact) -> float:  # noqa: ARG002
-        """Return that there is no bound."""
+        """Return infinity: v has no bound."""
         return inf
 
 
 def _scales(of: Contact) -> tuple[float, float, float]:
-    """Return λ and the units of lengths and approaches of Maugis' curve."""
+    """Return λ and the units of length and approach of Maugis' curve."""
     tabor, given = tabor_parameter(**of._asdict()), of.without_spacing
     lengths = maugis.length_unit_maugis(**given), maugis.approach_unit_maugis(**given)
     return float(any_law.transition_parameter(tabor_parameter=tabor)), float(lengths[0]), float(lengths[1])
 
 
 def _difference(below: Values, above: Values, step: Array) -> Values:
-    """Return the quotient of differences."""
+    """Return the difference quotient of values."""
     return Values(*((high - low) / step for low, high in zip(below, above, strict=True)))
 
 
 def curve_law(name: str, profile: str) -> CurveLaw:
-    """Return the law of a name, jkr, dmt or maugis; the last two have a paraboloid alone."""
+    """Return the law named jkr, dmt or maugis; the last two exist for a paraboloid only."""
     others: Mapping[str, CurveLaw] = {"dmt": Dmt(), "maugis": Maugis()}
     return others.get(name) or Jkr(PROFILES[profile])

@@ -1,18 +1,17 @@
-"""The least-squares fit of one branch of a force curve: residuals, their minimum, noise and the covariance.
+"""Fit one branch of a force curve by least squares: residuals, their minimum, noise and the covariance.
 
-The unknowns are ln w, ln E* and, where x is an approach or a travel, the contact point z_c. With x = z − z_c, q of the
+The unknowns are ln w, ln E* and, if x is an approach or a travel, the contact point z_c. With x = z − z_c, q of the
 state at x, and the slopes X = dx/dq and T = dP/dq, a residual is
 
     r = X(F − P)/√(X²σ_F² + T²σ_x²)
 
-which is finite where the contact is lost, though dP/dx = T/X is not. A point beyond the last state of the model has
+It stays finite where the contact is lost, although dP/dx = T/X does not. A point beyond the last state of the model has
 r = (x − x_last)/σ_x.
 
-Noise is white, or correlated as an autoregression of first order, r_i = φr_(i−1) + e_i: residuals are whitened, and φ
-is corrected for the bias that smooth unknowns give it (Kendall's). The scale of e is that of the residuals themselves.
-Where fewer than 20 points are independent, the residuals are a misfit of the model: it is fitted as white, and the
-variances are multiplied by the number of points that count as one.
-Residuals beyond 3 standard deviations count as Huber's, by their size.
+Noise is white, or autoregressive of first order, r_i = φr_(i−1) + e_i: residuals are whitened, and φ is corrected for
+the bias from smooth unknowns (Kendall). The residuals themselves give the scale of e. If fewer than 20 points are
+independent, the residuals are a misfit of the model: the fit takes them as white, and multiplies the variances by the
+correlation time. Residuals beyond 3 standard deviations have Huber's weights.
 """
 
 from collections.abc import Sequence
@@ -26,22 +25,22 @@ from .fit_laws import Array, Contact, CurveLaw, Grip, state_at
 ADHESION, MODULUS, POINT = range(3)  # the indices of ln w, ln E* and z_c among the unknowns
 
 _HUBER = 3.0  # standard deviations
-_FEW = 30  # points below which noise is taken as white
-_CUTS = 30  # of residuals beyond 3 standard deviations, at most
+_FEW = 30  # with fewer points, noise is taken as white
+_CUTS = 30  # most rounds of clipping at 3 standard deviations
 _MOST_PHI = 0.999
-_ROUNDS = 5  # of noise and minimum in turn, at most
+_ROUNDS = 5  # most rounds of noise and minimum in turn
 _SAME_PHI = 0.01
-FEW_INDEPENDENT = 20.0  # n/τ below which correlated noise cannot be told from a misfit
-_STEPS = 100  # of the minimiser
-_SAME = 1e-7  # relative decrease of the sum of squares at which it ends
+FEW_INDEPENDENT = 20.0  # n/τ below which correlated noise looks like a misfit
+_STEPS = 100  # most steps of the minimiser
+_SAME = 1e-7  # it stops at this relative decrease of the sum of squares
 _LEAST_DAMPING, _MOST_DAMPING = 1e-12, 1e10
 _LONGEST = 4.0  # the longest step of ln w and ln E*, a factor of 55
 
 
 class Points(NamedTuple):
-    """The measured points of a branch in their order in time: x or z, F, and their standard deviations.
+    """The measured points of a branch in order of time: x or z, F, and their standard deviations.
 
-    Of the two deviations the ratio counts: the fit estimates their scale.
+    Only the ratio of the two deviations matters: the fit estimates their scale.
     """
 
     z: Array
@@ -54,12 +53,12 @@ class Points(NamedTuple):
         return self._replace(**{name: column[which] for name, column in self._asdict().items()})
 
     def thinned(self, step: int) -> Self:
-        """Return one point in `step`."""
+        """Return every `step`-th point."""
         return self.chosen(slice(None, None, step)) if step > 1 else self
 
 
 class Setting(NamedTuple):
-    """The known part of a fit: the law, radius and spacing of the contact, and the grip."""
+    """The fixed part of a fit: the law, radius and spacing of the contact, and the grip."""
 
     law: CurveLaw
     reduced_radius: float
@@ -67,18 +66,18 @@ class Setting(NamedTuple):
     grip: Grip
 
     def contact(self, unknowns: Array) -> Contact:
-        """Return the contact with values of the unknowns."""
+        """Return the contact with these values of the unknowns."""
         w, modulus = (float(exp(unknowns[index])) for index in (ADHESION, MODULUS))
         return Contact(w, modulus, self.reduced_radius, self.atomic_spacing)
 
     @property
     def names(self) -> tuple[int, ...]:
-        """The unknowns of this setting: z_c only where x is an approach or a travel."""
+        """The unknowns of this setting: z_c only if x is an approach or a travel."""
         return (ADHESION, MODULUS) if self.grip.is_radius else (ADHESION, MODULUS, POINT)
 
 
 class Residuals(NamedTuple):
-    """Residuals, the derivatives of the model by ln w, ln E* and z_c in the same units, and the model's loads."""
+    """Residuals, the derivatives of the model by ln w, ln E* and z_c in the same units, and the fitted loads."""
 
     values: Array
     derivatives: Array
@@ -88,7 +87,7 @@ class Residuals(NamedTuple):
 
 
 def residuals(points: Points, unknowns: Array, setting: Setting) -> Residuals:
-    """Return the residuals of points; the derivatives are of the model, so that those of residuals are their negative.
+    """Return the residuals of points. The derivatives are those of the model; the residuals' have the other sign.
 
     ∂P/∂θ at fixed x = P_θ − (T/X)x_θ
     """
@@ -116,29 +115,29 @@ def residuals(points: Points, unknowns: Array, setting: Setting) -> Residuals:
 
 
 class Noise(NamedTuple):
-    """The noise of residuals: φ of the autoregression, and the standard deviation of what is left of them."""
+    """The noise of residuals: φ of the autoregression, and the standard deviation of its innovations."""
 
     phi: float = 0.0
     scale: float = 1.0
 
     def whitened(self, rows: Array) -> Array:
-        """Return residuals, or rows of their derivatives, as independent ones of unit variance."""
+        """Return residuals, or rows of their derivatives, made independent with unit variance."""
         first = rows[:1] * sqrt(1 - self.phi**2)
         return numpy.concatenate([first, rows[1:] - self.phi * rows[:-1]]) / self.scale
 
     def thinned(self, step: int) -> Self:
-        """Return the noise of one point in `step`, which is less correlated and as large."""
+        """Return the noise of every `step`-th point: less correlated, of the same size."""
         phi = abs(self.phi) ** step * (1 if self.phi >= 0 or step % 2 == 0 else -1)
         return self._replace(phi=phi, scale=self.scale * float(sqrt((1 - phi**2) / (1 - self.phi**2))))
 
     @property
     def correlation_time(self) -> float:
-        """The number of points that count as one, τ = (1 + φ)/(1 − φ)."""
+        """The number of points per independent one, τ = (1 + φ)/(1 − φ)."""
         return (1 + self.phi) / (1 - self.phi)
 
 
 def noise_of(values: Array, unknowns: int) -> Noise:
-    """Return the noise of the residuals of a fit of so many unknowns.
+    """Return the noise in the residuals of a fit with this number of unknowns.
 
     Source:   Kendall's bias of φ, with one term for each smooth regressor.
     """
@@ -154,7 +153,7 @@ def noise_of(values: Array, unknowns: int) -> Noise:
 
 
 def _spread(values: Array, unknowns: int) -> float:
-    """Return the standard deviation of residuals, of which those beyond 3 of it count as 3."""
+    """Return the standard deviation of residuals, clipped at 3 standard deviations."""
     freedom = max(len(values) - unknowns, 1)
     spread = float(sqrt(values @ values / freedom))
     for _ in range(_CUTS):
@@ -162,20 +161,20 @@ def _spread(values: Array, unknowns: int) -> float:
         previous, spread = spread, float(sqrt(kept @ kept / freedom))
         if spread > 0.999 * previous:
             break
-    return max(spread, 1e-9)  # of curves that a program made
+    return max(spread, 1e-9)  # computed curves have no noise
 
 
 # --- The minimum ------------------------------------------------------------------------------------------------------
 
 
 class Minimum(NamedTuple):
-    """A minimum: the unknowns, the covariance of the free ones, the noise, and the residuals there."""
+    """A minimum: the unknowns, the covariance of the free ones, the noise, and the residuals."""
 
     unknowns: Array
     covariance: Array
     noise: Noise
     residuals: Residuals
-    cost: float  # half the sum of Huber's function of whitened residuals
+    cost: float  # half the sum of Huber's loss of the whitened residuals
     weights: Array
     correlation_time: float = 1.0  # of the residuals, in points
 
@@ -189,10 +188,10 @@ def minimum(
     *,
     rounds: int = _ROUNDS,
 ) -> Minimum:
-    """Return the minimum from a start, with the noise of its own residuals unless one is given.
+    """Return the minimum from a start; its own residuals give the noise unless `noise` is given.
 
-    `free`: the unknowns that are moved, by default all of the setting; `rounds`: of noise and minimum, of which the
-    first takes the noise as white.
+    `free`: the unknowns to move, by default all of the setting; `rounds`: of noise and minimum in turn, the first with
+    white noise.
     """
     chosen = [*(setting.names if free is None else free)]
     unknowns, found = numpy.array(start, float), noise
@@ -209,7 +208,7 @@ def minimum(
             break
     tau = noise_of(at_end.residuals.values, len(chosen)).correlation_time
     count = len(points.z)
-    if noise is None and rounds > 1 and count < FEW_INDEPENDENT * tau:  # a misfit of the model, and no noise
+    if noise is None and rounds > 1 and count < FEW_INDEPENDENT * tau:  # a misfit of the model, not noise
         white = Noise(0.0, _spread(residuals(points, unknowns, setting).values, len(chosen)))
         at_end = _descended(points, setting, unknowns, chosen, white)
         at_end = at_end._replace(covariance=at_end.covariance * min(tau, count / len(chosen)))
@@ -235,7 +234,7 @@ def _descended(points: Points, setting: Setting, start: Array, free: Sequence[in
         scale = numpy.diag(matrix).copy()
         scale[scale <= 0] = 1.0
         step = _solved(matrix + damping * numpy.diag(scale), target)
-        longest = max((abs(step[place]) for place, name in enumerate(free) if name != POINT), default=0.0)
+        longest = max((abs(step[index]) for index, name in enumerate(free) if name != POINT), default=0.0)
         if longest > _LONGEST:
             step = step * (_LONGEST / longest)
         if float(target @ step) <= _SAME * cost:
@@ -260,7 +259,7 @@ def _descended(points: Points, setting: Setting, start: Array, free: Sequence[in
 
 
 def _solved(matrix: Array, target: Array) -> Array:
-    """Return the solution of equations; by least squares where they are singular."""
+    """Return the solution of a linear system; by least squares if it is singular."""
     try:
         return numpy.linalg.solve(matrix, target)
     except numpy.linalg.LinAlgError:
@@ -268,7 +267,7 @@ def _solved(matrix: Array, target: Array) -> Array:
 
 
 def _inverse(matrix: Array) -> Array:
-    """Return the inverse of a symmetric matrix, scaled first; infinite where it has none."""
+    """Return the inverse of a symmetric matrix, scaled first; infinities if it is singular."""
     scale = sqrt(numpy.diag(matrix))
     if not (scale > 0).all():
         return numpy.full_like(matrix, inf)
@@ -282,7 +281,7 @@ def _inverse(matrix: Array) -> Array:
 
 
 def with_point(points: Points, setting: Setting, w: float, modulus: float) -> Array:
-    """Return unknowns of w and E*, with the z_c at which the loads lie best on the curve."""
+    """Return the unknowns for w and E*, with the z_c that puts the loads closest to the curve."""
     unknowns = numpy.array([log(w), log(modulus), 0.0])
     if setting.grip.is_radius:
         return unknowns
@@ -300,7 +299,7 @@ def with_point(points: Points, setting: Setting, w: float, modulus: float) -> Ar
 
 
 def best_of(starts: Sequence[Array], points: Points, setting: Setting, free: Sequence[int] | None = None) -> Minimum:
-    """Return the lowest of the minima from some starts. Raises ValueError if no start leads to a finite one."""
+    """Return the lowest of the minima from some starts. Raises ValueError if none is finite."""
     found = [minimum(points, setting, start, free, rounds=1) for start in starts]
     found = [each for each in found if numpy.isfinite(each.unknowns).all() and numpy.isfinite(each.cost)]
     if not found:

@@ -1,7 +1,7 @@
-"""A measured curve with its known data as the problem of a fit: starts, minima, the fitted range, and G of its points.
+"""The problem of a fit: a measured curve with known data, its starts, minima and fitted range, and G of its points.
 
-The unloading branch gives w of opening, E* and z_c. With these E* and z_c the loading branch gives w of closing: by
-itself it hardly tells w from E*.
+The unloading branch gives w of opening, E* and z_c. With these E* and z_c the loading branch gives w of closing; by
+itself it hardly separates w from E*.
 """
 
 from typing import NamedTuple, Self
@@ -28,20 +28,20 @@ from .fit_result import Known
 
 FIRST_RANGE = LoadRange(-1.0, 0.3, True)
 EVERYTHING = LoadRange(-inf, inf, False)
-_PLATEAU = 0.03  # of the energy release rate, within which it is constant
-_PLATEAUS = 4  # times that the plateau of contact radii is found anew
+_PLATEAU = 0.03  # relative variation of the energy release rate on its plateau
+_PLATEAUS = 4  # rounds of plateau and fit for contact radii
 _BINS = 24
-_LARGEST = 60.0  # ln w or ln E* beyond which a minimum is none
-_NO_ADHESION = 5.0  # standard deviations of the noise that a tension must have
-_NEXT_TO_NOTHING = 1e-12  # of the upper limit of w, by which Hertz' contact is JKR's
-_ROOT_STEPS = 60  # of Newton's method for the contact radius of a point
-_ROOT = 1e-6  # of the load, up to which a contact radius is a solution
+_LARGEST = 60.0  # ln w or ln E* beyond which a minimum is rejected
+_NO_ADHESION = 5.0  # a tension is at least this many standard deviations of the noise
+_NEXT_TO_NOTHING = 1e-12  # of the upper limit of w: JKR with so little adhesion is Hertz' contact
+_ROOT_STEPS = 60  # steps of Newton's method for the contact radius of a point
+_ROOT = 1e-6  # of the load: largest error of a contact radius that counts as a root
 
 NAMES = {UNLOADING: "work_of_adhesion_opening", LOADING: "work_of_adhesion_closing"}
 
 
 class Problem(NamedTuple):
-    """The branches of a curve, and what is known of the contact and the instrument."""
+    """The branches of a curve, and the known data of the contact and the instrument."""
 
     kind: str
     known: Known
@@ -50,40 +50,40 @@ class Problem(NamedTuple):
 
     @property
     def radius(self) -> float:
-        """The reduced radius; 1 m where it is not known, so that w stands for wR."""
+        """The reduced radius; 1 m if it is unknown, so that w stands for wR."""
         return self.known.radius or 1.0
 
     @property
     def stiffness(self) -> float:
-        """The stiffness of the lever; infinite where x is no travel."""
+        """The stiffness of the lever; infinite unless x is a travel."""
         return self.known.stiffness if self.kind == TRAVEL else inf
 
     @property
     def setting(self) -> Setting:
-        """The setting of the law that was asked for."""
+        """The setting for the chosen law."""
         return self.by_law(self.known.law, self.known.profile)
 
     def by_law(self, law: str, profile: str = "paraboloid", spacing: float | None = None) -> Setting:
-        """Return the setting of a law."""
+        """Return the setting for a law."""
         grip = Grip(self.stiffness, self.kind == RADIUS)
         return Setting(curve_law(law, profile), self.radius, spacing or self.known.spacing, grip)
 
     def without_adhesion(self, profile: str = "paraboloid") -> Setting:
-        """Return the setting of Hertz' contact, which is JKR's with next to no adhesion."""
+        """Return the setting for Hertz' contact: JKR with hardly any adhesion."""
         return self.by_law("jkr", profile)
 
     @property
     def largest_adhesion(self) -> float:
-        """The w whose pull-off force stands out from the noise."""
+        """The largest w whose pull-off force the noise hides."""
         return _NO_ADHESION * self.branches.noise / (1.5 * pi * self.radius)
 
     def has_adhesion(self, branch: Branch) -> bool:
-        """Return whether a branch has a tension beyond the noise; contact radii show w without one."""
+        """Return whether the tension of a branch exceeds the noise; contact radii show w without tension."""
         tension = -float(running_median(branch.in_contact.force, 3).min())
         return self.kind == RADIUS or tension >= _NO_ADHESION * self.branches.noise
 
     def range_of(self, branch: Branch, default: LoadRange) -> slice:
-        """Return the slice of the range that was asked for; else of a default, or of all where that has few points."""
+        """Return the slice of the given range, or of a default range; all in contact if the default has few points."""
         if self.known.range is not None:
             return self.known.range.within(branch)
         try:
@@ -93,7 +93,7 @@ class Problem(NamedTuple):
 
 
 class Solved(NamedTuple):
-    """A branch with its fitted points and their minimum; `free`: the unknowns that were moved."""
+    """A branch with its fitted points and their minimum; `free`: the unknowns that were fitted."""
 
     branch: Branch
     points: Points
@@ -114,9 +114,9 @@ class Solved(NamedTuple):
 
 
 def solved(problem: Problem, branch: Branch) -> Solved:
-    """Return the minimum of a branch with all unknowns, in the given range or up to the end of G's plateau.
+    """Return the minimum of a branch over all unknowns, in the given range or to the end of G's plateau.
 
-    A first minimum says how far the contact holds behind the least load. Raises BadCurve.
+    A first minimum shows how far the contact holds after the least load. Raises BadCurve.
     """
     asked, free = problem.known.range, problem.setting.names
     if problem.kind == RADIUS and asked is None:
@@ -133,7 +133,7 @@ def solved(problem: Problem, branch: Branch) -> Solved:
 
 
 def _solved_by_radii(problem: Problem, branch: Branch) -> Solved:
-    """Return the minimum of contact radii; of unloading from where the edge recedes, which E* decides with it."""
+    """Return the minimum for contact radii; unloading counts from where the edge recedes, found by iteration."""
     points = branch.in_contact
     found = _first_minimum(problem, points)
     for _ in range(_PLATEAUS if branch.name == UNLOADING else 0):
@@ -143,7 +143,7 @@ def _solved_by_radii(problem: Problem, branch: Branch) -> Solved:
 
 
 def solved_with(problem: Problem, branch: Branch, main: Solved) -> Solved:
-    """Return the minimum of a branch by w alone, with E* and z_c of another. Raises BadCurve."""
+    """Return the minimum of a branch over w alone, with E* and z_c of another branch. Raises BadCurve."""
     branch = extended(problem, branch, main.unknowns)
     points = branch.points.chosen(problem.range_of(branch, EVERYTHING))
     found = minimum(points, problem.setting, main.unknowns, free=[ADHESION])
@@ -151,7 +151,7 @@ def solved_with(problem: Problem, branch: Branch, main: Solved) -> Solved:
 
 
 def solved_without_adhesion(problem: Problem, branch: Branch) -> Solved:
-    """Return the minimum of Hertz' contact. Raises BadCurve."""
+    """Return the minimum for Hertz' contact. Raises BadCurve."""
     points = branch.points.chosen(problem.range_of(branch, EVERYTHING))
     setting = problem.without_adhesion(problem.known.profile)
     w = _NEXT_TO_NOTHING * problem.largest_adhesion
@@ -166,7 +166,7 @@ def solved_without_adhesion(problem: Problem, branch: Branch) -> Solved:
 
 
 def _first_minimum(problem: Problem, points: Points) -> Minimum:
-    """Return the best minimum from some starts; by other laws than JKR from that of JKR, too."""
+    """Return the best minimum from some starts; laws other than JKR also start from JKR's minimum."""
     starts, setting = _starts(problem, points), problem.setting
     try:
         if problem.known.law != "jkr":
@@ -181,7 +181,7 @@ def _first_minimum(problem: Problem, points: Points) -> Minimum:
 
 
 def _starts(problem: Problem, points: Points) -> list[Array]:
-    """Return two starts: by the depth and the width of the tensile part, and from a modulus 3 times as large."""
+    """Return two starts: from the depth and width of the tensile part, and with a larger modulus."""
     setting, radius = problem.setting, problem.radius
     w = max(-float(running_median(points.force, 3).min()), 1e-300) / (1.5 * pi * radius)
     if setting.grip.is_radius:
@@ -204,9 +204,9 @@ def _starts(problem: Problem, points: Points) -> list[Array]:
 
 
 def extended(problem: Problem, branch: Branch, unknowns: Array) -> Branch:
-    """Return a branch with the contact as far as a minimum holds it, by fixed grips."""
+    """Return a branch whose contact extends as far as fixed grips hold it, by a minimum."""
     if problem.kind != APPROACH:
-        return branch  # a lever's way from its least load is its way apart
+        return branch  # after the least load a lever snaps off
     setting = problem.setting
     contact, grip, law = setting.contact(unknowns), setting.grip, setting.law
     x_last = float(grip.x(law.values(numpy.float64(law.last(contact, grip)), contact)[0]))
@@ -217,33 +217,32 @@ def extended(problem: Problem, branch: Branch, unknowns: Array) -> Branch:
 
 
 def _plateau(problem: Problem, branch: Branch, unknowns: Array) -> slice:
-    """Return the slice from where the energy release rate is constant to the last point in contact."""
+    """Return the slice from the start of the plateau of the energy release rate to the last point in contact."""
     rate, _ = release_rate(problem, branch.in_contact, unknowns)
     size = max(LEAST_POINTS, len(rate) // _BINS)
-    middles = [_median(rate[at : at + size]) for at in range(0, len(rate) - size + 1, size)]
+    middles = [_median(rate[start : start + size]) for start in range(0, len(rate) - size + 1, size)]
     lower = middles[len(middles) // 2 :]
     if len(lower) < 2:
         return branch.contact
     level = _median(numpy.array(lower))
     scatter = 1.4826 * _median(abs(numpy.array(lower) - level))
     tolerance = max(_PLATEAU * level, 3 * scatter)
-    outside = [place for place, value in enumerate(middles) if abs(value - level) > tolerance]
-    above = [place for place in outside if place < len(middles) - 3]
+    above = [index for index, value in enumerate(middles[:-3]) if abs(value - level) > tolerance]
     first = (above[-1] + 1) * size if above else 0
     start = min(branch.contact.start + first, branch.contact.stop - 4 * LEAST_POINTS)
     return slice(max(start, branch.contact.start), branch.contact.stop)
 
 
 def _median(values: Array) -> float:
-    """Return the median of the numbers among some values; nan if there is none."""
+    """Return the median of the finite values; nan if there are none."""
     numbers = values[numpy.isfinite(values)]
     return float(numpy.median(numbers)) if len(numbers) else numpy.nan
 
 
 def release_rate(problem: Problem, points: Points, unknowns: Array) -> tuple[Array, Array]:
-    """Return the energy release rate G and the contact radius of measured points by E* and z_c, under any law by JKR.
+    """Return the energy release rate G and contact radius of measured points, from E* and z_c, by JKR under any law.
 
-    Both are nan where no contact radius has the approach and the load of a point.
+    Both are nan where no contact radius fits the approach and load of a point.
     """
     modulus, radius, grip = float(exp(unknowns[MODULUS])), problem.radius, problem.setting.grip
     depth_of = PROFILES[problem.known.profile]

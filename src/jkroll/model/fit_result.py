@@ -1,4 +1,4 @@
-"""The fit of a measured curve as a value: what was known, what was found, and how far it can be trusted."""
+"""The result of a fit: what was known, what was found, and how far it can be trusted."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -13,7 +13,7 @@ from .frame import DEFAULTS
 
 STRONG = 5.0  # Tabor parameter above which JKR holds for w and E*
 
-# Results: their names, and the quantity of the nomenclature whose unit and words they have.
+# The name of each result, and the quantity of the nomenclature that gives its unit and meaning.
 RESULTS: Mapping[str, str] = {
     "work_of_adhesion_opening": "work_of_adhesion",
     "work_of_adhesion_closing": "work_of_adhesion",
@@ -28,7 +28,7 @@ FITTED = ("work_of_adhesion_opening", "work_of_adhesion_closing", "contact_modul
 
 
 class Known(NamedTuple):
-    """The data of an instrument and a contact that are known, with relative standard deviations.
+    """The known data of an instrument and a contact, with relative standard deviations.
 
     Without a radius the fit gives wR and E*√R. `stiffness` is that of the lever; `bodies` has Young's moduli and
     Poisson's ratios by name.
@@ -48,7 +48,7 @@ class Known(NamedTuple):
 
 
 class Errors(NamedTuple):
-    """The standard deviations of a result by their causes; None for a cause that was not computed."""
+    """The standard deviations of a result by cause; None for a cause that was not computed."""
 
     statistical: float | None = None
     calibration: float | None = None
@@ -56,11 +56,11 @@ class Errors(NamedTuple):
 
     @property
     def total(self) -> float:
-        """The root of the sum of squares."""
+        """The root of the sum of their squares."""
         return float(sqrt(sum(each * each for each in self if each is not None)))
 
     def plus(self, part: str, moves: Sequence[float]) -> Self:
-        """Return the errors with the squares of moves of the result added to those of a part."""
+        """Return the errors with moves of the result added to one part, in squares."""
         if not moves:
             return self
         old = getattr(self, part) or 0.0
@@ -71,9 +71,9 @@ class Errors(NamedTuple):
 class Fit:
     """The fit of a curve, in SI units.
 
-    `values` and `errors` by the names of `RESULTS`; `covariance` is the statistical one of those of `names`, in their
-    units. `remarks` are sentences by code, `baselines` and `fitted_loads` (the least and the largest) are by branch. Of
-    a curve without adhesion, `largest_adhesion` is the upper limit of w.
+    `values` and `errors` have the names of `RESULTS`. `covariance` is the statistical covariance of the results in
+    `names`, in their units. `remarks` are sentences by code; `baselines` and `fitted_loads` (least, largest) are by
+    branch. `largest_adhesion` is the upper limit of w for a curve without adhesion.
     """
 
     known: Known
@@ -92,7 +92,7 @@ class Fit:
 
     @property
     def curve(self) -> dict[str, Array]:
-        """The points of `points` by headers with SI units, as `--curve --csv` writes them, for a DataFrame."""
+        """The `points` under headers with SI units, as `--curve --csv` writes them, for a DataFrame."""
         heads = {
             "branch": "branch", "z": "contact_radius_at_load [m]" if self.kind == RADIUS else "z [m]",
             "force": "load [N]", "model": "load_fitted [N]", "residual": "residual [N]",
@@ -103,17 +103,17 @@ class Fit:
 
     @property
     def is_scaled(self) -> bool:
-        """True where no radius is known: w is wR, E* is E*√R."""
+        """True if no radius is known: w is wR, E* is E*√R."""
         return self.known.radius is None
 
     @property
     def law_that_holds(self) -> str:
-        """The law by which w and E* are best: Maugis' where the Tabor parameter is small."""
+        """The law that gives the best w and E*: Maugis' if the Tabor parameter is small."""
         return "jkr" if self.goodness.get("tabor_parameter", inf) >= STRONG else "maugis"
 
     @property
     def other_modulus(self) -> tuple[str, float] | None:
-        """Young's modulus of the body that has none, by name, where the other's and both Poisson's ratios are known.
+        """The unknown Young's modulus, by name, if the other modulus and both Poisson's ratios are known.
 
         (1 − ν²)/E = 1/E* − (1 − ν'²)/E'
         """

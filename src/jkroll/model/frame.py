@@ -1,8 +1,8 @@
-"""From what is given to what is asked: a frame evaluates the formulas that questions need, and says what is missing.
+"""A frame: the inputs of one row or of many, and the quantities that follow from them.
 
-The assumptions of a frame are stated here, once: sphere 2 is like sphere 1 in everything that is not said of it, and
-the names in DEFAULTS have values if nothing else is said. A frame takes numbers in the range of their quantity, from
-1e-30 to 1e30 in SI units. It gives results that doubles hold with all digits, and zeros where the physics has them.
+The assumptions of a frame are stated here, once: sphere 2 is like sphere 1 in all that is not given for it, and the
+names in DEFAULTS have values unless they are given. A frame accepts numbers in the range of their quantity, from 1e-30
+to 1e30 in SI units. Its results are doubles with all digits, and zeros where the physics has them.
 """
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
@@ -53,7 +53,7 @@ from .reasons import (
 
 # --- Frames -----------------------------------------------------------------------------------------------------------
 
-IN_ITS_PLACE = (XI, "adhesion_hysteresis", "hysteresis_fraction")  # what says where rolling begins
+IN_ITS_PLACE = (XI, "adhesion_hysteresis", "hysteresis_fraction")  # each of them sets where rolling begins
 DEFAULTS = {
     XI: 2e-10,
     "load": 0.0,
@@ -63,19 +63,19 @@ DEFAULTS = {
     "cutoff": 1.65e-10,
     "contact_angle": 0.0,
 }
-# The values of inputs from which more follows than from others: a plane, a rigid body, no load.
+# Values of inputs that determine other quantities: a plane, a rigid body, no load.
 FOLLOWS: Mapping[str, tuple[float, Mapping[str, float]]] = {
     "diameter2": (INFINITY, {}),  # converted to a radius
     "radius2": (INFINITY, {"radius_ratio": 0.0, "rayleigh_frequency2": 0.0, **dict.fromkeys(OF_A_PLANE, INFINITY)}),
-    "youngs_modulus": (INFINITY, {"poisson_ratio": 0.0}),  # without strain, it does not matter
+    "youngs_modulus": (INFINITY, {"poisson_ratio": 0.0}),  # without strain it does not matter
     "youngs_modulus2": (INFINITY, {"poisson_ratio2": 0.0}),
     "load": (0.0, {"load_margin": 1.0}),
 }
 
-HELD_BY_LOAD = frozenset({"stable", "pull-off", "jump-in", "equilibrium"})  # states of a force curve without grips
-_OF_ONE_LAW = STATE - {"approach_at_load"}  # inputs that only one law has
+HELD_BY_LOAD = frozenset({"stable", "pull-off", "jump-in", "equilibrium"})  # states of a force curve that need no grips
+_OF_ONE_LAW = STATE - {"approach_at_load"}  # inputs that exist in one law only
 
-# Inputs of which one follows from the other.
+# Inputs that exclude each other, since one follows from the other.
 EXCLUSIVE = (
     ("energy", "energy_ratio", "speed"),
     *product(("surface_energy", "surface_energy2"), ("work_of_adhesion",), ("hamaker", "hamaker2")),
@@ -86,11 +86,10 @@ EXCLUSIVE = (
     *((other, name) for name, other in CONVERTED.items()),
 )
 
-# What was stated in place of a solid's yield displacement, or makes sphere 2 one of another solid.
+# Inputs that replace a solid's yield displacement, or give sphere 2 another solid.
 _OTHER_DISPLACEMENT = frozenset((*IN_ITS_PLACE, *(of_sphere(2, name) for name in OF_A_SOLID)))
 
-# Quantities that need a contact area: they have no value where both bodies are rigid. All others of JKR follow from
-# them.
+# Quantities that need a contact area: they have no value if both bodies are rigid. All others of JKR follow from them.
 _ON_AREA = frozenset({"contact_modulus", "contact_shear_modulus", "shear_strength", "pull_off_force", "load_factor",
     "rolling_frequency_as_printed"})  # fmt: skip
 
@@ -99,12 +98,12 @@ Made = TypeVar("Made")
 
 
 class Frame:
-    """Two spheres, as far as they were described, and everything that follows.
+    """Two spheres, as far as they are described, and all that follows from the description.
 
-    The inputs that were given by name are `described`; converted, they are `stated`; with the properties of the
-    materials, and without uncertainties, they are `given`; with what is assumed and what follows from the value of an
-    input they are `known`. `values` are those of the known names and of all results so far, nan where there is none;
-    `reasons` say why. Both are numbers, which hold for all rows, or arrays.
+    `described` are the inputs by name, `stated` the same after conversion. `given` adds the properties of the
+    materials, without uncertainties; `known` adds defaults and what a single input implies. `values` are those of the
+    known names and of all results so far, nan where there is none; `reasons` explain the nan. Both are arrays, or
+    numbers that hold for all rows.
 
     >>> frame = Frame({"surface_energy": 0.025, "radius": 1e-7})
     >>> f"{frame['pull_off_force']:.4e}"
@@ -113,9 +112,9 @@ class Frame:
     1e-07
     """
 
-    few = 800  # places of uncertain inputs that numbers compute in the time of importing numpy: up to three ranges
-    unknowns: Sequence[str] = ()  # inputs that are found from what was measured
-    solution: Any = None  # of these
+    few = 800  # points of uncertain inputs up to which floats are faster than importing numpy: three ranges
+    unknowns: Sequence[str] = ()  # inputs that are inferred from measured quantities
+    solution: Any = None  # of the unknowns
 
     def __init__(
         self,
@@ -127,27 +126,27 @@ class Frame:
         moved: Mapping[str, Any] = MappingProxyType({}),
         state: str = "",
     ) -> None:
-        """Take SI values by name, over those of the materials of sphere 1 and, if it has one of its own, of sphere 2.
+        """Take SI values by name; they override the materials of sphere 1 and, if it has its own, of sphere 2.
 
-        `model` is the name of a law in `LAWS`; None stands for the paper's, JKR. The frame computes with the middle of
-        a value that has an uncertainty; `model.uncertainty` computes with the rest. `moved`: values in place of those
-        of the materials, which are not their data; None stands for none. `state`: the name of a state of a force curve.
-        Raises QuantityError, or BadRequest for arrays that do not broadcast.
+        `model` is the name of a law in `LAWS`; None means the paper's, JKR. The frame computes with the middle of an
+        uncertain value; `model.uncertainty` does the rest. `moved`: values that override a material's without counting
+        as stated; None removes an input. `state`: the name of a state of a force curve. Raises QuantityError, or
+        BadRequest for arrays that do not broadcast.
         """
         self.law = LAWS[DEFAULT_LAW if model is None else model]
         self.stated_model = None if model is None else self.law.name
         self.state = state
         check_exclusive(given)
         self.material, self.material2, self.moved = material, material2, moved
-        # The materials of the spheres that have one of their own, each with the number of the sphere.
+        # Each material with the number of its sphere; sphere 2 only if it has its own.
         self.materials = [(solid, sphere) for solid, sphere in ((material, 1), (material2, 2)) if solid is not None]
-        # By the name of an input, the material that has it, and its name there.
+        # By the name of an input: the material that provides it, and the name of the property there.
         self.of_materials = {
             of_sphere(sphere, name): (solid, name) for solid, sphere in self.materials for name in solid.properties
         }
         self.described = {**given}
         self.stated = self.described if CONVERTED.keys().isdisjoint(given) else self._converted()
-        for name in self.stated.keys() & CONVERTED.keys():  # without ν, G stands for E, which is missing
+        for name in self.stated.keys() & CONVERTED.keys():  # without ν, G leaves E open
             self.of_materials.pop(CONVERTED[name], None)
         stated = self.stated.items()
         self.uncertain: dict[str, Uncertain] = {name: value for name, value in stated if is_uncertain(value)}
@@ -163,29 +162,29 @@ class Frame:
             self.given[XI] = self.displacement.value
         has_displacement = any(solid.displacement is not None for solid, _ in self.materials)
         self.values = {**_assumed(frozenset(self.given), has_displacement), **self.given}
-        self.sources: dict[str, str] = {}  # by the name of a value that follows from an input, this input
+        self.sources: dict[str, str] = {}  # the input that each implied value follows from
         for source, values in _implied(self.values, self.law, self.uncertain).items():
             self.sources |= dict.fromkeys(values.keys() - self.values.keys(), source)
             self.values = {**values, **self.values}
         self.known = frozenset(self.values)
-        self.plan_key = (self.known, material2 is not None, self.law.name)  # on which plans depend
-        self.reasons: dict[str, Any] = {}  # why values are nan, of those results that have such cells
-        self.steps: dict[str, Plan] = {}  # that made these results
-        # Arrays that were computed, with their reasons, by a step and the identities of its arguments. These are kept
-        # beside them, so that no other value can have their identities.
+        self.plan_key = (self.known, material2 is not None, self.law.name)  # plans depend on these alone
+        self.reasons: dict[str, Any] = {}  # reasons of nan values, for results that have any
+        self.steps: dict[str, Plan] = {}  # the steps that computed these results
+        # Computed arrays with their reasons, by step and by the ids of its arguments. The arguments are kept as well,
+        # so that no other value can get their ids.
         self._shared: dict[tuple[object, ...], tuple[tuple[Any, Any], Any]] = {}
-        self.derived: dict[Any, Any] = {}  # what functions made of the frame, by function: see `once_a_frame`
+        self.derived: dict[Any, Any] = {}  # results of functions of the frame: see `once_a_frame`
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle what was described; the rest is computed anew."""
+        """Pickle the description; the rest is computed again."""
         return _described, (self.described, self.material, self.material2, self.stated_model, self.moved, self.state)
 
     def replace(self, **values: Any) -> "Frame":
-        """Return the frame with other values of inputs, of which None takes one away.
+        """Return the frame with other values of inputs; None removes an input.
 
-        `model` is its law of attraction, `state` the name of its state. A value that a material gave is moved, the
-        others are stated. A radius takes the place of a diameter that was described, and E that of G. What follows from
-        the same values is not computed again, which saves a tenth of a table with doubts.
+        `model` sets the law of attraction, `state` the name of the state. A value from a material becomes moved, any
+        other stated. A radius replaces a described diameter, and E replaces G. Arrays that follow from the same values
+        are reused, which saves a tenth of the time of a table with doubts.
         """
         model, state = values.pop("model", self.stated_model), values.pop("state", self.state)
         of_materials = self.of_materials.keys() & values.keys() - self.stated.keys()
@@ -200,7 +199,7 @@ class Frame:
 
     @property
     def filled(self) -> "Frame":
-        """The frame with placeholders for inputs that are not found yet, from which it can be planned."""
+        """The frame with placeholders for inputs that are not inferred yet, for making plans."""
         return self
 
     @property
@@ -209,16 +208,16 @@ class Frame:
         return self
 
     def check(self) -> None:
-        """Raise the error of a search that has no result, whatever was measured: of an `Inverse` frame."""
+        """Raise the error of an `Inverse` frame whose search has no result for any measured value."""
 
     def judged(self, names: Iterable[str]) -> Sequence[str]:
-        """Return the quantities by whose limits some are judged: these."""
+        """Return the quantities whose limits are judged for some results: here the results themselves."""
         return [*names]
 
     def under(self, law: str) -> "Frame":
         """Return the frame under another law.
 
-        A state of a force curve whose input this law lacks is at its load there, or nowhere if grips hold it.
+        A state of a force curve that the law lacks is replaced by its load, or dropped if only grips hold it.
         """
         of_one_law = _OF_ONE_LAW & self.stated.keys()
         if self.state in HELD_BY_LOAD and of_one_law:
@@ -227,16 +226,16 @@ class Frame:
 
     @cached_property
     def by_law(self) -> "Frame":
-        """The frame under the law between JKR and DMT, or for that under JKR; an assumed atomic spacing stays so."""
+        """The frame under the law to compare with: between JKR and DMT, or JKR if that is in use."""
         return self.under(other_law(self.law.name))
 
     @cached_property
     def by_law_at_spacing(self) -> "Frame":
-        """The same, with its atomic spacing stated."""
+        """`by_law` with its atomic spacing stated."""
         return self.by_law.replace(atomic_spacing=self.by_law["atomic_spacing"])
 
     def _converted(self) -> dict[str, Any]:
-        """Return the described inputs, with those in place of others converted."""
+        """Return the described inputs after conversion."""
         values = {name: middle(value) for name, value in self.described.items()}
         for name, value in values.items():
             check_range(name, value)
@@ -246,7 +245,7 @@ class Frame:
         return converted(self.described, known, own_material2=self.material2 is not None)
 
     def _displacement_of_solid(self) -> Interval | None:
-        """Return the yield displacement that the solid of both spheres has at these radii, unless it is stated."""
+        """Return the yield displacement of the spheres' common solid at these radii, unless another one is stated."""
         material, radius = self.material, self.given.get("radius")
         if material is None or material.displacement is None or radius is None:
             return None
@@ -259,24 +258,24 @@ class Frame:
 
     @cached_property
     def data(self) -> Mapping[str, tuple[Material, str]]:
-        """The inputs that are data of a material, each with this material and its property."""
+        """The inputs that are data of a material, each with the material and the property."""
         others = self.stated.keys() | self.moved.keys()
         data = {name: of_solid for name, of_solid in self.of_materials.items() if name not in others}
         return data if self.displacement is None or self.material is None else {**data, XI: (self.material, XI)}
 
     def data_used(self, inputs: Collection[str]) -> list[tuple[Material, str]]:
-        """Return the materials and those of their properties that are inputs and were not stated otherwise."""
+        """Return the materials with the properties that these inputs take from them."""
         return [used for name, used in self.data.items() if name in inputs]
 
     @cached_property
     def uncertainties(self) -> Mapping[str, Uncertain]:
-        """The uncertainties of inputs, whether they were stated or are those of materials."""
+        """The uncertainties of inputs, stated or from materials."""
         bars = {name: solid.uncertainties.get(of_solid) for name, (solid, of_solid) in self.data.items()}
         return {name: bar for name, bar in {**bars, XI: self.displacement, **self.uncertain}.items() if bar is not None}
 
     @cached_property
     def is_rigid(self) -> Any:
-        """True if both bodies are rigid; an array if some elements of arrays are."""
+        """True if both bodies are rigid; an array if only some rows are."""
         modulus = self.given.get("youngs_modulus")
         modulus2 = self.given.get("youngs_modulus2", modulus if self.material2 is None else None)
         is_rigid = (modulus == INFINITY) & (modulus2 == INFINITY) & ("contact_modulus" not in self.given)
@@ -284,21 +283,23 @@ class Frame:
 
     @cached_property
     def is_identical(self) -> Any:
-        """True if nothing was said that makes sphere 2 differ from sphere 1, element by element for arrays."""
+        """True if no input makes sphere 2 differ from sphere 1; row by row for arrays."""
         of_2 = {of_sphere(1, name): value for name, value in self.given.items() if NOMENCLATURE[name].sphere == 2}
-        lacking = self.material2 is not None and any(name in self.given and name not in of_2 for name in PROPERTIES)
-        return reduce(and_, (value == self.given.get(name) for name, value in of_2.items()), not lacking)
+        lacks_property = self.material2 is not None and any(
+            name in self.given and name not in of_2 for name in PROPERTIES
+        )
+        return reduce(and_, (value == self.given.get(name) for name, value in of_2.items()), not lacks_property)
 
     @property
     def stated_of_1(self) -> dict[str, Any]:
-        """The stated inputs that hold for two spheres like sphere 1: none of sphere 2, no w of two solids."""
+        """The stated inputs that hold for a pair of spheres like sphere 1: none of sphere 2, no w of two solids."""
         of_pair = () if self.material2 is None else ("work_of_adhesion",)
         return {
             name: value for name, value in self.stated.items() if NOMENCLATURE[name].sphere != 2 and name not in of_pair
         }
 
     def shows(self, name: str) -> Any:
-        """Return whether a quantity that was not asked for by name is shown, or for which elements of arrays."""
+        """Return whether a quantity is shown without being asked for by name, row by row for arrays."""
         is_shown = self.shows_to_identical(name)
         return self.is_identical if is_shown and NOMENCLATURE[name].of_identical else is_shown
 
@@ -314,44 +315,47 @@ class Frame:
     # --- Plans --------------------------------------------------------------------------------------------------------
 
     def plan(self, name: str) -> Plan:
-        """Return the plan of a quantity; one without a formula if the frame's inputs do not lead to it."""
+        """Return the plan of a quantity; it has no formula if the inputs do not determine the quantity."""
         return plan_for(name, *self.plan_key)
 
     def plans(self, *names: str) -> list[Plan]:
-        """Return the plans of quantities; raise MissingInput for the first to which the inputs do not lead."""
+        """Return the plans of quantities; raise MissingInput for the first that the inputs do not determine."""
         for name in self.missing(names):
             raise self.missing_input(name)
         return [*map(self.plan, names)]
 
     def formulas_to(self, *wanted: str) -> frozenset[str]:
-        """Return the names of all formulas that lead to the wanted quantities."""
+        """Return the names of all formulas needed for the wanted quantities."""
         return frozenset().union(*(plan.steps for plan in self.plans(*wanted))) - self.known
 
     def missing(self, names: Iterable[str]) -> list[str]:
-        """Return those of some quantities to which the frame's inputs do not lead."""
+        """Return the quantities that the inputs do not determine."""
         return [name for name in names if not self.plan(name).is_possible]
 
     def possible(self, names: Iterable[str]) -> list[str]:
-        """Return those of some quantities to which the frame's inputs lead."""
-        missing = {*self.missing(names := [*names])}
+        """Return the quantities that the inputs determine."""
+        names = [*names]
+        missing = {*self.missing(names)}
         return [name for name in names if name not in missing]
 
     def inputs_of(self, *wanted: str) -> tuple[str, ...]:
         """Return the inputs that the wanted quantities depend on, in the order of the nomenclature."""
-        used = {self.sources.get(name, name) for plan in self.plans(*wanted) for name in plan.steps.keys() & self.known}
+        used = set()
+        for plan in self.plans(*wanted):
+            used |= {self.sources.get(name, name) for name in plan.steps.keys() & self.known}
         if XI in used and self.displacement is not None:
-            used |= {"radius", "radius2"}  # by which a material's is scaled
+            used |= {"radius", "radius2"}  # they scale the value of the material
         return in_order(used & (self.given.keys() | DEFAULTS.keys()))
 
     def inputs_used(self, names: Sequence[str]) -> Collection[str]:
-        """Return the inputs on which quantities depend, as far as the frame has them."""
+        """Return the inputs that quantities depend on, as far as the frame has them."""
         possible = self.possible(names)
         return self.inputs_of(*possible) if possible else depends_on(tuple(names)) & self.given.keys()
 
     def echo(self, used: Collection[str]) -> dict[str, Any]:
-        """Return the inputs that are used or were stated, as understood: the materials, the law, SI values, the state.
+        """Return the inputs that are used or stated, as understood: materials, law, SI values, state.
 
-        What was stated may decide on doubts and on values by other laws, and tells the rows of a list apart.
+        Stated inputs that are not used may still decide doubts and values by other laws, and identify rows of a list.
         """
         used = {*used, *(self.stated.keys() & self.given.keys())}
         echoed: dict[str, Any] = {of_sphere(sphere, "material"): solid.name for solid, sphere in self.materials}
@@ -369,19 +373,19 @@ class Frame:
         return echoed
 
     def missing_input(self, name: str) -> MissingInput:
-        """Return the error of a quantity that needs more inputs, with the materials that should have had them."""
+        """Return the error for a quantity that needs more inputs, with the materials that lack them."""
         plan = self.plan(name)
         if plan.lacking:
             return NotInLaw(name, in_order(plan.lacking), self.law.title)
         names = lacked(plan.missing, self.stated)
         if XI in names and "radius" not in self.given:
-            names = names - {XI} | {"radius"}  # by which that of a solid is scaled
-        lacking = {}
+            names = names - {XI} | {"radius"}  # it scales ξ of the solid
+        without = {}
         for each in in_order(names):
             solid = self.material2 or self.material if NOMENCLATURE[each].sphere == 2 else self.material
             if solid is not None and solid.name and of_sphere(1, each) in PROPERTIES:
-                lacking[solid.missing_text(of_sphere(1, each))] = True
-        return MissingInput(name, in_order(names), ", ".join(lacking))
+                without[solid.missing_text(of_sphere(1, each))] = True
+        return MissingInput(name, in_order(names), ", ".join(without))
 
     # --- Values and reasons -------------------------------------------------------------------------------------------
 
@@ -404,42 +408,45 @@ class Frame:
         return column.without(self.rests_on_spacing(name), reason(RESTS_ON_SPACING, name))
 
     def shown(self, names: Iterable[str], named: Collection[str]) -> dict[str, Column]:
-        """Return the columns of quantities that concern some row; an infinite number is no value.
+        """Return the columns of quantities that apply to some row; infinite numbers become empty cells.
 
-        `named`: quantities that were asked for by name, and concern every row.
+        `named`: quantities that were asked for by name; they apply to every row.
         """
-        concern = {name: name in named or self.shows(name) for name in names}
         shown = {}
-        for name, column in self.columns(name for name, is_shown in concern.items() if is_shown is not False).items():
+        for name in names:
+            is_shown = name in named or self.shows(name)
+            if is_shown is False:
+                continue
+            column = self.column(name)
             is_infinite = name in OF_A_PLANE and abs(column.values) == INFINITY
-            shown[name] = column.without(is_infinite, reason(INFINITE, name)).hidden(concern[name])
+            shown[name] = column.without(is_infinite, reason(INFINITE, name)).hidden(is_shown)
         return shown
 
     @property
     def assumes_spacing(self) -> bool:
-        """True if the atomic spacing was not given, neither by itself nor by a Hamaker constant."""
+        """True if the atomic spacing was not given, either directly or by a Hamaker constant."""
         return self.given.keys().isdisjoint(("atomic_spacing", "hamaker"))
 
     def may_rest_on_spacing(self, name: str) -> bool:
-        """Return whether the atomic spacing, which was not given, decides on a quantity of small, hard spheres."""
+        """Return whether a quantity of small, hard spheres depends on an assumed atomic spacing."""
         return self.assumes_spacing and not self.law.by_spacing.isdisjoint(self.plan(name).steps.keys() - {name})
 
     def rests_on_spacing(self, name: str) -> Any:
-        """Return whether it does so here, row by row."""
+        """Return whether a quantity depends on an assumed atomic spacing here, row by row."""
         return self.may_rest_on_spacing(name) and self.column("transition_parameter").values < 1
 
     def drop(self, name: str, cause: Cause) -> None:
-        """Take a reason in place of the value of a quantity."""
+        """Replace the value of a quantity by a reason."""
         step = self.plan(name)
         self.values[step.name], self.reasons[step.name], self.steps[step.name] = nan, reason(cause, name), step
 
     def _take(self, step: Plan) -> None:
-        """Compute a step; with arrays, only where it was not computed of the same arguments before."""
+        """Compute a step; arrays are reused if the step had the same arguments before."""
         given = {parameter: self.values[name] for parameter, name in step.arguments.items()}
-        reasons = self._inherited(step) if self.reasons or self.is_rigid is not False else 0  # as nearly always
+        reasons = self._inherited(step) if self.reasons or self.is_rigid is not False else 0  # the usual case
         if isinstance(reasons, int) and reasons:
             values: Any = nan
-        elif not self.arrays:  # to compute a number takes less than to look for it
+        elif not self.arrays:  # computing a number is faster than a look-up
             values, reasons = made_of(step, given, reasons)
         else:
             key = (step.name, *map(id, given.values()), id(self.is_rigid))
@@ -454,7 +461,7 @@ class Frame:
             self.reasons[step.name], self.steps[step.name] = reasons, step
 
     def _inherited(self, step: Plan) -> Any:
-        """Return the reasons that a step has from its arguments: in each cell that of the first without a value."""
+        """Return the reasons from the arguments of a step; in each cell the first argument without a value counts."""
         reasons: Any = 0
         for name in step.arguments.values():
             reasons = first_of(reasons, self.reasons.get(name, 0))
@@ -465,9 +472,9 @@ class Frame:
     # --- Numbers and errors -------------------------------------------------------------------------------------------
 
     def __getitem__(self, name: str) -> Any:
-        """Return the value of a quantity, nan for rows without one.
+        """Return the value of a quantity, nan in rows without one.
 
-        Raises MissingInput, or NoResult where the physics has no answer for any row.
+        Raises MissingInput, or NoResult if no row has a value.
         """
         column = self.columns((name,))[name]
         if column.is_empty:
@@ -475,11 +482,11 @@ class Frame:
         return column.values
 
     def numbers(self, *names: str) -> dict[str, Any]:
-        """Return the values of quantities, without those that have none."""
+        """Return the values of quantities by name, leaving out those without any."""
         return {name: column.values for name, column in self.columns(names).items() if not column.is_empty}
 
     def error(self, name: str, number: int, row: int = 0) -> JkrollError:
-        """Return the reason why a quantity has no value in a row as an error, with the numbers of this row."""
+        """Return the reason for an empty cell as an error, with the numbers of its row."""
         cause, step = cause_and_step(number)
         if cause in (None, MISSING, NOT_IN_LAW):
             return self.missing_input(name)
@@ -489,13 +496,13 @@ class Frame:
         return failure_of(number, {parameter: at_row(self.values[each], row) for parameter, each in arguments.items()})
 
     def errors(self, columns: Mapping[str, Column], row: int = 0) -> dict[str, JkrollError]:
-        """Return the errors of those columns that have no value in a row, by name, but for quantities not shown."""
+        """Return the errors of columns without a value in a row, by name; hidden quantities are left out."""
         numbers = {name: at_row(column.reasons, row) for name, column in columns.items()}
         return {name: self.error(name, n, row) for name, n in numbers.items() if n not in (0, reason(HIDDEN))}
 
 
 def once_a_frame(make: Callable[[Frame], Made]) -> Callable[[Frame], Made]:
-    """Return a function that makes something of a frame once, and then returns the same."""
+    """Return a function that computes its result once for each frame."""
 
     @wraps(make)
     def made(frame: Frame) -> Made:
@@ -508,13 +515,13 @@ def once_a_frame(make: Callable[[Frame], Made]) -> Callable[[Frame], Made]:
 
 
 def made_of(step: Plan, given: Mapping[str, Any], reasons: Any) -> tuple[Any, Any]:
-    """Return the values that a formula makes of its arguments, and the reasons of cells that have none.
+    """Return the values of a formula, and the reasons of cells without one.
 
-    `reasons`: those of the arguments, which come first.
+    `reasons`: those of the arguments, which take precedence.
     """
     try:
         values = step.formula(**given)
-    except (ArithmeticError, ValueError):  # of numbers; arrays have nan or an infinity
+    except (ArithmeticError, ValueError):  # raised for numbers; arrays get nan or an infinity
         values = INFINITY
     if isinstance(reasons, int) and _are_usual(values):
         return values, 0
@@ -525,7 +532,7 @@ def made_of(step: Plan, given: Mapping[str, Any], reasons: Any) -> tuple[Any, An
 
 
 def _are_usual(values: Any) -> bool:
-    """Return whether a number, or all of an array, are results with all digits, as nearly always."""
+    """Return whether all values are ordinary results with all digits."""
     if isinstance(values, NUMBER):
         return SMALLEST <= values < INFINITY
     return bool(values.size and values.min() >= SMALLEST and values.max() < INFINITY)
@@ -543,48 +550,54 @@ def _described(
     moved: Mapping[str, Any],
     state: str,
 ) -> Frame:
-    """Return a frame that was pickled."""
+    """Return the frame of a pickled description."""
     return Frame(given, material, material2, model=model, moved=moved, state=state)
 
 
 def check_exclusive(given: Collection[str], word_of: Callable[[str], str] = str) -> None:
-    """Raise BadRequest for inputs of which one follows from the other. `word_of` returns the word for an input."""
-    if both := _exclusive_among(frozenset(given)):
+    """Raise BadRequest for inputs that exclude each other. `word_of` returns the user's word for an input."""
+    both = _exclusive_among(frozenset(given))
+    if both:
         raise BadRequest(f"{listed(map(word_of, both))} exclude each other: one follows from the other")
 
 
 @lru_cache(maxsize=KEPT)
 def _exclusive_among(given: frozenset[str]) -> list[str]:
-    """Return inputs of which one follows from the other, if such are given."""
-    several = ([name for name in names if name in given] for names in EXCLUSIVE)
-    return next((both for both in several if len(both) > 1), [])
+    """Return the first inputs that exclude each other, or an empty list."""
+    for names in EXCLUSIVE:
+        both = [name for name in names if name in given]
+        if len(both) > 1:
+            return both
+    return []
 
 
 @lru_cache(maxsize=KEPT)
 def _assumed(given: frozenset[str], has_displacement: bool) -> Mapping[str, float]:
-    """Return the defaults of what nothing else says. A solid says where rolling begins, if it was measured."""
-    said = {name for names in EXCLUSIVE if not given.isdisjoint(names) for name in names}
-    if "hamaker" in given:  # from which both follow
-        said.add("atomic_spacing")
+    """Return the defaults that no input replaces. A measured displacement of the solid also replaces ξ."""
+    replaced = set()
+    for names in EXCLUSIVE:
+        if not given.isdisjoint(names):
+            replaced |= {*names}
+    if "hamaker" in given:  # it determines w and the atomic spacing
+        replaced.add("atomic_spacing")
     if has_displacement:
-        said.add(XI)
-    return {name: value for name, value in DEFAULTS.items() if name not in said}
+        replaced.add(XI)
+    return {name: value for name, value in DEFAULTS.items() if name not in replaced}
 
 
 def _implied(values: Mapping[str, Any], law: Law, uncertain: Collection[str]) -> dict[str, Mapping[str, float]]:
-    """Return by each input the values that follow from it, or from its absence, and then need nothing else.
+    """Return the values that follow from a single input, or from its absence, by input.
 
-    Nothing follows from the middle of an uncertainty, as the rest has other values.
+    Nothing follows from the middle of an uncertain value, since its other values imply something else.
     """
-    implied = {
-        name: follows
-        for name, (value, follows) in FOLLOWS.items()
-        if name not in uncertain and isinstance(values.get(name), NUMBER) and values[name] == value
-    }
+    implied = {}
+    for name, (value, follows) in FOLLOWS.items():
+        if name not in uncertain and isinstance(values.get(name), NUMBER) and values[name] == value:
+            implied[name] = follows
     if "radius2" not in values:
         implied["radius2"] = {"radius_ratio": 1.0}
     if "poisson_ratio2" not in values:
-        implied.pop("youngs_modulus", None)  # sphere 2, which deforms, would take the ratio over
+        implied.pop("youngs_modulus", None)  # a sphere 2 that deforms would inherit the ratio
     if law.tables[ALWAYS].get("load_margin", "") is None:
         implied.pop("load", None)
     return implied

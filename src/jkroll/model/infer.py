@@ -16,7 +16,7 @@ from .unsolved import inputs_named
 
 
 class InferredValues(dict[str, Any]):
-    """The values of inputs by name, and the condition number of all together."""
+    """The values of inputs by name, and the condition number of the problem."""
 
     def __init__(self, values: Mapping[str, Any], condition: Any) -> None:
         super().__init__(values)
@@ -52,31 +52,31 @@ def infer(
     profile: str | None = None,
     **given: Any,
 ) -> Any:
-    """Return the value of an input at which a quantity has its measured value, or of two inputs by two quantities.
+    """Return the value of an input at which a quantity has its measured value; or of two inputs, from two quantities.
 
     Parameters
     ----------
     wanted
-        An input among `jkroll.model.unsolved.SIZES`, or the word of its option. A list of one or two.
+        An input among `jkroll.model.unsolved.SIZES`, or the name of its option; or a list of one or two.
     measured
-        One quantity of the nomenclature with its value, which is a number, a list, a text and so on as for `solve`. For
-        two inputs, two quantities.
+        One quantity of the nomenclature with its value: a number, a list, a text and so on, as for `solve`. Two
+        quantities for two inputs.
     material, material2, materials, model, profile, **given
-        The rest of the scene, as `solve` takes it. Values that a material has of the inputs are not used.
+        The rest of the scene, as for `solve`. A material's values of the wanted inputs are not used.
 
     Returns
     -------
-    A float in SI units; an array if a value was one; `Measured` or `Interval` if a given or measured value is
-    uncertain. For a list, a dict of these by name. Its attribute `condition` is the condition number of the
-    logarithms of the measured quantities as functions of those of the inputs.
+    A float in SI units; an array if any value is one; `Measured` or `Interval` if a given or measured value is
+    uncertain. For a list, a dict of these by name. Its attribute `condition` is the condition number of the logarithms
+    of the measured quantities as functions of the logarithms of the inputs.
 
     Raises
     ------
     BadRequest, MissingInput, QuantityError, UnknownMaterial, UnknownQuantity
-        An input is wrong, or one is missing.
-    NoDependence, NoSolution, SeveralSolutions; of two inputs Unseparated
-        No value gives the measured one, or several do; or the condition number is above 1e8. Arrays hold nan there
-        instead.
+        An input is wrong or missing.
+    NoDependence, NoSolution, SeveralSolutions; for two inputs Unseparated
+        No value gives the measured one, or several values do; or the condition number is above 1e8. Arrays have nan
+        there instead.
 
     >>> round(infer("gamma", measured={"pull_off_force": "300 nN"}, radius="2 um", radius2="plane"), 6)
     0.015915

@@ -1,4 +1,4 @@
-"""The way back: frames of which an input or two are found from measured values of as many of their quantities."""
+"""The inverse problem: frames with one or two inputs inferred from as many measured quantities."""
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cached_property
@@ -18,22 +18,22 @@ from .unsolved import SIZES, already_given, inputs_named
 
 
 class Inverse(Frame):
-    """A frame that lacks an input or two, the unknowns, and has measured values of as many of its quantities.
+    """A frame without one or two inputs, the unknowns, but with measured values of as many quantities.
 
-    Its columns are those of the frame that is `found`, in which the unknowns have values. Until a column is asked for,
-    nothing is searched, and placeholders stand for the unknowns: more is not needed to plan what they lead to. A value
-    that a material has of an unknown is not used.
+    Its columns are those of the frame `found`, in which the unknowns have values. The search starts when a column is
+    asked for; until then, placeholders for the unknowns suffice to make plans. A material's value of an unknown is not
+    used.
     """
 
-    few = 0  # places of uncertain inputs that numbers compute: a search takes arrays
+    few = 0  # points of uncertain inputs computed with floats: a search needs arrays
 
     def __init__(
         self, unknowns: Sequence[str], measured: Mapping[str, Any], known: Frame, near: "Inverse | None" = None
     ) -> None:
-        """`measured`: values by quantity, which may be uncertain or arrays; `known`: the frame without the unknowns.
+        """`measured`: values by quantity, possibly uncertain or arrays; `known`: the frame without the unknowns.
 
-        `near`: one from whose solution Newton's method leads to two unknowns in arrays. Raises a BadRequest for
-        unknowns or quantities that cannot be.
+        `near`: a frame whose solution is the start of Newton's method, for two unknowns in arrays. Raises a BadRequest
+        for invalid unknowns or quantities.
         """
         self.unknowns, self.measured, self.near = tuple(inputs_named(unknowns)), measured, near
         self.levels = {name: middle(value) for name, value in measured.items()}
@@ -49,7 +49,7 @@ class Inverse(Frame):
         self.shape = broadcast(self.arrays)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle what was described; the rest is computed anew."""
+        """Pickle the description; the rest is computed again."""
         return Inverse, (self.unknowns, self.measured, self.problem.frame)
 
     def replace(self, **values: Any) -> "Inverse":
@@ -62,56 +62,58 @@ class Inverse(Frame):
         """The frame with placeholders for the unknowns."""
         return self.problem.filled
 
-    # --- Plans: the unknowns follow from what was measured, and this from the other inputs ---
+    # --- Plans: the unknowns follow from the measured quantities, and these from the other inputs ---
 
     def judged(self, names: Iterable[str]) -> list[str]:
-        """Return quantities, with those that were measured in place of the unknowns."""
-        every = (self.measured if name in self.unknowns else (name,) for name in names)
-        return [*dict.fromkeys(each for of_name in every for each in of_name)]
+        """Return quantities, with the measured ones instead of the unknowns."""
+        judged: dict[str, None] = {}
+        for name in names:
+            judged |= dict.fromkeys(self.measured if name in self.unknowns else (name,))
+        return [*judged]
 
     def plans(self, *names: str) -> list[Plan]:
-        """Return the plans of quantities, and for an unknown those of what was measured."""
+        """Return the plans of quantities; for an unknown, those of the measured quantities."""
         return super().plans(*self.judged(names))
 
     def missing(self, names: Iterable[str]) -> list[str]:
-        """Return those of some quantities to which the frame's inputs do not lead."""
+        """Return the quantities that the inputs do not determine."""
         return [name for name in names if super(Inverse, self).missing(self.judged([name]))]
 
     def inputs_of(self, *wanted: str) -> tuple[str, ...]:
-        """Return the inputs that the wanted quantities depend on, and the measured ones if an unknown is among them."""
+        """Return the inputs that quantities depend on; for an unknown, with the measured quantities."""
         measured = self.measured.keys() if not {*self.unknowns}.isdisjoint(wanted) else ()
         return in_order({*super().inputs_of(*wanted), *measured} - self.problem.sought.keys())
 
     def inputs_used(self, names: Sequence[str]) -> Collection[str]:
-        """Return the inputs on which quantities depend, and with them each unknown, as far as the frame has them."""
+        """Return the inputs that quantities depend on, as far as the frame has them, without the unknowns."""
         return {*self.filled.inputs_used(self.judged(names))} - self.problem.sought.keys()
 
     def missing_input(self, name: str) -> MissingInput:
-        """Return the error of a quantity that needs more inputs, for an unknown that of what was measured."""
+        """Return the error for a quantity that needs more inputs; for an unknown, the error of a measured quantity."""
         first = next(iter(Frame.missing(self, self.judged([name]))), name)
         return super().missing_input(first)
 
     def echo(self, used: Collection[str]) -> dict[str, Any]:
-        """Return the inputs that are used or were stated, as they were understood, and the measured values."""
+        """Return the inputs that are used or stated, as understood, and the measured values."""
         known = self.problem.frame
         return {**known.echo(known.known.intersection(used)), **self.levels}
 
-    # --- What is found ---
+    # --- The solution ---
 
     def check(self) -> None:
-        """Raise the error of a search that has no result, whatever was measured: a MissingInput or NoDependence."""
+        """Raise MissingInput or NoDependence if no measured value can have a solution."""
         self.problem.check()
 
     @cached_property
     def solution(self) -> Solution:
-        """The values of the unknowns, with the reasons of rows that have none.
+        """The values of the unknowns, with the reasons of rows without a solution.
 
-        Raises a BadRequest for rows of many solids, of which each by itself says whether both spheres are of one.
+        Raises a BadRequest for rows with several solids, if each row decides whether both spheres have the same solid.
         """
         solids = [solid.name for solid, _ in self.materials]
         if solids[1:] and not all(solids) and not {*PROPERTIES}.isdisjoint(self.unknowns):
             raise BadRequest("of which spheres an unknown is")
-        start = self.near.solution.places if self.near is not None and self.unknowns[1:] else None
+        start = self.near.solution.positions if self.near is not None and self.unknowns[1:] else None
         try:
             return solved(self.problem, start)
         except (MissingInput, NoResult) as error:
@@ -119,7 +121,7 @@ class Inverse(Frame):
 
     @cached_property
     def found(self) -> Frame:
-        """The frame in which the unknowns have values, and reasons in rows that have none."""
+        """The frame in which the unknowns have values, or reasons in rows without a solution."""
         values, reasons = self.solution.values, self.solution.reasons
         filled = {name: where(reasons == 0, value, SIZES[name][1]) for name, value in values.items()}
         frame = self.problem.with_values(filled)
@@ -133,13 +135,13 @@ class Inverse(Frame):
         return self.found.column(name)
 
     def error(self, name: str, number: int, row: int = 0) -> JkrollError:
-        """Return the reason why a quantity has no value in a row, which may be that of the search."""
+        """Return the reason for an empty cell as an error; it may be the reason of the search."""
         failure = self.solution.failure or self.solution.failures.get(row)
         return self.found.error(name, number, row) if failure is None else failure
 
 
 def _check(problem: Problem) -> None:
-    """Raise BadRequest for unknowns and quantities that do not go together, or with what else is known."""
+    """Raise BadRequest for unknowns and quantities that conflict with each other or with other inputs."""
     known, unknowns = problem.frame, problem.unknowns
     for name in (*unknowns, *problem.levels):
         if name in known.stated or (name in unknowns and name in problem.levels):

@@ -1,7 +1,8 @@
-"""The limits of the model in one table, and how they are judged for the results of a frame."""
+"""The table of the model's limits, and how they are judged for the results of a frame."""
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import cache, cached_property, reduce
+from itertools import chain
 from math import exp, inf, nan
 from operator import ge, gt, le, lt, or_
 from typing import Any, Literal
@@ -24,10 +25,10 @@ _COMPARISONS = {"<": lt, "<=": le, ">": gt, ">=": ge}
 
 
 class Limit:
-    """A number that limits the model, the quantities whose use it touches, and what follows beyond it.
+    """A number that limits the model, the quantities that it touches, and the consequence beyond it.
 
-    A value is in doubt where it is, for example, "<" a threshold. Several thresholds of one number stand in the order
-    in which a value meets them, each with the code of the doubt.
+    A value is in doubt if it is, for example, "<" a threshold. Several thresholds of one number are listed in the order
+    in which a value crosses them, each with its code.
     """
 
     def __init__(
@@ -36,34 +37,34 @@ class Limit:
         touches: frozenset[str],
         sign: Literal["<", "<=", ">", ">="],
         codes: Mapping[float, str],  # by threshold
-        consequence: str,  # for a number beyond the threshold
-        applies: Callable[[Frame, Collection[str]], bool] | None = None,  # to some results of a frame; None: to all
-        ends_meaning: bool = False,  # a number that is said to be in doubt has no meaning
-        conclusion: str = "",  # the name of what follows, if it is not that of the number
-        # What is judged in place of the number, for columns of results: of laws and data the factor between answers.
+        consequence: str,  # of a number beyond the threshold, in words
+        applies: Callable[[Frame, Collection[str]], bool] | None = None,  # to these results of a frame; None: to all
+        ends_meaning: bool = False,  # results beyond the limit have no meaning
+        conclusion: str = "",  # the name of the consequence, if it is not the number's
+        # The number to judge instead, for columns of results: for laws and data the factor between two answers.
         factor: Callable[[Frame, Mapping[str, Column]], Any] | None = None,
-        where: Callable[[Frame], Any] | None = None,  # the rows for which it is judged
-        is_told: bool = True,  # below an answer, and not in explanations alone
-        has_remedy: Callable[[Frame], bool] | None = None,  # its sentence says what to do, and stands before others
+        where: Callable[[Frame], Any] | None = None,  # the rows in which it is judged
+        is_shown: bool = True,  # below an answer, not only in explanations
+        has_remedy: Callable[[Frame], bool] | None = None,  # its sentence names a remedy, and precedes others
     ) -> None:
         self.name, self.touches, self.sign, self.codes = name, touches, sign, codes
         self.consequence, self.applies, self.ends_meaning = consequence, applies, ends_meaning
-        self.conclusion, self.factor, self.where, self.is_told = conclusion, factor, where, is_told
+        self.conclusion, self.factor, self.where, self.is_shown = conclusion, factor, where, is_shown
         self.has_remedy = has_remedy
-        self.threshold = next(iter(codes))  # the first one
+        self.threshold = next(iter(codes))  # the first threshold
 
     def is_beyond(self, number: Any, threshold: float) -> Any:
-        """Return whether a number, or each element of an array, is in doubt by a threshold."""
+        """Return whether a number is beyond a threshold, element by element for arrays."""
         return _COMPARISONS[self.sign](number, threshold)
 
     def excess(self, number: Any) -> Any:
-        """Return how far numbers are beyond the first threshold: ln of their ratio, or the distance from 0."""
+        """Return the distance of numbers beyond the first threshold: the logarithm of their ratio, or from 0."""
         size = ln(number / self.threshold) if self.threshold else number
         return size if self.sign.startswith(">") else -size
 
     @property
     def needs_threshold(self) -> bool:
-        """True if the first threshold is another number than its symbol says, as 1 of a ratio is."""
+        """True if the text must give the first threshold; 0 and 1 are evident."""
         return self.factor is None and self.threshold not in (0.0, 1.0)
 
     @property
@@ -73,15 +74,15 @@ class Limit:
 
 
 class Doubt:
-    """A limit that was judged: its number, and what is judged, which is another where the limit has a factor.
+    """A judged limit: its number, and the judged number, which differs if the limit has a factor.
 
-    Both are numbers, or arrays.
+    Both are numbers or arrays.
     """
 
     def __init__(
         self, limit: Limit, value: Any, judged: Any, error: JkrollError | None = None, unjudged: Any = False
     ) -> None:
-        """`error`: why no row could be judged; `unjudged`: the rows that could not be."""
+        """`error`: the reason if no row could be judged; `unjudged`: the rows that could not be judged."""
         self.limit, self.value, self.judged, self.error, self.unjudged = limit, value, judged, error, unjudged
 
     @property
@@ -96,17 +97,17 @@ class Doubt:
 
     @property
     def code(self) -> str:
-        """The code of the last threshold that is passed; empty where the limit holds, UNCHECKED if not judged."""
+        """The code of the last threshold crossed; empty if the limit holds, UNCHECKED if it was not judged."""
         return codes(self.bits)
 
     @property
     def factor(self) -> float | None:
-        """The number over the first threshold, below 1 where the limit holds; None if infinite or over 0."""
+        """The number over the first threshold, below 1 if the limit holds; None if infinite or undefined."""
         return exp(self.excess) if self.limit.threshold and self.excess < inf else None
 
     @property
     def text(self) -> str:
-        """The consequence of the number for an answer, with it: "contact radius below 3 atoms (a/z0 = 2.15)"."""
+        """The consequence with the number, for an answer: "contact radius below 3 atoms (a/z0 = 2.15)"."""
         if not self.is_exceeded:
             return "within the limit"
         if self.limit.ends_meaning and self.limit.name in self.limit.touches:  # the number has no meaning
@@ -117,29 +118,30 @@ class Doubt:
 
     @cached_property
     def is_beyond(self) -> Any:
-        """The rows in which the number is beyond the first threshold; False if none is, as for most limits."""
+        """The rows beyond the first threshold; False if there are none, as for most limits."""
         is_beyond = self.limit.is_beyond(self.judged, self.limit.threshold)
         return is_beyond if is_anywhere(is_beyond) else False
 
     @cached_property
     def bits(self) -> Any:
-        """The code as a bit: a whole number, or an array."""
+        """The code as a bit: an integer or an array."""
         if self.error is not None:
             return NOT_JUDGED
         (_, code), *others = self.limit.codes.items()
         bits = _bits_where(self.is_beyond, BITS.get(code, 0), 0)
-        for threshold, code in others if self.is_beyond is not False else ():
-            bits = _bits_where(self.limit.is_beyond(self.judged, threshold), BITS[code], bits)
+        if self.is_beyond is not False:
+            for threshold, code in others:
+                bits = _bits_where(self.limit.is_beyond(self.judged, threshold), BITS[code], bits)
         return _bits_where(self.unjudged, NOT_JUDGED, bits)
 
     @cached_property
     def ends(self) -> Any:
-        """The reasons of rows in which the limit ends the meaning of results, 0 for the others."""
+        """The reasons of rows in which the limit ends the meaning of results, 0 for others."""
         return where(self.is_beyond, reason(ENDS[next(iter(self.limit.codes.values()))]), 0)
 
 
 def _bits_where(condition: Any, bits: int, otherwise: Any) -> Any:
-    """Return bits in the rows of a condition: 64 of them, which numpy's own whole numbers have not in a browser."""
+    """Return bits in the rows of a condition, as 64-bit integers: numpy's default has 32 in a browser."""
     if isinstance(condition, bool):
         return bits if condition else otherwise
     import numpy
@@ -147,11 +149,11 @@ def _bits_where(condition: Any, bits: int, otherwise: Any) -> Any:
     return numpy.where(condition, numpy.int64(bits), otherwise)
 
 
-# What rests on the law and on elasticity; in DMT, at an approach, the radius rests on no work of adhesion, nor does
-# Q/P_c without load.
+# Quantities that rest on the law and on elasticity. In DMT, the radius at an approach does not depend on the work of
+# adhesion, nor does Q/P_c without load.
 _ELASTICITY = frozenset({"work_of_adhesion", "contact_radius_at_load", "yield_force_ratio"})
 _DISPLACEMENT = frozenset({"yield_displacement"})
-JUMP = 0.7  # Tabor parameter below which no jump was found of a contact of Lennard-Jones' 3-9 law at fixed grips
+JUMP = 0.7  # Tabor parameter below which contacts by Lennard-Jones' 3-9 law have no jump at fixed grips
 STICKING_UNSURE = "sticking-unsure"
 ROUGH_MATTERS = "rough-matters"
 GAP_STAYS_DRY = "gap-stays-dry"
@@ -164,13 +166,13 @@ _IMPACT = frozenset({"restitution", "lost_energy", "impact_pressure"})
 LAW_MATTERS = 1.05  # factor between the answers of two laws
 
 
-SOFT = 1e8  # contact modulus below which solids, rubbers and gels, close over their roughness, in Pa
-RUBBERY = 0.49  # Poisson's ratio from which on a solid is stretched, and does not yield
+SOFT = 1e8  # contact modulus in Pa below which solids (rubbers, gels) close over their roughness
+RUBBERY = 0.49  # Poisson's ratio above which a solid stretches rather than yields
 
 
 @once_a_frame
 def may_be_rough(frame: Frame) -> Any:
-    """Return whether roughness can part two solids: not soft ones, nor mica from mica."""
+    """Return whether roughness can part two solids; it cannot for soft ones, nor for mica on mica."""
     if is_smooth(frame.material) and (frame.material2 is None or is_smooth(frame.material2)):
         return False
     return frame.numbers("contact_modulus").get("contact_modulus", INFINITY) >= SOFT
@@ -188,19 +190,29 @@ def _is_rubbery(frame: Frame) -> Any:
 
 @once_a_frame
 def may_be_sphere(frame: Frame) -> bool:
-    """Return whether the profile of a true sphere is justified."""
+    """Return whether the profile of a true sphere applies to the frame."""
     return bool(frame.under(JKR_OF_SPHERE).numbers("indenter_radius"))
 
 
 def _is_not_rubbery(frame: Frame) -> Any:
-    """Return whether it does not."""
+    """Return whether the softer of two bodies can yield."""
     return where(_is_rubbery(frame), False, True)
 
 
-# What ends the meaning of results; then the law of attraction; then what makes results inexact.
+def _has_speed(frame: Frame, names: Collection[str]) -> bool:  # noqa: ARG001
+    """Return whether a speed was stated."""
+    return "speed" in frame.stated
+
+
+def _too_slow(name: str, least: float, code: str, words: str) -> Limit:
+    """Return the limit of a rolling distance: the energy, in units of the yield energy, above which a sphere rolls."""
+    return Limit("energy_over_yield", frozenset({name}), "<=", {least: code}, words, ends_meaning=True)
+
+
+# First the limits that end the meaning of results; then the law of attraction; then causes of inexact results.
 CONTACT_EXCEEDS_SPHERE = Limit(
     "contact_over_sphere", _ELASTICITY | _DISPLACEMENT, ">", {1.0: "contact-exceeds-sphere"},
-    "the contact is wider than the smaller sphere; what matters then is the surface tension of the solid",
+    "the contact is wider than the smaller sphere; the surface tension of the solid matters then",
     ends_meaning=True,
 )  # fmt: skip
 ENDING = (
@@ -230,18 +242,9 @@ ENDING = (
         "held out level, even one sphere rolls down; it falls off where Bo is below 1",
         ends_meaning=True,
     ),
-    *(
-        Limit(
-            "energy_over_yield", frozenset({turns}), "<=", {least: code},
-            words,
-            ends_meaning=True,
-        )
-        for turns, least, code, words in (
-            ("n_roll", 7 / 2, "does-not-roll-sliding", "once it has slid, the energy left is too small to roll"),
-            ("n_roll_after_impact", 7 / 5, "does-not-roll-after-impact", "after the impact it is too slow to roll"),
-            ("n_roll_energy_balance", 1.0, "does-not-roll", "its energy is too small to roll"),
-        )
-    ),
+    _too_slow("n_roll", 7 / 2, "does-not-roll-sliding", "once it has slid, the energy left is too small to roll"),
+    _too_slow("n_roll_after_impact", 7 / 5, "does-not-roll-after-impact", "after the impact it is too slow to roll"),
+    _too_slow("n_roll_energy_balance", 1.0, "does-not-roll", "its energy is too small to roll"),
     Limit(
         "flight_ratio", _TURNS, ">", {1.0: "flies-off"},
         "too fast to roll around body 2: it flies off",
@@ -256,8 +259,8 @@ ENDING = (
     ),
     Limit(
         "speed_over_sound", _IMPACT, ">", {1.0: "faster-than-sound"},
-        "faster than sound in the solid, which no contact at rest describes",
-        lambda frame, _: "speed" in frame.stated,
+        "faster than sound in the solid: no static contact describes that",
+        _has_speed,
         ends_meaning=True,
     ),
 )  # fmt: skip
@@ -277,7 +280,7 @@ INEXACT = (
     Limit(
         "yield_force_fixed_load", frozenset({"yield_force_fixed_load"}), ">", {1.0: "rolls-by-itself"},
         "a load that keeps its direction rolls sphere 1 by itself: Q_P is the force that holds it back",
-        factor=lambda frame, _: 1 - frame["yield_force_fixed_load"] / frame["yield_force"],  # turning over resisting
+        factor=lambda frame, _: 1 - frame["yield_force_fixed_load"] / frame["yield_force"],  # driving over resisting
     ),
     Limit(
         "peeling_over_sliding", frozenset({"sliding_force"}), "<", {1.0: "peels-before-sliding"},
@@ -289,25 +292,25 @@ INEXACT = (
     ),
     Limit(
         "speed_over_sticking", frozenset({"restitution", "sticking_speed"}), ">", {1.0: "bounces"},
-        "head-on and free, they bounce if adhesion is the only loss; others let them stick at higher speeds",
-        lambda frame, _: "speed" in frame.stated,
-        is_told=False,  # e says it
+        "head-on and free, they bounce if adhesion is the only loss; other losses let them stick at higher speeds",
+        _has_speed,
+        is_shown=False,  # e implies it
     ),
     Limit(
         "speed_over_sound", _IMPACT, ">", {0.1: "near-sound-speed"},
-        "too fast for a contact that is taken as static: waves in the spheres carry energy away",
-        lambda frame, _: "speed" in frame.stated,
+        "too fast for a static contact: waves in the spheres carry energy away",
+        _has_speed,
     ),
     Limit(
         "impact_pressure_over_modulus", _IMPACT, ">", {0.1: "impact-may-yield"},
-        "the impact presses more than even a solid without flaws bears; e is an upper bound",
-        lambda frame, _: "speed" in frame.stated,
+        "the impact presses more than even a flawless solid bears; e is an upper bound",
+        _has_speed,
         where=_is_not_rubbery,
     ),
     Limit(
         "impact_pressure_over_modulus", _IMPACT, ">", {0.1: "impact-large-strain"},
         "the impact strains the solid too far for linear elasticity",
-        lambda frame, _: "speed" in frame.stated,
+        _has_speed,
         where=_is_rubbery,
     ),
     Limit(
@@ -343,11 +346,11 @@ INEXACT = (
     ),
     Limit(
         "filling_factor", frozenset({"compressive_strength"}), ">", {0.1: "slides-and-twists"},
-        "in an aggregate so dense sliding and twisting decide on P_comp; its formula rests on rolling",
+        "in so dense an aggregate sliding and twisting decide P_comp; its formula assumes rolling",
     ),
     Limit(
         "meniscus_size", frozenset({"meniscus_force"}), ">", {0.1: "wide-meniscus"},
-        "the meniscus is not small beside the bodies; it pulls up to 2q² more",
+        "the meniscus is not small compared with the bodies; it pulls up to 2q² more",
     ),
     Limit(
         "kelvin_radius", frozenset({"kelvin_radius"}), "<", {1.0: "few-molecules"},
@@ -360,7 +363,7 @@ INEXACT = (
     ),
     Limit(
         "hertz_pressure_over_modulus", _ELASTICITY, ">", {0.1: "may-yield"},
-        "more pressure than even a solid without flaws bears; no plasticity is modelled",
+        "more pressure than even a flawless solid bears; no plasticity is modelled",
         where=_is_not_rubbery,
     ),
     Limit(
@@ -376,27 +379,27 @@ INEXACT = (
 )  # fmt: skip
 LIMITS = (*ENDING, *INEXACT)
 
-# In columns a doubt is a bit: one for each code, in their order, and a last one for limits that could not be judged.
+# In columns a doubt is a bit: one for each code in order, and a last one for limits that could not be judged.
 UNCHECKED = "unchecked"
-CODES = tuple(code for limit in LIMITS for code in limit.codes.values())
+CODES = tuple(chain.from_iterable(limit.codes.values() for limit in LIMITS))
 BITS = {code: 1 << position for position, code in enumerate((*CODES, UNCHECKED))}
 ENDING_MEANING = sum(limit.bits for limit in ENDING)
 NOT_JUDGED = BITS[UNCHECKED]
 EVERY_DOUBT = sum(BITS.values())
-# The explanations of codes that end the meaning of results, which are the reasons of these, and of what is not judged.
+# The explanations of codes that end the meaning of results, which are also reasons, and of unjudged limits.
 MEANINGS = {code: limit.consequence.partition(";")[0] for limit in ENDING for code in limit.codes.values()}
 ENDS = {code: register(EndOfMeaning(words, words, code=code)) for code, words in MEANINGS.items()}
 MEANINGS[UNCHECKED] = "a limit needs an input that is not given"
-# What no limit ends: the numbers by which limits are judged, unless a limit is that of a result, and w, of the solids.
+# Numbers whose meaning no limit ends: those that limits are judged by, unless a limit is on a result itself, and w.
 NUMBERS_OF_LIMITS = {"work_of_adhesion", *(limit.name for limit in LIMITS)}.difference(
     *(limit.touches for limit in LIMITS if "work_of_adhesion" not in limit.touches)
 )
 
 
 def doubts(frame: Frame, columns: Mapping[str, Column], limits: Iterable[Limit] = LIMITS) -> list[Doubt]:
-    """Return the limits of the results in columns, judged or with the reason why not.
+    """Return the limits of the results in columns, each judged or with the reason why not.
 
-    Those whose numbers law or contact do not have are left out.
+    Limits whose numbers do not exist for the law or the contact are left out.
     """
     concerned = touched(frame, columns, limits)
     numbers = frame.columns(limit.name for limit in concerned)
@@ -418,22 +421,22 @@ def doubts(frame: Frame, columns: Mapping[str, Column], limits: Iterable[Limit] 
 
 
 def touched(frame: Frame, names: Collection[str], limits: Iterable[Limit] = LIMITS) -> list[Limit]:
-    """Return the limits that concern the results of these names."""
+    """Return the limits that concern some results."""
     concerned = (limit for limit in limits if concerns(limit, frame, names))
     return [limit for limit in concerned if limit.where is None or limit.where(frame) is not False]
 
 
 def concerns(limit: Limit, frame: Frame, names: Collection[str]) -> bool:
-    """Return whether a limit touches the results of these names, and applies to them."""
+    """Return whether a limit touches some results, and applies to them."""
     if limit.touches.isdisjoint(taken_by(tuple(names), *frame.plan_key)):
         return False
     return limit.applies is None or limit.applies(frame, names)
 
 
 def bits_of(frame: Frame, judged: Sequence[tuple[Any, Sequence[str]]], every: Iterable[Doubt]) -> Any:
-    """Return the codes of doubts as bits, of each limit in the rows where a quantity that it concerns is judged.
+    """Return the codes of doubts as bits; each limit counts in the rows where a quantity that it concerns is judged.
 
-    `judged`: rows, with the quantities that are judged there.
+    `judged`: rows, with the quantities that are judged in them.
     """
     bits: Any = 0
     is_same = all(rows is True for rows, _ in judged)
@@ -445,11 +448,11 @@ def bits_of(frame: Frame, judged: Sequence[tuple[Any, Sequence[str]]], every: It
 
 
 def rows_of(limit: Limit, frame: Frame, judged: Sequence[tuple[Any, Sequence[str]]]) -> Any:
-    """Return the rows in which some quantity is judged that a limit concerns."""
+    """Return the rows in which a limit concerns a judged quantity."""
     return reduce(or_, (rows for rows, names in judged if concerns(limit, frame, names)), False)
 
 
-@cache  # many rows have the same doubts
+@cache  # many rows share their doubts
 def codes(bits: int) -> str:
-    """Return the codes that bits stand for, the last of which is UNCHECKED, as a text."""
+    """Return the codes of bits as a text, UNCHECKED last."""
     return " ".join(code for code, bit in BITS.items() if bits & bit)

@@ -1,4 +1,4 @@
-"""Measurements on solids: forces and displacements that started rolling, speeds that stuck, pull-off on surfaces."""
+"""Measurements on solids: forces and displacements where rolling starts, sticking speeds, pull-off on surfaces."""
 
 from collections.abc import Callable, Iterable, Mapping
 from functools import cache, partial
@@ -13,19 +13,20 @@ from .plan import depends_on
 from .ranges import takes
 
 Make = Callable[[Frame], Frame]
-VISCOUS_TIME = "viscous_time"  # which decides on losses where it is given
+VISCOUS_TIME = "viscous_time"  # if given, it decides the losses
 SIO2, POLYSTYRENE, MICA = "SiO2", "polystyrene", "mica"
 
 
 def is_smooth(material: Material | None) -> bool:
-    """Return whether the surfaces of a material are smooth atom by atom: those of mica, which is cleaved."""
+    """Return whether the surfaces of a material are atomically smooth, as those of cleaved mica."""
     return material is not None and MICA in (material.name, *material.aliases)
 
 
 def measured_solid(material: Material) -> str:
-    """Return the solid on which rolling was measured, if a material is of it.
+    """Return the solid on which rolling was measured, if a material consists of it.
 
-    The spheres of SiO2 had the surface energy of humid silica. That of ice was itself scaled from rolling forces.
+    The spheres of SiO2 had the surface energy of humid silica. The surface energy of ice was itself scaled from rolling
+    forces.
     """
     if SIO2 in material.aliases:
         return SIO2
@@ -33,19 +34,19 @@ def measured_solid(material: Material) -> str:
 
 
 def solid_of_pair(frame: Frame) -> str:
-    """Return the solid that was measured, if both spheres are of it."""
+    """Return the measured solid, if both spheres consist of it."""
     solid = frame.material
-    measured = measured_solid(solid) if solid is not None else ""  # none of several, whose properties are arrays
+    measured = measured_solid(solid) if solid is not None else ""  # empty for several solids: arrays
     return measured if frame.material2 in (None, solid) else ""
 
 
-# --- What was measured of spheres that rolled -------------------------------------------------------------------------
+# --- Measured rolling -------------------------------------------------------------------------------------------------
 
 
 class Rolled(NamedTuple):
-    """A measurement on identical pairs of a radius, and the pairs to which it is scaled: as R^(2/3) or as R."""
+    """A measurement on identical pairs of one radius, and the pairs to which it is scaled: as R^(2/3) or as R."""
 
-    name: str  # of the quantity, the force or the displacement that starts rolling
+    name: str  # the quantity: the force or the displacement that starts rolling
     source: str
     low: float
     high: float
@@ -63,24 +64,24 @@ class Rolled(NamedTuple):
 
     @property
     def ends(self) -> tuple[Make, Make]:
-        """The functions that give a frame the least, and the largest, displacement that was measured."""
+        """The functions that set a frame's displacement to the least and to the largest measured one."""
         return _end_of(self, Rolled.least), _end_of(self, Rolled.most)
 
     def is_near(self, frame: Frame) -> Any:
-        """Return whether what was measured is scaled to a pair, by element for arrays."""
+        """Return whether the measurement can be scaled to a pair, row by row for arrays."""
         known = frame.numbers("work_of_adhesion", "reduced_radius")
         low, high = self.energies
         energy = known.get("work_of_adhesion", 0.0) / 2
         return self.has_size(2 * known.get("reduced_radius", 0.0)) & (low <= energy) & (energy <= high)
 
     def has_size(self, radius: Any) -> Any:
-        """Return whether what was measured is scaled to identical pairs of a radius."""
+        """Return whether the measurement can be scaled to identical pairs of a radius."""
         least, most = self.radii
         return (least <= radius) & (radius <= most)
 
 
 def _scales(ratio: Any) -> tuple[Any, Any]:
-    """Return the factors by which a force grows with the ratio of two radii: the ratio, and its power of 2/3."""
+    """Return two factors for a force at another radius: the ratio of radii, and its power 2/3."""
     return ratio, cbrt(ratio) * cbrt(ratio)
 
 
@@ -90,13 +91,13 @@ def _end_of(rolled: Rolled, end: Callable[[Rolled, Any], Any]) -> Make:
 
 
 def _rolled_at(rolled: Rolled, end: Callable[[Rolled, Any], Any], frame: Frame) -> Frame:
-    """Return a frame with the displacement that an end of what was measured means, under its law and without load.
+    """Return a frame with the displacement that an end of the measurement implies, under its law and without load.
 
-    What is carried far may mean less than the displacement that is assumed, of about one atom; that is the least.
+    Scaled far, a force may imply less than the assumed displacement of about one atom; that is the lower bound.
     """
     radius = 2 * frame["reduced_radius"]
     displacement = end(rolled, radius)
-    if rolled.name != XI:  # a force, which acts at the centre of a sphere
+    if rolled.name != XI:  # a force at the centre of a sphere
         displacement = frame[XI] * (displacement * radius / frame["unloaded_moment"])
     return frame.replace(**{XI: where(takes(XI, displacement), at_least(displacement, frame[XI]), frame[XI])})
 
@@ -112,7 +113,7 @@ ROLLED: Mapping[str, Rolled] = {
 
 
 def solid_that_rolled(frame: Frame) -> str:
-    """Return the solid on which rolling was measured, if both spheres are of it."""
+    """Return the solid on which rolling was measured, if both spheres consist of it."""
     solid = frame.material
     if solid is None or frame.material2 not in (None, solid):
         return ""
@@ -120,17 +121,17 @@ def solid_that_rolled(frame: Frame) -> str:
 
 
 def what_rolled(frame: Frame) -> Rolled | None:
-    """Return the measurement of rolling on the solid of both spheres, of whatever size; None without one."""
+    """Return the measurement of rolling on the solid of both spheres, for any size; None without one."""
     return ROLLED.get(solid_that_rolled(frame))
 
 
-# --- What was measured of spheres that stuck --------------------------------------------------------------------------
+# --- Measured sticking ------------------------------------------------------------------------------------------------
 
 
 class Stuck(NamedTuple):
     """The largest speed at which spheres of some radii stuck to a plane, as a power of the radius.
 
-    It is carried to other pairs, of a wider range of radii, in proportion to the law's speed.
+    For other pairs, over a wider range of radii, it is scaled in proportion to the law's speed.
     """
 
     speed: float
@@ -141,7 +142,7 @@ class Stuck(NamedTuple):
     carried: tuple[float, float]
 
     def at(self, radius: Any) -> Any:
-        """Return the speed at which spheres of a radius stick."""
+        """Return the largest speed at which spheres of a radius stick."""
         return self.speed * (radius / self.radius) ** self.exponent
 
     def ends(self, frame: Frame) -> tuple[Any, Any]:
@@ -150,7 +151,7 @@ class Stuck(NamedTuple):
         return speed * (1 - self.error), speed * (1 + self.error)
 
     def in_proportion(self, frame: Frame) -> tuple[Any, Any]:
-        """Return the least and the largest speed for a frame, in proportion to its law's."""
+        """Return the least and the largest speed for a frame, in proportion to the speed by its law."""
         speeds = [
             self.at(radius) / frame.replace(radius=radius, radius2=INFINITY)["sticking_speed"] * frame["sticking_speed"]
             for radius in self.radii
@@ -158,13 +159,13 @@ class Stuck(NamedTuple):
         return at_most(*speeds) * (1 - self.error), at_least(*speeds) * (1 + self.error)
 
     def has_size(self, frame: Frame) -> Any:
-        """Return whether what was measured is carried to the pair of a frame."""
+        """Return whether the measurement can be scaled to the pair of a frame."""
         least, most = self.carried
         radius = 2 * frame["reduced_radius"]
         return (least <= radius) & (radius <= most)
 
     def is_near(self, frame: Frame) -> Any:
-        """Return whether the spheres have radii as they were measured, and meet a plane."""
+        """Return whether the pair is like the measured ones: spheres of these radii on a plane."""
         least, most = self.radii
         is_measured = (least <= frame["radius"]) & (frame["radius"] <= most)
         return is_measured & (frame["radius2"] == INFINITY) & (VISCOUS_TIME not in frame.stated)
@@ -177,15 +178,15 @@ STUCK: Mapping[str, Stuck] = {
 
 
 def what_stuck(frame: Frame) -> Stuck | None:
-    """Return the measurement of sticking on the solid of both bodies, of whatever size; None without one."""
+    """Return the measurement of sticking on the solid of both bodies, for any size; None without one."""
     return STUCK.get(solid_of_pair(frame))
 
 
-MOST_SEEN = 10  # times the speed of JKR: the largest at which hard spheres were seen to stick
+MOST_SEEN = 10  # largest speed at which hard spheres were seen to stick, in units of JKR's
 
 
 class Surface(NamedTuple):
-    """The part of JKR's pull-off force that was measured of SiO2: 1/most to 1/least, and of which spheres."""
+    """The measured fraction of JKR's pull-off force for SiO2, 1/most to 1/least, and the spheres measured."""
 
     most: int
     least: int
@@ -201,9 +202,9 @@ ENERGY_ON_SURFACES = 0.025  # surface energy of the pull-off forces of which the
 
 
 def on_surfaces(frame: Frame, ends: tuple[float, float] | None = None) -> Mapping[str, tuple[float, float]]:
-    """Return the least and the largest pull-off force on each surface; `ends`: of JKR's, with its error bars.
+    """Return the least and the largest pull-off force on each surface; `ends`: JKR's force with its error bars.
 
-    For SiO2 it is as measured, whatever surface energy the pair has.
+    For SiO2 it is the measured one, whatever surface energy the pair has.
     """
     force = frame.under(DEFAULT_LAW)["pull_off_force"]
     low, high = ends or (force, force)
@@ -216,12 +217,12 @@ def on_surfaces(frame: Frame, ends: tuple[float, float] | None = None) -> Mappin
 
 
 def rolling(names: Iterable[str]) -> list[str]:
-    """Return those of some quantities that follow from the yield displacement, under every law the same."""
+    """Return the quantities that follow from the yield displacement in the same way under every law."""
     return [name for name in names if name != XI and XI in depends_on((name,))]
 
 
 def assumes_displacement(frame: Frame) -> bool:
-    """Return whether the paper's displacement is assumed where rolling begins, under a law by which forces mean one."""
+    """Return whether the paper's displacement is assumed, under a law that relates it to forces."""
     return XI in frame.values and frame.given.keys().isdisjoint(IN_ITS_PLACE) and not frame.plan("yield_force").lacking
 
 

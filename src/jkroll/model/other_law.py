@@ -1,4 +1,4 @@
-"""The law of attraction that holds between JKR and DMT beside the one in use, and how far apart they are."""
+"""The frame under another law of attraction, to compare with the one in use, and the difference between the two."""
 
 from collections.abc import Iterable, Mapping
 from functools import reduce
@@ -15,37 +15,37 @@ from .ranges import LEAST
 
 @once_a_frame
 def at_half_spacing(frame: Frame) -> Frame:
-    """Return a frame whose atomic spacing is half as large, or the least that a frame takes."""
+    """Return a frame with half the atomic spacing, but not below the least that a frame accepts."""
     return frame.replace(atomic_spacing=at_least(frame["atomic_spacing"] / 2, LEAST))
 
 
 def least_spacing(frame: Frame) -> Any:
-    """Return the least atomic spacing that is likely: half of the usual one, or the one that was given."""
+    """Return the least likely atomic spacing: half the assumed one, or the given one."""
     return frame["atomic_spacing"] / (2 if frame.assumes_spacing else 1)
 
 
 def by_law_at_spacing(frame: Frame, names: Iterable[str]) -> Frame:
-    """Return the frame under the other law, with its atomic spacing stated where that decides on some quantities."""
+    """Return the frame under the other law, with its atomic spacing stated if some quantities depend on it."""
     rests = any(map(frame.by_law.may_rest_on_spacing, names))
     return frame.by_law_at_spacing if rests else frame.by_law
 
 
 def has_other_formulas(frame: Frame, name: str, law: str = DEFAULT_LAW) -> bool:
-    """Return whether a law has a quantity by other formulas than a frame, or does not have it."""
+    """Return whether a law has other formulas for a quantity than the frame has, or none."""
     return frame.plan(name).steps.keys() != plan_for(name, *frame.plan_key[:2], law).steps.keys()
 
 
 def moved_by_law(frame: Frame, names: Iterable[str]) -> list[str]:
-    """Return those of some quantities that the other law has by formulas of its own, or alone."""
+    """Return the quantities for which the other law has formulas of its own, or the only ones."""
     other = frame.by_law
     return [name for name in other.possible(names) if has_other_formulas(frame, name, other.law.name)]
 
 
 def factor_of_law(frame: Frame, columns: Mapping[str, Column]) -> Any:
-    """Return how far results are from those under the law that holds, as the factor of the farthest.
+    """Return the largest factor between results and those under the law that holds.
 
-    A pull-off force is compared with Lennard-Jones' law, too. The factor is infinite where only the law in use has a
-    result, or results differ in sign.
+    A pull-off force is also compared with Lennard-Jones' law. The factor is infinite if only the law in use has a
+    result, or if signs differ.
     """
     if frame.law.name == BETWEEN:
         return 1.0
@@ -61,9 +61,9 @@ def factor_of_law(frame: Frame, columns: Mapping[str, Column]) -> Any:
 
 
 def farthest(answers: Iterable[tuple[Any, Any]]) -> Any:
-    """Return the factor between two answers, or its inverse if larger, of those that are farthest apart; 1 without any.
+    """Return the largest factor (or inverse factor) between two answers, over all pairs; 1 if there are none.
 
-    It is infinite where the first answer is 0, or signs differ, and 1 where the second is none or 0.
+    It is infinite if the first answer is 0 or signs differ, and 1 if the second is missing or 0.
     """
     ratios: list[Any] = [1.0]
     ratios += (quotient(theirs, ours, 1.0) for theirs, ours in answers)

@@ -1,9 +1,9 @@
-"""The formulas that lead to a quantity, in their order: a formula's parameters name what it needs.
+"""Plans: the formulas needed for a quantity, in order of evaluation. A formula's parameters name its inputs.
 
-Where a quantity can be had by several formulas, the law of attraction and what is given decide (`laws`).
+If several formulas give a quantity, the law of attraction and the given inputs decide (see `laws`).
 
-What belongs to sphere 2 (`mass2`) comes from the same formula as for sphere 1 (`mass`), and an input of sphere 2 that
-was not given is that of sphere 1, unless sphere 2 has a material of its own that should have had it.
+A quantity of sphere 2 (`mass2`) has the same formula as for sphere 1 (`mass`). An input of sphere 2 that is not given
+equals that of sphere 1, unless sphere 2 has its own material, which should provide it.
 """
 
 from collections.abc import Collection, Mapping
@@ -15,22 +15,22 @@ from ..physics import FORMULAS
 from ..quantities.laws import DEFAULT_LAW, Routes, law_of, routes, routes_anywhere
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, UnknownQuantity, computed_as, of_sphere
 
-# What another material of sphere 2 does not take over from sphere 1: all that each sphere has, but for the radius.
+# A sphere 2 of another material takes none of these from sphere 1: all that each sphere has, except the radius.
 OF_A_SOLID = frozenset(
     name
     for name, quantity in NOMENCLATURE.items()
     if quantity.sphere == 1 and quantity.option and computed_as(name) != "radius"
 )
 _POSITIONS = {name: position for position, name in enumerate(NOMENCLATURE)}
-KEPT = 5_000  # plans that are remembered: of each set of inputs there are some hundred
+KEPT = 5_000  # plans kept in memory; a set of inputs has a few hundred
 
 
 class Plan:
-    """A quantity's formula with the names of its arguments. One without a formula is an input, or cannot be made."""
+    """A quantity's formula with the names of its arguments. Without a formula it is an input, or cannot be computed."""
 
     def __init__(
         self,
-        name: str,  # under which its value is known
+        name: str,  # of the value
         formula: Any = None,
         plans: Mapping[str, "Plan"] = MappingProxyType({}),  # of its arguments, by parameter
         missing: frozenset[str] = frozenset(),  # inputs that are not known
@@ -39,18 +39,18 @@ class Plan:
         self.name, self.formula = name, formula
         self.arguments = {parameter: plan.name for parameter, plan in plans.items()}
         self.missing, self.lacking = missing, lacking
-        self.steps: dict[str, Plan] = {}  # all values on the way, this one last, in an order of evaluation
+        self.steps: dict[str, Plan] = {}  # all intermediate values in order of evaluation, this one last
         for plan in plans.values():
             self.missing |= plan.missing
             self.lacking |= plan.lacking
             self.steps |= plan.steps
         self.steps[name] = self
-        self.is_possible = not (self.missing or self.lacking)  # what is known leads to the quantity
+        self.is_possible = not (self.missing or self.lacking)  # the known values determine the quantity
 
 
 @lru_cache(maxsize=KEPT)
 def plan_for(wanted: str, known: frozenset[str], own_material2: bool, model: str = DEFAULT_LAW) -> Plan:
-    """Return the plan of a quantity under a law of attraction, for the names of what is known."""
+    """Return the plan of a quantity under a law of attraction, for the names of the known values."""
     name = _source(wanted, known, own_material2, routes(model, known))
     if name is not None and name in known:
         return Plan(name)
@@ -62,19 +62,19 @@ def plan_for(wanted: str, known: frozenset[str], own_material2: bool, model: str
         return Plan(name, missing=frozenset({name}))
     plans = {parameter: plan_for(argument, known, own_material2, model) for parameter, argument in arguments_of(name)}
     if NOMENCLATURE[name].sphere == 2 and not any(NOMENCLATURE[plan.name].sphere == 2 for plan in plans.values()):
-        return plan_for(of_sphere(1, name), known, own_material2, model)  # in this, sphere 2 is like sphere 1
+        return plan_for(of_sphere(1, name), known, own_material2, model)  # here sphere 2 is like sphere 1
     return Plan(name, formula_of(name), plans)
 
 
 @lru_cache(maxsize=KEPT)
 def taken_by(names: tuple[str, ...], *plan_key: Any) -> frozenset[str]:
-    """Return some quantities, and the parameters of all formulas that lead to them; `plan_key`: as for their plans."""
+    """Return quantities with the parameters of all formulas that they need; `plan_key`: see `plan_for`."""
     plans = [plan_for(name, *plan_key) for name in names]
     return frozenset(names).union(*(step.arguments for plan in plans for step in plan.steps.values()))
 
 
 def _source(name: str, known: frozenset[str], own_material2: bool, by_law: Routes) -> str | None:
-    """Return the name under which a value is known or computed; None for what the law does not have."""
+    """Return the name under which a value is known or computed; None if the law does not have it."""
     if name in known:
         return name
     if name in by_law:
@@ -85,7 +85,7 @@ def _source(name: str, known: frozenset[str], own_material2: bool, by_law: Route
 
 
 def _mixes_laws(name: str, known: frozenset[str], own_material2: bool, model: str) -> bool:
-    """Return whether another law's formula would take what these two have by different ones: a contact of neither."""
+    """Return whether a formula of another law would use values that the two laws compute differently."""
     owner = law_of(name)
     if owner is None or owner == model:
         return False
@@ -96,7 +96,7 @@ def _mixes_laws(name: str, known: frozenset[str], own_material2: bool, model: st
 
 @cache
 def formula_of(name: str) -> Any:
-    """Return the formula of a quantity, which for sphere 2 is that of sphere 1; None for an input."""
+    """Return the formula of a quantity, for sphere 2 that of sphere 1; None for an input."""
     return FORMULAS.get(of_sphere(1, name))
 
 
@@ -117,9 +117,9 @@ def in_order(names: Collection[str]) -> tuple[str, ...]:
 
 @cache
 def depends_on(names: tuple[str, ...], models: tuple[str, ...] = (DEFAULT_LAW,)) -> frozenset[str]:
-    """Return every name on which quantities can depend under some laws, whatever is given.
+    """Return every name that quantities can depend on under some laws, for any inputs.
 
-    With an input it has those that are converted to it.
+    Inputs that are converted to one of these are included.
     """
     routes_to = routes_anywhere(models)
     reached: set[str] = set()

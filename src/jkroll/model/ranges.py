@@ -1,4 +1,4 @@
-"""The numbers that a frame takes as inputs, and those that it gives as results."""
+"""The range of numbers that a frame accepts as inputs, and of those that it gives as results."""
 
 from math import isfinite
 from typing import Any
@@ -8,44 +8,44 @@ from ..quantities.nomenclature import INFINITY, NOMENCLATURE, UP_TO_INFINITE, Un
 from ..quantities.values import QuantityError
 from .plan import formula_of
 
-# --- Numbers that a frame takes ---------------------------------------------------------------------------------------
+# --- Inputs -----------------------------------------------------------------------------------------------------------
 
-LEAST, MOST = 1e-30, 1e30  # of the size of an input in SI units; one that may be 0 may be smaller
+LEAST, MOST = 1e-30, 1e30  # size of an input in SI units; inputs that may be 0 may be smaller
 
 
 def check_range(name: str, value: Any) -> None:
-    """Raise QuantityError for a number, or an array with an element, that a quantity cannot have."""
+    """Raise QuantityError for a number, or an array with an element, outside the range of a quantity."""
     if name not in NOMENCLATURE:
         raise UnknownQuantity(name)
-    place: tuple[int, ...] = ()
+    position: tuple[int, ...] = ()
     if not isinstance(value, NUMBER):
         if value.size and all(abs(end) <= MOST and takes(name, end) for end in (value.min(), value.max())):
-            return  # as nearly always: a range takes all between two of its values
+            return  # the usual case: a range includes all numbers between two of its members
         are_refused = ~takes(name, value)
         if not are_refused.any():
             return
-        place = tuple(places[0].item() for places in are_refused.nonzero())
-        value = value[place].item()
+        position = tuple(indices[0].item() for indices in are_refused.nonzero())
+        value = value[position].item()
     if not takes(name, value):
         limits = NOMENCLATURE[name].range
         words = "must lie between 1e-30 and 1e30 in SI units" if limits.admits(value) else limits.words
-        raise QuantityError(name, value, words if isfinite(value) else "must be finite", position=place)
+        raise QuantityError(name, value, words if isfinite(value) else "must be finite", position=position)
 
 
 def takes(name: str, value: Any) -> Any:
-    """Return whether a frame takes a number, or each element of an array, as the value of a quantity."""
+    """Return whether a frame accepts a number as the value of a quantity, element by element for arrays."""
     limits, size = NOMENCLATURE[name].range, abs(value)
-    if isinstance(value, NUMBER) and LEAST <= size <= MOST:  # as nearly always
+    if isinstance(value, NUMBER) and LEAST <= size <= MOST:  # the usual case
         return limits.admits(value)
     is_large_enough = (size >= LEAST) | limits.admits(0.0)
     is_small_enough = (size <= MOST) | (value == INFINITY)
     return limits.admits(value) & is_large_enough & is_small_enough
 
 
-# --- Numbers that a frame gives ---------------------------------------------------------------------------------------
+# --- Results ----------------------------------------------------------------------------------------------------------
 
-SMALLEST = 2.2250738585072014e-308  # of the doubles that have all their digits
-# The quantities of sphere 2 that are infinite for a plane, such as its mass.
+SMALLEST = 2.2250738585072014e-308  # the smallest double with all digits
+# Quantities of sphere 2 that are infinite for a plane, such as its mass.
 OF_A_PLANE = [
     name for name, quantity in NOMENCLATURE.items()
     if quantity.range is UP_TO_INFINITE and quantity.sphere == 2 and formula_of(name) is not None
@@ -53,7 +53,7 @@ OF_A_PLANE = [
 
 
 def is_answer(name: str, value: Any) -> Any:
-    """Return whether doubles are results with all digits, or a zero or an infinity that the physics has."""
+    """Return whether doubles are results with all digits, or zeros or infinities that the physics allows."""
     size = abs(value)
     has_digits = size >= SMALLEST
     if name not in OF_A_PLANE:

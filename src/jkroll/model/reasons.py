@@ -1,9 +1,9 @@
-"""Reasons why a quantity has no value: their causes, and the errors and sentences that are made of them.
+"""Reasons for missing values: their causes, and the errors and sentences made of them.
 
-In columns a reason is a whole number, 0 for none, made of its cause and of the step of the calculation that has no
-value. The numbers of its sentence are those of the row, read from the columns of this step.
+In columns a reason is an integer, 0 for none. It combines the cause and the step of the calculation without a value;
+the numbers in its sentence come from the columns of this step, in the same row.
 
-Below: for which arguments the physics gives a formula no result.
+The end of this file states the arguments for which a formula has no result.
 """
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -26,22 +26,22 @@ from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE_
 from ..quantities.values import parse_quantity
 from ..text import listed
 
-MAX_DIGITS = 17  # that tell two doubles apart
-_FEWEST = 4  # digits of the numbers of a reason
+MAX_DIGITS = 17  # these distinguish any two doubles
+_FEWEST = 4  # least digits of the numbers in a reason
 
 
 class MissingInput(JkrollError):
-    """Error raised when a quantity cannot be computed from what was given."""
+    """Error raised when a quantity cannot be computed from the given inputs."""
 
     def __init__(self, wanted: str, missing: Sequence[str], lacking: str = "") -> None:
-        """`lacking`: says which materials should have had the missing inputs."""
+        """`lacking`: names the materials that should provide the missing inputs."""
         super().__init__(wanted, tuple(missing), lacking)
         self.wanted, self.missing, self.lacking = wanted, tuple(missing), lacking
         self.phrase = needs_in_words(self.missing)
 
     @property
     def code(self) -> str:
-        """The code of the reason, whatever is missing."""
+        """The code of the reason, the same for all missing inputs."""
         return MISSING.code
 
     def __str__(self) -> str:
@@ -49,7 +49,7 @@ class MissingInput(JkrollError):
         return self.explanation() if lacks_itself else f"{NOMENCLATURE[self.wanted].sentence} {self.explanation()}"
 
     def explanation(self, verb: str = "needs") -> str:
-        """Return the missing inputs, the materials that do not have them, and how they are given; "need" for several.
+        """Return the missing inputs, the materials that lack them, and how to give them; `verb`: "need" for several.
 
         The name of the quantity is left out.
         """
@@ -66,7 +66,7 @@ class MissingInput(JkrollError):
 
 
 class NotInLaw(MissingInput):
-    """Error raised for a quantity that a law of attraction does not have: this one, or one that it follows from."""
+    """Error raised if a law of attraction does not have a quantity, or one that it depends on."""
 
     def __init__(self, wanted: str, absent: Sequence[str], law: str) -> None:
         super().__init__(wanted, ())
@@ -75,14 +75,14 @@ class NotInLaw(MissingInput):
 
     @property
     def code(self) -> str:
-        """The code of the reason, whatever the law is."""
+        """The code of the reason, the same for all laws."""
         return NOT_IN_LAW.code
 
     def __str__(self) -> str:
         return f"{self.wanted}: {self.explanation()}"
 
     def explanation(self, verb: str = "needs") -> str:
-        """Return the quantity that the law does not have, and the law or the profile to give."""
+        """Return the quantity that is missing from the law, and the law or profile to give."""
         is_of_profile = any(law.title == self.law and law.profile != PARABOLOID for law in LAWS.values())
         words = {"profile": PARABOLOID} if is_of_profile else LAWS[law_of(self.absent[0]) or DEFAULT_LAW].words
         remedy = "give " + " ".join(f"--{option} {word}" for option, word in words.items())
@@ -92,7 +92,7 @@ class NotInLaw(MissingInput):
 
 
 def needs_in_words(missing: Collection[str]) -> str:
-    """Return which inputs are missing, by their names; an empty text if none is."""
+    """Return the missing inputs by name, in words; an empty text if there are none."""
     return f"needs {listed(missing)}" if missing else ""
 
 
@@ -101,30 +101,30 @@ def _in_words(names: Iterable[str]) -> str:
 
 
 class Cause:
-    """A cause why quantities have no value, with its words."""
+    """A cause of missing values, in words."""
 
     def __init__(
         self,
         phrase: str,  # in the status of a row
-        words: str,  # in full; {0} stands for the value of `name` that rules a result out, the others for its limits
-        name: str = "",  # the quantity whose value rules a result out
-        # Whether this is beyond a limit: for a load and an approach also at it, where rounding may have put it.
+        words: str,  # in full; {0} is the value of `name` that excludes a result, {1} and {2} are its limits
+        name: str = "",  # the quantity whose value excludes a result
+        # The comparison with the limit. A load or an approach counts at the limit too: rounding may have put it there.
         is_beyond: Callable[[Any, Any], Any] = le,
-        code: str = "",  # in JSON; by default the phrase with hyphens
+        code: str = "",  # in JSON; the default is the phrase with hyphens
     ) -> None:
         self.phrase, self.words, self.name, self.is_beyond = phrase, words, name, is_beyond
         self.code = code or code_of(phrase)
-        self.has_contact = name not in STATE_OR_LOAD  # without one, nothing of the frame is to be trusted
+        self.has_contact = name not in STATE_OR_LOAD  # without a contact, no value of the frame is valid
 
     def __eq__(self, other: object) -> bool:
-        return type(other) is type(self) and vars(other) == vars(self)  # a copy, in another process, is the same cause
+        return type(other) is type(self) and vars(other) == vars(self)  # a copy in another process is equal
 
     def __hash__(self) -> int:
         return hash(self.words)
 
 
 class EndOfMeaning(Cause):
-    """A cause why numbers have no meaning; bare output and `jkroll.solve` give it."""
+    """A cause for numbers without a meaning; bare output and `jkroll.solve` still give the numbers."""
 
 
 MISSING = Cause("", "an input is missing, which the plan names", code="missing-input")
@@ -140,18 +140,18 @@ NO_PROFILE = Cause(
 )
 BEYOND_FOLD = Cause(
     "beyond the fold",
-    "at {0} the spheres have parted; the farthest that a stiff machine holds them is {1}",
+    "at {0} the spheres have parted; a stiff machine holds them up to {1}",
     "approach_at_load",
 )
 TWO_RIGID_BODIES = Cause(
     "both bodies are rigid", "both bodies are rigid and have no contact area; --model dmt has their pull-off force"
 )
-RESTS_ON_SPACING = Cause("needs atomic_spacing", "rests on z0; give --z0 4angstrom")
+RESTS_ON_SPACING = Cause("needs atomic_spacing", "depends on z0; give --z0 4angstrom")
 OF_IDENTICAL_SPHERES = Cause(
-    "sphere 2 differs", "sphere 2 differs from sphere 1; this is known of identical spheres only"
+    "sphere 2 differs", "sphere 2 differs from sphere 1; this is known for identical spheres only"
 )
-OF_ANOTHER_PAIR = EndOfMeaning("sphere 2 differs", "it is of identical spheres alone")
-NOT_HELD = Cause(  # between pull-off and the fold, where spheres do not hold together by themselves
+OF_ANOTHER_PAIR = EndOfMeaning("sphere 2 differs", "defined for identical spheres only")
+NOT_HELD = Cause(  # between pull-off and the fold, where free spheres fly apart
     "held by grips alone", "beyond pull-off only fixed grips hold the contact; free spheres fly apart"
 )
 NOT_PRESSED = Cause("no load that presses", "needs a load that presses the spheres; give --load 5nN")
@@ -160,13 +160,13 @@ RIGID = Cause("sphere 1 is rigid", "sphere 1 is rigid, and no wave runs around i
 APART = Cause("no contact circle", "the spheres are bound without touching; there is no contact circle")
 TOO_MUCH_HYSTERESIS = Cause(
     "hysteresis above work of adhesion",
-    "{0} is above the work of adhesion, {1}, of which it is a part",
+    "{0} is above the work of adhesion, {1}, but it is a part of it",
     "adhesion_hysteresis",
     gt,
 )
 STICKS_ALWAYS = Cause(
     "sticks at every speed",
-    "T* = {0} is above {1}: they stick at every speed that this damping can mean",
+    "T* = {0} is above {1}: they stick at every speed that this damping can describe",
     "viscosity_number",
     gt,
 )
@@ -177,7 +177,7 @@ NO_POISSON_RATIO = Cause(
 )
 YIELDS_ON_TOUCH = Cause(
     "yields on touching",
-    "{0} is below {1}, to which adhesion alone presses a contact as it forms: it yields at every speed",
+    "{0} is below {1}, the pressure of adhesion alone as a contact forms: it yields at every speed",
     "first_yield_pressure",
 )
 DRY_OR_SATURATED = Cause(
@@ -186,17 +186,17 @@ DRY_OR_SATURATED = Cause(
 NO_WETTING = Cause("no wetting", "water with a contact angle of 90 deg or more draws nothing together and fills no gap")
 WIDE_MENISCUS = Cause(
     "meniscus too wide",
-    "{0} is above {1}: the meniscus is too wide beside the bodies for a force of first order",
+    "{0} is above {1}: the meniscus is too wide for a force of first order",
     "meniscus_size",
     gt,
 )
 PLASTIC_ON_TOUCH = Cause("plastic on touching", YIELDS_ON_TOUCH.words, "plastic_pressure")
 NO_DOUBLE = Cause("no finite value", "no value that a double can hold")
-INFINITE = Cause("infinite", "infinite")  # where a number is to be written, such as the mass of a plane
+INFINITE = Cause("infinite", "infinite")  # such as the mass of a plane
 NO_STIFFNESS = Cause("", "infinite where fixed grips let go", code="infinite-at-fold")
 
 
-# In the numbers of reasons, of which 0 is none.
+# The index of a cause is part of a reason; 0 means no reason.
 _CAUSES = [
     None, MISSING, NOT_IN_LAW, HIDDEN, BEYOND_PULL_OFF, BEYOND_JKR, HELD_BY_MAUGIS, BEYOND_FOLD, TWO_RIGID_BODIES,
     RESTS_ON_SPACING, OF_IDENTICAL_SPHERES, NOT_HELD, NOT_PRESSED, NO_CHAIN, RIGID, APART, TOO_MUCH_HYSTERESIS,
@@ -207,14 +207,14 @@ _STEPS = ("", *dict.fromkeys((*NOMENCLATURE, *FORMULAS)))
 
 
 def register(cause: Cause) -> Cause:
-    """Return a cause, which has reasons from now on."""
+    """Add a cause to those that reasons can have, and return it."""
     _CAUSES.append(cause)
     return cause
 
 
 @cache
 def reason(cause: Cause, step: str = "") -> int:
-    """Return the number of a reason; `step`: the quantity without a value, where its formula is the reason."""
+    """Return the number of a reason; `step`: the quantity without a value, if its formula is the reason."""
     return _CAUSES.index(cause) * len(_STEPS) + _STEPS.index(step)
 
 
@@ -225,12 +225,12 @@ def cause_and_step(number: int) -> tuple[Cause | None, str]:
 
 
 class Failure(NoResult):
-    """Error raised where a quantity has no value, with the cause."""
+    """Error raised for a quantity without a value, with the cause."""
 
     cause: Cause
 
     def __init__(self, cause: Cause, name: str = "", numbers: Sequence[float] = ()) -> None:
-        """`name`: the quantity that has no value, unless its cause has one; `numbers`: a value and its limits."""
+        """`name`: the quantity without a value, unless the cause names one; `numbers`: a value and its limits."""
         super().__init__(cause, name, tuple(numbers))
         self.cause, self.name, self.numbers, self.phrase = cause, cause.name or name, tuple(numbers), cause.phrase
 
@@ -240,9 +240,9 @@ class Failure(NoResult):
         return self.cause.code
 
     def explanation(self) -> str:
-        """Return the words of its cause, with its numbers: with more digits where a value and its limit look the same.
+        """Return the cause in words with its numbers, with enough digits to distinguish a value from its limit.
 
-        The first limit is one that may be typed: rounding does not put it beyond what a contact holds.
+        The first limit can be typed as it is: rounding does not move it beyond what a contact holds.
         """
         if not self.numbers:
             return self.cause.words
@@ -254,7 +254,7 @@ class Failure(NoResult):
 
 
 def reason_of(error: JkrollError) -> int:
-    """Return the reason that an error gives."""
+    """Return the reason for an error."""
     if isinstance(error, MissingInput):
         return reason(NOT_IN_LAW if isinstance(error, NotInLaw) else MISSING)
     assert isinstance(error, NoResult)
@@ -262,7 +262,7 @@ def reason_of(error: JkrollError) -> int:
 
 
 class NoErrorBar(NoResult):
-    """Error raised where a value has no error bar, as there is no value at an end of an input."""
+    """Error raised for a value without an uncertainty, because no value exists at an end of an input."""
 
     phrase = "no error bar"
 
@@ -276,16 +276,16 @@ class NoErrorBar(NoResult):
 
 
 def explanation_of(name: str, error: JkrollError) -> str:
-    """Return why a quantity has no value, without its name."""
+    """Return the reason for a missing value in words, without the name of the quantity."""
     if isinstance(error, MissingInput) or (isinstance(error, NoResult) and name in error.name.split(",")):
         return error.explanation()
     return str(error)
 
 
 def grouped(errors: Mapping[str, JkrollError]) -> Iterator[tuple[list[str], str]]:
-    """Iterate over the quantities that have no value for one reason, and the reason.
+    """Iterate over reasons, each with the quantities that have no value for it.
 
-    Those that lack the same inputs have one, in the shortest words, though some may be had in another way too.
+    Quantities that lack the same inputs share a reason, in the shortest words, even if some have an alternative input.
     """
     explanations = {name: explanation_of(name, error) for name, error in errors.items()}
     groups: dict[object, list[str]] = {}
@@ -301,7 +301,7 @@ def grouped(errors: Mapping[str, JkrollError]) -> Iterator[tuple[list[str], str]
             yield names, explanations[shortest]
 
 
-# --- Numbers for which the physics has no result ----------------------------------------------------------------------
+# --- Arguments without a result ---------------------------------------------------------------------------------------
 
 Given = Mapping[str, Any]  # the arguments of a formula
 
@@ -326,11 +326,11 @@ def _fold_sphere(given: Given) -> Any:
 
 Rule = tuple[Cause, Callable[[Given], Any]]
 
-# Between pull-off and the fold, by the stiffness or by the distance from pull-off.
+# Between pull-off and the fold, seen by the stiffness or by the distance from pull-off.
 _NOT_HELD: Rule = (NOT_HELD, lambda given: (given.get("stiffness", 0) < 0) | (given.get("load_margin", 0) < 0))
 _PARTED: Rule = (BEYOND_FOLD, lambda given: approach_at_fold(approach=given["approach"]))
 
-# By formula, the cause of a reason, and the limit of the value that this cause names, or whether it is the reason.
+# By formula: the cause, and the limit for the quantity that the cause names, or else the condition itself.
 RULES: Mapping[str, Rule] = {
     "load_margin": (BEYOND_PULL_OFF, lambda given: -given["pull_off_force"]),
     "edge_ratio_at_load": (BEYOND_PULL_OFF, lambda given: -given["pull_off_force_maugis"]),
@@ -363,7 +363,7 @@ RULES: Mapping[str, Rule] = {
 
 
 def reason_for(step: str, given: Given) -> Any:
-    """Return the reasons why a formula has no result for these arguments, numbers or arrays."""
+    """Return the reasons for arguments without a result, as a number or an array."""
     no_double = reason(NO_DOUBLE, step)
     if step not in RULES:
         return no_double
@@ -373,7 +373,7 @@ def reason_for(step: str, given: Given) -> Any:
 
 
 def failure_of(number: int, given: Given) -> Failure:
-    """Return a reason as an error, with its numbers by the arguments of its step."""
+    """Return the error for a reason, with the numbers from the arguments of its step."""
     cause, step = cause_and_step(number)
     assert cause is not None
     return Failure(cause, step, (given[cause.name], RULES[step][1](given)) if cause.name else ())

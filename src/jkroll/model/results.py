@@ -1,4 +1,4 @@
-"""The results of a frame, of one row or many: columns, and what they rest on, computed when something shows it."""
+"""The results of a frame, for one row or many: columns, uncertainties and limits, computed on demand."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property, reduce
@@ -24,20 +24,20 @@ from .limits import (
 from .reasons import OF_ANOTHER_PAIR, OF_IDENTICAL_SPHERES, RESTS_ON_SPACING, EndOfMeaning, Failure, reason
 from .uncertainty import ErrorBar, Sources, error_bars, no_error_bar, sources_of_results
 
-ROW = ""  # stands for the row as a whole, in place of the name of a quantity
+ROW = ""  # the key of a reason that concerns the whole row
 
 
 class Results:
-    """The columns of quantities of a frame with their inputs, error bars and limits.
+    """The columns of quantities of a frame, with inputs, uncertainties and limits.
 
-    A result has no value where a limit ends its meaning, unless bare numbers are wanted.
+    A result has no value where a limit ends its meaning, except in bare numbers.
     """
 
     def __init__(self, described: Frame, computed: Mapping[str, Column], *, keeps_all: bool = False) -> None:
-        """`computed`: the columns; `keeps_all`: whether values without a meaning stay, as bare numbers do.
+        """`computed`: the columns; `keeps_all`: True to keep values without a meaning, for bare numbers.
 
-        Error bars are those of the frame that was `described`, limits are judged on the one in which all inputs have
-        values: for the results, or for the measured quantities from which these were found.
+        Uncertainties are those of the frame `described`. Limits are judged on the frame in which all inputs have
+        values: for the results, or for the measured quantities if the results are inferred.
         """
         self.described, self.computed, self.keeps_all = described, computed, keeps_all
         self.frame = described.found
@@ -47,7 +47,7 @@ class Results:
 
     @property
     def columns(self) -> Mapping[str, Column]:
-        """The columns, in which a reason takes the place of a value without a meaning."""
+        """The columns, with reasons instead of values without a meaning."""
         return self.computed if self.keeps_all else self.meant
 
     @cached_property
@@ -58,22 +58,24 @@ class Results:
 
     @cached_property
     def judged(self) -> Mapping[str, Column]:
-        """The columns by whose limits those of the results are judged."""
+        """The columns whose limits apply to the results."""
         names = self.described.judged(self.computed)
         return {name: self.computed[name] if name in self.computed else self.frame.column(name) for name in names}
 
     @cached_property
     def judged_meant(self) -> Mapping[str, Column]:
-        """The same without values that have no meaning."""
-        return {
-            name: self.meant[name] if name in self.meant else self.without_meaning(column, [name])
-            for name, column in self.judged.items()
-        }
+        """`judged` without values that have no meaning."""
+        meant = {}
+        for name, column in self.judged.items():
+            meant[name] = self.meant[name] if name in self.meant else self.without_meaning(column, [name])
+        return meant
 
     def without_meaning(self, column: Column, touching: Iterable[str]) -> Column:
-        """Return a column with a reason in rows where a limit ends the meaning of some quantities."""
+        """Return a column with reasons in the rows where a limit ends the meaning of some quantities."""
         reasons: Any = 0
-        for touched in () if column.is_empty else touching:
+        if column.is_empty:
+            return column
+        for touched in touching:
             reasons = first_of(reasons, self._ends_of(touched))
             if NOMENCLATURE[touched].of_identical:
                 is_of_another = where(self.frame.is_identical, 0, reason(OF_ANOTHER_PAIR))
@@ -83,7 +85,7 @@ class Results:
         return Column(where(reasons == 0, column.values, nan), first_of(column.reasons, reasons))
 
     def _ends_of(self, name: str) -> Any:
-        """Return the reasons of rows in which a limit ends the meaning of a quantity, once for the same limits."""
+        """Return the reasons of rows in which a limit ends the meaning of a quantity; shared by equal limits."""
         ending = () if name in NUMBERS_OF_LIMITS else self.ending
         concerned = tuple(index for index, doubt in enumerate(ending) if concerns(doubt.limit, self.frame, [name]))
         if concerned not in self._ends:
@@ -92,20 +94,25 @@ class Results:
 
     @cached_property
     def values(self) -> dict[str, Any]:
-        """The values of the columns that have some."""
+        """The values of columns that have any."""
         return {name: column.values for name, column in self.columns.items() if not column.is_empty}
 
     @cached_property
     def ended(self) -> dict[str, Any]:
-        """The rows in which a limit ends the meaning of a result, by quantity: those that have such rows."""
-        both = ((name, column, self.meant[name]) for name, column in self.computed.items())
-        rows = {name: (old.reasons == 0) & (new.reasons != 0) for name, old, new in both if old is not new}
-        return {name: of_name for name, of_name in rows.items() if is_anywhere(of_name)}
+        """The rows in which a limit ends the meaning of a result, by quantity; only quantities with such rows."""
+        ended = {}
+        for name, column in self.computed.items():
+            meant = self.meant[name]
+            if meant is not column:
+                rows = (column.reasons == 0) & (meant.reasons != 0)
+                if is_anywhere(rows):
+                    ended[name] = rows
+        return ended
 
-    # --- Inputs and error bars ----------------------------------------------------------------------------------------
+    # --- Inputs and uncertainties -------------------------------------------------------------------------------------
 
     def inputs_shown(self, names: Sequence[str]) -> dict[str, Any]:
-        """Return the inputs that were stated or enter quantities, as they were understood, with their error bars."""
+        """Return the inputs that were stated or enter quantities, as understood, with their uncertainties."""
         inputs = self.described.echo(self.described.inputs_used(names))
         if self.sources is not None:
             inputs |= {name: given for name, given in self.sources.given.items() if name in inputs}
@@ -113,15 +120,15 @@ class Results:
 
     @cached_property
     def sources(self) -> Sources | None:
-        """The sources of uncertainty that enter; None if there are none.
+        """The sources of uncertainty of the results; None without any.
 
-        Raises a JkrollError for sources that do not go together.
+        Raises a JkrollError for sources that cannot be combined.
         """
         return sources_of_results(self.described, [*self.computed]) if self.described.uncertainties else None
 
     @cached_property
     def bars(self) -> Mapping[str, ErrorBar]:
-        """The error bars of values that have some, in some row."""
+        """The uncertainties of values, for quantities that have any."""
         if self.sources is None:
             return {}
         bars = error_bars(self.described, self.values, sources=self.sources)
@@ -132,40 +139,40 @@ class Results:
     @cached_property
     def ending(self) -> Sequence[Doubt]:
         """The limits that end the meaning of results, judged for all values."""
-        return doubts(self.frame, {n: column for n, column in self.judged.items() if not column.is_empty}, ENDING)
+        known = {name: column for name, column in self.judged.items() if not column.is_empty}
+        return doubts(self.frame, known, ENDING)
 
     @cached_property
     def validity(self) -> Sequence[Doubt]:
-        """The limits of the model, judged for the values with a meaning, or with the reason why not."""
+        """The limits of the model, judged for the values with a meaning, or with the reason why they are not."""
         known = {name: column for name, column in self.judged_meant.items() if not column.is_empty}
         unjudged = [doubt for doubt in self._of_resting if doubt.error is not None]
         return [*self.ending, *self.inexact(known), *unjudged]
 
     def inexact(self, columns: Mapping[str, Column]) -> list[Doubt]:
-        """Return the limits that end no meaning, judged for columns."""
+        """Return the limits that do not end meaning, judged for columns."""
         return doubts(self.frame, columns, INEXACT)
 
     @cached_property
     def _of_resting(self) -> Sequence[Doubt]:
-        """The limits that end no meaning, judged for columns that rest on the atomic spacing."""
+        """The limits that do not end meaning, judged for columns that depend on an assumed atomic spacing."""
         return self.inexact(self._resting)
 
     @cached_property
     def _resting(self) -> dict[str, Column]:
-        """The columns that have no value in some rows, as they rest on the atomic spacing, which was not given."""
-        return {
-            name: column
-            for name, column in self.judged.items()
-            if self.frame.may_rest_on_spacing(name) and is_anywhere(column.reasons == reason(RESTS_ON_SPACING, name))
-        }
+        """The columns with empty cells because the atomic spacing, on which they depend, was not given."""
+        resting = {}
+        for name, column in self.judged.items():
+            if self.frame.may_rest_on_spacing(name) and is_anywhere(_rests(name, column)):
+                resting[name] = column
+        return resting
 
     @property
     def bits(self) -> Any:
-        """The codes of the limits that do not hold as bits, by row; UNCHECKED is one of them."""
+        """The codes of limits that do not hold as bits, row by row; UNCHECKED is one of them."""
         inexact = [doubt for doubt in self.validity if not doubt.limit.ends_meaning]
         bits = bits_of(self.frame, _rows_with_values(self.judged_meant), inexact)
-        every = self._resting.items()
-        rests = [(column.reasons == reason(RESTS_ON_SPACING, name), [name]) for name, column in every]
+        rests = [(_rests(name, column), [name]) for name, column in self._resting.items()]
         return self._bits_of_ending | bits | bits_of(self.frame, rests, self._of_resting) & NOT_JUDGED
 
     @property
@@ -180,9 +187,9 @@ class Results:
     # --- Reasons ------------------------------------------------------------------------------------------------------
 
     def errors(self, row: int = 0) -> dict[str, JkrollError]:
-        """Return why quantities have no value in a row, by name, with the numbers of this row.
+        """Return the errors of quantities without a value in a row, by name, with the numbers of this row.
 
-        ROW stands for all of them, where none concerns the row.
+        The only key is ROW if no quantity applies to the row.
         """
         errors = self.described.errors(self.columns, row)
         if not errors and all(at_row(column.reasons, row) for column in self.columns.values()):  # all are hidden
@@ -190,16 +197,21 @@ class Results:
         return errors
 
     def open_bars(self, row: int = 0) -> dict[str, JkrollError]:
-        """Return why values have no error bar in a row, as there is no value at an end of an input."""
-        return {
-            name: no_error_bar(self.described, name, bar, row, sources=self.sources)
-            for name, bar in self.bars.items()
-            if at_row(bar.place, row)
-        }
+        """Return the errors of values without an uncertainty in a row, if an end of an input gives no value."""
+        errors: dict[str, JkrollError] = {}
+        for name, bar in self.bars.items():
+            if at_row(bar.open_at, row):
+                errors[name] = no_error_bar(self.described, name, bar, row, sources=self.sources)
+        return errors
+
+
+def _rests(name: str, column: Column) -> Any:
+    """Return the rows without a value because it depends on an assumed atomic spacing."""
+    return column.reasons == reason(RESTS_ON_SPACING, name)
 
 
 def _rows_with_values(columns: Mapping[str, Column]) -> list[tuple[Any, list[str]]]:
-    """Return the rows in which quantities have values, once for those that have the same reasons."""
+    """Return the rows in which quantities have values, once for quantities that share their reasons."""
     names_of: dict[int, list[str]] = {}
     for name, column in columns.items():
         if not column.is_empty:
@@ -208,10 +220,10 @@ def _rows_with_values(columns: Mapping[str, Column]) -> list[tuple[Any, list[str
 
 
 def is_end_of_meaning(error: JkrollError) -> bool:
-    """Return whether an error is the reason of a result that has a number without a meaning."""
+    """Return whether an error is the reason of a number without a meaning."""
     return isinstance(error, Failure) and isinstance(error.cause, EndOfMeaning)
 
 
 def has_code(error: JkrollError) -> bool:
-    """Return whether a code among the doubts says the same as an error."""
+    """Return whether a code of a doubt already states an error."""
     return is_end_of_meaning(error) and error.args[0] != OF_ANOTHER_PAIR

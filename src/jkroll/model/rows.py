@@ -1,6 +1,6 @@
-"""The columns of rows: values, uncertainties, doubts as bits, and the reasons of cells without a value.
+"""The columns of rows: values, uncertainties, doubts as bits, and the reasons for empty cells.
 
-Rows that have the same inputs are one frame. Those of a list that is short are frames of numbers, one by one.
+Rows with the same inputs are one frame of arrays. In short lists, each row is a frame of numbers.
 """
 
 from collections import Counter
@@ -24,31 +24,31 @@ from .limits import BITS, EVERY_DOUBT, LAW, NOT_JUDGED
 from .ranges import takes
 from .reasons import HIDDEN, Failure, MissingInput, grouped, needs_in_words, reason
 from .results import ROW, Results, has_code, is_end_of_meaning
-from .uncertainty import ErrorBar, number_of_places, sources_of_results
+from .uncertainty import ErrorBar, number_of_points, sources_of_results
 
 if TYPE_CHECKING:
     import numpy
 
     Indices = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.int64]]
 else:
-    Indices = Any  # numpy is imported where there are arrays
+    Indices = Any  # numpy is imported only for arrays
 
-BLOCK = 5 << 10  # rows computed together as arrays: many for the calls of numpy, few for the cache and the memory
-AT_ONCE = 1 << 15  # rows times the places of their uncertain inputs, in one frame
-SIDES = ("minus", "plus", "low", "high")  # of uncertainties: the two of a standard one, and the ends of a range
-_MOST = 1 << 62  # of a whole number that an array holds
-BAD = -1  # the mark of a row, or of a cell, of which arrays make no frame
+BLOCK = 5 << 10  # rows computed together: many enough for numpy's overhead, few enough for the cache
+AT_ONCE = 1 << 15  # rows times points of their uncertain inputs, in one frame
+SIDES = ("minus", "plus", "low", "high")  # of uncertainties: minus and plus of a standard one, the ends of a range
+_MOST = 1 << 62  # largest integer for keys in an array
+BAD = -1  # the mark of a row or cell that no frame of arrays accepts
 _EMPTY, _PLAIN, _SPECIAL, _MEASURED, _INTERVAL = range(5)  # marks of cells
-DOUBT = "doubt"  # the column of the limits of the model that a row exceeds, as codes
-STATUS = "status"  # the column of reasons
-UNCERTAINTY = "±"  # stands for the columns of uncertainties that a table does not have
+DOUBT = "doubt"  # the column with the codes of exceeded limits
+STATUS = "status"  # the column with reasons
+UNCERTAINTY = "±"  # the key of a reason about uncertainties
 _NO_DOUBTS: Counter[int] = Counter()
-_BEST = "_best_"  # in the keys of the columns of a best range, behind the quantity
+_BEST = "_best_"  # the suffix in keys of the columns of a best range
 _BY = f"{_BEST}by"
 _TEXTS = {DOUBT, STATUS, *(name for name, quantity in NOMENCLATURE.items() if quantity.is_word)}
-Reasons = Mapping[str, JkrollError]  # why cells of a row are empty, by the names of their columns
-Gaps = tuple[int, int, str]  # rows with one status: their number, the first, counted from 1, and its reasons in full
-_NONE: Mapping[str, Any] = {}  # which can be pickled
+Reasons = Mapping[str, JkrollError]  # for the empty cells of a row, by column
+Gaps = tuple[int, int, str]  # rows with one status: their number, the first (from 1), and its reasons in full
+_NONE: Mapping[str, Any] = {}  # unlike a MappingProxyType, it can be pickled
 
 
 class Wanted:
@@ -57,50 +57,53 @@ class Wanted:
     def __init__(
         self,
         names: Sequence[str],
-        named: Collection[str] = (),  # those that were asked for by name, and concern any row
-        inputs: Sequence[str] = (),  # that stand before them
-        sides: Collection[str] | None = None,  # those of uncertainties that have columns; None: they are not wanted
-        doubts: bool = True,  # whether limits are judged
-        best: Sequence[str] = (),  # those that have columns of their best range
-        keeps_all: bool = False,  # whether numbers without a meaning stay
+        named: Collection[str] = (),  # names that were asked for, shown in any row
+        inputs: Sequence[str] = (),  # columns of inputs, before the quantities
+        sides: Collection[str] | None = None,  # the sides of uncertainties with columns; None for no uncertainties
+        doubts: bool = True,  # judge the limits
+        best: Sequence[str] = (),  # quantities with columns of their best range
+        keeps_all: bool = False,  # keep numbers without a meaning
     ) -> None:
         self.names, self.named, self.inputs, self.sides = names, named, inputs, sides
         self.doubts, self.best, self.keeps_all = doubts, best, keeps_all
 
     def with_best(self, names: Collection[str]) -> "Wanted":
-        """Return the same quantities, some of them with columns of their best range."""
+        """Return the same columns, with best ranges of some quantities."""
         best = [name for name in self.names if name in names]
         return Wanted(self.names, self.named, self.inputs, self.sides, self.doubts, best, self.keeps_all)
 
     @cached_property
     def keys(self) -> tuple[str, ...]:
         """The keys of all columns of numbers."""
-        return tuple(key for name in self.names for key in self.keys_of(name))
+        return tuple(chain.from_iterable(map(self.keys_of, self.names)))
 
     def keys_of(self, name: str) -> list[str]:
-        """Return the keys of the columns of a quantity: its value, its uncertainties, and its best range."""
+        """Return the keys of the columns of a quantity: value, uncertainties and best range."""
         return [name, *self.sides_of(name).values(), *self.best_of(name)]
 
     def sides_of(self, name: str) -> dict[str, str]:
-        """Return the keys of the columns of the uncertainty of a quantity, by the side: "radius_minus"."""
+        """Return the keys of the columns of an uncertainty, by side: "radius_minus"."""
         return {side: f"{name}_{side}" for side in SIDES if side in (self.sides or ())}
 
     def best_of(self, name: str) -> list[str]:
-        """Return the keys of the columns of the best range of a quantity: its ends, and the rule by which it stands."""
+        """Return the keys of the columns of a best range: its two ends, and the rule that gives it."""
         return [f"{name}{_BEST}{part}" for part in ("low", "high", "by")] if name in self.best else []
 
     def heads(self, header: Callable[[str], str]) -> list[str]:
-        """Return the headers of all columns, such as "radius_minus [nm]"; `header` gives that of a quantity."""
-        keys = ((name, key) for name in self.names for key in self.keys_of(name))
-        return [key if key.endswith(_BY) else header(name).replace(name, key, 1) for name, key in keys]
+        """Return the headers of all columns, such as "radius_minus [nm]"; `header` returns that of a quantity."""
+        heads = []
+        for name in self.names:
+            for key in self.keys_of(name):
+                heads.append(key if key.endswith(_BY) else header(name).replace(name, key, 1))
+        return heads
 
     def remarks(self, *, doubt: bool = True) -> tuple[str, ...]:
-        """Return the columns of remarks, which stand last. `doubt`: whether doubts have one, if they are judged."""
+        """Return the last columns, those of codes and reasons. `doubt`: with codes, if limits are judged."""
         return (DOUBT, STATUS) if doubt and self.doubts else (STATUS,)
 
     @property
     def reported_doubts(self) -> int:
-        """The bits of the doubts to report. Those of the law are left out beside best ranges, unless it was given."""
+        """The bits of the doubts to report. Next to best ranges, codes of the law count only if it was given."""
         return EVERY_DOUBT ^ NOT_JUDGED ^ (LAW.bits if self.best and "model" not in self.inputs else 0)
 
     # --- Results ------------------------------------------------------------------------------------------------------
@@ -109,24 +112,24 @@ class Wanted:
         """Return the results of a frame."""
         return Results(frame, frame.shown(self.names, self.named), keeps_all=self.keeps_all)
 
-    def places(self, frame: Frame) -> int:
-        """Return the number of places of uncertain inputs at which rows are computed for their error bars."""
-        return number_of_places(frame, self.names) if self.sides is not None and frame.uncertainties else 1
+    def points(self, frame: Frame) -> int:
+        """Return the number of points of uncertain inputs at which rows are computed."""
+        return number_of_points(frame, self.names) if self.sides is not None and frame.uncertainties else 1
 
     def has_bars(self, results: Results) -> bool:
-        """Return whether there are columns for the error bars of results."""
+        """Return whether there are columns for the uncertainties of results."""
         return self.sides is not None and results.sources is not None and results.sources.sides <= {*self.sides}
 
     def lacks_bars(self, results: Results) -> BadRequest | None:
-        """Return the remark on error bars for which there are no columns; None if there are none."""
+        """Return the error for uncertainties that have no columns; None if all have."""
         if self.sides is None or results.sources is None or self.has_bars(results):
             return None
-        problem = "error bars are left out, for which the table has no columns; --uncertainty adds them"
+        problem = "the table has no columns for error bars, which are left out; --uncertainty adds them"
         return BadRequest(f"{listed(results.sources.given)}: {problem}", "error bars left out")
 
 
 def has_texts(head: str) -> bool:
-    """Return whether the column of a header has texts, not numbers.
+    """Return whether a column has texts instead of numbers, by its header.
 
     >>> has_texts("material"), has_texts("radius [m]"), has_texts("n_grav_best_by")
     (True, False, True)
@@ -135,34 +138,37 @@ def has_texts(head: str) -> bool:
 
 
 def sides_in(groups: Iterable[tuple[Frame, Sequence[str]]]) -> set[str]:
-    """Return the sides of the uncertainties that enter quantities; `groups`: frames with the quantities of each.
+    """Return the sides of the uncertainties of quantities; `groups`: frames, each with its quantities.
 
-    Raises a JkrollError for sources that do not go together.
+    Raises a JkrollError for sources that cannot be combined.
     """
-    every = (sources_of_results(frame, names) for frame, names in groups if frame.uncertainties)
-    return {side for sources in every for side in sources.sides}
+    sides: set[str] = set()
+    for frame, names in groups:
+        if frame.uncertainties:
+            sides |= sources_of_results(frame, names).sides
+    return sides
 
 
 class Gap(NamedTuple):
-    """The rows that have cells without a value for the same reasons."""
+    """Rows whose empty cells have the same reasons."""
 
-    phrase: str  # of their status
-    is_failed: bool  # without a contact, or without any value
+    phrase: str  # in the status column
+    is_failed: bool  # True for rows without a contact, or without any value
     first: int  # the index of the first row
-    reasons: Reasons  # of this row
+    reasons: Reasons  # of the first row
 
 
 class Columns:
-    """The columns of rows, in their order: arrays, or lists of few rows. Writers index them and iterate."""
+    """The columns of rows, in their order: arrays, or lists for few rows. Writers index them and iterate."""
 
     def __init__(self, wanted: Wanted, size: int, *, few: bool) -> None:
-        """`few`: the columns are lists, for which numpy is not imported."""
+        """`few`: the columns are lists, so that numpy is not needed."""
         self.wanted, self.few = wanted, few
         self.inputs: dict[str, Any] = {name: [None] * size for name in wanted.inputs}
         if few:
-            self.numbers: Any = [[nan] * size for _ in wanted.keys]  # a column for each key
+            self.numbers: Any = [[nan] * size for _ in wanted.keys]  # one column for each key
             self.doubts: Any = [0] * size  # as bits
-            self._gap_of: Any = [0] * size  # numbers of gaps, from 1 on
+            self._gap_of: Any = [0] * size  # the number of each row's gap, from 1; 0 without one
         else:
             import numpy
 
@@ -179,10 +185,10 @@ class Columns:
         """Return the numbers of a column."""
         return self.numbers[self.wanted.keys.index(key)]
 
-    # --- Results are taken --------------------------------------------------------------------------------------------
+    # --- Storing results ----------------------------------------------------------------------------------------------
 
     def put(self, rows: Any, results: Results) -> None:
-        """Take the results of a frame. `rows`: the indices of its rows, an array, or that of a single row."""
+        """Store the results of a frame. `rows`: the indices of its rows as an array, or of a single row."""
         wanted, span = self.wanted, rows
         if not isinstance(rows, int) and len(rows) == len(self):
             span = slice(None)
@@ -205,11 +211,11 @@ class Columns:
         self._put_gaps(rows, results, bars)
 
     def refuse(self, row: int, error: JkrollError) -> None:
-        """Take the error of a row that makes no frame."""
+        """Store the error of a row without a frame."""
         self._put_gap(row, row, {ROW: error}, is_failed=True)
 
     def _put_inputs(self, rows: Any, inputs: Mapping[str, Any]) -> None:
-        """Take the inputs of a frame, with their uncertainties."""
+        """Store the inputs of a frame, with their uncertainties."""
         for name in self.inputs.keys() & inputs.keys():
             value = inputs[name]
             if isinstance(rows, int):
@@ -223,31 +229,31 @@ class Columns:
                 self.inputs[name][row] = cell
 
     def _put_gaps(self, rows: Any, results: Results, bars: Mapping[str, ErrorBar]) -> None:
-        """Note why cells of a frame have no value, once for all rows that have the same reasons."""
-        wanted, remark = self.wanted, self.wanted.lacks_bars(results)
+        """Store the reasons for empty cells of a frame, once for all rows with the same reasons."""
+        wanted, no_bars = self.wanted, self.wanted.lacks_bars(results)
         columns = [results.columns.get(name, _HIDDEN) for name in wanted.names]
-        numbers = [column.reasons for column in columns] + [bar.place for bar in bars.values()]
+        numbers = [column.reasons for column in columns] + [bar.open_at for bar in bars.values()]
         distinct = {id(each): each for each in numbers}.values()  # many columns share theirs
         arrays = [each for each in distinct if not isinstance(each, int)]
-        if not arrays and not any(distinct) and remark is None:
+        if not arrays and not any(distinct) and no_bars is None:
             return
         if isinstance(rows, int):
             parts = [(0, rows, rows)]
         else:
-            is_in_all = remark is not None or any(each for each in distinct if isinstance(each, int))
-            lacking = _indices(len(rows)) if is_in_all else reduce(or_, arrays).nonzero()[0]
-            parts = [(int(part[0]), int(rows[part[0]]), rows[part]) for part in alike(lacking, arrays) if len(part)]
-        for row, first, places in parts:
+            is_in_all = no_bars is not None or any(each for each in distinct if isinstance(each, int))
+            with_gaps = _indices(len(rows)) if is_in_all else reduce(or_, arrays).nonzero()[0]
+            parts = [(int(part[0]), int(rows[part[0]]), rows[part]) for part in alike(with_gaps, arrays) if len(part)]
+        for row, first, indices in parts:
             reasons = {**results.errors(row), **(results.open_bars(row) if bars else {})}
-            if remark is not None:
-                reasons[UNCERTAINTY] = remark
+            if no_bars is not None:
+                reasons[UNCERTAINTY] = no_bars
             if reasons:
                 is_failed = all(at_row(column.reasons, row) for column in columns)
-                self._put_gap(places, first, reasons, is_failed=is_failed)
+                self._put_gap(indices, first, reasons, is_failed=is_failed)
 
     def _put_gap(self, rows: Any, first: int, reasons: Reasons, *, is_failed: bool) -> None:
-        """Note the reasons of rows. `is_failed`: whether they have no value."""
-        has_number = any(map(is_end_of_meaning, reasons.values()))  # a number without a meaning is an answer
+        """Store the reasons of rows. `is_failed`: True if they have no value."""
+        has_number = any(map(is_end_of_meaning, reasons.values()))  # a number without a meaning still answers
         is_failed = lack(reasons) is not None or (is_failed and not has_number)
         gap = Gap(status_of(reasons), is_failed, first, reasons)
         number = self._gap_numbers.setdefault(gap[:2], len(self.gaps) + 1)
@@ -257,10 +263,10 @@ class Columns:
             self.gaps[number - 1] = gap
         self._gap_of[rows] = number
 
-    # --- Gaps and doubts, counted -------------------------------------------------------------------------------------
+    # --- Counted gaps and doubts --------------------------------------------------------------------------------------
 
     def leave_out_bars(self, rows: Mapping[int, JkrollError]) -> None:
-        """Empty the error bars of rows that have values. `rows`: the reasons, by row."""
+        """Empty the uncertainties of rows that have values. `rows`: the reasons, by row."""
         keys = [side for name in self.wanted.names for side in self.wanted.sides_of(name).values()]
         for row, error in rows.items():
             gap = self.gap_of(row)
@@ -272,31 +278,32 @@ class Columns:
                     self.column(key)[row] = nan
 
     def gap_of(self, row: int) -> Gap | None:
-        """Return the gap in which a row is; None for a row without one."""
+        """Return the gap of a row, or None."""
         number = int(self._gap_of[row])
         return self.gaps[number - 1] if number else None
 
     @property
     def status(self) -> list[str | None] | None:
-        """The phrase of each row that has cells without a value; None if no row has."""
+        """The phrase of each row with empty cells, None for other rows; None if there are no such rows."""
         phrases = [None, *(gap.phrase for gap in self.gaps)]
         return [phrases[number] for number in as_list(self._gap_of)] if self.gaps else None
 
     @property
     def counted_gaps(self) -> list[tuple[Gap, int]]:
-        """The gaps with their numbers of rows, by the first row."""
+        """The gaps with their numbers of rows, in order of the first row."""
         counts = Counter(as_list(self._gap_of)) if self.gaps else Counter[int]()
         numbered = sorted(enumerate(self.gaps, 1), key=lambda item: item[1].first)
         return [(gap, counts[number]) for number, gap in numbered if counts[number]]
 
     @property
     def first_failed(self) -> Gap | None:
-        """The reasons of the first row without a contact, or without any value; None without such a row."""
-        return next((gap for gap, _ in self.counted_gaps if gap.is_failed), None)
+        """The gap of the first row without a contact, or without any value; None if there is none."""
+        failed = [gap for gap, _ in self.counted_gaps if gap.is_failed]
+        return failed[0] if failed else None
 
     @cached_property
     def distinct_doubts(self) -> tuple[Any, Any, Any]:
-        """The bits of doubts that differ, the place of each row's among them, and the number of rows of each."""
+        """The distinct bits of doubts, the index of each row's bits among them, and the number of rows of each."""
         import numpy
 
         return numpy.unique(self.doubts, return_inverse=True, return_counts=True)
@@ -350,9 +357,9 @@ def as_list(column: Any) -> list[Any]:
 
 
 class Numbers(NamedTuple):
-    """A column: SI values, nan where there is none.
+    """A column of SI values, nan where there is none.
 
-    Beside them stand the cells that are no numbers, and the values that have uncertainties.
+    `odd` are the cells that are not numbers; `uncertain` are the values with uncertainties.
     """
 
     values: Any
@@ -361,29 +368,29 @@ class Numbers(NamedTuple):
 
 
 class Block(Protocol):
-    """Rows that are computed together, as they stand in a list or in a table."""
+    """Rows to compute together, from a list or from a table."""
 
     size: int
     numbers: Mapping[str, Numbers]  # by input
-    marks: Sequence[Any]  # arrays: rows with other whole numbers have other laws or solids, BAD are refused
+    marks: Sequence[Any]  # arrays of integers that differ for other laws or solids; BAD for refused rows
 
     def frame(self, given: Mapping[str, Any], rows: Indices) -> Any:
-        """Return the frame of rows that are alike. Raises a JkrollError if one of them makes no frame with others."""
+        """Return the frame of some rows of a group. Raises a JkrollError if a row does not fit into a frame."""
 
     def frame_of(self, row: int) -> Any:
-        """Return the frame of a single row. Raises the error of what is wrong with it."""
+        """Return the frame of a single row. Raises its error."""
 
 
 def evaluated(wanted: Wanted, block: Block) -> Columns:
-    """Return the columns of a block. A row that makes no frame has the error for all of its cells."""
+    """Return the columns of a block. A row without a frame has its error as the reason for all cells."""
     import numpy
 
     columns = Columns(wanted, block.size, few=False)
-    is_left = numpy.ones(block.size, dtype=bool)  # where a row alone says what is wrong
+    is_left = numpy.ones(block.size, dtype=bool)  # rows to compute singly, for their own errors
     for group in groups(block):
         with suppress(JkrollError):
             frame, size = block.frame(group.given(group.rows), group.rows), len(group.rows)
-            at_once = max(1, min(size, AT_ONCE // wanted.places(frame)))
+            at_once = max(1, min(size, AT_ONCE // wanted.points(frame)))
             for start in range(0, size, at_once):
                 rows = group.rows[start : start + at_once]
                 with suppress(JkrollError):
@@ -395,7 +402,7 @@ def evaluated(wanted: Wanted, block: Block) -> Columns:
 
 
 def put_single_rows(columns: Columns, frame_of: Callable[[int], Any], rows: Iterable[int]) -> None:
-    """Put rows of which each is a frame, or is refused."""
+    """Store rows one at a time; each has a frame or an error."""
     for row in rows:
         try:
             columns.put(row, columns.wanted.results(frame_of(row)))
@@ -404,10 +411,10 @@ def put_single_rows(columns: Columns, frame_of: Callable[[int], Any], rows: Iter
 
 
 class Group(NamedTuple):
-    """Rows of a block that have the same inputs."""
+    """Rows of a block with the same inputs."""
 
     rows: Indices
-    columns: Mapping[str, tuple[Numbers, int]]  # of inputs, with the mark of their cells
+    columns: Mapping[str, tuple[Numbers, int]]  # the columns of inputs, each with the mark of its cells
 
     def given(self, rows: Indices) -> dict[str, Any]:
         """Return the inputs of some of the rows."""
@@ -415,7 +422,7 @@ class Group(NamedTuple):
 
 
 def groups(block: Block) -> Iterator[Group]:
-    """Iterate over rows that have the same inputs, and the same of those from which more follows. BAD rows are left."""
+    """Iterate over groups of rows that have the same inputs, and the same special values; BAD rows are left out."""
     import numpy
 
     marks = {name: _marks(name, column) for name, column in block.numbers.items()}
@@ -428,19 +435,22 @@ def groups(block: Block) -> Iterator[Group]:
 
 
 def alike(rows: Indices, columns: Iterable[Any]) -> Iterator[Indices]:
-    """Divide rows into groups that have the same whole number in each column, and iterate over these.
+    """Iterate over groups of rows that have the same integers in all columns.
 
     `rows`: the indices of the rows.
     """
     import numpy
 
     keys, size = numpy.zeros(len(rows), dtype=numpy.int64), 1
-    for column in columns if len(rows) else ():
+    if not len(rows):
+        yield rows
+        return
+    for column in columns:
         numbers = column[rows]
         least, most = int(numbers.min()), int(numbers.max())
         if least < most:
             span = most - least + 1
-            if size * span >= _MOST:  # as good as never
+            if size * span >= _MOST:  # hardly ever
                 distinct, keys = numpy.unique(keys, return_inverse=True)
                 size = len(distinct)
             keys, size = keys * span + (numbers - least), size * span
@@ -468,7 +478,7 @@ def _marks(name: str, column: Numbers) -> Indices:
 
 
 def _values(column: Numbers, rows: Indices, mark: int) -> Any:
-    """Return the values of cells of one mark: a number where more follows from it, else an array."""
+    """Return the values of cells with one mark: a number if it is special, else an array."""
     import numpy
 
     values = column.values if len(rows) == len(column.values) else column.values[rows]
@@ -485,7 +495,7 @@ def _values(column: Numbers, rows: Indices, mark: int) -> Any:
 
 
 def lack(reasons: Reasons) -> JkrollError | None:
-    """Return why a row has no contact, or is no frame; None if it has one at the middles of its inputs."""
+    """Return the error of a row without a contact or a frame; None for other rows."""
     for name, error in reasons.items():
         has_contact = not isinstance(error, Failure) or error.cause.has_contact
         if name == ROW or (not has_contact and name in NOMENCLATURE):
@@ -494,23 +504,27 @@ def lack(reasons: Reasons) -> JkrollError | None:
 
 
 def status_of(reasons: Reasons) -> str:
-    """Return a phrase for each kind of reason. All inputs that quantities lack are in one."""
-    lacked = (error.missing for error in reasons.values() if isinstance(error, MissingInput))
-    needs = needs_in_words(dict.fromkeys(chain.from_iterable(lacked)))
-    phrases = (
-        needs if isinstance(error, MissingInput) and error.missing else error.phrase or str(error)
-        for error in reasons.values()
-    )
-    return "; ".join(dict.fromkeys(phrases))
+    """Return a phrase for each sort of reason. Missing inputs share one phrase."""
+    missing = [error.missing for error in reasons.values() if isinstance(error, MissingInput)]
+    needs = needs_in_words(dict.fromkeys(chain.from_iterable(missing)))
+    phrases: dict[str, None] = {}
+    for error in reasons.values():
+        if isinstance(error, MissingInput) and error.missing:
+            phrases[needs] = None
+        else:
+            phrases[error.phrase or str(error)] = None
+    return "; ".join(phrases)
 
 
 def worded(reasons: Reasons, word_of: Callable[[str], str] = str) -> str:
-    """Return reasons in full; `word_of` returns the word of a quantity, by default its name."""
-    if (error := lack(reasons)) is not None:
+    """Return reasons in full; `word_of` returns the word for a quantity, by default its name."""
+    error = lack(reasons)
+    if error is not None:
         return str(error)
     errors = {name: error for name, error in reasons.items() if name != UNCERTAINTY}
     clauses = [f"{first_of([*map(word_of, names)])}: {reason}" for names, reason in grouped(errors)]
-    clauses += [str(reasons[UNCERTAINTY])] if UNCERTAINTY in reasons else []
+    if UNCERTAINTY in reasons:
+        clauses.append(str(reasons[UNCERTAINTY]))
     return "; ".join(clauses)
 
 
@@ -518,51 +532,51 @@ def worded(reasons: Reasons, word_of: Callable[[str], str] = str) -> str:
 
 
 class Tally(NamedTuple):
-    """The rows of a run, and those of them that failed, have empty cells, or exceed limits."""
+    """The number of rows of a run, and how many failed, have empty cells, or exceed limits."""
 
     rows: int = 0
     failed: int = 0
-    gaps: Mapping[str, Gaps] = _NONE  # rows with empty cells, by their status
-    doubts: Counter[int] = _NO_DOUBTS  # rows, by the bits of their doubts
-    inferred: tuple[Any, ...] = ()  # the values of the unknown of a table, in parts
-    said: tuple[str, ...] = ()  # of each table as a whole
+    gaps: Mapping[str, Gaps] = _NONE  # rows with empty cells, by status
+    doubts: Counter[int] = _NO_DOUBTS  # numbers of rows, by the bits of their doubts
+    inferred: tuple[Any, ...] = ()  # the inferred values of a table, in parts
+    remarks: tuple[str, ...] = ()  # on whole tables
 
     @classmethod
     def of(cls, columns: Columns, word_of: Callable[[str], str] = str) -> "Tally":
-        """Return the counts of some rows; `word_of` as `worded` has it."""
+        """Return the counts of some rows; `word_of`: see `worded`."""
         gaps: dict[str, Gaps] = {}
         for gap, number in columns.counted_gaps:
-            # A code says in how many rows it ends the meaning of results.
-            told = {name: error for name, error in gap.reasons.items() if not has_code(error)}
-            if told:
-                phrase = status_of(told)
-                rows, first, words = gaps.get(phrase) or (0, gap.first + 1, worded(told, word_of))
+            # Results without a meaning are reported by a code, with its own count.
+            reported = {name: error for name, error in gap.reasons.items() if not has_code(error)}
+            if reported:
+                phrase = status_of(reported)
+                rows, first, words = gaps.get(phrase) or (0, gap.first + 1, worded(reported, word_of))
                 gaps[phrase] = (rows + number, first, words)
         failed = sum(number for gap, number in columns.counted_gaps if gap.is_failed)
         return cls(len(columns), failed, gaps, columns.counted_doubts)
 
     def plus(self, other: "Tally", table: str = "") -> "Tally":
-        """Return the counts with those of some more rows, or of a table, which has a row 1 of its own."""
+        """Return the sum of the counts; `table` is the name of another table, whose rows are numbered from 1."""
         gaps = dict(self.gaps)
-        for status, (more, place, text) in other.gaps.items():
-            rows, first, words = gaps.get(status, (0, place + (0 if table else self.rows), f"{table}{text}"))
+        for status, (more, row, text) in other.gaps.items():
+            rows, first, words = gaps.get(status, (0, row + (0 if table else self.rows), f"{table}{text}"))
             gaps[status] = (rows + more, first, words)
         others = [name for name in self._fields if name != "gaps"]
         sums: dict[str, Any] = {name: getattr(self, name) + getattr(other, name) for name in others}
         return Tally(gaps=gaps, **sums)
 
     def with_doubts(self, bits: int) -> int:
-        """Return the number of rows with any of the doubts that bits stand for."""
+        """Return the number of rows with any of the doubts in `bits`."""
         return sum(rows for doubts, rows in self.doubts.items() if doubts & bits)
 
     def counted(self, bits: int) -> list[tuple[str, int]]:
-        """Return the codes that bits stand for with their numbers of rows, the most frequent first."""
+        """Return the codes in `bits` with their numbers of rows, the most frequent first."""
         counts = {code: self.with_doubts(bit) for code, bit in BITS.items() if bit & bits}
         return [(code, rows) for code, rows in sorted(counts.items(), key=lambda item: -item[1]) if rows]
 
 
 def counted(blocks: Iterable[Columns], tallies: list[Tally], word_of: Callable[[str], str] = str) -> Iterator[Columns]:
-    """Iterate over blocks, and append the counts of each to `tallies`; `word_of` as in `worded`."""
+    """Iterate over blocks, and append the counts of each to `tallies`; `word_of`: see `worded`."""
     for columns in blocks:
         tallies.append(Tally.of(columns, word_of))
         yield columns

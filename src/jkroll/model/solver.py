@@ -1,4 +1,4 @@
-"""The Python face of a frame: names and values in, values out; of the inverse problem; and of the formulas."""
+"""The Python interface: `solve` for frames and inverse problems, and the formulas for numbers and containers."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
@@ -26,10 +26,10 @@ if TYPE_CHECKING:
 
     Floats = NDArray[float64]
 
-Solids = str | Material | Sequence[str | Material] | None  # one, or one for each element
+Solids = str | Material | Sequence[str | Material] | None  # a single one, or one for each element
 Words = str | Sequence[str] | None
 
-ELEMENTS_AT_ONCE = 1 << 14  # few enough that intermediate results stay in the processor's cache
+ELEMENTS_AT_ONCE = 1 << 14  # intermediate results then fit into the processor's cache
 
 
 @overload
@@ -87,53 +87,52 @@ def solve(
     units: str | None = None,
     **given: Any,
 ) -> Any:
-    """Compute quantities of the nomenclature from whatever is known of the scene.
+    """Compute quantities of the nomenclature from the known inputs of a scene.
 
-    Bare numbers: what was assumed, which limits of the model do not hold, and what a material's source says of its
-    values is left out, and so is the uncertainty that a shipped material states. `jkroll.answer` has them, for one
-    scene.
+    The results are bare numbers: without assumptions, exceeded limits, notes of a material's source, or the
+    uncertainties of shipped materials. `jkroll.answer` has all of these, for one scene.
 
     Parameters
     ----------
     wanted
-        A name of the nomenclature, or several. The word of an option and a symbol are taken for names: "gamma" is
+        A name of the nomenclature, or several. The name of an option or a symbol will do: "gamma" is
         "surface_energy", "P_c" is "pull_off_force".
     material, material2
-        Materials, or their names or aliases; `material2` for sphere 2, which is otherwise like sphere 1. A property
-        given by name overrides the material's. A list, or a column, has one for each element, and so may have those of
-        `model` and `profile`.
+        Materials, or their names or aliases; `material2` is for sphere 2, which otherwise is like sphere 1. A property
+        given by name overrides the material's. A list or column has a material for each element; `model` and `profile`
+        may be lists, too.
     materials
-        Where materials are looked up: `Materials("mine.toml")` for some of your own besides the shipped ones.
+        A collection to look materials up: `Materials("mine.toml")` has your own and the shipped ones.
     model
         The law of attraction: "jkr" (the paper's, the default), "maugis" or "dmt".
     profile
-        The body that presses: "paraboloid" (the default) or, for a rigid sphere on a soft plane by JKR, "sphere".
+        The shape of body 1: "paraboloid" (the default) or "sphere", for a rigid sphere on a soft plane by JKR.
     units
-        "pint" or "astropy": results are quantities of that package. By default they are if an input was one.
+        "pint" or "astropy": results are quantities of that package. The default follows the inputs.
     **given
         Inputs by name: a float, an array or a list in SI units, a text with a unit ("100 nm"), or a Quantity of pint or
-        astropy, which an array of xarray or dask may hold. Arrays broadcast by position. Those of pandas and xarray are
+        astropy, also inside an array of xarray or dask. Arrays broadcast by position. Arrays of pandas and xarray are
         aligned by their labels, as in arithmetic, and their attribute "units" is read. `radius2` may be infinite (a
-        plane), and one Young's modulus too (a rigid body). Single values may be uncertain: `Measured`, `Interval`,
+        plane), and so may one Young's modulus (a rigid body). Single values may be uncertain: `Measured`, `Interval`,
         "25±5 mJ/m2", "20 to 30 mJ/m2", a pint Measurement, or a number of the package `uncertainties` that is
         independent of the other inputs.
 
     Returns
     -------
-    The value of a single wanted name, or a dict of name to value. SI numbers: floats, arrays, or Quantities if an input
-    was one; a Series of pandas or a DataArray of xarray, with its labels, if one was. A result has the shape of the
-    arrays on which it depends: that of `yield_force` is a float for many radii. If a given value is uncertain, so are
-    the results: `Measured` or `Interval` in SI units.
+    The value of a single name, or a dict of values by name. They are floats or arrays in SI units; Quantities if an
+    input was one; a Series of pandas or a DataArray of xarray, with its labels, if one was. A result has the shape of
+    the arrays that it depends on: `yield_force` is a float for many radii. If a given value is uncertain, so are the
+    results: `Measured` or `Interval` in SI units.
 
     Raises
     ------
     MissingInput, UnknownMaterial, UnknownQuantity, QuantityError
-        An input is wrong, or one is missing. Sizes range from 1e-30 to 1e30 in SI units.
+        An input is wrong or missing. Sizes range from 1e-30 to 1e30 in SI units.
     NoResult
-        The physics has no answer: a tension beyond pull-off, two rigid bodies; or a number on the way to it leaves the
-        doubles. Arrays hold nan there instead.
+        The physics has no answer (a tension beyond pull-off, two rigid bodies), or a number exceeds the range of
+        doubles. Arrays have nan there instead.
 
-    Source: the equation of each quantity, see `jkroll.NOMENCLATURE`. Valid: as each formula says.
+    Source: the equation of each quantity, see `jkroll.NOMENCLATURE`. Valid: see each formula.
 
     >>> f"{solve('r_min', radius='100 nm'):.3g}"
     '5e-05'
@@ -146,7 +145,8 @@ def solve(
     words, given = reader.aligned(of_words, given)
     described = reader.in_si(given)
     quantity = quantity_of(units) if units is not None else reader.quantity
-    if lists := {name: word for name, word in words.items() if is_list(word)}:
+    lists = {name: word for name, word in words.items() if is_list(word)}
+    if lists:
         for name, word in lists.items():
             reader.compare_labels(name, word)
         results = _values_by_word(names, words, materials, described)
@@ -168,7 +168,7 @@ def _one_or_all(wanted: Any, names: Sequence[str], results: dict[str, Any]) -> A
 
 
 def is_list(word: Any) -> bool:
-    """Return whether there is a word for each element: a list or a column, and no name and no material."""
+    """Return whether a word is given for each element: a list or column, as opposed to a name or a material."""
     is_one = isinstance(word, str | bytes | Material | Mapping) or hasattr(word, "m_as")
     return not is_one and hasattr(word, "__getitem__") and getattr(word, "ndim", 1) > 0
 
@@ -176,9 +176,9 @@ def is_list(word: Any) -> bool:
 def _values_by_word(
     names: Sequence[str], words: Mapping[str, Any], materials: Materials | None, described: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """Return the values of quantities where materials or laws differ from element to element.
+    """Return the values of quantities if materials or laws differ between elements.
 
-    The elements that share them are one frame.
+    Elements with the same ones are one frame.
     """
     import numpy
 
@@ -197,15 +197,15 @@ def _values_by_word(
         solids = materials_of(of_group["material"], of_group["material2"], materials)
         frame = Frame(given, *solids, model=law_given(of_group["model"], of_group["profile"]))
         for name in names:
-            with suppress(NoResult):  # of numbers; arrays have nan there themselves
+            with suppress(NoResult):  # for numbers; arrays have nan already
                 results[name].reshape(-1)[elements] = values_of(frame, [name])[name]
     return results
 
 
 def _array_of(name: str, words: Any) -> Any:
-    """Return names or materials as an array: a material is a tuple, which numpy would take apart.
+    """Return names or materials as an array of objects; numpy would convert a material, a tuple, to a row.
 
-    Raises QuantityError for what is neither.
+    Raises QuantityError for other objects.
     """
     import numpy
 
@@ -222,7 +222,7 @@ def _array_of(name: str, words: Any) -> Any:
 
 
 def refuse_uncertain(described: Mapping[str, Any]) -> None:
-    """Raise QuantityError for an uncertain value where there are several scenes."""
+    """Raise QuantityError for an uncertain value if there are several scenes."""
     for name, value in described.items():
         if is_uncertain(value):
             raise QuantityError(
@@ -231,10 +231,10 @@ def refuse_uncertain(described: Mapping[str, Any]) -> None:
 
 
 def words_in(wanted: str | Iterable[str]) -> list[str]:
-    """Return one word or several as a list; raise UnknownQuantity for what holds no words."""
+    """Return one word or several as a list; raise UnknownQuantity for anything else."""
     try:
         return [wanted] if isinstance(wanted, str) else [*map(str, wanted)]
-    except TypeError:  # a single number, in an array too
+    except TypeError:  # a single number, also in an array
         raise UnknownQuantity(str(wanted)) from None
 
 
@@ -248,7 +248,7 @@ def materials_of(
 
 
 def _material(argument: str, material: str | Material | None, materials: Materials | None) -> Material | None:
-    """Return the material of a name, or one that may have been made by hand, with its properties in SI units."""
+    """Return a material by name, or one made by hand, with its properties in SI units."""
     if isinstance(material, str):
         return (materials or known_materials())[material]
     if material is None:
@@ -265,13 +265,13 @@ def _material(argument: str, material: str | Material | None, materials: Materia
 
 
 def values_of(frame: Frame, names: Sequence[str]) -> dict[str, Any]:
-    """Return the values of quantities; raise the error of the first that has none.
+    """Return the values of quantities; raise the error of the first without a value.
 
-    Long lists are computed in blocks, with which intermediate results take no memory.
+    Long lists are computed in blocks, to save memory for intermediate results.
     """
     shapes = {value.shape for value in frame.arrays.values()}
     is_long_list = shapes == {frame.shape} and len(frame.shape) == 1 and frame.shape[0] > ELEMENTS_AT_ONCE
-    if not is_long_list or not isinstance(frame.is_rigid, bool):  # of which a block may have none
+    if not is_long_list or not isinstance(frame.is_rigid, bool):  # a block may have no rigid pair
         return {name: frame[name] for name in names}
     import numpy
 
@@ -286,18 +286,18 @@ def values_of(frame: Frame, names: Sequence[str]) -> dict[str, Any]:
 
 
 def refuse_arrays(described: Mapping[str, Any]) -> None:
-    """Raise QuantityError for an array, where values have uncertainties or one scene is described."""
+    """Raise QuantityError for an array, for a problem that allows a single scene only."""
     for name, value in described.items():
         if not (isinstance(value, float) or is_uncertain(value)):
             raise QuantityError(name, "an array", "is more than one scene", "solve takes arrays without uncertainty")
 
 
 def with_uncertainties(frame: Frame, described: Mapping[str, Any], values: Mapping[str, float]) -> dict[str, Any]:
-    """Return values of a frame with their error bars; raise a Failure with the reason why one has none."""
+    """Return the values of a frame with their uncertainties; raise an error if one of them has none."""
     refuse_arrays(described)
     bars = error_bars(frame, values)
     for name, bar in bars.items():
-        if bar.place:
+        if bar.open_at:
             raise no_error_bar(frame, name, bar)
     return {**values, **{name: bar.of(values[name]) for name, bar in bars.items()}}
 
@@ -306,11 +306,11 @@ def with_uncertainties(frame: Frame, described: Mapping[str, Any], values: Mappi
 
 
 class OutsideDomain(Failure, ValueError):
-    """Error raised where a formula has no value for numbers; of an array such elements are nan."""
+    """Error raised for numbers at which a formula has no value; in arrays these elements are nan."""
 
 
 def _of_python(formula: Callable[..., Any]) -> Callable[..., Any]:
-    """Return a formula that takes numbers and their containers as `solve` does, and gives a Quantity for Quantities."""
+    """Return a formula that accepts the same numbers and containers as `solve`; Quantities give a Quantity."""
     parameters = parameters_of(formula)
     names = frozenset(parameters)
 
@@ -335,7 +335,7 @@ def _of_python(formula: Callable[..., Any]) -> Callable[..., Any]:
             return reader.quantity(value, units_of(formula)["return"])
         return reader.labelled(formula.__name__, value, units_of(formula)["return"])
 
-    call.__module__ = "jkroll.formulas"  # where pickle finds it
+    call.__module__ = "jkroll.formulas"  # for pickle
     return call
 
 

@@ -1,4 +1,4 @@
-"""The inputs that can be unknown, and the errors of problems in which no one value of them gives the measured ones."""
+"""The inputs that can be unknown, and the errors of problems without a unique solution."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
@@ -12,7 +12,7 @@ from .reasons import MAX_DIGITS, Cause, register
 if TYPE_CHECKING:
     from .search import Problem
 
-# The inputs that can be unknown, with the sizes among which they are looked for first. A load may have either sign.
+# The inputs that can be unknown, with the range of sizes to search first. A load may have either sign.
 SIZES = {
     "surface_energy": (1e-6, 1e3),
     "work_of_adhesion": (1e-6, 1e3),
@@ -27,55 +27,57 @@ SIZES = {
 }
 
 
-# --- Why there is no one solution -------------------------------------------------------------------------------------
+# --- Problems without a unique solution -------------------------------------------------------------------------------
 
 
 class Unsolved(NoResult):
-    """Error raised where no one value of the unknowns gives the measured values. The kinds of it say why."""
+    """Error raised if no single value of the unknowns gives the measured values; subclasses state the reason."""
 
-    cause: Cause  # of the reason, whose words are those of the error
+    cause: Cause  # of the reason, in the words of the error
 
     def __init_subclass__(cls) -> None:
-        """Let each kind of error have reasons in columns."""
+        """Register a cause for each subclass, for reasons in columns."""
         cls.cause = register(Cause(cls.phrase, cls.phrase))
 
     def __init__(self, problem: "Problem", text: str, span: Sequence[float] = ()) -> None:
-        """`span`: of the measured quantity, or of the unknown."""
+        """`span`: the extent of the measured quantity, or of the unknown."""
         self.problem, self.text, self.span, self.name = problem, text, span, ",".join(problem.unknowns)
 
     def explanation(self) -> str:
-        """Return why there is no one value."""
+        """Return the reason in words."""
         return self.text
 
 
 class NoDependence(Unsolved):
-    """Error raised where a measured quantity depends on none of the unknowns."""
+    """Error raised if a measured quantity depends on none of the unknowns."""
 
     phrase = "no dependence"
 
 
 class Undetermined(Unsolved):
-    """Error raised where all values of the unknown on a stretch give the measured one."""
+    """Error raised if all values of the unknown within a range give the measured value."""
 
     phrase = "any value gives it"
 
 
 class NoSolution(Unsolved):
-    """Error raised where no values of the unknowns give the measured values."""
+    """Error raised if no values of the unknowns give the measured values."""
 
     phrase = "no value gives it"
 
     def __init__(self, problem: "Problem", spans: Sequence[Sequence[float]]) -> None:
         """`spans`: the least and the largest value of each measured quantity."""
         none, lie = ("no value", "it lies") if len(problem.unknowns) == 1 else ("no pair of values", "they lie")
-        ends = zip(problem.levels, spans, strict=True)
-        between = listed(f"between {amount(name, low)} and {amount(name, high)}" for name, (low, high) in ends)
+        texts = []
+        for name, (low, high) in zip(problem.levels, spans, strict=True):
+            texts.append(f"between {amount(name, low)} and {amount(name, high)}")
+        between = listed(texts)
         sizes = sizes_in_words(problem.unknowns)
         super().__init__(problem, f"{none} gives {equal(problem.levels)}; {lie} {between} for {sizes}", spans[0])
 
 
 class SeveralSolutions(Unsolved):
-    """Error raised where several values of the unknowns, which are its `values`, give the measured values."""
+    """Error raised if several `values` of the unknowns give the measured values."""
 
     phrase = "several values give it"
 
@@ -84,18 +86,23 @@ class SeveralSolutions(Unsolved):
         self.values = tuple(values)
 
     def explanation(self) -> str:
-        """Return all values, with as many digits as typing them back takes: next to pull-off that is more."""
+        """Return all values, with enough digits to type them again: near pull-off that is many."""
         digits = DIGITS
         while digits < MAX_DIGITS and not all(self.problem.is_met(values, digits) for values in self.values):
             digits += 1
-        form, several = Format(digits=digits), len(self.problem.unknowns) > 1
-        texts = [", ".join(amount(name, value, form) for name, value in values.items()) for values in self.values]
-        told = f"the pairs {listed(f'({text})' for text in texts)}" if several else listed(texts)
-        return f"{told} {'all' if len(texts) > 2 else 'both'} give {equal(self.problem.levels)}"
+        form = Format(digits=digits)
+        texts = []
+        for values in self.values:
+            texts.append(", ".join(amount(name, value, form) for name, value in values.items()))
+        all_of_them = "all" if len(texts) > 2 else "both"
+        if len(self.problem.unknowns) == 1:
+            return f"{listed(texts)} {all_of_them} give {equal(self.problem.levels)}"
+        pairs = listed(f"({text})" for text in texts)
+        return f"the pairs {pairs} {all_of_them} give {equal(self.problem.levels)}"
 
 
 class Unseparated(Unsolved):
-    """Error raised where two quantities do not separate two unknowns."""
+    """Error raised if two quantities do not separate two unknowns."""
 
     phrase = "not separated"
 
@@ -104,7 +111,7 @@ class Unseparated(Unsolved):
 
 
 def inputs_named(words: Sequence[str]) -> list[str]:
-    """Return the inputs that one word or two stand for; raise BadRequest if they cannot be inferred together."""
+    """Return the inputs for one or two words; raise BadRequest if they cannot be inferred together."""
     names = [named(word) for word in words]
     for word, name in zip(words, names, strict=True):
         if name not in SIZES:
@@ -115,17 +122,20 @@ def inputs_named(words: Sequence[str]) -> list[str]:
 
 
 def already_given(name: str) -> BadRequest:
-    """Return the error of a name that is asked for, or was measured, and is stated besides."""
+    """Return the error for a name that is asked for or measured, and also given."""
     return BadRequest(f"{name} is given and asked for; leave one of the two out")
 
 
 def sizes_in_words(unknowns: Iterable[str]) -> str:
-    """Return the values of inputs among which solutions are looked for."""
-    symbols = {name: "|P|" if name == "load" else NOMENCLATURE[name].symbol for name in unknowns}
-    spans = {name: " to ".join(amount(name, size) for size in SIZES[name]) for name in unknowns}
-    return listed(f"{symbols[name]} = {sizes}" for name, sizes in spans.items())
+    """Return the range of values of inputs in which solutions are searched, in words."""
+    texts = []
+    for name in unknowns:
+        symbol = "|P|" if name == "load" else NOMENCLATURE[name].symbol
+        low, high = SIZES[name]
+        texts.append(f"{symbol} = {amount(name, low)} to {amount(name, high)}")
+    return listed(texts)
 
 
 def equal(values: Mapping[str, float], word_of: Callable[[str], str] = str) -> str:
-    """Return what quantities are equal to, in words; `word_of` returns the word of a quantity, by default its name."""
+    """Return equations of quantities and values in words; `word_of` returns the word for a quantity."""
     return listed(f"{word_of(name)} = {amount(name, float(value))}" for name, value in values.items())

@@ -1,4 +1,4 @@
-"""The pictures of answers: the curve of one contact, and a quantity over an input of several."""
+"""Pictures of answers: the force curve of one contact, and a quantity over an input with several values."""
 
 from ..errors import BadRequest
 from ..materials.library import known_materials
@@ -15,7 +15,7 @@ from .request import MAX_CURVES, PlotRequest, check_axes, distinction, picture_o
 
 
 def curve_with_state(frame: Frame) -> Drawn:
-    """Return the force curve of a contact, with a mark at the state in which a frame has it."""
+    """Return the force curve of a contact, with a mark at the state of the frame, if it has one."""
     picture, notes = curves_of_contact([_unloaded(frame)], None, "force")
     state = frame.numbers("approach_at_load", "load") if STATE_OR_LOAD & frame.stated.keys() else {}
     if len(state) == 2:
@@ -33,9 +33,9 @@ def _unloaded(frame: Frame) -> Frame:
 
 
 def lines_over_input(quantity: str, sweep: Sweep) -> Drawn:
-    """Return a quantity over the input that has most values, a line for each combination of the others.
+    """Return a quantity over the input with the most values, with a line for each combination of the others.
 
-    Laws of one contact, where no input has several values, are compared by their curves.
+    Several laws of one contact, when no input has several values, are compared by their force curves.
     """
     values = {name: {spread.low for spread in spreads} for name, spreads in sweep.spreads.items()}
     counts = {name: len(each) for name, each in values.items() if len(each) > 1}
@@ -43,7 +43,7 @@ def lines_over_input(quantity: str, sweep: Sweep) -> Drawn:
         return Drawn(*curves_of_contact([_unloaded(frame) for frame in sweep.frames()], None, "force"))
     if not counts:
         remedy = 'give several values of one, such as radius=["10 nm", "1 um"], or plot one answer'
-        raise BadRequest(f"there is no input to draw over: {remedy}")
+        raise BadRequest(f"no input has several values to draw over: {remedy}")
     name = max(counts, key=counts.__getitem__)
     low, high = min(values[name]), max(values[name])
     x = Axis(name, low, high, is_log=low > 0)
@@ -51,7 +51,9 @@ def lines_over_input(quantity: str, sweep: Sweep) -> Drawn:
     check_axes(quantity, [x], others, tuple(model or DEFAULT_LAW for model in sweep.models))
     rest = Sweep(sweep.pairs, others, sweep.models)
     if len(rest) > MAX_CURVES:
-        raise BadRequest(f"{len(rest)} lines are more than the {MAX_CURVES} that can be told apart")
+        raise BadRequest(f"{len(rest)} lines are more than the {MAX_CURVES} that can be distinguished")
     several = [other for other in counts if other != name]
-    frames = tuple((distinction(frame, several, sweep.models), frame) for frame in rest.frames())
-    return Drawn(*picture_of(PlotRequest(quantity, x, None, frames, (), known_materials())))
+    frames = []
+    for frame in rest.frames():
+        frames.append((distinction(frame, several, sweep.models), frame))
+    return Drawn(*picture_of(PlotRequest(quantity, x, None, tuple(frames), (), known_materials())))

@@ -1,7 +1,7 @@
-"""`jkroll.answer`: what a command says of one scene, and of each combination of lists, shown and drawn."""
+"""`jkroll.answer`: the answer of a command as an object, for one scene or for each combination of lists."""
 
 from collections.abc import ItemsView, Iterable, Iterator, KeysView, Mapping, Sequence
-from functools import cached_property, reduce
+from functools import cached_property
 from importlib import import_module
 from itertools import chain, product
 from math import nan
@@ -48,11 +48,11 @@ if TYPE_CHECKING:
 
 
 class Exceeded:
-    """A limit of the model that does not hold; a text of it is the sentence.
+    """A limit of the model that the answer exceeds; `str` gives its sentence.
 
-    `name` and `value` are of the number that limits the model, `limit` is the first threshold of what is judged (of a
-    law the factor between answers, of radii the smaller), and `factor` how many times that is beyond it; None if it is
-    infinite, or over 0. `ends` has the names of results that have no meaning for it.
+    `name` and `value` belong to the number that limits the model. `limit` is the first threshold: for a law the factor
+    between two answers, for radii the smaller one. `factor` is how many times the threshold is exceeded; None if that
+    is infinite, or if the threshold is 0. `ends` names the results that are meaningless because of it.
     """
 
     def __init__(self, text: str, doubt: "Doubt", ends: tuple[str, ...]) -> None:
@@ -69,16 +69,16 @@ class Exceeded:
 class Answered(Shown):
     """The answer to a question about one scene.
 
-    `values` are the results by name, `inputs` what was understood and assumed, `doubts` the limits of the model that do
-    not hold, `best` the best ranges of the values, `notes` the other sentences. `as_dict()` is the
-    object of `--json`. It iterates over the names of the results, as a dict does.
+    `values` holds the results by name, `inputs` the inputs that were given or assumed, `doubts` the limits of the
+    model that are exceeded, `best` the best ranges of the values, and `notes` the other sentences. `as_dict()` returns
+    the object that `--json` prints. Iteration gives the names of the results, as in a dict.
     """
 
     def __init__(self, answer: Report) -> None:
         self._answer = answer
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle the question and the frame; the rest is computed anew."""
+        """Pickle the question and the frame; all else is computed again."""
         return _answered, (self._answer.question, self._answer.described)
 
     @cached_property
@@ -90,38 +90,38 @@ class Answered(Shown):
 
     @cached_property
     def inputs(self) -> Mapping[str, float | str | Uncertain]:
-        """The inputs that were stated or enter the results, in SI units, with their error bars."""
+        """The inputs that were given or enter the results, in SI units, with their error bars."""
         return self._answer.measures
 
     @cached_property
     def inputs_in_words(self) -> Mapping[str, str]:
-        """The same as texts with units, rounded as on a terminal."""
+        """The inputs as texts with units, rounded as in a terminal."""
         return {name: amount(name, value) for name, value in self.inputs.items()}
 
     @cached_property
     def doubts(self) -> tuple[Exceeded, ...]:
-        """The limits of the model that do not hold, the one that is exceeded most first."""
+        """The limits of the model that are exceeded, the one exceeded most first."""
         answer = self._answer
         return tuple(Exceeded(answer.about(doubt), doubt, answer.ended_by(doubt)) for doubt in answer.exceeded)
 
     @cached_property
     def best(self) -> Mapping[str, Estimate]:
-        """The best ranges of the results, by name: `low`, `high`, of which nan is open, and `by`."""
+        """The best ranges of the results, by name: `low` and `high`, nan where open, and `by`, the rule."""
         return {name: estimate._replace(by=WORDS[estimate.by]) for name, estimate in self._answer.estimates.items()}
 
     @cached_property
     def why(self) -> Mapping[str, str]:
-        """Why results have their best ranges, by the word for the rule: what such a range holds and leaves out."""
+        """The explanations of the best ranges, by the name of the rule: what a range includes and leaves out."""
         return {WORDS[by]: text for by, text in self._answer.whys.items() if text}
 
     @cached_property
     def rows(self) -> Mapping[str, Row]:
-        """The rows of the table on a terminal, by name: each with its best range as text, and what says so."""
+        """The rows of the table in a terminal, by name, each with its best range as text and the rule behind it."""
         return rows_in_words(self._answer, AS_USUAL)
 
     @cached_property
     def notes(self) -> tuple[str, ...]:
-        """The other sentences: what was assumed, what the material's source says, what contradicts a result."""
+        """The other sentences: assumptions, remarks on the material's source, contradictions of a result."""
         return tuple(note.text for note in self._answer.notes)
 
     def as_dict(self) -> dict[str, Any]:
@@ -129,11 +129,11 @@ class Answered(Shown):
         return as_object(self._answer, AS_USUAL)
 
     def to_dict(self) -> dict[str, float | None]:
-        """Return the numbers in SI units by name; None for a result without a value."""
+        """Return the numbers in SI units, by name; None for a result without a value."""
         return {name: result.value for name, result in self.values.items()}
 
     def to_pandas(self) -> Any:
-        """Return a DataFrame with a row for each result: its number in SI units, and its best range."""
+        """Return a DataFrame with a row for each result: its value in SI units and its best range."""
         rows = []
         for name, result in self.values.items():
             low, high, by = self.best.get(name, (nan, nan, None))
@@ -143,13 +143,13 @@ class Answered(Shown):
 
     @property
     def drawn(self) -> "Drawn":
-        """The force over the approach, as `jkroll contact --curve` draws it, with a mark at the state of the answer."""
+        """The force against the approach, as in `jkroll contact --curve`, with a mark at the state of the answer."""
         from .answer_pictures import curve_with_state
 
         return curve_with_state(self._answer.frame)
 
     def plot(self, ax: "Axes | None" = None, style: str = "paper") -> Any:
-        """Draw the contact on axes of matplotlib, or on those of a new figure; return them. Needs the extra `plot`."""
+        """Draw the contact on matplotlib axes, or on those of a new figure; return them. Needs the extra `plot`."""
         return self.drawn.plot(ax, style)
 
     def keys(self) -> KeysView[str]:
@@ -170,7 +170,7 @@ class Answered(Shown):
         return named(str(name), self.values) in self.values
 
     def __getitem__(self, name: str) -> Result:
-        """Return the result of a name, or of a symbol."""
+        """Return the result with a name or symbol."""
         known = named(str(name), self.values)
         if known not in self.values:
             raise BadRequest(f"{quoted(str(name))} is not in this answer, which has {listed(self.values)}")
@@ -194,17 +194,17 @@ def _answered(question: Question, frame: Frame) -> Answered:
 
 
 class Answers(Shown):
-    """The answers to a question about several scenes: all combinations of lists, as a command has them.
+    """The answers to a question about several scenes: all combinations of lists, as a command forms them.
 
-    It iterates over the answers. `answers[0]` is the first one, `answers["P_c"]` an array of values in SI units.
-    `print` shows the table of the command, and so does a notebook.
+    Iteration gives the answers. `answers[0]` is the first one, `answers["P_c"]` an array of values in SI units.
+    `print` shows the same table as the command, and so does a notebook.
     """
 
     def __init__(self, question: Question, sweep: Sweep) -> None:
         self._question, self._sweep = question, sweep
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle the question and the scenes; the rest is computed anew."""
+        """Pickle the question and the scenes; all else is computed again."""
         return Answers, (self._question, self._sweep)
 
     def __len__(self) -> int:
@@ -218,7 +218,7 @@ class Answers(Shown):
     @overload
     def __getitem__(self, item: str) -> "NDArray[float64]": ...
     def __getitem__(self, item: int | str) -> "Answered | NDArray[float64]":
-        """Return an answer by its position, or the values of a quantity in SI units, nan where there is none."""
+        """Return the answer at a position, or the values of a quantity in SI units, nan where there is none."""
         if isinstance(item, str):
             import numpy
 
@@ -250,16 +250,16 @@ class Answers(Shown):
 
     @property
     def drawn(self) -> "Drawn":
-        """The first quantity over the input that has most values, as `jkroll map` draws it; of laws alone, the contact.
+        """The first quantity over the input with the most values, as in `jkroll map`; for laws alone, the contact.
 
-        Raises BadRequest where no input has several values.
+        Raises BadRequest if no input has several values.
         """
         from .answer_pictures import lines_over_input
 
         return lines_over_input(self._question.headline[0], self._sweep)
 
     def plot(self, ax: "Axes | None" = None, style: str = "paper") -> Any:
-        """Draw the answers on axes of matplotlib, or on those of a new figure; return them. Needs the extra `plot`."""
+        """Draw the answers on matplotlib axes, or on those of a new figure; return them. Needs the extra `plot`."""
         return self.drawn.plot(ax, style)
 
     # --- The table ----------------------------------------------------------------------------------------------------
@@ -276,19 +276,25 @@ class Answers(Shown):
 
     @cached_property
     def _tally(self) -> Tally:
-        """The rows, and those of them that have no result, counted."""
-        return reduce(Tally.plus, (Tally.of(columns, symbol_of) for columns in self._blocks), Tally())
+        """The number of rows, and of rows without a result."""
+        tally = Tally()
+        for columns in self._blocks:
+            tally = tally.plus(Tally.of(columns, symbol_of))
+        return tally
 
     @cached_property
     def _groups(self) -> Sequence[tuple[Frame, Sequence[str]]]:
-        """A frame for each group of rows with the same inputs, with the quantities that it shows."""
+        """A frame for each group of rows with the same inputs, and the quantities that the group shows."""
         return [*self._sweep.noted(self._in_table)]
 
     @property
     def _form(self) -> Format:
-        """The format, which knows what inputs were given."""
-        given = [*self._sweep.spreads]
-        return Format(typed=dict.fromkeys([*given, *(CONVERTED[name] for name in given if name in CONVERTED)], ""))
+        """The number format, which depends on the inputs that were given."""
+        typed: dict[str, str] = {}
+        for name in self._sweep.spreads:
+            typed[name] = ""
+            typed.setdefault(CONVERTED.get(name, name), "")
+        return Format(typed=typed)
 
     def __repr__(self) -> str:
         symbols = (NOMENCLATURE[name].symbol for name in self._question.headline)
@@ -341,29 +347,30 @@ def answer(
     profile: str | None = None,
     **given: Any,
 ) -> Any:
-    """Answer a question about one scene, or about each combination of lists, with all that is to be said of numbers.
+    """Answer a question about one scene, or about each combination of lists, with best ranges, doubts and notes.
 
     Parameters
     ----------
     wanted
         A command, such as "pull-off" or "report", or names of quantities, as for `solve`.
     material, material2, materials, model, profile, **given
-        The scene, as `solve` takes it. Lists of materials, laws and values are several scenes: all their combinations,
-        as the command makes them, and not element by element. A table is answered row by row by `jkroll.table`.
+        The scene, as in `solve`. Lists of materials, laws and values stand for several scenes: all their combinations,
+        as in the command, not element by element. `jkroll.table` answers a table row by row.
 
-    A radius of a metre or more that is a number without a unit is warned of: 100 stands for 100 m.
+    A plain number of a metre or more for a radius gives a warning: 100 means 100 m.
 
     Returns
     -------
     For one scene, an object with `values` by name, `inputs`, `doubts`, `notes` and `as_dict()`. For lists, `Answers`:
-    it iterates over such objects, and is shown as a table; `to_pandas()`, `to_dict()`. All numbers are in SI units.
+    iteration gives such objects, and `print` a table; it has `to_pandas()` and `to_dict()`. All numbers are in SI
+    units.
 
     Raises
     ------
     MissingInput, UnknownMaterial, UnknownQuantity, QuantityError
-        An input is wrong, or one is missing without which there is no result.
+        An input is wrong, or a necessary one is missing.
     NoResult
-        There is no contact, or no result at all. A single result without a value has a reason instead.
+        There is no contact, or no result at all. If only some results lack a value, each of these has a reason.
 
     >>> answered = answer("pull-off", material="quartz", radius="100 nm")
     >>> str(answered["pull_off_force"]), answered["P_c"].unit
@@ -393,17 +400,21 @@ def answer(
     laws = [law_given(each, profile) for each in models]
     if len({*laws}) < len(laws):
         raise BadRequest(f"model: {listed(models)} name a law more than once")
-    sweep = Sweep([*product(firsts, seconds)], {name: _spreads(name, each) for name, each in values.items()}, laws)
-    if (count := len(sweep)) > sweep.sizes.most_in_table:
+    spreads = {name: _spreads(name, each) for name, each in values.items()}
+    sweep = Sweep([*product(firsts, seconds)], spreads, laws)
+    count = len(sweep)
+    if count > sweep.sizes.most_in_table:
         raise BadRequest(f"{count} scenes are more than {sweep.sizes.most_in_table}; jkroll.solve takes any number")
     answers = Answers(question, sweep)
-    if answers._tally.failed == count and (failure := answers[0]._answer.failure) is not None:
-        raise failure
+    if answers._tally.failed == count:
+        failure = answers[0]._answer.failure
+        if failure is not None:
+            raise failure
     return answers
 
 
 def _question(wanted: str | Iterable[str]) -> Question:
-    """Return the question of a command, or about quantities."""
+    """Return the question of a command, or a question about quantities."""
     if isinstance(wanted, str) and wanted in QUESTIONS:
         return QUESTIONS[wanted]
     return question_about(",".join(words_in(wanted)))
@@ -427,7 +438,10 @@ def _values(given: Mapping[str, Any]) -> dict[str, list[Any]]:
     values: dict[str, list[Any]] = {}
     for (name, first), (_, *others) in zip(read.items(), items.values(), strict=True):
         values[name] = []
-        for value in (first, *(reader.number(name, other) for other in others)):
+        numbers = [first]
+        for other in others:
+            numbers.append(reader.number(name, other))
+        for value in numbers:
             if getattr(value, "ndim", 0) > 1:
                 raise QuantityError(name, "an array", "has more than one dimension", "give a list of values")
             values[name] += value.tolist() if hasattr(value, "tolist") else [value]
@@ -435,7 +449,7 @@ def _values(given: Mapping[str, Any]) -> dict[str, list[Any]]:
 
 
 def _spreads(name: str, values: Iterable[Any]) -> list[Spread]:
-    """Return the values of an input as a command lists them. Raises QuantityError for one that it cannot have."""
+    """Return the values of an input as spreads. Raises QuantityError for a value outside its range."""
     spreads = []
     for value in values:
         number = middle(value)
@@ -453,8 +467,8 @@ def _listed(name: str, words: Any) -> list[Any]:
 
 
 def _refuse_rows(given: Mapping[str, Any]) -> None:
-    """Raise BadRequest for several columns of a table: their rows belong together, and lists are combined."""
+    """Raise BadRequest for several columns of a table: their rows belong together, but lists are combined."""
     columns = [name for name, value in given.items() if value is not None and axes_of(value)]
     if len(columns) > 1:
-        problem = f"{listed(columns)} are columns, whose rows belong together, and answer combines lists"
+        problem = f"{listed(columns)} are columns, whose rows belong together, but answer combines lists"
         raise BadRequest(f"{problem}: jkroll.table answers a table row by row")

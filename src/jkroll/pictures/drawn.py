@@ -1,4 +1,4 @@
-"""`jkroll.curve`, `jkroll.map` and `jkroll.figure`: pictures of the commands, as arrays and on axes of matplotlib."""
+"""`jkroll.curve`, `jkroll.map` and `jkroll.figure`: the commands' pictures as arrays and on matplotlib axes."""
 
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class Drawn:
-    """A picture: its lines as arrays in SI units, its caption and notes; `plot` draws it, and a notebook shows it."""
+    """A picture: its lines as arrays in SI units, its caption and notes; `plot` draws it, and notebooks show it."""
 
     def __init__(self, picture: Picture, notes: Iterable[str] = ()) -> None:
         self._picture = picture
@@ -33,7 +33,7 @@ class Drawn:
 
     @property
     def lines(self) -> dict[str, tuple[Any, Any]]:
-        """The x and y of each line, by its label and, of several panels, its title; nan stands between its parts."""
+        """The x and y of each line, by label, preceded by the title of one of several panels; nan separates parts."""
         panels, found = self._picture.panels, dict[str, tuple[Any, Any]]()
         for panel in panels:
             for curve in panel.curves:
@@ -49,7 +49,7 @@ class Drawn:
 
     @property
     def field(self) -> tuple[Any, Any, Any] | None:
-        """The x, the y and the values of a map, with a row for each y; None for lines."""
+        """The x, y and values of a map, with a row for each y; None for lines."""
         (panel, *_) = self._picture.panels
         if panel.field is None:
             return None
@@ -58,16 +58,16 @@ class Drawn:
 
     @property
     def points(self) -> dict[str, tuple[float | None, float | None]]:
-        """The x and y of what is marked; one is None for a mark on an axis."""
+        """The x and y of each mark; one is None for a mark on an axis."""
         return {plain(mark.text): (mark.x, mark.y) for panel in self._picture.panels for mark in panel.marks}
 
     @property
     def caption(self) -> str:
-        """The caption, with the limits of the model that do not hold."""
+        """The caption, followed by the limits of the model that are exceeded."""
         return plain(" ".join([*self._picture.caption, *self._picture.doubts, *self._picture.remarks]))
 
     def plot(self, ax: "Axes | Sequence[Axes] | None" = None, style: str = "paper") -> Any:
-        """Draw on axes of matplotlib, one for each panel, or on those of a new figure; return them.
+        """Draw on matplotlib axes, one for each panel, or on those of a new figure; return them.
 
         `style`: "paper" or "dark".
         """
@@ -87,7 +87,7 @@ class Drawn:
         return ax
 
     def figure(self, style: str = "paper", *, caption: bool = False) -> "Figure":
-        """Return the page that the command draws, as a figure of matplotlib: figure.savefig("a.pdf")."""
+        """Return the page that the command draws, as a matplotlib figure: figure.savefig("a.pdf")."""
         _check(style)
         with missing_extra("plot"):
             from .page import figure_of, settings
@@ -95,11 +95,11 @@ class Drawn:
             return figure_of(self._picture, None, STYLES[style], has_caption=caption)
 
     def _repr_png_(self) -> tuple[bytes, dict[str, int]]:
-        """Return what a notebook shows, at half of its pixels, so that letters have the size of those around it."""
+        """Return the PNG for notebooks, shown at half its pixels, so that letters have the size of the text around."""
         with missing_extra("plot"):
             from .page import draw
         content = draw(self._picture, "png", None, "paper", has_caption=True)
-        return content, {"width": int.from_bytes(content[16:20]) // 2}  # where PNG has its width
+        return content, {"width": int.from_bytes(content[16:20]) // 2}  # bytes 16 to 19 of a PNG are its width
 
     def __repr__(self) -> str:
         return f"<Drawn: {listed([*self.lines] or [plain(self._picture.title)])}>"
@@ -126,13 +126,13 @@ def curve(
     Parameters
     ----------
     material, material2, materials, profile, **given
-        The contact, as `solve` takes it, but for arrays and lists.
+        The contact, as in `solve`, but without arrays or lists.
     model
-        The law, or several to compare.
+        The law, or several laws to compare.
     load
-        The loads between which the curve is wanted, as "-5nN:20nN" or a pair of numbers in N.
+        The loads at the ends of the curve, as "-5nN:20nN" or a pair of numbers in N.
     panel
-        "force" over approach, "pressure", or "moment"; None for all of them.
+        "force" against approach, "pressure", or "moment"; None for all three.
 
     Returns
     -------
@@ -141,7 +141,7 @@ def curve(
     Raises
     ------
     BadRequest, MissingInput, QuantityError, UnknownMaterial
-        An argument is wrong, or one is missing.
+        An argument is wrong or missing.
 
     >>> drawn = curve(material="quartz", radius="100 nm")
     >>> approach, force = drawn.lines["stable"]
@@ -175,18 +175,18 @@ def map(
     marks: Sequence[str] = (),
     **given: Any,
 ) -> Drawn:
-    """Return a quantity over one input as a line, or over two as a map, as `jkroll map` draws it.
+    """Return a quantity over one input as a line, or over two inputs as a map, as `jkroll map` draws it.
 
     Parameters
     ----------
     quantity
-        A name or a symbol, or a command that is named after it.
+        A name or symbol, or the command named after the quantity.
     x, y
-        An input and its range, as "radius=1nm:1mm"; ":lin" behind it for equal steps, ":50" for a number of values.
+        An input and its range, as "radius=1nm:1mm"; append ":lin" for equal steps, ":50" for the number of values.
     material, material2, materials, model, profile, **given
-        What is the same everywhere, as `solve` takes it, but for arrays and lists.
+        What stays the same everywhere, as in `solve`, but without arrays or lists.
     marks
-        Grains on it, as "quartz@100nm".
+        Grains to mark, as "quartz@100nm".
 
     Returns
     -------
@@ -195,7 +195,7 @@ def map(
     Raises
     ------
     BadRequest, MissingInput, NoResult, QuantityError, UnknownMaterial, UnknownQuantity
-        An argument is wrong, one is missing, or there is no value anywhere.
+        An argument is wrong or missing, or there is no value anywhere.
 
     >>> radii, energies, forces = map("P_c", x="radius=10nm:1um:3", y="gamma=10mJ/m2:1J/m2:2").field
     >>> forces.shape, f"{forces[0, 0]:.4g} N"
@@ -220,11 +220,11 @@ def figure(
     name
         "2", "3a" to "3d", "6a", "6b", "8", "9", or "laws".
     marks
-        Grains on it, as "quartz@100nm".
+        Grains to mark, as "quartz@100nm".
     materials
-        Where materials are looked up.
+        The library in which materials are looked up.
     as_printed
-        Whether the paper's curves are drawn, too, where they differ.
+        Draw the paper's curves, too, where they differ.
 
     Returns
     -------
@@ -233,7 +233,7 @@ def figure(
     Raises
     ------
     BadRequest, UnknownMaterial
-        There is no such figure, or it takes no such argument.
+        There is no such figure, or the figure does not take this argument.
 
     >>> figure("laws").lines["JKR"][1].tolist()
     [1.5, 1.5]

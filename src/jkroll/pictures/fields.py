@@ -1,7 +1,7 @@
-"""Draw the field of a quantity over two inputs: bands, contours, the limits of the model, and where no value is.
+"""Draw the field of a quantity over two inputs: bands, contours, the limits of the model, and the part without values.
 
-All lines are found on a fine mesh, in steps of it, along which the axes of the picture are straight; the edge of the
-part without a value is found by bisection between the points of the mesh.
+All lines are found on a fine mesh, in units of its steps, in which both axes of the picture are linear. The edge of the
+part without values is found by bisection between the points of the mesh.
 """
 
 from collections.abc import Callable, Sequence
@@ -27,29 +27,29 @@ from .labels import Bound, Labels
 from .picture import Axis, Panel, Style, evaluate, over
 from .ranges import band_of
 
-FINE = 401  # points a side of a field, between which its lines are straight
+FINE = 401  # points along each side of a field
 _THIN, _THICK = 0.7, 1.1  # contours, in points
-_TOLERANCE = 0.005  # by which a line may be off, in steps of the mesh
-_HALVINGS = 24  # that find the edge of the part without a value
-_BOUNDS = ((0, (4, 2)), (0, (7, 2, 1.5, 2)), (0, (10, 3)), (0, (5, 1.5, 1, 1.5, 1, 1.5)))  # dashes of lines with names
+_TOLERANCE = 0.005  # largest error of a line, in steps of the mesh
+_HALVINGS = 24  # bisections that find the edge of the part without values
+_BOUNDS = ((0, (4, 2)), (0, (7, 2, 1.5, 2)), (0, (10, 3)), (0, (5, 1.5, 1, 1.5, 1, 1.5)))  # dashes of named lines
 _PALE = 0.55  # share of paper in a band of best ranges
-_CERTAIN, _UNCERTAIN = 201, 41  # points a side at which best ranges are found, without error bars of inputs and with
-_OVERLAP = 0.02  # part of the picture in which bands may lie over each other
-_FARTHEST = 20.0  # from the edge of a band
+_CERTAIN, _UNCERTAIN = 201, 41  # points along each side for best ranges, if inputs have no error bars or some
+_OVERLAP = 0.02  # largest part of the picture in which bands may overlap
+_FARTHEST = 20.0  # distance from the edge of a band
 
 
 # --- Lines on a mesh --------------------------------------------------------------------------------------------------
 
 
 class Mesh:
-    """Points over both axes of a picture, and lines through a field on them."""
+    """A mesh of points over both axes of a picture, and lines through a field on it."""
 
     def __init__(self, x: Axis, y: Axis, size: int = FINE) -> None:
         self.x, self.y = (axis._replace(size=size) for axis in (x, y))
         self.axes = (self.x, self.y)
 
     def points(self, steps: Any) -> Any:
-        """Return points of the picture by their positions in steps."""
+        """Return points of the picture, given their positions in steps."""
         every = []
         for axis, position in zip(self.axes, numpy.asarray(steps).T, strict=True):
             share = position / (axis.size - 1)
@@ -58,7 +58,7 @@ class Mesh:
         return numpy.stack(every, axis=1)
 
     def steps(self, points: Any) -> Any:
-        """Return the positions of points of the picture in steps: the inverse of `points`."""
+        """Return the positions of points of the picture in steps; the inverse of `points`."""
         every = []
         for axis, value in zip(self.axes, numpy.asarray(points).T, strict=True):
             scale = numpy.log if axis.is_log else numpy.asarray
@@ -66,7 +66,7 @@ class Mesh:
         return numpy.stack(every, axis=1)
 
     def lines(self, values: Any, level: float) -> list[Any]:
-        """Return the lines, in points of the picture, along which values on the mesh are at a level."""
+        """Return the contour lines of values on the mesh at a level, in points of the picture."""
         return [self.points(simplified(line)) for line in _lines(values, level)]
 
     def area(self, values: Any, low: float, high: float) -> Path:
@@ -74,9 +74,11 @@ class Mesh:
         return self.path(_rings(values, low, high))
 
     def path(self, rings: Sequence[Any]) -> Path:
-        """Return the area within closed lines in steps of the mesh."""
+        """Return the area within closed lines that are given in steps of the mesh."""
         simple = [self.points(simplified(ring)) for ring in rings]
-        codes = [[Path.MOVETO, *[Path.LINETO] * (len(ring) - 2), Path.CLOSEPOLY] for ring in simple]
+        codes = []
+        for ring in simple:
+            codes.append([Path.MOVETO, *[Path.LINETO] * (len(ring) - 2), Path.CLOSEPOLY])
         if not simple:
             return Path(numpy.empty((0, 2)))
         return Path(numpy.concatenate(simple), numpy.concatenate(codes))
@@ -89,11 +91,14 @@ def _lines(values: Any, level: float) -> Any:
 def _rings(values: Any, low: float, high: float) -> list[Any]:
     generator: Any = contour_generator(z=numpy.ma.masked_invalid(values), fill_type="OuterOffset")
     areas, offsets = generator.filled(low, high)
-    return [area[first:last] for area, ends in zip(areas, offsets, strict=True) for first, last in pairwise(ends)]
+    rings = []
+    for area, ends in zip(areas, offsets, strict=True):
+        rings += [area[first:last] for first, last in pairwise(ends)]
+    return rings
 
 
 def simplified(points: Any) -> Any:
-    """Return the fewest of the points of a line from which no other one is farther than the tolerance."""
+    """Return as few points of a line as possible, such that no other point is farther from it than the tolerance."""
     kept = numpy.zeros(len(points), dtype=bool)
     kept[[0, -1]] = True
     spans = [(0, len(points) - 1)]
@@ -113,9 +118,9 @@ def simplified(points: Any) -> Any:
 
 
 def one_further(values: Any) -> Any:
-    """Return values with the means of their neighbours at those points without a value that have some.
+    """Return values in which each missing one next to known ones is the mean of its known neighbours.
 
-    Lines then reach beyond the edge of the part with values, where they are cut.
+    Lines then extend beyond the edge of the part with values, where they are cut off.
     """
     known = numpy.isfinite(values)
     total, count = numpy.zeros(values.shape), numpy.zeros(values.shape)
@@ -129,11 +134,11 @@ def one_further(values: Any) -> Any:
 
 
 def finer(values: Any) -> Any:
-    """Return values on the fine mesh by those on a coarser one, linearly between its points."""
+    """Return values on the fine mesh, interpolated linearly from a coarser one."""
     for _ in range(2):
-        places = numpy.linspace(0, len(values) - 1, FINE)
-        before = numpy.floor(places).astype(int).clip(0, len(values) - 2)
-        share = (places - before)[:, None]
+        positions = numpy.linspace(0, len(values) - 1, FINE)
+        before = numpy.floor(positions).astype(int).clip(0, len(values) - 2)
+        share = (positions - before)[:, None]
         values = ((1 - share) * values[before] + share * values[before + 1]).T
     return values
 
@@ -154,7 +159,7 @@ class Edge:
         return self.mesh.path([*map(self._refined, _rings((~self.known).astype(float), 0.5, 2.0))])
 
     def _refined(self, line: Any) -> Any:
-        """Return a line whose points, each half-way between two points of the mesh, are moved to the edge."""
+        """Return a line with its points moved to the edge; each began half-way between two points of the mesh."""
         low, high = numpy.floor(line), numpy.ceil(line)
         is_known = self.known[low[:, 1].astype(int), low[:, 0].astype(int)]
         for _ in range(_HALVINGS):
@@ -173,15 +178,15 @@ class Edge:
 
 
 class Drawn(NamedTuple):
-    """What is left to draw: the keys of a legend, and the texts inside the axes."""
+    """The rest of a drawing: the keys of its legend, and the texts inside the axes."""
 
     keys: list[Any]
     label: Callable[[Labels], None]
-    ground: Callable[[Any], str]  # the colour at a place in pixels
+    ground: Callable[[Any], str]  # colour of the picture at a position in pixels
 
 
 def draw_field(axes: Any, panel: Panel, levels: Sequence[float], style: Style, letters: int) -> Drawn:
-    """Draw all of a field but the texts inside. `levels`: of its contours; `letters`: of a line of the legend."""
+    """Draw a field without the texts inside. `levels`: of its contours; `letters`: that fit a line of the legend."""
     drawing = _Drawing(axes, panel, levels, style, letters)
     drawing.draw_regions()
     drawing.draw_contours()
@@ -190,7 +195,7 @@ def draw_field(axes: Any, panel: Panel, levels: Sequence[float], style: Style, l
 
 
 class _Drawing:
-    """A field on axes, with the keys of a legend and the bounds of regions so far."""
+    """A field on axes, with the legend's keys and the bounds of regions so far."""
 
     def __init__(self, axes: Any, panel: Panel, levels: Sequence[float], style: Style, letters: int) -> None:
         """Fill the axes with the bands of the field."""
@@ -204,7 +209,7 @@ class _Drawing:
         self.keys: list[Any] = []
         self.bounds: list[Bound] = []
         self.contours: list[list[Any]] = []
-        axes.set_axisbelow(False)  # ticks are seen where no value is
+        axes.set_axisbelow(False)  # ticks stay visible where there is no value
         shares = numpy.linspace(0, 1, len(self.heights) + 1)
         self.colours = [to_hex(colour) for colour in LinearSegmentedColormap.from_list("", style.bands)(shares)]
         ends = [numpy.nanmin(self.around) - 1, *self.heights, numpy.nanmax(self.around) + 1]
@@ -212,7 +217,7 @@ class _Drawing:
             self._fill(self.mesh.area(self.around, low, high), facecolor=colour, zorder=1)
 
     def draw_regions(self) -> None:
-        """Draw where limits of the model are exceeded: hatched, or beyond a line with a name."""
+        """Draw the regions beyond limits of the model: hatched, or bounded by a line with a name."""
         here, dashes = over(self.field.frame, self.mesh.x, self.mesh.y), cycle(_BOUNDS)
         for region in self.field.regions:
             excess = numpy.where(self.known, region.excess(here), numpy.nan)
@@ -232,7 +237,7 @@ class _Drawing:
                 self.bounds.append(Bound(region.name, paths, partial(self._at, inside)))
 
     def draw_contours(self) -> None:
-        """Draw the contours, those of the quantity as it was printed, and the bands of best ranges."""
+        """Draw the contours, also those of the quantity as printed, and the bands of best ranges."""
         self.contours = [self.mesh.lines(self.around, height) for height in self.heights]
         step = self._draw_bands() if self.field.has_best and self.levels else 0
         for position, paths in enumerate(self.contours):
@@ -246,9 +251,9 @@ class _Drawing:
             self.keys.append(Line2D([], [], color=self.style.ink, label="as printed", **look))
 
     def _draw_bands(self) -> int:
-        """Draw bands in which the best range has the value of a contour, for as many contours as have room.
+        """Draw bands in which the best range includes the value of a contour, for as many contours as there is room.
 
-        Return of which contours, every so many; 0 if there are no best ranges.
+        Return n if each n-th contour has a band; 0 if there are no best ranges.
         """
         size = _UNCERTAIN if self.field.frame.uncertainties else _CERTAIN
         coarse = Mesh(self.panel.x, self.panel.y, size)
@@ -273,7 +278,7 @@ class _Drawing:
         return step
 
     def draw_edge(self) -> None:
-        """Clear the part without a value, and draw its edge."""
+        """Clear the part without values, and draw its edge."""
         if self.known.all():
             return
         edge = Edge(self.mesh, self.field.frame, self.field.quantity, self.known)
@@ -291,14 +296,14 @@ class _Drawing:
         labels.of_bounds(self.bounds)
 
     def ground(self, pixels: Any) -> str:
-        """Return the colour at a place."""
+        """Return the colour at a position in pixels."""
         (value,) = self._at(self.values, [pixels])
         if not numpy.isfinite(value):
             return self.style.paper
         return self.colours[int(numpy.searchsorted(self.heights, value))]
 
     def _at(self, values: Any, pixels: Any) -> Any:
-        """Return values on the mesh at the points nearest to places in pixels."""
+        """Return values on the mesh at the points nearest to positions in pixels."""
         steps = self.mesh.steps(self.axes.transData.inverted().transform(pixels))
         columns, rows = numpy.rint(steps).astype(int).clip(0, FINE - 1).T
         return values[rows, columns]
@@ -321,5 +326,5 @@ class _Drawing:
 
 
 def _overlap(inside: Any) -> float:
-    """Return the share of points that are inside of several bands."""
+    """Return the share of points that lie inside several bands."""
     return float(((inside > 0).sum(axis=0) > 1).mean())

@@ -1,7 +1,7 @@
-"""Pictures whose content is set: the curves of a contact, and the figures of the paper.
+"""Pictures with fixed content: the curves of a contact, and the figures of the paper.
 
-Those of the paper are its maps, and the shifted contact of Figs. 2 and 9; its other figures carry no data. One more has
-the pull-off force by each law.
+The paper's figures with data are its maps, and the shifted contact of Figs. 2 and 9; the others have none. One more
+figure shows the pull-off force by each law.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -35,7 +35,7 @@ from .request import DRAWN_LIMITS, PlotRequest, fixed_inputs, inputs_as_texts, m
 POINTS = 401
 AREA_AND_PRESSURES = ("contact_radius_at_load", "hertz_pressure", "boussinesq_pressure")
 _FORCE = ("approach_at_load", "load")
-# The models of the moment without load, in as few words as a legend below a panel has room for.
+# The models of the moment without load, short enough for a legend below a panel.
 _OF_MOMENTS = {
     "yield_moment": "exact",
     "half_circles_moment": "two half-circles",
@@ -46,9 +46,9 @@ _BRANCHES = ("stable", "fixed grips", "unstable", "without contact")  # of force
 
 
 def _force(frames: Sequence[Frame], loads: Loads | None) -> Panel:
-    """Return force against approach up to one load, with the loads that were given as the ends of its axis.
+    """Return the panel of force against approach up to a load; loads that were given are the ends of its axis.
 
-    The branches of one law have a colour each, as have several laws.
+    For one law, each branch has its own colour; for several, each law.
     """
     most = max(0.0, loads.high) if loads else MAX_LOAD * max(frame["pull_off_force"] for frame in frames)
     is_one = len(frames) == 1
@@ -63,7 +63,8 @@ def _force(frames: Sequence[Frame], loads: Loads | None) -> Panel:
                 points.append(Mark(_NO_LOAD if name == EQUILIBRIUM else name, x, y))
     if loads is not None:
         least = min(float(curve.y.min()) for curve in curves)
-        curves = [curve for curve in (clipped(curve, *loads) for curve in curves) if curve.y.size > 1]
+        inside = [clipped(curve, *loads) for curve in curves]
+        curves = [curve for curve in inside if curve.y.size > 1]
         points = [point for point in points if point.y is not None and loads.low <= point.y <= loads.high]
         if not curves:
             raise Failure(BEYOND_PULL_OFF, numbers=(loads.high, least))
@@ -75,29 +76,29 @@ def _force(frames: Sequence[Frame], loads: Loads | None) -> Panel:
 
 
 def _branches(frame: Frame, most: float) -> Iterator[tuple[str, Any, Any]]:
-    """Iterate over the branches of a force curve up to a load and its named states: name, approaches, loads.
+    """Iterate over the branches and named states of a force curve up to a load, as name, approaches and loads.
 
     A branch begins at the state before it.
     """
     path = states(frame, Loads(-inf, most), POINTS)
-    groups = [
-        values_of(frame.replace(**{given: numpy.array([state.value for state in group])}), _FORCE)
-        for given, group in groupby(path, key=lambda state: state.given)
-    ]
+    groups = []
+    for given, group in groupby(path, key=lambda state: state.given):
+        at_states = numpy.array([state.value for state in group])
+        groups.append(values_of(frame.replace(**{given: at_states}), _FORCE))
     x, y = (numpy.concatenate([group[name] for group in groups]) for name in _FORCE)
     starts: dict[str, int] = {}
-    for place, name in enumerate(state.name for state in path):
-        if name in NAMED:
-            yield name, float(x[place]), float(y[place])
+    for position, state in enumerate(path):
+        if state.name in NAMED:
+            yield state.name, float(x[position]), float(y[position])
         else:
-            starts.setdefault(name, max(place - 1, 0))
+            starts.setdefault(state.name, max(position - 1, 0))
     ends = [*[*starts.values()][1:], len(path) - 1]
     for (name, start), end in reversed([*zip(starts.items(), ends, strict=True)]):
         yield name, x[start : end + 1], y[start : end + 1]
 
 
 def _pressure(frames: Sequence[Frame], _: Loads | None) -> Panel:
-    """Return the pressure across the contact, which JKR alone has, without load and at pull-off."""
+    """Return the panel of pressure across the contact, without load and at pull-off. Only JKR has it."""
     (frame,) = frames
     curves = []
     for text, name, branch in ((_NO_LOAD, EQUILIBRIUM, "stable"), (PULL_OFF, PULL_OFF, "fixed grips")):
@@ -108,7 +109,7 @@ def _pressure(frames: Sequence[Frame], _: Loads | None) -> Panel:
 
 
 def _moment(frames: Sequence[Frame], _: Loads | None) -> Panel:
-    """Return the moment without load against ξ, up to the ξ at which JKR's leading edge would interpenetrate."""
+    """Return the panel of moment without load against ξ, up to where JKR's leading edge would interpenetrate."""
     limit = frames[0].replace(model=DEFAULT_LAW)["displacement_limit"]
     points: list[Mark] = []
     if len(frames) == 1:
@@ -121,11 +122,11 @@ def _moment(frames: Sequence[Frame], _: Loads | None) -> Panel:
     else:
         lines = [(frame.law.title, frame, "yield_moment") for frame in frames]
     shifts = numpy.linspace(0, limit, POINTS)
-    first = 3 if len(frames) == 1 else 0  # a colour that no branch of the force curve beside it has
-    curves = [
-        Curve(text, shifts[1:], values_of(frame.replace(yield_displacement=shifts[1:]), [name])[name], number)
-        for number, (text, frame, name) in enumerate(lines, first)
-    ]
+    first = 3 if len(frames) == 1 else 0  # a colour that no branch in the panel of the force has
+    curves = []
+    for number, (text, frame, name) in enumerate(lines, first):
+        moments = values_of(frame.replace(yield_displacement=shifts[1:]), [name])[name]
+        curves.append(Curve(text, shifts[1:], moments, number))
     x = Axis("yield_displacement", 0.0, limit, is_log=False)
     y = axis_around("yield_moment", [shifts[:1], *(curve.y for curve in curves)], margin=0.0)
     title = f"moment up to ⟦ξ_max⟧ = {amount('yield_displacement', limit, Format(digits=3))}"
@@ -133,12 +134,12 @@ def _moment(frames: Sequence[Frame], _: Loads | None) -> Panel:
 
 
 def _of_law(frames: Sequence[Frame]) -> str:
-    """Return the end of the title of a panel of one law that was chosen."""
+    """Return the end of a panel's title that names the law, if a single one was chosen."""
     return f", {frames[0].law.title}" if len(frames) == 1 and frames[0].stated_model is not None else ""
 
 
 def _lacking(frame: Frame, *names: str) -> NotInLaw | None:
-    """Return the error about quantities that the law of a frame does not have; None if it has them."""
+    """Return the error about quantities that the frame's law lacks; None if it has them all."""
     try:
         frame.plans(*names)
     except NotInLaw as error:
@@ -150,12 +151,13 @@ class ContactPanel(NamedTuple):
     """A panel of a contact: the function that draws it, and the quantities in it."""
 
     draw: Callable[[Sequence[Frame], Loads | None], Panel]
-    needed: tuple[str, ...]  # of each law
-    further: tuple[str, ...] = ()  # of a single law, as far as it has them
+    needed: tuple[str, ...]  # by each law
+    further: tuple[str, ...] = ()  # for a single law, if it has them
 
     def missing(self, frames: Sequence[Frame]) -> list[NotInLaw]:
-        """Return the errors of those frames whose laws lack what the panel needs."""
-        return [error for frame in frames if (error := _lacking(frame, *self.needed))]
+        """Return the errors for frames whose laws lack a quantity of the panel."""
+        errors = (_lacking(frame, *self.needed) for frame in frames)
+        return [error for error in errors if error is not None]
 
 
 PANELS: Mapping[str, ContactPanel] = {
@@ -168,18 +170,24 @@ PANELS: Mapping[str, ContactPanel] = {
 def curves_of_contact(
     frames: Sequence[Frame], loads: Loads | None, panel: str | None
 ) -> tuple[Picture, tuple[str, ...]]:
-    """Return the panels of a contact that all its laws have, or one of them, and notes.
+    """Return a picture with one panel, or all those that the laws of the frames have, and its notes.
 
-    First on laws that lack a panel; then best ranges and what is in doubt, unless several laws can be compared.
+    The notes name the laws that lack a panel; for one law, they also give best ranges and doubts.
     """
     is_one = len(frames) == 1
     asked = [PANELS[panel]] if panel is not None else [*PANELS.values()]
-    missing = [error for panel in asked for error in panel.missing(frames)]
-    drawn = [panel for panel in asked if not panel.missing(frames)]
+    missing: list[NotInLaw] = []
+    for each in asked:
+        missing += each.missing(frames)
+    drawn = [each for each in asked if not each.missing(frames)]
     if not drawn:
         raise missing[0]
-    panels = tuple(panel.draw(frames, loads) for panel in drawn)
-    names = [name for panel in drawn for name in (*panel.needed, *(panel.further if is_one else ()))]
+    panels = tuple(each.draw(frames, loads) for each in drawn)
+    names: list[str] = []
+    for each in drawn:
+        names += each.needed
+        if is_one:
+            names += each.further
     varied = ("load",) if is_one else ("load", "yield_displacement")
     fixed: dict[str, None] = {}
     notes = dict.fromkeys(f"no curve: {error}" for error in missing)
@@ -197,13 +205,13 @@ def curves_of_contact(
 
 
 def across(first: float, last: float) -> Any:
-    """Return positions between two ends, closer to each other near the ends, where the pressure is steep."""
+    """Return positions between two ends, denser near the ends, where the pressure is steep."""
     shares = (1 - numpy.cos(numpy.linspace(0, numpy.pi, POINTS)[1:-1])) / 2
     return first + (last - first) * shares
 
 
 def pressure_panel(curves: Sequence[Curve], highest: float, title: str) -> Panel:
-    """Return a panel of pressures, which diverge at a rim: its axis ends at 2.5 times the highest one of Hertz."""
+    """Return a panel of pressures; as these diverge at a rim, its axis ends at 2.5 times the highest Hertz pressure."""
     x = axis_around("position_across", [curve.x for curve in curves])
     return Panel(x, Axis("pressure_across", -2.5 * highest, 1.5 * highest, is_log=False), tuple(curves), (), title)
 
@@ -218,13 +226,13 @@ _LIGHT = {**_SOFT, "density": 2000.0}
 
 
 class PaperMap(NamedTuple):
-    """A map of the paper over R1: its quantity, what the paper's text reads off it, its other axis, what it assumes."""
+    """A map of the paper over R1: its quantity, the remark below it, its other axis, and its fixed inputs."""
 
     quantity: str
     remark: str
     x: Axis = _ENERGIES
     given: Mapping[str, float] = _SOFT
-    printed: str = ""  # the same quantity as the paper prints it
+    printed: str = ""  # the quantity as the paper prints it, if that differs
 
 
 PAPER_MAPS: Mapping[str, PaperMap] = {
@@ -275,26 +283,27 @@ PAPER_MAPS: Mapping[str, PaperMap] = {
 def paper_map(
     name: str, materials: Materials, marks: Sequence[str] = (), *, as_printed: bool = False, is_plain: bool = False
 ) -> Picture:
-    """Return a map of the paper with marked grains. `is_plain`: without the limits of the model."""
+    """Return a map of the paper with marked grains. `is_plain`: leave out the limits of the model."""
     declared = PAPER_MAPS[name]
     frames, printed = (("", Frame(declared.given)),), declared.printed if as_printed else ""
     limits = () if is_plain else DRAWN_LIMITS
     drawn, _ = picture_of(
         PlotRequest(declared.quantity, declared.x, RADII, frames, marks, materials, limits, printed, has_best=False)
     )
-    dashed = (f"Dashed in files: Eq ({NOMENCLATURE[printed].equation}), each below its contour.",) if printed else ()
-    _, unit = field.in_words([]) if (field := drawn.panels[0].field) is not None else ([], "")
+    field = drawn.panels[0].field
+    unit = field.in_words([])[1] if field is not None else ""
     title, remarks = f"Fig. {name}: {symbol(declared.quantity)}{bracketed(unit)}", (*drawn.remarks, declared.remark)
+    dashed = (f"Dashed in files: Eq ({NOMENCLATURE[printed].equation}), each below its contour.",) if printed else ()
     return Picture(title, drawn.panels, (*drawn.caption, *dashed), drawn.doubts, remarks)
 
 
 # --- Figs. 2 and 9: the shifted contact in three and two dimensions ---------------------------------------------------
 
-SPHERES = {"radius": 2e-8}  # of the spheres of Fig. 2, small enough that ξ is visible
+SPHERES = {"radius": 2e-8}  # in Fig. 2; small enough that ξ is visible
 
 
 def figure_2(materials: Materials) -> Picture:
-    """Return Fig. 2: the shifted contact from above with its half-circles, and its pressure, exact and simplified."""
+    """Return Fig. 2: the shifted contact from above with its half-circles, and its exact and simplified pressure."""
     frame = Frame(SPHERES, materials["quartz"])
     moduli = ("contact_modulus", "reduced_radius")
     state = values_of(frame, (*AREA_AND_PRESSURES, *moduli, "approach_at_load", "yield_moment", "half_circles_moment"))
@@ -339,9 +348,9 @@ def figure_2(materials: Materials) -> Picture:
 
 
 def _halves(word: str, a: float, shift: float, pressure_of: Callable[[Any, float], Any]) -> Iterator[Curve]:
-    """Iterate over the pressures behind the contact point and ahead of it, each that of half a symmetric contact.
+    """Iterate over the pressures behind and ahead of the contact point, each half of a symmetric contact's pressure.
 
-    `pressure_of` returns it for positions and the size of a half.
+    `pressure_of` returns the pressure at positions, given the size of the symmetric contact.
     """
     for sign, size, x in (("+", a + shift, across(-a - shift, 0.0)), ("−", a - shift, across(0.0, a - shift))):
         yield Curve(f"{word} ⟦a {sign} ξ⟧", x, pressure_of(x, size), 1 if sign == "+" else 2)
@@ -386,12 +395,12 @@ def figure_9(materials: Materials) -> Picture:
 
 _TABOR = Axis("tabor_parameter", 1e-2, 1e2, size=POINTS)
 _RATIO = Axis("pull_off_force_ratio", 1.45, 2.05, is_log=False)
-_LENNARD_JONES = Axis("tabor_parameter", 0.01, 2.0, size=POINTS)  # the range of its fit
-_UNIT = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0}  # in which forces are those over πwR
+_LENNARD_JONES = Axis("tabor_parameter", 0.01, 2.0, size=POINTS)  # range of the fit
+_UNIT = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0}  # forces are then relative to πwR
 
 
 def figure_laws(materials: Materials, marks: Sequence[str]) -> Picture:
-    """Return the pull-off force over πwR against μ by JKR, DMT, Maugis and Lennard-Jones, with grains as marks."""
+    """Return the pull-off force over πwR against μ by JKR, DMT, Maugis and Lennard-Jones, with marked grains."""
     tabor, near = _TABOR.values(), _LENNARD_JONES.values()
     transition = {"transition_parameter": transition_parameter(tabor_parameter=tabor)}
     ratio = edge_ratio_at_pull_off(**transition)

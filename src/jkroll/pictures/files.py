@@ -1,4 +1,4 @@
-"""Write pages into files: what they say of themselves, and SVG whose text is text, with the letters of its font."""
+"""Write pages into files with their metadata; SVG files keep text as text and embed the letters of its font."""
 
 import re
 from base64 import b64encode
@@ -15,7 +15,7 @@ from .. import __version__
 from ..text import NO_BREAK_SPACE
 
 FONT = "STIXGeneral"
-_OTHERS = "'STIX Two Text', 'Times New Roman', Times, serif"  # where a program takes no font from the file
+_OTHERS = "'STIX Two Text', 'Times New Roman', Times, serif"  # for programs that ignore the embedded font
 _PROGRAM = f"jkroll {__version__}"
 _TEXT = re.compile(r"<text>\s*((?:<tspan [^>]*>[^<]*</tspan>\s*)+)</text>")
 _SPAN = re.compile(r'<tspan x="([^"]*)" y="([^"]*)" style="([^"]*)">([^<]*)</tspan>')
@@ -24,19 +24,19 @@ _FAMILY = re.compile(rf" ?font-family: '{FONT}'")
 _DOTS = re.compile(
     r'(<pattern [^>]*width=")72(" height=")72(">\s*<rect [^>]*/>\s*<path d=")([^"]*C[^"]*)(")', re.DOTALL
 )
-_JOINED = 0.02  # of the size of letters, by which those of a word may be apart
-_TILE = 6  # points after which the dots of a hatch repeat
+_JOINED = 0.02  # largest gap within a word, over the size of its letters
+_TILE = 6  # period of the dots of a hatch, in points
 
 
 class About(NamedTuple):
-    """What a file says of itself."""
+    """The metadata of a file."""
 
     title: str
     description: str
-    command: str  # that drew it; empty for one of Python
+    command: str  # that drew it; empty if Python code did
 
     def fields(self, file_format: str) -> dict[str, Any]:
-        """Return the fields of a format. There is no date, so that the same picture gives the same bytes."""
+        """Return the metadata fields of a format, without a date: the same picture gives the same bytes."""
         made_by = ", ".join(filter(None, (_PROGRAM, self.command)))
         if file_format == "svg":
             return {"Title": self.title, "Description": self.description, "Source": made_by, "Creator": _PROGRAM,
@@ -48,7 +48,7 @@ class About(NamedTuple):
 
 
 def content_of(figure: Any, file_format: str, about: About, **layout: Any) -> bytes:
-    """Return a figure of matplotlib as the content of an SVG, PDF or PNG file."""
+    """Return a matplotlib figure as the content of an SVG, PDF or PNG file."""
     buffer = BytesIO()
     figure.savefig(buffer, format=file_format, metadata=about.fields(file_format), **layout)
     if file_format != "svg":
@@ -57,7 +57,7 @@ def content_of(figure: Any, file_format: str, about: About, **layout: Any) -> by
 
 
 def _readable(svg: str, about: About) -> str:
-    """Return an SVG with its texts in lines, its description, its font, and small hatches."""
+    """Return an SVG with its texts in lines, its description, its font, and small hatch patterns."""
     svg = re.sub(r"\s*<!--.*?-->", "", svg, flags=re.DOTALL)
     svg = _TEXT.sub(lambda match: f"<text>{_in_lines(match[1])}</text>", svg)
     svg = _DOTS.sub(lambda match: f"{match[1]}{_TILE}{match[2]}{_TILE}{match[3]}{_tile(match[4])}{match[5]}", svg)
@@ -69,10 +69,10 @@ def _readable(svg: str, about: About) -> str:
 
 
 def _in_lines(spans: str) -> str:
-    """Return the letters of a line of text in their order, those of a style that follow each other in one span."""
-    letters = [
-        (float(x), y, style, unescape(text).replace(NO_BREAK_SPACE, " ")) for x, y, style, text in _SPAN.findall(spans)
-    ]
+    """Return the letters of a line of text in order; adjacent letters of one style share a span."""
+    letters = []
+    for x_as_text, y, style, text in _SPAN.findall(spans):
+        letters.append((float(x_as_text), y, style, unescape(text).replace(NO_BREAK_SPACE, " ")))
     runs: list[list[Any]] = []  # x, y, style, text, the position of the next letter
     for x, y, style, text in sorted(letters, key=lambda letter: letter[0]):
         size = float(_SIZE.findall(style)[0])
@@ -87,7 +87,7 @@ def _in_lines(spans: str) -> str:
 
 
 def _advance(text: str, style: str, size: float) -> float:
-    """Return the width of letters of a size."""
+    """Return the width of letters of some size."""
     font: Any = font_manager.get_font(_path_of(style))
     font.set_size(size, 72)
     return float(sum(font.load_char(ord(letter)).linearHoriAdvance / 65536 for letter in text))
@@ -99,7 +99,7 @@ def _path_of(style: Any) -> str:
 
 
 def _letters(svg: str) -> dict[str, set[str]]:
-    """Return the letters of an SVG by their style, as far as they are of its font."""
+    """Return the letters of an SVG in its font, by their style."""
     letters: dict[str, set[str]] = {}
     for style, text in re.findall(r'<t(?:ext|span)[^>]* style="([^"]*)"[^>]*>([^<]+)<', svg):
         if _FAMILY.search(style):
@@ -122,9 +122,10 @@ def _face(style: str, letters: Iterable[str]) -> str:
 
 
 def _tile(path: str) -> str:
-    """Return those dots of a hatch that one tile of it needs."""
-    dots = re.findall(r"M ([-\d.]+) ([-\d.]+)[^M]*", path)
-    whole = re.findall(r"M [^M]*", path)
+    """Return the dots of a hatch that one tile needs."""
     room = _TILE + 1.0
-    near = (dot for dot, (x, y) in zip(whole, dots, strict=True) if -1 < float(x) < room and -1 < float(y) < room)
+    near = []
+    for dot in re.finditer(r"M ([-\d.]+) ([-\d.]+)[^M]*", path):
+        if -1 < float(dot[1]) < room and -1 < float(dot[2]) < room:
+            near.append(dot[0])
     return "".join(near)

@@ -1,4 +1,4 @@
-"""The picture of a fit: the curve with what was fitted, the residuals, and the energy release rate over the radius."""
+"""The picture of a fit: the measured and the fitted curve, the residuals, and the energy release rate."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -20,11 +20,11 @@ _X = {"contact radius": "contact_radius_at_load", "approach": "approach_at_load"
 
 
 class FittedCurve(Shown, Fit):
-    """The fit of a curve, which can be drawn, and is shown as on a terminal."""
+    """The fit of a curve; it can be drawn, and is shown as in a terminal."""
 
     @property
     def drawn(self) -> Drawn:
-        """The curve, its residuals and G as a picture, which a notebook shows."""
+        """The curve, its residuals and G as a picture, which notebooks show."""
         return Drawn(picture_of_fit(self, "", caption_of_fit(self)))
 
     def __repr__(self) -> str:
@@ -34,7 +34,7 @@ class FittedCurve(Shown, Fit):
         return parts_of_fit(self)
 
     def plot(self, ax: Any = None, style: str = "paper") -> Any:
-        """Draw on three axes of matplotlib, or on those of a new figure; return them. Needs the extra `plot`."""
+        """Draw on three matplotlib axes, or on those of a new figure; return them. Needs the extra `plot`."""
         return self.drawn.plot(ax, style)
 
 
@@ -55,28 +55,28 @@ def fit(
     Parameters
     ----------
     curve
-        The path of a table, or a mapping of headers to columns, such as a DataFrame: contact radius and load, approach
-        and load, or travel and force or deflection of a lever, with units in the headers.
+        The path of a table, or a mapping of headers to columns, such as a DataFrame. The columns are contact radius and
+        load, approach and load, or travel and the force or deflection of a lever, with units in the headers.
     spring
-        The stiffness of the lever in N/m, or a text such as "3.01±0.1N/m". A travel and a deflection need it.
+        The stiffness of the lever in N/m, or a text such as "3.01±0.1N/m". Needed for a travel and a deflection.
     model
         The law: jkr, maugis or dmt.
     branch
         both, load or unload.
     range
-        Loads that are fitted, as "-100%:30%" of the largest tension and load, or "-2uN:500nN".
+        The loads to fit, as "-100%:30%" of the largest tension and load, or "-2uN:500nN".
     profile
-        paraboloid, or sphere: a rigid one on a body whose Poisson's ratio is 0.45 or more.
+        paraboloid, or sphere: a rigid sphere on a body with a Poisson's ratio of 0.45 or more.
     baseline
-        median, or tilt: lines through the parts away from contact.
+        median, or tilt: lines through the parts out of contact.
     **given
-        The radii, as `solve` takes them; without one the fit has wR and E*√R. Poisson's ratios and Young's modulus of
-        one body, from which that of the other follows; `atomic_spacing`.
+        The radii, as in `solve`; without one the fit gives wR and E*√R. Poisson's ratios, the Young's modulus of one
+        body, from which that of the other follows, and `atomic_spacing`.
 
     Returns
     -------
-    `FittedCurve`: `values` and `errors` by name, in SI units, with `covariance`; `curve` has the points by headers, and
-    `plot()` draws them.
+    `FittedCurve`: `values` and `errors` by name, in SI units, with `covariance`; `curve` holds the points by header,
+    and `plot()` draws them.
 
     Raises
     ------
@@ -102,7 +102,7 @@ def caption_of_fit(fitted: Fit) -> list[str]:
 
 
 def picture_of_fit(fitted: Fit, title: str, caption: Sequence[str]) -> Picture:
-    """Return the picture of a fit. Without a radius lengths and energies are scaled, and G has no panel."""
+    """Return the picture of a fit. Without a radius, lengths and energies are scaled, and G has no panel."""
     points = {name: column[:: max(1, len(column) // _MOST)] for name, column in fitted.points.items()}
     branches = [*dict.fromkeys(points["branch"].tolist())]
     forces, residuals, rates = list[Curve](), list[Curve](), list[Curve]()

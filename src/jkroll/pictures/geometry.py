@@ -17,19 +17,19 @@ _POINTS = 181
 
 
 class _Pair(NamedTuple):
-    """Sizes of the sketch, in which the contact is at y = 0 and sphere 1 above it."""
+    """The sizes of the sketch; the contact is at y = 0, with sphere 1 above it."""
 
     above: float  # radius of sphere 1
     below: float
     half: float  # of the contact circle
-    lag: float  # of its middle behind the line of centres
+    lag: float  # of the circle's middle behind the line of centres
 
     def heights(self) -> tuple[float, float]:
         """Return the heights of both centres."""
         return sqrt(self.above**2 - self.half**2), -sqrt(self.below**2 - self.half**2)
 
     def outlines(self) -> tuple[Curve, ...]:
-        """Return the lines of both spheres, with their caps as they would be without deformation."""
+        """Return the outlines of both spheres, and the caps they would have without deformation."""
         curves = []
         for radius, height, side in zip((self.above, self.below), self.heights(), (-1, 1), strict=True):
             opening = acos(sqrt(radius**2 - self.half**2) / radius)
@@ -55,7 +55,7 @@ def sketch() -> Picture:
 
 
 def _panel(pair: _Pair, arrows: tuple[Arrow, ...], title: str, ends: tuple[tuple[float, float], ...]) -> Panel:
-    """Return a panel of a pair, without axes, that ends at some positions across and upwards."""
+    """Return a panel of a pair, without axes; `ends`: its lowest and highest positions, across and upwards."""
     x, y = (
         Axis(name, *end, is_log=False) for name, end in zip(("position_across", "position_upwards"), ends, strict=True)
     )
@@ -65,7 +65,7 @@ def _panel(pair: _Pair, arrows: tuple[Arrow, ...], title: str, ends: tuple[tuple
 
 
 def _forces(pair: _Pair) -> tuple[Arrow, ...]:
-    """Return the radii, the forces and the moment of a pair."""
+    """Return the arrows of the radii, the forces and the moment of a pair."""
     (up, down), (above, below) = pair.heights(), (pair.above, pair.below)
     across = (cos(2.6), sin(2.6))
     top, bottom = up + above, down - below
@@ -80,7 +80,7 @@ def _forces(pair: _Pair) -> tuple[Arrow, ...]:
 
 
 def _lengths(pair: _Pair) -> tuple[Arrow, ...]:
-    """Return the lengths of a contact: its radius, how far it lags behind, and the approach."""
+    """Return the arrows of the lengths of a contact: its radius, its lag, and the approach."""
     up, down = pair.heights()
     lowest, highest, low, right = up - pair.above, down + pair.below, -0.62, 1.62
     middle, end = -pair.lag, pair.half - pair.lag

@@ -1,4 +1,4 @@
-"""Put texts inside axes: of marked points, of contours, and of lines that bound a region. All sizes are in pixels."""
+"""Place texts inside axes: for marked points, contours, and lines that bound a region. All sizes are in pixels."""
 
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple
@@ -9,27 +9,27 @@ from matplotlib.transforms import Bbox  # type: ignore[import-not-found,unused-i
 from ..quantities.markup import typeset
 from .picture import Mark, Style
 
-_EDGE = 4.0  # points of the page inside the frame that its ticks take
-_APART = 2.0  # points of the page between two texts, and between a text and the line that it names
-_ASIDE = 20.0  # times as far as it is from its line, a label may be from the middle
+_EDGE = 4.0  # width that the ticks take inside the frame, in points of the page
+_APART = 2.0  # gap between two texts, or between a line and its name, in points of the page
+_ASIDE = 20.0  # cost of a distance from the line, over that of one from the middle of the axes
 _DOT = 3.0  # half the size of a point, in points of the page
-_STEP = 1.5  # distance of the points along a line, in points of the page
+_STEP = 1.5  # between the points of a line, in points of the page
 _WAYS = ((0.7, 0.7), (0.7, -0.7), (-0.7, 0.7), (-0.7, -0.7), (1, 0), (-1, 0), (0, 1), (0, -1))  # the best first
-_REACH = (7.0, 11.0, 16.0, 22.0, 30.0, 42.0, 56.0, 75.0)  # from a point to its text, in points of the page
+_REACH = (7.0, 11.0, 16.0, 22.0, 30.0, 42.0, 56.0, 75.0)  # distances of a text from its point, in points of the page
 
-Ground = Callable[[Any], str]  # the colour of the picture at a place, in pixels
+Ground = Callable[[Any], str]  # colour of the picture at a position in pixels
 
 
 class Bound(NamedTuple):
-    """A line that bounds a region, with the name that stands on the side of the region."""
+    """A line that bounds a region, with the name that stands on the region's side."""
 
     text: str
     paths: Sequence[Any]  # in data coordinates
-    has: Callable[[Any], Any]  # whether places, in pixels, are in the region
+    has: Callable[[Any], Any]  # whether positions, in pixels, are in the region
 
 
 class Labels:
-    """The texts of axes, which keep off each other, off the lines and off the frame."""
+    """The texts of axes, which avoid each other, the lines and the frame."""
 
     def __init__(self, axes: Any, style: Style, ground: Ground) -> None:
         self.axes, self.style, self.ground = axes, style, ground
@@ -39,28 +39,31 @@ class Labels:
         self.taken: list[Any] = []
 
     def of_marks(self, marks: Sequence[Mark]) -> None:
-        """Draw marked points with their texts at free places, and lines to them."""
-        points = [(mark.text, mark.x, mark.y) for mark in marks if mark.x is not None and mark.y is not None]
-        self.taken += [_box(self._pixels(place), _DOT * self.scale) for _, *place in points]
+        """Draw marked points with their texts at free positions, and leaders to these."""
+        points = []
+        for mark in marks:
+            if mark.x is not None and mark.y is not None:
+                points.append((mark.text, mark.x, mark.y))
+        self.taken += [_box(self._pixels(point), _DOT * self.scale) for _, *point in points]
         steps = numpy.array([[reach * self.scale * numpy.array(way) for way in _WAYS] for reach in _REACH])
         steps = steps.reshape(-1, 2)
-        for label, *place in sorted(points, key=lambda point: -point[1]):  # those on the right have the least room
+        for label, *point in sorted(points, key=lambda each: -each[1]):  # those on the right have the least room
             text, half = self._text(typeset(label), zorder=5)
-            dot = self._pixels(place)
+            dot = self._pixels(point)
             middles = (dot + steps + half * numpy.sign(steps)).clip(self.frame.min + half, self.frame.max - half)
             boxes = [_box(middle, half) for middle in middles]
-            free = next((some for apart in (_APART, 0.5) if (some := self._free(boxes, apart))), boxes)
-            box = min(free, key=lambda box: self._crossings(box, dot))  # the first of those that cross as little
+            free = self._free(boxes, _APART) or self._free(boxes, 0.5) or boxes
+            box = min(free, key=lambda box: self._crossings(box, dot))  # the first of those with the fewest
             leader = numpy.array([dot, dot.clip(box.min, box.max)])
             ends = self.axes.transData.inverted().transform(leader)
             self.drawn = _joined([self.drawn, self._dense(leader)])
             self.axes.plot(*ends.T, color=self.style.ink, linewidth=0.4, zorder=3)
             look = {"color": self.style.ink, "markeredgecolor": self.style.paper, "markersize": 3.5, "zorder": 4}
-            self.axes.plot(*place, "o", clip_on=False, **look)
+            self.axes.plot(*point, "o", clip_on=False, **look)
             self._put(text, box)
 
     def _crossings(self, box: Any, dot: Any) -> int:
-        """Return how many lines, or texts behind the dot, a text and its leader cross."""
+        """Return a cost of a text and its leader: how many lines and other texts they cross."""
         leader = self._dense(numpy.array([dot, dot.clip(box.min, box.max)]))
         leader = leader[numpy.hypot(*(leader - dot).T) > 2 * _DOT * self.scale]
         texts = sum(bool(other.count_contains(leader)) for other in self.taken)
@@ -68,9 +71,9 @@ class Labels:
         return 3 * int(box.padded(1).count_contains(self.drawn) > 0) + int(near.any()) + 2 * texts  # the worst first
 
     def of_contours(self, texts: Sequence[str], contours: Sequence[Sequence[Any]]) -> None:
-        """Write each label horizontally onto its contour, at the free place nearest to the middle.
+        """Write each label horizontally onto its contour, at the free position nearest to the middle of the axes.
 
-        It stands on a patch in the colour of the picture there, so that no hatch runs through it and its minus sign
+        It stands on a patch in the picture's colour at that point, so that no hatch runs through it and its minus sign
         cannot be taken for the contour. A contour without room has no label.
         """
         every = [_joined(self._dense(self._pixels(path)) for path in paths) for paths in contours]
@@ -81,61 +84,61 @@ class Labels:
             inside = own.clip(self.frame.min + half, self.frame.max - half)
             is_on_line = (abs(own - inside) < half - 2 * self.scale).all(axis=1)
             cost = numpy.hypot(*(inside - middle).T) + _ASIDE * numpy.hypot(*(inside - own).T)
-            boxes = [_box(place, half) for place in inside[is_on_line][cost[is_on_line].argsort(kind="stable")]]
+            nearest = cost[is_on_line].argsort(kind="stable")
+            boxes = [_box(position, half) for position in inside[is_on_line][nearest]]
             free = self._free(boxes)
-            for lines in (self.drawn, _joined(every)):  # all lines, or at least the other contours
+            for lines in (self.drawn, _joined(every)):  # avoid all lines, or at least the other contours
                 box = next((box for box in free if box.count_contains(lines) <= box.count_contains(own)), None)
                 if box is not None:
                     break
             self._put(text, box)
 
     def of_bounds(self, bounds: Iterable[Bound]) -> None:
-        """Write the name of each line beside it, in the region that it bounds; a line without room has none."""
+        """Write the name of each line next to it, in the region that it bounds; a line without room has none."""
         for bound in bounds:
             text, half = self._text(typeset(bound.text), zorder=3)
-            boxes = [
-                box
-                for path in bound.paths
-                for box in self._free(self._beside(self._dense(self._pixels(path)), half, bound.has))
-                if bound.has(numpy.array([*box.corners(), (box.min + box.max) / 2])).all()
-            ]
+            boxes = []
+            for path in bound.paths:
+                for box in self._free(self._next_to(self._dense(self._pixels(path)), half, bound.has)):
+                    if bound.has(numpy.array([*box.corners(), (box.min + box.max) / 2])).all():
+                        boxes.append(box)
             crossings = [box.padded(1).count_contains(self.drawn) for box in boxes]
             self._put(text, boxes[int(numpy.argmin(crossings))] if boxes else None)
 
-    def _beside(self, path: Any, half: Any, has: Callable[[Any], Any]) -> Iterable[Any]:
-        """Iterate over the boxes beside a path, on the side of its region, within the frame; the middle ones first."""
+    def _next_to(self, path: Any, half: Any, has: Callable[[Any], Any]) -> Iterable[Any]:
+        """Iterate over boxes next to a path, on the side of its region, within the frame; those in the middle first."""
         along = numpy.diff(path, axis=0)
         across = numpy.stack([-along[:, 1], along[:, 0]], axis=1)
         across /= numpy.maximum(numpy.hypot(*across.T), 1e-12)[:, None]
         middles = (path[1:] + path[:-1]) / 2
         across *= numpy.where(has(middles + self.scale * across), 1, -1)[:, None]
         reach = (abs(across) * half).sum(axis=1) + _APART * self.scale
-        places = middles + reach[:, None] * across
-        for place in places[abs(numpy.arange(len(places)) - len(places) / 2).argsort(kind="stable")]:
-            if (place - half >= self.frame.min).all() and (place + half <= self.frame.max).all():
-                yield _box(place, half)
+        positions = middles + reach[:, None] * across
+        for position in positions[abs(numpy.arange(len(positions)) - len(positions) / 2).argsort(kind="stable")]:
+            if (position - half >= self.frame.min).all() and (position + half <= self.frame.max).all():
+                yield _box(position, half)
 
     def _free(self, boxes: Iterable[Any], apart: float = _APART) -> list[Any]:
-        """Return the boxes that keep off the texts that are there."""
+        """Return the boxes that are clear of the existing texts."""
         return [box for box in boxes if not any(map(box.padded(apart * self.scale).overlaps, self.taken))]
 
     def _pixels(self, points: Any) -> Any:
         return self.axes.transData.transform(points)
 
     def _dense(self, points: Any) -> Any:
-        """Return points at equal distances along a line of few."""
+        """Return points at equal distances along a line."""
         lengths = numpy.hypot(*numpy.diff(points, axis=0).T)
         away = numpy.concatenate([[0.0], numpy.cumsum(lengths)])
         steps = numpy.linspace(0, away[-1], int(away[-1] / (_STEP * self.scale)) + 2)
         return numpy.stack([numpy.interp(steps, away, of_axis) for of_axis in numpy.asarray(points).T], axis=1)
 
     def _text(self, label: str, zorder: int) -> tuple[Any, Any]:
-        """Return a text that is to be put somewhere by its middle, and half its size."""
+        """Return a new text, centred on its position, and half its size."""
         text = self.axes.text(0.5, 0.5, label, ha="center", va="center", zorder=zorder)
         return text, text.get_window_extent().size / 2
 
     def _put(self, text: Any, box: Any) -> None:
-        """Put a text into a box, on a patch in the colour there; remove it without a box."""
+        """Put a text into a box, on a patch in the picture's colour; remove the text if there is no box."""
         if box is None:
             text.remove()
             return
@@ -146,7 +149,7 @@ class Labels:
 
 
 def _paths_on(axes: Any) -> Iterable[Any]:
-    """Iterate over the lines on axes, in pixels; those without a fill, if they are collections or patches."""
+    """Iterate over the lines on axes, in pixels; of collections, over those without a fill."""
     for line in axes.lines:
         yield line.get_transform().transform_path(line.get_path()).vertices
     for drawing in axes.collections:
@@ -160,5 +163,5 @@ def _joined(paths: Iterable[Any]) -> Any:
 
 
 def _box(middle: Any, half: Any) -> Any:
-    """Return the box around a place."""
+    """Return the box around a position."""
     return Bbox([middle - half, middle + half])

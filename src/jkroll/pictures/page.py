@@ -1,7 +1,7 @@
 """Draw pictures into SVG, PDF and PNG files, for a journal's page or a dark slide.
 
-Only this module imports matplotlib, which lays out the page. The same picture gives the same bytes: no date, ids from
-the content, and nothing from the user's own matplotlib settings.
+Only this module imports matplotlib, which lays out the page. The same picture gives the same bytes: it has no date, its
+ids depend on the content only, and the user's own matplotlib settings are ignored.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -26,29 +26,29 @@ from .labels import Labels
 from .picture import STYLES, Axis, Curve, Field, Panel, Picture, Style, described, extent, is_flat
 from .ranges import Band
 
-LETTER_SIZE = 8.6  # in points, whatever the width of the page: subscripts, 0.7 times as large, have 6
+LETTER_SIZE = 8.6  # in points, at any width of the page; subscripts, 0.7 times as large, have 6
 _CONTOURS = 12  # at most
 _TICK_DIGITS = 6  # at most
-_TICK_WIDTHS = {False: 0.45, True: 0.6}  # of a number of the lower axis, linear or logarithmic, with a gap, in inches
-LETTER_WIDTH = 0.42  # width of a letter over its size, on average
+_TICK_WIDTHS = {False: 0.45, True: 0.6}  # width of a number and a gap on the lower axis, in inches, by `is_log`es
+LETTER_WIDTH = 0.42  # mean width of a letter over its size
 MARKERS = "os^Dv*"
 DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
-_HEADS = ("-", "-|>", "<|-|>")  # of an arrow with so many ends
-_OPAQUE = 0.22  # of a band of best ranges
+_HEADS = ("-", "-|>", "<|-|>")  # by the number of an arrow's heads
+_OPAQUE = 0.22  # opacity of a band of best ranges
 _ONE_PANEL, _MORE_PANELS = 85 / 25.4, 180 / 25.4  # default widths in inches: one column of a journal, or two
-_NARROWEST = 2.0  # width of a panel beside others
-_ASPECT, _ASPECT_BESIDE = 0.75, 1.0  # height of axes over their width, alone in a row and beside others
-_HIGHEST = 5  # height of the sheet that a page is cut from, over the width of the page, for each row
-_BESIDE = 0.04  # between panels beside each other, over their width
+_NARROWEST = 2.0  # width of a panel in a row with others
+_ASPECT, _ASPECT_BESIDE = 0.75, 1.0  # height of axes over their width, alone in a row or with others
+_HIGHEST = 5  # height per row of the sheet from which a page is cut, over the page's width
+_BESIDE = 0.04  # gap between panels of a row, over their width
 _GAP = 0.04  # around the parts of a page, in inches
 
 
 def draw(
     drawn: Picture, file_format: str, inches: float | None, style: str, *, has_caption: bool = True, command: str = ""
 ) -> bytes:
-    """Return a picture as the content of an SVG, PDF or PNG file of a width in inches, or of the default width.
+    """Return a picture as the content of an SVG, PDF or PNG file, with a width in inches or the default width.
 
-    `command`: that drew it, which the file then names.
+    `command`: the command that drew the picture; the file names it.
     """
     names = [curve.text for panel in drawn.panels for curve in panel.curves]
     names += [mark.text for panel in drawn.panels for mark in panel.marks]
@@ -64,7 +64,7 @@ def draw(
 
 
 def _check_letters(texts: Iterable[str]) -> None:
-    """Raise BadRequest for a letter that the font lacks, as the name of a user's material may have."""
+    """Raise BadRequest for a letter that the font lacks, as the name of a user's material may contain."""
     font = font_manager.get_font(font_manager.findfont(FONT))
     for letter in dict.fromkeys("".join(texts)):
         if letter.isalpha() and not font.get_char_index(ord(letter)):
@@ -72,7 +72,7 @@ def _check_letters(texts: Iterable[str]) -> None:
 
 
 def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption: bool) -> Figure:
-    """Return a picture as matplotlib's figure: title, rows of axes with their legends, caption; with paper to spare."""
+    """Return a picture as a matplotlib figure: title, rows of axes with legends, and caption, on a sheet with room."""
     count = len(drawn.panels)
     inches = inches or (_ONE_PANEL if count == 1 else _MORE_PANELS)
     columns = min(count, max(1, int(inches / _NARROWEST)))
@@ -82,7 +82,7 @@ def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption
     every = [*figure.subplots(rows, columns, squeeze=False).flat]
     for empty in every[count:]:
         empty.remove()
-    letters = _letters(inches / columns - 0.4)  # of a line of a legend
+    letters = _letters(inches / columns - 0.4)  # that fit a line of a legend
     drawings: list[Drawn] = []
     for panel, axes, letter in zip(drawn.panels, every, "abcdef", strict=False):
         _set_axes(axes, panel, inches / columns, _ASPECT if columns == 1 else _ASPECT_BESIDE)
@@ -102,7 +102,7 @@ def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption
 
 
 def draw_on(axes: Any, panel: Panel, style: Style) -> None:
-    """Draw a panel on axes of a figure that is not ours, with a legend inside; the shape and the looks are theirs."""
+    """Draw a panel with a legend inside on axes of a user's figure, which keeps its shape and style."""
     inches = axes.get_window_extent().width / axes.figure.dpi
     letters = _letters(inches)
     _set_axes(axes, panel, inches, _ASPECT)
@@ -116,31 +116,31 @@ def draw_on(axes: Any, panel: Panel, style: Style) -> None:
 
 
 def _drawing_on(axes: Any, panel: Panel, style: Style, letters: int) -> Drawn:
-    """Draw all of a panel but the texts inside. `letters`: of a line of the legend."""
+    """Draw a panel without the texts inside. `letters`: that fit a line of the legend."""
     if panel.field is not None:
         return draw_field(axes, panel, levels_of(panel.field), style, letters)
     return _draw_curves(axes, panel, style, letters)
 
 
 def _label(axes: Any, panel: Panel, drawing: Drawn, style: Style) -> None:
-    """Write the texts inside of axes that have their final place."""
+    """Write the texts inside axes that have their final position."""
     labels = Labels(axes, style, drawing.ground)
     labels.of_marks(panel.marks)
     drawing.label(labels)
 
 
 def _label_of(key: Any) -> str:
-    """Return the text of a key of a legend, which may be of a line on its band."""
+    """Return the text of a legend's key, which may be a line on its band."""
     return str((key[0] if isinstance(key, tuple) else key).get_label())
 
 
 def _letters(inches: float) -> int:
-    """Return the number of letters of a line that fit into a width."""
+    """Return the number of letters in a line of some width."""
     return int(0.97 * inches * 72 / (LETTER_WIDTH * LETTER_SIZE))
 
 
 def _lay_out(figure: Figure, every: Sequence[Any], keys: Sequence[Sequence[Any]]) -> None:
-    """Put a legend below each of the axes, and give everything its final place, at which labels can be measured."""
+    """Put a legend below each of the axes, and fix the layout, so that labels can be measured."""
     figure.draw_without_rendering()
     for axes, handles in zip(every, keys, strict=False):
         if handles:
@@ -157,12 +157,12 @@ def _lay_out(figure: Figure, every: Sequence[Any], keys: Sequence[Sequence[Any]]
 
 @contextmanager
 def settings(style: Style) -> Iterator[None]:
-    """Use matplotlib's own settings, not the user's, with ours on top."""
+    """Use matplotlib's own default settings instead of the user's, with ours on top."""
     ours: dict[Any, Any] = {
         "font.size": LETTER_SIZE, "font.family": FONT, "mathtext.fontset": "stix",
         "axes.linewidth": 0.6, "xtick.major.width": 0.6, "ytick.major.width": 0.6, "hatch.linewidth": 0.35,
         "xtick.direction": "in", "ytick.direction": "in", "hatch.color": style.hatch,
-        "xtick.major.pad": 5.0,  # clear of the lowest label of the other axis
+        "xtick.major.pad": 5.0,  # avoids the lowest label of the other axis
         "legend.frameon": False, "legend.fontsize": LETTER_SIZE, "legend.labelspacing": 0.3, "legend.handlelength": 2.4,
         "legend.borderpad": 0.0, "legend.borderaxespad": 0.3, "legend.handleheight": 1.0,
         "svg.hashsalt": "jkroll", "svg.fonttype": "none", "pdf.fonttype": 42,
@@ -179,7 +179,7 @@ def settings(style: Style) -> Iterator[None]:
 
 
 def _set_axes(axes: Any, panel: Panel, inches: float, aspect: float) -> None:
-    """Set the shape of axes, the scales, ends, ticks and titles of both, and what is marked on their edges."""
+    """Set the shape of axes, the scale, range, ticks and title of both, and the marks on their edges."""
     if panel.is_true_to_scale:
         aspect = (panel.y.high - panel.y.low) / (panel.x.high - panel.x.low)
     axes.set_box_aspect(aspect)
@@ -187,7 +187,7 @@ def _set_axes(axes: Any, panel: Panel, inches: float, aspect: float) -> None:
         axes.set(xlim=(panel.x.low, panel.x.high), ylim=(panel.y.low, panel.y.high))
         axes.set_axis_off()
         return
-    letters = _letters(0.77 * inches)  # of a line of a title
+    letters = _letters(0.77 * inches)  # that fit a line of a title
     _set_axis(axes, panel.x, "x", max(2, int(inches / _TICK_WIDTHS[panel.x.is_log])), letters)
     _set_axis(axes, panel.y, "y", 9, int(1.1 * aspect * letters))
     _mark_edge(axes, "x", [(mark.x, mark.text) for mark in panel.marks if mark.y is None])
@@ -195,7 +195,7 @@ def _set_axes(axes: Any, panel: Panel, inches: float, aspect: float) -> None:
 
 
 def _set_axis(axes: Any, axis: Axis, which: str, most: int, letters: int) -> None:
-    """Set one axis. Ticks of a logarithmic one have their units; a linear one has one unit, in its title."""
+    """Set one axis. On a logarithmic axis each tick has its unit; a linear one has a single unit, in its title."""
     side = getattr(axes, f"{which}axis")
     axes.set(**{f"{which}scale": "log" if axis.is_log else "linear", f"{which}lim": (axis.low, axis.high)})
     if axis.is_log:
@@ -211,12 +211,12 @@ def _set_axis(axes: Any, axis: Axis, which: str, most: int, letters: int) -> Non
         side.set_major_locator(ticker.MaxNLocator(min(most, 8), steps=[1, 2, 5, 10]))
         side.set_major_formatter(lambda value, _: f"{value / scale:.12g}".replace("-", "−"))
         side.set_minor_locator(ticker.AutoMinorLocator())
-    title = described(axis.name, unit).replace(", ", ",\N{NO-BREAK SPACE}")  # no line ends behind a comma
+    title = described(axis.name, unit).replace(", ", ",\N{NO-BREAK SPACE}")  # no line breaks after a comma
     side.set_label_text("\n".join(lines(title, letters)), linespacing=1.0)
 
 
 def _mark_edge(axes: Any, which: str, marks: Sequence[tuple[Any, str]]) -> None:
-    """Put ticks with texts on the upper or the right edge of axes."""
+    """Put ticks with texts on the upper or right edge of axes."""
     if not marks:
         return
     side = axes.secondary_xaxis("top") if which == "x" else axes.secondary_yaxis("right")
@@ -230,7 +230,7 @@ def _mark_edge(axes: Any, which: str, marks: Sequence[tuple[Any, str]]) -> None:
 
 
 def levels_of(field: Field) -> list[float]:
-    """Return the values of the contours: round ones within the extent of a field."""
+    """Return the values of the contours: round ones within the range of a field."""
     low, high = extent(field.values)
     if is_flat(field.values):
         return []
@@ -241,28 +241,29 @@ def levels_of(field: Field) -> list[float]:
 
 
 def _draw_curves(axes: Any, panel: Panel, style: Style, letters: int) -> Drawn:
-    """Draw curves, which differ in colour and in their dashes; return the keys of a legend."""
+    """Draw curves, which differ in colour and dashes; return the keys of a legend."""
     handles: dict[str, Any] = {}
-    numbers: dict[str, int] = {}  # curves of one label are drawn alike
+    numbers: dict[str, int] = {}  # curves with the same label look the same
     has_bands = any(curve.band is not None for curve in panel.curves)
     for curve in panel.curves:
         label = "\n".join(lines(": ".join(filter(None, (curve.text, curve.key))), letters))
         look = line_of(curve, numbers.setdefault(label, len(numbers)), style)
         (line,) = axes.plot(curve.x, curve.y, label=label, **look)
-        handles[label] = (
-            line if curve.band is None else (_draw_band(axes, panel, curve, curve.band, label, style), line)
-        )
+        if curve.band is None:
+            handles[label] = line
+        else:
+            handles[label] = _draw_band(axes, panel, curve, curve.band, label, style), line
     for arrow in panel.arrows:
         look = {"arrowstyle": _HEADS[arrow.ends], "connectionstyle": f"arc3,rad={arrow.bend}", "mutation_scale": 7}
         line = FancyArrowPatch(arrow.start, arrow.stop, shrinkA=0, shrinkB=0, color=style.ink, linewidth=0.6, **look)
         axes.add_patch(line)
-        axes.text(*arrow.place, typeset(arrow.text), ha="center", va="center")
+        axes.text(*arrow.text_at, typeset(arrow.text), ha="center", va="center")
     keys = [*handles.values()] if len(handles) > 1 or has_bands else []
     return Drawn(keys, lambda _: None, lambda _: style.paper)
 
 
 def _draw_band(axes: Any, panel: Panel, curve: Curve, band: Band, label: str, style: Style) -> Any:
-    """Draw the band of the best ranges of a curve, to the frame where it is open; return its key."""
+    """Draw the band of a curve's best ranges, up to the frame where it is open; return its key."""
     look = {"facecolor": line_of(curve, 0, style)["color"], "linewidth": 0, "alpha": _OPAQUE}
     ends = [numpy.clip(end, panel.y.low, panel.y.high) for end in (band.low, band.high)]
     axes.fill_between(curve.x, *ends, zorder=1, **look)
@@ -270,10 +271,10 @@ def _draw_band(axes: Any, panel: Panel, curve: Curve, band: Band, label: str, st
 
 
 def line_of(curve: Curve, number: int, style: Style) -> dict[str, Any]:
-    """Return the look of the curve of a number, as matplotlib takes it. A curve of one point is a sign."""
+    """Return the style of the curve with a number, as matplotlib options. A curve of one point is a marker."""
     colour = style.lines[curve.colour % len(style.lines)]
     if len(curve.x) == 1:
         return {"color": colour, "linestyle": "", "marker": MARKERS[number % len(MARKERS)], "markersize": 4}
-    turn = number // len(DASHES)  # after which the colours come again, with other dashes
+    turn = number // len(DASHES)  # in each turn the colours come with other dashes
     dashes = "--" if curve.is_dashed else DASHES[(number + turn) % len(DASHES)]
     return {"color": colour, "linestyle": dashes, "linewidth": 1.1}

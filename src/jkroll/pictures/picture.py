@@ -1,4 +1,4 @@
-"""Pictures as data: panels with curves, or with a field of a quantity over two inputs; and as numbers in a terminal."""
+"""Pictures as data: panels with curves, or with a field over two inputs; and their numbers in a terminal."""
 
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -19,10 +19,10 @@ from ..quantities.quantity import Quantity
 from ..text import TextColumn, capital, padded, say, say_wrapped, terminal_width, width_of, write_table
 from .ranges import Band
 
-_WIDE = 30.0  # ratio of the ends from which contours are logarithmic
-SAME = 1e-9  # relative difference of values that are the same but for rounding
+_WIDE = 30.0  # ratio of the ends above which contours are logarithmic
+SAME = 1e-9  # relative difference below which values differ only by rounding
 
-# The axes of figures that are no quantities of a frame.
+# The axes of figures that are not quantities of a frame.
 _OF_FIGURES: Mapping[str, Quantity] = {
     "position_across": Quantity("x", "m", "position from the contact point"),
     "position_beside": Quantity("y", "m", "position perpendicular to the rolling direction"),
@@ -43,10 +43,10 @@ class Axis(NamedTuple):
     high: float
     is_log: bool = True
     size: int = 0  # number of values; 0: the picture's default
-    needs: Mapping[str, float] = MappingProxyType({})  # further inputs of a frame at a value
+    needs: Mapping[str, float] = MappingProxyType({})  # further inputs that a frame needs
 
     def inputs(self, values: Any) -> dict[str, Any]:
-        """Return the inputs of a frame at values on the axis."""
+        """Return the inputs of a frame at some values on the axis."""
         return {**self.needs, self.name: values}
 
     def has(self, values: Any) -> Any:
@@ -63,14 +63,14 @@ class Axis(NamedTuple):
         return spaced(self.low, self.high, self.size)
 
     def in_words(self, values: Sequence[float], digits: int) -> tuple[list[str], str]:
-        """Return values on the axis as texts, and their unit, which is empty where each has its own."""
-        every = [*values, *((self.low, self.high) if self.is_log else ())]  # one way for all numbers of an axis
+        """Return values on the axis as texts, and their unit, which is empty if each text has its own."""
+        every = [*values, *((self.low, self.high) if self.is_log else ())]  # so that all numbers of the axis look alike
         texts, unit = in_units(quantity_of(self.name).unit, every, digits, is_log=self.is_log)
         return texts[: len(values)], unit
 
 
 class Mark(NamedTuple):
-    """A point of a picture, or a place on one of its axes."""
+    """A point of a picture, or a position on one of its axes."""
 
     text: str
     x: float | None
@@ -78,7 +78,7 @@ class Mark(NamedTuple):
 
 
 class Rows(NamedTuple):
-    """The points of a curve that a terminal shows, with the words for their best ranges, if there are any."""
+    """The points of a curve that a terminal shows, with their best ranges as texts, if they have any."""
 
     x: Any
     y: Any
@@ -95,29 +95,29 @@ class Curve(NamedTuple):
     colour: int = 0
     is_dashed: bool = False
     band: Band | None = None
-    key: str = ""  # what line and band are, in a legend
+    key: str = ""  # explains line and band in a legend
     rows: Rows | None = None  # by default some of the points
 
 
 class Arrow(NamedTuple):
-    """An arrow of a sketch, or a line without a head, with a text beside it."""
+    """An arrow of a sketch, or a line without a head, with a text next to it."""
 
     start: tuple[float, float]
     stop: tuple[float, float]
     text: str = ""
-    place: tuple[float, float] = (0.0, 0.0)  # of the middle of the text
-    ends: int = 1  # with a head
-    bend: float = 0.0  # height of the arc over its chord, to the left
+    text_at: tuple[float, float] = (0.0, 0.0)  # middle of the text
+    ends: int = 1  # number of heads
+    bend: float = 0.0  # height of the arc, to the left, over the length of its chord
 
 
 class Region(NamedTuple):
-    """The points at which an excess is positive: there the model is not exact, or has no meaning.
+    """The points with a positive excess, at which the model is not exact or has no meaning.
 
-    In a terminal its numbers have the sign, on a page it has the hatch; without one, a line with the name bounds it.
+    A terminal adds the sign to its numbers; a page hatches it, or, without a hatch, bounds it by a line with the name.
     """
 
     text: str
-    where: str  # empty: everywhere
+    where: str  # empty if everywhere
     sign: str
     hatch: str
     name: str
@@ -128,27 +128,27 @@ class Field(NamedTuple):
     """A quantity over both axes of a panel."""
 
     quantity: str
-    frame: Frame  # what is the same all over it
-    values: Any  # a row for each value of y, at few points; nan where there is no value
+    frame: Frame  # the inputs that are the same everywhere
+    values: Any  # on a coarse mesh, with a row for each y; nan where there is no value
     regions: tuple[Region, ...]
-    printed: str = ""  # the same quantity as the paper prints it
-    gaps: tuple[str, ...] = ()  # why it has no value in a part
-    has_best: bool = False  # whether a page shows the best ranges
+    printed: str = ""  # the quantity as the paper prints it, if that differs
+    gaps: tuple[str, ...] = ()  # the reasons why a part has no value
+    has_best: bool = False  # True to show the best ranges on a page
 
     @property
     def is_log(self) -> bool:
-        """True if contours are those of the logarithm."""
+        """True if contours are at steps of the logarithm."""
         return is_wide(self.values)
 
     def in_words(self, values: Sequence[float], digits: int = 12) -> tuple[list[str], str]:
-        """Return values as texts, and the unit of all numbers of the field, which is empty where each has its own."""
+        """Return values as texts, and the unit of all numbers of the field, which is empty if each has its own."""
         every = [*values, *extent(self.values)]
         texts, unit = in_units(NOMENCLATURE[self.quantity].unit, every, digits, is_log=self.is_log)
         return texts[: len(values)], unit
 
 
 class Panel(NamedTuple):
-    """Axes, and between them curves or a field, with marks."""
+    """Axes with curves or a field, and marks."""
 
     x: Axis
     y: Axis
@@ -162,20 +162,20 @@ class Panel(NamedTuple):
 
 
 class Picture(NamedTuple):
-    """Panels beside each other, with a title and a caption."""
+    """Panels next to each other, with a title and a caption."""
 
     title: str
     panels: tuple[Panel, ...]
     caption: tuple[str, ...]
-    doubts: tuple[str, ...] = ()  # stand below the caption, each in lines of its own
-    remarks: tuple[str, ...] = ()  # are said beside the picture, and do not stand on it
+    doubts: tuple[str, ...] = ()  # below the caption, each on a new line
+    remarks: tuple[str, ...] = ()  # shown with the picture, but not on the page
 
 
 # --- Axes -------------------------------------------------------------------------------------------------------------
 
 
 def quantity_of(name: str) -> Quantity:
-    """Return the meaning of the name of an axis."""
+    """Return the quantity that an axis shows."""
     return _OF_FIGURES.get(name) or NOMENCLATURE[name]
 
 
@@ -190,13 +190,14 @@ def described(name: str, unit: str = "") -> str:
 
 
 def axis_around(name: str, values: Iterable[Any], *, may_be_log: bool = False, margin: float = 0.05) -> Axis:
-    """Return an axis that holds all finite values; logarithmic if it may be and they are of different orders."""
+    """Return an axis that holds all finite values; logarithmic if that is allowed and they span orders of magnitude."""
     known = numpy.concatenate([numpy.ravel(array) for array in values])
     low, high = extent(known)
     if may_be_log and is_wide(known):
         return Axis(name, low / (1 + 4 * margin), high * (1 + 4 * margin))
-    if is_flat(known):  # no differences that there are not
-        return Axis(name, *((min(0.0, 2 * low), max(0.0, 2 * high)) if low else (-1.0, 1.0)), is_log=False)
+    if is_flat(known):  # rounding must not look like a difference
+        ends = (min(0.0, 2 * low), max(0.0, 2 * high)) if low else (-1.0, 1.0)
+        return Axis(name, *ends, is_log=False)
     room = (high - low) * margin
     return Axis(name, low - room, high + room, is_log=False)
 
@@ -205,38 +206,38 @@ def axis_around(name: str, values: Iterable[Any], *, may_be_log: bool = False, m
 
 
 def over(frame: Frame, x: Axis, y: Axis | None = None) -> Frame:
-    """Return a frame of arrays along one axis, or over two, with a row for each value of y."""
+    """Return a frame of arrays along one axis or over two, with a row for each value of y."""
     if y is None:
         return frame.replace(**x.inputs(x.values()))
     return frame.replace(**x.inputs(x.values()[None, :]), **y.inputs(y.values()[:, None]))
 
 
 def evaluate(frame: Frame, quantity: str, x: Axis, y: Axis | None = None) -> Any:
-    """Return a quantity along one axis, or over two; nan where it has no value."""
+    """Return a quantity along one axis or over two; nan where it has no value."""
     shape = (x.size,) if y is None else (y.size, x.size)
     return numpy.broadcast_to(values_of(over(frame, x, y), [quantity])[quantity], shape)
 
 
 def extent(values: Any) -> tuple[float, float]:
-    """Return the least and the largest of the finite values."""
+    """Return the smallest and the largest finite value; zeros if there are none."""
     known = values[numpy.isfinite(values)]
     return (float(known.min()), float(known.max())) if known.size else (0.0, 0.0)
 
 
 def is_flat(values: Any) -> bool:
-    """Return True if all finite values are the same but for rounding."""
+    """Return True if all finite values are equal but for rounding."""
     low, high = extent(values)
     return high - low <= SAME * max(abs(low), abs(high))
 
 
 def is_wide(values: Any) -> bool:
-    """Return True if values are positive and of different orders of magnitude."""
+    """Return True if values are positive and span orders of magnitude."""
     low, high = extent(values)
     return low > 0 and high > _WIDE * low
 
 
 def clipped(curve: Curve, low: float, high: float) -> Curve:
-    """Return the part of a curve that rises or falls all along between two values of y, up to where it crosses them."""
+    """Return the part of a monotonic curve between two values of y, up to where it crosses them."""
     x, y = (curve.x, curve.y) if curve.y[0] <= curve.y[-1] else (curve.x[::-1], curve.y[::-1])
     ends = [end for end in (low, high) if y[0] <= end <= y[-1]]
     inside = numpy.union1d(y[(low <= y) & (y <= high)], ends)
@@ -248,17 +249,17 @@ def clipped(curve: Curve, low: float, high: float) -> Curve:
 ROWS, COLUMNS = 13, 9  # of a field
 CURVE_ROWS = 11  # of each curve
 DIGITS = 3
-_DIGITS = ("1 2 5", "1 3", "1")  # of each decade, the most that have room
+_DIGITS = ("1 2 5", "1 3", "1")  # in each decade; the first that has room is used
 _MORE = (" ".join(f"{digit / 10:g}" for digit in range(10, 100)), "1 1.2 1.5 2 2.5 3 4 5 6 8", "1 1.5 2 3 5 7")
-_FEW = 4  # values, below which an axis of few decades takes more digits
+_FEW = 4  # number of values below which an axis takes more digits
 _NARROW = 1.5  # ratio of the ends below which the steps of a logarithmic axis are equal
 NO_VALUE = "—"
 _GAP = "  "  # between columns
-_PAPERS = (230, 194, 152, 116, 74)  # from low numbers to high ones: those of a page, among the 256 of terminals
+_PAPERS = (230, 194, 152, 116, 74)  # backgrounds of low to high numbers: the page's colours, among the 256 of terminals
 
 
 def write_picture(drawn: Picture, out: TextIO) -> None:
-    """Write panels below each other: a table of a field, or some rows of each curve, and the points."""
+    """Write panels below each other: a table of a field, or some rows of each curve, and the marked points."""
     say_texts([drawn.title], out)
     for panel in drawn.panels:
         if not panel.has_axes:  # a sketch has no numbers
@@ -273,14 +274,18 @@ def write_picture(drawn: Picture, out: TextIO) -> None:
 
 
 def shown_values(axis: Axis, most: int) -> Any:
-    """Return at most so many values of an axis: its own if they are so few, else round ones, or equally spaced ones."""
+    """Return at most so many values of an axis: its own if there are few enough, else round or equally spaced ones."""
     if 0 < axis.size <= most:
         return axis.values()
     if not axis.is_log or axis.high < _NARROW * axis.low:
         decade = 10.0 ** floor(log10((axis.high - axis.low) / most))
         steps = (decade * digit for digit in (1, 2, 5, 10))
-        ends = ((step, ceil(axis.low / step - SAME), floor(axis.high / step + SAME)) for step in steps)
-        return next(_within(axis, numpy.arange(low, high + 1) * step) for step, low, high in ends if high - low < most)
+        for step in steps:
+            low, high = ceil(axis.low / step - SAME), floor(axis.high / step + SAME)
+            if high - low < most:
+                break
+        # Rounding may have put values beyond the ends.
+        return numpy.clip(numpy.arange(low, high + 1) * step, axis.low, axis.high)
     decades = range(floor(log10(axis.low)), floor(log10(axis.high)) + 1)
 
     def round_values(digits: str) -> Any:
@@ -294,13 +299,8 @@ def shown_values(axis: Axis, most: int) -> Any:
     return axis._replace(size=most).values()
 
 
-def _within(axis: Axis, values: Any) -> Any:
-    """Return values that rounding may have put beyond the ends of an axis."""
-    return numpy.clip(values, axis.low, axis.high)
-
-
 def _write_field(panel: Panel, field: Field, out: TextIO) -> None:
-    """Write a row for each value of y, a sign at a number for each region, and their key below.
+    """Write a row for each value of y, with the signs of regions at numbers, and the key of the signs below.
 
     The table has as many columns as fit the terminal.
     """
@@ -325,15 +325,17 @@ def _write_field(panel: Panel, field: Field, out: TextIO) -> None:
     say(_GAP.join(head).rstrip(), out)
     has_colours = out.isatty() and "NO_COLOR" not in os.environ and os.environ.get("TERM", "dumb") != "dumb"
     for (head_of_row, *texts), numbers in zip(rows, values, strict=True):
-        say(_GAP.join([head_of_row, *(_painted(field, texts, numbers) if has_colours else texts)]).rstrip(), out)
-    gaps = [": ".join(filter(None, (f"{NO_VALUE} no value", "; ".join(field.gaps))))]
+        shown = _painted(field, texts, numbers) if has_colours else texts
+        say(_GAP.join([head_of_row, *shown]).rstrip(), out)
     keys = [f"{region.sign} {region.text}" for region in field.regions if region.sign and region.sign in signs]
-    say_texts([*keys, *(gaps if not numpy.isfinite(values).all() else ())], out)
+    if not numpy.isfinite(values).all():
+        keys.append(": ".join(filter(None, (f"{NO_VALUE} no value", "; ".join(field.gaps)))))
+    say_texts(keys, out)
     say_texts([f"{capital(region.text)} ({region.where})." for region in field.regions if not region.sign], out)
 
 
 def _cells(field: Field, frame: Frame, values: Any) -> tuple[list[list[str]], str]:
-    """Return the columns of the values of a field, with signs where they are in a region, and all these signs."""
+    """Return the columns of the values of a field, with signs where they are in a region, and a text of all signs."""
     known = numpy.isfinite(values)
     texts, signs = numpy.full((2, *values.shape), "", dtype=object)
     texts[~known] = NO_VALUE
@@ -341,32 +343,34 @@ def _cells(field: Field, frame: Frame, values: Any) -> tuple[list[list[str]], st
     for region in field.regions:
         signs[known & numpy.broadcast_to(region.excess(frame) > 0, values.shape)] += region.sign
     for signs_of_column, texts_of_column in zip(signs.T, texts.T, strict=True):
-        if width := max(map(len, signs_of_column)):  # numbers stand below each other, whichever signs they have
+        width = max(map(len, signs_of_column))
+        if width:  # pad, so that numbers are aligned whichever signs they have
             texts_of_column += [f" {sign:{width}}" for sign in signs_of_column]
     return texts.T.tolist(), "".join(signs.ravel().tolist())
 
 
 def _painted(field: Field, texts: Sequence[str], numbers: Any) -> list[str]:
-    """Return texts on paper of the colours of their numbers."""
+    """Return texts with backgrounds in the colours of their numbers."""
     scale = numpy.log10 if field.is_log else numpy.asarray
     low, high = extent(field.values)
     edges = numpy.linspace(scale(low), scale(high), len(_PAPERS) + 1)[1:-1]
     bands = [*numpy.digitize(scale(numbers), edges)]
-    return [
-        f"\x1b[30;48;5;{_PAPERS[band]}m{text}\x1b[0m" if isfinite(number) else text
-        for text, number, band in zip(texts, numbers, bands, strict=True)
-    ]
+    painted = []
+    for text, number, band in zip(texts, numbers, bands, strict=True):
+        painted.append(f"\x1b[30;48;5;{_PAPERS[band]}m{text}\x1b[0m" if isfinite(number) else text)
+    return painted
 
 
 def _columns(panel: Panel) -> list[TextColumn]:
-    """Return the columns of a panel of curves: the curve or the point, x and y."""
+    """Return the columns of a panel of curves: the name of the curve or point, x and y."""
     rows: list[tuple[str, float, float, str, str]] = []
     for curve in panel.curves:
         x, y, best, by = curve.rows or _some_of(curve, panel)
         empty = ("",) * len(x)
         rows += zip([plain(curve.text)] * len(x), x.tolist(), y.tolist(), best or empty, by or empty, strict=True)
-    points = [(plain(mark.text), mark.x, mark.y) for mark in panel.marks if mark.x is not None and mark.y is not None]
-    rows += [(*point, "", "") for point in points]
+    for mark in panel.marks:
+        if mark.x is not None and mark.y is not None:
+            rows.append((plain(mark.text), mark.x, mark.y, "", ""))
     names, *numbers, best, by = zip(*rows, strict=True)
     columns = [TextColumn("", names, is_right=False)]
     for axis, values in zip((panel.x, panel.y), numbers, strict=True):
@@ -378,14 +382,14 @@ def _columns(panel: Panel) -> list[TextColumn]:
 
 
 def _some_of(curve: Curve, panel: Panel) -> Rows:
-    """Return points of a curve at equal distances within the axes."""
+    """Return points of a curve within the axes, at equal distances."""
     x, y = (values[panel.x.has(curve.x) & panel.y.has(curve.y)] for values in (curve.x, curve.y))
     some = numpy.linspace(0, len(x) - 1, min(CURVE_ROWS, len(x))).round().astype(int)
     return Rows(x[some], y[some])
 
 
 def say_texts(texts: Iterable[str], out: TextIO) -> None:
-    """Print texts, on a terminal in lines that fit."""
+    """Print texts; on a terminal, wrap them."""
     for text in filter(None, texts):
         say_wrapped(plain(text), out, indent=0)
 
@@ -394,10 +398,10 @@ def say_texts(texts: Iterable[str], out: TextIO) -> None:
 
 
 class Style(NamedTuple):
-    """Colours of a page: paper, ink, hatches, the bands of a map from low to high, and curves.
+    """The colours of a page: paper, ink, hatches, the bands of a map from low to high, and curves.
 
-    The lightness of the bands changes steadily, so that their order shows in grey and to the colour-blind, and ink can
-    be read on each of them.
+    The lightness of the bands changes steadily, so that their order shows in grey and to the colour-blind, and ink is
+    legible on each of them.
     """
 
     paper: str
@@ -407,7 +411,7 @@ class Style(NamedTuple):
     lines: tuple[str, ...]
 
 
-# ColorBrewer's GnBu without its ends, and a dark counterpart. The lines are Okabe and Ito's colours.
+# ColorBrewer's GnBu without its ends, and a dark counterpart. The curves have the colours of Okabe and Ito.
 PAPER = Style(
     "#ffffff", "#000000", "#555555",
     ("#e8f6e2", "#ccebc5", "#a8ddb5", "#7bccc4", "#4eb3d3"),

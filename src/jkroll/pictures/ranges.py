@@ -1,4 +1,4 @@
-"""The best ranges of a quantity along a curve or over a map: those of single answers, point by point."""
+"""The best ranges of a quantity along a curve or over a map; each equals that of a single answer."""
 
 from collections.abc import Callable, Iterator
 from contextlib import suppress
@@ -12,22 +12,25 @@ from ..model.estimate import NONE, WORDS, Estimate, estimates
 from ..model.frame import Frame
 from ..model.results import Results
 
-_HAS_WIDTH = 1e-6  # relative, below which a range is a line
+_HAS_WIDTH = 1e-6  # relative width below which a range is drawn as a line
 
 
 class Band(NamedTuple):
-    """Best ranges as arrays: an open end is infinite, and nan stands where there is no range."""
+    """Best ranges as arrays; an open end is infinite, and nan means no range."""
 
     low: Any
     high: Any
-    by: Any  # the rule of each, a position in WORDS
+    by: Any  # the rule of each range, a position in WORDS
 
     def rules(self, where: Callable[[Any], str] = lambda _: "") -> str:
-        """Return the words of the rules, in their order, each with the place where it applies."""
+        """Return the words for the rules, in order, each with where it applies."""
         rules = [rule for rule in dict.fromkeys(self.by.ravel().tolist()) if rule != NONE]
         words: dict[str, int] = {WORDS[rule].replace("ξ", "⟦ξ⟧"): rule for rule in rules}
-        places = ((word, where(self.by == rule)) for word, rule in words.items())
-        return ", ".join(f"{word} ({place})" if place else word for word, place in places)
+        texts = []
+        for word, rule in words.items():
+            place = where(self.by == rule)
+            texts.append(f"{word} ({place})" if place else word)
+        return ", ".join(texts)
 
     def estimates(self) -> Iterator[Estimate]:
         """Iterate over the ranges as estimates of single points."""
@@ -37,9 +40,9 @@ class Band(NamedTuple):
 
 
 def band_of(here: Frame, quantity: str, shape: tuple[int, ...]) -> Band | None:
-    """Return the best ranges at the points of a frame of arrays; None if there are none, or each is a number."""
+    """Return the best ranges at the points of a frame of arrays; None if there are none, or all are single numbers."""
     best: Estimate | None = None
-    with suppress(JkrollError):  # error bars that some points do not have
+    with suppress(JkrollError):  # some points have no error bars
         best = estimates(Results(here, here.columns([quantity])), [quantity]).get(quantity)
     if best is None:
         return None

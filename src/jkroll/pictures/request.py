@@ -1,4 +1,4 @@
-"""A user's request for a plot as a field or curves: with caption, notes, and limits of the model that are exceeded."""
+"""The picture of a user's request, a field or curves, with its caption, notes, and the limits that are exceeded."""
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
@@ -50,46 +50,46 @@ from .picture import (
 )
 from .ranges import band_of
 
-MAX_CURVES = 24  # more cannot be told apart
-SIDE = 201  # points a side of a field, from which captions and limits follow, and of its numbers if none were asked for
-MOST_BANDS = 4  # of best ranges, that can be told apart
-ALONG = 1001  # points of a curve, unless its axis says another number
-# The limits that have a place on a map, each with its sign in a terminal and its hatch on a page. A pattern belongs to
-# one limit on every map. No two patterns together look like a third.
+MAX_CURVES = 24  # more cannot be distinguished
+SIDE = 201  # points along each side of a field, for captions and limits, and by default for its numbers
+MOST_BANDS = 4  # of best ranges; more cannot be distinguished
+ALONG = 1001  # points of a curve, unless its axis has another number
+# The limits that can have a region on a map, each with its sign in a terminal and its hatch on a page. A pattern means
+# the same limit on every map. No two patterns together look like a third.
 SIGNS = {
     "contact_radius_in_spacings": ("x", "...."),
     "displacement_ratio": ("/", "////"),
     "energy_over_yield": ("^", "----"),
     "tabor_parameter": ("|", "||||||"),
 }
-SLIGHT = ("'", "||")  # where a law is off by little: each of its lines is one of those where it is off by much
+SLIGHT = ("'", "||")  # where a law is off by little; its lines are among those of the hatch where it is off by much
 UNDRAWN = ("", "")
 DRAWN_LIMITS = tuple(limit for limit in LIMITS if limit.name in SIGNS and not limit.conclusion)
-_FARTHEST = log(1e3)  # excess of a limit that has a place on a map
+_FARTHEST = log(1e3)  # largest excess of a limit on a map
 _TWO, _THREE, _FOUR = (Format(digits=digits) for digits in (2, 3, 4))
 
 
 class PlotRequest(NamedTuple):
-    """A quantity to draw over one axis as curves, or over two as a field."""
+    """A quantity to draw, over one axis as curves or over two as a field."""
 
     quantity: str
     x: Axis
     y: Axis | None
-    frames: tuple[tuple[str, Frame], ...]  # a curve each, with its label
+    frames: tuple[tuple[str, Frame], ...]  # one for each curve, with its label
     marks: Sequence[str]
     materials: Materials
-    limits: Sequence[Limit] = LIMITS  # of which those that concern the quantity are drawn or told
-    printed: str = ""  # the same quantity as the paper prints it
-    has_best: bool = True  # whether the best ranges are drawn
+    limits: Sequence[Limit] = LIMITS  # drawn, or named in sentences, if they concern the quantity
+    printed: str = ""  # the quantity as the paper prints it, if that differs
+    has_best: bool = True  # True to draw the best ranges
 
 
 def picture_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
-    """Return the picture of a request, and notes on it."""
+    """Return the picture of a request, and its notes."""
     return _curves_of(request) if request.y is None else _map_of(request, request.y)
 
 
 def _map_of(request: PlotRequest, upright: Axis) -> tuple[Picture, tuple[str, ...]]:
-    """Return the field of a request, with its limits as regions, and notes on it."""
+    """Return the picture of a field, with its limits as regions, and its notes."""
     quantity, ((_, frame),) = request.quantity, request.frames
     x, y = (axis._replace(size=axis.size or SIDE) for axis in (request.x, upright))
     layer = Layer(request, "", frame, [axis._replace(size=SIDE) for axis in (x, y)])
@@ -99,14 +99,14 @@ def _map_of(request: PlotRequest, upright: Axis) -> tuple[Picture, tuple[str, ..
     marks = [mark_at(text, request.materials, frame, x, y) for text in request.marks]
     of_materials, left_out = _material_marks(request.materials, x, y) if frame.material is None else ([], ())
     panel = Panel(x, y, marks=(*of_materials, *marks), field=field)
-    told = {"": [region for region in regions if region not in drawn]}
-    caption, beyond = (*_opening(quantity, [layer]), *left_out), (*_sentences(told),)
+    undrawn = {"": [region for region in regions if region not in drawn]}
+    caption, beyond = (*_opening(quantity, [layer]), *left_out), (*_sentences(undrawn),)
     remarks = (f"{'; '.join(_about_marks(request, panel))}.",) if panel.marks else ()
     return Picture(described(quantity, field.in_words([])[1]), (panel,), caption, beyond, remarks), layer.notes
 
 
 def _curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
-    """Return the curves of a request, and notes on them."""
+    """Return the picture of curves, and its notes."""
     quantity, x = request.quantity, request.x._replace(size=request.x.size or ALONG)
     layers: list[Layer] = []
     errors: dict[str, MissingInput | NoResult] = {}
@@ -122,24 +122,28 @@ def _curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
     y = axis_around(quantity, _values_of(curves), may_be_log=True)
     marks = tuple(mark_at(text, request.materials, request.frames[0][1], x, y) for text in request.marks)
     farthest = _farthest_off(x, layers[0]) if len(layers) == 1 else ()
-    told = {layer.text: [*layer.regions()] for layer in layers}
-    caption, beyond = (*_opening(quantity, layers),), (*_sentences(told), *farthest)
+    regions_of = {layer.text: [*layer.regions()] for layer in layers}
+    caption, beyond = (*_opening(quantity, layers),), (*_sentences(regions_of), *farthest)
     notes = [f"no curve: {text}: {error}" for text, error in errors.items()]
-    notes += dict.fromkeys(note for layer in layers for note in layer.notes)
-    return Picture("", (Panel(x, y, curves, marks),), caption, beyond), tuple(notes)
+    for layer in layers:
+        notes += layer.notes
+    return Picture("", (Panel(x, y, curves, marks),), caption, beyond), tuple(dict.fromkeys(notes))
 
 
 def _values_of(curves: Sequence[Curve]) -> list[Any]:
-    """Return the values of curves and of the ends of their bands, positive ones if the axis may be logarithmic."""
+    """Return the values of curves and of their bands' ends; only positive ends if the axis may be logarithmic."""
     values = [curve.y for curve in curves]
-    ends = [end[numpy.isfinite(end)] for curve in curves if curve.band is not None for end in curve.band[:2]]
-    if min(extent(of_curve)[0] for of_curve in values) > 0:
-        ends = [end[end > 0] for end in ends]
-    return [*values, *ends]
+    is_positive = min(extent(of_curve)[0] for of_curve in values) > 0
+    for curve in curves:
+        if curve.band is not None:
+            for end in (curve.band.low, curve.band.high):
+                known = end[numpy.isfinite(end)]
+                values.append(known[known > 0] if is_positive else known)
+    return values
 
 
 def distinction(frame: Frame, several: Iterable[str], models: Sequence[object]) -> str:
-    """Return the materials of a frame, its law if there are several, and its values of inputs that have several."""
+    """Return the label of a frame: its materials, its law if there are several, and inputs with several values."""
     parts = [material.name for material, _ in frame.materials]
     if len(models) > 1 and frame.stated_model is not None:
         parts.append(frame.law.title)
@@ -150,18 +154,19 @@ def distinction(frame: Frame, several: Iterable[str], models: Sequence[object]) 
 
 # --- Axes -------------------------------------------------------------------------------------------------------------
 
-MAX_POINTS = 2000  # of an axis
+MAX_POINTS = 2000  # on an axis
 _AXIS = re.compile(r"([^=]*)=(([^:,]*):([^:,]*)(?::([0-9]+))?(?::(lin|log))?)")  # NAME=FROM:TO:COUNT:SCALE
 
 
 def axis_of(text: str, option: str) -> Axis:
-    """Return the axis of a text `NAME=FROM:TO`, optionally with `:COUNT` and `:lin` or `:log`.
+    """Return the axis of a text `NAME=FROM:TO`, which may be followed by `:COUNT` and `:lin` or `:log`.
 
     >>> axis = axis_of("radius=1nm:1mm", "--x")
     >>> axis.name, axis.low, axis.high, axis.is_log
     ('radius', 1e-09, 0.001, True)
     """
-    if (match := _AXIS.fullmatch(text)) is None:
+    match = _AXIS.fullmatch(text)
+    if match is None:
         raise BadRequest(f"{option}: write a quantity and its range, such as radius=1nm:1mm, with :lin for equal steps")
     word, values, first, last, count, scale = match.groups(default="")
     name = quantity_named(as_input(word))
@@ -174,7 +179,7 @@ def axis_of(text: str, option: str) -> Axis:
 
 
 def check_axes(quantity: str, axes: Sequence[Axis], given: Iterable[str], models: tuple[str, ...]) -> None:
-    """Raise BadRequest for axes on which a quantity does not depend, or which are given besides."""
+    """Raise BadRequest for an axis that the quantity does not depend on, or that is also given as an input."""
     within, fixed = depends_on((quantity,), models), {*map(computed_as, given)}
     for axis in axes:
         if computed_as(axis.name) in fixed:
@@ -191,7 +196,7 @@ def check_axes(quantity: str, axes: Sequence[Axis], given: Iterable[str], models
 
 
 def mark_at(text: str, materials: Materials, frame: Frame, x: Axis, y: Axis) -> Mark:
-    """Return the mark of `MATERIAL@RADIUS`, `MATERIAL` or `@RADIUS` between two axes."""
+    """Return the mark for `MATERIAL@RADIUS`, `MATERIAL` or `@RADIUS` between two axes."""
     numbers = _frame_at(text, materials, frame).numbers(x.name, y.name)
     if not numbers or not all(axis.has(numbers.get(axis.name, axis.low)) for axis in (x, y)):
         raise BadRequest(f"--mark {quoted(text)} is nowhere on {x.name} and {y.name} as they are drawn")
@@ -205,11 +210,12 @@ def _name_of(text: str) -> str:
     ('quartz, 100 nm', 'quartz', '1 µm')
     """
     name, _, radius = text.partition("@")
-    return ", ".join(filter(None, (name, amount("radius", parse_quantity(radius, "radius")) if radius else "")))
+    size = amount("radius", parse_quantity(radius, "radius")) if radius else ""
+    return ", ".join(filter(None, (name, size)))
 
 
 def _frame_at(text: str, materials: Materials, frame: Frame) -> Frame:
-    """Return the frame of a grain that is marked."""
+    """Return the frame of a marked grain."""
     name, _, radius = text.partition("@")
     material = materials[name] if name else None
     values = {"radius": parse_quantity(radius, "radius")} if radius else {}
@@ -217,27 +223,29 @@ def _frame_at(text: str, materials: Materials, frame: Frame) -> Frame:
 
 
 def _material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[list[Mark], tuple[str, ...]]:
-    """Return a mark for each material that has a place on an axis, and the sentence of a caption on the others.
+    """Return marks for the materials with a position on an axis, and the sentence of a caption about the others.
 
-    Materials with a state are not asked: several of one substance would crowd the edge.
+    Materials with a state are left out: several of one substance would crowd the edge.
     """
     placed, others = [], []
-    for material in (material for material in materials.materials.values() if not material.state):
+    for material in materials.materials.values():
+        if material.state:
+            continue
         numbers = Frame({}, material).numbers(x.name, y.name)
-        places = [numbers[axis.name] if axis.has(numbers.get(axis.name, nan)) else None for axis in (x, y)]
-        if places == [None, None]:
+        positions = [numbers[axis.name] if axis.has(numbers.get(axis.name, nan)) else None for axis in (x, y)]
+        if positions == [None, None]:
             others.append(material.name)
         else:
-            placed.append(Mark(material.name, *places))
+            placed.append(Mark(material.name, *positions))
     return placed, (f"Not shown: {', '.join(others)}.",) if placed and others else ()
 
 
 def _about_marks(request: PlotRequest, panel: Panel) -> Iterator[str]:
-    """Iterate over the places of marks on an axis, and the values of grains at points, by their own inputs."""
+    """Iterate over the positions of marks on an axis, and over the values of grains at points, by their own inputs."""
     quantity, ((_, frame),) = request.quantity, request.frames
     typed = {_name_of(text): text for text in request.marks}
     for mark in panel.marks:
-        numbers = {axis.name: value for axis, value in ((panel.x, mark.x), (panel.y, mark.y)) if value is not None}
+        numbers = {axis.name: at for axis, at in ((panel.x, mark.x), (panel.y, mark.y)) if at is not None}
         if len(numbers) == 2:
             drawn = frame.replace(**panel.x.inputs(mark.x), **panel.y.inputs(mark.y)).numbers(quantity)
             numbers = _frame_at(typed.get(mark.text, mark.text), request.materials, frame).numbers(quantity) or drawn
@@ -251,24 +259,26 @@ def _about_marks(request: PlotRequest, panel: Panel) -> Iterator[str]:
 
 
 class Layer:
-    """A quantity of one frame over one axis or two: values, fixed inputs, the limits of the model, and notes.
+    """A quantity of one frame over one axis or two: values, fixed inputs, exceeded limits, and notes.
 
     Raises MissingInput if the quantity cannot be computed, and NoResult if it has no value.
     """
 
     def __init__(self, request: PlotRequest, text: str, frame: Frame, axes: Sequence[Axis]) -> None:
-        """Evaluate the quantity of a request in a frame; `text`: the label of a curve."""
+        """Evaluate the quantity of a request in a frame. `text`: the label of the curve."""
         quantity = request.quantity
         self.text, self.given, self.quantity, self.axes = text, frame, quantity, axes
-        drawn = {name: value for axis in axes for name, value in axis.inputs(axis.high).items()}
-        self.frame = frame.replace(**drawn)  # at an end: what a quantity needs is the same all along an axis
+        drawn: dict[str, Any] = {}
+        for axis in axes:
+            drawn |= axis.inputs(axis.high)
+        self.frame = frame.replace(**drawn)  # at an end; a quantity needs the same inputs all along an axis
         points = over(frame, *axes)
         every = _doubts(points, quantity, request.limits)
         self.doubts = [doubt for doubt in every if doubt.error is None]
         missing = [doubt.error for doubt in every if doubt.error is not None]
         names = [quantity, *(doubt.limit.name for doubt in self.doubts if doubt.limit in DRAWN_LIMITS)]
         inputs, used = self.frame.inputs_of(*names), self.frame.inputs_of(quantity)
-        # The limits are judged at an assumed load, which is no assumption about a quantity that does not depend on it.
+        # The limits are judged at an assumed load; if the quantity does not depend on it, this is not an assumption.
         shown = [name for name in inputs if name in used or name != "load" or name in self.frame.given]
         moduli = {} if drawn.keys().isdisjoint(("poisson_ratio", "poisson_ratio2")) else _shear_moduli(frame)
         on_axes = {*map(computed_as, drawn)}
@@ -293,7 +303,7 @@ class Layer:
         self.gaps = _phrases(points.column(quantity).reasons)
 
     def curve(self, colour: int, *, has_best: bool) -> Curve:
-        """Return the curve of the quantity along its axis, with the band of its best ranges, and the rows to show."""
+        """Return the curve of the quantity along its axis, with the band of its best ranges and the rows to show."""
         (x,) = self.axes
         shown = shown_values(x, CURVE_ROWS)
         here = self.given.replace(**x.inputs(shown))
@@ -303,7 +313,8 @@ class Layer:
         band = band_of(over(self.given, x), self.quantity, self.values.shape) if has_best else None
         if band is None:
             return Curve(self.text, x.values(), self.values, colour, rows=rows)
-        if rows is not None and (best := band_of(here, self.quantity, shown.shape)) is not None:
+        best = band_of(here, self.quantity, shown.shape) if rows is not None else None
+        if rows is not None and best is not None:
             every = [*compress(best.estimates(), known)]
             ranges = (range_in_words(self.quantity, estimate) for estimate in every)
             rows = rows._replace(best=(*ranges,), by=(*(WORDS[estimate.by] for estimate in every),))
@@ -312,7 +323,7 @@ class Layer:
         return Curve(self.text, x.values(), self.values, colour, band=band, key=key, rows=rows)
 
     def regions(self) -> Iterator[Region]:
-        """Iterate over the thresholds that values pass: of a law the last, then the first unless all pass the last."""
+        """Iterate over regions beyond thresholds: for a law the last one, then the first unless all passes the last."""
         for doubt in self.doubts:
             limit = doubt.limit
             first, *_, last = (limit.threshold, *limit.codes)
@@ -330,7 +341,7 @@ class Layer:
                         break
 
     def _beyond(self, limit: Limit, threshold: float) -> str:
-        """Return what holds beyond a threshold, with the number that a limit names unless another is judged."""
+        """Return the consequence beyond a threshold, and, unless another number is judged, the limit's number there."""
         if limit is LAW:
             size = f"{100 * (threshold - 1):.0f} %" if threshold < 2 else f"a factor of {threshold:g}"
             return f"{self.given.law.title} is off by more than {size}"
@@ -341,12 +352,12 @@ class Layer:
         return f"⟦{NOMENCLATURE[limit.name].symbol} {limit.sign[0]} {number}⟧{unit and f' {unit}'}: {meaning}"
 
     def _where(self, is_beyond: Any) -> str:
-        """Return where something holds: stretches of a curve, or a part of a map; empty for all points with a value."""
+        """Return where a condition holds: stretches of a curve or part of a map; empty for all points with a value."""
         if (is_beyond == self.known).all():
             return ""
         if len(self.axes) == 1:
             return _stretches(self.axes[0], is_beyond, self.known)
-        for axis, across in zip(self.axes, (0, 1), strict=True):  # rows of a map go along x
+        for axis, across in zip(self.axes, (0, 1), strict=True):  # the rows of a map run along x
             beyond, known = is_beyond.any(axis=across), self.known.any(axis=across)
             if (is_beyond == (self.known & numpy.expand_dims(beyond, across))).all():
                 return _stretches(axis, beyond, known)
@@ -354,15 +365,18 @@ class Layer:
 
 
 def _stretches(axis: Axis, is_beyond: Any, known: Any) -> str:
-    """Return the stretches of an axis in which something holds, without points that have no value."""
+    """Return the stretches of an axis in which a condition holds, skipping points without a value."""
     values, beyond = axis.values()[known], is_beyond[known]
     edges = numpy.flatnonzero(numpy.diff(beyond, prepend=False, append=False)).reshape(-1, 2)
-    ends = ([amount(axis.name, values[end], _TWO) for end in (first, last - 1)] for first, last in edges)
-    return f"{symbol(axis.name)} = {', '.join(' to '.join(dict.fromkeys(pair)) for pair in ends)}"
+    stretches = []
+    for first, last in edges:
+        ends = [amount(axis.name, values[end], _TWO) for end in (first, last - 1)]
+        stretches.append(" to ".join(dict.fromkeys(ends)))
+    return f"{symbol(axis.name)} = {', '.join(stretches)}"
 
 
 def _shear_moduli(frame: Frame) -> dict[str, str]:
-    """Return the shear moduli that were given, by the Young's moduli that vary with Poisson's ratio."""
+    """Return the shear moduli that were given, by the Young's moduli, which then vary with Poisson's ratio."""
     return {CONVERTED[name]: name for name in ("shear_modulus", "shear_modulus2") if name in frame.described}
 
 
@@ -378,12 +392,12 @@ def _without(error: JkrollError) -> str:
 
 
 def _doubts(here: Frame, quantity: str, limits: Iterable[Limit]) -> list[Doubt]:
-    """Return the limits of a quantity, judged."""
+    """Return the doubts about a quantity, one for each limit."""
     return doubts(here, here.columns([quantity]), limits)
 
 
 def _excess_over(limit: Limit, step: float, quantity: str, here: Frame) -> Any:
-    """Return how far a limit is exceeded over a step, as the logarithm of a factor that has a place on a map."""
+    """Return how far a limit is exceeded beyond a step, as a logarithm that is cut off at the largest on a map."""
     (doubt,) = _doubts(here, quantity, [limit])
     return numpy.clip(doubt.excess - step, -_FARTHEST, _FARTHEST)
 
@@ -396,14 +410,14 @@ def inputs_as_texts(frame: Frame, names: Iterable[str]) -> tuple[str, ...]:
     materials = [frame.material.name] if frame.material is not None else []
     if frame.material2 is not None:
         materials.append(f"material2 = {frame.material2.name}")
-    values = ((name, in_words(name, frame[name])) for name in names)
-    return (*materials, *(f"{symbol(name)} = {amount(name, value)}" for name, value in values))
+    texts = [f"{symbol(name)} = {amount(name, in_words(name, frame[name]))}" for name in names]
+    return (*materials, *texts)
 
 
 def notes_on(given: Frame, frame: Frame, inputs: Collection[str], names: Sequence[str]) -> list[str]:
-    """Return notes on uncertain inputs, of which a picture has the middle, and on the data behind quantities.
+    """Return notes on uncertain inputs, whose middle a picture uses, and on the data behind quantities.
 
-    `given`: the frame as a user gave it, or all points of a picture, of which `frame` is one.
+    `given`: the frame as the user gave it, or all points of a picture; `frame` is one of them.
     """
     uncertain = {name: measured for name, measured in given.uncertainties.items() if name in inputs}
     of_point = assumed(frame, inputs, names, has_values=False)
@@ -418,45 +432,54 @@ def fixed_inputs(inputs: Sequence[str]) -> tuple[str, ...]:
 
 
 def _opening(quantity: str, layers: Sequence[Layer]) -> Iterator[str]:
-    """Iterate over the sentences that every caption begins with: on the quantity, its inputs, and on its values."""
-    sentence = marked(NOMENCLATURE[quantity].sentence)  # one that begins with a formula keeps its first letter
+    """Iterate over the first sentences of a caption: on the quantity, its fixed inputs, and its values."""
+    sentence = marked(NOMENCLATURE[quantity].sentence)  # `capital` leaves a formula at the beginning alone
     clauses = [capital(sentence), symbol(quantity)]
     equations = {equation_of(layer.frame, quantity) for layer in layers}
     laws = {layer.frame.law.title for layer in layers if layer.frame.stated_model is not None}
-    if len(equations) == 1 and (equation := equations.pop()):
+    equation = equations.pop() if len(equations) == 1 else ""
+    if equation:
         clauses.append(f"Eq ({equation})" if equation.isdigit() else equation)
     if len(laws) == 1:
         clauses.append(f"under {laws.pop()}")
     elif not laws and any(has_other_formulas(layer.frame, quantity, BETWEEN) for layer in layers):
         clauses.append(f"by {layers[0].frame.law.short}")
     yield ", ".join(clauses) + "."
-    yield from fixed_inputs([text for text in layers[0].inputs if all(text in layer.inputs for layer in layers)])
+    shared = set(layers[0].inputs).intersection(*(layer.inputs for layer in layers))
+    yield from fixed_inputs([text for text in layers[0].inputs if text in shared])
     for layer in layers:
         if is_flat(layer.values):
             label = f"{layer.text}, the" if layer.text else "The"
             yield f"{label} same everywhere: {symbol(quantity)} = {amount(quantity, extent(layer.values)[0])}."
     if any(layer.frame.may_rest_on_spacing(quantity) and not layer.known.all() for layer in layers):
         yield f"No value where it {RESTS_ON_SPACING.words}."
-    yield from dict.fromkeys(sentence for layer in layers for sentence in layer.unjudged)
+    unjudged: list[str] = []
+    for layer in layers:
+        unjudged += layer.unjudged
+    yield from dict.fromkeys(unjudged)
 
 
-def _sentences(told: Mapping[str, Iterable[Region]]) -> Iterator[str]:
-    """Iterate over sentences on where the model has no meaning or is not exact, of layers by their labels."""
-    places: dict[str, dict[str, str]] = {}  # by what holds there: the places of each layer
-    for label, regions in told.items():
+def _sentences(regions_of: Mapping[str, Iterable[Region]]) -> Iterator[str]:
+    """Iterate over sentences on where the model has no meaning or is not exact; `regions_of`: by a layer's label."""
+    places: dict[str, dict[str, str]] = {}  # where it holds, by label, for each text
+    for label, regions in regions_of.items():
         for region in regions:
             places.setdefault(region.text, {})[label] = region.where
     for text, where in places.items():
-        if len(where) == len(told) and not any(where.values()):
+        if len(where) == len(regions_of) and not any(where.values()):
             yield f"Everywhere {text}."
         else:
-            each_place = (", ".join(filter(None, (label, place or "everywhere"))) for label, place in where.items())
+            each_place = []
+            for label, place in where.items():
+                each_place.append(", ".join(filter(None, (label, place or "everywhere"))))
             yield f"{capital(text)} ({'; '.join(each_place)})."
 
 
 def _farthest_off(x: Axis, layer: Layer) -> Iterator[str]:
-    """Iterate over the sentence on the place at which the law of a curve is farthest off, with the value by Maugis'."""
-    for doubt in (doubt for doubt in layer.doubts if doubt.limit is LAW):
+    """Iterate over the sentence on where the law of a curve is farthest off, with the value by Maugis' law."""
+    for doubt in layer.doubts:
+        if doubt.limit is not LAW:
+            continue
         excess = numpy.where(layer.known, doubt.excess, -numpy.inf)
         value = float(x.values()[excess.argmax()])
         quantity, here = layer.quantity, layer.given.replace(**x.inputs(value))

@@ -1,4 +1,4 @@
-"""Values as text: rounded and with a suitable prefix, or as the shortest text that parses back to the same value."""
+"""Values as text: rounded with a suitable prefix, or as the shortest text that parses back to the same value."""
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from math import floor, isinf, log10
@@ -8,41 +8,41 @@ from .nomenclature import INFINITY, NOMENCLATURE, header
 from .units import Unit, convert, power_of_ten
 from .values import Measured, Uncertain, ends_of, middle
 
-DIGITS = 6  # significant, of a rounded value
-RESULT_DIGITS = 4  # of a result in a table for readers
-ROUND_DIGITS = 12  # all that a round value has, and no rounding error
-_PLAIN = 10**DIGITS  # numbers below have no exponent for want of digits
-_ERRORS = 1e-14  # numbers below so much of the largest on a linear scale are errors of 0
-_NARROW = 0.05  # relative width of a range below which its ends have a digit more
+DIGITS = 6  # significant digits of a rounded value
+RESULT_DIGITS = 4  # digits of a result in a table for readers
+ROUND_DIGITS = 12  # all digits of a round value, without its rounding error
+_PLAIN = 10**DIGITS  # smaller numbers are written without an exponent
+_ERRORS = 1e-14  # on a linear scale, smaller fractions of the largest number are 0
+_NARROW = 0.05  # relative width of a range below which its ends get another digit
 _PREFIXES = dict(
     zip(range(-24, 18, 3), ("y", "z", "a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T", "P"), strict=True)
 )
-_KNOWN = range(-12, 10)  # powers of ten whose prefix stands in a text; others stand as such
-_ON_AXES = range(-15, 13)  # those whose prefix stands beside its neighbours', from f to T
+_KNOWN = range(-12, 10)  # powers of ten written as a prefix in texts
+_ON_AXES = range(-15, 13)  # powers of ten written as a prefix on axes, from f to T
 WITH_PREFIXES = ("m", "s", "N", "J", "Pa", "Hz", "rad", "m/s", "N m", "N/m", "J/m^2", "N m/rad")
 
 
 class Format:
-    """Units and number of digits in which results are written."""
+    """The units and the number of digits of written results."""
 
     def __init__(
         self,
         units: Mapping[str, tuple[str, Unit]] | None = None,  # by quantity: the unit to convert to
         digits: int | None = None,
-        typed: Mapping[str, str] | None = None,  # inputs as they were typed; none for several values
+        typed: Mapping[str, str] | None = None,  # inputs as typed; empty for several values
     ) -> None:
         self.units, self.digits, self.typed = units or {}, digits, typed or {}
 
     def unit(self, name: str) -> str:
-        """Return the unit in which a quantity is written for a program."""
+        """Return the unit of a quantity in output for programs."""
         return self.units[name][0] if name in self.units else NOMENCLATURE[name].unit
 
     def changes(self, name: str) -> bool:
-        """Return whether the numbers of a quantity are not written as they are in SI units."""
+        """Return whether the numbers of a quantity are written other than in SI units with all digits."""
         return name in self.units or self.digits is not None
 
     def number(self, name: str, value: float) -> float:
-        """Return the number that is written for an SI value: in its unit, with its digits."""
+        """Return the number to write for an SI value: in its unit, with its digits."""
         number = convert(value, self.units[name][1]) if name in self.units else value
         return number + 0.0 if self.digits is None else float(f"{number + 0.0:.{self.digits}g}")
 
@@ -51,7 +51,7 @@ class Format:
         return header(name, self.unit(name))
 
     def rounded(self, name: str, value: float | str | Uncertain) -> tuple[str, str]:
-        """Return a value, with its uncertainty if it has one, and its unit, rounded and with a suitable prefix."""
+        """Return a rounded value, with its uncertainty if it has one, and its unit with a suitable prefix."""
         value = value if isinstance(value, Uncertain) else in_words(name, value)
         if isinstance(value, str):
             return value, ""
@@ -59,7 +59,7 @@ class Format:
         return self.in_unit(value, unit), unit[0]
 
     def common_unit(self, name: str, values: Sequence[float | str | Uncertain | None]) -> tuple[str, Unit]:
-        """Return the unit that suits the middle one of values, among which words and gaps may be."""
+        """Return the unit that suits the middle one of some values, which may include words and None."""
         if name in self.units:
             return self.units[name]
         si = NOMENCLATURE[name].unit
@@ -71,7 +71,7 @@ class Format:
         return pretty(_multiple(si, power)), (*power_of_ten(power), ())
 
     def in_unit(self, value: float | Uncertain, unit: tuple[str, Unit]) -> str:
-        """Return a rounded value in a unit, with its uncertainty if it has one, without the unit."""
+        """Return a rounded value in a unit, with its uncertainty if it has one, without the name of the unit."""
         if isinstance(value, Measured):
             return _plus_minus(*(convert(number, unit[1]) for number in (value.value, value.minus, value.plus)))
         ends = (significant(convert(end, unit[1]), self.digits or DIGITS) for end in ends_of(value))
@@ -79,21 +79,20 @@ class Format:
 
 
 def _sizes(values: Sequence[float | str | Uncertain | None]) -> list[float]:
-    """Return the sizes of values in order, without those of 0 and infinity."""
+    """Return the sizes of values in order, without 0 and infinity."""
     middles = (middle(value) for value in values if value is not None and not isinstance(value, str))
     return sorted(abs(value) for value in middles if value and not isinf(value))
 
 
 def _multiple(unit: str, power: int, known: range = _KNOWN) -> str:
-    """Return the multiple of a unit by a power of ten: with a prefix that all know, else with the power itself."""
+    """Return the multiple of a unit by a power of ten: with a well-known prefix, or else with the power itself."""
     return _PREFIXES[power] + unit.removeprefix("1") if power in known else f"1e{power} {unit}"
 
 
 def engineering(value: float, unit: str, digits: int = DIGITS, known: range = _KNOWN) -> tuple[str, str]:
-    """Round a value to significant digits and choose a prefix for its unit, if there is one that all know.
+    """Round a value to significant digits, and choose a well-known prefix for its unit if there is one.
 
-    `known`: the powers of ten of these.
-
+    `known`: the powers of ten with such a prefix.
     >>> engineering(1.1780972e-08, "N"), engineering(2e-17, "J")
     (('11.781', 'nN'), ('2e-17', 'J'))
     """
@@ -103,17 +102,16 @@ def engineering(value: float, unit: str, digits: int = DIGITS, known: range = _K
 
 
 def _power(value: float, unit: str, digits: int) -> int:
-    """Return the power of ten of the multiple of a unit that suits a value, rounded to significant digits."""
+    """Return the power of ten for the multiple of a unit that suits a value rounded to significant digits."""
     exponent = f"{value:.{digits - 1}e}".partition("e")[2]
     power = 3 * (int(exponent or 0) // 3)
     return power if unit in WITH_PREFIXES and power in _PREFIXES else 0
 
 
 def significant(value: float, digits: int, *, zeros: bool = False) -> str:
-    """Round a number to significant digits; one below a million is written without an exponent.
+    """Round a number to significant digits; below a million it is written without an exponent.
 
-    `zeros`: whether those at its end are kept.
-
+    `zeros`: True to keep trailing zeros.
     >>> significant(2600.0, 3), significant(1234567.0, 3), significant(5.0, 3, zeros=True)
     ('2600', '1.23e6', '5.00')
     """
@@ -125,7 +123,7 @@ def significant(value: float, digits: int, *, zeros: bool = False) -> str:
 
 
 def with_unit(number: str, unit: str) -> str:
-    """Return a number, a range or a value with an error bar, with its unit, in which a power of ten may stand.
+    """Return a number, a range or an uncertain value with its unit, which may include a power of ten.
 
     >>> with_unit("11.8", "nN"), with_unit("1.50", "1e-18 J"), with_unit("1–3", "1e-18 J"), with_unit("7", "")
     ('11.8 nN', '1.50e-18 J', '(1–3)e-18 J', '7')
@@ -149,7 +147,7 @@ AS_USUAL = Format()
 
 
 def amount(name: str, value: float | str | Uncertain, form: Format = AS_USUAL) -> str:
-    """Return a value with its unit, and with its uncertainty if it has one, for a sentence; an input as it was typed.
+    """Return a value with its unit, and its uncertainty if it has one, for a sentence; an input as typed.
 
     >>> amount("yield_displacement", 2e-10)
     '200 pm'
@@ -158,13 +156,13 @@ def amount(name: str, value: float | str | Uncertain, form: Format = AS_USUAL) -
     >>> [amount("surface_energy", value_of(text, "surface_energy")) for text in texts]
     ['25.0 ± 5.0 mJ/m²', '25.0 +6.0/-4.0 mJ/m²', '20 to 30 mJ/m²']
     """
-    if typed := form.typed.get(name):
-        return typed
+    typed = form.typed.get(name)
+    return typed or with_unit(*form.rounded(name, value))
     return with_unit(*form.rounded(name, value))
 
 
 def span(name: str, low: float, high: float, digits: int | None = None) -> str:
-    """Return the ends of a range for a sentence, as `from_to` has them.
+    """Return the ends of a range with its unit, for a sentence; see `from_to`.
 
     >>> span("pull_off_force", 1.437e-8, 1.5e-8), span("pull_off_force", 3.97e-7, 3.995e-7)
     ('14.4–15.0 nN', '397–400 nN')
@@ -178,10 +176,9 @@ def span(name: str, low: float, high: float, digits: int | None = None) -> str:
 
 
 def from_to(low: float, high: float, digits: int | None = None) -> str:
-    """Return the ends of a range, with one digit more where that tells them apart; else one number.
+    """Return the ends of a range, with another digit if that distinguishes them; otherwise a single number.
 
-    They have two digits, or three where the range is narrow, unless `digits` says how many.
-
+    They have two digits, or three if the range is narrow, unless `digits` is given.
     >>> from_to(14.37, 15.0), from_to(-1.0, 2.0), from_to(3.0, 3.0), from_to(1.02e6, 1.31e6), from_to(397.0, 399.5)
     ('14.4–15.0', '-1 to 2', '3', '(1.0–1.3)e6', '397–400')
     """
@@ -206,25 +203,25 @@ def _alike(ends: Iterable[float], digits: int) -> list[str]:
 
 
 def _shift(size: float) -> int:
-    """Return the power of ten that stands behind numbers of a size; 0 for those that read well without."""
+    """Return the power of ten written after numbers of a size; 0 if they read well without."""
     return 0 if size == 0 or 1e-3 <= size < 1e6 else floor(log10(size))
 
 
 def _plus_minus(value: float, minus: float, plus: float) -> str:
     """Return a value with its standard uncertainty.
 
-    An uncertainty has two digits, and the value ends at the same place. Sides that differ there are both shown.
+    The uncertainty has two digits, and the value ends at the same position. If the two sides differ, both are shown.
     """
     shift = _shift(abs(value))
     numbers = [number * 10.0**-shift for number in (value, minus, plus)]
-    place = int(f"{min(filter(None, numbers[1:])):.1e}".partition("e")[2]) - 1  # of the second digit
-    middle, below, above = (f"{round(number, -place):.{max(-place, 0)}f}" for number in numbers)
+    last = int(f"{min(filter(None, numbers[1:])):.1e}".partition("e")[2]) - 1  # position of the second digit
+    middle, below, above = (f"{round(number, -last):.{max(-last, 0)}f}" for number in numbers)
     text = f"{middle} ± {above}" if above == below else f"{middle} +{above}/-{below}"
     return f"({text})e{shift}" if shift else text
 
 
 def in_words(name: str, value: float | str) -> float | str:
-    """Return the word for an infinite value, and any other value unchanged.
+    """Return the word for an infinite value; any other value unchanged.
 
     >>> in_words("radius2", float("inf")), in_words("radius2", 1e-7)
     ('plane', 1e-07)
@@ -235,11 +232,10 @@ def in_words(name: str, value: float | str) -> float | str:
 
 
 def in_units(unit: str, values: Sequence[float], digits: int = ROUND_DIGITS, *, is_log: bool) -> tuple[list[str], str]:
-    """Return values as text, and the unit of them all: on a logarithmic scale empty where each has its own.
+    """Return values as text, and their common unit; on a logarithmic scale it is empty if each has its own.
 
-    Numbers on such a scale are written in one way: with prefixes if there are any for all of them, else all or none
-    with an exponent.
-
+    Numbers on such a scale are written alike: with prefixes if all of them have one, otherwise all or none with an
+    exponent.
     >>> in_units("Hz", [1e9, 1e12], is_log=True), in_units("J", [1e-18, 1e-15], is_log=True)
     ((['1 GHz', '1 THz'], ''), (['1e-18', '1e-15'], 'J'))
     >>> in_units("1", [0.01, 1000.0], is_log=True), in_units("1", [1000.0, 2e6], is_log=True)
@@ -264,19 +260,19 @@ def in_units(unit: str, values: Sequence[float], digits: int = ROUND_DIGITS, *, 
 
 
 def _with_exponent(value: float, digits: int) -> str:
-    """Return a rounded number with an exponent, 0 without one."""
+    """Return a rounded number with an exponent; 0 without one."""
     mantissa, _, exponent = f"{value:.{digits - 1}e}".partition("e")
     mantissa = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
     return f"{mantissa}e{int(exponent)}" if value else "0"
 
 
 def first_symbols(names: list[str]) -> str:
-    """Return the symbols of the first names of a list, and how many more there are."""
+    """Return the symbols of the first names in a list, and the number of the others."""
     return first_of([*map(symbol_of, names)])
 
 
 def symbol_among(name: str, inputs: Collection[str]) -> str:
-    """Return the symbol of a quantity, without the index of sphere 1 where no other value is that of sphere 2."""
+    """Return the symbol of a quantity, without the index of sphere 1 if sphere 2 has no value of its own."""
     quantity = NOMENCLATURE[name]
     is_of_both = quantity.sphere == 1 and quantity.twin not in inputs and name != "radius"
     return symbol_of(name).removesuffix("1") if is_of_both else symbol_of(name)
@@ -288,12 +284,12 @@ def symbol_of(name: str) -> str:
 
 
 def bar_digits(value: float, error: float) -> str:
-    """Return a value to the second digit of its error, or with four digits without one.
+    """Return a value rounded to the second digit of its error, or to four digits without an error.
 
     >>> bar_digits(61.7234, 0.24), bar_digits(1749.6, 190.0), bar_digits(0.21666, 0.0)
     ('61.72', '1750', '0.2167')
     """
     if not 0 < error < abs(value):
         return significant(value, RESULT_DIGITS)
-    place = int(f"{error:.1e}".partition("e")[2]) - 1
-    return f"{round(value, -place):.{max(-place, 0)}f}"
+    last = int(f"{error:.1e}".partition("e")[2]) - 1
+    return f"{round(value, -last):.{max(-last, 0)}f}"

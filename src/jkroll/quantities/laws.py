@@ -1,21 +1,22 @@
-"""Laws of attraction between JKR and DMT: by which formula each has a quantity.
+"""Laws of attraction between JKR and DMT, and the formula that each has for a quantity.
 
-A law is tables of routes, from the name of a quantity to the formula that gives it: "pull_off_force" is
-"pull_off_force_maugis" under Maugis' law. A plan follows the routes wherever a name occurs, so that what is made of
-such quantities (`n_grav` of the moment, `vertical_frequency` of the stiffness) needs no route of its own. None stands
-for a quantity that the law does not have; a name without a route is found by the formula of the same name. A formula
-that one law alone routes to belongs to that law: under another it would mix the two, and is refused.
+A law consists of tables of routes, from the name of a quantity to the formula that gives it: "pull_off_force" leads to
+"pull_off_force_maugis" under Maugis' law. A plan follows the routes wherever a name occurs, so quantities that depend
+on others (`n_grav` on the moment, `vertical_frequency` on the stiffness) need no route of their own. None marks a
+quantity that the law does not have; a name without a route has the formula of the same name. A formula that only one
+law routes to belongs to that law: another law would mix the two, so the formula is refused.
 
-The profile of the body that presses is a part of a law, too: JKR's contact of a true sphere is another `Law` than that
-of a paraboloid. Users choose it by the profile.
+The profile of body 1 is part of a law, too: JKR's contact of a true sphere is another `Law` than that of a paraboloid.
+Users choose it by the profile.
 
-A new law is one more `Law` here, its formulas in `physics`, its reference in `write/references.toml`, the states of
-its force curve in `answers.curve`, and where the physics gives a formula no result, the reason in `model.reasons`. The
-nomenclature takes the names of its formulas from the routes.
+A new law needs a `Law` here, its formulas in `physics`, its reference in `write/references.toml`, the states of its
+force curve in `report.curve`, and the reasons for missing results in `model.reasons`. The nomenclature takes the names
+of its formulas from the routes.
 """
 
 from collections.abc import Collection, Mapping
 from functools import cache
+from itertools import chain
 
 from ..errors import BadRequest
 from ..text import closest, quoted
@@ -23,22 +24,20 @@ from ..text import closest, quoted
 Routes = Mapping[str, str | None]
 
 
-PARABOLOID, SPHERE = PROFILES = ("paraboloid", "sphere")  # of the body that presses
+PARABOLOID, SPHERE = PROFILES = ("paraboloid", "sphere")  # shapes of body 1
 
 
 class Law:
-    """A law of attraction, with its tables of routes by the input that has to be given for them, or `ALWAYS`."""
+    """A law of attraction, with tables of routes by the input that selects them, or `ALWAYS`."""
 
     def __init__(
         self,
         name: str,
         title: str,
-        source: str,  # as results name it, where the paper has no equation
+        source: str,  # the reference of results without an equation in the paper
         tables: Mapping[str, Routes],
-        omits: frozenset[str] = frozenset(),  # quantities that are not shown under it
-        by_spacing: frozenset[
-            str
-        ] = frozenset(),  # formulas whose results the atomic spacing decides while λ is below 1
+        omits: frozenset[str] = frozenset(),  # quantities not shown under this law
+        by_spacing: frozenset[str] = frozenset(),  # formulas that the atomic spacing decides if λ < 1
         profile: str = PARABOLOID,
     ) -> None:
         self.name, self.title, self.source, self.profile = name, title, source, profile
@@ -51,7 +50,7 @@ class Law:
 
     @property
     def words(self) -> Mapping[str, str]:
-        """The input that chooses the law, as it is given."""
+        """The input that chooses the law."""
         return {"model": self.name} if self.profile == PARABOLOID else {"profile": self.profile}
 
     @property
@@ -60,13 +59,13 @@ class Law:
         return self.name == DEFAULT_LAW
 
 
-ALWAYS = ""  # in place of an input
+ALWAYS = ""  # the key of a table that needs no input
 _BY_LENNARD_JONES = (
     "pull_off_force_lennard_jones", "well_energy_lennard_jones", "dead_load_work_lennard_jones"
 )  # fmt: skip
 _OF_EVERY_LAW: Mapping[str, Routes] = {
     ALWAYS: {
-        "edge_ratio": "edge_ratio_at_load",  # Maugis' edge ratio is known by its own name under any law
+        "edge_ratio": "edge_ratio_at_load",  # Maugis' edge ratio exists under any law
         "restructuring_energy_ormel": "roll_energy_quarter_turn",
     },
     "speed": {"energy": "kinetic_energy"},
@@ -81,7 +80,7 @@ _OF_EVERY_LAW: Mapping[str, Routes] = {
     "approach_at_load": {
         "edge_ratio": "edge_ratio_at_approach",
         "zone_span": "zone_span_at_approach",
-        "approach_maugis_at_load": "approach_maugis",  # under JKR, the load would be that of JKR
+        "approach_maugis_at_load": "approach_maugis",  # under JKR, the load would be JKR's
     },
 }
 
@@ -105,7 +104,7 @@ _JKR = Law(
 
 _PEAK_OF_JKR = ("impact_pressure", "touch_pressure", "yield_speed", "plastic_speed")  # by its energies
 
-# Of every law but JKR: what follows from its adhesive force, contact radius and pull-off force, and what JKR alone has.
+# For all laws but JKR: quantities that follow from the law's own force and radius, and those that only JKR has.
 _OUTSIDE_JKR: Routes = {
     "unloaded_moment": "unloaded_moment_of_radius",
     "yield_force": "yield_force_of_moment",
@@ -118,7 +117,7 @@ _OUTSIDE_JKR: Routes = {
     "displacement_limit": None,
     "viscosity_number": None,
     **dict.fromkeys(_PEAK_OF_JKR),
-    "sliding_force": None,  # over the contact or over the zone of attraction: a factor of 6 for quartz of 100 nm
+    "sliding_force": None,  # over the contact or the zone of attraction? A factor of 6 for quartz of 100 nm
     "sliding_displacement": None,
     "sliding_energy": None,
     "twisting_moment": None,
@@ -195,8 +194,8 @@ _DMT = Law(
     omits=frozenset({"rolling_frequency_as_printed", *_BY_LENNARD_JONES, "pull_off_force_dmt", *_PEAK_OF_JKR}),
 )
 
-# JKR's law for a rigid sphere of true shape on a soft plane. It has the contact, and nothing that follows from JKR's
-# energies or its adhesive force.
+# JKR's law for a rigid sphere of true shape on a soft plane. It has the contact, but nothing that depends on JKR's
+# energies or adhesive force.
 _OF_SPHERE = Law(
     name="jkr-sphere",
     title="JKR, sphere",
@@ -241,14 +240,14 @@ BETWEEN = _MAUGIS.name  # the law that holds between JKR and DMT
 
 
 def other_law(name: str) -> str:
-    """Return the law whose results may stand in place of a law's: the one between JKR and DMT, or under that JKR."""
+    """Return the law to compare with: the one between JKR and DMT, or JKR if that is in use."""
     return DEFAULT_LAW if name == BETWEEN else BETWEEN
 
 
 def law_given(model: str | None, profile: str | None = None) -> str | None:
-    """Return the name of the law of a model and a profile in any case; None where none is given, or the usual profile.
+    """Return the name of the law for a model and a profile in any case; None for the default.
 
-    Raises BadRequest for another word, and for a sphere under another law than JKR.
+    Raises BadRequest for unknown words, and for a sphere under a law other than JKR.
     """
     name = None if model is None else _one_of(MODELS, "model", model)
     if profile is None or _one_of(PROFILES, "profile", profile) == PARABOLOID:
@@ -267,13 +266,13 @@ def _one_of(words: Collection[str], what: str, word: str) -> str:
 
 
 def tables_of(law: Law) -> list[tuple[str, Routes]]:
-    """Return all tables of routes of a law, each with what has to be given; later ones take the place of earlier."""
+    """Return all tables of routes of a law, each with the input that selects it; later tables override earlier ones."""
     return [*_OF_EVERY_LAW.items(), *law.tables.items()]
 
 
 @cache
 def routes(model: str, known: frozenset[str]) -> Routes:
-    """Return the routes of a law for what is known."""
+    """Return the routes of a law for some known inputs."""
     formulas: dict[str, str | None] = {}
     for given, table in tables_of(LAWS[model]):
         if given == ALWAYS or given in known:
@@ -283,7 +282,7 @@ def routes(model: str, known: frozenset[str]) -> Routes:
 
 @cache
 def routes_anywhere(models: tuple[str, ...] = tuple(LAWS)) -> Mapping[str, list[str]]:
-    """Return by the name of a quantity every formula by which laws have it, whatever is given."""
+    """Return all formulas that some laws have for each quantity, for any inputs."""
     formulas: dict[str, list[str]] = {}
     for model in models:
         for _, table in tables_of(LAWS[model]):
@@ -295,18 +294,18 @@ def routes_anywhere(models: tuple[str, ...] = tuple(LAWS)) -> Mapping[str, list[
 
 @cache
 def law_of(formula: str) -> str | None:
-    """Return the only law that has some quantity by a formula; None if there is none, or several."""
-    laws = [model for model in LAWS if any(formula in formulas for formulas in routes_anywhere((model,)).values())]
+    """Return the only law that uses a formula for some quantity; None if there is none, or several."""
+    laws = [model for model in LAWS if formula in {*chain.from_iterable(routes_anywhere((model,)).values())}]
     return laws[0] if len(laws) == 1 else None
 
 
 @cache
 def has_profile(name: str) -> bool:
-    """Return whether a quantity is one of a sphere of true shape."""
+    """Return whether a quantity exists for a sphere of true shape."""
     return _OF_SPHERE.tables[ALWAYS].get(name) is not None
 
 
 @cache
 def varies_by_law(name: str) -> bool:
-    """Return whether a law other than the default has a quantity by a formula of its own, or not at all."""
+    """Return whether a law other than the default has its own formula for a quantity, or none."""
     return any(name in law.tables[ALWAYS] for law in LAWS.values())

@@ -1,6 +1,6 @@
-"""Symbols and formulas in texts: marked once, shown plain in a terminal and as TeX on a page.
+"""Symbols and formulas in texts: marked once, then shown as text on a terminal and as TeX in pictures.
 
-Mathematics stands between ⟦ and ⟧, written as symbols of the nomenclature are: "⟦P_c = 3πγR⟧ with ⟦R = R1/2⟧".
+Mathematics is enclosed in ⟦ and ⟧, in the notation of the nomenclature: "⟦P_c = 3πγR⟧ with ⟦R = R1/2⟧".
 """
 
 import re
@@ -45,11 +45,11 @@ _ESCAPED = {
     ord("^"): r"\textasciicircum{}",
 }
 _POWER_OF_TEN = re.compile(r"(?<=\d)e([+-]?\d+)")
-_JOINED = re.compile(r" (?=[=<>\[])|(?<=[=<>]) ")  # spaces at which no line ends: "P = 0 N", "P [nN]"
+_JOINED = re.compile(r" (?=[=<>\[])|(?<=[=<>]) ")  # spaces where no line may break: "P = 0 N", "P [nN]"
 
 
 def symbol(name: str) -> str:
-    """Return the symbol of a quantity, marked; that of a word as it is.
+    """Return the symbol of a quantity, marked as a formula; for a word unmarked.
 
     >>> symbol("pull_off_force")
     '⟦P_c⟧'
@@ -77,7 +77,7 @@ def plain(text: str) -> str:
 
 
 def typeset(text: str) -> str:
-    r"""Return a text with its mathematics as mathtext, its exponents raised, and true minus signs before numbers.
+    r"""Return a text with formulas in mathtext, raised exponents, and true minus signs before numbers.
 
     >>> typeset("⟦P_c⟧ at ⟦R1²/ξ⟧ = -5 m⁻¹"), typeset("1e6 to 1.5e7")
     ('$P_{\\mathrm{c}}$ at $R_{1}^{2}/ξ$ = −5 m$^{-1}$', '$10^{6}$ to 1.5·$10^{7}$')
@@ -93,7 +93,7 @@ def typeset(text: str) -> str:
 
 
 def as_latex(text: str) -> str:
-    r"""Return a text for LaTeX: mathematics, Greek letters and exponents as its commands, the rest escaped.
+    r"""Return a text for LaTeX: formulas, Greek letters and exponents as commands, the rest escaped.
 
     >>> as_latex("radius & ⟦R_c⟧ is 1 µm; ⟦γ⟧ is 2.5e-05 J/m²")
     'radius \\& $R_{\\mathrm{c}}$ is 1~${\\mu}$m; ${\\gamma}$ is 2.5${\\times}10^{-5}$~J/m$^{2}$'
@@ -107,8 +107,8 @@ def as_latex(text: str) -> str:
 
 
 def _converted(text: str, words: Callable[[str], str], formula: Callable[[str], str]) -> str:
-    """Return a text whose words are converted by one function, and whose formulas, in mathtext, by another."""
-    pieces = _FORMULA.split(text)  # words and formulas in turn
+    """Return a text with one function applied to its words, and another to its formulas in mathtext."""
+    pieces = _FORMULA.split(text)  # words and formulas alternate
     pieces[::2] = map(words, pieces[::2])
     formulas = ("".join(map(_token, _TOKEN.finditer(piece))) for piece in pieces[1::2])
     pieces[1::2] = (f"${formula(mathtext)}$" if mathtext else "" for mathtext in formulas)
@@ -116,14 +116,14 @@ def _converted(text: str, words: Callable[[str], str], formula: Callable[[str], 
 
 
 def lines(text: str, letters: int) -> list[str]:
-    """Return a text as typeset lines of at most so many letters, none broken within mathematics or before a unit."""
+    """Return a text as typeset lines of limited length, never broken within a formula or before a unit."""
     joined = _FORMULA.sub(lambda match: match[0].replace(" ", NO_BREAK_SPACE), with_units_joined(text))
     joined = _JOINED.sub(NO_BREAK_SPACE, joined)
     return [*map(typeset, wrap(joined, letters, break_long_words=False, break_on_hyphens=False))]
 
 
 def _token(match: re.Match[str]) -> str:
-    """Return one token of a formula in mathtext."""
+    """Return a token of a formula in mathtext."""
     letter, word, index, star, exponent, power = match.groups()
     if exponent or power:
         return f"^{{{(exponent or power).translate(SUPERSCRIPTS)}}}"
@@ -131,4 +131,4 @@ def _token(match: re.Match[str]) -> str:
         return _SIGNS.get(match[0], match[0])
     subscript = rf"\mathrm{{{word}}}" if word and word.isascii() else word or (index or "").lstrip("_")
     indexed = _LETTERS.get(letter, letter) + (f"_{{{subscript}}}" if subscript else "")
-    return indexed + ("{}^{*}" if star else "")  # clear of the letter's slant, which would leave a gap
+    return indexed + ("{}^{*}" if star else "")  # apart from the slanted letter, to avoid a gap

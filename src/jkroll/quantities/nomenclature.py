@@ -28,9 +28,9 @@ ABOVE_MINUS_1 = Range(-1.0, INFINITY, False, False, "must lie above -1")
 FINITE = Range(-INFINITY, INFINITY, False, False, "must be finite")
 
 
-# --- Quantities that one law alone has --------------------------------------------------------------------------------
+# --- Quantities of a single law ---------------------------------------------------------------------------------------
 
-OF_SPHERE: Mapping[str, Quantity] = {  # of a rigid sphere of true shape on a soft plane
+OF_SPHERE: Mapping[str, Quantity] = {  # for a rigid sphere of true shape on a soft plane
     "indenter_radius": Quantity("R_s", "m", "radius of the rigid sphere"),
     "elastoadhesive_ratio": Quantity("κ", "1", "elasto-adhesive length w/E* over R"),
     "contact_artanh": Quantity("L", "1", "artanh(a/R)"),
@@ -64,7 +64,7 @@ OF_MAUGIS: Mapping[str, Quantity] = {
 }  # fmt: skip
 
 
-# --- Columns of measured force curves, which no formula takes --------------------------------------------------------
+# --- Columns of measured force curves, which enter no formula ---------------------------------------------------------
 
 OF_CURVES: Mapping[str, Quantity] = {
     "lever_travel": Quantity("z", "m", "travel of the drive that presses and pulls"),
@@ -76,7 +76,7 @@ OF_CURVES: Mapping[str, Quantity] = {
 
 # --- Quantities of models of many grains ------------------------------------------------------------------------------
 
-_SPEED = "½(Nm1/2)v² = E"  # of two equal aggregates
+_SPEED = "½(Nm1/2)v² = E"  # for two equal aggregates
 _WADA = "Wada et al. 2007"
 _E_ROLL = "E_roll is that of 90 degrees, 6π²γRξ"
 _OF_BREAK_UP = "of two-dimensional aggregates of equal masses, head-on"
@@ -144,7 +144,7 @@ OF_DEM: Mapping[str, Quantity] = {
 }  # fmt: skip
 
 
-# --- Water that condenses between the bodies --------------------------------------------------------------------------
+# --- Condensed water between the bodies -------------------------------------------------------------------------------
 
 OF_WATER: Mapping[str, Quantity] = {
     "humidity": Quantity("RH", "1", "relative humidity of the air", range=HUMIDITY, option="--humidity", example="60%",
@@ -164,10 +164,10 @@ OF_WATER: Mapping[str, Quantity] = {
 
 # --- All quantities ---------------------------------------------------------------------------------------------------
 
-# What a contact has in place of its two spheres. No hint offers them: who has a sphere has its radius and its modulus.
+# Inputs that replace the properties of two spheres. No hint offers them, since users with spheres know their radii.
 OF_THE_PAIR = ("reduced_radius", "contact_modulus")
 
-# The state of the contact follows from the load unless one of these is given.
+# Inputs that set the state of the contact; without them it follows from the load.
 STATE = frozenset({"approach_at_load", "load_factor", "load_margin", "edge_ratio"})
 STATE_OR_LOAD = STATE | {"load"}
 
@@ -175,7 +175,7 @@ STATE_OR_LOAD = STATE | {"load"}
 def _of_both(
     name: str, symbol: str, unit: str, sentence: str, equation: str = "", option: str = "", **more: Any
 ) -> dict[str, Quantity]:
-    """Return a quantity of sphere 1, and that of sphere 2."""
+    """Return a quantity of sphere 1, and the same of sphere 2."""
     symbol2, sentence2 = symbol.replace("1", "2"), sentence.replace(" of sphere 1", "") + " of sphere 2"
     option2 = option and f"{option}2"
     return {
@@ -211,10 +211,10 @@ _TRAILING = (
 )
 
 _QUANTITIES: Mapping[str, Quantity] = {
-    # what the user gives
+    # inputs
     "material": Quantity("", "", "material of sphere 1", sphere=1, twin="material2"),
     "model": Quantity("model", "", f"law of attraction: {', '.join(MODELS)}", option="--model", example="maugis"),
-    "profile": Quantity("profile", "", f"of the body that presses: {', '.join(PROFILES)}", option="--profile",
+    "profile": Quantity("profile", "", f"shape of body 1: {', '.join(PROFILES)}", option="--profile",
         example="sphere"),
     "state": Quantity("state", "", "state on the force curve"),
     "material2": Quantity("", "", "material of sphere 2", option="--material2", example="iron", sphere=2,
@@ -406,8 +406,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
     **OF_CURVES,
 }  # fmt: skip
 
-# A formula by which some law has a quantity has a name of its own: it is the same quantity, without an equation of the
-# paper.
+# A law's own formula for a quantity has its own name: it is the same quantity, but without an equation in the paper.
 _BY_A_LAW = {
     route: Quantity(
         quantity.symbol, quantity.unit, quantity.sentence, may_be_zero=quantity.may_be_zero, variant_of=name
@@ -419,16 +418,16 @@ _BY_A_LAW = {
 
 
 def read_only(mapping: Mapping[str, Any]) -> MappingProxyType[str, Any]:
-    """Return a mapping that nobody can change, for what is shared."""
+    """Return a read-only view of a mapping, for shared data."""
     return MappingProxyType(mapping)
 
 
-copyreg.pickle(MappingProxyType, lambda mapping: (read_only, (dict(mapping),)))  # by itself it has no pickle
+copyreg.pickle(MappingProxyType, lambda mapping: (read_only, (dict(mapping),)))  # it cannot be pickled without this
 NOMENCLATURE: Mapping[str, Quantity] = read_only({**_QUANTITIES, **_BY_A_LAW})
 
 
 def of_sphere(sphere: int, name: str) -> str:
-    """Return a quantity of either sphere as that of a sphere, 1 or 2; another name as it is.
+    """Return a quantity of one sphere as that of sphere 1 or 2; other names unchanged.
 
     >>> of_sphere(2, "density"), of_sphere(1, "density2"), of_sphere(2, "load")
     ('density2', 'density', 'load')
@@ -444,10 +443,9 @@ OPTION_WORDS = {
 
 
 def as_input(word: str) -> str:
-    """Return the name for which a word of an input stands: approach is that of an option, and else a result.
+    """Return the name of an input for a word: "approach" means the option here, and otherwise a result.
 
-    Raises BadRequest for R, which is a sphere's radius in many other places and the reduced radius here.
-
+    Raises BadRequest for R: here it is the reduced radius, elsewhere often the radius of a sphere.
     >>> as_input("approach"), as_input("radius")
     ('approach_at_load', 'radius')
     """
@@ -458,9 +456,9 @@ def as_input(word: str) -> str:
     return OPTION_WORDS.get(name, name if name in NOMENCLATURE else word)
 
 
-XI = "yield_displacement"  # decides on every rolling quantity
+XI = "yield_displacement"  # it determines all rolling quantities
 
-# Inputs in place of others, with which formulas compute: R = D/2, E = 2G(1 + ν).
+# Inputs that are converted to others before formulas use them: R = D/2, E = 2G(1 + ν).
 CONVERTED = {
     "diameter": "radius",
     "diameter2": "radius2",
@@ -470,7 +468,7 @@ CONVERTED = {
 
 
 def computed_as(name: str) -> str:
-    """Return the input to which an input is converted; any other name as it is.
+    """Return the input that an input is converted to; any other name unchanged.
 
     >>> computed_as("diameter2"), computed_as("load")
     ('radius2', 'load')
@@ -478,17 +476,17 @@ def computed_as(name: str) -> str:
     return CONVERTED.get(name, name)
 
 
-# What a materials file gives of a material.
+# The properties of a material in a materials file.
 PROPERTIES = ("surface_energy", "youngs_modulus", "poisson_ratio", "density")
 
 
 def bracketed(unit: str) -> str:
-    """Return a unit as it stands behind a name or a symbol, in brackets; empty for a number and a word."""
+    """Return a unit in brackets, to follow a name or a symbol; empty for a number or a word."""
     return "" if unit in ("", "1") else f" [{unit}]"
 
 
 def header(name: str, unit: str | None = None) -> str:
-    """Return the column header of a quantity: its name and, in brackets, a unit, by default its SI unit.
+    """Return the column header of a quantity: its name with a unit in brackets, by default the SI unit.
 
     >>> header("radius"), header("n_grav")
     ('radius [m]', 'n_grav')
@@ -500,10 +498,9 @@ def header(name: str, unit: str | None = None) -> str:
 
 
 def named(word: str, names: Collection[str] = NOMENCLATURE) -> str:
-    """Return the quantity among `names` that a word stands for: a name or an option's word, in any case, or a symbol.
+    """Return the quantity among `names` that a word means: a name or an option in any case, or a symbol.
 
-    A word that stands for nothing, or is the symbol of several quantities, is returned as it is.
-
+    An unknown word, or a symbol of several quantities, is returned unchanged.
     >>> named("R-min"), named("gamma"), named("P_c"), named("Pc"), named("delta0"), named("E"), named("v")
     ('r_min', 'surface_energy', 'pull_off_force', 'pull_off_force', 'approach', 'youngs_modulus', 'v')
     """
@@ -521,15 +518,16 @@ def named(word: str, names: Collection[str] = NOMENCLATURE) -> str:
 def with_symbol(word: str, names: Collection[str] = NOMENCLATURE) -> list[str]:
     """Return the quantities among `names` that have a symbol.
 
-    The symbol is looked for as it is printed; if no quantity has it, in any case, with Greek letters spelt out, and
-    without the underscores and spaces. The index of sphere 1 may be left out. A variant of a quantity has the same
-    symbol and is not looked for.
+    The symbol is searched as printed; if there is none, in any case, with Greek letters spelt out, and without
+    underscores and spaces. The index of sphere 1 may be left out. Variants are skipped, since they share the symbol of
+    their quantity.
     """
     symbols = {name: NOMENCLATURE[name].symbol for name in names if not NOMENCLATURE[name].variant_of}
     for spelling_of in (str, _plain_spelling):
         for index in ("", "1"):
             wanted = spelling_of(word.strip()) + index
-            if several := [name for name, symbol in symbols.items() if symbol and spelling_of(symbol) == wanted]:
+            several = [name for name, symbol in symbols.items() if symbol and spelling_of(symbol) == wanted]
+            if several:
                 return several
     return []
 
@@ -538,26 +536,32 @@ def _plain_spelling(symbol: str) -> str:
     return ascii_text(symbol.casefold()).replace("_", "").replace(" ", "")
 
 
-# Similarity from which on a word may mean another: "moment" "yield_moment", but "restitution" not "friction".
+# Least similarity of a mistyped name: "moment" matches "yield_moment", but "restitution" not "friction".
 ALIKE = 0.65
 
 
 def nearest(word: str) -> str | None:
-    """Return the quantity that a word is likely to mean; None if there is none.
+    """Return the quantity that a word probably means; None if there is none.
 
-    It is the one with this symbol, with or without the index of sphere 1, the one that others call so, the one whose
-    name begins with the word, or else the one whose name or option resembles it most.
+    It is the quantity with this symbol, with or without the index of sphere 1; else with this synonym; else the first
+    one whose name begins with the word; else the one with the most similar name or option.
     """
     meanings = {**OPTION_WORDS, **QUANTITY_SYNONYMS, **{name: name for name in NOMENCLATURE}}
     name = word.strip().lstrip("-").replace("-", "_").replace(" ", "_").casefold()
+    of_symbol = with_symbol(word)
+    if of_symbol:
+        return of_symbol[0]
+    if name in meanings:
+        return meanings[name]
     letters = name.replace("_", "")
-    begun = (full for full in NOMENCLATURE if letters and full.replace("_", "").startswith(letters))
-    meaning = next(iter(with_symbol(word)), None) or meanings.get(name) or next(begun, None)
-    return meaning or meanings.get(closest(name, meanings, ALIKE) or "")
+    for full in NOMENCLATURE:
+        if letters and full.replace("_", "").startswith(letters):
+            return full
+    return meanings.get(closest(name, meanings, ALIKE) or "")
 
 
 class UnknownQuantity(JkrollError):
-    """Error raised for a word that does not stand for one quantity."""
+    """Error raised for a word that does not mean a single quantity."""
 
     def __init__(self, name: str) -> None:
         super().__init__(name)
@@ -566,7 +570,8 @@ class UnknownQuantity(JkrollError):
     def __str__(self) -> str:
         if self.name in NOMENCLATURE:
             return f"{quoted(self.name)} stands for a word, not a number; jkroll quantities lists the quantities"
-        if several := with_symbol(self.name):
+        several = with_symbol(self.name)
+        if several:
             return f"{quoted(self.name)} is the symbol of {listed(several)}; write the name that is meant"
         guess = nearest(self.name)
         meant = f"did you mean {guess}? " if guess else ""

@@ -1,4 +1,4 @@
-"""Results as numbers: arithmetic, comparison, format, units, and numpy's functions."""
+"""Results that act as numbers: arithmetic, comparison, formats, units, and numpy's functions."""
 
 import operator
 from collections.abc import Callable
@@ -11,7 +11,7 @@ from .values import QuantityError, Uncertain, middle, unit_of
 
 
 class NoValue(NoResult):
-    """Error raised when a result without a value is taken for a number."""
+    """Error raised when a result without a value is used as a number."""
 
     def __init__(self, name: str, reason: str) -> None:
         super().__init__(name, reason)
@@ -37,23 +37,23 @@ def _backward(operation: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]
 
 
 class Numeric:
-    """A quantity that counts as its number in SI units, with the uncertainty where that has a meaning.
+    """A quantity that acts as its number in SI units, with the uncertainty where that makes sense.
 
-    `float` and numpy's functions give the bare number.
+    `float` and numpy's functions use the bare number.
     """
 
     name: str
-    reason: str  # why there is no value
-    best: Any = None  # the best range, which a result without a value may have
+    reason: str  # the reason for a missing value
+    best: Any = None  # the best range; a result without a value may have one
 
     @property
     def measure(self) -> float | Uncertain | None:
-        """The value, with its error bar if it has one; None if there is none."""
+        """The value, with its uncertainty if it has one; None if there is none."""
         raise NotImplementedError
 
     @property
     def number(self) -> Any:
-        """The same. Raises NoValue if there is none."""
+        """`measure`, but raises NoValue if there is none."""
         if self.measure is None:
             raise NoValue(self.name, f"{self.reason}; .best has its range" if self.best else self.reason)
         return self.measure
@@ -124,5 +124,5 @@ class Numeric:
 
 
 def number_in(value: Any) -> Any:
-    """Return the number of a result; any other value as it is."""
+    """Return the number of a result; any other value unchanged."""
     return value.number if isinstance(value, Numeric) else value

@@ -1,18 +1,18 @@
-"""What the nomenclature says of a quantity: symbol, unit, sentence, range of values, option."""
+"""The record of a quantity in the nomenclature: symbol, unit, sentence, range of values, option."""
 
 from collections.abc import Collection
 from typing import Any
 
 
 class Range:
-    """An interval of values that a user may give, with the words for an error."""
+    """An interval of accepted values, with the words for an error."""
 
     def __init__(self, low: float, high: float, low_allowed: bool, high_allowed: bool, words: str) -> None:
         self.low, self.high, self.low_allowed, self.high_allowed = low, high, low_allowed, high_allowed
         self.words = words
 
     def admits(self, value: Any) -> Any:
-        """Return whether a number, or each element of an array, lies in the range; nan lies in none."""
+        """Return whether a number lies in the range, element by element for arrays; nan never does."""
         above = value >= self.low if self.low_allowed else value > self.low
         below = value <= self.high if self.high_allowed else value < self.high
         return above & below
@@ -27,22 +27,22 @@ class Quantity:
     def __init__(
         self,
         symbol: str,
-        unit: str,  # SI; "1" for a plain number, "" for a word
+        unit: str,  # SI; "1" for a number without a unit, "" for a word
         sentence: str,
-        equation: str = "",  # as the paper numbers it
-        range: Range = ANY,  # of the values that a user may give
+        equation: str = "",  # its number in the paper
+        range: Range = ANY,  # of accepted values
         infinity: str = "",  # the word for an infinite value
-        option: str = "",  # of the command line
-        example: str = "",  # a value as a user types it
-        note: str = "",  # the reason why it is shown beside another quantity
-        definition: str = "",  # of one among several conventions: the factor, in units that are common to them
-        reference: str = "",  # of a convention: the paper or code where it stands
-        may_be_zero: bool = False,  # a result of exactly 0 is its value, and no underflow
-        shown_with: Collection[str] = (),  # inputs; it is shown only where one of them was stated
+        option: str = "",  # on the command line
+        example: str = "",  # a value as one types it
+        note: str = "",  # the difference from a similar quantity
+        definition: str = "",  # for one of several conventions: the factor, in common units
+        reference: str = "",  # of a convention: its paper or code
+        may_be_zero: bool = False,  # a result of exactly 0 is a value, not an underflow
+        shown_with: Collection[str] = (),  # inputs; it is shown only if one of them was stated
         of_identical: bool = False,  # shown for identical spheres only
-        variant_of: str = "",  # the quantity that it is by another formula or on another way
-        sphere: int = 0,  # 1 or 2 for what belongs to one of the spheres
-        twin: str = "",  # the name of the same quantity of the other sphere
+        variant_of: str = "",  # the quantity that another formula gives under this name
+        sphere: int = 0,  # 1 or 2 for a quantity of one sphere
+        twin: str = "",  # the same quantity of the other sphere
     ) -> None:
         self.symbol, self.unit, self.sentence, self.equation = symbol, unit, sentence, equation
         self.range, self.infinity, self.option, self.example = range, infinity, option, example

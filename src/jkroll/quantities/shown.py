@@ -1,4 +1,4 @@
-"""Lines and tables in the forms that a notebook shows or converts: as on a terminal, HTML, LaTeX."""
+"""Lines and tables in the forms that notebooks show or convert: text, HTML, LaTeX."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from html import escape
@@ -13,13 +13,13 @@ from .nomenclature import NOMENCLATURE
 from .units import Unit, convert
 from .values import Interval, Uncertain
 
-Value = float | str | Uncertain | None  # of a cell: a word as it is, and None where there is no value
-Rows = tuple[list[TextColumn], list[TextColumn]]  # columns that each part of a wide table has, and those in one of them
+Value = float | str | Uncertain | None  # of a cell: a word, or None without a value
+Rows = tuple[list[TextColumn], list[TextColumn]]  # columns repeated in each part of a wide table, and the others
 Part = str | Rows  # a line, or a table
 
 
 class Shown:
-    """An object that a notebook shows as lines and tables, and `print` as a terminal does."""
+    """An object with lines and tables for notebooks; `print` shows them as on a terminal."""
 
     def _parts(self) -> Iterable[Part]:
         """Return the lines and tables."""
@@ -29,22 +29,22 @@ class Shown:
         return as_text(self._parts())
 
     def _repr_html_(self) -> str:
-        """Return what a notebook shows."""
+        """Return the HTML for notebooks."""
         return as_html(self._parts())
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
-        """Return what notebooks show and convert."""
+        """Return all forms that notebooks show and convert."""
         return {**bundle(self._parts()), "text/plain": str(self)}
 
 
 def bundle(parts: Iterable[Part]) -> dict[str, str]:
-    """Return lines and tables in each form that notebooks show, or convert: LaTeX for a PDF, text for a console."""
+    """Return lines and tables in each form that notebooks show or convert: LaTeX for PDF, text for a console."""
     every = [*parts]
     return {"text/plain": as_text(every), "text/html": as_html(every), "text/latex": as_tabular(every)}
 
 
 def as_text(parts: Iterable[Part]) -> str:
-    """Return lines and tables as a terminal shows them."""
+    """Return lines and tables as on a terminal."""
     out = StringIO()
     for part in parts:
         if isinstance(part, str):
@@ -61,18 +61,17 @@ def as_html(parts: Iterable[Part]) -> str:
 
 
 def as_tabular(parts: Iterable[Part]) -> str:
-    """Return lines and tables as LaTeX: paragraphs, and tables with symbols as mathematics."""
+    """Return lines and tables as LaTeX: paragraphs, and tables with symbols in mathematics."""
     texts = (as_latex(part) if isinstance(part, str) else _tabular([*part[0], *part[1]]) for part in parts)
     return "\n\n".join(texts)
 
 
 def _tabular(columns: Sequence[TextColumn]) -> str:
-    marked = [
-        column._replace(cells=[f"⟦{cell}⟧" for cell in column.cells]) if column.head == "symbol" else column
-        for column in columns
-    ]
+    cells = []
+    for column in columns:
+        cells.append([f"⟦{text}⟧" for text in column.cells] if column.head == "symbol" else column.cells)
     heads = " & ".join(as_latex(column.head) for column in columns)
-    rows = (" & ".join(map(as_latex, cells)) for cells in zip(*(column.cells for column in marked), strict=True))
+    rows = (" & ".join(map(as_latex, row)) for row in zip(*cells, strict=True))
     form = "".join("r" if column.is_right else "l" for column in columns)
     lines = [rf"{line} \\" for line in (heads, *rows)]
     return "\n".join([rf"\begin{{tabular}}{{{form}}}", lines[0], r"\hline", *lines[1:], r"\end{tabular}"])
@@ -82,7 +81,7 @@ def _tabular(columns: Sequence[TextColumn]) -> str:
 
 
 def cell(value: Value, unit: tuple[str, Unit], form: Format) -> str:
-    """Return a value in a unit, one without an error bar with four digits and their zeros."""
+    """Return a value in a unit; without an uncertainty it has four digits including zeros."""
     if value is None or isinstance(value, str):
         return value or "–"
     if isinstance(value, Interval):
@@ -94,7 +93,7 @@ def cell(value: Value, unit: tuple[str, Unit], form: Format) -> str:
 
 
 def columns_of(name: str, values: Mapping[str, Sequence[Value]], form: Format) -> list[TextColumn]:
-    """Return the columns of values of a quantity, by their heads, in the unit that suits them all."""
+    """Return the columns of values of a quantity, given by headers, in a unit that suits them all."""
     unit = form.common_unit(name, [*chain.from_iterable(values.values())])
     in_unit, is_right = f" [{unit[0]}]" if unit[0] else "", not NOMENCLATURE[name].is_word
     return [

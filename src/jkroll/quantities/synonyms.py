@@ -1,13 +1,13 @@
-"""Words that others use for quantities, by the name of the quantity, without accents."""
+"""Synonyms of quantities in other programs and languages, without accents."""
 
 from typing import NamedTuple
 
 
 class Words(NamedTuple):
-    """Words for a quantity, with blanks between them."""
+    """Words for a quantity, separated by blanks."""
 
-    certain: str = ""  # by which headers are read
-    likely: str = ""  # which may mean something else
+    certain: str = ""  # headers with these words are read
+    likely: str = ""  # these words may also mean something else
 
 
 WORDS_OF_OTHERS = {
@@ -105,6 +105,4 @@ WORDS_OF_OTHERS = {
 }
 
 SYNONYMS = {name: words.certain.split() for name, words in WORDS_OF_OTHERS.items()}
-QUANTITY_SYNONYMS = {
-    word: name for name, words in WORDS_OF_OTHERS.items() for word in f"{words.certain} {words.likely}".split()
-}
+QUANTITY_SYNONYMS = {word: name for name, words in WORDS_OF_OTHERS.items() for word in " ".join(words).split()}

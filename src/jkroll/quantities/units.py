@@ -1,8 +1,8 @@
-"""Units: their names and powers as exact ratios to the SI base units, and numbers converted between them.
+"""Units: names with powers as exact ratios to the SI base units, and conversion of numbers between them.
 
-A unit is at most eight names with whole powers. pint never sees a user's text: it is asked for the meaning of a single,
-validated name, and only if the table below does not have it. Names in the table mean what they mean to pint, but for
-those that its versions have unlike: they stand in the table, or are refused.
+A unit has at most eight names with integer powers. pint never sees a user's text: it is asked only for the meaning of
+a single, validated name that is not in the table below. Names in the table have pint's meaning, except those that
+differ between versions of pint: these are in the table, or refused.
 """
 
 import re
@@ -18,11 +18,11 @@ MAX_TEXT = 80
 MAX_TERMS = 8
 MAX_NAME = 24
 MAX_POWER = 12
-MAX_FACTOR = 10**100  # of two units; in any of these, doubles hold all results
-SIMILAR = 0.5  # least similarity of a unit that is suggested
+MAX_FACTOR = 10**100  # between two units; doubles then hold all results
+SIMILAR = 0.5  # least similarity of a suggested unit
 
 Dimension = tuple[int, ...]  # powers of BASE_UNITS
-Unit = tuple[int, int, Dimension]  # numerator and denominator of a factor, of SI base units to these powers
+Unit = tuple[int, int, Dimension]  # numerator and denominator of a factor, and the powers of SI base units
 Term = tuple[str, int]  # name and power
 BASE_UNITS = ("kilogram", "meter", "second", "ampere", "kelvin", "mole", "candela", "radian")
 
@@ -32,7 +32,7 @@ NUMBER: Dimension = (0, 0, 0, 0, 0, 0, 0, 0)
 _MASS, _LENGTH, _TIME = (1, 0, 0, 0, 0, 0, 0, 0), (0, 1, 0, 0, 0, 0, 0, 0), (0, 0, 1, 0, 0, 0, 0, 0)
 _FORCE, _ENERGY, _PRESSURE = (1, 1, -2, 0, 0, 0, 0, 0), (1, 2, -2, 0, 0, 0, 0, 0), (1, -1, -2, 0, 0, 0, 0, 0)
 _SPEED, _ANGLE = (0, 1, -1, 0, 0, 0, 0, 0), (0, 0, 0, 0, 0, 0, 0, 1)
-_PI, _ONE = 31415926535897932384626433832795028841971693993751, 10**49  # of π = _PI/_ONE
+_PI, _ONE = 31415926535897932384626433832795028841971693993751, 10**49  # π = _PI/_ONE
 
 _SYMBOLS = "y z a f p n u m c d da h k M G T P E Z Y".split()
 _WORDS = "yocto zepto atto femto pico nano micro milli centi deci deca hecto kilo mega giga tera peta exa zetta yotta"
@@ -41,7 +41,10 @@ PREFIXES = dict(zip(_SYMBOLS + _WORDS.split(), _POWERS * 2, strict=True))  # pow
 
 
 def _by_name(meanings: dict[str, Unit]) -> dict[str, Unit]:
-    return {name: meaning for names, meaning in meanings.items() for name in names.split()}
+    by_name: dict[str, Unit] = {}
+    for names, meaning in meanings.items():
+        by_name |= dict.fromkeys(names.split(), meaning)
+    return by_name
 
 
 PREFIXABLE = _by_name({
@@ -61,7 +64,7 @@ PREFIXABLE = _by_name({
     "A ampere": (1, 1, (0, 0, 0, 1, 0, 0, 0, 0)),
     "K kelvin": (1, 1, (0, 0, 0, 0, 1, 0, 0, 0)),
     "V volt": (1, 1, (1, 2, -3, -1, 0, 0, 0, 0)),
-    "Da": (166053906892, 10**38, _MASS),  # CODATA 2022, as the next two
+    "Da": (166053906892, 10**38, _MASS),  # CODATA 2022, like the next two
     "Eh E_h": (43597447222060, 10**31, _ENERGY),
     "Ry": (21798723611030, 10**31, _ENERGY),
 })  # fmt: skip
@@ -97,30 +100,30 @@ PLAIN = _by_name({
     "percent %": (1, 100, NUMBER),
     "mph": (1609344, 3600000, _SPEED),
     "kph kmph kmh": (1000, 3600, _SPEED),
-    "hbar": (662607015 * _ONE, 2 * 10**42 * _PI, (1, 2, -1, 0, 0, 0, 0, 0)),  # and no hectobar
+    "hbar": (662607015 * _ONE, 2 * 10**42 * _PI, (1, 2, -1, 0, 0, 0, 0, 0)),  # not hectobar
 })  # fmt: skip
 
 # --- Texts to units ---------------------------------------------------------------------------------------------------
 
 
 class BadUnit(Exception):
-    """Error raised when a text is not a unit, or not a number with a unit.
+    """Error raised for a text that is not a unit, or not a number with a unit.
 
-    Its words follow the quoted text: "has no unit".
+    Its message continues after the quoted text: "has no unit".
     """
 
     def __init__(self, words: str, instead: str = "", unknown: str = "") -> None:
-        """`instead`: what to type, where the text tells it; `unknown`: a name that is none, if it is the whole unit."""
+        """`instead`: what to type, if the text suggests it; `unknown`: an unknown name that is the whole unit."""
         super().__init__(words)
         self._instead, self._unknown = instead, unknown
 
     def remedy(self, dimensions: Collection[Dimension]) -> str:
-        """Return what to type instead, for a unit of one of these dimensions; "" if the text does not tell."""
+        """Return what to type instead, as a unit of one of these dimensions; "" if the text does not suggest it."""
         guess = similar_unit(self._unknown, frozenset(dimensions)) if self._unknown else None
         return f"did you mean {guess}?" if guess else self._instead
 
 
-# Characters that mean the same as one of ours. Whatever else is outside the grammar is refused.
+# Characters with the same meaning as one of ours. Other characters outside the grammar are refused.
 _SAME = str.maketrans(
     {"−": "-", "·": "*", "⋅": "*", "×": "*", "∕": "/", "⁄": "/", "μ": "u", "µ": "u"}
     | dict.fromkeys("\t\u00a0\u2009\u200a\u202f\u2002\u2003\u2007\u2008", " ")
@@ -129,11 +132,11 @@ RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
 _OF_POWERS = "0123456789-+⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺"
 
-_MICRO_INSIDE = r"[A-Za-zÅ][µμ]"  # mµm was once the nanometre, and is a micrometre to pint
+_MICRO_INSIDE = r"[A-Za-zÅ][µμ]"  # mµm once meant the nanometre, but pint reads micrometre
 
 
 def normalized(text: str) -> str:
-    """Return a text with one spelling of signs, spaces and letters; BadUnit if it is long or µ stands within a unit."""
+    """Return a text with uniform signs, spaces and letters; raise BadUnit if it is long or has µ within a unit."""
     if len(text) > MAX_TEXT:
         raise BadUnit(f"is longer than {MAX_TEXT} characters")
     if ("µ" in text or "μ" in text) and re.search(_MICRO_INSIDE, text):
@@ -143,7 +146,7 @@ def normalized(text: str) -> str:
 
 @lru_cache(maxsize=1000)
 def parse_unit(text: str) -> Unit:
-    """Read unit names with whole powers, joined by `*`, `/` or a space.
+    """Read unit names with integer powers, joined by `*`, `/` or a space.
 
     >>> parse_unit("mJ/m2")
     (1, 1000, (1, 0, -2, 0, 0, 0, 0, 0))
@@ -152,7 +155,7 @@ def parse_unit(text: str) -> Unit:
 
 
 def is_in_table(text: str) -> bool:
-    """Return whether a text is a unit of which the table has all names, so that pint is not asked."""
+    """Return whether the table has all names of a unit, so that pint is not needed."""
     try:
         return all(_in_table(name) for name, _ in _terms(normalized(text)))
     except BadUnit:
@@ -160,7 +163,7 @@ def is_in_table(text: str) -> bool:
 
 
 def dimension_of(unit: str) -> Dimension:
-    """Return the dimension of a unit; of a number, as the nomenclature writes it, "1" or nothing."""
+    """Return the dimension of a unit; a number has the unit "1" or none."""
     return NUMBER if unit in ("1", "") else parse_unit(unit)[2]
 
 
@@ -179,7 +182,8 @@ def _kinds() -> dict[Dimension, str]:
     V: a voltage; m^2: an area; m^3: a volume; m^-1: a reciprocal length; m/s: a speed; m/s^2: an acceleration;
     rad/s: an angular speed; Hz: a frequency; kg/m^3: a mass density; kg m^2: a moment of inertia; N: a force;
     N m/rad: a moment per angle; J: an energy; W: a power; Pa: a pressure; J/m^2: a surface energy"""
-    return {dimension_of(unit.strip()): kind for unit, kind in (pair.split(": ") for pair in kinds.split(";"))}
+    pairs = [pair.split(": ") for pair in kinds.split(";")]
+    return {dimension_of(unit.strip()): kind for unit, kind in pairs}
 
 
 def convert(value: float, unit: Unit) -> float:
@@ -202,7 +206,7 @@ def power_of_ten(exponent: int) -> tuple[int, int]:
 
 
 def exponent_of(unit: Unit) -> int | None:
-    """Return the exponent of a unit that is a power of ten times the SI unit.
+    """Return the exponent of a unit that is a power of ten times the SI unit; None for another unit.
 
     >>> exponent_of(parse_unit("nm")), exponent_of(parse_unit("ft"))
     (-9, None)
@@ -213,9 +217,9 @@ def exponent_of(unit: Unit) -> int | None:
     return len(above) - len(below) if above.rstrip("0") == below.rstrip("0") == "1" else None
 
 
-@lru_cache(maxsize=1000)  # many cells of a table may have the same mistake
+@lru_cache(maxsize=1000)  # many cells of a table may share a mistake
 def similar_unit(word: str, dimensions: frozenset[Dimension]) -> str | None:
-    """Return the unit of one of these dimensions that a mistyped word probably is; None if there is none.
+    """Return the unit of one of these dimensions that a mistyped word probably means; None if there is none.
 
     >>> similar_unit("Gpa", frozenset([dimension_of("Pa")])), similar_unit("Nm", frozenset([dimension_of("N m")]))
     ('GPa', 'N m')
@@ -224,20 +228,18 @@ def similar_unit(word: str, dimensions: frozenset[Dimension]) -> str | None:
         first, second = _in_table(word[:position]), _in_table(word[position:])
         if first and second and tuple(map(add, first[2], second[2])) in dimensions:
             return f"{word[:position]} {word[position:]}"
-    prefixed = {
-        prefix + unit: meaning
-        for unit, meaning in PREFIXABLE.items()
-        for prefix in PREFIXES
-        if (len(prefix) > 2) == (len(unit) > 3)  # a symbol takes a symbol, a word a word
-    }
-    known = {**PREFIXABLE, **PLAIN, **prefixed}
+    known = {**PREFIXABLE, **PLAIN}
+    for unit, meaning in PREFIXABLE.items():
+        for prefix in PREFIXES:
+            if (len(prefix) > 2) == (len(unit) > 3):  # symbols take symbols, words take words
+                known[prefix + unit] = meaning
     fitting = [unit for unit, (_, _, dimension) in known.items() if dimension in dimensions]
     return closest(word, fitting, SIMILAR)
 
 
 def _terms(text: str) -> list[Term]:
     """Split the text of a unit into names and powers."""
-    if text.isascii() and text.isalpha():  # as most are
+    if text.isascii() and text.isalpha():  # the usual case
         return [(text, 1)]
     for mark in ("**", "^", "*", "/"):
         text = text.replace(f" {mark}", mark).replace(f"{mark} ", mark)
@@ -257,7 +259,7 @@ def _terms(text: str) -> list[Term]:
 
 
 def _term(text: str) -> Term:
-    """Read a name with its power, if it has one: m2, m^2, m²."""
+    """Read a name with its power, if any: m2, m^2, m²."""
     name = text.rstrip(_OF_POWERS).removesuffix("^")
     stated = text[len(name) :].removeprefix("^") if name != text else "1"
     power = stated.translate(SUPERSCRIPTS)
@@ -270,7 +272,7 @@ def _term(text: str) -> Term:
 
 
 def _product(terms: Sequence[Term]) -> Unit:
-    """Multiply units to their powers."""
+    """Return the product of units to their powers."""
     numerator, denominator, dimension = 1, 1, NUMBER
     for name, power in terms:
         unit = _in_table(name) or lookup(name)
@@ -286,8 +288,9 @@ def _product(terms: Sequence[Term]) -> Unit:
 
 
 def _in_table(name: str) -> Unit | None:
-    """Return the meaning of a unit name, with or without a prefix, in the table."""
-    if unit := PLAIN.get(name) or PREFIXABLE.get(name):
+    """Return the meaning of a unit name in the table, with or without a prefix; None for an unknown name."""
+    unit = PLAIN.get(name) or PREFIXABLE.get(name)
+    if unit is not None:
         return unit
     for length in range(1, len(name)):
         exponent, unit = PREFIXES.get(name[:length]), PREFIXABLE.get(name[length:])
@@ -301,7 +304,7 @@ def _in_table(name: str) -> Unit | None:
 # --- Names of pint ----------------------------------------------------------------------------------------------------
 
 _DIGITS = 60
-# Units whose values differ between versions of pint from 0.24.4 to 0.26.2, by its names. Some are in the table.
+# Units, by pint's names, that differ between its versions 0.24.4 to 0.26.2. Some of them are in the table.
 _UNLIKE = frozenset(
     """acre acre_foot angstrom_star apothecary_dram atomic_mass_constant atomic_unit_of_current
     atomic_unit_of_electric_field atomic_unit_of_force atomic_unit_of_intensity atomic_unit_of_temperature
@@ -311,7 +314,7 @@ _UNLIKE = frozenset(
     proton_mass quarter rod rydberg rydberg_constant square_league square_rod thomson_cross_section
     unified_atomic_mass_unit unit_pole vacuum_permeability vacuum_permittivity x_unit_Cu x_unit_Mo""".split()
 )
-# Not the astronomical unit, the grain and the short ton, nor lengths: a radius (rod), (chain) or (pp) is of a thing.
+# Excluded names: the astronomical unit, the grain and the short ton; and lengths, since (rod) or (chain) is an object.
 _OTHER_WORDS = frozenset(
     """au ch gr ton tons chain chains hand hands link links perch point points pole poles rod rods bp fur li pp rd sft
     smi th""".split()
@@ -320,7 +323,7 @@ _OTHER_WORDS = frozenset(
 
 @cache
 def _registry() -> Any:
-    """Return pint's default registry, of decimals, which keeps factors with the precision that was first asked for."""
+    """Return pint's default registry with decimals; it keeps factors with the precision first asked for."""
     from decimal import Decimal
 
     import pint
@@ -330,13 +333,12 @@ def _registry() -> Any:
 
 @lru_cache(maxsize=1000)
 def lookup(name: str) -> Unit | None:
-    """Return pint's meaning of a unit name; None for a long one, and for one that is no plain factor for pint.
+    """Return pint's meaning of a unit name; None for a long name, or if pint has no simple factor for it.
 
-    A temperature on a scale with an offset, a logarithmic unit and one outside the SI (a bit, a dollar) have none.
-    Names that pint reads as nobody means them are left out: a prefix before a speed (kmph is no kilo-mile per hour),
-    the yarn count Nm, the px of a screen, and words with another meaning in this field or for most people. So are those
-    whose value depends on the version of pint.
-
+    Temperatures with an offset, logarithmic units and units outside the SI (a bit, a dollar) have none. Readings that
+    nobody intends are excluded: a prefix before a speed (kmph is not a kilo-mile per hour), the yarn count Nm, the px
+    of a screen, and words with another meaning in this field or for most people. So are units that depend on the
+    version of pint.
     >>> lookup("nm")
     (1, 1000000000, (0, 1, 0, 0, 0, 0, 0, 0))
     """
@@ -351,11 +353,11 @@ def lookup(name: str) -> Unit | None:
             return None
         prefix, unit_name, _ = candidates[0]
         symbol = exact.get_symbol(unit_name)
-        is_plural_of_symbol = symbol != unit_name and name.endswith(symbol + "s")  # GPas is no unit of pressure
+        is_plural_of_symbol = symbol != unit_name and name.endswith(symbol + "s")  # GPas is not a unit of pressure
         try:
             unit = exact.Unit(prefix + unit_name)
             zero, one = (exact.Quantity(Decimal(value), unit).to_root_units() for value in (0, 1))
-        except Exception:  # logarithmic units fail in ways of their own; none of them is a plain factor
+        except Exception:  # logarithmic units fail in their own ways; none has a simple factor
             return None
         powers = {str(base): power for base, power in one.unit_items()}
         kilogram = powers.pop("gram", 0)

@@ -1,8 +1,8 @@
-"""Texts of users to SI numbers: a strict grammar and exact arithmetic.
+"""Texts of users as SI numbers: a strict grammar and exact arithmetic.
 
-A text is one decimal number and a unit; nothing else is a quantity. A value is computed as a ratio of integers and
-rounded to a double once. A value may have an uncertainty, as in 25±5 mJ/m2, 25(5) mJ/m2, 25 mJ/m2 ± 20% and 20 to 30
-mJ/m2. There are lists and ranges of values: "1nm,1um" and "1nm:1um:50".
+A text is one decimal number and a unit; nothing else is accepted. A value is computed as a ratio of integers and
+rounded to a double once. It may have an uncertainty, as in 25±5 mJ/m2, 25(5) mJ/m2, 25 mJ/m2 ± 20% and 20 to 30 mJ/m2.
+There are also lists and ranges of values: "1nm,1um" and "1nm:1um:50".
 """
 
 import re
@@ -29,13 +29,13 @@ from .units import (
     power_of_ten,
 )
 
-# --- Values that a quantity does not have -----------------------------------------------------------------------------
+# --- Invalid values ---------------------------------------------------------------------------------------------------
 
 NO_UNIT = "has no unit"
 
 
 class QuantityError(JkrollError):
-    """Error raised when a text or a number is not a value of the quantity that it was given for."""
+    """Error raised for a text or a number that is not a value of the quantity it was given for."""
 
     def __init__(self, name: str, value: object, mistake: str, remedy: str = "", position: Sequence[int] = ()) -> None:
         """`mistake` follows the value; `remedy` says what to type instead, by default an example of the quantity.
@@ -47,7 +47,7 @@ class QuantityError(JkrollError):
         self.phrase = f"bad {name}"
 
     def problem(self) -> str:
-        """Return what is wrong and, of a text, what to type instead, without the name and the value."""
+        """Return the mistake and, for a text, the remedy, without the name and the value."""
         remedy = self.remedy or (f"expected {_expectation(self.name)}" if isinstance(self.value, str) else "")
         return f"{self.mistake}; {remedy}" if remedy else self.mistake
 
@@ -58,7 +58,7 @@ class QuantityError(JkrollError):
 
 
 def _expectation(name: str) -> str:
-    """Return the kind of value that a quantity takes, with an example or with its unit.
+    """Return the kind of value that a quantity accepts, with an example or its unit.
 
     >>> _expectation("radius2"), _expectation("stiffness")
     ('a length such as 1um, or plane', 'a value in N/m')
@@ -74,7 +74,7 @@ def _expectation(name: str) -> str:
 
 
 class Uncertain:
-    """A value in SI units with an uncertainty, whose numbers stand in `sides` by their names."""
+    """A value in SI units with an uncertainty; `sides` has the numbers of the uncertainty by name."""
 
     kind = ""
     value: Any
@@ -82,14 +82,14 @@ class Uncertain:
 
     @classmethod
     def of(cls, value: Any, **sides: Any) -> Self:
-        """Return an uncertain value of numbers, or of arrays, that need no check."""
+        """Return an uncertain value from numbers or arrays without checking them."""
         uncertain = cls.__new__(cls)
         uncertain.value, uncertain.sides = value, sides
         return uncertain
 
     @property
     def low(self) -> Any:
-        """The lower end, or the value less its uncertainty."""
+        """The lower end, or the value minus its uncertainty."""
         return self.sides["low"] if "low" in self.sides else self.value - self.sides["minus"]
 
     @property
@@ -98,7 +98,7 @@ class Uncertain:
         return self.sides["high"] if "high" in self.sides else self.value + self.sides["plus"]
 
     def changed(self, change: Callable[[Any], Any]) -> Self:
-        """Return the value in another unit, or times a number: a change that is linear and has no constant."""
+        """Return the value after a linear change without a constant, such as another unit or a factor."""
         sides = {side: change(number) for side, number in self.sides.items()}
         if change(1.0) < 0:
             first, second = sides.values()
@@ -141,7 +141,7 @@ class Uncertain:
 
 
 class Measured(Uncertain):
-    """A value in SI units with one standard uncertainty on each side; both are the same where one is given.
+    """A value in SI units with a standard uncertainty; if only one side is given, the other is equal.
 
     >>> Measured(0.025, 0.005)
     Measured(value=0.025, minus=0.005, plus=0.005)
@@ -150,7 +150,7 @@ class Measured(Uncertain):
     kind = "standard"
 
     def __init__(self, value: float, minus: float | None = None, plus: float | None = None) -> None:
-        """Raise BadRequest for what is no number, and for an uncertainty that is negative or missing."""
+        """Raise BadRequest for other objects than numbers, and for a negative or missing uncertainty."""
         if minus is None and plus is None:
             raise BadRequest("Measured: the uncertainty is missing; write Measured(0.025, 0.005)")
         given = (value, plus if minus is None else minus, minus if plus is None else plus)
@@ -160,7 +160,7 @@ class Measured(Uncertain):
         self.sides = {"minus": below, "plus": above}
 
     def ufloat(self) -> Any:
-        """Return the number of the package `uncertainties`. Raises BadRequest where the two sides differ."""
+        """Return the number as a `ufloat` of the package `uncertainties`. Raises BadRequest if the two sides differ."""
         if self.minus != self.plus:
             raise BadRequest(f"Measured: the sides {self.minus!r} and {self.plus!r} differ, and a ufloat has one")
         return import_module("uncertainties").ufloat(self.value, self.plus)
@@ -177,7 +177,7 @@ class Measured(Uncertain):
 
 
 class Interval(Uncertain):
-    """A range in SI units of which any value is possible, and a value inside it.
+    """A range in SI units in which any value is possible, and a value within it.
 
     >>> Interval(0.025, 0.02, 0.03).sides
     {'low': 0.02, 'high': 0.03}
@@ -186,7 +186,7 @@ class Interval(Uncertain):
     kind = "range"
 
     def __init__(self, value: float, low: float, high: float) -> None:
-        """Raise BadRequest for what is no number, for ends in the wrong order, and for a value outside them."""
+        """Raise BadRequest for other objects than numbers, for ends in the wrong order, or a value outside them."""
         self.value, low, high = (_checked_number("Interval", number) for number in (value, low, high))
         if not low <= self.value <= high:
             raise BadRequest(f"Interval: {self.value!r} does not lie in the range from {low!r} to {high!r}")
@@ -194,7 +194,7 @@ class Interval(Uncertain):
 
 
 def _is_exact(other: object) -> bool:
-    """Return whether a value is a number; raise BadRequest for another uncertain one."""
+    """Return whether a value is a number; raise BadRequest for another uncertain value."""
     if isinstance(other, Uncertain):
         remedy = "write a.ufloat() and b.ufloat() if they are, or let solve combine the inputs"
         raise BadRequest(f"two uncertain values may not be independent; {remedy}")
@@ -205,7 +205,7 @@ def _checked_number(owner: str, value: object) -> float:
     """Return a number as a float; raise BadRequest for anything else."""
     may_have_unit = any(hasattr(value, word) for word in ("attrs", "dims", "unit", "units"))
     is_number = hasattr(value, "__float__") and not isinstance(value, bool)
-    is_number = is_number and getattr(getattr(value, "dtype", None), "kind", "f") in "fiu"  # no duration, no truth
+    is_number = is_number and getattr(getattr(value, "dtype", None), "kind", "f") in "fiu"  # no durations or booleans
     try:
         number = float(value) if is_number and not may_have_unit else nan  # type: ignore[arg-type]
         if not isnan(number):
@@ -221,17 +221,17 @@ def is_uncertain(value: Any) -> TypeGuard[Uncertain]:
 
 
 def middle(value: Any) -> Any:
-    """Return the middle of a value that has an uncertainty; any other value as it is."""
+    """Return the middle of an uncertain value; any other value unchanged."""
     return value.value if is_uncertain(value) else value
 
 
 def ends_of(value: Any) -> tuple[Any, Any]:
-    """Return the ends of an uncertainty; of any other value twice itself."""
+    """Return the ends of an uncertain value; for any other value, the value twice."""
     return (value.low, value.high) if is_uncertain(value) else (value, value)
 
 
 def with_sides(value: float, sides: Mapping[str, float]) -> float | Uncertain:
-    """Return a value with the numbers of its uncertainty by side; nan stands for none."""
+    """Return a value with an uncertainty given by side, where nan means none."""
     known = {side: number for side, number in sides.items() if not isnan(number)}
     return (Interval if "low" in known else Measured)(value, **known) if known else value
 
@@ -239,7 +239,7 @@ def with_sides(value: float, sides: Mapping[str, float]) -> float | Uncertain:
 # --- Texts to numbers -------------------------------------------------------------------------------------------------
 
 _Decimal = tuple[int, int]  # an integer and a power of ten
-_UnitIn = Callable[[str], Unit]  # the unit that a text means; for an empty text that of texts without one
+_UnitIn = Callable[[str], Unit]  # returns the unit of a text; for an empty text, the default
 _NUMBER = re.compile(r"([+-]?)([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?")
 _LETTER_AND_DIGITS = re.compile(r"([^\W\d_])([+-]?[0-9]+)")  # as in 1.25d1: never a unit
 _SECOND = re.compile(r" ?(?:[-–—…] ?)+[0-9]| ?([^-–—…]+?) ?[-–—…] ?[0-9.]+ ?\1$")  # 5-6 nm, 5nm-6nm
@@ -247,7 +247,7 @@ _MARKS = ("±", "(", "+-", "+−", "/-", "/−", "/ -", "/ −", " to ")  # /- a
 
 
 def parse_quantity(text: str, name: str) -> float:
-    """Read the value of a quantity of the nomenclature that states no uncertainty, in SI units, correctly rounded.
+    """Return the value of a quantity in SI units, correctly rounded, from a text without an uncertainty.
 
     >>> parse_quantity("0.1 µm", "radius")
     1e-07
@@ -261,15 +261,15 @@ def parse_quantity(text: str, name: str) -> float:
 
 
 def value_of(text: str, name: str, unit: Unit | None = None) -> float | Uncertain:
-    """Read the value of a quantity of the nomenclature, with its uncertainty if the text states one, in SI units.
+    """Return the value of a quantity in SI units from a text, with its uncertainty if it states one.
 
     >>> value_of("25±5 mJ/m2", "surface_energy")
     Measured(value=0.025, minus=0.005, plus=0.005)
     >>> value_of("20 to 30 nm", "radius")
     Interval(value=2.5e-08, low=2e-08, high=3e-08)
 
-    `unit`: of a text that has none. Raises a `QuantityError` that names the quantity, quotes the text and shows the
-    right form.
+    `unit`: the default unit. Raises a `QuantityError` that names the quantity, quotes the text and shows the right
+    form.
     """
     quantity = NOMENCLATURE[name]
     if quantity.infinity and text.strip().lower() in (quantity.infinity, "inf", "infinity", "∞"):
@@ -282,7 +282,7 @@ def value_of(text: str, name: str, unit: Unit | None = None) -> float | Uncertai
 
 
 def checked(value: float | Uncertain, name: str, text: str) -> float | Uncertain:
-    """Return a value if the quantity can have it, and without its uncertainty if that is 0."""
+    """Return a value if it is in the range of its quantity; an uncertainty of 0 is dropped."""
     limits = NOMENCLATURE[name].range
     if not limits.admits(middle(value)):
         raise QuantityError(name, text, limits.words)
@@ -295,13 +295,13 @@ def checked(value: float | Uncertain, name: str, text: str) -> float | Uncertain
     return value.value if isinstance(value, Measured) and value.minus == value.plus == 0 else value
 
 
-# Compiled where a text has them: few do, and each takes as long as to read a material.
+# Compiled on first use: few texts need them, and compiling takes as long as reading a material.
 _POWER_OF_TEN = r"(?<=[0-9.)]) ?[*x] ?10(?:(?:\^|\*\*)\^?([+-]?[0-9]{1,3})|\^?([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3}))(?![0-9])"
 _TWO_POWERS = r"([+-]?[0-9.]+) ?(±|\+[0-9.]+ ?/ ?-) ?([0-9.]+)([eE][+-]?[0-9]+)"
 
 
 def normalized_value(text: str) -> str:
-    """Return a value with one spelling for signs, error bars and powers of ten. Raises a `BadUnit` for two readings.
+    """Return a text with uniform signs, uncertainties and powers of ten. Raises a `BadUnit` if it is ambiguous.
 
     >>> normalized_value("1.2×10⁻⁷ m"), normalized_value("1E−07"), normalized_value("(1.00+/-0.05)e-07")
     ('1.2e-7 m', '1E-07', '(1.00±0.05)e-07')
@@ -310,7 +310,8 @@ def normalized_value(text: str) -> str:
     if "x" in text or "*" in text:
         text = re.sub(_POWER_OF_TEN, lambda power: f"e{power[1] or power[2].translate(SUPERSCRIPTS)}", text)
     has_power = "e" in text or "E" in text
-    if has_power and has_uncertainty(text) and (match := re.match(_TWO_POWERS, text)):
+    match = re.match(_TWO_POWERS, text) if has_power and has_uncertainty(text) else None
+    if match is not None:
         value, mark, uncertainty, power = match.groups()
         plain = f"{value}{mark}{uncertainty}"
         raise BadUnit(
@@ -320,9 +321,9 @@ def normalized_value(text: str) -> str:
 
 
 def unit_of(text: str, name: str) -> Unit:
-    """Read a unit for a quantity of the nomenclature.
+    """Return a unit for a quantity of the nomenclature.
 
-    Raises a `QuantityError`; a unit of another dimension is not an error.
+    Raises a `QuantityError`, but not for a unit of another dimension.
     """
     try:
         return unit_meant(text, dimension_of(NOMENCLATURE[name].unit))
@@ -331,12 +332,12 @@ def unit_of(text: str, name: str) -> Unit:
 
 
 def unit_meant(text: str, dimension: Dimension) -> Unit:
-    """Read a unit. Of an acceleration, g is standard gravity and not the gram."""
+    """Return a unit from a text. For an acceleration, g means standard gravity, not the gram."""
     return parse_unit("standard_gravity" if text == "g" and dimension == dimension_of("m/s^2") else text)
 
 
 def _unit_in(text: str, dimension: Dimension, otherwise: Unit | None = None) -> Unit:
-    """Read a unit of a dimension; an empty text is another unit. Raises a `BadUnit`."""
+    """Return a unit of a dimension; for an empty text, the default. Raises a `BadUnit`."""
     if not text and otherwise is not None:
         return otherwise
     if not text and any(dimension):
@@ -357,13 +358,13 @@ def has_uncertainty(text: str) -> bool:
 
 
 def _error_about(name: str, text: str, error: BadUnit) -> QuantityError:
-    """Return the error that says what is wrong with the text of a quantity."""
+    """Return the error for a bad text of a quantity."""
     remedy = error.remedy([dimension_of(NOMENCLATURE[name].unit)])
     return QuantityError(name, text[:MAX_TEXT], str(error), remedy)
 
 
 def split_number(text: str) -> tuple[_Decimal, str]:
-    """Split a text into the number at its head and the unit after it."""
+    """Return the number at the beginning of a text, and the unit after it."""
     text = text.strip(" ").replace("..", "…")
     match = _NUMBER.match(text)
     assert match is not None  # every part of the pattern is optional
@@ -379,19 +380,20 @@ def split_number(text: str) -> tuple[_Decimal, str]:
     if _SECOND.match(rest):
         remedy = "20 to 30 mJ/m2 is any value between; 20nm:100nm:9 a list, on a command line"
         raise BadUnit("has two numbers", remedy)
-    if power := _LETTER_AND_DIGITS.match(rest):
+    power = _LETTER_AND_DIGITS.match(rest)
+    if power is not None:
         if exponent:
             raise BadUnit("has two powers of ten", "write one, as in (25±5)e-3 J/m2")
         remedy = "write e for a power of ten, or a space before a unit"
-        if power[1] in "dDqQ":  # of Fortran
+        if power[1] in "dDqQ":  # as in Fortran
             remedy = f"write e for a power of ten, as in {text[: match.end()]}e{power[2]}"
-        raise BadUnit(f"has {shown(power[0])} directly behind the number", remedy)
+        raise BadUnit(f"has {shown(power[0])} directly after the number", remedy)
     if exponent and len(exponent.lstrip("+-")) > 3:
         raise BadUnit("has an exponent of more than 3 digits")
     return (int(sign + digits), int(exponent or 0) - len(fraction or "")), rest.removeprefix(" ")
 
 
-# As units are typed, and as they are written: behind a number there is a space, and no e of a power of ten.
+# From units as typed to units as printed: a space after the number, except before a power of ten.
 _AS_WRITTEN = {
     r" ?± ?": " ± ",
     r"(?<=[0-9.)])(?![eE][-+]?[0-9])(?=[^\W\d_]|[%°])": " ",
@@ -402,7 +404,7 @@ _TYPED_POWER = r"(?<=[A-DF-Za-df-z])(?:\^|\*\*)?(-?[0-9]+)"
 
 
 def as_typed(text: str) -> str:
-    """Return a value as it was typed, with its units as they are written. A word is unchanged.
+    """Return a value as typed, with units as printed. A word is unchanged.
 
     >>> as_typed("2angstrom"), as_typed("0.03 J/m^2"), as_typed("1um"), as_typed("40%"), as_typed("plane")
     ('2 Å', '0.03 J/m²', '1 µm', '40 %', 'plane')
@@ -415,7 +417,7 @@ def as_typed(text: str) -> str:
     return re.sub(_TYPED_POWER, lambda power: power[1].translate(RAISED), text)
 
 
-# --- Forms of an uncertainty ------------------------------------------------------------------------------------------
+# --- Notations of uncertainties ---------------------------------------------------------------------------------------
 
 _SIGNED = r"([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)"
 _END = r"((?:[eE][+-]?[0-9]{1,3})? ?[^±()]*)"  # a power of ten and a unit
@@ -425,7 +427,7 @@ _TWO_SIDES = rf"{_SIGNED} ?\+ ?{_SIGNED} ?/ ?- ?{_SIGNED}( ?[^±()]*)"  # 25 +6/
 
 
 def _read(text: str, unit_in: _UnitIn) -> float | Uncertain:
-    """Read a value alone or in a form above, or as 25±5 mJ/m2, 25 mJ/m2 ± 20% or 20 to 30 mJ/m2."""
+    """Return a value, or an uncertain value in a form above or as 25±5 mJ/m2, 25 mJ/m2 ± 20% or 20 to 30 mJ/m2."""
     if not has_uncertainty(text):
         return _value(text, unit_in)
     if match := re.fullmatch(_IN_BRACKETS, text):
@@ -456,7 +458,7 @@ def _read(text: str, unit_in: _UnitIn) -> float | Uncertain:
 
 
 def _value(text: str, unit_in: _UnitIn) -> float:
-    """Read a number with a unit, as the nearest double in SI units: Python rounds a division of integers once."""
+    """Return a number with a unit as the nearest double in SI units; Python rounds a division of integers once."""
     (mantissa, exponent), unit = split_number(text)
     numerator, denominator, _ = unit_in(unit)
     above, below = power_of_ten(exponent)
@@ -470,12 +472,12 @@ def _value(text: str, unit_in: _UnitIn) -> float:
 
 
 def _with_unit_of(other: str, text: str) -> str:
-    """Return a number with its unit, or, if it has none, with that of another."""
+    """Return a number with its unit, or with that of another text if it has none."""
     return text if split_number(text)[1] else f"{text} {split_number(other)[1]}"
 
 
 def _plus_minus(left: str, right: str, unit_in: _UnitIn) -> Measured:
-    """Read a value, with or without a unit, and its uncertainty with a unit or in percent of the value."""
+    """Return a value with an uncertainty in a unit, or in percent of the value."""
     unit, unit_of_bar = split_number(left)[1], split_number(right)[1]
     if unit_of_bar.startswith("%"):
         if unit_of_bar != "%" or unit_in(unit) == parse_unit("%"):
@@ -488,14 +490,14 @@ def _plus_minus(left: str, right: str, unit_in: _UnitIn) -> Measured:
 
 
 def _measured(value: float, *sides: float) -> Measured:
-    """Return a value with an uncertainty, or with one below it and one above it."""
+    """Return a value with an uncertainty, or with one below and one above it."""
     if min(sides) < 0:
         raise BadUnit("has a negative uncertainty")
     return Measured(value, *sides)
 
 
 def _to_15_digits(number: float) -> float:
-    """Return a number without its rounding error, if it is a round one: between 0.1 and 0.2 is 0.15."""
+    """Return a number without its rounding error if it is round: the middle of 0.1 and 0.2 is 0.15."""
     return float(f"{number:.15g}")
 
 
@@ -505,12 +507,12 @@ MAX_VALUES = 1_000_000_000
 
 
 class Spread:
-    """A range of values, or a single value, which may be uncertain."""
+    """A range of values, or a single value, possibly uncertain."""
 
     def __init__(
         self, low: float, high: float, size: int = 1, *, is_log: bool = False, uncertainty: Uncertain | None = None
     ) -> None:
-        """Take `size` values from `low` to `high`, in equal steps or in equal ratios."""
+        """Take `size` values from `low` to `high`, in equal steps or equal ratios."""
         self.low, self.high, self.size, self.is_log, self.uncertainty = low, high, size, is_log, uncertainty
 
     def __len__(self) -> int:
@@ -520,22 +522,22 @@ class Spread:
         return iter([self.uncertainty]) if self.uncertainty is not None else map(self.value, range(self.size))
 
     def value(self, position: int) -> float:
-        """Return the value at a position, with 15 digits: between 1e-9 and 1e-6 are then 1e-8 and 1e-7 themselves."""
+        """Return the value at an index, with 15 digits: between 1e-9 and 1e-6 lie exactly 1e-8 and 1e-7."""
         if position in (0, self.size - 1):
             return self.high if position else self.low
         share = position / (self.size - 1)
         if self.is_log:
             return _to_15_digits(self.low * (self.high / self.low) ** share)
         value = self.low * (1 - share) + self.high * share
-        is_nothing = abs(value) < 1e-15 * max(abs(self.low), abs(self.high))
-        return 0.0 if is_nothing else _to_15_digits(value)
+        is_rounding = abs(value) < 1e-15 * max(abs(self.low), abs(self.high))
+        return 0.0 if is_rounding else _to_15_digits(value)
 
 
 _LIST_OR_NUMBER = r"[+-]?[0-9]+,[0-9]+|[+-]?[0-9]{1,3}(?:,[0-9]{3})+"  # 1,5 and 2,500,000
 
 
 def spreads_of(text: str, name: str) -> list[Spread]:
-    """Read values separated by commas, and ranges `FROM:TO:COUNT`, with `:lin` or `:log` at the end or not.
+    """Return values separated by commas, and ranges `FROM:TO:COUNT`, optionally with `:lin` or `:log`.
 
     >>> [*spreads_of("1nm:1um:4", "radius")[0]]
     [1e-09, 1e-08, 1e-07, 1e-06]
@@ -555,7 +557,7 @@ def spreads_of(text: str, name: str) -> list[Spread]:
 
 
 def _spread(text: str, name: str) -> Spread:
-    """Read a value, with its uncertainty if it states one, or a range."""
+    """Return a value, with its uncertainty if it states one, or a range."""
     if ":" in text:
         return between(*text.split(":"), name=name, text=text)
     value = value_of(text, name)
@@ -563,9 +565,9 @@ def _spread(text: str, name: str) -> Spread:
 
 
 def between(first: str, last: str, count: str = "", scale: str = "", *more: str, name: str, text: str) -> Spread:
-    """Return the range between two values; an error quotes its text.
+    """Return the range between two values; an error quotes the text.
 
-    Without a scale, "lin" or "log", the steps are of equal ratios, or equal if an end is not positive.
+    Without a scale ("lin" or "log"), steps have equal ratios, or are equal if an end is not positive.
     """
     if more or not (count.isascii() and count.isdigit()) or scale not in ("", "log", "lin"):
         raise QuantityError(name, text, "is not a range", "write FROM:TO:COUNT, as 1nm:1um:7, and :lin for equal steps")

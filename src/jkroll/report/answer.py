@@ -46,12 +46,12 @@ from .questions import Question
 
 
 class Result(Numeric):
-    """A quantity in SI units, or the reason why it has no value; a text of it is rounded, as on a terminal.
+    """A quantity in SI units, or the reason why it has no value; `str` rounds it as on a terminal.
 
-    It counts as its number: `float(result)`, `result * 2`, `f"{result:.3g}"`, `result.to("nN")`.
+    It acts as its number: `float(result)`, `result * 2`, `f"{result:.3g}"`, `result.to("nN")`.
 
-    `code` is that of the reason, `error` the relative error of a model of the moment, `growth` the largest factor by
-    which relative errors of measured values enter an inferred one.
+    `code` is the code of the reason. `error` is the relative error of an approximate moment. `growth` is the largest
+    factor by which relative errors of measured values enter an inferred one.
     """
 
     def __init__(
@@ -59,13 +59,13 @@ class Result(Numeric):
         name: str,
         value: float | None,
         reason: str = "",
-        code: str = "",  # of the reason
+        code: str = "",  # the code of the reason
         error: float | None = None,
         growth: float | None = None,
-        by_law: Mapping[str, float] = MappingProxyType({}),  # of an inferred value: what it is under the other laws
+        by_law: Mapping[str, float] = MappingProxyType({}),  # an inferred value by each other law
         bar: ErrorBar | None = None,  # if an input has one
-        law: str = "",  # of attraction, if it is not JKR and gives the quantity in its own way or not at all
-        of_law: str = "",  # the equation of the paper by which it does, or its source
+        law: str = "",  # of attraction: set if it is not JKR, and has another formula for the quantity or none
+        of_law: str = "",  # the equation in the paper, or the source of the law
     ) -> None:
         self.name, self.value, self.reason, self.code, self.error = name, value, reason, code, error
         self.growth, self.by_law, self.bar, self.law = growth, by_law, bar, law
@@ -89,22 +89,22 @@ class Result(Numeric):
 
     @property
     def uncertain(self) -> Uncertain | None:
-        """The value with its error bar, if an input has one."""
+        """The value with its uncertainty, if an input has one."""
         return self.bar.of(self.value) if self.bar is not None else None
 
     @property
     def measure(self) -> float | Uncertain | None:
-        """The value, with its error bar if it has one."""
+        """The value, with its uncertainty if it has one."""
         return self.value if self.uncertain is None else self.uncertain
 
 
 def without_value(name: str, error: JkrollError, law: str = "") -> Result:
-    """Return a result without a value, for the reason that an error gives."""
+    """Return a result without a value; the error gives the reason."""
     return Result(name, None, explanation_of(name, error), error.code, law=law)
 
 
 def equation_of(frame: Frame, name: str) -> str:
-    """Return the equation by which a law has a quantity: that of the paper, or the source of the law."""
+    """Return the number of the equation in the paper, or the source of the law."""
     return NOMENCLATURE[frame.plan(name).name].equation or frame.law.source
 
 
@@ -112,9 +112,9 @@ _MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_app
 
 
 def model_error(name: str, frame: Frame) -> float | None:
-    """Return the relative error of a model; None for the exact one, for other quantities, and where one has no value.
+    """Return the relative error of an approximate moment; None if it is exact, undefined or not a moment.
 
-    At a fixed load Eq (25) is exact; at a fixed approach, there is a term in ξ³ more.
+    Eq (25) is exact at a fixed load; at a fixed approach the moment has another term in ξ³.
     """
     exact_model = "fixed_approach_moment" if "approach_at_load" in frame.stated else "yield_moment"
     if name not in _MOMENTS or name == exact_model:
@@ -126,7 +126,7 @@ def model_error(name: str, frame: Frame) -> float | None:
 
 
 def with_force_by_maugis(error: Failure, frame: Frame) -> Failure:
-    """Return the error of a load beyond pull-off by JKR, with the pull-off force of Maugis' law if that has one."""
+    """Return the error for a load beyond JKR's pull-off force, with Maugis' pull-off force where it has a value."""
     if not frame.law.is_default:
         return error
     other = frame.replace(model=BETWEEN)
@@ -145,33 +145,33 @@ class Answer(Results):
     """The results of a command for one frame, with their best ranges and the limits of the model."""
 
     def __init__(self, question: Question, frame: Frame, *, keeps_all: bool = False) -> None:
-        """Compute the quantities of a question as far as the frame allows."""
+        """Compute the quantities of a question, as far as the frame allows."""
         super().__init__(frame, frame.shown(question.quantities, question.named), keeps_all=keeps_all)
         self.question = question
 
     @property
     def condition(self) -> float | None:
-        """The condition number of two inferred inputs together."""
+        """The condition number of a pair of inferred inputs."""
         return self.described.solution.condition if self.described.unknowns[1:] and self.failure is None else None
 
     @cached_property
     def reasons(self) -> Mapping[str, JkrollError]:
-        """The errors that say why quantities have no value, by name."""
+        """The errors of quantities without a value, by name."""
         return {name: error for name, error in self.errors().items() if name != ROW}
 
     @property
     def lacking(self) -> Mapping[str, JkrollError]:
-        """The errors but for those of limits that end meaning, of which a warning tells."""
+        """The errors of quantities without a value, except for limits that end meaning: a warning reports those."""
         return {name: error for name, error in self.reasons.items() if not has_code(error)}
 
     @property
     def explained(self) -> Self:
-        """The answer with all that `--explain` derives: of inferred values the measured quantities, too."""
+        """The answer as `--explain` derives it: with inferred values, also the measured quantities."""
         measured = tuple(name for name in self.judged if name not in self.computed)
         if not measured or self.failure is not None:
             return self
         explained, forward = copy(self), type(self)(Question(measured, measured, measured), self.frame)
-        forward.bars = {}  # they are those of the unknowns
+        forward.bars = {}  # uncertainties are those of the unknowns
         explained.results = (*self.results, *forward.results)
         return explained
 
@@ -182,12 +182,12 @@ class Answer(Results):
 
     @cached_property
     def measures(self) -> Mapping[str, float | str | Uncertain]:
-        """The inputs that were stated or enter the results, as they were understood, with their error bars."""
+        """The inputs that were stated or enter the results, as understood, with their uncertainties."""
         return {name: in_words(name, value) for name, value in self.inputs_shown([*self.columns]).items()}
 
     @cached_property
     def inputs(self) -> Mapping[str, float | str]:
-        """The same without error bars."""
+        """`measures` without uncertainties."""
         return {name: middle(value) for name, value in self.measures.items()}
 
     @property
@@ -197,11 +197,11 @@ class Answer(Results):
 
     @cached_property
     def results(self) -> tuple[Result, ...]:
-        """The quantities that are shown, with the reasons of those that have no value."""
+        """The quantities shown; those without a value have the reason."""
         return tuple(map(self.result, self.columns))
 
     def result(self, name: str) -> Result:
-        """Return a result. One without a value has no source: the definition of JKR is not what it lacks."""
+        """Return a result; one without a value has no equation."""
         unknowns = self.described.unknowns
         law = "" if self.frame.law.is_default or name in unknowns else self.frame.law.name
         if name in self.reasons:
@@ -216,13 +216,13 @@ class Answer(Results):
         return result
 
     def bar(self, name: str) -> ErrorBar | None:
-        """Return the error bar of a result; None without one."""
+        """Return the uncertainty of a result, or None."""
         bar = self.bars.get(name)
         return bar if bar is not None and bar.sides else None
 
     @cached_property
     def ranges(self) -> Ranges:
-        """The ranges that laws and measurements give."""
+        """The ranges from laws and measurements."""
         return Ranges(self)
 
     @cached_property
@@ -232,13 +232,13 @@ class Answer(Results):
 
     @cached_property
     def of_jkr(self) -> Mapping[str, float]:
-        """The values of JKR, to stand beside those of another law."""
+        """The values by JKR, to compare with those of another law."""
         numbers = self.frame.under(DEFAULT_LAW).numbers(*(self.columns.keys() - self.ended.keys()))
         return {name: number for name, number in numbers.items() if number < INFINITY}
 
     @cached_property
     def by_law(self) -> Mapping[str, Mapping[str, Any]]:
-        """Inferred values, with error bars, by each law that has the measured quantities by other formulas."""
+        """Inferred values with uncertainties, by each law whose formulas for the measured quantities differ."""
         unknowns, found = self.described.unknowns, dict[str, Mapping[str, Any]]()
         if not unknowns or not self.values or self.ended:
             return found
@@ -253,16 +253,15 @@ class Answer(Results):
 
     @property
     def exceeded(self) -> list[Doubt]:
-        """The limits of the model that do not hold.
+        """The limits of the model that do not hold, the most important first.
 
-        First those that end a meaning, that of a contact wider than its sphere before all; then those of the headline;
-        then the others. Of each, those about a state, which is beyond a limit or not, are first, then those with a
-        remedy, and then the one that is exceeded most.
+        Limits that end meaning come first, led by a contact wider than its sphere; then limits of the headline; then
+        the others. Within each, limits on a state come first, then limits with a remedy, then the largest excess.
         """
         return sorted((doubt for doubt in self.validity if doubt.is_exceeded), key=self._rank)
 
     def is_in_doubt(self, code: str) -> bool:
-        """Return whether a code is that of a limit that does not hold."""
+        """Return whether the limit with this code is exceeded."""
         return any(doubt.code == code for doubt in self.exceeded)
 
     def _rank(self, doubt: Doubt) -> tuple[bool, bool, bool, bool, bool, float]:
@@ -272,9 +271,9 @@ class Answer(Results):
         return *is_late, bool(limit.threshold), not has_remedy, -doubt.excess
 
     def _is_of_headline(self, limit: Limit) -> bool:
-        """Return whether a limit concerns a quantity that the command is named after: a law, if it moves one.
+        """Return whether a limit concerns a quantity that the command is named after.
 
-        So does one that is of a result itself, such as of a force below 0.
+        The law counts if another law moves that quantity. A limit on a result itself counts too, such as a force < 0.
         """
         if limit.name in limit.touches and limit.name in self.values:
             return True
@@ -289,7 +288,7 @@ class Answer(Results):
 
     @cached_property
     def assumed(self) -> Mapping[str, str]:
-        """The assumptions, each with the option that sets it, by name; the atomic spacing if it enters a limit."""
+        """The assumptions by name, each with the option that sets it; the atomic spacing only if it enters a limit."""
         texts = assumed(self.frame, self._entering[0], self._possible, has_values=True)
         return {name: text for name, text in texts.items() if name not in self.judged}
 
@@ -304,13 +303,13 @@ class Answer(Results):
 
     @property
     def shows_surfaces(self) -> bool:
-        """True if a table has rows of what was measured on real surfaces: of SiO2, if its pull-off force is asked."""
+        """True if the table has rows for real surfaces, because the pull-off force of SiO2 is asked."""
         is_asked = "pull_off_force" in self.question.headline and not self.frame.stated_model
         return is_asked and self.is_in_doubt(ROUGH_MATTERS) and solid_of_pair(self.frame) == SIO2
 
     @property
     def is_on_pull_off(self) -> bool:
-        """True if the question is the pull-off force alone, of which real surfaces may hold less."""
+        """True if the pull-off force is the only question, and real surfaces may hold less."""
         is_alone = self.question.headline == ("pull_off_force",) and "pull_off_force" in self.values
         return is_alone and not self.frame.stated_model and bool(may_be_rough(self.frame))
 
@@ -320,6 +319,6 @@ class Answer(Results):
         for error in self.reasons.values():
             if isinstance(error, Failure) and not error.cause.has_contact:
                 return with_force_by_maugis(error, self.frame) if error.cause == BEYOND_PULL_OFF else error
-        if self.values or self.ended:  # what has no meaning is an answer
+        if self.values or self.ended:  # a value without meaning still answers
             return None
         return next(iter(self.reasons.values()), Failure(OF_IDENTICAL_SPHERES))

@@ -1,4 +1,4 @@
-"""The force curve of a contact as rows: both branches, and the named states on them."""
+"""The force curve of a contact as rows: both branches and the named states."""
 
 from collections.abc import Iterator, Sequence
 from math import inf, isfinite
@@ -23,9 +23,9 @@ _OF_CURVE = ("pull_off_force", "contact_radius", "approach")
 WHOLE_CURVE = Question(_OF_CURVE, _OF_CURVE)
 FOLD, PULL_OFF, JUMP_IN, EQUILIBRIUM = "fold", "pull-off", "jump-in", "equilibrium"
 NAMED = {FOLD: 1 / 6, PULL_OFF: 1 / 2, JUMP_IN: 2 / 3, EQUILIBRIUM: 1.0}  # the load factors of JKR
-STEPS, FEW_STEPS = 40, 12  # on the stable branch; and on a terminal
-MAX_LOAD = 16 / 9  # over the pull-off force of the law, where no loads are given
-# By law, the input that sets a state, and the quantity that has its value at a load; by others both are the load.
+STEPS, FEW_STEPS = 40, 12  # on the stable branch, in a file and on a terminal
+MAX_LOAD = 16 / 9  # in units of the law's pull-off force, if no loads are given
+# By law: the input that sets a state, and the quantity with its value at a load. For other laws both are the load.
 _SET_BY = {
     "jkr": ("load_factor", "load_factor"),
     "maugis": ("edge_ratio", "edge_ratio_at_load"),
@@ -34,7 +34,7 @@ _SET_BY = {
 
 
 class State(NamedTuple):
-    """A state of the curve: the input that sets it, its value, and what the state is called."""
+    """A state of the curve: the input that sets it, the value of the input, and the name of the state."""
 
     given: str
     value: float
@@ -43,20 +43,20 @@ class State(NamedTuple):
     def in_frame(self, frame: Frame) -> Frame:
         """Return a frame at the state."""
         frame = frame.replace(**{self.given: self.value}, state=self.name)
-        if self.name == FOLD:  # where the formula gives rounding errors
+        if self.name == FOLD:  # here the formula gives only rounding errors
             frame.drop("stiffness", NO_STIFFNESS)
         return frame
 
 
 class Loads(NamedTuple):
-    """The loads from which and to which a force curve is wanted."""
+    """The first and last load of a force curve."""
 
     low: float
     high: float
 
 
 def loads_of(text: str) -> Loads:
-    """Return the loads of a text `FROM:TO`.
+    """Return the loads in a text `FROM:TO`.
 
     >>> loads_of("-5nN:20nN")
     Loads(low=-5e-09, high=2e-08)
@@ -71,10 +71,10 @@ def loads_of(text: str) -> Loads:
 
 
 def states(frame: Frame, loads: Loads | None = None, steps: int = STEPS) -> list[State]:
-    """Return the states of the force curve of a frame under its law, by rising approach or load as that has them.
+    """Return the states of a frame's force curve, by rising approach, or by rising load if the load sets the state.
 
-    Without `loads` the curve ends at (16/9)P_c. It has `steps` on the stable branch, half as many where fixed grips
-    hold the contact, and the named states.
+    Without `loads` the curve ends at (16/9)P_c. It has `steps` states on the stable branch, half as many where only
+    fixed grips hold the contact, and the named states.
     """
     try:
         given, at_load = _SET_BY.get(frame.law.name, ("load", "load"))
@@ -91,19 +91,19 @@ def states(frame: Frame, loads: Loads | None = None, steps: int = STEPS) -> list
         *(State(given, value, "unstable" if value < named[FOLD] else "fixed grips") for value in held),
         *(State(given, value, name) for name, value in named.items() if value or name != FOLD),
     ]
-    by_value = {float(f"{state.value:.12g}"): state for state in every}  # a named state takes the place of another
+    by_value = {float(f"{state.value:.12g}"): state for state in every}  # a named state replaces an unnamed one
     path = [by_value[value] for value in sorted(by_value)]
     if named.get(FOLD) == 0:
         path = [*_without_contact(frame, path[0].value, half), *path]
     if loads is None:
         return path
-    slack = 1e-12 * max(abs(end) for end in loads if isfinite(end))  # the load of a state comes back but for rounding
+    slack = 1e-12 * max(abs(end) for end in loads if isfinite(end))  # the load of a state is recovered up to rounding
     lowest, highest = low - slack, high + slack
     return [state for state in path if state.name == "stable" or lowest <= state.in_frame(frame)["load"] <= highest]
 
 
 def _named(frame: Frame) -> dict[str, float]:
-    """Return the values at the named states of the input that sets a state of the law; 0 at a fold without contact."""
+    """Return the input values of the named states; a fold without contact has 0."""
     if frame.law.name == "jkr":
         return {**NAMED}
     if frame.law.name == "dmt":
@@ -115,28 +115,28 @@ def _named(frame: Frame) -> dict[str, float]:
 
 
 def _without_contact(frame: Frame, ratio: float, steps: int) -> Iterator[State]:
-    """Iterate over states by Maugis' law from the fold on, up to a contact of an edge ratio, without that."""
+    """Iterate over Maugis' states without contact, from the fold to a contact with an edge ratio (excluded)."""
     fold, touch = frame["fold_approach_maugis"], frame.replace(edge_ratio=ratio)["approach_at_load"]
     for step in range(steps):
         yield State("approach_at_load", fold + (touch - fold) * step / steps, "without contact" if step else FOLD)
 
 
 def frames_of_curve(frame: Frame, loads: Loads | None = None, steps: int = STEPS) -> Iterator[Frame]:
-    """Iterate over the frames at the states of the force curve of a frame, under its law."""
+    """Iterate over the frames at the states of the force curve."""
     return (state.in_frame(frame) for state in states(frame, loads, steps))
 
 
 def answer_at_state(question: Question, frame: Frame) -> Report:
-    """Return the answer at a state. The quantity that sets the state is an input and no result."""
+    """Return the answer at a state. The quantity that sets the state is an input, not a result."""
     sets_state = STATE_OR_LOAD & frame.stated.keys()
     names = tuple(name for name in question.quantities if name not in sets_state) or question.quantities
     return Report(Question(question.headline, names, names), frame)
 
 
 def curve_columns(frames: Sequence[Frame], names: Sequence[str], *, doubts: bool, keeps_all: bool) -> Wanted:
-    """Return the columns of quantities at states, behind those of the inputs and of the names of the states.
+    """Return the columns of a force curve: inputs, names of states, then quantities.
 
-    `doubts`: whether limits are judged; `keeps_all`: whether numbers without a meaning stay.
+    `doubts`: True to judge limits; `keeps_all`: True to keep numbers without a meaning.
     """
     inputs = {name for frame in frames for name in frame.echo(frame.inputs_used(names))}
     sides = sides_in((frame, names) for frame in frames)

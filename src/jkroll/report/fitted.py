@@ -1,4 +1,4 @@
-"""The report of a fitted force curve: its results with their errors as texts, and the sentences on them."""
+"""The report of a fitted force curve: results with their errors as texts, and sentences about them."""
 
 from collections.abc import Iterator, Sequence
 from math import floor, isfinite, log10
@@ -21,7 +21,7 @@ WORDS = {
 }
 HEADS = ("quantity", "symbol", "fit", "unit", "noise", "calibration", "model")
 _ABSENT = "–"
-_SCALED = {"J/m^2": "J/m", "Pa": "Pa m^0.5"}  # of wR and E*√R
+_SCALED = {"J/m^2": "J/m", "Pa": "Pa m^0.5"}  # units of wR and E*√R
 _WITHOUT_RADIUS = {"work_of_adhesion_opening": "wR_open", "work_of_adhesion_closing": "wR_close",
     "adhesion_hysteresis": "ΔwR", "contact_modulus": "E*√R"}  # fmt: skip
 
@@ -32,18 +32,18 @@ def unit_of_result(fitted: Fit, name: str) -> str:
 
 
 def unit_without_radius(name: str) -> str:
-    """Return the SI unit of a result of a contact without a radius."""
+    """Return the SI unit of a result that is fitted without a radius."""
     unit = NOMENCLATURE[RESULTS[name]].unit
     return _SCALED.get(unit, unit)
 
 
 def sentence_of(name: str) -> str:
-    """Return the words for a result in a sentence."""
+    """Return the name of a result in a sentence."""
     return WORDS[name][0].replace("adhesion on", "work of adhesion on")
 
 
 def line_on_known(fitted: Fit, *, on_radius: str = "", stiffness: str = "") -> str:
-    """Return the line above a fit: what was fitted, and what is known. `stiffness`: of the lever, as it was typed."""
+    """Return the line above a fit: what was fitted, and what is known. `stiffness`: of the lever, as typed."""
     known = fitted.known
     law = LAWS[known.law].short if fitted.largest_adhesion is None else "Hertz"
     texts = [f"{fitted.kind} and force, by {law}"]
@@ -56,7 +56,7 @@ def line_on_known(fitted: Fit, *, on_radius: str = "", stiffness: str = "") -> s
 
 
 def rows_of_results(fitted: Fit) -> list[list[str]]:
-    """Return the rows of a table of results, the heads first."""
+    """Return the rows of the table of results, its header first."""
     return [[*HEADS], *(row_of_result(fitted, name) for name in RESULTS if name in fitted.values)]
 
 
@@ -64,7 +64,7 @@ def rows_of_results(fitted: Fit) -> list[list[str]]:
 
 
 def row_of_result(fitted: Fit, name: str) -> list[str]:
-    """Return the cells of a result under `HEADS`; an error that was not computed is a dash."""
+    """Return the cells of a result under `HEADS`; a dash stands for an error that was not computed."""
     words, symbol = WORDS[name]
     symbol = _WITHOUT_RADIUS.get(name, symbol) if fitted.is_scaled else symbol
     errors = fitted.errors.get(name)
@@ -76,7 +76,7 @@ def row_of_result(fitted: Fit, name: str) -> list[str]:
 
 
 def in_words(fitted: Fit, name: str) -> str:
-    """Return a result with its unit and its total error, for a sentence."""
+    """Return a result with its unit and total error, for a sentence."""
     errors = fitted.errors.get(name)
     is_known = errors is not None and isfinite(errors.total)
     texts, unit = _cells(fitted, name, [fitted.values[name], *([errors.total] if errors and is_known else [])])
@@ -84,7 +84,7 @@ def in_words(fitted: Fit, name: str) -> str:
 
 
 def _cells(fitted: Fit, name: str, numbers: Sequence[float | None]) -> tuple[list[str], str]:
-    """Return a value and its errors as texts in one unit; errors with two digits, the value to their last place."""
+    """Return a value and its errors as texts, and their unit; errors have two digits, the value ends where they do."""
     quantity, first = RESULTS[name], numbers[0] or 0.0
     if fitted.is_scaled and unit_of_result(fitted, name) != NOMENCLATURE[quantity].unit:
         power = 3 * floor(log10(abs(first)) / 3) if first else 0
@@ -101,7 +101,7 @@ def _cells(fitted: Fit, name: str, numbers: Sequence[float | None]) -> tuple[lis
 
 
 def _rounded(value: float, error: float) -> str:
-    """Return a value to the second digit of its error, which may be the larger one."""
+    """Return a value rounded to the second digit of its error, which may exceed it."""
     if error <= abs(value):
         return bar_digits(value, error)
     return f"{value:.{max(1 - floor(log10(error)), 0)}f}"
@@ -111,7 +111,7 @@ def _rounded(value: float, error: float) -> str:
 
 
 def sentences(fitted: Fit) -> Iterator[str]:
-    """Iterate over the sentences below a fit."""
+    """Iterate over the sentences below the table of a fit."""
     good = fitted.goodness
     if fitted.largest_adhesion is not None:
         limit = f"{fitted.largest_adhesion:.2g} J/m for wR"
@@ -135,12 +135,12 @@ def sentences(fitted: Fit) -> Iterator[str]:
 
 
 def is_sure(fitted: Fit) -> bool:
-    """Return whether w and E* may be used: the curve is that of one contact, and decides on E*."""
+    """Return whether w and E* can be trusted: the curve is that of one contact and determines E*."""
     return {"poor-fit", "modulus-undetermined"}.isdisjoint(fitted.remarks)
 
 
 def _about_laws(fitted: Fit) -> Iterator[str]:
-    """Iterate over sentences on w by each law, the one that holds first."""
+    """Iterate over sentences with w by each law, starting with the law that holds."""
     name = next((name for name in RESULTS if name in fitted.values), "")
     best, profile = fitted.law_that_holds, fitted.known.profile
     order = sorted(fitted.by_law, key=lambda law: (law.partition(",")[0] != best, profile not in law, law))
@@ -158,7 +158,7 @@ def _about_laws(fitted: Fit) -> Iterator[str]:
 
 
 def _about_errors(fitted: Fit) -> Iterator[str]:
-    """Iterate over a sentence on the error of E*, where it is not that of noise."""
+    """Iterate over at most one sentence: the main error of E*, if it is not noise."""
     errors = fitted.errors["contact_modulus"]
     parts = {"the instrument (R, k)": errors.calibration or 0.0, "the model": errors.model or 0.0}
     largest = max(parts, key=lambda part: parts[part])

@@ -1,4 +1,4 @@
-"""Inferred values: by each law, beside those of the library, and the sentences on them."""
+"""Sentences about inferred values: by each law, and compared with the materials."""
 
 from collections.abc import Iterator, Mapping
 from math import log
@@ -16,7 +16,7 @@ from ..text import listed
 from .answer import Answer
 from .notes import Note
 
-# The factors between an inferred value and the library's from which on a note says so, and what it asks.
+# The factor between an inferred value and the library's above which a note reports it, and the question it asks.
 _FAR = {
     **dict.fromkeys(("surface_energy", "work_of_adhesion"), (5.0, "rough or wet surfaces?")),
     "youngs_modulus": (2.0, "is it the contact of one smooth sphere?"),
@@ -27,14 +27,14 @@ _FAR = {
 
 
 def laws_of(answer: Answer) -> list[str]:
-    """Return the laws by which inferred values are shown: the one that holds first, and then the one in use."""
+    """Return the laws for which inferred values are shown: first the one that holds, then the one in use."""
     own = answer.frame.law.name
     is_moved = any(estimate.by == BETTER_LAW for estimate in answer.estimates.values())
     return [BETWEEN, own] if is_moved or lack_by_better_law(answer) else [own]
 
 
 def lack_by_better_law(answer: Answer) -> str:
-    """Return why Maugis' law gives no value where the law in use does; empty if it does, or lacks what was measured."""
+    """Return why Maugis' law gives no value where the law in use does; empty if it does, or if an input is missing."""
     if not answer.described.unknowns or all(estimate.by != LAW_ONLY for estimate in answer.estimates.values()):
         return ""
     other = answer.described.by_law_at_spacing
@@ -43,24 +43,24 @@ def lack_by_better_law(answer: Answer) -> str:
     return f"by Maugis' law {explanation_of(','.join(other.unknowns), other.solution.failure)}"
 
 
-# --- Beside the library -----------------------------------------------------------------------------------------------
+# --- Comparison with the library --------------------------------------------------------------------------------------
 
 
 def solids_of(frame: Frame, name: str) -> list[str]:
-    """Return the solids that have an inferred property: that of sphere 1, or of the work of adhesion both."""
+    """Return the names of the solids that an inferred property describes: sphere 1, or both for work of adhesion."""
     solids = [solid.name for solid, _ in frame.materials]
     return solids[:1] if name in PROPERTIES else [*dict.fromkeys(solids)]
 
 
 def library_values(frame: Frame) -> Mapping[str, float | Uncertain]:
-    """Return the values of unknown properties that the materials have, with their error bars."""
+    """Return the library's values of the unknown properties, with their uncertainties."""
     alone = Frame({}, frame.material, frame.material2)
     numbers = alone.numbers(*(name for name in frame.unknowns if name in (*PROPERTIES, *_FAR)))
     return {name: alone.uncertainties.get(name, number) for name, number in numbers.items()}
 
 
 def _about_library(answer: Answer) -> Iterator[Note]:
-    """Iterate over notes where an inferred property of solids is far from that of the materials."""
+    """Iterate over notes on inferred properties that are far from those of the materials."""
     for name, usual in library_values(answer.described).items():
         better = answer.ranges.by_better_law(name) if BETWEEN in laws_of(answer) else ()
         ends = [end for end in better if end > 0] or [answer.values[name]]  # nan where that law has no value
@@ -78,7 +78,7 @@ def _about_library(answer: Answer) -> Iterator[Note]:
 
 
 def about_limit(doubt: Doubt, answer: Answer) -> str:
-    """Return what follows from a limit for the unknowns."""
+    """Return what a limit means for the unknowns."""
     if doubt.code == ROUGH_MATTERS:
         unknowns = listed(symbol_among(name, {*answer.inputs, *answer.assumed}) for name in answer.described.unknowns)
         return f"{unknowns}: for smooth spheres; rough ones give an effective value, of this size alone"
@@ -86,7 +86,7 @@ def about_limit(doubt: Doubt, answer: Answer) -> str:
 
 
 def proofs(answer: Answer) -> Iterator[Note]:
-    """Iterate over what is unusual in inferred values, what of the materials is not used, and their proof."""
+    """Iterate over notes on inferred values: unusual sizes, unused properties of materials, and the check forwards."""
     if not answer.described.unknowns or not answer.values:
         return
     frame, values = answer.frame, answer.values

@@ -1,4 +1,4 @@
-"""The sentences that stand before the results of an answer and answer its question, with best ranges."""
+"""The sentences that answer a question, with best ranges; they come before the results."""
 
 from collections.abc import Iterator
 from math import isnan, sqrt
@@ -29,7 +29,7 @@ _WIDE = 2  # the end of a range over the other from which on one number is said,
 
 
 def leads(answer: Answer) -> Iterator[Note]:
-    """Iterate over the sentences that answer a question."""
+    """Iterate over the sentences that answer the question of a command."""
     if answer.described.unknowns and answer.values:
         yield Note("lead", _what_it_means(answer))
     water = [*_water_or_dry(answer)]
@@ -69,7 +69,7 @@ def options_for_centre(answer: Answer) -> str:
 
 
 def _what_it_means(answer: Answer) -> str:
-    """Return the inferred values: their best ranges or, by the law in use, the values with their error bars."""
+    """Return the inferred values: their best ranges, or values with uncertainties by the law in use."""
     texts = []
     for result in answer.results:
         if result.name not in answer.described.unknowns:
@@ -86,7 +86,7 @@ def _what_it_means(answer: Answer) -> str:
 
 
 def _filled(answer: Answer) -> str:
-    """Return the sentence that answers a question, with the best ranges; empty where one is lacking."""
+    """Return the question's own sentence, filled with best ranges; empty if one is missing."""
     found = {name: estimate for name, estimate in answer.estimates.items() if estimate.by != NONE}
     words = {name: _spoken(name, each) for name, each in found.items()} | dict.fromkeys(answer.ended, "none")
     if len(answer.question.headline) == 1:
@@ -100,7 +100,7 @@ def _filled(answer: Answer) -> str:
 
 
 def _spoken(name: str, estimate: Estimate) -> str:
-    """Return a best range for a sentence; the end at a displacement of one atom is no sharp one."""
+    """Return a best range for a sentence; an end at a displacement of one atom is only approximate."""
     text = range_in_words(name, estimate)
     about = "about " if estimate.by == XI_UNKNOWN else ""
     if text.startswith("≥ "):
@@ -131,7 +131,7 @@ def _first_to_give_way(answer: Answer) -> str:
 
 
 def _water_or_dry(answer: Answer) -> Iterator[Note]:
-    """Iterate over the sentence that says which pulls more: the dry contact, or a meniscus of condensed water."""
+    """Iterate over at most one sentence: whether the dry contact or a meniscus of water pulls more."""
     dry = answer.estimates.get("pull_off_force")
     if dry is None or dry.by == NONE:
         return
@@ -149,7 +149,7 @@ def _water_or_dry(answer: Answer) -> Iterator[Note]:
 
 
 def _filled_gap(frame: Frame) -> str:
-    """Return from which humidity on water fills the gap that roughness leaves; empty where no gap is given."""
+    """Return the humidity above which water fills the gap of roughness, as a text; empty if no gap is given."""
     known = frame.numbers("roughness_gap", "threshold_humidity")
     if len(known) < 2:
         return ""
@@ -158,7 +158,7 @@ def _filled_gap(frame: Frame) -> str:
 
 
 def _slides_or_peels(answer: Answer) -> str:
-    """Return what a contact does that is pushed and held from rolling, as far as its friction is known."""
+    """Return whether a pushed contact slides or peels off if it cannot roll, as far as its friction is known."""
     is_assumed = answer.estimates["sliding_or_peeling_force"].by == FRICTION_ASSUMED
     margin = FRICTION_FACTOR if is_assumed else 1.0
     peeling_over_sliding = answer.frame["peeling_over_sliding"]
@@ -190,7 +190,7 @@ def _law_that_holds(answer: Answer) -> str:
 
 
 def _elastic_or_not(frame: Frame) -> str:
-    """Return the peak pressure of an impact beside that at rest or, if the yield strength is known, those of yield."""
+    """Return whether an impact stays elastic; without a yield strength, its peak pressure and the one at rest."""
     peak = _pressure(frame, "impact_pressure")
     if frame.missing(["first_yield_pressure"]):
         rest = _pressure(frame, "hertz_pressure")

@@ -1,4 +1,4 @@
-"""Notes about an answer or rows: what was assumed, what speaks against a value, what is missing; and their lines."""
+"""Notes on an answer or on rows: assumptions, doubts, missing inputs; and the lines that show them."""
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
@@ -21,12 +21,12 @@ if TYPE_CHECKING:
     from ..model.rows import Tally
     from ..quantities.values import Interval, Uncertain
 
-# A warning is of a number without a meaning; a lead answers the question in a sentence; a source may speak against a
-# value of a material, or say what it is (data); a caveat may change what a reader does; a remark is less; what was
-# assumed stands above results; "more" is in explanations alone. Of one severity they stand in the order in which they
-# are made.
+# A "warning" is about a number without a meaning; a "lead" answers the question; "against" and "data" come from the
+# source of a material, and the first speaks against its value; a "caveat" may change what a reader does; a "remark"
+# matters less; "assumed" is written above results; "more" is shown by --explain alone. Notes of one severity keep the
+# order in which they are made.
 Severity = Literal["warning", "lead", "against", "caveat", "remark", "data", "assumed", "more"]
-ABOVE: tuple[Severity, ...] = ("assumed", "warning", "lead", "against", "data")  # the results, on a terminal
+ABOVE: tuple[Severity, ...] = ("assumed", "warning", "lead", "against", "data")  # the results on a terminal
 _SEVERITIES = get_args(Severity)
 
 
@@ -38,31 +38,31 @@ class Note(NamedTuple):
 
     @property
     def line(self) -> str:
-        """The sentence as a line by itself."""
+        """The sentence as a line of output."""
         return f"{'warning' if self.severity == 'warning' else 'note'}: {self.text}"
 
 
-_RULES = {  # by which quantities follow that could have been given
+_RULES = {  # formulas for quantities that could have been given
     "contacts": "as many contacts as grains in each, n_c = N",
     "shear_strength": "τ = G/4π²",
     "work_of_adhesion": "w = 2√(γ1γ2)",
 }
 _DEFAULTS = {"load": "no load", "contact_angle": "θ_c = 0, water that wets"}
 FRICTION = Note("remark", "sliding and twisting are known to an order of magnitude: τ = G/4π² (--shear-strength)")
-_UNLIKE = 3.0  # ratio of two surface energies from which on their geometric mean is too much
-_MAX_NOTES = 1  # below results, besides the warning
+_UNLIKE = 3.0  # ratio of two surface energies above which their geometric mean is too high
+_MAX_NOTES = 1  # below results, in addition to the warning
 _MAX_LENGTH = 154  # of a note, two lines of a terminal
-_MAX_CODES = 4  # of doubts, which are named
+_MAX_CODES = 4  # of doubts that are listed by name
 
 
-# --- What is given ----------------------------------------------------------------------------------------------------
+# --- Inputs -----------------------------------------------------------------------------------------------------------
 
 
 def entering(frame: Frame, names: Sequence[str], *, judges: bool = True) -> tuple[set[str], list[str]]:
-    """Return the inputs of quantities, and those that were given though neither these nor a limit depends on them.
+    """Return the inputs that enter some quantities, and the given inputs that change neither these nor a limit.
 
-    A load that enters limits alone is among the latter: it was meant for more. `judges`: whether all limits are judged,
-    and not only those that end meaning.
+    A load that enters only limits counts as idle: the user expected more of it. `judges`: True to judge all limits,
+    False for those that end meaning only.
     """
     limits = touched(frame, frame.possible(names), LIMITS if judges else ENDING)
     every = [*names, *(limit.name for limit in limits)]
@@ -73,9 +73,9 @@ def entering(frame: Frame, names: Sequence[str], *, judges: bool = True) -> tupl
 
 
 def assumed(frame: Frame, inputs: Collection[str], names: Sequence[str], *, has_values: bool) -> dict[str, str]:
-    """Return what was assumed for some quantities, by a rule or by a value, each with the option that sets it, by name.
+    """Return the assumptions for some quantities by name, each with the option that sets it.
 
-    `has_values`: whether a rule gives one value, and not others in other rows, or points, of which the frame is one.
+    `has_values`: True if the frame is a single row, so that an assumed rule gives one value.
     """
     steps = frame.formulas_to(*names)
     texts = {name: rule for name, rule in _RULES.items() if name in steps}
@@ -94,7 +94,7 @@ def assumed(frame: Frame, inputs: Collection[str], names: Sequence[str], *, has_
 
 
 def _speed_of(frame: Frame) -> str:
-    """Return the speed at which sphere 1 has its energy, if its mass is known."""
+    """Return the speed of sphere 1 at the energy of the frame, as a text; empty if its mass is unknown."""
     known = frame.numbers("energy", "mass")
     if len(known) < 2:
         return ""
@@ -102,12 +102,12 @@ def _speed_of(frame: Frame) -> str:
 
 
 def about_assumed(texts: Mapping[str, str]) -> list[Note]:
-    """Return the note on what was assumed, if anything was."""
+    """Return the note on assumptions, if there are any."""
     return [Note("assumed", f"assumed: {', '.join(texts.values())}")] if texts else []
 
 
 def about_given(frame: Frame, names: Sequence[str], inputs: Collection[str]) -> Iterator[Note]:
-    """Iterate over the notes that follow from what is given; `inputs`: those of these quantities."""
+    """Iterate over notes on the given values; `inputs`: the inputs of the quantities."""
     if "shear_strength" in frame.formulas_to(*names):
         yield FRICTION
     energies = [frame[name] for name in ("surface_energy", "surface_energy2") if name in inputs]
@@ -118,7 +118,7 @@ def about_given(frame: Frame, names: Sequence[str], inputs: Collection[str]) -> 
 
 
 def about_data(frame: Frame, inputs: Collection[str]) -> Iterator[Note]:
-    """Iterate over the notes of materials on their properties that are inputs; the frame may have arrays."""
+    """Iterate over the materials' notes on properties that are used; the frame may have arrays."""
     for name, (material, of_solid) in frame.data.items():
         radii = material.note_radii.get(of_solid)
         is_used = name in inputs and of_solid in material.notes
@@ -129,7 +129,7 @@ def about_data(frame: Frame, inputs: Collection[str]) -> Iterator[Note]:
 
 
 def _has_radius_in(radii: "Interval", frame: Frame, sphere: int) -> bool:
-    """Return whether a sphere has a radius in a range, in some row at least; a plane counts as the sphere on it."""
+    """Return whether a sphere has a radius in a range, in at least one row; for a plane, the other sphere counts."""
     radius = frame.given.get("radius")
     if radius is None:
         return False
@@ -140,13 +140,13 @@ def _has_radius_in(radii: "Interval", frame: Frame, sphere: int) -> bool:
 
 
 def about_idle(names: Sequence[str]) -> list[Note]:
-    """Return the note on inputs that change nothing, if there are some."""
+    """Return the note on inputs that change nothing, if there are any."""
     options = [NOMENCLATURE[name].option or name for name in names]
     return [Note("caveat", f"{listed(options)} change{'' if options[1:] else 's'} no result here")] if names else []
 
 
 def about_middles(uncertain: "Mapping[str, Uncertain]") -> list[Note]:
-    """Return the note where values have uncertainties and the results, of a picture or an export, have none."""
+    """Return the note on uncertain inputs of a picture or an export, which use the middle of each."""
     middles = ", ".join(f"{symbol_of(name)} = {amount(name, value)}" for name, value in uncertain.items())
     return [Note("remark", f"computed with the middle of {middles}")] if middles else []
 
@@ -155,7 +155,7 @@ def about_middles(uncertain: "Mapping[str, Uncertain]") -> list[Note]:
 
 
 def about_values(frame: Frame, names: Collection[str]) -> Iterator[Note]:
-    """Iterate over notes on values: on measured energies, unlike spheres of a chain, and the assumed ξ."""
+    """Iterate over notes on values: measured energies, unequal spheres in a chain, the assumed ξ."""
     is_silica = solid_of_pair(frame) == SIO2
     if is_silica and "break_energy_dust_simulation" in names:
         measured = "for spheres of 1.9 µm diameter, Blum & Wurm 2000 (Icarus 143, 138) use a measured 1.3e-15 J"
@@ -173,23 +173,23 @@ def about_values(frame: Frame, names: Collection[str]) -> Iterator[Note]:
             yield Note("more", f"to roll at ξ = {amount(XI, values[XI])}, {lost}")
 
 
-# --- What is missing --------------------------------------------------------------------------------------------------
+# --- Missing inputs ---------------------------------------------------------------------------------------------------
 
 
 def about_limits(every: Iterable[Doubt]) -> list[Note]:
-    """Return notes on the codes that could not be judged, of each limit the first, by the inputs that they need."""
+    """Return notes on limits that could not be judged, grouped by the missing inputs; each limit shows one code."""
     errors = {next(iter(doubt.limit.codes.values())): doubt.error for doubt in every if doubt.error is not None}
     texts = (f"not checked: {first_of(codes, _MAX_CODES)}: {reason}" for codes, reason in grouped(errors))
     return [Note("more", text) for text in texts]
 
 
 def about_missing(errors: Mapping[str, JkrollError]) -> list[Note]:
-    """Return a note for each reason why there are no values, with the names of all that it concerns."""
+    """Return a note for each reason why values are missing, with the symbols of the quantities."""
     return [Note("caveat", f"{first_symbols(names)}: {reason}") for names, reason in grouped(errors)]
 
 
 def about_left_out(*every: Sources | None) -> list[Note]:
-    """Return the note on sources that enter no error bar, as ± and ranges do not go together, if there are some."""
+    """Return the note on inputs that uncertainties leave out, since ± and ranges cannot be combined."""
     left_out = (source for sources in every if sources is not None for source in sources.left_out)
     symbols = dict.fromkeys(symbol_of(source.names[0]) for source in left_out)
     text = f"error bars leave out {', '.join(symbols)}: ± and ranges do not go together"
@@ -199,16 +199,16 @@ def about_left_out(*every: Sources | None) -> list[Note]:
 # --- Rows -------------------------------------------------------------------------------------------------------------
 
 
-Group = tuple[Frame, Sequence[str]]  # rows with the same inputs: a frame for them, and the quantities that they show
+Group = tuple[Frame, Sequence[str]]  # rows with the same inputs: their frame, and the quantities shown
 
 
 def about_rows(tally: "Tally", reported: int, where: str) -> Iterator[Note]:
-    """Iterate over notes on rows: in how many of them numbers have no meaning or are in doubt, and on empty cells.
+    """Iterate over notes on rows: how many have no meaning or are in doubt, and why cells are empty.
 
-    `reported`: the bits of the doubts to report; `where`: where to read more of them.
+    `reported`: the bits of the doubts to report; `where`: the page of the guide to refer to.
     """
     severities: tuple[tuple[Severity, str, int, int], ...] = (
-        ("warning", "numbers have no meaning", reported & ENDING_MEANING, 2),  # with what these codes mean
+        ("warning", "numbers have no meaning", reported & ENDING_MEANING, 2),  # few codes, since each is explained
         ("remark", "doubts", reported & ~ENDING_MEANING, _MAX_CODES),
     )
     for severity, lead, bits, most in severities:
@@ -223,16 +223,16 @@ def about_rows(tally: "Tally", reported: int, where: str) -> Iterator[Note]:
 
 
 def lines_on_codes(codes: Iterable[str]) -> Iterator[str]:
-    """Iterate over a line for each limit of whose codes some stand in a table: what they mean."""
+    """Iterate over a line for each limit with codes in a table: its codes and what they mean."""
     shown = {*codes}
     for limit in LIMITS:
         of_limit = [code for code in limit.codes.values() if code in shown]
-        if of_limit and not limit.ends_meaning:  # a warning says what that means
+        if of_limit and not limit.ends_meaning:  # a warning explains the others
             yield f"{', '.join(of_limit)}: {limit.consequence.partition(';')[0]}"
 
 
 def assumed_in(groups: Iterable[Group], *, judges: bool = True) -> dict[str, str]:
-    """Return what is assumed in some group, with the option that sets it, by name; `judges` as in `entering`."""
+    """Return the assumptions of all groups by name, each with the option that sets it; `judges`: see `entering`."""
     texts: dict[str, str] = {}
     for frame, names in groups:
         inputs, _ = entering(frame, names, judges=judges)
@@ -241,20 +241,20 @@ def assumed_in(groups: Iterable[Group], *, judges: bool = True) -> dict[str, str
 
 
 def idle_in(groups: Iterable[Group], *, judges: bool = True) -> list[str]:
-    """Return the inputs that change no result in any group; `judges` as in `entering`."""
+    """Return the inputs that change no result in any group; `judges`: see `entering`."""
     first, *others = (entering(frame, names, judges=judges)[1] for frame, names in groups)
     return [name for name in first if all(name in idle for idle in others)]
 
 
 def notes_on_rows(groups: Sequence[Group], tally: "Tally", reported: int) -> list[Note]:
-    """Return the notes on counted rows, and those that follow from the inputs of their groups.
+    """Return the notes on counted rows and on the inputs of their groups.
 
     `reported`: the bits of the doubts to report.
     """
     every = [*about_rows(tally, reported, "jkroll guide doubts")]
     for frame, names in groups:
         possible = frame.possible(names)
-        with suppress(JkrollError):  # each row says which sources do not go together
+        with suppress(JkrollError):  # each row gives the reason itself
             every += about_left_out(sources_of_results(frame, possible) if frame.uncertainties else None)
         every += about_given(frame, possible, frame.inputs_of(*possible))
         every += about_limits(doubts(frame, frame.columns(possible)))
@@ -262,7 +262,7 @@ def notes_on_rows(groups: Sequence[Group], tally: "Tally", reported: int) -> lis
 
 
 def notes_below(groups: Sequence[Group], tally: "Tally", reported: int, *, is_table: bool) -> list[Note]:
-    """Return the notes on counted rows that a table, whose own lines say what its codes mean, leaves to those below it.
+    """Return the notes below counted rows; the lines of a table explain its codes already.
 
     `reported`: the bits of the doubts to report.
     """
@@ -273,7 +273,7 @@ def notes_below(groups: Sequence[Group], tally: "Tally", reported: int, *, is_ta
 
 
 def lines_above(notes: Sequence[Note]) -> list[str]:
-    """Return the lines above the results of an answer, on a terminal: warnings, what answers its question, and data."""
+    """Return the lines above the results on a terminal: warnings, answers to the question, notes of materials."""
     warnings, leads, against, data = (
         [note.text for note in notes if note.severity == severity] for severity in ABOVE if severity != "assumed"
     )
@@ -281,10 +281,10 @@ def lines_above(notes: Sequence[Note]) -> list[str]:
 
 
 def lines_of(notes: Sequence[Note], *, has_head: bool = False, quiet: bool = False) -> list[str]:
-    """Return the lines below an answer or rows, the last of which says that there is more.
+    """Return the lines below an answer or rows, ending with a hint if there is more; warnings alone if `quiet`.
 
-    They are what was assumed unless a head has it, warnings, and of what answers the question and of the other notes
-    the first, and below a table with a head all that the sources of its materials say; warnings alone if `quiet`.
+    They are the assumptions (unless a header has them), the warnings, the first answering sentence and the first of
+    the other notes. Below a table with a header, the notes of materials follow. If `quiet`, they are the warnings.
     """
     texts = {severity: [note.text for note in notes if note.severity == severity] for severity in _SEVERITIES}
     lines = _warning(texts["warning"])
@@ -302,12 +302,12 @@ def _warning(texts: Sequence[str]) -> list[str]:
 
 
 def _first_clauses(text: str) -> str:
-    """Return as many clauses of a text as fit into two lines, one at least."""
+    """Return as many clauses of a text as fit into two lines, but at least one."""
     while len(text) > _MAX_LENGTH and "; " in text:
         text = text.rpartition("; ")[0]
     return text
 
 
 def by_severity(notes: Iterable[Note]) -> list[Note]:
-    """Return notes by falling importance."""
+    """Return the notes, the most important first."""
     return sorted(notes, key=lambda note: _SEVERITIES.index(note.severity))

@@ -1,4 +1,4 @@
-"""The questions that a command asks of a frame: the quantities that it is named after, and all that it shows."""
+"""The questions that commands ask of a frame: the headline quantities, and all that are shown."""
 
 from collections.abc import Mapping
 from types import MappingProxyType
@@ -16,12 +16,12 @@ class Question:
 
     def __init__(
         self,
-        headline: tuple[str, ...],  # those that the command is named after; --bare writes them alone
-        quantities: tuple[str, ...],  # all that are shown, in this order
-        named: tuple[str, ...] = (),  # asked for by name: shown for any frame
-        without_row: tuple[str, ...] = (),  # left to programs by the table of an answer
-        lead: str = "",  # the sentence that answers, with names of quantities in braces for their best ranges
-        groups: Mapping[str, str] = MappingProxyType({}),  # the title of the rows from a quantity on
+        headline: tuple[str, ...],  # the command is named after them; --bare writes only these
+        quantities: tuple[str, ...],  # all quantities shown, in this order
+        named: tuple[str, ...] = (),  # asked for by name: always shown
+        without_row: tuple[str, ...] = (),  # for programs only: not in the table of an answer
+        lead: str = "",  # the answering sentence; a name in braces stands for the best range of a quantity
+        groups: Mapping[str, str] = MappingProxyType({}),  # titles in the table, by the first quantity below each
     ) -> None:
         self.headline, self.quantities, self.named, self.without_row = headline, quantities, named, without_row
         self.lead, self.groups = lead, groups
@@ -39,7 +39,7 @@ def _question(
     lead: str = "",
     groups: Mapping[str, str] = MappingProxyType({}),
 ) -> Question:
-    """Return the question of a command from the names of quantities, with blanks between them."""
+    """Return the question of a command; quantities are separated by blanks."""
     every = (*(quantities or headline).split(),)
     return Question((*headline.split(),), every, without_row=(*without_row.split(),), lead=lead, groups=groups)
 
@@ -73,15 +73,15 @@ _QUESTIONS = {
     "n-roll": _question(
         "n_roll",
         "n_roll_after_impact n_roll n_roll_energy_balance",
-        lead="turns: {n_roll_energy_balance} if it rolls from the start, {n_roll_after_impact} after it met a held body, "
-        "{n_roll} once it has slid{or_none}",
+        lead="turns: {n_roll_energy_balance} if it rolls from the start, {n_roll_after_impact} after it met a held "
+        "body, {n_roll} once it has slid{or_none}",
     ),
     "contact": _question(
         "contact_radius_at_load approach_at_load",
         "contact_radius approach load contact_radius_at_load approach_at_load load_ratio contact_radius_ratio "
         "approach_ratio stiffness hertz_pressure boussinesq_pressure well_energy pull_off_work "
         "pull_off_work_at_dead_load sticking_energy",
-        # energies, which are of contacts without load, are the question of `energies`
+        # energies belong to contacts without load: see `energies`
         without_row="load_ratio contact_radius_ratio approach_ratio well_energy pull_off_work "
         "pull_off_work_at_dead_load sticking_energy",
         lead="the contact has a radius of {contact_radius_at_load} at an approach of {approach_at_load}",
@@ -95,7 +95,7 @@ _QUESTIONS = {
         "after each step of ξ, so that its mean while rolling is half of that",
     ),
 }
-# What contradicts a headline, in the report, too; Eq (41) as printed does so in `frequencies` alone.
+# Values that contradict a headline are in the report, too; Eq (41) as printed is in `frequencies` alone.
 _CONTRARY = ("n_roll_energy_balance", "n_roll_after_impact")
 _REPORT = Question(
     tuple(name for question in _QUESTIONS.values() for name in question.headline),
@@ -109,7 +109,7 @@ _REPORT = Question(
 QUESTIONS: Mapping[str, Question] = {
     **_QUESTIONS,
     "report": _REPORT,
-    # Not in the report, which has one number for each quantity and no conventions.
+    # Not in the report, which has one number for each quantity and no alternative conventions.
     "energies": _question(
         "fold_energy pull_off_work break_energy_dust_simulation sticking_energy",
         "fold_energy well_energy pull_off_work break_energy_dust_simulation pull_off_work_at_dead_load "
@@ -151,7 +151,7 @@ EVERYTHING = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for na
 
 
 def quantity_named(word: str) -> str:
-    """Return the name of a quantity, given a word for it or the command that is named after it.
+    """Return the name of a quantity, given its name, a synonym, or the command that is named after it.
 
     >>> quantity_named("radius"), quantity_named("gamma"), quantity_named("pull-off")
     ('radius', 'surface_energy', 'pull_off_force')
@@ -165,12 +165,12 @@ def quantity_named(word: str) -> str:
 
 
 def _has_values(name: str) -> bool:
-    """Return whether a name is that of a quantity, and not of a word such as a material."""
+    """Return whether a name is that of a quantity with values, rather than of a word such as a material."""
     return name in NOMENCLATURE and not NOMENCLATURE[name].is_word
 
 
 def quantities_named(text: str) -> tuple[list[str], list[str]]:
-    """Return the quantities of a list: those that are named, and those of the commands in it, which may lack inputs."""
+    """Return the quantities of a list: those given by name, and those of its commands, which may lack inputs."""
     wanted: list[str] = []
     offered: list[str] = []
     for word in map(str.strip, text.split(",")):
@@ -185,12 +185,12 @@ def quantities_named(text: str) -> tuple[list[str], list[str]]:
 
 
 def question_about(text: str) -> Question:
-    """Return the question about the quantities of a list, all of which are its headline."""
+    """Return the question about the quantities in a list; all of them are its headline."""
     explicit, offered = quantities_named(text)
     names = tuple(dict.fromkeys((*explicit, *offered)))
     return Question(names, names, named=tuple(explicit))
 
 
 def columns_in_table(question: Question, sweep: "Sweep") -> "Wanted":
-    """Return the columns of a list for readers, with best ranges of the headline."""
+    """Return the columns of a table on a terminal, with best ranges of the headline."""
     return sweep.wanted(question.with_row, question.named).with_best(question.headline)

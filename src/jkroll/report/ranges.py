@@ -1,4 +1,4 @@
-"""The words for best ranges: by which rule each stands, in a line, and what it holds and leaves out."""
+"""Sentences that explain best ranges: the rule of each, what it includes, and what it leaves out."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from math import isnan
@@ -47,11 +47,11 @@ from .answer import Answer
 from .inferred import lack_by_better_law
 
 _MOST = 3  # results in a note
-_ALIKE = 0.01  # relative difference of radii that needs no scaling
+_ALIKE = 0.01  # relative difference of radii below which nothing is scaled
 
 
 def lines_on_rules(rules: Iterable[int], names: Collection[str]) -> Iterator[str]:
-    """Iterate over a line for each rule, for many rows of some results."""
+    """Iterate over a line for each rule that gives ranges in a table of these quantities."""
     for by in dict.fromkeys(rules):
         if by in _WORDS:
             surfaces = f"; {_SMOOTH_AND_DRY}" if by == BETTER_LAW and "pull_off_force" in names else ""
@@ -70,14 +70,14 @@ def range_in_words(name: str, estimate: Estimate) -> str:
 
 
 def why(by: int, answer: Answer) -> str:
-    """Return why results have a range by a rule, what it holds and leaves out; empty for the law in use."""
+    """Return the reason for a range by one rule, what it includes and leaves out; empty for the law in use."""
     if by == LAW_ONLY and (lack := lack_by_better_law(answer)):
         return lack
     return _OF_ANSWER[by](answer) if by in _OF_ANSWER else _WORDS.get(by, "")
 
 
 def made_of(name: str, answer: Answer) -> str:
-    """Return what the best range of a result is made of: its ends by each law, at both atomic spacings."""
+    """Return the parts of a best range: its ends by each law, at both atomic spacings."""
     estimate = answer.estimates[name]
     if estimate.by not in (SCALED, XI_UNKNOWN, BETTER_LAW, LAW_IN_USE):
         return ""
@@ -93,7 +93,7 @@ def made_of(name: str, answer: Answer) -> str:
     return "; ".join(texts)
 
 
-# --- Rules in words, for many rows ------------------------------------------------------------------------------------
+# --- Rules, for many rows ---------------------------------------------------------------------------------------------
 
 
 def _part(surface: Surface) -> str:
@@ -101,7 +101,7 @@ def _part(surface: Surface) -> str:
 
 
 def held_on_surfaces(frame: Frame) -> str:
-    """Return what real surfaces hold: of SiO2 the forces, of others the parts of JKR's that SiO2 held."""
+    """Return the pull-off force of real surfaces: for SiO2 as measured, for other solids as a fraction of JKR's."""
     if min(frame["radius"], frame["radius2"]) < SURFACES_FROM:
         return "rough ones hold less, by how much was not measured at this size"
     if solid_of_pair(frame) != SIO2:
@@ -111,7 +111,7 @@ def held_on_surfaces(frame: Frame) -> str:
 
 
 def about_surfaces(frame: Frame) -> str:
-    """Return which parts of JKR's pull-off force were measured, and on what."""
+    """Return the fractions of JKR's pull-off force that were measured, and the surfaces they belong to."""
     parts = ", ".join(f"{_part(surface)} {name} ({surface.spheres})" for name, surface in SURFACES.items())
     energy, radius = amount("surface_energy", ENERGY_ON_SURFACES), amount("radius", frame["radius"])
     choice = "ideal is an upper limit; take smooth glass for microspheres, rough grains for broken or natural ones"
@@ -140,7 +140,7 @@ _WORDS: Mapping[int, str] = {
 }
 
 
-# --- Rules in words, for an answer ------------------------------------------------------------------------------------
+# --- Rules, for one answer --------------------------------------------------------------------------------------------
 
 
 def _kelvin(answer: Answer) -> str:
@@ -158,7 +158,7 @@ def _better_law(answer: Answer) -> str:
     frame = answer.frame
     is_pulled = "pull_off_force" in answer.estimates
     low, high = least_spacing(frame), frame["atomic_spacing"]
-    known = frame.numbers("tabor_parameter").values()  # which rigid bodies have none of
+    known = frame.numbers("tabor_parameter").values()  # rigid bodies have none
     at = "".join(f" (Tabor parameter {from_to(parameter, high / low * parameter)})" for parameter in known)
     found = [estimate for estimate in answer.estimates.items() if estimate[1].by == BETTER_LAW]
     is_off = all(_is_off(answer.values.get(name), estimate) for name, estimate in found)
@@ -178,7 +178,7 @@ def _is_off(value: float | None, estimate: Estimate) -> bool:
 
 def _with_bars(answer: Answer) -> str:
     if answer.described.unknowns and not answer.described.uncertainties:
-        return " alone: give what was measured with its error, 300±20nN"
+        return "; give what you measured with its error, as 300±20nN, to have that in the range"
     return "; your error bars are in the range" if answer.described.uncertainties else ""
 
 
@@ -236,7 +236,7 @@ def _scaled(answer: Answer) -> str:
 
 
 def _as_displacement(answer: Answer) -> str:
-    """Return which displacement forces that were measured mean, by the law in use and by Maugis'."""
+    """Return the displacement that measured forces imply, by the law in use and by Maugis' law."""
     (low, high), *better = answer.ranges.of_laws(XI, SCALED)
     if not low < high:
         return ""
@@ -248,13 +248,13 @@ def _as_displacement(answer: Answer) -> str:
 
 
 def _differ(every: Sequence[tuple[float, float]]) -> bool:
-    """Return whether the ends of a result by laws differ by as much as matters."""
+    """Return whether a result differs noticeably between the laws."""
     (low, high), *others = every
     return bool(farthest(pair for least, most in others for pair in ((least, low), (most, high))) > LAW_MATTERS)
 
 
 def _ceiling(answer: Answer) -> str:
-    """Return what adhesion supplies at most, if forces that were measured mean more."""
+    """Return the largest force that adhesion explains, if the measured forces exceed it."""
     ceiling = answer.ranges.at_full_hysteresis("yield_force")
     found = answer.estimates.get("yield_force")
     if found is None or not found.high > ceiling[1]:
@@ -275,7 +275,7 @@ def _xi_unknown(answer: Answer) -> str:
 
 
 def _of_silica(answer: Answer) -> str:
-    """Return what forces that rolled spheres of SiO2 mean for the headline of such spheres, to compare with."""
+    """Return the headline for spheres of SiO2, by measured rolling forces, to compare with."""
     silica = Frame(answer.frame.stated, known_materials()["quartz"])
     if not isinstance(answer.frame.given.get("radius"), float):
         return ""
@@ -293,7 +293,7 @@ def _of_silica(answer: Answer) -> str:
 
 
 def _of_measured_solid(answer: Answer) -> str:
-    """Return the forces that were measured on spheres of the same solid, but of another size or surface energy."""
+    """Return the forces measured on spheres of the same solid, but of another size or surface energy."""
     rolled, solid = what_rolled(answer.frame), solid_that_rolled(answer.frame)
     if rolled is None:
         return ""
@@ -321,7 +321,7 @@ def _adhesion_only(answer: Answer) -> str:
 
 
 def _by_dmt(answer: Answer) -> str:
-    """Return what DMT's law, which needs no modulus, gives for inferred values."""
+    """Return the inferred values by DMT's law, which needs no modulus."""
     found = answer.by_law.get("dmt", {})
     texts = [
         f"{symbol_among(name, answer.inputs)} = {span(name, *2 * (middle(value),))}" for name, value in found.items()

@@ -1,4 +1,4 @@
-"""The report of one frame: its answer, with all that is to be said of it, in the order in which a reader needs it."""
+"""The report of one frame: its answer with warnings and notes, in the order in which a reader needs them."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
@@ -32,7 +32,7 @@ from .notes import (
 from .ranges import held_on_surfaces, range_in_words, why
 
 _MOST = 4  # results in a note
-_LOST = 0.01  # part of the uncertain values from which on a note says that they have no contact
+_LOST = 0.01  # a note reports lost contacts above this fraction of the uncertain values
 
 
 class Report(Answer):
@@ -40,17 +40,17 @@ class Report(Answer):
 
     @cached_property
     def whys(self) -> Mapping[int, str]:
-        """Why results have a best range, by rule."""
+        """The reasons for best ranges, by rule."""
         return {by: why(by, self) for by in dict.fromkeys(estimate.by for estimate in self.estimates.values())}
 
     def lines_on_ranges(self, names: Iterable[str]) -> Iterator[str]:
-        """Iterate over a line for each rule by which some results have a range, in the order of the results."""
+        """Iterate over a line for each rule that gives a range, in the order of the results."""
         for by in dict.fromkeys(self.estimates[name].by for name in names if name in self.estimates):
             if text := self.whys[by]:
                 yield f"{WORDS[by]}: {text}"
 
     def notes_on_ranges(self) -> Iterator[Note]:
-        """Iterate over a note for each rule by which results of the headline have a range, where no table shows it."""
+        """Iterate over a note for each rule that gives the headline a range, for reports without a table."""
         texts: dict[int, list[str]] = {}
         for name, estimate in self.estimates.items():
             if name in self.question.headline:
@@ -72,7 +72,7 @@ class Report(Answer):
 
     @cached_property
     def notes(self) -> tuple[Note, ...]:
-        """The sentences about the answer, but for doubts."""
+        """The sentences about the answer, except doubts."""
         if self.described.unknowns and self.failure is not None:
             return ()
         inputs, idle = self._entering
@@ -93,12 +93,12 @@ class Report(Answer):
         return tuple(note for note in dict.fromkeys(every) if not (is_in_range and note is FRICTION))
 
     def doubts(self) -> list[Note]:
-        """Return a note for each limit of the model that does not hold, in the order of `exceeded`."""
+        """Return a note for each exceeded limit of the model, in the order of `exceeded`."""
         notes = []
         for doubt in self.exceeded:
             if doubt.limit is LAW:
-                continue  # the best ranges say so
-            severity: Severity = "caveat" if doubt.limit.is_told and not self._is_in_ranges(doubt) else "more"
+                continue  # the best ranges show it
+            severity: Severity = "caveat" if doubt.limit.is_shown and not self._is_in_ranges(doubt) else "more"
             text = self._whose(doubt) + self.about(doubt)
             if doubt.limit.ends_meaning:
                 severity, text = "warning", text + self._by_law_alone
@@ -107,29 +107,29 @@ class Report(Answer):
 
     @cached_property
     def _by_law_alone(self) -> str:
-        """By what results have no meaning whose best ranges have one."""
+        """The suffix of a warning if results without meaning still have best ranges: only the law fails."""
         has_ranges = all(self.estimates[name].by != NONE for name in self.ended)
         return f", by plain {self.frame.law.short}" if has_ranges else ""
 
     def _is_in_ranges(self, doubt: Doubt) -> bool:
-        """Return whether the best range of results says what a limit means for them."""
+        """Return whether the best ranges already include what a limit means."""
         rules = {estimate.by for estimate in self.estimates.values()}
         return doubt.code == STICKING_UNSURE and not rules.isdisjoint((ADHESION_ONLY, MEASURED))
 
     def _whose(self, doubt: Doubt) -> str:
-        """Return the symbol of the one result whose meaning a limit ends, unless the sentence has it."""
+        """Return the symbol of the only result whose meaning a limit ends, unless the sentence names it."""
         names = [name for name in doubt.limit.touches if name in self.ended]
         alone = len(doubt.limit.touches) == 1 and names and doubt.limit.name not in names
         return f"{symbol_among(names[0], self.inputs)}: " if alone else ""
 
     def ended_by(self, doubt: Doubt) -> tuple[str, ...]:
-        """Return the names of results whose meaning a limit ends."""
+        """Return the names of the results whose meaning a limit ends."""
         judged = self.described.judged
         limits = [doubt.limit] if doubt.is_exceeded and doubt.limit.ends_meaning else []
         return tuple(name for name in self.ended if touched(self.frame, judged([name]), limits))
 
     def about(self, doubt: Doubt) -> str:
-        """Return what follows from a limit for the results, or for the unknowns."""
+        """Return what a limit means for the results, or for the unknowns."""
         if doubt.code == WIDE_CONTACT:
             return _of_a_sphere(self.frame) or doubt.text
         if self.described.unknowns:
@@ -143,12 +143,12 @@ class Report(Answer):
 
     @property
     def sentences_below(self) -> list[Note]:
-        """The sentences that a table leaves to the lines below it."""
+        """The sentences below a table."""
         above = {held_on_surfaces(self.frame)} if self.shows_surfaces or self.is_on_pull_off else set()
         return [note for note in self.sentences if note.severity not in ABOVE and note.text not in above]
 
     def _about_pull(self) -> Iterator[Note]:
-        """Iterate over a note where a contact is pulled harder than rough ones hold."""
+        """Iterate over a note if the contact is pulled harder than rough spheres hold."""
         pull = -self.frame.values["load"] if "load" in self.frame.stated else 0.0
         has_force = bool(self.frame.under(DEFAULT_LAW).numbers("pull_off_force"))
         is_rough = pull > 0 and has_force and bool(may_be_rough(self.frame))
@@ -157,7 +157,7 @@ class Report(Answer):
 
     @property
     def _valued(self) -> list[str]:
-        """The quantities that are judged and have a value."""
+        """The judged quantities that have a value."""
         columns = self.judged if self.keeps_all else self.judged_meant
         return [name for name, column in columns.items() if not column.is_empty]
 
@@ -166,7 +166,7 @@ class Report(Answer):
 
 
 def _of_a_sphere(frame: Frame) -> str:
-    """Return how far a true sphere is from a paraboloid, where that is known."""
+    """Return the difference between a true sphere and a paraboloid, where it is known."""
     forces = (each.numbers("pull_off_force") for each in (frame.under(JKR_OF_SPHERE), frame.under(DEFAULT_LAW)))
     of_sphere, of_paraboloid = (values.get("pull_off_force", 0.0) for values in forces)
     if not of_sphere:
@@ -177,7 +177,7 @@ def _of_a_sphere(frame: Frame) -> str:
 
 
 def _about_lost_contacts(answer: Answer) -> Iterator[Note]:
-    """Iterate over a note where a part of the uncertain values, taken as normally distributed, is beyond pull-off."""
+    """Iterate over a note if part of the uncertain values, taken as normally distributed, is beyond pull-off."""
     has_spread = answer.sources is not None and "load" in answer.described.inputs_used([*answer.computed])
     forces = answer.frame.numbers("load", "pull_off_force") if has_spread else {}
     if len(forces) < 2 or answer.open_bars():
@@ -191,5 +191,5 @@ def _about_lost_contacts(answer: Answer) -> Iterator[Note]:
 
 
 def every_line(report: Report) -> list[str]:
-    """Return a line for each note of a report, by falling importance, for a file that is read without the answer."""
+    """Return all notes of a report as lines, the most important first, for a file without the answer."""
     return [note.line for note in by_severity(report.sentences)]

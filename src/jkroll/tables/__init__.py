@@ -1,4 +1,4 @@
-"""Tables in files: rows in, the same rows with their results out. What a row means stands in `model.rows`."""
+"""Tables in files: the rows of a table come back with their results. `model.rows` gives rows their meaning."""
 
 import os
 

@@ -1,7 +1,7 @@
 """Columns of texts as SI numbers and as materials.
 
-orjson reads all numbers at once, with the power of ten of the unit in the number's own text: so each is rounded once,
-as in a one-liner. A cell that is no plain number with a decimal unit is read by itself.
+orjson reads all numbers at once, with the unit's power of ten inside each text, so that each is rounded once, as in a
+one-liner. Any cell other than a bare number with a decimal unit is read on its own.
 """
 
 from __future__ import annotations
@@ -27,45 +27,48 @@ from ..text import quoted
 Floats = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.float64]]
 
 PLAIN = b"0123456789.eE+-, "
-MAX_KEPT = 10_000  # texts whose meaning is remembered
+MAX_KEPT = 10_000  # cells kept with their meaning
 _NUMBER = rb"[-+]?(?:0|[1-9][0-9]{0,19})(?:\.[0-9]{1,20})?(?:[eE][-+]?[0-9]{1,2})?"
-_CELL = re.compile(rb"\s*(" + _NUMBER + rb")((?![A-Za-z][-+]?[0-9]) ?[^\s0-9.,][^,]*)?\s*")  # 1.25d1 has no unit
+_CELL = re.compile(
+    rb"\s*(" + _NUMBER + rb")((?![A-Za-z][-+]?[0-9]) ?[^\s0-9.,][^,]*)?\s*"
+)  # d1 in 1.25d1 is not a unit
 _NUMBER_FIRST = re.compile(r"^[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
 _POWER = rb"e([+-]?[0-9]{1,3})"
 _TINY = re.compile(rb"[eE]-[0-9]{3}")
-_HAS_UNIT = re.compile(r"[^\W\d_eEx⁰¹²³⁴⁵⁶⁷⁸⁹]|[%°]")  # the letters of a number are those of its power of ten
-_NO_VALUES = ("", "nan", "na", "n/a", "null", "none", "-", "--")  # cells without a value, as programs write them
+_HAS_UNIT = re.compile(r"[^\W\d_eEx⁰¹²³⁴⁵⁶⁷⁸⁹]|[%°]")  # a letter, except in a power of ten
+_NO_VALUES = ("", "nan", "na", "n/a", "null", "none", "-", "--")  # cells without a value, as other programs write them
 
 
 class Column(NamedTuple):
-    """The column of an input, with the unit of the cells that carry none, and the columns of its uncertainty.
+    """The column of an input, the unit of its bare numbers, and the columns of its uncertainty.
 
-    A range has no column but those of its ends, of which the first is the low one.
+    A range has only the columns of its ends; `position` is that of the low one.
     """
 
     position: int
     name: str
     unit_text: str
     unit: Unit | None
-    sides: tuple[tuple[str, int], ...] = ()  # the parts of the uncertainty, as `Reading` has them, and their positions
-    error_unit: str = ""  # of the cells of ±; an empty text where it is that of the values
-    coverage: float = 1.0  # the uncertainties of the cells in standard ones, as in k = 2
+    sides: tuple[tuple[str, int], ...] = ()  # the parts of the uncertainty (see `Reading`) and their positions
+    error_unit: str = ""  # the unit of ± cells; empty if it is that of the values
+    coverage: float = 1.0  # the coverage factor of the uncertainties, as in k = 2
 
     @property
     def positions(self) -> dict[str, int]:
-        """The positions of the columns whose cells make a value."""
+        """The positions of the columns that together make a value."""
         values = {} if self.is_range else {self.name: self.position}
         return values | {f"{self.name}_{part}": position for part, position in self.sides}
 
     @property
     def is_range(self) -> bool:
-        """True if a value is known by its ends."""
+        """True if a value is given by its two ends."""
         return "low" in dict(self.sides)
 
     def joined(self, *cells: str) -> str:
-        """Return the cells of a value as one: 25 and 5 as 25±5. Cells with units of their own keep them."""
-        if without := next((cell for cell in cells if cell.strip() and has_no_value(cell)), ""):
-            return without
+        """Return the cells of a value as one text: 25 and 5 as 25±5. Cells with their own units keep them."""
+        for cell in cells:
+            if cell.strip() and has_no_value(cell):
+                return cell
         first, *others = (cell.strip() for cell in cells)
         is_single = first == others[0] if self.is_range else not any(others)
         if self.is_range and all(map(is_number, cells)):
@@ -83,42 +86,42 @@ class Column(NamedTuple):
         if self.is_range:
             return f"{first or '?'} to {others[0] or '?'}"
         if not all(others):
-            return first  # and `half_bars` has the row
+            return first  # `half_bars` reports the row
         minus, plus = others[0].removeprefix("-"), others[1].removeprefix("+")
         return f"{first} +{plus}/-{minus}"
 
     def half_bars(self, columns: Mapping[str, Sequence[bytes]]) -> list[int]:
-        """Return the rows of a block in which one side of the error bar is empty and the other is not."""
+        """Return the rows of a block in which only one side of the uncertainty is given."""
         cells = [columns[f"{self.name}_{part}"] for part, _ in self.sides if part in ("minus", "plus")]
         rows = enumerate(zip(*cells, strict=True))
         return [row for row, (minus, plus) in rows if bool(minus.strip()) != bool(plus.strip())]
 
     def _standard(self, number: re.Match[str]) -> str:
-        """Return the number of an expanded uncertainty as that of a standard one."""
+        """Return an expanded uncertainty as a standard one."""
         return repr(float(number[0]) / self.coverage)
 
     @property
     def exponent(self) -> int | None:
-        """The unit as a power of ten of the SI unit; None if it is no power of ten, or if there is no unit."""
+        """The power of ten between the unit and the SI unit; None if there is none, or no unit."""
         if self.unit is None:
             return 0 if NOMENCLATURE[self.name].unit == "1" else None
         return exponent_of(self.unit)
 
     def numbers(self, columns: Mapping[str, Sequence[bytes]]) -> Numbers:
-        """Return the numbers of a block of cells, by the names of the columns."""
+        """Return the numbers of a block, given its columns of cells by name."""
         cells = columns[self.name] if not self.sides else self._with_sides(columns)
         if isinstance(cells, Doubles) and self.exponent is not None:
             return Numbers(scaled(cells.values, self.exponent))
         values = None if self.exponent is None else plain_numbers(cells, self.exponent)
-        return Numbers(values) if values is not None else self._of_many_kinds(cells)
+        return Numbers(values) if values is not None else self._of_mixed_cells(cells)
 
     def _with_sides(self, columns: Mapping[str, Sequence[bytes]]) -> list[bytes]:
-        """Return the cells of the values, each with its uncertainty."""
+        """Return the cells of the values, each joined with its uncertainty."""
         rows = zip(*(columns[name] for name in self.positions), strict=True)
         return [self.joined(*(cell.decode(errors="replace") for cell in row)).encode() for row in rows]
 
-    def _of_many_kinds(self, cells: Sequence[bytes]) -> Numbers:
-        """Return the numbers of cells of which some are no numbers, or have units of their own."""
+    def _of_mixed_cells(self, cells: Sequence[bytes]) -> Numbers:
+        """Return the numbers of cells that include other texts, or units of their own."""
         values = numpy.full(len(cells), numpy.nan)
         by_unit: dict[bytes | None, dict[int, bytes]] = {}
         others: list[int] = []
@@ -144,25 +147,25 @@ class Column(NamedTuple):
     def value(self, text: str) -> float | Uncertain:
         """Return the SI value of a cell, with its uncertainty if it states one.
 
-        A cell without a unit has that of the column.
+        A bare number has the unit of the column.
         """
         if has_no_value(text):
-            raise QuantityError(self.name, text, "is no number", "leave the cell empty if there is none")
+            raise QuantityError(self.name, text, "is not a number", "leave the cell empty if there is none")
         return value_of(text, self.name, self.unit)
 
 
 def _in_unit(number: str, unit_text: str) -> str:
-    """Return the text of a number with a unit, unless it has one."""
+    """Return the text of a number with a unit, unless it already has one."""
     return f"{number} {unit_text}" if number and unit_text and not _HAS_UNIT.search(number) else number
 
 
 def has_no_value(text: str) -> bool:
-    """Return whether a cell has no value, as programs write it."""
+    """Return whether a cell has no value, in the notation of common programs."""
     return text.strip().casefold() in _NO_VALUES
 
 
 def is_number(text: str) -> bool:
-    """Return whether a text is a finite number as programs write it."""
+    """Return whether a text is a finite number in the notation of programs."""
     try:
         return isfinite(float(text))
     except ValueError:
@@ -171,7 +174,7 @@ def is_number(text: str) -> bool:
 
 @lru_cache(maxsize=MAX_KEPT)
 def _meaning(column: Column, cell: bytes) -> float | Uncertain | JkrollError:
-    """Return the value of a cell, or the error about it, which takes as long as a hundred rows to word."""
+    """Return the value of a cell, or its error; the same cells share one, since an error is slow to word."""
     try:
         return column.value(cell.decode(errors="replace"))
     except JkrollError as error:
@@ -180,7 +183,7 @@ def _meaning(column: Column, cell: bytes) -> float | Uncertain | JkrollError:
 
 @lru_cache(maxsize=MAX_KEPT)
 def _exponent(unit_text: bytes, name: str) -> int | None:
-    """Return the power of ten of a unit of a quantity; None for any other text."""
+    """Return the power of ten of a unit for a quantity; None for any other text."""
     try:
         text = unit_text.decode().strip()
         unit = None if not text or has_uncertainty(text) else unit_of(text, name)
@@ -190,21 +193,21 @@ def _exponent(unit_text: bytes, name: str) -> int | None:
 
 
 def cell_of(value: object) -> str:
-    """Return a value in a format with types as a cell of text: no value is an empty cell."""
+    """Return a typed value as a cell of text; no value is an empty cell."""
     if isinstance(value, bytes):
         return value.decode(errors="replace")
     return "" if value is None else str(value)
 
 
 def cells_of(values: Any) -> list[bytes]:
-    """Return values in a format with types, a list or an array of numbers, as cells of texts."""
+    """Return typed values, a list or an array of numbers, as cells of text."""
     if not len(values):
         return []
     is_list = isinstance(values, list)
     if not is_list or {*map(type, values)} <= {int, float, type(None)}:
         cells = orjson.dumps(values, option=orjson.OPT_SERIALIZE_NUMPY)[1:-1].split(b",")
         nulls = values.count(None) if is_list else 0
-        if cells.count(b"null") == nulls:  # orjson has no nan and no infinity
+        if cells.count(b"null") == nulls:  # orjson writes null for nan and infinity
             return [b"" if cell == b"null" else cell for cell in cells] if nulls else cells
     return [cell_of(value).encode() for value in values]
 
@@ -212,8 +215,7 @@ def cells_of(values: Any) -> list[bytes]:
 def plain_numbers(cells: Sequence[bytes], exponent: int) -> Floats | None:
     """Return the numbers of cells, times a power of ten; nan for an empty cell.
 
-    Returns None if some cell has any other text, or a 0 that may be a number below the doubles.
-
+    Returns None if a cell has any other text, or is a 0 that may be a number too small for a double.
     >>> plain_numbers([b"1", b"2.5", b"+1E2", b"5.0e-1", b""], -9)
     array([1.0e-09, 2.5e-09, 1.0e-07, 5.0e-10,     nan])
     """
@@ -223,13 +225,13 @@ def plain_numbers(cells: Sequence[bytes], exponent: int) -> Floats | None:
         return None
     if b"+" in text and b"+-" not in text:
         text = text.replace(b",+", b",")
-    if exponent and text.count(b"e") > len(cells):  # some have powers of their own
+    if exponent and text.count(b"e") > len(cells):  # some cells have powers of their own
         for power in set(re.findall(_POWER + end, text)):
             text = text.replace(b"e" + power + end, b"E%d," % (int(power) + exponent))
     values = _members(text)
-    if len(values) != len(cells):  # there are empty cells, or others that are no numbers
+    if len(values) != len(cells):  # some cells are empty or not numbers
         empty = b"," + end
-        while empty in text:  # in a run of them, every other one is found
+        while empty in text:  # each pass finds every other one in a run
             text = text.replace(empty, b",null,")
         values = _members(text)
     if len(values) != len(cells):
@@ -239,7 +241,7 @@ def plain_numbers(cells: Sequence[bytes], exponent: int) -> Floats | None:
 
 
 def _members(text: bytes) -> list[Any]:
-    """Return the members of a text between commas, as JSON has them; none if some are no JSON."""
+    """Return the members of a comma-separated text, read as JSON; an empty list if it is not JSON."""
     try:
         members: list[Any] = orjson.loads(b"[" + text[1:-1] + b"]")
     except orjson.JSONDecodeError:
@@ -248,10 +250,10 @@ def _members(text: bytes) -> list[Any]:
 
 
 class Doubles(Sequence[bytes]):
-    """Cells that are doubles in memory, nan where there is none; each is a text only where it is looked at by itself.
+    """Cells that are doubles in memory, nan for an empty one; a cell becomes a text only when it is looked up.
 
-    Their texts would be read as those of a file, but take twice the time of the contact of two spheres. So they differ
-    from these by the rounding of the unit's power of ten.
+    Reading their texts, as for a file, would take twice the time of computing a contact. So these values may differ
+    from a file's by the rounding of the unit's power of ten.
     """
 
     def __init__(self, values: Floats) -> None:
@@ -262,7 +264,7 @@ class Doubles(Sequence[bytes]):
         return len(self.values)
 
     def __getitem__(self, row: Any) -> Any:
-        """Return the text of a cell, or those of several."""
+        """Return the text of a cell, or the texts of a slice."""
         if isinstance(row, slice):
             return [*map(self._text, self.values[row].tolist())]
         return self._text(float(self.values[row]))
@@ -273,7 +275,7 @@ class Doubles(Sequence[bytes]):
 
 
 def scaled(values: Floats, exponent: int) -> Floats:
-    """Return numbers times a power of ten, rounded once where a double holds that power: up to 22.
+    """Return numbers times a power of ten, rounded once if a double holds that power exactly (up to 22).
 
     >>> scaled(numpy.array([100.0, numpy.nan]), -9)
     array([1.e-07,    nan])
@@ -283,27 +285,29 @@ def scaled(values: Floats, exponent: int) -> Floats:
 
 # --- Materials --------------------------------------------------------------------------------------------------------
 
-LABEL = Material("", "", "")  # placeholder for a name that is not a material: it has no properties
+LABEL = Material("", "", "")  # placeholder for a name that is not a material, without properties
 
 Indices = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.int64]]
 
 
 class Lookup:
-    """The materials of a column, with indices as they come: 0 is that of an empty cell."""
+    """The materials of a column, with indices in order of appearance; index 0 is for empty cells."""
 
     def __init__(self, materials: Materials, otherwise: Material | None) -> None:
-        """`otherwise`: the material of a row whose cell is empty."""
+        """`otherwise`: the material for empty cells."""
         self.materials = materials
         self.known: list[Material | None] = [otherwise]
-        self.errors: dict[bytes, JkrollError] = {}  # by cell, of those that name no material
+        self.errors: dict[bytes, JkrollError] = {}  # for cells that are not the name of a material
         self._indices: dict[bytes, int] = {}  # by cell
 
     def indices(self, cells: Sequence[bytes]) -> Indices:
-        """Return the indices of the materials that cells name; that of LABEL for a cell that names none."""
+        """Return the indices of the materials of cells; unknown names have the index of LABEL."""
         if len(self._indices) > MAX_KEPT:
             self._indices.clear()
             self.errors.clear()
-        for cell in [cell for cell in dict.fromkeys(cells) if cell not in self._indices]:
+        for cell in dict.fromkeys(cells):
+            if cell in self._indices:
+                continue
             text = cell.decode(errors="replace")
             try:
                 solid = self.materials[text] if text.strip() else self.known[0]
@@ -316,44 +320,46 @@ class Lookup:
 
     @property
     def remarks(self) -> list[str]:
-        """The remarks on cells beside labels: names of several materials, and other names of one."""
+        """Remarks on a column with labels: ambiguous names of materials, and aliases that were accepted."""
         remarks = [str(error) for error in self.errors.values() if isinstance(error, UnclearMaterial)]
-        for cell, index in self._indices.items() if self.errors else ():
+        if not self.errors:
+            return remarks
+        for cell, index in self._indices.items():
             text, solid = cell.decode(errors="replace").strip(), self.known[index]
             if text and solid not in (None, LABEL) and solid.name.casefold() != text.casefold():
                 remarks.append(f"material {quoted(text)} is {solid.name}")
         return remarks
 
     def marks(self, indices: Indices) -> Indices:
-        """Return a number for each row, which is the same for materials that can be one frame's."""
+        """Return a mark for each row; rows with the same mark can share a frame."""
         marks = [*map(_mark, self.known)]
         return numpy.array([*map(marks.index, marks)])[indices]
 
     def together(self, indices: Indices) -> Material | None:
-        """Return the materials of rows of one mark as one material, whose properties are arrays.
+        """Return the materials of rows with one mark as one material with arrays as properties.
 
-        If they are all the same, it is returned as it is.
+        If they are all the same, that material is returned.
         """
         first = self.known[int(indices[0])]
         if first is None or not first.properties or _is_special(first) or (indices == indices[0]).all():
             return first
         solids = [solid.properties if solid else {} for solid in self.known]
-        properties: Any = {
-            name: numpy.array([of_solid.get(name, numpy.nan) for of_solid in solids])[indices]
-            for name in first.properties
-        }
+        properties: Any = {}
+        for name in first.properties:
+            values = numpy.array([of_solid.get(name, numpy.nan) for of_solid in solids])
+            properties[name] = values[indices]
         return LABEL._replace(properties=properties)
 
 
 def _mark(material: Material | None) -> Hashable:
-    """Return the names of the properties of a material; a special one has a mark of its own."""
+    """Return the names of a material's properties as a mark; a special material has its own."""
     if material is None:
         return None
     return material.key if _is_special(material) else frozenset(material.properties)
 
 
 def _is_special(material: Material) -> bool:
-    """Return whether more follows from a material than from numbers: uncertainties, rigidity, forces measured on it."""
+    """Return whether a material is more than its numbers: uncertain, rigid, or with forces measured on it."""
     more = (
         material.uncertainties or material.displacement is not None or measured_solid(material) or is_smooth(material)
     )

@@ -1,4 +1,4 @@
-"""ForceCurve force curves from tables: their columns by the grammar of `batch`, as arrays in SI units."""
+"""Force curves from tables: columns in the notation of `batch`, as arrays in SI units."""
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -17,7 +17,7 @@ from .files import Input, input_format, table_of_lines
 from .header import Header, typed, understood
 from .table import Asked, Records
 
-# The quantities of the columns: what x may be, in the order in which they are preferred, and forces.
+# The quantities of columns: x in order of preference, then forces.
 _X = {"contact_radius_at_load": RADIUS, "approach_at_load": APPROACH, "lever_travel": TRAVEL}
 _FORCES = ("load", "lever_force", "lever_deflection")
 MEASURED = "contact_radius_at_load,lever_travel,lever_force,lever_deflection"
@@ -31,7 +31,7 @@ _WORDS = {
 
 
 class CurveTable(NamedTuple):
-    """The columns of a table that a curve needs, in the form in which formats of files read them."""
+    """The columns of a table that a curve needs, with the attributes that file formats expect of a table."""
 
     columns: Header
     asked: Asked
@@ -41,7 +41,7 @@ class CurveTable(NamedTuple):
 
 
 class ReadCurve(NamedTuple):
-    """A curve with the sentence that says how its table was read."""
+    """A curve, and the sentence that says how its table was read."""
 
     curve: ForceCurve
     reading: str
@@ -73,7 +73,7 @@ def curve_of_columns(columns: Any, known: Materials, stiffness: float | None) ->
 
 
 def _opened(file: Input, asked: Asked, stated: str, mark: str) -> tuple[Any, Iterator[Any]]:
-    """Return the form of a table, and its blocks."""
+    """Return the reader of a table, and its blocks."""
     given = input_format(file.path, "-", stated, mark)
     if given.name == "parquet":
         with missing_extra("parquet"):
@@ -85,7 +85,7 @@ def _opened(file: Input, asked: Asked, stated: str, mark: str) -> tuple[Any, Ite
 def _table(
     names: Sequence[str], sample: Sequence[Sequence[str]], stated: Mapping[str, str], asked: Asked
 ) -> CurveTable:
-    """Return the columns of a curve among those of a table. Raises BadTable where there is no pair of x and force."""
+    """Return the columns of a curve in a table. Raises BadTable if there is no pair of x and force."""
     header = understood(names, sample, stated, (), asked.measured, pass_rest=True)
     found = {column.name: column for column in header.inputs}
     x_name, force_name = (next((name for name in every if name in found), "") for every in (_X, _FORCES))
@@ -98,21 +98,22 @@ def _table(
         )
     columns = header._replace(inputs=(found[x_name], found[force_name]), materials=())
     labels: dict[str, int] = {}
-    for label, headers in _LABELS.items():
-        places = [place for place, text in enumerate(names) if re.fullmatch(headers, text.strip())]
-        free = [place for place in places if typed(names[place]) not in stated]
-        labels |= {label: free[0]} if free else {}
+    for label, pattern in _LABELS.items():
+        for position, text in enumerate(names):
+            if re.fullmatch(pattern, text.strip()) and typed(text) not in stated:
+                labels[label] = position
+                break
     used = labels.get(_BRANCH)
-    columns = columns._replace(texts=tuple("" if place == used else text for place, text in enumerate(names)))
+    columns = columns._replace(texts=tuple("" if position == used else text for position, text in enumerate(names)))
     return CurveTable(columns, asked, {**columns.positions, **labels}, labels)
 
 
 def _curve(table: CurveTable, records: list[Records], stiffness: float | None) -> ForceCurve:
-    """Return the columns of a curve. Raises BadTable for a travel or a deflection without a stiffness."""
+    """Return a curve from blocks of a table. Raises BadTable for a travel or a deflection without a stiffness."""
     x, force_column = table.columns.inputs
     x_name, force_name = x.name, force_column.name
     if x_name == "lever_travel" and stiffness is None:
-        raise BadTable("a travel holds the bending of the lever: give its stiffness, as in --spring 3.01N/m")
+        raise BadTable("a travel includes the bending of the lever: give its stiffness, as in --spring 3.01N/m")
     if force_name == "lever_deflection" and stiffness is None:
         raise BadTable("a deflection becomes a force by the lever's stiffness: give --spring 3.01N/m")
     z, z_error = _numbers(x, records)
@@ -127,14 +128,14 @@ def _curve(table: CurveTable, records: list[Records], stiffness: float | None) -
 
 
 def _numbers(column: Column, records: list[Records]) -> tuple[Any, Any]:
-    """Return the numbers of a column in SI units, and their errors if all have one; nan for a cell without."""
+    """Return the numbers of a column in SI units, nan for empty cells, and their errors if there are any."""
     values, errors = [], []
     for block in records:
         numbers = column.numbers(block.cells)
         array = numpy.array(numbers.values, dtype=float)
         error = numpy.full(len(array), numpy.nan)
-        for place, uncertain in numbers.uncertain.items():
-            error[place] = (uncertain.high - uncertain.low) / 2
+        for row, uncertain in numbers.uncertain.items():
+            error[row] = (uncertain.high - uncertain.low) / 2
         array[[*block.odd]] = numpy.nan
         values.append(array)
         errors.append(error)
@@ -147,7 +148,7 @@ def _numbers(column: Column, records: list[Records]) -> tuple[Any, Any]:
 
 
 def _branch_of(records: list[Records]) -> Any:
-    """Return the branch of each row by its words. Raises BadTable for another word."""
+    """Return the branch of each row from its word. Raises BadTable for an unknown word."""
     cells = [cell.decode(errors="replace").strip() for block in records for cell in block.cells[_BRANCH]]
     for cell in dict.fromkeys(cells):
         if cell.casefold() not in _WORDS:
@@ -157,7 +158,7 @@ def _branch_of(records: list[Records]) -> Any:
 
 
 def _time_of(records: list[Records]) -> Any:
-    """Return the time of each row in any unit; None where a cell has no number."""
+    """Return the time of each row in any unit; None if a cell is not a number."""
     try:
         return numpy.array([float(cell) for block in records for cell in block.cells[_TIME]])
     except ValueError:

@@ -1,10 +1,10 @@
-"""Tables of Python's libraries: their columns with units, and the same kind of table with more columns.
+"""Tables of Python libraries: their columns with units, and the same type of table with more columns.
 
-A kind is known by what it can do, so that no library is imported that the table does not come from.
+A type is recognized by its methods, so that a library is imported only if the table comes from it.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from importlib import import_module
 from math import isnan
 from typing import Any, NamedTuple
@@ -20,11 +20,11 @@ from .cells import Doubles, cells_of
 from .layouts import SAMPLE
 from .table import Asked, Records
 
-Added = Mapping[str, Any]  # new columns by their headers: arrays of numbers, or lists of texts, where None is empty
+Added = Mapping[str, Any]  # new columns by header: arrays of numbers, or lists of texts with None for empty
 
 
 class Named(NamedTuple):
-    """A column: its name in the library, its header, which has the unit, and the function that returns its values."""
+    """A column: its name in the library, its header with the unit, and a function that returns its values."""
 
     name: Any
     head: str
@@ -32,7 +32,7 @@ class Named(NamedTuple):
 
 
 class Data:
-    """The columns of a mapping of names to arrays, lists or single values, and of any table of a library."""
+    """The columns of a dict of arrays, lists or single values; subclasses are for tables of libraries."""
 
     def __init__(self, data: Any) -> None:
         self.data = data
@@ -40,10 +40,10 @@ class Data:
     @cached_property
     def columns(self) -> list[Named]:
         """The columns in their order."""
-        return [
-            Named(name, headed(name, _unit_of(column)), lambda column=column: self._filled(column))  # type: ignore[misc]
-            for name, column in self._items()
-        ]
+        columns = []
+        for name, column in self._items():
+            columns.append(Named(name, headed(name, _unit_of(column)), partial(self._filled, column)))
+        return columns
 
     @cached_property
     def size(self) -> int:
@@ -55,10 +55,10 @@ class Data:
         return next(iter(sizes.values()), 1)
 
     def use(self, heads: Iterable[str]) -> None:
-        """Take the rows of the columns that are read: only data with dimensions have others besides."""
+        """Choose the rows by the columns to read; only data with dimensions have a choice."""
 
     def with_columns(self, added: Added) -> Any:
-        """Return a table of the same kind with more columns, and with its labels."""
+        """Return a table of the same type with more columns, and with its labels."""
         return {**self.data, **{head: _array(column) for head, column in added.items()}}
 
     def _items(self) -> Any:
@@ -136,7 +136,7 @@ class _Astropy(Data):
         return len(self.data)
 
     def with_columns(self, added: Added) -> Any:
-        """Return the table with more columns, whose units stand beside them as those of the library do."""
+        """Return the table with more columns; their units are attributes, as usual in the library."""
         quantity, table = import_module("astropy.units").Quantity, self.data.copy(copy_data=False)
         for head, column in added.items():
             name, unit = name_and_unit(head)
@@ -146,7 +146,7 @@ class _Astropy(Data):
 
 
 class _Xarray(Data):
-    """A Dataset: rows are the points of the dimensions that the columns have which are read."""
+    """A Dataset; its rows are the points of the dimensions of the columns to read."""
 
     dims: tuple[Any, ...] = ()
 
@@ -154,7 +154,7 @@ class _Xarray(Data):
         return self.data.variables.items()
 
     def use(self, heads: Iterable[str]) -> None:
-        """Take the dimensions of the columns that are read."""
+        """Choose the dimensions of the columns to read."""
         wanted = {*heads}
         used = [self.data.variables[column.name].dims for column in self.columns if column.head in wanted]
         self.dims = tuple(dimension for dimension in self.data.sizes if any(dimension in dims for dims in used))
@@ -171,7 +171,7 @@ class _Xarray(Data):
 
     def _filled(self, column: Any) -> Any:
         if not {*column.dims} <= {*self.dims}:
-            return [None] * self.size  # it belongs to other points
+            return [None] * self.size  # the column belongs to other points
         own = [dimension for dimension in self.dims if dimension in column.dims]
         column = column.transpose(*own)
         data = numpy.asarray(_magnitude(column.data) if hasattr(column.data, "magnitude") else column.values)
@@ -181,7 +181,7 @@ class _Xarray(Data):
         return cells_in(numpy.broadcast_to(spread, self.shape).reshape(-1))
 
     def with_columns(self, added: Added) -> Any:
-        """Return the Dataset with more variables, whose units are attributes."""
+        """Return the Dataset with more variables; their units are attributes."""
         variables = {}
         for head, column in added.items():
             name, unit = name_and_unit(head)
@@ -201,13 +201,13 @@ _KINDS: Mapping[str, type[Data]] = {
 
 
 def data_of(data: Any) -> Data:
-    """Return a table of a library by what it can do. Raises BadTable for what is no table."""
+    """Return a table of a library, recognized by its methods. Raises BadTable for other objects."""
     for attribute, kind in _KINDS.items():
         if hasattr(data, attribute):
             return kind(data)
     if isinstance(data, Mapping):
         return Data(data)
-    problem = f"{shown(type(data).__name__)} is no table"
+    problem = f"{shown(type(data).__name__)} is not a table"
     raise BadTable(
         f"{problem}; give a DataFrame, a dict of arrays, a Dataset of xarray or a Table of astropy or pyarrow"
     )
@@ -217,7 +217,7 @@ def data_of(data: Any) -> Data:
 
 
 def headed(name: Any, unit: Any) -> str:
-    """Return a name with the unit that the library states.
+    """Return a name with the unit that its library states.
 
     >>> headed("radius", "nm"), headed("radius", None), headed("nu", "")
     ('radius [nm]', 'radius', 'nu [1]')
@@ -226,7 +226,7 @@ def headed(name: Any, unit: Any) -> str:
 
 
 def name_and_unit(head: str) -> tuple[str, str]:
-    """Return the name and the unit of a header that jkroll made.
+    """Return the name and the unit of a header made by jkroll.
 
     >>> name_and_unit("pull_off_force [N]"), name_and_unit("n_grav")
     (('pull_off_force', 'N'), ('n_grav', ''))
@@ -236,14 +236,18 @@ def name_and_unit(head: str) -> tuple[str, str]:
 
 
 def _unit_of(column: Any) -> Any:
-    """Return the unit that a column has in the way of its library; None without one."""
-    holders = (column, column.data) if hasattr(column, "dims") else (column,)
-    own = (getattr(holder, word, None) for holder in holders for word in ("units", "unit"))
-    return next((unit for unit in (unit_stated(column), *own) if unit is not None), None)
+    """Return the unit of a column as stated by its library; None without one."""
+    if (unit := unit_stated(column)) is not None:
+        return unit
+    for holder in (column, column.data) if hasattr(column, "dims") else (column,):
+        for attribute in ("units", "unit"):
+            if getattr(holder, attribute, None) is not None:
+                return getattr(holder, attribute)
+    return None
 
 
 def _magnitude(column: Any) -> Any:
-    """Return the numbers of a quantity of pint or astropy; anything else is returned as it is."""
+    """Return the numbers of a Quantity of pint or astropy; other objects are returned as they are."""
     if hasattr(column, "magnitude"):
         return column.magnitude
     return column.value if hasattr(column, "to_value") else column
@@ -253,7 +257,7 @@ def _magnitude(column: Any) -> Any:
 
 
 def cells_in(values: Any) -> Any:
-    """Return values as an array of whole numbers, or of doubles, nan where there is none; or a list with None there."""
+    """Return values as an array of integers, or of doubles with nan; or a list with None for missing values."""
     mask = getattr(values, "mask", None)
     array = numpy.asarray(getattr(values, "unmasked", values))
     if array.ndim != 1:
@@ -263,12 +267,12 @@ def cells_in(values: Any) -> Any:
     if array.dtype.kind in "iu":
         return array
     if array.dtype.kind == "f":
-        return array.astype(float, copy=False)  # a number of 32 bits is that double
+        return array.astype(float, copy=False)  # numbers of 32 bits are converted exactly
     return [None if isinstance(value, float) and isnan(value) else value for value in array.tolist()]
 
 
 def _is_single(column: Any) -> bool:
-    """Return whether a column is one value, the same in all rows."""
+    """Return whether a column is a single value for all rows."""
     return isinstance(column, str) or getattr(column, "ndim", 1) == 0 or not hasattr(column, "__len__")
 
 
@@ -276,21 +280,21 @@ def _array(column: Any) -> Any:
     return numpy.array(column, dtype=object) if isinstance(column, list) else column
 
 
-# --- Rows in memory, as formats of files have them --------------------------------------------------------------------
+# --- Rows in memory, with the interface of file formats ---------------------------------------------------------------
 
 
 class Memory:
-    """The rows of a table of Python, in the form in which formats of files are read and written."""
+    """The rows of a Python table, with the interface of the file formats."""
 
     def __init__(self, rows: Data, asked: Asked) -> None:
-        """Read the header, and the cells of the first rows that may be read."""
+        """Read the header, and the cells of the first rows in columns that may be read."""
         self.rows = rows
         self.stated, self.writer = asked.stated, Lists()
         self.names = tuple(column.head for column in rows.columns)
         read = [*filter(asked.is_read, self.names)]
         rows.use(read)
         self.size = rows.size
-        self._values: dict[int, Any] = {}  # of columns, by position
+        self._values: dict[int, Any] = {}  # of columns by position
         empty = [""] * min(SAMPLE, rows.size)
         first = [
             [cell.decode() for cell in cells_from(self._of(position)[:SAMPLE])] if name in read else empty
@@ -305,7 +309,7 @@ class Memory:
         return self._values[position]
 
     def read(self, block: range, table: Any) -> Records:
-        """Return some rows, taken apart."""
+        """Return some rows as records."""
         part, size = slice(block.start, block.stop), len(block)
         cells: dict[str, Sequence[bytes]] = {
             name: cells_from(self._of(position)[part]) for name, position in table.columns.positions.items()

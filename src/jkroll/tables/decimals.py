@@ -1,4 +1,4 @@
-"""Decimal commas: the decimal mark of a table, and records with decimal points in its place."""
+"""Decimal commas: find the decimal mark of a table, and convert records to decimal points."""
 
 import re
 from collections import Counter
@@ -9,20 +9,20 @@ from ..text import quoted
 from .table import Records
 from .words import is_of_text
 
-_NUMERIC = re.compile(r"\s*[-+(]?[\d.,]")  # the beginning of numbers, with an error bar or not
+_NUMERIC = re.compile(r"\s*[-+(]?[\d.,]")  # the beginning of a number, possibly with an uncertainty
 _MARKED = re.compile(r"([\d.,]*)([.,])(\d+(?:[eE][-+]?\d+)?)")  # a number with a point or a comma
-_UNCLEAR = re.compile(r"[1-9]\d{0,2}[.,]\d{3}")  # a number whose mark may be of thousands
-_POINT = re.compile(rb"\.[\d.,]*\d")  # of a number
+_UNCLEAR = re.compile(r"[1-9]\d{0,2}[.,]\d{3}")  # a number whose mark may separate thousands
+_POINT = re.compile(rb"\.[\d.,]*\d")  # in a number
 _OF_THOUSANDS = re.compile(rb"(?<![\d.,])[1-9]\d{0,2}\.\d{3}(?![\d.,eE])")
 _WITH_COMMA = re.compile(r"[-+]?(?:\d{1,3}(?:\.\d{3})+|\d+),\d+")
 _WITH_POINT = re.compile(r"[-+]?\d*\.\d+")
 
 
 def decimal_mark(columns: Iterable[Iterable[str]], separator: str, *, points_may_group: bool = False) -> str:
-    """Return the decimal mark of the numbers of columns; "" if none of them decides.
+    """Return the decimal mark of the numbers in columns; "" if they do not decide.
 
-    A mark that stands in a number more than once is of thousands or of a list, and decides nothing. `points_may_group`:
-    whether a point may be of thousands where nothing decides. Raises BadTable for a number that has such a mark.
+    A mark that occurs twice in a number separates thousands or a list, and decides nothing. `points_may_group`: True if
+    a point may separate thousands when nothing decides. Raises BadTable for a number with such a mark.
 
     >>> decimal_mark([["0,125", "1.234,5", "1,234,567", "1,200", "1,2,3"]], ";")
     ','
@@ -43,34 +43,39 @@ def decimal_mark(columns: Iterable[Iterable[str]], separator: str, *, points_may
 
 
 def have_decimal_commas(cells: Iterable[str]) -> bool:
-    """Return whether any cell is a number with a decimal comma, and none is one with a decimal point."""
+    """Return whether some cells are numbers with a decimal comma, and none has a decimal point."""
     numbers = [cell.strip() for cell in cells]
     return any(map(_WITH_COMMA.fullmatch, numbers)) and not any(map(_WITH_POINT.fullmatch, numbers))
 
 
 def _two_readings(number: str) -> str:
-    """Return what is wrong with a number whose mark may be of thousands."""
+    """Return the error message for a number whose mark may separate thousands."""
     digits = number.replace(",", "").replace(".", "")
     return f"{quoted(number)} may be {number.replace(',', '.')} or {digits}: write {number}0 or {digits}"
 
 
 def without_unclear(records: Records) -> Records:
-    """Return records of a table whose decimal mark is open. A point that may be of thousands spoils its row."""
+    """Return records of a table with an unknown decimal mark; rows with a point that may separate thousands are bad."""
     odd = dict(records.odd)
-    for column in [column for name, column in records.cells.items() if not is_of_text(name)]:
-        for row, cell in enumerate(column) if b"." in b"".join(column) else ():
-            if number := _OF_THOUSANDS.search(cell):
+    for name, column in records.cells.items():
+        if is_of_text(name) or b"." not in b"".join(column):
+            continue
+        for row, cell in enumerate(column):
+            number = _OF_THOUSANDS.search(cell)
+            if number:
                 odd.setdefault(row, BadRequest(_two_readings(number[0].decode())))
     return records._replace(odd=odd)
 
 
 def with_decimal_points(records: Records) -> Records:
-    """Return records with decimal points in place of commas. A number with a point spoils its row."""
+    """Return records with decimal points instead of commas; rows with a point in a number are bad."""
     cells = {name: column for name, column in records.cells.items() if not is_of_text(name)}
     odd = dict(records.odd)
     for column in cells.values():
-        for row in [row for row, cell in enumerate(column) if _POINT.search(cell)]:
-            text = quoted(column[row].decode("utf-8", "replace"))
+        for row, cell in enumerate(column):
+            if not _POINT.search(cell):
+                continue
+            text = quoted(cell.decode("utf-8", "replace"))
             problem = f"{text} has a point: this table has decimal commas, and no marks of thousands"
             odd.setdefault(row, BadRequest(problem))
     points = {name: [cell.replace(b",", b".") for cell in column] for name, column in cells.items()}

@@ -1,10 +1,10 @@
-"""Files of tables: their formats and compressions, the input as blocks of whole records, and formats of lines.
+"""Files of tables: formats and compressions, the input as blocks of whole records, and formats made of lines.
 
-A format is named by the end of a file's name, or by `--format`. Blocks are cut at the same positions in every run.
+The extension of a file gives its format, unless `--format` does. Blocks end at the same positions in every run.
 
-The records of CSV, TSV and NDJSON are lines. What passes through keeps its bytes; blank lines are left out. A block of
-cells without a quote is cut at its separators. One with a quote is read by the csv module, which knows the lines of
-each record. A quote that is not closed, or a cell too many or too few, spoils its own line only.
+The records of CSV, TSV and NDJSON are lines. Passed-through text keeps its bytes; blank lines are left out. A block of
+cells without quotes is split at its separators. With quotes, the csv module reads it and finds the lines of each
+record. An unclosed quote, or a wrong number of cells, affects only its own line.
 """
 
 from __future__ import annotations
@@ -52,22 +52,22 @@ from .layouts import (
 from .ndjson import Ndjson
 from .table import Asked, Records, Table
 
-NOT_WRITTEN = "xlsx xls ods json svg pdf png jpg jpeg gif tif tiff eps ps svgz bmp webp".split()  # ends of names
+NOT_WRITTEN = "xlsx xls ods json svg pdf png jpg jpeg gif tif tiff eps ps svgz bmp webp".split()  # extensions
 FORMATS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}
 WRITTEN = {**FORMATS, "md": "md"}
-SEPARATORS = {"csv": ",", "tsv": "\t"}  # unless --delimiter says others
+SEPARATORS = {"csv": ",", "tsv": "\t"}  # the defaults of --delimiter
 COMPRESSIONS = {"gz": "gzip", "gzip": "gzip", "zst": "zstd", "zstd": "zstd"}
-CHUNK = 1 << 21  # bytes read at a time: twice as much memory stays with a process from block to block
-FEED = 1 << 9  # bytes decompressed at a time: gzip makes 512 KiB of them at most, zstd 16 MiB
+CHUNK = 1 << 21  # bytes read at a time; a process keeps twice as much from block to block
+FEED = 1 << 9  # bytes decompressed at a time, to 512 KiB at most by gzip, 16 MiB by zstd
 BOM = b"\xef\xbb\xbf"
 MAX_RECORD = 1 << 24  # bytes
 DELIMITERS = {"comma": ",", "semicolon": ";", "bar": "|", "tab": "\t", "blank": " "}  # by the words of --delimiter
-_BLANKS = " \t\r\n"  # of these; `str.strip` takes bytes of Å and à as well
-ROW_OF_UNITS, ROW_OF_COMMENTS = "row of units", "row of comments"  # in the column of the status
+_BLANKS = " \t\r\n"  # ASCII only: `str.strip` also removes bytes of Å and à
+ROW_OF_UNITS, ROW_OF_COMMENTS = "row of units", "row of comments"  # in the status column
 _OPEN = "a quote is not closed"
-_MISQUOTED = "a quote is not closed, or text stands behind it"
-_CARRIAGE_RETURN = "a carriage return stands outside quotes: lines end in line feeds"
-# The beginnings of formulas, in full width too, and what a spreadsheet drops before them.
+_MISQUOTED = "a quote is not closed, or text follows it"
+_CARRIAGE_RETURN = "there is a carriage return outside quotes; lines end in line feeds"
+# The beginnings of formulas, also in full width, and characters that a spreadsheet drops before them.
 _BEGIN_FORMULAS = (*"=+-@\t\r\n\0", *(letter.encode().decode(BYTES) for letter in "＝＋－＠"))
 _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)([eE][+-]?\d+)?")
 
@@ -75,7 +75,7 @@ _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)([eE][+-]?\d+)?")
 
 
 class FileFormat(NamedTuple):
-    """A format with its separator, if it has one, and its compression."""
+    """A format, with its compression and, if it has one, its separator."""
 
     name: str
     compression: str = ""
@@ -83,9 +83,9 @@ class FileFormat(NamedTuple):
 
 
 def format_of_name(path: str, formats: Mapping[str, str] = FORMATS) -> FileFormat | None:
-    """Return the format that a name such as grains.csv.gz states, or None. Raises BadTable for x.parquet.gz.
+    """Return the format of a file name such as grains.csv.gz, or None. Raises BadTable for x.parquet.gz.
 
-    `formats`: by the ends of names; those of tables that are read unless others are given.
+    `formats`: by extension; the default are those that can be read.
 
     >>> format_of_name("grains.csv.gz"), format_of_name("a/grains")
     (FileFormat(name='csv', compression='gzip', separator=','), None)
@@ -99,11 +99,11 @@ def format_of_name(path: str, formats: Mapping[str, str] = FORMATS) -> FileForma
 
 
 def input_format(path: str, target: str, stated: str = "", delimiter: str = "") -> FileFormat:
-    """Return the format of the input. `stated`, `delimiter`: by options, of which a call has one. Raises BadTable."""
+    """Return the input format. `stated`, `delimiter`: values of options; a call has at most one. Raises BadTable."""
     named = format_of_name(stated.lstrip(".") or path)
     if stated and named is None:
         raise BadTable(f"--format: {quoted(stated)} is not csv, tsv or ndjson, with .gz or .zst or without, or parquet")
-    if path == "-" and not stated:  # a table in a pipe is not compressed, though its output may be
+    if path == "-" and not stated:  # a piped table is not compressed, even if its output is
         named = (format_of_name(target) or FileFormat("csv", separator=","))._replace(compression="")
     if delimiter:
         mark = DELIMITERS.get(delimiter, delimiter)
@@ -117,20 +117,20 @@ def input_format(path: str, target: str, stated: str = "", delimiter: str = "") 
     if os.path.isfile(path) and _begins_as_dump(path):
         return FileFormat("tsv", COMPRESSIONS.get(ending(path), ""), " ")
     remedy = "save it as CSV, or give --format csv, tsv, ndjson or parquet, or --delimiter blank"
-    raise BadTable(f"{quoted(path)}: its name says no format that is read; {remedy}")
+    raise BadTable(f"{quoted(path)}: its name has no known extension; {remedy}")
 
 
 def _begins_as_dump(path: str) -> bool:
-    """Return whether a file begins as a dump of LAMMPS does."""
+    """Return whether a file begins like a dump of LAMMPS."""
     with suppress(BadTable), (file := Input(path)).file:
         return is_dump(next(file.pieces(COMPRESSIONS.get(ending(path), "")), b""))
     return False
 
 
 def output_format(target: str, usual: str, *, quiet: bool) -> FileFormat:
-    """Return the format of the output: that of its name, else the `usual` one without compression, with a note.
+    """Return the output format: that of the file name, or else the `usual` one without compression, with a note.
 
-    Raises BadRequest for a format that is another program's.
+    Raises BadRequest for a format of other programs.
     """
     if (form := format_of_name(target, WRITTEN)) is not None:
         return form
@@ -138,7 +138,7 @@ def output_format(target: str, usual: str, *, quiet: bool) -> FileFormat:
     if ending(target) in NOT_WRITTEN:
         raise BadRequest(f"-o: a table is not written as {ending(target)}; name the file {quoted(f'{name}.{usual}')}")
     if end and not quiet:
-        say(f"note: {quoted(target)} is written as {usual}: its name says no format", sys.stderr)
+        say(f"note: {quoted(target)} is written as {usual}: its name has no known extension", sys.stderr)
     return FileFormat(usual)
 
 
@@ -146,7 +146,7 @@ def output_format(target: str, usual: str, *, quiet: bool) -> FileFormat:
 
 
 def compressed(block: Any, compression: str) -> Any:
-    """Return a block, compressed by itself: such blocks behind each other are one compressed file."""
+    """Return a block compressed on its own; such blocks concatenated are a valid compressed file."""
     if not compression or not block:
         return block
     if compression == "gzip":
@@ -157,7 +157,7 @@ def compressed(block: Any, compression: str) -> Any:
 
 
 def decompressed(file: BinaryIO, compression: str, path: str) -> Iterator[bytes]:
-    """Iterate over the decompressed bytes of a file, some at a time. Raises BadTable for a damaged file."""
+    """Iterate over the decompressed bytes of a file in pieces. Raises BadTable for a damaged file."""
     problem = BadTable(f"{quoted(path)} is not what its name says, or its end is missing")
     begin: Callable[[], Any] = partial(zlib.decompressobj, zlib.MAX_WBITS | 16)
     damaged: type[Exception] = zlib.error
@@ -168,10 +168,10 @@ def decompressed(file: BinaryIO, compression: str, path: str) -> Iterator[bytes]
     frame = begin()
     try:
         for piece in iter(partial(file.read, FEED), b""):
-            rest = piece.lstrip(b"\0") if frame.eof else piece  # zeros may fill the end of a file
+            rest = piece.lstrip(b"\0") if frame.eof else piece  # a file may end in zeros
             while rest:
                 frame = begin() if frame.eof else frame
-                if text := frame.decompress(rest):  # an empty one would be the end
+                if text := frame.decompress(rest):  # an empty text would mean the end
                     yield text
                 rest = frame.unused_data.lstrip(b"\0")
     except damaged:
@@ -184,11 +184,11 @@ def decompressed(file: BinaryIO, compression: str, path: str) -> Iterator[bytes]
 
 
 class Input:
-    """An open file or pipe."""
+    """An open file or pipe to read."""
 
     def __init__(self, path: str) -> None:
-        """Open it; `-` is stdin. Raises BadTable."""
-        self.path, self.rows = path, 0  # as many as a format says that there are
+        """Open a file; `-` is stdin. Raises BadTable."""
+        self.path, self.rows = path, 0  # the number of rows, if the format states it
         try:
             self.file = io.BufferedReader(io.FileIO(0 if path == "-" else path, closefd=path != "-"), CHUNK)
         except OSError as error:
@@ -197,7 +197,7 @@ class Input:
         self.is_file = stat.S_ISREG(self.begun.st_mode)
 
     def pieces(self, compression: str) -> Iterator[bytes]:
-        """Iterate over the bytes to convert, decompressed: CHUNK bytes at a time at most, of a pipe what there is."""
+        """Iterate over the decompressed bytes: at most CHUNK at a time; from a pipe, what is available."""
         raw = iter(partial(self.file.read1, CHUNK), b"")
         try:
             yield from decompressed(self.file, compression, self.path) if compression else raw
@@ -205,13 +205,13 @@ class Input:
             raise BadTable(f"{quoted(self.path)}: {error.strerror}") from None
 
     def share_read(self, rows: int) -> float:
-        """Return which part is read when so many rows are converted; 0 if it is unknown, as of a pipe."""
+        """Return the fraction of the input that is read after this many rows; 0 if unknown, as for a pipe."""
         if self.rows:
             return rows / self.rows
         return self.file.tell() / max(self.begun.st_size, 1) if self.is_file else 0.0
 
     def check_output(self, target: str) -> None:
-        """Refuse to write over the input."""
+        """Raise BadRequest if the output would overwrite the input."""
         with suppress(OSError):
             if self.is_file and os.path.samestat(self.begun, os.stat(target)):
                 raise BadRequest(f"-o: {quoted(target)} is the input; it is not overwritten")
@@ -220,7 +220,7 @@ class Input:
 def table_of_lines(
     given: Input, form: FileFormat, asked: Asked, *, excel_safe: bool, as_markdown: bool
 ) -> tuple[Delimited | Ndjson, Iterator[bytes]]:
-    """Return a table whose records are lines, with its header read, and its blocks of rows. Raises BadTable.
+    """Return a table made of lines, with its header read, and its blocks of rows. Raises BadTable.
 
     `excel_safe`, `as_markdown`: see Delimited.
     """
@@ -247,12 +247,12 @@ def table_of_lines(
 
 
 def blocks(pieces: Iterator[bytes], cut: Callable[[bytes], int]) -> Iterator[bytes]:
-    """Iterate over blocks of whole records: about BLOCK of them, and CHUNK bytes at most unless a record is longer.
+    """Iterate over blocks of whole records: about BLOCK records, and at most CHUNK bytes unless a record is longer.
 
     `cut`: returns the number of bytes of whole records at the beginning of a text.
 
-    A record that does not end within MAX_RECORD, or at all, is given up: its first lines are a block, and the format
-    says what is wrong with them. Raises BadTable for a line that is longer.
+    If a record does not end within MAX_RECORD, its first lines become a block, and the format reports the error. Raises
+    BadTable for a longer line.
     """
     text = _filled(b"", pieces, CHUNK // 4)
     usual = size = max(1, min(CHUNK, BLOCK * len(text) // max(1, text.count(b"\n"))))
@@ -269,7 +269,7 @@ def blocks(pieces: Iterator[bytes], cut: Callable[[bytes], int]) -> Iterator[byt
 
 
 def _filled(text: bytes, pieces: Iterator[bytes], size: int) -> bytes:
-    """Return a text that pieces make as long as a size. At their end, the last line gets the end that it lacks."""
+    """Return a text, extended by pieces to a size. At the end of the input, the last line gets a line feed."""
     while len(text) < size:
         if not (piece := next(pieces, b"")):
             return text + b"\n" if text and not text.endswith(b"\n") else text
@@ -279,36 +279,40 @@ def _filled(text: bytes, pieces: Iterator[bytes], size: int) -> bytes:
 
 # --- Lines of cells ---------------------------------------------------------------------------------------------------
 
-csv.field_size_limit(MAX_RECORD)  # 128 KiB unless it is raised
+csv.field_size_limit(MAX_RECORD)  # the default is 128 KiB
 
-Record = tuple[int, int, list[str], str]  # its first line, that behind it, its cells, or why it has none
+Record = tuple[int, int, list[str], str]  # its first line, the line after it, its cells, an error if it has none
 
 
 class Delimited:
     """A table of cells with a separator between them."""
 
     def __init__(self, separator: str, *, excel_safe: bool = False, as_markdown: bool = False) -> None:
-        """`separator`: a blank is written as a tab, and has become one in what is read.
+        """`separator`: blanks have been converted to tabs, and are written as tabs.
 
-        `excel_safe`: whether cells are written so that a spreadsheet takes no text for a formula.
-        `as_markdown`: whether a table of Markdown is written.
+        `excel_safe`: True to write cells so that a spreadsheet takes no text for a formula. `as_markdown`: True to
+        write Markdown.
         """
         self.word = next(word for word, mark in DELIMITERS.items() if mark == separator)
         self.separator, self.excel_safe = separator.replace(" ", "\t"), excel_safe
         self.as_markdown = as_markdown
-        self.blanks = _BLANKS.replace(self.separator, "")  # a line of these is no record
+        self.blanks = _BLANKS.replace(self.separator, "")  # a line of blanks is not a record
 
     def cut(self, text: bytes) -> int:
         """Return the number of bytes of whole records at the beginning of a text."""
         end = text.rfind(b"\n") + 1
-        if b'"' not in text or self.word == "blank":  # between blanks, a quote ends in its line
+        if b'"' not in text or self.word == "blank":  # in a table with blanks, a quote ends in its line
             return end
         lines = as_lines(text[:end])
-        last = next((start for start, *_, problem in self.records(lines) if problem == _OPEN), len(lines))
+        last = len(lines)
+        for start, *_, problem in self.records(lines):
+            if problem == _OPEN:
+                last = start
+                break
         return sum(map(len, lines[:last]))
 
     def records(self, lines: Sequence[str]) -> Iterator[Record]:
-        """Iterate over records. Their cells have a character for each byte. A line that is no record has none."""
+        """Iterate over records. Cells have one character for each byte. A bad line has no cells."""
         start = 0
         while start < len(lines):
             reader, begin = csv.reader(lines[start:], delimiter=self.separator, strict=True), start
@@ -322,11 +326,11 @@ class Delimited:
                 start += 1
 
     def _line(self, cells: Iterable[str]) -> str:
-        """Return the line of some cells, in quotes where they need them."""
+        """Return cells as a line, with quotes where needed."""
         return self.separator.join(in_quotes(cell, self.separator) for cell in cells)
 
     def _written(self, cells: Sequence[str], line: str) -> bytes:
-        """Return the line of some cells as it is written, without its end."""
+        """Return cells as a line of output, without its end."""
         if self.excel_safe and any(map(_is_formula, cells)):
             cells = [f"'{cell}" if _is_formula(cell) else cell for cell in cells]
             line = self._line(cells)
@@ -338,7 +342,7 @@ class Delimited:
     def begin(self, block: bytes, stated: Mapping[str, str] = MappingProxyType({}), measured: str = "") -> int:
         """Read the beginning of a table; return the number of bytes above its rows. Raises BadTable.
 
-        `block`: the first one; `stated`, `measured`: see `meaning_of`.
+        `block`: the first block; `stated`, `measured`: see `meaning_of`.
         """
 
         def is_read(text: str) -> bool:
@@ -351,14 +355,14 @@ class Delimited:
         _, stop, cells, problem = next(self.records(below))
         line = "".join(below[:stop])
         self.names, self.lines = self._names(cells, line, problem, is_read), above + stop
-        self.remarks = [f"lines passed over before the header: {above}"] if above else []
+        self.remarks = [f"lines skipped before the header: {above}"] if above else []
         rows = self._rows(below[stop:])
         first = [*islice(rows, SAMPLE)]
         if not any(len(row.cells) == len(self.names) for row in first):
             column = unnamed_column(self.names, first, self.word, is_read)
             cells, line = self._with_unnamed(column, cells, line)
         self.header = self._written(cells, line)
-        marked = [row.without_mark() for row in first[:1] if is_marked]  # of units, as the header is
+        marked = [row.without_mark() for row in first[:1] if is_marked]  # a row of units marked like the header
         count = self._take_units([*marked, *first[len(marked) :]], stated, measured)
         whole = (row.cells for row in chain(first[count:], rows) if len(row.cells) == len(self.names))
         self.sample = [[*map(text_of, row)] for row in islice(whole, SAMPLE)]
@@ -367,7 +371,7 @@ class Delimited:
         return sum(map(len, lines[: self.lines]))
 
     def _writer(self, end: str) -> Lines:
-        """Return the writer of lines with this end, unless they are of Markdown; numbers stand on the right there."""
+        """Return the writer of lines with this end, or of Markdown, where numbers are aligned right."""
         if not self.as_markdown:
             return Lines(self.separator, end=end, has_commas=self.has_decimal_commas)
         columns = [[row[position].strip() for row in self.sample] for position in range(len(self.names))]
@@ -375,7 +379,7 @@ class Delimited:
         return Markdown(are_right, has_commas=self.has_decimal_commas)
 
     def _rows(self, lines: Sequence[str]) -> Iterator[Row]:
-        """Iterate over the rows below the header that can be read."""
+        """Iterate over the readable rows below the header."""
         above = self.lines
         for start, stop, cells, problem in self.records(lines):
             line = "".join(lines[start:stop])
@@ -383,7 +387,7 @@ class Delimited:
                 yield Row(cells, line, above + start + 1)
 
     def _with_unnamed(self, column: str, cells: list[str], line: str) -> tuple[list[str], str]:
-        """Return the cells and the line of the header with a column that it has no name for, if there is one."""
+        """Return the cells and the line of the header, with an empty name for an unnamed column if there is one."""
         if column:
             text = line.rstrip("\r\n")
             end = line[len(text) :]
@@ -394,8 +398,11 @@ class Delimited:
         return cells, line
 
     def _take_units(self, rows: Sequence[Row], stated: Mapping[str, str], measured: str) -> int:
-        """Take a row of units, and rows of comments beside it, as part of the header; return the number of these."""
-        first = next((position for position, row in enumerate(rows) if not is_remark(row, self.names)), 0)
+        """Make a row of units, and adjacent rows of comments, part of the header; return the number of these rows."""
+        first = 0
+        while first < len(rows) and is_remark(rows[first], self.names):
+            first += 1
+        first = first if first < len(rows) else 0
         headers = with_units(self.names, rows[first], stated, measured) if rows else None
         self.stated = headers.stated if headers else stated
         self.above: list[tuple[bytes, str]] = []  # lines between the header and the rows, with their status
@@ -411,7 +418,7 @@ class Delimited:
         return end
 
     def _take_decimal_mark(self, are_read: Sequence[bool]) -> None:
-        """Find the decimal mark of the sample, which has points then. Raises BadTable."""
+        """Find the decimal mark of the sample, and convert the sample to points. Raises BadTable."""
         columns = [*zip(*self.sample, strict=True)]
         passed = compress(columns, map(not_, are_read))
         is_doubtful = self.separator == ";" or (self.separator != "," and any(map(have_decimal_commas, passed)))
@@ -423,7 +430,7 @@ class Delimited:
             self.sample = [[cell.replace(",", ".") for cell in row] for row in self.sample]
 
     def head(self, added: Sequence[str]) -> bytes:
-        """Return the lines above the rows: the header with those of columns that are added, and a row of units."""
+        """Return the lines above the rows: the header with the added columns, and a row of units."""
         lines = [self.writer.header(added, [self.header])]
         for line, status in self.above:
             lines.append(self.writer.rows(added, [*[None] * (len(added) - 1), status], [line]))
@@ -434,7 +441,7 @@ class Delimited:
         if not line.strip(self.blanks):
             raise BadTable("the table has no header; begin with a line of the columns' names")
         text, *names = map(text_of, (line.strip(_BLANKS), *(cells or [line])))
-        if "\0" in text or "\ufffd" in text:  # which stands for what is not UTF-8
+        if "\0" in text or "\ufffd" in text:  # the latter replaces bytes that are not UTF-8
             remedy = "a compressed one has a name such as x.csv.gz, or --format csv.gz"
             raise BadTable(f"the table is not UTF-8; save it as UTF-8; {remedy}")
         if not any(map(is_read, names)):
@@ -444,7 +451,7 @@ class Delimited:
         return tuple(names)
 
     def _check_separator(self, line: str, count: int, is_read: Callable[[str], bool]) -> None:
-        """Refuse a header that another separator divides into inputs; blanks into two at least."""
+        """Raise BadTable if another separator divides the header into inputs; for blanks, into two at least."""
         for word, mark in DELIMITERS.items():
             is_blank = mark == " "
             cells = line.replace('"', "").split(None if is_blank else mark)
@@ -454,32 +461,32 @@ class Delimited:
     # --- Rows ---------------------------------------------------------------------------------------------------------
 
     def read(self, text: bytes, table: Table) -> Records:
-        """Return whole records, taken apart."""
+        """Return the records of a block."""
         records = self._cut(text, table.positions) or self._read(text, table.positions)
         if self.has_decimal_commas:
             return with_decimal_points(records)
         return without_unclear(records) if self.is_open and b"." in text else records
 
     def _cut(self, text: bytes, positions: Mapping[str, int]) -> Records | None:
-        """Cut lines without quotes that have the right width at their separators; None if there are others."""
+        """Split lines of equal width without quotes at their separators; None if there are other lines."""
         width, separator = len(self.names), self.separator.encode()
         if b'"' in text or self.excel_safe or self.as_markdown:
             return None
-        if b"\r" in text:  # to search for two bytes takes 100 times as long
+        if b"\r" in text:  # searching for two bytes takes 100 times as long
             text = text.replace(b"\r\n", b"\n")
         if b"\r" in text or not text.endswith(b"\n"):
             return None
         lines = text.split(b"\n")
         lines.pop()
         cells = text.replace(b"\n", separator + b"\n" + separator).split(separator)
-        # Behind each line's last cell, and there only, stands a line feed.
+        # A line feed follows the last cell of each line, and only there.
         if cells[width :: width + 1] != [b"\n"] * len(lines) or (width == 1 and not all(map(bytes.strip, lines))):
             return None
         columns = {name: cells[position : -1 : width + 1] for name, position in positions.items()}
         return Records(lines, columns, {}, range(len(lines)), len(lines))
 
     def _read(self, text: bytes, positions: Mapping[str, int]) -> Records:
-        """Read records of any kind."""
+        """Return the records of lines of any form."""
         width = len(self.names)
         before: list[bytes] = []
         rows: list[list[str]] = []
@@ -493,7 +500,7 @@ class Delimited:
             if len(row) != width:
                 odd[len(rows)] = BadRequest(problem) if problem else self._of_size(len(row), line)
                 padded = (row or [line]) + [""] * (width - max(len(row), 1))
-                rest = self.separator.join(padded[width - 1 :])  # with what is too much
+                rest = self.separator.join(padded[width - 1 :])  # including excess cells
                 cells = [*padded[: width - 1], rest]
                 line = self._line(cells)
             starts.append(start)
@@ -503,7 +510,7 @@ class Delimited:
         return Records(before, columns, odd, starts, len(lines))
 
     def _of_size(self, size: int, line: str) -> BadRequest:
-        """Return the error of a line that has more or fewer cells than the header."""
+        """Return the error of a line with more or fewer cells than the header."""
         width = len(self.names)
         text = quoted(text_of(line).replace("\t", " ").strip())
         remedy = remedy_of_size(size, width, self.word)
@@ -512,17 +519,17 @@ class Delimited:
 
 
 def as_lines(text: bytes) -> list[str]:
-    """Return the lines of a text with their ends, a character for each byte."""
+    """Return the lines of a text with their ends, one character for each byte."""
     return io.StringIO(text.decode(BYTES), newline="\n").readlines()
 
 
 def _problem(error: str) -> str:
-    """Return the words for an error of the csv module."""
+    """Return an error of the csv module in our words."""
     if error.startswith(("unexpected end", "field larger")):
         return _OPEN
     return _CARRIAGE_RETURN if error.startswith("new-line") else _MISQUOTED
 
 
 def _is_formula(cell: str) -> bool:
-    """Return whether a spreadsheet may take a cell of text for a formula."""
+    """Return whether a spreadsheet might take a cell of text for a formula."""
     return cell.lstrip(" ").startswith(_BEGIN_FORMULAS) and not _NUMBER.fullmatch(cell.strip(" "))

@@ -1,4 +1,4 @@
-"""The fit of a measured force curve in a table, from what is given in words and numbers."""
+"""The fit of a measured force curve in a table, from texts and numbers."""
 
 import os
 from collections.abc import Mapping
@@ -29,7 +29,7 @@ _TAKEN = (*_RADII, *_BODIES, "atomic_spacing")
 
 
 def fit_given(curve: Any, words: Mapping[str, str | None], spring: Any, given: Mapping[str, Any]) -> Fit:
-    """Return the fit of a curve in a file or in columns; arguments as in `jkroll.fit`. `words`: its texts by name."""
+    """Return the fit of a curve in a file or in columns; arguments as for `jkroll.fit`. `words`: its texts by name."""
     for name in given.keys() - {*_TAKEN}:
         raise BadRequest(f"fit takes no {quoted(name)}; it takes {listed(_TAKEN)}")
     read = Reader().in_si(given)
@@ -58,9 +58,12 @@ def fit_of_file(
 
 
 def _fitted(curve: ForceCurve, known: Known) -> Fit:
-    """Return the fit of a curve. Raises BadCurve, also for a sphere that is not rigid."""
+    """Return the fit of a curve. Raises BadCurve, also if a spherical body 1 is not rigid."""
     fitted = fit_curve(curve, known)
-    moduli = {**known.bodies, **(dict([fitted.other_modulus]) if fitted.other_modulus else {})}
+    moduli = {**known.bodies}
+    if fitted.other_modulus is not None:
+        name, modulus = fitted.other_modulus
+        moduli[name] = modulus
     first, second = (moduli.get(name) for name in _BODIES[:2])
     if known.profile == SPHERE and first is not None and second is not None and not first >= STIFFER * second:
         here = f"E1 is {first / second:.3g} times E2 here"
@@ -76,7 +79,7 @@ def _stiffness(known: Known) -> float | None:
 
 
 def known_of(words: Mapping[str, str | None], spring: Any, given: Mapping[str, Any]) -> Known:
-    """Return what is known of the contact and the instrument. Raises BadRequest, QuantityError.
+    """Return the known data of the contact and the instrument. Raises BadRequest, QuantityError.
 
     `given`: inputs in SI units, some with uncertainties.
     """
@@ -110,16 +113,15 @@ def known_of(words: Mapping[str, str | None], spring: Any, given: Mapping[str, A
 def _stiffness_of(spring: Any) -> Any:
     if spring is None:
         return None
-    value = (
-        value_of(spring, "lever_stiffness") if isinstance(spring, str) else Reader().number("lever_stiffness", spring)
-    )
+    is_text = isinstance(spring, str)
+    value = value_of(spring, "lever_stiffness") if is_text else Reader().number("lever_stiffness", spring)
     if not middle(value) > 0:
         raise QuantityError("lever_stiffness", str(spring), "must be positive")
     return value
 
 
 def _radius(given: Mapping[str, Any]) -> Any:
-    """Return the reduced radius of the radii that are given; None without one."""
+    """Return the reduced radius that follows from the given radii; None without any."""
     radii = {name: given[name] for name in _RADII if name in given}
     if not radii:
         return None
@@ -130,12 +132,12 @@ def _radius(given: Mapping[str, Any]) -> Any:
 
 
 def _relative_error(value: Any) -> float:
-    """Return half the width of an uncertainty over the value; 0 without one."""
+    """Return half the width of an uncertainty relative to the value; 0 without one."""
     return float((value.high - value.low) / 2 / abs(value.value)) if is_uncertain(value) else 0.0
 
 
 def _check_sphere(given: Mapping[str, Any]) -> None:
-    """Refuse the profile of a sphere where half-space theory is wrong by more than that profile changes."""
+    """Raise BadRequest if half-space theory is off by more than the profile of a sphere would correct."""
     ratio = middle(given.get("poisson_ratio2", given.get("poisson_ratio", 0.0)))
     if not ratio >= INCOMPRESSIBLE:
         raise BadRequest(
@@ -149,7 +151,7 @@ def _check_sphere(given: Mapping[str, Any]) -> None:
 
 
 def _range(text: str | None) -> LoadRange | None:
-    """Return the range of a text FROM:TO, in percent of the largest load or in forces."""
+    """Return the range in a text FROM:TO, in percent of the largest load or in forces."""
     if text is None:
         return None
     ends = [end.strip() for end in text.split(":")]
@@ -162,7 +164,7 @@ def _range(text: str | None) -> LoadRange | None:
         except ValueError:
             raise BadRequest(f"--range: {quoted(text)} has no numbers before %") from None
     elif any(are_shares):
-        raise BadRequest(f"--range: {quoted(text)} has a share and a force; write two of one kind")
+        raise BadRequest(f"--range: {quoted(text)} mixes a percentage and a force; write two of the same")
     else:
         low, high = (float(middle(value_of(end, "load"))) for end in ends)
     if not low < high:

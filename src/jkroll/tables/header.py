@@ -1,7 +1,7 @@
-"""The header of a table: the columns that are inputs, with their units, those that pass through, what is refused.
+"""The header of a table: input columns with their units, columns that pass through, and columns that are refused.
 
-Each header is read by itself, in `reading`. Together they decide of which input an uncertainty is, what is left open
-beside a column of an input, and what says more of it and may not pass.
+Each header is first read on its own, in `reading`. The headers together decide which input an uncertainty belongs to,
+which columns an input makes redundant, and which columns qualify an input and so must not be ignored.
 """
 
 import re
@@ -24,7 +24,7 @@ from .reading import (
     SPREAD,
     UNREAD,
     Reading,
-    is_told,
+    means_other,
     normalized,
     reading_of,
     splits_of,
@@ -35,14 +35,14 @@ from .reading import (
 from .unread import NOT_READ, Supply, decided_by, judged
 from .words import MATERIALS, fits, headed, key, unit_for
 
-_NOT_USED = "a value has one column of ±, or two, of minus and plus; a range has those of its ends alone"
-_MAX_SAID = 60  # columns that pass through and are named
+_NOT_USED = "a value has one column of ±, or two for minus and plus; a range has columns of its ends only"
+_MAX_LISTED = 60  # passed columns that are listed by name
 _OF_DIRECTIONS = r"(?i)\s*((G|nu|ν)_?(12|13|23|xy|xz|yz)|E_?3)(?![^\W_])"
 _MARKS = {"both": "± ", "minus": "− ", "plus": "+ ", "low": "from ", "high": "to "}
-_HEADER_AND_INPUT = r"(.*)(?<!\(k)(?<!\(k )=(.*)"  # but for (k=2)
+_HEADER_AND_INPUT = r"(.*)(?<!\(k)(?<!\(k )=(.*)"  # except (k=2)
 _ENDS = ("low", "high")
-_SHAPES = (("", "both"), ("", "minus", "plus"), ("",), _ENDS)  # of the columns of a value, by part
-_VALUE, _UNIT, _NO_UNIT = "value", "unit", "neither has a unit"  # kinds of cells
+_SHAPES = (("", "both"), ("", "minus", "plus"), ("",), _ENDS)  # the parts that columns of a value can have
+_VALUE, _UNIT, _NO_UNIT = "value", "unit", "neither has a unit"  # sorts of cells
 
 
 class Header(NamedTuple):
@@ -50,8 +50,8 @@ class Header(NamedTuple):
 
     texts: tuple[str, ...]
     inputs: tuple[Column, ...]
-    materials: tuple[Column, ...]  # that name them
-    clauses: Mapping[int, str] = MappingProxyType({})  # what stands in for columns that pass by the user's word
+    materials: tuple[Column, ...]  # columns with names of materials
+    clauses: Mapping[int, str] = MappingProxyType({})  # the value used instead of a column that passes through
 
     @property
     def names(self) -> frozenset[str]:
@@ -60,27 +60,28 @@ class Header(NamedTuple):
 
     @property
     def positions(self) -> dict[str, int]:
-        """The positions of the columns that are read."""
-        return {
-            name: position for column in (*self.inputs, *self.materials) for name, position in column.positions.items()
-        }
+        """The positions of all columns that are read, by name."""
+        positions: dict[str, int] = {}
+        for column in (*self.inputs, *self.materials):
+            positions |= column.positions
+        return positions
 
     def reading(self, *remarks: str) -> str:
-        """Return the sentence that says how the table is read. `remarks`: on what stands around the columns."""
+        """Return the sentence that says how the table is read. `remarks`: on lines and units around the columns."""
         sentence = f"read: {', '.join(map(self._from, (*self.materials, *self.inputs))) or 'no input'}"
         sentence = "; ".join([sentence, *remarks])
         used = {*self.positions.values()}
         others = {position: text for position, text in enumerate(self.texts) if position not in used and text.strip()}
         passed = [_easy(text) + self._clause(position) for position, text in others.items()]
         if passed:
-            sentence += f"; passed through: {first_of([*dict.fromkeys(passed)], _MAX_SAID)}"
+            sentence += f"; passed through: {first_of([*dict.fromkeys(passed)], _MAX_LISTED)}"
         return sentence
 
     def _clause(self, position: int) -> str:
         return f" ({self.clauses[position]})" if position in self.clauses else ""
 
     def _from(self, column: Column) -> str:
-        """Return the header of an input with those that it is read from, if they are others."""
+        """Return the header of an input, with its source in the table if that differs."""
         head, text = header_of(column.name, column.unit_text), self.texts[column.position]
         is_same = column.is_range or typed(text) in (head, column.name)
         sources = [f"{_MARKS[part]}{_easy(self.texts[position])}" for part, position in column.sides]
@@ -88,21 +89,20 @@ class Header(NamedTuple):
 
 
 def typed(text: str) -> str:
-    """Return a header as it is shown and typed: on one line, with plain blanks."""
+    """Return a header as it is shown and typed: on one line, with ordinary blanks."""
     return shown(" ".join(text.split()))
 
 
 def _easy(text: str) -> str:
-    """Return a header as it is shown, in quotes if it has blanks besides that before a unit in brackets."""
+    """Return a header as it is shown; in quotes if it has blanks other than the one before a unit in brackets."""
     text = typed(text)
     return text if " " not in text.replace(" [", "[") and "(" not in text else f'"{text}"'
 
 
 def stated_meanings(texts: Iterable[str], measured: str = "") -> dict[str, str]:
-    """Return what `--column` writes in place of headers: radius2 [nm] for R2 (nm), or nothing for what is no input.
+    """Return the headers that `--column` replaces: radius2 [nm] for R2 (nm), or "" for a column that is not an input.
 
-    `texts`: the values of the option, as in 'R2 (nm)=radius2 [nm]'; `measured`: as `reading_of` has it. Raises
-    BadRequest.
+    `texts`: the values of the option, as in 'R2 (nm)=radius2 [nm]'; `measured`: see `reading_of`. Raises BadRequest.
     """
     meanings: dict[str, str] = {}
     for text in texts:
@@ -132,26 +132,32 @@ def understood(
 ) -> Header:
     """Return the columns of a header, given the cells of its first rows.
 
-    `stated`: what `--column` writes in place of headers; `given`: the inputs of options; `measured`: a quantity that
-    columns have besides inputs; `supply_of`: returns what stands in for inputs that no column gives; `pass_rest`:
-    whether all that is not read passes through. Raises BadTable.
+    `stated`: headers that `--column` replaces; `given`: the inputs of options; `measured`: a quantity that columns may
+    have in addition to inputs; `supply_of`: returns the inputs supplied without a column; `pass_rest`: True to pass all
+    columns that are not read. Raises BadTable.
     """
     for text in stated.keys() - {*map(typed, texts)}:
-        columns_of_table = first_of([*map(_easy, texts)], _MAX_SAID)
+        columns_of_table = first_of([*map(_easy, texts)], _MAX_LISTED)
         raise BadTable(f"--column: the table has no column {quoted(text)}; it has {columns_of_table}")
     heads = [meaning_of(text, [row[position] for row in rows], stated, measured) for position, text in enumerate(texts)]
-    heads = [head._replace(position=position) for position, head in enumerate(_beside_others(heads, given))]
-    inputs: dict[str, dict[str, Reading]] = {}  # by the part of the uncertainty, "" for the values
+    heads = [head._replace(position=position) for position, head in enumerate(_among_others(heads, given))]
+    inputs: dict[str, dict[str, Reading]] = {}  # by part of the uncertainty, "" for the value
     for head in heads:
-        if head.is_input and (other := inputs.setdefault(head.name, {}).setdefault(head.part, head)) is not head:
-            raise _twice(other, head)
-    used = {name: parts for name, group in inputs.items() if (parts := _used(name, group))}
+        if head.is_input:
+            other = inputs.setdefault(head.name, {}).setdefault(head.part, head)
+            if other is not head:
+                raise _twice(other, head)
+    used = {name: _used(name, group) for name, group in inputs.items()}
+    used = {name: parts for name, parts in used.items() if parts}
     used = {name: parts for name, parts in used.items() if not _is_doubled(name, used, rows)}
-    values = [head for parts in used.values() for part, head in parts.items() if part in ("", *_ENDS)]
+    values: list[Reading] = []
+    for parts in used.values():
+        values += [head for part, head in parts.items() if part in ("", *_ENDS)]
     held, known = {*used, *decided_by(used)}, {*used, *given}
     texts_of = {name: next(iter(parts.values())).text for name, parts in used.items()}
     heads = [_with_suffix(head, {**dict.fromkeys(given, ""), **texts_of}, measured) for head in heads]
-    held |= {name for name in CONVERTED for head in heads if head.name == CONVERTED[name] and not head.part}  # E, not G
+    without_part = {head.name for head in heads if not head.part}
+    held |= {name for name, other in CONVERTED.items() if other in without_part}  # E, not G
     clauses: Mapping[str, str] = {}
     if supply_of is not None:
         supply = supply_of(used)
@@ -159,12 +165,10 @@ def understood(
     left = [head for head in heads if head.problem and not _may_pass(head, held, known)]
     refused = [] if pass_rest else [*left]
     refused += [head for head in map(_with_problem, values) if head.problem]
-    refused += [
-        head._replace(problem=_NOT_USED, meant=())
-        for name, parts in inputs.items()
-        for part, head in parts.items()
-        if name in known and part not in used.get(name, ())
-    ]
+    for name, parts in inputs.items():
+        if name in known:
+            unused = [head for part, head in parts.items() if part not in used.get(name, ())]
+            refused += [head._replace(problem=_NOT_USED, meant=()) for head in unused]
     if refused:
         raise _refusal(sorted(refused, key=lambda head: head.position))
     columns = [_column(name, parts) for name, parts in used.items()]
@@ -174,22 +178,27 @@ def understood(
 
 
 def _is_doubled(name: str, used: Mapping[str, Mapping[str, Reading]], rows: Sequence[Sequence[str]]) -> bool:
-    """Return whether a column is a diameter that always stands beside a radius, or G beside E: it passes through.
+    """Return whether a diameter always comes with a radius, or G with E, so that its column can pass through.
 
-    One that `--column` states does not.
+    A column given by `--column` is always read.
     """
     parts, others = used[name], used.get(CONVERTED.get(name, ""), {})
     if not others or any(head.is_stated for head in parts.values()):
         return False
     own, other = ([head.position for head in each.values()] for each in (parts, others))
-    filled = [row for row in rows if not all(has_no_value(row[position]) for position in own)]
-    return bool(filled) and not any(all(has_no_value(row[position]) for position in other) for row in filled)
+    filled = [row for row in rows if not _are_empty(row, own)]
+    return bool(filled) and not any(_are_empty(row, other) for row in filled)
+
+
+def _are_empty(row: Sequence[str], positions: Iterable[int]) -> bool:
+    """Return whether all cells of a row at some positions have no value."""
+    return all(has_no_value(row[position]) for position in positions)
 
 
 def _with_suffix(head: Reading, known: Mapping[str, str], measured: str) -> Reading:
-    """Return a head that is not read, with a problem if it is the word of a known input with more behind it.
+    """Return an unread head, with a problem if it is the name of a known input with a suffix.
 
-    `known`: the headers of the inputs that columns give, and "" for those of options.
+    `known`: the headers of inputs with columns, and "" for inputs of options.
     """
     is_of_direction = re.match(_OF_DIRECTIONS, head.text) is not None
     if head.is_input or head.part or head.is_stated or is_of_direction or head.cell[:1].isalpha():
@@ -203,33 +212,33 @@ def _with_suffix(head: Reading, known: Mapping[str, str], measured: str) -> Read
         else:
             symbol = "" if split.is_explicit else symbol_of(split.word)
             names = [name for name, text in known.items() if symbol and symbol in map(symbol_of, words_in(text))]
-        if names and split.unit and not is_told(split, names[0]):
-            problem = head.problem if head.name == names[0] else f"what stands behind {names[0]} is not read"
+        if names and split.unit and not means_other(split, names[0]):
+            problem = head.problem if head.name == names[0] else f"the text after {names[0]} is not read"
             return head._replace(name=names[0], part=UNREAD, problem=problem, meant=())
     return head
 
 
 def _may_pass(head: Reading, held: Collection[str], known: Collection[str]) -> bool:
-    """Return whether a column that is not read may pass through, beside columns and options that give inputs.
+    """Return whether an unread column may pass through, given the columns and options that supply inputs.
 
-    It may where these decide on what it may be. What tells more of a value that is read may not.
+    It may if these decide what it could be. A column that qualifies a value must not be ignored.
     """
     return head.name in held and head.part != UNREAD and {*head.names} <= {*held, *known}
 
 
 def _twice(first: Reading, second: Reading) -> BadTable:
-    """Return the error of two columns that say the same."""
-    problem = f"header: of the columns {quoted(first.text)} and {quoted(second.text)} one must go"
+    """Return the error for two columns with the same meaning."""
+    problem = f"header: the columns {quoted(first.text)} and {quoted(second.text)} mean the same"
     if typed(first.text) == typed(second.text):
-        return BadTable(f"{problem}: rename it")
+        return BadTable(f"{problem}: rename one")
     options = " or ".join(_option(head.text, "") for head in (second, first))
     twin = NOMENCLATURE[first.name].twin
     of_2 = f", or {_option(first.text, headed(twin, first.unit_text))} if it is of sphere 2" if twin else ""
-    return BadTable(f"{problem}. Write {options} to pass it through{of_2}")
+    return BadTable(f"{problem}. Write {options} to pass one through{of_2}")
 
 
 def meaning_of(text: str, cells: Sequence[str], stated: Mapping[str, str], measured: str) -> Reading:
-    """Return the meaning of a column: that of `--column`, else that of its header, if its cells can be of it."""
+    """Return the meaning of a column from `--column`, or else from its header if the cells agree with it."""
     cells = [cell.strip() for cell in cells if not has_no_value(cell)]
     cell = next(iter(cells), "")
     reading = reading_of(stated.get(typed(text), text), measured)._replace(is_stated=typed(text) in stated)
@@ -244,30 +253,34 @@ def meaning_of(text: str, cells: Sequence[str], stated: Mapping[str, str], measu
 
 
 def _kind(cell: str, name: str) -> str:
-    """Return the kind of a cell of an input: a value, a number that lacks a unit, a unit, or "" for no such."""
+    """Return the sort of a cell of an input: a value, a number without its unit, a unit, or "" for other texts."""
     try:
         value_of(cell, name)
     except QuantityError as error:
-        return _NO_UNIT if error.mistake == NO_UNIT else _UNIT if unit_for(cell.strip("[]() "), name) else ""
+        if error.mistake == NO_UNIT:
+            return _NO_UNIT
+        return _UNIT if unit_for(cell.strip("[]() "), name) else ""
     return _VALUE
 
 
 def _with_problem(head: Reading) -> Reading:
-    """Return the head of an input, with a problem if neither it nor its first cell has the unit that it needs."""
-    needs_unit = head.cell and not head.unit_text and NOMENCLATURE[head.name].unit not in ("", "1")
-    if not needs_unit or (kind := _kind(head.cell, head.name)) not in (_NO_UNIT, _UNIT):
+    """Return the head of an input, with a problem if neither it nor its first cell has the unit it needs."""
+    if not head.cell or head.unit_text or NOMENCLATURE[head.name].unit in ("", "1"):
+        return head
+    kind = _kind(head.cell, head.name)
+    if kind not in (_NO_UNIT, _UNIT):
         return head
     part = f"_{head.part}" if head.part else ""
     meant = f"{head.name}{part} [{unit_for(head.cell.strip('[]() '), head.name) or 'UNIT'}]"
     return head._replace(problem=kind, meant=[meant])
 
 
-def _beside_others(heads: Sequence[Reading], given: Collection[str]) -> Iterator[Reading]:
-    """Iterate over heads as the others make them mean."""
+def _among_others(heads: Sequence[Reading], given: Collection[str]) -> Iterator[Reading]:
+    """Iterate over heads with their meaning among all the others."""
     names = {*given, *(head.name for head in heads if head.is_input)}
     is_of_two = not names.isdisjoint(("radius2", "diameter2"))
     moduli = [head for head in heads if of_sphere(1, head.name) in ("youngs_modulus", "shear_modulus")]
-    direction = next((head.text for head in heads if moduli and re.match(_OF_DIRECTIONS, head.text)), None)
+    directional = [head.text for head in heads if re.match(_OF_DIRECTIONS, head.text)] if moduli else []
     values = {head.name: head for head in heads if head.is_input and not head.part}
     ends = [head for head in heads if head.is_input and head.part in _ENDS and values.keys().isdisjoint(head.names)]
     values = {head.name: head for head in ends} | values
@@ -276,8 +289,9 @@ def _beside_others(heads: Sequence[Reading], given: Collection[str]) -> Iterator
         left = left if head.part else head
         if head.part or (head.of and not head.is_input):
             yield _of_value(head, left, values, given)
-        elif direction is not None and head in moduli and not head.is_stated:
-            yield head._replace(problem=f"{quoted(direction)} beside it says that it is along a direction", meant=())
+        elif directional and head in moduli and not head.is_stated:
+            problem = f"with {quoted(directional[0])} in the table it may be a modulus along one direction"
+            yield head._replace(problem=problem, meant=())
         elif head.is_input and head.meant and not is_of_two:
             yield head._replace(problem="R may be the radius of a sphere or the reduced radius")
         elif other := _uncertain_instead(head, values):
@@ -287,10 +301,10 @@ def _beside_others(heads: Sequence[Reading], given: Collection[str]) -> Iterator
 
 
 def _of_value(head: Reading, left: Reading, values: Mapping[str, Reading], given: Collection[str]) -> Reading:
-    """Return a head that tells of the spread of a value, with the name of the input that the value is of.
+    """Return a head about the spread of a value, with the name of the input that it belongs to.
 
-    Without a name, it is of the column at its left. A symbol may be that of several inputs, of which one is read; and a
-    column may have the name of another one, of which an option says what it means, with more behind it.
+    Without a name, it belongs to the column on its left. A symbol may mean several inputs, if only one of them is read.
+    A head may also be the header of a column given by an option, with a suffix.
     """
     name, part = head.name, head.part
     if not head.of and not name:
@@ -314,38 +328,39 @@ def _of_value(head: Reading, left: Reading, values: Mapping[str, Reading], given
 
 
 def _error_column(name: str, values: Mapping[str, Reading]) -> str:
-    """Return the header of the uncertainty of an input, in the unit of its values."""
+    """Return the header for the uncertainty of an input, in the unit of its values."""
     return headed(name, values[name].unit_text or "UNIT").replace(name, f"{name}_err", 1)
 
 
 def _uncertain_instead(head: Reading, values: Mapping[str, Reading]) -> str:
-    """Return the input whose uncertainty a head may be, as of Δγ, where it excludes the one that is read; else ""."""
+    """Return the input that a head such as Δγ is an uncertainty of, if it excludes the input read; else ""."""
     text = normalized(head.text)
     rest = re.sub(words.DIFFERENCE, "", text)
     is_difference = rest != text and head.is_input and not head.is_stated
     own = reading_of(rest).name if is_difference else ""
-    is_other = own in values and own != head.name  # diameter is no difference
+    is_other = own in values and own != head.name  # the d of diameter is not a difference
     return own if is_other and any({own, head.name} <= {*names} for names in EXCLUSIVE) else ""
 
 
 def _used(name: str, heads: Mapping[str, Reading]) -> dict[str, Reading]:
-    """Return the heads of the columns that make the values of an input, of those by part; the others pass through.
+    """Return the heads of the columns that make the values of an input, by part; the others pass through.
 
-    Raises BadTable for one that an option states and that is not used, and for half a range.
+    Raises BadTable for a column that an option states but that is not used, and for half a range.
     """
-    shape = next((shape for shape in _SHAPES if heads.keys() >= {*shape}), ())
+    shapes = [shape for shape in _SHAPES if heads.keys() >= {*shape}]
+    shape = shapes[0] if shapes else ()
     others = [head for part, head in heads.items() if part not in shape]
     is_end = "" not in heads and not heads.keys().isdisjoint(_ENDS)
     if others and ((is_end and not shape) or any(head.is_stated for head in others)):
         raise BadTable(
-            f"header: {quoted(others[0].text)} alone is no uncertainty of {name}: values have a column of ± beside "
-            "them, or two, of minus and plus; a range has low and high alone"
+            f"header: {quoted(others[0].text)} alone is not an uncertainty of {name}: values have a column of ±, or "
+            "two for minus and plus; a range has low and high only"
         )
     return {part: heads[part] for part in shape}
 
 
 def _column(name: str, parts: Mapping[str, Reading]) -> Column:
-    """Return the column of an input; without a unit its cells carry their own, or they are a ratio. Raises BadTable."""
+    """Return the column of an input; without a unit its cells state their own, or are ratios. Raises BadTable."""
     of_ratio = ("1", "-") if NOMENCLATURE[name].unit == "1" else ()
     units = {part: "" if head.unit_text in of_ratio else head.unit_text for part, head in parts.items()}
     factors = {head.coverage for part, head in parts.items() if part}
@@ -362,11 +377,11 @@ def _column(name: str, parts: Mapping[str, Reading]) -> Column:
     return Column(first.position, name, unit_text, unit, sides, error_unit, max(factors, default=1.0))
 
 
-# --- What is refused --------------------------------------------------------------------------------------------------
+# --- Refused columns --------------------------------------------------------------------------------------------------
 
 
 def _refusal(heads: Sequence[Reading]) -> BadTable:
-    """Return the error of columns that may be inputs and cannot be read."""
+    """Return the error for columns that may be inputs but cannot be read."""
     ways = [*filter(None, map(_way, heads))]
     if any(head.problem == _UNIT for head in heads):
         return BadTable(f"header: the first row has units. Delete it, and write {' '.join(ways)}")
@@ -383,23 +398,23 @@ def _refusal(heads: Sequence[Reading]) -> BadTable:
 
 
 def _way(head: Reading) -> str:
-    """Return what to write for a column that may be an input; "" where nothing is certain."""
+    """Return what to write for a column that may be an input; "" if nothing is certain."""
     if head.meant:
         return " or ".join(_option(head.text, meant) for meant in head.meant)
     if not head.name or head.part or head.problem == FACTOR or head.problem.startswith(NOT_READ):
         return ""
-    return f"a column {' or '.join(map(headed, head.names or [head.name]))} in place of {quoted(head.text)}"
+    return f"a column {' or '.join(map(headed, head.names or [head.name]))} instead of {quoted(head.text)}"
 
 
 def _option(text: str, meaning: str) -> str:
-    """Return the option that says what a column means, in the quotes of a shell."""
+    """Return the option that gives a column its meaning, quoted for a shell."""
     value = f"{typed(text)}={meaning}"
-    within = re.sub(r'([\\$`"])', r"\\\1", value)  # of double quotes
+    within = re.sub(r'([\\$`"])', r"\\\1", value)  # within double quotes
     return f'--column "{within}"' if "'" in value else f"--column '{value}'"
 
 
 def check_inputs(header: Header, measured: str = "") -> None:
-    """Raise BadTable for a table of which no column is an input, or none the measured quantity."""
+    """Raise BadTable for a table without an input column, or without the measured quantity."""
     if measured in header.names or (header.names and not measured):
         return
     if header.texts and all(map(is_number, header.texts)):
@@ -413,11 +428,11 @@ def check_inputs(header: Header, measured: str = "") -> None:
 
 
 def is_law(text: str) -> bool:
-    """Return whether a column of this header is refused where its cells are laws."""
+    """Return whether a column with this header is refused if its cells are laws."""
     return key(text) in ("model", "law")
 
 
 def is_input(text: str, measured: str = "") -> bool:
-    """Return whether a header may be that of an input; a symbol without a unit is one if its cells have units."""
+    """Return whether a header may be that of an input; a symbol without a unit needs cells with units."""
     reading = reading_of(text, measured)
     return reading.is_input or bool(reading.part)

@@ -1,7 +1,7 @@
-"""Layouts of tables of lines: comments above the header, dumps of LAMMPS, row names of R, and rows of units.
+"""Layouts of tables made of lines: comments above the header, dumps of LAMMPS, row names of R, and rows of units.
 
-A dump has a few items above its columns, and no unit. Other programs write comments, and the last may be the header. R
-writes no name above its row names.
+A dump has a few items above its columns, and no units. Other programs write comments, and the last comment may be the
+header. R writes no name above its row names.
 """
 
 import re
@@ -17,20 +17,20 @@ from .header import typed
 from .reading import UNREAD, Reading, reading_of
 from .words import MATERIALS, unit_for
 
-BYTES = "latin-1"  # a character for each byte, as the csv module reads characters
+BYTES = "latin-1"  # one character for each byte, since the csv module reads characters
 SAMPLE = 200  # lines or rows that decide how a table is read
 _COMMENT = re.compile(r"\A(?:[ \t]*#+ *|sep=)", re.IGNORECASE)  # the mark of a line above the header
-_MARK = re.compile(rb"^[ \t]*(#+)[ \t]+", re.MULTILINE)  # of a comment
+_MARK = re.compile(rb"^[ \t]*(#+)[ \t]+", re.MULTILINE)  # the mark of a comment
 
-# --- Blanks between columns -------------------------------------------------------------------------------------------
+# --- Blanks as separators ---------------------------------------------------------------------------------------------
 
-# Patterns that most tables do not need are compiled by the first that does.
-# A cell in quotes, with a quote as \" (the default of R) or ""; one in quotes with other backslashes; one without.
+# Patterns that few tables need are compiled on first use.
+# A cell in quotes, with a quote as \" (the default of R) or ""; in quotes with other backslashes; without quotes.
 _CELL = rb'"(?:[^"\\]++|\\.|"")*+"(?!\S)|"[^"]*+"(?!\S)|[^\s"]\S*'
 
 
 def between_tabs(blocks: Iterable[bytes]) -> Iterator[bytes]:
-    """Iterate over blocks with tabs in place of blanks. Raises BadTable."""
+    """Iterate over blocks with tabs instead of blanks. Raises BadTable."""
     line = 0
     for block in blocks:
         yield tabbed(block, line)
@@ -38,7 +38,7 @@ def between_tabs(blocks: Iterable[bytes]) -> Iterator[bytes]:
 
 
 def tabbed(block: bytes, line: int = 0) -> bytes:
-    """Return a block with tabs in place of blanks. Raises BadTable for a quote that is not closed in its line.
+    """Return a block with tabs instead of blanks. Raises BadTable for a quote that is not closed in its line.
 
     `line`: the number of lines above the block.
     """
@@ -49,7 +49,7 @@ def tabbed(block: bytes, line: int = 0) -> bytes:
 
 
 def _cells(line: bytes, number: int) -> list[bytes]:
-    """Return the cells of a line, which keep their quotes. `number`: of the line, counted from 1. Raises BadTable."""
+    """Return the cells of a line, which keep their quotes. `number`: of the line, from 1. Raises BadTable."""
     if b'"' not in line or line.startswith(b"#"):
         return line.split()
     cells = re.findall(_CELL, line)
@@ -69,17 +69,17 @@ _COLUMNS = rb"ITEM: \S+\s*"
 
 
 def is_dump(block: bytes) -> bool:
-    """Return whether a text begins as dumps of LAMMPS and LIGGGHTS do."""
+    """Return whether a text begins like a dump of LAMMPS or LIGGGHTS."""
     return block.startswith(b"ITEM: ") and re.match(_DUMP, block) is not None
 
 
 def as_table(blocks: Iterable[bytes], path: str, compression: str) -> Iterator[bytes]:
     """Iterate over the blocks of a dump, with its items as comments and its columns as header.
 
-    `path`, `compression`: of its file. Raises BadTable for several steps, and for other rows than the stated number.
+    `path`, `compression`: of its file. Raises BadTable for several time steps, or a wrong number of rows.
     """
-    rows, above, line = 0, 0, 0  # the rows, the lines above the first of them, and those above the block
-    count, number = 0, 0  # the stated number of rows, and the line that states it
+    rows, above, line = 0, 0, 0  # rows so far, lines above the first row, lines above the block
+    count, number = 0, 0  # the stated number of rows, and the line with it
     for block in blocks:
         lines = block.split(b"\n")
         if not line:
@@ -91,20 +91,21 @@ def as_table(blocks: Iterable[bytes], path: str, compression: str) -> Iterator[b
                 re.sub(_COLUMNS, b"", lines[position], count=1),
             ]
         below = lines[max(above - line, 0) :]
-        if (step := next((position for position, each in enumerate(below) if each.startswith(b"ITEM: ")), -1)) >= 0:
-            raise BadTable(_several_steps(max(line, above) + step + 1, below[step], path, compression))
+        for step, each in enumerate(below):
+            if each.startswith(b"ITEM: "):
+                raise BadTable(_several_steps(max(line, above) + step + 1, each, path, compression))
         rows += sum(map(bool, map(bytes.strip, below)))
         line += len(lines) - 1
         yield b"\n".join(lines)
     if number and rows != count:
-        problem = "the end of the dump is missing" if rows < count else "a dump has no others"
+        problem = "the end of the dump is missing" if rows < count else "there are extra lines"
         raise BadTable(
             f"line {number} says {count} rows, and there are {rows}: {problem}. Write {rows} there to read them"
         )
 
 
 def _line_of_columns(lines: Sequence[bytes]) -> int:
-    """Return the index of the line of a dump that names its columns. Raises BadTable."""
+    """Return the index of the line that names the columns of a dump. Raises BadTable."""
     for position, line in enumerate(lines[:SAMPLE]):
         if line.startswith(b"ITEM: ") and not re.match(_NO_COLUMNS, line):
             return position
@@ -120,7 +121,7 @@ def _stated_rows(items: Sequence[bytes]) -> tuple[int, int]:
 
 
 def _several_steps(number: int, line: bytes, path: str, compression: str) -> str:
-    """Return what is wrong with a dump in which a second step begins in a line."""
+    """Return the error message for a dump with a second time step."""
     item = line.decode(errors="replace").strip()
     item = item if item == "ITEM: TIMESTEP" else f"{item}$"
     program = {"gzip": "zcat", "zstd": "zstdcat"}.get(compression, "")
@@ -135,10 +136,10 @@ def _several_steps(number: int, line: bytes, path: str, compression: str) -> str
 
 
 def header_position(lines: Sequence[str], separator: str, is_read: Callable[[str], bool]) -> int:
-    """Return the number of lines above the header: comments, and the separator as a spreadsheet has it in sep=;.
+    """Return the number of lines above the header: comments, and the separator as spreadsheets write it in sep=;.
 
-    The last of them that names columns that are read is the header, unless the line below all of them names some. So is
-    the last of all between blanks or tabs, if below it stands a line of as many numbers.
+    The last of these lines that contains columns to read is the header, unless the line below them all does. Between
+    blanks or tabs, the last comment is the header if the line below has the same number of numbers.
     """
     count = len([*takewhile(_COMMENT.match, lines[:SAMPLE])])
     texts = [text_of(bare(line)).strip() for line in lines[: count + 1]]
@@ -152,27 +153,27 @@ def header_position(lines: Sequence[str], separator: str, is_read: Callable[[str
 
 
 def text_of(cell: str) -> str:
-    """Return a cell with a character for each byte as text."""
+    """Return a cell as text, decoded from one character for each byte."""
     return cell.encode(BYTES).decode("utf-8", "replace")
 
 
 def is_comment(line: str) -> bool:
-    """Return whether a line is marked as one above the header."""
+    """Return whether a line has the mark of lines above the header."""
     return _COMMENT.match(line) is not None
 
 
 def bare(line: str) -> str:
-    """Return a line without the mark of one above the header."""
+    """Return a line without the mark of lines above the header."""
     return _COMMENT.sub("", line)
 
 
-# --- Headers that lack a name -----------------------------------------------------------------------------------------
+# --- Headers with an unnamed column -----------------------------------------------------------------------------------
 
 FIRST, LAST = "the first column has row names", "the last column has no header and is empty"
 
 
 class Row(NamedTuple):
-    """A row below a header: its cells and its line, with a character for each byte, and the number of this line."""
+    """A row below a header: its cells and its line, with one character for each byte, and the number of the line."""
 
     cells: Sequence[str]
     line: str
@@ -180,21 +181,20 @@ class Row(NamedTuple):
 
     @property
     def last(self) -> int:
-        """The number of the last line, where a cell in quotes has several."""
+        """The number of its last line; a cell in quotes may span several."""
         return self.number - 1 + self.line.count("\n") + (not self.line.endswith("\n"))
 
     def without_mark(self) -> "Row":
-        """Return the row without the mark of a line above the header."""
+        """Return the row without the mark of lines above the header."""
         return Row([bare(self.cells[0]), *self.cells[1:]], bare(self.line), self.number) if self.cells else self
 
 
 def unnamed_column(names: Sequence[str], rows: Sequence[Row], word: str, is_read: Callable[[str], bool]) -> str:
-    """Return the column that a header has no name for, FIRST or LAST; an empty text if there is none.
+    """Return which column has no name in the header, FIRST or LAST; an empty text if all have one.
 
-    `rows`: the first ones, none of which has as many cells as there are names; `word`: for the separator.
-
-    R writes no name above those of rows, which are in quotes, as numbers are not. Lines may end with a separator.
-    Raises BadTable for other tables whose rows all have one number of cells.
+    `rows`: the first rows, none with as many cells as there are names; `word`: the name of the separator. R writes no
+    name above row names, which it quotes, unlike numbers. Lines may end with a separator. Raises BadTable if all rows
+    have another common number of cells.
     """
     sizes, width = {len(row.cells) for row in rows}, len(names)
     if len(sizes) != 1:
@@ -210,7 +210,7 @@ def unnamed_column(names: Sequence[str], rows: Sequence[Row], word: str, is_read
             return FIRST
     if size > width and not any(map(is_read, names)) and any(is_read(text_of(cell)) for cell in rows[0].cells):
         title = quoted(" ".join(names))
-        raise BadTable(f"header: {title} is no header, and line {number} may be one: write # before all lines above it")
+        raise BadTable(f"header: {title} is not a header, but line {number} may be: write # before all lines above it")
     remedy = remedy_of_size(size, width, word)
     if size == width + 1:
         remedy = "name each column in the header; R does with write.table(..., col.names = NA)"
@@ -225,7 +225,7 @@ def in_cells(size: int) -> str:
 
 
 def remedy_of_size(size: int, width: int, word: str) -> str:
-    """Return what to do with a row of so many cells below a header of `width`. `word`: for the separator."""
+    """Return what to do with a row of `size` cells below a header of `width`. `word`: the name of the separator."""
     if size > width:
         return f"write text with a {word} in quotes"
     return 'write "" for an empty cell' if word == "blank" else f"write a {word} for each empty cell"
@@ -236,36 +236,36 @@ def remedy_of_size(size: int, width: int, word: str) -> str:
 _NUMBER = re.compile(r"\s*[-+−]?[\d.,]")  # the beginning of a number
 _IN_BRACKETS = r"\[([^\[\]]*)\]|\(([^()]*)\)"
 _NO_UNIT = ("", "-", "--", "–", "—")
-# The first cells of other rows that Origin writes below its header.
+# The first cells of rows that Origin writes below its header.
 _REMARKS = {"comment", "comments", "f(x)", "long name", "parameters", "sampling interval", "sparklines"}
 
 
 class Headers(NamedTuple):
-    """The headers of columns with the units of a row below them, and what `--column` says with these."""
+    """The headers of columns with the units of a row below, and the meanings of `--column` with these units."""
 
     names: tuple[str, ...]
     stated: Mapping[str, str]
 
 
 class _Cell(NamedTuple):
-    """A header and the cell below it, which may be of a row of units."""
+    """A header and the cell below it, which may belong to a row of units."""
 
-    name: str  # with the unit
+    name: str  # including the unit
     role: str
-    meaning: str = ""  # of a stated column whose unit the cell has
+    meaning: str = ""  # of a stated column, with the unit in the cell
 
 
 _A_UNIT, _ANOTHER_UNIT, _NEITHER, _NO_ROW_OF_UNITS = "unit", "another unit than the header", "text", "anything else"
 
 
 def with_units(names: Sequence[str], row: Row, stated: Mapping[str, str], measured: str) -> Headers | None:
-    """Return headers with the units in a row below them; None if it is not clearly a row of units.
+    """Return headers with the units in a row below; None if it is not clearly a row of units.
 
-    It is one if it has no number, and units of columns that are read, or nothing. `stated`, `measured`: see
-    `meaning_of`. Raises BadTable for a header with another unit.
+    A row of units has no numbers, only units of columns to read, or empty cells. `stated`, `measured`: see
+    `meaning_of`. Raises BadTable if a header has another unit.
     """
     below = [*map(text_of, row.cells)]
-    if len(below) != len(names) or any(map(_is_number, below)):  # as most tables have it
+    if len(below) != len(names) or any(map(_is_number, below)):  # as in most tables
         return None
     cells = [_below(name, text, stated, measured) for name, text in zip(names, below, strict=True)]
     roles = {cell.role for cell in cells}
@@ -273,19 +273,19 @@ def with_units(names: Sequence[str], row: Row, stated: Mapping[str, str], measur
         return None
     for name, text, cell in zip(names, below, cells, strict=True):
         if cell.role == _ANOTHER_UNIT:
-            problem = f"{quoted(name)} stands above {quoted(text.strip())} in the row of units, line {row.number}"
+            problem = f"{quoted(name)} is above {quoted(text.strip())} in the row of units, line {row.number}"
             raise BadTable(f"header: {problem}: make the two agree, or delete the row")
     meanings = {typed(cell.name): cell.meaning for cell in cells if cell.meaning}
     return Headers(tuple(cell.name for cell in cells), {**stated, **meanings})
 
 
 def _below(name: str, text: str, stated: Mapping[str, str], measured: str) -> _Cell:
-    """Return a header with the text of a cell below it, which may be its unit."""
+    """Return a header and the cell below it, which may be its unit."""
     unit = _without_brackets(text)
     if unit in _NO_UNIT:
         return _Cell(name, _NEITHER)
     whole = f"{name.strip()} [{unit}]"
-    if typed(name) not in stated and typed(whole) in stated:  # as a message names it
+    if typed(name) not in stated and typed(whole) in stated:  # as an earlier message suggested
         name = whole
     is_stated, meaning = typed(name) in stated, stated.get(typed(name), name)
     own, with_unit = reading_of(meaning, measured), reading_of(f"{meaning} [{unit}]", measured)
@@ -311,7 +311,7 @@ def _is_number(cell: str) -> bool:
 
 
 def _is_unit(text: str, reading: Reading) -> bool | None:
-    """Return whether a text is the unit of a header that has one; None if it is no unit of its quantity."""
+    """Return whether a text is the same unit as in a header; None if it is not a unit of its quantity."""
     if text == reading.unit_text:
         return True
     unit = unit_for(text, reading.name) if reading.name else ""
@@ -324,20 +324,20 @@ def _is_unit(text: str, reading: Reading) -> bool | None:
 
 
 def _is_read(reading: Reading) -> bool:
-    """Return whether a header without a unit is that of a column of numbers that are read."""
+    """Return whether a header without a unit belongs to a column of numbers to read."""
     is_number = reading.is_input and not reading.is_symbol and reading.name not in MATERIALS
     return is_number or reading.part not in ("", UNREAD)
 
 
 def _without_brackets(cell: str) -> str:
-    """Return a cell without the brackets around it."""
+    """Return a cell without enclosing brackets."""
     text = cell.strip()
     found = re.fullmatch(_IN_BRACKETS, text) if text.startswith(("[", "(")) else None
     return (found[1] or found[2] or "").strip() if found else text
 
 
 def is_remark(row: Row, names: Sequence[str]) -> bool:
-    """Return whether a row below names is one of comments: without cells, or labelled as one and without a number."""
+    """Return whether a row below the header is a comment: empty, or labelled as one and without numbers."""
     label, *others = (cell.strip() for cell in row.cells)
     is_labelled = label.casefold().rstrip(":=") in _REMARKS and not any(map(_NUMBER.match, others))
     return len(row.cells) == len(names) and (is_labelled or not any([label, *others]))

@@ -1,4 +1,4 @@
-"""NDJSON: lines that are JSON objects, as records of a table."""
+"""NDJSON: lines of JSON objects as records of a table."""
 
 import json
 from collections import Counter
@@ -21,7 +21,7 @@ Object = dict[str, Any]
 
 
 class Ndjson:
-    """A table whose lines are JSON objects; the names in the first of them are the columns."""
+    """A table with a JSON object in each line; the names in the first one are its columns."""
 
     lines = 0  # there is no header
     header, remarks = b"", ()
@@ -43,19 +43,20 @@ class Ndjson:
         first = _object(lines[0])
         if not first:
             raise BadTable("the first line is not a JSON object with members")
-        if name := _twice(lines[0], first):
-            raise BadTable(f"header: two columns {quoted(name)}, of which one must go")
+        name = _twice(lines[0], first)
+        if name:
+            raise BadTable(f"header: two columns are called {quoted(name)}; rename one")
         self.names = tuple(first)
         objects = [*filter(None, map(_object, lines))]
         self.sample = [[cell_of(row.get(name)) for name in first] for row in objects]
         return 0
 
     def head(self, added: Sequence[str]) -> bytes:
-        """Return what stands above the rows: nothing."""
+        """Return the text above the rows: there is none."""
         return self.writer.header(added, [self.header])
 
     def read(self, text: bytes, table: Table) -> Records:
-        """Return whole lines, taken apart."""
+        """Return lines as records."""
         every = text.split(b"\n")
         starts = [position for position, line in enumerate(every) if line.strip()]
         lines = [every[position] for position in starts]
@@ -63,20 +64,20 @@ class Ndjson:
         problems = [self._problem(line, members, table) for line, members in zip(lines, objects, strict=True)]
         odd = {row: BadRequest(problem) for row, problem in enumerate(problems) if problem}
         rows = [members or {} for members in objects]
-        cells = {
-            name: cells_of([row.get(self.names[position]) for row in rows])
-            for name, position in table.positions.items()
-        }
+        cells = {}
+        for name, position in table.positions.items():
+            cells[name] = cells_of([row.get(self.names[position]) for row in rows])
         return Records([*map(_beginning, lines, objects)], cells, odd, starts, len(every) - 1)
 
     def _problem(self, line: bytes, members: Object | None, table: Table) -> str:
-        """Return why a line is no row; an empty text if it is one.
+        """Return why a line is not a row; an empty text if it is.
 
-        It is none without an object, with a member twice, or with an input or result that the first line lacks.
+        It is not without an object, with a duplicate member, or with an input or result that the first line lacks.
         """
         if members is None:
             return "is not a JSON object"
-        if name := _twice(line, members):
+        name = _twice(line, members)
+        if name:
             return f"has {quoted(name)} twice"
         asked = table.asked
         for name in members.keys() - self.names:
@@ -87,14 +88,14 @@ class Ndjson:
 
 
 def _beginning(line: bytes, members: Object | None) -> bytes:
-    """Return the object of a line without its end; one that holds the line as a text where it is no object."""
+    """Return the object of a line without its end; if it is not an object, one with the line as a text."""
     if members is None:
         return b'{"line":' + orjson.dumps(line.decode("utf-8", "replace")) + b","
     return line.rstrip().removesuffix(b"}").rstrip() + b"," * bool(members)
 
 
 def _object(line: bytes) -> Object | None:
-    """Return the object that a line holds by itself, or None."""
+    """Return the object in a line, or None if it contains anything else."""
     with suppress(orjson.JSONDecodeError):
         value = orjson.loads(line)
         return value if isinstance(value, dict) else None
@@ -102,10 +103,12 @@ def _object(line: bytes) -> Object | None:
 
 
 def _twice(line: bytes, members: Object) -> str:
-    """Return the name of a member that stands twice in the object of a line; orjson keeps the last one."""
-    if line.count(b":") == len(members):  # each has a colon
+    """Return the name of a duplicate member in the object of a line, or ""; orjson keeps the last one silently."""
+    if line.count(b":") == len(members):  # each member has a colon
         return ""
     with suppress(RecursionError):
-        counts = Counter(name for name, _ in json.loads(line, object_pairs_hook=list))
-        return next((name for name, count in counts.items() if count > 1), "")
+        counts = Counter[str](name for name, _ in json.loads(line, object_pairs_hook=list))
+        for name, count in counts.items():
+            if count > 1:
+                return name
     return ""

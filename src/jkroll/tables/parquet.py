@@ -1,4 +1,4 @@
-"""Parquet: batches of rows of a file, taken apart; rows as batches, of which many are written together."""
+"""Parquet: read the batches of a file as records, and write rows as batches."""
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -16,26 +16,26 @@ from .files import Input
 from .layouts import SAMPLE
 from .table import Asked, Records, Table
 
-BUFFER = 1 << 18  # bytes read at a time of each column
-BYTES = 1 << 24  # of the rows written together, about
+BUFFER = 1 << 18  # bytes read at a time from each column
+BYTES = 1 << 24  # approximate size of a group of rows
 
 # --- Rows as batches --------------------------------------------------------------------------------------------------
 
 
 class Batches:
-    """The writer of rows as batches of Arrow, of which the header is an empty one."""
+    """The writer of rows as batches of Arrow; the header is an empty batch."""
 
     is_plain, has_words, digits = False, False, None
 
     def header(self, heads: Sequence[str], before: Sequence[Any] = ()) -> Any:
-        """Return the batch without rows. `before`: the schema of the columns that stand before these."""
+        """Return the batch without rows. `before`: the schema of the columns before these."""
         (schema,) = before or (pyarrow.schema([]),)
         new = [pyarrow.field(head, pyarrow.string() if has_texts(head) else pyarrow.float64()) for head in heads]
         every = pyarrow.schema([*schema, *new], metadata=schema.metadata)
         return pyarrow.RecordBatch.from_pylist([], schema=every)
 
     def rows(self, heads: Sequence[str], columns: Sequence[Any], before: Any = None) -> Any:
-        """Return rows. `before`: the batch of the columns that stand before these."""
+        """Return rows as a batch. `before`: the batch of the columns before these."""
         schema = self.header(heads, [before.schema] if before is not None else ()).schema
         arrays = before.columns if before is not None else []
         size = max(map(length, columns))
@@ -46,10 +46,10 @@ class Batches:
 
     @contextmanager
     def sink(self, stream: BinaryIO, header: Any) -> Iterator[Callable[[Any], None]]:
-        """Return the function that writes batches behind the header, in groups of rows of about the same size."""
+        """Return the function that writes batches after the header, in groups of rows of similar size."""
         texts = [field.name for field in header.schema if not pyarrow.types.is_floating(field.type)]
         group: list[Any] = []
-        size = 0  # of its rows, of which each batch is measured once: what it shares with others counts with each
+        size = 0  # of the group; memory that batches share counts once for each
         with pyarrow.parquet.ParquetWriter(stream, header.schema, use_dictionary=texts) as file:
 
             def flush() -> None:
@@ -90,7 +90,7 @@ def batches_of(given: Input, target: str, asked: Asked) -> tuple["Arrow", Iterat
 
 @contextmanager
 def _readable(path: str) -> Iterator[None]:
-    """Raise BadTable for what cannot be read."""
+    """Raise BadTable for a file that cannot be read."""
     try:
         yield
     except (OSError, UnicodeDecodeError, pyarrow.ArrowException) as error:
@@ -99,12 +99,12 @@ def _readable(path: str) -> Iterator[None]:
 
 
 class Arrow:
-    """A table of columns that have types."""
+    """A table with typed columns."""
 
-    lines, remarks = 0, ()  # its names stand in no line
+    lines, remarks = 0, ()  # its header is not a line
 
     def __init__(self, file: Any, asked: Asked) -> None:
-        """Read the header, and the cells of the first rows that may be read."""
+        """Read the header, and the cells of the first rows in columns that may be read."""
         self.header, self.writer = file.schema_arrow, Batches()
         self.names = tuple(self.header.names)
         self.stated = asked.stated
@@ -114,14 +114,14 @@ class Arrow:
         self.sample = [[cell_of(row.get(name)) for name in self.names] for row in rows]
 
     def head(self, added: Sequence[str]) -> Any:
-        """Return the batch without rows, of these columns and those that are added."""
+        """Return the batch without rows, of its own and the added columns."""
         return self.writer.header(added, [self.header])
 
     def read(self, batch: Any, table: Table) -> Records:
-        """Return a batch, taken apart."""
-        cells = {
-            name: cells_of(values_of(batch.column(position))) for name, position in table.columns.positions.items()
-        }
+        """Return a batch as records."""
+        cells = {}
+        for name, position in table.columns.positions.items():
+            cells[name] = cells_of(values_of(batch.column(position)))
         for name, position in table.labels.items():
             column = batch.column(position)
             cells[name] = cells_of(column.to_pylist()) if _has_texts(column.type) else [b""] * batch.num_rows
@@ -129,13 +129,13 @@ class Arrow:
 
 
 def _has_texts(type_: Any) -> bool:
-    """Return whether the values of a type are texts."""
+    """Return whether a type is a type of texts."""
     types = pyarrow.types
     type_ = type_.value_type if types.is_dictionary(type_) else type_
     return bool(types.is_string(type_) or types.is_large_string(type_) or types.is_string_view(type_))
 
 
 def values_of(column: Any) -> Any:
-    """Return the values of a column: an array of numbers where each row has one, which is twice as fast, or a list."""
+    """Return the values of a column as a list, or faster as an array if all rows have a number."""
     is_whole = pyarrow.types.is_integer(column.type) or pyarrow.types.is_float64(column.type)
     return column.to_numpy() if is_whole and not column.null_count else column.to_pylist()

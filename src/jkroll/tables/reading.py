@@ -1,9 +1,9 @@
-"""The meaning of one header: an input with its unit, a part of an uncertainty, or what may be one and is not read.
+"""The meaning of a single header: an input with its unit, a part of an uncertainty, or a possible input.
 
-A header is a word with a unit, in any of a few notations: `radius [nm]`, `R2 (nm)`, `Load/nN`, `radius in nm`, `E_GPa`,
-`gamma..mJ.m2.`. Words are compared by their letters and digits alone, so that `Young's modulus` and `youngsModulus` are
-one; a symbol is compared as it is written, or in any case before a unit, which decides between the quantities that have
-it. What has the word of an input and is no word with a unit is refused. All else passes through.
+A header is a word with a unit, in one of a few notations: `radius [nm]`, `R2 (nm)`, `Load/nN`, `radius in nm`, `E_GPa`,
+`gamma..mJ.m2.`. Words are compared by letters and digits only, so `Young's modulus` equals `youngsModulus`. A symbol is
+compared as written, or in any case if a unit follows; the unit then decides between quantities that share it. A header
+that contains the word of an input without being a word with a unit is refused. All other columns pass through.
 """
 
 import re
@@ -20,41 +20,41 @@ from .words import MATERIALS, Meaning, fits, headed, key, spelt_out, squeezed, u
 
 
 class Reading(NamedTuple):
-    """The meaning of a header: an input with the text of its unit; or, without a name, a column that passes through."""
+    """The meaning of a header: an input with the text of its unit; a column without a name passes through."""
 
-    name: str = ""  # where there is a problem, of the input that it may be; "" for ± alone
+    name: str = ""  # with a problem, the possible input; "" for ± alone
     unit_text: str = ""
-    part: str = ""  # of the input's uncertainty: "both" sides, "minus", "plus", the "low" or "high" end, or UNREAD
-    is_symbol: bool = False  # without a unit: an input only if its cells have units
-    problem: str = ""  # why the header is refused unless columns give what it may be
-    meant: Sequence[str] = ()  # the headers that would be read, where that is certain
-    names: Sequence[str] = ()  # the inputs that it may be of
-    of: str = ""  # the header without what it says of the spread of a value
-    otherwise: "Reading | None" = None  # of an UNREAD part: the meaning where that value is not read
-    is_relative: bool = False  # of a part: it is of the value, even where that is in % itself
-    coverage: float = 1.0  # the uncertainty in standard ones
-    is_stated: bool = False  # by an option
-    position: int = 0  # in a table
-    text: str = ""  # the header, and the first cell below it that is not empty
+    part: str = ""  # of the uncertainty: "both" sides, "minus", "plus", "low" or "high" end, or UNREAD
+    is_symbol: bool = False  # a symbol without a unit: an input only if its cells have units
+    problem: str = ""  # the reason to refuse the header, unless another column gives the input
+    meant: Sequence[str] = ()  # headers to write instead, if that is certain
+    names: Sequence[str] = ()  # possible inputs
+    of: str = ""  # the header without its words for a spread
+    otherwise: "Reading | None" = None  # of an UNREAD part: the meaning if its value is not read
+    is_relative: bool = False  # of a part: relative to the value, even if the value is in %
+    coverage: float = 1.0  # the coverage factor of the uncertainty
+    is_stated: bool = False  # given by an option
+    position: int = 0  # of the column in a table
+    text: str = ""  # the header; and the first non-empty cell below it
     cell: str = ""
 
     @property
     def is_input(self) -> bool:
-        """True for what is read."""
+        """True for a column that is read."""
         return bool(self.name) and not self.problem
 
 
 class Split(NamedTuple):
-    """A header as a word and what may be its unit."""
+    """A header divided into a word and a possible unit."""
 
     word: str
     unit: str
-    mark: str = "["  # the brackets, the mark or the "in" between them; empty where there is but a gap
+    mark: str = "["  # the bracket, mark or "in" between them; empty for a gap
     is_mangled: bool = False  # signs, or letters such as µ, may have become _ or .
 
     @property
     def is_explicit(self) -> bool:
-        """True if a mark says that a unit follows."""
+        """True if a mark shows that a unit follows."""
         return bool(self.mark)
 
 
@@ -62,12 +62,12 @@ _SPELT = str.maketrans(
     "’‘“”″∕⁄₀₁₂Ø⌀【〔「⟨«‹】〕」⟩»›\\", '\'\'"""//012DD[[[[[[]]]]]] ', "$\u00ad\u200b\u200c\u200d\u200e\u200f\ufeff"
 )
 UNREAD = "unread"
-_SUFFIXES = ("", "%", "u", "in", "min")  # which are no units behind a word: a share, an uncertainty, inside, a minimum
-_SIGNS = re.compile(r"(?<=[^\W_])\^?[+−⁺⁻-](?=$|[\s\[({<,/;:|])")  # behind a word, as in γ+ and γ- [mJ/m2]
+_SUFFIXES = ("", "%", "u", "in", "min")  # not units after a word: a percentage, an uncertainty, inside, a minimum
+_SIGNS = re.compile(r"(?<=[^\W_])\^?[+−⁺⁻-](?=$|[\s\[({<,/;:|])")  # after a word, as in γ+ and γ- [mJ/m2]
 _PLUS_MINUS = re.compile(r"\+\s?/?\s?[-−]")
 _ACCENTS = "[\u0300\u0301\u0303\u0308\u0327]"  # of à, é, ñ, ö, ç
 _LATEX = {r"\\mu\$?\s?": "µ", r"(?<=[_^])\{([^{}]*)\}": r"\1"}  # $R_{1}$ [$\mu$m], with the marks above
-# Where a unit may begin: behind a mark, which is the first group, or behind a gap.
+# Where a unit may begin: after a mark (the first group), or after a gap.
 _CUT = re.compile(
     r"([\s_.-]*[,/:;|\[({<=@~–—•·]\s*(?:in[\s_.]+)?|\s+in\s+)"
     r"|(?:[\s_.-]+|(?<=[a-z0-9])(?=[A-Z]))(?:(?:in|IN)[\s_.]+|[Ii]n(?=[A-Z]))?"
@@ -79,17 +79,17 @@ _EDGES = " _.,:;/|-·"
 _FACTORS = r"^[\d\s.*/^+()−-]+|\s*[*/^+(−-][\d\s.()]*(?:(?<=\d)[eE][+-]?\d+)?$|[⁰¹²³]+$"
 _FACTOR_BEHIND = r"\s*(?:(?<![^\W\d_])x|[×*·/^+−-])\s*\(?\d[\d.,eE^+⁰¹²³⁴⁵⁶⁷⁸⁹⁻−-]*\)?$"  # as in radius (nm) x 10
 FACTOR_INSIDE = r"(?<![\w.^])\d[\d.]*[*·×]?(?=[^\W\d_])"  # as in w=2γ
-FACTOR = "a sign or a factor stands beside the word or its unit"
-_LEFT_OVER = r"[\[(][\s_.,;%-]*[\])]|[\s_.,-]{2,}"  # where words were taken away
-SPREAD = "it may be an uncertainty of {0}, of which the columns are {0}_err, or {0}_minus and {0}_plus"
+FACTOR = "a sign or a factor is next to the word or its unit"
+_LEFT_OVER = r"[\[(][\s_.,;%-]*[\])]|[\s_.,-]{2,}"  # left over where words were removed
+SPREAD = "it may be an uncertainty of {0}; its columns are {0}_err, or {0}_minus and {0}_plus"
 NO_FACTOR = "it is an expanded uncertainty, and its coverage factor k is missing"
 FACTOR_OF_UNIT = r"^[x×*]?\s*\d[\d.]*\s*(?:[eE^×*]*\s*[-+−⁻]?[\d⁰¹²³⁴⁵⁶⁷⁸⁹]+\s*)*[×*·]?\s*"  # as in 10^-20 J
-_LONGEST = 120  # letters of a header that can be one
+_LONGEST = 120  # longer texts are not headers of inputs
 
 
 @lru_cache(maxsize=1000)
 def reading_of(text: str, measured: str = "") -> Reading:
-    """Return the meaning of a header; `measured`: a quantity that columns have besides inputs.
+    """Return the meaning of a header; `measured`: a quantity that columns may have in addition to inputs.
 
     >>> reading_of("R2 (nm)")[:2], reading_of("E [J]")[:2], reading_of("surface_energy_mJ_m2")[:2]
     (('radius2', 'nm'), ('energy', 'J'), ('surface_energy', 'mJ/m2'))
@@ -102,9 +102,10 @@ def reading_of(text: str, measured: str = "") -> Reading:
         return Reading(reading.name, part=UNREAD, problem=FACTOR, names=reading.names, of=unsigned, otherwise=otherwise)
     known = words.meanings(measured)
     splits = [*splits_of(text)]
-    exact = next(filter(None, (_exact(split, known) for split in splits)), None)
-    if exact is not None:
-        return exact
+    for split in splits:
+        exact = _exact(split, known)
+        if exact is not None:
+            return exact
     of_part = _of_part(text, measured)
     if of_part.part not in ("", UNREAD):
         return of_part
@@ -113,7 +114,7 @@ def reading_of(text: str, measured: str = "") -> Reading:
 
 
 def normalized(text: str) -> str:
-    """Return a header with one spelling of marks, blanks and brackets."""
+    """Return a header with uniform marks, blanks and brackets."""
     text = decoded(text)
     for mark, plain in _LATEX.items():
         text = re.sub(mark, plain, text)
@@ -122,7 +123,7 @@ def normalized(text: str) -> str:
 
 
 def without_accents(text: str) -> str:
-    """Return a text without the accents of words; Å stays, and so does â.
+    """Return a text without the accents of words; Å and â stay.
 
     >>> without_accents("Oberflächenenergie"), without_accents("densité"), without_accents("Stoßenergie (Å)")
     ('Oberflachenenergie', 'densite', 'Stossenergie (Å)')
@@ -135,12 +136,12 @@ def without_accents(text: str) -> str:
 
 
 def decoded(text: str) -> str:
-    r"""Return a header in UTF-8 that was read as cp1252 or Latin-1 as it was written; any other as it is.
+    r"""Return a UTF-8 header that was wrongly read as cp1252 or Latin-1 as originally written; others unchanged.
 
     >>> decoded("Î³ (mJ/mÂ²)"), decoded("Ï\x81"), decoded("γ (eV/Å²)"), decoded("Å²")
     ('γ (mJ/m²)', 'ρ', 'γ (eV/Å²)', 'Å²')
     """
-    if text.isascii() or "Å" in text:  # Å² would be another letter, and no Greek letter or unit is read as Å
+    if text.isascii() or "Å" in text:  # Å² would become another letter, and no Greek letter or unit is misread as Å
         return text
     try:
         return b"".join(each.encode("latin-1" if each <= "ÿ" else "cp1252") for each in text).decode()
@@ -149,35 +150,42 @@ def decoded(text: str) -> str:
 
 
 def splits_of(text: str) -> Iterator[Split]:
-    """Iterate over words with their possible units: none, and the text behind each position where one may begin."""
+    """Iterate over words with possible units: no unit, and the text after each position where a unit may begin."""
     yield Split(text.strip(" _."), "")
-    for cut in reversed([*_CUT.finditer(text)]) if len(text) <= _LONGEST else ():
+    if len(text) > _LONGEST:
+        return
+    for cut in reversed([*_CUT.finditer(text)]):
         word, unit = text[: cut.start()].rstrip(_EDGES), text[cut.end() :].strip(" _.()[]{}<>")
-        if word and (unit or cut[1]) and not re.search(r"[\[({<][^\])}>]*$", word):  # in brackets there may be none
+        if word and (unit or cut[1]) and not re.search(r"[\[({<][^\])}>]*$", word):  # not within brackets
             is_mangled = not cut[1] and (text[-1] in "_." or not _PLAIN_GAP.fullmatch(cut[0]))
             yield Split(word, unit, cut[1] or "", is_mangled)
 
 
 def _exact(split: Split, known: Mapping[str, Meaning]) -> Reading | None:
-    """Return the meaning of a word, or of a symbol, with its unit; None if it is no input, or has another unit."""
+    """Return the meaning of a word or a symbol with its unit; None if it is not an input, or has another unit."""
     word, unit, is_explicit, is_mangled = split.word, split.unit, split.is_explicit, split.is_mangled
     if not is_explicit and re.search(r"[\s_.][\[({<]", unit):
-        return None  # the unit begins there: P_n {N} is in N
+        return None  # the unit is at the end: P_n {N} is in N
     if key(word) not in known and words.with_symbol(word) is None:
         word = words.without_body(word)
     meaning = known.get(key(word))
     stem, _, symbol = word.rpartition(" ")
-    if meaning is None and is_explicit and (named := known.get(key(stem))):  # as in Young's modulus E
+    if meaning is None and is_explicit and key(stem) in known:  # as in Young's modulus E
         of_symbol = words.symbols().get(spelt_out(symbol), Meaning())
-        meaning = named if {*named.names} <= {*of_symbol.names} else None
+        if {*known[key(stem)].names} <= {*of_symbol.names}:
+            meaning = known[key(stem)]
     is_symbol = meaning is None
     is_whole = not is_mangled or word[-1:].isdigit()  # E..GPa. may be E* or E'
     if is_symbol and (is_explicit or (is_whole and len(squeezed(unit)) > 1 and word[:1].isalpha())):
         meaning = words.with_symbol(word) if unit else words.symbols().get(spelt_out(word))
     if meaning is None or not meaning.names or (unit in words.INDICES and not is_explicit):
         return None
-    units = ((each, unit_for(unit, each, is_explicit=is_explicit) if unit else "") for each in meaning.names)
-    name, unit_text = next((pair for pair in units if pair[1] or not unit), ("", ""))
+    name, unit_text = "", ""
+    for each in meaning.names:
+        text_of_unit = unit_for(unit, each, is_explicit=is_explicit) if unit else ""
+        if text_of_unit or not unit:
+            name, unit_text = each, text_of_unit
+            break
     if not name or (is_mangled and is_in_table(f"u{unit_text}")):  # µm may have become m
         return None
     is_of_capitals = unit.istitle() or f"{word}{unit}".isupper()  # mm may have become Mm, and pN PN
@@ -193,9 +201,9 @@ def _exact(split: Split, known: Mapping[str, Meaning]) -> Reading | None:
 
 
 def _of_part(text: str, measured: str) -> Reading:
-    """Return the meaning of a header that tells of the spread of a value, without a name if that is at its left.
+    """Return the meaning of a header about the spread of a value, without a name if that is on its left.
 
-    What is no certain form of an uncertainty is UNREAD. Of any other header, the reading has no part.
+    A notation that is not clearly an uncertainty is UNREAD. For any other header, the reading has no part.
     """
     factor = re.search(words.COVERAGE, text)
     plain = re.sub(words.COVERAGE, "", text)
@@ -228,7 +236,7 @@ def _of_part(text: str, measured: str) -> Reading:
 
 
 def _of_spread(text: str, measured: str) -> Reading:
-    """Return the meaning of a header that tells of the spread of a value in a way that is not read."""
+    """Return the meaning of a header about the spread of a value in a notation that is not read."""
     if re.search(words.SPREAD, text):
         return _unread(text, measured, text)
     is_beside = re.search(words.SPREAD_BESIDE, text) or re.search(words.DIFFERENCE, text)
@@ -237,9 +245,9 @@ def _of_spread(text: str, measured: str) -> Reading:
 
 
 def _unread(text: str, measured: str, whole: str = "") -> Reading:
-    """Return the meaning of a header with words of a spread: UNREAD, of the input that the rest of it means.
+    """Return the meaning of a header with words for a spread: UNREAD, for the input that the rest of it means.
 
-    `whole`: the header itself, which is no rest of it.
+    `whole`: the header itself, which does not count as a rest.
     """
     rest = text
     for pattern in (words.SPREAD, words.SPREAD_BESIDE, words.FILLER, words.SHARE):
@@ -256,19 +264,20 @@ def _unread(text: str, measured: str, whole: str = "") -> Reading:
 
 
 def _is_unit(text: str) -> bool:
-    """Return whether a text may be the unit of a column whose header names no input, or is none."""
+    """Return whether a text may be the unit of a column without the name of an input, or is empty."""
     return text.strip() in ("", "1", "-") or is_in_table(text.strip())
 
 
 def _scaled(text: str, measured: str) -> Reading | None:
-    """Return the refusal of a header of an input with a factor behind it, as in radius (nm) x 10; None for others."""
-    reading = reading_of(whole, measured) if (whole := re.sub(_FACTOR_BEHIND, "", text)) != text else Reading()
+    """Return the refusal of an input's header with a factor after it, as in radius (nm) x 10; None for others."""
+    whole = re.sub(_FACTOR_BEHIND, "", text)
+    reading = reading_of(whole, measured) if whole != text else Reading()
     is_input = reading.is_input and not reading.is_symbol
     return Reading(reading.name, problem=FACTOR) if is_input else None
 
 
 def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading | None:
-    """Return the refusal of a header that has the word of an input and cannot be read; None if it passes through."""
+    """Return the refusal of a header that contains the word of an input but cannot be read; None if it may pass."""
     for split in sorted(splits, key=lambda split: len(split.word), reverse=True):
         unit = re.sub(FACTOR_OF_UNIT, "", split.unit) or split.unit
         bare = split._replace(word=re.sub(_FACTORS, "", split.word), unit=unit)
@@ -298,7 +307,7 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
                 return None
             of_body = names if split.is_explicit else names[:1]
             meant = [*map(headed, of_body)] if split.unit[0].isalpha() and all(map(words.is_like_unit, tail)) else []
-            problem = f"what stands behind {name} is not its unit"
+            problem = f"the text after {name} is not its unit"
             return Reading(name, problem=problem, meant=meant, names=of_body)
         unit_text = unit_for(split.unit, name, is_explicit=split.is_explicit and is_in_table(split.unit))
         is_telling = is_slip and len(word) > 4 and name not in MATERIALS and not split.unit
@@ -310,9 +319,9 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
 def _doubtful(
     split: Split, word: str, meaning: Meaning, names: Sequence[str], unit_text: str, *, is_slip: bool
 ) -> Reading:
-    """Return the refusal of a header in which the word of an input stands beside others, or with a slip.
+    """Return the refusal of a header with the word of an input next to other words, or with a slip.
 
-    What may make another quantity of it is no advice.
+    It offers no remedy if the other words may mean another quantity.
     """
     name, others = names[0], _beside(split.word, word)
     if re.search(FACTOR_INSIDE, split.word):
@@ -336,7 +345,7 @@ def _doubtful(
 
 
 def _beside(text: str, word: str) -> set[str]:
-    """Return the tokens of a text beside those of a word in it, or behind the first one, if that is its symbol."""
+    """Return the other tokens of a text that contains a word, or those after the first if that is its symbol."""
     tokens = plain_words(text)
     for first, last in combinations(range(len(tokens) + 1), 2):
         if "".join(tokens[first:last]) == word:
@@ -345,15 +354,15 @@ def _beside(text: str, word: str) -> set[str]:
 
 
 def plain_words(text: str) -> list[str]:
-    """Return the words in a text, in small letters; of numbers, 1 and 2 behind a word alone."""
+    """Return the words in a text in lower case, with 1 or 2 directly after a word as the only numbers."""
     parted = re.sub(_ACRONYM, " ", _CUT.sub(" ", ascii_text(text).replace("'", "")))
     return re.findall(r"[a-z]+[12]?", parted.casefold())
 
 
 def _word_in(text: str, known: Mapping[str, Meaning], unit: str) -> tuple[str, bool]:
-    """Return the known word that a text is, one beside others in it, or that from which it differs by a slip.
+    """Return the known word in a text, alone, among others or with a slip; and whether there is a slip.
 
-    Of several, it is the longest, if possible of those that a unit fits. The second value says if it is a slip.
+    Of several words, the longest counts, preferably one that the unit fits.
     """
     letters = key(text)
     if letters in known:
@@ -361,30 +370,32 @@ def _word_in(text: str, known: Mapping[str, Meaning], unit: str) -> tuple[str, b
     tokens = plain_words(text)
     if words.OTHERS.isdisjoint(tokens):
         runs = ("".join(tokens[first:last]) for first, last in combinations(range(len(tokens) + 1), 2))
-        if every := sorted((run for run in runs if run in known), key=len):
+        every = sorted((run for run in runs if run in known), key=len)
+        if every:
             fitting = [run for run in every if any(unit_for(unit, name) for name in known[run].names)] if unit else []
             return (fitting or every)[-1], False
-    slip = next(filter(None, map(words.slips().get, words.lacking_a_letter(letters))), "")
-    slip = "" if letters[1:] == slip else slip  # dgamma is Δγ
-    return slip, bool(slip)
+    slips = [*filter(None, map(words.slips().get, words.lacking_a_letter(letters)))]
+    if not slips or letters[1:] == slips[0]:  # dgamma is Δγ
+        return "", False
+    return slips[0], True
 
 
-# --- Texts of headers, compared ---------------------------------------------------------------------------------------
+# --- Comparison of headers --------------------------------------------------------------------------------------------
 
 
 def words_in(text: str) -> list[str]:
-    """Return what stands before each position in a header at which a unit may begin, and all of it."""
+    """Return the words before each position in a header where a unit may begin, and the whole header."""
     return [split.word for split in splits_of(normalized(text))]
 
 
 def symbol_of(word: str) -> str:
-    """Return the symbol of an input, without the 1 of the first sphere; "" for another word."""
+    """Return the symbol of an input, without the 1 of sphere 1; "" for another word."""
     symbol = spelt_out(word).removesuffix("1")
     return symbol if symbol in words.symbols() else ""
 
 
-def is_told(split: Split, name: str) -> bool:
-    """Return whether what stands behind the word of an input says that the column is of something else."""
+def means_other(split: Split, name: str) -> bool:
+    """Return whether the text after the word of an input shows that the column is something else."""
     units = [each.unit for each in (split, *splits_of(split.unit)) if each.unit not in _SUFFIXES]
     unit = max(filter(is_in_table, units), key=len, default="")
     is_of_other = bool(unit) and not fits(unit, name)
@@ -392,8 +403,9 @@ def is_told(split: Split, name: str) -> bool:
 
 
 def stems_of(text: str) -> set[str]:
-    """Return the letters and digits of a header, and of what stands before its unit."""
-    splits = [
-        split for split in splits_of(normalized(text)) if not split.unit or split.is_explicit or is_in_table(split.unit)
-    ]
-    return {re.sub(r"[\W_]+", "", split.word) for split in splits} - {""}
+    """Return the letters and digits of a header, and of the words before its unit."""
+    stems = set()
+    for split in splits_of(normalized(text)):
+        if not split.unit or split.is_explicit or is_in_table(split.unit):
+            stems.add(re.sub(r"[\W_]+", "", split.word))
+    return stems - {""}

@@ -1,9 +1,9 @@
-"""The `batch` command: from the options to the exit code, for a table or for many into a directory.
+"""The `batch` command: from the options to the exit code, for one table or for many tables into a directory.
 
-This process reads the blocks of a table and writes them in their order. Where there are many blocks, others convert
-them; the output is the same for any number of them. Many tables are a task each, by processes of this machine or on a
-Dask cluster. A file gets its name when it is whole: so a run that was ended goes on with `--resume`, which keeps what
-is newer than its table.
+This process reads the blocks of a table and writes them in order. If there are many blocks, other processes convert
+them; the output does not depend on their number. Of many tables, each is a task for processes of this machine or of a
+Dask cluster. A file gets its name when it is complete, so `--resume` can continue an interrupted run: it keeps files
+that are newer than their tables.
 """
 
 import glob
@@ -43,34 +43,34 @@ MAX_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of 
 ALONE = 4  # blocks that this process converts before it starts others
 WAIT = 0.5  # seconds before progress is shown
 WIDTH = 60  # of the line of progress, in characters
-MAX_NOTES = 6  # about rows, or about many tables, at the end
-LITTLE = 1 << 19  # bytes of files that a process converts in the time in which another one starts
-FOLDER_ENDS = ("/", os.sep)  # behind the name of a directory; Windows has both
-DASK_WAIT = 20.0  # seconds for a scheduler of Dask to answer, and then for it to have a worker
-DASK_CHECK = 2.0  # seconds between looks whether it still has one
-DASK_STEP = 0.02  # seconds between looks whether a table is converted
+MAX_NOTES = 6  # on rows, or on many tables, at the end
+LITTLE = 1 << 19  # bytes that a process converts while another one starts
+FOLDER_ENDS = ("/", os.sep)  # a directory ends in one of them; Windows has both
+DASK_WAIT = 20.0  # seconds for a Dask scheduler to answer, and then to get a worker
+DASK_CHECK = 2.0  # seconds between checks that it still has one
+DASK_STEP = 0.02  # seconds between checks for a converted table
 
 T = TypeVar("T")
 
 
 class Job(NamedTuple):
-    """The request of a run of `batch`: what is asked of rows, and the options of files."""
+    """A run of `batch`: the request for rows, and the options for files."""
 
     asked: Asked
     target: str = "-"
     format: str = ""
     delimiter: str = ""
     strict: bool = False
-    resume: bool = False  # of many files: whether those that are done stay
+    resume: bool = False  # of many files, keep those that are done
     jobs: int = 0
     excel_safe: bool = False
     dask: str = ""
     quiet: bool = False
-    mark: str = ""  # in the names of files that the processes of this run begin
+    mark: str = ""  # in the names of the temporary files of this run
 
     @property
     def processes(self) -> int:
-        """Number of processes: `--jobs`, else one for each core that this process may use."""
+        """Number of processes: `--jobs`, or one for each available core."""
         cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
         return self.jobs or min(cores, MAX_PROCESSES)
 
@@ -90,12 +90,12 @@ def run(path: str, job: Job) -> int:
         tally, code = convert_one(path, job), 0
     job.say(notes_on(tally, job.asked))
     if tally.failed:
-        say(f"jkroll: {tally.failed} of {tally.rows} rows failed; column {STATUS} says why", sys.stderr)
+        say(f"jkroll: {tally.failed} of {tally.rows} rows failed; column {STATUS} has the reasons", sys.stderr)
     return code or (ROWS_FAILED if tally.failed else 0)
 
 
 def notes_on(tally: Tally, asked: Asked) -> Iterator[str]:
-    """Iterate over lines on what was inferred, and in how many rows numbers are in doubt, or cells empty."""
+    """Iterate over lines on inferred values, on rows in doubt, and on empty cells."""
     from ..report.notes import about_rows
 
     if tally.inferred:
@@ -103,11 +103,11 @@ def notes_on(tally: Tally, asked: Asked) -> Iterator[str]:
     notes = [*about_rows(tally, EVERY_DOUBT, f"column {DOUBT if asked.doubt else STATUS}")]
     yield from (note.line for note in notes[:MAX_NOTES])
     if (more := len(notes) - MAX_NOTES) > 0:
-        yield f"note: column {STATUS} has {more} more kinds of gaps"
+        yield f"note: column {STATUS} has {more} more sorts of gaps"
 
 
 def _summary(name: str, tally: Tally) -> str:
-    """Return the sentence on the values of an input that was sought: count, median, quartiles, mean and scatter."""
+    """Return the sentence on an inferred input: count, median, quartiles, mean and scatter."""
     import numpy
 
     values = numpy.concatenate(tally.inferred)
@@ -117,7 +117,7 @@ def _summary(name: str, tally: Tally) -> str:
 
 
 def scatter_in_words(name: str, known: Any) -> str:
-    """Return median, quartiles, mean and scatter of two or more values of a quantity, for a sentence."""
+    """Return the median, quartiles, mean and scatter of at least two values of a quantity, for a sentence."""
     import numpy
 
     low, median, high = numpy.quantile(known, [0.25, 0.5, 0.75]).tolist()
@@ -127,23 +127,25 @@ def scatter_in_words(name: str, known: Any) -> str:
 
 
 def about(table: Table) -> Iterator[str]:
-    """Iterate over the lines about a table as a whole.
+    """Iterate over lines about a table as a whole.
 
-    They say which inputs are assumed, which labels may be meant as materials, which options change nothing, and what
-    enters no error bar.
+    They report assumed inputs, labels that may be meant as materials, options without effect, and inputs that
+    uncertainties leave out.
     """
     from ..report.notes import about_idle, about_left_out, assumed_in, idle_in
 
     texts = assumed_in(table.groups, judges=table.wanted.doubts)
-    if assumed := [text for name, text in texts.items() if name not in table.given]:
+    assumed = [text for name, text in texts.items() if name not in table.given]
+    if assumed:
         yield f"assumed: {', '.join(assumed)}"
-    notes = [*dict.fromkeys(remark for lookup in table.lookups.values() for remark in lookup.remarks)]
+    remarks = chain.from_iterable(lookup.remarks for lookup in table.lookups.values())
+    notes = [*dict.fromkeys(remarks)]
     if table.given.isdisjoint(("radius", "diameter")) and not table.asked.explicit:
-        notes.append("no column and no option gives a radius; what needs one is left out")
+        notes.append("no column and no option gives a radius; quantities that need one are left out")
     read = {*map(computed_as, table.columns.names)}
     filled = sorted(NOMENCLATURE[name].option or f"--{name}" for name in table.fixed if computed_as(name) in read)
     notes += [f"{option} fills empty cells: the others keep their values" for option in filled]
-    # What is infinite may make a body rigid in some rows.
+    # An infinite value may make a body rigid in some rows.
     every_idle = idle_in(table.groups, judges=table.wanted.doubts)
     idle = [name for name in every_idle if table.fixed.get(name, INFINITY) != INFINITY]
     notes += [note.text for note in (*about_idle(idle), *about_left_out(*table.sources))]
@@ -154,7 +156,7 @@ def about(table: Table) -> Iterator[str]:
 
 
 class Converted(NamedTuple):
-    """A converted block, the number of lines that it was, and its counts."""
+    """A converted block, its number of lines, and its counts."""
 
     output: Any
     lines: int
@@ -162,35 +164,37 @@ class Converted(NamedTuple):
 
 
 class Converter(NamedTuple):
-    """Adds the results to blocks of a table, in this process or in others."""
+    """A function that adds the results to blocks of a table; it can be sent to other processes."""
 
     form: Any
     table: Table
     compression: str
-    strict: bool  # whether the first row that fails is an error
+    strict: bool  # raise an error for the first failed row
 
     def converted(self, block: Any) -> Converted:
-        """Return a block with the results in each row. Raises BadRow."""
+        """Return a block with the results of each row. Raises BadRow."""
         table = self.table
         records = self.form.read(block, table)
         rows = TableBlock(table, records)
         columns = evaluated(table.wanted, rows)
         columns.leave_out_bars(rows.half_bars)
         del rows
-        records = records._replace(cells={})  # as much memory as all else, which writing takes again
-        if self.strict and (failed := columns.first_failed):
+        records = records._replace(cells={})  # frees half of the memory, for writing
+        failed = columns.first_failed if self.strict else None
+        if failed is not None:
             raise BadRow(records.starts[failed.first], worded(failed.reasons))
         form = Format(digits=self.form.writer.digits)
-        added = [*table.said.values(), *result_columns(columns, form, table.wanted.remarks())]
+        added = [*table.law_words.values(), *result_columns(columns, form, table.wanted.remarks())]
         output = compressed(self.form.writer.rows(table.added, added, records.before), self.compression)
         tally = Tally.of(columns)
-        if unknown := table.asked.infer:
+        unknown = table.asked.infer
+        if unknown:
             tally = tally._replace(inferred=(columns.column(unknown).copy(),))
         return Converted(output, records.size, tally)
 
 
 def convert_one(path: str, job: Job) -> Tally:
-    """Convert a table; return the counts of all of it."""
+    """Convert a table; return the total counts."""
     asked = job.asked
     given = input_format(path, job.target, job.format, job.delimiter)
     wanted = output_format(job.target, given.name, quiet=job.quiet)
@@ -213,17 +217,17 @@ def convert_one(path: str, job: Job) -> Tally:
         )
         check_inputs(header, asked.measured)
         reading = header.reading(*form.remarks)
-        job.say([reading])  # at once: an input is missing where a column is not understood
+        job.say([reading])  # first: an unread column may be the cause of a missing input
         table = Table(header, form.sample, asked)
         remarks = [*about(table)]
         job.say(remarks)
         with whole_file(job.target, job.mark) as output:
             convert = Converter(form, table, wanted.compression, strict=job.strict)
-            return _convert(file, blocks, convert, output, job)._replace(said=(reading, *remarks))
+            return _convert(file, blocks, convert, output, job)._replace(remarks=(reading, *remarks))
 
 
 def _convert(file: Input, blocks: Iterator[Any], convert: Converter, output: BinaryIO, job: Job) -> Tally:
-    """Write a table; return the counts of all of it."""
+    """Write a table; return the total counts."""
     form, tally = convert.form, Tally()
     header = compressed(form.head(convert.table.added), convert.compression)
     line = form.lines
@@ -236,23 +240,24 @@ def _convert(file: Input, blocks: Iterator[Any], convert: Converter, output: Bin
                 write(block.output)
                 line += block.lines
                 tally = tally.plus(block.tally)
-                del block  # which the next one would wait beside
+                del block  # frees memory before the next block
     except BadRow as error:
-        place, status = error.args
-        raise BadRow(line + 1 + place, status) from None
+        row, status = error.args
+        raise BadRow(line + 1 + row, status) from None
     return tally
 
 
 def _converted(blocks: Iterator[Any], convert: Converter, processes: int) -> Generator[Converted]:
     """Iterate over converted blocks in their order.
 
-    A library that reads a table by itself has threads for it.
+    Formats read by a library use its threads instead of processes.
     """
     is_alone = processes < 2 or not isinstance(convert.form, Delimited | Ndjson)
     yield from map(convert.converted, blocks if is_alone else islice(blocks, ALONE))
-    if (block := next(blocks, None)) is None:
+    block = next(blocks, None)
+    if block is None:
         return
-    # They come with multiprocessing, which a small table does not pay for.
+    # Multiprocessing is imported only for large tables.
     from .workers import answers
 
     yield from answers(processes, convert.converted, chain([block], blocks))
@@ -261,16 +266,16 @@ def _converted(blocks: Iterator[Any], convert: Converter, processes: int) -> Gen
 def with_progress(
     items: Iterable[T], size_of: Callable[[T], int], line_of: Callable[[int, float], str]
 ) -> Generator[T]:
-    """Iterate over items. A line on the terminal says how much is done, and goes at the end.
+    """Iterate over items, with a progress line on the terminal that disappears at the end.
 
-    `line_of`: returns it for the sizes of all items so far, and the seconds since the beginning.
+    `line_of`: returns the line for the sizes of all items so far, and the seconds since the beginning.
     """
     began, done, line = monotonic(), 0, ""
     try:
         for item in items:
             done += size_of(item)
             yield item
-            del item  # as above
+            del item  # see `_convert`
             if (taken := monotonic() - began) > WAIT:
                 line = line_of(done, taken)
                 sys.stderr.write(f"\r{line:{WIDTH}}\r")
@@ -280,7 +285,7 @@ def with_progress(
 
 
 def progress_of(file: Input, rows: int, taken: float) -> str:
-    """Return how many rows of a file are converted after some seconds, and how long the rest takes, if known."""
+    """Return the number of rows of a file converted so far, and the time left if it is known."""
     share = file.share_read(rows)
     left = f"{share:4.0%}, {taken * (1 / share - 1):.0f} s left, " if share else ""
     return f"{left}{rows:,} rows"
@@ -288,13 +293,13 @@ def progress_of(file: Input, rows: int, taken: float) -> str:
 
 # --- Many tables ------------------------------------------------------------------------------------------------------
 
-Pair = tuple[str, str]  # a table, and the file that it becomes
-Outcome = tuple[Tally, JkrollError | None]  # the counts of a table, and why it failed as a whole
+Pair = tuple[str, str]  # a table, and its output file
+Outcome = tuple[Tally, JkrollError | None]  # the counts of a table, and its error if it failed as a whole
 Task = Callable[[Pair], Outcome]
 
 
 def _convert_many(path: str, job: Job) -> tuple[Tally, int]:
-    """Convert the tables that a pattern names; return the counts, and the highest exit code of a table."""
+    """Convert the tables that match a pattern; return the counts, and the highest exit code of a table."""
     pairs = _pairs(job.target, path)
     left = [pair for pair in pairs if not (job.resume and _is_newer(pair))]
     mark = os.urandom(4).hex()
@@ -302,14 +307,15 @@ def _convert_many(path: str, job: Job) -> tuple[Tally, int]:
     try:
         outcomes = [*(_on_cluster(job.dask, task, left) if job.dask else _by_processes(job.processes, task, left))]
     finally:
-        remove_begun((target for _, target in left), mark)  # by processes that were killed
+        remove_begun((target for _, target in left), mark)  # left by killed processes
     tally = Tally()
     for (table, _), (of_table, _) in zip(left, outcomes, strict=True):
         tally = tally.plus(of_table, f"{quoted(table)}: ")
     if not job.quiet:
-        if kept := len(pairs) - len(left):
+        kept = len(pairs) - len(left)
+        if kept:
             say(f"note: {kept} of {len(pairs)} files are newer than their tables and were kept", sys.stderr)
-        for line, count in Counter(tally.said).most_common(MAX_NOTES):
+        for line, count in Counter(tally.remarks).most_common(MAX_NOTES):
             say_wrapped(line if count == len(left) else f"{line}: {count} of {len(left)} files", sys.stderr)
     errors = {quoted(table): error for (table, _), (_, error) in zip(left, outcomes, strict=True) if error is not None}
     for table, error in errors.items():
@@ -318,10 +324,10 @@ def _convert_many(path: str, job: Job) -> tuple[Tally, int]:
 
 
 def _pairs(directory: str, path: str) -> list[Pair]:
-    """Return the tables that a pattern names, and make the directory of their results; BadRequest if it can be none."""
-    place = directory.rstrip("".join(FOLDER_ENDS))
-    is_file = os.path.exists(place) or format_of_name(directory, WRITTEN) is not None
-    if directory == "-" or (is_file and not os.path.isdir(place)):
+    """Return the tables that match a pattern, with their outputs; make the directory. Raises BadRequest."""
+    folder = directory.rstrip("".join(FOLDER_ENDS))
+    is_file = os.path.exists(folder) or format_of_name(directory, WRITTEN) is not None
+    if directory == "-" or (is_file and not os.path.isdir(folder)):
         raise BadRequest("several tables need a directory for the results: -o DIRECTORY/")
     paths = [path] if os.path.exists(path) else sorted(glob.glob(path))
     if not paths:
@@ -343,18 +349,18 @@ def _is_newer(pair: Pair) -> bool:
 
 
 def _outcome(job: Job, pair: Pair) -> Outcome:
-    """Convert a table in this process; a failure is an outcome."""
+    """Convert a table in this process; an error is part of the outcome."""
     path, target = pair
     try:
         return convert_one(path, job._replace(target=target)), None
     except MissingExtra:
-        raise  # as it would for every table
+        raise  # it concerns every table
     except JkrollError as error:
         return Tally(), error
 
 
 def _by_processes(count: int, task: Task, pairs: list[Pair]) -> Iterator[Outcome]:
-    """Iterate over the outcomes of tables that some processes convert."""
+    """Iterate over the outcomes of tables converted by some processes."""
     size = sum(os.path.getsize(table) for table, _ in pairs if os.path.exists(table))
     count = min(count, len(pairs), 1 + size // LITTLE)
     if count < 2:
@@ -365,10 +371,10 @@ def _by_processes(count: int, task: Task, pairs: list[Pair]) -> Iterator[Outcome
 
 
 def _on_cluster(address: str, task: Task, pairs: list[Pair]) -> Iterator[Outcome]:
-    """Iterate over the outcomes of tables that the workers of a Dask cluster convert.
+    """Iterate over the outcomes of tables converted by the workers of a Dask cluster.
 
-    The tables of a worker that is lost go to others. Raises BadTable where there is no cluster, and LostWorker where
-    its scheduler or all of its workers are lost.
+    The tables of a lost worker go to others. Raises BadTable if there is no cluster, and LostWorker if its scheduler or
+    all of its workers are lost.
     """
     import logging
 
@@ -378,17 +384,17 @@ def _on_cluster(address: str, task: Task, pairs: list[Pair]) -> Iterator[Outcome
         from concurrent.futures import CancelledError
 
         from distributed import Client, KilledWorker
-    logging.disable()  # what it logs is said here
+    logging.disable()  # we report its errors ourselves
     scheduler = f"--dask: the scheduler at {quoted(address)}"
     try:
         client = Client(address, timeout=DASK_WAIT)
         client.wait_for_workers(1, timeout=DASK_WAIT)
     except (OSError, ValueError):
         raise BadTable(f"--dask: no scheduler with a worker answers at {quoted(address)}") from None
-    except Exception as error:  # of the library of a protocol
+    except Exception as error:  # raised by the library of a protocol
         raise BadTable(f"{scheduler} cannot be reached: {shown(str(error))}") from None
     with closing(client):
-        # A worker opens a relative path in a directory of its own.
+        # A worker resolves a relative path in its own directory.
         futures = [client.submit(task, tuple(map(os.path.abspath, pair)), pure=False) for pair in pairs]
         for future in futures:
             try:
@@ -405,12 +411,12 @@ def _on_cluster(address: str, task: Task, pairs: list[Pair]) -> Iterator[Outcome
 
 
 def _await(future: Any, client: Any) -> None:
-    """Wait until a table is converted or given up. Raises OSError if there are no workers for a while."""
+    """Wait until a table is converted or given up. Raises OSError if there are no workers for some time."""
     checked = monotonic()
     while not future.done():
         sleep(DASK_STEP)
         if monotonic() - checked > DASK_CHECK:
-            if client.status == "running":  # else the future ends
+            if client.status == "running":  # otherwise the future ends
                 client.wait_for_workers(1, timeout=DASK_WAIT)
             checked = monotonic()
 
@@ -421,7 +427,7 @@ def _await(future: Any, client: Any) -> None:
 def write_file(
     wanted: Wanted, blocks: Iterable[Columns], units: Format, target: str, *, doubt: bool, quiet: bool
 ) -> None:
-    """Write columns to a file in the format that its name says. Raises BadRequest for one that is not for columns."""
+    """Write columns to a file in the format of its name. Raises BadRequest for a format without columns."""
     form = output_format(target, "csv", quiet=quiet)
     if form.name == "parquet":
         with missing_extra("parquet"):

@@ -1,10 +1,11 @@
-"""The rows of a table: what its header, its first rows and the options ask for, and blocks of its cells as rows.
+"""The rows of a table: the request of its header, first rows and options, and blocks of its cells as rows.
 
 No file is opened here: `batch` reads and writes.
 """
 
 from collections.abc import Collection, Mapping, Sequence
 from contextlib import suppress
+from itertools import chain
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -25,50 +26,50 @@ from .header import Header, is_input, is_law, stated_meanings, typed
 from .unread import Supply
 from .words import LABEL_OF, MATERIALS, are_kinds_of_data, rows_of_statistics
 
-_NO_ROWS: Any = numpy.empty(0)  # the values of an input where there is no row yet
+_NO_ROWS: Any = numpy.empty(0)  # the values of an input before any row is read
 
 
 class Asked(NamedTuple):
-    """The request of a table: what options give to all of its rows, and what is wanted of these."""
+    """The request for a table: the inputs that options give to all rows, and the quantities to add."""
 
-    inputs: Mapping[str, Any]  # texts by name; from Python values in SI units, and materials
+    inputs: Mapping[str, Any]  # texts by name; in Python, values in SI units and materials
     known: Materials
-    explicit: Sequence[str] = ()  # quantities that were asked for by name
+    explicit: Sequence[str] = ()  # quantities asked for by name
     offered: Sequence[str] = ()  # quantities that may lack inputs
-    columns: Sequence[str] = ()  # what headers mean, as `--column` has it
-    pass_rest: bool = False  # whether all columns that are not read pass through
-    infer: str = ""  # the input that is sought
-    measured: str = ""  # the quantity from which it follows, whose measured values a column has
-    doubt: bool = True  # whether there is a column of doubts
-    best: bool = False  # whether there are columns of the best range of each result
-    uncertainty: bool = False  # whether there are columns of uncertainties, though the first rows have none
+    columns: Sequence[str] = ()  # the values of `--column`
+    pass_rest: bool = False  # pass all columns that are not read
+    infer: str = ""  # the unknown input
+    measured: str = ""  # the quantity with measured values in a column
+    doubt: bool = True  # add a column of doubts
+    best: bool = False  # add columns of best ranges
+    uncertainty: bool = False  # add columns of uncertainties even if the first rows have none
 
     @property
     def stated(self) -> Mapping[str, str]:
-        """The meanings that `--column` writes in place of headers."""
+        """The headers that `--column` replaces."""
         return stated_meanings(self.columns, self.measured)
 
     def supply(self, columns: Collection[str]) -> Supply:
-        """Return what stands in for inputs that no column gives. `columns`: the names of those that columns give."""
+        """Return the inputs that are supplied without a column. `columns`: the inputs with columns."""
         names = [self.measured] if self.infer else [*self.explicit, *self.offered]
         return Supply.of(names, {*columns, self.infer}, self.inputs, self.known)
 
     def is_read(self, text: str) -> bool:
-        """Return whether a header may be that of an input, or of what was measured, or of laws."""
+        """Return whether a header may be that of an input, of the measured quantity, or of laws."""
         return is_law(text) or is_input(self.stated.get(typed(text), text), self.measured)
 
 
-_OF_LAW = ("model", "profile")  # inputs that are words
+_OF_LAW = ("model", "profile")  # inputs that are words, not numbers
 
 
 class Table:
-    """The columns of a table that are read, what options give to all rows, and the columns that are added.
+    """The columns of a table to read, the inputs that options give to all rows, and the columns to add.
 
-    What a row gives itself comes first.
+    Inputs of a row take precedence over options.
     """
 
     def __init__(self, columns: Header, rows: Sequence[Sequence[str]], asked: Asked) -> None:
-        """`rows`: the first ones. Raises BadTable, or an error of the options."""
+        """`rows`: the first rows. Raises BadTable, or an error of the options."""
         self.columns, self.asked = columns, asked
         self.labels = _labels(columns, rows, asked)
         self.positions = {**columns.positions, **self.labels}
@@ -77,21 +78,22 @@ class Table:
         every = {name: value for name, value in inputs.items() if name not in (*MATERIALS, *_OF_LAW)}
         self.fixed = {name: value_of(each, name) if isinstance(each, str) else each for name, each in every.items()}
         self.model = law_given(*map(inputs.get, _OF_LAW))
-        self.said = LAWS[self.model].words if self.model is not None else {}  # columns of text, the same in all rows
+        self.law_words = LAWS[self.model].words if self.model is not None else {}  # text columns, the same in all rows
         self.lookups = {name: Lookup(known, solid) for name, solid in self.spheres.items()}
         self.given = columns.names | self.fixed.keys()
         cells = {name: [row[position].encode() for row in rows] for name, position in self.positions.items()}
-        sample = TableBlock(self, Records(rows, cells))  # which looks up materials
-        frames = self._kinds(cells)
+        sample = TableBlock(self, Records(rows, cells))  # this looks up materials
+        frames = self._frames(cells)
         self.names, named = self._names(frames)
         self.sources = self._sources(sample)
-        sides = {*SIDES} if asked.uncertainty else {side for each in self.sources for side in each.sides}
-        sides |= {side for value in self.fixed.values() if is_uncertain(value) for side in value.sides}
+        sides = {*SIDES} if asked.uncertainty else {*chain.from_iterable(each.sides for each in self.sources)}
+        sides |= {*chain.from_iterable(value.sides for value in self.fixed.values() if is_uncertain(value))}
         wanted = Wanted(self.names, named=named, sides=sides, doubts=asked.doubt)
         self.wanted = wanted.with_best(self.names) if asked.best else wanted
-        if any(solid and solid.displacement for lookup in self.lookups.values() for solid in lookup.known):
+        solids = chain.from_iterable(lookup.known for lookup in self.lookups.values())
+        if any(solid and solid.displacement for solid in solids):
             self.given |= {XI}  # it is not assumed
-        # Of each group of rows a frame, with the quantities that it shows, or that were measured.
+        # A frame for each group of rows, with the quantities that it shows, or the measured one.
         self.groups = [(frame.filled, frame.judged(self.names)) for frame in frames]
         for text in columns.texts:
             if text.strip() in self.added:
@@ -99,11 +101,11 @@ class Table:
 
     @property
     def added(self) -> list[str]:
-        """The headers of all columns that are added."""
-        return [*self.said, *self.wanted.heads(header), *self.wanted.remarks()]
+        """The headers of all added columns."""
+        return [*self.law_words, *self.wanted.heads(header), *self.wanted.remarks()]
 
     def frame(self, given: Mapping[str, Any], solids: Mapping[str, Material | None]) -> Frame:
-        """Return the frame of inputs and of the materials of cells, of which one may be sought.
+        """Return the frame of inputs and of the materials of cells; for the inverse problem, an Inverse frame.
 
         Raises an error of the frame.
         """
@@ -120,22 +122,21 @@ class Table:
         value = given.pop(measured)
         return Inverse([self.asked.infer], {measured: value}, Frame(given, *spheres, model=self.model))
 
-    # --- The columns that are added -----------------------------------------------------------------------------------
+    # --- Added columns ------------------------------------------------------------------------------------------------
 
-    def _kinds(self, cells: Mapping[str, Sequence[bytes]]) -> list[Frame]:
-        """Return frames of no rows that together have all inputs.
+    def _frames(self, cells: Mapping[str, Sequence[bytes]]) -> list[Frame]:
+        """Return frames without rows that together have all inputs.
 
-        Of columns that exclude each other, a frame has one. What an input is matters, and not its values.
-
-        A column of names that are no material's has labels, unless they were meant as materials: without them, there is
-        no work of adhesion, or it is not known whether there is.
+        If columns exclude each other, a frame has one of them. Only the names of inputs matter, not their values. A
+        column without known materials holds labels, unless it must hold materials because there would be no work of
+        adhesion, or it would be uncertain.
         """
         columns = self.columns
         names = [column.name for column in columns.inputs]
         cases = dict.fromkeys(_without_exclusive(first, names, self.asked.measured) for first in names or [""])
         some = LABEL._replace(properties=dict.fromkeys(PROPERTIES, _NO_ROWS))
         solids, of_labels = dict[str, Material | None](), dict[str, Material | None]()
-        if columns.materials:  # each row says whether both spheres are of the solid that has a displacement
+        if columns.materials:  # each row decides whether both spheres are of a solid with a displacement
             solids = {name: solid and solid._replace(displacement=None) for name, solid in self.spheres.items()}
         for column in columns.materials:
             texts = {text for text in cells[column.name] if text.strip()}
@@ -147,45 +148,48 @@ class Table:
 
         frames = frames_of(solids | of_labels)
         if of_labels and (self.asked.infer or frames[0].missing(["work_of_adhesion"])):
-            return frames_of(solids)  # their rows will say that they are unknown
+            return frames_of(solids)  # their rows report unknown materials
         return frames
 
     def _names(self, frames: Sequence[Frame]) -> tuple[Sequence[str], Sequence[str]]:
-        """Return the quantities that columns and options allow, and those of them that concern any row."""
+        """Return the quantities that columns and options allow, and those of them shown in every row."""
         explicit, offered = self.asked.explicit, self.asked.offered
         if self.asked.infer:
             frames[0].check()
             return [self.asked.infer], [self.asked.infer]
         for name in explicit:
             if name in self.given:
-                raise BadRequest(f"--quantities: {name} is an input here; leave it out: results stand beside it")
+                raise BadRequest(f"--quantities: {name} is an input here; leave it out: results show their inputs")
             if all(frame.missing([name]) for frame in frames):
                 try:
                     frames[0].plans(name)
                 except NotInLaw:
-                    continue  # its column is empty
+                    continue  # the column stays empty
                 except MissingInput as error:
-                    if unknown := [each for lookup in self.lookups.values() for each in lookup.errors.values()]:
+                    unknown = [*chain.from_iterable(lookup.errors.values() for lookup in self.lookups.values())]
+                    if unknown:
                         raise BadTable(f"{unknown[0]}; {error}") from None
                     raise
         first, second = self.spheres.values()
         is_of_two = second not in (None, first) or any(NOMENCLATURE[name].sphere == 2 for name in self.given)
         shown = {name for frame in frames for name in frame.possible(offered) if frame.shows_to_identical(name)}
-        shown -= {*self.given, *(name for name in shown if is_of_two and NOMENCLATURE[name].of_identical)}
+        shown -= self.given
+        if is_of_two:
+            shown = {name for name in shown if not NOMENCLATURE[name].of_identical}
         possible = [name for name in offered if name in shown]
         names = [*dict.fromkeys((*explicit, *possible))]
         if not names:
             frames[0].plans(offered[0])
-            raise BadRequest("--quantities: known of identical spheres only, and the table describes sphere 2")
-        # Where some cells are the reason why a quantity has a column, all rows have it.
+            raise BadRequest("--quantities: known for identical spheres only, but the table describes sphere 2")
+        # A quantity that has a column because of some cells is shown in all rows.
         of_cells = [name for name in possible if NOMENCLATURE[name].shown_with and not NOMENCLATURE[name].of_identical]
         return names, [*explicit, *of_cells]
 
     def _sources(self, block: "TableBlock") -> list[Sources]:
-        """Return the sources of uncertainty of the quantities in each group of rows."""
+        """Return the sources of uncertainty in each group of rows."""
         sources = []
         for group in groups(block):
-            with suppress(JkrollError):  # bad rows, which their status will explain
+            with suppress(JkrollError):  # the status of bad rows has the reason
                 frame = block.frame(group.given(group.rows), group.rows)
                 if frame.uncertainties:
                     sources.append(sources_of_results(frame, self.names))
@@ -193,28 +197,28 @@ class Table:
 
 
 def _material(given: str | Material, known: Materials) -> Material:
-    """Return the material of a name, or one that was given itself."""
+    """Return a material by name, or a given one as it is."""
     return known[given] if isinstance(given, str) else given
 
 
 def _labels(columns: Header, rows: Sequence[Sequence[str]], asked: Asked) -> dict[str, int]:
-    """Return the names and positions of columns that may label rows of statistics: no inputs, nor those of `--column`.
+    """Return the names and positions of columns that may label rows of statistics: neither inputs nor in `--column`.
 
-    Where all of the first rows are of means, these are the data.
+    If all of the first rows are labelled as means, these are the data.
     """
-    inputs, stated = {position for column in columns.inputs for position in column.positions.values()}, asked.stated
-    positions = [
-        position for position, text in enumerate(columns.texts) if position not in inputs and typed(text) not in stated
-    ]
-    return {
-        f"{LABEL_OF}{position}": position
-        for position in positions
-        if not are_kinds_of_data([row[position].encode() for row in rows])
-    }
+    inputs: set[int] = set()
+    for column in columns.inputs:
+        inputs |= {*column.positions.values()}
+    labels = {}
+    for position, text in enumerate(columns.texts):
+        is_free = position not in inputs and typed(text) not in asked.stated
+        if is_free and not are_kinds_of_data([row[position].encode() for row in rows]):
+            labels[f"{LABEL_OF}{position}"] = position
+    return labels
 
 
 def _without_exclusive(first: str, names: Sequence[str], measured: str) -> tuple[str, ...]:
-    """Return names, the first one among them, without those that it or an earlier one excludes."""
+    """Return names, including the first, without those that the first or an earlier one excludes."""
     chosen: set[str] = set()
     for name in (first, *names):
         others = chosen - {measured, name}
@@ -227,31 +231,28 @@ def _without_exclusive(first: str, names: Sequence[str], measured: str) -> tuple
 
 
 class Records(NamedTuple):
-    """A block of a table, taken apart."""
+    """A block of a table as columns of cells."""
 
-    before: Any  # what stands before the results of each row
+    before: Any  # the text or columns before the results of each row
     cells: Mapping[str, Sequence[bytes]]  # by the name of the column
-    odd: Mapping[int, JkrollError] = MappingProxyType({})  # records that are no rows, and why
-    starts: Sequence[int] = ()  # the line in the block at which each begins
-    size: int = 0  # lines in the block
+    odd: Mapping[int, JkrollError] = MappingProxyType({})  # records that are not rows, with the error
+    starts: Sequence[int] = ()  # the first line of each record in the block
+    size: int = 0  # number of lines in the block
 
 
 class TableBlock:
-    """Some rows of a table. Those whose materials have the same properties are alike."""
+    """Some rows of a table; rows whose materials have the same properties can share a frame."""
 
     def __init__(self, table: Table, records: Records) -> None:
         """`records`: the cells of the columns that the table reads."""
         self.table, self.cells, self.odd = table, records.cells, records.odd
-        self.numbers: Mapping[str, Numbers] = {
-            column.name: column.numbers(self.cells) for column in table.columns.inputs
-        }
+        self.numbers: Mapping[str, Numbers] = {each.name: each.numbers(self.cells) for each in table.columns.inputs}
         self.indices = {name: table.lookups[name].indices(self.cells[name]) for name in MATERIALS if name in self.cells}
         are_rows = numpy.zeros(len(records.before), dtype=numpy.int64)
-        self.statistics = {
-            row: label
-            for label in table.labels
-            for row in rows_of_statistics(self.cells[label], alone=bool(table.asked.infer))
-        }
+        self.statistics: dict[int, str] = {}
+        for label in table.labels:
+            rows = rows_of_statistics(self.cells[label], alone=bool(table.asked.infer))
+            self.statistics |= dict.fromkeys(rows, label)
         are_rows[[*self.odd, *self.statistics]] = BAD
         marks = [table.lookups[name].marks(indices) for name, indices in self.indices.items()]
         self.size = len(are_rows)
@@ -259,21 +260,24 @@ class TableBlock:
 
     @property
     def half_bars(self) -> dict[int, JkrollError]:
-        """The rows that have one side of an error bar, which is left out, with the reason."""
-        rows = [(column.name, row) for column in self.table.columns.inputs for row in column.half_bars(self.cells)]
-        problem = "its error bar lacks a side, and the row has none"
-        return {row: BadRequest(f"{name}: {problem}", "half an error bar") for name, row in rows}
+        """The rows in which only one side of an uncertainty is given, with the reason for leaving it out."""
+        errors: dict[int, JkrollError] = {}
+        for column in self.table.columns.inputs:
+            problem = f"{column.name}: one side of its error bar is missing, so the row has none"
+            for row in column.half_bars(self.cells):
+                errors[row] = BadRequest(problem, "half an error bar")
+        return errors
 
     def frame(self, given: Mapping[str, Any], rows: Indices) -> Any:
-        """Return the frame of the inputs of rows that are alike."""
+        """Return the frame of the inputs of rows in a group."""
         solids = {name: self.table.lookups[name].together(indices[rows]) for name, indices in self.indices.items()}
         frame = self.table.frame(given, solids)
         if LABEL in solids.values() and frame.missing(self.table.names):
-            raise BadRequest("names are no materials")  # each row by itself says which
+            raise BadRequest("unknown material")  # single rows report which one
         return frame
 
     def frame_of(self, row: int) -> Any:
-        """Return the frame of a row by itself. Raises BadRequest, the error of a cell, or one of the frame."""
+        """Return the frame of a single row. Raises BadRequest, the error of a cell, or one of the frame."""
         if row in self.odd:
             raise self.odd[row]
         if row in self.statistics:
@@ -281,15 +285,18 @@ class TableBlock:
             text = quoted(self.cells[label][row].decode(errors="replace").strip())
             head = typed(self.table.columns.texts[self.table.labels[label]])
             remedy = f"--column {quoted(f'{head}=')} if it is a label"
-            raise BadRequest(f"{text}: a row of statistics is no contact; {remedy}", "row of statistics")
+            raise BadRequest(f"{text}: a row of statistics is not a contact; {remedy}", "row of statistics")
         table, cells = self.table, {name: cells[row].decode(errors="replace") for name, cells in self.cells.items()}
         given: dict[str, Any] = {}
         for column in table.columns.inputs:
-            if (text := column.joined(*(cells[name] for name in column.positions))).strip():
+            text = column.joined(*(cells[name] for name in column.positions))
+            if text.strip():
                 given[column.name] = column.value(text)
         solids = {name: table.lookups[name].known[indices[row]] for name, indices in self.indices.items()}
         frame = table.frame(given, solids)
-        for name in self.indices if frame.missing(table.names) else ():
-            if error := table.lookups[name].errors.get(self.cells[name][row]):
-                raise error
+        if frame.missing(table.names):
+            for name in self.indices:
+                error = table.lookups[name].errors.get(self.cells[name][row])
+                if error is not None:
+                    raise error
         return frame

@@ -1,7 +1,8 @@
-"""`jkroll.table`: what `batch` does, for a table of Python and without files."""
+"""`jkroll.table`: the same as `batch`, for tables in Python."""
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from itertools import chain
 from typing import Any, TypeVar, overload
 
 import numpy
@@ -50,44 +51,44 @@ def table(
     say: Callable[[str], object] | None = None,
     **given: Any,
 ) -> Any:
-    """Return a table with the results of each row as further columns.
+    """Return a table with the results of each row as additional columns.
 
-    The table is read as `jkroll batch` reads a file, and the columns that are added are the same.
+    The table is read as `jkroll batch` reads a file, and the same columns are added.
 
     Parameters
     ----------
     data
         A DataFrame of pandas or polars, a dict of arrays, a Dataset of xarray, a Table of astropy or of pyarrow. Each
-        input is a column with a unit, in its name ("radius [nm]", "E_GPa") or in the way of the library: the attribute
-        "units", or a column of pint or astropy. Columns "material" and "material2" name materials, and a column
-        "gamma_err [mJ/m2]" is an uncertainty. In a DataFrame nan is an empty cell.
+        input is a column with a unit, either in its name ("radius [nm]", "E_GPa") or stated by the library: the
+        attribute "units", or a column of pint or astropy. Columns "material" and "material2" have names of materials,
+        and a column "gamma_err [mJ/m2]" is an uncertainty. In a DataFrame nan is an empty cell.
     quantities
-        Names or symbols of quantities, or commands such as "pull-off"; by default all that the columns allow.
+        Names or symbols of quantities, or commands such as "pull-off"; by default, all that the columns allow.
     material, material2, materials, model, profile, **given
-        What is the same in all rows, as `solve` takes it. It fills empty cells.
+        Inputs for all rows, as for `solve`. They fill empty cells.
     columns
-        What columns mean whose names do not say it: {"R2 (nm)": "radius2 [nm]"}, or "" for what is no input.
+        The meaning of columns with other names: {"R2 (nm)": "radius2 [nm]"}, or "" for a column that is not an input.
     pass_rest
-        Whether columns that are half understood pass through. They are refused otherwise.
+        True to pass through columns that are only partly understood. By default they are refused.
     infer, measured
-        The input to find in each row, and the quantity that was measured there.
+        The input to infer in each row, and the quantity that was measured.
     best, doubt, uncertainty
-        Whether there are columns of best ranges, of doubts, and of uncertainties where the first rows have none.
+        True to add columns of best ranges, of doubts, and of uncertainties even if the first rows have none.
     strict
-        Whether the first row that has no result is an error.
+        True to raise an error for the first row without a result.
     say
-        A function that takes the lines which `batch` prints, such as `print`: how the columns are read, what is
-        assumed, and in how many rows numbers are in doubt.
+        A function such as `print` for the lines that `batch` prints: how columns are read, what is assumed, and how
+        many rows are in doubt.
 
     Returns
     -------
-    A table of the kind of `data`, with its columns and labels, the results in SI units, `doubt` and `status`. The names
-    have the units, as in "pull_off_force [N]"; in xarray and astropy they stand beside them.
+    A table of the type of `data`, with its columns and labels, the results in SI units, `doubt` and `status`. Units are
+    part of the names, as in "pull_off_force [N]"; in xarray and astropy they are attributes.
 
     Raises
     ------
     BadTable, BadRequest, QuantityError, UnknownMaterial, UnknownQuantity
-        A column may be an input and is not read, or an argument is wrong; with `strict`, a row has no result.
+        A column that may be an input is not read, or an argument is wrong; with `strict`, a row has no result.
 
     >>> found = table({"radius [nm]": [100, 200], "material": ["quartz", "iron"]}, "P_c")
     >>> [f"{force:.4e}" for force in found["pull_off_force [N]"]], found["doubt"][0]
@@ -126,7 +127,7 @@ def table(
 
 
 def _meanings(rows: Data, columns: Mapping[Any, str]) -> Iterator[str]:
-    """Iterate over what columns mean, as `--column` has it. A unit that the library states is that of the meaning."""
+    """Iterate over meanings of columns as values of `--column`. They take the unit that the library states."""
     heads = {column.name: column for column in rows.columns}
     for name, meaning in columns.items():
         column = heads.get(name)
@@ -139,7 +140,7 @@ def _meanings(rows: Data, columns: Mapping[Any, str]) -> Iterator[str]:
 
 
 def _in_python(text: str) -> str:
-    """Return a message with the arguments of `table` in place of the options of `batch`.
+    """Return a message with the arguments of `table` instead of the options of `batch`.
 
     >>> _in_python("Write --column 'R2 (nm)=radius2 [nm]', or --column 'R2 (nm)=' to pass it through (--pass-rest)")
     "Write columns={'R2 (nm)': 'radius2 [nm]'}, or columns={'R2 (nm)': ''} to pass it through (pass_rest)"
@@ -179,7 +180,7 @@ def _tabled(rows: Data, asked: Asked, say: Callable[[str], object] | None, *, st
 
 
 def _joined(parts: Sequence[Any]) -> Any:
-    """Return the parts of a column as one."""
+    """Return the parts of a column joined together."""
     if all(isinstance(part, list) for part in parts):
-        return [cell for part in parts for cell in part]
+        return [*chain.from_iterable(parts)]
     return numpy.concatenate(parts)

@@ -1,14 +1,14 @@
-"""Columns that are not read, judged by their units: none passes beside a number that stands in for it.
+"""Columns that are not read, judged by their units: no column may pass if another value would silently replace it.
 
-The unit of a column says which inputs it may be, its word only which of these. Where a material, an option, a default
-or sphere 1 supplies such an input, the column is refused until a user says what it is. Lengths and forces are so common
-as other things that their word must point to an input. Of a column of text the cells say that it names materials.
+The unit of a column tells which inputs it may be; its words only choose among them. If a material, an option, a default
+or sphere 1 supplies such an input, the column is refused until the user states its meaning. Lengths and forces often
+mean something else, so their words must point to an input. For a text column, the cells show that it names materials.
 """
 
 import re
 from collections.abc import Collection, Mapping, Sequence
 from functools import cache, lru_cache
-from itertools import pairwise
+from itertools import chain, pairwise
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError
@@ -27,10 +27,10 @@ from .cells import has_no_value, is_number
 from .reading import FACTOR_INSIDE, FACTOR_OF_UNIT, Reading, Split, normalized, reading_of, splits_of
 from .words import INPUTS, MATERIALS, fits, headed, key, sphere_of, tokens_of, unit_for
 
-# Inputs of which one takes the place of others, besides those of EXCLUSIVE.
+# Inputs that replace each other, in addition to EXCLUSIVE.
 _OF_MODULI = tuple(("contact_modulus", name) for name in ("youngs_modulus", "youngs_modulus2"))
 _OF_INPUTS = {*INPUTS, *(route for name in INPUTS for route in routes_anywhere().get(name, ()))}
-# Those whose words stand beside words of others, too.
+# Inputs whose words also occur with words of other quantities.
 _OF_PARTS = (
     "approach_at_load",
     "atomic_spacing",
@@ -41,26 +41,26 @@ _OF_PARTS = (
     "hamaker",
 )
 _OF_EACH_UNIT = {NOMENCLATURE[name].unit: name for name in INPUTS}
-NOT_READ = "not read, and "  # what stands in for it, behind
+NOT_READ = "not read, and "  # the clause of the value used instead follows
 _POWERS = {"sq": "2", "cu": "3"}
-_MOST_MEANT = 3  # inputs among which a user chooses
+_MOST_MEANT = 3  # inputs that a message offers to choose from
 
 
 class Supply(NamedTuple):
-    """The inputs that no column gives and something else supplies, each with a clause that says what."""
+    """The inputs that are supplied without a column, each with a clause that names the source."""
 
-    clauses: Mapping[str, str]  # as in "E1 is quartz's 54 GPa"; of an input in place of another, the other's
-    direct: Collection[str]  # those that are supplied themselves
-    solids: Sequence[str]  # columns of materials that would supply a property
+    clauses: Mapping[str, str]  # as in "E1 is quartz's 54 GPa"; an alternative input has the clause of the other
+    direct: Collection[str]  # inputs that are supplied directly
+    solids: Sequence[str]  # columns of materials that could supply a property
     known: Materials
 
     @classmethod
     def of(
         cls, names: Sequence[str], columns: Collection[str], options: Mapping[str, Any], known: Materials
     ) -> "Supply":
-        """Return what is supplied to some quantities.
+        """Return the inputs that are supplied to some quantities.
 
-        `columns`: the inputs that columns give; `options`: the texts that options give, by input.
+        `columns`: the inputs with columns; `options`: the texts of options, by input.
         """
         columns = {*columns, *map(computed_as, columns)}
         law = law_given(options.get("model"), options.get("profile"))
@@ -73,18 +73,17 @@ class Supply(NamedTuple):
             first = of_sphere(1, name)
             if name in others and name not in options:
                 continue
-            if supplier := _supplier(name, columns, options, known):
+            supplier = _supplier(name, columns, options, known)
+            if supplier:
                 clauses[name] = f"{symbol_of(name).removesuffix('1')} is {supplier}"
             elif first != name and (first in columns or first in clauses):
                 clauses[name] = f"{symbol_of(name)} is that of sphere 1"
-        replaced = {
-            name: clauses[other]
-            for group in free
-            for other in group
-            if other in clauses
-            for name in group
-            if name in left and name not in clauses and name not in others
-        }
+        replaced: dict[str, str] = {}
+        open_names = [name for name in left if name not in clauses and name not in others]
+        for group in free:
+            for other in group:
+                if other in clauses:
+                    replaced |= dict.fromkeys((name for name in open_names if name in group), clauses[other])
         lacking = {NOMENCLATURE[name].sphere for name in left if of_sphere(1, name) in PROPERTIES}
         solids = [solid for sphere, solid in enumerate(MATERIALS, 1) if sphere in lacking and solid not in columns]
         if "material2" in solids:
@@ -93,16 +92,19 @@ class Supply(NamedTuple):
 
 
 def decided_by(columns: Collection[str]) -> set[str]:
-    """Return the inputs on which the columns of others decide.
+    """Return the inputs that columns of other inputs decide.
 
-    A load decides on the approach, and radii on the reduced one; but γ leaves w of two solids open.
+    A load decides the approach, and radii the reduced radius; but γ leaves w of two solids open.
     """
-    groups = (group for group in EXCLUSIVE if "work_of_adhesion" not in group and not {*group}.isdisjoint(columns))
-    return {name for group in groups for name in group}
+    decided: set[str] = set()
+    for group in EXCLUSIVE:
+        if "work_of_adhesion" not in group and not {*group}.isdisjoint(columns):
+            decided |= {*group}
+    return decided
 
 
 def _supplier(name: str, columns: Collection[str], options: Mapping[str, Any], known: Materials) -> str:
-    """Return the words for what supplies an input that no column gives; "" for nothing, or sphere 1."""
+    """Return the source of an input without a column, in words; "" for none, or for sphere 1."""
     if name in options:
         value = options[name] if isinstance(options[name], str) else amount(name, options[name])
         return f"{NOMENCLATURE[name].option or f'--{name}'} {shown(value)}"
@@ -122,37 +124,44 @@ def _supplier(name: str, columns: Collection[str], options: Mapping[str, Any], k
 
 
 def judged(head: Reading, cells: Sequence[str], supply: Supply) -> Reading:
-    """Return a column; one that is not read has a problem if it may be an input that is supplied.
+    """Return an unread column, with a problem if it may be an input that is supplied otherwise.
 
-    `cells`: the first ones.
+    `cells`: the first cells.
     """
     if head.name or head.problem or head.part or head.is_stated:
         return head
     cells = [cell.strip() for cell in cells if not has_no_value(cell)]
-    if cells and not any(map(is_number, cells)) and (reading := _of_solids(head, cells, supply)):
-        return reading
+    if cells and not any(map(is_number, cells)):
+        reading = _of_solids(head, cells, supply)
+        if reading is not None:
+            return reading
     text = normalized(head.text)
     split, candidates = _candidates(text, cells, supply)
     if not candidates:
         return head
     tokens = tokens_of(split.word)
-    names, is_told = _likeliest(tokens, [*candidates], supply)
+    names, is_certain = _likeliest(tokens, [*candidates], supply)
     clauses = dict.fromkeys(supply.clauses[name] for name in names or candidates)
     problem = f"{NOT_READ}{'; '.join([*clauses][:_MOST_MEANT])}"
-    is_told &= not re.search(FACTOR_INSIDE, text) and (words.FUNCTIONS | words.SENSES).isdisjoint(tokens)
+    is_certain &= not re.search(FACTOR_INSIDE, text) and (words.FUNCTIONS | words.SENSES).isdisjoint(tokens)
     is_mangled = split.is_mangled and is_in_table(f"u{split.unit}")
     has_units = not all(map(is_number, cells))
-    meant = [headed(name, (not is_mangled and candidates[name]) or "UNIT") for name in names if is_told]
-    meant = names if is_told and has_units and not split.unit else meant
+    if not is_certain:
+        meant = []
+    elif has_units and not split.unit:
+        meant = names
+    else:
+        meant = [headed(name, (not is_mangled and candidates[name]) or "UNIT") for name in names]
     first = names[0] if names else next(iter(candidates))
     return head._replace(name=first, problem=problem, meant=meant[:_MOST_MEANT], names=names or [*candidates])
 
 
 def _candidates(text: str, cells: Sequence[str], supply: Supply) -> tuple[Split, Mapping[str, str]]:
-    """Return the word and the unit of a header, and the supplied inputs that it may be, each with its unit."""
+    """Return the word and the unit of a header, and the supplied inputs that it may be, with their units."""
     split = _with_unit(text)
     units = {unit: _unit(split, name) for unit, name in _OF_EACH_UNIT.items()}
-    candidates = {name: unit for name in supply.clauses if (unit := units.get(NOMENCLATURE[name].unit, ""))}
+    units_of = {name: units.get(NOMENCLATURE[name].unit, "") for name in supply.clauses}
+    candidates = {name: unit for name, unit in units_of.items() if unit}
     if not candidates:
         candidates, split = dict.fromkeys(_without_unit(text, cells, supply), ""), Split(text, "")
     if _is_result(split):
@@ -167,16 +176,17 @@ def _candidates(text: str, cells: Sequence[str], supply: Supply) -> tuple[Split,
 
 @lru_cache(maxsize=5000)
 def _unit(split: Split, name: str) -> str:
-    """Return the unit of an input that a header has, UNIT where it cannot be read as it is; "" for another unit."""
+    """Return the unit of an input in a header; UNIT if it cannot be read as written, "" if the unit is another."""
     quotient = re.sub(r"(?<=\w)([ms])\^?[-−]1$", r"/\1", split.unit)
     if quotient != split.unit and fits(quotient, name):
         return "UNIT"  # ms-1
     is_of_other = is_in_table(split.unit) and not split.unit.isupper() and not fits(split.unit, name)  # Å as A
     if not split.unit or is_of_other:
         return ""
-    if unit := unit_for(split.unit, name, is_explicit=split.is_explicit):
+    unit = unit_for(split.unit, name, is_explicit=split.is_explicit)
+    if unit:
         return unit
-    is_behind_number = re.match(r"[12][\W_]*(?!e[-\d])[^\W\d]", split.unit)  # of a sphere
+    is_behind_number = re.match(r"[12][\W_]*(?!e[-\d])[^\W\d]", split.unit)  # the number of a sphere
     spelt = re.sub(FACTOR_OF_UNIT, "", split.unit) + "_" * split.is_mangled
     return "UNIT" if not is_behind_number and words.may_be_unit(spelt, name) else ""
 
@@ -186,7 +196,8 @@ def _without_unit(text: str, cells: Sequence[str], supply: Supply) -> list[str]:
     if not all(map(is_number, cells)):
         return [name for name in supply.clauses if any(_is_value(cell, name) for cell in cells[:1])]
     tokens = tokens_of(text)
-    if ratios := [name for name in supply.clauses if NOMENCLATURE[name].unit == "1" and _points_to(tokens, name)]:
+    ratios = [name for name in supply.clauses if NOMENCLATURE[name].unit == "1" and _points_to(tokens, name)]
+    if ratios:
         return ratios
     reading = reading_of(text)
     is_symbol = reading.is_symbol and NOMENCLATURE[reading.name].unit not in words.COMMON_UNITS
@@ -194,7 +205,7 @@ def _without_unit(text: str, cells: Sequence[str], supply: Supply) -> list[str]:
 
 
 def _of_solids(head: Reading, cells: Sequence[str], supply: Supply) -> Reading | None:
-    """Return a column whose cells name known materials, which may be those of a sphere; None for another one."""
+    """Return a column whose cells are known materials, possibly those of a sphere; None for another column."""
     tokens = tokens_of(normalized(head.text))
     is_label = not words.LABELS.isdisjoint({*tokens} - {"name", "names"})
     if not supply.solids or is_label or not all(_is_material(cell, supply.known) for cell in dict.fromkeys(cells)):
@@ -214,7 +225,7 @@ def _is_material(cell: str, known: Materials) -> bool:
 
 
 def _is_value(cell: str, name: str) -> bool:
-    """Return whether a cell is a value of an input with its unit."""
+    """Return whether a cell is a value of an input with a unit."""
     if is_number(cell) or not cell[:1].isdigit() or NOMENCLATURE[name].unit in ("", "1"):
         return False
     try:
@@ -228,16 +239,15 @@ def _is_value(cell: str, name: str) -> bool:
 
 
 def _with_unit(text: str) -> Split:
-    """Return the division of a header with the longest unit that the table of units, or an input, knows."""
+    """Return a header divided at the longest unit that the table of units, or an input, knows."""
     known = [split._replace(unit=split.unit.lstrip(" /|:;-")) for split in splits_of(_plain(text)) if _is_unit(split)]
     return max(known, key=lambda split: (len(split.unit), len(split.word)), default=Split(text, ""))
 
 
 def _plain(text: str) -> str:
-    """Return a header with squares and cubes of metres as powers."""
-    return re.sub(
-        r"(?i)(?<![a-z])(sq|cu)[\s._]*(c?m)(?![a-z])", lambda found: f"{found[2]}{_POWERS[found[1].lower()]}", text
-    )
+    """Return a header with squares and cubes of metres written as powers."""
+    pattern = r"(?i)(?<![a-z])(sq|cu)[\s._]*(c?m)(?![a-z])"
+    return re.sub(pattern, lambda found: f"{found[2]}{_POWERS[found[1].lower()]}", text)
 
 
 def _is_unit(split: Split) -> bool:
@@ -247,12 +257,12 @@ def _is_unit(split: Split) -> bool:
     if key(split.unit) in words.meanings(""):
         return False  # specific gravity
     if not split.is_explicit and re.search(r"\s(?:in|[/,;:|])\s|[\s_.][\[({<]", split.unit):
-        return False  # the unit begins there: r_m / nm, A_22 [J]
+        return False  # the unit is at the end: r_m / nm, A_22 [J]
     return is_in_table(split.unit) or any(_unit(split, name) for name in _OF_EACH_UNIT.values())
 
 
 def _is_result(split: Split) -> bool:
-    """Return whether a word is the name or the symbol of a result of this program, or begins with such a name."""
+    """Return whether a word is the name or symbol of a result of this program, or starts with such a name."""
     name = re.sub(r"[\s_.-]+", "_", split.word.strip()).casefold()
     for result, quantity in NOMENCLATURE.items():
         is_named = name == result or name.startswith(f"{result}_")
@@ -268,18 +278,18 @@ def _symbols_of_inputs() -> Collection[str]:
 
 
 def _is_unreadable(word: str) -> bool:
-    """Return whether all letters of a word are of another script, or lost: its unit alone says what it may be."""
+    """Return whether no letter of a word can be read, so that only its unit tells what it may be."""
     return not re.search(r"[a-zA-Z]", ascii_text(word)) and re.search(r"[^\W\d]|[?\ufffd]", word) is not None
 
 
 def _points_to(tokens: Sequence[str], name: str) -> bool:
-    """Return whether the words of a column leave it an input of its dimension."""
+    """Return whether the words of a column allow it to be this input."""
     first, unit = of_sphere(1, name), NOMENCLATURE[name].unit
     if first not in _OF_PARTS:
         if not words.LABELS.isdisjoint(tokens):
             return False
         others = words.NO_INPUTS.get(unit, frozenset())
-        is_other = any(word in token for word in others if len(word) > 4 for token in tokens)
+        is_other = any(any(word in token for token in tokens) for word in others if len(word) > 4)
         of_others = {*(token for token in tokens if len(token) > 2), "".join(tokens)}  # k alone, and k_n
         if is_other or not (words.OTHERS | others).isdisjoint(of_others):
             return False
@@ -293,7 +303,7 @@ def _points_to(tokens: Sequence[str], name: str) -> bool:
 
 
 def _likeliest(tokens: Sequence[str], names: Sequence[str], supply: Supply) -> tuple[list[str], bool]:
-    """Return which of some inputs the words of a column mean most likely, and whether a word tells."""
+    """Return the inputs that the words of a column most likely mean, and whether a word makes that certain."""
     sphere, is_of_pair = sphere_of(tokens), words.is_of_pair(tokens)
     if is_of_pair:
         names = [name for name in names if name in words.PAIRS.values()]
@@ -305,17 +315,17 @@ def _likeliest(tokens: Sequence[str], names: Sequence[str], supply: Supply) -> t
     likeliest = [name for name in names if scores[name] == best]
     if sphere:
         likeliest = [name for name in likeliest if NOMENCLATURE[name].sphere] or likeliest
-    is_told = best > 0 or is_of_pair
-    return [name for name in likeliest if is_told or name in supply.direct], is_told
+    is_certain = best > 0 or is_of_pair
+    return [name for name in likeliest if is_certain or name in supply.direct], is_certain
 
 
 def _index(tokens: Sequence[str]) -> str:
-    """Return the letter behind a symbol, as in E_w, xi_r and rho_B; "" for none."""
+    """Return the letter after a symbol, as in E_w, xi_r and rho_B; "" if there is none."""
     return tokens[1] if len(tokens) == 2 and len(tokens[0]) < 4 and len(tokens[1]) == 1 else ""
 
 
 def _score(tokens: Sequence[str], name: str) -> int:
-    """Return how many words of a header are those of an input, or begin like them."""
+    """Return the number of words in a header that are those of an input, or start like them."""
     first = of_sphere(1, name)
     symbols, vocabulary = [_bare(token) for token in tokens_of(symbol_of(first))], _vocabulary(first)
     pairs = [*map("".join, pairwise(tokens))]  # dGamma
@@ -324,21 +334,24 @@ def _score(tokens: Sequence[str], name: str) -> int:
 
 
 def _bare(token: str) -> str:
-    """Return a word of a header without the number of a sphere, or that of a start or a percentile: v0, d50."""
+    """Return a word of a header without the number of a sphere, of a start or of a percentile: v0, d50."""
     return re.sub(r"(?<=[a-z])(?:[12]|\d?0)$", "", token)
 
 
 def _is_one_of(token: str, symbols: Collection[str], vocabulary: Collection[str]) -> bool:
+    if token in symbols or (len(token) < 3 and token in vocabulary):
+        return True
     if len(token) < 3:
-        return token in symbols or token in vocabulary
-    return token in symbols or any(
-        len(word) > 2 and (word.startswith(token) or word[:5] in token) for word in vocabulary
-    )
+        return False
+    return any(len(word) > 2 and (word.startswith(token) or word[:5] in token) for word in vocabulary)
 
 
 @cache
 def _vocabulary(name: str) -> Collection[str]:
-    """Return the words of an input: of its name, its option, and those of others."""
-    texts = [name, *(word for of in (OPTION_WORDS, QUANTITY_SYNONYMS) for word, meant in of.items() if meant == name)]
-    tokens = {token for text in texts for token in tokens_of(text) if len(token) > 1}
+    """Return the words for an input: from its name, its option and its synonyms."""
+    texts = [name]
+    for of_word in (OPTION_WORDS, QUANTITY_SYNONYMS):
+        texts += [word for word, meant in of_word.items() if meant == name]
+    tokens = {*chain.from_iterable(map(tokens_of, texts))}
+    tokens = {token for token in tokens if len(token) > 1}
     return tokens - words.GENERIC | {*words.WORDS_BESIDES.get(name, ())}

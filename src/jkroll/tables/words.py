@@ -1,9 +1,9 @@
-"""The words of headers as data: those that mean an input, those that may mean one, those that mean something else."""
+"""The words of headers as data: words for an input, words that may mean one, and words for other quantities."""
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
-from itertools import groupby
+from itertools import chain, groupby
 from typing import NamedTuple
 
 from ..quantities.nomenclature import NOMENCLATURE, OF_CURVES, OPTION_WORDS
@@ -14,7 +14,7 @@ from ..text import ascii_text
 
 MATERIALS = ("material", "material2")
 INPUTS = ("radius", *(name for name, quantity in NOMENCLATURE.items() if quantity.option and quantity.unit))
-SYMBOLS_TOO = {"E": "energy", "Er": "contact_modulus", "W": "work_of_adhesion"}  # what symbols mean besides
+SYMBOLS_TOO = {"E": "energy", "Er": "contact_modulus", "W": "work_of_adhesion"}  # additional meanings of symbols
 SYMBOLS_TOO |= {
     "SFE": "surface_energy",
     "rad": "radius",
@@ -25,23 +25,23 @@ SYMBOLS_TOO |= {
     "A11": "hamaker",
     "A22": "hamaker2",
 }
-# Columns of curves, whose synonyms and these symbols are words in the header of a curve alone.
+# Columns of curves: their synonyms and these symbols count only in the header of a curve.
 _OF_CURVES = {
     **dict.fromkeys(OF_CURVES, ""),
     "contact_radius_at_load": "a",
     "lever_force": "F",
     "lever_deflection": "d",
 }
-NO_HEADERS = ("roughness",)  # words of options that are no headers: a column of roughness has a height, and no gap
+NO_HEADERS = ("roughness",)  # options that are not headers: a column of roughness has a height, not a gap
 RATIOS = ("poisson_ratio", "poisson_ratio2")  # the only ratios whose symbols have no other common meaning
 
 
 class Meaning(NamedTuple):
-    """The inputs that a word or a symbol stands for, of which its unit decides; none for another quantity."""
+    """The inputs that a word or a symbol may mean, distinguished by unit; none for another quantity."""
 
     names: Sequence[str] = ()
-    problem: str = ""  # why it is not read
-    has_remedy: bool = True  # it may be one of the inputs as it is
+    problem: str = ""  # the reason if it is not read
+    has_remedy: bool = True  # True if the column may be one of the inputs unchanged
 
 
 _SIZE = Meaning(["radius", "diameter"], "it may be a radius or a diameter")
@@ -72,76 +72,77 @@ _DOUBTFUL_SYMBOLS = {
     "Eeff": _MODULUS,
 }
 
-_DISTANCE = {  # but r1 and r2 are radii
+_DISTANCE = {  # r1 and r2, however, are radii
     "r": Meaning(["radius"], "r may be a distance"),
     "s": Meaning(["asperity_radius"], "s may be a distance"),
 }
-# Symbols of other quantities in another case: Δ, and d0 of a diameter.
+# Symbols that mean another quantity in another case: Δ, and d0 for a diameter.
 _OTHER_IN_CASE = ("d0", "delta", "deltaw")
 
-# Symbols of solids, whose index may say which of them: E_s, rho_p, Es; nu only with a gap before it, R of a body alone.
+# Symbols of solids with an index that names the solid: E_s, rho_p, Es; nu only before a gap, R only with a body.
 _WITH_INDEX = re.compile(
     r"([EG]|rho|nu|R(?=[\s_](?:tip|probe|sphere|sample|wall)\Z))(?:[\s_]+([A-Za-z]\w*)|(?<!nu)[a-z])"
 )
 
-# Words that other quantities share, as in speed of sound and contact angle: they are inputs alone or with a unit.
+# Words shared with other quantities, as in speed of sound and contact angle: inputs only alone or with a unit.
 SHARED = (
     *"""energy speed velocity geschwindigkeit vitesse velocidad angle approach contacts monomers gravity cutoff xi z0
     surfacetension""".split(),
 )
-# Beside a word they make it another quantity.
+# Words that turn the word next to them into another quantity.
 OTHERS = {
     *"""atomic ionic covalent metallic vdw bohr gyration current dislocation yield failure ultimate shear bulk
     storage loss dynamic complex flexural bending section rupture resilience polar dispersive water liquid
     apparent apparente hydrodynamic pore crater capillary meniscus kelvin""".split()
 }
-# Bodies that are sphere 1, which moves, and sphere 2; of a sample it is not certain.
+# Words for sphere 1, which moves, and for sphere 2; a sample may be either.
 BODIES = {
     1: {*"tip probe indenter colloid projectile impactor intruder particle sphere ball bead grain monomer".split()},
     2: {*"wall substrate sub plate plane target counterface counterbody boundary geometry".split()},
 }
-# Beside a word they leave it what it is: of which body it is, and the mean of several.
+# Words that leave the quantity unchanged: they name the body, or a mean.
 NEUTRAL = {
     *"mean average avg nominal measured applied indentation sample surface body solid first second s".split(),
-    *(f"{body}{plural}" for bodies in BODIES.values() for body in bodies for plural in ("", "s")),
+    *chain(BODIES[1], BODIES[2]),
+    *(f"{body}s" for body in chain(BODIES[1], BODIES[2])),
 }
-# Beside a word they make it a function of the quantity.
+# Words that turn the quantity into a function of it.
 FUNCTIONS = {*"log ln lg exp inv inverse reciprocal sqrt normalized".split()}
-# Beside a word they, or words with these stems, make it that of the pair.
+# Words, or stems of words, that turn the quantity into that of the pair.
 _INDICES_OF_PAIR = {*"eff red eq star".split()}
 _STEMS_OF_PAIR = re.compile("redu[czi]|ridott|effe[ck]|equiv|combined|composite|harmoni")
 PAIRS = {"radius": "reduced_radius", "youngs_modulus": "contact_modulus", "surface_energy": "work_of_adhesion"}
-# Behind a word they make it a label or a count: material_id, load case.
+# Words that turn the word before them into a label or a count: material_id, load case.
 LABELS = {*"""id ids no nr num number name names type types class classes case cases code codes key group category kind
     family label tag index step count counts cell rank source ref reference url doi note notes comment comments desc
     description quality flag status unit units method model formula cost price date color colour grade out
     ratio lit dft calc""".split()}  # fmt: skip
-INDICES = ("in", "bar")  # in no brackets they may mean inside and mean
-# Parts of an uncertainty besides both sides: one side, and the ends of a range.
+INDICES = ("in", "bar")  # without brackets they may mean inside and mean
+# Parts of an uncertainty other than both sides: one side, and the ends of a range.
 PARTS = {
     "minus": "minus",
     "plus": "plus",
     **dict.fromkeys(("min", "low", "lower"), "low"),
     **dict.fromkeys(("max", "high", "upper"), "high"),
 }
-# Forms of an uncertainty in a header. The patterns are made when one is first held against them: most tables need none.
-PERCENT = r"(?i)(?<![\d\s_.,/])[\s_.,/]*[\[(]?(?:%|percent|pct)(?![a-z])[\])]?"  # of the value
+# Notations of an uncertainty in a header. The patterns are compiled on first use: few tables need them.
+PERCENT = r"(?i)(?<![\d\s_.,/])[\s_.,/]*[\[(]?(?:%|percent|pct)(?![a-z])[\])]?"  # a percentage of the value
 SHARE = r"(?i)[\s_.,/]*[\[(]?(?:%|percent|pct)[\])]?"
-LEVEL = r"\d\s*(?:%|percent|pct)"  # of confidence
-COVERAGE = r"(?i)[\s,;_]*[\[(]?\s*(?<![^\W_])k\s*=\s*(\d+(?:[.,]\d+)?)\s*[\])]?"  # the factor of an expanded one
+LEVEL = r"\d\s*(?:%|percent|pct)"  # a confidence level
+COVERAGE = (
+    r"(?i)[\s,;_]*[\[(]?\s*(?<![^\W_])k\s*=\s*(\d+(?:[.,]\d+)?)\s*[\])]?"  # the factor of an expanded uncertainty
+)
 EXPANDED = r"^U(?![^\W_])|(?i:expanded)"
 _ERROR = "|".join([
     r"(?:standard|std?)[\s_.]*(?:dev(?:iation)?|err(?:or)?|unc(?:ertainty)?)\.?", r"(?:expanded[\s_.]+)?uncertainty",
     *"stderr error err stdev std sd sem se unc".split(),
 ])  # fmt: skip
-RELATIVE = (
-    rf"rsd|cv|coefficient[\s_.]of[\s_.]variation|rel(?:ative|\.)?[\s_.]+(?:{_ERROR})"  # in percent, if that is said
-)
+RELATIVE = rf"rsd|cv|coefficient[\s_.]of[\s_.]variation|rel(?:ative|\.)?[\s_.]+(?:{_ERROR})"  # % if stated
 PART = (
     rf"(?i)^(?:u|σ|sigma)\s*\(([^()]+)\)|^(?:±|\+/?-)|^(?:σ|sigma|{RELATIVE}|{_ERROR})(?:\s+of)?(?=$|[\s_(\[])"
     rf"|[\s_.]*(?:±|\+/?-)(?=$|[\s_.,/(\[])|[\s_.]+(?:{RELATIVE}|{_ERROR}|{'|'.join(PARTS)})(?=$|[\s_.,/(\[])"
 )
-# What else says something of the spread of a value; what does so beside the value alone; and what belongs to these.
+# Other words for a spread; words for a spread only next to a value; and words that accompany these.
 _SPREADS = "errors errm errp errorbar plusminus stdv dev deviation uncert sigma var variance ci iqr mad rmse".split()
 _SPREADS_BESIDE = """change difference lo hi minimum maximum neg pos confidence limit limits bound bounds range spread
     scatter tolerance tol accuracy precision resolution residual rms quartile quantile percentile noise
@@ -156,14 +157,14 @@ SPREAD = (
 )
 SPREAD_BESIDE = rf"(?i)(?<!{_LETTER})(?:{'|'.join(_SPREADS_BESIDE)}|[qp]\d+)(?!{_LETTER})"
 FILLER = rf"(?i)(?<!{_LETTER})(?:{'|'.join(_FILLERS)})(?!{_LETTER})|(?<![^\W_])k\s*=\s*[\d.,]+"
-# Before a symbol, mostly of its uncertainty.
+# A prefix of a symbol that usually marks its uncertainty.
 DIFFERENCE = rf"^(?:(?i:delta|d|u)(?=[\s_(])|[Δδ](?=[\s_(]*{_LETTER})|d(?={_LETTER}))"
 
 _WORD = re.compile(r"[^\W\d_](?:[\w\s.'-]*[\w\s.-])?")
 
 
 def key(word: str) -> str:
-    """Return the letters and digits of a word in small letters; "" for what is no word.
+    """Return the letters and digits of a word in lower case; "" if it is not a word.
 
     >>> key("Young's modulus"), key("youngs_modulus"), key("γ"), key("2 gamma")
     ('youngsmodulus', 'youngsmodulus', 'gamma', '')
@@ -173,37 +174,36 @@ def key(word: str) -> str:
 
 
 def spelt_out(word: str) -> str:
-    """Return a symbol with Greek letters spelt out; one that is spelt with a capital, such as Rho, is the same."""
+    """Return a symbol with Greek letters spelt out; capitals such as Rho make no difference."""
     spelt = ascii_text(word).replace(" ", "").replace("_", "")
     return spelt.lower() if spelt.rstrip("12").title() in ("Gamma", "Nu", "Rho", "Xi", "Tau", "Theta") else spelt
 
 
 @cache
 def meanings(measured: str) -> dict[str, Meaning]:
-    """Return what words mean, by their keys, with 1 or 2 for the sphere or without.
+    """Return the meanings of words by key, with and without 1 or 2 for the sphere.
 
-    `measured`: quantities, with commas, whose names, symbols and synonyms are words besides those of inputs.
+    `measured`: quantities separated by commas; their names, symbols and synonyms are added to those of inputs.
     """
     names = {name: name for name in (*INPUTS, *MATERIALS)} | OPTION_WORDS
     for word in NO_HEADERS:
         del names[word]
-    names |= {word: name for name, others in SYNONYMS.items() for word in others}
+    for name, others in SYNONYMS.items():
+        names |= dict.fromkeys(others, name)
     inputs = {word: Meaning([name]) for word, name in names.items() if name in INPUTS or name in MATERIALS}
     inputs |= {re.sub("us$", "i", re.sub("y$", "ies", word)): meaning for word, meaning in inputs.items()}  # radii
     known = dict.fromkeys(NOMENCLATURE, Meaning()) | _of_spheres(inputs | _DOUBTFUL_WORDS)
     for name in filter(None, measured.split(",")):
-        spelt = (
-            name,
-            NOMENCLATURE[name].symbol,
-            *((*SYNONYMS.get(name, []), _OF_CURVES[name]) if name in _OF_CURVES else ()),
-        )
+        spelt = [name, NOMENCLATURE[name].symbol]
+        if name in _OF_CURVES:
+            spelt += [*SYNONYMS.get(name, []), _OF_CURVES[name]]
         known |= dict.fromkeys(filter(None, map(key, spelt)), Meaning([name]))
     return {word.replace("_", ""): meaning for word, meaning in known.items() if word}
 
 
 @cache
 def symbols() -> dict[str, Meaning]:
-    """Return what symbols mean, with Greek letters spelt out, with 1 or 2 for the sphere or without."""
+    """Return the meanings of symbols with Greek letters spelt out, with and without 1 or 2 for the sphere."""
     names: dict[str, list[str]] = {}
     for name in INPUTS:
         if name in RATIOS or NOMENCLATURE[name].unit != "1":
@@ -215,19 +215,19 @@ def symbols() -> dict[str, Meaning]:
 
 @cache
 def symbols_in_any_case() -> dict[str, Meaning]:
-    """Return what symbols mean, in small letters; without those that differ from another by case alone, as R from r."""
+    """Return the meanings of symbols in lower case, without those that differ from others only by case, as R from r."""
     meanings: dict[str, list[Meaning]] = {}
     for symbol, meaning in symbols().items():
         meanings.setdefault(symbol.casefold(), []).append(meaning)
-    return {
-        symbol: several[0]
-        for symbol, several in meanings.items()
-        if symbol not in _OTHER_IN_CASE and all(meaning == several[0] for meaning in several)
-    }
+    unique = {}
+    for symbol, (first, *others) in meanings.items():
+        if symbol not in _OTHER_IN_CASE and all(other == first for other in others):
+            unique[symbol] = first
+    return unique
 
 
 def with_symbol(word: str) -> Meaning | None:
-    """Return the meaning of a symbol that has a unit behind it, in any case; None for another word.
+    """Return the meaning of a symbol that is followed by a unit, in any case; None for another word.
 
     >>> with_symbol("e").names, with_symbol("r2").names, with_symbol("d0")
     (['youngs_modulus', 'energy'], ['radius2'], None)
@@ -237,17 +237,21 @@ def with_symbol(word: str) -> Meaning | None:
 
 
 def with_index(text: str) -> str:
-    """Return the key of the property of a solid whose symbol a text is, with an index; "" for another text.
+    """Return the key of a solid's property, given its symbol with an index; "" for another text.
 
     >>> with_index("E_s"), with_index("ρp"), with_index("E_loss"), with_index("num")
     ('youngsmodulus', 'density', '', '')
     """
-    parts = _WITH_INDEX.fullmatch(ascii_text(text)) if spelt_out(text) not in symbols() else None  # Er is E*
-    return key(symbols()[parts[1]].names[0]) if parts and (parts[2] or "").casefold() not in {*OTHERS, *LABELS} else ""
+    if spelt_out(text) in symbols():
+        return ""  # Er is E*
+    parts = _WITH_INDEX.fullmatch(ascii_text(text))
+    if parts is None or (parts[2] or "").casefold() in {*OTHERS, *LABELS}:
+        return ""
+    return key(symbols()[parts[1]].names[0])
 
 
 def tokens_of(text: str) -> list[str]:
-    """Return the words, symbols and numbers of a header, in small letters.
+    """Return the words, symbols and numbers of a header in lower case.
 
     >>> tokens_of("E wall"), tokens_of("surfAdh_2"), tokens_of("z0")
     (['e', 'wall'], ['surf', 'adh', '2'], ['z0'])
@@ -257,7 +261,7 @@ def tokens_of(text: str) -> list[str]:
 
 
 def is_of_pair(tokens: Iterable[str]) -> bool:
-    """Return whether a word of a header says that the quantity is that of the pair.
+    """Return whether the words of a header name a quantity of the pair.
 
     >>> is_of_pair(["modulo", "ridotto"]), is_of_pair(["e", "eff"]), is_of_pair(["red", "grain"]), is_of_pair(["e"])
     (True, True, True, False)
@@ -266,7 +270,7 @@ def is_of_pair(tokens: Iterable[str]) -> bool:
 
 
 def is_of_asperity(tokens: Iterable[str]) -> bool:
-    """Return whether a word of a header is that of an asperity.
+    """Return whether the words of a header name an asperity.
 
     >>> is_of_asperity(["asperitytipradius"]), is_of_asperity(["r", "asp"]), is_of_asperity(["grasp"])
     (True, True, False)
@@ -278,12 +282,16 @@ _ORDINALS = {"first": 1, "second": 2}
 
 
 def sphere_of(tokens: Sequence[str]) -> int:
-    """Return the sphere that words of a header name, by its number or a body; 0 for none."""
+    """Return the sphere that words of a header name, by a number or a body; 0 if they name none."""
     numbers = [int(token[-1]) for token in tokens if re.fullmatch(r"[a-z]*([12])\1?", token)]  # A22
     numbers += [_ORDINALS[token] for token in tokens if token in _ORDINALS]
-    bodies = [sphere for token in tokens for sphere, bodies in BODIES.items() if token in bodies]
-    bodies.sort(reverse=True)  # particle density of the wall
-    return next(iter([*numbers, *bodies, *(2 for token in tokens[-1:] if token == "j")]), 0)
+    if numbers:
+        return numbers[0]
+    if not BODIES[2].isdisjoint(tokens):  # particle density of the wall
+        return 2
+    if not BODIES[1].isdisjoint(tokens):
+        return 1
+    return 2 if tokens and tokens[-1] == "j" else 0
 
 
 _GAPS = re.compile(r"[\s_.,(){}\[\]-]+|(?<=[a-z0-9])(?=[A-Z])")
@@ -295,7 +303,7 @@ _WITH_BODY = (
 
 
 def without_body(word: str) -> str:
-    """Return a word with the number of its sphere in place of a body; any other word as it is.
+    """Return a word with the number of its sphere instead of a body; any other word unchanged.
 
     >>> without_body("E wall"), without_body("tip radius"), without_body("radius of sphere 2"), without_body("wall")
     ('E2', 'radius1', 'radius2', 'wall')
@@ -309,10 +317,11 @@ def without_body(word: str) -> str:
 
 
 def _of_spheres(known: Mapping[str, Meaning]) -> dict[str, Meaning]:
-    """Return meanings of words, and those of the same words with 1 or 2 for the sphere where an input is of one."""
+    """Return meanings of words, and of the same words with 1 or 2 for inputs of one sphere."""
     of_spheres = dict(known)
     for word, meaning in known.items():
-        if of_first := [name for name in meaning.names if NOMENCLATURE[name].sphere == 1]:
+        of_first = [name for name in meaning.names if NOMENCLATURE[name].sphere == 1]
+        if of_first:
             of_spheres[f"{word}1"] = meaning._replace(names=of_first)
             of_spheres[f"{word}2"] = meaning._replace(names=[NOMENCLATURE[name].twin for name in of_first])
     return of_spheres
@@ -320,19 +329,21 @@ def _of_spheres(known: Mapping[str, Meaning]) -> dict[str, Meaning]:
 
 @cache
 def slips() -> dict[str, str]:
-    """Return the words of inputs by all spellings that lack one letter, or none.
+    """Return the words for inputs by all spellings with one letter missing, or none.
 
-    Two words differ by a slip of the pen, a letter or the order of two, if they have such a spelling in common.
+    Two words that share such a spelling differ by a slip: one letter, or two letters exchanged.
     """
     words = (word for word, meaning in meanings("").items() if meaning.names and not meaning.problem and len(word) > 3)
     known = [word for word in words if not re.fullmatch("diam?[12]?", word)]  # diag is a word
-    longest_first = sorted(known, key=len, reverse=True)  # so that gamma is not a slip in gamma2
-    return {spelt: word for word in longest_first for spelt in lacking_a_letter(word)}
+    spellings: dict[str, str] = {}
+    for word in sorted(known, key=len, reverse=True):  # the longest first: gamma is not a slip in gamma2
+        spellings |= dict.fromkeys(lacking_a_letter(word), word)
+    return spellings
 
 
 def lacking_a_letter(word: str) -> list[str]:
-    """Return a word, and its spellings that lack one letter."""
-    return [word, *(word[:place] + word[place + 1 :] for place in range(len(word)))]
+    """Return a word, and its spellings with one letter missing."""
+    return [word, *(word[:index] + word[index + 1 :] for index in range(len(word)))]
 
 
 # --- Units ------------------------------------------------------------------------------------------------------------
@@ -343,7 +354,7 @@ _COMMON = """m cm mm um nm pm Pa kPa MPa GPa N mN uN nN pN J mJ aJ fJ zJ eV J/m2
 
 @cache
 def units_by_letters() -> dict[str, list[str]]:
-    """Return common units by their letters and digits, as they are and in small letters."""
+    """Return common units by their letters and digits, unchanged and in lower case."""
     units = {"Gpa": ["GPa"], "Mpa": ["MPa"], "Kpa": ["kPa"], "mps": ["m/s"], "mum": ["um"]}
     for unit in _COMMON:
         letters = unit.replace("/", "")
@@ -354,7 +365,7 @@ def units_by_letters() -> dict[str, list[str]]:
 
 
 def squeezed(text: str) -> str:
-    """Return the letters and digits of a unit; a sign of an uncertainty stays, as no unit has one.
+    """Return the letters and digits of a unit; the sign of an uncertainty stays, since units have none.
 
     >>> squeezed("mJ.m-2"), squeezed("kg_per_m³")
     ('mJm2', 'kgm3')
@@ -364,7 +375,7 @@ def squeezed(text: str) -> str:
 
 
 def fits(unit_text: str, name: str) -> bool:
-    """Return whether a text is a unit of a quantity; - and 1 are those of a ratio."""
+    """Return whether a text is a unit of a quantity; ratios have the units - and 1."""
     unit = NOMENCLATURE[name].unit
     if unit == "1" and unit_text in ("1", "-"):
         return True
@@ -376,30 +387,32 @@ def fits(unit_text: str, name: str) -> bool:
 
 
 def unit_for(text: str, name: str, *, is_explicit: bool = False) -> str:
-    """Return the unit of a quantity that a text means, as it is or as programs write a common one; else "".
+    """Return the unit of a quantity that a text means, as written or in a notation of programs; else "".
 
-    What is in no brackets is looked for in the shipped table alone: to load pint takes as long as many rows. Programs
-    change capitals there, so that MN may be mN.
+    Without brackets, only the shipped table is searched: loading pint takes as long as many rows. There programs may
+    have changed capitals, so MN can mean mN.
     """
     if text in _COMMON:
-        return text if fits(text, name) else ""  # nm is no N/m
+        return text if fits(text, name) else ""  # nm is not N/m
     letters, by_letters, is_known = squeezed(text), units_by_letters(), is_in_table(text)
     small = letters.casefold()
     is_clear = is_known and (letters in by_letters or small not in by_letters)
     units = [text] if is_explicit or is_clear or text in ("1", "-") else []
     if not (is_explicit and is_known):
         others = by_letters.get(letters, []) + (by_letters.get(small, []) if text.islower() or text.isupper() else [])
-        units += [unit for unit in others if not (is_explicit and "/" in unit and text.isalnum())]  # Nm is no N/m
-    if parted := re.match(r"([^\W\d_])[\W_]+\w", text):  # m_j is mJ, but c_m is no cm, and the load P in N no pN
+        units += [unit for unit in others if not (is_explicit and "/" in unit and text.isalnum())]  # Nm is not N/m
+    if parted := re.match(r"([^\W\d_])[\W_]+\w", text):  # m_j is mJ, but c_m is not cm, and the load P in N not pN
         is_symbol = parted[1].casefold() == NOMENCLATURE[name].symbol.rstrip("12").casefold()
-        is_index = not (text.islower() or text.isupper())  # nor P_n / N in nN: who parts nN changes capitals
+        is_index = not (
+            text.islower() or text.isupper()
+        )  # nor is P_n / N in nN: a program that splits nN changes capitals
         units = [unit for unit in units if unit == text or not (is_index and unit[1:2].isalpha())]
         units = [unit for unit in units if unit == text or not (is_symbol or unit[1:2].islower())]
     return next((unit for unit in units if fits(unit, name)), "")
 
 
 _IN_ANY_CASE = str.maketrans("µμΜÅå", "uuuaa")
-_Parts = tuple[tuple[str, str], ...]  # of a unit: letters, each with its power, "" for 1
+_Parts = tuple[tuple[str, str], ...]  # of a unit: letters with powers, "" for 1
 
 
 def _in_small_letters(unit: str) -> str:
@@ -407,7 +420,7 @@ def _in_small_letters(unit: str) -> str:
 
 
 def _parts_of(unit: str) -> _Parts:
-    """Return the letters of a unit in small letters, without signs, with the digits behind each."""
+    """Return the letters of a unit in lower case, without signs, each with the digits after it."""
     parts: list[tuple[str, str]] = re.findall(r"([a-z]+)[^a-z\d]*(\d*)", _in_small_letters(unit))
     return tuple((letters, power.removeprefix("1")) for letters, power in parts)
 
@@ -418,55 +431,58 @@ def _joined(parts: _Parts) -> _Parts:
 
 @cache
 def _units_by_parts() -> dict[_Parts, list[str]]:
-    """Return common and rare units by their parts, by those in one if they end with a power, and without this power."""
+    """Return common and rare units by their parts; units with a power also in one part, and without the power."""
     units: dict[_Parts, list[str]] = {(("a", ""),): ["angstrom"]}
     for unit in (*_COMMON, *_RARE):
         parts = _parts_of(unit)
-        spelt = {parts, (*parts[:-1], (parts[-1][0], "lost")), *([_joined(parts)] if parts[-1][1] else ())}
+        spelt = {parts, (*parts[:-1], (parts[-1][0], "lost"))}
+        if parts[-1][1]:
+            spelt.add(_joined(parts))
         for each in spelt:
             units.setdefault(each, []).append(_MEANT_BY.get(unit, unit))
     return units
 
 
 def may_be_unit(text: str, name: str) -> bool:
-    """Return whether a text may be a unit of a quantity, written by a program that changes capitals or loses signs.
+    """Return whether a text may be a unit of a quantity, written by a program that changes capitals or drops signs.
 
     >>> [may_be_unit(text, "density") for text in ("kg?m??", "g_cm_", "KgM3", "kg", "kgm")]
     [True, True, True, False, False]
     """
     if re.search(r"[^\W\d_a-z]", _in_small_letters(text)):
-        return False  # the end of a word
+        return False  # it is the end of a word
     parts = _parts_of(text)
     spelt = [parts, _joined(parts)] if not any(power for _, power in parts) else [parts]
     if parts[1:] and not (text[-1].isalnum() or parts[-1][1]):
         spelt.append((*parts[:-1], (parts[-1][0], "lost")))
-    return any(fits(unit, name) for each in spelt for unit in _units_by_parts().get(each, ()))
+    units = chain.from_iterable(_units_by_parts().get(each, ()) for each in spelt)
+    return any(fits(unit, name) for unit in units)
 
 
 def is_like_unit(token: str) -> bool:
-    """Return whether a word in small letters may be of a unit or a symbol, or says of which body a quantity is."""
+    """Return whether a word in lower case may be part of a unit or a symbol, or the name of a body."""
     return token in NEUTRAL or token in PREFIXES or any(unit.startswith(token) for unit in units_by_letters())
 
 
 def headed(name: str, unit_text: str = "UNIT") -> str:
-    """Return the header of an input, with its unit, or the place of it, if it needs one."""
+    """Return the header of an input, with its unit if it needs one."""
     return f"{name} [{unit_text}]" if NOMENCLATURE[name].unit not in ("", "1") else name
 
 
 # --- Words of columns that are not read -------------------------------------------------------------------------------
 
-# Units besides common ones, which are not read in any spelling, as a column of them may be an input.
+# Rare units. They are not read in every spelling, but a column with one of them may be an input.
 _RARE = """angstrom angstroms ang micron microns nanometer micrometer nanometre micrometre GN/m2 MN/m2 kN/m2 N/m2
     dyne/cm dyne/cm2 psi gigapascal megapascal joule nJ pJ keV meV erg newton nanonewton dyn dyne nanoN kg/dm3 t/m3
     kg/cum m/sec mps us ns ps sec""".split()
 _MEANT_BY = {"ang": "angstrom", "m/sec": "m/s", "mps": "m/s", "nanoN": "nN", "kg/cum": "kg/m3", "sec": "s"}
-# Beside a word they make it a multiple or a part of the quantity.
+# Words that turn the quantity next to them into a multiple or a part of it.
 SENSES = {*"half double twice fwhm hwhm squared square inv times per ratio rel relative change rate".split()}
 # SI units so common that a word must point to an input.
 COMMON_UNITS = ("m", "N", "s", "1")
 _OF_BODIES = """size groess gross grain partic sphere bead kugel korn partikel colloid monomer indenter bille tamano
     taille tip probe ball""".split()
-# For inputs in these units: symbols, and parts of words, which point to them.
+# For inputs in these units: symbols, and parts of words, that point to them.
 POINTERS: Mapping[str, tuple[Sequence[str], Sequence[str]]] = {
     "poisson_ratio": ("nu pr".split(), "poiss querkontrak".split()),
     "hysteresis_fraction": ((), ["hyst"]),
@@ -496,8 +512,8 @@ POINTERS: Mapping[str, tuple[Sequence[str], Sequence[str]]] = {
 GENERIC = {
     *"energy energie energia modulus module modulo modul coefficient constante rate radius rayon radio work of".split(),
     *"roughness gap".split(),
-}  # which tell no inputs of one dimension apart
-# By SI unit, words of what is no input.
+}  # they do not distinguish inputs of one dimension
+# By SI unit: words for quantities that are not inputs.
 NO_INPUTS: Mapping[str, frozenset[str]] = {
     unit: frozenset(text.split())
     for unit, text in {
@@ -518,7 +534,7 @@ NO_INPUTS: Mapping[str, frozenset[str]] = {
             rupture capillary drag electrostatic""",
     }.items()
 }
-# Words that others use for an input, and that are not certain to mean it.
+# Words that others use for an input, but that do not always mean it.
 WORDS_BESIDES: Mapping[str, Sequence[str]] = {
     "radius": "radius radii rad raggio halbmesser roc".split(),
     "atomic_spacing": "minimum closest".split(),
@@ -538,28 +554,28 @@ WORDS_BESIDES: Mapping[str, Sequence[str]] = {
 
 # --- Rows of statistics -----------------------------------------------------------------------------------------------
 
-LABEL_OF = "label of column "  # and its index: the name of its cells
+LABEL_OF = "label of column "  # followed by its index: the name of its cells
 MEANS = {*"mean average avg median meansd meanstd meanstdev meansem mittelwert moyenne".split()}
 SPREADS = {
     *"""sd stdev stddev standarddeviation stdeviation sem stderr stderror standarderror rsd variance
     standardabweichung écarttype ecarttype""".split()
 }
 
-# Statistics beside others, and else labels of data.
+# Statistics next to others; otherwise labels of data.
 _BESIDE = {*"n count number se std cv var ci iqr min max minimum maximum sum total range error".split()}
 _STATISTICS = MEANS | SPREADS | _BESIDE
 _PERCENTILE = re.compile(r"\d[\d.]*\s*%|q[1-3]")
-# The beginning of a line with a mean or a spread, which few tables have.
+# The start of a cell with a mean or a spread, which few tables have.
 _MAY_NAME = re.compile(rb"\n[^\na-z0-9]*(?:mean|average|avg|median|mittel|moyenne|rsd|s\W?d|st|s\W?e\W?m|var|cart)")
 
 
 def is_of_text(name: str) -> bool:
-    """Return whether the cells of a column, by their name in a table, are no numbers."""
+    """Return whether a column does not hold numbers, by its name in a table."""
     return name in MATERIALS or name.startswith(LABEL_OF)
 
 
 def statistic(cell: bytes) -> str:
-    """Return the statistic that a cell names, in small letters alone; "" for any other cell.
+    """Return the statistic that a cell names, in lower case; "" for any other cell.
 
     >>> statistic(b"Mean:"), statistic(b"Std. dev. (n=5)"), statistic(b"75%"), statistic(b"grain 5")
     ('mean', 'stddev', 'percentile', '')
@@ -573,27 +589,27 @@ def statistic(cell: bytes) -> str:
 
 
 def _may_name(cells: Sequence[bytes]) -> bool:
-    """Return whether some cells may name a mean or a spread: most columns have none, which is found fast."""
+    """Return whether some cells may name a mean or a spread: a fast test, since most columns have none."""
     return _MAY_NAME.search(b"\n" + b"\n".join(cells).lower()) is not None
 
 
 def are_kinds_of_data(cells: Sequence[bytes]) -> bool:
-    """Return whether all cells name statistics other than spreads: the data are means, or the least and the largest."""
+    """Return whether all cells name statistics other than spreads, so that the data are means or extremes."""
     names = {statistic(cell) for cell in cells if cell.strip()} if _may_name(cells) else {""}
     return "" not in names and names.isdisjoint(SPREADS)
 
 
 def rows_of_statistics(cells: Sequence[bytes], *, alone: bool) -> list[int]:
-    """Return the rows whose cells name statistics, as SD does, or a mean beside others or `alone`.
+    """Return the rows whose cells name statistics: a spread such as SD, or a mean with others or `alone`.
 
-    Words such as N, which may be labels, are statistics beside one of these.
+    Words that may be labels, such as N, count as statistics next to one of these.
     """
     if not _may_name(cells):
         return []
     names, rows = [*map(statistic, cells)], list[int]()
     for is_named, run in groupby(range(len(names)), lambda row: bool(names[row])):
-        places = [*run]
-        found = {names[row] for row in places}
+        run_of_rows = [*run]
+        found = {names[row] for row in run_of_rows}
         if is_named and (found & SPREADS or (found & MEANS and (alone or len(found) > 1))):
-            rows += places
+            rows += run_of_rows
     return rows

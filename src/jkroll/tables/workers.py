@@ -1,6 +1,6 @@
-"""Processes that answer questions. Each gets a question over a pipe of its own and sends back an answer or an error.
+"""Worker processes. Each receives questions over its own pipe and sends back answers or errors.
 
-A process ends with the one that started it, at once. No lock is shared, so a process may be ended at any moment.
+A worker ends at once when its parent process ends. No lock is shared, so a worker may be killed at any moment.
 """
 
 import gc
@@ -21,19 +21,19 @@ Answer = Callable[[Any], Any]
 
 
 class LostWorker(JkrollError):
-    """Error raised when a process is ended from outside."""
+    """Error raised when a worker is killed from outside."""
 
     exit_code = 1
 
 
 def _serve(questions: Any, answer: Answer) -> None:
-    """Answer the questions in a pipe until it is closed."""
+    """Answer the questions from a pipe until it is closed."""
     _mask("SIG_UNBLOCK", {*SIGNALS} - {signal.SIGINT})
     Thread(target=_end_with_parent, daemon=True).start()
-    gc.disable()  # a block leaves no cycles, and to look for them takes a microsecond a row
+    gc.disable()  # a block leaves no cycles, and searching for them takes a microsecond for each row
     with suppress(EOFError, ConnectionError):
         while True:
-            questions.send(_outcome(answer, questions.recv()))  # nothing of a block is kept beside the next one
+            questions.send(_outcome(answer, questions.recv()))  # nothing of a block is kept for the next one
     os._exit(0)  # an orderly shutdown of the interpreter would take longer than most tables
 
 
@@ -46,29 +46,29 @@ def _outcome(answer: Answer, question: Any) -> Any:
 
 
 def _end_with_parent() -> None:
-    """End this process when the one that started it has ended: nobody waits for its answers."""
+    """End this process when its parent has ended, since nobody waits for answers."""
     parent = parent_process()
     if parent is not None:
         parent.join()
-        os.kill(os.getpid(), signal.SIGTERM)  # which removes a file that was begun
+        os.kill(os.getpid(), signal.SIGTERM)  # the handler removes a temporary file
 
 
 def _mask(how: str, numbers: Iterable[int]) -> None:
-    """Block or unblock signals, for processes that are started too: a blocked one waits. Windows has no such thing."""
+    """Block or unblock signals, also for processes started later; blocked signals wait. Windows has no such thing."""
     if hasattr(signal, "pthread_sigmask"):
-        resource_tracker.ensure_running()  # its start unblocks some
+        resource_tracker.ensure_running()  # starting it unblocks some signals
         signal.pthread_sigmask(getattr(signal, how), numbers)
 
 
 def answers(count: int, answer: Answer, questions: Iterable[Any]) -> Iterator[Any]:
-    """Iterate over the answers of some processes in the order of the questions. Raises their errors, and LostWorker.
+    """Iterate over the answers of some workers in the order of the questions. Raises their errors, and LostWorker.
 
-    No interrupt reaches them: they end with the iteration.
+    Workers ignore interrupts: they end with the iteration.
     """
-    context = get_context("spawn")  # safe beside threads, and the same on every system
-    processes, asked = dict[Any, Any](), deque[Any]()  # by their pipes, and the pipes that owe an answer
+    context = get_context("spawn")  # safe with threads, and the same on every system
+    processes, asked = dict[Any, Any](), deque[Any]()  # by pipe; and the pipes with an open question
     try:
-        _mask("SIG_BLOCK", SIGNALS)  # a process that starts would say that it was struck
+        _mask("SIG_BLOCK", SIGNALS)  # a starting process would print a traceback
         try:
             for _ in range(count):
                 pipe, end = context.Pipe()
@@ -93,11 +93,11 @@ def answers(count: int, answer: Answer, questions: Iterable[Any]) -> Iterator[An
         for process in processes.values():
             process.terminate()
         for process in processes.values():
-            process.join()  # it removes what it has begun
+            process.join()  # it removes its temporary files
 
 
 def _answer(pipe: Any) -> Any:
-    """Return the next answer in a pipe. Raises its error."""
+    """Return the next answer from a pipe. Raises its error."""
     answer = pipe.recv()
     if isinstance(answer, Exception):
         raise answer

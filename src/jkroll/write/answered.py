@@ -1,4 +1,4 @@
-"""An answer as plain lines in a pipe, and as an object of JSON."""
+"""An answer as unformatted lines for a pipe, and as a JSON object."""
 
 from collections.abc import Iterable, Mapping
 from math import isnan
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def write_plain(answer: Report, out: TextIO, form: Format, *, best: bool = False) -> None:
-    """Write a line `name value unit` for each result of a frame, each side of its uncertainty, and its best range."""
+    """Write a line `name value unit` for each result, for each side of its uncertainty, and for its best range."""
     for word in ("model", "profile"):
         if word in answer.inputs:
             say(f"{word} {answer.inputs[word]}", out)
@@ -29,7 +29,7 @@ def write_plain(answer: Report, out: TextIO, form: Format, *, best: bool = False
 
 
 def _write_best(name: str, best: Estimate, out: TextIO, form: Format) -> None:
-    """Write a line for each end of a best range that is not open, and for its rule."""
+    """Write a line for each known end of a best range, and for its rule."""
     ends = zip(("low", "high"), best[:2], strict=True)
     write_measure(name, {f"{name}_best_{which}": end for which, end in ends if not isnan(end)}, out, form)
     if best.by != NONE:
@@ -37,7 +37,7 @@ def _write_best(name: str, best: Estimate, out: TextIO, form: Format) -> None:
 
 
 def write_measure(quantity: str, measures: Mapping[str, float | Uncertain | None], out: TextIO, form: Format) -> None:
-    """Write a line `name value unit` for each number of some measures of a quantity, by their names."""
+    """Write a line `name value unit` for each number of some measures of a quantity, by name."""
     for name, number in numbers_of(measures).items():
         word = in_words(quantity, number)
         value = word if isinstance(word, str) else f"{spelled(form.number(quantity, number))} {form.unit(quantity)}"
@@ -45,25 +45,28 @@ def write_measure(quantity: str, measures: Mapping[str, float | Uncertain | None
 
 
 def numbers_of(measures: Mapping[str, float | Uncertain | None]) -> dict[str, float]:
-    """Return the numbers of measures by their names, with the sides of their uncertainties; None has none."""
+    """Return the numbers of measures by name, with the sides of their uncertainties; None has no number."""
     numbers = {}
     for name, value in measures.items():
         if value is not None:
             numbers[name] = middle(value)
         if is_uncertain(value):
-            numbers |= {f"{name}_{side}": number for side, number in value.sides.items()}
+            for side, number in value.sides.items():
+                numbers[f"{name}_{side}"] = number
     return numbers
 
 
 def write_json(answers: Iterable[Report], count: int, out: TextIO, form: Format) -> None:
-    """Write an object for each frame; several frames are an array, written as they are computed."""
-    for position, answer in enumerate(answers, 1):
-        start, end = ("[\n" if position == 1 else "", "\n]" if position == count else ",") if count > 1 else ("", "")
-        say(start + json_text(as_object(answer, form), out) + end, out)
+    """Write an object for each frame; several objects form an array, and are written as they are computed."""
+    for number, answer in enumerate(answers, 1):
+        text = json_text(as_object(answer, form), out)
+        if count > 1:
+            text = ("[\n" if number == 1 else "") + text + ("\n]" if number == count else ",")
+        say(text, out)
 
 
 def as_object(answer: Report, form: Format) -> dict[str, Any]:
-    """Return the JSON object of one frame."""
+    """Return the JSON object of an answer."""
     from .. import __version__
 
     entry: dict[str, Any] = {"inputs": dict(answer.inputs)}
@@ -92,12 +95,15 @@ def _result_object(result: Result, answer: Report, form: Format) -> dict[str, An
         entry |= {"model": DEFAULT_LAW, **LAWS[result.law].words}
         jkr = answer.of_jkr.get(result.name)
         entry["jkr"] = None if jkr is None else form.number(result.name, jkr)
-    if (best := answer.estimates.get(result.name)) is not None and best.by != NONE:
+    best = answer.estimates.get(result.name)
+    if best is not None and best.by != NONE:
         low, high = (None if isnan(end) else form.number(result.name, end) for end in best[:2])
         entry["best"] = {"low": low, "high": high, "by": WORDS[best.by], "why": answer.whys[best.by]}
     bar = result.uncertain
-    further = {
-        **{key: getattr(quantity, key) for key in (("note",) if result.law else ("note", "definition", "reference"))},
+    further: dict[str, Any] = {"note": quantity.note}
+    if not result.law:
+        further |= {"definition": quantity.definition, "reference": quantity.reference}
+    further |= {
         "uncertainty": bar and bar_object(result.name, bar, form),
         "shares": result.bar and result.bar.shares,
         "condition" if answer.condition is None else "growth": result.growth,
@@ -110,7 +116,7 @@ def _result_object(result: Result, answer: Report, form: Format) -> dict[str, An
 
 
 def bar_object(name: str, bar: Uncertain, form: Format = AS_USUAL) -> dict[str, Any]:
-    """Return the kind of an error bar and its sides, in the unit of a quantity."""
+    """Return an uncertainty as an object: its kind and its sides, in the unit of a quantity."""
     return {"kind": bar.kind, **{side: form.number(name, number) for side, number in bar.sides.items()}}
 
 

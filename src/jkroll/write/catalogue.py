@@ -1,6 +1,7 @@
-"""The materials and the quantities of the nomenclature as text: lists of them, and all that is known of one."""
+"""The materials and quantities as text: lists of them, and full sheets of single ones."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from itertools import chain
 from typing import Any, TextIO
 
 from ..materials.library import ORIGIN, Material
@@ -34,10 +35,10 @@ from .writers import Cell, write_records
 
 
 def write_materials(chosen: Sequence[Material], out: TextIO, output: str, *, named: bool) -> None:
-    """Write materials in a format, a single one that was `named` in full, and several with all their values."""
+    """Write materials in a format: a single `named` one in full, several with all their values."""
     is_one = named and len(chosen) == 1
     if output == "cite":
-        entries = {entry["key"]: entry for material in chosen for entry in material.references}
+        entries = {entry["key"]: entry for entry in chain.from_iterable(material.references for material in chosen)}
         for entry in entries.values():
             say(bibtex(entry), out)
     elif output == "json":
@@ -56,9 +57,9 @@ def write_materials(chosen: Sequence[Material], out: TextIO, output: str, *, nam
 
 
 def _write_rows(chosen: Sequence[Material], out: TextIO, output: str) -> None:
-    """Write a row for each material, with the columns of uncertainties that any of them has."""
-    bars = [bar for material in chosen for bar in material.uncertainties.values()]
-    columns = Wanted(PROPERTIES, sides={side for bar in bars for side in bar.sides})
+    """Write a row for each material, with columns for all uncertainties that occur."""
+    bars = chain.from_iterable(material.uncertainties.values() for material in chosen)
+    columns = Wanted(PROPERTIES, sides={*chain.from_iterable(bar.sides for bar in bars)})
     rows: list[list[Cell]] = []
     for material in chosen:
         numbers = numbers_of(material.measures)
@@ -75,7 +76,7 @@ def _write_values(chosen: Sequence[Material], out: TextIO) -> None:
 
 
 def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
-    """Write a table of materials by sets: the surface energy of each, and in which state it has it."""
+    """Write a table of materials by sets, with the surface energy of each and the state that it belongs to."""
     measures = [material.measures.get("surface_energy") for material in chosen]
     ((head, energies, _),) = columns_of("surface_energy", {"γ": measures}, EXACT)
     rows: dict[str, list[tuple[str, str, str]]] = {}
@@ -90,7 +91,7 @@ def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
     for title, names in without.items():
         rows[title].append(("  no γ (--gamma)", "–", ", ".join(names)))
     heads = ("material", head, "state, what to know of γ, or reference")
-    write_texts(heads, [row for rows_of_set in rows.values() for row in rows_of_set], out)
+    write_texts(heads, [*chain.from_iterable(rows.values())], out)
     say(f"\n{_IN_FULL}; find some: jkroll materials WORD", out)
 
 
@@ -102,7 +103,7 @@ def _keys(material: Material) -> str:
 
 
 def material_as_object(material: Material) -> dict[str, Any]:
-    """Return the JSON object of a material; a property that it lacks is null, and a displacement left out."""
+    """Return the JSON object of a material; missing properties are null, a missing displacement is left out."""
     displacement = {}
     if material.displacement is not None:
         radius, measured = material.displacement.radius, material.displacement.measured
@@ -124,7 +125,7 @@ def material_as_object(material: Material) -> dict[str, Any]:
 
 
 def _write_lines(material: Material, out: TextIO) -> None:
-    """Write a line `name value unit` for each property and each side of its uncertainty, and where it comes from."""
+    """Write a line `name value unit` for each property and each side of its uncertainty, and its origin."""
     say(f"material {material.name}", out)
     if material.state:
         say(f"state {material.state}", out)
@@ -141,14 +142,14 @@ def _write_material(material: Material, out: TextIO) -> None:
 
 
 def _write_sheet(title: str, facts: Iterable[tuple[str, str]], out: TextIO) -> None:
-    """Write a title, and a line for each fact that is known."""
+    """Write a title, and a line for each known fact."""
     say(title, out)
     for head, text in facts:
         if text:
             say_wrapped(f"{head:{_INDENT - 1}} {text}", out, _INDENT)
 
 
-_INDENT = 16  # of the texts of a sheet
+_INDENT = 16  # indent of the texts in a sheet
 
 
 # --- Quantities -------------------------------------------------------------------------------------------------------
@@ -161,7 +162,7 @@ def write_quantities(
 ) -> None:
     """Write a list of quantities in a format, or a single one in full.
 
-    `takers`: the commands that take an input; `most`: the number of quantities that a table describes.
+    `takers`: returns the commands that take an input; `most`: the number of quantities that a table describes.
     """
     if output == "json":
         objects = [quantity_as_object(name) for name in names]
@@ -169,13 +170,13 @@ def write_quantities(
     elif output in ("table", "plain") and len(names) == 1:
         _write_quantity(names[0], out, takers(names[0]))
     elif output == "table":
-        for title, members in (
-            groups_of_quantities() if len(names) == len(NOMENCLATURE) else {"name": names[:most]}
-        ).items():
+        groups = {"name": names[:most]} if len(names) < len(NOMENCLATURE) else groups_of_quantities()
+        for title, members in groups.items():
             heads, *rows = quantity_table(title, members)
             write_texts(heads, rows, out)
             say("", out)
-        if others := names[len(names) if most is None else most :]:
+        others = names[len(names) if most is None else most :]
+        if others:
             say_wrapped(f"and {len(others)} more: {', '.join(others)}", out)
     else:
         objects = [{**quantity_as_object(name), "commands": " ".join(commands_of(name))} for name in names]
@@ -183,7 +184,7 @@ def write_quantities(
 
 
 def quantity_as_object(name: str) -> dict[str, Any]:
-    """Return all that is known of a quantity: its JSON object, of which the other pages are views."""
+    """Return the JSON object of a quantity, with all that is known of it; other lists are views of it."""
     quantity, formula = NOMENCLATURE[name], formula_of(name)
     fields = docstring_fields(formula) if formula else {}
     words = words_in(name)
@@ -216,17 +217,17 @@ def _has_words(name: str, words: Iterable[str]) -> bool:
 
 
 def commands_of(name: str) -> tuple[str, ...]:
-    """Return the commands that show a quantity, or that take it as an option."""
+    """Return the commands that show a quantity, or take it as an option."""
     takes = bool(NOMENCLATURE[name].option) or formula_of(name) is None
-    return tuple(
-        command
-        for command, question in QUESTIONS.items()
-        if name in question.quantities or (takes and name in depends_on(question.quantities))
-    )
+    commands = []
+    for command, question in QUESTIONS.items():
+        if name in question.quantities or (takes and name in depends_on(question.quantities)):
+            commands.append(command)
+    return tuple(commands)
 
 
 def quantity_table(title: str, names: Iterable[str]) -> Iterator[tuple[str, str, str]]:
-    """Iterate over the heads and the rows of a list of quantities."""
+    """Iterate over the header and the rows of a list of quantities."""
     yield title, "symbol [unit]", "meaning"
     for name in names:
         quantity = NOMENCLATURE[name]
@@ -235,13 +236,14 @@ def quantity_table(title: str, names: Iterable[str]) -> Iterator[tuple[str, str,
 
 
 def groups_of_quantities() -> dict[str, list[str]]:
-    """Return all quantities but variants in groups of a screen, each in the first to which it belongs."""
-    groups: dict[str, Collection[str]] = {
-        **{
-            f"of sphere {side}": [name for name in NOMENCLATURE if NOMENCLATURE[name].sphere == side] for side in (1, 2)
-        },
-        "input": [name for name, quantity in NOMENCLATURE.items() if quantity.example],
-        **{f"jkroll {command}": question.quantities for command, question in QUESTIONS.items()},
+    """Return all quantities except variants, in groups of one screen; each is in the first group that it fits."""
+    groups: dict[str, Collection[str]] = {}
+    for sphere in (1, 2):
+        groups[f"of sphere {sphere}"] = [name for name in NOMENCLATURE if NOMENCLATURE[name].sphere == sphere]
+    groups["input"] = [name for name, quantity in NOMENCLATURE.items() if quantity.example]
+    for command, question in QUESTIONS.items():
+        groups[f"jkroll {command}"] = question.quantities
+    groups |= {
         "of DEM": (*OF_DEM, "time_step"),
         "of a meniscus": OF_WATER,
         "limit": [limit.name for limit in LIMITS],
@@ -259,7 +261,7 @@ def groups_of_quantities() -> dict[str, list[str]]:
 
 
 def _write_quantity(name: str, out: TextIO, takers: Sequence[str]) -> None:
-    """Write what is known of a quantity, a line for each fact. `takers`: the commands that take it as an input."""
+    """Write a quantity in full, with a line for each fact. `takers`: the commands that take it as an input."""
     record = quantity_as_object(name)
     title, example = f"{record.pop('name')}: {record.pop('meaning')}", record.pop("example")
     is_word = example and not record["option"]
@@ -273,5 +275,8 @@ def _write_quantity(name: str, out: TextIO, takers: Sequence[str]) -> None:
     }
     facts: dict[str, str] = {}
     for key, text in record.items():
-        facts |= of_commands if key == "commands" else {key: text if isinstance(text, str) else ", ".join(text)}
+        if key == "commands":
+            facts |= of_commands
+        else:
+            facts[key] = text if isinstance(text, str) else ", ".join(text)
     _write_sheet(title, ((f"  {key.replace('_', ' ')}", text) for key, text in facts.items()), out)

@@ -1,10 +1,11 @@
-"""Contacts as input of other programs: LAMMPS, LIGGGHTS, DustCollider and DustSimulation, in SI or cgs units.
+"""Contacts as input for other programs: LAMMPS, LIGGGHTS, DustCollider and DustSimulation, in SI or cgs units.
 
-LAMMPS has them as `granular`. Its rolling friction is a spring F = kξ with the cap μ|P + 2P_po| and the torque FR;
-those of sliding and twisting have such caps, too. Comments are ASCII, as LAMMPS warns of other characters.
+In LAMMPS they are `granular` contacts. Its rolling friction is a spring F = kξ with the cap μ|P + 2P_po| and the torque
+FR; sliding and twisting have similar caps. Comments are ASCII, because LAMMPS warns about other characters.
 """
 
 from collections.abc import Callable, Iterable, Mapping
+from itertools import chain
 from math import pi
 from typing import NamedTuple
 
@@ -16,12 +17,12 @@ from ..quantities.formatting import Format, amount, significant
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, STATE_OR_LOAD, of_sphere
 
-SKIN = 0.2  # of the neighbor lists, in radii of the smaller sphere
-LEAST_SKIN = 0.4  # in δ0: as far as spheres in contact may be apart where the tension is largest
-NO_SLIP = 1e9  # a coefficient of friction with which nothing slips, where a law does not say at which force it does
+SKIN = 0.2  # of the neighbor lists, in units of the smaller radius
+LEAST_SKIN = 0.4  # in units of δ0: the largest distance between spheres in contact
+NO_SLIP = 1e9  # a coefficient of friction that prevents slip, for laws without a sliding force
 
 USUAL = ("yield_moment", "pull_off_force", "rolling_stiffness", "tangential_stiffness", "time_step")
-THRESHOLDS = ("sliding_force", "twisting_stiffness", "twisting_moment")  # of JKR
+THRESHOLDS = ("sliding_force", "twisting_stiffness", "twisting_moment")  # by JKR
 _STATED = ("work_of_adhesion", "yield_displacement", "load")
 
 # --- LAMMPS -----------------------------------------------------------------------------------------------------------
@@ -61,10 +62,10 @@ _REMARKS_ON = {  # by law
 
 
 def lammps_input(frame: Frame) -> str:
-    """Return an input: coefficients of pairs of types or a wall, a time step, and what they stand on."""
+    """Return input for LAMMPS: coefficients of pairs of types or of a wall, a time step, and their assumptions."""
     is_jkr = frame.law.is_default
-    names = (*USUAL, *((*THRESHOLDS, "shear_strength") if is_jkr else ()), "contact_shear_modulus")
-    values = {name: frame[name] for name in (*names, "density", "density2", *_STATED)}
+    names = [*USUAL, *THRESHOLDS, "shear_strength"] if is_jkr else [*USUAL]
+    values = {name: frame[name] for name in (*names, "contact_shear_modulus", "density", "density2", *_STATED)}
     grains = _grains(frame)
     pairs = {f"pair_coeff {grain} {grain} {{}}": pair for grain, pair in grains.items()}
     bodies, place = "two spheres", ""
@@ -79,13 +80,12 @@ def lammps_input(frame: Frame) -> str:
         try:
             coefficients.append(command.format(_coefficients(pair)))
             steps.append(pair["time_step"])
-        except JkrollError as error:  # of like spheres: two rigid ones, or some of which less is given
+        except JkrollError as error:  # a pair of like spheres may be rigid, or lack an input
             coefficients.append(f"# {command.partition(' {')[0]}: {explanation_of(command, error)}")
     at_rest = "Like spheres touch without load. " if values["load"] else ""
-    types = (
-        f"# set type {grain} diameter {2 * pair['radius']:.12g} density {pair['density']:.12g}"
-        for grain, pair in grains.items()
-    )
+    types = []
+    for grain, pair in grains.items():
+        types.append(f"# set type {grain} diameter {2 * pair['radius']:.12g} density {pair['density']:.12g}")
     return (_LAMMPS + _REMARKS_ON[frame.law.name]).format(
         **values,
         law=frame.law.name,
@@ -103,7 +103,7 @@ def lammps_input(frame: Frame) -> str:
 
 
 def _skin(frame: Frame, pairs: Iterable[Frame]) -> float:
-    """Return how far beyond touching the neighbor lists reach, in m."""
+    """Return the distance beyond touching that neighbor lists cover, in m."""
     smallest = min(frame["radius"], frame.values.get("radius2", INFINITY))
     approaches = (approach for pair in pairs for approach in pair.numbers("approach").values())
     return float(max(SKIN * smallest, *(LEAST_SKIN * approach for approach in approaches)))
@@ -114,14 +114,14 @@ def _is_at_wall(frame: Frame) -> bool:
 
 
 def _grains(frame: Frame) -> dict[int, Frame]:
-    """Return the pair of two grains of each type, by its number: of a sphere and a plane, there is one type."""
+    """Return the pair of two grains of each type, by number; a sphere on a plane gives one type."""
     if frame.is_identical:
         return {1: frame}
     return {sphere: pair_of(frame, sphere) for sphere in ((1,) if _is_at_wall(frame) else (1, 2))}
 
 
 def pair_of(frame: Frame, sphere: int) -> Frame:
-    """Return the pair of two spheres like sphere 1, or like sphere 2, without load."""
+    """Return the pair of two spheres like sphere 1 or like sphere 2, without load."""
     stated = {name: value for name, value in frame.stated_of_1.items() if name not in STATE_OR_LOAD}
     of_2 = {of_sphere(1, name): value for name, value in frame.stated.items() if NOMENCLATURE[name].sphere == 2}
     if sphere == 1:
@@ -132,7 +132,7 @@ def pair_of(frame: Frame, sphere: int) -> Frame:
 
 
 def _coefficients(pair: Frame) -> str:
-    """Return the words and numbers that describe a contact in `pair_coeff` and `fix wall/gran`."""
+    """Return the words and numbers for a contact in `pair_coeff` and `fix wall/gran`."""
     slip = pair["sliding_friction_coefficient"] if pair.law.is_default else NO_SLIP
     numbers: dict[str, tuple[float, ...]] = {
         pair.law.name: (2 * pair["contact_modulus"], 0, 0, pair["work_of_adhesion"] / 2),
@@ -141,7 +141,8 @@ def _coefficients(pair: Frame) -> str:
     }
     if pair.law.is_default:
         numbers["twisting sds"] = (pair["twisting_stiffness"], 0, pair["twisting_friction_coefficient"])
-    return " ".join(" ".join((word, *(f"{number:.12g}" for number in values))) for word, values in numbers.items())
+    texts = [" ".join((word, *(f"{number:.12g}" for number in values))) for word, values in numbers.items()]
+    return " ".join(texts)
 
 
 # --- LIGGGHTS ---------------------------------------------------------------------------------------------------------
@@ -167,7 +168,7 @@ _TWO_RULES = """\
 
 
 def liggghts_input(frame: Frame) -> str:
-    """Return an input: Hertz' force less kA with the pull-off force of JKR."""
+    """Return input for LIGGGHTS: Hertz' force minus kA, with the pull-off force of JKR."""
     frame.plans("pull_off_force", "contact_modulus", "density")
     _refuse_state(frame, "liggghts")
     spheres = (1,) if frame.is_identical else (1, 2)
@@ -178,7 +179,7 @@ def liggghts_input(frame: Frame) -> str:
         raise BadRequest("export: liggghts needs a finite Young's modulus of each body")
     grains = _grains(frame)
     pairs = [frame] if frame.is_identical else [grains[1], frame, frame, grains.get(2, frame)]
-    steps = [step for pair in pairs for step in pair.numbers("time_step").values()]
+    steps = [*chain.from_iterable(pair.numbers("time_step").values() for pair in pairs)]
     return _LIGGGHTS.format(
         force=frame["pull_off_force"],
         wall="; type 2 is the wall" if _is_at_wall(frame) else "",
@@ -191,19 +192,19 @@ def liggghts_input(frame: Frame) -> str:
 
 
 def _spaced(numbers: Iterable[float]) -> str:
-    """Return numbers as a text, each behind a blank."""
+    """Return numbers as a text, with a blank before each."""
     return "".join(f" {number:.12g}" for number in numbers)
 
 
 def _energy_density(pair: Frame) -> float:
-    """Return k in J/m³: with A = cδ the least force is −(kc)³/(12E*²R); c is 4πR for two spheres and 2πR1 at a wall."""
+    """Return k in J/m³. With A = cδ the least force is −(kc)³/(12E*²R); c is 4πR for two spheres, 2πR1 at a wall."""
     modulus, radius, force = pair["contact_modulus"], pair["reduced_radius"], pair["pull_off_force"]
     area = 2 * pi * radius * (1 if _is_at_wall(pair) else 2)
     return float((12 * modulus**2 * radius * force) ** (1 / 3) / area)
 
 
 def _refuse_state(frame: Frame, program: str) -> None:
-    """Raise BadRequest for a load or an approach: a file is for all of them."""
+    """Raise BadRequest for a load or an approach, since the input holds for all of them."""
     if not STATE.isdisjoint(frame.stated) or frame.values["load"]:
         raise BadRequest(f"export: {program} finds the load by itself; give none")
 
@@ -225,9 +226,9 @@ _DUST_COLLIDER = """\
 
 
 def _grain(frame: Frame, program: str) -> tuple[str, list[float]]:
-    """Return the name of the material of grains, its γ, E, ν, density and ξ, all in SI units, for a program for dust.
+    """Return the name of the grains' material, and its γ, E, ν, density and ξ in SI units, for a program for dust.
 
-    Raises the reason why the program cannot have the frame.
+    Raises an error if the program cannot represent the frame.
     """
     frame.plans("pull_off_force", "contact_modulus", "density", "yield_displacement")
     _refuse_state(frame, program)
@@ -250,7 +251,7 @@ def dust_simulation_material(frame: Frame) -> str:
 
 
 def _about_dust_simulation(frame: Frame) -> tuple[str, str]:
-    """Return the notes on a material file: its lines, and which grains stick at every speed."""
+    """Return the notes on a material file: its lines, and the size of grains that stick at every speed."""
     ratio = frame.replace(viscous_time=float(_DAMPING[1]))["viscosity_number"]
     largest = amount("radius", frame["radius"] * (ratio / STICKS_FROM) ** (6 / 7), Format(digits=3))
     sticks = f"with this viscous time all grains below {largest} stick at every speed"
@@ -269,13 +270,13 @@ def dust_collider_material(frame: Frame) -> str:
 
 
 class Program(NamedTuple):
-    """A program that takes contacts: its title, how its input is written, the quantities in it, and the laws it has."""
+    """A program that takes contacts: its title, the function that writes its input, its quantities and its laws."""
 
     title: str
     text: Callable[[Frame], str]
     quantities: tuple[str, ...]
     models: tuple[str, ...] = (DEFAULT_LAW,)
-    about: Callable[[Frame], Iterable[str]] | None = None  # notes on an input that has no comments
+    about: Callable[[Frame], Iterable[str]] | None = None  # notes, for an input without comments
 
 
 PROGRAMS: Mapping[str, Program] = {

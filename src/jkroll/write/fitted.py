@@ -1,4 +1,4 @@
-"""The fit of a force curve as text, JSON, BibTeX, a paragraph on methods, and a row of a table."""
+"""The fit of a force curve as text, JSON, BibTeX, a Methods paragraph, and a row of a table."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from math import isfinite
@@ -30,7 +30,7 @@ FILE, LIMIT, REASON = "file", "largest_work_of_adhesion", "status"
 
 
 def write_fit(fitted: Fit, out: TextIO, *, heading: str, following: str) -> None:
-    """Write a fit as a table, with sentences below. `following`: the command that goes on, if there is one."""
+    """Write a fit as a table, with sentences below. `following`: the command to continue with, if there is one."""
     say_wrapped(heading, out)
     heads, *rows = rows_of_results(fitted)
     write_texts(heads, rows, out)
@@ -41,7 +41,7 @@ def write_fit(fitted: Fit, out: TextIO, *, heading: str, following: str) -> None
 
 
 def parts_of_fit(fitted: Fit) -> list[Part]:
-    """Return the lines and the table of a fit that a notebook shows, with arguments in place of options."""
+    """Return the lines and the table of a fit for a notebook, with arguments instead of options."""
     columns = text_columns(rows_of_results(fitted), words=len(HEADS))
     return [line_on_known(fitted), (columns, []), *map(as_arguments, sentences(fitted))]
 
@@ -50,55 +50,66 @@ def parts_of_fit(fitted: Fit) -> list[Part]:
 
 
 def json_of(fitted: Fit, path: str, reading: str, following: str, *, curve: bool) -> dict[str, Any]:
-    """Return a fit as an object of JSON, in SI units. `curve`: whether it has the points."""
+    """Return a fit as a JSON object, in SI units. `curve`: True to include the points."""
     results = []
     for name in RESULTS:
         if name not in fitted.values:
             continue
         entry: dict[str, Any] = {"name": name, "symbol": WORDS[name][1], "value": _finite(fitted.values[name]),
             "unit": unit_of_result(fitted, name)}  # fmt: skip
-        if (errors := fitted.errors.get(name)) is not None:
-            parts = {part: _finite(value) for part, value in errors._asdict().items()}
-            entry["errors"] = {**parts, "total": _finite(errors.total)}
+        errors = fitted.errors.get(name)
+        if errors is not None:
+            entry["errors"] = {**_all_finite(errors._asdict()), "total": _finite(errors.total)}
         results.append(entry)
-    matrix = [[_finite(float(cell)) for cell in row] for row in fitted.covariance]
+    other = fitted.other_modulus
     answer: dict[str, Any] = {
         "inputs": {"file": path, "read": reading, **_inputs(fitted)},
         "results": results,
-        "covariance": {"names": [*fitted.names], "matrix": matrix},
-        "by_law": {law: {name: _finite(value) for name, value in each.items()} for law, each in fitted.by_law.items()},
+        "covariance": {"names": [*fitted.names], "matrix": [_column(row) for row in fitted.covariance]},
+        "by_law": {law: _all_finite(each) for law, each in fitted.by_law.items()},
         "law_that_holds": fitted.law_that_holds,
         LIMIT: fitted.largest_adhesion,
-        "other_body": None if (other := fitted.other_modulus) is None else dict([other]),
+        "other_body": None if other is None else dict([other]),
         "fitted_loads": {branch: [*map(_finite, ends)] for branch, ends in fitted.fitted_loads.items()},
-        "baselines": {name: {part: _finite(each) for part, each in base.items()}
-            for name, base in fitted.baselines.items()},
-        "goodness": {name: _finite(value) for name, value in fitted.goodness.items()},
+        "baselines": {name: _all_finite(base) for name, base in fitted.baselines.items()},
+        "goodness": _all_finite(fitted.goodness),
         "notes": [{"code": code, "text": text} for code, text in fitted.remarks.items()],
         "next": following or None,
         "version": __version__,
-    }  # fmt: skip
+    }
     if curve:
         answer["curve"] = {name: _column(column) for name, column in fitted.points.items()}
     return answer
 
 
 def _inputs(fitted: Fit) -> dict[str, Any]:
-    """Return what a fit was given, with standard deviations."""
-    known, stiffness = fitted.known, _finite(fitted.known.stiffness)
-    asked, unit = known.range, "1" if known.range is not None and known.range.is_share else "N"
-    return {
+    """Return the inputs of a fit, with standard deviations."""
+    known = fitted.known
+    inputs: dict[str, Any] = {
         "reduced_radius": known.radius,
-        "reduced_radius_err": None if known.radius is None else known.radius * known.radius_error or None,
-        "lever_stiffness": stiffness,
-        "lever_stiffness_err": None if stiffness is None else stiffness * known.stiffness_error or None,
+        "reduced_radius_err": None,
+        "lever_stiffness": _finite(known.stiffness),
+        "lever_stiffness_err": None,
         "atomic_spacing": known.spacing,
         "model": known.law,
         "profile": known.profile,
         "branch": known.branch,
-        "range": None if asked is None else {"low": asked.low, "high": asked.high, "unit": unit},
+        "range": None,
         "baseline": "tilt" if known.tilt else "median",
     }
+    if known.radius is not None:
+        inputs["reduced_radius_err"] = known.radius * known.radius_error or None
+    if isfinite(known.stiffness):
+        inputs["lever_stiffness_err"] = known.stiffness * known.stiffness_error or None
+    if known.range is not None:
+        unit = "1" if known.range.is_share else "N"
+        inputs["range"] = {"low": known.range.low, "high": known.range.high, "unit": unit}
+    return inputs
+
+
+def _all_finite(values: Mapping[str, float | None]) -> dict[str, float | None]:
+    """Return values by name, with None for those that are not finite."""
+    return {name: _finite(value) for name, value in values.items()}
 
 
 def _finite(value: float | None) -> float | None:
@@ -128,15 +139,18 @@ def write_fit_citations(fitted: Fit, out: TextIO) -> None:
 
 
 def write_fit_methods(fitted: Fit, out: TextIO) -> None:
-    """Write a paragraph for a Methods section: what was fitted to what, how, and what came out."""
+    """Write a paragraph for a Methods section: the data, the method and the results."""
     say_wrapped(" ".join(_methods(fitted)), out, 0)
 
 
 def _laws_cited(fitted: Fit) -> list[Mapping[str, str]]:
     """Return the references of the law of a fit; Hertz' contact has none."""
-    known, law = references(), fitted.known.law
-    has_adhesion = fitted.largest_adhesion is None
-    return ([known[law]] if has_adhesion else []) + ([known["jkr-sphere"]] if fitted.known.profile == "sphere" else [])
+    known, cited = references(), []
+    if fitted.largest_adhesion is None:
+        cited.append(known[fitted.known.law])
+    if fitted.known.profile == "sphere":
+        cited.append(known["jkr-sphere"])
+    return cited
 
 
 def _methods(fitted: Fit) -> Iterator[str]:
@@ -156,16 +170,15 @@ def _methods(fitted: Fit) -> Iterator[str]:
         stiffness = amount("lever_stiffness", _with_error(known.stiffness, known.stiffness_error))
         yield as_latex(f"The lever has a stiffness of {stiffness}.")
     form = Format(digits=3)
-    parts = [
-        f"{name}, at loads of {amount('load', low, form)} to {amount('load', high, form)}"
-        for name, (low, high) in fitted.fitted_loads.items()
-    ]
+    parts = []
+    for name, (low, high) in fitted.fitted_loads.items():
+        parts.append(f"{name}, at loads of {amount('load', low, form)} to {amount('load', high, form)}")
     first, *others = parts
     yield as_latex(f"Least squares gave all results from one branch ({first}).")
     if others:
         yield as_latex(f"With its modulus and contact point the other gave its work of adhesion ({others[0]}).")
     line = "a line" if known.tilt else "the median"
-    yield f"Away from contact {line} of the force is its zero." if fitted.baselines else "The force was not shifted."
+    yield f"Out of contact {line} of the force is its zero." if fitted.baselines else "The force was not shifted."
     yield (
         "Residuals were whitened as an autoregression of first order, and those beyond three standard deviations have "
         "Huber's weights."
@@ -183,7 +196,7 @@ def _with_error(value: float, relative: float) -> float | Measured:
 
 
 def heads_of(*, is_scaled: bool) -> list[str]:
-    """Return the headers of a row for each file."""
+    """Return the header of the table with a row for each file."""
     heads = [FILE]
     for name, quantity in RESULTS.items():
         unit = bracketed(unit_without_radius(name) if is_scaled else NOMENCLATURE[quantity].unit)
@@ -195,18 +208,18 @@ def heads_of(*, is_scaled: bool) -> list[str]:
 
 
 def row_of(path: str, fitted: Fit | None, reason: str = "") -> list[Any]:
-    """Return the row of a file, with empty cells where there is no result."""
+    """Return the row of a file, with empty cells for missing results."""
     row: list[Any] = [path]
+    if fitted is None:
+        return [*row, *[None] * (len(heads_of(is_scaled=False)) - 2), reason or None]
     for name in RESULTS:
-        value = fitted.values.get(name) if fitted else None
-        row.append(_finite(value))
+        row.append(_finite(fitted.values.get(name)))
         if not name.startswith("pull_off"):
-            errors = fitted.errors.get(name) if fitted else None
-            row.append(_finite(errors.total) if errors else None)
-    codes = " ".join(fitted.remarks) if fitted else ""
-    return [*row, fitted.largest_adhesion if fitted else None, codes or None, reason or None]
+            errors = fitted.errors.get(name)
+            row.append(None if errors is None else _finite(errors.total))
+    return [*row, fitted.largest_adhesion, " ".join(fitted.remarks) or None, reason or None]
 
 
 def curve_columns(fitted: Fit) -> tuple[list[str], list[Any]]:
-    """Return the headers and the columns of the points of a fit."""
+    """Return the header and the columns of the points of a fit."""
     return [*fitted.curve], [_column(column) for column in fitted.curve.values()]

@@ -1,4 +1,4 @@
-"""The manual: pages of Markdown, set by rich on a terminal; and the search of it, the quantities and the materials."""
+"""The manual: pages of Markdown, formatted by rich on a terminal; and its search, with quantities and materials."""
 
 import os
 import re
@@ -15,9 +15,9 @@ from .search import Field, Search, words_in, words_sought
 
 _FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "guide")
 _ENDING = ".md"
-_IMAGE = re.compile(r"!\[[^]]*\]\([^)]*\)\n\n")  # which the site shows
+_IMAGE = re.compile(r"!\[[^]]*\]\([^)]*\)\n\n")  # images are shown on the site only
 
-# Words of the field by which a section is sought, besides those of its heading.
+# Terms of the field by which a section is found, in addition to its heading.
 FIELD_TERMS: Mapping[tuple[str, str], str] = {
     ("contact-angle", "γ from contact angles"): "wetting wettability contact angle owens wendt surface tension",
     ("contact-angle", "Owens and Wendt, worked"): "contact angle wetting",
@@ -35,17 +35,17 @@ FIELD_TERMS: Mapping[tuple[str, str], str] = {
     ("validation", "Measurements"): "stickiness sticking bouncing rebound coefficient of restitution detachment",
 }
 
-SECTIONS = {"doubts": ("models", "Limits")}  # those with a name of their own, by which notes refer to them
-HISTORY = "changes"  # the page of what was, which is sought by its name alone
+SECTIONS = {"doubts": ("models", "Limits")}  # sections with a short name, for references in notes
+HISTORY = "changes"  # the page of past changes, found by its name only
 MAX_TEXT = 100  # columns of running text
-MAX_LINES = 12  # of what is found, in columns of a terminal
-LEAST_SHOWN, LEAST_NAMED = 0.7, 0.5  # score of another passage over that of the best one
-MAX_ELSEWHERE = 3  # pages and materials that are named
-LIKELY = 0.75  # likeness of two words from which on one may be a mistake for the other
+MAX_LINES = 12  # of passages found, in lines of a terminal
+LEAST_SHOWN, LEAST_NAMED = 0.7, 0.5  # score of another passage relative to the best
+MAX_ELSEWHERE = 3  # pages and materials listed
+LIKELY = 0.75  # least similarity of a misspelt word
 
 
 class Section(NamedTuple):
-    """A section of a page: what stands under a heading of the second rank, or before the first of them."""
+    """A section of a page: a heading of the second rank with its text, or the text before the first heading."""
 
     page: str
     heading: str
@@ -57,12 +57,12 @@ class Passage(NamedTuple):
 
     section: Section
     text: str  # Markdown
-    head: str  # of its table
-    is_first: bool  # in its section, and so the answer to the heading
+    head: str  # the header of its table
+    is_first: bool  # in its section: it answers the heading
 
     @property
     def fields(self) -> list[Field]:
-        """The texts by which it is found: its words in bold, those of its section, and all of its own."""
+        """The weighted texts by which it is found: its bold words, those of its section, and its whole text."""
         page, heading, _ = self.section
         bold = " ".join(re.findall(r"\*\*(.+?)\*\*", self.text))
         of_field = FIELD_TERMS.get((page, heading), "")
@@ -83,12 +83,15 @@ def page(topic: str) -> str:
 
 def sections() -> list[Section]:
     """Return the sections of all pages."""
-    pieces = ((topic, piece) for topic in topics() for piece in re.split(r"^(?=## )", page(topic), flags=re.MULTILINE))
-    return [Section(topic, piece.partition("\n")[0].lstrip("# "), piece) for topic, piece in pieces]
+    every = []
+    for topic in topics():
+        for piece in re.split(r"^(?=## )", page(topic), flags=re.MULTILINE):
+            every.append(Section(topic, piece.partition("\n")[0].lstrip("# "), piece))
+    return every
 
 
 def write_text(text: str, out: TextIO) -> None:
-    """Write Markdown: in a pipe as it is, on a terminal in lines that are comfortable to read."""
+    """Write Markdown: unchanged in a pipe, formatted with a readable line length on a terminal."""
     if not out.isatty():
         out.write(text)
         return
@@ -97,7 +100,7 @@ def write_text(text: str, out: TextIO) -> None:
     from rich.text import Text
 
     class Lines(CodeBlock):
-        """A code block whose lines are left as they are, for the terminal to break where they are too long."""
+        """A code block with unchanged lines; the terminal wraps long ones."""
 
         def __rich_console__(self, *_: object) -> Iterator[Text]:
             yield Text(str(self.text).rstrip(), style="cyan", no_wrap=True, overflow="ignore")
@@ -123,7 +126,7 @@ def write_topics(out: TextIO) -> None:
 
 
 def passages() -> Iterator[Passage]:
-    """Iterate over the passages of all pages, without what programs print."""
+    """Iterate over the passages of all pages, without the output of programs."""
     for section in sections():
         body = section.text.partition("\n")[2]
         prose = re.sub(r"^```.*?^```", "", body, flags=re.DOTALL | re.MULTILINE).strip()
@@ -131,45 +134,45 @@ def passages() -> Iterator[Passage]:
             if block.startswith("|"):
                 head, line, *rows = block.split("\n")
                 yield from (Passage(section, row, f"{head}\n{line}\n", number == 0) for row in rows)
-            elif block:  # without what leads to an example
-                said = re.sub(r"(?<=\. )[^.]*:$", "", block).strip().removesuffix(":")
-                yield Passage(section, said, "", number == 0)
+            elif block:  # without the sentence that introduces an example
+                text = re.sub(r"(?<=\. )[^.]*:$", "", block).strip().removesuffix(":")
+                yield Passage(section, text, "", number == 0)
 
 
 def section_meant(text: str) -> Section | None:
-    """Return the section that has a name, or the only one of a page with some words in its heading."""
+    """Return a section by its short name, or the only one of a page with some words in its heading."""
     page, _, words = text.partition(" ")
     sought = {*words_in(words)}
-    meant = [
-        section
-        for section in sections()
-        if (section.page, section.heading) == SECTIONS.get(text)
-        or (section.page == page and sought and sought <= {*words_in(section.heading)})
-    ]
+    meant = []
+    for section in sections():
+        has_words = section.page == page and sought and sought <= {*words_in(section.heading)}
+        if has_words or (section.page, section.heading) == SECTIONS.get(text):
+            meant.append(section)
     return meant[0] if len(meant) == 1 else None
 
 
 class Hits(NamedTuple):
-    """What has the words that are sought, the best first."""
+    """The results of a search, the best first."""
 
     passages: Sequence[Passage]  # one, or two of about the same score
-    pages: Sequence[str]  # that have the words
+    pages: Sequence[str]  # pages with the words
     quantities: Sequence[str]
     materials: Sequence[str]
 
 
 def hits_of(text: str, materials: Iterable[Material]) -> Hits:
-    """Return what has the words of a text; raise BadRequest for a word that nothing has."""
+    """Return the results of a search; raise BadRequest for a word that occurs nowhere."""
     words = words_sought(text)
     if not words:
-        raise BadRequest(f"{quoted(text, 40)} has no word that could be sought; {_LISTS}")
+        raise BadRequest(f"{quoted(text, 40)} has no word to search for; {_LISTS}")
     read = (passage for passage in passages() if passage.section.page != HISTORY or HISTORY in words)
     of_manual = Search(read, lambda passage: passage.fields)
     of_quantities = Search(NOMENCLATURE, _fields_of_quantity)
     of_materials = Search(materials, _fields_of_material)
     searches = of_manual, of_quantities, of_materials
-    if lacking := [word for word in words if not any(search.knows(word) for search in searches)]:
-        raise _unknown_word(lacking[0], {*topics()}.union(*(search.vocabulary for search in searches)))
+    unknown = [word for word in words if not any(search.knows(word) for search in searches)]
+    if unknown:
+        raise _unknown_word(unknown[0], {*topics()}.union(*(search.vocabulary for search in searches)))
     found = of_manual.ranked(words)
     best = [each.thing for each in found[:2] if each.score >= LEAST_SHOWN * found[0].score]
     named = (each.thing.section.page for each in found if each.score >= LEAST_NAMED * found[0].score)
@@ -185,21 +188,21 @@ _LISTS = "jkroll guide lists the pages, jkroll quantities the quantities"
 
 
 def _unknown_word(word: str, known: Iterable[str]) -> BadRequest:
-    """Return the error about a word that stands in no page, and for no quantity and no material."""
+    """Return the error for a word that occurs in no page, quantity or material."""
     guess = closest(word, sorted(known), LIKELY)
     remedy = f"did you mean {guess}?" if guess else "leave it out, or"
     return BadRequest(f"nothing has the word {quoted(word, 40)}; {remedy} {_LISTS}")
 
 
 def materials_with(text: str, materials: Iterable[Material]) -> list[Material]:
-    """Return the materials that have all words of a text in their names, states or sets, in their order."""
+    """Return the materials with all words of a text in their names, states or sets, in their order."""
     every = [*materials]
     found = {each.thing for each in Search(every, _fields_of_material).ranked(words_sought(text)) if each.has_all}
     return [material for material in every if material in found]
 
 
 def quantities_meant(words: Sequence[str]) -> list[str]:
-    """Return the quantities that words stand for: all without words, one by name or symbol, or a list with commas."""
+    """Return the quantities that words mean: all without words, one by name or symbol, or a comma-separated list."""
     if not words:
         return list(NOMENCLATURE)
     several = [named(word.strip()) for word in " ".join(words).split(",")]
@@ -210,7 +213,7 @@ def quantities_meant(words: Sequence[str]) -> list[str]:
 
 
 def _with_synonym(text: str, names: Sequence[str]) -> list[str]:
-    """Return the quantity that others call so, then those that were found, variants last, or without their quantity."""
+    """Return the quantity with this synonym, then those found: variants last, or left out with their quantity."""
     meant = QUANTITY_SYNONYMS.get("_".join(text.split()).casefold())
     ordered = sorted(names, key=lambda name: bool(NOMENCLATURE[name].variant_of))
     return without_variants([*dict.fromkeys([meant, *ordered] if meant else ordered)])
@@ -232,7 +235,7 @@ def _fields_of_material(material: Material) -> list[Field]:
 
 
 def write_hits(text: str, hits: Hits, out: TextIO) -> None:
-    """Write the passages that were found, the second one if both are short, and where else the words are."""
+    """Write the passages found, the second only if both are short, and other places with the words."""
     lines = sum(len(wrapped(passage.text, terminal_width())) for passage in hits.passages)
     shown = hits.passages if lines <= MAX_LINES else hits.passages[:1]
     for (section, head), group in groupby(shown, key=lambda passage: (passage.section, passage.head)):

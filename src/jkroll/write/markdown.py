@@ -1,4 +1,4 @@
-"""One frame as a page of Markdown: the tables of a terminal, and the lines around them as paragraphs."""
+"""A frame as a page of Markdown: the tables of a terminal, with the lines around them as paragraphs."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, TextIO
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def frame_page(answer: "Report", out: TextIO, form: Format) -> None:
-    """Write what is shown of one frame, with an empty line between paragraphs and tables."""
+    """Write an answer, with an empty line between paragraphs and tables."""
     parts = parts_of_frame(answer, form)
     out.write("\n".join(f"{in_markdown(part)}\n" if isinstance(part, str) else _table(part) for part in parts))
 

@@ -1,8 +1,8 @@
-"""Search by words, as in a question: common words are left out, rare words and phrases count most."""
+"""Search by the words of a question: common words are ignored; rare words and phrases count most."""
 
 import re
 from collections.abc import Callable, Iterable, Sequence
-from itertools import pairwise, product
+from itertools import chain, pairwise, product
 from math import log
 from typing import Generic, NamedTuple, TypeVar
 
@@ -14,19 +14,19 @@ COMMON = frozenset(
     "means much must my need of on or please program should show so such tell than that the their them then there "
     "these they this those to use want was we what when where which who why will with would you your".split()
 )
-LONG = 60  # words of a text from which on one of them counts for less
-PREFIX = 0.5  # worth of a longer word with the same beginning, against another form of the word
+LONG = 60  # in texts with more words, each of them counts less
+PREFIX = 0.5  # weight of a longer word with the same prefix, relative to other forms of the word
 
 Thing = TypeVar("Thing")
-Field = tuple[float, str]  # the weight of a text by which a thing is found, and this text
+Field = tuple[float, str]  # a text by which a thing is found, after its weight
 
 
 class Found(NamedTuple, Generic[Thing]):
-    """A thing that has words that are sought."""
+    """A thing with some of the words in a search."""
 
     thing: Thing
     score: float
-    has_all: bool  # of the words
+    has_all: bool  # it has all of the words
 
 
 def words_in(text: str) -> list[str]:
@@ -45,7 +45,8 @@ def words_sought(text: str) -> list[str]:
     (['fixed', 'grips'], ['why'])
     """
     words = words_in(text)
-    return [*dict.fromkeys(word for word in words if word not in COMMON)] or [*dict.fromkeys(words)]
+    uncommon = [word for word in words if word not in COMMON]
+    return [*dict.fromkeys(uncommon or words)]
 
 
 def stem(word: str) -> str:
@@ -59,7 +60,7 @@ def stem(word: str) -> str:
 
 
 def nearness(word: str, other: str) -> float:
-    """Return how near a word of a text is to one that is sought: 1 for the word and its forms, 0 for another.
+    """Return how well a word of a text matches a word in a search: 1 for the word and its forms, 0 for no match.
 
     >>> [nearness("humidity", other) for other in ("humid", "humidifier", "hum")], nearness("xi", "xia")
     ([1.0, 0.5, 0.0], 0.0)
@@ -73,30 +74,44 @@ class Search(Generic[Thing]):
     """Things, and the words by which they are found."""
 
     def __init__(self, things: Iterable[Thing], fields_of: Callable[[Thing], Iterable[Field]]) -> None:
-        self._things = [(thing, [(weight, words_in(text)) for weight, text in fields_of(thing)]) for thing in things]
-        self.vocabulary = {word for _, fields in self._things for _, text in fields for word in text}
+        self._things: list[tuple[Thing, list[tuple[float, list[str]]]]] = []
+        self.vocabulary: set[str] = set()
+        for thing in things:
+            fields = [(weight, words_in(text)) for weight, text in fields_of(thing)]
+            self._things.append((thing, fields))
+            self.vocabulary.update(*(text for _, text in fields))
 
     def knows(self, word: str) -> bool:
-        """Return whether a word, or one like it, stands in some field."""
+        """Return whether a word, or one that matches it, occurs in some field."""
         return any(nearness(word, other) for other in self.vocabulary)
 
     def ranked(self, words: Sequence[str]) -> list[Found[Thing]]:
-        """Return the things that have some of the words, the best first."""
+        """Return the things with some of the words, the best first."""
         if not words:
             return []
-        forms = {other: {word: near for word in words if (near := nearness(word, other))} for other in self.vocabulary}
-        having = [{word for _, text in fields for other in text for word in forms[other]} for _, fields in self._things]
+        matches: dict[str, dict[str, float]] = {}
+        for other in self.vocabulary:
+            near = {word: nearness(word, other) for word in words}
+            matches[other] = {word: value for word, value in near.items() if value}
+        having = []
+        for _, fields in self._things:
+            having.append({*chain.from_iterable(matches[other] for other in chain(*(text for _, text in fields)))})
         rarity = {word: log(1 + len(having) / (1 + sum(word in has for has in having))) for word in words}
 
-        def worth(text: Sequence[str]) -> float:
-            """Return what the words in a text are worth, and again for those that stand beside each other."""
-            places = [forms[other] for other in text]
-            single = sum(rarity[word] * max(place.get(word, 0.0) for place in places) for word in words)
-            phrases = {pair for neighbours in pairwise(places) for pair in product(*neighbours)}
-            return single + sum(rarity[word] for pair in phrases.intersection(pairwise(words)) for word in pair)
+        def weight_of(text: Sequence[str]) -> float:
+            """Return the weight of the words in a text; adjacent words of the question count again."""
+            of_words = [matches[other] for other in text]
+            single = sum(rarity[word] * max(match.get(word, 0.0) for match in of_words) for word in words)
+            pairs = {*chain.from_iterable(product(*neighbours) for neighbours in pairwise(of_words))}
+            phrases = pairs.intersection(pairwise(words))
+            return single + sum(rarity[first] + rarity[second] for first, second in phrases)
 
         found = []
         for (thing, fields), has in zip(self._things, having, strict=True):
-            score = sum(weight * worth(text) / (1 + len(text) / LONG) for weight, text in fields if text and has)
-            found.append(Found(thing, score * (len(has) / len(words)) ** 2, len(has) == len(words)))
-        return sorted((each for each in found if each.score), key=lambda each: each.score, reverse=True)
+            score = 0.0
+            for weight, text in fields if has else ():
+                if text:
+                    score += weight * weight_of(text) / (1 + len(text) / LONG)
+            if score:
+                found.append(Found(thing, score * (len(has) / len(words)) ** 2, len(has) == len(words)))
+        return sorted(found, key=lambda each: each.score, reverse=True)

@@ -1,11 +1,12 @@
-"""The sources of a number: `--explain` words its derivation from the formulas' docstrings, `--cite` writes BibTeX.
+"""The sources of a number: `--explain` takes its derivation from docstrings of formulas, `--cite` writes BibTeX.
 
-With `--tex` it writes a paragraph for the Methods section of a paper, which cites these entries.
+With `--tex` it writes a paragraph for the Methods section of a paper, with citations of these entries.
 """
 
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from itertools import chain
 from math import log
 from typing import TYPE_CHECKING, Any, TextIO
 
@@ -31,9 +32,9 @@ if TYPE_CHECKING:
     from ..quantities.values import Uncertain
 
 _SECTIONS = ("Source", "Valid")
-_NO_POWER = 1e-4  # what is smaller is an error of 0
-_LESS = 1 - 1e-5  # part of an input by which its power is found; its inverse at the lower end of a range
-_INDENT = 12  # of the texts, and of those beside the values of inputs and steps
+_NO_POWER = 1e-4  # a smaller exponent is a rounding error
+_LESS = 1 - 1e-5  # factor of an input, to find its power; its inverse at the lower end of a range
+_INDENT = 12  # indent of texts; of those next to values, see below
 _STEP_INDENT = 27
 
 
@@ -48,18 +49,20 @@ def docstring_fields(formula: Any) -> dict[str, str]:
 
     text = cleandoc(formula.__doc__ or "").partition(">>>")[0].rstrip()
     paragraphs = text.split("\n\n")
-    place = next(place for place, paragraph in enumerate(paragraphs) if paragraph.startswith(" "))
-    fields = {"summary": " ".join(paragraphs[:place]), "formula": paragraphs[place]}
+    start = 0
+    while not paragraphs[start].startswith(" "):
+        start += 1
+    fields = {"summary": " ".join(paragraphs[:start]), "formula": paragraphs[start]}
     fields |= re.findall(rf"^({'|'.join(_SECTIONS)}):(.*(?:\n +.*)*)", text, re.MULTILINE)
     return {field: " ".join(words.split()) for field, words in fields.items()}
 
 
 def write_explanation(answers: Iterable[Report], out: TextIO, form: Format) -> None:
-    """Write for each result its formula, inputs, steps, value, source, validity and accuracy; then every note."""
+    """Write for each result its formula, inputs, steps, value, source, validity and accuracy; then all notes."""
     if not write_explanation.__doc__:
         raise BadRequest("--explain is worded from docstrings, which python -OO drops")
-    for place, answer in enumerate(answers):
-        if place:
+    for number, answer in enumerate(answers):
+        if number:
             say("", out)
         for result in answer.results:
             for line in _explanation(result, answer, form):
@@ -69,34 +72,35 @@ def write_explanation(answers: Iterable[Report], out: TextIO, form: Format) -> N
 
 
 def _explanation(result: Result, answer: Report, form: Format) -> list[str]:
-    """Return the lines that explain one result."""
+    """Return the lines that explain a result."""
     quantity, frame = NOMENCLATURE[result.name], answer.frame
     title = f"{result.name} — {quantity.sentence}" + (f", {result.source}" if result.source else "")
     if result.measure is None:
         return [title, f"  {result.reason}", ""]
     lines, facts = [title], [*_facts(result, answer, form)]
-    if steps := [step for step in frame.plan(result.name).steps.values() if step.formula is not None]:
+    steps = [step for step in frame.plan(result.name).steps.values() if step.formula is not None]
+    if steps:
         *earlier, last = steps
         fields = docstring_fields(last.formula)
         lines += [f"  {fields['formula']}", "  given"]
         for name in frame.inputs_of(result.name):
             lines += _value_lines(name, frame, form, _meaning(name, frame))
-        lines += ["  steps"] if earlier else []
+        if earlier:
+            lines.append("  steps")
         for step in earlier:
             lines += _value_lines(step.name, frame, form, _formula_of(step))
-        facts += [
-            ("power law", _power_law(result.name, frame)),
-            *((key.lower(), fields.get(key, "")) for key in _SECTIONS),
-        ]
+        facts.append(("power law", _power_law(result.name, frame)))
+        facts += [(key.lower(), fields.get(key, "")) for key in _SECTIONS]
         facts.append(("accuracy", f"{accuracy_of(last.formula.__name__)} above its arguments"))
         if quantity.definition and not result.law:
-            facts.append(("as", quantity.definition + (f" ({quantity.reference})" if quantity.reference else "")))
+            reference = f" ({quantity.reference})" if quantity.reference else ""
+            facts.append(("as", f"{quantity.definition}{reference}"))
         facts.append(("note", quantity.note))
     return [*lines, *(f"  {key:9} {text}" for key, text in facts if text), ""]
 
 
 def _facts(result: Result, answer: Report, form: Format) -> Iterator[tuple[str, str]]:
-    """Iterate over what is known of a value: its error bar, what an inferred one has, and its values by other laws."""
+    """Iterate over facts about a value: its uncertainty, its errors if it is inferred, and its values by other laws."""
 
     def shown(value: "float | Uncertain") -> str:
         return amount(result.name, value, form)
@@ -116,14 +120,15 @@ def _facts(result: Result, answer: Report, form: Format) -> Iterator[tuple[str, 
         errors = f"relative errors of these enter times {result.growth:.3g} at most"
         yield "inferred", f"with the other input, so that both have their measured values; {errors}"
     yield "by law", ", ".join(f"{shown(value)} ({law})" for law, value in result.by_law.items())
-    if (best := answer.estimates.get(result.name)) is not None and best.by != NONE:
+    best = answer.estimates.get(result.name)
+    if best is not None and best.by != NONE:
         yield "best", f"{range_in_words(result.name, best)} ({WORDS[best.by]})"
         yield "why", answer.whys[best.by]
         yield "made of", made_of(result.name, answer)
 
 
 def _value_lines(name: str, frame: Frame, form: Format, remark: str) -> list[str]:
-    """Return the symbol and value of an input or a step with a remark beside it, or below a value that is too long."""
+    """Return the symbol and value of an input or a step, with a remark next to it, or below if the value is long."""
     measure = frame.uncertainties.get(name) or frame[name]
     value = f"    {NOMENCLATURE[name].symbol} = {amount(name, measure, form)}"
     if len(value) >= _STEP_INDENT:
@@ -132,12 +137,12 @@ def _value_lines(name: str, frame: Frame, form: Format, remark: str) -> list[str
 
 
 def _power_law(name: str, frame: Frame) -> str:
-    """Return the powers of its inputs with which a quantity goes near their values: "R1^0.667 γ1^0.333 E1^-0.333".
+    """Return the powers of its inputs that a quantity follows near their values: "R1^0.667 γ1^0.333 E1^-0.333".
 
-    None are returned at the edge of a range, where one of them is not known.
+    It is empty at the edge of a range, where one of the powers is unknown.
     """
     texts = []
-    moduli = {name: frame.stated[name] for name in CONVERTED.values() if name in frame.stated}  # fixed, as ν moves
+    moduli = {name: frame.stated[name] for name in CONVERTED.values() if name in frame.stated}  # fixed while ν changes
     for given in frame.inputs_of(name):
         value = frame[given]
         if 0 < abs(value) < INFINITY:
@@ -146,19 +151,20 @@ def _power_law(name: str, frame: Frame) -> str:
             if not moved * frame[name] > 0:
                 return ""
             power = log(moved / frame[name]) / log(factor)
-            texts += [f"{symbol_of(given)}^{power:.3g}"] if abs(power) > _NO_POWER else []
+            if abs(power) > _NO_POWER:
+                texts.append(f"{symbol_of(given)}^{power:.3g}")
     return " ".join(texts)
 
 
 def _formula_of(step: Plan) -> str:
-    """Return the formula of a step, with the indices of sphere 2 if it was evaluated for sphere 2."""
+    """Return the formula of a step, with the indices of sphere 2 if it belongs to sphere 2."""
     formula = docstring_fields(step.formula)["formula"]
     is_of_sphere_2 = NOMENCLATURE[step.name].sphere == 2
     return re.sub(r"(?<=[^\W\d])1(?![0-9])", "2", formula) if is_of_sphere_2 else formula
 
 
 def _meaning(name: str, frame: Frame) -> str:
-    """Return the meaning of an input, with the material and file it comes from, or that it was assumed."""
+    """Return the meaning of an input, with its material and file, or with a remark that it was assumed."""
     sentence = NOMENCLATURE[name].sentence
     for material, _ in frame.data_used([name]):
         return f"{sentence} ({material.name}, {material.title})"
@@ -169,38 +175,41 @@ def _meaning(name: str, frame: Frame) -> str:
 
 
 def references() -> dict[str, Mapping[str, str]]:
-    """Return the entries of this program, of the paper, of laws and of conventions."""
+    """Return the BibTeX entries of this program, of the paper, of laws and of conventions."""
     entries = {**data_of(os.path.join(os.path.dirname(__file__), "references.toml"))}
     entries["program"] = {**entries["program"], "howpublished": f"Computer program, version {__version__}"}
     return entries
 
 
 class Cited:
-    """The equations of the paper on which an answer rests, and the references of its law, conventions and data."""
+    """The equations of the paper that an answer uses, and the references of its law, conventions and data."""
 
     def __init__(self, answer: Report) -> None:
         self.names = [result.name for result in answer.results if result.value is not None]
         formulas = answer.frame.formulas_to(*self.names)
-        self.equations = {equation for name in formulas if (equation := NOMENCLATURE[name].equation)}
+        self.equations = {NOMENCLATURE[name].equation for name in formulas} - {""}
         by_maugis = answer.frame.replace(model=BETWEEN)
         rests_on_law = any(has_other_formulas(by_maugis, name) for name in by_maugis.possible(self.names))
         known = references()
         self.law = [known[answer.frame.law.name]] if rests_on_law else []
         texts = [NOMENCLATURE[name].reference for name in self.names]
-        self.conventions = [entry for text in texts for words, entry in known.items() if words in text]
+        self.conventions: list[Mapping[str, str]] = []
+        for text in texts:
+            self.conventions += [entry for words, entry in known.items() if words in text]
         used = answer.frame.data_used(answer.inputs)
-        self.data = [entry for material, name in used for entry in material.sources_of(name)]
+        self.data = [*chain.from_iterable(material.sources_of(name) for material, name in used)]
 
 
 def _with_cited(answers: Iterable[Report]) -> Iterator[tuple[Report, Cited]]:
-    """Iterate over the answers that have results, each with what is cited of it."""
+    """Iterate over the answers with results, each with its citations."""
     for answer in answers:
-        if (cited := Cited(answer)).names:
+        cited = Cited(answer)
+        if cited.names:
             yield answer, cited
 
 
 def write_citations(answers: Iterable[Report], out: TextIO) -> None:
-    """Write BibTeX entries of this program, of the paper, with the equations used, and of the laws and data used."""
+    """Write BibTeX entries of this program, of the paper with the equations used, and of the laws and data used."""
     equations: set[str] = set()
     others: dict[str, Mapping[str, str]] = {}
     for _, cited in _with_cited(answers):
@@ -213,7 +222,7 @@ def write_citations(answers: Iterable[Report], out: TextIO) -> None:
 
 
 def citations_in_words(answers: Iterable[Report]) -> str:
-    """Return what a caption cites: this program, the paper with the equations used, and laws and data."""
+    """Return the sources for a caption: this program, the paper with the equations used, laws and data."""
     equations: set[str] = set()
     others: dict[str, str] = {}
     for _, cited in _with_cited(answers):
@@ -225,7 +234,7 @@ def citations_in_words(answers: Iterable[Report]) -> str:
 
 
 def _author_and_year(entry: Mapping[str, str]) -> str:
-    """Return how a text cites an entry.
+    """Return a citation for running text.
 
     >>> _author_and_year({"author": "Dominik, C. and Tielens, A. G. G. M.", "year": "1995"})
     'Dominik & Tielens 1995'
@@ -236,7 +245,7 @@ def _author_and_year(entry: Mapping[str, str]) -> str:
 
 
 def cited_equations(equations: Iterable[str]) -> str:
-    """Return equations of the paper by their numbers.
+    """Return equations of the paper by number.
 
     >>> cited_equations({"10", "2"})
     'Eqs. (2), (10)'
@@ -263,9 +272,9 @@ def bibtex(entry: Mapping[str, str]) -> str:
 
 
 def write_methods(answers: Iterable[Report], out: TextIO) -> None:
-    """Write a paragraph for each answer: what was computed, by which equations, and from which values."""
-    for place, (answer, cited) in enumerate(_with_cited(answers)):
-        if place:
+    """Write a paragraph for each answer: the quantities, the equations and the values used."""
+    for number, (answer, cited) in enumerate(_with_cited(answers)):
+        if number:
             say_wrapped("", out)
         say_wrapped(f"{_computed(answer, cited)} {_values(answer)}", out, 0)
 
@@ -276,8 +285,10 @@ def _computed(answer: Report, cited: Cited) -> str:
     authors = f"Dominik \\& Tielens{cite_command([paper])}"
     equations = f"{cited_equations(cited.equations).replace('. ', '.~', 1)} of " if cited.equations else ""
     ways = [f"{equations}{authors}"]
-    ways += [f"the {answer.frame.law.title} theory{cite_command(cited.law)}"] if cited.law else []
-    ways += [f"the conventions of{cite_command(cited.conventions)}"] if cited.conventions else []
+    if cited.law:
+        ways.append(f"the {answer.frame.law.title} theory{cite_command(cited.law)}")
+    if cited.conventions:
+        ways.append(f"the conventions of{cite_command(cited.conventions)}")
     names = [name for name in answer.question.headline if name in cited.names] or cited.names
     quantities = as_latex("; ".join(f"{NOMENCLATURE[name].sentence} ({symbol(name)})" for name in names))
     with_program = f"With jkroll {__version__}{cite_command([program])}"
@@ -285,7 +296,7 @@ def _computed(answer: Report, cited: Cited) -> str:
 
 
 def _values(answer: Report) -> str:
-    """Return the sentence with the inputs, where their data come from, and which of them were assumed."""
+    """Return the sentence with the inputs, the sources of their data, and which of them were assumed."""
     omitted = {"model", "energy"} if "energy_ratio" in answer.inputs else {"model"}  # the energy follows from its ratio
     texts = []
     for name, value in answer.measures.items():
@@ -295,12 +306,12 @@ def _values(answer: Report) -> str:
         lead = "" if quantity.is_word else f"{symbol(name)} = "
         meaning = quantity.sentence + ("; assumed" if name in answer.assumed else "")
         used = answer.frame.data_used([name])
-        data = [entry for material, of_material in used for entry in material.sources_of(of_material)]
+        data = chain.from_iterable(material.sources_of(of_material) for material, of_material in used)
         texts.append(as_latex(f"{lead}{amount(name, value)} ({meaning})") + cite_command(data))
     return f"Values used: {', '.join(texts)}."
 
 
 def cite_command(entries: Iterable[Mapping[str, str]]) -> str:
-    """Return the command that cites entries; nothing without any."""
+    """Return the command that cites entries; empty without any."""
     keys = ",".join(dict.fromkeys(entry["key"] for entry in entries))
     return f"~\\cite{{{keys}}}" if keys else ""

@@ -1,4 +1,4 @@
-"""Tables on a terminal, in the width there is: of one frame, and of a list of pairs."""
+"""Tables on a terminal, fitted to its width: for one answer, and for a list of pairs."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
@@ -50,14 +50,14 @@ if TYPE_CHECKING:
     from ..report.report import Report
 
 
-# A row has the unit of the rows above it if its least number is between the first two, and its largest below the last.
+# A row keeps the unit of the rows above if its least number is between the first two, and its largest below the last.
 _LEAST, _MOST, _LARGEST = 0.25, 2000, 10000
-_SAME = 1e-12  # relative width of a range that is a number
+_SAME = 1e-12  # relative width below which a range is a number
 _BEST_RANGE = "best range"
-_AS_SILICA = "as SiO2"  # by what a pull-off force on a surface stands
-_CODES = 24  # characters of the codes of doubts in a cell
+_AS_SILICA = "as SiO2"  # the rule for a pull-off force on a surface
+_CODES = 24  # characters of the codes in a cell
 _OF_MATERIALS = {"material": [*PROPERTIES], "material2": [of_sphere(2, name) for name in PROPERTIES]}
-# Inputs without a column unless they were typed, as they follow from others; of a material, γ has one.
+# Inputs without a column unless they were typed, since they follow from others; for a material, γ has a column.
 _FOLLOWING = {"radius2", "energy"}.union(*_OF_MATERIALS.values()) - {"surface_energy"}
 
 
@@ -71,9 +71,9 @@ def _about_inputs(
     form: Format,
     several: Sequence[str] = (),
 ) -> Iterator[str]:
-    """Iterate over a line with the inputs that were given, behind a lead, and one with what was assumed.
+    """Iterate over a line with the given inputs after a prefix, and one with the assumptions.
 
-    Materials have the values that are theirs in brackets. `several`: the inputs that differ from row to row.
+    A material has its values in brackets. `several`: the inputs that differ between rows.
     """
     follows = {*assumed, "energy"}.difference(form.typed)  # from another input
     inputs = {name: value for name, value in inputs.items() if name not in follows}
@@ -90,14 +90,15 @@ def _about_inputs(
             data = [texts.pop(name) for name in properties if name in texts and name not in form.typed]
             solid = inputs[material] if "material" in inputs else f"sphere 2: {inputs[material]}"
             texts[material] = f"{solid} ({', '.join(data)})" if data else str(solid)
-    if line := ", ".join(filter(None, [lead, *texts.values()])):
+    line = ", ".join(filter(None, [lead, *texts.values()]))
+    if line:
         yield line
     if assumed:
         yield f"assumed: {', '.join(assumed.values())}"
 
 
 def _of_solid(inputs: "Mapping[str, float | str | Uncertain]", several: Sequence[str]) -> str:
-    """Return of what solid sphere 2 is, unless that differs from row to row or its own properties say it."""
+    """Return the solid of sphere 2 in words, unless it differs between rows or its own properties are given."""
     own = {name for name in (*inputs, *several) if NOMENCLATURE[name].sphere == 2} - {"radius2", "diameter2"}
     solid = inputs.get("material2" if "material2" in own else "material")
     if solid is not None:
@@ -106,7 +107,7 @@ def _of_solid(inputs: "Mapping[str, float | str | Uncertain]", several: Sequence
 
 
 class Row(NamedTuple):
-    """A result as the table of an answer has it: its words, its best range and why, and the value by the law in use."""
+    """A result as in the table of an answer: its name, best range and rule, and its value by the law in use."""
 
     quantity: str
     symbol: str
@@ -116,11 +117,11 @@ class Row(NamedTuple):
     law: str
 
 
-# --- One frame --------------------------------------------------------------------------------------------------------
+# --- Single answers ---------------------------------------------------------------------------------------------------
 
 
 def frame_table(answer: "Report", out: TextIO, form: Format) -> None:
-    """Write what is shown of one frame."""
+    """Write an answer as lines and tables."""
     for part in parts_of_frame(answer, form):
         if isinstance(part, str):
             say_wrapped(part, out)
@@ -129,9 +130,9 @@ def frame_table(answer: "Report", out: TextIO, form: Format) -> None:
 
 
 def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextColumn]]:
-    """Iterate over lines and tables: the inputs of one frame, its results with their best ranges, and why these.
+    """Iterate over lines and tables: the inputs of an answer, its results with best ranges, and their reasons.
 
-    Conventions of other codes stand below the others.
+    Conventions of other codes follow below.
     """
     stated = {name: value for name, value in answer.measures.items() if name not in answer.assumed}
     yield from _about_inputs("", stated, _in_column(answer), form)
@@ -157,7 +158,7 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
 
 
 def rows_in_words(answer: "Report", form: Format) -> dict[str, Row]:
-    """Return the rows of the table of an answer by name, each number with its unit."""
+    """Return the rows of the table of an answer by name; each number has its unit."""
     found: dict[str, Row] = {}
     for rows in _rows(answer, form):
         for name, (quantity, symbol, best, by, value, _, unit) in rows.items():
@@ -167,10 +168,10 @@ def rows_in_words(answer: "Report", form: Format) -> dict[str, Row]:
 
 
 def _in_column(answer: "Report") -> dict[str, str]:
-    """Return what was assumed, by name: ξ in the law's column alone where ranges rest on no ξ; no spacing of theirs."""
+    """Return the assumptions by name, without those that best ranges replace: ξ for the law's column, the spacing."""
     texts, rules = {**answer.assumed}, {estimate.by for estimate in answer.estimates.values()}
     if any(by < LAW_IN_USE and by not in (DEFINITION, FRICTION_ASSUMED, LAW_ONLY) for by in rules):
-        texts.pop("atomic_spacing", None)  # ranges have their own
+        texts.pop("atomic_spacing", None)  # ranges use their own
     if XI in texts and not rules.isdisjoint((SCALED, XI_UNKNOWN)):
         text, _, option = texts.pop(XI).rpartition(" ")
         texts[XI] = f"{text} in the column of {answer.frame.law.short} {option}"
@@ -183,23 +184,24 @@ _Rows = dict[str, list[str]]  # the cells of results, by name
 def _rows(answer: "Report", form: Format) -> tuple[_Rows, _Rows]:
     """Return the rows of results, and those of conventions.
 
-    A result that repeats another has none, nor has one that lacks an input, of which a note tells.
+    Results that repeat another one are left out, and so are results that lack an input, which a note reports.
     """
     physics: _Rows = {}
     conventions: _Rows = {}
     shown: set[tuple[Any, str]] = set()
-    units: dict[str, tuple[str, Unit]] = {}  # by SI unit: the last one, in which a value below 1 is read as easily
+    units: dict[str, tuple[str, Unit]] = {}  # by SI unit: the last unit used, which also suits values below 1
     for result in answer.results:
         name, quantity = result.name, NOMENCLATURE[result.name]
-        is_said = (result.value, quantity.unit) in shown if result.value is not None else name in answer.lacking
-        if name not in answer.question.with_row or (is_said and name not in answer.question.named):
+        is_known = name in answer.lacking if result.value is None else (result.value, quantity.unit) in shown
+        if name not in answer.question.with_row or (is_known and name not in answer.question.named):
             continue
         shown.add((result.value, quantity.unit))
         estimate = answer.estimates.get(name)
         sizes, unit = _sizes(result.measure, estimate), units.get(quantity.unit)
         if not unit or not _LEAST <= convert(sizes[0], unit[1]) < _MOST or convert(sizes[-1], unit[1]) > _LARGEST:
             unit = form.common_unit(name, sizes[-1:])
-        units |= {quantity.unit: unit} if sizes[-1] else {}
+        if sizes[-1]:
+            units[quantity.unit] = unit
         row = [quantity.sentence, symbol_among(name, answer.inputs), *_range(estimate, unit, form)]
         row += [cell(result.value, unit, form), cell(result.measure, unit, form), unit[0]]
         if estimate and estimate.by in (KELVIN, GAP):  # no law of adhesion enters
@@ -210,7 +212,7 @@ def _rows(answer: "Report", form: Format) -> tuple[_Rows, _Rows]:
 
 
 def _grouped(rows: _Rows, question: "Question") -> list[list[str]]:
-    """Return the rows of results, with a row for the title of each group of them."""
+    """Return the rows of results, with a row for the title of each group."""
     titles, title = {}, ""
     for name in question.quantities:
         titles[name] = title = question.groups.get(name, title)
@@ -225,13 +227,13 @@ def _grouped(rows: _Rows, question: "Question") -> list[list[str]]:
 
 
 def _sizes(measure: "float | Uncertain | None", estimate: "Estimate | None") -> list[float]:
-    """Return the sizes in order of the numbers that a row should show well: of its best range, or of the result."""
+    """Return the sorted sizes that determine a row's unit: of its best range, or else of the result."""
     ends = [] if estimate is None else [float(end) for end in estimate[:2] if not isnan(end)]
     return sorted(map(abs, ends or [middle(measure or 0.0)]))
 
 
 def _with_surfaces(rows: _Rows, answer: "Report", form: Format) -> _Rows:
-    """Return rows of results with those of what was measured on surfaces, below the pull-off force."""
+    """Return the rows of results, with those of measured pull-off forces below the computed one."""
     found: _Rows = {}
     for name, row in rows.items():
         if name != "pull_off_force":
@@ -249,8 +251,8 @@ def _with_surfaces(rows: _Rows, answer: "Report", form: Format) -> _Rows:
 def _of_results(rows: Sequence[Sequence[str]], law: str) -> list[TextColumn]:
     """Return the columns of rows of results.
 
-    Ranges are left out where all of them are those of the law in use; elsewhere they have the error bars, and the law's
-    column has none.
+    Ranges are left out if all of them are values of the law in use. Otherwise they include the uncertainties, and the
+    column of the law does not.
     """
     if {row[3] for row in rows} <= {law, WORDS[DEFINITION], "–", ""}:
         heads, rows = ["quantity", "symbol", law, "unit"], [[*row[:2], *row[5:]] for row in rows]
@@ -265,8 +267,8 @@ def _of_results(rows: Sequence[Sequence[str]], law: str) -> list[TextColumn]:
 
 
 def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) -> list[str]:
-    """Return the best range of a result and its word; an end that is open is not there."""
-    if estimate is None or not estimate.by > NONE:  # nan of a row that shows no such quantity
+    """Return the best range of a result and its rule, in words; an open end is left out."""
+    if estimate is None or not estimate.by > NONE:  # nan in a row without this quantity
         return ["–", "–"]
     low, high = (end if isnan(end) else convert(end, unit[1]) for end in estimate[:2])
     digits = form.digits or 2
@@ -289,7 +291,7 @@ def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) ->
 
 
 def _of_inferred(answer: "Report", form: Format) -> list[TextColumn]:
-    """Return the columns of inferred values by each law, the one that holds first, beside those of the library."""
+    """Return the columns of inferred values by each law, starting with the one that holds, and of library values."""
     own, library = answer.frame.law.name, library_values(answer.described)
     exact = Format(form.units, form.digits or RESULT_DIGITS)
     rows = []
@@ -316,10 +318,7 @@ def _of_inferred(answer: "Report", form: Format) -> list[TextColumn]:
 
 
 def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[str, str]) -> None:
-    """Write a table with a row for each pair, as `parts_of_rows` has it.
-
-    A pair is a column where only that fits the terminal.
-    """
+    """Write a list as a table with a row for each pair (see `parts_of_rows`), or with a column if only that fits."""
     for part in parts_of_rows(columns, form, assumed):
         if isinstance(part, str):
             say_wrapped(part, out)
@@ -328,12 +327,12 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
 
 
 def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str]) -> Iterator[str | Rows]:
-    """Iterate over lines and the table of a list: a row for each pair, and what its words and codes mean.
+    """Iterate over the lines and the table of a list: a row for each pair, then the meaning of words and codes.
 
-    Inputs that all pairs share stand above, and what was assumed.
+    Common inputs and assumptions come first.
     """
     inputs = {name: [in_words(name, value) for value in as_list(each)] for name, each in columns.inputs.items()}
-    distinct = {name: {*values} - {None} for name, values in inputs.items()}  # None: does not enter a row
+    distinct = {name: {*values} - {None} for name, values in inputs.items()}  # None: not an input of the row
     common = {name: next(iter(values)) for name, values in distinct.items() if len(values) == 1}
     several = [name for name in inputs if name not in common]
     number = len(columns) // max(len(distinct.get("model", ())), 1)
@@ -343,7 +342,7 @@ def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str]) 
     if "radius2" in several and "radius2" not in form.typed:
         count += " of equal spheres (R2 = R1)"
     if any(map(columns.wanted.best_of, columns.wanted.names)):
-        assumed = {name: text for name, text in assumed.items() if name != "atomic_spacing"}  # ranges have their own
+        assumed = {name: text for name, text in assumed.items() if name != "atomic_spacing"}  # ranges use their own
         common = {name: value for name, value in common.items() if name != "atomic_spacing" or name in form.typed}
     yield from _about_inputs(count, common, assumed, form, several)
     if BETWEEN in distinct.get("model", ()) and "model" in several:
@@ -361,25 +360,26 @@ def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str]) 
             head = symbol_among(name, columns.inputs)
             own = f"{head} by {LAWS[DEFAULT_LAW].short}" if best and "model" not in inputs else head
             of_law = columns_of(name, {own: _measures(columns, name)}, form)
-            if "model" in several and best:  # each row by a law of its own
+            if "model" in several and best:  # each row has its own law
                 of_law, best = [_with_ranges(of_law[0], best[0], of_rows)], []
             results += [*best, *of_law]
             rules += of_rows
-    told = [codes(bits & columns.wanted.reported_doubts) for bits in as_list(columns.doubts)]
-    yield leading, [*results, *([TextColumn(DOUBT, told, is_right=False)] if any(told) else [])]
-    of_codes = lines_on_codes(code for text in told for code in text.split())
+    shown = [codes(bits & columns.wanted.reported_doubts) for bits in as_list(columns.doubts)]
+    if any(shown):
+        results.append(TextColumn(DOUBT, shown, is_right=False))
+    yield leading, results
+    of_codes = lines_on_codes(chain.from_iterable(text.split() for text in shown))
     rules_shown = (int(by) for by in rules if not isnan(by))
     yield from (*lines_on_rules(rules_shown, columns.wanted.names), *of_codes)
 
 
 def in_width(leading: list[TextColumn], results: list[TextColumn]) -> Rows:
-    """Return the columns of a list as they suit the terminal.
+    """Return the columns of a list in a form that suits the terminal.
 
-    Rows have all codes of doubts where that fits, and a pair is a column where only that fits.
+    Rows have all codes if these fit, and a pair becomes a column if only that fits.
     """
     if results and results[-1].head == DOUBT and not fit_terminal([*leading, *results]):
-        told = results[-1].cells
-        cut = [text if len(text) <= _CODES else first_of(text.split(), 1) for text in told]
+        cut = [text if len(text) <= _CODES else first_of(text.split(), 1) for text in results[-1].cells]
         results = [*results[:-1], results[-1]._replace(cells=cut)]
     across = text_columns([(column.head, *column.cells) for column in (*leading, *results)], words=1)
     if fit_terminal(across) and not fit_terminal([*leading, *results]):
@@ -390,7 +390,7 @@ def in_width(leading: list[TextColumn], results: list[TextColumn]) -> Rows:
 def _best(columns: "Columns", name: str, form: Format) -> tuple[list[TextColumn], list[float]]:
     """Return the columns of the best range of a quantity and of its rule, and the rules of the rows.
 
-    There are none where all rows have the law in use, or a definition.
+    There are none if all rows have the law in use, or a definition.
     """
     if not columns.wanted.best_of(name):
         return [], []
@@ -412,10 +412,10 @@ def _with_ranges(values: TextColumn, ranges: TextColumn, rules: Sequence[float])
 
 
 def _measures(columns: "Columns", key: str) -> list[Any]:
-    """Return the values of a column of results, with their uncertainties if they have some; None is a gap."""
+    """Return the values of a column of results, with uncertainties if there are any; None for empty cells."""
     keys = columns.wanted.sides_of(key)
     sides = (as_list(columns.column(each)) for each in keys.values())
-    return [
-        None if isnan(value) else with_sides(value, dict(zip(keys, of_row, strict=True)))
-        for value, *of_row in zip(as_list(columns.column(key)), *sides, strict=True)
-    ]
+    measures = []
+    for value, *of_row in zip(as_list(columns.column(key)), *sides, strict=True):
+        measures.append(None if isnan(value) else with_sides(value, dict(zip(keys, of_row, strict=True))))
+    return measures

@@ -1,7 +1,7 @@
-"""Columns as lines of text: a writer a format, for lists, tables, maps and catalogues; and the file that is written.
+"""Columns as lines of text: a writer for each format of lists, tables, maps and catalogues; and the output file.
 
-A column is a list of texts, numbers and None, or an array of numbers; an array with two axes is several columns. A text
-or None stands for a column of it. None and nan are gaps.
+A column is a list of texts, numbers and None, or an array of numbers; an array with two axes is several columns. A
+single text or None means a column of it. None and nan are empty cells.
 """
 
 import os
@@ -24,14 +24,14 @@ from ..quantities.values import middle
 from ..text import for_terminal, json_text, quoted, say, spelled, write_texts
 
 Cell = str | float | None
-STRIP = 256  # rows written at once: their text stays in the cache, and is no large piece of memory
+STRIP = 256  # rows written at once: their text fits into the cache
 
 
 class Lines:
     """Rows as lines of cells with a separator between them."""
 
-    has_words = True  # an infinite input is a word
-    digits: int | None = None  # of results, where none are asked for; all where that is None
+    has_words = True  # infinite inputs are written as words
+    digits: int | None = None  # default digits of results; None for all
 
     def __init__(
         self,
@@ -43,20 +43,17 @@ class Lines:
         is_plain: bool = False,
         has_commas: bool = False,
     ) -> None:
-        """`is_plain`: whether quotes, doubts and status are left out.
-
-        `has_commas`: whether decimal marks are commas.
-        """
+        """`is_plain`: True to leave out quotes, doubts and status; `has_commas`: True for decimal commas."""
         self.separator, self.gap, self.end = separator.encode(), gap.encode(), end.encode()
         self.has_header, self.is_plain, self.has_commas = has_header, is_plain, has_commas
 
     def header(self, heads: Sequence[str], before: Sequence[bytes] = ()) -> bytes:
-        """Return the line of the headers. `before`: what stands before them, in the format."""
+        """Return the line of the headers. `before`: the text before them, in the format."""
         cells = [*before, *(self._text(head) for head in heads)]
         return self.separator.join(cells) + self.end if self.has_header else b"".join(before)
 
     def rows(self, heads: Sequence[str], columns: Sequence[Any], before: Sequence[bytes] = ()) -> bytes:
-        """Return rows. `before`: the beginning of each, in the format."""
+        """Return rows. `before`: the beginning of each row, in the format."""
         size = len(before) or max(map(length, columns), default=0)
         leads = self._leads(heads, is_begun=bool(before))
         columns = [self._texts(column, lead, size) for column, lead in zip(self._divided(columns), leads, strict=False)]
@@ -73,20 +70,20 @@ class Lines:
 
     @contextmanager
     def sink(self, stream: BinaryIO, header: bytes) -> Iterator[Callable[[bytes], object]]:
-        """Return the function that writes rows behind the header."""
+        """Return the function that writes rows after the header."""
         stream.write(header)
         yield stream.write
 
     def _divided(self, columns: Sequence[Any]) -> Sequence[Any]:
-        """Return columns as they are written: several in one array together."""
+        """Return columns as they are written: several in one array stay together."""
         return columns
 
     def _leads(self, heads: Sequence[str], *, is_begun: bool) -> list[bytes]:
-        """Return what stands before the cells of each column. `is_begun`: whether rows have a beginning."""
+        """Return the prefix of the cells of each column. `is_begun`: True if rows have a beginning."""
         return [self.separator if is_begun or position else b"" for position in range(len(heads))]
 
     def _texts(self, column: Any, lead: bytes, size: int) -> Any:
-        """Return the cells of a column of texts, each behind its lead; an array as it is."""
+        """Return the cells of a column of texts with their prefix; an array is returned as it is."""
         if column is None or isinstance(column, str):
             return [lead + self._cell(column)] * size
         if isinstance(column, list):
@@ -95,7 +92,7 @@ class Lines:
         return column
 
     def _cells(self, column: Any, lead: bytes, part: slice) -> list[bytes]:
-        """Return some cells of a column, or of several in one array together, behind the lead."""
+        """Return some cells of a column, or of several in one array, with their prefix."""
         if isinstance(column, list):
             return column[part]
         rows = numbers_in_lines(column[..., part], self.separator, self.gap)
@@ -115,12 +112,12 @@ class Lines:
         return spelled(value).encode()
 
     def _text(self, text: str) -> bytes:
-        """Return a text, in quotes where it needs them."""
+        """Return a text, in quotes if needed."""
         return (text if self.is_plain else in_quotes(text, self.separator.decode())).encode()
 
 
 class Objects(Lines):
-    """Rows as objects of JSON, a line each."""
+    """Rows as JSON objects, one on each line."""
 
     def __init__(self) -> None:
         super().__init__(",", "null", end="}\n", has_header=False)
@@ -129,7 +126,7 @@ class Objects(Lines):
         return divided(columns)
 
     def _leads(self, heads: Sequence[str], *, is_begun: bool) -> list[bytes]:
-        """Return the names of members. Beginnings of objects end with a comma if they have members."""
+        """Return the names of members as prefixes. Beginnings of objects with members end with a comma."""
         first, *others = (self._text(head) + b":" for head in heads)
         return [first if is_begun else b"{" + first, *(b"," + name for name in others)]
 
@@ -140,29 +137,29 @@ class Objects(Lines):
 
 
 class Markdown(Lines):
-    """Rows as a table of GitHub's Markdown, with numbers for readers, set to the right."""
+    """Rows as a table of GitHub's Markdown, with rounded numbers aligned right."""
 
     digits = RESULT_DIGITS
 
     def __init__(self, are_right: Sequence[bool] = (), *, has_commas: bool = False) -> None:
-        """`are_right`: whether the first columns are set to the right; the headers of others say what they hold."""
+        """`are_right`: True for each of the first columns to align right; for others the header decides."""
         super().__init__(" | ", end=" |\n", has_commas=has_commas)
         self.are_right = are_right
 
     def header(self, heads: Sequence[str], before: Sequence[bytes] = ()) -> bytes:
-        """Return the line of the headers, and the one below it, which sets columns to a side."""
+        """Return the line of the headers, and the line below, which aligns the columns."""
         others = heads if before else heads[len(self.are_right) :]
         are_right = [*self.are_right, *(not has_texts(head) for head in others)]
-        sides = b"".join(b"|---:" if is_right else b"|---" for is_right in are_right) + b"|\n"
+        sides = "".join("|---:" if is_right else "|---" for is_right in are_right).encode() + b"|\n"
         return (b"" if before else b"| ") + super().header(heads, before) + sides
 
     def _leads(self, heads: Sequence[str], *, is_begun: bool) -> list[bytes]:
-        """Return what stands before the cells of each column."""
+        """Return the prefix of the cells of each column."""
         first, *others = super()._leads(heads, is_begun=is_begun)
         return [first or b"| ", *others]
 
     def _number(self, value: float) -> bytes:
-        """Return a number, a whole one without a point."""
+        """Return a number; an integer has no point."""
         number = super()._number(value).removesuffix(b".0")
         return number.replace(b".", b",") if self.has_commas else number
 
@@ -183,8 +180,11 @@ class Lists:
     def rows(self, _: Sequence[str], columns: Sequence[Any], before: Sequence[Any] = ()) -> list[Any]:
         """Return the columns, each with a cell for every row. `before`: the beginning of each row."""
         size = len(before) or max(map(length, columns), default=0)
-        is_same = [column is None or isinstance(column, str) for column in divided(columns)]
-        return [[column] * size if same else column for same, column in zip(is_same, divided(columns), strict=True)]
+        filled = []
+        for column in divided(columns):
+            is_same = column is None or isinstance(column, str)
+            filled.append([column] * size if is_same else column)
+        return filled
 
 
 WRITERS = {
@@ -198,14 +198,14 @@ WRITERS = {
 
 
 def in_quotes(cell: str, separator: str) -> str:
-    """Return a cell, in quotes if it needs them."""
+    """Return a cell, in quotes if needed."""
     if any(mark in cell for mark in (separator, '"', "\n", "\r")):
         return '"' + cell.replace('"', '""') + '"'
     return cell
 
 
 def in_markdown(text: str) -> str:
-    r"""Return a text in one line that Markdown shows as it is, also in the cell of a table.
+    r"""Return a text on one line that Markdown shows unchanged, also in a cell of a table.
 
     >>> in_markdown("a|b *c*\nP_c [nN] _d_")
     'a\\|b \\*c\\* P_c [nN] \\_d\\_'
@@ -215,14 +215,14 @@ def in_markdown(text: str) -> str:
 
 
 def in_row(cells: Iterable[str]) -> str:
-    """Return the beginning of a line of a table in Markdown: texts as cells."""
+    """Return the beginning of a line of a Markdown table, with texts as cells."""
     return "| " + " | ".join(map(in_markdown, cells))
 
 
 def numbers_in_lines(columns: Any, separator: bytes, gap: bytes) -> list[bytes]:
-    """Return the numbers of each row as a line without its end, each behind a separator. nan is a gap.
+    """Return the numbers of each row as a line without its end, with a separator before each; nan is a gap.
 
-    `columns`: an array of one column or several.
+    `columns`: an array with one column or several.
     """
     import numpy
     import orjson
@@ -231,19 +231,25 @@ def numbers_in_lines(columns: Any, separator: bytes, gap: bytes) -> list[bytes]:
     text = orjson.dumps(numpy.ascontiguousarray(rows) + 0.0, option=orjson.OPT_SERIALIZE_NUMPY)
     if gap != b"null" and b"n" in text:
         text = text.replace(b"null", gap)
-    text = b"," + text.replace(b"[", b"")  # ,1,2],3,4]] of [[1,2],[3,4]]: one byte is found fast
+    text = b"," + text.replace(b"[", b"")  # ,1,2],3,4]] for [[1,2],[3,4]]: a single byte is found fast
     if separator != b",":
         text = text.replace(b",", separator)
     return text.split(b"]")[: len(rows)]
 
 
 def divided(columns: Sequence[Any]) -> list[Any]:
-    """Return columns one by one, of which several may be in an array together."""
-    return [single for column in columns for single in (column if getattr(column, "ndim", 1) > 1 else [column])]
+    """Return all columns separately; arrays may hold several."""
+    single: list[Any] = []
+    for column in columns:
+        if getattr(column, "ndim", 1) > 1:
+            single.extend(column)
+        else:
+            single.append(column)
+    return single
 
 
 def length(column: Any) -> int:
-    """Return the number of rows of a column, or of several in one array; 0 for what is the same in all rows."""
+    """Return the number of rows of a column, or of several in one array; 0 for a single text or None."""
     if isinstance(column, list):
         return len(column)
     return 0 if column is None or isinstance(column, str) else int(column.shape[-1])
@@ -255,9 +261,9 @@ def length(column: Any) -> int:
 def written(
     writer: Any, wanted: Wanted, blocks: Iterable[Columns], form: Format, *, doubt: bool = True
 ) -> Iterator[Any]:
-    """Iterate over rows as they are written, block by block: first the header, if the format has one.
+    """Iterate over rows in a format, block by block; first comes the header, if the format has one.
 
-    `doubt`: whether doubts have a column, if they are judged.
+    `doubt`: True for a column of doubts, if they are judged.
     """
     remarks = () if writer.is_plain else wanted.remarks(doubt=doubt)
     heads = [*map(header, wanted.inputs), *wanted.heads(form.header), *remarks]
@@ -273,19 +279,19 @@ def written(
 
 
 def _in_words(name: str, column: Any) -> Any:
-    """Return the column of an input, in which infinite values are words."""
+    """Return the column of an input, with words for infinite values."""
     if isinstance(column, list) or (abs(column) == INFINITY).any():
         return [in_words(name, value) for value in as_list(column)]
     return column
 
 
 def _rounded(column: Any, digits: int) -> list[Cell]:
-    """Return a column of numbers and words, the numbers with so many significant digits."""
+    """Return a column of numbers and words, the numbers rounded to some significant digits."""
     return [float(f"{cell:.{digits}g}") if isinstance(cell, float) else cell for cell in as_list(column)]
 
 
 def result_columns(columns: Columns, form: Format, remarks: Sequence[str]) -> list[Any]:
-    """Return the columns of results, in their units and with their digits, and of remarks."""
+    """Return the columns of results, in their units and with their digits, then codes and reasons."""
     texts = [_codes(columns) if name == DOUBT else columns.status for name in remarks]
     if columns.few or columns.wanted.best or any(map(form.changes, columns.wanted.names)):
         return [*_formatted(columns, form), *texts]
@@ -293,7 +299,7 @@ def result_columns(columns: Columns, form: Format, remarks: Sequence[str]) -> li
 
 
 def _codes(columns: Columns) -> list[str | None]:
-    """Return the codes of the doubts of rows."""
+    """Return the codes of the doubts of each row."""
     if columns.few:
         return [codes(bits) or None for bits in columns.doubts]
     import numpy
@@ -321,7 +327,7 @@ def _formatted(columns: Columns, form: Format) -> Iterator[Any]:
 def write_records(heads: Sequence[str], records: Iterable[Sequence[Cell]], output: str, out: TextIO) -> None:
     """Write records in a format: "table", "plain", "csv", "md" or "json".
 
-    A cell without a value is None. It is written as "—", "-", an empty cell or null.
+    A cell without a value is None, written as "—", "-", an empty cell or null.
     """
     if output == "json":
         say(json_text([dict(zip(heads, record, strict=True)) for record in records], out), out)
@@ -332,7 +338,7 @@ def write_records(heads: Sequence[str], records: Iterable[Sequence[Cell]], outpu
 
 
 def write_columns(heads: Sequence[str], columns: Sequence[Any], output: str, out: TextIO) -> None:
-    """Write columns as text in a format whose rows are lines."""
+    """Write columns as text in a format made of lines."""
     writer = WRITERS[output]
     if writer.digits:
         columns = [_rounded(column, DIGITS) for column in columns]
@@ -347,10 +353,10 @@ def _text(cell: Cell) -> str:
     return pretty(spelled(cell) if isinstance(cell, float) else str(cell))
 
 
-# --- The file that is written: whole or not at all, or standard output ------------------------------------------------
+# --- The output: a file that is written completely or not at all, or stdout -------------------------------------------
 
-MAX_KEPT = 50  # characters of a name that its temporary name has, too
-SIGNALS = [signal.SIGINT, signal.SIGTERM, getattr(signal, "SIGHUP", signal.SIGTERM)]  # Windows has two of them
+MAX_KEPT = 50  # characters of a file name in its temporary name
+SIGNALS = [signal.SIGINT, signal.SIGTERM, getattr(signal, "SIGHUP", signal.SIGTERM)]  # Windows has two of these
 _STREAMS = ("/dev/stdin", "/dev/stdout", "/dev/stderr")
 
 
@@ -358,7 +364,7 @@ _STREAMS = ("/dev/stdin", "/dev/stdout", "/dev/stderr")
 def whole_file(path: str, mark: str = "") -> Iterator[BinaryIO]:
     """Open a temporary file that replaces `path` when it is complete; or stdout, a device, a pipe or an open file.
 
-    `mark`: by which `remove_begun` finds the temporary file.
+    `mark`: part of the temporary name, for `remove_begun`.
     """
     if path == "-":
         sys.stdout.flush()
@@ -371,7 +377,7 @@ def whole_file(path: str, mark: str = "") -> Iterator[BinaryIO]:
     try:
         descriptor = _descriptor(path)
         if descriptor is not None or (os.path.exists(path) and not os.path.isfile(path)):
-            sys.stdout.flush()  # it may be the same
+            sys.stdout.flush()  # it may be the same file
             with _opened(path if descriptor is None else os.dup(descriptor)) as stream:
                 yield stream
             return
@@ -385,14 +391,14 @@ def whole_file(path: str, mark: str = "") -> Iterator[BinaryIO]:
                 os.chmod(temporary, os.stat(real).st_mode & 0o7777)
             os.replace(temporary, real)
     except OSError as error:
-        error.filename = path  # a full disk names no file, other errors a temporary one
+        error.filename = path  # a full disk gives no name, other errors a temporary one
         raise
 
 
 @contextmanager
 def _removed_at_last(path: str) -> Iterator[BinaryIO]:
-    """Open a new file. Remove it behind a block, and where a signal ends the process within it."""
-    begun: list[BinaryIO] = []  # it alone, when it is there: another's file of the name stays
+    """Open a new file for a block; remove it after the block, or if a signal ends the process."""
+    begun: list[BinaryIO] = []  # empty until it exists: a file of another process stays
 
     def remove() -> None:
         with suppress(FileNotFoundError):
@@ -405,7 +411,7 @@ def _removed_at_last(path: str) -> Iterator[BinaryIO]:
         signal.raise_signal(number)
 
     ending = [number for number in SIGNALS if signal.getsignal(number) == signal.SIG_DFL]
-    with suppress(ValueError):  # in a thread, to which no signals come
+    with suppress(ValueError):  # only the main thread receives signals
         for number in ending:
             signal.signal(number, end)
     try:
@@ -419,7 +425,7 @@ def _removed_at_last(path: str) -> Iterator[BinaryIO]:
 
 
 class _Terminal(BufferedWriter):
-    """A terminal, on which the cells of a table are written as they are read, but move no cursor."""
+    """A terminal that shows the cells of a table but cannot be controlled by them."""
 
     def write(self, lines: Any) -> int:
         """Write whole lines."""
@@ -428,13 +434,13 @@ class _Terminal(BufferedWriter):
 
 
 def _opened(file: str | int, *, is_terminal: bool = False) -> BufferedWriter:
-    """Open a file or a descriptor that is written as it is, unless it is a terminal."""
+    """Open a file or a descriptor for bytes, or as a `_Terminal` if it is one."""
     stream = open(file, "wb")
     return _Terminal(stream.detach()) if is_terminal or stream.isatty() else stream
 
 
 def remove_begun(paths: Iterable[str], mark: str) -> None:
-    """Remove the temporary files with a mark that `whole_file` made for some paths, in processes that are lost."""
+    """Remove temporary files with a mark, made by `whole_file` for some paths in processes that were lost."""
     for folder in {os.path.dirname(os.path.realpath(path)) for path in paths}:
         with suppress(OSError):
             for name in os.listdir(folder):
@@ -443,7 +449,7 @@ def remove_begun(paths: Iterable[str], mark: str) -> None:
 
 
 def _descriptor(path: str) -> int | None:
-    """Return the number of the open file that a path such as /dev/stdout or /dev/fd/63 stands for, or None."""
+    """Return the descriptor of the open file in a path such as /dev/stdout or /dev/fd/63; None for other paths."""
     if path in _STREAMS:
         return _STREAMS.index(path)
     number = re.fullmatch(r"/(?:dev|proc/self)/fd/(\d+)", path)
@@ -452,7 +458,7 @@ def _descriptor(path: str) -> int | None:
 
 @contextmanager
 def text_output(path: str) -> Iterator[TextIO]:
-    """Open a file as `whole_file` does, for text in UTF-8; "-" is stdout."""
+    """Open a file for UTF-8 text, see `whole_file`; "-" is stdout."""
     if path == "-":
         yield sys.stdout
         sys.stdout.flush()
