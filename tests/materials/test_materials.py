@@ -199,9 +199,7 @@ BROKEN = {
         "'a.density.methd' is an unknown key; did you mean method?"
     ),
     "[materials.a]\ndensity = { method = 'x' }": "a.density has no value",
-    "[materials.a]\ndensity = { value = '1 g/cm3', reference = 'x' }": (
-        "'a' cites 'x', which is not in [references]"
-    ),
+    "[materials.a]\ndensity = { value = '1 g/cm3', reference = 'x' }": ("'a' cites 'x', which is not in [references]"),
     "[materials.a]\ndensity = '3.4(9) g/cm3'": (
         "a: density: '3.4(9) g/cm3' can be read as 3.4±0.9 or as 3.4e9; write the one that is meant"
     ),

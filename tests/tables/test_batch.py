@@ -191,7 +191,10 @@ def test_a_bad_row_says_why_and_spoils_no_other(run: Run, line: str) -> None:
     status, words = STATUS[line]
     ran = run("batch", name, "--quantities", "contact_radius_at_load", "-o", "out.csv", "--jobs", "1", "--no-doubt")
     assert ran.code == 1
-    assert ran.err.splitlines()[-2:] == [f"note: {words}: row 3", "jkroll: 1 of 4 rows failed; column status has the reasons"]
+    assert ran.err.splitlines()[-2:] == [
+        f"note: {words}: row 3",
+        "jkroll: 1 of 4 rows failed; column status has the reasons",
+    ]
     good, _, bad, last = rows(Path("out.csv").read_text(encoding="utf-8"))
     assert bad["status"] == status
     assert bad["contact_radius_at_load [m]"] == ""

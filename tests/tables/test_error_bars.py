@@ -153,7 +153,10 @@ def test_a_row_whose_error_bar_lacks_a_side_has_none(run: Run, others: dict[str,
         for minus, plus in bars
     ]
     ran = run(f"batch {written(rows, end)} -o out.{end} --quantities pull_off_force --no-doubt")
-    assert (ran.code, "one side of its error bar is missing, so the row has none" in ran.err.replace("\n  ", " ")) == (0, True)
+    assert (ran.code, "one side of its error bar is missing, so the row has none" in ran.err.replace("\n  ", " ")) == (
+        0,
+        True,
+    )
     of_radius = FORCE / 10 if others else 0.0
     both, no_minus, no_plus, neither, zero = found(end)
     assert [row["pull_off_force [N]"] for row in found(end)] == close([FORCE] * 5)
@@ -218,7 +221,7 @@ def test_an_error_bar_that_a_hamaker_constant_outranks(run: Run) -> None:
     ]
 
 
-def test_a_range_that_enters_no_error_bar_is_told(run: Run) -> None:
+def test_a_range_that_enters_no_error_bar_is_reported(run: Run) -> None:
     """Of a material that has ± as well, as at the prompt."""
     Path("own.toml").write_text(
         '[materials.own]\nsurface_energy = { value = "25±5 mJ/m2" }\n'

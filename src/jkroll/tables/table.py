@@ -23,8 +23,9 @@ from ..quantities.values import is_uncertain, value_of
 from ..text import quoted
 from .cells import LABEL, Indices, Lookup
 from .header import Header, is_input, is_law, stated_meanings, typed
+from .statistic_rows import LABEL_OF, are_kinds_of_data, rows_of_statistics
 from .unread import Supply
-from .words import LABEL_OF, MATERIALS, are_kinds_of_data, rows_of_statistics
+from .words import MATERIALS
 
 _NO_ROWS: Any = numpy.empty(0)  # the values of an input before any row is read
 
