@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import product
 from math import ceil, floor, isfinite, log10
 from types import MappingProxyType
 from typing import Any, NamedTuple, TextIO
@@ -287,7 +288,7 @@ def shown_values(axis: Axis, most: int) -> Any:
     decades = range(floor(log10(axis.low)), floor(log10(axis.high)) + 1)
 
     def round_values(digits: str) -> Any:
-        every = numpy.array([float(f"{digit}e{decade}") for decade in decades for digit in digits.split()])
+        every = numpy.array([float(f"{digit}e{decade}") for decade, digit in product(decades, digits.split())])
         return every[axis.has(every)]
 
     for choices, least in ((_DIGITS, min(_FEW, most)), (_MORE, 2), (_DIGITS, 2)):

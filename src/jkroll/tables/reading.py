@@ -298,7 +298,8 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
         name = of_sphere(sphere, name) if sphere else name
         is_open = not sphere and not is_slip and NOMENCLATURE[name].sphere == 1
         names = [name, NOMENCLATURE[name].twin] if is_open else [name]
-        names = [of_sphere(sphere, each) if sphere else each for each in meaning.names] if meaning.names[1:] else names
+        if meaning.names[1:]:
+            names = [of_sphere(sphere, each) if sphere else each for each in meaning.names]
         if split.unit and word == key(split.word):
             tail = re.findall(r"[a-z]+", _CUT.sub(" ", split.unit).casefold())
             is_label = name in MATERIALS or split.unit in words.INDICES or not words.LABELS.isdisjoint(tail)

@@ -173,7 +173,9 @@ class Table:
                     raise
         first, second = self.spheres.values()
         is_of_two = second not in (None, first) or any(NOMENCLATURE[name].sphere == 2 for name in self.given)
-        shown = {name for frame in frames for name in frame.possible(offered) if frame.shows_to_identical(name)}
+        shown: set[str] = set()
+        for frame in frames:
+            shown.update(name for name in frame.possible(offered) if frame.shows_to_identical(name))
         shown -= self.given
         if is_of_two:
             shown = {name for name in shown if not NOMENCLATURE[name].of_identical}

@@ -178,9 +178,8 @@ def liggghts_input(frame: Frame) -> str:
     frame.plans("pull_off_force", "contact_modulus", "density")
     _refuse_state(frame, "liggghts")
     spheres = (1,) if frame.is_identical else (1, 2)
-    moduli, ratios = (
-        [frame[of_sphere(sphere, name)] for sphere in spheres] for name in ("youngs_modulus", "poisson_ratio")
-    )
+    moduli = [frame[of_sphere(sphere, "youngs_modulus")] for sphere in spheres]
+    ratios = [frame[of_sphere(sphere, "poisson_ratio")] for sphere in spheres]
     if INFINITY in moduli:
         raise BadRequest("export: liggghts needs a finite Young's modulus of each body")
     grains = _grains(frame)
