@@ -8,7 +8,7 @@ mean something else, so their words must point to an input. For a text column, t
 import re
 from collections.abc import Collection, Mapping, Sequence
 from functools import cache, lru_cache
-from itertools import chain, pairwise
+from itertools import chain, pairwise, product
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError
