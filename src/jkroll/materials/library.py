@@ -45,7 +45,7 @@ class UnclearMaterial(BadRequest):
 
 # --- Materials --------------------------------------------------------------------------------------------------------
 
-ORIGIN = ("method", "law", "reference")  # of a property: the method, the contact law and the reference
+ORIGIN = ("method", "law", "reference")  # the origin of a property: its method, contact law and reference
 
 
 class Displacement(NamedTuple):

@@ -114,7 +114,7 @@ class Frame:
 
     few = 800  # points of uncertain inputs up to which floats are faster than importing numpy: three ranges
     unknowns: Sequence[str] = ()  # inputs that are inferred from measured quantities
-    solution: Any = None  # of the unknowns
+    solution: Any = None  # the inferred values of the unknowns
 
     def __init__(
         self,

@@ -30,7 +30,7 @@ class Plan:
 
     def __init__(
         self,
-        name: str,  # of the value
+        name: str,  # the name of the value
         formula: Any = None,
         plans: Mapping[str, "Plan"] = MappingProxyType({}),  # of its arguments, by parameter
         missing: frozenset[str] = frozenset(),  # inputs that are not known

@@ -155,7 +155,7 @@ class Gap(NamedTuple):
     phrase: str  # in the status column
     is_failed: bool  # True for rows without a contact, or without any value
     first: int  # the index of the first row
-    reasons: Reasons  # of the first row
+    reasons: Reasons  # the reasons of the first row
 
 
 class Columns:

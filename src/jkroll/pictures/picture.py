@@ -120,7 +120,7 @@ class Region(NamedTuple):
     sign: str
     hatch: str
     name: str
-    excess: Callable[[Frame], Any]  # of a frame of arrays
+    excess: Callable[[Frame], Any]  # the excess for a frame of arrays
 
 
 class Field(NamedTuple):
@@ -245,8 +245,8 @@ def clipped(curve: Curve, low: float, high: float) -> Curve:
 
 # --- The numbers of a picture in a terminal: a field as a table, curves as rows ---------------------------------------
 
-ROWS, COLUMNS = 13, 9  # of a field
-CURVE_ROWS = 11  # of each curve
+ROWS, COLUMNS = 13, 9  # largest size of the table of a field
+CURVE_ROWS = 11  # largest number of rows for a curve
 DIGITS = 3
 _DIGITS = ("1 2 5", "1 3", "1")  # in each decade; the first that has room is used
 _MORE = (" ".join(f"{digit / 10:g}" for digit in range(10, 100)), "1 1.2 1.5 2 2.5 3 4 5 6 8", "1 1.5 2 3 5 7")

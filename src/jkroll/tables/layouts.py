@@ -252,7 +252,7 @@ class _Cell(NamedTuple):
 
     name: str  # including the unit
     role: str
-    meaning: str = ""  # of a stated column, with the unit in the cell
+    meaning: str = ""  # the meaning of a stated column, with the unit in the cell
 
 
 _A_UNIT, _ANOTHER_UNIT, _NEITHER, _NO_ROW_OF_UNITS = "unit", "another unit than the header", "text", "anything else"

@@ -412,7 +412,7 @@ def unit_for(text: str, name: str, *, is_explicit: bool = False) -> str:
 
 
 _IN_ANY_CASE = str.maketrans("µμΜÅå", "uuuaa")
-_Parts = tuple[tuple[str, str], ...]  # of a unit: letters with powers, "" for 1
+_Parts = tuple[tuple[str, str], ...]  # the parts of a unit: letters with powers, "" for 1
 
 
 def _in_small_letters(unit: str) -> str:

@@ -17,7 +17,7 @@ from ..quantities.formatting import Format, amount, significant
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, STATE_OR_LOAD, of_sphere
 
-SKIN = 0.2  # of the neighbor lists, in units of the smaller radius
+SKIN = 0.2  # skin of the neighbor lists, in units of the smaller radius
 LEAST_SKIN = 0.4  # in units of δ0: the largest distance between spheres in contact
 NO_SLIP = 1e9  # a coefficient of friction that prevents slip, for laws without a sliding force
 
