@@ -41,7 +41,7 @@ class _Silent(SimpleHTTPRequestHandler):
 
 @contextmanager
 def served(folder: Path) -> Iterator[str]:
-    """Serve a folder on loopback; give its address."""
+    """Serve a folder on loopback; yield its address."""
     server = ThreadingHTTPServer(("127.0.0.1", 0), partial(_Silent, directory=str(folder)))
     Thread(target=server.serve_forever, daemon=True).start()
     try:
@@ -52,7 +52,7 @@ def served(folder: Path) -> Iterator[str]:
 
 
 class Browser:
-    """A window of a browser."""
+    """A browser window."""
 
     def __init__(self, port: int, profile: Path) -> None:
         self.driver = f"http://127.0.0.1:{port}"
@@ -69,11 +69,11 @@ class Browser:
             with urllib.request.urlopen(request, timeout=300) as answer:
                 return json.loads(answer.read())["value"]
         except HTTPError as error:
-            error.add_note(error.read().decode())  # what the driver says
+            error.add_note(error.read().decode())  # the driver's message
             raise
 
     def open(self, address: str, width: int = 1000, height: int = 900) -> None:
-        """Open a page in a window of a size."""
+        """Open a page in a window of some size."""
         self.call("POST", f"{self.session}/window/rect", {"width": width, "height": height})
         self.call("POST", f"{self.session}/url", {"url": address})
 
@@ -90,14 +90,14 @@ class Browser:
             time.sleep(0.05)
 
     def type(self, text: str) -> None:
-        """Type a text, or a key of KEYS, into what has the focus."""
+        """Type a text, or a key of KEYS, into the focused element."""
         element = self.call("GET", f"{self.session}/element/active")
         self.call(
             "POST", f"{self.session}/element/{next(iter(element.values()))}/value", {"text": KEYS.get(text, text)}
         )
 
     def click(self, selector: str) -> None:
-        """Click with the mouse on the first element that a CSS selector finds."""
+        """Click with the mouse on the first element that a CSS selector matches."""
         found = self.call("POST", f"{self.session}/element", {"using": "css selector", "value": selector})
         self.call("POST", f"{self.session}/element/{next(iter(found.values()))}/click", {})
 
@@ -112,9 +112,9 @@ class Browser:
 
 
 def hosts_asked(profile: Path) -> set[str | None]:
-    """Return the hosts that pages and workers sent requests to, by the log of a browser that has ended.
+    """Return the hosts to which pages and workers sent requests, from the log of a browser that has ended.
 
-    The browser's own requests, which reach nobody, have no initiator, or one of its own pages: chrome://newtab.
+    The browser's own requests, which leave no trace elsewhere, have no initiator, or an internal page: chrome://newtab.
     """
     events = json.loads((profile / "requests.json").read_text(encoding="utf-8"))["events"]
     requests = [event["params"] for event in events if "initiator" in event.get("params", {})]

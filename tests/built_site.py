@@ -26,7 +26,7 @@ AXE, AXE_SHA256 = "axe-core@4.14.1", "e6b0ce02b84d892e2e33e403485e7f3d6c29e2be6d
 
 
 def axe(folder: Path) -> str:
-    """Return the script of axe-core, which looks for what some people cannot use; npm brings it into a folder."""
+    """Return the script of axe-core, a checker of accessibility; npm installs it into a folder."""
     packed = subprocess.run(["npm", "pack", "--silent", AXE], cwd=folder, check=True, capture_output=True, text=True)
     archive = folder / packed.stdout.strip()
     assert hashlib.sha256(archive.read_bytes()).hexdigest() == AXE_SHA256
@@ -38,7 +38,7 @@ def axe(folder: Path) -> str:
 
 @contextmanager
 def site_in_browser(profile: Path) -> Iterator[tuple[Browser, str]]:
-    """Give a browser and the address of the site; at the end, no page has sent a request to another host."""
+    """Yield a browser and the address of the site; check at the end that no page sent a request to another host."""
     tracked = subprocess.run(["git", "ls-files", ".docs", "src", "*.md"], cwd=ROOT, capture_output=True, text=True)
     newest = max((ROOT / name).stat().st_mtime for name in tracked.stdout.split() if (ROOT / name).exists())
     assert newest < (SITE / "index.html").stat().st_mtime, "the site is older than its sources: build it"

@@ -1,4 +1,4 @@
-"""Random command lines, plausible, mistyped and hostile, drawn from the declarations of the commands."""
+"""Random command lines, plausible, mistyped and hostile, built from the declarations of the commands."""
 
 from random import Random
 from typing import Any
@@ -116,7 +116,7 @@ def _words(source: Random, name: str) -> list[str]:
         "quantities": [source.choice(QUANTITIES)] * (source.random() < 0.5),
         "guide": [source.choice(("dem", "units", "nowhere"))] * (source.random() < 0.9),
         "fit": [source.choice(TABLES)],
-        "bench": ["nothing"],  # it takes seconds, so it is never called rightly
+        "bench": ["nothing"],  # it takes seconds, so it is never called correctly
     }
     if name == "infer":
         measured = source.choice([*MEASURED, f"{source.choice(QUANTITIES)}={_value(source, 'load')}"])
@@ -162,7 +162,7 @@ def _material(source: Random) -> str:
 
 
 def _axis(source: Random) -> str:
-    """Return an axis, mostly correct and of few points."""
+    """Return an axis, mostly correct and with few points."""
     name, ends = source.choice(AXES)
     if source.random() < 0.1:
         name = source.choice([*NOMENCLATURE])
@@ -173,7 +173,7 @@ def _axis(source: Random) -> str:
 
 
 def _value(source: Random, name: str) -> str:
-    """Return a value of a quantity, mostly one that it can have."""
+    """Return a value of a quantity, mostly within its range."""
     kind = source.random()
     if kind < 0.65:
         return NOMENCLATURE[name].example
@@ -199,7 +199,7 @@ def _unit(source: Random) -> str:
 
 
 def _mutated(source: Random, word: str) -> str:
-    """Return a word with a slip: a letter lost, doubled, exchanged, of another case, or an unexpected character."""
+    """Return a word with a typing error: a letter lost, doubled, exchanged or in another case, or an odd character."""
     place = source.randrange(len(word) + 1)
     head, letter, tail = word[:place], word[place : place + 1], word[place + 1 :]
     odd = source.choice("\x00\x07\x1b\x7f\u00ad\u200b\u202e\ufeff\ud83d\U000e0001=-,.:/^ ")

@@ -1,4 +1,4 @@
-"""Fixtures of all tests: a call of the command line in this process, away from the user's own files."""
+"""Fixtures for all tests: they call the command line in this process, without the user's own files."""
 
 import os
 import secrets
@@ -42,7 +42,7 @@ settings.load_profile("same")
 
 
 def pytest_configure() -> None:
-    """Choose the seed of the slow accuracy test, one for all processes; let processes compile the program once."""
+    """Choose one seed for the slow accuracy test in all processes, and let processes compile the program once."""
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     os.environ.setdefault("ACCURACY_SEED", str(secrets.randbelow(10**9)))
 

@@ -1,12 +1,12 @@
-"""The command lines of tests/corpus/command_lines.txt: how one is read, run and judged.
+"""The command lines of tests/corpus/command_lines.txt: read, run and judge them.
 
-A line has an exit code and what is typed, as `0 jkroll pull-off quartz 100nm`, beside the files of
+A line holds an exit code and a typed command, as `0 jkroll pull-off quartz 100nm`. It runs next to the files of
 tests/input_files.py, on a terminal of 80 columns without colour. As in a shell, `| cat` makes standard output a pipe,
-`< FILE` is standard input, `NAME=VALUE` before the program is a variable of its environment, and a further command,
-which decides the exit code, follows `;`. Standard error is a file, because bars of progress depend on time. The lines
-below `# needs MODULE` need a library that not every installation has, up to the next line that begins with #.
+`< FILE` is standard input, `NAME=VALUE` before the program sets an environment variable, and another command, which
+then decides the exit code, follows `;`. Standard error is a file, because progress bars depend on time. Lines below
+`# needs MODULE`, up to the next line that begins with #, need a library that some installations lack.
 
-Of jkroll this imports `main` alone, so that it also runs the lines in another checkout.
+This module imports only `main` from jkroll, so that it can also run the lines in another checkout.
 """
 
 import json
@@ -37,16 +37,16 @@ class Line(NamedTuple):
 
     code: int
     typed: str
-    library: str = ""  # that it needs
+    library: str = ""  # the library it needs, if any
 
     @property
     def can_run(self) -> bool:
-        """True if the library that it needs is installed."""
+        """True if the line's library is installed."""
         return not self.library or find_spec(self.library) is not None
 
 
 class Outcome(NamedTuple):
-    """The outcome of a line: exit code, streams, and files that are new or other than before."""
+    """The outcome of a line: its exit code, its streams, and new or changed files."""
 
     code: int
     out: str
@@ -76,7 +76,7 @@ def lines() -> list[Line]:
 
 
 def spread(corpus: Sequence[Line], count: int) -> list[Line]:
-    """Return so many lines of a corpus, the same at every call, from its beginning to its end."""
+    """Return so many lines, spread over the corpus, the same at every call."""
     return [corpus[place * len(corpus) // count] for place in range(min(count, len(corpus)))]
 
 
@@ -99,7 +99,7 @@ def commands(typed: str) -> Iterator[Command]:
 
 @contextmanager
 def among_input_files() -> Iterator[None]:
-    """Go into a new directory that holds the input files, where lines can be run."""
+    """Go into a new directory that holds the input files, so that lines can be run there."""
     with tempfile.TemporaryDirectory() as directory, chdir(directory):
         _directories.add(Path.cwd())
         for name in CONTENTS:
@@ -111,18 +111,18 @@ def among_input_files() -> Iterator[None]:
 
 
 def _restore(name: str) -> None:
-    """Write an input file, always of the same time."""
+    """Write an input file, always with the same time."""
     Path(name).write_bytes(CONTENTS[name])
     os.utime(name, (0, 0))
 
 
 def run(line: Line) -> Outcome:
-    """Run a line in this process, and leave the directory as it was.
+    """Run a line in this process, then restore the directory.
 
     Raises RuntimeError outside of `among_input_files`.
     """
     if Path.cwd() not in _directories:
-        raise RuntimeError(f"{Path.cwd()} is no directory of among_input_files, of which all other files are deleted")
+        raise RuntimeError(f"{Path.cwd()} is no directory of among_input_files, which deletes all other files")
     code, out, err = 0, "", ""
     with mock.patch.dict(os.environ, _ENVIRONMENT):
         for name in _FOREIGN:
@@ -150,7 +150,7 @@ def _run(command: Command) -> Ran:
 
 
 def faults(line: Line, outcome: Outcome) -> list[str]:
-    """Return what is wrong with an outcome of a line: another exit code, a traceback, JSON that is not JSON."""
+    """Return the faults of an outcome: another exit code, a traceback, invalid JSON."""
     found = [f"exit code {outcome.code}: {outcome.err}"] if outcome.code != line.code else []
     found += [outcome.err for text in _UNFORESEEN if text in outcome.err]
     if "--json" in shlex.split(line.typed) and outcome.out:

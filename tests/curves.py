@@ -1,4 +1,4 @@
-"""Force curves for tests of the fit, made by formulas that the fit does not use."""
+"""Force curves for tests of the fit, computed from formulas that the fit does not use."""
 
 from math import pi
 from typing import Any
@@ -18,7 +18,7 @@ def jkr_state(x: Any, w: Any, modulus: Any, radius: Any) -> Any:
 
 
 def jkr_force(z: Any, w: Any, modulus: Any, radius: Any, stiffness: Any, *, has_contact_below: bool = True) -> Any:
-    """Return the force of a lever at travels from its contact point, by a table of states; 0 away from contact."""
+    """Return the force of a lever at travels from its contact point, from a table of states; 0 away from contact."""
     x = numpy.geomspace(1 / 6, 500, 400_000)
     approach, load = jkr_state(x, w, modulus, radius)
     travel = approach + load / stiffness
@@ -36,7 +36,7 @@ def dmt_force(z: Any, w: Any, modulus: Any, radius: Any, stiffness: Any) -> Any:
 
 
 def ramp(low: Any, high: Any, count: Any, name: Any) -> Any:
-    """Return travels of a branch in their order in time."""
+    """Return the travels of a branch in order of time."""
     return numpy.linspace(low, high, count)[:: -1 if name == UNLOADING else 1]
 
 

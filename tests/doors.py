@@ -1,4 +1,4 @@
-"""The doors of the program: the ways in which the same rows are asked for, and what each of them answers."""
+"""The doors of the program: the ways to ask for the same rows, and the answers that each gives."""
 
 import csv
 import json
@@ -36,8 +36,8 @@ from questions import Ask, Sheet
 from tuning import computed
 
 ULP = 2.0**-52
-STATED = 60.0  # ulp by which two evaluations may differ, times 1 + κ: an energy of Maugis' law states 30
-SURE = 2.0  # ulp that need no κ
+STATED = 60.0  # largest difference of two evaluations in ulp times 1 + κ; an energy of Maugis' law states 30
+SURE = 2.0  # largest difference in ulp that needs no κ
 STEP = 2.0**-45  # relative, of an input: so small that κ is found next to pull-off, too
 AT_END = 2.0**-43  # relative, of a state: so close to the end of a contact that rounding decides whether it holds
 FILES = ("csv", "tsv", "ndjson", "parquet")
@@ -46,13 +46,13 @@ Scenes = Sequence[Frame | None]  # of rows; None for a row that is no scene
 
 
 class Refused(Exception):
-    """Raised where a door has an error for all rows together, or for the only one."""
+    """Raised when a door has an error for all rows together, or for the only one."""
 
 
 class Rows(NamedTuple):
-    """The answer of a door: for each row its values, without the gaps, its doubts as bits, and the reasons of gaps.
+    """The answer of a door: for each row its values, without gaps, its doubts as bits, and the reasons for gaps.
 
-    Rows that arrays computed have the reasons of the first one that lacks the same.
+    Rows that were computed as arrays have the reasons of the first row with the same gaps.
     """
 
     keys: Sequence[str]  # of the columns
@@ -80,19 +80,19 @@ def rows_of(every: Sequence[Columns]) -> Rows:
 
 
 def _by_key(reasons: Mapping[str, JkrollError]) -> Iterator[tuple[str, JkrollError]]:
-    """Iterate over reasons; that of a value without an error bar has the key of a side."""
+    """Iterate over reasons; the reason for a value without an error bar has the key of a side."""
     for name, error in reasons.items():
         yield f"{name}_{SIDES[0]}" if isinstance(error, NoErrorBar) else name, error
 
 
 def side_of(key: str) -> str:
-    """Return the quantity of a column that has a side of its uncertainty; an empty text for other columns."""
+    """Return the quantity of a column with one side of its uncertainty; an empty text for other columns."""
     name, _, side = key.rpartition("_")
     return name if key not in NOMENCLATURE and side in SIDES and not best_of(key) else ""
 
 
 def best_of(key: str) -> str:
-    """Return the quantity of a column that has a part of its best range; an empty text for other columns."""
+    """Return the quantity of a column with a part of its best range; an empty text for other columns."""
     name, part, _ = key.partition("_best_")
     return name if part else ""
 
@@ -101,7 +101,7 @@ def best_of(key: str) -> str:
 
 
 def call_of(words: Sequence[str]) -> Call:
-    """Return the call that words stand for."""
+    """Return the call that words express."""
     action: Any = action_of(words)
     call: Call = action.args[0]
     return call
@@ -113,7 +113,7 @@ def scenes_of(ask: Ask) -> list[Frame]:
 
 
 def of_list(ask: Ask, *, by_arrays: bool, best: bool = False) -> Rows:
-    """Return the rows of a list. `best`: with the best ranges of its results."""
+    """Return the rows of a list. `best`: with the best ranges of the results."""
     call = call_of(ask.words())
     sweep, question = call.sweep, question_of(call, QUESTIONS[call.command])
     with computed(by_arrays=by_arrays):
@@ -128,7 +128,7 @@ def of_list(ask: Ask, *, by_arrays: bool, best: bool = False) -> Rows:
 
 
 def printed(run: Run, ask: Ask, form: str, *more: str, by_arrays: bool) -> tuple[Ran, list[dict[str, Any]]]:
-    """Return what a call said, and the cells that it wrote by their headers: in the form of an option, or of a file."""
+    """Return what a call printed, and the cells that it wrote, by header, in an option's format or in a file."""
     path = Path(f"out.{form}")
     path.unlink(missing_ok=True)
     with computed(by_arrays=by_arrays):
@@ -149,14 +149,14 @@ def printed(run: Run, ask: Ask, form: str, *more: str, by_arrays: bool) -> tuple
 
 
 def answered(run: Run, *words: str) -> Ran:
-    """Run a command line that may fail, though not in a way that nobody foresaw."""
+    """Run a command line that may fail, but not with an unexpected error."""
     ran = run(*words)
     assert "foreseen" not in ran.err, f"{words}: {ran.err}"
     return ran
 
 
 def strict_json(text: str) -> Any:
-    """Return what a text of JSON says. Raises ValueError for numbers that JSON does not have."""
+    """Return the value of a JSON text. Raises ValueError for numbers that JSON does not have."""
 
     def refuse(name: str) -> float:
         raise ValueError(f"{name} is not JSON")
@@ -165,7 +165,7 @@ def strict_json(text: str) -> Any:
 
 
 class Converted(NamedTuple):
-    """The rows of a table: as they were computed and written, as floats define them, and their scenes."""
+    """The rows of a table as computed and written and as defined by floats, and their scenes."""
 
     rows: Rows
     cells: list[dict[str, str]]
@@ -174,7 +174,7 @@ class Converted(NamedTuple):
 
 
 def of_table(run: Run, sheet: Sheet, *, sample: int = 200) -> Converted:
-    """Return the rows of a table whose first rows, so many of them, decide on its columns."""
+    """Return the rows of a table; `sample`: the number of first rows that decide on its columns."""
     Path("in.csv").write_text(sheet.text(), encoding="utf-8")
     arrays: list[Columns] = []
     floats: list[Columns] = []
@@ -228,13 +228,13 @@ def agree(scene: Frame, name: str, one: float, other: float) -> bool:
 
 
 def _rounding(scene: Frame, name: str) -> float:
-    """Return how much of a load or an approach is left where its terms cancel."""
+    """Return the fraction of a load or an approach that remains where its terms cancel."""
     whole = {"N": "pull_off_force", "m": "approach"}.get(NOMENCLATURE[name].unit, "")
     return STATED * ULP * float(scene.numbers(whole).get(whole, 0.0)) if whole else 0.0
 
 
 def _condition(scene: Frame, name: str, value: float) -> float:
-    """Return κ: how often the relative errors of all inputs appear in a quantity; next to where it ends, infinite."""
+    """Return κ: the factor from relative errors of the inputs to that of a quantity; infinite where it ends."""
     inputs = {source: scene.given[source] for source in scene.inputs_of(name) if source in scene.given}
     return sum(_growth(scene, name, value, *one) for one in inputs.items() if one[1] and math.isfinite(one[1]))
 
@@ -252,7 +252,7 @@ def _growth(scene: Frame, name: str, value: float, source: str, given: float) ->
 def sides_agree(scene: Frame, name: str, one: float | None, other: float | None) -> bool:
     """Return whether two numbers of an uncertainty agree.
 
-    None, for no influence, is as good as one that is only rounding.
+    None, which means no influence, agrees with a number that is only rounding.
     """
     error = 4 * max((_error(each, name) for each in _ends(scene, name)), default=0.0) + _rounding(scene, name)
     value = outcomes(scene, (name,))[name]
@@ -268,7 +268,7 @@ def _error(scene: Frame, name: str) -> float:
 
 
 def _ends(scene: Frame, *names: str) -> Iterator[Frame]:
-    """Iterate over the scene and those at the ends of the sources of uncertainty, one by one and all together."""
+    """Iterate over the scene and those at the ends of its uncertain inputs, one by one and all together."""
     yield scene
     sources = sources_of(scene, scene.inputs_of(*names)).entering
     for source in sources:
@@ -279,7 +279,7 @@ def _ends(scene: Frame, *names: str) -> Iterator[Frame]:
 
 
 def bits_agree(scene: Frame, names: Sequence[str], one: int, other: int) -> bool:
-    """Return whether doubts are the same, but for limits whose number is at a threshold within its accuracy."""
+    """Return whether doubts agree, except for limits with a number at a threshold within its accuracy."""
     unlike = one ^ other
     return not unlike & NOT_JUDGED and all(
         _is_at_threshold(limit, scene, names) for limit in LIMITS if unlike & limit.bits
@@ -287,7 +287,7 @@ def bits_agree(scene: Frame, names: Sequence[str], one: int, other: int) -> bool
 
 
 def _is_at_threshold(limit: Limit, scene: Frame, names: Sequence[str]) -> bool:
-    """Return whether what a limit judges, a number or the factor between two laws, is at a threshold."""
+    """Return whether the number that a limit judges, or the factor between two laws, is at a threshold."""
     if limit.factor is not None:
         factor = limit.factor(scene, scene.columns(names))
         laws = scene, scene.by_law
@@ -300,7 +300,7 @@ def _is_at_threshold(limit: Limit, scene: Frame, names: Sequence[str]) -> bool:
 
 
 def is_at_its_end(scene: Frame) -> bool:
-    """Return whether the contact lets go within the accuracy of its state: then either answer is right."""
+    """Return whether the contact lets go within the accuracy of its state, so that either answer is right."""
     states = {name: scene.stated[name] for name in ("load", "approach_at_load") if name in scene.stated}
     for name, value in states.items():
         step = AT_END * abs(value) or LEAST
@@ -313,7 +313,7 @@ def is_at_its_end(scene: Frame) -> bool:
 
 
 def differences(one: Rows, other: Rows, scenes: Scenes | None = None) -> Iterator[str]:
-    """Iterate over what differs between two doors in common columns, exactly or, given the scenes, beyond accuracy."""
+    """Iterate over the differences of two doors in common columns, exact or, given the scenes, beyond accuracy."""
     if len(one.values) != len(other.values):
         yield f"{len(one.values)} and {len(other.values)} rows"
         return
@@ -352,6 +352,6 @@ def _same(scene: Frame | None, key: str, one: float | None, other: float | None)
 
 
 def _ends_of_best(scene: Frame) -> Iterator[Frame]:
-    """Iterate over the scene and that under the better law, at the ends of uncertain inputs."""
+    """Iterate over the scene and the same scene under the better law, at the ends of uncertain inputs."""
     for each in _ends(scene, *scene.possible(["pull_off_force", "yield_force"])):
         yield from (each, each.by_law_at_spacing, at_half_spacing(each.by_law_at_spacing))

@@ -1,4 +1,4 @@
-"""What a frame answers, in the form in which tests ask for it."""
+"""The answers of a frame in the form that tests need."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from functools import reduce
@@ -12,7 +12,7 @@ from jkroll.model.search import Solution
 
 
 def outcomes(scene: Frame, names: Iterable[str]) -> dict[str, Any]:
-    """Return the value of each quantity, or the error that says why no row has one."""
+    """Return the value of each quantity, or the error that explains why no row has one."""
     columns = scene.columns(names)
     return {
         name: scene.error(name, column.reasons) if column.is_empty else column.values
@@ -21,22 +21,22 @@ def outcomes(scene: Frame, names: Iterable[str]) -> dict[str, Any]:
 
 
 def doubts(scene: Frame, names: Iterable[str], judged: Iterable[limits.Limit] = limits.LIMITS) -> list[limits.Doubt]:
-    """Return the limits of quantities, judged."""
+    """Return the doubts about quantities, one for each limit."""
     return limits.doubts(scene, scene.columns(names), judged)
 
 
 def factor_of_law(scene: Frame, names: Iterable[str]) -> Any:
-    """Return how far quantities are from those under the law that holds."""
+    """Return the factor between quantities and their values under the law that holds."""
     return other_law.factor_of_law(scene, scene.columns(names))
 
 
 def bits(scene: Frame, names: Sequence[str]) -> Any:
-    """Return the codes of the limits of quantities as bits, of every row."""
+    """Return the codes of the limits of quantities as bits, for every row."""
     return reduce(or_, (doubt.bits for doubt in doubts(scene, names)), 0)
 
 
 def solved(unknowns: Sequence[str], measured: Mapping[str, Any], known: Frame) -> Solution:
-    """Return what is found of unknowns; raise the reason why no row has any."""
+    """Return the solution for unknowns; raise the reason if no row has one."""
     inverse = Inverse(unknowns, measured, known)
     for name in inverse.unknowns:
         inverse[name]

@@ -1,4 +1,4 @@
-"""Tools to run the command line in this process: streams in memory, and the result of a call."""
+"""Tools to run the command line in this process: streams in memory, and the outcome of a call."""
 
 import io
 import os
@@ -11,7 +11,7 @@ from jkroll.cli.process import main
 
 
 class Ran(NamedTuple):
-    """Exit code and streams of a call."""
+    """The exit code and the streams of a call."""
 
     code: int
     out: str
@@ -19,18 +19,18 @@ class Ran(NamedTuple):
 
 
 class Stream(io.TextIOWrapper):
-    """A text stream, in memory or into a file, that says of itself whether it is a terminal."""
+    """A text stream, in memory or into a file, that can pass for a terminal."""
 
     def __init__(self, file: BinaryIO | None = None, *, terminal: bool = False, encoding: str = "utf-8") -> None:
         super().__init__(file or io.BytesIO(), encoding=encoding, newline="")
         self.terminal = terminal
 
     def isatty(self) -> bool:
-        """Return whether the stream is to be taken for a terminal."""
+        """Return whether the stream passes for a terminal."""
         return self.terminal
 
     def text(self) -> str:
-        """Return all that was written into memory."""
+        """Return all text that was written into memory."""
         self.flush()
         buffer = self.buffer
         assert isinstance(buffer, io.BytesIO)
@@ -41,13 +41,13 @@ Run = Callable[..., Ran]
 
 
 def captured(words: Sequence[str], *, terminal: bool = False) -> Ran:
-    """Run a command line with its output in a file, as a table goes past the stream, to its descriptor."""
+    """Run a command line with its output in a file: a table is written to the descriptor, not through the stream."""
     with tempfile.TemporaryFile() as file:
         err = Stream()
         out = Stream(os.fdopen(os.dup(file.fileno()), "wb"), terminal=terminal)
         with redirect_stdout(out), redirect_stderr(err):
             code = main([*words])
-        with suppress(OSError):  # of what a full file could not take
+        with suppress(OSError):  # a full file takes no more
             out.close()
         file.seek(0)
         return Ran(code, file.read().decode("utf-8", "surrogateescape"), err.text())

@@ -1,4 +1,4 @@
-"""Invariants of any input, as functions of bytes.
+"""Invariants for any input, as functions of bytes.
 
 A test replays tests/corpus on them, and tests/tools/fuzz.py searches for violations.
 """
@@ -33,12 +33,12 @@ def is_one_line(message: str) -> bool:
 
 
 def _text(data: bytes) -> str:
-    """Decode an argument as the system does: bytes that are not UTF-8 become lone surrogates."""
+    """Decode an argument like the system: bytes that are not UTF-8 become lone surrogates."""
     return data.decode("utf-8", "surrogateescape")
 
 
 def quantity(data: bytes) -> None:
-    """Check that a text is a value in the range of its quantity that reads back the same, or is refused in one line."""
+    """Check that a text is a value in the quantity's range that reads back the same, or is refused in one line."""
     name = TYPED[data[0] % len(TYPED)] if data else "radius"
     text = _text(data[1:])
     try:
@@ -85,7 +85,7 @@ def materials(data: bytes) -> None:
 
 
 def words(data: bytes) -> None:
-    """Check that words separated by NUL end with a documented code, and that a usage error prints one line only."""
+    """Check that words separated by NUL end with a documented code, and that a usage error is one line."""
     check_call([_text(word) for word in data.split(b"\0")][:12])
 
 
@@ -102,7 +102,7 @@ def check_call(arguments: list[str]) -> int:
         for line in lines
     ), (arguments, lines)
     assert bool(errors) == (code != 0), (arguments, code, lines)
-    has_files = not {"batch", "fit"}.isdisjoint(arguments[:2])  # of which each that fails has a line
+    has_files = not {"batch", "fit"}.isdisjoint(arguments[:2])  # each file that fails has a line
     assert len(errors) <= 1 or has_files, (arguments, lines)
     assert not any("this is a bug in jkroll" in line for line in errors), (arguments, lines)
     if code == JkrollError.exit_code:
@@ -121,7 +121,7 @@ TARGETS: dict[str, Callable[[bytes], None]] = {
 
 
 def kept(target: str) -> list[bytes]:
-    """Return the inputs of a target in tests/corpus: files of a folder, but for materials the entries of a table."""
+    """Return the inputs of a target in tests/corpus: the files of a folder or, for materials, entries of a table."""
     if target != "materials":
         return [path.read_bytes() for path in sorted((CORPUS / target).iterdir())]
     files = [file for entry in MATERIALS["refused"] for file in entry["files"]]
@@ -129,7 +129,7 @@ def kept(target: str) -> list[bytes]:
     return [file.encode() for file in files]
 
 
-# What command lines may name besides small files.
+# Names that command lines may use besides small files.
 DEVICES = {
     "null": "null",
     "null.csv": "null",
@@ -138,17 +138,17 @@ DEVICES = {
     "full.csv": "full",
     "full.svg": "full",
 }
-MOST_WRITTEN = 1_000_000  # bytes a file; one that would become larger meets a full disk
+MOST_WRITTEN = 1_000_000  # bytes per file; beyond this the disk is full
 
 
 def isolate(directory: str) -> None:
-    """Hide the user's files and terminal from the calls that follow, and confine these to a directory."""
+    """Hide the user's files and terminal from later calls, and confine these to a directory."""
     os.environ.update(XDG_CONFIG_HOME=directory, COLUMNS="80", TERM="dumb")
     for name in ("JKROLL_MATERIALS", "_JKROLL_COMPLETE", "FORCE_COLOR"):
         os.environ.pop(name, None)
     with open(os.devnull, encoding="utf-8") as nothing:
         os.dup2(nothing.fileno(), 0)
-    place = Path(directory, "with", "in")  # ../.. does not lead out
+    place = Path(directory, "with", "in")  # ../.. stays within the directory
     place.mkdir(parents=True)
     os.chdir(place)
     for name, content in CONTENTS.items():

@@ -1,6 +1,6 @@
-"""What each formula of the laws of attraction should be, in the plainest form and in 120-digit arithmetic.
+"""The exact value of each formula of the laws of attraction, in its plainest form and in 120-digit arithmetic.
 
-The parameters are symbols, which `reference` translates. Those of Maugis' law rest on his own equations.
+The parameters are symbols, which `reference` translates. For Maugis' law, the formulas follow from his own equations.
 """
 
 # ruff: noqa: N803, N806  (the papers' symbols)
@@ -30,12 +30,12 @@ KELVIN_LENGTH = mpf(5.248e-10)  # γ_L V_m/(R_g T) of water at 25 °C
 
 
 def first_order(theta_c: Exact) -> Exact:
-    """Return κ of a meniscus between bodies that touch."""
+    """Return κ of a meniscus between touching bodies."""
     return (pi / 2 - theta_c + digits.sin(2 * theta_c) / 2) / (4 * digits.cos(theta_c) ** mpf(1.5))
 
 
 def length_unit(w: Exact, R: Exact, E: Exact) -> Exact:
-    """Return (πwR²/K)^(1/3), of lengths along the surface."""
+    """Return (πwR²/K)^(1/3), the unit of lengths along the surface."""
     return cbrt(pi * w * R**2 / (4 * E / 3))
 
 
@@ -77,7 +77,7 @@ def work(edge: Exact, T: Exact, R: Exact, E: Exact, sigma0: Exact) -> Exact:
 
 
 def slope(edge: Exact, T: Exact, R: Exact, E: Exact, sigma0: Exact) -> Exact:
-    """Return dP/dδ at constant w; apart, of P = −πσ0c² and δ = c²/2R − 4σ0c/(πE) − w/σ0."""
+    """Return dP/dδ at constant w, from the separate derivatives of P = −πσ0c² and δ = c²/2R − 4σ0c/(πE) − w/σ0."""
     if not edge:
         return -2 * pi * sigma0 * T / (T / R - 4 * sigma0 / (pi * E))
     step = mpf(10) ** (-digits.dps // 3)
@@ -124,27 +124,27 @@ ALL_STICK = mpf("0.681745209228707968370096573791593022995682283322922")
 
 
 def slowed(T_star: Exact) -> Exact:
-    """Return the sticking speed with viscous damping over that without, by the fit."""
+    """Return the ratio of the sticking speeds with and without viscous damping, by the fit."""
     L = -digits.log(1 - T_star / ALL_STICK)
     p, q = (sum(mpf(number) * L**power for power, number in enumerate(row.split())) for row in FITTED)
     return (p / q) ** 3
 
 
 def _rigid_on_soft_plane(R1: Exact, R2: Exact, E1: Exact, E2: Exact, nu2: Exact) -> Exact:
-    """Return the radius of a sphere whose true shape is justified."""
+    """Return the radius of a sphere for which the true shape is valid."""
     if digits.inf != R2 or E1 < 100 * E2 or nu2 < mpf(0.45):
         raise ValueError
     return R1
 
 
 def sphere_load(L: Exact, kappa: Exact) -> list[Exact]:
-    """Return P_H and what adhesion takes from it, over E*R², of Sneddon's sphere."""
+    """Return P_H and its decrease by adhesion, over E*R², for Sneddon's sphere."""
     x = digits.tanh(L)
     return [(1 + x**2) * L - x, -sqrt(8 * pi * kappa * x**3)]
 
 
 def sphere_approach(L: Exact, kappa: Exact) -> list[Exact]:
-    """Return δ_H and what adhesion takes from it, over R."""
+    """Return δ_H and its decrease by adhesion, over R."""
     x = digits.tanh(L)
     return [x * L, -sqrt(2 * pi * kappa * x)]
 
@@ -156,7 +156,7 @@ def sphere_stiffness(L: Exact, kappa: Exact) -> Exact:
 
 
 def _root(function: Callable[[Exact], Exact], low: Exact, high: Exact) -> Exact:
-    """Return the root of a rising function of ln L between two bounds, by halving them, then by secants."""
+    """Return the root of a rising function of ln L between two bounds, by bisection, then by secants."""
     low, high = digits.log(low), digits.log(high)
     for _ in range(60):
         middle = (low + high) / 2
@@ -167,7 +167,7 @@ def _root(function: Callable[[Exact], Exact], low: Exact, high: Exact) -> Exact:
 
 
 def sphere_last(kappa: Exact, times: int) -> Exact:
-    """Return L where δ_H′ = times u/(2a), by its logarithm."""
+    """Return L where δ_H′ = times u/(2a), solved for its logarithm."""
 
     def excess(L: Exact) -> Exact:
         x = digits.tanh(L)

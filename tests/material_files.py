@@ -1,4 +1,4 @@
-"""Materials files as a whole."""
+"""Materials files read as a whole."""
 
 import os
 
@@ -6,7 +6,7 @@ from jkroll.materials.library import Material, MaterialsFileError, materials_in
 
 
 def read(path: str | os.PathLike[str]) -> list[Material]:
-    """Return the materials of a file; raise MaterialsFileError for the first thing that is wrong with it."""
+    """Return the materials of a file; raise MaterialsFileError for the first fault in it."""
     materials = materials_in(os.fspath(path))
     for material in materials:
         if material.problem:

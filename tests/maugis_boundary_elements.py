@@ -1,8 +1,8 @@
 """Rolling of a paraboloid on an elastic half-space in three dimensions, by boundary elements on a square grid.
 
-The traction of Dugdale acts on a disc whose centre lags behind the apex. The pressure of contact adds to it and is
-found by the conjugate gradients of Polonsky & Keer (Wear 231, 206, 1999) at a given load; displacements of rectangular
-patches by Love's formula and a discrete convolution on a doubled grid. Units as in `maugis_reference`: E* = 3/4, R = 1.
+Dugdale's traction acts on a disc whose centre lags behind the apex. The contact pressure adds to it; the conjugate
+gradients of Polonsky & Keer (Wear 231, 206, 1999) find it at a given load. Love's formula gives the displacements of
+rectangular patches, by a discrete convolution on a doubled grid. Units as in `maugis_reference`: E* = 3/4, R = 1.
 """
 
 from typing import Any
@@ -13,7 +13,7 @@ MODULUS = 0.75
 
 
 def rolling_moment(*, transition: float, load: float, zone_radius: float, lag: float, points: int) -> float:
-    """Return the moment about the apex, in units of πwR times that of lengths, when the zone lags behind by `lag`."""
+    """Return the moment about the apex, in units of πwR times the unit of length, if the zone lags behind by `lag`."""
     half = 1.04 * zone_radius
     step = 2 * half / points
     middle = (numpy.arange(points) + 0.5) * step - half
@@ -57,7 +57,7 @@ def rolling_moment(*, transition: float, load: float, zone_radius: float, lag: f
 
 
 def _disc(radius: float, x: Any, y: Any, step: float) -> Any:
-    """Return which part of each cell lies in a circle."""
+    """Return the fraction of each cell that lies in a circle."""
     fine = (numpy.arange(16) + 0.5) / 16 * step - step / 2
     share = numpy.zeros_like(x)
     for dx in fine:
@@ -67,7 +67,7 @@ def _disc(radius: float, x: Any, y: Any, step: float) -> Any:
 
 
 def _kernel(points: int, step: float) -> Any:
-    """Return the transform of the displacement at the distances of the grid for a unit pressure on one cell."""
+    """Return the Fourier transform of the grid's displacement for a unit pressure on one cell."""
     index = numpy.fft.fftfreq(2 * points, 1 / (2 * points)) * step
     x, y = numpy.meshgrid(index, index, indexing="ij")
     h = step / 2

@@ -5,8 +5,8 @@ Maugis (J. Colloid Interface Sci. 150, 243, 1992), in units of (πwR²/K)^(1/3),
     (λĀ²/2)[√(m²−1) + (m²−2)arcsec m] + (4λ²Ā/3)[√(m²−1) arcsec m − m + 1] = 1
     P̄ = Ā³ − λĀ²[√(m²−1) + m² arcsec m]          δ̄ = Ā² − (4/3)λĀ√(m²−1)
 
-A place on the curve is ln t. Load and approach fall along it, to pull-off and to the fold, so that bisection finds what
-is near enough to a state for the secant method. Nothing is shared with `jkroll`.
+A position on the curve is ln t. Load and approach fall along it, to pull-off and to the fold. Bisection therefore finds
+a position close enough to a state for the secant method. This module shares nothing with `jkroll`.
 """
 
 from collections.abc import Callable
@@ -16,12 +16,12 @@ from typing import Any
 from mpmath import MPContext  # type: ignore[import-untyped]
 
 Exact = Any  # an mpf of the context below; mpmath declares no types
-OfState = Callable[[Exact, Exact, Exact], Exact]  # of Ā, t and λ
+OfState = Callable[[Exact, Exact, Exact], Exact]  # a function of Ā, t and λ
 
-digits = MPContext()  # a context of its own, because other tests set the precision of mpmath's
+digits = MPContext()  # our own context, because other tests change the precision of mpmath's
 digits.dps = 120
 mpf, sqrt, cbrt = digits.mpf, digits.sqrt, digits.cbrt
-pi = digits.pi  # of as many digits as are asked for
+pi = digits.pi  # to as many digits as needed
 
 
 def arcsec(t: Exact) -> Exact:
@@ -29,7 +29,7 @@ def arcsec(t: Exact) -> Exact:
 
 
 def radius_of(t: Exact, transition: Exact) -> Exact:
-    """Return Ā from the first equation, a quadratic."""
+    """Return Ā from the first equation, which is quadratic."""
     first = transition / 2 * (t + (t**2 - 1) * arcsec(t))
     second = 4 * transition**2 / 3 * (t * arcsec(t) - sqrt(1 + t**2) + 1)
     return 2 / (second + sqrt(second**2 + 4 * first))
@@ -73,19 +73,19 @@ def folds_in_contact(transition: Exact) -> bool:
 
 
 def touch_approach(transition: Exact) -> Exact:
-    """Return the approach at which spheres touch: Ā is 0 there, and c̄ what the first equation makes of Ām."""
+    """Return the approach at which the spheres touch: Ā is 0 there, and the first equation gives c̄ as Ām."""
     both = 4 * transition**2 / 3 * (pi / 2 - 1)
     return -4 * transition / 3 * 2 / (both + sqrt(both**2 + pi * transition))
 
 
 def zone_apart(transition: Exact, delta: Exact) -> Exact:
-    """Return c̄ of spheres that attract without contact: c̄²/2 − bc̄ = δ̄ + 2/(πλ)."""
+    """Return c̄ of spheres that attract each other without contact: c̄²/2 − bc̄ = δ̄ + 2/(πλ)."""
     b = 8 * transition / (3 * pi)
     return b + sqrt(b**2 + 2 * (delta + 2 / (pi * transition)))
 
 
 def lowest_approach(transition: Exact) -> Exact:
-    """Return the least approach at which fixed grips hold the spheres, in contact or apart."""
+    """Return the lowest approach at which fixed grips hold the spheres, in contact or apart."""
     if folds_in_contact(transition):
         return approach(*fold(transition), transition)
     return -((8 * transition / (3 * pi)) ** 2) / 2 - 2 / (pi * transition)
@@ -99,7 +99,7 @@ def pull_off(transition: Exact) -> tuple[Exact, Exact]:
 
 @cache
 def fold(transition: Exact) -> tuple[Exact, Exact]:
-    """Return the Ā and t of the least approach in contact."""
+    """Return the Ā and t of the lowest approach in contact."""
     return _least(approach, transition)
 
 
@@ -109,7 +109,7 @@ def _state(place: Exact, transition: Exact) -> tuple[Exact, Exact]:
 
 
 def _slope(of_state: OfState, place: Exact, transition: Exact) -> Exact:
-    """Return the slope of a function along the curve, to two thirds of the digits that its terms leave."""
+    """Return the slope of a function along the curve, to two thirds of the digits that cancellation leaves."""
     step = mpf(10) ** (-digits.dps // 3)
     before, after = (of_state(*_state(place + side, transition), transition) for side in (-step, step))
     return (after - before) / (2 * step)
@@ -117,14 +117,14 @@ def _slope(of_state: OfState, place: Exact, transition: Exact) -> Exact:
 
 @cache
 def _end_of_fall(of_state: OfState, transition: Exact) -> Exact:
-    """Return a place just before the one to which a function falls along the curve."""
+    """Return a position just before the end of a function's fall along the curve."""
     return _bisect(lambda place: _slope(of_state, place, transition) < 0, mpf(digits.dps))
 
 
 def _bisect(is_before: Callable[[Exact], bool], high: Exact) -> Exact:
-    """Return a place just before the one at which a condition ceases to be met.
+    """Return a position just before the one where a condition ceases to hold.
 
-    It begins where what cancels in the equations, in the proportion of t² to 1, leaves half of the digits.
+    It starts where cancellation in the equations, in proportion to t², leaves half of the digits.
     """
     low = -mpf(digits.dps) / 2
     while high - low > 0.1:
@@ -156,9 +156,9 @@ def _root(function: Callable[[Exact], Exact], start: Exact) -> Exact:
 
 
 def energy_by_quadrature(t: Exact, transition: Exact) -> Exact:
-    """Return Φ̄ at a state by quadrature of the force along the curve.
+    """Return Φ̄ of a state by quadrature of the force along the curve.
 
-    It leads from where attraction begins, without contact at first, to where the spheres touch, and on to the state.
+    The path begins where attraction begins, without contact, and leads through the first touch to the state.
     """
     b = 8 * transition / (3 * pi)
     quarter = pi * transition / 4
@@ -180,7 +180,7 @@ def energy_by_quadrature(t: Exact, transition: Exact) -> Exact:
 
 
 def energy_terms(a: Exact, span: Exact, delta: Exact, transition: Exact) -> tuple[Exact, ...]:
-    """Return the terms of Φ̄ in closed form, of which quadrature gives the sum; T̄ is Āt, and c̄ without contact."""
+    """Return the terms of Φ̄ in closed form, whose sum quadrature confirms; T̄ is Āt, or c̄ without contact."""
     angle, c = digits.atan2(span, a), sqrt(a**2 + span**2)
     ring = span**4 * angle - a * span**3 + (2 * a * span**2 + 3 * a**3) * (span - a * angle)
     return (

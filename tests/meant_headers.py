@@ -1,11 +1,11 @@
-"""Headers as people write them: thousands by a seed, with the input that each means; the words are no program's.
+"""Headers as people write them: thousands for a seed, each with its meaning; the words are independent of the program.
 
     python tests/meant_headers.py 1 2 3
 
-counts for each seed how they are read beside a column `material`. The words come from papers on dust, decks and tables
-of DEM codes, exports of AFM software, data sheets of powders, and lists of materials. They are written down here anew,
-so that they hold words that the program does not know. About half of the headers mean no input and have the dimension
-of one: a hardness is no modulus. These may be refused or pass, but are never read.
+prints for each seed how headers are read next to a column `material`. The words come from papers on dust, decks and
+tables of DEM codes, exports of AFM software, data sheets of powders, and lists of materials. They were collected
+independently, so that some are unknown to the program. About half of the headers mean no input but have the dimension
+of one: a hardness is not a modulus. The program may refuse them or pass them through, but must never read them.
 """
 
 import re
@@ -32,33 +32,33 @@ class Header(NamedTuple):
     """A header with its meaning."""
 
     text: str
-    name: str  # of the input that it means; "" if it means none
-    factor: float  # of a number below it to SI units
+    name: str  # the input that it means; "" if none
+    factor: float  # from a number below it to SI units
     is_plain: bool  # ASCII, with the unit in brackets
-    is_of_2: bool  # it is of sphere 2 alone
-    others: tuple[str, ...] = ()  # inputs that it may mean as well
-    share: float = 1.0  # of the number below it that is the input: a radius is half of a diameter
+    is_of_2: bool  # means sphere 2 only
+    others: tuple[str, ...] = ()  # other inputs that it may mean
+    share: float = 1.0  # the input over the number below it: a radius is half of a diameter
 
     @property
     def advice(self) -> set[str]:
-        """The inputs that may be advised for it."""
+        """The inputs that the program may suggest for it."""
         names = {self.name, *self.others}
         return {name.replace("radius", "diameter") for name in names} if self.share == 0.5 else names
 
 
 class Term(NamedTuple):
-    """A word or a symbol, with the inputs that it may mean and the SI unit of these."""
+    """A word or a symbol, with the inputs that it may mean and their SI unit."""
 
     text: str
     names: tuple[str, ...]
     unit: str
     kind: str = "word"  # or "symbol", or "foreign": a word of another language
-    share: float = 1.0  # of the value that it means: a radius is half of a diameter
+    share: float = 1.0  # the input over its value: a radius is half of a diameter
 
 
 # --- Words ------------------------------------------------------------------------------------------------------------
 
-# By the inputs that they may mean and the SI unit; "1" for a number. A share stands behind *.
+# By the inputs that they may mean and the SI unit; "1" for a number. A share follows *.
 _WORDS = """
 radius m: radius | particle radius | tip radius | sphere radius | grain radius | bead radius | monomer radius | \
 tip radius of curvature | radius of curvature | apex radius | end radius | probe radius | colloid radius | \
@@ -204,7 +204,7 @@ atomic_spacing m: Atomabstand | distance interatomique | Gleichgewichtsabstand
 shear_strength Pa: Scherfestigkeit | résistance au cisaillement
 """
 
-# What is none of the inputs, by a unit.
+# Words that mean no input, by unit.
 _NONE = """
 N/m: stiffness | spring constant | k_n | kn | k_t | cantilever stiffness | Federkonstante | raideur | k | \
 cantilever spring constant | normal stiffness | contact stiffness | tangential stiffness | k_lever | kt | \
@@ -390,7 +390,7 @@ def _by_janitor(text: str) -> str:
 
 
 def _mistaken(text: str) -> str:
-    """Return a text in UTF-8 as a program shows it that takes it for cp1252, as browsers mean it."""
+    """Return a text in UTF-8 as shown by a program that takes it for cp1252, decoded like browsers do."""
     pieces = (bytes([code]) for code in text.encode())
     return "".join(piece.decode("latin-1" if piece in b"\x81\x8d\x8f\x90\x9d" else "cp1252") for piece in pieces)
 
@@ -420,7 +420,7 @@ _OF_ALL = ("R", "MATLAB", "MATLAB, joined", "janitor", "SQL, small", "SQL, capit
 
 
 def _with_body(term: Term, chance: Random) -> tuple[str, tuple[str, ...], bool]:
-    """Return a word with the body that it is of, if it is of one; its meanings; and whether it is of sphere 2 alone."""
+    """Return a word with its body, if it has one; its meanings; and whether it means sphere 2 only."""
     text = term.text
     if not term.names:
         return text, (), False
@@ -450,7 +450,7 @@ def _with_body(term: Term, chance: Random) -> tuple[str, tuple[str, ...], bool]:
 
 
 def _header(term: Term, chance: Random) -> Header:
-    """Return a header with a word, in a spelling by chance."""
+    """Return a header with a word, in a random spelling."""
     text, names, is_of_2 = _with_body(term, chance)
     if term.kind == "word" and names and chance.random() < 0.1:
         text = chance.choice(("{b} {w}", "{b} {w}", "{w} ({b})", "{w}, {b}")).format(b=chance.choice(_BESIDE), w=text)
@@ -473,7 +473,7 @@ def _header(term: Term, chance: Random) -> Header:
 
 
 def meant_headers(seed: int, count: int = 12_000) -> list[Header]:
-    """Return headers that all differ, half of which mean an input: the same for the same seed."""
+    """Return distinct headers, half of them for an input; the same for the same seed."""
     chance, found = Random(seed), dict[str, Header]()
     groups: dict[tuple[str, ...], list[Term]] = {}
     for term in _terms():
@@ -502,7 +502,7 @@ def _supply(columns: frozenset[str]) -> Supply:
 
 
 def _understood(text: str) -> Understood:
-    """Return the columns of a table with a header beside a column of materials and a radius that is an option."""
+    """Return the columns of a table with a header next to a column of materials, with the radius as an option."""
     return understood(
         ("material", text),
         [["quartz", "0.3"]],
@@ -521,7 +521,7 @@ def advice_for(text: str) -> set[str]:
 
 
 def outcome(header: Header) -> str:
-    """Return what becomes of a header beside a column of materials and a radius that is an option."""
+    """Return the outcome of a header next to a column of materials, with the radius as an option."""
     try:
         found = _understood(header.text)
     except BadTable as error:
@@ -532,7 +532,7 @@ def outcome(header: Header) -> str:
         return IDLE if header.name and supplied.keys().isdisjoint({header.name, *header.others}) else PASSED
     (column,) = found.inputs
     if not header.name and column.name.startswith("shear_modulus"):
-        return PASSED  # it is an input, and none of those that are meant
+        return PASSED  # an input, but not one that is meant
     is_meant = computed_as(column.name) in {header.name, *header.others} - {""}
     factor = column.unit[0] / column.unit[1] if column.unit else 1.0
     factor *= 0.5 if column.name.startswith("diameter") else 1.0
@@ -541,19 +541,19 @@ def outcome(header: Header) -> str:
 
 
 def advised(message: str) -> set[str]:
-    """Return the inputs that a message names for a column."""
+    """Return the inputs that a message suggests for a column."""
     columns = re.findall(r"--column '(?:[^']*)=(\w+)|--column \"(?:[^\"]*)=(\w+)", message)
     places = re.findall(r"a column (.*?) instead of", message)
     return {*map("".join, columns), *(name for place in places for name in re.findall(r"[a-z]\w+", place))} - {"or"}
 
 
 def counts(headers: Iterable[Header]) -> Counter[str]:
-    """Return how many headers have each outcome."""
+    """Return the number of headers with each outcome."""
     return Counter(map(outcome, headers))
 
 
 def groups_of(headers: Sequence[Header]) -> dict[str, list[Header]]:
-    """Return the headers by what they mean: any input, those that are plain, those of sphere 2, and no input."""
+    """Return the headers by meaning: any input, plain ones, those for sphere 2, and no input."""
     inputs = [header for header in headers if header.name]
     return {
         "inputs": inputs,

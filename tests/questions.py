@@ -1,4 +1,4 @@
-"""Questions about rows at random, in texts: any command, law, materials, pair, state, energy and uncertainty."""
+"""Random questions about rows, as texts: any command, law, materials, pair, state, energy and uncertainty."""
 
 import math
 import shlex
@@ -21,19 +21,28 @@ from scenes import log_uniform
 MATERIALS = ["quartz", "iron", "gold", "PS", "graphite", "silica-dry", "silica-humid", "ice-warm", "ice-cold"]
 SPHERES = ("material", "material2")
 NAMES = [name for name in NOMENCLATURE if formula_of(name) is not None]
-LETS_GO = [-1.0, -1 + 1e-15, -1 - 1e-15, -1 + 1e-9, -1 - 1e-9, -1.001, -1.5, -8 / 9]  # loads next to pull-off, over it
+LETS_GO = [
+    -1.0,
+    -1 + 1e-15,
+    -1 - 1e-15,
+    -1 + 1e-9,
+    -1 - 1e-9,
+    -1.001,
+    -1.5,
+    -8 / 9,
+]  # loads near pull-off, over the pull-off force
 ODD_CELLS = ["abc", "-1 m", "0", "1e-9", "nan", "inf", "1e-9 kg", "1e90 m", "5±1", "3 to 4", "10%"]
 MOST_ROWS = 6
 
 
 class Ask(NamedTuple):
-    """A question about rows: what a command line says, or a table and its options."""
+    """A question about rows, as a command line or as a table with options."""
 
     command: str
     inputs: Mapping[str, Sequence[str]]  # the texts of the values of each input; materials are among them
     quantities: str = ""  # of --quantities
     model: str | None = None
-    options: Sequence[str] = ()  # inputs of one value that a table has from options, and not from columns
+    options: Sequence[str] = ()  # inputs with one value that a table takes from options
 
     def words(self, *more: str) -> list[str]:
         """Return the words of a command line."""
@@ -47,14 +56,14 @@ class Ask(NamedTuple):
         return ["--model", self.model] if self.model is not None else []
 
     def rows(self) -> list[dict[str, str]]:
-        """Return the texts of each row by the names of inputs, in the order of the program."""
+        """Return the texts of each row by input, in the program's order."""
         first = [name for name in SPHERES if name in self.inputs]
         names = first + [name for name in NOMENCLATURE if name in self.inputs and name not in first]
         return [dict(zip(names, row, strict=True)) for row in product(*(self.inputs[name] for name in names))]
 
 
 def ask_of(line: str) -> Ask:
-    """Return the question of a command line; of a table, the material of sphere 2 is an option if it is one."""
+    """Return the question of a command line; in a table, a single material of sphere 2 becomes an option."""
     command, *words = shlex.split(line)
     inputs: dict[str, list[str]] = {}
     others = {"--quantities": "", "--model": None}
@@ -76,7 +85,7 @@ class Sheet(NamedTuple):
     """A table, and the options with which it is read."""
 
     columns: Sequence[str]
-    rows: Sequence[Mapping[str, str]]  # a cell that is not among them is empty
+    rows: Sequence[Mapping[str, str]]  # missing cells are empty
     options: Sequence[str]
 
     def text(self) -> str:
@@ -87,14 +96,14 @@ class Sheet(NamedTuple):
 
 
 def sheet_of(ask: Ask) -> Sheet:
-    """Return the table of the same rows."""
+    """Return the table with the same rows."""
     fixed = [word for name in ask.options for word in (NOMENCLATURE[name].option or f"--{name}", ask.inputs[name][0])]
     columns = [name for name in ask.inputs if name not in ask.options]
     return Sheet(columns, ask.rows(), [*fixed, *ask.law(), "--quantities", ask.quantities or ask.command])
 
 
 def mixed_sheet(random: Random, asks: Iterable[Ask]) -> Sheet:
-    """Return a table of the rows of several questions under one law, with some cells that are no values."""
+    """Return a table with rows from several questions under one law, and with some cells that are not values."""
     rows = [dict(row) for ask in asks for row in ask.rows()]
     random.shuffle(rows)
     columns = [name for name in ("material", "material2", *NOMENCLATURE) if any(name in row for row in rows)]
@@ -111,7 +120,7 @@ def mixed_sheet(random: Random, asks: Iterable[Ask]) -> Sheet:
 
 
 def any_ask(random: Random, command: str = "", model: str | None = "") -> Ask:
-    """Return a random question, of a command and under a law if these are given."""
+    """Return a random question, for a given command and law if there are any."""
     command = command or random.choice([*QUESTIONS, "contact", "moment", "report"])
     taken = {option.name for option in COMMANDS[command].options()} | {"material", "radius"}
     model = random.choice([None, None, *MODELS]) if model == "" else model
@@ -123,7 +132,7 @@ def any_ask(random: Random, command: str = "", model: str | None = "") -> Ask:
         names = [name for name in random.sample(NAMES, random.randint(1, 4)) if name not in inputs]
         quantities = ",".join(names + random.choice([[], [], ["contact"]]))
     options = [name for name, texts in inputs.items() if len(texts) == 1 and random.random() < 0.3]
-    if len(options) == len(inputs):  # a table whose rows say nothing of a contact is refused
+    if len(options) == len(inputs):  # a table without columns for a contact is refused
         options = options[1:]
     return Ask(command, inputs, quantities, model, tuple(options))
 
@@ -133,9 +142,9 @@ class _Values:
 
     def __init__(self, random: Random, model: str | None) -> None:
         self.random, self.model = random, model
-        self.wider = random.choice([1.0] * 6 + [1e4, 1e4, 1e20])  # than the sizes of grains
+        self.wider = random.choice([1.0] * 6 + [1e4, 1e4, 1e20])  # times the sizes of grains
         self.kinds = random.choice([[], [], [], [], ["±"], ["±"], ["to"], ["±", "to"]])  # of uncertainties
-        self.part = random.choice([0.1, 0.2, 0.2, 0.5])  # of the values that have one
+        self.part = random.choice([0.1, 0.2, 0.2, 0.5])  # share of the values that have one
         self.found: dict[str, tuple[str, ...]] = {}
         self.count = 1
 
@@ -161,7 +170,7 @@ class _Values:
         return self.found
 
     def _convert(self) -> None:
-        """Take some sizes for diameters, and some moduli for shear moduli; the other values stay the same."""
+        """Turn some radii into diameters and some Young's moduli into shear moduli; other values stay the same."""
         random = Random(str(self.found))
         for name, other in CONVERTED.items():
             if other in self.found and "rigid" not in self.found[other] and random.random() < 0.3:
@@ -184,7 +193,7 @@ class _Values:
             self._add("youngs_modulus", lambda: "rigid", beside=self.found["youngs_modulus"])
 
     def _state(self) -> None:
-        """Add loads or approaches, of which many are at the end of what the contact holds, or beyond."""
+        """Add loads or approaches, many of them at the end of what the contact holds, or beyond."""
         kind = self.random.choice(["", "", "load", "load", "approach_at_load"])
         if not kind:
             return
@@ -204,7 +213,7 @@ class _Values:
         self._add(kind, text)
 
     def _held(self, kind: str) -> tuple[float, float]:
-        """Return the size of loads or approaches of the first row, and how many of it the contact holds."""
+        """Return the size of loads or approaches of the first row, and how much of it the contact holds."""
         texts: dict[str, Any] = {name: own[0] for name, own in self.found.items() if not has_uncertainty(own[0])}
         name, fold = ("pull_off_force", "") if kind == "load" else ("approach", "fold_approach_maugis")
         try:
@@ -233,7 +242,7 @@ class _Values:
         return repr(self.random.choice([0.5, -0.99, 0.3, self.random.uniform(-0.9, 0.5)]))
 
     def _sizes(self, name: str, low: float, high: float, special: str = "") -> None:
-        """Add values of any size, some of them with few digits, as those of sphere 1, or special."""
+        """Add values of any size, some with few digits, some equal to those of sphere 1, and some special."""
         low, high = low / self.wider, high * self.wider
         first = self.found.get(name.removesuffix("2"), ())
 
@@ -248,7 +257,7 @@ class _Values:
         self._add(name, text)
 
     def _add(self, name: str, text: Callable[[], str], beside: Sequence[str] = ()) -> None:
-        """Add one value or some, as long as there are not too many rows."""
+        """Add one or several values, as long as there are not too many rows."""
         count = self.random.choice([1, 1, 1, 1, 2, 3])
         self.found[name] = tuple(dict.fromkeys([*beside, *(text() for _ in range(count))]))
         if self.count * len(self.found[name]) > MOST_ROWS:
@@ -256,7 +265,7 @@ class _Values:
         self.count *= len(self.found[name])
 
     def _about_zero(self, name: str, size: float) -> str:
-        """Return 0 as text, perhaps with an uncertainty, which is up to a size."""
+        """Return 0 as text, perhaps with an uncertainty up to some size."""
         unit = f" {NOMENCLATURE[name].unit}"
         if not self.kinds or not self._is(2 * self.part):
             return f"0.0{unit}"

@@ -1,4 +1,4 @@
-"""Tables of the tests: as they are written into files and read from them, and random rows."""
+"""Tables for the tests: write and read table files, and make random rows."""
 
 import csv
 import json
@@ -11,7 +11,7 @@ _MARKS = {"csv": ",", "tsv": "\t"}
 
 
 def write_rows(rows: Sequence[Mapping[str, Any]], name: str) -> str:
-    """Write rows as a table, in the format that its name ends with; return the name."""
+    """Write rows as a table in the format that the file name ends with; return the name."""
     end = name.rpartition(".")[2]
     if end == "parquet":
         import pyarrow.parquet
@@ -28,7 +28,7 @@ def write_rows(rows: Sequence[Mapping[str, Any]], name: str) -> str:
 
 
 def read_rows(name: str) -> list[dict[str, Any]]:
-    """Return the rows of a table: CSV and TSV have texts."""
+    """Return the rows of a table; CSV and TSV give texts."""
     end = name.rpartition(".")[2]
     if end == "parquet":
         import pyarrow.parquet
@@ -40,7 +40,7 @@ def read_rows(name: str) -> list[dict[str, Any]]:
 
 
 def random_table(size: int, seed: int) -> str:
-    """Grains of every kind that a table can mix."""
+    """Return a table of grains of every kind that a table can mix, as CSV."""
     import random
 
     draw = random.Random(seed)
@@ -64,7 +64,7 @@ def random_table(size: int, seed: int) -> str:
     return "\n".join(lines) + "\n"
 
 
-# Small blocks, and processes for all but the first of them: a kill finds every state of a short run.
+# Small blocks, with processes for all but the first: killing a short run then meets each of its states.
 IN_SMALL_BLOCKS = """
 import signal
 import jkroll.__main__

@@ -1,6 +1,6 @@
-"""What each result should be, exactly: the paper's equations in 120-digit arithmetic, in their plainest form.
+"""The exact value of each result: the paper's equations in 120-digit arithmetic, in their plainest form.
 
-Inputs are doubles and taken as exact. Nothing is rearranged to save digits, there are simply digits enough: the worst
+Inputs are doubles and taken as exact. Nothing is rearranged to save digits; there are simply enough of them. The worst
 cancellation, in the rolling of spheres whose radii differ 1e15 times, leaves 76. Nothing is shared with `jkroll`.
 """
 
@@ -19,14 +19,14 @@ DEFAULTS = {
 }  # fmt: skip
 FOLD = -cbrt(mpf(9) / 16)  # δ̂, where dδ/dâ = 0
 
-# What is allowed, in ulp of a result times 1 plus its condition: at worst; half of the time over all results; and half
-# of the time for each name. The first and the last are what the rounding of moduli and of a contact radius leaves to
-# products and third powers of them.
+# The allowed errors in ulp of a result times 1 plus its condition: the largest; the median over all results; and the
+# median of each name. The first and the last come from the rounding of moduli and of a contact radius, which products
+# and third powers multiply.
 BOUND, MEDIAN, MEDIAN_OF_A_NAME = 15.0, 0.55, 1.5
 
 
 def ulp_error(value: float, exact: Exact, of: Exact = None) -> float:
-    """Distance of a double from the exact value, in units of the last place of the nearest double (or of another)."""
+    """Return the distance of a double from the exact value, in ulp of the nearest double (or of another number)."""
     nearest = float(exact)
     if not math.isfinite(value) or not math.isfinite(nearest):
         return 0.0 if value == nearest else math.inf
@@ -36,28 +36,28 @@ def ulp_error(value: float, exact: Exact, of: Exact = None) -> float:
 
 @cache
 def root(approach_ratio: Exact) -> Exact:
-    """√â at an approach: 3y⁴ − 2y = δ̂ is convex, so that Newton's steps from above do not pass its root."""
+    """Return √â at an approach: 3y⁴ − 2y = δ̂ is convex, so that Newton's steps from above do not pass its root."""
     if approach_ratio < FOLD:
         raise ValueError("no contact")
     y = 1 + sqrt(sqrt(abs(approach_ratio)))
     step = mpf(1)
-    while abs(step) > abs(y) * mpf(10) ** (-digits.dps // 2):  # the last one squares that
+    while abs(step) > abs(y) * mpf(10) ** (-digits.dps // 2):  # the last step squares that
         step = (3 * y**4 - 2 * y - approach_ratio) / (12 * y**3 - 2)
         y -= step
     return y
 
 
 def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
-    """Return every result for one scene, each by its equation from the exact values of those before it.
+    """Return every result for one scene, each from its equation and the exact values of earlier ones.
 
-    What is not said of sphere 2 is as for sphere 1; its radius may be infinite. The state of the contact is that of a
-    load or, if `approach_at_load` is given, of an approach.
+    Sphere 2 takes missing inputs from sphere 1; its radius may be infinite. The contact's state is that at a load or,
+    if `approach_at_load` is given, at an approach.
     """
     values = values_in(given)
     names = {*EQUATIONS, *OF_A_SCENE, "load"} - {*law_reference.EQUATIONS, *AT_AN_APPROACH.values(), *NO_RESULTS}
     names |= {"adhesive_force", *values.routes.values()}
     results = {name: values.get_exact(name) for name in sorted(names - given.keys())}
-    if abs(values["load_margin"]) < 1e-7:  # within the rounding of a load, which may put it at pull-off
+    if abs(values["load_margin"]) < 1e-7:  # the rounding of a load may put it at pull-off
         del results["rolling_over_sliding"]
     if values["load"] / values["pull_off_force"] < 1e-12:  # within the rounding of an approach
         del results["rolling_resistance_coefficient"]
@@ -65,7 +65,7 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
 
 
 def values_in(given: Mapping[str, float]) -> "Values":
-    """Return the values of a scene: those that are given, and the others once they are asked for."""
+    """Return the values of a scene: the given ones, and the others when they are needed."""
     known = {name: mpf(value) for name, value in {**DEFAULTS, **given}.items()}
     values = Values({name + "2": value for name, value in known.items()} | known)
     if "approach_at_load" in known:
@@ -77,9 +77,9 @@ def values_in(given: Mapping[str, float]) -> "Values":
 
 
 class Values(dict[str, Exact]):
-    """The values of a scene: those that are given, and those that equations make of them once they are asked for."""
+    """The values of a scene: the given ones, and those that equations give when they are needed."""
 
-    routes: Mapping[str, str] = MappingProxyType({})  # the equations of quantities that have others as well
+    routes: Mapping[str, str] = MappingProxyType({})  # the chosen equations of quantities that have several
 
     def __missing__(self, name: str) -> Exact:
         equation = OF_A_SCENE.get(name) or EQUATIONS[self.routes.get(name, name)]
@@ -87,7 +87,7 @@ class Values(dict[str, Exact]):
         return value
 
     def get_exact(self, name: str) -> Exact | None:
-        """Return a value; None where the scene lacks an input, or the equation has no real value."""
+        """Return a value; None if the scene lacks an input, or the equation has no real value."""
         try:
             value = self[name]
         except (KeyError, ValueError, ZeroDivisionError):
@@ -96,12 +96,12 @@ class Values(dict[str, Exact]):
 
 
 def released(y: Exact, y2: Exact) -> Exact:
-    """Energy that the contact gives on its way from √â = y to y2, in P_cδ0: −∫ P̂ (dδ̂/dy) dy with Eqs (5) and (6)."""
+    """Return the energy that the contact releases from √â = y to y2, in P_cδ0: −∫ P̂ (dδ̂/dy) dy with Eqs (5) and (6)."""
     return _potential(y) - _potential(y2)
 
 
 def _potential(y: Exact) -> Exact:
-    """∫ 4(y⁶ − y³)(12y³ − 2) dy."""
+    """Return ∫ 4(y⁶ − y³)(12y³ − 2) dy."""
     return 24 * y**10 / 5 - 8 * y**7 + 2 * y**4
 
 
@@ -115,7 +115,7 @@ ENERGIES = {  # in P_cδ0
 
 
 def conditions(given: Mapping[str, float], results: Mapping[str, Exact]) -> dict[str, float]:
-    """Return κ: how many times a relative error of the given load or approach, or v_stick, appears in each result."""
+    """Return κ: the factor from a relative error of a given load or approach, or of v_stick, to that of a result."""
     state = "approach_at_load" if "approach_at_load" in given else "load"
     found = dict.fromkeys(results, 0.0)
     if given.get(state):
@@ -123,12 +123,12 @@ def conditions(given: Mapping[str, float], results: Mapping[str, Exact]) -> dict
         moved = exact_results({**given, state: mpf(given[state]) * (1 + step)})
         found = {name: _ratio(moved[name] - value, step * value) for name, value in results.items()}
     for name, pressure in (("yield_speed", "first_yield_pressure"), ("plastic_speed", "plastic_pressure")):
-        if results.get(name):  # next to the pressure of a touch, its error is that of both pressures
+        if results.get(name):  # near the pressure of a touch, its error is that of both pressures
             over_touch, energy = results[pressure] / results["touch_pressure"], results["adhesion_energy"]
             step = mpf(10) ** -40
             moved = _speed_to(over_touch * (1 + step), results["reduced_mass"], energy)
             found[name] = 2 * _ratio(moved - results[name], step * results[name])
-    if results.get("restitution"):  # next to v_stick, its error is that of v_stick
+    if results.get("restitution"):  # near v_stick, its error is that of v_stick
         found["restitution"] = float(1 / results["restitution"] ** 2 - 1)
     return found
 
@@ -138,17 +138,17 @@ def _ratio(value: Exact, other: Exact) -> float:
 
 
 def exact(formula: str, arguments: Mapping[str, float]) -> Exact:
-    """The exact value of one formula at arguments taken as exact; what its equation needs besides, by its own."""
+    """Return the exact value of a formula at arguments taken as exact; its equation finds other needs by itself."""
     return _evaluate(EQUATIONS[formula], arguments)
 
 
 def scale(formula: str, arguments: Mapping[str, float]) -> Exact:
-    """Return what the error of a formula is relative to: its value or, where two terms may cancel, the larger one."""
+    """Return the reference for a formula's relative error: its value or, if two terms may cancel, the larger one."""
     return abs(_evaluate(TERMS[formula], arguments) if formula in TERMS else exact(formula, arguments))
 
 
 def formula_error(formula: str, arguments: Mapping[str, float], value: float) -> float:
-    """Distance of a formula's value from the exact one, in ulp, in the variable in which its accuracy is stated."""
+    """Return the error of a formula's value in ulp, in the variable for which its accuracy is stated."""
     if formula in OF_A_RATIO:
         arguments = {"approach_at_load": arguments["approach_at_load"] / arguments["approach"], "approach": 1.0}
     if formula in MEASURED:
@@ -161,7 +161,7 @@ def formula_error(formula: str, arguments: Mapping[str, float], value: float) ->
 
 
 def condition(formula: str, arguments: Mapping[str, float]) -> float:
-    """Return κ: how many times relative errors of the arguments that its accuracy names appear in a formula's value."""
+    """Return κ: the factor from relative errors of the arguments in a formula's accuracy to that of its value."""
     value, step = exact(formula, arguments), mpf(10) ** -20
     names = law_reference.CONDITIONED.get(formula, ())
     moved = (exact(formula, {**arguments, name: mpf(arguments[name]) * (1 + step)}) for name in names)
@@ -175,13 +175,13 @@ def _evaluate(equation: Callable[..., Exact], arguments: Mapping[str, float]) ->
 
 @cache
 def parameters(equation: Callable[..., Exact]) -> list[str]:
-    """Return the names of the quantities that an equation takes, by their symbols or by name."""
+    """Return the names of the quantities that an equation takes, by symbol or by name."""
     return [SYMBOLS.get(symbol, symbol) for symbol in equation.__code__.co_varnames[: equation.__code__.co_argcount]]
 
 
 @cache
 def inputs_of(name: str) -> frozenset[str]:
-    """Return the inputs from which the equations lead to a quantity; of an input, itself."""
+    """Return the inputs on which a quantity depends; for an input, itself."""
     reached: set[str] = set()
     pending = [name]
     while pending:
@@ -244,27 +244,27 @@ def _wave_speed(density: Exact, modulus: Exact, ratio: Exact) -> Exact:
 
 
 def _pressing(P: Exact) -> Exact:
-    """Return a load that presses; raise ValueError for another, by which no coefficient is multiplied."""
+    """Return a load that presses; raise ValueError for others, which no coefficient multiplies."""
     if P <= 0:
         raise ValueError("no load that presses")
     return P
 
 
 def _held(s: Exact) -> Exact:
-    """The distance from pull-off of a contact that holds by itself; others have no equation."""
+    """Return the distance from pull-off of a contact that holds by itself; others have no equation."""
     if s < 0:
         raise ValueError
     return s
 
 
 def _given_way(T_peel: Exact, T_over_slide: Exact, s: Exact) -> Exact:
-    """The force that reaches the strength of the area that is left, at T = T_peel sin φ; T_peel where none does."""
+    """Return the force that reaches the strength of the remaining area, at T = T_peel sin φ; T_peel if none does."""
     if T_over_slide <= 1:
         return T_peel
 
     def excess(
         angle: Exact,
-    ) -> Exact:  # of T over the strength of the area that is left, both over that of the peeled contact
+    ) -> Exact:  # T over the strength of the remaining area, both over that of the peeled contact
         left = (1 + s**2 + 2 * s * digits.cos(angle)) / (1 + s**2)
         return T_over_slide * digits.sin(angle) - cbrt(left) ** 2
 
@@ -274,16 +274,16 @@ def _given_way(T_peel: Exact, T_over_slide: Exact, s: Exact) -> Exact:
 
 
 def _root_below(start: Exact, function: Callable[[Exact], Exact], slope: Callable[[Exact], Exact]) -> Exact:
-    """The root of a convex function by Newton's steps from a start beyond it."""
+    """Return the root of a convex function by Newton's steps from a start beyond it."""
     root, step = start, mpf(1)
-    while abs(step) > abs(root) * mpf(10) ** (-digits.dps // 2):  # the last one squares that
+    while abs(step) > abs(root) * mpf(10) ** (-digits.dps // 2):  # the last step squares that
         step = function(root) / slope(root)
         root -= step
     return root
 
 
 def _gained(y: Exact) -> Exact:
-    """The energy from first touch to √â = y, in P_cδ0."""
+    """Return the energy from first touch to √â = y, in P_cδ0."""
     return released(JUMP_IN_ROOT, y) * -1
 
 
@@ -293,13 +293,13 @@ def _pressure_in_units(y: Exact) -> Exact:
 
 @cache
 def _at_peak(energy: Exact) -> Exact:
-    """√â at the peak of an impact with an energy, in P_cδ0."""
+    """Return √â at the peak of an impact with an energy, in P_cδ0."""
     start = mpf("1.08") + min(energy, (energy / 4) ** mpf("0.1"))
     return _root_below(start, lambda y: _gained(y) - energy, lambda y: 4 * (y**6 - y**3) * (12 * y**3 - 2))
 
 
 def _speed_to(over_touch: Exact, m: Exact, W_adhesion: Exact) -> Exact:
-    """The speed at which the peak pressure is so many times that of a touch; no real one below 1."""
+    """Return the speed at which the peak pressure is a multiple of that of a touch; it is not real below 1."""
     if over_touch <= 1:
         raise ValueError
     ratio = over_touch * _pressure_in_units(_at_peak(mpf(0)))
@@ -308,12 +308,12 @@ def _speed_to(over_touch: Exact, m: Exact, W_adhesion: Exact) -> Exact:
 
 
 def _yields_at(sigma_y: Exact, nu: Exact) -> Exact:
-    """The peak pressure at which von Mises' stress on the axis of Hertz' contact is the yield strength."""
+    """Return the peak pressure at which von Mises' stress on the axis of Hertz' contact is the yield strength."""
     return sigma_y / _largest_stress(nu)
 
 
 def _largest_stress(nu: Exact) -> Exact:
-    """Von Mises' stress over the peak pressure where its slope is 0: a depth to 15 digits has 30 of the largest."""
+    """Return von Mises' stress over the peak pressure where its slope is 0: 15 digits of depth give 30 of stress."""
     ratio = 1 + float(nu)
     low, high = 1e-9, 1.0
     for _ in range(60):
@@ -325,13 +325,13 @@ def _largest_stress(nu: Exact) -> Exact:
 
 
 def _shifted_pressure(X_c: Exact, a: Exact, E: Exact, R: Exact, xi: Exact, p_H: Exact, p_B: Exact) -> list[Exact]:
-    """The pressures of Hertz, of a flat punch and of a tilted one."""
+    """Return the pressures of Hertz, of a flat punch and of a tilted one."""
     depth = sqrt(1 - (X_c / a) ** 2)
     return [p_H * depth, p_B / depth, 2 * E * xi / (pi * R) * X_c / a / depth]
 
 
 def _half_circle_pressure(r: Exact, A: Exact, delta: Exact, E: Exact, R: Exact) -> list[Exact]:
-    """The terms of Eq (15), with p_H of Eq (8)."""
+    """Return the terms of Eq (15), with p_H of Eq (8)."""
     depth, hertz = sqrt(1 - (r / A) ** 2), 2 * A * E / (pi * R)
     return [hertz * depth, E * delta / (pi * A) / depth, -hertz / 2 / depth]
 

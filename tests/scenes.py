@@ -1,4 +1,4 @@
-"""Scenes for the tests: of any size and material at random, and hard ones, where a careless formula loses digits."""
+"""Scenes for the tests: random ones of any size and material, and hard ones, where a careless formula loses digits."""
 
 import math
 from collections.abc import Iterator
@@ -21,12 +21,12 @@ OTHER: Frame = {
 
 
 def log_uniform(random: Random, low: float, high: float) -> float:
-    """Return a number of any magnitude between two."""
+    """Return a number of any magnitude between two numbers."""
     return math.exp(random.uniform(math.log(low), math.log(high)))
 
 
 def near_example(name: str, random: Random) -> float:
-    """Return a value of an input in its range: its example, or a hundredth to a hundred times that."""
+    """Return a value of an input in its range: its example times a hundredth to a hundred."""
     quantity = NOMENCLATURE[name]
     example = parse_quantity(quantity.example, name)
     value = example * log_uniform(random, 0.01, 100)
@@ -45,7 +45,7 @@ def any_sphere(random: Random) -> Frame:
 
 
 def any_scene(random: Random) -> Frame:
-    """Return two spheres or a sphere on a plane, one perhaps rigid, in any state, with any energy."""
+    """Return two spheres or a sphere on a plane, perhaps with a rigid one, in any state, with any energy."""
     scene = any_sphere(random)
     kind = random.choice(["identical", "unequal", "unequal", "similar", "plane", "rigid", "rigid plane"])
     if kind != "identical":
@@ -89,12 +89,12 @@ def random_scenes(count: int, seed: int) -> Iterator[Frame]:
 
 
 def steps_from(value: float, *counts: float) -> list[float]:
-    """Return a double and those that are so many steps from it on either side."""
+    """Return a double and its neighbours that are some steps away, on either side."""
     return [value + sign * count * math.ulp(value) for count in (0.0, *counts) for sign in (-1, 1)][1:]
 
 
 def hard_loads(force: float) -> Iterator[float]:
-    """Iterate over loads next to pull-off, next to -8/9 of it where the approach is 0, and of any magnitude."""
+    """Iterate over loads near pull-off, near -8/9 of it where the approach is 0, and of any magnitude."""
     yield from (
         -force + count * math.ulp(force) for count in (0, 1, 2, 3, 10, *(10.0**power for power in range(2, 16)))
     )
@@ -103,7 +103,7 @@ def hard_loads(force: float) -> Iterator[float]:
 
 
 def hard_approaches(approach: float, fold: float) -> Iterator[float]:
-    """Iterate over approaches next to the fold, to 0, to equilibrium, to where two forms meet, and of any magnitude."""
+    """Iterate over approaches near the fold, 0, equilibrium, and the border of two forms, and of any magnitude."""
     yield from (approach * (fold + 10.0**power) for power in range(-14, 0))
     meeting = (0.5 / 6 ** (1 / 3) + fold, 3 / 6 ** (1 / 3) + fold)
     yield from (approach * ratio for middle in (1.0, *meeting) for ratio in steps_from(middle, 1, 1e3, 1e6, 1e9))
@@ -134,7 +134,7 @@ def hard_scenes(fold: float) -> Iterator[Frame]:
 
 
 def strip_contacts(count: int) -> list[Frame]:
-    """Return strips in contact of any size, shift and load, the same every time."""
+    """Return strip contacts of any size, shift and load, always the same."""
     random = Random(1995)
     return [_strip_contact(random) for _ in range(count)]
 

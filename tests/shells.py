@@ -1,4 +1,4 @@
-"""Real shells, each on a terminal of its own, to which keys are typed."""
+"""Real shells that receive keys, each on its own terminal."""
 
 import os
 import pty
@@ -30,7 +30,7 @@ mv {words}.new {words}
 
 
 class Shell:
-    """A shell with jkroll's completion, in a directory of its own."""
+    """A shell with jkroll's completion, in its own directory."""
 
     def __init__(self, name: str, program: str, directory: Path, **environment: str) -> None:
         """Start the shell, and wait until it has read the completion."""
@@ -56,14 +56,14 @@ class Shell:
         os.write(self.terminal, keys.encode())
 
     def words_of(self, keys: str) -> list[str]:
-        """Return the words of the command that is called after the keys and a return."""
+        """Return the words of the command that is called by the keys and a return."""
         self.words.unlink(missing_ok=True)
-        self.type(keys + "\n")  # a shell reads on when it has completed
+        self.type(keys + "\n")  # a shell reads on after a completion
         self._wait_for(self.words)
         return self.words.read_text(encoding="utf-8").splitlines()
 
     def close(self) -> None:
-        """Hang up."""
+        """Close the terminal."""
         os.close(self.terminal)
         os.waitpid(self.process, 0)
 

@@ -1,4 +1,4 @@
-"""Headers as people and programs write them: all words and symbols of inputs, in many notations of a unit, mangled."""
+"""Headers as people and programs write them: all words and symbols of inputs, with units in many notations, mangled."""
 
 import re
 from collections.abc import Callable, Iterator, Mapping
@@ -34,7 +34,7 @@ _LOSSY = ("R", "MATLAB", "MATLAB, joined", "SQL, small", "SQL, capital", "janito
 
 
 def _plain(text: str) -> str:
-    """Return a text with µ, superscripts and Å as programs spell them that know only letters without marks."""
+    """Return a text with µ, superscripts and Å as spelled by programs that know only letters without marks."""
     return normalize("NFKC", text.replace("µ", "u").replace("Å", "angstrom")).replace("−", "-")
 
 
@@ -72,7 +72,7 @@ MANGLINGS: Mapping[str, Callable[[str], str]] = {
 
 
 class Spelling(NamedTuple):
-    """A header: the input that it means, its unit in SI units, if it is a symbol without a mark, how it is mangled."""
+    """A header: its input, the unit in SI units, whether it is a symbol without a mark, and how it is mangled."""
 
     text: str
     name: str

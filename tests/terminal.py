@@ -10,7 +10,7 @@ TERMINAL = {"COLUMNS": "80", "LINES": "40", "TERM": "xterm-256color", "FORCE_COL
 
 
 def on_terminal(words: list[str], **environment: str) -> tuple[int, str]:
-    """Run a program on a terminal of its own; return its exit code and its output."""
+    """Run a program on its own terminal; return its exit code and its output."""
     settings = {name: value for name, value in os.environ.items() if name not in ("COLUMNS", "NO_COLOR", "FORCE_COLOR")}
     process, terminal = pty.fork()
     if process == 0:
@@ -23,7 +23,7 @@ def on_terminal(words: list[str], **environment: str) -> tuple[int, str]:
 
 
 def _read(terminal: int) -> bytes:
-    """Return the next output of a terminal; nothing when the program has ended."""
+    """Return the next output of a terminal; nothing after the program's end."""
     try:
         return os.read(terminal, 65536)
     except OSError:

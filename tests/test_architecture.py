@@ -234,10 +234,12 @@ def test_the_checker_of_editors_knows_the_same(tmp_path: Path) -> None:
     (tmp_path / "pyrightconfig.json").write_text(json.dumps(settings), encoding="utf-8")
     line = [sys.executable, "-m", "pyright", "--outputjson", "--pythonpath", sys.executable, "user.py"]
     ran = subprocess.run(line, cwd=tmp_path, capture_output=True, text=True)
-    told = json.loads(ran.stdout)["generalDiagnostics"]
-    revealed = [re.sub('.* is "(.*)"', r"\1", each["message"]) for each in told if each["severity"] == "information"]
+    reported = json.loads(ran.stdout)["generalDiagnostics"]
+    revealed = [
+        re.sub('.* is "(.*)"', r"\1", each["message"]) for each in reported if each["severity"] == "information"
+    ]
     assert revealed == [kind.replace("numpy.", "") for kind in REVEALED], ran.stdout
-    wrong = {each["range"]["start"]["line"] for each in told if each["severity"] != "information"}
+    wrong = {each["range"]["start"]["line"] for each in reported if each["severity"] != "information"}
     last = len(USER.splitlines())
     assert wrong == {*range(last - 4, last)}, ran.stdout
 

@@ -119,7 +119,7 @@ def test_rough_spheres_have_less_and_a_sticking_speed_gives_an_upper_limit(run: 
 
 
 def test_an_empty_cell_is_in_no_doubt(run: Run) -> None:
-    """T* = (T_vis/ν²)√(E*a0/m), m of the pair, is 156 at 1 ns, beyond 0.68: no v_stick, of which two codes are."""
+    """T* = (T_vis/ν²)√(E*a0/m), m of the pair, is 156 at 1 ns, beyond 0.68: no v_stick, which two codes concern."""
     words = f"{QUARTZ} --quantities pull_off_force,sticking_speed"
     found = batch(run, "R1 (nm),viscous_time [ps]\n100,1000\n100,1\n", words)
     assert [row["doubt"] for row in found] == ["law-off-25%", "law-off-25% sticking-unsure fitted-elsewhere"]

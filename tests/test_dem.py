@@ -64,7 +64,7 @@ def test_the_load_that_a_message_gives_can_be_typed(run: Run, radius: int, model
     assert float(held) == approx(
         -1e9 * solve("pull_off_force", **QUARTZ | {"radius": radius * 1e-9}, model=model), rel=5e-4
     )
-    let_go = re.findall(r"a stiff machine holds them is (-[.\d]+) pm", run(f"{scene} --approach=-1nm").err)
+    let_go = re.findall(r"a stiff machine holds them up to (-[.\d]+) pm", run(f"{scene} --approach=-1nm").err)
     assert all(run(f"{scene} --approach={approach}pm").code == 0 for approach in let_go)
     assert let_go or model == "dmt"
 

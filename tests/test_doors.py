@@ -98,7 +98,7 @@ def _in_refusals(run: Run, ask: Ask, error: JkrollError) -> Iterator[str]:
             refusals.add(str(other))
     is_last = error.phrase == "± and range together"  # what else is wrong with a single pair comes before it
     if len(refusals) > 1 or not (is_last or all(said in other or _lacks(other) for other in refusals)):
-        yield f"{error} and {refusals}"  # a single pair is told first what it lacks
+        yield f"{error} and {refusals}"  # for a single pair, a missing input comes first
     try:
         found = of_table(run, sheet_of(ask))
     except Refused as other:
@@ -147,7 +147,7 @@ FOUND: Mapping[str, str] = {
         "59400000000.00001 Pa' --poisson '0.17 to 0.18700000000000003' --density '2600 to 2860.0000000000005 "
         "kg/m^3' --xi '1e-10 to 2e-10 m' --gravity '9 to 10 m/s^2' --speed '1 to 2 m/s' --load '0 to 1e-9 N'"
     ),
-    "ranges in a part of which the spheres do not touch": (
+    "ranges with a part in which the spheres do not touch": (
         f"resistances {PLAIN} '3e-7 to 7.5e-7 m' --gamma '0.01 J/m^2' --young '4.3e10 to 1.36e11 Pa' --poisson "
         "-0.4 --approach '-2.5e-11 m,-2.6e-11 m' --model maugis --quantities tangential_stiffness"
     ),
@@ -199,7 +199,7 @@ FOUND: Mapping[str, str] = {
     "a law of rigid bodies, which have no Tabor parameter": (
         "moment quartz '1e-6 m' --young '2e9 Pa,rigid' --quantities pull_off_work_maugis,cohesive_stress"
     ),
-    "a shear strength of which a multiple is more than a frame takes": (
+    "a shear strength with a multiple beyond what a frame takes": (
         "resistances '1e-7 m,1e-6 m' --gamma '0.025 J/m^2' --young '9e29 Pa,54e9 Pa' --poisson -0.97"
     ),
     "two reasons that are not those of all rows": (
@@ -208,7 +208,7 @@ FOUND: Mapping[str, str] = {
 }
 
 
-LONG = ("five ranges", "ranges in a part of which the spheres do not touch")
+LONG = ("five ranges", "ranges with a part in which the spheres do not touch")
 
 
 @pytest.mark.parametrize(
@@ -455,7 +455,7 @@ def test_a_map_doubts_where_its_points_are_doubted(quantity: str) -> None:
 
 
 def _reason(error: JkrollError, scene: Frame) -> str:
-    """Return an error without what it begins with: a prompt has the command, or the option, in place of a name."""
+    """Return an error without its beginning: a prompt has the command or the option instead of a name."""
     if isinstance(error, Failure) and error.cause == BEYOND_PULL_OFF:
         error = with_force_by_maugis(error, scene)
     return str(getattr(error, "explanation", error.__str__)())
@@ -645,7 +645,7 @@ def _in_solve(ask: Ask, floats: Rows) -> Iterator[str]:
                     yield f"row {row}: {name}_{side} = {values.get(f'{name}_{side}')!r} and {number!r}"
         for name, error in reasons.items():
             if name not in NOMENCLATURE or _is_infinite(error) or is_end_of_meaning(error):
-                continue  # of which solve gives the number
+                continue  # solve gives its number
             try:
                 yield f"row {row}: {name}: {error} and {solve(name, model=ask.model, **given)}"
             except JkrollError as other:

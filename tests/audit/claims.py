@@ -35,7 +35,7 @@ def table() -> str:
 
 
 def with_table(page: str) -> str:
-    """Return a page with the table in place of the one that it has."""
+    """Return a page with its table replaced."""
     before, _, rest = page.partition(HEAD)
     after = rest.partition("\n\n")[2]
     return f"{before}{table()}\n{after}"

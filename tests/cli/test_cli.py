@@ -657,7 +657,7 @@ def test_notes_are_few_and_say_their_rows(run: Run) -> None:
         assert max(map(len, of_notes)) <= 160, name  # of two lines at most
     doubts, last = run("pull-off quartz 0.5nm 1nm 5um").err.splitlines()
     assert doubts.startswith("note: doubts in 3 of 3 rows (jkroll guide doubts): ")
-    assert all(told in doubts for told in ("few-atoms 2", "more"))
+    assert all(word in doubts for word in ("few-atoms 2", "more"))
     assert last == "more: --explain"
 
 

@@ -152,15 +152,15 @@ def test_best_ranges_and_the_caveat_are_in_the_file_or_beside_it(run: Run, progr
     ran = run(f"export {program} quartz 100nm")
     quiet = run(f"export {program} quartz 100nm --quiet")
     assert (quiet.code, quiet.err) == (0, "")
-    told = re.sub("\n#? +", " ", ran.err if program == "dust-simulation" else ran.out.replace(quiet.out, ""))
-    assert re.search(r"best ranges \(jkroll report says why\): .*P_c 14[-–]15 nN \(Maugis\)", told)
-    assert re.search("(γ|gamma) of quartz: of smooth micron-sized spheres", told)
-    assert "changes no result here" not in told
-    assert "--model" not in told  # of a law that no program has
+    printed = re.sub("\n#? +", " ", ran.err if program == "dust-simulation" else ran.out.replace(quiet.out, ""))
+    assert re.search(r"best ranges \(jkroll report says why\): .*P_c 14[-–]15 nN \(Maugis\)", printed)
+    assert re.search("(γ|gamma) of quartz: of smooth micron-sized spheres", printed)
+    assert "changes no result here" not in printed
+    assert "--model" not in printed  # no program has this law
     assert quiet.out in ran.out
     if program != "dust-simulation":
         assert ran.out.isascii()
-        assert all(line.startswith("# ") for line in told.splitlines())
+        assert all(line.startswith("# ") for line in printed.splitlines())
         assert ran.err == ""
 
 

@@ -1,4 +1,4 @@
-"""The help is our own: it lists exactly what the reader takes and what typer is told of it."""
+"""The help is our own: it lists exactly the options that the reader takes and typer declares."""
 
 import re
 from typing import Any

@@ -147,7 +147,7 @@ def test_error_is_copied_with_its_attributes(error: JkrollError) -> None:
 
 
 def test_errors_of_all_types_are_copied() -> None:
-    families = {NoResult, of_problems.Unsolved}  # of which each error is of a narrower type
+    families = {NoResult, of_problems.Unsolved}  # each error has a narrower type
     assert {*kinds_of(JkrollError)} - families <= {type(error) for error in EVERY_ERROR}
 
 

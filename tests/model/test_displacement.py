@@ -1,4 +1,4 @@
-"""What measured forces mean in place of the assumed yield displacement, and hysteresis of adhesion as a part of w."""
+"""Measured forces instead of the assumed yield displacement, and hysteresis of adhesion as a part of w."""
 
 from math import inf, sqrt
 from typing import Any
@@ -71,14 +71,14 @@ def test_a_range_of_radii_has_the_ends_of_both() -> None:
 
 
 def test_a_sphere_on_a_plane_counts_by_the_reduced_radius() -> None:
-    """With the same contact, of which ξ/R is the same."""
+    """With the same contact and the same ξ/R."""
     on_plane, pair = of("quartz", 2e-7, radius2=inf), of("quartz", 4e-7)
     ours, theirs = best(on_plane, "yield_angle"), best(pair, "yield_angle")
     assert ours == (approx(theirs.low), approx(theirs.high), "scaled")
 
 
 def test_polystyrene_has_a_displacement_of_its_own() -> None:
-    """By each law the same, of which the force is another."""
+    """The same by each law, with another force."""
     scene = of("polystyrene", 5e-6, radius2=inf)
     (row,) = [row for row in MEASUREMENTS if row.solids == "polystyrene on glass" and row.given["radius"] == "5 um"]
     assert value_of(row.measured, "yield_displacement") == ROLLED[POLYSTYRENE].low == ROLLED[POLYSTYRENE].high == 42e-9

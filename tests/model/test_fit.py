@@ -98,7 +98,7 @@ def test_of_contact_radii_the_part_with_a_resting_edge_is_left_out() -> None:
 
 
 def test_contact_radii_give_w_without_tension() -> None:
-    """By loads of 5 to 90 times the pull-off force, all of which press."""
+    """By loads of 5 to 90 times the pull-off force, none of them tensile."""
     a = numpy.linspace(3e-4, 1e-4, 40)
     load = 4 / 3 * 2e6 * a**3 / 1e-3 - numpy.sqrt(8 * pi * 0.045 * 2e6 * a**3)
     fit = fit_curve(ForceCurve(RADIUS, a, load), Known(radius=1e-3))

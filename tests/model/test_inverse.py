@@ -169,7 +169,7 @@ def test_a_search_in_rounding_alone_comes_to_an_end(quantity: str) -> None:
 
 
 @pytest.mark.parametrize("ulp", [-4, 0, 4])
-def test_a_stretch_without_dependence_is_told(ulp: int) -> None:
+def test_a_stretch_without_dependence_is_reported(ulp: int) -> None:
     """By Maugis' law v_stick of quartz does not depend on the radius below some 7 µm."""
     given: dict[str, Any] = {"material": "quartz", "model": "maugis", "atomic_spacing": 4e-10}
     speed = solve("sticking_speed", radius=1e-6, **given) * (1 + ulp * 2.0**-52)
@@ -227,7 +227,7 @@ def test_where_no_usual_value_is_found_all_that_a_scene_takes_are_scanned() -> N
     assert found.tolist() == approx([force / (3 * math.pi * 2.5e-6) for force in forces], rel=1e-14)
 
 
-def test_a_value_beyond_the_usual_ones_is_told(run: Run) -> None:
+def test_a_value_beyond_the_usual_ones_is_reported(run: Run) -> None:
     words = ("infer", "gamma", "2.5um", "--radius2", "plane", "--measured")
     said = "warning: γ1 = 891.268 nJ/m² is beyond usual values, γ1 = 1 µJ/m² to 1 kJ/m²\n"
     assert said in run(*words, "P_c=21pN").err
@@ -497,7 +497,7 @@ def test_what_follows_from_an_inferred_value_has_its_reason() -> None:
     assert columns["pull_off_force"].values[::2] == approx(measured["pull_off_force"][::2])
 
 
-def test_a_value_that_maugis_law_does_not_have_is_not_told(run: Run) -> None:
+def test_a_value_that_maugis_law_does_not_have_is_not_reported(run: Run) -> None:
     words = "infer young quartz 1um --measured yield_force=100pN --hysteresis-fraction 40%"
     said = " ".join(run(words).err.split())
     assert "best range of E: 2.7e12 Pa (JKR only); by Maugis' law no value gives yield_force = 100 pN" in said

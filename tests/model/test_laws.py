@@ -150,7 +150,7 @@ def test_what_a_law_lacks_is_said_as_a_missing_input_is(name: str) -> None:
 # --- Tables and arrays ------------------------------------------------------------------------------------------------
 
 
-# Formulas that hold by JKR alone, beside those of which `Valid` says so.
+# Formulas that hold for JKR only, besides those whose `Valid` says so.
 OF_JKR = (
     *(name for name in vars(jkr) if name in FORMULAS and not name.startswith("contact_area")),
     "pull_off_force",
@@ -205,7 +205,7 @@ def test_every_route_leads_to_a_formula_of_the_nomenclature() -> None:
 @pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
 def test_a_law_has_what_its_answers_need(law: Law) -> None:
     if not law.is_default:
-        assert law.source, f"name the source of {law.title} in its Law: results show it in place of an equation"
+        assert law.source, f"name the source of {law.title} in its Law: results show it instead of an equation"
     assert references()[law.name].keys() >= {"key", "type", "author", "year"}, (
         f"--cite needs the reference of {law.title}"
     )
@@ -332,9 +332,9 @@ def test_what_the_spacing_decides_is_judged_with_the_spacing_that_is_assumed(rad
     assert numpy.array_equal(*factors)
     assert numpy.all(numpy.isfinite(factors))
     shown = [Results(scene, scene.columns(["sticking_speed"])) for scene in (assumed, stated)]
-    told, expected = (estimates(results, ["sticking_speed"])["sticking_speed"] for results in shown)
-    assert all(map(numpy.array_equal, told, expected))
-    assert numpy.all(told.low < told.high)
+    shown_range, expected = (estimates(results, ["sticking_speed"])["sticking_speed"] for results in shown)
+    assert all(map(numpy.array_equal, shown_range, expected))
+    assert numpy.all(shown_range.low < shown_range.high)
 
 
 def test_a_quantity_that_the_spacing_decides_has_no_value_without_it() -> None:

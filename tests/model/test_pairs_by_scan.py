@@ -18,7 +18,7 @@ from scenes import log_uniform
 PER_DECADE = 10  # of the dense scan, whose cells end at other values than those of the program
 PARTS = 5  # of each side of a cell, when it is divided
 ROUNDS = 12  # of dividing: a cell is then 1e-9 of its first width
-MANY = 3000  # cells that both quantities pass, of which so many are a curve and no point
+MANY = 3000  # cells that both quantities pass; more form a curve instead of points
 SPANS = {
     "surface_energy": (1e-3, 1.0), "youngs_modulus": (1e6, 1e12), "radius": (1e-8, 1e-3),
     "yield_displacement": (1e-11, 1e-8)

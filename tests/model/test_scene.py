@@ -124,7 +124,7 @@ def test_spheres_that_are_bound_without_touching_have_no_contact_that_is_stiff(n
 
 
 def test_a_scene_with_alternatives_is_gone_with_its_last_user() -> None:
-    """A search for cycles comes after 50 000 new objects, of which a block of a long table leaves a handful."""
+    """A search for cycles comes after 50 000 new objects; a block of a long table leaves a handful."""
     gc.disable()
     try:
         scene = Frame({**QUARTZ, "radius": numpy.geomspace(1e-8, 1e-6, 5)})

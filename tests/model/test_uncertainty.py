@@ -239,7 +239,7 @@ def test_a_quantity_without_a_value_at_an_end_says_so(run: Run) -> None:
 
 
 @pytest.mark.parametrize(("load", "gamma"), [("-10±1nN", "25mJ/m2"), ("-9nN", "25±4mJ/m2"), ("-9±0.8nN", "25±3mJ/m2")])
-def test_draws_without_a_contact_are_told(run: Run, load: str, gamma: str) -> None:
+def test_draws_without_a_contact_are_reported(run: Run, load: str, gamma: str) -> None:
     """Both ends of each uncertainty hold, and a tenth or so of all values between and beyond do not."""
     words = ["contact", "quartz", "100nm", "--load", load, "--gamma", gamma]
     random = Random(f"{load} {gamma}")

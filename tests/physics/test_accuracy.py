@@ -74,7 +74,7 @@ class Error(NamedTuple):
 
 
 def errors_of(scenes: Iterable[Frame]) -> dict[str, list[Error]]:
-    """Solve scenes one by one, and as arrays those of which the same is given."""
+    """Solve scenes one by one, and, as arrays, those with the same inputs."""
     alike = defaultdict(list)
     for scene in scenes:
         exact = {name: value for name, value in exact_results(scene).items() if abs(value) < math.inf}

@@ -44,7 +44,7 @@ def test_compressive_strength_tends_to_the_cube_of_the_filling_factor() -> None:
 
 
 def test_strengths_as_phantom_codes_them() -> None:
-    """porosity.f90 has E_roll = 302.456 (γ⁵r0⁴/E²)^(1/3) and a packing of 0.74048 in place of 0.74."""
+    """porosity.f90 has E_roll = 302.456 (γ⁵r0⁴/E²)^(1/3) and a packing of 0.74048 instead of 0.74."""
     gamma, radius, modulus, phi = 0.2, 1e-6, 72e9, 0.1
     eroll = 302.455974078 * (gamma**5 * radius**4 / modulus**2) ** (1 / 3)
     pressure = eroll / ((1 / phi - 1 / 0.74048) * radius) ** 3

@@ -1,4 +1,4 @@
-"""A Hamaker constant in place of a surface energy."""
+"""A Hamaker constant instead of a surface energy."""
 
 import math
 from itertools import product

@@ -85,7 +85,7 @@ BOUND_OF_LAW = {"jkr": BOUND, "maugis": 25.0}  # ulp, times 1 plus the condition
 
 
 def corner_scenes(low: float, high: float, count: int) -> Iterator[dict[str, float]]:
-    """Iterate over scenes of which some or all inputs have the least or the largest magnitude, or any between these."""
+    """Iterate over scenes in which some or all inputs have the least or the largest magnitude, or any in between."""
     random = Random(count)
     usual = {**GIVEN, **OTHER, "atomic_spacing": 4e-10}
 

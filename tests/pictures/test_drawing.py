@@ -693,7 +693,7 @@ def test_what_cannot_be_drawn(run: Run, tmp_path: Path, line: str, message: str)
     assert not {path.name for path in tmp_path.iterdir()} & {*line.split()}
 
 
-def test_a_letter_that_the_font_lacks_is_told(run: Run) -> None:
+def test_a_letter_that_the_font_lacks_is_reported(run: Run) -> None:
     Path("own.toml").write_text('[materials."石英"]\nsurface_energy = "25 mJ/m2"\n', encoding="utf-8")
     message = "jkroll: -o: the font of pictures has no '石'; name the material by other letters\n"
     assert run("map pull-off 石英 --materials own.toml --x radius=1nm:1um -o own.svg") == (2, "", message)

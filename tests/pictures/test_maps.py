@@ -237,7 +237,7 @@ def test_a_sign_stands_for_one_limit_on_every_map(run: Run) -> None:
 
 
 def test_the_key_names_what_is_on_the_map(run: Run) -> None:
-    """Grains of which a is below 3 z0 do not hold 5 nN: they are not on the map."""
+    """Grains with a below 3 z0 do not hold 5 nN: they are not on the map."""
     line = "map contact-radius-at-load quartz --x radius=10nm:1um --y load=-50nN:{}:lin --quiet"
     beyond, within = (run(line.format(load)).out for load in ("-5nN", "5nN"))
     assert "no value: beyond pull-off" in [text for _, text in KEY.findall(beyond)]
@@ -352,7 +352,7 @@ def test_the_stretches_of_a_doubt_have_the_gap_between_them(run: Run) -> None:
 
 
 def test_a_curve_is_doubtful_only_where_it_is(run: Run) -> None:
-    """Grains of which a is below 3 z0 do not hold 5 nN."""
+    """Grains with a below 3 z0 do not hold 5 nN."""
     assert "a/z0" not in run("map contact-radius-at-load quartz --x radius=10nm:1um --load=-5nN").out
     for count, radii in (("", "10 nm to 16 nm"), (":3", "10 nm")):  # one value is no range
         assert f"3 atoms (quartz, R1 = {radii})" in run(f"map contact-radius quartz --x R1=10nm:1um{count}").out
@@ -573,7 +573,7 @@ def test_the_panel_of_moments_says_where_it_ends(run: Run) -> None:
 
 
 @pytest.mark.parametrize("words", ["pull-off gold,quartz", "pull-off gold", "pull-off --gamma 25mJ/m2"])
-def test_limits_that_are_not_judged_are_told(run: Run, words: str) -> None:
+def test_limits_that_are_not_judged_are_reported(run: Run, words: str) -> None:
     said = run(f"map {words} --x radius=100nm:1um", terminal=True).out.replace("\n", " ")
     assert re.search(r" Limits are not judged: that needs [^.]*modulus[^.]*\.", said)
     assert "not judged" not in run("map pull-off quartz --x radius=100nm:1um", terminal=True).out

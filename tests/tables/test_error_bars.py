@@ -221,7 +221,7 @@ def test_an_error_bar_that_a_hamaker_constant_outranks(run: Run) -> None:
     ]
 
 
-def test_a_range_that_enters_no_error_bar_is_told(run: Run) -> None:
+def test_a_range_that_enters_no_error_bar_is_reported(run: Run) -> None:
     """Of a material that has ± as well, as at the prompt."""
     Path("own.toml").write_text(
         '[materials.own]\nsurface_energy = { value = "25±5 mJ/m2" }\n'

@@ -894,7 +894,7 @@ def test_a_blank_behind_a_number_is_no_unit(blank: str) -> None:
         assert column.numbers({column.name: [cell.encode() for cell in cells]}).values[-1] == 0.003
 
 
-def test_a_label_that_is_another_name_of_a_material_is_told(run: Run) -> None:
+def test_a_label_that_is_another_name_of_a_material_is_reported(run: Run) -> None:
     Path("x.csv").write_text("material,R1 (nm),gamma (mJ/m2)\nA,100,25\nC,100,25\n", encoding="utf-8")
     ran = run("batch x.csv -o out.csv --quantities pull_off_force --no-doubt")
     assert (ran.code, ran.err.count("note: material 'C' is graphite")) == (0, 1)
@@ -913,7 +913,7 @@ def test_a_header_between_rows_is_a_failed_row(run: Run) -> None:
     assert Path("out.csv").read_text(encoding="utf-8").splitlines()[2].endswith(",,bad radius")
 
 
-def test_an_option_beside_a_column_of_the_same_input_is_told(run: Run) -> None:
+def test_an_option_beside_a_column_of_the_same_input_is_reported(run: Run) -> None:
     """At the prompt a property that is given overrides the material's; in a table a cell comes first."""
     Path("x.csv").write_text("radius [nm],gamma [mJ/m2]\n100,25\n100,\n", encoding="utf-8")
     words = "batch x.csv -o out.csv --quantities pull_off_force --no-doubt --gamma 50mJ/m2"
@@ -938,7 +938,7 @@ def test_an_option_beside_a_column_of_the_same_input_is_told(run: Run) -> None:
         ("--z0 3angstrom --quantities pull_off_force --no-doubt", "note: --z0 changes no result here\n"),
     ],
 )
-def test_an_option_that_changes_nothing_is_told(run: Run, words: str, said: str) -> None:
+def test_an_option_that_changes_nothing_is_reported(run: Run, words: str, said: str) -> None:
     Path("x.csv").write_text("R1 (nm),gamma (mJ/m2)\n100,25\n", encoding="utf-8")
     err = run(f"batch x.csv -o out.csv {words}").err
     assert said in err

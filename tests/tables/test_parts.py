@@ -269,7 +269,7 @@ def test_a_scheduler_that_cannot_be_reached_is_said_in_a_line(run: Run, grains: 
     assert len(grains) == PARTS
 
 
-def test_the_errors_of_other_processes_are_told(run: Run, monkeypatch: pytest.MonkeyPatch, grains: list[str]) -> None:
+def test_errors_of_other_processes_are_reported(run: Run, monkeypatch: pytest.MonkeyPatch, grains: list[str]) -> None:
     Path("own.toml").write_text('[materials.own]\nsurface_energy = "25 kg"\n', encoding="utf-8")
     monkeypatch.setattr(command, "LITTLE", 1)
     ran = run("batch", "grains/*.csv", "-o", "forces/", "--jobs", "2", *"--materials own.toml --material own".split())

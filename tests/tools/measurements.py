@@ -241,7 +241,7 @@ def measurements_table() -> str:
 
 
 def with_table(page: str) -> str:
-    """Return a page with the table in place of the one that it has."""
+    """Return a page with its table replaced."""
     before, _, rest = page.partition(HEAD)
     return f"{before}{measurements_table()}{END}{rest.partition(END)[2]}"
 
@@ -250,12 +250,12 @@ def _compared(row: Measurement) -> Compared:
     unit_of = _OF_RATIOS if row.beside else row.quantity
     scene = _scene(row, row.given)
     computed = scene[row.quantity]
-    told = ", ".join(_told(scene, row))
+    computed_for = ", ".join(_inputs_of(scene, row))
     if row.beside:
         computed /= _scene(row, {**row.given, "radius": row.beside})[row.quantity]
-        told += f", over that at R1 = {amount('radius', value_of(row.beside, 'radius'))}"
+        computed_for += f", over that at R1 = {amount('radius', value_of(row.beside, 'radius'))}"
     law = "the first order of a meniscus" if row.quantity == "meniscus_force" else scene.law.name.upper()
-    return Compared(row, _middle(row.measured, unit_of), computed, f"{told}, by {law}")
+    return Compared(row, _middle(row.measured, unit_of), computed, f"{computed_for}, by {law}")
 
 
 def _scene(row: Measurement, given: Mapping[str, str]) -> Frame:
@@ -264,7 +264,7 @@ def _scene(row: Measurement, given: Mapping[str, str]) -> Frame:
     return Frame({name: value_of(text, name) for name, text in given.items()}, materials[row.material], other)
 
 
-def _told(scene: Frame, row: Measurement) -> Iterator[str]:
+def _inputs_of(scene: Frame, row: Measurement) -> Iterator[str]:
     """Iterate over the inputs that are said: the materials, the radii, γ and ξ where they enter."""
     for name, value in scene.echo({*row.given, row.quantity, *scene.inputs_of(row.quantity)}).items():
         if name in ("material", "material2"):

@@ -46,7 +46,7 @@ def test_lists_have_it_beside_the_headline(run: Run) -> None:
     row = next(line for line in out.splitlines() if line.split()[:1] == ["100"])
     assert row.split()[1:3] == [f"{significant(least * 1e9, 2)}–{significant(most * 1e9, 2)}", "Maugis"]
     assert "best" not in run("pull-off quartz 100nm --model jkr,maugis", terminal=True).out
-    out = run("yield-force quartz 2nm 1um", terminal=True).out  # of which the first has no meaning
+    out = run("yield-force quartz 2nm 1um", terminal=True).out  # the first has no meaning
     assert re.search(r"^best Q \[pN\] +– +710–1700$", out, re.MULTILINE)
     assert re.search(r"^by +– +scaled$", out, re.MULTILINE)
 

@@ -126,7 +126,7 @@ def test_what_no_material_has_stands_alone(run: Run) -> None:
         ("young quartz", 1 / 32, ""),
     ],
 )
-def test_energies_far_from_the_materials_are_told(run: Run, words: str, factor: float, note: str) -> None:
+def test_energies_far_from_the_materials_are_reported(run: Run, words: str, factor: float, note: str) -> None:
     """P_c = 3/2 πwR by JKR, up to 2πwR by other laws; w = 2√(γ1γ2), mica has 0.15 J/m²."""
     work = 2 * math.sqrt(0.025 * (0.15 if "mica" in words else 0.025))
     measured = f"P_c={1.5 * math.pi * factor * work * RADIUS}N"

@@ -35,7 +35,7 @@ def cells_of(line: str) -> list[str]:
 
 
 def read(text: str) -> Table:
-    """Return the only table of a text, of which each row has as many cells as the header."""
+    """Return the only table of a text, and check that each row has as many cells as the header."""
     lines = [line for line in text.removesuffix("\n").split("\n") if line.startswith("|")]
     heads, sides, *rows = map(cells_of, lines)
     assert all(re.fullmatch("-{3,}:?", side) for side in sides)

@@ -18,7 +18,7 @@ WIDE, FLIES = "the contact is wider than the smaller sphere", "too fast to roll 
 SLOW, SHORT = "once it has slid, the energy left is too small to roll", "held out level, even one sphere rolls down"
 SONIC = "faster than sound in the solid: no static contact describes that"
 XI = "ξ is too large for the formula"
-# Of each call with two values, the last of which ends the meaning of these results; None: of all.
+# Calls with two values; the last one makes these results meaningless, or, with None, all results.
 CALLS: dict[str, tuple[tuple[str, str, str], set[str] | None, str, str]] = {
     "turns that do not begin": (
         ("n-roll quartz 100nm", "--speed", "12cm/s,10cm/s"), {"n_roll"}, "does-not-roll-sliding", SLOW,
@@ -138,7 +138,7 @@ def test_a_sphere_of_quartz_of_one_micron_flies_off_at_4_65_metres_a_second() ->
     ratio = jkroll.solve("flight_ratio", material="quartz", radius=1e-6, speed=speed)
     assert math.isclose(ratio, 1, rel_tol=1e-12)
     assert jkroll.solve("flight_ratio", material="quartz", radius=1e-6, radius2=math.inf, speed=1e3) == 0  # on a plane
-    for radius2, more in ((1e-6, 1.0), (3e-6, 1.5 * 4 / 2)):  # P_c goes as R, which is 0.75 µm in place of 0.5 µm
+    for radius2, more in ((1e-6, 1.0), (3e-6, 1.5 * 4 / 2)):  # P_c goes as R, which is 0.75 µm instead of 0.5 µm
         found = jkroll.solve("flight_ratio", material="quartz", radius=1e-6, radius2=radius2, speed=speed)
         assert math.isclose(found, 1 / more, rel_tol=1e-12)
 
@@ -274,8 +274,8 @@ def test_rubber_is_strained_and_does_not_yield(run: Run, words: str, code: str) 
         one["code"] for one in json.loads(run(f"{words} --json").out)["validity"] if one["name"].startswith("hertz")
     ]
     assert codes == [code]
-    told = "strains too large for linear elasticity" if code == "large-strain" else "a flawless solid"
-    assert told in run(f"{words} --explain").out
+    sentence = "strains too large for linear elasticity" if code == "large-strain" else "a flawless solid"
+    assert sentence in run(f"{words} --explain").out
     assert ("flawless solid" in run(f"{words} --explain").out) is (code == "may-yield")
 
 

@@ -356,7 +356,9 @@ def _measure_quantity(quantity: str, points: Mapping[str, Arrays], size: Size, r
     for region, arrays in points.items():
         if names <= arrays.keys():
             given[region] = {name: arrays[name] for name in names}
-    exacts = {region: [exact(quantity, point) for point in as_rows(arrays)] for region, arrays in given.items()}
+    exacts = {}
+    for region, arrays in given.items():
+        exacts[region] = [exact(quantity, point) for point in as_rows(arrays)]
     ways: dict[str, Way] = {DEFAULT: ours, **{name: partial(_by_symbols, way) for name, way in others.items()}}
     many = {name: numpy.resize(values, size.elements) for name, values in given["ordinary"].items()}
     few = as_rows(given["ordinary"])

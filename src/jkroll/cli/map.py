@@ -195,7 +195,7 @@ def map_request(call: Call) -> PlotRequest:
     axes = [x, y] if y is not None else [x]
     check_axes(quantity, axes, call.values, tuple(model or DEFAULT_LAW for model in call.models))
     if (count := len(call.sweep)) > (1 if len(axes) > 1 else MAX_CURVES):
-        most = f"the {MAX_CURVES} curves that can be told apart; name fewer" if len(axes) == 1 else "one map"
+        most = f"the {MAX_CURVES} curves that can be distinguished; name fewer" if len(axes) == 1 else "one map"
         raise BadRequest(f"{count} pairs are more than {most}")
     several = [name for name, text in call.values.items() if "," in text or ":" in text]
     frames = tuple((distinction(frame, several, call.models), frame) for frame in call.sweep.frames())

@@ -298,7 +298,9 @@ def _no_such_option(flag: str, command: str | None) -> BadRequest:
         remedy = "a negative value follows the option that takes it: --load -5nN"
         return BadRequest(f"{quoted(flag)} begins with a hyphen, as options do; {remedy}")
     flags = flags_of(command)
-    everywhere = {known: option for taker in COMMANDS.values() for known, option in taker.flags().items()}
+    everywhere: dict[str, Any] = {}
+    for taker in COMMANDS.values():
+        everywhere |= taker.flags()
     problem = f"no such option {quoted(flag)}"
     if flag in everywhere:
         problem, flags = f"{command or 'jkroll without a command'} takes no {quoted(flag)}", {}

@@ -65,7 +65,7 @@ def answer_rows(call: Call, sweep: Sweep, question: Question, form: Format) -> i
     """Write the answers to a question, as rows or one after the other; return the exit code."""
 
     def answer(row: Frame) -> "Report":
-        from ..report.report import Report  # of which rows that are written with fewer words need nothing
+        from ..report.report import Report  # rows with fewer words do not need it
 
         return Report(question, row, keeps_all=call.output.keeps_all)
 

@@ -45,7 +45,7 @@ class UnclearMaterial(BadRequest):
 
 # --- Materials --------------------------------------------------------------------------------------------------------
 
-ORIGIN = ("method", "law", "reference")  # of a property: the method, the contact law and the reference
+ORIGIN = ("method", "law", "reference")  # the origin of a property: its method, contact law and reference
 
 
 class Displacement(NamedTuple):
@@ -324,7 +324,9 @@ class Materials:
         named: dict[str, Material] = {}
         for material in materials:
             words = material.words
-            earlier = [(word, other) for key, word in words.items() for other in self._meanings.get(key, ())]
+            earlier = []
+            for key, word in words.items():
+                earlier += [(word, other) for other in self._meanings.get(key, ())]
             taken = [(word, other.title) for word, other in earlier if takes or other.path != SHIPPED]
             remarks = [f"{shown(material.path)} overrides {shown(word)} of {title}" for word, title in taken]
             self.overrides += dict.fromkeys(remarks)

@@ -1,1 +1,1 @@
-"""From what is given to what is asked."""
+"""The model: quantities computed from inputs, with their limits and best ranges."""

@@ -98,7 +98,7 @@ def covariance_of(solution: Solution) -> tuple[tuple[str, ...], Array]:
     found = other.minimum
     rows = found.noise.whitened(found.residuals.derivatives)
     weighted = rows[:, ADHESION] * found.weights
-    pulls = -(weighted @ rows[:, [*main.free]]) / (weighted @ rows[:, ADHESION])  # of the other unknowns on ln w
+    pulls = -(weighted @ rows[:, [*main.free]]) / (weighted @ rows[:, ADHESION])  # pulls of the other unknowns on ln w
     pulls[main.free.index(ADHESION)] = 0.0
     w = float(exp(found.unknowns[ADHESION]))
     variance = (float(found.covariance[0, 0]) + float(pulls @ matrix @ pulls)) * w * w

@@ -176,7 +176,7 @@ class Minimum(NamedTuple):
     residuals: Residuals
     cost: float  # half the sum of Huber's loss of the whitened residuals
     weights: Array
-    correlation_time: float = 1.0  # of the residuals, in points
+    correlation_time: float = 1.0  # correlation of the residuals, in points
 
 
 def minimum(

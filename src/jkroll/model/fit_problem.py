@@ -33,9 +33,9 @@ _PLATEAUS = 4  # rounds of plateau and fit for contact radii
 _BINS = 24
 _LARGEST = 60.0  # ln w or ln E* beyond which a minimum is rejected
 _NO_ADHESION = 5.0  # a tension is at least this many standard deviations of the noise
-_NEXT_TO_NOTHING = 1e-12  # of the upper limit of w: JKR with so little adhesion is Hertz' contact
+_NEXT_TO_NOTHING = 1e-12  # share of the upper limit of w; JKR with so little adhesion is Hertz' contact
 _ROOT_STEPS = 60  # steps of Newton's method for the contact radius of a point
-_ROOT = 1e-6  # of the load: largest error of a contact radius that counts as a root
+_ROOT = 1e-6  # largest error of the load at which a contact radius counts as a root
 
 NAMES = {UNLOADING: "work_of_adhesion_opening", LOADING: "work_of_adhesion_closing"}
 

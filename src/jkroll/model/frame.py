@@ -114,7 +114,7 @@ class Frame:
 
     few = 800  # points of uncertain inputs up to which floats are faster than importing numpy: three ranges
     unknowns: Sequence[str] = ()  # inputs that are inferred from measured quantities
-    solution: Any = None  # of the unknowns
+    solution: Any = None  # the inferred values of the unknowns
 
     def __init__(
         self,
@@ -170,8 +170,7 @@ class Frame:
         self.plan_key = (self.known, material2 is not None, self.law.name)  # plans depend on these alone
         self.reasons: dict[str, Any] = {}  # reasons of nan values, for results that have any
         self.steps: dict[str, Plan] = {}  # the steps that computed these results
-        # Computed arrays with their reasons, by step and by the ids of its arguments. The arguments are kept as well,
-        # so that no other value can get their ids.
+        # Computed arrays with reasons, by step and ids of its arguments; these are kept, so that no others get the ids.
         self._shared: dict[tuple[object, ...], tuple[tuple[Any, Any], Any]] = {}
         self.derived: dict[Any, Any] = {}  # results of functions of the frame: see `once_a_frame`
 
@@ -285,10 +284,8 @@ class Frame:
     def is_identical(self) -> Any:
         """True if no input makes sphere 2 differ from sphere 1; row by row for arrays."""
         of_2 = {of_sphere(1, name): value for name, value in self.given.items() if NOMENCLATURE[name].sphere == 2}
-        lacks_property = self.material2 is not None and any(
-            name in self.given and name not in of_2 for name in PROPERTIES
-        )
-        return reduce(and_, (value == self.given.get(name) for name, value in of_2.items()), not lacks_property)
+        lacking = self.material2 is not None and any(name in self.given and name not in of_2 for name in PROPERTIES)
+        return reduce(and_, (value == self.given.get(name) for name, value in of_2.items()), not lacking)
 
     @property
     def stated_of_1(self) -> dict[str, Any]:

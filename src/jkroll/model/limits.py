@@ -37,7 +37,7 @@ class Limit:
         touches: frozenset[str],
         sign: Literal["<", "<=", ">", ">="],
         codes: Mapping[float, str],  # by threshold
-        consequence: str,  # of a number beyond the threshold, in words
+        consequence: str,  # in words: the meaning of a number beyond the threshold
         applies: Callable[[Frame, Collection[str]], bool] | None = None,  # to these results of a frame; None: to all
         ends_meaning: bool = False,  # results beyond the limit have no meaning
         conclusion: str = "",  # the name of the consequence, if it is not the number's

@@ -30,7 +30,7 @@ class Plan:
 
     def __init__(
         self,
-        name: str,  # of the value
+        name: str,  # the name of the value
         formula: Any = None,
         plans: Mapping[str, "Plan"] = MappingProxyType({}),  # of its arguments, by parameter
         missing: frozenset[str] = frozenset(),  # inputs that are not known
@@ -129,7 +129,8 @@ def depends_on(names: tuple[str, ...], models: tuple[str, ...] = (DEFAULT_LAW,))
         if name not in reached:
             reached.add(name)
             formulas = [each for each in (name, *routes_to.get(name, ())) if formula_of(each) is not None]
-            pending += [argument for formula in formulas for _, argument in arguments_of(formula)]
+            for formula in formulas:
+                pending += [argument for _, argument in arguments_of(formula)]
     return frozenset(reached).union(name for name, other in CONVERTED.items() if other in reached)
 
 

@@ -155,7 +155,7 @@ class Gap(NamedTuple):
     phrase: str  # in the status column
     is_failed: bool  # True for rows without a contact, or without any value
     first: int  # the index of the first row
-    reasons: Reasons  # of the first row
+    reasons: Reasons  # the reasons of the first row
 
 
 class Columns:
@@ -267,7 +267,9 @@ class Columns:
 
     def leave_out_bars(self, rows: Mapping[int, JkrollError]) -> None:
         """Empty the uncertainties of rows that have values. `rows`: the reasons, by row."""
-        keys = [side for name in self.wanted.names for side in self.wanted.sides_of(name).values()]
+        keys: list[str] = []
+        for name in self.wanted.names:
+            keys += self.wanted.sides_of(name).values()
         for row, error in rows.items():
             gap = self.gap_of(row)
             reasons = _NONE if gap is None else gap.reasons

@@ -67,7 +67,7 @@ class Solution(NamedTuple):
 
     values: Values  # by unknown
     growths: Values = MappingProxyType({})  # by unknown: the largest factor by which relative errors of levels enter it
-    condition: Any = nan  # of the logarithms of measured values as functions of those of the unknowns
+    condition: Any = nan  # condition number of measured values as functions of the unknowns, both in logarithms
     reasons: Any = 0  # as in columns
     failures: Failures = MappingProxyType({})  # errors of rows with a search of their own
     failure: JkrollError | None = None  # the common error of all rows
@@ -460,7 +460,7 @@ class Pairs:
         else:
             if self.load is not None:
                 symbols[self.load] = "(1 + P/P_c)"  # the coordinate of a load
-            direction = numpy.linalg.svd(matrix)[2][-1]  # of the least change
+            direction = numpy.linalg.svd(matrix)[2][-1]  # the direction of the least change
             remark = f"both stay as they are along {symbols[0]} ∝ {symbols[1]}^{direction[0] / direction[1]:.3g}"
         remedy = "measure another quantity, or give one of the two"
         text = f"{listed(self.problem.levels)} cannot give both: {remark} (κ is above 1e8); {remedy}"

@@ -33,7 +33,7 @@ SIZES = {
 class Unsolved(NoResult):
     """Error raised if no single value of the unknowns gives the measured values; subclasses state the reason."""
 
-    cause: Cause  # of the reason, in the words of the error
+    cause: Cause  # the cause, in the words of the error
 
     def __init_subclass__(cls) -> None:
         """Register a cause for each subclass, for reasons in columns."""

@@ -28,9 +28,9 @@ FOLD_WITHOUT_CONTACT = 0.9379474572107123  # (9π/(16(π − 1)))^(1/3): below, 
 JUMP_WITHOUT_CONTACT = 0.6551853485522241  # (9/32)^(1/3): below, approaching spheres attract before they touch
 
 _ROUNDING = 8 * 2.0**-52  # of a load or an approach that is itself computed as that of an extreme
-_STEPS = 3  # of Newton's method, each of which squares the error
+_STEPS = 3  # of Newton's method; each squares the error
 _FAR = 32.0  # √(1 + P/P_c) beyond which another start is taken, and twice as many steps
-_TINY = 1e-300  # in place of a slope of 0
+_TINY = 1e-300  # instead of a slope of 0
 _LAST_OF_FRACTION = 21  # what is left out is below 1e-17 of it, up to θ = π/2
 
 

@@ -164,7 +164,7 @@ def smaller_and_larger(value: FloatOrArray, value2: FloatOrArray) -> tuple[Float
 
 
 def in_series(value: FloatOrArray, value2: FloatOrArray) -> FloatOrArray:
-    """Return 1/(1/x + 1/y) of two positive values, of which one may be infinite."""
+    """Return 1/(1/x + 1/y) of two positive values, one of which may be infinite."""
     smaller, larger = smaller_and_larger(value, value2)
     return smaller / (1 + smaller / larger)
 

@@ -41,7 +41,7 @@ def rolling_frequency(*, rolling_stiffness: MomentPerAngle, reduced_moment_of_in
 
         f_roll = (1/2π)√(4P_c â^(3/2) R/I)
 
-    Source:   Eqs (37)-(40), of which the first three lost their sign in print.
+    Source:   Eqs (37)-(40); the first three lost their sign in print.
     Valid:    Exact for identical spheres; unequal free spheres also move their centres (`rolling_frequency_no_slip`).
     """
     return sqrt(rolling_stiffness / reduced_moment_of_inertia) / (2 * pi)
@@ -52,7 +52,7 @@ def rolling_frequency_as_printed(*, work_of_adhesion: SurfaceEnergy, radius: Len
 
         f_roll(41) = (3/2π)√(γ/(5R1³ρ)), γ = w/2
 
-    Source:   Eqs (41) and (42). They are Eq (40) with k² = (5/2)R1² in place of (2/5)R1².
+    Source:   Eqs (41) and (42). They are Eq (40) with k² = (5/2)R1² instead of (2/5)R1².
     Valid:    For comparison only.
     """
     return 3 / (2 * pi) * sqrt(work_of_adhesion / (10 * cube(radius) * density))

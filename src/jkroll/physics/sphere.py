@@ -1,4 +1,4 @@
-"""A rigid sphere of true shape on a soft plane, in SI units: JKR with Sneddon's sphere in place of a paraboloid.
+"""A rigid sphere of true shape on a soft plane, in SI units: JKR with Sneddon's sphere instead of a paraboloid.
 
 Its number for a state is L = artanh(a/R), found at a load or at an approach; `sneddon` has the same in dimensionless
 form, with the equations.
@@ -28,8 +28,8 @@ def indenter_radius(
 
         R = R1
 
-    Source:   Half-space theory leaves out terms of order a/R, of which the radial displacement at the edge goes with
-              1 − 2ν. Where they are large, the shape of the sphere, of order (a/R)², is no improvement.
+    Source:   Half-space theory leaves out terms of order a/R, such as the radial displacement at the edge, which goes
+              with 1 − 2ν. Where they are large, the shape of the sphere, of order (a/R)², is no improvement.
     Valid:    R2 infinite, E1 ≥ 100 E2 and ν2 ≥ 0.45. Else a float raises ValueError and an array holds NaN.
     """
     is_on_plane = radius / radius2 == 0

@@ -6,7 +6,7 @@ from .dimensions import Angle, Energy, Force, Length, Moment, MomentPerAngle, Nu
 from .elementary import at_least, cbrt, cube, pi, sqrt, within
 
 _NEWTON_STEPS = 3
-_TINY = 1e-300  # in place of a root of 0
+_TINY = 1e-300  # instead of a root of 0
 
 
 def shear_strength(

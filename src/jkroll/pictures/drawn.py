@@ -59,7 +59,10 @@ class Drawn:
     @property
     def points(self) -> dict[str, tuple[float | None, float | None]]:
         """The x and y of each mark; one is None for a mark on an axis."""
-        return {plain(mark.text): (mark.x, mark.y) for panel in self._picture.panels for mark in panel.marks}
+        points: dict[str, tuple[float | None, float | None]] = {}
+        for panel in self._picture.panels:
+            points |= {plain(mark.text): (mark.x, mark.y) for mark in panel.marks}
+        return points
 
     @property
     def caption(self) -> str:

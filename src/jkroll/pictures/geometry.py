@@ -21,8 +21,8 @@ class _Pair(NamedTuple):
 
     above: float  # radius of sphere 1
     below: float
-    half: float  # of the contact circle
-    lag: float  # of the circle's middle behind the line of centres
+    half: float  # radius of the contact circle
+    lag: float  # distance of the circle's middle behind the line of centres
 
     def heights(self) -> tuple[float, float]:
         """Return the heights of both centres."""

@@ -6,6 +6,7 @@ ids depend on the content only, and the user's own matplotlib settings are ignor
 
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from itertools import chain
 from math import ceil
 from typing import Any
 
@@ -50,8 +51,10 @@ def draw(
 
     `command`: the command that drew the picture; the file names it.
     """
-    names = [curve.text for panel in drawn.panels for curve in panel.curves]
-    names += [mark.text for panel in drawn.panels for mark in panel.marks]
+    names = []
+    for panel in drawn.panels:
+        names += [curve.text for curve in panel.curves]
+        names += [mark.text for mark in panel.marks]
     _check_letters([*names, *drawn.caption, *drawn.doubts] if has_caption else names)
     of_panels = "; ".join(filter(None, (panel.title for panel in drawn.panels)))
     title, *rest = map(plain, filter(None, (drawn.title or of_panels, *drawn.caption, *drawn.doubts)))
@@ -94,7 +97,7 @@ def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption
         box, height = figure.get_tightbbox(), figure.get_figheight()
         figure.text(0.5, (box.y1 + 2 * _GAP) / height, typeset(drawn.title), ha="center", va="bottom")
         texts = " ".join(drawn.caption), *drawn.doubts
-        caption = "\n".join(line for text in texts for line in lines(text, _letters(inches)))
+        caption = "\n".join(chain.from_iterable(lines(text, _letters(inches)) for text in texts))
         figure.text(0.015, (box.y0 - 2 * _GAP) / height, caption, va="top", linespacing=1.2)
     for panel, axes, drawing in zip(drawn.panels, every, drawings, strict=False):
         _label(axes, panel, drawing, style)

@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import product
 from math import ceil, floor, isfinite, log10
 from types import MappingProxyType
 from typing import Any, NamedTuple, TextIO
@@ -121,7 +122,7 @@ class Region(NamedTuple):
     sign: str
     hatch: str
     name: str
-    excess: Callable[[Frame], Any]  # of a frame of arrays
+    excess: Callable[[Frame], Any]  # the excess for a frame of arrays
 
 
 class Field(NamedTuple):
@@ -246,8 +247,8 @@ def clipped(curve: Curve, low: float, high: float) -> Curve:
 
 # --- The numbers of a picture in a terminal: a field as a table, curves as rows ---------------------------------------
 
-ROWS, COLUMNS = 13, 9  # of a field
-CURVE_ROWS = 11  # of each curve
+ROWS, COLUMNS = 13, 9  # largest size of the table of a field
+CURVE_ROWS = 11  # largest number of rows for a curve
 DIGITS = 3
 _DIGITS = ("1 2 5", "1 3", "1")  # in each decade; the first that has room is used
 _MORE = (" ".join(f"{digit / 10:g}" for digit in range(10, 100)), "1 1.2 1.5 2 2.5 3 4 5 6 8", "1 1.5 2 3 5 7")
@@ -289,7 +290,7 @@ def shown_values(axis: Axis, most: int) -> Any:
     decades = range(floor(log10(axis.low)), floor(log10(axis.high)) + 1)
 
     def round_values(digits: str) -> Any:
-        every = numpy.array([float(f"{digit}e{decade}") for decade in decades for digit in digits.split()])
+        every = numpy.array([float(f"{digit}e{decade}") for decade, digit in product(decades, digits.split())])
         return every[axis.has(every)]
 
     for choices, least in ((_DIGITS, min(_FEW, most)), (_MORE, 2), (_DIGITS, 2)):

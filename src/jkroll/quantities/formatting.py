@@ -158,7 +158,6 @@ def amount(name: str, value: float | str | Uncertain, form: Format = AS_USUAL) -
     """
     typed = form.typed.get(name)
     return typed or with_unit(*form.rounded(name, value))
-    return with_unit(*form.rounded(name, value))
 
 
 def span(name: str, low: float, high: float, digits: int | None = None) -> str:

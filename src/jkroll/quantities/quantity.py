@@ -36,7 +36,7 @@ class Quantity:
         example: str = "",  # a value as one types it
         note: str = "",  # the difference from a similar quantity
         definition: str = "",  # for one of several conventions: the factor, in common units
-        reference: str = "",  # of a convention: its paper or code
+        reference: str = "",  # the paper or code of a convention
         may_be_zero: bool = False,  # a result of exactly 0 is a value, not an underflow
         shown_with: Collection[str] = (),  # inputs; it is shown only if one of them was stated
         of_identical: bool = False,  # shown for identical spheres only

@@ -13,7 +13,7 @@ from .nomenclature import NOMENCLATURE
 from .units import Unit, convert
 from .values import Interval, Uncertain
 
-Value = float | str | Uncertain | None  # of a cell: a word, or None without a value
+Value = float | str | Uncertain | None  # the value of a cell: a number, a word, or None
 Rows = tuple[list[TextColumn], list[TextColumn]]  # columns repeated in each part of a wide table, and the others
 Part = str | Rows  # a line, or a table
 

@@ -51,7 +51,7 @@ _DEFAULTS = {"load": "no load", "contact_angle": "θ_c = 0, water that wets"}
 FRICTION = Note("remark", "sliding and twisting are known to an order of magnitude: τ = G/4π² (--shear-strength)")
 _UNLIKE = 3.0  # ratio of two surface energies above which their geometric mean is too high
 _MAX_NOTES = 1  # below results, in addition to the warning
-_MAX_LENGTH = 154  # of a note, two lines of a terminal
+_MAX_LENGTH = 154  # largest length of a note: two lines of a terminal
 _MAX_CODES = 4  # of doubts that are listed by name
 
 

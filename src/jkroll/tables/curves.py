@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain
 from typing import Any, NamedTuple
 
 import numpy
@@ -149,7 +150,9 @@ def _numbers(column: Column, records: list[Records]) -> tuple[Any, Any]:
 
 def _branch_of(records: list[Records]) -> Any:
     """Return the branch of each row from its word. Raises BadTable for an unknown word."""
-    cells = [cell.decode(errors="replace").strip() for block in records for cell in block.cells[_BRANCH]]
+    cells = []
+    for block in records:
+        cells += [cell.decode(errors="replace").strip() for cell in block.cells[_BRANCH]]
     for cell in dict.fromkeys(cells):
         if cell.casefold() not in _WORDS:
             known = "loading and unloading, approach and retract, 0 and 1, pause"
@@ -160,6 +163,6 @@ def _branch_of(records: list[Records]) -> Any:
 def _time_of(records: list[Records]) -> Any:
     """Return the time of each row in any unit; None if a cell is not a number."""
     try:
-        return numpy.array([float(cell) for block in records for cell in block.cells[_TIME]])
+        return numpy.array([float(cell) for cell in chain.from_iterable(block.cells[_TIME] for block in records)])
     except ValueError:
         return None

@@ -141,7 +141,12 @@ class _Astropy(Data):
         for head, column in added.items():
             name, unit = name_and_unit(head)
             texts = has_texts(head)
-            table[name] = [text or "" for text in column] if texts else quantity(column, unit) if unit else column
+            if not unit:
+                table[name] = column
+            elif texts:
+                table[name] = [text or "" for text in column]
+            else:
+                table[name] = quantity(column, unit)
         return table
 
 
@@ -296,10 +301,10 @@ class Memory:
         self.size = rows.size
         self._values: dict[int, Any] = {}  # of columns by position
         empty = [""] * min(SAMPLE, rows.size)
-        first = [
-            [cell.decode() for cell in cells_from(self._of(position)[:SAMPLE])] if name in read else empty
-            for position, name in enumerate(self.names)
-        ]
+        first = []
+        for position, name in enumerate(self.names):
+            is_read = name in read
+            first.append([cell.decode() for cell in cells_from(self._of(position)[:SAMPLE])] if is_read else empty)
         self.sample: list[Sequence[str]] = [*zip(*first, strict=True)]
 
     def _of(self, position: int) -> Any:

@@ -6,8 +6,8 @@ from collections.abc import Iterable
 
 from ..errors import BadRequest, BadTable
 from ..text import quoted
+from .statistic_rows import is_of_text
 from .table import Records
-from .words import is_of_text
 
 _NUMERIC = re.compile(r"\s*[-+(]?[\d.,]")  # the beginning of a number, possibly with an uncertainty
 _MARKED = re.compile(r"([\d.,]*)([.,])(\d+(?:[eE][-+]?\d+)?)")  # a number with a point or a comma

@@ -139,16 +139,22 @@ def understood(
     for text in stated.keys() - {*map(typed, texts)}:
         columns_of_table = first_of([*map(_easy, texts)], _MAX_LISTED)
         raise BadTable(f"--column: the table has no column {quoted(text)}; it has {columns_of_table}")
-    heads = [meaning_of(text, [row[position] for row in rows], stated, measured) for position, text in enumerate(texts)]
-    heads = [head._replace(position=position) for position, head in enumerate(_among_others(heads, given))]
+    heads = []
+    for position, text in enumerate(texts):
+        head = meaning_of(text, [row[position] for row in rows], stated, measured)
+        heads.append(head._replace(position=position))
+    heads = [*_among_others(heads, given)]
     inputs: dict[str, dict[str, Reading]] = {}  # by part of the uncertainty, "" for the value
     for head in heads:
         if head.is_input:
             other = inputs.setdefault(head.name, {}).setdefault(head.part, head)
             if other is not head:
                 raise _twice(other, head)
-    used = {name: _used(name, group) for name, group in inputs.items()}
-    used = {name: parts for name, parts in used.items() if parts}
+    used = {}
+    for name, group in inputs.items():
+        parts = _used(name, group)
+        if parts:
+            used[name] = parts
     used = {name: parts for name, parts in used.items() if not _is_doubled(name, used, rows)}
     values: list[Reading] = []
     for parts in used.values():
@@ -161,7 +167,8 @@ def understood(
     clauses: Mapping[str, str] = {}
     if supply_of is not None:
         supply = supply_of(used)
-        heads, clauses = [judged(head, [row[head.position] for row in rows], supply) for head in heads], supply.clauses
+        clauses = supply.clauses
+        heads = [judged(head, [row[head.position] for row in rows], supply) for head in heads]
     left = [head for head in heads if head.problem and not _may_pass(head, held, known)]
     refused = [] if pass_rest else [*left]
     refused += [head for head in map(_with_problem, values) if head.problem]
@@ -172,9 +179,10 @@ def understood(
     if refused:
         raise _refusal(sorted(refused, key=lambda head: head.position))
     columns = [_column(name, parts) for name, parts in used.items()]
-    materials = tuple(column for column in columns if column.name in MATERIALS)
+    materials = [column for column in columns if column.name in MATERIALS]
+    others = [column for column in columns if column.name not in MATERIALS]
     passed = {head.position: clauses[head.name] for head in left if head.name in clauses}
-    return Header(tuple(texts), tuple(column for column in columns if column not in materials), materials, passed)
+    return Header(tuple(texts), tuple(others), tuple(materials), passed)
 
 
 def _is_doubled(name: str, used: Mapping[str, Mapping[str, Reading]], rows: Sequence[Sequence[str]]) -> bool:
@@ -185,7 +193,8 @@ def _is_doubled(name: str, used: Mapping[str, Mapping[str, Reading]], rows: Sequ
     parts, others = used[name], used.get(CONVERTED.get(name, ""), {})
     if not others or any(head.is_stated for head in parts.values()):
         return False
-    own, other = ([head.position for head in each.values()] for each in (parts, others))
+    own = [head.position for head in parts.values()]
+    other = [head.position for head in others.values()]
     filled = [row for row in rows if not _are_empty(row, own)]
     return bool(filled) and not any(_are_empty(row, other) for row in filled)
 
@@ -211,7 +220,9 @@ def _with_suffix(head: Reading, known: Mapping[str, str], measured: str) -> Read
             names = [name for name in meaning.names if name in known and not meaning.problem]
         else:
             symbol = "" if split.is_explicit else symbol_of(split.word)
-            names = [name for name, text in known.items() if symbol and symbol in map(symbol_of, words_in(text))]
+            names = []
+            if symbol:
+                names = [name for name, text in known.items() if symbol in map(symbol_of, words_in(text))]
         if names and split.unit and not means_other(split, names[0]):
             problem = head.problem if head.name == names[0] else f"the text after {names[0]} is not read"
             return head._replace(name=names[0], part=UNREAD, problem=problem, meant=())

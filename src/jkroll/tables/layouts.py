@@ -252,7 +252,7 @@ class _Cell(NamedTuple):
 
     name: str  # including the unit
     role: str
-    meaning: str = ""  # of a stated column, with the unit in the cell
+    meaning: str = ""  # the meaning of a stated column, with the unit in the cell
 
 
 _A_UNIT, _ANOTHER_UNIT, _NEITHER, _NO_ROW_OF_UNITS = "unit", "another unit than the header", "text", "anything else"
@@ -294,7 +294,9 @@ def _below(name: str, text: str, stated: Mapping[str, str], measured: str) -> _C
     elif own.unit_text:
         is_same = _is_unit(unit, own)
         roles = {True: _A_UNIT, False: _ANOTHER_UNIT, None: _NO_ROW_OF_UNITS}
-        role = roles[is_same] if not is_stated else _NEITHER if is_same is None else _A_UNIT
+        if is_stated:
+            roles = {True: _A_UNIT, False: _A_UNIT, None: _NEITHER}
+        role = roles[is_same]
     elif meaning.strip() and with_unit.unit_text:
         return _Cell(name, _A_UNIT, f"{meaning} [{unit}]") if is_stated else _Cell(whole, _A_UNIT)
     else:

@@ -49,7 +49,7 @@ class Batches:
         """Return the function that writes batches after the header, in groups of rows of similar size."""
         texts = [field.name for field in header.schema if not pyarrow.types.is_floating(field.type)]
         group: list[Any] = []
-        size = 0  # of the group; memory that batches share counts once for each
+        size = 0  # size of the group; memory that batches share counts once for each
         with pyarrow.parquet.ParquetWriter(stream, header.schema, use_dictionary=texts) as file:
 
             def flush() -> None:

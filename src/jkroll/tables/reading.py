@@ -24,17 +24,17 @@ class Reading(NamedTuple):
 
     name: str = ""  # with a problem, the possible input; "" for ± alone
     unit_text: str = ""
-    part: str = ""  # of the uncertainty: "both" sides, "minus", "plus", "low" or "high" end, or UNREAD
+    part: str = ""  # part of the uncertainty: "both" sides, "minus", "plus", "low" or "high" end, or UNREAD
     is_symbol: bool = False  # a symbol without a unit: an input only if its cells have units
     problem: str = ""  # the reason to refuse the header, unless another column gives the input
     meant: Sequence[str] = ()  # headers to write instead, if that is certain
     names: Sequence[str] = ()  # possible inputs
     of: str = ""  # the header without its words for a spread
-    otherwise: "Reading | None" = None  # of an UNREAD part: the meaning if its value is not read
-    is_relative: bool = False  # of a part: relative to the value, even if the value is in %
+    otherwise: "Reading | None" = None  # the meaning of an UNREAD part if its value is not read
+    is_relative: bool = False  # True if a part is relative to the value, even if the value is in %
     coverage: float = 1.0  # the coverage factor of the uncertainty
     is_stated: bool = False  # given by an option
-    position: int = 0  # of the column in a table
+    position: int = 0  # the column's position in a table
     text: str = ""  # the header; and the first non-empty cell below it
     cell: str = ""
 
@@ -298,7 +298,8 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
         name = of_sphere(sphere, name) if sphere else name
         is_open = not sphere and not is_slip and NOMENCLATURE[name].sphere == 1
         names = [name, NOMENCLATURE[name].twin] if is_open else [name]
-        names = [of_sphere(sphere, each) if sphere else each for each in meaning.names] if meaning.names[1:] else names
+        if meaning.names[1:]:
+            names = [of_sphere(sphere, each) if sphere else each for each in meaning.names]
         if split.unit and word == key(split.word):
             tail = re.findall(r"[a-z]+", _CUT.sub(" ", split.unit).casefold())
             is_label = name in MATERIALS or split.unit in words.INDICES or not words.LABELS.isdisjoint(tail)

@@ -42,7 +42,7 @@ from .table import Asked, Table, TableBlock
 MAX_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of them
 ALONE = 4  # blocks that this process converts before it starts others
 WAIT = 0.5  # seconds before progress is shown
-WIDTH = 60  # of the line of progress, in characters
+WIDTH = 60  # width of the line of progress, in characters
 MAX_NOTES = 6  # on rows, or on many tables, at the end
 LITTLE = 1 << 19  # bytes that a process converts while another one starts
 FOLDER_ENDS = ("/", os.sep)  # a directory ends in one of them; Windows has both

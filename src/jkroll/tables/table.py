@@ -23,8 +23,9 @@ from ..quantities.values import is_uncertain, value_of
 from ..text import quoted
 from .cells import LABEL, Indices, Lookup
 from .header import Header, is_input, is_law, stated_meanings, typed
+from .statistic_rows import LABEL_OF, are_kinds_of_data, rows_of_statistics
 from .unread import Supply
-from .words import LABEL_OF, MATERIALS, are_kinds_of_data, rows_of_statistics
+from .words import MATERIALS
 
 _NO_ROWS: Any = numpy.empty(0)  # the values of an input before any row is read
 
@@ -172,7 +173,9 @@ class Table:
                     raise
         first, second = self.spheres.values()
         is_of_two = second not in (None, first) or any(NOMENCLATURE[name].sphere == 2 for name in self.given)
-        shown = {name for frame in frames for name in frame.possible(offered) if frame.shows_to_identical(name)}
+        shown: set[str] = set()
+        for frame in frames:
+            shown.update(name for name in frame.possible(offered) if frame.shows_to_identical(name))
         shown -= self.given
         if is_of_two:
             shown = {name for name in shown if not NOMENCLATURE[name].of_identical}

@@ -8,7 +8,7 @@ mean something else, so their words must point to an input. For a text column, t
 import re
 from collections.abc import Collection, Mapping, Sequence
 from functools import cache, lru_cache
-from itertools import chain, pairwise
+from itertools import chain, pairwise, product
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError
@@ -66,7 +66,7 @@ class Supply(NamedTuple):
         law = law_given(options.get("model"), options.get("profile"))
         needed = depends_on(tuple(names), (law or DEFAULT_LAW,))
         left = [name for name in INPUTS if name in needed and name not in columns]
-        free = [group for group in (*EXCLUSIVE, *_OF_MODULI) if not any(name in columns for name in group)]
+        free = [group for group in (*EXCLUSIVE, *_OF_MODULI) if columns.isdisjoint(group)]
         others = decided_by(columns) | {name for pair, name in _OF_MODULI if pair in columns}
         clauses: dict[str, str] = {}
         for name in left:
@@ -194,7 +194,7 @@ def _unit(split: Split, name: str) -> str:
 def _without_unit(text: str, cells: Sequence[str], supply: Supply) -> list[str]:
     """Return the supplied inputs that a header without a unit may be: by the unit of its first cell, or as a symbol."""
     if not all(map(is_number, cells)):
-        return [name for name in supply.clauses if any(_is_value(cell, name) for cell in cells[:1])]
+        return [name for name in supply.clauses if _is_value(cells[0], name)]
     tokens = tokens_of(text)
     ratios = [name for name in supply.clauses if NOMENCLATURE[name].unit == "1" and _points_to(tokens, name)]
     if ratios:
@@ -289,7 +289,8 @@ def _points_to(tokens: Sequence[str], name: str) -> bool:
         if not words.LABELS.isdisjoint(tokens):
             return False
         others = words.NO_INPUTS.get(unit, frozenset())
-        is_other = any(any(word in token for token in tokens) for word in others if len(word) > 4)
+        long_words = [word for word in others if len(word) > 4]
+        is_other = any(word in token for word, token in product(long_words, tokens))
         of_others = {*(token for token in tokens if len(token) > 2), "".join(tokens)}  # k alone, and k_n
         if is_other or not (words.OTHERS | others).isdisjoint(of_others):
             return False
@@ -299,7 +300,7 @@ def _points_to(tokens: Sequence[str], name: str) -> bool:
         return unit not in words.COMMON_UNITS
     symbols, stems = words.POINTERS[first]
     bare = {*tokens, *map("".join, pairwise(tokens)), *map(_bare, tokens)}  # F_n, cut-off
-    return not bare.isdisjoint(symbols) or any(stem in token for stem in stems for token in bare)
+    return not bare.isdisjoint(symbols) or any(stem in token for stem, token in product(stems, bare))
 
 
 def _likeliest(tokens: Sequence[str], names: Sequence[str], supply: Supply) -> tuple[list[str], bool]:

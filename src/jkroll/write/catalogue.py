@@ -38,7 +38,9 @@ def write_materials(chosen: Sequence[Material], out: TextIO, output: str, *, nam
     """Write materials in a format: a single `named` one in full, several with all their values."""
     is_one = named and len(chosen) == 1
     if output == "cite":
-        entries = {entry["key"]: entry for entry in chain.from_iterable(material.references for material in chosen)}
+        entries: dict[str, Any] = {}
+        for material in chosen:
+            entries |= {entry["key"]: entry for entry in material.references}
         for entry in entries.values():
             say(bibtex(entry), out)
     elif output == "json":
@@ -179,8 +181,11 @@ def write_quantities(
         if others:
             say_wrapped(f"and {len(others)} more: {', '.join(others)}", out)
     else:
-        objects = [{**quantity_as_object(name), "commands": " ".join(commands_of(name))} for name in names]
-        write_records(_HEADS, [[each[head] for head in _HEADS] for each in objects], output, out)
+        records = []
+        for name in names:
+            fields = {**quantity_as_object(name), "commands": " ".join(commands_of(name))}
+            records.append([fields[head] for head in _HEADS])
+        write_records(_HEADS, records, output, out)
 
 
 def quantity_as_object(name: str) -> dict[str, Any]:
@@ -213,7 +218,8 @@ def quantity_as_object(name: str) -> dict[str, Any]:
 
 def _has_words(name: str, words: Iterable[str]) -> bool:
     """Return whether each of some words begins a word of a name."""
-    return all(any(other.startswith(word) for other in words_in(name)) for word in words)
+    of_name = words_in(name)
+    return all(any(other.startswith(word) for other in of_name) for word in words)
 
 
 def commands_of(name: str) -> tuple[str, ...]:

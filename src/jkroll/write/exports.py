@@ -17,7 +17,7 @@ from ..quantities.formatting import Format, amount, significant
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, STATE_OR_LOAD, of_sphere
 
-SKIN = 0.2  # of the neighbor lists, in units of the smaller radius
+SKIN = 0.2  # skin of the neighbor lists, in units of the smaller radius
 LEAST_SKIN = 0.4  # in units of δ0: the largest distance between spheres in contact
 NO_SLIP = 1e9  # a coefficient of friction that prevents slip, for laws without a sliding force
 
@@ -172,9 +172,8 @@ def liggghts_input(frame: Frame) -> str:
     frame.plans("pull_off_force", "contact_modulus", "density")
     _refuse_state(frame, "liggghts")
     spheres = (1,) if frame.is_identical else (1, 2)
-    moduli, ratios = (
-        [frame[of_sphere(sphere, name)] for sphere in spheres] for name in ("youngs_modulus", "poisson_ratio")
-    )
+    moduli = [frame[of_sphere(sphere, "youngs_modulus")] for sphere in spheres]
+    ratios = [frame[of_sphere(sphere, "poisson_ratio")] for sphere in spheres]
     if INFINITY in moduli:
         raise BadRequest("export: liggghts needs a finite Young's modulus of each body")
     grains = _grains(frame)

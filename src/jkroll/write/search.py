@@ -95,7 +95,8 @@ class Search(Generic[Thing]):
             matches[other] = {word: value for word, value in near.items() if value}
         having = []
         for _, fields in self._things:
-            having.append({*chain.from_iterable(matches[other] for other in chain(*(text for _, text in fields)))})
+            texts = chain.from_iterable(text for _, text in fields)
+            having.append({*chain.from_iterable(matches[other] for other in texts)})
         rarity = {word: log(1 + len(having) / (1 + sum(word in has for has in having))) for word in words}
 
         def weight_of(text: Sequence[str]) -> float:

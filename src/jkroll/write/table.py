@@ -399,7 +399,9 @@ def _best(columns: "Columns", name: str, form: Format) -> tuple[list[TextColumn]
     if not any(DEFINITION < by < LAW_IN_USE for by in rules):
         return [], []
     unit = form.common_unit(name, _measures(columns, name))
-    ranges = [_range(Estimate(*row), unit, form)[0] for row in zip(lows, highs, rules, strict=True)]
+    ranges = []
+    for row in zip(lows, highs, rules, strict=True):
+        ranges.append(_range(Estimate(*row), unit, form)[0])
     head = f"best {symbol_among(name, columns.inputs)}" + (f" [{unit[0]}]" if unit[0] else "")
     return [TextColumn(head, ranges), TextColumn("by", words, is_right=False)], rules
 
