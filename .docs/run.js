@@ -51,3 +51,8 @@ const reach = () => {
 };
 reach();
 addEventListener("load", reach);
+
+// The search takes a hyphen before a word for "without it": `--load` is looked for as `load`.
+document.querySelector(".md-search__input")?.addEventListener("input", ({ target }) => {
+  target.value = target.value.replace(/(^|\s)-+(?=\w)/g, "$1");
+});

@@ -14,7 +14,6 @@ from mkdocs.structure.files import File, Files
 
 from jkroll.cli.process import main
 from jkroll.materials.library import known_materials
-from jkroll.quantities.nomenclature import NOMENCLATURE
 
 HERE = Path(__file__).parent
 sys.path[:0] = [str(HERE), str(HERE / "prompt")]
@@ -23,6 +22,7 @@ from explorer_page import explorer  # noqa: E402
 from page_meta import described, with_card, with_policy  # noqa: E402
 from prompt_files import put_prompt  # noqa: E402
 from python_pages import notebook, reference  # noqa: E402
+from quantity_pages import quantities, with_links  # noqa: E402
 
 CHECKOUT = HERE.parent
 PYTHON = CHECKOUT / "src" / "jkroll" / "guide" / "python.md"
@@ -77,16 +77,6 @@ def start() -> str:
     return re.sub(r"\[([^]]*)\]\(\.github/[^)]*\)", r"\1", text)
 
 
-def quantities() -> str:
-    """Return all quantities as a table."""
-    rows = [
-        f"| {quantity.symbol} | `{name}` | {quantity.unit or '1'} | {quantity.sentence} | {quantity.equation or ''} |"
-        for name, quantity in NOMENCLATURE.items()
-    ]
-    head = "# All quantities\n\n| symbol | name | unit | meaning | Eq |\n|---|---|---|---|---|\n"
-    return head + "\n".join(row.replace("|d", "\\|d") for row in rows) + "\n"
-
-
 def materials() -> str:
     """Return the sheets of all materials."""
     sheets = (f"## {name}\n\n```text\n{printed(f'materials {name}')}```\n" for name in known_materials().materials)
@@ -94,7 +84,7 @@ def materials() -> str:
 
 
 def on_page_markdown(markdown: str, page: Any, config: Any, files: Files) -> str:  # noqa: ARG001
-    """Describe a page by its first paragraph, and make each `jkroll guide X` in its text a link."""
+    """Describe a page by its first paragraph, and make links of `jkroll guide X` and the quantities in its text."""
     page.meta.setdefault("description", described(markdown))
     known = {path.stem for path in (CHECKOUT / "src" / "jkroll" / "guide").glob("*.md")}
 
@@ -103,7 +93,7 @@ def on_page_markdown(markdown: str, page: Any, config: Any, files: Files) -> str
 
     parts = re.split(r"(^```.*?^```\s*?$)", markdown, flags=re.MULTILINE | re.DOTALL)  # blocks of code stay
     return "".join(
-        part if part.startswith("```") else re.sub(r"(?<!\[)`jkroll guide ([a-z-]+)`(?!\])", linked, part)
+        part if part.startswith("```") else re.sub(r"(?<!\[)`jkroll guide ([a-z-]+)`(?!\])", linked, with_links(part))
         for part in parts
     )
 
