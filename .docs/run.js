@@ -1,8 +1,7 @@
-// Each command of a console block gets a "run", which prints below the block what the program says; one Python a page.
-// The site's build puts FILES before this text: the options with which a line needs files, which a page does not have.
+// Each command of a console block or of a table gets a "run", which prints below what the program says; one Python a page.
 import { ask, coloured, inWords, listen, stop } from "./prompt/python.js";
 const needsFiles = (command) =>
-  command.startsWith("batch ") || command.split(/[ =]/).some((word) => FILES.includes(word));
+  /^(batch|fit) | (-o|--output|--plot|--data|--materials|--resume)[ =]/.test(`${command} `);
 
 async function run(command, button, box) {
   const label = button.textContent;
@@ -17,26 +16,41 @@ async function run(command, button, box) {
   button.textContent = label;
 }
 
+function buttonOf(command, label, holder) {
+  const button = document.createElement("button");
+  button.textContent = label;
+  button.title = `jkroll ${command}`;
+  button.onclick = () => {
+    if (button.textContent === "stop") return stop();
+    const box = document.createElement("pre");
+    Object.assign(box, { className: "ran", tabIndex: 0, ariaLabel: `what jkroll ${command} prints` });
+    box.setAttribute("role", "log");
+    holder.replaceChildren(box);
+    run(command, button, box);
+  };
+  return button;
+}
+
 for (const block of document.querySelectorAll(".language-console.highlight")) {
-  const commands = [...block.textContent.matchAll(/^\$ jkroll (.+)$/gm)].map((match) => match[1].trim());
+  const every = [...block.textContent.matchAll(/^\$ jkroll (.+)$/gm)].map((match) => match[1].trim());
+  const commands = every.filter((each) => !needsFiles(each));
   const row = document.createElement("p");
   row.className = "run";
-  for (const command of commands.filter((each) => !needsFiles(each))) {
-    const button = document.createElement("button");
-    button.textContent = commands.length > 1 ? `run ${command}` : "run";
-    button.title = `jkroll ${command}`;
-    button.onclick = () => {
-      if (button.textContent === "stop") return stop();
-      row.nextElementSibling?.matches("pre.ran") && row.nextElementSibling.remove();
-      const box = document.createElement("pre");
-      Object.assign(box, { className: "ran", tabIndex: 0, ariaLabel: `what jkroll ${command} prints` });
-      box.setAttribute("role", "log");
-      row.after(box);
-      run(command, button, box);
-    };
-    row.append(button);
-  }
-  if (row.childElementCount) block.after(row);
+  const holder = document.createElement("div");
+  row.append(...commands.map((each) => buttonOf(each, every.length > 1 ? `run ${each}` : "run", holder)));
+  if (commands.length) block.after(row, holder);
+}
+
+for (const code of document.querySelectorAll("article td > code")) {
+  const [, command] = code.textContent.match(/^jkroll (.+)$/) ?? [];
+  if (!command || needsFiles(command)) continue;
+  const place = document.createElement("span");
+  place.className = "run";
+  const row = code.closest("tr");
+  const holder = row.parentElement.insertRow(row.sectionRowIndex + 1).insertCell();
+  Object.assign(holder, { colSpan: row.cells.length, className: "ran" });
+  place.append(buttonOf(command, "run", holder));
+  code.after(" ", place);
 }
 
 // The copy button of a transcript copies what was typed: the lines behind $, >>> and ..., without these marks.

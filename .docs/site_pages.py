@@ -17,7 +17,6 @@ from jkroll.materials.library import known_materials
 
 HERE = Path(__file__).parent
 sys.path[:0] = [str(HERE), str(HERE / "prompt")]
-from bridge import FILES  # noqa: E402
 from explorer_page import explorer  # noqa: E402
 from page_meta import described, with_card, with_policy  # noqa: E402
 from prompt_files import put_prompt  # noqa: E402
@@ -47,8 +46,7 @@ def on_files(files: Files, config: Any) -> Files:
         "python.ipynb": json.dumps(notebook(PYTHON.read_text(encoding="utf-8"))),
         "favicon.svg": (HERE / "favicon.svg").read_bytes(),
         "gallery.md": gallery(),
-        "run.js": f"const FILES = {json.dumps(sorted(FILES))};\n" + (HERE / "run.js").read_text(encoding="utf-8"),
-        "run.css": (HERE / "run.css").read_text(encoding="utf-8"),
+        **{name: (HERE / name).read_text(encoding="utf-8") for name in ("run.js", "run.css")},
         **{name: (HERE / "explorer" / name).read_text(encoding="utf-8") for name in ("explorer.js", "explorer.css")},
         "gallery/contact.svg": (CHECKOUT / "tests" / "data" / "contact.svg").read_bytes(),
         **dict(pictures()),

@@ -4,6 +4,7 @@ Build the site first (see CONTRIBUTING): a site that is older than its sources i
 `.docs`, these tests are left out. Where CI is set, a missing browser or site is a failure.
 """
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from urllib.parse import urldefrag
@@ -14,7 +15,7 @@ from browser import Browser, browser, hosts_asked, served
 from built_site import MARKS, ROOT, SITE, axe, site_in_browser
 from jkroll.write.manual import page, topics
 from terminal import script, without_colours
-from transcripts import commands, rounded, transcripts
+from transcripts import commands, rounded
 
 pytestmark = MARKS
 GALLERY = [
@@ -23,6 +24,8 @@ GALLERY = [
     "map frequencies quartz,iron --x radius=10nm:1um --mark quartz@100nm",
     "contact quartz 100nm --curve",
 ]
+BLOCK_OR_ROW = re.compile(r"^```console\n.*?^```|^\|[^\n]*\|$", re.DOTALL | re.MULTILINE)
+IN_CELL = re.compile(r"\| `(jkroll (?!guide)[^`|]+)` (?=\|)")
 
 
 @pytest.fixture(scope="module")
@@ -52,13 +55,13 @@ def test_a_request_to_another_host_is_seen(tmp_path: Path, page: str) -> None:
 
 
 def runnable(topic: str) -> list[str]:
-    """Return the commands of a page that need no files, in their order."""
+    """Return the commands of a page's transcripts and tables that need no files, in their order."""
     if topic == "gallery":
         return GALLERY
     text = (ROOT / "README.md").read_text(encoding="utf-8") if topic == "start" else page(topic)
-    lines = [command for block in transcripts(text) for command in commands(block)]
+    lines = [line for part in BLOCK_OR_ROW.findall(text) for line in (commands(part) or IN_CELL.findall(part))]
     asked = [line.removeprefix("jkroll ") for line in lines if line.startswith("jkroll ")]
-    return [line for line in asked if not line.startswith("batch ") and " -o " not in line]
+    return [line for line in asked if not line.startswith(("batch ", "fit ")) and " -o " not in line]
 
 
 def test_every_picture_is_shown_and_every_link_leads_to_a_place(site: tuple[Browser, str]) -> None:
@@ -199,6 +202,20 @@ def test_every_page_has_a_policy_and_says_what_it_is() -> None:
     for topic in topics():
         assert f"]({topic}.md): " in pages
         assert (SITE / f"{topic}.md").read_text(encoding="utf-8").startswith("# ")
+
+
+@pytest.mark.parametrize(
+    ("topic", "link"),
+    [
+        ("models", '<a href="../all-quantities/#yield_force_fixed_load"><code>yield_force_fixed_load</code></a>'),
+        ("models", '<a href="../all-quantities/#yield_displacement"><code>--xi</code></a>'),
+        ("tables", '<a href="../all-quantities/#radius"><code>radius</code></a>'),
+        ("all-quantities", '<a href="#yield_force"><code>yield_force</code></a></td>'),
+        ("all-quantities", '<a href="../commands/#pull-off">pull-off</a>'),
+    ],
+)
+def test_the_name_of_a_quantity_is_a_link_to_its_definition(topic: str, link: str) -> None:
+    assert link in (SITE / topic / "index.html").read_text(encoding="utf-8")
 
 
 def test_a_link_of_the_prompt_leaves_its_frame(site: tuple[Browser, str]) -> None:
