@@ -18,7 +18,7 @@ import pytest
 
 from browser import CHROMIUM, DRIVER, Browser, browser, served
 from terminal import script, without_colours
-from transcripts import rounded
+from transcripts import CURVE, TABLE, rounded
 
 DOCS = Path(__file__).parents[1] / ".docs"
 IS_CI = bool(os.environ.get("CI"))
@@ -103,8 +103,7 @@ def test_numbers_of_a_large_sweep_are_spelled_as_by_orjson() -> None:
 @pytest.mark.parametrize(
     ("line", "reason"),
     [
-        ("batch grains.csv", "batch needs files"),
-        ("pull-off quartz 1nm:1um:9 -o a.csv", "-o needs files"),
+        ("contact quartz 100nm --curve -o a.pdf", "this line needs matplotlib"),
         ("pull-off quartz 1parsec", "this line needs pint"),
     ],
 )
@@ -112,6 +111,47 @@ def test_what_is_not_here_says_where_to_read_how_to_install(page: tuple[Browser,
     found = answer(opened(page), line)
     said = "which this page lacks;\nthe manual, linked below, says how to install jkroll"
     assert (found["code"], found["shown"]) == (1, f"jkroll: {reason}, {said}\n")
+
+
+def test_a_dropped_table_is_read_and_the_results_can_be_saved(
+    page: tuple[Browser, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window = opened(page)
+    window.script(
+        """
+        const carried = new DataTransfer();
+        carried.items.add(new File([arguments[0]], "grains.csv"));
+        document.body.dispatchEvent(new DragEvent("drop", {dataTransfer: carried, bubbles: true, cancelable: true}));
+        """,
+        TABLE,
+    )
+    window.wait("document.getElementById('status').textContent.startsWith('grains.csv is here')")
+    found = answer(window, "batch grains.csv -o forces.csv")
+    saved, expected = tmp_path / "saved", tmp_path / "expected"
+    expected.mkdir()
+    monkeypatch.chdir(expected)
+    Path("grains.csv").write_text(TABLE, encoding="utf-8")
+    printed, code = script("batch grains.csv -o forces.csv")
+    assert (found["code"], found["shown"]) == (code, without_colours(printed))
+    window.save_downloads(saved)
+    window.click("#written a")
+    while not (saved / "forces.csv").exists():
+        window.wait("true")
+    assert (saved / "forces.csv").read_bytes() == Path("forces.csv").read_bytes()
+
+
+def test_a_curve_chosen_by_the_keyboard_is_fitted(
+    page: tuple[Browser, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    line = "fit curve.csv --radius 7.5um --radius2 plane --spring 3.01N/m --digits 2 --quiet"
+    monkeypatch.chdir(tmp_path)
+    Path("curve.csv").write_bytes(CURVE.read_bytes())
+    window = opened(page)
+    window.script("document.getElementById('file').focus()")
+    window.type(str(tmp_path / "curve.csv"))
+    window.wait("document.getElementById('status').textContent.startsWith('curve.csv is here')")
+    found, (printed, code) = answer(window, line), script(line)
+    assert (found["code"], found["shown"]) == (code, without_colours(printed))
 
 
 def test_no_text_of_the_prompt_says_that_jkroll_is_on_a_package_index() -> None:
@@ -163,6 +203,6 @@ def test_a_narrow_screen_shows_all_of_the_page(page: tuple[Browser, str]) -> Non
 
 
 def test_the_page_is_small() -> None:
-    """At most 400 lines of HTML, CSS and JavaScript, and no framework."""
+    """At most 450 lines of HTML, CSS and JavaScript, and no framework."""
     files = [path for path in (DOCS / "prompt").iterdir() if path.suffix in (".html", ".css", ".js")]
-    assert sum(len(path.read_text(encoding="utf-8").splitlines()) for path in files) <= 400
+    assert sum(len(path.read_text(encoding="utf-8").splitlines()) for path in files) <= 450

@@ -69,13 +69,15 @@ const toObject = (proxy) => {
 
 async function answer(all, line) {
   await loadTables(all);
-  const first = toObject(all.bridge.run(line));
-  if (!first.missing.length) return first;
-  await loadNumpy(all.python);
-  return toObject(all.bridge.run(line));
+  let found = toObject(all.bridge.run(line));
+  if (found.missing.length) {
+    await loadNumpy(all.python);
+    found = toObject(all.bridge.run(line));
+  }
+  return { ...found, files: found.written.map((name) => ({ name, content: all.python.FS.readFile(name) })) };
 }
 
-onmessage = async ({ data: { id, line, prefix, contact, drawn } }) => {
+onmessage = async ({ data: { id, line, prefix, contact, drawn, file } }) => {
   try {
     const all = await ready;
     const { python, bridge } = all;
@@ -85,7 +87,10 @@ onmessage = async ({ data: { id, line, prefix, contact, drawn } }) => {
       send(id, { curve: JSON.parse(python.pyimport("explore").curve(JSON.stringify(drawn))) });
     } else if (line !== undefined) send(id, await answer(all, line));
     else if (prefix !== undefined) send(id, { words: toObject(bridge.candidates(prefix)) });
-    else send(id, { text: "", code: 0 });
+    else {
+      if (file) python.FS.writeFile(file.name, file.content);
+      send(id, { text: "", code: 0 });
+    }
   } catch (error) {
     send(id, { text: `jkroll: ${absent || (error.message ?? error)}\n`, code: 1 });
     absent = "";
