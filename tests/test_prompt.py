@@ -11,12 +11,14 @@ from collections.abc import Iterator
 from math import inf, nan
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import numpy
 import orjson
 import pytest
 
 from browser import CHROMIUM, DRIVER, Browser, browser, served
+from jkroll.pictures.picture import Axis, Curve, Mark, Panel, Picture
 from terminal import script, without_colours
 from transcripts import CURVE, TABLE, rounded
 
@@ -152,6 +154,50 @@ def test_a_curve_chosen_by_the_keyboard_is_fitted(
     window.wait("document.getElementById('status').textContent.startsWith('curve.csv is here')")
     found, (printed, code) = answer(window, line), script(line)
     assert (found["code"], found["shown"]) == (code, without_colours(printed))
+
+
+@pytest.mark.parametrize(
+    ("line", "title"),
+    [
+        (
+            "contact quartz 100nm --curve -o a.svg",
+            "force, Eqs (5) and (6); pressure, Eq (12); moment up to ξ_max = 1.33 nm",
+        ),
+        ("map pull-off quartz --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 -o a.svg", "pull-off force, P_c"),
+        ("figure geometry -o a.svg", "Symbols"),
+    ],
+)
+def test_a_picture_is_shown_below_its_line(
+    page: tuple[Browser, str], line: str, title: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytest.importorskip("matplotlib", reason="the script draws with it")
+    monkeypatch.chdir(tmp_path)
+    window = opened(page)
+    found, (printed, code) = answer(window, line), script(line)
+    assert (found["code"], found["shown"]) == (code, without_colours(printed))
+    shown = window.script("""
+        const picture = document.querySelector("#written img");
+        await picture.decode();
+        return [picture.alt, picture.naturalWidth > 0]""")
+    assert shown == [title, True]
+
+
+def test_a_picture_is_drawn_without_matplotlib() -> None:
+    there = runpy.run_path(str(DOCS / "prompt" / "page.py"))
+    line = Curve("line", numpy.array([0.0, 1e-8]), numpy.array([1e-9, 1e-3]))
+    axes = Axis("load", 0.0, 1e-8, is_log=False), Axis("radius", 1e-9, 1e-3)
+    panel = Panel(*axes, (line,), (Mark("⟦P_c⟧ here", 5e-9, 1e-6),))
+    svg = there["draw"](Picture("", (panel,), ("Fixed: nothing.",)), "svg", None, "paper").decode()
+    texts = ElementTree.fromstring(svg).iter("{http://www.w3.org/2000/svg}text")
+    assert 'd="M0.0,250.0L330.0,0.0"' in svg
+    assert 'cx="165.0" cy="125.0"' in svg
+    assert ["".join(text.itertext()).replace("\u200b", "") for text in texts] == [
+        *("0", "5", "10", "load; a pull is negative, P [nN]"),
+        *("1 nm", "100 nm", "10 µm", "1 mm", "radius of sphere 1, R1"),
+        *("Pc here", "line", "Fixed: nothing."),
+    ]
+    (contour,) = there["_lines"](numpy.array([[0.0, 1.0], [0.0, 1.0], [0.0, 2.0]]), 0.5)
+    assert contour.tolist() == [[0.5, 0.0], [0.5, 1.0], [0.25, 2.0]]
 
 
 def test_no_text_of_the_prompt_says_that_jkroll_is_on_a_package_index() -> None:

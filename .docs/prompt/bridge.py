@@ -47,7 +47,7 @@ def begin() -> None:
 
 
 def run(line: str) -> dict[str, Any]:
-    """Run a line; return its text with ANSI colours, its exit code, what it wrote, and missing libraries that there are."""
+    """Run a line; return its text with ANSI colours, its exit code, the files written, and libraries to load for it."""
     try:
         words = shlex.split(line)
     except ValueError as error:

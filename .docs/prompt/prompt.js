@@ -64,7 +64,11 @@ document.ondrop = (event) => (event.preventDefault(), give(event.dataTransfer.fi
 
 function linkTo({ name, content }) {
   const link = document.createElement("a");
-  return [Object.assign(link, { href: URL.createObjectURL(new Blob([content])), download: name, textContent: `save ${name}` }), " "];
+  Object.assign(link, { href: URL.createObjectURL(new Blob([content])), download: name, textContent: `save ${name}` });
+  if (!name.endsWith(".svg")) return [link, " "];
+  const text = new TextDecoder().decode(content);
+  const alt = new DOMParser().parseFromString(text, "image/svg+xml").querySelector("title").textContent;
+  return [Object.assign(new Image(), { alt, src: `data:image/svg+xml,${encodeURIComponent(text)}` }), link, " "];
 }
 
 // --- Completion ---

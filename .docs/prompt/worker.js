@@ -36,12 +36,12 @@ async function begin() {
   const list = bytes("./python/index.json").then((text) => JSON.parse(new TextDecoder().decode(text)));
   list.then(({ bytes }) => (total = bytes));
   const own = list.then(({ own }) => bytes(`./python/${own}`));
-  const scripts = ["bridge", "explore", "orjson"];
+  const scripts = { bridge: "bridge", explore: "explore", orjson: "orjson", page: "jkroll/pictures/page" };
   const [python, files, wheel, ...texts] = await Promise.all([
-    loadPyodide({ indexURL: here("./pyodide/") }), list, own, ...scripts.map((name) => bytes(`./${name}.py`)),
+    loadPyodide({ indexURL: here("./pyodide/") }), list, own, ...Object.keys(scripts).map((name) => bytes(`./${name}.py`)),
   ]);
   await unpack(python, wheel);
-  scripts.forEach((name, place) => python.FS.writeFile(`/lib/site/${name}.py`, new Uint8Array(texts[place])));
+  Object.values(scripts).forEach((path, n) => python.FS.writeFile(`/lib/site/${path}.py`, new Uint8Array(texts[n])));
   python.runPython("import sys; sys.path.insert(0, '/lib/site'); import bridge; bridge.begin()");
   told = Infinity;
   postMessage({ progress: { part: 1, ready: true } });
