@@ -4,12 +4,14 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
+from typeset import mathml
+
 from jkroll.quantities.formatting import pretty
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.write.catalogue import groups_of_quantities, quantity_as_object
 
 PAGE = "all-quantities.md"
-_FACTS = ("formula", "follows_from", "commands", "values", "source", "valid", "accuracy", "variants", "see_also")
+_FACTS = ("follows_from", "commands", "values", "source", "valid", "accuracy", "variants", "see_also")
 _OF_NAMES = ("follows_from", "variants", "see_also")
 _WORD = re.compile(r"(?<!\[)`(?:([a-z_0-9]+)|(--[a-z0-9-]+)(?: [^`]*)?)`(?!\])")
 _OF_OPTIONS = {quantity.option: name for name, quantity in NOMENCLATURE.items() if quantity.option}
@@ -17,9 +19,30 @@ _OF_OPTIONS = {quantity.option: name for name, quantity in NOMENCLATURE.items() 
 
 def quantities() -> str:
     """Return the page of all quantities: a table of those of each kind, and a section with what is known of each."""
-    head = "---\nhide: [toc]\nsearch: {boost: 1.5}\n---\n\n# All quantities\n"
+    head = "---\nsearch: {boost: 1.5}\n---\n\n# All quantities\n"
     words = "The symbols, names, units, options and formulas of all quantities, first as tables, then one by one.\n"
     return "\n".join([head, words, *_tables(), *_sections()])
+
+
+def equations() -> str:
+    """Return the page of the equations that the paper numbers, each as the program has it."""
+    rows = []
+    for name, quantity in NOMENCLATURE.items():
+        formula = quantity_as_object(name)["formula"]
+        if quantity.equation and formula and not quantity.variant_of and quantity.sphere != 2:
+            meaning = f"[{_escaped(quantity.sentence)}]({PAGE}#{name})"
+            rows.append((int(quantity.equation), f"| {quantity.equation} | {mathml(formula)} | {meaning} |"))
+    words = (
+        "The equations of Dominik & Tielens 1995 by their numbers in the paper, as this program has them; where the "
+        "printed ones differ, [the paper's errors](paper.md) say how.\n"
+    )
+    head = ["# Equations\n", words, "| Eq | equation | quantity |\n|---|---|---|"]
+    return "\n".join([*head, *(row for _, row in sorted(rows))]) + "\n"
+
+
+def shown_equation(formula: str, number: str) -> str:
+    """Return a formula in a line of its own, with the number that it has in the paper."""
+    return f'<div class="equation">{mathml(formula, is_block=True)}<span>{f"({number})" if number else ""}</span></div>'
 
 
 def with_links(text: str) -> str:
@@ -57,10 +80,12 @@ def _section(name: str) -> str:
     options = [NOMENCLATURE[each].option for each in both if NOMENCLATURE[each].option]
     title = f"{f'{symbols}: ' if symbols else ''}{record['meaning']}"
     heads = " · ".join([_escaped(title), *(f"`{option}`" for option in options)])
-    names = ", ".join(f'<code id="{each}">{each}</code>' if each != name else f"`{each}`" for each in both)
-    first = f"In Python and tables {names}, in {pretty(record['unit'])}" if record["unit"] else f"In Python {names}"
+    names = ", ".join(f"<code>{each}</code>" if each == name else f'<code id="{each}">{each}</code>' for each in both)
+    unit = {"": "a word", "1": "a number"}.get(record["unit"], f"in {pretty(record['unit'])}")
+    first = f"In Python and tables {names}, {unit}"
+    equation = shown_equation(record["formula"], record["equation"]) if record["formula"] else ""
     facts = (f"- {fact.replace('_', ' ')}: {shown}" for fact in _FACTS if (shown := _fact(fact, record[fact])))
-    return f"### {heads} {{#{name}}}\n\n{first}\n\n" + "\n".join(facts) + "\n"
+    return f"### {heads} {{#{name}}}\n\n{first}\n\n{equation}\n\n" + "\n".join(facts) + "\n"
 
 
 def _fact(fact: str, known: Any) -> str:

@@ -61,7 +61,7 @@ for (const block of document.querySelectorAll(".highlight")) {
 
 // What scrolls by itself is reached by the keyboard.
 const reach = () => {
-  for (const each of document.querySelectorAll("pre > code, .md-typeset__scrollwrap")) each.tabIndex = 0;
+  for (const each of document.querySelectorAll("pre > code, .equation, .md-typeset__scrollwrap")) each.tabIndex = 0;
 };
 reach();
 addEventListener("load", reach);

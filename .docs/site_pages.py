@@ -21,7 +21,7 @@ from explorer_page import explorer  # noqa: E402
 from page_meta import described, with_card, with_policy  # noqa: E402
 from prompt_files import put_prompt  # noqa: E402
 from python_pages import notebook, reference  # noqa: E402
-from quantity_pages import quantities, with_links  # noqa: E402
+from quantity_pages import equations, quantities, with_links  # noqa: E402
 
 CHECKOUT = HERE.parent
 PYTHON = CHECKOUT / "src" / "jkroll" / "guide" / "python.md"
@@ -41,6 +41,7 @@ def on_files(files: Files, config: Any) -> Files:
         "start.md": start(),
         "try.md": "# Try it\n\n<iframe class=prompt src=../prompt/ title='a prompt that runs jkroll'></iframe>\n",
         "all-quantities.md": quantities(),
+        "equations.md": equations(),
         "all-materials.md": materials(),
         "reference.md": reference(),
         "python.ipynb": json.dumps(notebook(PYTHON.read_text(encoding="utf-8"))),

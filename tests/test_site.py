@@ -5,6 +5,7 @@ Build the site first (see CONTRIBUTING): a site that is older than its sources i
 """
 
 import re
+import runpy
 from collections.abc import Iterator
 from pathlib import Path
 from urllib.parse import urldefrag
@@ -12,7 +13,7 @@ from urllib.parse import urldefrag
 import pytest
 
 from browser import Browser, browser, hosts_asked, served
-from built_site import MARKS, ROOT, SITE, axe, site_in_browser
+from built_site import DOCS, MARKS, ROOT, SITE, axe, site_in_browser
 from jkroll.write.manual import page, topics
 from terminal import script, without_colours
 from transcripts import commands, rounded
@@ -142,7 +143,7 @@ def test_only_the_commands_of_a_transcript_are_copied(site: tuple[Browser, str])
     ]
 
 
-@pytest.mark.parametrize("path", ["", "start/", "prompt/", "models/", "all-quantities/"])
+@pytest.mark.parametrize("path", ["", "start/", "prompt/", "models/", "all-quantities/", "equations/"])
 def test_axe_finds_nothing_on_wide_and_narrow_light_and_dark_pages(
     site: tuple[Browser, str], path: str, tmp_path: Path
 ) -> None:
@@ -216,6 +217,41 @@ def test_every_page_has_a_policy_and_says_what_it_is() -> None:
 )
 def test_the_name_of_a_quantity_is_a_link_to_its_definition(topic: str, link: str) -> None:
     assert link in (SITE / topic / "index.html").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("formula", "written"),
+    [
+        ("P_c = 3πγR", "<msub><mi>P</mi><mi>c</mi></msub> = <mn>3</mn><mi>π</mi><mi>γ</mi><mi>R</mi>"),
+        ("M/(2cRw)", "<mfrac><mi>M</mi><mn>2</mn><mi>c</mi><mi>R</mi><mi>w</mi></mfrac>"),
+        ("F_aR/2π ξ", "<mfrac><msub><mi>F</mi><mi>a</mi></msub><mi>R</mi> <mn>2</mn><mi>π</mi></mfrac><mi>ξ</mi>"),
+        ("√(k/m)", "<msqrt><mfrac><mi>k</mi><mi>m</mi></mfrac></msqrt>"),
+        ("E*²", "<msup><mi>E</mi>&#42;<mn>2</mn></msup>"),
+        ("(a0)^(1/3)", "<msup>(<msub><mi>a</mi><mn>0</mn></msub>)<mn>1/3</mn></msup>"),
+        ("a0, which is a in JKR", "<msub><mi>a</mi><mn>0</mn></msub>, which is <mi>a</mi> in JKR"),
+    ],
+)
+def test_a_formula_is_typeset_with_indices_roots_and_fractions(formula: str, written: str) -> None:
+    typeset = runpy.run_path(str(DOCS / "typeset.py"))["mathml"](formula)
+    assert re.sub(r"</?(?:math|mrow|mo|mtext)\b[^>]*>|&nbsp;|\s", "", typeset) == re.sub(r"\s", "", written)
+
+
+def test_the_equations_have_the_numbers_of_the_paper(site: tuple[Browser, str]) -> None:
+    window, address = site
+    window.open(address + "all-quantities/#pull_off_force")
+    assert window.script("""
+        const equation = document.querySelector("#pull_off_force ~ .equation");
+        return [equation.querySelector("math").textContent, equation.querySelector("span").textContent]
+        """) == ["Pc=3πγR=(32)πwR", "(1)"]
+    window.open(address + "equations/")
+    rows = window.script(
+        "return [...document.querySelectorAll('tbody tr')].map((row) => row.innerText.split('\\t')[0])"
+    )
+    assert {"1", "5", "6", "25", "48"} <= {*rows}
+    fraction, letter = window.script(
+        "return ['mfrac', 'mi'].map((each) => document.querySelector(each).getBoundingClientRect().height)"
+    )
+    assert fraction > 1.5 * letter > 0
 
 
 def test_a_link_of_the_prompt_leaves_its_frame(site: tuple[Browser, str]) -> None:
