@@ -5,13 +5,16 @@ import json
 import re
 import sys
 import tempfile
+import tomllib
 from collections.abc import Iterator
 from contextlib import redirect_stdout
+from html import escape
 from pathlib import Path
 from typing import Any
 
 from mkdocs.structure.files import File, Files
 
+from jkroll import __version__
 from jkroll.cli.process import main
 from jkroll.materials.library import known_materials
 
@@ -39,6 +42,7 @@ def on_files(files: Files, config: Any) -> Files:
     content: dict[str, str | bytes] = {
         "index.md": explore(),
         "start.md": start(),
+        "get.md": get(),
         "try.md": "# Try it\n\n<iframe class=prompt src=../prompt/ title='a prompt that runs jkroll'></iframe>\n",
         "all-quantities.md": quantities(),
         "equations.md": equations(),
@@ -76,6 +80,30 @@ def start() -> str:
     return re.sub(r"\[([^]]*)\]\(\.github/[^)]*\)", r"\1", text)
 
 
+def get() -> str:
+    """Return the page on how to get the program: install, repository, citation, licence."""
+    project = tomllib.loads((CHECKOUT / "pyproject.toml").read_text(encoding="utf-8"))
+    address = project["tool"]["hatch"]["metadata"]["hooks"]["custom"]["address"]
+    wheel = f"jkroll-{__version__}-py3-none-any.whl"
+    source = (
+        f"The source code is at [{address}]({address}), and so is the place for questions and wrong numbers."
+        if address
+        else "The source code has no public address yet; the file above has all of the program, as plain Python."
+    )
+    parts = {
+        "Install": f"You need Python {project['project']['requires-python'].removeprefix('>=')} or later and "
+        f'<a href="../prompt/python/{wheel}">{wheel}</a>, the file that runs on this site, too. Where you saved it:\n\n'
+        f"```sh\npython3 -m venv .venv\n.venv/bin/pip install ./{wheel}\n.venv/bin/jkroll report quartz 100nm\n```\n\n"
+        f"`'./{wheel}[plot]'` adds pictures in files. From the source code it goes as at "
+        "[the start](start.md#thirty-seconds-to-the-first-number); [the prompt](try.md) needs no installation.",
+        "The repository": source,
+        "Cite": "Cite the program and the sources of what you used: each command prints them with `--cite`.\n\n"
+        f"```bibtex\n{printed('pull-off quartz 100nm --cite')}```",
+        "Licence": f"```text\n{(CHECKOUT / 'LICENSE').read_text(encoding='utf-8')}```",
+    }
+    return "# Get it\n\n" + "\n\n".join(f"## {title}\n\n{text}" for title, text in parts.items()) + "\n"
+
+
 def materials() -> str:
     """Return the sheets of all materials."""
     sheets = (f"## {name}\n\n```text\n{printed(f'materials {name}')}```\n" for name in known_materials().materials)
@@ -84,7 +112,7 @@ def materials() -> str:
 
 def on_page_markdown(markdown: str, page: Any, config: Any, files: Files) -> str:  # noqa: ARG001
     """Describe a page by its first paragraph, and make links of `jkroll guide X` and the quantities in its text."""
-    page.meta.setdefault("description", described(markdown))
+    page.meta.setdefault("description", escape(described(markdown)))
     known = {path.stem for path in (CHECKOUT / "src" / "jkroll" / "guide").glob("*.md")}
 
     def linked(match: re.Match[str]) -> str:

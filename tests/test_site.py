@@ -9,11 +9,13 @@ import runpy
 from collections.abc import Iterator
 from pathlib import Path
 from urllib.parse import urldefrag
+from zipfile import ZipFile
 
 import pytest
 
 from browser import Browser, browser, hosts_asked, served
 from built_site import DOCS, MARKS, ROOT, SITE, axe, site_in_browser
+from jkroll import __version__
 from jkroll.write.manual import page, topics
 from terminal import script, without_colours
 from transcripts import commands, rounded
@@ -143,7 +145,7 @@ def test_only_the_commands_of_a_transcript_are_copied(site: tuple[Browser, str])
     ]
 
 
-@pytest.mark.parametrize("path", ["", "start/", "prompt/", "models/", "all-quantities/", "equations/"])
+@pytest.mark.parametrize("path", ["", "start/", "prompt/", "models/", "all-quantities/", "equations/", "get/"])
 def test_axe_finds_nothing_on_wide_and_narrow_light_and_dark_pages(
     site: tuple[Browser, str], path: str, tmp_path: Path
 ) -> None:
@@ -252,6 +254,18 @@ def test_the_equations_have_the_numbers_of_the_paper(site: tuple[Browser, str]) 
         "return ['mfrac', 'mi'].map((each) => document.querySelector(each).getBoundingClientRect().height)"
     )
     assert fraction > 1.5 * letter > 0
+
+
+def test_the_site_says_how_to_install_what_it_carries() -> None:
+    wheel = f"jkroll-{__version__}-py3-none-any.whl"
+    html = (SITE / "get" / "index.html").read_text(encoding="utf-8")
+    assert f'href="../prompt/python/{wheel}"' in html
+    with ZipFile(SITE / "prompt" / "python" / wheel) as content:
+        assert f"Version: {__version__}" in content.read(f"jkroll-{__version__}.dist-info/METADATA").decode()
+    for words in ("jkroll: adhesive contact of two elastic spheres", "MIT License", "source code"):
+        assert words in html
+    for path in SITE.rglob("*.html"):  # no index has it, but an installed one takes its extras
+        assert not re.search(r"pip install '?jkroll(?![-[])", path.read_text(encoding="utf-8")), path
 
 
 def test_a_link_of_the_prompt_leaves_its_frame(site: tuple[Browser, str]) -> None:
