@@ -46,13 +46,16 @@ def shown_equation(formula: str, number: str) -> str:
 
 
 def with_links(text: str) -> str:
-    """Return a text in which each name of a quantity, and each option that gives one, is a link to its definition."""
+    """Return a text in which the names of quantities, and the options that give them, are links to their definitions.
+
+    Headings stay as they are.
+    """
 
     def linked(match: re.Match[str]) -> str:
         name = match[1] if match[1] in NOMENCLATURE else _OF_OPTIONS.get(match[2])
         return f"[{match[0]}]({PAGE}#{name})" if name else match[0]
 
-    return _WORD.sub(linked, text)
+    return "\n".join(line if line.startswith("#") else _WORD.sub(linked, line) for line in text.split("\n"))
 
 
 def _tables() -> Iterator[str]:

@@ -128,6 +128,9 @@ def test_a_dropped_table_is_read_and_the_results_can_be_saved(
         TABLE,
     )
     window.wait("document.getElementById('status').textContent.startsWith('grains.csv is here')")
+    window.script("const line = document.getElementById('line'); line.value = 'batch g'; line.focus()")
+    window.type("Tab")
+    window.wait("document.getElementById('line').value === 'batch grains.csv '")
     found = answer(window, "batch grains.csv -o forces.csv")
     saved, expected = tmp_path / "saved", tmp_path / "expected"
     expected.mkdir()

@@ -79,9 +79,10 @@ def files() -> dict[str, tuple[int, int]]:
 
 
 def candidates(line: str) -> list[str]:
-    """Return the words that may stand in place of the last one of a line, as the shell's completion has them."""
+    """Return the words that may stand in place of the last one of a line, as a shell completes words and files."""
     from jkroll.cli.completion import candidates as candidates_for
 
     *before, begun = line.split(" ")
     words = [word for word in before if word and word != "jkroll"]
-    return [word for word, _ in candidates_for(words, begun) if word != begun][:30]
+    found = [word for word, _ in candidates_for(words, begun)] or [name for name in files() if name.startswith(begun)]
+    return [word for word in found if word != begun][:30]
