@@ -1,22 +1,24 @@
 // Each command of a console block or of a table gets a "run", which prints below what the program says; one Python a page.
-import { ask, coloured, inWords, listen, stop } from "./prompt/python.js";
+import { ask, coloured, inWords, linkTo, listen, stop } from "./prompt/python.js";
 const needsFiles = (command) =>
   /^(batch|fit) | (-o|--output|--plot|--data|--materials|--resume)[ =]/.test(`${command} `);
 
-async function run(command, button, box) {
+async function run(command, button, box, file) {
   const label = button.textContent;
   button.textContent = "stop";
   box.textContent = "working …";
   box.setAttribute("aria-busy", "true");
   listen((news) => box.ariaBusy === "true" && (box.textContent = inWords(news) || "working …"));
-  const { text, code } = await ask({ line: command });
+  if (file) await ask({ file });
+  const { text, code, files = [] } = await ask({ line: command });
   box.setAttribute("aria-busy", "false");
   box.replaceChildren(coloured(text));
+  box.after(...files.flatMap(linkTo));
   box.dataset.code = code;
   button.textContent = label;
 }
 
-function buttonOf(command, label, holder) {
+function buttonOf(command, label, holder, file) {
   const button = document.createElement("button");
   button.textContent = label;
   button.title = `jkroll ${command}`;
@@ -26,18 +28,20 @@ function buttonOf(command, label, holder) {
     Object.assign(box, { className: "ran", tabIndex: 0, ariaLabel: `what jkroll ${command} prints` });
     box.setAttribute("role", "log");
     holder.replaceChildren(box);
-    run(command, button, box);
+    run(command, button, box, file);
   };
   return button;
 }
 
 for (const block of document.querySelectorAll(".language-console.highlight")) {
   const every = [...block.textContent.matchAll(/^\$ jkroll (.+)$/gm)].map((match) => match[1].trim());
-  const commands = every.filter((each) => !needsFiles(each));
+  const [, name, rows] = block.textContent.match(/^\s*\$ cat (\S+)\n((?:(?!\$ ).*\n)*)/) ?? []; // the table that it begins with
+  const file = name && { name, content: new TextEncoder().encode(rows) };
+  const commands = every.filter((each) => file || !needsFiles(each));
   const row = document.createElement("p");
   row.className = "run";
   const holder = document.createElement("div");
-  row.append(...commands.map((each) => buttonOf(each, every.length > 1 ? `run ${each}` : "run", holder)));
+  row.append(...commands.map((each) => buttonOf(each, every.length > 1 ? `run ${each}` : "run", holder, file)));
   if (commands.length) block.after(row, holder);
 }
 

@@ -18,7 +18,7 @@ from built_site import DOCS, MARKS, ROOT, SITE, axe, site_in_browser
 from jkroll import __version__
 from jkroll.write.manual import page, topics
 from terminal import script, without_colours
-from transcripts import commands, rounded
+from transcripts import commands, rounded, with_file
 
 pytestmark = MARKS
 GALLERY = [
@@ -57,14 +57,22 @@ def test_a_request_to_another_host_is_seen(tmp_path: Path, page: str) -> None:
     assert hosts_asked(tmp_path) == {"127.0.0.1", "example.invalid"}
 
 
-def runnable(topic: str) -> list[str]:
-    """Return the commands of a page's transcripts and tables that need no files, in their order."""
+def runnable(topic: str) -> list[tuple[str, str]]:
+    """Return the commands of a page's transcripts and tables, each with its part of the page, in their order.
+
+    A command that needs a file is left out unless its transcript begins with this file.
+    """
     if topic == "gallery":
-        return GALLERY
+        return [(line, "") for line in GALLERY]
     text = (ROOT / "README.md").read_text(encoding="utf-8") if topic == "start" else page(topic)
-    lines = [line for part in BLOCK_OR_ROW.findall(text) for line in (commands(part) or IN_CELL.findall(part))]
-    asked = [line.removeprefix("jkroll ") for line in lines if line.startswith("jkroll ")]
-    return [line for line in asked if not line.startswith(("batch ", "fit ")) and " -o " not in line]
+    parts = [part.removeprefix("```console\n") for part in BLOCK_OR_ROW.findall(text)]
+    lines = [(line, part) for part in parts for line in (commands(part) or IN_CELL.findall(part))]
+    asked = [(line.removeprefix("jkroll "), part) for line, part in lines if line.startswith("jkroll ")]
+    return [
+        (line, part)
+        for line, part in asked
+        if part.startswith("$ cat ") or not (line.startswith(("batch ", "fit ")) or " -o " in line)
+    ]
 
 
 def test_every_picture_is_shown_and_every_link_leads_to_a_place(site: tuple[Browser, str]) -> None:
@@ -102,14 +110,18 @@ def test_every_picture_is_shown_and_every_link_leads_to_a_place(site: tuple[Brow
 
 
 @pytest.mark.parametrize("topic", ["start", "gallery", *topics()])
-def test_every_run_button_answers_as_the_program_does(site: tuple[Browser, str], topic: str) -> None:
+def test_every_run_button_answers_as_the_program_does(
+    site: tuple[Browser, str], topic: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     window, address = site
+    monkeypatch.chdir(tmp_path)
     window.open(f"{address}{topic}/")
     if runnable(topic):
         window.wait("document.querySelector('.run button')")
     titles = window.script("return [...document.querySelectorAll('.run button')].map((button) => button.title)")
-    assert titles == [f"jkroll {line}" for line in runnable(topic)]
-    for place, line in enumerate(runnable(topic)):
+    assert titles == [f"jkroll {line}" for line, _ in runnable(topic)]
+    for place, (line, part) in enumerate(runnable(topic)):
+        with_file(part)
         window.script("document.querySelectorAll('.run button')[arguments[0]].click()", place)
         window.wait("document.querySelector('pre.ran[aria-busy=false]')")
         text, code = window.script("""

@@ -1,5 +1,5 @@
 // The prompt: a line to type, its answer, history by arrow keys, completion by Tab, a link that carries the line.
-import { ask, coloured, inWords, listen, stop } from "./python.js";
+import { ask, coloured, inWords, linkTo, listen, stop } from "./python.js";
 
 const form = document.forms[0];
 const byId = (id) => document.getElementById(id);
@@ -61,15 +61,6 @@ async function give(files) {
 byId("file").onchange = ({ target }) => give(target.files);
 document.ondragover = (event) => event.preventDefault();
 document.ondrop = (event) => (event.preventDefault(), give(event.dataTransfer.files));
-
-function linkTo({ name, content }) {
-  const link = document.createElement("a");
-  Object.assign(link, { href: URL.createObjectURL(new Blob([content])), download: name, textContent: `save ${name}` });
-  if (!name.endsWith(".svg")) return [link, " "];
-  const text = new TextDecoder().decode(content);
-  const alt = new DOMParser().parseFromString(text, "image/svg+xml").querySelector("title").textContent;
-  return [Object.assign(new Image(), { alt, src: `data:image/svg+xml,${encodeURIComponent(text)}` }), link, " "];
-}
 
 // --- Completion ---
 
