@@ -115,10 +115,8 @@ def test_what_is_not_here_says_where_to_read_how_to_install(page: tuple[Browser,
     assert (found["code"], found["shown"]) == (1, f"jkroll: {reason}, {said}\n")
 
 
-def test_a_dropped_table_is_read_and_the_results_can_be_saved(
-    page: tuple[Browser, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    window = opened(page)
+def drop_table(window: Browser) -> None:
+    """Drop a table of grains on the page."""
     window.script(
         """
         const carried = new DataTransfer();
@@ -128,6 +126,13 @@ def test_a_dropped_table_is_read_and_the_results_can_be_saved(
         TABLE,
     )
     window.wait("document.getElementById('status').textContent.startsWith('grains.csv is here')")
+
+
+def test_a_dropped_table_is_read_and_the_results_can_be_saved(
+    page: tuple[Browser, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window = opened(page)
+    drop_table(window)
     window.script("const line = document.getElementById('line'); line.value = 'batch g'; line.focus()")
     window.type("Tab")
     window.wait("document.getElementById('line').value === 'batch grains.csv '")
@@ -143,6 +148,16 @@ def test_a_dropped_table_is_read_and_the_results_can_be_saved(
     while not (saved / "forces.csv").exists():
         window.wait("true")
     assert (saved / "forces.csv").read_bytes() == Path("forces.csv").read_bytes()
+
+
+def test_a_table_stays_where_a_line_is_stopped(page: tuple[Browser, str]) -> None:
+    window = opened(page)
+    drop_table(window)
+    window.script("document.getElementById('line').value = 'pull-off quartz 1nm:1um:9000000 --csv'")
+    window.click("form button")
+    window.click("form button")
+    window.wait("document.getElementById('answer').textContent === 'stopped\\n'")
+    assert answer(window, "batch grains.csv -o forces.csv")["code"] == 0
 
 
 def test_a_curve_chosen_by_the_keyboard_is_fitted(

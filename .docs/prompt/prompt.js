@@ -29,7 +29,10 @@ async function run(text) {
 
 form.onsubmit = (event) => {
   event.preventDefault();
-  if (go.textContent === "stop") return stop(), given.forEach((file) => ask({ file }));
+  if (go.textContent === "stop") {
+    stop();
+    return given.forEach((file) => ask({ file })); // to the fresh Python
+  }
   const text = line.value.trim();
   hide();
   if (!text) return;
