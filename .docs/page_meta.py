@@ -23,8 +23,9 @@ def with_policy(html: str) -> str:
 
 def with_card(html: str, page: Any) -> str:
     """Return a page with the title and the description that a link to it shows elsewhere."""
-    texts = {"og:title": f"{page.title} – jkroll", "og:description": page.meta["description"], "og:type": "article"}
-    tags = "".join(f'<meta property="{name}" content="{escape(text)}">' for name, text in texts.items())
+    title = escape(f"{page.title} – jkroll")
+    texts = {"og:title": title, "og:description": page.meta["description"], "og:type": "article"}
+    tags = "".join(f'<meta property="{name}" content="{text}">' for name, text in texts.items())
     return html.replace("</head>", f"{tags}</head>", 1)
 
 
@@ -32,5 +33,6 @@ def described(text: str) -> str:
     """Return the first paragraph of a page, without its marks, as a description of at most 160 characters."""
     blocks = (block.strip() for block in re.split(r"\n\s*\n", text))
     first = next((block for block in blocks if block and not block.startswith(("```", *"#<|-!>"))), "")
-    plain = unescape(re.sub(r"\s+", " ", re.sub(r"\[([^]]*)\]\([^)]*\)|[`*]", r"\1", first)))
+    unmarked = re.sub(r"\[([^]]*)\]\([^)]*\)|[`*]|</?[a-z][^>]*>", r"\1", first)
+    plain = unescape(re.sub(r"\s+", " ", unmarked))
     return plain if len(plain) <= 160 else plain[:157].rpartition(" ")[0] + " …"

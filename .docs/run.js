@@ -1,42 +1,60 @@
-// Each command of a console block gets a "run", which prints below the block what the program says; one Python a page.
-// The site's build puts FILES before this text: the options with which a line needs files, which a page does not have.
-import { ask, coloured, inWords, listen, stop } from "./prompt/python.js";
+// Each command of a console block or of a table gets a "run", which prints below what the program says; one Python a page.
+import { ask, coloured, inWords, linkTo, listen, stop } from "./prompt/python.js";
 const needsFiles = (command) =>
-  command.startsWith("batch ") || command.split(/[ =]/).some((word) => FILES.includes(word));
+  /^(batch|fit) | (-o|--output|--plot|--data|--materials|--resume)[ =]/.test(`${command} `);
 
-async function run(command, button, box) {
+async function run(command, button, box, file) {
   const label = button.textContent;
   button.textContent = "stop";
   box.textContent = "working …";
   box.setAttribute("aria-busy", "true");
   listen((news) => box.ariaBusy === "true" && (box.textContent = inWords(news) || "working …"));
-  const { text, code } = await ask({ line: command });
+  if (file) await ask({ file });
+  const { text, code, files = [] } = await ask({ line: command });
   box.setAttribute("aria-busy", "false");
   box.replaceChildren(coloured(text));
+  box.after(...files.flatMap(linkTo));
   box.dataset.code = code;
   button.textContent = label;
 }
 
+function buttonOf(command, label, holder, file) {
+  const button = document.createElement("button");
+  button.textContent = label;
+  button.title = `jkroll ${command}`;
+  button.onclick = () => {
+    if (button.textContent === "stop") return stop();
+    const box = document.createElement("pre");
+    Object.assign(box, { className: "ran", tabIndex: 0, ariaLabel: `what jkroll ${command} prints` });
+    box.setAttribute("role", "log");
+    holder.replaceChildren(box);
+    run(command, button, box, file);
+  };
+  return button;
+}
+
 for (const block of document.querySelectorAll(".language-console.highlight")) {
-  const commands = [...block.textContent.matchAll(/^\$ jkroll (.+)$/gm)].map((match) => match[1].trim());
+  const every = [...block.textContent.matchAll(/^\$ jkroll (.+)$/gm)].map((match) => match[1].trim());
+  const [, name, rows] = block.textContent.match(/^\s*\$ cat (\S+)\n((?:(?!\$ ).*\n)*)/) ?? []; // the table that it begins with
+  const file = name && { name, content: new TextEncoder().encode(rows) };
+  const commands = every.filter((each) => file || !needsFiles(each));
   const row = document.createElement("p");
   row.className = "run";
-  for (const command of commands.filter((each) => !needsFiles(each))) {
-    const button = document.createElement("button");
-    button.textContent = commands.length > 1 ? `run ${command}` : "run";
-    button.title = `jkroll ${command}`;
-    button.onclick = () => {
-      if (button.textContent === "stop") return stop();
-      row.nextElementSibling?.matches("pre.ran") && row.nextElementSibling.remove();
-      const box = document.createElement("pre");
-      Object.assign(box, { className: "ran", tabIndex: 0, ariaLabel: `what jkroll ${command} prints` });
-      box.setAttribute("role", "log");
-      row.after(box);
-      run(command, button, box);
-    };
-    row.append(button);
-  }
-  if (row.childElementCount) block.after(row);
+  const holder = document.createElement("div");
+  row.append(...commands.map((each) => buttonOf(each, every.length > 1 ? `run ${each}` : "run", holder, file)));
+  if (commands.length) block.after(row, holder);
+}
+
+for (const code of document.querySelectorAll("article td > code")) {
+  const [, command] = code.textContent.match(/^jkroll (.+)$/) ?? [];
+  if (!command || needsFiles(command)) continue;
+  const place = document.createElement("span");
+  place.className = "run";
+  const row = code.closest("tr");
+  const holder = row.parentElement.insertRow(row.sectionRowIndex + 1).insertCell();
+  Object.assign(holder, { colSpan: row.cells.length, className: "ran" });
+  place.append(buttonOf(command, "run", holder));
+  code.after(" ", place);
 }
 
 // The copy button of a transcript copies what was typed: the lines behind $, >>> and ..., without these marks.
@@ -47,7 +65,12 @@ for (const block of document.querySelectorAll(".highlight")) {
 
 // What scrolls by itself is reached by the keyboard.
 const reach = () => {
-  for (const each of document.querySelectorAll("pre > code, .md-typeset__scrollwrap")) each.tabIndex = 0;
+  for (const each of document.querySelectorAll("pre > code, .equation, .md-typeset__scrollwrap")) each.tabIndex = 0;
 };
 reach();
 addEventListener("load", reach);
+
+// The search takes a hyphen before a word for "without it": `--load` is looked for as `load`.
+document.querySelector(".md-search__input")?.addEventListener("input", ({ target }) => {
+  target.value = target.value.replace(/(^|\s)-+(?=\w)/g, "$1");
+});

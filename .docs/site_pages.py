@@ -5,24 +5,26 @@ import json
 import re
 import sys
 import tempfile
+import tomllib
 from collections.abc import Iterator
 from contextlib import redirect_stdout
+from html import escape
 from pathlib import Path
 from typing import Any
 
 from mkdocs.structure.files import File, Files
 
+from jkroll import __version__
 from jkroll.cli.process import main
 from jkroll.materials.library import known_materials
-from jkroll.quantities.nomenclature import NOMENCLATURE
 
 HERE = Path(__file__).parent
 sys.path[:0] = [str(HERE), str(HERE / "prompt")]
-from bridge import FILES  # noqa: E402
 from explorer_page import explorer  # noqa: E402
 from page_meta import described, with_card, with_policy  # noqa: E402
 from prompt_files import put_prompt  # noqa: E402
 from python_pages import notebook, reference  # noqa: E402
+from quantity_pages import equations, quantities, with_links  # noqa: E402
 
 CHECKOUT = HERE.parent
 PYTHON = CHECKOUT / "src" / "jkroll" / "guide" / "python.md"
@@ -40,15 +42,16 @@ def on_files(files: Files, config: Any) -> Files:
     content: dict[str, str | bytes] = {
         "index.md": explore(),
         "start.md": start(),
+        "get.md": get(),
         "try.md": "# Try it\n\n<iframe class=prompt src=../prompt/ title='a prompt that runs jkroll'></iframe>\n",
         "all-quantities.md": quantities(),
+        "equations.md": equations(),
         "all-materials.md": materials(),
         "reference.md": reference(),
         "python.ipynb": json.dumps(notebook(PYTHON.read_text(encoding="utf-8"))),
         "favicon.svg": (HERE / "favicon.svg").read_bytes(),
         "gallery.md": gallery(),
-        "run.js": f"const FILES = {json.dumps(sorted(FILES))};\n" + (HERE / "run.js").read_text(encoding="utf-8"),
-        "run.css": (HERE / "run.css").read_text(encoding="utf-8"),
+        **{name: (HERE / name).read_text(encoding="utf-8") for name in ("run.js", "run.css")},
         **{name: (HERE / "explorer" / name).read_text(encoding="utf-8") for name in ("explorer.js", "explorer.css")},
         "gallery/contact.svg": (CHECKOUT / "tests" / "data" / "contact.svg").read_bytes(),
         **dict(pictures()),
@@ -77,14 +80,28 @@ def start() -> str:
     return re.sub(r"\[([^]]*)\]\(\.github/[^)]*\)", r"\1", text)
 
 
-def quantities() -> str:
-    """Return all quantities as a table."""
-    rows = [
-        f"| {quantity.symbol} | `{name}` | {quantity.unit or '1'} | {quantity.sentence} | {quantity.equation or ''} |"
-        for name, quantity in NOMENCLATURE.items()
-    ]
-    head = "# All quantities\n\n| symbol | name | unit | meaning | Eq |\n|---|---|---|---|---|\n"
-    return head + "\n".join(row.replace("|d", "\\|d") for row in rows) + "\n"
+def get() -> str:
+    """Return the page on how to get the program: install, repository, citation, licence."""
+    project = tomllib.loads((CHECKOUT / "pyproject.toml").read_text(encoding="utf-8"))
+    address = project["tool"]["hatch"]["metadata"]["hooks"]["custom"]["address"]
+    wheel = f"jkroll-{__version__}-py3-none-any.whl"
+    source = (
+        f"The source code is at [{address}]({address}), and so is the place for questions and wrong numbers."
+        if address
+        else "The source code has no public address yet; the file above has all of the program, as plain Python."
+    )
+    parts = {
+        "Install": f"You need Python {project['project']['requires-python'].removeprefix('>=')} or later and "
+        f'<a href="../prompt/python/{wheel}">{wheel}</a>, the file that runs on this site, too. Where you saved it:\n\n'
+        f"```sh\npython3 -m venv .venv\n.venv/bin/pip install ./{wheel}\n.venv/bin/jkroll report quartz 100nm\n```\n\n"
+        f"`'./{wheel}[plot]'` adds pictures in files. From the source code it goes as at "
+        "[the start](start.md#thirty-seconds-to-the-first-number); [the prompt](try.md) needs no installation.",
+        "The repository": source,
+        "Cite": "Cite the program and the sources of what you used: each command prints them with `--cite`.\n\n"
+        f"```bibtex\n{printed('pull-off quartz 100nm --cite')}```",
+        "Licence": f"```text\n{(CHECKOUT / 'LICENSE').read_text(encoding='utf-8')}```",
+    }
+    return "# Get it\n\n" + "\n\n".join(f"## {title}\n\n{text}" for title, text in parts.items()) + "\n"
 
 
 def materials() -> str:
@@ -94,8 +111,8 @@ def materials() -> str:
 
 
 def on_page_markdown(markdown: str, page: Any, config: Any, files: Files) -> str:  # noqa: ARG001
-    """Describe a page by its first paragraph, and make each `jkroll guide X` in its text a link."""
-    page.meta.setdefault("description", described(markdown))
+    """Describe a page by its first paragraph, and make links of `jkroll guide X` and the quantities in its text."""
+    page.meta.setdefault("description", escape(described(markdown)))
     known = {path.stem for path in (CHECKOUT / "src" / "jkroll" / "guide").glob("*.md")}
 
     def linked(match: re.Match[str]) -> str:
@@ -103,7 +120,7 @@ def on_page_markdown(markdown: str, page: Any, config: Any, files: Files) -> str
 
     parts = re.split(r"(^```.*?^```\s*?$)", markdown, flags=re.MULTILINE | re.DOTALL)  # blocks of code stay
     return "".join(
-        part if part.startswith("```") else re.sub(r"(?<!\[)`jkroll guide ([a-z-]+)`(?!\])", linked, part)
+        part if part.startswith("```") else re.sub(r"(?<!\[)`jkroll guide ([a-z-]+)`(?!\])", linked, with_links(part))
         for part in parts
     )
 

@@ -106,6 +106,11 @@ class Browser:
         self.call("POST", f"{self.session}/permissions", {"descriptor": {"name": "clipboard-read"}, "state": "granted"})
         return str(self.script("return navigator.clipboard.readText()"))
 
+    def save_downloads(self, folder: Path) -> None:
+        """Save what pages offer for download in a folder."""
+        params = {"behavior": "allow", "downloadPath": str(folder)}
+        self.call("POST", f"{self.session}/goog/cdp/execute", {"cmd": "Browser.setDownloadBehavior", "params": params})
+
     def picture(self, path: Path) -> None:
         """Save what the window shows."""
         path.write_bytes(base64.b64decode(self.call("GET", f"{self.session}/screenshot")))

@@ -11,14 +11,16 @@ from collections.abc import Iterator
 from math import inf, nan
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import numpy
 import orjson
 import pytest
 
 from browser import CHROMIUM, DRIVER, Browser, browser, served
+from jkroll.pictures.picture import Axis, Curve, Mark, Panel, Picture
 from terminal import script, without_colours
-from transcripts import rounded
+from transcripts import CURVE, TABLE, rounded
 
 DOCS = Path(__file__).parents[1] / ".docs"
 IS_CI = bool(os.environ.get("CI"))
@@ -103,8 +105,7 @@ def test_numbers_of_a_large_sweep_are_spelled_as_by_orjson() -> None:
 @pytest.mark.parametrize(
     ("line", "reason"),
     [
-        ("batch grains.csv", "batch needs files"),
-        ("pull-off quartz 1nm:1um:9 -o a.csv", "-o needs files"),
+        ("contact quartz 100nm --curve -o a.pdf", "this line needs matplotlib"),
         ("pull-off quartz 1parsec", "this line needs pint"),
     ],
 )
@@ -112,6 +113,109 @@ def test_what_is_not_here_says_where_to_read_how_to_install(page: tuple[Browser,
     found = answer(opened(page), line)
     said = "which this page lacks;\nthe manual, linked below, says how to install jkroll"
     assert (found["code"], found["shown"]) == (1, f"jkroll: {reason}, {said}\n")
+
+
+def drop_table(window: Browser) -> None:
+    """Drop a table of grains on the page."""
+    window.script(
+        """
+        const carried = new DataTransfer();
+        carried.items.add(new File([arguments[0]], "grains.csv"));
+        document.body.dispatchEvent(new DragEvent("drop", {dataTransfer: carried, bubbles: true, cancelable: true}));
+        """,
+        TABLE,
+    )
+    window.wait("document.getElementById('status').textContent.startsWith('grains.csv is here')")
+
+
+def test_a_dropped_table_is_read_and_the_results_can_be_saved(
+    page: tuple[Browser, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window = opened(page)
+    drop_table(window)
+    window.script("const line = document.getElementById('line'); line.value = 'batch g'; line.focus()")
+    window.type("Tab")
+    window.wait("document.getElementById('line').value === 'batch grains.csv '")
+    found = answer(window, "batch grains.csv -o forces.csv")
+    saved, expected = tmp_path / "saved", tmp_path / "expected"
+    expected.mkdir()
+    monkeypatch.chdir(expected)
+    Path("grains.csv").write_text(TABLE, encoding="utf-8")
+    printed, code = script("batch grains.csv -o forces.csv")
+    assert (found["code"], found["shown"]) == (code, without_colours(printed))
+    window.save_downloads(saved)
+    window.click("#written a")
+    while not (saved / "forces.csv").exists():
+        window.wait("true")
+    assert (saved / "forces.csv").read_bytes() == Path("forces.csv").read_bytes()
+
+
+def test_a_table_stays_where_a_line_is_stopped(page: tuple[Browser, str]) -> None:
+    window = opened(page)
+    drop_table(window)
+    window.script("document.getElementById('line').value = 'pull-off quartz 1nm:1um:9000000 --csv'")
+    window.click("form button")
+    window.click("form button")
+    window.wait("document.getElementById('answer').textContent === 'stopped\\n'")
+    assert answer(window, "batch grains.csv -o forces.csv")["code"] == 0
+
+
+def test_a_curve_chosen_by_the_keyboard_is_fitted(
+    page: tuple[Browser, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    line = "fit curve.csv --radius 7.5um --radius2 plane --spring 3.01N/m --digits 2 --quiet"
+    monkeypatch.chdir(tmp_path)
+    Path("curve.csv").write_bytes(CURVE.read_bytes())
+    window = opened(page)
+    window.script("document.getElementById('file').focus()")
+    window.type(str(tmp_path / "curve.csv"))
+    window.wait("document.getElementById('status').textContent.startsWith('curve.csv is here')")
+    found, (printed, code) = answer(window, line), script(line)
+    assert (found["code"], found["shown"]) == (code, without_colours(printed))
+
+
+@pytest.mark.parametrize(
+    ("line", "title"),
+    [
+        (
+            "contact quartz 100nm --curve -o a.svg",
+            "force, Eqs (5) and (6); pressure, Eq (12); moment up to ξ_max = 1.33 nm",
+        ),
+        ("map pull-off quartz --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 -o a.svg", "pull-off force, P_c"),
+        ("figure geometry -o a.svg", "Symbols"),
+    ],
+)
+def test_a_picture_is_shown_below_its_line(
+    page: tuple[Browser, str], line: str, title: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytest.importorskip("matplotlib", reason="the script draws with it")
+    monkeypatch.chdir(tmp_path)
+    window = opened(page)
+    found, (printed, code) = answer(window, line), script(line)
+    assert (found["code"], found["shown"]) == (code, without_colours(printed))
+    shown = window.script("""
+        const picture = document.querySelector("#written img");
+        await picture.decode();
+        return [picture.alt, picture.naturalWidth > 0]""")
+    assert shown == [title, True]
+
+
+def test_a_picture_is_drawn_without_matplotlib() -> None:
+    there = runpy.run_path(str(DOCS / "prompt" / "page.py"))
+    line = Curve("line", numpy.array([0.0, 1e-8]), numpy.array([1e-9, 1e-3]))
+    axes = Axis("load", 0.0, 1e-8, is_log=False), Axis("radius", 1e-9, 1e-3)
+    panel = Panel(*axes, (line,), (Mark("⟦P_c⟧ here", 5e-9, 1e-6),))
+    svg = there["draw"](Picture("", (panel,), ("Fixed: nothing.",)), "svg", None, "paper").decode()
+    texts = ElementTree.fromstring(svg).iter("{http://www.w3.org/2000/svg}text")
+    assert 'd="M0.0,250.0L330.0,0.0"' in svg
+    assert 'cx="165.0" cy="125.0"' in svg
+    assert ["".join(text.itertext()).replace("\u200b", "") for text in texts] == [
+        *("0", "5", "10", "load; a pull is negative, P [nN]"),
+        *("1 nm", "100 nm", "10 µm", "1 mm", "radius of sphere 1, R1"),
+        *("Pc here", "line", "Fixed: nothing."),
+    ]
+    (contour,) = there["_lines"](numpy.array([[0.0, 1.0], [0.0, 1.0], [0.0, 2.0]]), 0.5)
+    assert contour.tolist() == [[0.5, 0.0], [0.5, 1.0], [0.25, 2.0]]
 
 
 def test_no_text_of_the_prompt_says_that_jkroll_is_on_a_package_index() -> None:
@@ -163,6 +267,6 @@ def test_a_narrow_screen_shows_all_of_the_page(page: tuple[Browser, str]) -> Non
 
 
 def test_the_page_is_small() -> None:
-    """At most 400 lines of HTML, CSS and JavaScript, and no framework."""
+    """At most 450 lines of HTML, CSS and JavaScript, and no framework."""
     files = [path for path in (DOCS / "prompt").iterdir() if path.suffix in (".html", ".css", ".js")]
-    assert sum(len(path.read_text(encoding="utf-8").splitlines()) for path in files) <= 400
+    assert sum(len(path.read_text(encoding="utf-8").splitlines()) for path in files) <= 450

@@ -5,12 +5,11 @@ import io
 import os
 import shlex
 import sys
-from collections.abc import Sequence
 from importlib.abc import MetaPathFinder
+from pathlib import Path
 from typing import Any
 
 WIDTH = "80"
-FILES = {"-o", "--output", "--plot", "--data", "--materials", "--resume"}
 LIBRARIES = {"numpy", "pint", "matplotlib", "pyarrow", "typer"}
 WITH_PYODIDE = {"numpy"}  # beside Pyodide on this site; it comes when a line needs it
 INSTALL = "the manual, linked below, says how to install jkroll"
@@ -48,46 +47,42 @@ def begin() -> None:
 
 
 def run(line: str) -> dict[str, Any]:
-    """Run a line; return its text with ANSI colours, its exit code, and the missing libraries that can be loaded."""
+    """Run a line; return its text with ANSI colours, its exit code, the files written, and libraries to load for it."""
     try:
         words = shlex.split(line)
     except ValueError as error:
-        return {"text": f"jkroll: {error}\n", "code": 2, "missing": []}
+        return {"text": f"jkroll: {error}\n", "code": 2, "written": [], "missing": []}
     if words[:1] == ["jkroll"]:
         words = words[1:]
-    if needed := needs_files(words):
-        return lacking(f"{needed} needs files", [])
     from jkroll.cli.process import main
 
     _absent.names.clear()
     importlib.invalidate_caches()  # a library may have come since
-    kept, terminal = (sys.stdout, sys.stderr), Terminal()
+    kept, terminal, before = (sys.stdout, sys.stderr), Terminal(), files()
     sys.stdout = sys.stderr = terminal
     try:
         code = main(words)
     finally:
         sys.stdout, sys.stderr = kept
     if missing := sorted(_absent.names):
-        return lacking(f"this line needs {', '.join(missing)}", [name for name in missing if name in WITH_PYODIDE])
-    return {"text": terminal.getvalue(), "code": code, "missing": []}
+        text = f"jkroll: this line needs {', '.join(missing)}, which this page lacks;\n{INSTALL}\n"
+        loadable = [name for name in missing if name in WITH_PYODIDE]
+        return {"text": text, "code": 1, "written": [], "missing": loadable}
+    written = [name for name, state in files().items() if before.get(name) != state]
+    return {"text": terminal.getvalue(), "code": code, "written": written, "missing": []}
 
 
-def lacking(reason: str, missing: Sequence[str]) -> dict[str, Any]:
-    """Return the answer to a line that needs what is not here, with the libraries that can be loaded for it."""
-    return {"text": f"jkroll: {reason}, which this page lacks;\n{INSTALL}\n", "code": 1, "missing": [*missing]}
-
-
-def needs_files(words: Sequence[str]) -> str:
-    """Return the word that needs files, or an empty text."""
-    if words[:1] == ["batch"]:
-        return "batch"
-    return next((word for word in words if word.partition("=")[0] in FILES), "")
+def files() -> dict[str, tuple[int, int]]:
+    """Return the files in the folder of the prompt by name, with time and size: those given, and those written."""
+    found = ((path.name, path.stat()) for path in Path().iterdir() if path.is_file())
+    return {name: (state.st_mtime_ns, state.st_size) for name, state in sorted(found)}
 
 
 def candidates(line: str) -> list[str]:
-    """Return the words that may stand in place of the last one of a line, as the shell's completion has them."""
+    """Return the words that may stand in place of the last one of a line, as a shell completes words and files."""
     from jkroll.cli.completion import candidates as candidates_for
 
     *before, begun = line.split(" ")
     words = [word for word in before if word and word != "jkroll"]
-    return [word for word, _ in candidates_for(words, begun) if word != begun][:30]
+    found = [word for word, _ in candidates_for(words, begun)] or [name for name in files() if name.startswith(begun)]
+    return [word for word in found if word != begun][:30]

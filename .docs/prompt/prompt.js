@@ -1,8 +1,9 @@
 // The prompt: a line to type, its answer, history by arrow keys, completion by Tab, a link that carries the line.
-import { ask, coloured, inWords, listen, stop } from "./python.js";
+import { ask, coloured, inWords, linkTo, listen, stop } from "./python.js";
 
 const form = document.forms[0];
-const [line, answer, status, choices] = ["line", "answer", "status", "choices"].map((id) => document.getElementById(id));
+const byId = (id) => document.getElementById(id);
+const [line, answer, status, choices, written] = ["line", "answer", "status", "choices", "written"].map(byId);
 const go = form.querySelector("button");
 listen((news) => (status.textContent = inWords(news)));
 
@@ -22,12 +23,16 @@ async function run(text) {
   go.textContent = "run";
   answer.dataset.code = found.code;
   answer.dataset.line = text;
+  written.replaceChildren(...(found.files ?? []).flatMap(linkTo));
   status.textContent = found.code ? `ended with code ${found.code}` : "";
 }
 
 form.onsubmit = (event) => {
   event.preventDefault();
-  if (go.textContent === "stop") return stop();
+  if (go.textContent === "stop") {
+    stop();
+    return given.forEach((file) => ask({ file })); // to the fresh Python
+  }
   const text = line.value.trim();
   hide();
   if (!text) return;
@@ -43,6 +48,22 @@ function recall(step) {
   line.value = history[place] ?? "";
   line.setSelectionRange(line.value.length, line.value.length);
 }
+
+// --- Files: those given to the prompt, and those that a line wrote ---
+
+const given = new Map();
+
+async function give(files) {
+  for (const each of files) {
+    const file = { name: each.name, content: new Uint8Array(await each.arrayBuffer()) };
+    given.set(file.name, file);
+    await ask({ file });
+    status.textContent = `${file.name} is here, for batch ${file.name} or fit ${file.name}`;
+  }
+}
+byId("file").onchange = ({ target }) => give(target.files);
+document.ondragover = (event) => event.preventDefault();
+document.ondrop = (event) => (event.preventDefault(), give(event.dataTransfer.files));
 
 // --- Completion ---
 
@@ -110,8 +131,8 @@ async function copy(text, what) {
   await navigator.clipboard.writeText(text);
   status.textContent = `${what} copied`;
 }
-document.getElementById("copy").onclick = () => copy(`$ jkroll ${answer.dataset.line}\n${answer.textContent}`, "answer");
-document.getElementById("link").onclick = () => copy(location.href, "link");
+byId("copy").onclick = () => copy(`$ jkroll ${answer.dataset.line}\n${answer.textContent}`, "answer");
+byId("link").onclick = () => copy(location.href, "link");
 
 for (const example of document.querySelectorAll(".example"))
   example.onclick = () => {

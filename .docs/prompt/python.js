@@ -82,3 +82,13 @@ export function coloured(text) {
   put(text.slice(from));
   return fragment;
 }
+
+// A link that saves a file which a line wrote, behind the picture that is in it.
+export function linkTo({ name, content }) {
+  const link = document.createElement("a");
+  Object.assign(link, { href: URL.createObjectURL(new Blob([content])), download: name, textContent: `save ${name}` });
+  if (!name.endsWith(".svg")) return [link, " "];
+  const text = new TextDecoder().decode(content);
+  const alt = new DOMParser().parseFromString(text, "image/svg+xml").querySelector("title").textContent;
+  return [Object.assign(new Image(), { alt, src: `data:image/svg+xml,${encodeURIComponent(text)}` }), link, " "];
+}

@@ -36,12 +36,12 @@ async function begin() {
   const list = bytes("./python/index.json").then((text) => JSON.parse(new TextDecoder().decode(text)));
   list.then(({ bytes }) => (total = bytes));
   const own = list.then(({ own }) => bytes(`./python/${own}`));
-  const scripts = ["bridge", "explore", "orjson"];
+  const scripts = { bridge: "bridge", explore: "explore", orjson: "orjson", page: "jkroll/pictures/page" };
   const [python, files, wheel, ...texts] = await Promise.all([
-    loadPyodide({ indexURL: here("./pyodide/") }), list, own, ...scripts.map((name) => bytes(`./${name}.py`)),
+    loadPyodide({ indexURL: here("./pyodide/") }), list, own, ...Object.keys(scripts).map((name) => bytes(`./${name}.py`)),
   ]);
   await unpack(python, wheel);
-  scripts.forEach((name, place) => python.FS.writeFile(`/lib/site/${name}.py`, new Uint8Array(texts[place])));
+  Object.values(scripts).forEach((path, n) => python.FS.writeFile(`/lib/site/${path}.py`, new Uint8Array(texts[n])));
   python.runPython("import sys; sys.path.insert(0, '/lib/site'); import bridge; bridge.begin()");
   told = Infinity;
   postMessage({ progress: { part: 1, ready: true } });
@@ -69,13 +69,15 @@ const toObject = (proxy) => {
 
 async function answer(all, line) {
   await loadTables(all);
-  const first = toObject(all.bridge.run(line));
-  if (!first.missing.length) return first;
-  await loadNumpy(all.python);
-  return toObject(all.bridge.run(line));
+  let found = toObject(all.bridge.run(line));
+  if (found.missing.length) {
+    await loadNumpy(all.python);
+    found = toObject(all.bridge.run(line));
+  }
+  return { ...found, files: found.written.map((name) => ({ name, content: all.python.FS.readFile(name) })) };
 }
 
-onmessage = async ({ data: { id, line, prefix, contact, drawn } }) => {
+onmessage = async ({ data: { id, line, prefix, contact, drawn, file } }) => {
   try {
     const all = await ready;
     const { python, bridge } = all;
@@ -85,7 +87,10 @@ onmessage = async ({ data: { id, line, prefix, contact, drawn } }) => {
       send(id, { curve: JSON.parse(python.pyimport("explore").curve(JSON.stringify(drawn))) });
     } else if (line !== undefined) send(id, await answer(all, line));
     else if (prefix !== undefined) send(id, { words: toObject(bridge.candidates(prefix)) });
-    else send(id, { text: "", code: 0 });
+    else {
+      if (file) python.FS.writeFile(file.name, file.content);
+      send(id, { text: "", code: 0 });
+    }
   } catch (error) {
     send(id, { text: `jkroll: ${absent || (error.message ?? error)}\n`, code: 1 });
     absent = "";

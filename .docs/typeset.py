@@ -1,0 +1,127 @@
+"""Formulas of the nomenclature as MathML, which browsers draw by themselves: `P_c = 3πγR` with its index and fractions.
+
+As in the nomenclature, letters beside each other are a product, and a slash divides all before it in this product by
+what follows up to a space: `M/2cRw` is M/(2cRw), `(1/2π)√(k/m)` a fraction times a root.
+"""
+
+import re
+from html import escape
+
+_FUNCTIONS = "arccot|arctanh|artanh|tanh|min|max|exp|ln|sin|cos"
+_SHORT = "is|in|if|of|at|as|no|nm|JKR|Eq|the|for|and|its|has|a(?= [a-z]{4})"
+_SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789−")
+_TOKEN = re.compile(
+    rf"(?P<space>\s+)|(?P<function>{_FUNCTIONS})|(?P<word>(?:(?:{_SHORT})(?![\w*])|[A-Za-z]{{4,}}[\w-]*|D&T|`[^`]*`))"
+    r"|(?P<letter>[A-Za-zΑ-Ωα-ωâÛδ∞])(?:_(?P<foot>[a-z]+|[A-Z]+|\d+|[α-ω])|(?P<index>\d+))?(?P<star>\*?′?)"
+    r"|(?P<number>[\d.]*\d|[½⅔¼])|\^(?P<power>[-−]?[\d.]+)|(?P<raised>[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)|(?P<sign>.)"
+)
+_OF_MARKDOWN = str.maketrans({"*": "&#42;", "|": "&#124;"})  # it would take them for marks of its own
+_CLOSING = {"(": ")", "[": "]", "{": "}", "⟨": "⟩"}
+_BETWEEN = "+−-=≈<>≤≥≪≫±,;:∫"
+
+
+def mathml(formula: str, *, is_block: bool = False) -> str:
+    """Return a formula, with the words in it, as an element of MathML."""
+    row = _Reader([*_TOKEN.finditer(formula)]).row("").translate(_OF_MARKDOWN)
+    return f'<math displaystyle="true"{" display=block" if is_block else ""}>{row}</math>'
+
+
+class _Reader:
+    """The tokens of a formula that are not yet read."""
+
+    def __init__(self, tokens: list[re.Match[str]]) -> None:
+        self.tokens, self.place = tokens, 0
+
+    def next(self) -> str:
+        """Return the next token, or an empty text at the end."""
+        return self.tokens[self.place][0] if self.place < len(self.tokens) else ""
+
+    def row(self, end: str) -> str:
+        """Return what comes up to a closing bracket, as terms and the signs between them."""
+        parts = []
+        while (text := self.next()) and text != end:
+            token = self.tokens[self.place]
+            if token["word"]:
+                before = "&nbsp;" if self.place else ""
+                parts.append(f"<mtext>{before}{escape(text.strip('`'))}</mtext>")
+            elif text in _BETWEEN:
+                parts.append(f"<mo>{escape(text)}</mo>")
+            elif text.isspace():
+                after_word = self.place and self.tokens[self.place - 1]["word"]
+                parts.append("<mtext>&nbsp;</mtext>" if after_word else "")
+            else:
+                parts.append(self.product(end))
+                continue
+            self.place += 1
+        return _grouped(parts)
+
+    def product(self, end: str) -> str:
+        """Return factors beside each other, and the fractions of them."""
+        factors: list[str] = []
+        while (text := self.next()) and text != end and text not in _BETWEEN and not self.tokens[self.place]["word"]:
+            if text == "/":
+                self.place += 1 + self.tokens[self.place + 1][0].isspace()
+                below = []
+                while self._is_factor(end):
+                    below.append(self.factor())
+                factors = [f"<mfrac>{_bare(factors)}{_bare(below)}</mfrac>"]
+            elif text.isspace():
+                self.place += 1
+            elif self._is_factor(end):
+                factors.append(self.factor())
+            else:
+                factors.append(f"<mo>{escape(text)}</mo>")
+                self.place += 1
+        return _grouped(factors)
+
+    def _is_factor(self, end: str) -> bool:
+        text = self.next()
+        if not text or text == end or text.isspace() or self.tokens[self.place]["word"]:
+            return False
+        return text not in _BETWEEN and text not in "/·|′%" and text not in _CLOSING.values()
+
+    def factor(self) -> str:
+        """Return a number, a letter, a root, a function or a bracket, with its exponent."""
+        token = self.tokens[self.place]
+        self.place += 1
+        if token[0] == "√":
+            return self._raised(f"<msqrt>{_bare([self.factor()])}</msqrt>", "")
+        if token[0] in _CLOSING:
+            inner = self.row(_CLOSING[token[0]])
+            closing = self.next()
+            self.place += 1
+            return self._raised(f"<mrow><mo>{token[0]}</mo>{inner}<mo>{closing}</mo></mrow>", "")
+        if token["function"]:
+            return self._raised(f"<mi>{token[0]}</mi>", "")
+        if not token["letter"]:
+            return self._raised(f"<mn>{escape(token[0])}</mn>", "")
+        letter = f"<mi>{token['letter']}</mi>"
+        if token["foot"] or token["index"]:
+            kind = "mn" if token["index"] else "mtext" if len(token["foot"]) > 1 else "mi"
+            letter = f"<msub>{letter}<{kind}>{token['foot'] or token['index']}</{kind}></msub>"
+        return self._raised(letter, "".join(f"<mo>{sign}</mo>" for sign in token["star"]))
+
+    def _raised(self, base: str, star: str) -> str:
+        """Return a factor with the star and the exponent behind it."""
+        power = ""
+        if self.place < len(self.tokens):
+            token = self.tokens[self.place]
+            if token["power"] or token["raised"]:
+                power = f"<mn>{token['power'] or token['raised'].translate(_SUPERSCRIPTS)}</mn>"
+                self.place += 1
+            elif token[0] == "^":  # (1/3), which stays in one line: a fraction would be too small
+                last = next(n for n in range(self.place, len(self.tokens)) if self.tokens[n][0] == ")")
+                power = f"<mn>{''.join(each[0] for each in self.tokens[self.place + 2 : last])}</mn>"
+                self.place = last + 1
+        return f"<msup>{base}<mrow>{star}{power}</mrow></msup>" if star or power else base
+
+
+def _grouped(parts: list[str]) -> str:
+    return f"<mrow>{''.join(parts)}</mrow>"
+
+
+def _bare(factors: list[str]) -> str:
+    """Return factors as a group, without the brackets of a single one, which a bar or a root makes superfluous."""
+    if len(factors) == 1 and (match := re.fullmatch(r"<mrow><mo>[(\[]</mo>(.*)<mo>[)\]]</mo></mrow>", factors[0])):
+        return match[1]
+    return _grouped(factors)
