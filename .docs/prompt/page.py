@@ -149,7 +149,7 @@ class _Axes:
             yield f"{_stroke(self.style.ink, '', 1)}/>"
             ends = [(x1, y1, bend_x, bend_y), (x0, y0, bend_x, bend_y)][: arrow.ends]
             yield from (_head(*end, self.style.ink) for end in ends)
-            x, y = self.place(*arrow.place)
+            x, y = self.place(*arrow.text_at)
             yield _text(x, y + 4, arrow.text, "middle")
 
     def _field(self, field: Field) -> Iterator[str]:
