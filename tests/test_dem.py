@@ -64,7 +64,7 @@ def test_the_load_that_a_message_gives_can_be_typed(run: Run, radius: int, model
     assert float(held) == approx(
         -1e9 * solve("pull_off_force", **QUARTZ | {"radius": radius * 1e-9}, model=model), rel=5e-4
     )
-    let_go = re.findall(r"a stiff machine holds them is (-[.\d]+) pm", run(f"{scene} --approach=-1nm").err)
+    let_go = re.findall(r"a stiff machine holds them up to (-[.\d]+) pm", run(f"{scene} --approach=-1nm").err)
     assert all(run(f"{scene} --approach={approach}pm").code == 0 for approach in let_go)
     assert let_go or model == "dmt"
 
@@ -84,7 +84,7 @@ def test_ratios_of_a_state(run: Run, model: str) -> None:
     assert "load_ratio" not in run(f"contact quartz 100nm --model {model}").out
 
 
-def test_what_rolls_is_told_once(run: Run) -> None:
+def test_rolling_is_reported_once(run: Run) -> None:
     """A contact that slides at 25 pN and rolls at 94 does not break before: it slides."""
     said = run("resistances quartz 0.5nm --explain").out
     assert "slides or peels off before it rolls" in said
