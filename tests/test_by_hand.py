@@ -111,7 +111,7 @@ def test_a_doubt_begins_where_its_number_passes_the_threshold(run: Run, words: s
 
 
 def test_rough_spheres_have_less_and_a_sticking_speed_gives_an_upper_limit(run: Run) -> None:
-    """P_c = (3/2)πγR1 = 117.8 nN: 1/4 to 1/2, 1/100 to 1/10. A loss beside adhesion's passes for γ, but not in P_c."""
+    """P_c = (3/2)πγR1 = 117.8 nN: 1/4 to 1/2, 1/100 to 1/10. Other losses than adhesion pass for γ, but not in P_c."""
     said = run("pull-off quartz 1um").err
     assert ("29–59 nN" in said, "1.2–12 nN" in said) == (True, True)
     for measured, is_limit in {"sticking_speed=10cm/s": True, "pull_off_force=100nN": False}.items():

@@ -84,7 +84,7 @@ def test_ratios_of_a_state(run: Run, model: str) -> None:
     assert "load_ratio" not in run(f"contact quartz 100nm --model {model}").out
 
 
-def test_what_rolls_is_told_once(run: Run) -> None:
+def test_rolling_is_reported_once(run: Run) -> None:
     """A contact that slides at 25 pN and rolls at 94 does not break before: it slides."""
     said = run("resistances quartz 0.5nm --explain").out
     assert "slides or peels off before it rolls" in said

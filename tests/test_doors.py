@@ -64,7 +64,7 @@ PARTS = [range(first, first + MANY // 5) for first in range(0, MANY, MANY // 5)]
 UNITS = ["nm", "angstrom", "nN", "lbf", "eV", "GPa", "cm/s", "N ym4", "m ym3", "J Ym-1", "kHz"]
 
 Cells = Mapping[str, Any]
-FORMS = FILES  # of the output of rows, beside --csv
+FORMS = FILES  # output forms for rows, besides --csv
 
 
 def disagreements(run: Run, ask: Ask, unit: str = "", forms: Sequence[str] = FORMS) -> Iterator[str]:

@@ -32,7 +32,7 @@ _IN_TEXT = re.compile(r"`(jkroll [^`]+)`")
 _ALL_DIGITS = re.compile(r"\d+\.\d{14,}")  # of a number that is written for programs
 _NOT_RUN = ("jkroll bench", "jkroll --install-completion", "jkroll COMMAND", "jkroll --show-completion")
 TABLE = "grain,material,radius [nm]\na,quartz,100\nb,iron,1000\n"  # of commands that read grains.csv
-TERMINAL = {"COLUMNS": "80", "LINES": "24", "TERM": "dumb", "XDG_CONFIG_HOME": "/nonexistent"}  # of a page written anew
+TERMINAL = {"COLUMNS": "80", "LINES": "24", "TERM": "dumb", "XDG_CONFIG_HOME": "/nonexistent"}  # for renewing a page
 CURVE = Path(__file__).parent / "data" / "probe.csv"  # of commands that read curve.csv
 MATERIALS = '[materials.mine]\nsurface_energy = "30 mJ/m2"\n'  # of commands that read mine.toml
 

@@ -1,4 +1,4 @@
-"""A check: a claim of the paper beside what follows from its premises, and the verdict that the two numbers give.
+"""A check: a claim of the paper, the number that follows from its premises, and the verdict on the two.
 
 Integrals, derivatives and roots are found by plain arithmetic, so that a check needs no formula of the paper to test
 one.

@@ -156,5 +156,5 @@ def test_the_pressure_that_is_drawn_dents_to_the_shifted_sphere(place: float) ->
 
 
 def test_the_manual_has_the_claims_that_do_not_hold() -> None:
-    """If it fails: `python tests/audit/claims.py` writes the table anew."""
+    """If it fails: `python tests/audit/claims.py` renews the table."""
     assert table() in PAGE.read_text(encoding="utf-8")

@@ -80,7 +80,7 @@ def test_completion_that_cannot_be_written_is_said_in_a_line(tmp_path: Path) -> 
     assert (ran.returncode, ran.stdout, ran.stderr) == (1, "", f"jkroll: cannot write '{home}': File exists\n")
 
 
-def test_a_shell_that_reads_no_candidates_is_told_nothing() -> None:
+def test_a_shell_that_reads_no_candidates_gets_none() -> None:
     reader, writer = os.pipe()
     os.close(reader)
     words = {"_JKROLL_COMPLETE": "complete_bash", "COMP_WORDS": "jkroll pull-off ", "COMP_CWORD": "2"}

@@ -155,7 +155,7 @@ def test_errors_of_all_types_are_copied() -> None:
 
 
 def test_another_process_computes_and_answers() -> None:
-    """A process that is spawned imports everything anew."""
+    """A process that is spawned imports everything again."""
     scene: dict[str, Any] = {"material": "quartz", "radius": 1e-7}
     with multiprocessing.get_context("spawn").Pool(1) as pool:
         formula, given = jkroll.formulas.pull_off_force, {"work_of_adhesion": 0.05, "reduced_radius": 5e-8}

@@ -296,7 +296,7 @@ def test_gaps_and_outliers_are_survived() -> None:
     assert fit.remarks["gaps"].startswith("50 of 1500 points")
 
 
-def test_a_sphere_is_told_from_a_paraboloid() -> None:
+def test_a_sphere_is_distinguished_from_a_paraboloid() -> None:
     setting = Setting(curve_law("jkr", "sphere"), 7.5e-6, 4e-10, Grip(3.01))
     z = ramp(-2.5e-6, 1.2e-6, 500, UNLOADING)
     contact = Contact(0.06, 1.0e6, 7.5e-6, 4e-10)

@@ -274,7 +274,7 @@ def test_an_uncertain_measurement_gives_an_uncertain_answer() -> None:
 
 @pytest.mark.parametrize("stiffness", [1e3, [1e3, 2e3]])
 def test_the_uncertainty_of_a_material_alone_gives_no_error_bars_as_in_solve(stiffness: Any) -> None:
-    """The γ of warm ice has error bars, which enter beside those of a measured value."""
+    """The γ of warm ice has error bars, which enter together with those of a measured value."""
     values = infer("radius", measured={"stiffness": stiffness}, material="ice-warm")
     assert isinstance(values, float if isinstance(stiffness, float) else numpy.ndarray)
     assert isinstance(infer("radius", measured={"stiffness": "1000±10 N/m"}, material="ice-warm"), Measured)

@@ -120,7 +120,7 @@ def test_arrays_give_what_floats_give(name: str, model: str) -> None:
 
 
 def test_all_solutions_of_arrays_are_named() -> None:
-    """Also where both lie between two points of the scan, beside a turning point."""
+    """Also where both lie between two points of the scan, next to a turning point."""
     scene = Frame({"load": 5e-8}, known_materials()["quartz"])
     least = min(scene.replace(radius=1e-9 * radius)["approach_at_load"] for radius in range(400, 700))
     measured = [3e-10, 1.00001 * least, 0.9 * least, 1e-9]

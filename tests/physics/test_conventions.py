@@ -1,4 +1,4 @@
-"""Energies and speeds by convention: the factors that are printed beside them, from the curve of JKR itself."""
+"""Energies and speeds by convention: the factors printed next to them, from the curve of JKR itself."""
 
 import math
 import re

@@ -171,7 +171,7 @@ def test_a_row_whose_error_bar_lacks_a_side_has_none(run: Run, others: dict[str,
 
 
 @pytest.mark.parametrize("cells", ["25,nan", "25,N/A", "nan,5", "NaN,nan"])
-def test_an_error_bar_that_is_no_number_is_told_as_such(run: Run, cells: str) -> None:
+def test_an_error_bar_that_is_not_a_number_is_reported(run: Run, cells: str) -> None:
     Path("x.csv").write_text(f"radius [nm],gamma [mJ/m2],gamma_err\n100,25,5\n100,{cells}\n", encoding="utf-8")
     ran = run("batch x.csv --quantities pull_off_force -o out.csv")
     text = next(cell for cell in cells.split(",") if not cell.isdigit())

@@ -141,7 +141,7 @@ def test_many_tables_are_read_at_once() -> None:
             header = understood(lines.names, lines.sample, given=ASKED.inputs, supply_of=ASKED.supply)
             check_inputs(header)
             at_once += 1
-    assert at_once >= 16  # three more have E or ρ without a unit beside a material, whose number would stand in
+    assert at_once >= 16  # three more have E or ρ without a unit and a material, whose number would replace them
     assert all(len(found.text) < 1000 for found in TABLES.values())
 
 

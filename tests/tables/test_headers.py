@@ -20,7 +20,7 @@ from jkroll.tables.reading import reading_of
 from random_tables import read_rows, write_rows
 from relative import approx
 
-# Headers by the input that they mean and its unit in SI units, over a plain number as files have it. R is beside R2.
+# Headers by the input that they mean and its unit in SI units, over a plain number as in files. R is next to R2.
 _READ = r"""
 radius 1e-9: radius [nm] | Radius [nm] | R1 (nm) | R_1 [nm] | radius1 [nm] | R1_nm | radius in nm | radius, nm
 radius 1e-9: r1 [nm] | radius/nm | radius / (nm) | R (nm) | R_nm | rad_nm | radii [nm]
@@ -880,7 +880,7 @@ def test_columns_without_a_name_are_no_reason_to_refuse(run: Run) -> None:
 
 
 def test_a_number_that_is_too_small_is_no_zero(run: Run) -> None:
-    """Whatever stands beside it. A load that a double holds is read, as a load may be 0."""
+    """Whatever is next to it. A load that a double holds is read, as a load may be 0."""
     Path("x.csv").write_text("radius [nm],load [nN]\n100,1\n100,1e-400\n100,0\n100,1e-290\n", encoding="utf-8")
     assert run("batch x.csv -o out.csv --material quartz --quantities contact_radius_at_load --no-doubt").code == 1
     statuses = [line.partition(",,")[2] for line in Path("out.csv").read_text(encoding="utf-8").splitlines()[1:]]

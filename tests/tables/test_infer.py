@@ -194,7 +194,7 @@ def test_rows_of_statistics_are_none_of_the_data(run: Run, end: str, labels: lis
 
 
 def test_a_label_that_may_be_a_statistic_is_a_row(run: Run) -> None:
-    """N is one beside others alone; where all data are means, or an option says so, these are data."""
+    """N is one only next to others; where all data are means, or an option says so, these are data."""
     force, other = 300e-9 / (3 * math.pi * 2e-6), 320e-9 / (3 * math.pi * 2e-6)
     cases = {
         ("Y", "N"): "",

@@ -49,7 +49,7 @@ def tables() -> None:
 
 
 def begun(target: str) -> list[Path]:
-    """The files beside a target that runs have begun."""
+    """Return the temporary files that runs have begun next to a target."""
     return [*Path().glob(f".{target}.*")]
 
 
@@ -65,7 +65,7 @@ def begun(target: str) -> list[Path]:
     ],
 )
 def test_a_kill_leaves_no_half_of_a_file(words: str, end: str, kills: int, *, whole_group: bool) -> None:
-    """Nothing, or what was there before; beside it what was begun, which no later run reads."""
+    """The target is missing or unchanged; the file that was begun next to it is never read by a later run."""
     tables()
     command = [sys.executable, "small.py", *words.split(), "-o"]
     whole, out = Path(f"whole.{end}"), Path(f"out.{end}")

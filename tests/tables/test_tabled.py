@@ -86,7 +86,7 @@ KINDS = [
 
 
 def values(found: Any, head: str) -> list[Any]:
-    """Return the column of a header, or of its bare name where units stand beside it, as a list; None is empty."""
+    """Return the column of a header, or of its name alone where units are kept elsewhere, as a list; None is empty."""
     try:
         column = found[head]
     except KeyError:

@@ -1,4 +1,4 @@
-"""Columns that are not read: none passes beside a number that stands in for it, and what is advised works."""
+"""Columns that are not read: none passes if another number would silently replace it, and all advice works."""
 
 import re
 import shlex

@@ -1,4 +1,4 @@
-"""Measurements beside what this program computes for them: data, and the table in `jkroll guide validation`.
+"""Measurements next to the values of this program: data, and the table in `jkroll guide validation`.
 
     python tests/tools/measurements.py
 

@@ -1,4 +1,4 @@
-"""Inferred values on a terminal, in JSON and in rows: by the law that holds and the one in use, beside the library."""
+"""Inferred values on a terminal, in JSON and in rows: by the law that holds and the one in use, and by the library."""
 
 import csv
 import json

@@ -23,7 +23,7 @@ from tuning import computed, tables_on_a_terminal
 def test_scenes_are_rows_or_columns_or_several_tables(
     run: Run, monkeypatch: pytest.MonkeyPatch, columns: str, first: str, rows: int
 ) -> None:
-    """Thirteen results and the doubts; a law that is given leaves no best range beside them."""
+    """Thirteen results and the doubts; a law that is given leaves out their best ranges."""
     monkeypatch.setenv("COLUMNS", columns)
     words = "report graphite,iron 1mm --gamma 75mJ/m2 --model jkr --quiet"
     lines = run(words, terminal=True).out.splitlines()
@@ -157,7 +157,7 @@ def test_powers_of_ten_have_one_form(run: Run) -> None:
 
 
 def test_a_list_of_laws_says_which_of_them_holds(run: Run) -> None:
-    """No column has another law beside it, so that the doubts name the laws that are off."""
+    """No column shows another law, so the doubts name the laws that are off."""
     ran = run("pull-off quartz 100nm --model jkr,maugis,dmt --quantities P_c", terminal=True)
     rows = [line.split() for line in ran.out.splitlines() if line.startswith(("jkr", "maugis", "dmt"))]
     assert rows == [["jkr", "11.78", "law-off-25%"], ["maugis", "14–15"], ["dmt", "15.71"]]

@@ -10,7 +10,7 @@ COMPARED = comparisons()
 
 
 def test_the_page_has_the_table() -> None:
-    """If it fails: `python tests/tools/measurements.py` writes it anew."""
+    """If it fails: `python tests/tools/measurements.py` renews it."""
     assert measurements_table() in PAGE.read_text(encoding="utf-8")
 
 

@@ -141,9 +141,8 @@ def understood(
         raise BadTable(f"--column: the table has no column {quoted(text)}; it has {columns_of_table}")
     heads = []
     for position, text in enumerate(texts):
-        head = meaning_of(text, [row[position] for row in rows], stated, measured)
-        heads.append(head._replace(position=position))
-    heads = [*_among_others(heads, given)]
+        heads.append(meaning_of(text, [row[position] for row in rows], stated, measured))
+    heads = [head._replace(position=position) for position, head in enumerate(_among_others(heads, given))]
     inputs: dict[str, dict[str, Reading]] = {}  # by part of the uncertainty, "" for the value
     for head in heads:
         if head.is_input:
