@@ -113,7 +113,7 @@ class Frame:
     1e-07
     """
 
-    few = 800  # places of uncertain inputs that numbers compute in the time of importing numpy: up to three ranges
+    few = 300  # places of uncertain inputs that numbers compute in the time of importing numpy: up to two ranges
     unknowns: Sequence[str] = ()  # inputs that are found from what was measured
     solution: Any = None  # of these
 

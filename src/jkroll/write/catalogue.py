@@ -1,6 +1,7 @@
 """The materials and the quantities of the nomenclature as text: lists of them, and all that is known of one."""
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from functools import cache
 from typing import Any, TextIO
 
 from ..materials.library import ORIGIN, Material
@@ -186,8 +187,8 @@ def quantity_as_object(name: str) -> dict[str, Any]:
     """Return all that is known of a quantity: its JSON object, of which the other pages are views."""
     quantity, formula = NOMENCLATURE[name], formula_of(name)
     fields = docstring_fields(formula) if formula else {}
-    words = words_in(name)
-    related = [other for other in without_variants(list(NOMENCLATURE)) if _has_words(other, words)]
+    sought = words_in(name)
+    related = [other for other, words in _words_of_names().items() if _has_all(words, sought)]
     return {
         "name": name,
         "symbol": quantity.symbol,
@@ -210,9 +211,15 @@ def quantity_as_object(name: str) -> dict[str, Any]:
     }
 
 
-def _has_words(name: str, words: Iterable[str]) -> bool:
-    """Return whether each of some words begins a word of a name."""
-    return all(any(other.startswith(word) for other in words_in(name)) for word in words)
+@cache
+def _words_of_names() -> Mapping[str, Sequence[str]]:
+    """Return the words of each name of the nomenclature but those of variants."""
+    return {name: words_in(name) for name in without_variants(NOMENCLATURE)}
+
+
+def _has_all(words: Sequence[str], sought: Iterable[str]) -> bool:
+    """Return whether each word sought begins one of some words."""
+    return all(any(word.startswith(beginning) for word in words) for beginning in sought)
 
 
 def commands_of(name: str) -> tuple[str, ...]:
@@ -250,7 +257,7 @@ def groups_of_quantities() -> dict[str, list[str]]:
         "of measured curves": OF_CURVES,
         "further": NOMENCLATURE,
     }
-    left = without_variants(list(NOMENCLATURE))
+    left = without_variants(NOMENCLATURE)
     shown = {}
     for title, members in groups.items():
         shown[title] = [name for name in left if name in members]

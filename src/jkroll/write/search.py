@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable, Iterable, Sequence
+from functools import cache
 from itertools import pairwise, product
 from math import log
 from typing import Generic, NamedTuple, TypeVar
@@ -48,6 +49,7 @@ def words_sought(text: str) -> list[str]:
     return [*dict.fromkeys(word for word in words if word not in COMMON)] or [*dict.fromkeys(words)]
 
 
+@cache
 def stem(word: str) -> str:
     """Return a word without its ending.
 
