@@ -3,6 +3,7 @@
 import os
 import secrets
 import sys
+import tempfile
 from pathlib import Path
 
 import pytest
@@ -50,6 +51,12 @@ def pytest_configure() -> None:
 def pytest_report_header() -> str:
     """Print the seed, so that a failure can be repeated."""
     return f"ACCURACY_SEED={os.environ['ACCURACY_SEED']}"
+
+
+@pytest.fixture
+def tmp_path(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Make a new folder. Pytest's own lists thousands of earlier ones first, to number it."""
+    return Path(tempfile.mkdtemp(dir=tmp_path_factory.getbasetemp()))
 
 
 @pytest.fixture(autouse=True)
