@@ -113,11 +113,7 @@ def test_a_fit_in_python_has_its_points_and_a_picture(curve: str) -> None:
     columns = fitted.curve
     assert columns["residual [N]"] == approx(columns["load [N]"] - columns["load_fitted [N]"])
     pytest.importorskip("matplotlib")
-    axes = fitted.plot()
-    assert len(axes) == 3
-    content, shown = fitted.drawn._repr_png_()
-    assert content.startswith(b"\x89PNG")
-    assert 300 < shown["width"] < 1200
+    assert len(fitted.plot()) == 3
 
 
 def test_json_has_what_was_known_and_the_range(run: Run, curve: str) -> None:

@@ -83,6 +83,14 @@ def in_a_column(name: str, width: int = 85) -> tuple[Picture, Figure]:
         return drawn, figure_of(drawn, width / 25.4, PAPER, has_caption=True)
 
 
+@cache
+def map_in_a_column(*words: str) -> tuple[Picture, Figure]:
+    """Return the map of a user, and its page; drawn once for all tests."""
+    drawn, *_ = map_drawn([*words])
+    with settings(PAPER):
+        return drawn, figure_of(drawn, 120 / 25.4, PAPER, has_caption=True)
+
+
 def contact_of_quartz() -> Picture:
     """Return the panels of a contact."""
     return curves_of_contact([Frame({"radius": 1e-7}, known_materials()["quartz"])], None, None)[0]
@@ -139,9 +147,10 @@ def test_a_contour_of_the_paper_is_its_formula(name: str) -> None:
 def test_a_contour_of_a_users_map_is_its_formula(
     words: list[str], axes: tuple[str, str], given: dict[str, Any]
 ) -> None:
-    drawn, panel, field = map_drawn([*words, "--x", axes[0], "--y", axes[1]])
+    drawn, page = map_in_a_column(*words, "--x", axes[0], "--y", axes[1])
+    panel, field = field_of(drawn)
     spacing = (levels_of(field)[-1] - levels_of(field)[0]) / len(levels_of(field))
-    for value, (x, y) in contours(field, figure_of(drawn, 4.0, PAPER, has_caption=False)):
+    for value, (x, y) in contours(field, page):
         values = solve(field.quantity, **given, **{panel.x.name: x, panel.y.name: y})
         assert abs(values / value - 1).max() < 1e-3 or abs(values - value).max() < 1e-3 * spacing
 
@@ -174,9 +183,10 @@ def test_every_figure_is_drawn_and_says_what_it_is(run: Run, tmp_path: Path, nam
 
 @pytest.mark.parametrize("kind", ["svg", "pdf", "png"])
 def test_a_file_says_what_drew_it(run: Run, tmp_path: Path, kind: str) -> None:
-    run(f"figure laws --style dark -o out.{kind} --quiet")
+    run(f"map pull-off quartz --x radius=10nm:1um --style dark -o out.{kind} --quiet")
     content = (tmp_path / f"out.{kind}").read_bytes()
-    for said in ("by each law; ", f"jkroll {__version__}", "jkroll figure laws --style=dark"):
+    call = "jkroll map pull-off quartz --x=radius=10nm:1um --style=dark"
+    for said in ("Pull-off force, P_c, Eq", f"jkroll {__version__}", call):
         assert said.encode() in content
     assert b"out." not in content
 
@@ -402,9 +412,8 @@ def test_the_edge_of_a_gap_is_where_the_contact_breaks(model: str) -> None:
 
 
 def test_a_limit_that_holds_in_part_of_a_map_has_its_name_at_its_line() -> None:
-    drawn, _, field = map_drawn("n-roll quartz --x radius=10nm:1um --y speed=1cm/s:1m/s".split())
-    with settings(PAPER):
-        page = figure_of(drawn, 120 / 25.4, PAPER, has_caption=True)
+    drawn, page = map_in_a_column(*"n-roll quartz --x radius=10nm:1um --y speed=1cm/s:1m/s".split())
+    _, field = field_of(drawn)
     (axes,) = page.axes
     (region,) = (region for region in field.regions if region.name == "⟦M/2cRw > 1⟧")
     (label,) = (text for text in axes.texts if text.get_text() == typeset(region.name))
