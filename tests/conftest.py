@@ -1,5 +1,6 @@
 """Fixtures of all tests: a call of the command line in this process, away from the user's own files."""
 
+import gc
 import os
 import secrets
 import sys
@@ -43,7 +44,11 @@ settings.load_profile("same")
 
 
 def pytest_configure() -> None:
-    """Choose the seed of the slow accuracy test, one for all processes; let processes compile the program once."""
+    """Choose the seed of the slow accuracy test, one for all processes; let processes compile the program once.
+
+    Garbage is collected thirty times less often: each collection goes through all objects of pytest.
+    """
+    gc.set_threshold(20_000)
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     os.environ.setdefault("ACCURACY_SEED", str(secrets.randbelow(10**9)))
 
