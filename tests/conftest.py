@@ -1,8 +1,10 @@
 """Fixtures for all tests: they call the command line in this process, without the user's own files."""
 
+import gc
 import os
 import secrets
 import sys
+import tempfile
 from pathlib import Path
 
 import pytest
@@ -42,7 +44,11 @@ settings.load_profile("same")
 
 
 def pytest_configure() -> None:
-    """Choose one seed for the slow accuracy test in all processes, and let processes compile the program once."""
+    """Choose one seed for the slow accuracy test in all processes, and let processes compile the program once.
+
+    Garbage is collected thirty times less often: each collection goes through all objects of pytest.
+    """
+    gc.set_threshold(20_000)
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     os.environ.setdefault("ACCURACY_SEED", str(secrets.randbelow(10**9)))
 
@@ -50,6 +56,12 @@ def pytest_configure() -> None:
 def pytest_report_header() -> str:
     """Print the seed, so that a failure can be repeated."""
     return f"ACCURACY_SEED={os.environ['ACCURACY_SEED']}"
+
+
+@pytest.fixture
+def tmp_path(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Make a new folder. Pytest's own lists thousands of earlier ones first, to number it."""
+    return Path(tempfile.mkdtemp(dir=tmp_path_factory.getbasetemp()))
 
 
 @pytest.fixture(autouse=True)

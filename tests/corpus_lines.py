@@ -1,6 +1,8 @@
 """The command lines of tests/corpus/command_lines.txt: read, run and judge them.
 
-A line holds an exit code and a typed command, as `0 jkroll pull-off quartz 100nm`. It runs next to the files of
+A line holds an exit code and a typed command, as `0 jkroll pull-off quartz 100nm`. Some lines have their output in
+tests/corpus/outputs.txt, as a person has read it: below `$` and the line stands what it prints, after `!` what it
+prints on standard error, and after `>` each file that it writes. A line runs next to the files of
 tests/input_files.py, on a terminal of 80 columns without colour. As in a shell, `| cat` makes standard output a pipe,
 `< FILE` is standard input, `NAME=VALUE` before the program sets an environment variable, and another command, which
 then decides the exit code, follows `;`. Standard error is a file, because progress bars depend on time. Lines below
@@ -11,10 +13,11 @@ This module imports only `main` from jkroll, so that it can also run the lines i
 
 import json
 import os
+import re
 import shlex
 import shutil
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import chdir, contextmanager
 from importlib.util import find_spec
 from itertools import groupby
@@ -24,8 +27,11 @@ from unittest import mock
 
 from harness import Ran, captured
 from input_files import CONTENTS
+from transcripts import rounded
 
 PATH = Path(__file__).parent / "corpus" / "command_lines.txt"
+OUTPUTS = PATH.with_name("outputs.txt")
+LONGEST = 40  # lines of an output that a person reads
 _ENVIRONMENT = {"XDG_CONFIG_HOME": "/nonexistent", "COLUMNS": "80", "LINES": "24", "TERM": "dumb"}
 _FOREIGN = ("JKROLL_MATERIALS", "_JKROLL_COMPLETE", "FORCE_COLOR", "NO_COLOR", "COLORTERM")
 _directories: set[Path] = set()  # in which lines may be run
@@ -163,3 +169,38 @@ def faults(line: Line, outcome: Outcome) -> list[str]:
 
 def _refuse(constant: str) -> NoReturn:
     raise ValueError(f"{constant} is no number of JSON")
+
+
+# --- Outputs that a person has read -----------------------------------------------------------------------------------
+
+
+def output(line: Line) -> str:
+    """Run a line, and return it with its output as tests/corpus/outputs.txt has it."""
+    outcome = run(line)
+    files = [("> ", f"{name}\n{content.decode(errors='replace')}") for name, content in outcome.files.items()]
+    printed = [
+        f"{mark}{text}".rstrip()
+        for mark, whole in [("  ", outcome.out), ("! ", outcome.err), *files]
+        for text in whole.splitlines()
+    ]
+    return rounded("\n".join([f"$ {line.typed}", *printed]) + "\n")
+
+
+def outputs() -> Mapping[str, str]:
+    """Return the outputs that a person has read, by what is typed."""
+    blocks = re.split(r"^(?=\$ )", OUTPUTS.read_text(encoding="utf-8"), flags=re.MULTILINE)
+    return {block.partition("\n")[0].removeprefix("$ "): block for block in blocks if block}
+
+
+def write_outputs(count: int | None) -> int:
+    """Write the outputs anew, of the same lines or of so many others; return the number of lines.
+
+    An output that is long, or that differs from one run to the next, is left out.
+    """
+    runnable = [line for line in lines() if line.can_run]
+    chosen = [line for line in runnable if line.typed in outputs()] if count is None else spread(runnable, count)
+    with among_input_files():
+        found = [(output(line), output(line)) for line in chosen]
+    kept = [first for first, second in found if first == second and first.count("\n") <= LONGEST]
+    OUTPUTS.write_text("".join(kept), encoding="utf-8")
+    return len(kept)

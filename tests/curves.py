@@ -19,7 +19,7 @@ def jkr_state(x: Any, w: Any, modulus: Any, radius: Any) -> Any:
 
 def jkr_force(z: Any, w: Any, modulus: Any, radius: Any, stiffness: Any, *, has_contact_below: bool = True) -> Any:
     """Return the force of a lever at travels from its contact point, from a table of states; 0 away from contact."""
-    x = numpy.geomspace(1 / 6, 500, 400_000)
+    x = numpy.geomspace(1 / 6, 500, 100_000)
     approach, load = jkr_state(x, w, modulus, radius)
     travel = approach + load / stiffness
     last = int(numpy.argmin(travel))
@@ -29,7 +29,7 @@ def jkr_force(z: Any, w: Any, modulus: Any, radius: Any, stiffness: Any, *, has_
 
 def dmt_force(z: Any, w: Any, modulus: Any, radius: Any, stiffness: Any) -> Any:
     """Return the force of a lever in DMT; 0 away from contact."""
-    approach = numpy.linspace(0, 3 * max(z.max(), 1e-12), 400_000)
+    approach = numpy.linspace(0, 3 * max(z.max(), 1e-12), 100_000)
     load = 4 / 3 * modulus * sqrt(radius) * approach**1.5 - 2 * pi * w * radius
     travel = approach + load / stiffness
     return numpy.where(z < travel[0], 0.0, numpy.interp(z, travel, load))

@@ -30,9 +30,10 @@ def _read(terminal: int) -> bytes:
         return b""
 
 
-def script(line: str) -> tuple[str, int]:
-    """Return what jkroll prints on a terminal of 80 columns, and its exit code."""
-    code, shown = on_terminal([sys.executable, "-m", "jkroll", *shlex.split(line)], **TERMINAL)
+def script(line: str, columns: int = 80) -> tuple[str, int]:
+    """Return what jkroll prints on a terminal, and its exit code."""
+    settings = {**TERMINAL, "COLUMNS": str(columns)}
+    code, shown = on_terminal([sys.executable, "-m", "jkroll", *shlex.split(line)], **settings)
     return shown.replace("\r\n", "\n"), code
 
 

@@ -62,7 +62,7 @@ def texts(window: Browser) -> dict[str, tuple[str, str, str]]:
 def test_its_numbers_are_those_of_the_command_below(site: tuple[Browser, str], query: str) -> None:
     window = opened(site, query)
     command, found = window.script("return document.querySelector('#shell').textContent"), texts(window)
-    printed, code = script(command.removeprefix("jkroll "))
+    printed, code = script(command.removeprefix("jkroll "), columns=100)
     assert code == 0
     lines = without_colours(printed).splitlines()
     checked = 0
@@ -81,7 +81,7 @@ def test_its_numbers_are_those_of_the_command_below(site: tuple[Browser, str], q
 
 def test_the_page_has_numbers_before_any_script_runs() -> None:
     html = (SITE / "index.html").read_text(encoding="utf-8")
-    printed = without_colours(script("report quartz 100nm --speed 20cm/s")[0])
+    printed = without_colours(script("report quartz 100nm --speed 20cm/s", columns=100)[0])
     for name in RESULTS:
         ((words, best),) = re.findall(rf'data-result="{name}" title="([^"]*)">.*?<b>([^<]*)</b>', html)
         (line,) = (line for line in printed.splitlines() if line.startswith(f"{words}  "))

@@ -26,6 +26,8 @@ def ascii_text(text: str) -> str:
     >>> ascii_text("P_c = 3πγR, 50 µm")
     'P_c = 3 pi gamma R, 50 um'
     """
+    if text.isascii():
+        return text
     pieces = [""]
     for character in text:
         piece = _ASCII.get(character, character)

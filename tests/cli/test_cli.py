@@ -560,7 +560,7 @@ def test_a_curve_of_states_without_any_value_but_their_load_is_refused(run: Run,
     "words",
     [
         ("quartz", "100±10nm"),
-        ("quartz", "90 to 110nm"),
+        pytest.param(("quartz", "90 to 110nm"), marks=pytest.mark.slow),
         pytest.param(("quartz", "90 to 110nm", "--model", "maugis"), marks=pytest.mark.slow),
         pytest.param(
             ("quartz", "1um", "--gamma", "25±5mJ/m2", "--radius2", "plane", "--model", "dmt"), marks=pytest.mark.slow

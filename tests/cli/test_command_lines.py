@@ -9,7 +9,7 @@ from random import Random
 import pytest
 
 from command_lines import WEIGHTS, command_line
-from corpus_lines import Line, among_input_files, commands, faults, lines, run, spread
+from corpus_lines import Line, among_input_files, commands, faults, lines, output, outputs, run, spread
 from invariants import check_call, isolate
 from jkroll.cli.commands import COMMANDS, flags_of
 from jkroll.quantities.laws import MODELS
@@ -37,7 +37,7 @@ def _isolated(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]
 
 @pytest.mark.usefixtures("_isolated")
 def test_generated_command_lines() -> None:
-    codes = run_many(250, seed=1)
+    codes = run_many(150, seed=1)
     assert min(codes[code] for code in (0, 1, 2)) > 5
 
 
@@ -62,6 +62,14 @@ def test_some_lines_of_the_corpus() -> None:
 @pytest.mark.slow
 def test_the_corpus() -> None:
     assert wrong(len(lines())) == {}
+
+
+def test_lines_of_the_corpus_print_what_a_person_has_read() -> None:
+    kept = outputs()
+    assert kept.keys() <= {line.typed for line in lines()}
+    with among_input_files():
+        found = {line.typed: output(line) for line in lines() if line.typed in kept and line.can_run}
+    assert found == {typed: kept[typed] for typed in found}
 
 
 def wrong_with_inputs(name: str | None, inputs: Iterable[str]) -> dict[str, list[str]]:

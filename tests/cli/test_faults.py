@@ -38,6 +38,7 @@ SWEEPS = {
     "curve": "contact quartz 1nm:1um:10000 --curve --csv",
 }
 ONE_OF_EACH_KIND = ("bare", "rows", "help")
+ALL_KINDS = [name if name in ONE_OF_EACH_KIND else pytest.param(name, marks=pytest.mark.slow) for name in WRITERS]
 # An interpreter that says when jkroll has begun: an interrupt before that has the interpreter's own way.
 STARTING = """
 import signal, sys
@@ -72,7 +73,7 @@ def in_shell(line: str) -> tuple[int, str]:
 
 
 @pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs /dev/full")
-@pytest.mark.parametrize("what", WRITERS)
+@pytest.mark.parametrize("what", ALL_KINDS)
 def test_a_full_disk_is_said_in_a_line(what: str) -> None:
     with open("/dev/full", "wb") as full:
         ran = run(WRITERS[what], stdout=full)

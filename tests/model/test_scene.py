@@ -139,7 +139,7 @@ def test_a_scene_with_alternatives_is_gone_with_its_last_user() -> None:
 
 def test_plans_are_not_remembered_for_ever() -> None:
     results = [*filter(formula_of, NOMENCLATURE)]
-    for known in islice(combinations(results, 3), 60):
+    for known in islice(combinations(results, 3), 30):
         for name in results:
             plan_for(name, frozenset(known), False)
     assert plan_for.cache_info().currsize <= KEPT < plan_for.cache_info().misses

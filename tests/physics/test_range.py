@@ -155,8 +155,8 @@ def _exact_or_none(formula: str, given: dict[str, Exact]) -> Exact | None:
 @pytest.mark.parametrize(
     ("model", "count"),
     [
-        ("jkr", 60),
-        ("maugis", 10),
+        ("jkr", 30),
+        ("maugis", 5),
         pytest.param("jkr", 1000, marks=pytest.mark.slow),
         pytest.param("maugis", 1000, marks=pytest.mark.slow),
     ],

@@ -74,7 +74,7 @@ def test_the_pull_off_force_is_the_end_of_the_curve() -> None:
     assert "quartz" in drawn.caption
 
 
-@pytest.mark.parametrize("name", ["2", "3a", "6b", "laws"])
+@pytest.mark.parametrize("name", ["2", "3a", *(pytest.param(name, marks=pytest.mark.slow) for name in ("6b", "laws"))])
 def test_a_figure_is_drawn_on_axes_of_a_user(name: str) -> None:
     from matplotlib.figure import Figure
 
@@ -85,7 +85,10 @@ def test_a_figure_is_drawn_on_axes_of_a_user(name: str) -> None:
     for each in numpy.ravel(axes):
         assert each.get_xlabel()
         assert each.has_data()
-    content, shown = drawn._repr_png_()
+
+
+def test_a_notebook_shows_a_picture() -> None:
+    content, shown = jkroll.figure("laws")._repr_png_()
     assert content.startswith(b"\x89PNG")
     assert 300 < shown["width"] < 1200
 

@@ -98,8 +98,15 @@ def test_a_kill_leaves_no_half_of_a_file(words: str, end: str, kills: int, *, wh
     assert {path: path.read_bytes() for path in begun(out.name)} == left
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
-@pytest.mark.parametrize("words", ["batch grains.csv --material quartz --jobs 1", SWEEP])
+@pytest.mark.parametrize(
+    ("words", "number"),
+    [
+        ("batch grains.csv --material quartz --jobs 1", signal.SIGINT),
+        ("batch grains.csv --material quartz --jobs 1", signal.SIGTERM),
+        (SWEEP, signal.SIGINT),
+        (SWEEP, signal.SIGHUP),
+    ],
+)
 def test_an_interrupt_leaves_nothing(words: str, number: int) -> None:
     tables()
     before = {*os.listdir(), "__pycache__"}

@@ -60,7 +60,7 @@ def converted(dialect: str, end: str, text: bytes, *, excel_safe: bool) -> Conve
     return converter(dialect, end, excel_safe=excel_safe).converted(text)
 
 
-@settings(deadline=None, max_examples=75)
+@settings(deadline=None, max_examples=40)
 @given(
     table=st.lists(USUAL, min_size=1, max_size=8) | st.lists(USUAL | ANY, max_size=8),
     dialect=st.sampled_from(["csv", "tsv"]),

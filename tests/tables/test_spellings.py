@@ -1,6 +1,8 @@
 """Every spelling of every input in a header is read rightly or refused; only a symbol without a mark may pass."""
 
 from collections import Counter
+from collections.abc import Iterable
+from random import Random
 
 import pytest
 
@@ -8,8 +10,6 @@ from jkroll.errors import BadTable
 from jkroll.tables.header import understood
 from relative import approx
 from spellings import MANGLINGS, Spelling, spellings
-
-SPELLINGS = [*spellings()]
 
 
 def outcome(spelling: Spelling) -> str:
@@ -25,14 +25,23 @@ def outcome(spelling: Spelling) -> str:
     return "read" if is_right else f"read as {column.name} = {column.value('3')}"
 
 
-@pytest.mark.parametrize("how", MANGLINGS)
-def test_a_spelling_is_read_rightly_or_refused(how: str) -> None:
-    outcomes = {spelling.text: outcome(spelling) for spelling in SPELLINGS if spelling.how == how}
-    assert not {text: found for text, found in outcomes.items() if found not in ("read", "refused", "passed")}
-    counts = Counter(outcomes.values())
-    assert counts["read"] > 0.3 * len(outcomes), counts
+def are_read_rightly_or_refused(some: Iterable[Spelling]) -> None:
+    """Check that no spelling is read as another input, nor passed by; a third of each kind is read."""
+    outcomes = {spelling: outcome(spelling) for spelling in some}
+    wrong = {each.text: found for each, found in outcomes.items() if found not in ("read", "refused", "passed")}
+    assert not wrong
+    counts = Counter((spelling.how, found) for spelling, found in outcomes.items())
+    for how in MANGLINGS:
+        assert counts[how, "read"] > 0.3 * sum(counts[how, found] for found in ("read", "refused", "passed")), how
 
 
-def test_there_are_more_than_thirty_thousand() -> None:
-    assert len(SPELLINGS) > 30_000
+def test_a_spelling_is_read_rightly_or_refused() -> None:
+    are_read_rightly_or_refused(Random(1).sample([*spellings()], 4000))
+
+
+@pytest.mark.slow
+def test_every_spelling_is_read_rightly_or_refused() -> None:
+    every = [*spellings()]
+    assert len(every) > 30_000
     assert len(MANGLINGS) >= 12
+    are_read_rightly_or_refused(every)

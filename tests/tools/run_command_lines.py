@@ -3,12 +3,14 @@
     python tests/tools/run_command_lines.py random 1000000 [SEED]
     python tests/tools/run_command_lines.py check [COUNT]
     python tests/tools/run_command_lines.py compare CHECKOUT [CHECKOUT]
+    python tests/tools/run_command_lines.py outputs [COUNT]
 
 `random` checks the invariants of generated lines: see `check_call` of tests/invariants.py. `check` runs the corpus, or
 so many lines spread over it, and checks that each ends with the code that stands beside it, without a traceback, and
 that what `--json` prints is JSON. `compare` runs the corpus in two checkouts, a process each, and prints what differs
 in exit codes, streams and files that are written; the second is this one unless named. Each ends with 1 if a line is
-wrong or differs.
+wrong or differs. `outputs` writes tests/corpus/outputs.txt anew, to be read before it is committed: the outputs of the
+lines that it has, or of about so many spread over the corpus.
 """
 
 import os
@@ -26,7 +28,7 @@ from random import Random
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from corpus_lines import Outcome, among_input_files, faults, lines, run, spread
+from corpus_lines import Outcome, among_input_files, faults, lines, run, spread, write_outputs
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 LONGEST = 40  # lines of a difference that are printed
@@ -148,12 +150,17 @@ def main() -> int:
     mode = modes.add_parser("compare")
     mode.add_argument("old", type=Path)
     mode.add_argument("new", type=Path, nargs="?", default=CHECKOUT)
+    mode = modes.add_parser("outputs")
+    mode.add_argument("count", type=int, nargs="?")
     modes.add_parser("record").add_argument("path")
     given = parser.parse_args()
     if given.mode == "random":
         return run_random(given.count, given.seed)
     if given.mode == "check":
         return check(given.count)
+    if given.mode == "outputs":
+        print(f"{write_outputs(given.count)} outputs")
+        return 0
     if given.mode == "record":
         return record(given.path)
     return compare(given.old, given.new)

@@ -112,7 +112,7 @@ class Frame:
     1e-07
     """
 
-    few = 800  # points of uncertain inputs up to which floats are faster than importing numpy: three ranges
+    few = 300  # points of uncertain inputs up to which floats are faster than importing numpy: two ranges
     unknowns: Sequence[str] = ()  # inputs that are inferred from measured quantities
     solution: Any = None  # the inferred values of the unknowns
 

@@ -1,6 +1,7 @@
 """The materials and quantities as text: lists of them, and full sheets of single ones."""
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from functools import cache
 from itertools import chain
 from typing import Any, TextIO
 
@@ -192,8 +193,8 @@ def quantity_as_object(name: str) -> dict[str, Any]:
     """Return the JSON object of a quantity, with all that is known of it; other lists are views of it."""
     quantity, formula = NOMENCLATURE[name], formula_of(name)
     fields = docstring_fields(formula) if formula else {}
-    words = words_in(name)
-    related = [other for other in without_variants(list(NOMENCLATURE)) if _has_words(other, words)]
+    sought = words_in(name)
+    related = [other for other, words in _words_of_names().items() if _has_all(words, sought)]
     return {
         "name": name,
         "symbol": quantity.symbol,
@@ -216,10 +217,15 @@ def quantity_as_object(name: str) -> dict[str, Any]:
     }
 
 
-def _has_words(name: str, words: Iterable[str]) -> bool:
-    """Return whether each of some words begins a word of a name."""
-    of_name = words_in(name)
-    return all(any(other.startswith(word) for other in of_name) for word in words)
+@cache
+def _words_of_names() -> Mapping[str, Sequence[str]]:
+    """Return the words of each name of the nomenclature but those of variants."""
+    return {name: words_in(name) for name in without_variants(NOMENCLATURE)}
+
+
+def _has_all(words: Sequence[str], sought: Iterable[str]) -> bool:
+    """Return whether each word sought begins one of some words."""
+    return all(any(word.startswith(beginning) for word in words) for beginning in sought)
 
 
 def commands_of(name: str) -> tuple[str, ...]:
@@ -258,7 +264,7 @@ def groups_of_quantities() -> dict[str, list[str]]:
         "of measured curves": OF_CURVES,
         "further": NOMENCLATURE,
     }
-    left = without_variants(list(NOMENCLATURE))
+    left = without_variants(NOMENCLATURE)
     shown = {}
     for title, members in groups.items():
         shown[title] = [name for name in left if name in members]

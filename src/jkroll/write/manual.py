@@ -2,7 +2,7 @@
 
 import os
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 from typing import ClassVar, NamedTuple, TextIO
 
@@ -219,7 +219,7 @@ def _with_synonym(text: str, names: Sequence[str]) -> list[str]:
     return without_variants([*dict.fromkeys([meant, *ordered] if meant else ordered)])
 
 
-def without_variants(names: Sequence[str]) -> list[str]:
+def without_variants(names: Collection[str]) -> list[str]:
     """Return names without the variants of quantities that are among them."""
     return [name for name in names if NOMENCLATURE[name].variant_of not in names]
 

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable, Iterable, Sequence
+from functools import cache
 from itertools import chain, pairwise, product
 from math import log
 from typing import Generic, NamedTuple, TypeVar
@@ -49,6 +50,7 @@ def words_sought(text: str) -> list[str]:
     return [*dict.fromkeys(uncommon or words)]
 
 
+@cache
 def stem(word: str) -> str:
     """Return a word without its ending.
 
