@@ -29,7 +29,7 @@ CONSOLE = re.compile(r"```console\n(.*?)```", re.DOTALL)
 _COPIED = re.compile(r"```sh-session\n(.*?)```", re.DOTALL)
 _BLOCK = re.compile(r"```.*?```", re.DOTALL)
 _IN_TEXT = re.compile(r"`(jkroll [^`]+)`")
-_ALL_DIGITS = re.compile(r"\d+\.\d{14,}")  # of a number that is written for programs
+_ALL_DIGITS = re.compile(r"(?=[\d.]{15,})\d+\.\d+")  # of a number that is written for programs
 _NOT_RUN = ("jkroll bench", "jkroll --install-completion", "jkroll COMMAND", "jkroll --show-completion")
 TABLE = "grain,material,radius [nm]\na,quartz,100\nb,iron,1000\n"  # of commands that read grains.csv
 TERMINAL = {"COLUMNS": "80", "LINES": "24", "TERM": "dumb", "XDG_CONFIG_HOME": "/nonexistent"}  # for renewing a page

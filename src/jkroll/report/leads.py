@@ -25,6 +25,7 @@ from .notes import Note
 from .ranges import held_on_surfaces, range_in_words
 
 _TWO, _THREE, _FOUR = Format(digits=2), Format(digits=3), Format(digits=4)
+AFTER_IMPACT = "n_roll_after_impact"  # which needs a speed
 _WIDE = 2  # the end of a range over the other from which on one number is said, too
 
 
@@ -58,8 +59,8 @@ def options_for_centre(answer: Answer) -> str:
     frame, names = answer.frame, ("pull_off_force", "yield_moment")
     found = [answer.estimates[name] for name in names if name in answer.estimates]
     centres = [sqrt(estimate.low * estimate.high) for estimate in found]  # nan where an end is open
-    follows = not frame.given.keys().isdisjoint({"work_of_adhesion", *IN_ITS_PLACE})  # from what is given
-    if len(centres) < len(names) or any(map(isnan, centres)) or follows or not frame.is_identical or frame["load"]:
+    is_chosen = frame.stated_model or not frame.given.keys().isdisjoint({"work_of_adhesion", *IN_ITS_PLACE})
+    if len(centres) < len(names) or any(map(isnan, centres)) or is_chosen or not frame.is_identical or frame["load"]:
         return ""
     force, moment = centres
     energy = frame["work_of_adhesion"] / 2 * force / frame["pull_off_force"]
@@ -88,11 +89,14 @@ def _what_it_means(answer: Answer) -> str:
 def _filled(answer: Answer) -> str:
     """Return the question's own sentence, filled with best ranges; empty if one is missing."""
     found = {name: estimate for name, estimate in answer.estimates.items() if estimate.by != NONE}
-    words = {name: _spoken(name, each) for name, each in found.items()} | dict.fromkeys(answer.ended, "none")
+    words = {name: _spoken(name, each) for name, each in found.items()}
+    if "{or_none}" in answer.question.lead:  # a sentence that can say so
+        words |= dict.fromkeys(answer.ended, "none")
     if len(answer.question.headline) == 1:
         words |= {name: words[name] + _middle(name, found[name]) for name in answer.question.headline if name in found}
     is_open = any(isnan(found[name].low) for name in answer.question.headline if name in found)
     words["or_none"] = ", or not at all" if is_open else ""
+    words["after_impact"] = f", {words[AFTER_IMPACT]} after it met a held body" if AFTER_IMPACT in words else ""
     try:
         return answer.question.lead.format_map(words)
     except KeyError:

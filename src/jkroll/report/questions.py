@@ -73,8 +73,8 @@ _QUESTIONS = {
     "n-roll": _question(
         "n_roll",
         "n_roll_after_impact n_roll n_roll_energy_balance",
-        lead="turns: {n_roll_energy_balance} if it rolls from the start, {n_roll_after_impact} after it met a held "
-        "body, {n_roll} once it has slid{or_none}",
+        lead="turns: {n_roll_energy_balance} if it rolls from the start{after_impact}, {n_roll} once it has "
+        "slid{or_none}",
     ),
     "contact": _question(
         "contact_radius_at_load approach_at_load",

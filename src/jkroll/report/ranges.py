@@ -178,7 +178,7 @@ def _is_off(value: float | None, estimate: Estimate) -> bool:
 
 def _with_bars(answer: Answer) -> str:
     if answer.described.unknowns and not answer.described.uncertainties:
-        return "; give what you measured with its error, as 300±20nN, to have that in the range"
+        return "; the error of what you measured is not in the range: write it as 300±20nN"
     return "; your error bars are in the range" if answer.described.uncertainties else ""
 
 
