@@ -195,12 +195,16 @@ def outputs() -> Mapping[str, str]:
 def write_outputs(count: int | None) -> int:
     """Write the outputs anew, of the same lines or of so many others; return the number of lines.
 
-    An output that is long, or that differs from one run to the next, is left out.
+    An output that is long, that differs from one run to the next, or that is no text is left out.
     """
     runnable = [line for line in lines() if line.can_run]
     chosen = [line for line in runnable if line.typed in outputs()] if count is None else spread(runnable, count)
     with among_input_files():
         found = [(output(line), output(line)) for line in chosen]
-    kept = [first for first, second in found if first == second and first.count("\n") <= LONGEST]
+    kept = [
+        first
+        for first, second in found
+        if first == second and first.count("\n") <= LONGEST and "\N{REPLACEMENT CHARACTER}" not in first
+    ]
     OUTPUTS.write_text("".join(kept), encoding="utf-8")
     return len(kept)

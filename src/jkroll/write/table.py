@@ -229,7 +229,7 @@ def _grouped(rows: _Rows, question: "Question") -> list[list[str]]:
 def _sizes(measure: "float | Uncertain | None", estimate: "Estimate | None") -> list[float]:
     """Return the sorted sizes that determine a row's unit: of its best range, or else of the result."""
     ends = [] if estimate is None else [float(end) for end in estimate[:2] if not isnan(end)]
-    return sorted(map(abs, ends or [middle(measure or 0.0)]))
+    return sorted(map(abs, ends if any(ends) else [middle(measure or 0.0)]))
 
 
 def _with_surfaces(rows: _Rows, answer: "Report", form: Format) -> _Rows:
