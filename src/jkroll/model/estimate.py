@@ -52,6 +52,7 @@ _LAWS_THEMSELVES = (
 )  # fmt: skip
 _OF_WATER = ("meniscus_force", "kelvin_radius", "threshold_humidity")
 _STICKING = {"sticking_speed": 1, "sticking_energy": 2}  # powers of the speed
+_ROUNDED = 1e-12  # relative difference of two ends that rounding may make
 _LOSING = ("restitution", "lost_energy")
 # Measured quantities that any loss in a collision moves one way, and inputs that move them the same way as they grow.
 _LOSSES = frozenset({"restitution", "sticking_speed"})
@@ -162,7 +163,8 @@ class Ranges:
         """Iterate over the rules of a law that the user gave: it decides, except for an assumed atomic spacing."""
         if self.frame.assumes_spacing:
             low, high = self.hull(name, _itself, at_half_spacing)
-            yield (low < own[0]) | (high > own[1]), low, high, SPACING_ASSUMED
+            is_wider = (own[0] - low > _ROUNDED * abs(own[0])) | (high - own[1] > _ROUNDED * abs(own[1]))
+            yield is_wider, low, high, SPACING_ASSUMED
         yield True, *own, _GIVEN[law]
 
     def _of_laws(self, name: str, own: Ends) -> Iterator[Rule]:
@@ -216,8 +218,12 @@ class Ranges:
 
     def _of_restitution(self) -> Iterator[Rule]:
         """Iterate over the rules for the coefficient of restitution, which any further loss lowers."""
-        if "sticking_speed" in self.names:
-            speeds = self.estimate("sticking_speed")
+        of_speed = self  # or, of a question about e alone, the ranges of the speed
+        if "sticking_speed" not in self.names:
+            frame = self.results.described
+            of_speed = Ranges(Results(frame, frame.columns(["sticking_speed"])))
+        if "sticking_speed" in of_speed.names:
+            speeds = of_speed.estimate("sticking_speed")
             yield (speeds.by == MEASURED) & (self.frame["speed"] < speeds.low), 0.0, 0.0, MEASURED
         is_ended = self.results.ended.get("restitution", False)
         least, most = (where(is_ended, nan, end) for end in (0.0, 1.0))

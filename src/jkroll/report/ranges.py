@@ -237,10 +237,11 @@ def _scaled(answer: Answer) -> str:
 
 def _as_displacement(answer: Answer) -> str:
     """Return the displacement that measured forces imply, by the law in use and by Maugis' law."""
-    (low, high), *better = answer.ranges.of_laws(XI, SCALED)
+    (low, high), *others = answer.ranges.of_laws(XI, SCALED)
     if not low < high:
         return ""
     by_law = f"; ξ = {span(XI, low, high)} by {answer.frame.law.short}"
+    better = [(least, most) for least, most in others if least <= most]  # not nan, where a law has none
     if not better or not _differ([(low, high), *better]):
         return by_law
     lows, highs = zip(*better, strict=True)
