@@ -305,7 +305,7 @@ def _write_curve(call: Call) -> int:
 def run_export(call: Call) -> int:
     """Write the contact of one pair as input for a program; return the exit code."""
     from ..report.leads import options_for_centre
-    from ..report.notes import about_middles, by_severity
+    from ..report.notes import Note, about_middles, by_severity
     from ..report.report import Report
     from ..write.exports import PROGRAMS
 
@@ -329,7 +329,8 @@ def run_export(call: Call) -> int:
     names = tuple(name for name in program.quantities if name not in lacking)
     answer = Report(Question(names, names), frame)
     shown = (note for note in by_severity(answer.sentences) if note.severity != "more")
-    notes = [answer.best_ranges, *(note.line for note in (*about_middles(answer.uncertain), *shown))]
+    every = (Note("lead", answer.best_ranges), *about_middles(answer.uncertain), *shown)
+    notes = [note.line for note in every]
     if program.about:
         sys.stdout.write(text)
         for line in (*(f"note: {text}" for text in program.about(frame)), *notes):

@@ -283,8 +283,6 @@ class Layer:
         moduli = {} if drawn.keys().isdisjoint(("poisson_ratio", "poisson_ratio2")) else _shear_moduli(frame)
         on_axes = {*map(computed_as, drawn)}
         self.inputs = inputs_as_texts(self.frame, [moduli.get(name, name) for name in shown if name not in on_axes])
-        if "radius" in drawn and self.frame.is_identical:
-            self.inputs += ("R2 = R1",)
         remark = NOMENCLATURE[quantity].note
         self.unjudged = [f"Limits are not judged: {_without(error)}." for error in missing[:1]]
         if missing and quantity == "pull_off_force" and frame.law.is_default and len(axes) > 1:

@@ -102,7 +102,8 @@ def _part(surface: Surface) -> str:
 
 def held_on_surfaces(frame: Frame) -> str:
     """Return the pull-off force of real surfaces: for SiO2 as measured, for other solids as a fraction of JKR's."""
-    if min(frame["radius"], frame["radius2"]) < SURFACES_FROM:
+    radii = frame.numbers("radius", "radius2").values()
+    if min(radii, default=2 * frame["reduced_radius"]) < SURFACES_FROM:
         return "rough ones hold less, by how much was not measured at this size"
     if solid_of_pair(frame) != SIO2:
         return f"real surfaces hold less: of JKR's force SiO2 held {_ON_SURFACES}"
