@@ -297,6 +297,13 @@ class Answer(Results):
         return self.frame.possible(self.judged)
 
     @property
+    def names_in_table(self) -> list[str]:
+        """The quantities with a row in a table: those that rest on an energy need one that is stated."""
+        question, stated = self.question, self.frame.stated.keys()
+        hidden = {name for name, inputs in question.if_stated.items() if stated.isdisjoint(inputs)}
+        return [name for name in question.with_row if name in question.named or name not in hidden]
+
+    @property
     def is_of_impact(self) -> bool:
         """True if the answer says whether spheres that collide stick."""
         return {"restitution", "sticking_speed"} <= self.values.keys()

@@ -22,9 +22,10 @@ class Question:
         without_row: tuple[str, ...] = (),  # for programs only: not in the table of an answer
         lead: str = "",  # the answering sentence; a name in braces stands for the best range of a quantity
         groups: Mapping[str, str] = MappingProxyType({}),  # titles in the table, by the first quantity below each
+        if_stated: Mapping[str, tuple[str, ...]] = MappingProxyType({}),  # in the table only with one of these inputs
     ) -> None:
         self.headline, self.quantities, self.named, self.without_row = headline, quantities, named, without_row
-        self.lead, self.groups = lead, groups
+        self.lead, self.groups, self.if_stated = lead, groups, if_stated
 
     @property
     def with_row(self) -> list[str]:
@@ -97,6 +98,7 @@ _QUESTIONS = {
 }
 # Values that contradict a headline are in the report, too; Eq (41) as printed is in `frequencies` alone.
 _CONTRARY = ("n_roll_energy_balance", "n_roll_after_impact")
+_TURNS = ("n_roll", *_CONTRARY)
 _REPORT = Question(
     tuple(name for question in _QUESTIONS.values() for name in question.headline),
     (
@@ -105,6 +107,7 @@ _REPORT = Question(
     ),
     lead="if ideally smooth, they are pulled apart with {pull_off_force}, roll from {yield_force} on and stick up to "
     "{sticking_speed}",
+    if_stated=dict.fromkeys(_TURNS, ("energy", "energy_ratio", "speed")),
 )
 QUESTIONS: Mapping[str, Question] = {
     **_QUESTIONS,

@@ -168,8 +168,10 @@ def rows_in_words(answer: "Report", form: Format) -> dict[str, Row]:
 
 
 def _in_column(answer: "Report") -> dict[str, str]:
-    """Return the assumptions by name, without those that best ranges replace: ξ for the law's column, the spacing."""
+    """Return the assumptions of a table by name: ξ is that of the law's column, best ranges have their own spacing."""
     texts, rules = {**answer.assumed}, {estimate.by for estimate in answer.estimates.values()}
+    if "energy_ratio" not in answer.frame.inputs_of(*answer.frame.possible(answer.names_in_table)):
+        texts.pop("energy_ratio", None)
     if any(by < LAW_IN_USE and by not in (DEFINITION, FRICTION_ASSUMED, LAW_ONLY) for by in rules):
         texts.pop("atomic_spacing", None)  # ranges use their own
     if XI in texts and not rules.isdisjoint((SCALED, XI_UNKNOWN)):
@@ -188,12 +190,13 @@ def _rows(answer: "Report", form: Format) -> tuple[_Rows, _Rows]:
     """
     physics: _Rows = {}
     conventions: _Rows = {}
+    names = answer.names_in_table
     shown: set[tuple[Any, str]] = set()
     units: dict[str, tuple[str, Unit]] = {}  # by SI unit: the last unit used, which also suits values below 1
     for result in answer.results:
         name, quantity = result.name, NOMENCLATURE[result.name]
         is_known = name in answer.lacking if result.value is None else (result.value, quantity.unit) in shown
-        if name not in answer.question.with_row or (is_known and name not in answer.question.named):
+        if name not in names or (is_known and name not in answer.question.named):
             continue
         shown.add((result.value, quantity.unit))
         estimate = answer.estimates.get(name)
