@@ -338,7 +338,7 @@ def test_a_paragraph_for_methods_cites_what_is_cited(run: Run, words: str) -> No
 def test_a_paragraph_for_methods_has_the_values_used(run: Run, tmp_path: Path) -> None:
     text = run("n-grav quartz 100nm --cite --tex").out
     assert r"Eqs.~(1), (5), (25), (30), (41) of Dominik \& Tielens~\cite{dominik-tielens-1995}" in text
-    assert r"longest level chain, spheres ($N_{\mathrm{grav}}$). Values used: quartz (material of sphere 1)," in text
+    assert r"spheres in a level chain ($N_{\mathrm{grav}}$). Values used: quartz (material of sphere 1)," in text
     assert r"${\gamma}_{1}$~=~25~mJ/m$^{2}$ (surface energy per surface)~\cite{kendall-1987,vademecum}" in text
     assert r"${\xi}$~=~200~pm (critical rolling displacement; assumed)" in text
     lab = tmp_path / "lab.toml"

@@ -303,7 +303,7 @@ def test_a_material_that_lacks_a_property_leaves_the_others(run: Run) -> None:
         "graphite",
         "iron",
     }
-    needs = "vibration along the centres needs Young's modulus and Poisson's ratio"
+    needs = "normal vibration needs Young's modulus and Poisson's ratio"
     assert f"no curve: gold: {needs}; gold has none" in ran.err
 
 

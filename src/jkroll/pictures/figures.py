@@ -264,7 +264,7 @@ PAPER_MAPS: Mapping[str, PaperMap] = {
     "6b": PaperMap(
         "rolling_frequency",
         "Eq (40) as it follows. The paper's curves are Eq (41), 2.5 times lower. At ⟦R1⟧ = "
-        "100 nm and ⟦γ⟧ = 100 mJ/m² it is 5.3 times slower than the vibration along the centres; the text has one to "
+        "100 nm and ⟦γ⟧ = 100 mJ/m² it is 5.3 times slower than the normal vibration; the text has one to "
         "two orders.",
         given=_LIGHT,
         printed="rolling_frequency_as_printed",

@@ -308,7 +308,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
     # chains
     "r_min": Quantity("R_min", "m", "tightest bend of a chain", "28"),
     "gravity_moment": Quantity("M_grav", "N m", "moment of a level chain", "29", shown_with=["monomers"]),
-    "n_grav": Quantity("N_grav", "1", "longest level chain, spheres", "30"),
+    "n_grav": Quantity("N_grav", "1", "spheres in a level chain", "30"),
     "bond_number": Quantity("Bo", "1", "pull-off force over weight"),
     "adhesion_hysteresis": Quantity("Δw", "J/m^2", "w of opening less of closing",
         range=POSITIVE, option="--adhesion-hysteresis", example="5mJ/m2"),
@@ -318,7 +318,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
     "hysteresis_moment": Quantity("M_hyst", "N m", "moment by adhesion hysteresis"),
     "hysteresis_ratio": Quantity("M/2cRw", "1", "moment over the largest that adhesion hysteresis supplies"),
     # vibrations
-    "vertical_frequency": Quantity("f_z", "Hz", "vibration along the centres", "35", may_be_zero=True),
+    "vertical_frequency": Quantity("f_z", "Hz", "normal vibration", "35", may_be_zero=True),
     "rolling_frequency": Quantity("f_roll", "Hz", "rolling vibration", "40"),
     "rolling_frequency_as_printed": Quantity("f_roll(41)", "Hz", "rolling frequency as printed", "41",
         note="2.5 times too low: Eq (40) with k² = (5/2)R1² for (2/5)R1²", of_identical=True),

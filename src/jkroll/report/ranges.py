@@ -115,7 +115,7 @@ def about_surfaces(frame: Frame) -> str:
     """Return the fractions of JKR's pull-off force that were measured, and the surfaces they belong to."""
     parts = ", ".join(f"{_part(surface)} {name} ({surface.spheres})" for name, surface in SURFACES.items())
     energy, radius = amount("surface_energy", ENERGY_ON_SURFACES), amount("radius", frame["radius"])
-    choice = "ideal is an upper limit; take smooth glass for microspheres, rough grains for broken or natural ones"
+    choice = "smooth is an upper limit; take smooth glass for microspheres, rough grains for broken or natural ones"
     return f"{choice}. In parts of JKR's force for γ = {energy}, carried to {radius}: {parts}; not measured in vacuum"
 
 

@@ -242,7 +242,7 @@ def _with_surfaces(rows: _Rows, answer: "Report", form: Format) -> _Rows:
         if name != "pull_off_force":
             found[name] = row
             continue
-        found[name] = [f"{row[0]}, ideal smooth", *row[1:]]
+        found[name] = [f"{row[0]}, smooth", *row[1:]]
         by_law_in_use, *_ = answer.ranges.of_laws(name, LAW_IN_USE)
         unit = form.common_unit(name, by_law_in_use[1:])
         for surface, ends in on_surfaces(answer.frame, by_law_in_use).items():
