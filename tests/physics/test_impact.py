@@ -205,11 +205,11 @@ def test_contact_that_yields_on_touching_has_no_yield_speed() -> None:
         ("--speed 1m/s --yield-strength 3GPa", "it stays elastic: peak pressure 1.23 GPa; first yield at 4.4 GPa"),
         ("--speed 30m/s --yield-strength 3GPa", "it yields below the surface, so e is an upper bound: peak pressure"),
         ("--speed 300m/s --yield-strength 3GPa", "it yields fully, so e is an upper bound: peak pressure 11.8 GPa"),
-        ("--speed 1m/s --yield-strength 0.3GPa", "it yields fully, already where they touch at no speed, so e is an"),
+        ("--speed 1m/s --yield-strength 0.3GPa", "it yields fully, even if they touch at zero speed, so e is an"),
         ("--speed 600m/s", "too fast for a static contact"),
         ("--speed 5km/s", "faster than sound in the solid"),
         ("--speed 100m/s --poisson 0.5 --young 1GPa", "the impact strains the solid too far for linear elasticity"),
-        ("--speed 100m/s", "the impact presses more than even a flawless solid bears"),
+        ("--speed 100m/s", "the impact pressure exceeds what even a flawless solid bears"),
     ],
 )
 def test_what_an_impact_says_of_yield(words: str, said: str, run: Run) -> None:

@@ -386,7 +386,10 @@ def test_a_marked_grain_of_another_material_says_its_own_value(run: Run) -> None
     words = "map contact_radius quartz --x radius=10nm:10um --y young=1GPa:1TPa --mark iron@100nm,quartz@1um"
     own = run("contact iron 100nm --bare --quiet --quantities contact_radius").out
     said = " ".join(run(words).out.split())
-    assert f"iron, 100 nm has other inputs than are fixed here; iron, 100 nm: a0 = {float(own) * 1e9:.4g} nm; " in said
+    assert (
+        f"iron, 100 nm has inputs that differ from those fixed here; iron, 100 nm: a0 = {float(own) * 1e9:.4g} nm; "
+        in said
+    )
     assert "quartz, 1 µm: a0 = " in said
     assert "quartz, 1 µm has" not in said
 

@@ -97,7 +97,7 @@ def test_an_uncertain_result_keeps_its_bar_through_numbers() -> None:
     for changed, factor in ((force * 2, 2), (-3 * force, -3), (force / 4, 0.25), (-force, -1), (force.to("nN"), 1e9)):
         assert isinstance(changed, jkroll.Measured)
         assert (changed.value, changed.plus) == (approx(BARE * factor), approx(BARE * abs(factor) / 5))
-    with pytest.raises(jkroll.JkrollError, match="may not be independent"):
+    with pytest.raises(jkroll.JkrollError, match="are not assumed to be independent"):
         force * force
 
 

@@ -72,13 +72,13 @@ def test_what_is_read(text: str, name: str, value: float) -> None:
     assert parse_quantity(text, name) == value
 
 
-TWO_NUMBERS = "has two numbers; 20 to 30 mJ/m2 is any value between; 20nm:100nm:9 a list, on a command line"
+TWO_NUMBERS = "has two numbers; write 20 to 30 mJ/m2 for a range; on a command line, 20nm:100nm:9 is a list"
 REFUSED = {
     "5mµm": "radius: '5mµm' has a µ that is not the first letter of a unit; expected a length such as 100nm",
     "5 N": "radius: '5 N' is a force; expected a length such as 100nm",
     "100": "radius: '100' has no unit; expected a length such as 100nm",
     "5,5 nm": (
-        "radius: '5,5 nm' has a comma: write a decimal point, and no marks of thousands; expected a length such as "
+        "radius: '5,5 nm' has a comma: write a decimal point, and no thousands separators; expected a length such as "
         "100nm"
     ),
     "nm": "radius: 'nm' does not begin with a number; expected a length such as 100nm",

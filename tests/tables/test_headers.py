@@ -804,7 +804,7 @@ def test_a_point_among_decimal_commas_is_refused(run: Run, quote: str) -> None:
     written = Path("out.csv").read_text(encoding="utf-8")
     forces = [line.replace('"', "").split(";")[2] for line in written.splitlines()[1:]]
     assert [bool(force) for force in forces] == [True, False, False, False, True]
-    assert "'1.200' has a point: this table has decimal commas, and no marks of thousands" in written
+    assert "'1.200' has a point: this table has decimal commas, and no thousands separators" in written
 
 
 @pytest.mark.parametrize(

@@ -171,7 +171,7 @@ def test_a_point_between_semicolons_may_be_one_of_thousands(run: Run, rows: list
 def test_a_comma_in_a_number_without_a_unit_is_refused(run: Run, words: str) -> None:
     ran = run(words)
     assert (ran.code, "may be a list or a number with a comma" in ran.err) == (2, True)
-    assert ran.err.endswith("decimal points, as in 1.0,5.0, and a number has no comma\n")  # 1,000 is no 1.0,000.0
+    assert ran.err.endswith("decimal points, as in 1.0,5.0, and a number without a comma\n")  # 1,000 is no 1.0,000.0
 
 
 def test_a_power_behind_an_error_bar_alone_is_refused(run: Run) -> None:

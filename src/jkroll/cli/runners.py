@@ -65,7 +65,7 @@ def answer_rows(call: Call, sweep: Sweep, question: Question, form: Format) -> i
     """Write the answers to a question, as rows or one after the other; return the exit code."""
 
     def answer(row: Frame) -> "Report":
-        from ..report.report import Report  # rows with fewer words do not need it
+        from ..report.report import Report  # plain rows of numbers do not need it
 
         return Report(question, row, keeps_all=call.output.keeps_all)
 
@@ -146,7 +146,7 @@ def _write_columns(
             sys.stdout.write(text.decode())
         sys.stdout.flush()
     tally = reduce(Tally.plus, tallies, Tally())
-    if single is None or (tally.with_doubts(ENDING_MEANING) and not single.ended):  # such states of a curve
+    if single is None or (tally.with_doubts(ENDING_MEANING) and not single.ended):  # of some states of a curve
         notes = notes_below(groups, tally, wanted.reported_doubts, is_table=is_table)
     else:
         notes = _notes_of(single, has_table=False)
@@ -272,7 +272,7 @@ def _write_curve(call: Call) -> int:
     if (first := next(failures)) is not None and None not in failures:
         raise first
     frames: Iterator[Frame] = chain.from_iterable(frames_of_curve(frame, loads, steps) for frame in sweep.frames())
-    if call.output is TABLE and loads is not None:  # a table goes from load to load
+    if call.output is TABLE and loads is not None:  # a table shows the states that a load holds
         frames = (frame for frame in frames if frame.state in HELD_BY_LOAD)
     if call.output is JSON:
         every = [*frames]
@@ -454,7 +454,7 @@ def run_materials(call: Call) -> int:
 
 
 def run_quantities(call: Call) -> int:
-    """List quantities, search them by words, or show one in full; without a match search the manual."""
+    """List quantities, search them by words, or show one in full; if none matches, search the manual."""
     from ..write.catalogue import write_quantities
     from ..write.manual import hits_of, quantities_meant, write_hits
     from .commands import takers

@@ -1,8 +1,8 @@
 """A frame: the inputs of one row or of many, and the quantities that follow from them.
 
 The assumptions of a frame are stated here, once: sphere 2 is like sphere 1 in all that is not given for it, and the
-names in DEFAULTS have values unless they are given. A frame accepts numbers in the range of their quantity, from 1e-30
-to 1e30 in SI units. Its results are doubles with all digits, and zeros where the physics has them.
+inputs in DEFAULTS take the values listed there unless they are given. A frame accepts numbers in the range of their
+quantity, from 1e-30 to 1e30 in SI units. Its results are doubles with all digits, and exactly 0 where physics is.
 """
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
@@ -89,7 +89,7 @@ EXCLUSIVE = (
 # Inputs that replace a solid's yield displacement, or give sphere 2 another solid.
 _OTHER_DISPLACEMENT = frozenset((*IN_ITS_PLACE, *(of_sphere(2, name) for name in OF_A_SOLID)))
 
-# Quantities that need a contact area: they have no value if both bodies are rigid. All others of JKR follow from them.
+# Quantities that need a contact area: they have no value if both bodies are rigid. JKR's others follow from these.
 _ON_AREA = frozenset({"contact_modulus", "contact_shear_modulus", "shear_strength", "pull_off_force", "load_factor",
     "rolling_frequency_as_printed"})  # fmt: skip
 
@@ -112,7 +112,7 @@ class Frame:
     1e-07
     """
 
-    few = 300  # points of uncertain inputs up to which floats are faster than importing numpy: two ranges
+    few = 300  # points of uncertain inputs, enough for two ranges, up to which floats beat importing numpy
     unknowns: Sequence[str] = ()  # inputs that are inferred from measured quantities
     solution: Any = None  # the inferred values of the unknowns
 
@@ -170,7 +170,7 @@ class Frame:
         self.plan_key = (self.known, material2 is not None, self.law.name)  # plans depend on these alone
         self.reasons: dict[str, Any] = {}  # reasons of nan values, for results that have any
         self.steps: dict[str, Plan] = {}  # the steps that computed these results
-        # Computed arrays with reasons, by step and ids of its arguments; these are kept, so that no others get the ids.
+        # Computed arrays with reasons, by step and ids of its arguments, which are kept alive so that no id is reused.
         self._shared: dict[tuple[object, ...], tuple[tuple[Any, Any], Any]] = {}
         self.derived: dict[Any, Any] = {}  # results of functions of the frame: see `once_a_frame`
 
@@ -225,7 +225,7 @@ class Frame:
 
     @cached_property
     def by_law(self) -> "Frame":
-        """The frame under the law to compare with: between JKR and DMT, or JKR if that is in use."""
+        """The frame under the law to compare with: Maugis' law, or JKR if Maugis' law is already in use."""
         return self.under(other_law(self.law.name))
 
     @cached_property

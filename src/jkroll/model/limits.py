@@ -41,7 +41,7 @@ class Limit:
         applies: Callable[[Frame, Collection[str]], bool] | None = None,  # to these results of a frame; None: to all
         ends_meaning: bool = False,  # results beyond the limit have no meaning
         conclusion: str = "",  # the name of the consequence, if it is not the number's
-        # The number to judge instead, for columns of results: for laws and data the factor between two answers.
+        # Computes the number to judge in place of the named one; to compare laws or data, the ratio of two answers.
         factor: Callable[[Frame, Mapping[str, Column]], Any] | None = None,
         where: Callable[[Frame], Any] | None = None,  # the rows in which it is judged
         is_shown: bool = True,  # below an answer, not only in explanations
@@ -58,7 +58,7 @@ class Limit:
         return _COMPARISONS[self.sign](number, threshold)
 
     def excess(self, number: Any) -> Any:
-        """Return the distance of numbers beyond the first threshold: the logarithm of their ratio, or from 0."""
+        """Return how far numbers lie beyond the first threshold: the logarithm of the ratio, or beyond 0 the number."""
         size = ln(number / self.threshold) if self.threshold else number
         return size if self.sign.startswith(">") else -size
 
@@ -303,7 +303,7 @@ INEXACT = (
     ),
     Limit(
         "impact_pressure_over_modulus", _IMPACT, ">", {0.1: "impact-may-yield"},
-        "the impact presses more than even a flawless solid bears; e is an upper bound",
+        "the impact pressure exceeds what even a flawless solid bears; e is an upper bound",
         _has_speed,
         where=_is_not_rubbery,
     ),
@@ -315,7 +315,7 @@ INEXACT = (
     ),
     Limit(
         "impact_over_yield", _IMPACT, ">", {1.0: "impact-yields"},
-        "the impact yields below the surface; e is an upper bound",
+        "the solid yields below its surface; e is an upper bound",
         lambda frame, _: {"speed", "yield_strength"} <= frame.stated.keys(),
     ),
     Limit(
@@ -373,7 +373,7 @@ INEXACT = (
     ),
     Limit(
         "profile_error", _ELASTICITY, ">", {0.01: WIDE_CONTACT},
-        "contact too wide for the formulas; their shape of a sphere is off by e_h at its edge",
+        "contact too wide for the formulas; the shape of a sphere that they assume is off by e_h at the edge",
         has_remedy=may_be_sphere,
     ),
 )  # fmt: skip
@@ -390,7 +390,7 @@ EVERY_DOUBT = sum(BITS.values())
 MEANINGS = {code: limit.consequence.partition(";")[0] for limit in ENDING for code in limit.codes.values()}
 ENDS = {code: register(EndOfMeaning(words, words, code=code)) for code, words in MEANINGS.items()}
 MEANINGS[UNCHECKED] = "a limit needs an input that is not given"
-# Numbers whose meaning no limit ends: those that limits are judged by, unless a limit is on a result itself, and w.
+# Numbers that keep their meaning beyond every limit: w, and the numbers that limits judge unless they are results.
 NUMBERS_OF_LIMITS = {"work_of_adhesion", *(limit.name for limit in LIMITS)}.difference(
     *(limit.touches for limit in LIMITS if "work_of_adhesion" not in limit.touches)
 )

@@ -62,7 +62,7 @@ SIGNS = {
     "energy_over_yield": ("^", "----"),
     "tabor_parameter": ("|", "||||||"),
 }
-SLIGHT = ("'", "||")  # where a law is off by little; its lines are among those of the hatch where it is off by much
+SLIGHT = ("'", "||")  # where a law is off by little; its lines are a part of the hatch for a law that is far off
 UNDRAWN = ("", "")
 DRAWN_LIMITS = tuple(limit for limit in LIMITS if limit.name in SIGNS and not limit.conclusion)
 _FARTHEST = log(1e3)  # largest excess of a limit on a map
@@ -241,7 +241,7 @@ def _material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[list[Mark],
 
 
 def _about_marks(request: PlotRequest, panel: Panel) -> Iterator[str]:
-    """Iterate over the positions of marks on an axis, and over the values of grains at points, by their own inputs."""
+    """Iterate over the positions of marks on an axis, and over the values for grains, from their own inputs."""
     quantity, ((_, frame),) = request.quantity, request.frames
     typed = {_name_of(text): text for text in request.marks}
     for mark in panel.marks:
@@ -250,7 +250,7 @@ def _about_marks(request: PlotRequest, panel: Panel) -> Iterator[str]:
             drawn = frame.replace(**panel.x.inputs(mark.x), **panel.y.inputs(mark.y)).numbers(quantity)
             numbers = _frame_at(typed.get(mark.text, mark.text), request.materials, frame).numbers(quantity) or drawn
             if drawn and not isclose(numbers[quantity], drawn[quantity], rel_tol=SAME):
-                yield f"{mark.text} has other inputs than are fixed here"
+                yield f"{mark.text} has inputs that differ from those fixed here"
         for name, value in numbers.items():
             yield f"{mark.text}: {symbol(name)} = {amount(name, value, _FOUR)}"
 
@@ -321,7 +321,7 @@ class Layer:
         return Curve(self.text, x.values(), self.values, colour, band=band, key=key, rows=rows)
 
     def regions(self) -> Iterator[Region]:
-        """Iterate over regions beyond thresholds: for a law the last one, then the first unless all passes the last."""
+        """Iterate over regions beyond thresholds: a law's last one, then the first unless all lies beyond the last."""
         for doubt in self.doubts:
             limit = doubt.limit
             first, *_, last = (limit.threshold, *limit.codes)
@@ -374,7 +374,7 @@ def _stretches(axis: Axis, is_beyond: Any, known: Any) -> str:
 
 
 def _shear_moduli(frame: Frame) -> dict[str, str]:
-    """Return the shear moduli that were given, by the Young's moduli, which then vary with Poisson's ratio."""
+    """Return the shear moduli that were given, by their Young's moduli, which vary with Poisson's ratio."""
     return {CONVERTED[name]: name for name in ("shear_modulus", "shear_modulus2") if name in frame.described}
 
 

@@ -150,7 +150,7 @@ class Measured(Uncertain):
     kind = "standard"
 
     def __init__(self, value: float, minus: float | None = None, plus: float | None = None) -> None:
-        """Raise BadRequest for other objects than numbers, and for a negative or missing uncertainty."""
+        """Raise BadRequest for anything but numbers, and for a negative or missing uncertainty."""
         if minus is None and plus is None:
             raise BadRequest("Measured: the uncertainty is missing; write Measured(0.025, 0.005)")
         given = (value, plus if minus is None else minus, minus if plus is None else plus)
@@ -186,7 +186,7 @@ class Interval(Uncertain):
     kind = "range"
 
     def __init__(self, value: float, low: float, high: float) -> None:
-        """Raise BadRequest for other objects than numbers, for ends in the wrong order, or a value outside them."""
+        """Raise BadRequest for anything but numbers, for ends in the wrong order, or a value outside them."""
         self.value, low, high = (_checked_number("Interval", number) for number in (value, low, high))
         if not low <= self.value <= high:
             raise BadRequest(f"Interval: {self.value!r} does not lie in the range from {low!r} to {high!r}")
@@ -197,7 +197,7 @@ def _is_exact(other: object) -> bool:
     """Return whether a value is a number; raise BadRequest for another uncertain value."""
     if isinstance(other, Uncertain):
         remedy = "write a.ufloat() and b.ufloat() if they are, or let solve combine the inputs"
-        raise BadRequest(f"two uncertain values may not be independent; {remedy}")
+        raise BadRequest(f"two uncertain values are not assumed to be independent; {remedy}")
     return isinstance(other, int | float) and not isinstance(other, bool)
 
 
@@ -374,11 +374,11 @@ def split_number(text: str) -> tuple[_Decimal, str]:
     if not digits:
         raise BadUnit("does not begin with a number")
     if rest.startswith(","):
-        raise BadUnit("has a comma: write a decimal point, and no marks of thousands")
+        raise BadUnit("has a comma: write a decimal point, and no thousands separators")
     if has_uncertainty(rest):
         raise BadUnit("has an uncertainty: give the value alone")
     if _SECOND.match(rest):
-        remedy = "20 to 30 mJ/m2 is any value between; 20nm:100nm:9 a list, on a command line"
+        remedy = "write 20 to 30 mJ/m2 for a range; on a command line, 20nm:100nm:9 is a list"
         raise BadUnit("has two numbers", remedy)
     power = _LETTER_AND_DIGITS.match(rest)
     if power is not None:
@@ -543,7 +543,7 @@ def spreads_of(text: str, name: str) -> list[Spread]:
     [1e-09, 1e-08, 1e-07, 1e-06]
     """
     if NOMENCLATURE[name].unit == "1" and "," in text and re.fullmatch(_LIST_OR_NUMBER, text.strip()):
-        remedy = "a list of numbers without a unit has decimal points, as in 1.0,5.0, and a number has no comma"
+        remedy = "write a list of bare numbers with decimal points, as in 1.0,5.0, and a number without a comma"
         raise QuantityError(name, text, "may be a list or a number with a comma", remedy)
     items = text.split(",")
     try:

@@ -26,7 +26,7 @@ from .ranges import held_on_surfaces, range_in_words
 
 _TWO, _THREE, _FOUR = Format(digits=2), Format(digits=3), Format(digits=4)
 AFTER_IMPACT = "n_roll_after_impact"  # which needs a speed
-_WIDE = 2  # the end of a range over the other from which on one number is said, too
+_WIDE = 2  # ratio of the ends of a range from which a single number is given, too
 
 
 def leads(answer: Answer) -> Iterator[Note]:
@@ -37,7 +37,7 @@ def leads(answer: Answer) -> Iterator[Note]:
     yield from water
     if answer.is_on_pull_off and answer.estimates["pull_off_force"].by != NONE and not water:
         force = range_in_words("pull_off_force", answer.estimates["pull_off_force"])
-        yield Note("lead", f"if ideally smooth, they are pulled apart with {force}; {held_on_surfaces(answer.frame)}")
+        yield Note("lead", f"if ideally smooth, they are pulled apart by {force}; {held_on_surfaces(answer.frame)}")
     if "sliding_or_peeling_force" in answer.values and "yield_force" in answer.estimates:
         yield Note("lead", _first_to_give_way(answer))
     if answer.is_of_impact and answer.estimates["sticking_speed"].by != NONE:
@@ -54,7 +54,7 @@ def leads(answer: Answer) -> Iterator[Note]:
 def options_for_centre(answer: Answer) -> str:
     """Return the options with which the law gives the centre of the best ranges of P_c and M; empty where none do.
 
-    The pull-off force of two like spheres grows with γ, and with it their moment where rolling starts; that with ξ.
+    The pull-off force of two like spheres grows with γ, the moment that starts rolling with γ and ξ.
     """
     frame, names = answer.frame, ("pull_off_force", "yield_moment")
     found = [answer.estimates[name] for name in names if name in answer.estimates]
@@ -83,7 +83,7 @@ def _what_it_means(answer: Answer) -> str:
             texts.append(f"{symbol} = {amount(result.name, result.measure or 0.0, _FOUR)}")
     frame = answer.described
     is_of_both = "surface_energy" in frame.unknowns and frame.material2 is None and "surface_energy2" not in frame.given
-    return f"what was measured means {listed(texts)}{'; w = 2γ' if is_of_both else ''}"
+    return f"the measurement implies {listed(texts)}{'; w = 2γ' if is_of_both else ''}"
 
 
 def _filled(answer: Answer) -> str:
@@ -204,7 +204,7 @@ def _elastic_or_not(frame: Frame) -> str:
     if frame["impact_pressure"] < frame["first_yield_pressure"]:
         return f"it stays elastic: {limits}"
     how = "fully" if frame["impact_pressure"] >= frame["plastic_pressure"] else "below the surface"
-    at_rest = "already where they touch at no speed" if frame["touch_pressure"] >= frame["first_yield_pressure"] else ""
+    at_rest = "even if they touch at zero speed" if frame["touch_pressure"] >= frame["first_yield_pressure"] else ""
     return f"it yields {how}{at_rest and ', ' + at_rest}, so e is an upper bound: {limits}"
 
 

@@ -105,7 +105,7 @@ _REPORT = Question(
         *(name for asked in _QUESTIONS.values() for name in asked.quantities if name in (*asked.headline, *_CONTRARY)),
         *("roll_energy_quarter_turn", "sticking_speed"),
     ),
-    lead="if ideally smooth, they are pulled apart with {pull_off_force}, roll from {yield_force} on and stick up to "
+    lead="if ideally smooth, they are pulled apart by {pull_off_force}, roll from {yield_force} on and stick up to "
     "{sticking_speed}",
     if_stated=dict.fromkeys(_TURNS, ("energy", "energy_ratio", "speed")),
 )

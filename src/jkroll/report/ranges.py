@@ -106,7 +106,7 @@ def held_on_surfaces(frame: Frame) -> str:
     if min(radii, default=2 * frame["reduced_radius"]) < SURFACES_FROM:
         return "rough ones hold less, by how much was not measured at this size"
     if solid_of_pair(frame) != SIO2:
-        return f"real surfaces hold less: of JKR's force SiO2 held {_ON_SURFACES}"
+        return f"real surfaces hold less: SiO2 held these parts of JKR's force: {_ON_SURFACES}"
     forces = (f"{span('pull_off_force', *ends)} {surface}" for surface, ends in on_surfaces(frame).items())
     return f"real surfaces hold less: {', '.join(forces)}"
 
@@ -116,28 +116,28 @@ def about_surfaces(frame: Frame) -> str:
     parts = ", ".join(f"{_part(surface)} {name} ({surface.spheres})" for name, surface in SURFACES.items())
     energy, radius = amount("surface_energy", ENERGY_ON_SURFACES), amount("radius", frame["radius"])
     choice = "smooth is an upper limit; take smooth glass for microspheres, rough grains for broken or natural ones"
-    return f"{choice}. In parts of JKR's force for γ = {energy}, carried to {radius}: {parts}; not measured in vacuum"
+    return f"{choice}. Parts of JKR's force for γ = {energy}, scaled to {radius}: {parts}; not measured in vacuum"
 
 
 _ON_SURFACES = ", ".join(f"{_part(surface)} {name}" for name, surface in SURFACES.items())
-_SMOOTH_AND_DRY = f"for smooth, dry spheres; from 1 µm on real SiO2 (25 mJ/m²) held, of JKR's force, {_ON_SURFACES}"
+_SMOOTH_AND_DRY = f"for smooth, dry spheres; real SiO2 of 1 µm and more held these parts of JKR's force: {_ON_SURFACES}"
 _SEEN = f"hard spheres were seen to stick at 1–{MOST_SEEN} times JKR's speed"
 _WORDS: Mapping[int, str] = {
-    MEASURED: f"{_SEEN}; of SiO2 (0.1–3 µm) what stuck to a plane, in proportion to JKR's speed",
-    SCALED: "forces that rolled spheres of this solid, taken as R^(2/3) to R",
+    MEASURED: f"{_SEEN}; for SiO2 of 0.1–3 µm the speeds measured on a plane, scaled like JKR's",
+    SCALED: "rolling forces measured on this solid, scaled with R^(2/3) to R",
     XI_UNKNOWN: "not measured: one end is ξ = 2 Å (one atom), the other all of the work of adhesion lost; give --xi",
     ADHESION_ONLY: "adhesion alone loses at most this; any other loss comes on top and lowers e",
     FRICTION_ASSUMED: (
-        "sliding and twisting rest on τ = G/4π², known to an order of magnitude: the range is of a third to three "
-        "times it (--shear-strength)"
+        "sliding and twisting rest on τ = G/4π², known to an order of magnitude: the range covers τ/3 to 3τ "
+        "(--shear-strength)"
     ),
     SPACING_ASSUMED: "the range is of z0 = 2–4 Å, as far as it is known; give --z0",
-    BOUNDS: "JKR's holds for soft spheres, DMT's for hard ones; E and ν tell which",
+    BOUNDS: "JKR's holds for soft spheres, DMT's for hard ones; E and ν decide",
     LAW_ONLY: "no other law here has it",
     KELVIN: "condensed water at 25 °C (--contact-angle) between smooth bodies that touch: compare with P_c, do not add",
     GAP: "a gap lowers the force of a meniscus, to none where it just fills; no closed form says how far",
     BETTER_LAW: "JKR may be more than 5 % off; z0 = 2–4 Å (--z0)",
-    LAW_IN_USE: "Maugis' law is within 5 %; the range is of both",
+    LAW_IN_USE: "Maugis' law is within 5 %; the range covers both laws",
 }
 
 
@@ -205,7 +205,7 @@ def _measured(answer: Answer) -> str:
     seen = f"{solid_of_pair(answer.frame)} stuck to a plane up to {' and '.join(pairs)}"
     if stuck.is_near(answer.frame):
         return f"{seen}, between them as R^{stuck.exponent}, {bar}"
-    return f"{seen}; carried to this pair as {answer.frame.law.short}'s speed goes with size, whatever γ, {bar}"
+    return f"{seen}; scaled to this pair like {answer.frame.law.short}'s speed with its size, for any γ, {bar}"
 
 
 def _above_law(answer: Answer) -> str:
@@ -232,7 +232,7 @@ def _scaled(answer: Answer) -> str:
     low, high = ("R", "R^(2/3)") if radius < rolled.radius else ("R^(2/3)", "R")
     ratio = significant(max(radius / rolled.radius, rolled.radius / radius), 2)
     to = f"{amount('radius', radius)}, {ratio} times {'smaller' if radius < rolled.radius else 'larger'}"
-    text = f"{what} of {at}, carried as {low} (low) or {high} (high) to {to}{_as_displacement(answer)}{whatever}"
+    text = f"{what} of {at}, scaled with {low} (low) or {high} (high) to {to}{_as_displacement(answer)}{whatever}"
     return text + _ceiling(answer)
 
 
@@ -246,7 +246,7 @@ def _as_displacement(answer: Answer) -> str:
     if not better or not _differ([(low, high), *better]):
         return by_law
     lows, highs = zip(*better, strict=True)
-    return f"{by_law}, {span(XI, min(lows), max(highs))} by Maugis' law; the range is of both"
+    return f"{by_law}, {span(XI, min(lows), max(highs))} by Maugis' law; the range covers both laws"
 
 
 def _differ(every: Sequence[tuple[float, float]]) -> bool:
@@ -302,7 +302,7 @@ def _of_measured_solid(answer: Answer) -> str:
     radius = 2 * answer.frame["reduced_radius"]
     if not rolled.has_size(radius):
         at, here = (amount("radius", each) for each in (rolled.radius, radius))
-        return f". {solid} rolled at {at}; that is carried to {span('radius', *rolled.radii)}, not as far as to {here}"
+        return f". {solid} rolled at {at}; that is scaled to {span('radius', *rolled.radii)}, not as far as to {here}"
     if "yield_force" not in answer.estimates:
         return ""
     energies = span("surface_energy", *rolled.energies)
@@ -318,7 +318,7 @@ def _adhesion_only(answer: Answer) -> str:
         return "adhesion alone leaves the higher end; any other loss lowers it"
     text = "so small and stiff they touch and part without a jump, which loses at most JKR's energy"
     if "restitution" not in answer.values or answer.estimates["restitution"].by != ADHESION_ONLY:
-        return f"{text}; what else is lost, the solids take up"
+        return f"{text}; any other loss is dissipated in the solids"
     return f"{text}; any other loss lowers e, which is 0 if they stick"
 
 

@@ -76,7 +76,7 @@ def with_decimal_points(records: Records) -> Records:
             if not _POINT.search(cell):
                 continue
             text = quoted(cell.decode("utf-8", "replace"))
-            problem = f"{text} has a point: this table has decimal commas, and no marks of thousands"
+            problem = f"{text} has a point: this table has decimal commas, and no thousands separators"
             odd.setdefault(row, BadRequest(problem))
     points = {name: [cell.replace(b",", b".") for cell in column] for name, column in cells.items()}
     return records._replace(cells={**records.cells, **points}, odd=odd)

@@ -100,7 +100,7 @@ def _easy(text: str) -> str:
 
 
 def stated_meanings(texts: Iterable[str], measured: str = "") -> dict[str, str]:
-    """Return the headers that `--column` replaces: radius2 [nm] for R2 (nm), or "" for a column that is not an input.
+    """Return what `--column` puts in place of headers: radius2 [nm] for R2 (nm), or "" if a column is not an input.
 
     `texts`: the values of the option, as in 'R2 (nm)=radius2 [nm]'; `measured`: see `reading_of`. Raises BadRequest.
     """
@@ -162,7 +162,7 @@ def understood(
     texts_of = {name: next(iter(parts.values())).text for name, parts in used.items()}
     heads = [_with_suffix(head, {**dict.fromkeys(given, ""), **texts_of}, measured) for head in heads]
     without_part = {head.name for head in heads if not head.part}
-    held |= {name for name, other in CONVERTED.items() if other in without_part}  # E, not G
+    held |= {name for name, other in CONVERTED.items() if other in without_part}  # a column of E lets one of G pass
     clauses: Mapping[str, str] = {}
     if supply_of is not None:
         supply = supply_of(used)
@@ -231,7 +231,7 @@ def _with_suffix(head: Reading, known: Mapping[str, str], measured: str) -> Read
 def _may_pass(head: Reading, held: Collection[str], known: Collection[str]) -> bool:
     """Return whether an unread column may pass through, given the columns and options that supply inputs.
 
-    It may if these decide what it could be. A column that qualifies a value must not be ignored.
+    It may pass if all that it could mean has another source. A column that qualifies a value must not be ignored.
     """
     return head.name in held and head.part != UNREAD and {*head.names} <= {*held, *known}
 
@@ -286,7 +286,7 @@ def _with_problem(head: Reading) -> Reading:
 
 
 def _among_others(heads: Sequence[Reading], given: Collection[str]) -> Iterator[Reading]:
-    """Iterate over heads with their meaning among all the others."""
+    """Iterate over heads, each with its meaning in view of the other heads."""
     names = {*given, *(head.name for head in heads if head.is_input)}
     is_of_two = not names.isdisjoint(("radius2", "diameter2"))
     moduli = [head for head in heads if of_sphere(1, head.name) in ("youngs_modulus", "shear_modulus")]
@@ -313,8 +313,8 @@ def _among_others(heads: Sequence[Reading], given: Collection[str]) -> Iterator[
 def _of_value(head: Reading, left: Reading, values: Mapping[str, Reading], given: Collection[str]) -> Reading:
     """Return a head about the spread of a value, with the name of the input that it belongs to.
 
-    Without a name, it belongs to the column on its left. A symbol may mean several inputs, if only one of them is read.
-    A head may also be the header of a column given by an option, with a suffix.
+    Without a name, it belongs to the column on its left. A symbol that could mean several inputs is accepted if only
+    one of them is read. A head may also be the header of a column given by an option, with a suffix.
     """
     name, part = head.name, head.part
     if not head.of and not name:

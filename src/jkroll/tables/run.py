@@ -43,7 +43,7 @@ MAX_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of 
 ALONE = 4  # blocks that this process converts before it starts others
 WAIT = 0.5  # seconds before progress is shown
 WIDTH = 60  # width of the line of progress, in characters
-MAX_NOTES = 6  # on rows, or on many tables, at the end
+MAX_NOTES = 6  # most notes at the end, about rows or about many tables
 LITTLE = 1 << 19  # bytes that a process converts while another one starts
 FOLDER_ENDS = ("/", os.sep)  # a directory ends in one of them; Windows has both
 DASK_WAIT = 20.0  # seconds for a Dask scheduler to answer, and then to get a worker
@@ -103,7 +103,7 @@ def notes_on(tally: Tally, asked: Asked) -> Iterator[str]:
     notes = [*about_rows(tally, EVERY_DOUBT, f"column {DOUBT if asked.doubt else STATUS}")]
     yield from (note.line for note in notes[:MAX_NOTES])
     if (more := len(notes) - MAX_NOTES) > 0:
-        yield f"note: column {STATUS} has {more} more sorts of gaps"
+        yield f"note: column {STATUS} has {more} more reasons for empty cells"
 
 
 def _summary(name: str, tally: Tally) -> str:
@@ -360,7 +360,7 @@ def _outcome(job: Job, pair: Pair) -> Outcome:
 
 
 def _by_processes(count: int, task: Task, pairs: list[Pair]) -> Iterator[Outcome]:
-    """Iterate over the outcomes of tables converted by some processes."""
+    """Iterate over the outcomes of tables converted by several processes."""
     size = sum(os.path.getsize(table) for table, _ in pairs if os.path.exists(table))
     count = min(count, len(pairs), 1 + size // LITTLE)
     if count < 2:

@@ -50,14 +50,14 @@ if TYPE_CHECKING:
     from ..report.report import Report
 
 
-# A row keeps the unit of the rows above if its least number is between the first two, and its largest below the last.
+# A row keeps the unit of the rows above if its least number is from _LEAST to _MOST, its largest at most _LARGEST.
 _LEAST, _MOST, _LARGEST = 0.25, 2000, 10000
 _SAME = 1e-12  # relative width below which a range is a number
 _BEST_RANGE = "best range"
 _AS_SILICA = "as SiO2"  # the rule for a pull-off force on a surface
 _CODES = 24  # characters of the codes in a cell
 _OF_MATERIALS = {"material": [*PROPERTIES], "material2": [of_sphere(2, name) for name in PROPERTIES]}
-# Inputs without a column unless they were typed, since they follow from others; for a material, γ has a column.
+# Inputs without a column unless they were typed, since they follow from others; γ of a material keeps its column.
 _FOLLOWING = {"radius2", "energy"}.union(*_OF_MATERIALS.values()) - {"surface_energy"}
 
 
@@ -168,7 +168,7 @@ def rows_in_words(answer: "Report", form: Format) -> dict[str, Row]:
 
 
 def _in_column(answer: "Report") -> dict[str, str]:
-    """Return the assumptions of a table by name: ξ is that of the law's column, best ranges have their own spacing."""
+    """Return the assumptions of a table by name: ξ as that of the law's column, no spacing if ranges have their own."""
     texts, rules = {**answer.assumed}, {estimate.by for estimate in answer.estimates.values()}
     if "energy_ratio" not in answer.frame.inputs_of(*answer.frame.possible(answer.names_in_table)):
         texts.pop("energy_ratio", None)
@@ -192,7 +192,7 @@ def _rows(answer: "Report", form: Format) -> tuple[_Rows, _Rows]:
     conventions: _Rows = {}
     names = answer.names_in_table
     shown: set[tuple[Any, str]] = set()
-    units: dict[str, tuple[str, Unit]] = {}  # by SI unit: the last unit used, which also suits values below 1
+    units: dict[str, tuple[str, Unit]] = {}  # by SI unit: the last unit used, kept even for values somewhat below 1
     for result in answer.results:
         name, quantity = result.name, NOMENCLATURE[result.name]
         is_known = name in answer.lacking if result.value is None else (result.value, quantity.unit) in shown
@@ -393,7 +393,7 @@ def in_width(leading: list[TextColumn], results: list[TextColumn]) -> Rows:
 def _best(columns: "Columns", name: str, form: Format) -> tuple[list[TextColumn], list[float]]:
     """Return the columns of the best range of a quantity and of its rule, and the rules of the rows.
 
-    There are none if all rows have the law in use, or a definition.
+    There are none if every range comes from the law in use or from a definition.
     """
     if not columns.wanted.best_of(name):
         return [], []
