@@ -58,10 +58,7 @@ _LOSING = ("restitution", "lost_energy")
 _LOSSES = frozenset({"restitution", "sticking_speed"})
 _LOSE = ("surface_energy", "work_of_adhesion", "hamaker", "viscous_time")
 _AS_PULL_OFF = ("pull_off_force", "bond_number")  # in proportion to the pull-off force
-_BREAKING = (
-    "disruption_energy",
-    "disruption_speed",
-)  # by fits to simulations; they depend on the work to part two spheres
+_BREAKING = ("disruption_energy", "disruption_speed")  # by fits to simulations, with the work to part two spheres
 # Results by Lennard-Jones' law: each is a power of a quantity, which that law gives under another name.
 _BY_LENNARD_JONES = {
     **dict.fromkeys(_AS_PULL_OFF, (1.0, "pull_off_force", "pull_off_force_lennard_jones")),

@@ -197,8 +197,8 @@ SURFACES: Mapping[str, Surface] = {
     "on smooth glass": Surface(4, 2, "spheres of 5 and 20 µm at 0 % humidity; 1/2–4/5 at 67 %"),
     "for rough grains in air": Surface(100, 10, "tens of µm"),
 }
-SURFACES_FROM = 1e-6  # radius of the smallest spheres to which this is carried, in m
-ENERGY_ON_SURFACES = 0.025  # surface energy of the pull-off forces of which these are parts, in J/m²
+SURFACES_FROM = 1e-6  # radius of the smallest spheres to which these fractions are scaled, in m
+ENERGY_ON_SURFACES = 0.025  # surface energy for which they are fractions of JKR's force, in J/m²
 
 
 def on_surfaces(frame: Frame, ends: tuple[float, float] | None = None) -> Mapping[str, tuple[float, float]]:

@@ -25,7 +25,7 @@ from .notes import Note
 from .ranges import held_on_surfaces, range_in_words
 
 _TWO, _THREE, _FOUR = Format(digits=2), Format(digits=3), Format(digits=4)
-AFTER_IMPACT = "n_roll_after_impact"  # which needs a speed
+_AFTER_IMPACT = "n_roll_after_impact"  # needs a speed
 _WIDE = 2  # ratio of the ends of a range from which a single number is given, too
 
 
@@ -96,7 +96,7 @@ def _filled(answer: Answer) -> str:
         words |= {name: words[name] + _middle(name, found[name]) for name in answer.question.headline if name in found}
     is_open = any(isnan(found[name].low) for name in answer.question.headline if name in found)
     words["or_none"] = ", or not at all" if is_open else ""
-    words["after_impact"] = f", {words[AFTER_IMPACT]} after it met a held body" if AFTER_IMPACT in words else ""
+    words["after_impact"] = f", {words[_AFTER_IMPACT]} after it met a held body" if _AFTER_IMPACT in words else ""
     try:
         return answer.question.lead.format_map(words)
     except KeyError:

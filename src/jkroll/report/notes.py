@@ -274,10 +274,8 @@ def notes_below(groups: Sequence[Group], tally: "Tally", reported: int, *, is_ta
 
 def lines_above(notes: Sequence[Note]) -> list[str]:
     """Return the lines above the results on a terminal: warnings, answers to the question, notes of materials."""
-    warnings, leads, against, data = (
-        [note.text for note in notes if note.severity == severity] for severity in ABOVE if severity != "assumed"
-    )
-    return [*_warning(warnings), *leads, *map(_first_clauses, (*against, *data))]
+    texts = _texts_by_severity(notes)
+    return [*_warning(texts["warning"]), *texts["lead"], *map(_first_clauses, (*texts["against"], *texts["data"]))]
 
 
 def lines_of(notes: Sequence[Note], *, has_head: bool = False, quiet: bool = False) -> list[str]:
@@ -286,7 +284,7 @@ def lines_of(notes: Sequence[Note], *, has_head: bool = False, quiet: bool = Fal
     They are the assumptions (unless a header has them), the warnings, the first answering sentence and the first of
     the other notes. Below a table with a header, the notes of materials follow. If `quiet`, they are the warnings.
     """
-    texts = {severity: [note.text for note in notes if note.severity == severity] for severity in _SEVERITIES}
+    texts = _texts_by_severity(notes)
     lines = _warning(texts["warning"])
     if quiet:
         return lines
@@ -295,6 +293,10 @@ def lines_of(notes: Sequence[Note], *, has_head: bool = False, quiet: bool = Fal
     shown = [_first_clauses(f"note: {text}") for text in (*leads[:_MAX_NOTES], *first)]
     has_more = shown != [f"note: {text}" for text in (*leads, *others, *data)] or texts["more"]
     return [*([] if has_head else texts["assumed"]), *lines, *shown, *(["more: --explain"] if has_more else [])]
+
+
+def _texts_by_severity(notes: Sequence[Note]) -> dict[str, list[str]]:
+    return {severity: [note.text for note in notes if note.severity == severity] for severity in _SEVERITIES}
 
 
 def _warning(texts: Sequence[str]) -> list[str]:
