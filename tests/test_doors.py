@@ -589,9 +589,9 @@ def _in_table(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
     try:
         found = of_table(run, sheet_of(ask))
     except Refused as refusal:
-        if not (
-            _lacks(str(refusal)) and any(_is_of_all_rows(error) for each in floats.reasons for error in each.values())
-        ):
+        lacks = any(_is_of_all_rows(error) for each in floats.reasons for error in each.values())
+        of_values = any(_of_any_values(scene).missing(floats.keys) for scene in scenes_of(ask))
+        if not (_lacks(str(refusal)) and (lacks or of_values)):
             yield str(refusal)
         return
     yield from (f"by arrays: {text}" for text in differences(found.by_floats, found.rows, found.scenes))
