@@ -59,7 +59,7 @@ def test_an_error_bar_is_in_the_range_and_moves_no_law() -> None:
     # R_min = R1R2/ξ and δ_α = ξ/R rest on no law, and a solid whose ξ is a range may have no modulus
     for name in ("r_min", "yield_angle"):
         displacement = value_of("1 to 3 nm", "yield_displacement")
-        assert best(name, radius=1e-7, surface_energy=0.025, yield_displacement=displacement)[name].by == "JKR"
+        assert best(name, radius=1e-7, surface_energy=0.025, yield_displacement=displacement)[name].by == "any law"
 
 
 @pytest.mark.parametrize("radius", [1e-7, 0.95e-6, 2e-6])

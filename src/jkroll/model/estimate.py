@@ -37,12 +37,12 @@ from .uncertainty import ErrorBar, error_bars
 
 (
     NONE, DEFINITION, MEASURED, SCALED, XI_UNKNOWN, FRICTION_ASSUMED, SPACING_ASSUMED, ADHESION_ONLY, BOUNDS, LAW_ONLY,
-    KELVIN, GAP, BETTER_LAW, LAW_IN_USE,
-) = range(14)  # fmt: skip
-_GIVEN = {law: number for number, law in enumerate(LAWS, LAW_IN_USE + 1)}  # a law that the user gives decides
+    KELVIN, GAP, BETTER_LAW, LAW_IN_USE, ANY_LAW,
+) = range(15)  # fmt: skip
+_GIVEN = {law: number for number, law in enumerate(LAWS, ANY_LAW + 1)}  # a law that the user gives decides
 WORDS = (
     "–", "definition", "measured", "scaled", "ξ unknown", "τ assumed", "z0 assumed", "adhesion only", "JKR to DMT",
-    "JKR only", "Kelvin", "roughness", "Maugis", "JKR",
+    "JKR only", "Kelvin", "roughness", "Maugis", "JKR", "any law",
     *(law.short for law in LAWS.values()),
 )  # fmt: skip
 
@@ -140,6 +140,8 @@ class Ranges:
             yield from self._of_given_law(name, own, self.frame.stated_model)
         elif is_rolling and assumes_displacement(self.frame):
             yield from self._of_rolling(name)
+        elif self._is_of_any_law(name):
+            yield True, *own, ANY_LAW
         else:
             if name in _STICKING:
                 yield from self._of_sticking(name, own)
@@ -150,6 +152,12 @@ class Ranges:
             if name in _BREAKING:
                 yield self._tabor_parameter >= JUMP, *own, DEFINITION
             yield from self._of_laws(name, own)
+
+    def _is_of_any_law(self, name: str) -> bool:
+        """Return whether a result follows from the same formulas under every law of attraction."""
+        other = _between(self.frame)
+        is_computed = name not in self.results.described.unknowns and not other.missing([name])
+        return is_computed and other.formulas_to(name) == self.frame.formulas_to(name)
 
     def _is_from_losses(self, name: str) -> bool:
         """Return whether an inferred value ascribes all losses of a collision to its own cause."""

@@ -6,6 +6,7 @@ from math import isnan
 from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 
 from ..model.estimate import (
+    ANY_LAW,
     BETTER_LAW,
     DEFINITION,
     FRICTION_ASSUMED,
@@ -257,7 +258,7 @@ def _of_results(rows: Sequence[Sequence[str]], law: str) -> list[TextColumn]:
     Ranges are left out if all of them are values of the law in use. Otherwise they include the uncertainties, and the
     column of the law does not.
     """
-    if {row[3] for row in rows} <= {law, WORDS[DEFINITION], "–", ""}:
+    if {row[3] for row in rows} <= {law, WORDS[DEFINITION], WORDS[ANY_LAW], "–", ""}:
         heads, rows = ["quantity", "symbol", law, "unit"], [[*row[:2], *row[5:]] for row in rows]
     else:
         heads = ["quantity", "symbol", _BEST_RANGE, "by", f"plain {law}", "unit"]
