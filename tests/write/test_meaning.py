@@ -15,7 +15,10 @@ from jkroll.quantities.nomenclature import NOMENCLATURE
 
 GEL = "15um --radius2 plane --work-of-adhesion 71mJ/m2 --young rigid --young2 3kPa --poisson2 0.5"
 WIDE, FLIES = "the contact is wider than the smaller sphere", "too fast to roll around body 2: it flies off"
-SLOW, SHORT = "once it has slid, the energy left is too small to roll", "held out level, even one sphere rolls down"
+SLOW, SHORT = (
+    "it slides, which leaves 2/7 of its energy W0, less than W_yield, with which rolling begins",
+    "held out level, even one sphere rolls down",
+)
 SONIC = "faster than sound in the solid: no static contact describes that"
 XI = "ξ is too large for the formula"
 # Calls with two values; the last one makes these results meaningless, or, with None, all results.

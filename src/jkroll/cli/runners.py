@@ -134,10 +134,12 @@ def _write_columns(
 
         write_file(wanted, every, form, call.target, doubt=not call.no_doubt, quiet=call.quiet)
     elif is_table:
+        from ..report.curve import lead_of_curve
         from ..write.table import sweep_table
 
         for columns in every:
-            sweep_table(columns, sys.stdout, form, assumed_in(groups))
+            lead = "" if single is None else lead_of_curve(single)
+            sweep_table(columns, sys.stdout, form, assumed_in(groups), lead)
     else:
         from ..write.writers import WRITERS, written
 
@@ -148,6 +150,8 @@ def _write_columns(
     tally = reduce(Tally.plus, tallies, Tally())
     if single is None or (tally.with_doubts(ENDING_MEANING) and not single.ended):  # of some states of a curve
         notes = notes_below(groups, tally, wanted.reported_doubts, is_table=is_table)
+    elif is_table:
+        notes = single.sentences
     else:
         notes = _notes_of(single, has_table=False)
     for line in lines_of(notes, has_head=is_table, quiet=call.quiet):
@@ -329,7 +333,11 @@ def run_export(call: Call) -> int:
     names = tuple(name for name in program.quantities if name not in lacking)
     answer = Report(Question(names, names), frame)
     shown = (note for note in by_severity(answer.sentences) if note.severity != "more")
-    every = (Note("lead", answer.best_ranges), *about_middles(answer.uncertain), *shown)
+    every = (
+        Note("lead", f"best ranges (jkroll report says why): {answer.best_ranges}"),
+        *about_middles(answer.uncertain),
+        *shown,
+    )
     notes = [note.line for note in every]
     if program.about:
         sys.stdout.write(text)

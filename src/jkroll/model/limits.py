@@ -204,9 +204,10 @@ def _has_speed(frame: Frame, names: Collection[str]) -> bool:  # noqa: ARG001
     return "speed" in frame.stated
 
 
-def _too_slow(name: str, least: float, code: str, words: str) -> Limit:
+def _too_slow(name: str, least: float, code: str, energy: str) -> Limit:
     """Return the limit of a rolling distance: the energy, in units of the yield energy, above which a sphere rolls."""
-    return Limit("energy_over_yield", frozenset({name}), "<=", {least: code}, words, ends_meaning=True)
+    consequence = f"{energy}, less than W_yield, with which rolling begins"
+    return Limit("energy_over_yield", frozenset({name}), "<=", {least: code}, consequence, ends_meaning=True)
 
 
 # First the limits that end the meaning of results; then the law of attraction; then causes of inexact results.
@@ -242,9 +243,9 @@ ENDING = (
         "held out level, even one sphere rolls down; it falls off where Bo is below 1",
         ends_meaning=True,
     ),
-    _too_slow("n_roll", 7 / 2, "does-not-roll-sliding", "once it has slid, the energy left is too small to roll"),
-    _too_slow("n_roll_after_impact", 7 / 5, "does-not-roll-after-impact", "after the impact it is too slow to roll"),
-    _too_slow("n_roll_energy_balance", 1.0, "does-not-roll", "its energy is too small to roll"),
+    _too_slow("n_roll", 7 / 2, "does-not-roll-sliding", "it slides, which leaves 2/7 of its energy W0"),
+    _too_slow("n_roll_after_impact", 7 / 5, "does-not-roll-after-impact", "the impact leaves 5/7 of its energy W0"),
+    _too_slow("n_roll_energy_balance", 1.0, "does-not-roll", "it has its energy W0"),
     Limit(
         "flight_ratio", _TURNS, ">", {1.0: "flies-off"},
         "too fast to roll around body 2: it flies off",

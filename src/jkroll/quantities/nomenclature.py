@@ -259,7 +259,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
         note="a fit to numerical solutions, within 0.5 % for μ ≤ 1"),
     "load_margin": Quantity("s", "1", "√(1 + P/P_c)", "5", range=ABOVE_MINUS_1, may_be_zero=True),
     "load_factor": Quantity("x", "1", "â^(3/2), by which the load scales the rolling moment", "5", range=POSITIVE),
-    "contact_radius_at_load": Quantity("a", "m", "contact radius at the load", "5", may_be_zero=True),
+    "contact_radius_at_load": Quantity("a", "m", "contact radius", "5", may_be_zero=True),
     "approach_at_load": Quantity("δ", "m", "approach (indentation)", "6", range=FINITE, option="--approach",
         example="0.05nm", may_be_zero=True),
     "contact_area": Quantity("A_c", "m^2", "area of the contact at the load", "5", may_be_zero=True),

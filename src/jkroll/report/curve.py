@@ -5,6 +5,7 @@ from math import inf, isfinite
 from typing import NamedTuple
 
 from ..errors import BadRequest, NoResult
+from ..model.estimate import BETTER_LAW
 from ..model.frame import Frame
 from ..model.plan import in_order
 from ..model.reasons import NO_STIFFNESS, MissingInput
@@ -124,6 +125,13 @@ def _without_contact(frame: Frame, ratio: float, steps: int) -> Iterator[State]:
 def frames_of_curve(frame: Frame, loads: Loads | None = None, steps: int = STEPS) -> Iterator[Frame]:
     """Iterate over the frames at the states of the force curve."""
     return (state.in_frame(frame) for state in states(frame, loads, steps))
+
+
+def lead_of_curve(report: Report) -> str:
+    """Return the best ranges of a force curve, and the law that gives a better curve if there is one."""
+    is_better = any(estimate.by == BETTER_LAW for estimate in report.estimates.values())
+    better = "; --model maugis gives the better curve" if is_better else ""
+    return f"best ranges: {report.best_ranges}{better}"
 
 
 def answer_at_state(question: Question, frame: Frame) -> Report:

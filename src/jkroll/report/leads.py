@@ -180,7 +180,9 @@ def _stick_or_bounce(answer: Answer) -> str:
     is_below, is_above = speed < sticking.low, speed > sticking.high
     verdict = "they stick" if is_below else "they bounce" if is_above else "they may stick or bounce"
     text = f"at {amount('speed', speed)} {verdict}: the largest speed to stick is {sides} ({WORDS[sticking.by]})"
-    left = answer.estimates["restitution"]
+    left, alone = answer.estimates["restitution"], answer.values.get("restitution", 0.0)
+    if is_below and alone > 0:
+        return f"{text}; by adhesion alone they would bounce, e = {significant(alone, 2)}"
     if is_below or isnan(left.high) or left.by != ADHESION_ONLY:
         return text
     return f"{text}; if they bounce, adhesion alone leaves e = {from_to(answer.values['restitution'], left.high)}"

@@ -61,7 +61,8 @@ _QUESTIONS = {
     "n-grav": _question(
         "n_grav",
         "n_grav gravity_moment bond_number",
-        lead="held at one end, {n_grav} spheres stay level; of more, the first contact rolls",
+        lead="spheres in the longest chain that stays level, held at one end: {n_grav}; in a longer one the first "
+        "contact rolls",
     ),
     "frequencies": _question(
         "vertical_frequency rolling_frequency",
@@ -74,12 +75,12 @@ _QUESTIONS = {
     "n-roll": _question(
         "n_roll",
         "n_roll_after_impact n_roll n_roll_energy_balance",
-        lead="turns: {n_roll_energy_balance} if it rolls from the start{after_impact}, {n_roll} once it has "
-        "slid{or_none}",
+        lead="turns until it stops: {n_roll_energy_balance} if it rolls from the start{after_impact}, {n_roll} once it "
+        "has slid{or_none}",
     ),
     "contact": _question(
         "contact_radius_at_load approach_at_load",
-        "contact_radius approach load contact_radius_at_load approach_at_load load_ratio contact_radius_ratio "
+        "contact_radius_at_load approach_at_load contact_radius approach load load_ratio contact_radius_ratio "
         "approach_ratio stiffness hertz_pressure boussinesq_pressure well_energy pull_off_work "
         "pull_off_work_at_dead_load sticking_energy",
         # energies belong to contacts without load: see `energies`

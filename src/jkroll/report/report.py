@@ -68,7 +68,7 @@ class Report(Answer):
             for name, estimate in self.estimates.items()
             if name in self.question.headline
         )
-        return f"best ranges (jkroll report says why): {', '.join(texts)}"
+        return ", ".join(texts)
 
     @cached_property
     def notes(self) -> tuple[Note, ...]:

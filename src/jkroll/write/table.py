@@ -321,19 +321,19 @@ def _of_inferred(answer: "Report", form: Format) -> list[TextColumn]:
 # --- Lists ------------------------------------------------------------------------------------------------------------
 
 
-def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[str, str]) -> None:
+def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[str, str], lead: str = "") -> None:
     """Write a list as a table with a row for each pair (see `parts_of_rows`), or with a column if only that fits."""
-    for part in parts_of_rows(columns, form, assumed):
+    for part in parts_of_rows(columns, form, assumed, lead):
         if isinstance(part, str):
             say_wrapped(part, out)
         else:
             write_table(*in_width(*part), out)
 
 
-def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str]) -> Iterator[str | Rows]:
+def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str], lead: str = "") -> Iterator[str | Rows]:
     """Iterate over the lines and the table of a list: a row for each pair, then the meaning of words and codes.
 
-    Common inputs and assumptions come first.
+    Common inputs and assumptions come first, then the `lead`.
     """
     inputs = {name: [in_words(name, value) for value in as_list(each)] for name, each in columns.inputs.items()}
     distinct = {name: {*values} - {None} for name, values in inputs.items()}  # None: not an input of the row
@@ -352,29 +352,47 @@ def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str]) 
     if BETWEEN in distinct.get("model", ()) and "model" in several:
         is_named = "tabor_parameter" in columns.wanted.names
         yield f"take the rows of maugis{'; μ is the Tabor parameter' if is_named else ''}"
-    exact, leading, results = Format(form.units, form.digits or DIGITS), list[TextColumn](), list[TextColumn]()
+    exact, leading = Format(form.units, form.digits or DIGITS), list[TextColumn]()
     following = _FOLLOWING | STATE_OR_LOAD if "state" in inputs else _FOLLOWING
     for name in several:
         if name in form.typed or name not in following:
             leading += columns_of(name, {symbol_among(name, inputs): inputs[name]}, exact)
-    rules: list[float] = []
-    for name in columns.wanted.names:
-        if name not in inputs:
-            best, of_rows = _best(columns, name, form)
-            head = symbol_among(name, columns.inputs)
-            own = f"{head} by {LAWS[DEFAULT_LAW].short}" if best and "model" not in inputs else head
-            of_law = columns_of(name, {own: _measures(columns, name)}, form)
-            if "model" in several and best:  # each row has its own law
-                of_law, best = [_with_ranges(of_law[0], best[0], of_rows)], []
-            results += [*best, *of_law]
-            rules += of_rows
+    results, rules, to_take = _results_of_rows(columns, form, "model" in several)
     shown = [codes(bits & columns.wanted.reported_doubts) for bits in as_list(columns.doubts)]
     if any(shown):
         results.append(TextColumn(DOUBT, shown, is_right=False))
+    if lead:
+        yield lead
+    if to_take:
+        yield f"take {listed(to_take)}; plain {LAWS[DEFAULT_LAW].short} is there to compare"
     yield leading, results
     of_codes = lines_on_codes(chain.from_iterable(text.split() for text in shown))
     rules_shown = (int(by) for by in rules if not isnan(by))
     yield from (*lines_on_rules(rules_shown, columns.wanted.names), *of_codes)
+
+
+def _results_of_rows(
+    columns: "Columns", form: Format, has_laws: bool
+) -> tuple[list[TextColumn], list[float], list[str]]:
+    """Return the columns of results, the rules of their ranges, and the heads of the ranges to take.
+
+    `has_laws`: True if the rows have several laws, so that each row has the range of its own law.
+    """
+    results, rules, to_take = list[TextColumn](), list[float](), list[str]()
+    for name in columns.wanted.names:
+        if name in columns.inputs:
+            continue
+        best, of_rows = _best(columns, name, form)
+        head = symbol_among(name, columns.inputs)
+        own = f"{head} by {LAWS[DEFAULT_LAW].short}" if best and "model" not in columns.inputs else head
+        of_law = columns_of(name, {own: _measures(columns, name)}, form)
+        if has_laws and best:
+            of_law, best = [_with_ranges(of_law[0], best[0], of_rows)], []
+        elif best:
+            to_take.append(f"best {head}")
+        results += [*best, *of_law]
+        rules += of_rows
+    return results, rules, to_take
 
 
 def in_width(leading: list[TextColumn], results: list[TextColumn]) -> Rows:
