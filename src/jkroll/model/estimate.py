@@ -154,10 +154,12 @@ class Ranges:
             yield from self._of_laws(name, own)
 
     def _is_of_any_law(self, name: str) -> bool:
-        """Return whether a result follows from the same formulas under every law of attraction."""
+        """Return whether a result follows from the same formulas under every law, and not from the atomic spacing."""
         other = _between(self.frame)
         is_computed = name not in self.results.described.unknowns and not other.missing([name])
-        return is_computed and other.formulas_to(name) == self.frame.formulas_to(name)
+        if not is_computed or "atomic_spacing" in self.frame.inputs_of(name):
+            return False
+        return other.formulas_to(name) == self.frame.formulas_to(name)
 
     def _is_from_losses(self, name: str) -> bool:
         """Return whether an inferred value ascribes all losses of a collision to its own cause."""
