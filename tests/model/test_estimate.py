@@ -229,6 +229,14 @@ def test_an_atomic_spacing_that_is_given_is_the_only_one() -> None:
     assert estimate == (approx(least), approx(most), "Maugis")
 
 
+def test_what_every_law_computes_alike_is_of_any_law() -> None:
+    """The Rayleigh time has no law; the Tabor parameter has the atomic spacing, which is known to a factor of two."""
+    found = best("rayleigh_time tabor_parameter", **QUARTZ)
+    assert found["rayleigh_time"] == (*2 * (approx(solve("rayleigh_time", **QUARTZ)),), "any law")
+    tabor = solve("tabor_parameter", **QUARTZ)
+    assert found["tabor_parameter"] == (approx(tabor), approx(2 * tabor), "Maugis")
+
+
 def test_conventions_are_exact_and_laws_have_none() -> None:
     found = best("fold_energy sticking_speed_pencil_code pull_off_force_dmt", **QUARTZ)
     assert found["fold_energy"] == (*2 * (approx(solve("fold_energy", **QUARTZ)),), "definition")

@@ -164,6 +164,14 @@ def test_a_list_of_laws_says_which_of_them_holds(run: Run) -> None:
     assert "law-off" not in run("pull-off quartz 100nm,1um --quantities P_c", terminal=True).out
 
 
+def test_lists_and_curves_begin_with_what_to_take(run: Run) -> None:
+    ran = run("report quartz 100nm,1um --quantities P_c,a0", terminal=True)
+    assert "\ntake best P_c and best a0; plain JKR is there to compare\n" in ran.out
+    curve = run("contact quartz 100nm --curve", terminal=True)
+    ranges = "best ranges: P_c 14–15 nN (Maugis), a0 3.0–3.2 nm (Maugis), δ0 115–121 pm (Maugis)"
+    assert f"{ranges}; --model maugis gives the better curve" in " ".join(curve.out.split())
+
+
 def test_a_list_counts_the_doubts_and_warns_of_numbers_without_a_meaning(run: Run) -> None:
     notes = run("pull-off quartz 100nm,900nm --model jkr,dmt").err.splitlines()
     assert notes[0].startswith("note: doubts in 3 of 4 rows (jkroll guide doubts): law-off-5% 2, law-off-25% 1")
