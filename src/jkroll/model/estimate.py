@@ -52,7 +52,6 @@ _LAWS_THEMSELVES = (
 )  # fmt: skip
 _OF_WATER = ("meniscus_force", "kelvin_radius", "threshold_humidity")
 _STICKING = {"sticking_speed": 1, "sticking_energy": 2}  # powers of the speed
-_ROUNDED = 1e-12  # relative difference of two ends that rounding may make
 _LOSING = ("restitution", "lost_energy")
 # Measured quantities that any loss in a collision moves one way, and inputs that move them the same way as they grow.
 _LOSSES = frozenset({"restitution", "sticking_speed"})
@@ -71,7 +70,7 @@ _BY_LENNARD_JONES = {
     "disruption_speed": (0.5, "pull_off_work", "well_energy_lennard_jones"),
 }  # fmt: skip
 FRICTION_FACTOR = 3.0  # uncertainty of the assumed shear strength, up or down: an order of magnitude in all
-_SAME = 1e-9  # relative difference below which two laws agree
+_SAME = 1e-9  # relative difference of two ends that counts as rounding
 _TOO_WIDE = reason(ENDS[CONTACT_EXCEEDS_SPHERE.codes[1.0]])
 
 
@@ -170,7 +169,7 @@ class Ranges:
         """Iterate over the rules of a law that the user gave: it decides, except for an assumed atomic spacing."""
         if self.frame.assumes_spacing:
             low, high = self.hull(name, _itself, at_half_spacing)
-            is_wider = (own[0] - low > _ROUNDED * abs(own[0])) | (high - own[1] > _ROUNDED * abs(own[1]))
+            is_wider = (own[0] - low > _SAME * abs(own[0])) | (high - own[1] > _SAME * abs(own[1]))
             yield is_wider, low, high, SPACING_ASSUMED
         yield True, *own, _GIVEN[law]
 
