@@ -590,7 +590,8 @@ def _in_table(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
         found = of_table(run, sheet_of(ask))
     except Refused as refusal:
         lacks = any(_is_of_all_rows(error) for each in floats.reasons for error in each.values())
-        of_values = any(_of_any_values(scene).missing(floats.keys) for scene in scenes_of(ask))
+        names = [key for key in floats.keys if not side_of(key)]
+        of_values = any(_of_any_values(scene).missing(names) for scene in scenes_of(ask))
         if not (_lacks(str(refusal)) and (lacks or of_values)):
             yield str(refusal)
         return
