@@ -68,9 +68,9 @@ ROUGH = "from the page measurements, Rough and humid: jkroll guide measurements\
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ("guide humidity", "**Humid**: adsorbed water"),
-        ("guide humid", "**Humid**: adsorbed water"),
-        ("guide how humid is it?", "**Humid**: adsorbed water"),
+        ("guide humidity", "**Humid**: for a real pair"),
+        ("guide humid", "**Humid**: for a real pair"),
+        ("guide how humid is it?", "**Humid**: for a real pair"),
         ("guide meniscus", "The **meniscus** pulls"),
         ("guide menisci", "The **meniscus** pulls"),
         ("guide water", "Roughness and water are often"),

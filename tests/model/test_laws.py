@@ -268,7 +268,7 @@ def test_a_curve_has_the_quantities_and_the_units_that_are_asked_for(run: Run) -
 def test_before_a_headline_of_jkr_stands_what_maugis_says(run: Run) -> None:
     found = Report(QUESTIONS["pull-off"], Frame({"radius": 1e-7}, known_materials()["quartz"]))
     (text,) = found.lines_on_ranges(found.values)
-    assert text.startswith("Maugis: JKR is more than 5 % off at this size and stiffness (Tabor parameter 0.14–0.27)")
+    assert text.startswith("Maugis: JKR is 17–23 % too low at this size and stiffness (Tabor parameter 0.14–0.27)")
     (best,) = (one["best"] for one in json.loads(run("pull-off quartz 100nm --json").out)["results"][:1])
     assert (best["by"], best["why"]) == tuple(text.split(": ", 1))
 

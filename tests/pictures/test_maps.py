@@ -83,7 +83,7 @@ def test_fig_8_what_does_not_roll_at_10_nm_and_what_turns_at_100_nm() -> None:
     assert 2 * math.pi * 5e-9 * turns(9.2e11, 1e-8) == approx(2e-10, rel=0.03)
     assert turns(1.5e9, 1e-7) == approx(1, rel=0.03)
     drawn, field = panel_of("8"), field_of("8")
-    (shaded,) = (region for region in field.regions if "which leaves 2/7" in region.text)
+    (shaded,) = (region for region in field.regions if "left by sliding" in region.text)
     excess = shaded.excess(over(field.frame, drawn.x, drawn.y))
     row = int(np.argmin(abs(np.log(drawn.y.values() / 1e-8))))
     inside = drawn.x.values()[excess[row] > 0]
@@ -593,8 +593,5 @@ def test_a_limit_of_another_number_than_its_name_says_what_follows_alone(run: Ru
 
 def test_a_caption_has_no_names_of_columns(run: Run) -> None:
     out = run("map n-roll quartz 10nm --x energy=1e-21J:1e-17J").out
-    assert (
-        "W0/W_yield < 3.5: it slides, which leaves 2/7 of its energy W0, less than W_yield, with which rolling begins ("
-        in " ".join(out.split())
-    )
+    assert "W0/W_yield < 3.5: the 2/7 of its energy left by sliding cannot make it roll (" in " ".join(out.split())
     assert "of n_roll" not in out

@@ -16,7 +16,7 @@ from jkroll.quantities.nomenclature import NOMENCLATURE
 GEL = "15um --radius2 plane --work-of-adhesion 71mJ/m2 --young rigid --young2 3kPa --poisson2 0.5"
 WIDE, FLIES = "the contact is wider than the smaller sphere", "too fast to roll around body 2: it flies off"
 SLOW, SHORT = (
-    "it slides, which leaves 2/7 of its energy W0, less than W_yield, with which rolling begins",
+    "the 2/7 of its energy left by sliding cannot make it roll",
     "held out level, even one sphere rolls down",
 )
 SONIC = "faster than sound in the solid: no static contact describes that"
@@ -309,7 +309,7 @@ def test_what_touches_the_headline_is_said_before_what_does_not(run: Run) -> Non
 )
 def test_what_was_measured_on_rough_glass_is_said_of_hard_solids(run: Run, words: str, *, is_rough: bool) -> None:
     ran = run(f"{words} --explain").out
-    assert ("on smooth glass" in ran) is is_rough
+    assert ("on dry smooth glass" in ran) is is_rough
     [row] = csv.DictReader(run(f"{words} --csv").out.splitlines())
     assert ("rough-matters" in row["doubt"].split()) is is_rough
 

@@ -345,7 +345,8 @@ def run_export(call: Call) -> int:
             say_wrapped(line, sys.stderr)
         return 0
     if options := options_for_centre(answer):
-        _write_comments([f"plain {frame.law.short}; for the centre of the best ranges of P_c and M add {options}"])
+        remedy = f"for the centre of the best ranges of P_c and M add {options}"
+        _write_comments([f"plain {frame.law.short}, not the best values: {remedy}"])
     sys.stdout.write(text)
     _write_comments(notes)
     return 0

@@ -206,7 +206,7 @@ def _has_speed(frame: Frame, names: Collection[str]) -> bool:  # noqa: ARG001
 
 def _too_slow(name: str, least: float, code: str, energy: str) -> Limit:
     """Return the limit of a rolling distance: the energy, in units of the yield energy, above which a sphere rolls."""
-    consequence = f"{energy}, less than W_yield, with which rolling begins"
+    consequence = f"{energy} cannot make it roll"
     return Limit("energy_over_yield", frozenset({name}), "<=", {least: code}, consequence, ends_meaning=True)
 
 
@@ -243,9 +243,9 @@ ENDING = (
         "held out level, even one sphere rolls down; it falls off where Bo is below 1",
         ends_meaning=True,
     ),
-    _too_slow("n_roll", 7 / 2, "does-not-roll-sliding", "it slides, which leaves 2/7 of its energy W0"),
-    _too_slow("n_roll_after_impact", 7 / 5, "does-not-roll-after-impact", "the impact leaves 5/7 of its energy W0"),
-    _too_slow("n_roll_energy_balance", 1.0, "does-not-roll", "it has its energy W0"),
+    _too_slow("n_roll", 7 / 2, "does-not-roll-sliding", "the 2/7 of its energy left by sliding"),
+    _too_slow("n_roll_after_impact", 7 / 5, "does-not-roll-after-impact", "the 5/7 of its energy left by the impact"),
+    _too_slow("n_roll_energy_balance", 1.0, "does-not-roll", "its energy"),
     Limit(
         "flight_ratio", _TURNS, ">", {1.0: "flies-off"},
         "too fast to roll around body 2: it flies off",
@@ -268,7 +268,7 @@ ENDING = (
 LAW = Limit(
     "tabor_parameter", _ELASTICITY, ">",
     {LAW_MATTERS: "law-off-5%", 1.25: "law-off-25%", 2.0: "law-off-2x"},
-    "another law differs by more",
+    "the better law, Maugis', differs by more",
     factor=factor_of_law,
 )  # fmt: skip
 INEXACT = (

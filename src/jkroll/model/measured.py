@@ -186,16 +186,18 @@ MOST_SEEN = 10  # largest speed at which hard spheres were seen to stick, in uni
 
 
 class Surface(NamedTuple):
-    """The measured fraction of JKR's pull-off force for SiO2, 1/most to 1/least, and the spheres measured."""
+    """The measured fraction of JKR's pull-off force for SiO2, and the spheres measured."""
 
-    most: int
-    least: int
+    low: float
+    high: float
+    fraction: str
     spheres: str
 
 
 SURFACES: Mapping[str, Surface] = {
-    "on smooth glass": Surface(4, 2, "spheres of 5 and 20 µm at 0 % humidity; 1/2–4/5 at 67 %"),
-    "for rough grains in air": Surface(100, 10, "tens of µm"),
+    "on dry smooth glass": Surface(1 / 4, 1 / 2, "1/4–1/2", "spheres of 5 and 20 µm"),
+    "on humid smooth glass": Surface(1 / 2, 4 / 5, "1/2–4/5", "the same at 67 %"),
+    "for rough grains in air": Surface(1 / 100, 1 / 10, "1/100–1/10", "tens of µm"),
 }
 SURFACES_FROM = 1e-6  # radius of the smallest spheres to which these fractions are scaled, in m
 ENERGY_ON_SURFACES = 0.025  # surface energy for which they are fractions of JKR's force, in J/m²
@@ -210,7 +212,7 @@ def on_surfaces(frame: Frame, ends: tuple[float, float] | None = None) -> Mappin
     low, high = ends or (force, force)
     if solid_of_pair(frame) == SIO2:
         low = high = force * 2 * ENERGY_ON_SURFACES / frame["work_of_adhesion"]
-    return {name: (low / surface.most, high / surface.least) for name, surface in SURFACES.items()}
+    return {name: (low * surface.low, high * surface.high) for name, surface in SURFACES.items()}
 
 
 # --- Rolling ---

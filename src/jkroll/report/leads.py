@@ -8,6 +8,7 @@ from ..model.estimate import (
     BETTER_LAW,
     FRICTION_ASSUMED,
     FRICTION_FACTOR,
+    MEASURED,
     NONE,
     WORDS,
     XI_UNKNOWN,
@@ -16,6 +17,7 @@ from ..model.estimate import (
 )
 from ..model.frame import IN_ITS_PLACE, Frame
 from ..model.limits import GAP_STAYS_DRY
+from ..model.measured import what_stuck
 from ..model.results import Results
 from ..quantities.formatting import Format, amount, from_to, significant, symbol_among
 from ..quantities.nomenclature import XI
@@ -42,6 +44,8 @@ def leads(answer: Answer) -> Iterator[Note]:
         yield Note("lead", _first_to_give_way(answer))
     if answer.is_of_impact and answer.estimates["sticking_speed"].by != NONE:
         yield Note("lead", _stick_or_bounce(answer))
+    if answer.question.headline == ("n_roll",):
+        yield from _enough_to_roll(answer.frame)
     if "impact_pressure" in answer.values:
         is_known = not answer.frame.missing(["first_yield_pressure"])
         yield Note("lead" if is_known else "more", _elastic_or_not(answer.frame))
@@ -92,8 +96,9 @@ def _filled(answer: Answer) -> str:
     words = {name: _spoken(name, each) for name, each in found.items()}
     if "{or_none}" in answer.question.lead:  # a sentence that can say so
         words |= dict.fromkeys(answer.ended, "none")
-    if len(answer.question.headline) == 1:
-        words |= {name: words[name] + _middle(name, found[name]) for name in answer.question.headline if name in found}
+    (first, *others) = answer.question.headline
+    for name, estimate in found.items():
+        words[name] += _middle(name, estimate, is_short=bool(others) or name != first)
     is_open = any(isnan(found[name].low) for name in answer.question.headline if name in found)
     words["or_none"] = ", or not at all" if is_open else ""
     words["after_impact"] = f", {words[_AFTER_IMPACT]} after it met a held body" if _AFTER_IMPACT in words else ""
@@ -112,20 +117,19 @@ def _spoken(name: str, estimate: Estimate) -> str:
     return f"{about}{text.removeprefix('≤ ')} or less" if text.startswith("≤ ") else text
 
 
-def _middle(name: str, estimate: Estimate) -> str:
+def _middle(name: str, estimate: Estimate, *, is_short: bool) -> str:
     """Return the one number to take of a wide range, and how far it may be off."""
     low, high = estimate.low, estimate.high
     if not low > 0 or not high >= _WIDE * low:
         return ""
-    return (
-        f" (say {amount(name, sqrt(low * high), _TWO)}, at worst off by a factor of {significant(sqrt(high / low), 2)})"
-    )
+    text = f"say {amount(name, sqrt(low * high), _TWO)}"
+    return f" ({text})" if is_short else f" ({text}, at worst off by a factor of {significant(sqrt(high / low), 2)})"
 
 
 def _first_to_give_way(answer: Answer) -> str:
     rolling, sliding = (answer.estimates[name] for name in ("yield_force", "sliding_or_peeling_force"))
     force = range_in_words("yield_force", sliding)
-    gives = f"it {_slides_or_peels(answer)} at {force}, the limit of friction in a simulation (T_first)"
+    gives = f"it {_slides_or_peels(answer)} at {force} (T_first: peeling shrinks it first)"
     rolls = range_in_words("yield_force", rolling)
     if rolling.high < sliding.low:
         return f"pushed, it rolls first ({rolls}); held from rolling, {gives}"
@@ -179,13 +183,34 @@ def _stick_or_bounce(answer: Answer) -> str:
     sides = range_in_words("sticking_speed", sticking)
     is_below, is_above = speed < sticking.low, speed > sticking.high
     verdict = "they stick" if is_below else "they bounce" if is_above else "they may stick or bounce"
-    text = f"at {amount('speed', speed)} {verdict}: the largest speed to stick is {sides} ({WORDS[sticking.by]})"
+    stuck = what_stuck(answer.frame)
+    is_scaled = sticking.by == MEASURED and stuck is not None and not stuck.is_near(answer.frame)
+    source = "scaled from measured ones" if is_scaled else WORDS[sticking.by]
+    text = f"at {amount('speed', speed)} {verdict}: the largest speed to stick is {sides} ({source})"
     left, alone = answer.estimates["restitution"], answer.values.get("restitution", 0.0)
     if is_below and alone > 0:
         return f"{text}; by adhesion alone they would bounce, e = {significant(alone, 2)}"
     if is_below or isnan(left.high) or left.by != ADHESION_ONLY:
         return text
     return f"{text}; if they bounce, adhesion alone leaves e = {from_to(answer.values['restitution'], left.high)}"
+
+
+def _enough_to_roll(frame: Frame) -> Iterator[Note]:
+    """Iterate over at most one sentence: whether the energy of a sphere is enough to begin rolling."""
+    energy = frame.numbers("energy").get("energy")
+    columns = frame.columns(frame.possible(["yield_energy"]))
+    if energy is None or not columns:
+        return
+    least = Ranges(Results(frame, columns)).estimate("yield_energy")
+    if least.by == NONE or isnan(least.low):
+        return
+    verdict = "it may not roll at all"
+    if energy < least.low:
+        verdict = "it does not roll"
+    elif energy > least.high:
+        verdict = "it rolls"
+    begins = f"rolling takes more than {range_in_words('yield_energy', least)} (W_yield)"
+    yield Note("lead", f"{verdict}: its energy W0 is {amount('energy', energy, _TWO)}, {begins}")
 
 
 def _law_that_holds(answer: Answer) -> str:

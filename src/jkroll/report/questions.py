@@ -69,14 +69,14 @@ _QUESTIONS = {
         "vertical_frequency rolling_frequency rolling_frequency_as_printed rolling_frequency_no_slip "
         "sliding_frequency twisting_frequency rayleigh_time",
         without_row="rolling_frequency_as_printed",
-        lead="free to move, they vibrate with {vertical_frequency} along their centres, {sliding_frequency} in sliding "
-        "and {rolling_frequency} in rolling",
+        lead="free to move, they vibrate with {vertical_frequency} along their centres, {rolling_frequency} in "
+        "rolling, {sliding_frequency} in sliding and {twisting_frequency} in twisting",
     ),
     "n-roll": _question(
         "n_roll",
         "n_roll_after_impact n_roll n_roll_energy_balance",
-        lead="turns until it stops: {n_roll_energy_balance} if it rolls from the start{after_impact}, {n_roll} once it "
-        "has slid{or_none}",
+        lead="turns relative to the other: {n_roll_energy_balance} if it rolls from the start{after_impact}, {n_roll} "
+        "once it has slid{or_none}",
     ),
     "contact": _question(
         "contact_radius_at_load approach_at_load",
@@ -93,8 +93,8 @@ _QUESTIONS = {
         "yield_moment yield_displacement unloaded_moment half_circles_moment fixed_approach_moment rolling_stiffness "
         "mean_rolling_moment mean_rolling_force",
         without_row="half_circles_moment fixed_approach_moment",  # approximations of the first
-        lead="the moment rises to {yield_moment}, where rolling starts, the threshold in a simulation; it springs back "
-        "after each step of ξ, so that its mean while rolling is half of that",
+        lead="rolling starts at {yield_moment}, the threshold for a simulation; its mean while rolling is half of "
+        "that, {mean_rolling_moment}, as the contact springs back after each step of ξ",
     ),
 }
 # Values that contradict a headline are in the report, too; Eq (41) as printed is in `frequencies` alone.
@@ -106,8 +106,8 @@ _REPORT = Question(
         *(name for asked in _QUESTIONS.values() for name in asked.quantities if name in (*asked.headline, *_CONTRARY)),
         *("roll_energy_quarter_turn", "sticking_speed"),
     ),
-    lead="if ideally smooth, they are pulled apart by {pull_off_force}, roll from {yield_force} on and stick up to "
-    "{sticking_speed}",
+    lead="they roll from {yield_force} on, stick up to {sticking_speed} and, if ideally smooth, are pulled apart by "
+    "{pull_off_force}",
     if_stated=dict.fromkeys(_TURNS, ("energy", "energy_ratio", "speed")),
 )
 QUESTIONS: Mapping[str, Question] = {
@@ -122,8 +122,8 @@ QUESTIONS: Mapping[str, Question] = {
         "roll_energy_quarter_turn roll_energy_half_turn sticking_speed sticking_speed_paszun_dominik "
         "sticking_speed_pencil_code",
         lead="to part them takes {pull_off_work} if free or held by stiff grips, {pull_off_work_at_dead_load} by a "
-        "soft spring (most AFMs); to roll by a quarter turn, {roll_energy_quarter_turn}; they stick up to "
-        "{sticking_speed}",
+        "soft spring (most AFMs); to roll a quarter of the way around the other takes {roll_energy_quarter_turn}; they "
+        "stick up to {sticking_speed}",
     ),
     "impact": _question(
         "restitution",
@@ -146,9 +146,9 @@ QUESTIONS: Mapping[str, Question] = {
         "restructuring_energy restructuring_speed restructuring_energy_ormel restructuring_speed_ormel "
         "disruption_energy disruption_speed disruption_energy_dust_simulation disruption_speed_dust_simulation "
         "compressive_strength tensile_strength",
-        lead="two equal aggregates that meet at {restructuring_speed} begin to restructure: take this, 5E_roll (D&T "
-        "97), which measured rolling forces bear out, not {restructuring_speed_ormel}, E_roll (Ormel 07); at "
-        "{disruption_speed} they break up (Wada 07, a fit to JKR's spheres)",
+        lead="two equal aggregates that meet begin to restructure at {restructuring_speed}, by D&T 97, whom measured "
+        "rolling forces bear out, and to break up at {disruption_speed}, by Wada 07, a fit to JKR's spheres; "
+        "{restructuring_speed_ormel}, by Ormel 07, is too low",
     ),
 }
 EVERYTHING = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities))

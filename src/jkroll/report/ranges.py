@@ -1,7 +1,7 @@
 """Sentences that explain best ranges: the rule of each, what it includes, and what it leaves out."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from math import isnan
+from math import isnan, nan
 
 from ..materials.library import known_materials
 from ..model.estimate import (
@@ -29,7 +29,6 @@ from ..model.measured import (
     SIO2,
     SURFACES,
     SURFACES_FROM,
-    Surface,
     on_surfaces,
     solid_of_pair,
     solid_that_rolled,
@@ -54,7 +53,7 @@ def lines_on_rules(rules: Iterable[int], names: Collection[str]) -> Iterator[str
     """Iterate over a line for each rule that gives ranges in a table of these quantities."""
     for by in dict.fromkeys(rules):
         if by in _WORDS:
-            surfaces = f"; {_SMOOTH_AND_DRY}" if by == BETTER_LAW and "pull_off_force" in names else ""
+            surfaces = f"; {_OF_SMOOTH}" if by in (BETTER_LAW, BOUNDS) and "pull_off_force" in names else ""
             yield f"{WORDS[by]}: {_WORDS[by]}{surfaces}"
 
 
@@ -96,31 +95,27 @@ def made_of(name: str, answer: Answer) -> str:
 # --- Rules, for many rows ---------------------------------------------------------------------------------------------
 
 
-def _part(surface: Surface) -> str:
-    return f"1/{surface.most}–1/{surface.least}"
-
-
 def held_on_surfaces(frame: Frame) -> str:
     """Return the pull-off force of real surfaces: for SiO2 as measured, for other solids as a fraction of JKR's."""
     radii = frame.numbers("radius", "radius2").values()
     if min(radii, default=2 * frame["reduced_radius"]) < SURFACES_FROM:
-        return "rough ones hold less, by how much was not measured at this size"
+        return "rough ones hold less, which was measured from 1 µm on only"
     if solid_of_pair(frame) != SIO2:
-        return f"real surfaces hold less: SiO2 held these parts of JKR's force: {_ON_SURFACES}"
+        return f"real surfaces hold less: of JKR's force SiO2, which alone was measured, held {_ON_SURFACES}"
     forces = (f"{span('pull_off_force', *ends)} {surface}" for surface, ends in on_surfaces(frame).items())
     return f"real surfaces hold less: {', '.join(forces)}"
 
 
 def about_surfaces(frame: Frame) -> str:
     """Return the fractions of JKR's pull-off force that were measured, and the surfaces they belong to."""
-    parts = ", ".join(f"{_part(surface)} {name} ({surface.spheres})" for name, surface in SURFACES.items())
+    parts = ", ".join(f"{surface.fraction} {name} ({surface.spheres})" for name, surface in SURFACES.items())
     energy, radius = amount("surface_energy", ENERGY_ON_SURFACES), amount("radius", frame["radius"])
-    choice = "smooth is an upper limit; take smooth glass for microspheres, rough grains for broken or natural ones"
-    return f"{choice}. Parts of JKR's force for γ = {energy}, scaled to {radius}: {parts}; not measured in vacuum"
+    choice = "take smooth glass for microspheres, rough grains for broken or natural ones; smooth is an upper limit"
+    return f"{choice}. Scaled to {radius} as parts of JKR's force at γ = {energy}: {parts}; not measured in vacuum"
 
 
-_ON_SURFACES = ", ".join(f"{_part(surface)} {name}" for name, surface in SURFACES.items())
-_SMOOTH_AND_DRY = f"for smooth, dry spheres; real SiO2 of 1 µm and more held these parts of JKR's force: {_ON_SURFACES}"
+_ON_SURFACES = ", ".join(f"{surface.fraction} {name}" for name, surface in SURFACES.items())
+_OF_SMOOTH = "P_c is that of smooth, dry spheres: rough ones hold less"
 _SEEN = f"hard spheres were seen to stick at 1–{MOST_SEEN} times JKR's speed"
 _WORDS: Mapping[int, str] = {
     MEASURED: f"{_SEEN}; for SiO2 of 0.1–3 µm the speeds measured on a plane, scaled like JKR's",
@@ -128,16 +123,16 @@ _WORDS: Mapping[int, str] = {
     XI_UNKNOWN: "not measured: one end is ξ = 2 Å (one atom), the other all of the work of adhesion lost; give --xi",
     ADHESION_ONLY: "adhesion alone loses at most this; any other loss comes on top and lowers e",
     FRICTION_ASSUMED: (
-        "sliding and twisting rest on τ = G/4π², known to an order of magnitude: the range covers τ/3 to 3τ "
-        "(--shear-strength)"
+        "sliding and twisting rest on τ = G/4π², known to an order of magnitude, and on JKR's area: the range covers "
+        "τ/3 to 3τ (--shear-strength)"
     ),
     SPACING_ASSUMED: "the range is of z0 = 2–4 Å, as far as it is known; give --z0",
     BOUNDS: "JKR's holds for soft spheres, DMT's for hard ones; E and ν decide",
-    LAW_ONLY: "no other law here has it",
+    LAW_ONLY: "it exists in JKR alone",
     KELVIN: "condensed water at 25 °C (--contact-angle) between smooth bodies that touch: compare with P_c, do not add",
     GAP: "a gap lowers the force of a meniscus, to none where it just fills; no closed form says how far",
-    BETTER_LAW: "JKR may be more than 5 % off; z0 = 2–4 Å (--z0)",
-    LAW_IN_USE: "Maugis' law is within 5 %; the range covers both laws",
+    BETTER_LAW: "JKR may be more than 5 % off; the attraction reaches z0 = 2–4 Å (--z0)",
+    LAW_IN_USE: "here Maugis' law is within 5 %; the range covers both",
 }
 
 
@@ -157,24 +152,32 @@ def _kelvin(answer: Answer) -> str:
 
 def _better_law(answer: Answer) -> str:
     frame = answer.frame
-    is_pulled = "pull_off_force" in answer.estimates
     low, high = least_spacing(frame), frame["atomic_spacing"]
     known = frame.numbers("tabor_parameter").values()  # rigid bodies have none
     at = "".join(f" (Tabor parameter {from_to(parameter, high / low * parameter)})" for parameter in known)
-    found = [estimate for estimate in answer.estimates.items() if estimate[1].by == BETTER_LAW]
-    is_off = all(_is_off(answer.values.get(name), estimate) for name, estimate in found)
-    law = f"{frame.law.short} {'is' if is_off else 'may be'} more than 5 % off at this size and stiffness{at}"
     narrowed = " (--z0)" if frame.assumes_spacing else ""
-    text = f"{law}; z0 = {_angstroms(low, high)}{narrowed}{_with_bars(answer)}"
+    text = f"{frame.law.short} {_how_far_off(answer)} at this size and stiffness{at}"
+    text += f"; the attraction reaches z0 = {_angstroms(low, high)}{narrowed}{_with_bars(answer)}"
     is_told = answer.is_in_doubt(ROUGH_MATTERS) or answer.is_on_pull_off
-    return f"{text}. It is {_SMOOTH_AND_DRY}" if is_pulled and may_be_rough(frame) and not is_told else text
+    if "pull_off_force" in answer.estimates and may_be_rough(frame) and not is_told:
+        text += f". P_c is that of smooth, dry spheres: {held_on_surfaces(frame)}"
+    return text
 
 
-def _is_off(value: float | None, estimate: Estimate) -> bool:
-    """Return whether a value is farther than 5 % from all of a best range."""
-    if value is None or isnan(estimate.low) or isnan(estimate.high):
-        return True
-    return not min(estimate[:2]) / LAW_MATTERS <= value <= max(estimate[:2]) * LAW_MATTERS
+def _how_far_off(answer: Answer) -> str:
+    """Return how far the law in use is from the best ranges of the better law: "is 17–21 % too low"."""
+    errors = []
+    for name, estimate in answer.estimates.items():
+        if estimate.by != BETTER_LAW or name in answer.question.without_row:
+            continue
+        errors += [answer.values.get(name, nan) / end - 1 if end else nan for end in estimate[:2]]
+    if answer.described.uncertainties or any(map(isnan, errors)):
+        return "may be more than 5 % off"
+    low, high = min(errors), max(errors)
+    if low < 0 < high:
+        return f"is up to {significant(100 * max(-low, high), 2)} % off"
+    least, most = sorted(map(abs, (low, high)))
+    return f"is {from_to(100 * least, 100 * most)} % too {'low' if high <= 0 else 'high'}"
 
 
 def _with_bars(answer: Answer) -> str:
@@ -193,7 +196,7 @@ def _bounds(answer: Answer) -> str:
     jkr, dmt = (span("pull_off_force", *(factor * end for end in ends)) for factor in (1.0, ratio))
     limits = f"JKR's ({jkr}) holds for soft spheres, DMT's ({dmt}) for hard ones"
     text = f"{limits}; give --young and --poisson to narrow it{_with_bars(answer)}"
-    return text if answer.is_on_pull_off else f"{text}. It is {_SMOOTH_AND_DRY}"
+    return text if answer.is_on_pull_off else f"{text}. {_OF_SMOOTH}"
 
 
 def _measured(answer: Answer) -> str:
@@ -226,14 +229,16 @@ def _scaled(answer: Answer) -> str:
     what = f"ξ of {solid} was {span(rolled.name, rolled.low, rolled.high)}"
     if rolled.name != XI:
         what = f"{span(rolled.name, rolled.low, rolled.high)} rolled {solid}"
-    whatever = "; your error bars do not enter a measured force" if answer.described.uncertainties else ""
+    if rolled.name != XI and answer.described.uncertainties:
+        what = f"from measured forces, which your error bars do not change: {what}"
     if abs(radius / rolled.radius - 1) < _ALIKE:
-        return f"{what} of {at}{whatever}"
+        return f"{what} of {at}"
     low, high = ("R", "R^(2/3)") if radius < rolled.radius else ("R^(2/3)", "R")
     ratio = significant(max(radius / rolled.radius, rolled.radius / radius), 2)
     to = f"{amount('radius', radius)}, {ratio} times {'smaller' if radius < rolled.radius else 'larger'}"
-    text = f"{what} of {at}, scaled with {low} (low) or {high} (high) to {to}{_as_displacement(answer)}{whatever}"
-    return text + _ceiling(answer)
+    force = "ξ" if rolled.name == XI else "the force"
+    scaled = f"to {to}, {force} goes with {low} (low end) or {high} (high end)"
+    return f"{what} of {at}; {scaled}{_as_displacement(answer)}{_ceiling(answer)}"
 
 
 def _as_displacement(answer: Answer) -> str:
@@ -241,12 +246,12 @@ def _as_displacement(answer: Answer) -> str:
     (low, high), *others = answer.ranges.of_laws(XI, SCALED)
     if not low < high:
         return ""
-    by_law = f"; ξ = {span(XI, low, high)} by {answer.frame.law.short}"
+    by_law = f". In {answer.frame.law.short} this is ξ = {span(XI, low, high)}"
     better = [(least, most) for least, most in others if least <= most]  # not nan, where a law has none
     if not better or not _differ([(low, high), *better]):
         return by_law
     lows, highs = zip(*better, strict=True)
-    return f"{by_law}, {span(XI, min(lows), max(highs))} by Maugis' law; the range covers both laws"
+    return f"{by_law}, in Maugis' law {span(XI, min(lows), max(highs))}: the range covers both"
 
 
 def _differ(every: Sequence[tuple[float, float]]) -> bool:
@@ -267,11 +272,13 @@ def _ceiling(answer: Answer) -> str:
 
 def _xi_unknown(answer: Answer) -> str:
     if answer.frame.missing(["hysteresis_ratio"]):
-        return f"the end is at ξ = 2 Å, about one atom; {_of_silica(answer)}name your material"
+        return f"the end that is given is at ξ = 2 Å, about one atom; {_of_silica(answer)}name your material"
     by_law = "" if answer.frame.law.name == BETWEEN else ", by Maugis' law"
     most = answer.ranges.at_full_hysteresis(XI)[1]
-    at_most = "" if isnan(most) else f" at ξ = {span(XI, most, most)},"
-    ends = f"one end is at ξ = 2 Å (one atom{by_law}), the other{at_most} where all of the work of adhesion is lost"
+    at_most = "" if isnan(most) else f" (ξ = {span(XI, most, most)})"
+    ends = (
+        f"at one end it is one atom (ξ = 2 Å{by_law}), at the other{at_most} rolling loses all of the work of adhesion"
+    )
     text = f"how far the contact lags before it rolls was not measured for this pair: {ends}"
     return f"{text}; --xi narrows it{_of_measured_solid(answer)}"
 
@@ -307,7 +314,8 @@ def _of_measured_solid(answer: Answer) -> str:
         return ""
     energies = span("surface_energy", *rolled.energies)
     forces = span(rolled.name, rolled.least(radius), rolled.most(radius))
-    return f". No force was measured at this γ; {solid} of {energies} rolled at {forces} (scaled), and Q grows with γ"
+    is_more = answer.frame["work_of_adhesion"] / 2 > rolled.energies[1]
+    return f". {solid} of {energies} rolled at {forces} (scaled); with this γ expect {'more' if is_more else 'less'}"
 
 
 def _adhesion_only(answer: Answer) -> str:
@@ -334,11 +342,7 @@ def _by_dmt(answer: Answer) -> str:
 def _law_only(answer: Answer) -> str:
     if answer.frame.missing(["tabor_parameter"]):
         return f"which law holds needs Young's modulus and Poisson's ratio{_by_dmt(answer)}"
-    radii = (frame.numbers("contact_radius_at_load") for frame in (answer.frame.by_law_at_spacing, answer.frame))
-    other, ours = (values.get("contact_radius_at_load", 1.0) for values in radii)
-    ratio = (other / ours) ** 2
-    less = f"; by Maugis' law the area of contact is {significant(ratio, 2)} of JKR's"
-    return f"no other law here has it; it goes with the column of JKR{less if ratio * LAW_MATTERS < 1 else ''}"
+    return "it exists in JKR alone: do not combine it with values by Maugis' law"
 
 
 _OF_ANSWER: Mapping[int, Callable[[Answer], str]] = {

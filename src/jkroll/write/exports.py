@@ -39,18 +39,20 @@ pair_style granular
 timestep {step:.12g}
 # SI units. {law}: 2E* [Pa], damping, Poisson's ratio 0, as only E* enters, gamma per surface [J/m^2].
 # tangential mindlin_rescale: 8G* [Pa], damping, coefficient of friction [1]{friction}.
-# rolling sds: stiffness [N/m], damping, coefficient M/(R(P + 2P_c)) [1], M the moment at which it rolls.
+# rolling sds: stiffness [N/m], damping, coefficient M/(R(P + 2P_c)) [1], M the moment at which it rolls, R the
+# reduced radius.
 # Damping is left out; coeff_restitution gives nan with adhesion. timestep [s] and thresholds are for the P above: where
 # collisions press harder, give their largest force as --load. What is behind each line: jkroll guide dem
 """
 _OF_COLLISIONS = """\
-# In LAMMPS grains stick only below 0.7028 v_stick: it lets go at the pull-off force, 3 pi gamma R, where jkroll's curve
-# goes on to where fixed grips let go, so that a collision loses 0.3814 P_c delta0, for 0.7722 here.
+# In LAMMPS grains stick only below 0.7028 v_stick: it lets go at 3 pi gamma R, before the neck has stretched as far as
+# fixed grips stretch it, so that adhesion takes only 0.3814/0.7722 of jkroll's energy from a collision.
 """
 _REMARKS_ON = {  # by law
     "jkr": """\
 # twisting sds: stiffness [N m], damping, coefficient M_twist/(P + 2P_c) [m].
-# It slides at pi a^2 tau, twists at (2/3) pi a^3 tau, tau = {shear_strength:.6g} Pa{place}; a contact may peel before.
+# It slides at pi a^2 tau, twists at (2/3) pi a^3 tau, tau = {shear_strength:.6g} Pa{place}. If it may peel off before
+# it slides, write {peels:.6g} as the coefficient of friction, T_first/(P + 2P_c).
 # LAMMPS multiplies the coefficient of friction, adhesion's at the P above, with every load: for contacts that are
 # pushed harder write your solid's.
 """,
@@ -99,7 +101,13 @@ def lammps_input(frame: Frame) -> str:
         coefficients="\n".join(coefficients),
         step=min(steps),
         friction=" F_slide/(P + 2P_c)" if is_jkr else "",
+        peels=_peeling_coefficient(frame) if is_jkr else 0.0,
     )
+
+
+def _peeling_coefficient(frame: Frame) -> float:
+    """Return the coefficient of friction of a contact that may peel off before it slides."""
+    return float(frame["sliding_or_peeling_force"] / (frame["load"] + 2 * frame["pull_off_force"]))
 
 
 def _skin(frame: Frame, pairs: Iterable[Frame]) -> float:
