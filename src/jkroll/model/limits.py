@@ -364,7 +364,7 @@ INEXACT = (
     ),
     Limit(
         "hertz_pressure_over_modulus", _ELASTICITY, ">", {0.1: "may-yield"},
-        "more pressure than even a flawless solid bears; no plasticity is modelled",
+        "it probably yields, as the pressure exceeds what even a flawless solid bears; no plasticity is modelled",
         where=_is_not_rubbery,
     ),
     Limit(
