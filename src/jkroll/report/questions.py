@@ -94,7 +94,8 @@ _QUESTIONS = {
         "mean_rolling_moment mean_rolling_force",
         without_row="half_circles_moment fixed_approach_moment",  # approximations of the first
         lead="rolling starts at {yield_moment}, the threshold for a simulation; its mean while rolling is half of "
-        "that, {mean_rolling_moment}, as the contact springs back after each step of ξ",
+        "that, {mean_rolling_moment}, as the contact springs back after each step of ξ (n_roll takes the mean, E_roll "
+        "the threshold)",
     ),
 }
 # Values that contradict a headline are in the report, too; Eq (41) as printed is in `frequencies` alone.
@@ -122,8 +123,8 @@ QUESTIONS: Mapping[str, Question] = {
         "roll_energy_quarter_turn roll_energy_half_turn sticking_speed sticking_speed_paszun_dominik "
         "sticking_speed_pencil_code",
         lead="to part them takes {pull_off_work} if free or held by stiff grips, {pull_off_work_at_dead_load} by a "
-        "soft spring (most AFMs); to roll a quarter of the way around the other takes {roll_energy_quarter_turn}; they "
-        "stick up to {sticking_speed}",
+        "soft spring (most AFMs); to roll by a quarter turn, {roll_energy_quarter_turn}, the threshold M times π/2; "
+        "they stick up to {sticking_speed}",
     ),
     "impact": _question(
         "restitution",
