@@ -99,7 +99,7 @@ def held_on_surfaces(frame: Frame) -> str:
     """Return the pull-off force of real surfaces: for SiO2 as measured, for other solids as a fraction of JKR's."""
     radii = frame.numbers("radius", "radius2").values()
     if min(radii, default=2 * frame["reduced_radius"]) < SURFACES_FROM:
-        return "rough ones hold less, which was measured from 1 µm on only"
+        return "rough ones hold less (measured from 1 µm on only)"
     if solid_of_pair(frame) != SIO2:
         return f"real surfaces hold less: of JKR's force SiO2, which alone was measured, held {_ON_SURFACES}"
     forces = (f"{span('pull_off_force', *ends)} {surface}" for surface, ends in on_surfaces(frame).items())
