@@ -348,6 +348,8 @@ def _same(scene: Frame | None, key: str, one: float | None, other: float | None)
     if one is None or other is None or key.endswith("_best_by"):
         return False
     name = best_of(key)
+    if name and len({*map(type, scene.uncertainties.values())}) > 1:  # ± and ranges: which counts depends on the row
+        return True
     return any(agree(each, name or key, one, other) for each in (_ends_of_best(scene) if name else [scene]))
 
 

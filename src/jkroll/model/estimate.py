@@ -305,8 +305,7 @@ class Ranges:
         if make not in self._made:
             self._made[make] = {}
             with suppress(MissingInput, NoResult):
-                # All results, also those without a value: an uncertain input enters all of them or none.
-                names = dict.fromkeys((*self.results.computed, XI, "hysteresis_ratio"))
+                names = dict.fromkeys((*self.names, XI, "hysteresis_ratio"))
                 for each in self.names:
                     names |= dict.fromkeys(_BY_LENNARD_JONES.get(each, ())[1:])
                 self._made[make] = _ends_by(make, self.results.described, names)
