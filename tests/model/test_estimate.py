@@ -234,7 +234,7 @@ def test_what_every_law_computes_alike_is_of_any_law() -> None:
     found = best("rayleigh_time tabor_parameter", **QUARTZ)
     assert found["rayleigh_time"] == (*2 * (approx(solve("rayleigh_time", **QUARTZ)),), "any law")
     tabor = solve("tabor_parameter", **QUARTZ)
-    assert found["tabor_parameter"] == (approx(tabor), approx(2 * tabor), "Maugis")
+    assert found["tabor_parameter"] == (approx(tabor), approx(2 * tabor), "z0 assumed")
 
 
 def test_conventions_are_exact_and_laws_have_none() -> None:

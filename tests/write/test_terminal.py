@@ -169,7 +169,7 @@ def test_lists_and_curves_begin_with_what_to_take(run: Run) -> None:
     assert "\ntake best P_c and best a0; plain JKR is there to compare\n" in ran.out
     curve = run("contact quartz 100nm --curve", terminal=True)
     ranges = "best ranges: P_c 14–15 nN (Maugis), a0 3.0–3.2 nm (Maugis), δ0 115–121 pm (Maugis)"
-    assert f"{ranges}; --model maugis gives the better curve" in " ".join(curve.out.split())
+    assert f"{ranges}; the curve by Maugis' law: --model maugis" in " ".join(curve.out.split())
 
 
 def test_a_list_counts_the_doubts_and_warns_of_numbers_without_a_meaning(run: Run) -> None:
@@ -252,7 +252,7 @@ def test_what_is_against_the_data_comes_first_and_roughness_from_a_micrometre_on
     assert of_ice[-1] == "more: --explain"
     of_table_1 = run("pull-off quartz 100nm --explain").out.splitlines()
     assert (
-        "note: γ of quartz: holds for smooth micron-sized spheres in air; in vacuum or baked, without water, take "
+        "note: γ of quartz: measured on smooth micron-sized spheres in air; in vacuum or baked, without water, take "
         "silica-dry (200 mJ/m2, 8 times the adhesion)" in of_table_1
     )
     smooth = " on dry smooth glass, "

@@ -136,11 +136,11 @@ class Ranges:
         elif self._is_from_losses(name):
             yield True, nan, own[1], ADHESION_ONLY
         elif self.frame.stated_model is not None:
-            yield from self._of_given_law(name, own, self.frame.stated_model)
+            yield from self._of_one_law(name, own, _GIVEN[self.frame.stated_model])
         elif is_rolling and assumes_displacement(self.frame):
             yield from self._of_rolling(name)
         elif self._is_of_any_law(name):
-            yield True, *own, ANY_LAW
+            yield from self._of_one_law(name, own, ANY_LAW)
         else:
             if name in _STICKING:
                 yield from self._of_sticking(name, own)
@@ -153,25 +153,23 @@ class Ranges:
             yield from self._of_laws(name, own)
 
     def _is_of_any_law(self, name: str) -> bool:
-        """Return whether a result follows from the same formulas under every law, and not from the atomic spacing."""
+        """Return whether a result follows from the same formulas under every law of attraction."""
         other = _between(self.frame)
         is_computed = name not in self.results.described.unknowns and not other.missing([name])
-        if not is_computed or "atomic_spacing" in self.frame.inputs_of(name):
-            return False
-        return other.formulas_to(name) == self.frame.formulas_to(name)
+        return is_computed and other.formulas_to(name) == self.frame.formulas_to(name)
 
     def _is_from_losses(self, name: str) -> bool:
         """Return whether an inferred value ascribes all losses of a collision to its own cause."""
         is_unknown = name in _LOSE and name in self.results.described.unknowns
         return is_unknown and not _LOSSES.isdisjoint(self.results.judged)
 
-    def _of_given_law(self, name: str, own: Ends, law: str) -> Iterator[Rule]:
-        """Iterate over the rules of a law that the user gave: it decides, except for an assumed atomic spacing."""
+    def _of_one_law(self, name: str, own: Ends, rule: int) -> Iterator[Rule]:
+        """Iterate over the rules where the law is no question: it decides, except for an assumed atomic spacing."""
         if self.frame.assumes_spacing:
             low, high = self.hull(name, _itself, at_half_spacing)
             is_wider = (own[0] - low > _SAME * abs(own[0])) | (high - own[1] > _SAME * abs(own[1]))
             yield is_wider, low, high, SPACING_ASSUMED
-        yield True, *own, _GIVEN[law]
+        yield True, *own, rule
 
     def _of_laws(self, name: str, own: Ends) -> Iterator[Rule]:
         """Iterate over the rules for results that depend on the law of attraction."""
@@ -238,10 +236,16 @@ class Ranges:
             yield self._is_hard, least, self.hull("restitution", _itself, *_BETTER)[1], ADHESION_ONLY
 
     def _of_rolling(self, name: str) -> Iterator[Rule]:
-        """Iterate over the rules for a rolling quantity with an assumed ξ: measured forces, then the limits of ξ."""
+        """Iterate over the rules for a rolling quantity with an assumed ξ: measured forces, then the limits of ξ.
+
+        At sizes far from those that were measured, both count.
+        """
+        least, most, is_known = nan, nan, False
         if (rolled := what_rolled(self.frame)) is not None:
             ends = (then(law, end) for law in (_itself, *_BETTER) for end in rolled.ends)
-            yield rolled.is_near(self.frame), *self.hull(name, *ends), SCALED
+            least, most = self.hull(name, *ends)
+            is_known = rolled.has_energy(self.frame)
+            yield rolled.is_near(self.frame), least, most, SCALED
         laws = _BETTER if name in self._ends(_between) else (_itself,)
         at_an_atom = self.hull(name, *laws)
         low, high = self.hull(name, *(then(law, at_full_hysteresis) for law in laws))
@@ -249,6 +253,7 @@ class Ranges:
         rises = self._most(name, *(then(law, _at_twice) for law in laws)) > self._most(name, *laws)
         low = where(rises, where(is_past, nan, at_an_atom[0]), low)
         high = where(rises, high, where(is_past, nan, at_an_atom[1]))
+        low, high = where(is_known & (least < low), least, low), where(is_known & (most > high), most, high)
         yield True, low, high, XI_UNKNOWN
 
     def at_full_hysteresis(self, name: str) -> Ends:

@@ -268,7 +268,7 @@ ENDING = (
 LAW = Limit(
     "tabor_parameter", _ELASTICITY, ">",
     {LAW_MATTERS: "law-off-5%", 1.25: "law-off-25%", 2.0: "law-off-2x"},
-    "the better law, Maugis', differs by more",
+    "differs from the better law, Maugis', by more",
     factor=factor_of_law,
 )  # fmt: skip
 INEXACT = (

@@ -69,10 +69,14 @@ class Rolled(NamedTuple):
 
     def is_near(self, frame: Frame) -> Any:
         """Return whether the measurement can be scaled to a pair, row by row for arrays."""
-        known = frame.numbers("work_of_adhesion", "reduced_radius")
+        radius = frame.numbers("reduced_radius").get("reduced_radius", 0.0)
+        return self.has_size(2 * radius) & self.has_energy(frame)
+
+    def has_energy(self, frame: Frame) -> Any:
+        """Return whether a pair has a surface energy for which the measurement counts."""
         low, high = self.energies
-        energy = known.get("work_of_adhesion", 0.0) / 2
-        return self.has_size(2 * known.get("reduced_radius", 0.0)) & (low <= energy) & (energy <= high)
+        energy = frame.numbers("work_of_adhesion").get("work_of_adhesion", 0.0) / 2
+        return (low <= energy) & (energy <= high)
 
     def has_size(self, radius: Any) -> Any:
         """Return whether the measurement can be scaled to identical pairs of a radius."""

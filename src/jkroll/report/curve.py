@@ -130,7 +130,7 @@ def frames_of_curve(frame: Frame, loads: Loads | None = None, steps: int = STEPS
 def lead_of_curve(report: Report) -> str:
     """Return the best ranges of a force curve, and the law that gives a better curve if there is one."""
     is_better = any(estimate.by == BETTER_LAW for estimate in report.estimates.values())
-    better = "; --model maugis gives the better curve" if is_better else ""
+    better = "; the curve by Maugis' law: --model maugis" if is_better else ""
     return f"best ranges: {report.best_ranges}{better}"
 
 

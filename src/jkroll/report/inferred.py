@@ -18,8 +18,8 @@ from .notes import Note
 
 # The factor between an inferred value and the library's above which a note reports it, and the question it asks.
 _FAR = {
-    **dict.fromkeys(("surface_energy", "work_of_adhesion"), (5.0, "rough or wet surfaces?")),
-    "youngs_modulus": (2.0, "is it the contact of one smooth sphere?"),
+    **dict.fromkeys(("surface_energy", "work_of_adhesion"), (5.0, "probably rough or wet surfaces;")),
+    "youngs_modulus": (2.0, "probably not the contact of one smooth sphere;"),
 }
 
 

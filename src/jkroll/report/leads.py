@@ -123,13 +123,13 @@ def _middle(name: str, estimate: Estimate, *, is_short: bool) -> str:
     if not low > 0 or not high >= _WIDE * low:
         return ""
     text = f"say {amount(name, sqrt(low * high), _TWO)}"
-    return f" ({text})" if is_short else f" ({text}, at worst off by a factor of {significant(sqrt(high / low), 2)})"
+    return f" ({text})" if is_short else f" ({text}, within a factor of {significant(sqrt(high / low), 2)})"
 
 
 def _first_to_give_way(answer: Answer) -> str:
     rolling, sliding = (answer.estimates[name] for name in ("yield_force", "sliding_or_peeling_force"))
     force = range_in_words("yield_force", sliding)
-    gives = f"it {_slides_or_peels(answer)} at {force} (T_first: peeling shrinks it first)"
+    gives = f"it {_slides_or_peels(answer)} at {force} (T_first, below both as the contact shrinks)"
     rolls = range_in_words("yield_force", rolling)
     if rolling.high < sliding.low:
         return f"pushed, it rolls first ({rolls}); held from rolling, {gives}"
@@ -204,13 +204,13 @@ def _enough_to_roll(frame: Frame) -> Iterator[Note]:
     least = Ranges(Results(frame, columns)).estimate("yield_energy")
     if least.by == NONE or isnan(least.low):
         return
-    verdict = "it may not roll at all"
+    verdict = "probably rolls" if energy > sqrt(least.low * least.high) else "probably does not roll"
     if energy < least.low:
-        verdict = "it does not roll"
+        verdict = "does not roll"
     elif energy > least.high:
-        verdict = "it rolls"
-    begins = f"rolling takes more than {range_in_words('yield_energy', least)} (W_yield)"
-    yield Note("lead", f"{verdict}: its energy W0 is {amount('energy', energy, _TWO)}, {begins}")
+        verdict = "rolls"
+    has, needs = amount("energy", energy, _TWO), range_in_words("yield_energy", least)
+    yield Note("lead", f"it {verdict}: it has {has} and needs more than {needs}")
 
 
 def _law_that_holds(answer: Answer) -> str:

@@ -93,9 +93,8 @@ _QUESTIONS = {
         "yield_moment yield_displacement unloaded_moment half_circles_moment fixed_approach_moment rolling_stiffness "
         "mean_rolling_moment mean_rolling_force",
         without_row="half_circles_moment fixed_approach_moment",  # approximations of the first
-        lead="rolling starts at {yield_moment}, the threshold for a simulation; its mean while rolling is half of "
-        "that, {mean_rolling_moment}, as the contact springs back after each step of ξ (n_roll takes the mean, E_roll "
-        "the threshold)",
+        lead="rolling starts at {yield_moment}, the threshold for a simulation and for E_roll; the mean while it "
+        "rolls, which n_roll takes, is half of that, {mean_rolling_moment}",
     ),
 }
 # Values that contradict a headline are in the report, too; Eq (41) as printed is in `frequencies` alone.
@@ -147,9 +146,8 @@ QUESTIONS: Mapping[str, Question] = {
         "restructuring_energy restructuring_speed restructuring_energy_ormel restructuring_speed_ormel "
         "disruption_energy disruption_speed disruption_energy_dust_simulation disruption_speed_dust_simulation "
         "compressive_strength tensile_strength",
-        lead="two equal aggregates that meet begin to restructure at {restructuring_speed}, by D&T 97, whom measured "
-        "rolling forces bear out, and to break up at {disruption_speed}, by Wada 07, a fit to JKR's spheres; "
-        "{restructuring_speed_ormel}, by Ormel 07, is too low",
+        lead="two equal aggregates that meet begin to restructure at {restructuring_speed} (by D&T 97, which measured "
+        "rolling forces bear out; Ormel's rule is too low) and to break up at {disruption_speed} (by Wada 07)",
     ),
 }
 EVERYTHING = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities))

@@ -1,6 +1,6 @@
 """Sentences that explain best ranges: the rule of each, what it includes, and what it leaves out."""
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from math import isnan, nan
 
 from ..materials.library import known_materials
@@ -22,7 +22,7 @@ from ..model.estimate import (
     Ranges,
 )
 from ..model.frame import Frame
-from ..model.limits import JUMP, LAW_MATTERS, ROUGH_MATTERS, may_be_rough
+from ..model.limits import JUMP, ROUGH_MATTERS, may_be_rough
 from ..model.measured import (
     ENERGY_ON_SURFACES,
     MOST_SEEN,
@@ -35,7 +35,7 @@ from ..model.measured import (
     what_rolled,
     what_stuck,
 )
-from ..model.other_law import farthest, least_spacing
+from ..model.other_law import least_spacing
 from ..model.results import Results
 from ..quantities.formatting import amount, from_to, significant, span, symbol_among
 from ..quantities.laws import BETWEEN
@@ -99,7 +99,7 @@ def held_on_surfaces(frame: Frame) -> str:
     """Return the pull-off force of real surfaces: for SiO2 as measured, for other solids as a fraction of JKR's."""
     radii = frame.numbers("radius", "radius2").values()
     if min(radii, default=2 * frame["reduced_radius"]) < SURFACES_FROM:
-        return "rough ones hold less (measured from 1 µm on only)"
+        return "rough ones hold less (2 to 100 times from 1 µm on; smaller ones were not measured)"
     if solid_of_pair(frame) != SIO2:
         return f"real surfaces hold less: of JKR's force SiO2, which alone was measured, held {_ON_SURFACES}"
     forces = (f"{span('pull_off_force', *ends)} {surface}" for surface, ends in on_surfaces(frame).items())
@@ -120,7 +120,7 @@ _SEEN = f"hard spheres were seen to stick at 1–{MOST_SEEN} times JKR's speed"
 _WORDS: Mapping[int, str] = {
     MEASURED: f"{_SEEN}; for SiO2 of 0.1–3 µm the speeds measured on a plane, scaled like JKR's",
     SCALED: "rolling forces measured on this solid, scaled with R^(2/3) to R",
-    XI_UNKNOWN: "not measured: one end is ξ = 2 Å (one atom), the other all of the work of adhesion lost; give --xi",
+    XI_UNKNOWN: "not measured: from ξ = 2 Å (one atom) to where all of the work of adhesion is lost; give --xi",
     ADHESION_ONLY: "adhesion alone loses at most this; any other loss comes on top and lowers e",
     FRICTION_ASSUMED: (
         "sliding and twisting rest on τ = G/4π², known to an order of magnitude, and on JKR's area: the range covers "
@@ -128,11 +128,11 @@ _WORDS: Mapping[int, str] = {
     ),
     SPACING_ASSUMED: "the range is of z0 = 2–4 Å, as far as it is known; give --z0",
     BOUNDS: "JKR's holds for soft spheres, DMT's for hard ones; E and ν decide",
-    LAW_ONLY: "it exists in JKR alone",
+    LAW_ONLY: "no better law gives it",
     KELVIN: "condensed water at 25 °C (--contact-angle) between smooth bodies that touch: compare with P_c, do not add",
     GAP: "a gap lowers the force of a meniscus, to none where it just fills; no closed form says how far",
     BETTER_LAW: "JKR may be more than 5 % off; the attraction reaches z0 = 2–4 Å (--z0)",
-    LAW_IN_USE: "here Maugis' law is within 5 %; the range covers both",
+    LAW_IN_USE: "Maugis' law is within 5 % here; the range covers both",
 }
 
 
@@ -165,19 +165,27 @@ def _better_law(answer: Answer) -> str:
 
 
 def _how_far_off(answer: Answer) -> str:
-    """Return how far the law in use is from the best ranges of the better law: "is 17–21 % too low"."""
-    errors = []
+    """Return how far the law in use is from the better law's ranges: "is 25–33 % too high (a), 5–8 % too low (δ)"."""
+    errors: dict[str, list[float]] = {"high": [], "low": []}  # of both ends of each range
+    symbols: dict[str, list[str]] = {"high": [], "low": []}
+    is_mixed = bool(answer.described.uncertainties)
     for name, estimate in answer.estimates.items():
         if estimate.by != BETTER_LAW or name in answer.question.without_row:
             continue
-        errors += [answer.values.get(name, nan) / end - 1 if end else nan for end in estimate[:2]]
-    if answer.described.uncertainties or any(map(isnan, errors)):
+        low, high = sorted(answer.values.get(name, nan) / end - 1 if end else nan for end in estimate[:2])
+        is_mixed |= not (low >= 0 or high <= 0)  # also if one is nan
+        side = "high" if high > 0 else "low"
+        errors[side] += [100 * abs(low), 100 * abs(high)]
+        symbols[side].append(symbol_among(name, answer.inputs))
+    if is_mixed:
         return "may be more than 5 % off"
-    low, high = min(errors), max(errors)
-    if low < 0 < high:
-        return f"is up to {significant(100 * max(-low, high), 2)} % off"
-    least, most = sorted(map(abs, (low, high)))
-    return f"is {from_to(100 * least, 100 * most)} % too {'low' if high <= 0 else 'high'}"
+    is_split = all(errors.values())
+    texts = []
+    for side, of_side in errors.items():
+        if of_side:
+            which = f" ({first_of(symbols[side], _MOST)})" if is_split else ""
+            texts.append(f"{from_to(min(of_side), max(of_side))} % too {side}{which}")
+    return f"is {', '.join(texts)}"
 
 
 def _with_bars(answer: Answer) -> str:
@@ -208,7 +216,8 @@ def _measured(answer: Answer) -> str:
     seen = f"{solid_of_pair(answer.frame)} stuck to a plane up to {' and '.join(pairs)}"
     if stuck.is_near(answer.frame):
         return f"{seen}, between them as R^{stuck.exponent}, {bar}"
-    return f"{seen}; scaled to this pair like {answer.frame.law.short}'s speed with its size, for any γ, {bar}"
+    scaled = f"scaled to this size like {answer.frame.law.short}'s speed, {bar}"
+    return f"{seen}; {scaled}. How it depends on γ was not measured"
 
 
 def _above_law(answer: Answer) -> str:
@@ -230,34 +239,21 @@ def _scaled(answer: Answer) -> str:
     if rolled.name != XI:
         what = f"{span(rolled.name, rolled.low, rolled.high)} rolled {solid}"
     if rolled.name != XI and answer.described.uncertainties:
-        what = f"from measured forces, which your error bars do not change: {what}"
+        what = f"your error bars do not change measured forces: {what}"
     if abs(radius / rolled.radius - 1) < _ALIKE:
         return f"{what} of {at}"
     low, high = ("R", "R^(2/3)") if radius < rolled.radius else ("R^(2/3)", "R")
     ratio = significant(max(radius / rolled.radius, rolled.radius / radius), 2)
     to = f"{amount('radius', radius)}, {ratio} times {'smaller' if radius < rolled.radius else 'larger'}"
-    force = "ξ" if rolled.name == XI else "the force"
-    scaled = f"to {to}, {force} goes with {low} (low end) or {high} (high end)"
-    return f"{what} of {at}; {scaled}{_as_displacement(answer)}{_ceiling(answer)}"
+    return (
+        f"{what} of {at}; to {to}, low end with {low}, high end with {high}{_as_displacement(answer)}{_ceiling(answer)}"
+    )
 
 
 def _as_displacement(answer: Answer) -> str:
-    """Return the displacement that measured forces imply, by the law in use and by Maugis' law."""
-    (low, high), *others = answer.ranges.of_laws(XI, SCALED)
-    if not low < high:
-        return ""
-    by_law = f". In {answer.frame.law.short} this is ξ = {span(XI, low, high)}"
-    better = [(least, most) for least, most in others if least <= most]  # not nan, where a law has none
-    if not better or not _differ([(low, high), *better]):
-        return by_law
-    lows, highs = zip(*better, strict=True)
-    return f"{by_law}, in Maugis' law {span(XI, min(lows), max(highs))}: the range covers both"
-
-
-def _differ(every: Sequence[tuple[float, float]]) -> bool:
-    """Return whether a result differs noticeably between the laws."""
-    (low, high), *others = every
-    return bool(farthest(pair for least, most in others for pair in ((least, low), (most, high))) > LAW_MATTERS)
+    """Return the displacement that measured forces imply by the law in use."""
+    low, high = answer.ranges.of_laws(XI, SCALED)[0]
+    return f". In {answer.frame.law.short} that is ξ = {span(XI, low, high)}" if low < high else ""
 
 
 def _ceiling(answer: Answer) -> str:
@@ -267,7 +263,7 @@ def _ceiling(answer: Answer) -> str:
     if found is None or not found.high > ceiling[1]:
         return ""
     most = span("yield_force", ceiling[1], ceiling[1])
-    return f". Adhesion alone explains at most {most}, where all of its work is lost; plastic loss could add to it"
+    return f". Adhesion alone explains at most {most}"
 
 
 def _xi_unknown(answer: Answer) -> str:
@@ -276,9 +272,7 @@ def _xi_unknown(answer: Answer) -> str:
     by_law = "" if answer.frame.law.name == BETWEEN else ", by Maugis' law"
     most = answer.ranges.at_full_hysteresis(XI)[1]
     at_most = "" if isnan(most) else f" (ξ = {span(XI, most, most)})"
-    ends = (
-        f"at one end it is one atom (ξ = 2 Å{by_law}), at the other{at_most} rolling loses all of the work of adhesion"
-    )
+    ends = f"from one atom (ξ = 2 Å{by_law}) to where rolling loses all of the work of adhesion{at_most}"
     text = f"how far the contact lags before it rolls was not measured for this pair: {ends}"
     return f"{text}; --xi narrows it{_of_measured_solid(answer)}"
 
@@ -307,15 +301,16 @@ def _of_measured_solid(answer: Answer) -> str:
     if rolled is None:
         return ""
     radius = 2 * answer.frame["reduced_radius"]
-    if not rolled.has_size(radius):
+    if rolled.has_energy(answer.frame):
         at, here = (amount("radius", each) for each in (rolled.radius, radius))
-        return f". {solid} rolled at {at}; that is scaled to {span('radius', *rolled.radii)}, not as far as to {here}"
-    if "yield_force" not in answer.estimates:
+        return f". The forces that rolled {solid} at {at} are in it, too, scaled as far as to {here}"
+    if not rolled.has_size(radius) or "yield_force" not in answer.estimates:
         return ""
     energies = span("surface_energy", *rolled.energies)
     forces = span(rolled.name, rolled.least(radius), rolled.most(radius))
     is_more = answer.frame["work_of_adhesion"] / 2 > rolled.energies[1]
-    return f". {solid} of {energies} rolled at {forces} (scaled); with this γ expect {'more' if is_more else 'less'}"
+    part = "upper" if is_more else "lower"
+    return f". {solid} of {energies} rolled at {forces} (scaled): with this γ take the {part} part of the range"
 
 
 def _adhesion_only(answer: Answer) -> str:
@@ -324,9 +319,9 @@ def _adhesion_only(answer: Answer) -> str:
     most = 2 if answer.frame.assumes_spacing else 1
     if answer.frame.numbers("tabor_parameter").get("tabor_parameter", INFINITY) * most >= JUMP:
         return "adhesion alone leaves the higher end; any other loss lowers it"
-    text = "so small and stiff they touch and part without a jump, which loses at most JKR's energy"
+    text = "at most JKR's loss, as so small and stiff they touch and part without a jump"
     if "restitution" not in answer.values or answer.estimates["restitution"].by != ADHESION_ONLY:
-        return f"{text}; any other loss is dissipated in the solids"
+        return f"{text}; the solids dissipate the rest"
     return f"{text}; any other loss lowers e, which is 0 if they stick"
 
 
@@ -342,7 +337,7 @@ def _by_dmt(answer: Answer) -> str:
 def _law_only(answer: Answer) -> str:
     if answer.frame.missing(["tabor_parameter"]):
         return f"which law holds needs Young's modulus and Poisson's ratio{_by_dmt(answer)}"
-    return "it exists in JKR alone: do not combine it with values by Maugis' law"
+    return "no better law gives it"
 
 
 _OF_ANSWER: Mapping[int, Callable[[Answer], str]] = {

@@ -153,7 +153,7 @@ class Report(Answer):
         has_force = bool(self.frame.under(DEFAULT_LAW).numbers("pull_off_force"))
         is_rough = pull > 0 and has_force and bool(may_be_rough(self.frame))
         if is_rough and any(pull > low for low, _ in on_surfaces(self.frame).values()):
-            yield Note("caveat", f"at this pull they may have parted: {held_on_surfaces(self.frame)}")
+            yield Note("lead", f"at this pull they may have parted: {held_on_surfaces(self.frame)}")
 
     @property
     def _valued(self) -> list[str]:
