@@ -111,7 +111,7 @@ def values(found: Found) -> dict[str, list[Any]]:
     mark = DELIMITERS[options.get("delimiter", "comma")]
     lines = Delimited(mark)
     stated = stated_meanings(choice for choice in chosen if not choice.startswith("--"))
-    lines.begin(tabbed(found.text) if mark == " " else found.text, stated)
+    lines.read_header(tabbed(found.text) if mark == " " else found.text, stated)
     rows = lines.sample
     header = understood(lines.names, rows, lines.stated)
     materials = {column.name: [row[column.position] for row in rows] for column in header.materials}
@@ -137,7 +137,7 @@ def test_many_tables_are_read_at_once() -> None:
     for found in TABLES.values():
         with suppress(BadTable):
             lines = Delimited(",")
-            lines.begin(found.text)
+            lines.read_header(found.text)
             header = understood(lines.names, lines.sample, given=ASKED.inputs, supply_of=ASKED.supply)
             check_inputs(header)
             at_once += 1
@@ -153,7 +153,7 @@ def refusal(table: str, columns: Sequence[str]) -> str:
     mark = "\t" if "\t" in table else ";" if ";" in table.splitlines()[0] else ","
     lines = Delimited(mark)
     try:
-        lines.begin(table.encode(), stated_meanings(columns))
+        lines.read_header(table.encode(), stated_meanings(columns))
         understood(lines.names, lines.sample, lines.stated)
     except BadTable as error:
         return str(error)

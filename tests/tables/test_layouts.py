@@ -315,7 +315,7 @@ def test_quotes_between_blanks() -> None:
         b"",
     ]
     lines = Delimited(" ")
-    lines.begin(b"a\tb\n")
+    lines.read_header(b"a\tb\n")
     assert [cells for *_, cells, _ in lines.records(['"a\t""b"""\t"C:\\"\n'])] == [['a\t"b"', "C:\\"]]
 
 

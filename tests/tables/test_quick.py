@@ -50,7 +50,7 @@ ANY = rows(NUMBERS | ODD, NAMES) | st.lists(NUMBERS | ODD, max_size=8)
 def converter(dialect: str, end: str, *, excel_safe: bool) -> Converter:
     """The converter of a table with this header."""
     lines = Delimited(SEPARATORS[dialect], excel_safe=excel_safe)
-    lines.begin((lines.separator.join(HEADER) + end).encode())
+    lines.read_header((lines.separator.join(HEADER) + end).encode())
     table = Table(understood(lines.names), [], Asked({}, known_materials(), offered=quantities_named("report")[1]))
     return Converter(lines, table, "", strict=False)
 
