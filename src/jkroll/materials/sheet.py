@@ -1,4 +1,4 @@
-"""Materials for readers: the facts about one, and a table of several."""
+"""Materials for readers: the facts about a material, and a table of several."""
 
 import re
 from collections.abc import Sequence
@@ -17,7 +17,7 @@ _REFERENCE = ("author", "title", "journal", "volume", "pages", "year", "eprint",
 
 
 def values_of_materials(chosen: "Sequence[Material]") -> Rows:
-    """Return the names of some materials, and the columns of their properties."""
+    """Return the names of materials, and the columns of their properties."""
     columns: list[TextColumn] = []
     for name in PROPERTIES:
         values = [material.measures.get(name) for material in chosen]
@@ -26,7 +26,7 @@ def values_of_materials(chosen: "Sequence[Material]") -> Rows:
 
 
 def parts_of_materials(chosen: "Sequence[Material]") -> list[Part]:
-    """Return a table of materials for a notebook: their properties, state and source."""
+    """Return a table of materials for a notebook, with their properties, state and source."""
     leading, columns = values_of_materials(chosen)
     columns.append(TextColumn("state", [each.state for each in chosen], is_right=False))
     columns.append(TextColumn("source", [each.title for each in chosen], is_right=False))
