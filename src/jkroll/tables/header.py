@@ -47,7 +47,7 @@ _VALUE, _UNIT, _NO_UNIT = "value", "unit", "neither has a unit"  # kinds of cell
 
 
 class Header(NamedTuple):
-    """The columns of a table."""
+    """The columns of a table, as its header gives them."""
 
     texts: tuple[str, ...]
     inputs: tuple[Column, ...]
@@ -158,7 +158,9 @@ def understood(
     held, known = {*used, *decided_by(used)}, {*used, *given}
     readings = [_with_suffix(reading, texts_of, measured) for reading in readings]
     without_part = {reading.name for reading in readings if not reading.part}
-    held |= {name for name, other in CONVERTED.items() if other in without_part}  # a column of E lets one of G pass
+    held |= {
+        name for name, other in CONVERTED.items() if other in without_part
+    }  # a column of G passes next to one of E
     clauses: Mapping[str, str] = {}
     if supply_of is not None:
         supply = supply_of(used)
@@ -213,9 +215,9 @@ def _used_inputs(inputs: Mapping[str, _Parts], rows: Sequence[Sequence[str]]) ->
 
 
 def _is_doubled(name: str, used: Mapping[str, _Parts], rows: Sequence[Sequence[str]]) -> bool:
-    """Return whether the first rows give a diameter only with a radius, or G only with E, so that it can pass through.
+    """Return whether an input repeats another one, as a diameter next to a radius or G next to E, and may pass through.
 
-    A column given by `--column` is always read.
+    It does if the first rows never have it alone. A column given by `--column` is always read.
     """
     parts, others = used[name], used.get(CONVERTED.get(name, ""), {})
     if not others or any(reading.is_stated for reading in parts.values()):

@@ -306,14 +306,16 @@ def _points_to(tokens: Sequence[str], name: str) -> bool:
         long_words = [word for word in others if len(word) > 4]
         has_other = any(word in token for word, token in product(long_words, tokens))
         long_tokens = [token for token in tokens if len(token) > 2]
-        if has_other or not (words.OTHERS | others).isdisjoint([*long_tokens, "".join(tokens)]):  # k alone, and k_n
+        if has_other or not (words.OTHERS | others).isdisjoint(
+            [*long_tokens, "".join(tokens)]
+        ):  # short words count together: kn for k_n
             return False
     if first in ("radius", "diameter", "reduced_radius") and words.is_of_asperity(tokens):
         return False
     if first not in words.POINTERS:
         return unit not in words.COMMON_UNITS
     symbols, stems = words.POINTERS[first]
-    bare = {*tokens, *map("".join, pairwise(tokens)), *map(_bare, tokens)}  # F_n, cut-off
+    bare = {*tokens, *map("".join, pairwise(tokens)), *map(_bare, tokens)}  # also fn for F_n, and cutoff for cut-off
     return not bare.isdisjoint(symbols) or any(stem in token for stem, token in product(stems, bare))
 
 
@@ -340,7 +342,7 @@ def _index(tokens: Sequence[str]) -> str:
 
 
 def _score(tokens: Sequence[str], name: str) -> int:
-    """Return how well the words of a header match an input: the number of its words, and twice that of its pairs."""
+    """Return the number of words in a header that match an input; two adjacent words that match together count more."""
     first = of_sphere(1, name)
     symbols, vocabulary = [_bare(token) for token in tokens_of(symbol_of(first))], _vocabulary(first)
     score = 0
