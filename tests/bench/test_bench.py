@@ -80,7 +80,7 @@ def test_a_table_of_states_has_its_known_error() -> None:
 
 
 def test_the_closed_form_of_other_programs_fails_for_large_approaches() -> None:
-    """Parteli et al. solve the quartic exactly, but cancellation makes a root imaginary."""
+    """Parteli et al. solve the quartic exactly, but a difference in it is lost to rounding."""
     errors = rows()["load_factor_at_approach", "Parteli et al. 2014"].errors
     assert max(errors[region][1] for region in REGIONS if region != "extreme") < PROMISE
     assert errors["extreme"][1] == math.inf
