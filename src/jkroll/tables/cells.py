@@ -223,7 +223,9 @@ def cells_of(values: Any) -> list[bytes]:
         cells = orjson.dumps(values, option=orjson.OPT_SERIALIZE_NUMPY)[1:-1].split(b",")
         nulls = values.count(None) if is_list else 0
         if cells.count(b"null") == nulls:  # orjson writes null for nan and infinity, too
-            return [b"" if cell == b"null" else cell for cell in cells] if nulls else cells
+            if not nulls:
+                return cells
+            return [b"" if cell == b"null" else cell for cell in cells]
     return [cell_of(value).encode() for value in values]
 
 

@@ -29,7 +29,7 @@ from .words import INPUTS, MATERIALS, fits, headed, key, sphere_of, tokens_of, u
 
 # Inputs that replace each other, in addition to EXCLUSIVE.
 _OF_MODULI = tuple(("contact_modulus", name) for name in ("youngs_modulus", "youngs_modulus2"))
-_OF_INPUTS = {*INPUTS, *(route for name in INPUTS for route in routes_anywhere().get(name, ()))}
+_OF_INPUTS = {*INPUTS, *chain.from_iterable(routes_anywhere().get(name, ()) for name in INPUTS)}
 # Inputs whose columns may also have words for other quantities.
 _OF_PARTS = (
     "approach_at_load",
