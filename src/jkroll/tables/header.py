@@ -150,17 +150,17 @@ def understood(
     readings = [reading._replace(position=position) for position, reading in enumerate(_in_context(readings, given))]
     inputs = _by_input(readings)
     used = _used_inputs(inputs, rows)
+    known = dict.fromkeys(given, "")  # the header of each known input, "" for one given by an option
     values: list[Reading] = []
-    texts_of = dict.fromkeys(given, "")  # the header of each known input, "" for one given by an option
     for name, parts in used.items():
+        known[name] = next(iter(parts.values())).text
         values += [reading for part, reading in parts.items() if part in ("", *_ENDS)]
-        texts_of[name] = next(iter(parts.values())).text
-    held, known = {*used, *decided_by(used)}, {*used, *given}
-    readings = [_with_suffix(reading, texts_of, measured) for reading in readings]
+    readings = [_with_suffix(reading, known, measured) for reading in readings]
+    held = {*used, *decided_by(used)}
     without_part = {reading.name for reading in readings if not reading.part}
-    held |= {
-        name for name, other in CONVERTED.items() if other in without_part
-    }  # a column of G passes next to one of E
+    for name, other in CONVERTED.items():
+        if other in without_part:
+            held.add(name)  # a column of G passes next to one of E
     clauses: Mapping[str, str] = {}
     if supply_of is not None:
         supply = supply_of(used)
@@ -171,8 +171,7 @@ def understood(
     refused += [reading for reading in map(_with_problem, values) if reading.problem]
     for name, columns in inputs.items():
         if name in known:
-            unused = [reading for part, reading in columns.items() if part not in used.get(name, ())]
-            refused += [reading._replace(problem=_NOT_USED, meant=()) for reading in unused]
+            refused += _unused(columns, used.get(name, {}))
     if refused:
         raise _refusal(sorted(refused, key=lambda reading: reading.position))
     numbers: list[Column] = []
@@ -212,6 +211,12 @@ def _used_inputs(inputs: Mapping[str, _Parts], rows: Sequence[Sequence[str]]) ->
         if parts:
             used[name] = parts
     return {name: parts for name, parts in used.items() if not _is_doubled(name, used, rows)}
+
+
+def _unused(columns: _Parts, used: _Parts) -> list[Reading]:
+    """Return the columns of an input that its values do not use, each with this problem."""
+    unused = [reading for part, reading in columns.items() if part not in used]
+    return [reading._replace(problem=_NOT_USED, meant=()) for reading in unused]
 
 
 def _is_doubled(name: str, used: Mapping[str, _Parts], rows: Sequence[Sequence[str]]) -> bool:
