@@ -30,9 +30,8 @@ Floats = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.float64]]
 PLAIN = b"0123456789.eE+-, "
 MAX_KEPT = 10_000  # most cells whose values are cached
 _NUMBER = rb"[-+]?(?:0|[1-9][0-9]{0,19})(?:\.[0-9]{1,20})?(?:[eE][-+]?[0-9]{1,2})?"
-_CELL = re.compile(
-    rb"\s*(" + _NUMBER + rb")((?![A-Za-z][-+]?[0-9]) ?[^\s0-9.,][^,]*)?\s*"
-)  # d1 in 1.25d1 is not a unit
+# A number and its unit; d1 in 1.25d1 is not a unit.
+_CELL = re.compile(rb"\s*(" + _NUMBER + rb")((?![A-Za-z][-+]?[0-9]) ?[^\s0-9.,][^,]*)?\s*")
 _NUMBER_FIRST = re.compile(r"^[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
 _POWER = rb"e([+-]?[0-9]{1,3})"
 _TINY = re.compile(rb"[eE]-[0-9]{3}")
@@ -50,9 +49,7 @@ class Column(NamedTuple):
     name: str
     unit_text: str
     unit: Unit | None
-    sides: tuple[
-        tuple[str, int], ...
-    ] = ()  # the part of the uncertainty (see `Reading`) and the position of each column
+    sides: tuple[tuple[str, int], ...] = ()  # the part (see `Reading`) and the position of each column of uncertainty
     error_unit: str = ""  # the unit of ± cells; empty if it is that of the values
     coverage: float = 1.0  # the coverage factor of the uncertainties, as in k = 2
 
@@ -109,7 +106,7 @@ class Column(NamedTuple):
 
     @property
     def exponent(self) -> int | None:
-        """The power of ten between the unit and the SI unit; None for a unit that is no power of ten, or no unit."""
+        """The power of ten between the unit and the SI unit; None if there is no unit, or another factor."""
         if self.unit is None:
             return 0 if NOMENCLATURE[self.name].unit == "1" else None
         return exponent_of(self.unit)
@@ -189,7 +186,7 @@ def is_number(text: str) -> bool:
 
 @lru_cache(maxsize=MAX_KEPT)
 def _meaning(column: Column, cell: bytes) -> float | Uncertain | JkrollError:
-    """Return the value of a cell, or its error. Equal cells share one, since the wording of an error is slow."""
+    """Return the value of a cell, or its error. Equal cells share the result, since an error is slow to word."""
     try:
         return column.value(cell.decode(errors="replace"))
     except JkrollError as error:
@@ -208,7 +205,7 @@ def _exponent(unit_text: bytes, name: str) -> int | None:
 
 
 def cell_of(value: object) -> str:
-    """Return a Python value as the text of a cell; None is an empty cell."""
+    """Return a Python value as the text of a cell; None gives an empty cell."""
     if isinstance(value, bytes):
         return value.decode(errors="replace")
     return "" if value is None else str(value)
@@ -315,7 +312,7 @@ class Lookup:
         """`otherwise`: the material for empty cells."""
         self.materials = materials
         self.known: list[Material | None] = [otherwise]
-        self.errors: dict[bytes, JkrollError] = {}  # for cells that are not the name of a material
+        self.errors: dict[bytes, JkrollError] = {}  # of cells that name no material
         self._indices: dict[bytes, int] = {}  # by cell
 
     def indices(self, cells: Sequence[bytes]) -> Indices:
@@ -376,7 +373,10 @@ def _mark(material: Material | None) -> Hashable:
 
 
 def _is_special(material: Material) -> bool:
-    """Return whether a material is more than its numbers: uncertain, rigid, or with forces measured on it."""
+    """Return whether the rows of a material need a frame of their own.
+
+    They do if it is uncertain, rigid or smooth, or if forces were measured on it.
+    """
     if material.uncertainties or material.displacement is not None or INFINITY in material.properties.values():
         return True
     return bool(measured_solid(material)) or is_smooth(material)

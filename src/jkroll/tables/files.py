@@ -67,8 +67,8 @@ ROW_OF_UNITS, ROW_OF_COMMENTS = "row of units", "row of comments"  # phrases of 
 _OPEN = "a quote is not closed"
 _MISQUOTED = "a quote is not closed, or text follows it"
 _CARRIAGE_RETURN = "there is a carriage return outside quotes; lines end in line feeds"
-# A spreadsheet takes a cell for a formula if it begins with one of these signs. Some are of full width, and some are
-# characters that it drops before a sign.
+# A spreadsheet takes a cell for a formula if it begins with one of these signs, also of full width, or with a character
+# that the spreadsheet drops.
 _BEGIN_FORMULAS = (*"=+-@\t\r\n\0", *(letter.encode().decode(BYTES) for letter in "＝＋－＠"))
 _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)([eE][+-]?\d+)?")
 

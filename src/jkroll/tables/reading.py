@@ -411,7 +411,7 @@ def means_other(split: Split, name: str) -> bool:
 
 
 def stems_of(text: str) -> set[str]:
-    """Return a header, and the words before its unit, by their letters and digits."""
+    """Return the letters and digits of a header, and of the words before its unit."""
     stems = set()
     for split in splits_of(normalized(text)):
         if not split.unit or split.is_explicit or is_in_table(split.unit):

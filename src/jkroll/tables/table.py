@@ -89,7 +89,7 @@ class Table:
         cells = {}
         for name, position in self.positions.items():
             cells[name] = [row[position].encode() for row in rows]
-        sample = TableBlock(self, Records(rows, cells))  # this looks up materials
+        sample = TableBlock(self, Records(rows, cells))  # the lookups then know the materials of these rows
         frames = self._frames(cells)
         self.names, named = self._names(frames)
         self.sources = self._sources(sample)
@@ -97,7 +97,7 @@ class Table:
         self.wanted = wanted.with_best(self.names) if asked.best else wanted
         solids = chain.from_iterable(lookup.known for lookup in self.lookups.values())
         if any(solid and solid.displacement for solid in solids):
-            self.given |= {XI}  # it is not assumed
+            self.given |= {XI}  # the material states it
         # A frame for each group of rows, with the quantities that it shows, or the measured one.
         self.groups = [(frame.filled, frame.judged(self.names)) for frame in frames]
         for text in columns.texts:
@@ -142,10 +142,11 @@ class Table:
     # --- Added columns ------------------------------------------------------------------------------------------------
 
     def _frames(self, cells: Mapping[str, Sequence[bytes]]) -> list[Frame]:
-        """Return frames without rows that together have all inputs, with one of those that exclude each other.
+        """Return frames without rows, which together have all inputs.
 
-        Only the names of inputs matter here, not their values. A column of materials without a known name holds labels,
-        unless they leave the table without a work of adhesion, or the table has an unknown.
+        Of inputs that exclude each other, each frame has one. Only the names of inputs matter here, not their values. If
+        no cell of a column of materials is a known name, the cells are labels, unless the table then has no work of
+        adhesion or infers an input.
         """
         columns = self.columns
         names = [column.name for column in columns.inputs]
@@ -245,7 +246,7 @@ def _labels(columns: Header, rows: Sequence[Sequence[str]], asked: Asked) -> dic
 
 
 def _without_exclusive(first: str, names: Sequence[str], measured: str) -> tuple[str, ...]:
-    """Return names, with the first, but without each one that the first or an earlier name excludes."""
+    """Return names without each one that `first`, or an earlier name, excludes."""
     chosen: set[str] = set()
     for name in (first, *names):
         others = chosen - {measured, name}

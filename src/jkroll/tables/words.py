@@ -89,7 +89,7 @@ SHARED = (
     *"""energy speed velocity geschwindigkeit vitesse velocidad angle approach contacts monomers gravity cutoff xi z0
     surfacetension""".split(),
 )
-# Words that make another quantity of the word next to them.
+# Words that turn the word next to them into another quantity.
 OTHERS = {
     *"""atomic ionic covalent metallic vdw bohr gyration current dislocation yield failure ultimate shear bulk
     storage loss dynamic complex flexural bending section rupture resilience polar dispersive water liquid
@@ -106,18 +106,18 @@ NEUTRAL = {
     *chain(BODIES[1], BODIES[2]),
     *(f"{body}s" for body in chain(BODIES[1], BODIES[2])),
 }
-# Words that make a function of the quantity.
+# Words for a function of a quantity.
 FUNCTIONS = {*"log ln lg exp inv inverse reciprocal sqrt normalized".split()}
-# Words, and stems of words, that make the quantity one of the pair.
+# Words, and stems of words, for a quantity of the pair of spheres.
 _INDICES_OF_PAIR = {*"eff red eq star".split()}
 _STEMS_OF_PAIR = re.compile("redu[czi]|ridott|effe[ck]|equiv|combined|composite|harmoni")
 PAIRS = {"radius": "reduced_radius", "youngs_modulus": "contact_modulus", "surface_energy": "work_of_adhesion"}
-# Words that make a label or a count of the word before them: material_id, load case.
+# Words that turn the word before them into a label or a count: material_id, load case.
 LABELS = {*"""id ids no nr num number name names type types class classes case cases code codes key group category kind
     family label tag index step count counts cell rank source ref reference url doi note notes comment comments desc
     description quality flag status unit units method model formula cost price date color colour grade out
     ratio lit dft calc""".split()}  # fmt: skip
-INDICES = ("in", "bar")  # without brackets they may mean inside and mean
+INDICES = ("in", "bar")  # units in brackets; elsewhere they may mean inside and mean
 # Words for a side of an uncertainty, or for an end of a range.
 PARTS = {
     "minus": "minus",
@@ -129,15 +129,14 @@ PARTS = {
 PERCENT = r"(?i)(?<![\d\s_.,/])[\s_.,/]*[\[(]?(?:%|percent|pct)(?![a-z])[\])]?"  # a percentage of the value
 SHARE = r"(?i)[\s_.,/]*[\[(]?(?:%|percent|pct)[\])]?"
 LEVEL = r"\d\s*(?:%|percent|pct)"  # a confidence level
-COVERAGE = (
-    r"(?i)[\s,;_]*[\[(]?\s*(?<![^\W_])k\s*=\s*(\d+(?:[.,]\d+)?)\s*[\])]?"  # the factor of an expanded uncertainty
-)
+# The coverage factor of an expanded uncertainty.
+COVERAGE = r"(?i)[\s,;_]*[\[(]?\s*(?<![^\W_])k\s*=\s*(\d+(?:[.,]\d+)?)\s*[\])]?"
 EXPANDED = r"^U(?![^\W_])|(?i:expanded)"
 _ERROR = "|".join([
     r"(?:standard|std?)[\s_.]*(?:dev(?:iation)?|err(?:or)?|unc(?:ertainty)?)\.?", r"(?:expanded[\s_.]+)?uncertainty",
     *"stderr error err stdev std sd sem se unc".split(),
 ])  # fmt: skip
-RELATIVE = rf"rsd|cv|coefficient[\s_.]of[\s_.]variation|rel(?:ative|\.)?[\s_.]+(?:{_ERROR})"  # % if stated
+RELATIVE = rf"rsd|cv|coefficient[\s_.]of[\s_.]variation|rel(?:ative|\.)?[\s_.]+(?:{_ERROR})"  # with %
 PART = (
     rf"(?i)^(?:u|σ|sigma)\s*\(([^()]+)\)|^(?:±|\+/?-)|^(?:σ|sigma|{RELATIVE}|{_ERROR})(?:\s+of)?(?=$|[\s_(\[])"
     rf"|[\s_.]*(?:±|\+/?-)(?=$|[\s_.,/(\[])|[\s_.]+(?:{RELATIVE}|{_ERROR}|{'|'.join(PARTS)})(?=$|[\s_.,/(\[])"
@@ -157,7 +156,7 @@ SPREAD = (
 )
 SPREAD_BESIDE = rf"(?i)(?<!{_LETTER})(?:{'|'.join(_SPREADS_BESIDE)}|[qp]\d+)(?!{_LETTER})"
 FILLER = rf"(?i)(?<!{_LETTER})(?:{'|'.join(_FILLERS)})(?!{_LETTER})|(?<![^\W_])k\s*=\s*[\d.,]+"
-# A prefix that usually makes the uncertainty of a symbol.
+# A prefix that usually marks the uncertainty of a symbol.
 DIFFERENCE = rf"^(?:(?i:delta|d|u)(?=[\s_(])|[Δδ](?=[\s_(]*{_LETTER})|d(?={_LETTER}))"
 
 _WORD = re.compile(r"[^\W\d_](?:[\w\s.'-]*[\w\s.-])?")
@@ -264,7 +263,7 @@ def tokens_of(text: str) -> list[str]:
 
 
 def is_of_pair(tokens: Iterable[str]) -> bool:
-    """Return whether the words of a header make its quantity one of the pair.
+    """Return whether the words of a header name a quantity of the pair of spheres.
 
     >>> is_of_pair(["modulo", "ridotto"]), is_of_pair(["e", "eff"]), is_of_pair(["red", "grain"]), is_of_pair(["e"])
     (True, True, True, False)
@@ -495,7 +494,7 @@ _RARE = """angstrom angstroms ang micron microns nanometer micrometer nanometre 
     dyne/cm dyne/cm2 psi gigapascal megapascal joule nJ pJ keV meV erg newton nanonewton dyn dyne nanoN kg/dm3 t/m3
     kg/cum m/sec mps us ns ps sec""".split()
 _MEANT_BY = {"ang": "angstrom", "m/sec": "m/s", "mps": "m/s", "nanoN": "nN", "kg/cum": "kg/m3", "sec": "s"}
-# Words that make a multiple or a part of the quantity next to them.
+# Words that turn the quantity next to them into a multiple or a part of it.
 SENSES = {*"half double twice fwhm hwhm squared square inv times per ratio rel relative change rate".split()}
 # SI units so common that a unit alone does not point to an input: a word must.
 COMMON_UNITS = ("m", "N", "s", "1")
