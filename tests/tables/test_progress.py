@@ -19,9 +19,8 @@ def test_the_line_shows_the_share_read_and_the_rows(monkeypatch: pytest.MonkeyPa
         out = Stream(terminal=True)
         monkeypatch.setattr("sys.stderr", out)
         monkeypatch.setattr("jkroll.tables.run.WAIT", 0)
-        monkeypatch.setattr(
-            "jkroll.tables.run.monotonic", iter([0.0, 10.0]).__next__
-        )  # at the beginning, and after a block
+        seconds = iter([0.0, 10.0])  # at the beginning, and after a block
+        monkeypatch.setattr("jkroll.tables.run.monotonic", seconds.__next__)
         monkeypatch.setattr(file, "share_read", lambda rows: rows / 200_000)
         every = [Converted(b"", 0, Tally(rows=50_000))] * 2
         blocks = with_progress(every, lambda block: block.tally.rows, partial(progress_of, file))

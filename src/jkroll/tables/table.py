@@ -144,9 +144,9 @@ class Table:
     def _frames(self, cells: Mapping[str, Sequence[bytes]]) -> list[Frame]:
         """Return frames without rows, which together have all inputs.
 
-        Of inputs that exclude each other, each frame has one. Only the names of inputs matter here, not their values. If
-        no cell of a column of materials is a known name, the cells are labels, unless the table then has no work of
-        adhesion or infers an input.
+        Of inputs that exclude each other, each frame has one. Only the names of inputs matter here, not their values.
+        A column of materials without a known name has labels, unless the table then has no work of adhesion or infers an
+        input.
         """
         columns = self.columns
         names = [column.name for column in columns.inputs]

@@ -136,7 +136,7 @@ _ERROR = "|".join([
     r"(?:standard|std?)[\s_.]*(?:dev(?:iation)?|err(?:or)?|unc(?:ertainty)?)\.?", r"(?:expanded[\s_.]+)?uncertainty",
     *"stderr error err stdev std sd sem se unc".split(),
 ])  # fmt: skip
-RELATIVE = rf"rsd|cv|coefficient[\s_.]of[\s_.]variation|rel(?:ative|\.)?[\s_.]+(?:{_ERROR})"  # with %
+RELATIVE = rf"rsd|cv|coefficient[\s_.]of[\s_.]variation|rel(?:ative|\.)?[\s_.]+(?:{_ERROR})"  # only with %
 PART = (
     rf"(?i)^(?:u|σ|sigma)\s*\(([^()]+)\)|^(?:±|\+/?-)|^(?:σ|sigma|{RELATIVE}|{_ERROR})(?:\s+of)?(?=$|[\s_(\[])"
     rf"|[\s_.]*(?:±|\+/?-)(?=$|[\s_.,/(\[])|[\s_.]+(?:{RELATIVE}|{_ERROR}|{'|'.join(PARTS)})(?=$|[\s_.,/(\[])"
@@ -527,10 +527,11 @@ POINTERS: Mapping[str, tuple[Sequence[str], Sequence[str]]] = {
         "load last charge setpoint applied norm carg caric trigger press aufl belast".split(),
     ),
 }
+# Words that do not distinguish the inputs of a dimension.
 GENERIC = {
     *"energy energie energia modulus module modulo modul coefficient constante rate radius rayon radio work of".split(),
     *"roughness gap".split(),
-}  # words that do not distinguish the inputs of a dimension
+}
 # Words for quantities that are not inputs, by SI unit.
 NO_INPUTS: Mapping[str, frozenset[str]] = {
     unit: frozenset(text.split())
