@@ -145,8 +145,8 @@ class Table:
         """Return frames without rows, which together have all inputs.
 
         Of inputs that exclude each other, each frame has one. Only the names of inputs matter here, not their values.
-        A column of materials without a known name has labels, unless the table then has no work of adhesion or infers an
-        input.
+        A column of materials without a known name has labels, unless the table then has no work of adhesion or infers
+        an input.
         """
         columns = self.columns
         names = [column.name for column in columns.inputs]
