@@ -60,9 +60,9 @@ def read_curve(
     with file.file:
         lines, blocks = _opened(file, asked, form, mark)
         table = _table(lines.names, lines.sample, lines.stated, asked)
-        every = [lines.read(block, table) for block in blocks]
+        records = [lines.read(block, table) for block in blocks]
     branches = [f"branches from {lines.names[table.labels[_BRANCH]]}"] if _BRANCH in table.labels else []
-    return ReadCurve(_curve(table, every, stiffness), table.columns.reading(*branches, *lines.remarks))
+    return ReadCurve(_curve(table, records, stiffness), table.columns.reading(*branches, *lines.remarks))
 
 
 def curve_of_columns(columns: Any, known: Materials, stiffness: float | None) -> ReadCurve:
@@ -75,12 +75,12 @@ def curve_of_columns(columns: Any, known: Materials, stiffness: float | None) ->
 
 def _opened(file: Input, asked: Asked, stated: str, mark: str) -> tuple[Any, Iterator[Any]]:
     """Return the reader of a table, and its blocks."""
-    given = input_format(file.path, "-", stated, mark)
-    if given.name == "parquet":
+    form = input_format(file.path, "-", stated, mark)
+    if form.name == "parquet":
         with missing_extra("parquet"):
             from .parquet import batches_of
         return batches_of(file, "", asked)
-    return table_of_lines(file, given, asked, excel_safe=False, as_markdown=False)
+    return table_of_lines(file, form, asked, excel_safe=False, as_markdown=False)
 
 
 def _table(
@@ -141,12 +141,12 @@ def _numbers(column: Column, records: list[Records]) -> tuple[Any, Any]:
         array[[*block.odd]] = numpy.nan
         values.append(array)
         errors.append(error)
-    every = numpy.concatenate(values) if values else numpy.empty(0)
+    joined = numpy.concatenate(values) if values else numpy.empty(0)
     bars = numpy.concatenate(errors) if errors else numpy.empty(0)
     known = numpy.isfinite(bars) & (bars > 0)
     if not known.any():
-        return every, None
-    return every, numpy.where(known, bars, numpy.median(bars[known]))
+        return joined, None
+    return joined, numpy.where(known, bars, numpy.median(bars[known]))
 
 
 def _branch_of(records: list[Records]) -> Any:

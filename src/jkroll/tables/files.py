@@ -226,7 +226,7 @@ class Input:
 
 
 def table_of_lines(
-    given: Input, form: FileFormat, asked: Asked, *, excel_safe: bool, as_markdown: bool
+    source: Input, form: FileFormat, asked: Asked, *, excel_safe: bool, as_markdown: bool
 ) -> tuple[Delimited | Ndjson, Iterator[bytes]]:
     """Return a table made of lines, with its header already read, and its blocks of rows. Raises BadTable.
 
@@ -237,21 +237,21 @@ def table_of_lines(
         lines: Delimited | Ndjson = Ndjson()
     else:
         lines = Delimited(form.separator, excel_safe=excel_safe, as_markdown=as_markdown)
-    every = blocks(given.pieces(form.compression), lines.cut)
-    first = next(every, b"")
+    stream = blocks(source.pieces(form.compression), lines.cut)
+    first = next(stream, b"")
     mark = BOM if first.startswith(BOM) else b""
-    every = chain([first.removeprefix(mark)], every)
+    stream = chain([first.removeprefix(mark)], stream)
     if is_dump(first):
         if not is_of_blanks:
             raise BadTable("this is a dump of LAMMPS, with blanks between its columns; write --delimiter blank")
-        every = as_table(every, given.path, form.compression)
+        stream = as_table(stream, source.path, form.compression)
     if is_of_blanks:
-        every = between_tabs(every)
-    first = next(every)
+        stream = between_tabs(stream)
+    first = next(stream)
     rows = first[lines.read_header(first, asked.stated, asked.measured) :]
     if not as_markdown:
         lines.header = mark + lines.header
-    return lines, filter(None, chain([rows], every))
+    return lines, filter(None, chain([rows], stream))
 
 
 def blocks(pieces: Iterator[bytes], cut: Callable[[bytes], int]) -> Iterator[bytes]:

@@ -57,9 +57,9 @@ class Ndjson:
 
     def read(self, text: bytes, table: Table) -> Records:
         """Return the records of a block of lines."""
-        every = text.split(b"\n")
-        starts = [position for position, line in enumerate(every) if line.strip()]
-        lines = [every[position] for position in starts]
+        all_lines = text.split(b"\n")
+        starts = [position for position, line in enumerate(all_lines) if line.strip()]
+        lines = [all_lines[position] for position in starts]
         objects = [*map(_object, lines)]
         odd: dict[int, JkrollError] = {}
         for row, (line, members) in enumerate(zip(lines, objects, strict=True)):
@@ -70,7 +70,7 @@ class Ndjson:
         cells = {}
         for name, position in table.positions.items():
             cells[name] = cells_of([row.get(self.names[position]) for row in rows])
-        return Records([*map(_beginning, lines, objects)], cells, odd, starts, len(every) - 1)
+        return Records([*map(_beginning, lines, objects)], cells, odd, starts, len(all_lines) - 1)
 
     def _problem(self, line: bytes, members: Object | None, table: Table) -> str:
         """Return the reason why a line is not a row; "" if it is one.

@@ -31,8 +31,8 @@ class Batches:
         """Return the empty batch with the types of all columns. `before`: the schema of the columns before these."""
         (schema,) = before or (pyarrow.schema([]),)
         new = [pyarrow.field(head, pyarrow.string() if has_texts(head) else pyarrow.float64()) for head in heads]
-        every = pyarrow.schema([*schema, *new], metadata=schema.metadata)
-        return pyarrow.RecordBatch.from_pylist([], schema=every)
+        full_schema = pyarrow.schema([*schema, *new], metadata=schema.metadata)
+        return pyarrow.RecordBatch.from_pylist([], schema=full_schema)
 
     def rows(self, heads: Sequence[str], columns: Sequence[Any], before: Any = None) -> Any:
         """Return rows as a batch. `before`: the batch with the columns before these."""
@@ -72,17 +72,17 @@ class Batches:
 # --- A file as blocks -------------------------------------------------------------------------------------------------
 
 
-def batches_of(given: Input, target: str, asked: Asked) -> tuple["Arrow", Iterator[Any]]:
+def batches_of(source: Input, target: str, asked: Asked) -> tuple["Arrow", Iterator[Any]]:
     """Return the table of a Parquet file, and its batches."""
-    if "-" in (given.path, target):
+    if "-" in (source.path, target):
         raise BadRequest("Parquet is read from a file and written to a file: -o FILE")
-    with _readable(given.path):
-        file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
+    with _readable(source.path):
+        file = pyarrow.parquet.ParquetFile(source.file, buffer_size=BUFFER, pre_buffer=False)
         table = Arrow(file, asked)
-    given.rows = file.metadata.num_rows
+    source.rows = file.metadata.num_rows
 
     def batches() -> Iterator[Any]:
-        with _readable(given.path):
+        with _readable(source.path):
             yield from file.iter_batches(BLOCK)
 
     return table, batches()

@@ -198,22 +198,24 @@ class Converter(NamedTuple):
 def convert_one(path: str, job: Job) -> Tally:
     """Convert a table; return the counts of its rows."""
     asked = job.asked
-    given = input_format(path, job.target, job.format, job.delimiter)
-    wanted = output_format(job.target, given.name, quiet=job.quiet)
-    as_markdown = wanted.name == "md" and given.name in SEPARATORS
-    if wanted.name != given.name and not as_markdown:
-        name = quoted(f"{os.path.basename(job.target).partition('.')[0]}.{given.name}")
+    source_format = input_format(path, job.target, job.format, job.delimiter)
+    target_format = output_format(job.target, source_format.name, quiet=job.quiet)
+    as_markdown = target_format.name == "md" and source_format.name in SEPARATORS
+    if target_format.name != source_format.name and not as_markdown:
+        name = quoted(f"{os.path.basename(job.target).partition('.')[0]}.{source_format.name}")
         raise BadTable(f"-o: the output has the format of the input; write {name}, and convert it with another program")
     file = Input(path)
     with file.file:
         file.check_output(job.target)
         form: Any
-        if given.name == "parquet":
+        if source_format.name == "parquet":
             with missing_extra("parquet"):
                 from .parquet import batches_of
             form, blocks = batches_of(file, job.target, asked)
         else:
-            form, blocks = table_of_lines(file, given, asked, excel_safe=job.excel_safe, as_markdown=as_markdown)
+            form, blocks = table_of_lines(
+                file, source_format, asked, excel_safe=job.excel_safe, as_markdown=as_markdown
+            )
         header = understood(
             form.names, form.sample, form.stated, asked.inputs, asked.measured, asked.supply, pass_rest=asked.pass_rest
         )
@@ -224,7 +226,7 @@ def convert_one(path: str, job: Job) -> Tally:
         remarks = [*about(table)]
         job.say(remarks)
         with whole_file(job.target, job.mark) as output:
-            convert = Converter(form, table, wanted.compression, strict=job.strict)
+            convert = Converter(form, table, target_format.compression, strict=job.strict)
             return _convert(file, blocks, convert, output, job)._replace(remarks=(reading, *remarks))
 
 
