@@ -168,7 +168,7 @@ class Converted(NamedTuple):
 class Converter(NamedTuple):
     """A function that adds results to the blocks of a table. It can be sent to other processes."""
 
-    form: Any
+    source: Any  # reads blocks, and its writer writes them
     table: Table
     compression: str
     strict: bool  # raise an error for the first failed row
@@ -176,7 +176,7 @@ class Converter(NamedTuple):
     def converted(self, block: Any) -> Converted:
         """Return a block with the results of each row. Raises BadRow."""
         table = self.table
-        records = self.form.read(block, table)
+        records = self.source.read(block, table)
         rows = TableBlock(table, records)
         columns = evaluated(table.wanted, rows)
         columns.leave_out_bars(rows.half_bars)
@@ -185,9 +185,9 @@ class Converter(NamedTuple):
         failed = columns.first_failed if self.strict else None
         if failed is not None:
             raise BadRow(records.starts[failed.first], worded(failed.reasons))
-        form = Format(digits=self.form.writer.digits)
+        form = Format(digits=self.source.writer.digits)
         added = [*table.law_words.values(), *result_columns(columns, form, table.wanted.remarks())]
-        output = compressed(self.form.writer.rows(table.added, added, records.before), self.compression)
+        output = compressed(self.source.writer.rows(table.added, added, records.before), self.compression)
         tally = Tally.of(columns)
         unknown = table.asked.infer
         if unknown:
@@ -207,39 +207,45 @@ def convert_one(path: str, job: Job) -> Tally:
     file = Input(path)
     with file.file:
         file.check_output(job.target)
-        form: Any
+        source: Any
         if source_format.name == "parquet":
             with missing_extra("parquet"):
                 from .parquet import batches_of
-            form, blocks = batches_of(file, job.target, asked)
+            source, blocks = batches_of(file, job.target, asked)
         else:
-            form, blocks = table_of_lines(
+            source, blocks = table_of_lines(
                 file, source_format, asked, excel_safe=job.excel_safe, as_markdown=as_markdown
             )
         header = understood(
-            form.names, form.sample, form.stated, asked.inputs, asked.measured, asked.supply, pass_rest=asked.pass_rest
+            source.names,
+            source.sample,
+            source.stated,
+            asked.inputs,
+            asked.measured,
+            asked.supply,
+            pass_rest=asked.pass_rest,
         )
         check_inputs(header, asked.measured)
-        reading = header.reading(*form.remarks)
+        reading = header.reading(*source.remarks)
         job.say([reading])  # first: an unread column may be the cause of a missing input
-        table = Table(header, form.sample, asked)
+        table = Table(header, source.sample, asked)
         remarks = [*about(table)]
         job.say(remarks)
         with whole_file(job.target, job.mark) as output:
-            convert = Converter(form, table, target_format.compression, strict=job.strict)
+            convert = Converter(source, table, target_format.compression, strict=job.strict)
             return _convert(file, blocks, convert, output, job)._replace(remarks=(reading, *remarks))
 
 
 def _convert(file: Input, blocks: Iterator[Any], convert: Converter, output: BinaryIO, job: Job) -> Tally:
     """Write a table with its results; return the counts of its rows."""
-    form, tally = convert.form, Tally()
-    header = compressed(form.head(convert.table.added), convert.compression)
-    line = form.lines
+    source, tally = convert.source, Tally()
+    header = compressed(source.head(convert.table.added), convert.compression)
+    line = source.lines
     converted = _converted(blocks, convert, job.processes)
     if sys.stderr.isatty() and not job.quiet:
         converted = with_progress(converted, lambda block: block.tally.rows, partial(progress_of, file))
     try:
-        with form.writer.sink(output, header) as write, closing(converted):
+        with source.writer.sink(output, header) as write, closing(converted):
             for block in converted:
                 write(block.output)
                 line += block.lines
@@ -256,7 +262,7 @@ def _converted(blocks: Iterator[Any], convert: Converter, processes: int) -> Gen
 
     A format that a library reads uses the threads of the library, not processes.
     """
-    is_alone = processes < 2 or not isinstance(convert.form, Delimited | Ndjson)
+    is_alone = processes < 2 or not isinstance(convert.source, Delimited | Ndjson)
     yield from map(convert.converted, blocks if is_alone else islice(blocks, ALONE))
     block = next(blocks, None)
     if block is None:

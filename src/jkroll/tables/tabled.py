@@ -157,15 +157,21 @@ def _tabled(rows: Data, asked: Asked, say: Callable[[str], object] | None, *, st
         for line in lines if say else ():
             say(_in_python(line))  # type: ignore[misc]
 
-    form = Memory(rows, asked)
+    source = Memory(rows, asked)
     header = understood(
-        form.names, form.sample, form.stated, asked.inputs, asked.measured, asked.supply, pass_rest=asked.pass_rest
+        source.names,
+        source.sample,
+        source.stated,
+        asked.inputs,
+        asked.measured,
+        asked.supply,
+        pass_rest=asked.pass_rest,
     )
     check_inputs(header, asked.measured)
     tell([header.reading()])
-    read = Table(header, form.sample, asked)
+    read = Table(header, source.sample, asked)
     tell(about(read) if say else ())
-    convert, tally = Converter(form, read, "", strict=strict), Tally()
+    convert, tally = Converter(source, read, "", strict=strict), Tally()
     blocks: list[Sequence[Any]] = []
     for start in range(0, rows.size, BLOCK) or [0]:
         try:
