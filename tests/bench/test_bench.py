@@ -1,4 +1,4 @@
-"""The benchmark reproduces what is known of the ways to each quantity; times are not asserted."""
+"""The benchmark reproduces known errors of the ways to each quantity; its times are not checked."""
 
 import csv
 import io
@@ -68,26 +68,26 @@ def test_no_load_reaches_the_fold() -> None:
         assert set(row.errors) == {region for region in REGIONS if region != "fold" or not is_of_load}
 
 
-def test_the_fit_to_maugis_law_is_as_rough_as_is_known() -> None:
+def test_the_fit_to_maugis_law_has_its_known_error() -> None:
     """The contact radius of Carpick, Ogletree & Salmeron is within 3 %."""
     assert 0.005 < rows()["contact_radius_maugis", "COS 1999"].errors["ordinary"][1] * 2.0**-53 < 0.03
 
 
-def test_a_table_of_states_loses_the_digits_that_it_is_known_to_lose() -> None:
+def test_a_table_of_states_has_its_known_error() -> None:
     row = rows()["load_factor_at_approach", "table of 10⁴ nodes"]
     assert row.worst >= 1e9
     assert row.worst > row.errors["ordinary"][1]
 
 
-def test_the_closed_form_of_other_programs_has_no_number_where_spheres_are_pressed_hard() -> None:
-    """Parteli et al. solve the quartic exactly, and lose the root of a difference."""
+def test_the_closed_form_of_other_programs_fails_for_large_approaches() -> None:
+    """Parteli et al. solve the quartic exactly, but a difference in it is lost to rounding."""
     errors = rows()["load_factor_at_approach", "Parteli et al. 2014"].errors
     assert max(errors[region][1] for region in REGIONS if region != "extreme") < PROMISE
     assert errors["extreme"][1] == math.inf
 
 
-def test_two_conditions_agree() -> None:
-    """κ in the load, by the package's decimals and by the tests' mpmath."""
+def test_conditions_agree_with_those_of_mpmath() -> None:
+    """The condition κ with respect to the load is that of the package's decimals, or of mpmath in the tests."""
     names = ("contact_radius_at_load", "stiffness", "yield_moment")
     for point in as_rows(regions(10)["ordinary"]):
         given = {
@@ -112,7 +112,7 @@ def _small(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize(
     "kind", ["table", *(pytest.param(kind, marks=pytest.mark.slow) for kind in ("json", "plain", "csv"))]
 )
-def test_what_is_written(kind: str) -> None:
+def test_all_formats_are_written(kind: str) -> None:
     out = Stream()
     write_bench(out, kind, SMALL._replace(points=20))
     text = out.text()
@@ -150,12 +150,12 @@ def test_a_plot(run: Run, tmp_path: Path) -> None:
     file.write_bytes(b"before")
     with file.open("rb") as old:
         assert run("bench", "--quick", "--plot", str(file)).code == 0
-        assert old.read() == b"before"  # it was replaced when it was whole
+        assert old.read() == b"before"  # the file was replaced only when the new one was complete
     assert file.stat().st_size > 1000
     assert not list(tmp_path.glob(".*"))
 
 
-def test_a_plot_of_no_known_ending_is_refused_before_anything_is_measured(run: Run) -> None:
+def test_a_plot_with_an_unknown_extension_is_refused_before_the_measurement(run: Run) -> None:
     problem = "--plot: 'bench.txt' does not end in .svg, .pdf or .png"
     assert run("bench --plot bench.txt").err == f"jkroll: {problem}\n"
 
@@ -168,5 +168,5 @@ def test_a_plot_of_no_known_ending_is_refused_before_anything_is_measured(run: R
         ("--plot b.svg --width 1mm", "--width: '1mm' is not between 70mm and 1m"),
     ],
 )
-def test_looks_that_no_page_has_are_refused_before_anything_is_measured(run: Run, words: str, problem: str) -> None:
+def test_bad_options_of_a_page_are_refused_before_the_measurement(run: Run, words: str, problem: str) -> None:
     assert run(f"bench {words}").err == f"jkroll: {problem}\n"

@@ -37,20 +37,20 @@ density = "1 g/cm3"
 
 
 def write(path: Path, text: str | bytes) -> Path:
-    """Write a file and create its folder."""
+    """Write a file, and create its folder."""
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_bytes(text.encode() if isinstance(text, str) else text)
     return path
 
 
-def test_a_reference_has_author_title_and_year_or_says_what_was_not_seen() -> None:
+def test_a_reference_has_author_title_and_year_or_a_note() -> None:
     references = tomllib.loads(Path(SHIPPED).read_text(encoding="utf-8"))["references"]
     for key, entry in references.items():
         lacking = {"author", "title", "year"} - entry.keys()
         assert not lacking or re.search("not seen|without|neither", entry["note"]), key
 
 
-def test_the_paper_s_footnotes_and_references_are_there() -> None:
+def test_the_footnotes_and_references_of_the_paper_are_there() -> None:
     materials = Materials()
     assert "micron-sized" in materials["quartz"].notes["surface_energy"]
     assert "mean of the range" in materials["gold"].notes["surface_energy"]
@@ -58,7 +58,7 @@ def test_the_paper_s_footnotes_and_references_are_there() -> None:
     assert set(materials["gold"].properties) == {"surface_energy", "density"}
 
 
-def test_there_is_one_copy() -> None:
+def test_there_is_one_copy_of_the_file() -> None:
     root = Path(__file__).parents[2]
     copies = [path for path in root.rglob("materials.toml") if ".venv" not in path.parts[len(root.parts)]]
     assert copies == [root / "materials.toml"]
@@ -78,7 +78,7 @@ def test_option_environment_and_configuration_add_up(run: Run, tmp_path: Path, m
     assert "overrides" not in ran.err
 
 
-def test_the_file_of_a_call_overrides_and_says_so(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_file_of_a_call_overrides_with_a_note(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     mine = write(tmp_path / "mine.toml", ICE.replace("[materials.ice]", "[materials.Quartz]").replace("H2O", "gold"))
     text = [f"{mine} overrides {word} of Table 1 of D&T" for word in ("gold", "Quartz")]
     said = "".join(f"note: {one}\n" for one in text)
@@ -98,19 +98,19 @@ def test_the_file_of_a_call_overrides_and_says_so(run: Run, tmp_path: Path, monk
     ):
         for quiet in ("", "--quiet"):
             if quiet and "export" in line:
-                continue  # it has no notes
+                continue  # the export has no notes
             ran = run(f"{line} --materials {mine} {quiet}")
             assert ran.code == 0
             assert ran.err.startswith(said)
     force = jkroll.solve("pull_off_force", surface_energy=0.37, radius=1e-6)
     assert float(run(f"pull-off quartz 1um --bare --materials {mine}").out) == force
-    monkeypatch.setenv("JKROLL_MATERIALS", str(mine))  # the same file, as the environment names it
+    monkeypatch.setenv("JKROLL_MATERIALS", str(mine))  # the same file
     assert run(f"pull-off quartz 1um --bare --quiet --materials {mine}").err == said
 
 
 @pytest.mark.slow
 def test_the_environment_changes_no_number(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A file of the environment, or of the configuration, adds materials.
+    """The file of the environment, or of the configuration, only adds materials.
 
     A name that is also shipped is refused when it is used.
     """
@@ -139,7 +139,7 @@ def test_the_environment_changes_no_number(run: Run, tmp_path: Path, monkeypatch
     assert run(f"pull-off quartz 1um --bare --quiet --materials {path}").code == 0
 
 
-def test_a_name_that_is_shipped_and_in_the_environment_is_refused_where_it_is_used(
+def test_a_shipped_name_in_the_environment_is_refused_when_used(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     listed = run("materials --csv")
@@ -150,7 +150,7 @@ def test_a_name_that_is_shipped_and_in_the_environment_is_refused_where_it_is_us
     assert run("materials quartz") == (2, "", f"jkroll: {problem}\n")
 
 
-def test_the_environment_overrides_the_configuration_and_says_so(
+def test_the_environment_overrides_the_configuration_with_a_note(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     write(tmp_path / "configuration/jkroll/materials.toml", ICE)
@@ -161,7 +161,7 @@ def test_the_environment_overrides_the_configuration_and_says_so(
     assert ran.err == "".join(f"note: {path} overrides {word} of my measurements\n" for word in ("H2O", "Ice"))
 
 
-def test_a_material_that_lacks_a_property_names_its_file(run: Run, tmp_path: Path) -> None:
+def test_the_message_on_a_missing_property_names_the_file(run: Run, tmp_path: Path) -> None:
     path = write(tmp_path / "mine.toml", ICE)
     ran = run("contact", "H2O", "1um", "--materials", str(path))
     assert ran.code == 2
@@ -222,7 +222,7 @@ BROKEN = {
 
 
 @pytest.mark.parametrize("text", BROKEN, ids=lambda text: repr(text[:30]))
-def test_what_is_wrong_with_a_file(run: Run, tmp_path: Path, text: str | bytes) -> None:
+def test_a_mistake_in_a_file_is_reported(run: Run, tmp_path: Path, text: str | bytes) -> None:
     path = write(tmp_path / "broken.toml", text)
     ran = run("materials", "--materials", str(path))
     assert ran.code == 2
@@ -256,27 +256,26 @@ def test_a_mistake_in_one_material_does_not_stop_the_others(run: Run, tmp_path: 
     ]
 
 
-def test_an_alias_that_takes_a_name_leaves_the_material_itself(tmp_path: Path) -> None:
+def test_an_alias_may_take_over_a_name_but_leaves_the_material(tmp_path: Path) -> None:
     path = write(tmp_path / "mine.toml", "[materials.steel]\naliases = ['iron']\ndensity = '8 g/cm3'\n")
     materials = Materials([path])
     assert materials["iron"].name == "steel"
     assert materials.materials["iron"].properties["density"] == 7700.0
 
 
-def test_a_material_takes_over_the_other_names_of_the_one_whose_name_it_takes(tmp_path: Path) -> None:
+def test_a_material_takes_over_the_aliases_with_a_name(tmp_path: Path) -> None:
     path = write(tmp_path / "mine.toml", "[materials.POLYSTYRENE]\ndensity = '1 g/cm3'\n")
     assert jkroll.Materials([path])["PS"].name == jkroll.Materials([path])["polystyrene"].name == "POLYSTYRENE"
 
 
-def test_an_alias_of_several_has_the_material_that_took_the_name_of_one_of_them(tmp_path: Path) -> None:
+def test_a_shared_alias_means_the_material_that_took_over_a_name(tmp_path: Path) -> None:
     path = write(tmp_path / "mine.toml", "title = 'mine'\n[materials.Silica-humid]\nsurface_energy = '30 mJ/m2'\n")
     materials = Materials([path])
     with pytest.raises(JkrollError, match=r"one of several; write quartz .* or Silica-humid \(30 mJ/m², mine\)"):
         materials["SiO2"]
 
 
-def test_of_a_file_no_more_is_read_than_is_asked(run: Run, tmp_path: Path) -> None:
-    """A mistake in a material is reported by a call that uses it."""
+def test_a_mistake_is_reported_only_when_its_material_is_used(run: Run, tmp_path: Path) -> None:
     path = write(tmp_path / "mine.toml", ICE + "[materials.wood]\naliases = ['oak']\ndensity = '-5 g/cm3'\n")
     words = ("1um", "--materials", str(path), "--bare")
     assert run("pull-off", "ice", *words).code == run("pull-off", "quartz", *words).code == 0
@@ -299,7 +298,7 @@ def test_nothing_but_the_declared_error_escapes(tmp_path: Path, content: bytes) 
 
 
 @pytest.mark.parametrize("made", [str, Path, os.fsencode, lambda path: [path], lambda path: iter([str(path)])])
-def test_a_file_of_one_s_own_is_read_by_its_path_or_as_one_of_several(made: Callable[[Path], Any]) -> None:
+def test_a_user_s_file_may_be_a_path_or_one_of_several(made: Callable[[Path], Any]) -> None:
     path = write(Path("mine.toml"), ICE)
     assert Materials(made(path))["H2O"].name == "ice"
 
@@ -319,7 +318,7 @@ def test_a_file_may_be_a_pipe(run: Run) -> None:
 
 
 @pytest.mark.parametrize("word", [3, None, b"quartz", ("quartz",)])
-def test_what_is_not_a_name_is_not_known(word: Any) -> None:
+def test_other_objects_are_unknown_materials(word: Any) -> None:
     with pytest.raises(JkrollError, match="no material"):
         Materials()[word]
 
@@ -337,7 +336,7 @@ def test_a_material_is_pickled_copied_and_hashed(name: str) -> None:
     assert pickle.loads(pickle.dumps(known)).materials == copy.deepcopy(known).materials == known.materials
 
 
-def test_a_material_made_by_hand_has_properties_as_solve_takes_them() -> None:
+def test_properties_set_by_hand_are_checked() -> None:
     mine = Materials()["quartz"]._replace(properties={"surface_energy": 0.05}, uncertainties={})
     assert jkroll.solve("work_of_adhesion", material=mine) == 0.1
     for properties, words in (
@@ -355,7 +354,7 @@ def test_a_material_made_by_hand_has_properties_as_solve_takes_them() -> None:
 
 # --- The second set: materials by state -------------------------------------------------------------------------------
 
-# A material without γ says what has one near it, or what was measured instead.
+# The note of a material without γ gives a similar value, or a measured one of another kind.
 NEAR = re.compile(r"[1-9][0-9.]* mJ/m2").search
 SECOND = [material for material in Materials().materials.values() if material.title != "Table 1 of D&T"]
 
@@ -385,18 +384,20 @@ title = "Rolling forces"
 
 @pytest.fixture
 def own(tmp_path: Path) -> str:
+    """Write a file with materials that have a yield displacement, and return its option."""
     path = tmp_path / "own.toml"
     path.write_text(OWN)
     return f"--materials {path}"
 
 
 def forces_of(run: Run, words: str) -> tuple[float, float, float]:
+    """Return the yield force of a command, with the ends of its range."""
     result = json.loads(run(f"yield-force {words} --json").out)["results"][0]
     uncertainty = result["uncertainty"]
     return result["value"], uncertainty["low"], uncertainty["high"]
 
 
-def test_where_a_displacement_was_measured_it_is_that(run: Run, own: str) -> None:
+def test_a_displacement_is_unchanged_at_its_own_radius(run: Run, own: str) -> None:
     for displacement in ("1.8nm", "2.6nm"):
         assert json.loads(run(f"yield-force quartz 0.95um --xi {displacement} --json").out)["results"][0]["value"] == (
             approx(forces_of(run, f"own 0.95um {own}")[1 if displacement == "1.8nm" else 2])
@@ -416,7 +417,7 @@ def test_where_a_displacement_was_measured_it_is_that(run: Run, own: str) -> Non
         ("100nm --radius2 300nm", 1e-7, 3 / 4),
     ],
 )
-def test_at_another_radius_it_is_the_range_between_two_scalings(
+def test_a_displacement_at_another_radius_lies_between_two_scalings(
     run: Run, own: str, radii: str, radius: float, part: float
 ) -> None:
     scale = 2 * part * radius / 0.95e-6
@@ -426,12 +427,12 @@ def test_at_another_radius_it_is_the_range_between_two_scalings(
     assert "assumed ξ" not in run(f"yield-force own {radii} {own} --explain").out
 
 
-def test_what_is_given_outranks_a_material_s_displacement(run: Run, own: str) -> None:
+def test_options_outrank_a_material_s_displacement(run: Run, own: str) -> None:
     for words in ("--xi 1nm", "--hysteresis-fraction 40%", "--adhesion-hysteresis 20mJ/m2"):
         assert run(f"yield-force own 100nm {words} {own}").out == run(f"yield-force quartz 100nm {words}").out
 
 
-def test_two_solids_have_no_displacement_in_common(run: Run, own: str) -> None:
+def test_two_solids_have_no_common_displacement(run: Run, own: str) -> None:
     alone = ("--young2 1GPa", "--gamma2 1mJ/m2 --radius2 plane", "--hamaker 6e-20J --hamaker2 2e-19J")
     pairs = ("--material2 quartz", "--material2 single", *alone)
     for words in ("quartz 100nm --material2 own", *(f"own 100nm {words}" for words in pairs)):
@@ -444,7 +445,7 @@ def test_two_solids_have_no_displacement_in_common(run: Run, own: str) -> None:
     assert "needs radius of sphere 1" in run(f"yield-force own {own}").err
 
 
-def test_every_door_has_a_material_s_displacement(run: Run, own: str, tmp_path: Path) -> None:
+def test_each_interface_uses_a_material_s_displacement(run: Run, own: str, tmp_path: Path) -> None:
     names = "yield_force,yield_force_low,yield_force_high"
     table = tmp_path / "grains.csv"
     table.write_text("material,radius [nm]\nown,100\nquartz,100\nown,950\nsingle,30\n")
@@ -464,7 +465,7 @@ def test_every_door_has_a_material_s_displacement(run: Run, own: str, tmp_path: 
     assert answered.uncertain.sides == {"low": low, "high": high}
 
 
-def test_another_value_of_a_property_is_the_solid_s_and_none_of_its_data(own: str) -> None:
+def test_a_changed_property_keeps_the_solid_and_its_displacement(own: str) -> None:
     material = Materials(own.split()[1])["single"]
     scene = Frame({"radius": 1e-6}, material, material)
     other = scene.replace(surface_energy=0.1, surface_energy2=0.1)
@@ -475,7 +476,7 @@ def test_another_value_of_a_property_is_the_solid_s_and_none_of_its_data(own: st
         Frame({"radius": 1e-6, "surface_energy2": 0.1}, material, material)["yield_displacement"]
 
 
-def test_a_radius_with_an_error_bar_moves_the_displacement(run: Run, own: str) -> None:
+def test_the_error_bar_of_a_radius_includes_the_displacement(run: Run, own: str) -> None:
     found = [
         json.loads(run(f"yield-force own {radius} {own} --json").out)["results"][0] for radius in ("90nm", "110nm")
     ]
@@ -509,7 +510,7 @@ def test_a_material_s_displacement_is_shown(run: Run, own: str) -> None:
         ('{ value = "2 N", radius = "1 um" }', "own: yield_displacement: '2 N' is a force"),
     ],
 )
-def test_what_is_wrong_with_a_displacement(run: Run, tmp_path: Path, text: str, problem: str) -> None:
+def test_a_mistake_in_a_displacement_is_reported(run: Run, tmp_path: Path, text: str, problem: str) -> None:
     path = tmp_path / "own.toml"
     path.write_text(f'[materials.own]\nsurface_energy = "1 mJ/m2"\nyield_displacement = {text}\n')
     ran = run(f"yield-force own 100nm --materials {path}")
@@ -525,8 +526,11 @@ def test_the_sets() -> None:
 
 
 @pytest.mark.parametrize("material", SECOND, ids=lambda material: material.name)
-def test_every_value_of_the_other_sets_says_where_it_is_from(material: Material) -> None:
-    """A state; for each property a method, a reference, and an uncertainty or that there is none; the law behind γ."""
+def test_each_value_of_the_other_sets_has_its_origin(material: Material) -> None:
+    """A material has a state.
+
+    Each property has a method, a reference, and an uncertainty or a statement that it has none. γ has a law.
+    """
     assert material.state
     keys = {entry["key"] for entry in material.references}
     for name in material.properties:
@@ -548,7 +552,7 @@ def test_every_value_of_the_other_sets_says_where_it_is_from(material: Material)
     assert not any(text.endswith("...") for text in texts)
 
 
-def test_the_error_of_warm_ice_is_that_of_the_two_forces() -> None:
+def test_the_error_of_warm_ice_follows_from_its_two_forces() -> None:
     share = ((23.8 / 114.8) ** 2 + (3.6 / 12.1) ** 2) ** 0.5
     assert Materials()["ice-warm"].uncertainties["surface_energy"].high == approx(0.19 * (1 + share), rel=1e-3)
 
@@ -578,7 +582,7 @@ def test_a_name_of_several_materials_is_refused_with_their_values(run: Run, tmp_
         Materials(path)["wood"]
 
 
-def test_a_table_says_once_which_a_name_may_be(run: Run) -> None:
+def test_a_table_reports_a_shared_name_once(run: Run) -> None:
     rows = "".join(f"{name},{radius}\n" for radius in range(1, 50) for name in ("SiO2", "quartz", "ice"))
     Path("grains.csv").write_text("material,radius [um]\n" + rows, encoding="utf-8")
     ran = run("batch grains.csv --quantities pull_off_force -o out.csv")
@@ -624,13 +628,13 @@ def test_materials_are_found_by_words(run: Run, words: str, names: set[str]) -> 
     assert {name for name in Materials().materials if f"  {name} " in table} == names
 
 
-def test_a_name_goes_before_words(run: Run) -> None:
+def test_a_name_precedes_words(run: Run) -> None:
     assert json.loads(run("materials silicone rubber --json").out)["name"] == "pdms"
     assert "did you mean quartz?" in run("materials quarz").err
     assert "'steel' is one of several; write steel-304 (30.5 mJ/m², stainless, " in run("materials steel").err
 
 
-def test_no_plain_name_stands_for_a_clean_or_cleaved_surface_or_for_a_guess(run: Run) -> None:
+def test_no_short_name_means_a_clean_or_cleaved_surface_or_a_guess(run: Run) -> None:
     for material in SECOND:
         note = material.notes.get("surface_energy", "")
         if note.startswith(("not for contact", "a guess for contact")):
@@ -638,7 +642,7 @@ def test_no_plain_name_stands_for_a_clean_or_cleaved_surface_or_for_a_guess(run:
                 assert "one of several" in run("pull-off", word, "1um").err
 
 
-def test_a_material_without_surface_energy_asks_for_it_and_says_what_is_near(run: Run) -> None:
+def test_a_material_without_surface_energy_asks_for_one_and_gives_similar_values(run: Run) -> None:
     ran = run("pull-off alumina 10um")
     assert ran.code == 2
     assert "; alumina: none was found by a force; contact angles on anodic layers give 31 to 49 mJ/m2" in ran.err
@@ -664,7 +668,7 @@ CRACKED = (
         ("mine 5.1um", False),
         ("mine --diameter 1um", True),
         ("mine --diameter 11um", False),
-        ("mine 1um --gamma 20mJ/m2", False),  # which does not rest on it
+        ("mine 1um --gamma 20mJ/m2", False),  # the result does not depend on the material's γ
         ("quartz 1um --material2 mine", True),
         ("quartz 1um --material2 mine --radius2 10um", False),
         ("quartz 1um --material2 mine --radius2 plane", True),
@@ -674,20 +678,22 @@ CRACKED = (
         ("mine 0.1um,10um", False),
         ("mine 1nm:1mm:7", True),
         ("mine 1mm:1nm:7", True),
-        ("mine 1nm:1mm:4", False),  # which has 100 nm and 10 µm
+        ("mine 1nm:1mm:4", False),  # its radii include 100 nm and 10 µm, but none in between
         ("mine 1nm:100nm:3", False),
         ("mine 0.1um --radius2 1um,2um", False),
         ("mine --diameter 0.1um,4um", True),
     ],
 )
-def test_a_note_stands_with_the_radii_that_it_concerns(run: Run, tmp_path: Path, words: str, is_noted: bool) -> None:
+def test_a_note_is_shown_only_for_the_radii_that_it_concerns(
+    run: Run, tmp_path: Path, words: str, is_noted: bool
+) -> None:
     path = write(tmp_path / "mine.toml", CRACKED)
     ran = run(f"pull-off {words} --explain --materials {path}") if "," not in words and ":" not in words else None
     out = ran.out if ran is not None else run(f"pull-off {words} --materials {path}").err
     assert ("γ of mine (R = 0.5 to 5 µm): cracked grains stick more" in out) is is_noted
 
 
-def test_every_door_has_a_note_of_some_radii(run: Run, tmp_path: Path) -> None:
+def test_each_interface_shows_a_note_on_some_radii(run: Run, tmp_path: Path) -> None:
     path = write(tmp_path / "mine.toml", CRACKED)
     note = "(R = 0.5 to 5 µm): cracked grains stick more"
     shown = run(f"materials mine --materials {path}", terminal=True).out
@@ -704,13 +710,13 @@ def test_every_door_has_a_note_of_some_radii(run: Run, tmp_path: Path) -> None:
 
 
 def test_cold_ice_is_in_conflict_with_grains_of_a_micrometre(run: Run) -> None:
-    """Gundlach & Blum 2015 had grains of 1.5 µm, Musiolik & Wurm 2019, by whom it is, of a millimetre."""
+    """The grains of Gundlach & Blum 2015 had 1.5 µm, and those of Musiolik & Wurm 2019, the source, a millimetre."""
     noted = {radius: "in conflict" in run(f"pull-off ice-cold {radius}").err for radius in ("10nm", "1.5um", "1.1mm")}
     assert noted == {"10nm": False, "1.5um": True, "1.1mm": False}
 
 
 def stiffnesses(upper: str) -> Any:
-    """Return a matrix of 6 × 6 from its entries that are not 0, as in `11=166 12=64`."""
+    """Return a 6 × 6 matrix from its entries other than 0, as in `11=166 12=64`."""
     matrix = numpy.zeros((6, 6))
     for entry in upper.split():
         row, column = int(entry[0]) - 1, int(entry[1]) - 1
@@ -721,7 +727,7 @@ def stiffnesses(upper: str) -> Any:
 @pytest.mark.parametrize(
     ("name", "entries"),
     {
-        # Gammon et al. (1983) at -16 °C, whose 66 is (11 - 12)/2
+        # Gammon et al. (1983) at -16 °C; 66 is (11 - 12)/2
         "ice-warm": "11=13.929 22=13.929 33=15.010 12=7.082 13=5.765 23=5.765 44=3.014 55=3.014 66=3.4235",
         "silicon-oxide": "11=166 22=166 33=166 12=64 13=64 23=64 44=80 55=80 66=80",
         "mica": (
@@ -730,7 +736,10 @@ def stiffnesses(upper: str) -> Any:
     }.items(),
 )
 def test_moduli_of_crystals_are_their_reuss_and_voigt_averages(name: str, entries: str) -> None:
-    """Hill, Proc. Phys. Soc. A 65, 349 (1952), from the stiffnesses that the sources print [GPa]."""
+    """The averages are those of Hill, Proc.
+
+    Phys. Soc. A 65, 349 (1952), of the stiffnesses that the sources print [GPa].
+    """
     stiff = stiffnesses(entries)
     compliant = numpy.linalg.inv(stiff)
     bulk = {"high": stiff[:3, :3].sum() / 9, "low": 1 / compliant[:3, :3].sum()}
@@ -747,7 +756,7 @@ def test_moduli_of_crystals_are_their_reuss_and_voigt_averages(name: str, entrie
         assert getattr(found["poisson_ratio"], other) == approx(ratio, rel=5e-3)
 
 
-def test_surface_energies_that_were_derived_follow_from_what_was_read() -> None:
+def test_derived_surface_energies_follow_from_their_sources() -> None:
     found = {
         name: Materials()[name].uncertainties["surface_energy"] for name in ("mica", "tungsten-oxide", "steel-304")
     }
@@ -759,7 +768,7 @@ def test_surface_energies_that_were_derived_follow_from_what_was_read() -> None:
     assert Materials()["glass"].properties["surface_energy"] == 0.15 / 2
 
 
-def test_a_material_is_shown_with_all_that_is_known_of_it(run: Run) -> None:
+def test_a_material_is_shown_with_all_its_data(run: Run) -> None:
     sheet = run("materials ice-warm", terminal=True).out
     assert "state           water ice above about 200 K\n" in sheet
     assert "surface_energy  190 ± 69 mJ/m²\n  method        critical rolling force" in sheet
@@ -780,7 +789,7 @@ def test_a_rigid_material_is_rigid_in_every_form(run: Run, tmp_path: Path) -> No
     assert ",rigid," in run(f"{words} --csv").out
 
 
-def test_a_pipe_has_the_sides_and_the_origin_of_each_property(run: Run) -> None:
+def test_a_pipe_gets_the_sides_and_the_origin_of_each_property(run: Run) -> None:
     lines = dict(line.split(" ", 1) for line in run("materials", "ice-warm").out.splitlines())
     material = Materials().materials["ice-warm"]
     for name, origin in material.origins.items():

@@ -1,4 +1,4 @@
-"""Tables of scenes: each row as the one-liner has it, whatever stands around it."""
+"""Tables of contacts: each row has the numbers of the one-liner, whatever the table around it."""
 
 import csv
 import io
@@ -24,29 +24,29 @@ from jkroll.write.manual import page
 from random_tables import ENDS, IN_SMALL_BLOCKS, random_table, read_rows, write_rows
 from relative import approx
 
-csv.field_size_limit(1 << 20)  # of the readers here: some cells have more than the 128 KiB that are usual
+csv.field_size_limit(1 << 20)  # some cells read here are longer than the usual limit of 128 KiB
 GRAINS = "name,material,radius [nm],load [nN]\na,quartz,100,0\nb,iron,50,-2e-3\n"
 
 
 @pytest.fixture
 def small_chunks(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Blocks of a line or two."""
+    """Make blocks of a line or two."""
     monkeypatch.setattr(files, "CHUNK", 64)
 
 
 def table(text: str, name: str = "grains.csv") -> str:
-    """A table in a file."""
+    """Write a table into a file, and return its name."""
     Path(name).write_text(text, encoding="utf-8", newline="")
     return name
 
 
 def rows(text: str) -> list[dict[str, str]]:
-    """The rows of a CSV table."""
+    """Return the rows of a CSV table."""
     return list(csv.DictReader(io.StringIO(text, newline="")))
 
 
 def batch(run: Run, *words: str) -> list[dict[str, str]]:
-    """The rows that a batch writes, in one process."""
+    """Return the rows that a batch in one process writes."""
     ran = run("batch", *words, "-o", "out.csv", "--jobs", "1")
     assert ran.code in (0, 1), ran.err
     return rows(Path("out.csv").read_text(encoding="utf-8"))
@@ -100,7 +100,7 @@ def test_the_guide_explains_the_codes_of_doubts() -> None:
 @pytest.mark.parametrize("unit", ["nm", "ft"])
 @settings(deadline=None, max_examples=50)
 @given(number=st.from_regex(r"\A-?[0-9]{1,18}(\.[0-9]{1,17})?([eE][-+]?[0-9]{1,2})?\Z"))
-def test_a_column_is_read_as_a_one_liner_reads_it(unit: str, number: str) -> None:
+def test_a_column_gives_the_numbers_of_a_one_liner(unit: str, number: str) -> None:
     column = Column(0, "radius", unit, unit_of(unit, "radius"))
     try:
         expected = column.value(number)
@@ -115,8 +115,8 @@ def test_a_column_is_read_as_a_one_liner_reads_it(unit: str, number: str) -> Non
 
 @settings(deadline=None)
 @given(cells=st.lists(st.sampled_from([b"50 nm", b"7 nm", b" nm", b"nm", b"60", b"", b" ", b"2 um", b"1 nm nm"])))
-def test_cells_with_units_of_their_own_are_read_one_by_one(cells: list[bytes]) -> None:
-    """A cell of a unit alone is no number, and one without a unit none where the column has none."""
+def test_cells_with_their_own_units_are_read_cell_by_cell(cells: list[bytes]) -> None:
+    """A unit alone is not a number; nor is a number alone, if the column has no unit."""
     radii = {b"50 nm": 50e-9, b"7 nm": 7e-9, b"2 um": 2e-6}
     found = Column(0, "radius", "", None).numbers({"radius": cells})
     assert [None if math.isnan(value) else value for value in found.values] == [*map(radii.get, cells)]
@@ -127,7 +127,7 @@ def test_cells_with_units_of_their_own_are_read_one_by_one(cells: list[bytes]) -
     "text",
     ["true", "1 2", "[1]", "1e", "nan", "inf", "--1", "1e+-3", "null", '"1"', "0x1", "1_0", "1 nm2", "1 nm nm", "1 m"],
 )
-def test_what_is_no_number_is_read_as_none(text: str) -> None:
+def test_other_text_gives_no_number(text: str) -> None:
     for column, others in (
         (Column(0, "poisson_ratio", "", None), b"0.1"),
         (Column(0, "load", "nN", unit_of("nN", "load")), b"1"),
@@ -177,7 +177,7 @@ STATUS = {
 }
 
 
-def test_a_unit_is_guessed_once_for_all_rows_that_have_it(run: Run) -> None:
+def test_a_wrong_unit_is_looked_up_once_for_all_rows(run: Run) -> None:
     name = table(GRAINS + "".join(f"x,quartz,{row} nq,0\n" for row in range(1000)))
     with patch("jkroll.quantities.units.closest", return_value="nm") as guess:
         assert run("batch", name, "--quantities", "r_min", "-o", "out.csv", "--jobs", "1").code == 1
@@ -186,7 +186,7 @@ def test_a_unit_is_guessed_once_for_all_rows_that_have_it(run: Run) -> None:
 
 
 @pytest.mark.parametrize("line", STATUS)
-def test_a_bad_row_says_why_and_spoils_no_other(run: Run, line: str) -> None:
+def test_a_bad_row_has_a_reason_and_spoils_no_other_row(run: Run, line: str) -> None:
     name = table(GRAINS + line + "\n" + "c,quartz,100,0\n")
     status, words = STATUS[line]
     ran = run("batch", name, "--quantities", "contact_radius_at_load", "-o", "out.csv", "--jobs", "1", "--no-doubt")
@@ -203,7 +203,7 @@ def test_a_bad_row_says_why_and_spoils_no_other(run: Run, line: str) -> None:
     assert good["status"] == last["status"] == ""
 
 
-def test_strict_stops_with_the_line(run: Run) -> None:
+def test_strict_stops_and_names_the_line(run: Run) -> None:
     name = table('name,material,radius [nm]\na,quartz,100\n"two\nlines",quartz,100\n\nb,quartz,0\n')
     ran = run("batch", name, "--strict", "-o", "out.csv", "--jobs", "1", "--quiet")
     assert (ran.code, ran.err) == (
@@ -217,7 +217,7 @@ def test_strict_stops_with_the_line(run: Run) -> None:
     assert [*Path("out").iterdir()] == []
 
 
-def test_a_target_that_cannot_be_is_named(run: Run) -> None:
+def test_an_impossible_target_is_named(run: Run) -> None:
     name = table(GRAINS)
     Path("forces").mkdir()
     assert run("batch", name, "-o", "nowhere/out.csv", "--quiet").err == (
@@ -229,8 +229,8 @@ def test_a_target_that_cannot_be_is_named(run: Run) -> None:
     assert run("batch", "forces", "-o", "out.csv").err == message
 
 
-def test_rows_stay_rows_whatever_their_cells_hold(run: Run) -> None:
-    """Quoted cells of many lines and many bytes, and stray quotes, each in the midst of plain rows."""
+def test_any_cell_leaves_the_rows_apart(run: Run) -> None:
+    """Quoted cells of many lines or bytes, and stray quotes, stand between other rows."""
     cells = ["x\ny" * 300, "long " * 60_000, 'said ""so""', "a\r\nb", "a,b"]
     lines = [f'"{cell}",quartz,100,0\n' for cell in cells] + ['5" d,quartz,100,0\n', '"open,quartz,100,0\n']
     name = table(GRAINS + "plain,quartz,100,0\n".join(["", *lines, ""]))
@@ -242,7 +242,7 @@ def test_rows_stay_rows_whatever_their_cells_hold(run: Run) -> None:
     ]
 
 
-def test_a_line_end_of_two_carriage_returns_splits_no_row(run: Run) -> None:
+def test_two_carriage_returns_at_the_end_of_a_line_split_no_row(run: Run) -> None:
     name = table(GRAINS + "x,quartz,100,0\r\r\n")
     assert run("batch", name, "--quantities", "r_min", "--no-doubt", "-o", "out.csv").code == 0
     assert b"\r" not in Path("out.csv").read_bytes()
@@ -259,8 +259,8 @@ def test_other_separators_and_line_ends_are_named(run: Run) -> None:
         assert (ran.code, message in ran.err) == (2, True)
 
 
-def test_lines_of_a_record_without_end_are_rows_that_failed(run: Run) -> None:
-    """Quotes stand around the separators, not around the cells: each ends in the next line, but for the last."""
+def test_each_line_of_an_unclosed_record_is_a_failed_row(run: Run) -> None:
+    """The quotes are around the separators, so each quote is closed in the next line; the last one is not."""
     name = table(GRAINS + 'a","quartz","100","0\n' * 3)
     found = batch(run, name, "--quantities", "r_min")
     assert [row["name"] for row in found] == ["a", "b", *['a","quartz","100","0'] * 3]
@@ -268,7 +268,7 @@ def test_lines_of_a_record_without_end_are_rows_that_failed(run: Run) -> None:
 
 
 @pytest.mark.parametrize(("cells", "kept"), [("a,quartz", "a,quartz,,"), ('"a",quartz,1,2,"3"', 'a,quartz,1,"2,3"')])
-def test_a_row_with_other_cells_keeps_what_it_has(run: Run, cells: str, kept: str) -> None:
+def test_a_row_of_another_size_keeps_its_cells(run: Run, cells: str, kept: str) -> None:
     assert run("batch", table(f"{GRAINS}{cells}\n"), "--quantities", "r_min", "-o", "out.csv").code == 1
     assert Path("out.csv").read_text(encoding="utf-8").splitlines()[-1].startswith(f"{kept},,,")
 
@@ -309,12 +309,12 @@ HEADERS = {
 }
 
 
-def test_a_long_name_of_a_column_is_no_mistaken_input() -> None:
+def test_a_long_header_is_not_searched_for_inputs() -> None:
     name = "radius_" * 100_000
     with patch("jkroll.tables.reading.key", side_effect=str) as plain, patch("jkroll.tables.header.key", plain):
         assert understood([name]).inputs == ()
         assert understood([name, "radius [nm]"]).names == {"radius"}
-    assert plain.call_count < 200  # else for every _
+    assert plain.call_count < 200  # not once for every _
 
 
 @pytest.mark.parametrize("text", HEADERS)
@@ -339,7 +339,7 @@ def test_an_empty_file_and_utf_16(run: Run) -> None:
 
 @pytest.mark.parametrize("kind", ["csv", "tsv"])
 @pytest.mark.parametrize("text", [b"\x1f\x8b\x08\0", b"\x28\xb5\x2f\xfd"])
-def test_a_compressed_table_is_named_as_one(run: Run, kind: str, text: bytes) -> None:
+def test_a_compressed_table_without_its_extension_is_recognized(run: Run, kind: str, text: bytes) -> None:
     Path(f"grains.{kind}").write_bytes(text)
     ran = run("batch", f"grains.{kind}")
     assert (ran.code, "a compressed one has a name such as x.csv.gz, or --format csv.gz" in ran.err) == (2, True)
@@ -391,7 +391,7 @@ def test_input_passes_through_byte_for_byte(run: Run, kind: str) -> None:
         for line in written.removesuffix(end).split(end)
     )
     normal = text if text.endswith(b"\n") else text + end
-    if "blank" in kind:  # which are left out
+    if "blank" in kind:  # blank lines are left out
         normal = b"".join(line + end for line in normal.split(end) if line.strip())
     assert kept.replace(b"\r\n", b"\n") == normal.replace(b"\r\n", b"\n")
 
@@ -400,7 +400,7 @@ def test_input_passes_through_byte_for_byte(run: Run, kind: str) -> None:
 def test_any_number_of_processes_writes_the_same_bytes(run: Run) -> None:
     Path("small.py").write_text(IN_SMALL_BLOCKS.replace("1 << 14", "1 << 11"))
     name = table(random_table(200, 3).replace("speed [m/s]", "text"))
-    assert Path(name).stat().st_size > 5 << 11  # two blocks for the process that reads, and one for each of the others
+    assert Path(name).stat().st_size > 5 << 11  # two blocks for this process, and one for each of three others
     assert run("batch", name, "-o", "one.csv", "--jobs", "1").code == 1
     ran = subprocess.run([sys.executable, "small.py", "batch", name, "--jobs", "3"], capture_output=True)
     assert ran.returncode == 1
@@ -428,8 +428,8 @@ def test_compressed_tables(run: Run, compression: str) -> None:
 
 
 @pytest.mark.parametrize("compression", ["gz", "zst"])
-def test_bytes_from_which_nothing_follows_yet_are_no_end(run: Run, compression: str) -> None:
-    """A library keeps what it reads until a block of it is whole, which may be of 128 KiB; zeros may fill a file."""
+def test_a_decompressor_may_return_nothing_before_the_end(run: Run, compression: str) -> None:
+    """It keeps bytes until a block of up to 128 KiB is complete. A file may also end in zeros."""
     from jkroll.tables.files import compressed
 
     if compression == "zst":
@@ -471,8 +471,8 @@ def test_empty_cells_are_no_formulas(run: Run) -> None:
     assert safe == Path("out.tsv").read_bytes().replace(b'"=1+1"', b"'=1+1")
 
 
-def test_a_formula_behind_what_a_spreadsheet_drops(run: Run) -> None:
-    """A line feed, a NUL, blanks, or in full width. Numbers stay."""
+def test_a_formula_may_follow_characters_that_a_spreadsheet_drops(run: Run) -> None:
+    """These are a line feed, a NUL or blanks; a sign may be of full width. Numbers stay."""
     names = ["\n=1+1", "\nx", "\0=1", " =1+1", "  @x", "＝1+1", "＋x", "－x", "＠x"]
     kept = [" -5", "-5", "+1e3", "x=1", "", " x"]
     cells = [{"name": name, "radius": "1 um"} for name in [*names, *kept]]
@@ -488,9 +488,9 @@ HOSTILE = "\x1b[31m\x07\x08\x7f\x9b\u202e"
 
 
 @pytest.mark.parametrize("end", ["csv", "tsv", "ndjson"])
-def test_cells_move_no_cursor_of_a_terminal(end: str) -> None:
-    """A pipe and a file have their bytes."""
-    hostile = "\x7f\x9b\u202e" if end == "ndjson" else HOSTILE  # JSON has no others
+def test_cells_cannot_control_a_terminal(end: str) -> None:
+    """A pipe or a file gets the bytes unchanged."""
+    hostile = "\x7f\x9b\u202e" if end == "ndjson" else HOSTILE  # JSON may not contain the others
     text = "radius [nm]{0}name\n100{0}{1}\n" if end != "ndjson" else '{{"radius [nm]":100,"name":"{1}"}}\n'
     mark = "\t" if end == "tsv" else ","
     name = table(text.format(mark, f"a{hostile}\u00a0石"), f"grains.{end}")
@@ -503,7 +503,7 @@ def test_cells_move_no_cursor_of_a_terminal(end: str) -> None:
 
 
 @pytest.mark.parametrize("end", ENDS)
-def test_a_law_of_attraction_is_a_column(run: Run, end: str) -> None:
+def test_the_law_has_a_column(run: Run, end: str) -> None:
     rows: list[dict[str, Any]] = [
         {"radius [nm]": 100.0, "material": "quartz"},
         {"radius [nm]": 50.0, "material": "iron"},
@@ -545,7 +545,7 @@ def test_a_full_disk_is_an_error(jobs: str) -> None:
     assert os.listdir() == [name]
 
 
-def test_a_closed_pipe_ends_it() -> None:
+def test_a_closed_pipe_ends_the_run() -> None:
     name = table(random_table(300, 6))
     ran = subprocess.run(
         ["sh", "-c", f"({sys.executable} -m jkroll batch {name} --quiet --no-doubt; echo $? >&2) | head -1"],
@@ -556,7 +556,7 @@ def test_a_closed_pipe_ends_it() -> None:
     assert ran.stdout.startswith("material,radius [nm],")
 
 
-def test_one_liners_need_nothing_that_only_posix_has() -> None:
+def test_one_liners_need_no_module_of_posix() -> None:
     script = "import sys; sys.modules.update(dict.fromkeys(['fcntl', 'resource', 'termios', 'pwd', 'grp', 'pty']));"
     script += "import jkroll; from jkroll.cli.process import main; sys.exit(main(sys.argv[1:]))"
     for words in ("pull-off quartz 100nm --bare", "report quartz 1nm:1um:3 --csv", "materials quartz", "batch --help"):
@@ -613,7 +613,7 @@ def test_an_open_file_is_not_replaced(name: str) -> None:
 # --- The rows that decide how a table is read -------------------------------------------------------------------------
 
 
-def test_the_first_block_has_the_rows_that_decide_whatever_the_pieces() -> None:
+def test_the_first_block_has_the_rows_that_decide_for_any_pieces() -> None:
     from jkroll.tables.layouts import SAMPLE
 
     rows = [b"%d," % place + b"x" * 1000 + b"\n" for place in range(500)]
@@ -621,7 +621,7 @@ def test_the_first_block_has_the_rows_that_decide_whatever_the_pieces() -> None:
     assert first.count(b"\n") > SAMPLE
 
 
-# --- Columns that exclude each other, and quantities that a law does not have -----------------------------------------
+# --- Columns that exclude each other ----------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -632,7 +632,7 @@ def test_the_first_block_has_the_rows_that_decide_whatever_the_pieces() -> None:
         ("load [nN],approach [nm]", ["1,", ",0.1"], "stiffness"),
     ],
 )
-def test_the_place_of_a_column_decides_nothing(run: Run, columns: str, cells: list[str], quantity: str) -> None:
+def test_the_order_of_columns_changes_no_result(run: Run, columns: str, cells: list[str], quantity: str) -> None:
     found = []
     for step in (1, -1):
         lines = [",".join(line.split(",")[::step]) for line in (columns, *cells)]

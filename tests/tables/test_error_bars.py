@@ -20,12 +20,12 @@ LEFT_OUT = "surface_energy: the table has no columns for error bars, which are l
 
 
 def written(rows: list[dict[str, Any]], end: str = "csv") -> str:
-    """Write a table as grains.END."""
+    """Write a table as grains.END, and return its name."""
     return write_rows(rows, f"grains.{end}")
 
 
 def found(end: str = "csv") -> list[dict[str, Any]]:
-    """Return the rows of out.END, numbers as such and None where there is nothing."""
+    """Return the rows of out.END, with numbers as floats and None for empty cells."""
     return [{name: _read(cell) for name, cell in row.items()} for row in read_rows(f"out.{end}")]
 
 
@@ -53,7 +53,7 @@ def test_error_bars_in_any_form_and_format(run: Run, end: str) -> None:
 
 
 def test_a_table_without_error_bars_has_no_columns_for_them(run: Run) -> None:
-    """A row that has one says that it is left out; an option adds the columns."""
+    """A row that has an error bar reports that it is left out; an option adds the columns."""
     rows = [{"radius [nm]": "100", "gamma [mJ/m2]": "25"}] * 200 + [{"radius [nm]": "100", "gamma [mJ/m2]": "25±5"}]
     words = f"batch {written(rows)} -o out.csv --quantities pull_off_force"
     ran = run(words)
@@ -63,7 +63,7 @@ def test_a_table_without_error_bars_has_no_columns_for_them(run: Run) -> None:
     assert found()[-1]["status"] == "error bars left out"
     assert run(f"{words} --uncertainty").code == 0
     assert found()[-1]["pull_off_force_minus [N]"] == close(FORCE / 5)
-    assert run("batch grains.csv -o out.csv --quantities r_min").code == 0  # which it does not enter
+    assert run("batch grains.csv -o out.csv --quantities r_min").code == 0  # r_min does not depend on γ
 
 
 def test_the_error_bar_of_an_option_fills_rows(run: Run) -> None:
@@ -87,11 +87,11 @@ def test_uncertain_materials(run: Run) -> None:
     assert run(words).code == 0
     assert found()[0]["pull_off_force_minus [N]"] == close(FORCE * 69 / 25)
     assert found()[1]["pull_off_force_minus [N]"] is None
-    assert run("batch grains.csv -o out.csv --quantities contact_modulus").code == 0  # which rests on ranges alone
+    assert run("batch grains.csv -o out.csv --quantities contact_modulus").code == 0  # it follows from ranges only
     assert [*found()[0]][2:5] == ["contact_modulus [Pa]", "contact_modulus_low [Pa]", "contact_modulus_high [Pa]"]
 
 
-def test_an_end_without_a_value_is_said(run: Run) -> None:
+def test_a_result_without_a_value_at_an_end_is_reported(run: Run) -> None:
     rows = [{"radius [nm]": "100", "load [nN]": "-11±1"}, {"radius [nm]": "100", "load [nN]": "-5±1"}]
     ran = run("batch", written(rows), "-o", "out.csv", "--material", "quartz", "--quantities", "stiffness")
     assert ran.code == 0
@@ -119,7 +119,7 @@ def test_an_end_without_a_value_is_said(run: Run) -> None:
         ("gamma [mJ/m2],gamma_minus,gamma_plus", "25,5,5"),
     ],
 )
-def test_a_cell_with_a_unit_leaves_that_of_the_one_beside_it(run: Run, head: str, cells: str) -> None:
+def test_the_unit_of_a_cell_does_not_change_that_of_the_next_cell(run: Run, head: str, cells: str) -> None:
     Path("x.csv").write_text(f"radius [nm],{head}\n100,{cells}\n", encoding="utf-8")
     assert run("batch x.csv --quantities pull_off_force -o out.csv").code == 0
     (row,) = found()
@@ -135,7 +135,7 @@ def test_ends_with_units_and_equal_ends(run: Run) -> None:
     assert [row["pull_off_force [N]"] for row in found()] == [close(FORCE)] * 3
 
 
-def test_two_sides_of_which_one_has_a_unit_are_refused(run: Run) -> None:
+def test_a_unit_on_only_one_of_two_sides_is_refused(run: Run) -> None:
     Path("x.csv").write_text(
         "radius [nm],gamma [mJ/m2],gamma_minus,gamma_plus\n100,25,0.005 J/m2,6\n", encoding="utf-8"
     )
@@ -145,8 +145,8 @@ def test_two_sides_of_which_one_has_a_unit_are_refused(run: Run) -> None:
 
 @pytest.mark.parametrize("end", ["csv", "ndjson", "parquet"])
 @pytest.mark.parametrize("others", [{}, {"radius_err [nm]": "10"}])
-def test_a_row_whose_error_bar_lacks_a_side_has_none(run: Run, others: dict[str, str], end: str) -> None:
-    """The other side is not 0, and the error bars of other inputs would be those of the result."""
+def test_a_row_with_half_an_error_bar_has_none(run: Run, others: dict[str, str], end: str) -> None:
+    """The missing side is not 0. The error bars of other inputs alone would pass for that of the result."""
     bars = [("4", "6"), ("", "6"), ("4", " "), ("", ""), ("0", "6")]
     rows = [
         {"radius [nm]": "100", **others, "gamma [mJ/m2]": "25", "gamma_minus": minus, "gamma_plus": plus}
@@ -187,16 +187,16 @@ def test_an_error_bar_that_is_not_a_number_is_reported(run: Run, cells: str) -> 
         ("gamma_low [mJ/m2],gamma_high [mJ/m2]", "25, ", None),
     ],
 )
-def test_a_cell_of_blanks_beside_a_value_is_an_empty_one(run: Run, head: str, cells: str, force: float | None) -> None:
-    """The value stays, and no material's stands in for half of one."""
+def test_a_cell_of_blanks_is_empty(run: Run, head: str, cells: str, force: float | None) -> None:
+    """The value stays, and the material does not replace half a value."""
     Path("x.csv").write_text(f"radius [nm],{head}\n100,25,25\n100,{cells}\n", encoding="utf-8")
     run("batch x.csv --material iron --quantities pull_off_force -o out.csv")
     assert found()[1]["pull_off_force [N]"] == (force and close(force))
     assert found()[1]["status"] == (None if force else "bad surface_energy")
 
 
-def test_per_cent_in_a_header_holds_for_every_form_of_a_cell(run: Run) -> None:
-    """A padded cell, an error bar and a column of them are read by themselves."""
+def test_per_cent_in_a_header_holds_for_all_forms_of_cells(run: Run) -> None:
+    """Three ways of reading apply to a padded cell, a cell with an error bar, and a column of error bars."""
     cells = ["40", "40 ", "40±5", "40+-5", "(40±5)", "40(5)", "35 to 45", "40 %", "0.4 "]
     head = "material,radius [nm],filling_factor [%]"
     Path("x.csv").write_text("\n".join([head, *(f"quartz,100,{cell}" for cell in cells), ""]), encoding="utf-8")
@@ -210,8 +210,8 @@ def test_per_cent_in_a_header_holds_for_every_form_of_a_cell(run: Run) -> None:
     assert found()[0]["tensile_strength [Pa]"] == close(expected)
 
 
-def test_an_error_bar_that_a_hamaker_constant_outranks(run: Run) -> None:
-    """What follows from the surface energy itself has it."""
+def test_a_hamaker_constant_replaces_the_error_bar_of_the_surface_energy(run: Run) -> None:
+    """Only results that follow from the surface energy itself have its error bar."""
     ran = run("pull-off ice-warm 1um --hamaker 6.5e-20J --quantities surface_energy2,pull_off_force --quiet")
     assert [line.split()[0] for line in ran.out.splitlines()] == [
         "surface_energy2",
@@ -221,8 +221,8 @@ def test_an_error_bar_that_a_hamaker_constant_outranks(run: Run) -> None:
     ]
 
 
-def test_a_range_that_enters_no_error_bar_is_reported(run: Run) -> None:
-    """Of a material that has ± as well, as at the prompt."""
+def test_a_range_left_out_of_error_bars_is_reported(run: Run) -> None:
+    """The material also has a ± value. The prompt reports the same."""
     Path("own.toml").write_text(
         '[materials.own]\nsurface_energy = { value = "25±5 mJ/m2" }\n'
         'yield_displacement = { value = "1.8 to 2.6 nm", radius = "0.95 um" }\n',
@@ -235,8 +235,8 @@ def test_a_range_that_enters_no_error_bar_is_reported(run: Run) -> None:
     assert "error bars leave out ξ: ± and ranges" in run("yield-force own 950nm --materials own.toml").err
 
 
-def test_a_displacement_that_a_material_states_is_not_assumed(run: Run) -> None:
-    """Though none of the options gives it, and the first rows alone say which materials there are."""
+def test_the_displacement_of_a_material_is_not_assumed(run: Run) -> None:
+    """No option gives the material: only the first rows name it."""
     Path("own.toml").write_text(
         '[materials.own]\nsurface_energy = { value = "25 mJ/m2" }\n'
         'yield_displacement = { value = "2 nm", radius = "0.95 um" }\n',
@@ -248,8 +248,8 @@ def test_a_displacement_that_a_material_states_is_not_assumed(run: Run) -> None:
         assert ("ξ = 200 pm" in run(words).err) == is_assumed
 
 
-def test_a_list_has_columns_of_the_error_bars_of_its_rows_alone(run: Run) -> None:
-    """Beside the γ of warm ice, which is ±, the range of its E enters nothing. Mixed sources are refused at once."""
+def test_a_list_has_only_the_error_bar_columns_that_its_rows_need(run: Run) -> None:
+    """The γ of warm ice is ±, so the range of its E is left out. Mixed sources are refused before any row."""
     asked = ["--quantities", "contact_modulus,pull_off_force", "--csv"]
     head = run("report", "ice-warm", "100nm,1um", *asked).out.partition("\n")[0]
     assert "pull_off_force_minus [N],pull_off_force_plus [N]" in head

@@ -1,8 +1,6 @@
-"""Tables as instruments, simulation codes and lists of materials write them, found in public.
+"""Public tables as instruments, simulation codes and lists of materials write them.
 
-Each is read as it says, or it says what is to be done.
-
-found_tables.toml has them, and says how.
+Each is read as found_tables.toml says, or refused with the remedy that the record names.
 """
 
 import re
@@ -45,7 +43,7 @@ class Found(NamedTuple):
 
     @property
     def text(self) -> bytes:
-        """The table as it stands in its file."""
+        """The content of its file."""
         return self.table.replace("\n", "\r\n" if self.crlf else "\n").encode()
 
 
@@ -56,18 +54,19 @@ _OTHER = re.compile(r"write (--(?:delimiter|format) \w+)")
 
 
 def named(message: str) -> list[str]:
-    """Return what a message says to write."""
+    """Return the values of options that a message tells to write."""
     advice, _, passing = message.partition(", or --column")
     chosen = _COLUMN.findall(advice) or _COLUMN.findall(f"--column{passing}")
     return [shlex.split(value)[0] for value in chosen] + _OTHER.findall(message)
 
 
 def words(choice: str) -> list[str]:
+    """Return the words of a command that give a choice."""
     return choice.split() if choice.startswith("--") else ["--column", choice]
 
 
 def advised(run: Run, found: Found) -> Iterator[tuple[Ran, list[str]]]:
-    """Iterate over runs with what was written so far, each with what the message names next."""
+    """Iterate over runs, each with the choices of the earlier messages, and the choices that its message names."""
     written: Sequence[str] = ()
     while True:
         options = [word for choice in written for word in words(choice)]
@@ -101,17 +100,18 @@ def test_a_found_table_is_read_or_refused(run: Run, source: str, monkeypatch: py
 
 
 def of_cell(value: Any) -> Any:
+    """Return a value to compare with that of a cell."""
     return approx(value, rel=1e-12) if isinstance(value, float | list) else value
 
 
 def values(found: Found) -> dict[str, list[Any]]:
-    """Return what is read of each row that has a cell for each column, by the names of inputs."""
+    """Return the values that rows give each input, by its name."""
     chosen = found.written or found.named
     options = dict(choice.removeprefix("--").split() for choice in chosen if choice.startswith("--"))
     mark = DELIMITERS[options.get("delimiter", "comma")]
     lines = Delimited(mark)
     stated = stated_meanings(choice for choice in chosen if not choice.startswith("--"))
-    lines.begin(tabbed(found.text) if mark == " " else found.text, stated)
+    lines.read_header(tabbed(found.text) if mark == " " else found.text, stated)
     rows = lines.sample
     header = understood(lines.names, rows, lines.stated)
     materials = {column.name: [row[column.position] for row in rows] for column in header.materials}
@@ -119,7 +119,7 @@ def values(found: Found) -> dict[str, list[Any]]:
 
 
 def value(column: Column, row: Sequence[str]) -> Any:
-    """Return the value of an input in a row; an empty text if its cells have none."""
+    """Return the value of an input in a row; "" if its cells have none."""
     text = column.joined(*(row[place] for place in column.positions.values()))
     try:
         found = column.value(text) if text else ""
@@ -132,16 +132,16 @@ ASKED = Asked({"radius": "1um", "surface_energy": "25mJ/m2"}, known_materials(),
 
 
 def test_many_tables_are_read_at_once() -> None:
-    """And the others are refused with what is to be written, or for what they lack."""
+    """The other tables are refused for a column or for a missing input."""
     at_once = 0
     for found in TABLES.values():
         with suppress(BadTable):
             lines = Delimited(",")
-            lines.begin(found.text)
+            lines.read_header(found.text)
             header = understood(lines.names, lines.sample, given=ASKED.inputs, supply_of=ASKED.supply)
             check_inputs(header)
             at_once += 1
-    assert at_once >= 16  # three more have E or ρ without a unit and a material, whose number would replace them
+    assert at_once >= 16  # three more have a material, whose numbers would replace their E or ρ without a unit
     assert all(len(found.text) < 1000 for found in TABLES.values())
 
 
@@ -149,19 +149,19 @@ HEADERS = tomllib.loads(Path(__file__).with_name("found_headers.toml").read_text
 
 
 def refusal(table: str, columns: Sequence[str]) -> str:
-    """Return why a table is refused when `--column` says these columns; an empty text if it is not."""
+    """Return the reason why a table is refused with some values of `--column`; "" if it is read."""
     mark = "\t" if "\t" in table else ";" if ";" in table.splitlines()[0] else ","
     lines = Delimited(mark)
     try:
-        lines.begin(table.encode(), stated_meanings(columns))
+        lines.read_header(table.encode(), stated_meanings(columns))
         understood(lines.names, lines.sample, lines.stated)
     except BadTable as error:
         return str(error)
     return ""
 
 
-def test_few_tables_are_refused_for_a_column_that_is_no_input() -> None:
-    """Those that are inputs are said to be so, with their units, or to pass through."""
+def test_few_tables_are_refused_for_a_column_of_another_quantity() -> None:
+    """The columns of inputs are given with their units, or pass through."""
     why = {
         f"{each['repository']} {each['path']}": refusal(each["table"], [f"{text}=" for text in each["inputs"]])
         for each in HEADERS
@@ -173,4 +173,4 @@ def test_few_tables_are_refused_for_a_column_that_is_no_input() -> None:
             why[source] = refusal(found.table, columns)
     refused = {source: problem for source, problem in why.items() if problem}
     assert len(HEADERS) > 20
-    assert len(refused) <= 0.065 * len(why), refused  # one for the moduli of wood along three directions
+    assert len(refused) <= 0.065 * len(why), refused  # one has moduli of wood along three directions

@@ -1,4 +1,4 @@
-"""The headers of tables as people write them: each is read rightly, refused with a remedy, or passes and is named."""
+"""Headers of tables as people write them: each is read rightly, refused with a remedy, or passed and named."""
 
 import csv
 import re
@@ -20,7 +20,7 @@ from jkroll.tables.reading import reading_of
 from random_tables import read_rows, write_rows
 from relative import approx
 
-# Headers by the input that they mean and its unit in SI units, over a plain number as in files. R is next to R2.
+# Headers by the input that they mean and its unit in SI units. The cells are bare numbers. R needs a column of R2.
 _READ = r"""
 radius 1e-9: radius [nm] | Radius [nm] | R1 (nm) | R_1 [nm] | radius1 [nm] | R1_nm | radius in nm | radius, nm
 radius 1e-9: r1 [nm] | radius/nm | radius / (nm) | R (nm) | R_nm | rad_nm | radii [nm]
@@ -76,7 +76,7 @@ hamaker 1e-21: Hamaker constant A (zJ) | a_zj
 
 
 def meanings(line: str) -> dict[str, tuple[str, float]]:
-    """Return the headers of a line, with the input that they mean and its unit."""
+    """Return each header of a line, with the input that it means and the unit of the input."""
     meaning, _, texts = line.partition(": ")
     name, unit = meaning.split()
     return {text: (name, float(unit)) for text in texts.split(" | ")}
@@ -86,7 +86,7 @@ READ = {text: meaning for line in _READ.strip().splitlines() for text, meaning i
 READ |= dict.fromkeys((' "gamma [mJ/m2]"', "\u200fsurface energy [mJ∙m⁻²]\u200e"), ("surface_energy", 1e-3))
 _LACKING = "(first cell '100'): neither has a unit. Write --column"
 _FACTOR = "a sign or a factor is next to the word or its unit"
-# Programs that know no µ and no capitals have written m for µm, and m for M.
+# Programs without µ and capitals may have written m for µm, and m for M.
 LOSSY = ("radius__m_", "Load___N_", "hamakerZj", "load_MN", "speed__m_s_")
 REFUSED = {
     **{
@@ -128,10 +128,10 @@ REFUSED = {
     **dict.fromkeys(("radius [?m]", "LOAD [PN]", "Radius (Mm)", "load [-nN]", *LOSSY), "is not its unit. Write"),
     "asperity tip radius [nm]": "Write a column asperity_radius [UNIT] instead of",
     "rho_w [kg/m3]": "Write a column density [UNIT] or density2 [UNIT] instead of",
-    "loadpN": "'loadpN=load [UNIT]'",  # no N
-    # maxLoad (µN) and load P (N) among them
+    "loadpN": "'loadpN=load [UNIT]'",  # not in N
+    # These may be maxLoad (µN) or load P (N).
     **dict.fromkeys(("load_p_n", "Load.P..N.", "load_micro_N"), "=load [UNIT]'"),
-    # of another quantity, or of a spread
+    # These may be another quantity or a spread.
     "maxLoad___N_": "Write a column load [UNIT] instead of 'maxLoad___N_', or",
     "load_uncertanty [nN]": "Write a column load [UNIT] instead of 'load_uncertanty [nN]', or",
     **dict.fromkeys(("Hamaker.A.J.", "hamaker_a_j"), "=hamaker [UNIT]'"),
@@ -150,7 +150,7 @@ REFUSED = {
         for word in ("Equivalent radius", "harmonic mean radius", "combined radius")
     },
     "Reduced Young Modulus": "'Reduced Young Modulus=contact_modulus [UNIT]', or",
-    "gravity (g)": "the text after gravity is not its unit",  # g may be its symbol
+    "gravity (g)": "the text after gravity is not its unit",  # g may be the symbol
     "DMT modulus (MPa)": "it may be Young's modulus, or E* of the contact",
     **dict.fromkeys(("radius*1e9", "radius (×10⁻⁶ m)", "E [1e9 Pa]", "A (10^-20 J)", "density¹ [kg/m³]"), _FACTOR),
     "work_of_adhesion_mJ": "the text after work_of_adhesion is not its unit",
@@ -158,7 +158,7 @@ REFUSED = {
     "normal force [nN]": "it may be a load, or a force that was measured",
     "F_n [nN]": "--column 'F_n [nN]=load [nN]'",
     "hysteresis (mJ/m2)": "it may be another hysteresis",
-    "gamma [nm]": "the text after surface_energy is not its unit",  # no N/m
+    "gamma [nm]": "the text after surface_energy is not its unit",  # not in N/m
     "R_p [nm]": "--column 'R_p [nm]=radius [nm]'",
     "E_avg (GPa)": "=youngs_modulus [UNIT]' or --column 'E_avg (GPa)=youngs_modulus2 [UNIT]'",
     **dict.fromkeys(("rho_p [kg/m3]", "ρs (g/cm³)"), "it may be density"),
@@ -191,7 +191,7 @@ def test_a_spelling_is_read() -> None:
         assert (column.name, column.value("0.5")) == (name, approx(0.5 * unit, rel=1e-15)), text
 
 
-def test_a_spelling_whose_utf_8_was_mistaken_is_read() -> None:
+def test_a_spelling_in_misread_utf_8_is_read() -> None:
     mistaken = {text.encode().decode("latin-1"): text for text in READ if not text.isascii()}
     mistaken |= {"Î³ (mJ/mÂ²)": "γ1 (mJ/m²)", "Râ‚‚ (nm)": "R₂ [nm]", "Î¾ (Ã…)": "ξ (Å)", "Poissonâ€™s ratio": "ν"}
     for text, meant in mistaken.items():
@@ -205,10 +205,10 @@ def test_a_spelling_is_refused_with_a_remedy(run: Run, text: str) -> None:
     ran = run("batch", "x.csv", "--material", "quartz", "-o", "out.csv")
     assert (ran.code, REFUSED[text] in ran.err) == (2, True), ran.err
     for advice in re.findall(r"--column (?:'[^']*'|\"[^\"]*\")", ran.err):
-        typed = shlex.split(advice.replace("UNIT", "m").replace("\\$", "$"))  # which shlex leaves
+        typed = shlex.split(advice.replace("UNIT", "m").replace("\\$", "$"))  # shlex keeps the \ before $
         assert "the table has no column" not in run("batch", "x.csv", "--material", "quartz", *typed).err
     if REFUSED[text] == _FACTOR:
-        assert ran.err.count("--column") == 1  # which passes it through: no other line is certainly right
+        assert ran.err.count("--column") == 1  # to pass it through: no other advice would be certain
 
 
 @pytest.mark.parametrize("text", PASSING)
@@ -226,14 +226,14 @@ def test_a_quiet_call_names_no_column(run: Run) -> None:
     assert run("batch x.csv --material quartz --quantities pull_off_force_dmt -o out.csv --quiet").err == ""
 
 
-def test_a_symbol_without_a_unit_is_an_input_where_its_cells_have_units() -> None:
+def test_a_symbol_without_a_unit_is_an_input_if_its_cells_have_units() -> None:
     assert understood(["R", "v"], [["", "2 nm"], ["100 nm", "1"]], given=["radius2"]).names == {"radius"}
     assert understood(["R2"], [["flat"], ["1 um"]]).names == {"radius2"}
     assert not understood(["R"], [["2.5 kOhm"]]).names
 
 
 def test_a_prime_is_part_of_a_symbol_and_quotes_are_not() -> None:
-    """E' is the plane-strain or the storage modulus, E'' the loss modulus."""
+    """E' is the plane-strain or the storage modulus, and E'' the loss modulus."""
     for text in ("E'", "E''", "E′"):
         assert not understood([text], [["3 GPa"]]).names
     for text in ("'E'", '"E"', "'E [GPa]'"):
@@ -244,8 +244,8 @@ _OF_2 = "D2 [um] | radius [nm].1"
 
 
 @pytest.mark.parametrize("other", [*_OF_2.split(" | "), "E_sample [GPa]", "surface gamma (J/m2)", "γ12 [mJ/m2]"])
-def test_what_may_be_of_sphere_2_or_of_the_pair_is_refused_beside_what_is_of_sphere_1(other: str) -> None:
-    """If it passed through, the spheres would be taken for equal."""
+def test_a_column_that_may_be_of_sphere_2_or_the_pair_is_refused(other: str) -> None:
+    """If it passed through, sphere 2 would get the values of sphere 1."""
     with pytest.raises(BadTable, match=re.escape(f"'{other}': ")):
         understood(["radius_um", "E [GPa]", "gamma_mJ_m2", other])
 
@@ -259,7 +259,7 @@ def test_moduli_along_directions_are_not_those_of_two_spheres(other: str) -> Non
 
 
 @pytest.mark.parametrize("parts", [("radius", "radius_err"), ("radius", "radius_minus", "radius_plus")])
-def test_the_advice_for_values_without_a_unit_reads_their_uncertainty_too(parts: tuple[str, ...]) -> None:
+def test_advice_for_values_without_a_unit_includes_their_uncertainty(parts: tuple[str, ...]) -> None:
     with pytest.raises(BadTable, match=r"Write --column 'radius=radius \[UNIT\]', or --column 'radius='"):
         understood(parts, [["100", "5", "6"][: len(parts)]])
     (column,) = understood(parts, [["100", "5", "6"][: len(parts)]], stated_meanings(["radius=radius [nm]"])).inputs
@@ -268,8 +268,8 @@ def test_the_advice_for_values_without_a_unit_reads_their_uncertainty_too(parts:
 
 @pytest.mark.parametrize("nothing", ["", "NaN", "NA", "n/a", "--"])
 @pytest.mark.parametrize("text", ["gama [mJ/m2]", "gamma", "D [nm]"])
-def test_a_cell_without_a_value_says_nothing_of_its_header(text: str, nothing: str) -> None:
-    """The next cell does: where the column passed through, another number would stand in."""
+def test_a_cell_without_a_value_does_not_hide_its_header(text: str, nothing: str) -> None:
+    """The next cell counts. If the column passed through, another number would replace its values."""
     with pytest.raises(BadTable, match=r"first cell '25'"):
         understood([text], [[nothing], ["25"]])
 
@@ -281,11 +281,11 @@ UNITS_TO_WRITE = "--column 'Radius=radius [nm]' --column 'Surface energy=surface
 @pytest.mark.parametrize(
     ("text", "words", "said"),
     [
-        # as a spreadsheet writes it
+        # A spreadsheet writes the separator.
         ("sep=;\nradius [nm];load [nN]\n100;1\n", "x.csv", "write --delimiter semicolon"),
         ("PK", "x.xlsx", "'x.xlsx': its name has no known extension; save it as CSV"),
         ('name radius_nm\n"a b 1\n', "x.txt --delimiter blank", """line 2: a quote is not closed in '"a b 1'"""),
-        # all mistakes together
+        # All mistakes are reported together.
         (MISTAKEN, "x.csv", "--column 'Surface energy mJ=surface_energy [UNIT]'"),
         (MISTAKEN, "x.csv", "--column 'Young modulus GP=youngs_modulus [UNIT]'"),
         ("Radius,Surface energy,n\nnm,mJ/m2,1\n100,25,2\n", "x.csv", f"Delete it, and write {UNITS_TO_WRITE}"),
@@ -300,7 +300,7 @@ def test_a_table_is_refused_with_what_to_write(run: Run, text: str, words: str, 
 
 
 @pytest.mark.parametrize(("name", "mark"), [("semicolon", ";"), ("comma", ",")])
-def test_a_line_that_tells_a_spreadsheet_the_separator_is_passed_over(run: Run, name: str, mark: str) -> None:
+def test_a_line_with_the_separator_for_a_spreadsheet_is_skipped(run: Run, name: str, mark: str) -> None:
     Path("x.csv").write_text("sep=;\nradius [nm];load [nN]\n100;1\n".replace(";", mark), encoding="utf-8")
     ran = run(f"batch x.csv --delimiter {name} --material quartz --quantities pull_off_force --no-doubt -o out.csv")
     assert (ran.code, "lines skipped before the header: 1" in ran.err) == (0, True)
@@ -312,7 +312,7 @@ def test_a_line_that_tells_a_spreadsheet_the_separator_is_passed_over(run: Run, 
 
 
 @pytest.mark.parametrize("end", ["csv", "ndjson", "parquet"])
-def test_a_chosen_column_outranks_what_its_header_says(run: Run, end: str) -> None:
+def test_a_chosen_meaning_outranks_the_header(run: Run, end: str) -> None:
     row = {"tip (µm)": 2.0, "R1 (nm)": 100.0, "E": 70.0, "radius [nm]": 3.0}
     chosen = ("tip (µm)=radius2 [um]", "R1 (nm)=radius [nm]", "radius [nm]=", "E=young [GPa]")
     columns = [word for choice in chosen for word in ("--column", choice)]
@@ -327,7 +327,7 @@ def test_a_chosen_column_outranks_what_its_header_says(run: Run, end: str) -> No
     assert (ran.code, float(written["contact_radius [m]"])) == (0, approx(float(wanted), rel=1e-12))
 
 
-def test_many_files_take_chosen_columns_and_resume(run: Run) -> None:
+def test_columns_may_be_chosen_for_many_files_and_resumed(run: Run) -> None:
     Path("in").mkdir()
     for name in "ab":
         Path(f"in/{name}.csv").write_text("size,material\n100,quartz\n", encoding="utf-8")
@@ -351,18 +351,18 @@ def test_a_bad_choice_is_refused(column: str, problem: str) -> None:
         stated_meanings([column])
 
 
-def test_a_choice_is_for_a_column_of_the_table_and_its_unit_must_fit() -> None:
+def test_a_choice_needs_a_column_of_the_table_and_a_unit_that_fits() -> None:
     with pytest.raises(BadTable, match="no column 'radius'; it has Radius"):
         understood(["Radius"], [], stated_meanings(["radius=radius [nm]"]))
     with pytest.raises(BadRequest, match="is not its unit"):
         understood(["size"], [], stated_meanings(["size=radius [kg]"]))
-    with pytest.raises(BadTable, match="Write --column 'A 1e-20 J=hamaker "):  # and no other unit is guessed
+    with pytest.raises(BadTable, match="Write --column 'A 1e-20 J=hamaker "):  # no other unit is guessed
         understood(["A 1e-20 J"], [["6.5"]], stated_meanings(["A 1e-20 J=hamaker"]))
     with pytest.raises(BadRequest, match="more than once"):
         stated_meanings(["size=radius [nm]", "size="])
 
 
-def test_a_symbol_in_a_later_object_is_a_surprise_only_with_a_unit(run: Run) -> None:
+def test_a_symbol_in_a_later_object_is_refused_only_with_a_unit(run: Run) -> None:
     lines = ['{"radius [nm]": 100}', '{"radius [nm]": 100, "E": 3}', '{"radius [nm]": 100, "E": "3 GPa"}']
     Path("x.ndjson").write_text("\n".join(lines), encoding="utf-8")
     run("batch x.ndjson --material quartz --quantities pull_off_force -o out.ndjson")
@@ -371,10 +371,7 @@ def test_a_symbol_in_a_later_object_is_a_surprise_only_with_a_unit(run: Run) -> 
 
 
 def test_plain_headers_need_no_unit_of_pint() -> None:
-    """Neither as they are nor taken for others while their separator is looked for.
-
-    To load pint takes as long as many rows.
-    """
+    """Nor does the search for their separator. Pint takes as long to load as many rows to convert."""
     with patch("jkroll.quantities.units._registry", side_effect=AssertionError):
         reading_of.cache_clear()
         understood(["id", "radius [m]", "surface_energy [J/m^2]", "sample_id", "poisson_ratio"])
@@ -383,7 +380,7 @@ def test_plain_headers_need_no_unit_of_pint() -> None:
 
 # --- Uncertainties ----------------------------------------------------------------------------------------------------
 
-# The columns of a value with its uncertainty, and the cell that says the same.
+# The columns of a value with its uncertainty, and an equivalent cell.
 PARTS = {
     ("gamma [mJ/m2]=25", "gamma_err [mJ/m2]=5"): "25±5 mJ/m2",
     ("gamma_mJ_m2=25", "gamma_mJ_m2_std=5"): "25±5 mJ/m2",
@@ -423,17 +420,17 @@ PARTS = {
 }
 
 
-def test_a_column_of_plus_or_minus_is_of_the_input_at_its_left() -> None:
+def test_a_column_of_plus_or_minus_belongs_to_the_input_on_its_left() -> None:
     header = understood(["label", "±", "R1 [nm]", "note", "gamma [mJ/m2]", "+/-"])
     assert header.positions == {"radius": 2, "surface_energy": 4, "surface_energy_both": 5}
     coded = understood(["gamma [mJ/m2]", "error"], [["25", "E07"]])
     assert not coded.inputs[0].sides
 
 
-def test_the_word_of_what_was_measured_is_that_of_no_other_column() -> None:
+def test_the_name_of_the_measured_quantity_matches_no_other_column() -> None:
     header = understood(["R1 [um]", "F [old]", "x (y)"], [], {"F [old]": "pull_off_force [nN]"}, (), "pull_off_force")
     assert {column.name: column.position for column in header.inputs} == {"radius": 0, "pull_off_force": 1}
-    no_word = "sticking_speed_paszun_dominik"  # its symbol, v_stick(1.07), is none
+    no_word = "sticking_speed_paszun_dominik"  # its symbol, v_stick(1.07), is not a word
     assert understood(["R1 [um]", "x (y)"], [], {}, (), no_word).names == {"radius"}
 
 
@@ -444,7 +441,7 @@ def test_the_word_of_what_was_measured_is_that_of_no_other_column() -> None:
         *((columns, ending) for ending in ("ndjson", "parquet") for columns in [*PARTS][::7]),
     ],
 )
-def test_columns_of_an_uncertainty_say_what_a_cell_does(run: Run, columns: tuple[str, ...], ending: str) -> None:
+def test_columns_of_an_uncertainty_equal_a_cell_with_it(run: Run, columns: tuple[str, ...], ending: str) -> None:
     texts = dict(column.rsplit("=", 1) for column in columns)
     results = []
     for cells in (texts, {"gamma": PARTS[columns]}):
@@ -465,13 +462,13 @@ def test_columns_of_an_uncertainty_say_what_a_cell_does(run: Run, columns: tuple
         ("nu_min,nu_max [-]", ("0.1", "0.3"), Interval(0.2, 0.1, 0.3)),
     ],
 )
-def test_the_unit_of_a_ratio_is_none(header: str, cells: tuple[str, str], value: Any) -> None:
+def test_a_ratio_has_no_unit(header: str, cells: tuple[str, str], value: Any) -> None:
     (column,) = understood(header.split(",")).inputs
     assert column.value(column.joined(*cells)) == value
 
 
 def converted(run: Run, rows: list[dict[str, str]], ending: str) -> list[str]:
-    """Return the columns that a table gets, as texts."""
+    """Return the columns of a converted table as texts."""
     out = f"out.{ending}"
     ran = run("batch", write_rows(rows, f"x.{ending}"), "--quantities", "pull_off_force", "-o", out)
     assert ran.code == 1, ran.err  # the second row has no value
@@ -482,14 +479,14 @@ def converted(run: Run, rows: list[dict[str, str]], ending: str) -> list[str]:
 @pytest.mark.parametrize(
     "other", ["gamma_err [mJ/m2]", "load_minus [nN]", "gamma_cv [%]", "U(γ) [mJ/m2]", "E_std [GPa]"]
 )
-def test_an_uncertainty_of_what_is_not_read_passes_or_is_refused(other: str) -> None:
+def test_an_uncertainty_without_its_value_passes_or_is_refused(other: str) -> None:
     try:
         assert understood(["radius [nm]", other]).reading() == f"read: radius [nm]; passed through: {other}"
     except BadTable as error:
         assert "surface_energy" in str(error)
 
 
-def test_an_uncertainty_says_where_it_is_read_from() -> None:
+def test_the_reading_names_the_columns_of_an_uncertainty() -> None:
     said = understood(
         ["R1 (nm)", "R_err (nm)", "E_min [GPa]", "E_max [GPa]", "P [nN]", "P_plus [nN]", "P_minus [nN]"]
     ).reading()
@@ -498,7 +495,7 @@ def test_an_uncertainty_says_where_it_is_read_from() -> None:
     assert "load [nN] from P [nN] − P_minus [nN] + P_plus [nN]" in said
 
 
-# What may be an uncertainty of γ or says more of it, and is not read: the result's ± would be without it.
+# Unread columns that may be an uncertainty of γ, or qualify it: if one passed, the result would lack that uncertainty.
 _UNREAD = """
 gamma_err_low | gamma_err_high [mJ/m2] | gamma_var | gamma_variance | gamma_cv | gamma_ci | gamma 95% CI | gamma_95ci |
 gamma_sigma | gamma_iqr | gamma_q1 | gamma_mad [mJ/m2] | gamma_rel_err | relative error of gamma |
@@ -514,7 +511,7 @@ stderr(γ), mJ/m2 | deviation of gamma | errors_gamma | range of gamma | accurac
 
 
 @pytest.mark.parametrize("other", " ".join(_UNREAD.split()).split(" | "))
-def test_what_says_more_of_an_input_that_is_read_does_not_pass_unread(other: str) -> None:
+def test_a_column_that_qualifies_a_read_input_does_not_pass_unread(other: str) -> None:
     for heads in (["radius [nm]", "gamma [mJ/m2]", other], ["gamma [mJ/m2]", other, "radius [nm]", "radius_err"]):
         with pytest.raises(BadTable, match=re.escape(f"--column '{other}=' to pass it through")):
             understood(heads, [["25"] * len(heads)])
@@ -542,7 +539,7 @@ def test_a_second_uncertainty_does_not_pass_unread(heads: list[str], other: str)
         understood([*heads, other], [], stated)
 
 
-def test_an_uncertainty_of_a_symbol_is_of_the_input_that_is_read() -> None:
+def test_the_uncertainty_of_a_symbol_belongs_to_the_input_with_a_column() -> None:
     (column,) = understood(["E [J]", "E_err"]).inputs
     assert (column.name, column.sides) == ("energy", (("both", 1),))
 
@@ -562,7 +559,7 @@ def test_a_coverage_factor_is_asked_for_and_read() -> None:
         understood(["gamma [mJ/m2]", "gamma_minus (k=2)", "gamma_plus"])
 
 
-def test_a_relative_error_in_per_cent_of_what_is_in_per_cent_is_refused() -> None:
+def test_a_relative_error_of_a_percentage_in_per_cent_is_refused() -> None:
     """It may be 5 % of 40 %, or 40 ± 5 %."""
     for other in ("filling_factor_rsd [%]", "relative error (%)", "CV of filling_factor [%]"):
         with pytest.raises(BadTable, match=re.escape(f"--column '{other}='")):
@@ -572,7 +569,7 @@ def test_a_relative_error_in_per_cent_of_what_is_in_per_cent_is_refused() -> Non
 
 
 def test_per_cent_is_no_unit_of_a_length() -> None:
-    """A range in % is none of a radius; of a ratio it is one."""
+    """A range in % is not one of a radius, but it is one of a ratio."""
     for given in ([], ["radius"]):
         with pytest.raises(BadTable, match=re.escape("'radius_min [%]' and 'radius_max [%]': ")):
             understood(["radius_min [%]", "radius_max [%]", "gamma [mJ/m2]"], given=given)
@@ -580,7 +577,7 @@ def test_per_cent_is_no_unit_of_a_length() -> None:
     assert column.value(column.joined("10", "20")) == Interval(0.15, 0.1, 0.2)
 
 
-def test_two_columns_of_one_name_pass_and_two_of_one_input_do_not() -> None:
+def test_two_columns_of_a_name_may_pass_but_two_of_an_input_may_not() -> None:
     assert understood(["a", "radius [nm]", "a"]).reading() == "read: radius [nm]; passed through: a"
     with pytest.raises(
         BadTable, match=re.escape("mean the same. Write --column 'R1 (um)=' or --column 'radius [nm]=' to")
@@ -590,7 +587,7 @@ def test_two_columns_of_one_name_pass_and_two_of_one_input_do_not() -> None:
         understood(["radius [nm]", "radius [nm]"])
 
 
-def test_an_uncertainty_in_another_unit_or_of_nothing_is_refused() -> None:
+def test_an_uncertainty_in_another_unit_or_without_a_value_is_refused() -> None:
     with pytest.raises(BadTable, match=r"'P \[nN\]', 'P_minus \[uN\]' and 'P_plus \[nN\]' must have the same unit"):
         understood(["P [nN]", "P_plus [nN]", "P_minus [uN]"])
     with pytest.raises(BadRequest, match="is not its unit"):
@@ -604,8 +601,8 @@ def test_an_uncertainty_in_another_unit_or_of_nothing_is_refused() -> None:
 # --- Materials --------------------------------------------------------------------------------------------------------
 
 
-def test_a_name_that_is_no_material_is_a_label_where_the_row_has_all(run: Run) -> None:
-    """No other material stands in for it: neither that of an option, nor, for sphere 2, that of sphere 1."""
+def test_an_unknown_material_is_a_label_if_the_row_has_all_inputs(run: Run) -> None:
+    """No other material replaces it: neither that of an option nor, for sphere 2, that of sphere 1."""
     lines = [
         "Material,E_GPa,nu,R1 (um),gamma [mJ/m2]",
         "AISI 1020,200,0.29,1,50",
@@ -631,7 +628,7 @@ def test_a_name_that_is_no_material_is_a_label_where_the_row_has_all(run: Run) -
     assert "no material 'PTFE'" in ran.err
 
 
-def test_a_column_of_labels_asks_for_what_the_others_allow(run: Run) -> None:
+def test_a_table_with_labels_has_the_quantities_of_its_other_columns(run: Run) -> None:
     Path("x.csv").write_text("material,R1 (um),gamma [mJ/m2]\nA,1,25\nB,2,25\n", encoding="utf-8")
     assert run("batch x.csv -o out.csv").code == 0
     head, first, _ = Path("out.csv").read_text(encoding="utf-8").splitlines()
@@ -656,7 +653,7 @@ DIVIDED = [
     ("word", "mark", "ending", "point"),
     [(*one, point) for one in DIVIDED for point in ".," if (one[0], point) != ("comma", ",")],
 )
-def test_columns_are_divided_by_what_is_said(run: Run, word: str, mark: str, ending: str, point: str) -> None:
+def test_the_delimiter_option_divides_columns(run: Run, word: str, mark: str, ending: str, point: str) -> None:
     head, *rows = PLAIN
     if word == "blank":
         head = "name,R1_um,gamma_mJ_m2,E_GPa,nu"
@@ -674,8 +671,8 @@ def test_columns_are_divided_by_what_is_said(run: Run, word: str, mark: str, end
     assert point in found[0][5]
 
 
-def test_a_mark_stands_before_the_header_alone(run: Run) -> None:
-    """A line below it that begins with # is no row."""
+def test_a_row_with_the_mark_of_a_comment_fails(run: Run) -> None:
+    """Only lines above the header, and the header itself, may have the mark."""
     Path("x.txt").write_text("# R1_nm name\n#100 a\n200 b\n", encoding="utf-8")
     assert run("batch x.txt --delimiter blank --material quartz -o out.tsv --quantities pull_off_force").code == 1
     _, marked, row = Path("out.tsv").read_text(encoding="utf-8").splitlines()
@@ -683,8 +680,8 @@ def test_a_mark_stands_before_the_header_alone(run: Run) -> None:
     assert row.startswith("200\tb\t2.35")
 
 
-def test_commas_are_those_of_columns_of_numbers(run: Run) -> None:
-    """A label is none of them, an error bar is, and a spreadsheet takes a negative number for what it is."""
+def test_decimal_commas_are_those_of_columns_of_numbers(run: Run) -> None:
+    """Labels do not decide, but error bars do. A negative number is not a formula."""
     Path("labels.tsv").write_text("label\tradius [nm]\tgamma [mJ/m2]\n0,5\t100.5\t25\nB\t200\t25\n", encoding="utf-8")
     assert run("batch labels.tsv --quantities pull_off_force -o out.tsv --no-doubt").code == 0
     _, *rows = Path("out.tsv").read_text(encoding="utf-8").splitlines()
@@ -705,21 +702,21 @@ def test_commas_are_those_of_columns_of_numbers(run: Run) -> None:
 @pytest.mark.parametrize(
     ("rows", "forces"),
     [
-        # read as decimal points, with a mark of thousands in a cell that fails; in units of πw·1 nm
+        # Forces in units of πw·1 nm. Points are decimal points, and a cell with a mark of thousands fails.
         (["1,200\t25.5", "800\t25.5"], ["", "800"]),
         (["800\t25\t12,31", "900\t25\t14,7"], ["800", "900"]),
         (["800\t25\t1,200", "900\t25\t12,345"], ["800", "900"]),
         (["1.200\t25", "1.300\t25"], ["1.2", "1.3"]),
         (["800\t25\t1.234,5", "1.20\t25\t3"], ["800", "1.2"]),
         (["1,234,567\t25", "800\t25"], ["", "800"]),
-        # as decimal commas, with one of thousands that fails
+        # Commas are decimal commas, and a cell with a mark of thousands fails.
         (["850,5\t25", "1.200\t25"], ["850,5", ""]),
         (["0,125\t25", "1,200\t25"], ["0,125", "1,2"]),
         (["1,234E2\t25", "2,345E2\t25"], ["123,4", "234,5"]),
     ],
 )
 def test_marks_of_thousands_are_no_decimal_marks(run: Run, rows: list[str], forces: list[str]) -> None:
-    """And what passes through decides on nothing where what is read has no marks."""
+    """A column that passes through does not decide if the columns read have no marks."""
     width = 1 + rows[0].count("\t")
     lines = ["\t".join(["R1 (nm)", "gamma (mJ/m2)", "n"][:width]), *rows, ""]
     Path("x.tsv").write_text("\n".join(lines), encoding="utf-8")
@@ -737,7 +734,7 @@ def test_marks_of_thousands_are_no_decimal_marks(run: Run, rows: list[str], forc
 
 
 @pytest.mark.parametrize("label", ["1234,5", "1,200", "1.5"])
-def test_marks_in_a_column_that_is_not_read_decide_nothing(run: Run, label: str) -> None:
+def test_marks_in_an_unread_column_do_not_decide(run: Run, label: str) -> None:
     Path("x.csv").write_text(f"R1 (nm);gamma (mJ/m2);n\n100;25;{label}\n", encoding="utf-8")
     words = "batch x.csv -o out.csv --delimiter semicolon --quantities pull_off_force --no-doubt"
     assert run(words).code == 0
@@ -748,8 +745,8 @@ def test_marks_in_a_column_that_is_not_read_decide_nothing(run: Run, label: str)
 
 
 @pytest.mark.parametrize(("word", "mark", "end"), [("semicolon", ";", "csv"), ("tab", "\t", "tsv")])
-def test_a_point_behind_the_first_rows_may_be_one_of_thousands(run: Run, word: str, mark: str, end: str) -> None:
-    """Radii from 800 to 999 nm, then 1.000, and decimal commas in a column that passes through."""
+def test_a_point_below_the_first_rows_may_separate_thousands(run: Run, word: str, mark: str, end: str) -> None:
+    """Radii rise from 800 to 999 nm, then to 1.000. A column that passes through has decimal commas."""
     rows = [f"{800 + place};25;0,5" for place in range(200)] + ["1.000;25;0,5", "1.000 nm;25;0,5", "1000.5;25;0,5"]
     text = "\n".join(["R1 (nm);gamma (mJ/m2);n", *rows, ""]).replace(";", mark)
     Path("x.tsv").write_text(text, encoding="utf-8")
@@ -767,7 +764,7 @@ def test_a_point_behind_the_first_rows_may_be_one_of_thousands(run: Run, word: s
 @pytest.mark.parametrize("header", ["radius / Å", "radius / Å,à", "à,radius / Å", "radius / Å,x\xa0"])
 @pytest.mark.parametrize("end", ["\n", "\r\n"])
 def test_a_header_may_end_in_any_letter(run: Run, header: str, end: str) -> None:
-    """Of Å, à and a blank, UTF-8 has the bytes 85 and A0, which are blanks elsewhere."""
+    """In UTF-8, Å, à and a hard blank end in the bytes 85 or A0, which are blanks in other encodings."""
     cells = ",".join("1000" for _ in header.split(","))
     Path("x.csv").write_text(f"{header}{end}{cells}{end}", encoding="utf-8", newline="")
     assert run("batch x.csv -o out.csv --gamma 25mJ/m2 --quantities pull_off_force --no-doubt").code == 0
@@ -775,8 +772,8 @@ def test_a_header_may_end_in_any_letter(run: Run, header: str, end: str) -> None
     assert lines[1].split(",")[-2] == "1.1780972450961723e-8"
 
 
-def test_commas_in_a_column_that_is_not_read_decide_nothing_between_tabs(run: Run) -> None:
-    """They may stand in lists; behind the first rows, a number that is read keeps its point."""
+def test_commas_in_an_unread_column_between_tabs_do_not_decide(run: Run) -> None:
+    """They may be those of a list. A number below the first rows keeps its point."""
     rows = ["R1 (nm)\tgamma (mJ/m2)\tplace", *["100\t25\t1,5"] * 200, "100.5\t25\t2,5", ""]
     Path("x.tsv").write_text("\n".join(rows), encoding="utf-8")
     assert run("batch x.tsv -o out.tsv --quantities pull_off_force --no-doubt").code == 0
@@ -784,7 +781,7 @@ def test_commas_in_a_column_that_is_not_read_decide_nothing_between_tabs(run: Ru
 
 
 @pytest.mark.parametrize("words", ["", "--infer gamma --measured pull_off_force --radius2 plane"])
-def test_where_a_comma_may_be_of_thousands_the_table_is_refused(run: Run, words: str) -> None:
+def test_a_table_whose_commas_may_separate_thousands_is_refused(run: Run, words: str) -> None:
     other = "P_c (nN)" if words else "gamma (mJ/m2)"
     Path("x.tsv").write_text(f"R1 (nm)\t{other}\n800\t1,200\n900\t12,500\n", encoding="utf-8")
     message = "jkroll: '1,200' may be 1.200 or 1200: write 1,2000 or 1200\n"
@@ -795,7 +792,7 @@ def test_where_a_comma_may_be_of_thousands_the_table_is_refused(run: Run, words:
 
 @pytest.mark.parametrize("quote", ["", '"'])
 def test_a_point_among_decimal_commas_is_refused(run: Run, quote: str) -> None:
-    """It may be one of thousands."""
+    """It may separate thousands."""
     cells = ["2,5;1200,5", "2,5;1.200", "2.5;1200", "2,5;1.200,5", "2,5;1200"]
     rows = [f"{quote}{row}{quote}".replace(";", f"{quote};{quote}") for row in cells]
     Path("x.csv").write_text("\n".join(["radius [um];gamma [mJ/m2]", *rows, ""]), encoding="utf-8")
@@ -815,7 +812,7 @@ def test_a_point_among_decimal_commas_is_refused(run: Run, quote: str) -> None:
         ("radius [nm]|gamma [mJ/m2]\n1|2\n", "--delimiter bar"),
     ],
 )
-def test_what_divides_columns_is_named_where_it_is_not_the_comma(run: Run, text: str, remedy: str) -> None:
+def test_a_separator_other_than_the_comma_is_named(run: Run, text: str, remedy: str) -> None:
     Path("x.csv").write_text(text, encoding="utf-8")
     ran = run("batch x.csv -o out.csv")
     assert (ran.code, remedy in ran.err) == (2, True), ran.err
@@ -823,7 +820,7 @@ def test_what_divides_columns_is_named_where_it_is_not_the_comma(run: Run, text:
     assert run(f"batch x.csv {remedy} --quantities pull_off_force -o {out}").code == 0
 
 
-def test_a_quantity_that_some_cells_show_is_given_for_all_rows(run: Run) -> None:
+def test_a_quantity_that_some_rows_show_is_shown_in_all_rows(run: Run) -> None:
     Path("x.csv").write_text("material,radius [nm],load [nN]\nquartz,100,\nquartz,100,0\n", encoding="utf-8")
     assert run("batch x.csv -o out.csv").code == 0
     with Path("out.csv").open(encoding="utf-8") as file:
@@ -847,7 +844,7 @@ def test_a_quantity_that_some_cells_show_is_given_for_all_rows(run: Run) -> None
         ("--materials own.toml --material own --quantities yield_force", "assumed: no load (--load)"),
     ],
 )
-def test_what_a_table_assumes_is_said_of_one_and_of_many(run: Run, words: str, said: str) -> None:
+def test_assumptions_are_reported_for_one_table_and_for_many(run: Run, words: str, said: str) -> None:
     own = '[materials.own]\nsurface_energy = "25 mJ/m2"\nyield_displacement = { value = "2 nm", radius = "1 um" }\n'
     Path("own.toml").write_text(own, encoding="utf-8")
     Path("in").mkdir()
@@ -858,7 +855,7 @@ def test_what_a_table_assumes_is_said_of_one_and_of_many(run: Run, words: str, s
         assert [line for line in lines if "assumed" in line] == ([said] if said else [])
 
 
-def test_an_option_for_one_sphere_stands_beside_a_column_for_the_other(run: Run) -> None:
+def test_an_option_for_a_sphere_goes_with_a_column_for_the_other(run: Run) -> None:
     Path("a.csv").write_text("R1 (um),gamma2 (mJ/m2)\n1,30\n", encoding="utf-8")
     ran = run("batch a.csv -o out.csv --gamma 25mJ/m2 --quantities pull_off_force")
     assert (ran.code, "assumed: w = " in ran.err) == (0, True), ran.err
@@ -875,21 +872,21 @@ def test_an_option_for_one_sphere_stands_beside_a_column_for_the_other(run: Run)
         ("R1 (nm),SEM,gamma (mJ/m2)\n100,5,25\n", "± SEM"),
     ],
 )
-def test_what_is_said_of_a_header(run: Run, text: str, said: str) -> None:
+def test_the_reading_of_a_header_is_reported(run: Run, text: str, said: str) -> None:
     Path("x.csv").write_text(text, encoding="utf-8")
     assert said in run("batch x.csv -o out.csv --quantities pull_off_force").err.replace("\n  ", " ")
 
 
-def test_columns_without_a_name_are_no_reason_to_refuse(run: Run) -> None:
-    """As a spreadsheet leaves them at the right."""
+def test_empty_columns_without_a_name_pass(run: Run) -> None:
+    """A spreadsheet leaves them on the right."""
     Path("x.csv").write_text("R1 (nm);gamma (mJ/m2);;;\n100;25;;;\n", encoding="utf-8")
     ran = run("batch x.csv -o out.csv --delimiter semicolon --quantities pull_off_force --no-doubt")
     assert (ran.code, "passed through" in ran.err) == (0, False)
     assert Path("out.csv").read_text(encoding="utf-8").splitlines()[1].startswith("100;25;;;;1.178")
 
 
-def test_a_number_that_is_too_small_is_no_zero(run: Run) -> None:
-    """Whatever is next to it. A load that a double holds is read, as a load may be 0."""
+def test_a_number_too_small_for_a_double_is_not_zero(run: Run) -> None:
+    """It fails next to any number. The load may be 0, so a tiny load that a double holds is read."""
     Path("x.csv").write_text("radius [nm],load [nN]\n100,1\n100,1e-400\n100,0\n100,1e-290\n", encoding="utf-8")
     assert run("batch x.csv -o out.csv --material quartz --quantities contact_radius_at_load --no-doubt").code == 1
     statuses = [line.partition(",,")[2] for line in Path("out.csv").read_text(encoding="utf-8").splitlines()[1:]]
@@ -897,13 +894,13 @@ def test_a_number_that_is_too_small_is_no_zero(run: Run) -> None:
 
 
 @pytest.mark.parametrize("blank", ["\xa0", "\u202f", "\u2009", "  "])
-def test_a_blank_behind_a_number_is_no_unit(blank: str) -> None:
+def test_a_blank_after_a_number_is_no_unit(blank: str) -> None:
     (column,) = understood(["nu [%]"]).inputs
     for cells in ([f"0.3{blank}"], ["0.2", f"0.3{blank}"], [f"0.3{blank}"] * 2):
         assert column.numbers({column.name: [cell.encode() for cell in cells]}).values[-1] == 0.003
 
 
-def test_a_label_that_is_another_name_of_a_material_is_reported(run: Run) -> None:
+def test_a_label_that_is_an_alias_of_a_material_is_reported(run: Run) -> None:
     Path("x.csv").write_text("material,R1 (nm),gamma (mJ/m2)\nA,100,25\nC,100,25\n", encoding="utf-8")
     ran = run("batch x.csv -o out.csv --quantities pull_off_force --no-doubt")
     assert (ran.code, ran.err.count("note: material 'C' is graphite")) == (0, 1)
@@ -916,14 +913,14 @@ def test_a_label_that_is_another_name_of_a_material_is_reported(run: Run) -> Non
 
 
 def test_a_header_between_rows_is_a_failed_row(run: Run) -> None:
-    """As it stands where two tables were joined."""
+    """It may stand there if two tables were joined."""
     Path("x.csv").write_text("n,R1 (nm),gamma (mJ/m2)\n1,100,25\nn,R1 (nm),gamma (mJ/m2)\n1,200,25\n", encoding="utf-8")
     assert run("batch x.csv -o out.csv --quantities pull_off_force --no-doubt").code == 1
     assert Path("out.csv").read_text(encoding="utf-8").splitlines()[2].endswith(",,bad radius")
 
 
-def test_an_option_beside_a_column_of_the_same_input_is_reported(run: Run) -> None:
-    """At the prompt a property that is given overrides the material's; in a table a cell comes first."""
+def test_an_option_for_an_input_with_a_column_is_reported(run: Run) -> None:
+    """At the prompt, a given property overrides that of the material. In a table, a cell precedes an option."""
     Path("x.csv").write_text("radius [nm],gamma [mJ/m2]\n100,25\n100,\n", encoding="utf-8")
     words = "batch x.csv -o out.csv --quantities pull_off_force --no-doubt --gamma 50mJ/m2"
     assert "note: --gamma fills empty cells: the others keep their values\n" in run(words).err
@@ -955,14 +952,14 @@ def test_an_option_that_changes_nothing_is_reported(run: Run, words: str, said: 
 
 
 @pytest.mark.parametrize("kind", ["csv", "ndjson"])
-def test_a_pipe_is_not_compressed_as_its_output_is(kind: str) -> None:
+def test_a_pipe_is_not_compressed_like_its_output(kind: str) -> None:
     target = f"out.{kind}.gz"
     assert input_format("-", target) == format_of_name(f"x.{kind}")
     assert output_format(target, kind, quiet=True) == format_of_name(target)
     assert input_format("-", target, f"{kind}.gz") == format_of_name(target)
 
 
-def test_a_mark_before_the_header_may_follow_one_of_encoding(run: Run) -> None:
+def test_the_mark_of_a_header_may_follow_a_byte_order_mark(run: Run) -> None:
     Path("x.txt").write_bytes(b"\xef\xbb\xbf# R1_nm gamma_mJ_m2\n100 25\n")
     assert run("batch x.txt --delimiter blank -o out.tsv --quantities pull_off_force --no-doubt").code == 0
     assert Path("out.tsv").read_text(encoding="utf-8").splitlines()[1].startswith("100\t25\t1.178")

@@ -1,4 +1,4 @@
-"""`batch --infer`: an input for each row of measured values, as `infer` finds it."""
+"""`batch --infer`: each row of measured values gets the input that `infer` finds."""
 
 import csv
 import math
@@ -23,11 +23,11 @@ def table(rows: list[list[str]]) -> str:
 
 
 def results(name: str) -> list[dict[str, str]]:
-    """Return the rows of a file as texts; an empty one for null."""
+    """Return the rows of a file as texts, with "" for null."""
     return [{key: "" if cell is None else str(cell) for key, cell in row.items()} for row in read_rows(name)]
 
 
-def test_a_row_says_why_it_has_no_value(run: Run) -> None:
+def test_a_row_without_a_value_has_a_reason(run: Run) -> None:
     rows = [
         ["a", "2", "300", ""],
         ["b", "", "300", ""],
@@ -46,7 +46,7 @@ def test_a_row_says_why_it_has_no_value(run: Run) -> None:
 
 
 MATERIALS = ["quartz", "iron", "ice-warm", "polystyrene", "silica-dry", "gold"]
-# What is inferred from what, with the unit and the decades of its values.
+# The input to infer and the measured quantity, with the unit and the decades of the measured values.
 PROBLEMS = {
     ("surface_energy", "pull_off_force"): ("nN", 0, 4), ("surface_energy", "contact_radius"): ("nm", 0, 2),
     ("surface_energy", "yield_force"): ("pN", 0, 4), ("youngs_modulus", "stiffness"): ("N/m", 1, 3),
@@ -59,8 +59,8 @@ OPTIONS = {"material2": "--material2 {}", "radius2 [nm]": "--radius2 {}", "load 
 
 
 @pytest.mark.slow
-def test_random_tables_have_what_infer_finds_for_each_row(run: Run) -> None:
-    """Materials of either sphere, planes, loads, laws and error bars: values, their sides and doubts are the same."""
+def test_random_tables_equal_infer_row_by_row(run: Run) -> None:
+    """Values, sides and doubts are the same for materials of either sphere, planes, loads, laws and error bars."""
     count = 150
     random = Random(count)
     compared = 0
@@ -87,7 +87,7 @@ def test_random_tables_have_what_infer_finds_for_each_row(run: Run) -> None:
         end = random.choice(ENDS)
         path = write_rows([dict(zip(heads, line, strict=True)) for line in cells], f"random.{end}")
         if run(f"batch {path} -o out.{end} --infer {name} --measured {quantity} {law}").code == 2:
-            continue  # it is refused as a whole
+            continue  # the whole table is refused
         for row, value, bar, found in zip(rows, measured, bars, results(f"out.{end}"), strict=True):
             words = ["infer", name, row["material"], *([f"{row['R1 [nm]']}nm"] if "R1 [nm]" in row else [])]
             for head, option in OPTIONS.items():
@@ -105,7 +105,7 @@ def test_random_tables_have_what_infer_finds_for_each_row(run: Run) -> None:
     assert compared > 2 * count
 
 
-def test_the_column_may_be_named_and_files_be_many(run: Run) -> None:
+def test_the_measured_column_may_be_chosen_for_many_files(run: Run) -> None:
     Path("runs").mkdir()
     for name, force in (("a", 200), ("b", 300), ("c", 400)):
         Path(f"runs/{name}.csv").write_text(f"R1 (um),F [nN]\n2,{force}\n", encoding="utf-8")
@@ -130,7 +130,7 @@ def test_the_column_may_be_named_and_files_be_many(run: Run) -> None:
         ("--infer gamma --measured contact_radius", "no column has the measured contact_radius"),
     ],
 )
-def test_what_cannot_be_inferred_is_refused(run: Run, words: str, message: str) -> None:
+def test_an_impossible_inference_is_refused(run: Run, words: str, message: str) -> None:
     name = table([["a", "2", "300", ""]])
     ran = run(f"batch {name} -o out.csv --radius2 plane {words}")
     assert (ran.code, message in ran.err.replace("\n  ", " ")) == (2, True), ran.err
@@ -138,7 +138,7 @@ def test_what_cannot_be_inferred_is_refused(run: Run, words: str, message: str) 
 
 
 @pytest.mark.parametrize("order", [("R1 (um)", "load (nN)", "delta (nm)"), ("delta (nm)", "R1 (um)", "load (nN)")])
-def test_a_measured_state_may_stand_beside_a_load(run: Run, order: tuple[str, ...]) -> None:
+def test_a_measured_approach_goes_with_a_load(run: Run, order: tuple[str, ...]) -> None:
     cells = {"R1 (um)": "1", "load (nN)": "100", "delta (nm)": "2"}
     Path("x.csv").write_text(f"{','.join(order)}\n{','.join(cells[head] for head in order)}\n", encoding="utf-8")
     sphere: dict[str, Any] = {"surface_energy": 0.02, "poisson_ratio": 0.3, "radius2": math.inf}
@@ -149,8 +149,8 @@ def test_a_measured_state_may_stand_beside_a_load(run: Run, order: tuple[str, ..
 
 
 @pytest.mark.parametrize("names", [["A", "B"], ["ice", "B"], ["quartz", "B"]])
-def test_names_of_samples_are_labels_where_nothing_is_needed_of_them(run: Run, names: list[str]) -> None:
-    """Whether some of them are materials or not; γ of a plane does not depend on the rest."""
+def test_names_of_samples_are_labels_if_no_property_is_needed(run: Run, names: list[str]) -> None:
+    """Some of them may be materials. γ of a sphere on a plane does not depend on the other properties."""
     rows = "".join(f"{name},1,200\n" for name in names)
     Path("named.csv").write_text(f"material,R1 (um),P_c (nN)\n{rows}", encoding="utf-8")
     ran = run("batch named.csv -o out.csv --infer gamma --measured pull_off_force")
@@ -162,7 +162,7 @@ def test_names_of_samples_are_labels_where_nothing_is_needed_of_them(run: Run, n
 # --- Rows of statistics -----------------------------------------------------------------------------------------------
 
 DATA = [["a", "2", "300", ""], ["b", "2", "310", ""], ["c", "2", "320", ""]]
-# γ = P_c/3πR of 2 µm on a plane: of the median, and the standard deviation of three, that of the forces, 10 nN.
+# γ = P_c/3πR of spheres of 2 µm on a plane, from the median and the standard deviation, 10 nN, of the three forces.
 SUMMARY = "surface_energy: 3 of {} rows; median 16.446 mJ/m², "
 SCATTER = "; mean 16.446 mJ/m², scatter 530.516 µJ/m²"
 
@@ -179,8 +179,8 @@ SCATTER = "; mean 16.446 mJ/m², scatter 530.516 µJ/m²"
         ["", "Total", "Mittelwert", "Standardabweichung"],
     ],
 )
-def test_rows_of_statistics_are_none_of_the_data(run: Run, end: str, labels: list[str]) -> None:
-    """Their status says so, and the rest is counted without them."""
+def test_rows_of_statistics_are_not_data(run: Run, end: str, labels: list[str]) -> None:
+    """Their status is that of statistics, and the summary leaves them out."""
     rows = [*DATA, *([label, "2", "50", ""] for label in labels if label)]
     path = write_rows([dict(zip(HEAD, row, strict=True)) for row in rows], f"forces.{end}")
     ran = run(f"batch {path} -o out.{end} {WORDS}")
@@ -194,7 +194,7 @@ def test_rows_of_statistics_are_none_of_the_data(run: Run, end: str, labels: lis
 
 
 def test_a_label_that_may_be_a_statistic_is_a_row(run: Run) -> None:
-    """N is one only next to others; where all data are means, or an option says so, these are data."""
+    """N is a statistic only next to others. If all rows are means, or with an option, they are data."""
     force, other = 300e-9 / (3 * math.pi * 2e-6), 320e-9 / (3 * math.pi * 2e-6)
     cases = {
         ("Y", "N"): "",
@@ -210,7 +210,7 @@ def test_a_label_that_may_be_a_statistic_is_a_row(run: Run) -> None:
 
 
 def test_a_spread_is_no_contact_in_any_table(run: Run) -> None:
-    """The mean of radii is one by itself, as of a size class."""
+    """A mean alone is a row, such as the mean radius of a size class."""
     for labels, status in ((["Mean"], [""]), (["Mean", "SD", "N"], ["row of statistics"] * 3)):
         rows = [{"grain": name, "radius [nm]": "100"} for name in ["a", "b", *labels]]
         write_rows(rows, "grains.csv")
@@ -226,8 +226,8 @@ def test_an_unknown_material_may_be_a_statistic(run: Run) -> None:
 
 
 @pytest.mark.parametrize(("mark", "radius"), [(",", "900,0"), (".", "900.0"), ("", "900")])
-def test_the_marks_of_a_label_decide_nothing(run: Run, mark: str, radius: str) -> None:
-    """A column that passes through is looked at for statistics, and not for numbers."""
+def test_the_marks_in_labels_do_not_decide(run: Run, mark: str, radius: str) -> None:
+    """A column that passes through is searched for statistics, not for numbers."""
     text = f"probe;R1 (um);note\n1.234;{radius};1,2.3\nb.2;{radius};\nSD;{radius};\n"
     Path("grains.csv").write_text(text, encoding="utf-8")
     run("batch grains.csv -o out.csv --delimiter semicolon --material quartz --quantities pull_off_force --no-doubt")

@@ -1,4 +1,4 @@
-"""Runs that are ended in the middle: a file appears whole or not at all, whatever ends them."""
+"""Interrupted runs: whatever ends a run, a file is complete or absent."""
 
 import contextlib
 import json
@@ -24,14 +24,14 @@ BATCH = [sys.executable, "-m", "jkroll", "batch"]
 
 
 def grains(rows: int) -> str:
-    """A table whose rows are quick to compute, but for some."""
+    """Return a table with rows that are quickly computed, and some bad ones."""
     lines = ["radius [nm],load [nN],text"]
     lines += [f"{100 + row % 977},{row % 13 / 10},row {row}" if row % 997 else "0,0,bad" for row in range(rows)]
     return "\n".join(lines) + "\n"
 
 
 def wait_until(condition: Callable[[], Any], process: "subprocess.Popen[Any]") -> None:
-    """Look until a condition holds or a process has ended."""
+    """Wait until a condition holds, or a process has ended."""
     while process.poll() is None and not condition():
         with contextlib.suppress(subprocess.TimeoutExpired):
             process.wait(0.002)
@@ -41,7 +41,7 @@ SWEEP = "yield-force quartz 100nm --load -20nN:20nN:20000:lin"
 
 
 def tables() -> None:
-    """Tables, and a script that converts them in small blocks."""
+    """Write tables, and a script that converts them in small blocks."""
     Path("small.py").write_text(IN_SMALL_BLOCKS)
     Path("grains.csv").write_text(grains(4_000), encoding="utf-8")
     lines = [{"radius [nm]": 100 + row % 977 if row % 997 else 0, "text": f"row {row}"} for row in range(4_000)]
@@ -49,7 +49,7 @@ def tables() -> None:
 
 
 def begun(target: str) -> list[Path]:
-    """Return the temporary files that runs have begun next to a target."""
+    """Return the temporary files of a target that runs have begun."""
     return [*Path().glob(f".{target}.*")]
 
 
@@ -64,8 +64,8 @@ def begun(target: str) -> list[Path]:
         pytest.param(SWEEP, "ndjson", 30, marks=pytest.mark.slow),
     ],
 )
-def test_a_kill_leaves_no_half_of_a_file(words: str, end: str, kills: int, *, whole_group: bool) -> None:
-    """The target is missing or unchanged; the file that was begun next to it is never read by a later run."""
+def test_a_kill_leaves_no_partial_file(words: str, end: str, kills: int, *, whole_group: bool) -> None:
+    """The target is absent or unchanged, and no later run reads the temporary file."""
     tables()
     command = [sys.executable, "small.py", *words.split(), "-o"]
     whole, out = Path(f"whole.{end}"), Path(f"out.{end}")
@@ -118,14 +118,14 @@ def test_an_interrupt_leaves_nothing(words: str, number: int) -> None:
         _, message = process.communicate()
         if process.returncode == -number:
             break
-        assert process.returncode == 1  # it was done before the signal came
+        assert process.returncode == 1  # the run was done before the signal came
         Path("out.csv").unlink()
     assert re.fullmatch(r"read: .*\n(?:assumed: .*\n)?" if "batch" in words else "", message)
     assert {*os.listdir()} <= before
 
 
 def started_by(process: "subprocess.Popen[Any]") -> list[str]:
-    """The processes that a run started to convert blocks."""
+    """Return the processes that a run has started to convert blocks."""
     children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
     found: list[str] = []
 
@@ -139,7 +139,7 @@ def started_by(process: "subprocess.Popen[Any]") -> list[str]:
     return found
 
 
-# A process gets a signal when it has started another. It has one thread, as `run` sees to, so that a signal can wait.
+# A process that gets a signal when it has started another. It has one thread, as in `run`, so that signals can wait.
 STRUCK = """
 import os
 from multiprocessing import util
@@ -153,7 +153,7 @@ util.spawnv_passfds = struck
 
 
 def in_two_processes(path: str, target: str, begin: str = "") -> "subprocess.Popen[str]":
-    """A run that has more to do than a test waits for, and that begins with some lines of Python."""
+    """Start a run that takes longer than its test, with some lines of Python before it."""
     Path("small.py").write_text(begin + IN_SMALL_BLOCKS)
     command = [sys.executable, "small.py", "batch", path, "-o", target, "--material", "quartz", "--jobs", "2"]
     return subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
@@ -175,8 +175,8 @@ def test_a_lost_process_is_noticed() -> None:
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="processes are found in /proc")
-def test_what_a_lost_process_has_begun_goes() -> None:
-    """A file of another run stays."""
+def test_the_temporary_file_of_a_lost_process_is_removed() -> None:
+    """A temporary file of another run stays."""
     Path("grains").mkdir()
     Path("forces").mkdir()
     Path("forces/.0.csv.0123456789abcdef").write_text("another's", encoding="utf-8")
@@ -194,7 +194,7 @@ def test_what_a_lost_process_has_begun_goes() -> None:
     assert [path.name for path in Path("forces").glob(".*")] == [".0.csv.0123456789abcdef"]
 
 
-def test_an_interrupt_of_many_tables_leaves_whole_ones_only() -> None:
+def test_an_interrupt_of_many_tables_leaves_only_complete_files() -> None:
     Path("grains").mkdir()
     for place in range(30):
         Path(f"grains/{place:02}.csv").write_text(grains(2_000), encoding="utf-8")
@@ -209,7 +209,7 @@ def test_an_interrupt_of_many_tables_leaves_whole_ones_only() -> None:
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
-def test_a_signal_while_processes_start_ends_the_run_without_a_word(number: int) -> None:
+def test_a_signal_while_processes_start_ends_the_run_silently(number: int) -> None:
     Path("grains.csv").write_text(grains(20_000), encoding="utf-8")
     with in_two_processes("grains.csv", "out.csv", STRUCK.format(number)) as process:
         _, message = process.communicate()
@@ -219,8 +219,8 @@ def test_a_signal_while_processes_start_ends_the_run_without_a_word(number: int)
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="processes are found in /proc")
-def test_no_process_outlives_the_one_that_started_it() -> None:
-    """Each is in the midst of a large file then; going on meets none of them."""
+def test_no_process_outlives_its_parent() -> None:
+    """The processes are in the middle of large files when their parent is killed. They do not affect a resumed run."""
     Path("grains").mkdir()
     small, large = grains(3), random_table(5_000, 7)
     for place in range(12):
@@ -238,7 +238,7 @@ def test_no_process_outlives_the_one_that_started_it() -> None:
 
 
 def _state_of(process: str) -> str:
-    """As in `ps`: Z of one that has ended."""
+    """Return the state of a process as `ps` shows it: Z for one that has ended."""
     try:
         return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0]
     except OSError:
@@ -246,8 +246,8 @@ def _state_of(process: str) -> str:
 
 
 @pytest.mark.slow
-def test_two_runs_of_one_file_write_it_one_after_the_other(run: Run) -> None:
-    """Each has its own file until it is done."""
+def test_two_runs_replace_a_file_one_after_the_other(run: Run) -> None:
+    """Each run writes its own temporary file until it is done."""
     Path("grains.csv").write_text("radius [nm],material\n100,quartz\n", encoding="utf-8")
     command = [*BATCH, "-", "-o", "out.csv"]
     process = subprocess.Popen(command, stdin=subprocess.PIPE, stderr=subprocess.PIPE)
@@ -265,7 +265,7 @@ def test_two_runs_of_one_file_write_it_one_after_the_other(run: Run) -> None:
     assert not begun("out.csv")
 
 
-def test_a_run_that_fails_leaves_what_was_there(run: Run) -> None:
+def test_a_failed_run_leaves_the_old_file(run: Run) -> None:
     Path("grains.csv").write_text("radius [nm],material\n100,quartz\n0,quartz\n", encoding="utf-8")
     Path("out.csv").write_text("mine", encoding="utf-8")
     assert run("batch", "grains.csv", "-o", "out.csv", "--strict").code == 1
@@ -273,8 +273,7 @@ def test_a_run_that_fails_leaves_what_was_there(run: Run) -> None:
     assert {*os.listdir()} == {"grains.csv", "out.csv"}
 
 
-def test_a_file_is_replaced_as_it_was(run: Run) -> None:
-    """Through a link, and with the rights that it had."""
+def test_a_replaced_file_keeps_its_link_and_permissions(run: Run) -> None:
     Path("grains.csv").write_text("radius [nm],material\n100,quartz\n", encoding="utf-8")
     Path("real.csv").write_text("", encoding="utf-8")
     Path("real.csv").chmod(0o640)
@@ -285,13 +284,13 @@ def test_a_file_is_replaced_as_it_was(run: Run) -> None:
     assert Path("real.csv").read_text(encoding="utf-8").startswith("radius [nm],material,")
 
 
-def test_what_is_begun_is_no_other_file() -> None:
-    """Processes of other machines may have the same number, and a link there may lead anywhere."""
+def test_a_temporary_file_is_always_a_new_one() -> None:
+    """Processes on other machines may have the same number, and a file of that name may be a link to anything."""
     with whole_file("out.csv") as first, whole_file("out.csv") as second:
         first.write(b"first\n")
         second.write(b"second\n")
         assert len(begun("out.csv")) == 2
-    assert Path("out.csv").read_bytes() == b"first\n"  # which was closed last
+    assert Path("out.csv").read_bytes() == b"first\n"  # the file that was closed last
     Path("kept").write_bytes(b"kept")
     Path(".out.csv.00000000").symlink_to("kept")
     with patch("os.urandom", return_value=bytes(4)), pytest.raises(FileExistsError), whole_file("out.csv"):

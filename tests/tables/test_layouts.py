@@ -1,4 +1,4 @@
-"""Tables as simulations, R and instruments lay them out, read or refused: dumps, row names, rows of units."""
+"""Tables in the layouts of simulations, R and instruments: dumps, row names and rows of units are read or refused."""
 
 import gzip
 import re
@@ -16,30 +16,31 @@ from jkroll.tables.layouts import tabbed
 from relative import approx
 
 FORCE = "--quantities pull_off_force --no-doubt"
-OF_25 = 1.1780972450961723e-8  # N, of spheres of 100 nm with 25 mJ/m2
+OF_25 = 1.1780972450961723e-8  # the pull-off force in N of spheres of 100 nm with 25 mJ/m2
 COLUMN = re.compile(r"--column ('[^']*'|\"[^\"]*\")")
 
 
 @pytest.fixture(autouse=True)
 def _wide(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Lines of messages that are not broken."""
+    """Keep the lines of messages unbroken."""
     monkeypatch.setenv("COLUMNS", "2000")
 
 
 def batch(run: Run, text: str, words: str = "", name: str = "x.csv", target: str = "") -> Ran:
-    """The conversion of a table into out.csv, or out.tsv."""
+    """Convert a table into out.csv or out.tsv."""
     Path(name).write_text(text, encoding="utf-8", newline="")
     target = target or ("out.csv" if name.endswith("csv") else "out.tsv")
     return run("batch", name, *FORCE.split(), *shlex.split(words), "-o", target)
 
 
 def written(name: str = "out.csv") -> list[str]:
+    """Return the lines of a written table."""
     return Path(name).read_text(encoding="utf-8").splitlines()
 
 
 # --- Dumps ------------------------------------------------------------------------------------------------------------
 
-# As LIGGGHTS writes it: type twice, and a blank at the end of each line.
+# LIGGGHTS writes type twice, and a blank at the end of each line.
 ITEMS = """ITEM: TIMESTEP
 {}
 ITEM: NUMBER OF ATOMS
@@ -74,20 +75,20 @@ def test_a_dump_is_a_table(run: Run) -> None:
     assert forces == [approx(OF_25), approx(OF_25 / 2), approx(OF_25)]
 
 
-def test_what_is_said_of_a_radius_without_a_unit_can_be_typed(run: Run) -> None:
-    """A dump has the units of the simulation, which it does not name."""
+def test_the_advice_for_a_radius_without_a_unit_can_be_typed(run: Run) -> None:
+    """A dump is in the units of the simulation, which it does not name."""
     ran = batch(run, DUMP, ASKED, "dump0.liggghts")
     said = "header: 'radius' (first cell '1e-07'): neither has a unit. Write --column 'radius=radius [UNIT]', or "
     assert (ran.code, said in ran.err) == (2, True)
     words = COLUMN.search(ran.err)
     assert words is not None
-    for unit, force in (("m", OF_25), ("cm", OF_25 / 100), ("um", OF_25 * 1e-6)):  # SI, cgs and micro
+    for unit, force in (("m", OF_25), ("cm", OF_25 / 100), ("um", OF_25 * 1e-6)):  # the units si, cgs and micro
         assert batch(run, DUMP, f"{ASKED} {words[0].replace('UNIT', unit)}", "dump0.liggghts").code == 0
         assert float(written("out.tsv")[1].split("\t")[12]) == approx(force)
 
 
 @pytest.mark.parametrize("name", ["dump.csv", "dump.tsv", "-"])
-def test_a_dump_between_commas_says_what_divides_its_columns(run: Run, name: str) -> None:
+def test_a_dump_read_as_csv_is_refused_with_its_separator(run: Run, name: str) -> None:
     said = "jkroll: this is a dump of LAMMPS, with blanks between its columns; write --delimiter blank\n"
     if name != "-":
         assert batch(run, DUMP, IN_M, name).err == said
@@ -104,14 +105,14 @@ def test_a_dump_between_commas_says_what_divides_its_columns(run: Run, name: str
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        # A variable time step, and the units of the simulation.
+        # The time step is variable, and the units of the simulation are stated.
         (
             f"ITEM: UNITS\nsi\nITEM: TIME\n0.5\n{DUMP}",
             "read: radius [m]; lines skipped before the header: 12; passed through: id,",
         ),
         ("ITEM: ATOMS id radius\n1 1e-7\n", "read: radius [m]; passed through: id\n"),
         (DUMP.replace("\n", "\r\n"), f"{READ} id,"),
-        # What was cut off.
+        # The end was cut off.
         (DUMP[:30], "the dump has no line such as ITEM: ATOMS id radius: its end is missing\n"),
         (DUMP.partition("ITEM: ATOMS")[0], "the dump has no line such as ITEM: ATOMS id radius: its end is missing\n"),
         (
@@ -123,7 +124,7 @@ def test_a_dump_between_commas_says_what_divides_its_columns(run: Run, name: str
             "line 4 says 3 rows, and there are 4: there are extra lines. Write 4 there",
         ),
         (ITEMS.format(0), "line 4 says 3 rows, and there are 0"),
-        # As versions of 2008 write it.
+        # Versions of 2008 write no names of columns.
         (DUMP.replace(" id type type x y z fx fy fz radius c_1[3] v_f", ""), "the table has no header"),
     ],
 )
@@ -134,7 +135,7 @@ def test_other_dumps_are_read_or_refused(run: Run, text: str, said: str) -> None
 
 
 def test_a_dump_of_contacts_has_entries(run: Run) -> None:
-    """Of `compute pair/gran/local`; what its columns are is said by the options."""
+    """This is a dump of `compute pair/gran/local`, whose columns get their meanings by options."""
     text = (
         "ITEM: TIMESTEP\n100\nITEM: NUMBER OF ENTRIES\n2\nITEM: BOX BOUNDS mm mm mm\n0 1\n0 1\n0 1\n"
         "ITEM: ENTRIES c_cpl[1] c_cpl[2] \n1e-7 3.5 \n5e-8 4.5 \n"
@@ -144,7 +145,7 @@ def test_a_dump_of_contacts_has_entries(run: Run) -> None:
     assert "no column is an input" in batch(run, text, ASKED, "contacts0.dump").err
 
 
-def test_a_row_of_a_dump_that_is_cut_off_fails(run: Run) -> None:
+def test_the_incomplete_last_row_of_a_dump_fails(run: Run) -> None:
     ran = batch(run, DUMP[: DUMP.index("1.5 0 \n3") + len("1.5 0 \n3 2 2 0.0004")], IN_M, "dump0.liggghts")
     assert (ran.code, ran.err.splitlines()[1:]) == (
         1,
@@ -158,8 +159,8 @@ def test_a_row_of_a_dump_that_is_cut_off_fails(run: Run) -> None:
 
 
 @pytest.mark.parametrize("size", [1, 30_000])
-def test_a_second_step_is_refused_with_what_divides_them(run: Run, size: int) -> None:
-    """Also where it begins in another block than the first."""
+def test_a_second_step_is_refused_with_a_command_that_divides_the_dump(run: Run, size: int) -> None:
+    """The second step may begin in a later block."""
     step = DUMP.replace("\n3\n", f"\n{3 * size}\n").replace(ATOMS, ATOMS * size)
     ran = batch(run, step + step, IN_M, "two.dump")
     last, split = ran.err.splitlines()[-1], "csplit -z 'two.dump' '/ITEM: TIMESTEP/' '{*}'"
@@ -200,7 +201,7 @@ AVERAGES = "# Time-averaged data for fix 1\n# TimeStep v_f c_1[3]\n100 1.0 2.0\n
 
 
 def test_averages_of_a_simulation_have_their_header_in_a_comment(run: Run) -> None:
-    """As `fix ave/time` writes it. Its names mean nothing without an option."""
+    """`fix ave/time` writes such a file. Its names mean nothing without an option."""
     words = f"--delimiter blank {ASKED} --radius 100nm"
     ran = batch(run, AVERAGES, words, "ave.txt")
     assert (ran.code, "no column is an input" in ran.err, "HEADER=INPUT [UNIT]" in ran.err) == (2, True, True)
@@ -210,15 +211,15 @@ def test_averages_of_a_simulation_have_their_header_in_a_comment(run: Run) -> No
         "read: load [nN] from v_f; lines skipped before the header: 1; passed through: TimeStep, c_1[3]",
     )
     assert [line.split("\t")[:3] for line in written("out.tsv")[1:]] == [["100", "1.0", "2.0"], ["200", "1.5", "2.0"]]
-    # As `fix print` writes it, without a title of its own and with one.
+    # `fix print` writes its own title or a given one.
     said = batch(run, "# Fix print output for fix 1\n100 1e-7\n", words, "print.txt").err
     assert "header: '100' is a number; begin with a line of the columns' names" in said
     assert batch(run, "# step radius_m\n100 1e-7\n", f"--delimiter blank {ASKED}", "print.txt").code == 0
     assert written("out.tsv")[0].startswith("step\tradius_m\tpull_off_force [N]")
 
 
-def test_rows_between_rows_are_said_to_have_other_cells(run: Run) -> None:
-    """As `fix ave/chunk` writes the step above the chunks of each."""
+def test_rows_of_another_size_between_rows_fail(run: Run) -> None:
+    """`fix ave/chunk` writes each step above its chunks."""
     chunks = "200.0 2 400\n  1 0.5 200 1e-7\n  2 1.5 200 1e-7\n"
     text = "# Chunk-averaged data for fix 1 and group all\n# Timestep Number-of-chunks Total-count\n"
     text += f"# Chunk Coord1 Ncount v_r\n{chunks}{chunks}"
@@ -237,7 +238,7 @@ R_ROWS = [['"1"', "100", "25", '"a b"'], ['"2"', "50", "25", "NA"], ['"3"', "100
 @pytest.mark.parametrize(("mark", "words"), [(" ", "--delimiter blank"), ("\t", "--format tsv"), (",", "--format csv")])
 @pytest.mark.parametrize("names", [['"1"', '"2"', '"3"'], ['"Mazda RX4"', '"Datsun 710"', '"a ""b"""']])
 def test_row_names_of_r_are_a_column(run: Run, mark: str, words: str, names: list[str]) -> None:
-    """As `write.table(df)` writes them; `write.csv(df)` has an empty header above them."""
+    """`write.table(df)` writes no header above them, and `write.csv(df)` an empty one."""
     rows = [mark.join([name, *row[1:]]) for name, row in zip(names, R_ROWS, strict=True)]
     text = "\n".join([mark.join(['"radius [nm]"', '"gamma..mJ.m2."', '"note"']), *rows, ""])
     target = "out.csv" if mark == "," else "out.tsv"
@@ -255,7 +256,7 @@ def test_row_names_of_r_are_a_column(run: Run, mark: str, words: str, names: lis
     assert (above.code, "row names" in above.err, written(target)) == (0, False, [head, *lines])
 
 
-def test_rows_of_row_names_keep_their_numbers(run: Run) -> None:
+def test_rows_with_row_names_keep_their_line_numbers(run: Run) -> None:
     text = '"radius [nm]" "gamma"\n"1" 100 25\n"2" x 25\n"3" 100\n'
     words = "--delimiter blank --column 'gamma=surface_energy [mJ/m2]'"
     ran = batch(run, text.removesuffix('"3" 100\n'), words, "r.txt")
@@ -264,7 +265,7 @@ def test_rows_of_row_names_keep_their_numbers(run: Run) -> None:
         "jkroll: 1 of 2 rows failed; column status has the reasons",
     ]
     assert "line 3: radius: 'x'" in batch(run, text.removesuffix('"3" 100\n'), f"{words} --strict", "r.txt").err
-    # One row has as many cells as the header: nothing is missing there.
+    # One row has as many cells as the header, so no name is missing.
     ran = batch(run, text, words, "r.txt")
     assert (ran.code, "'\"1\" 100 25' has 3 cells, and the header 2" in ran.err) == (1, True)
 
@@ -272,7 +273,7 @@ def test_rows_of_row_names_keep_their_numbers(run: Run) -> None:
 @pytest.mark.parametrize(
     ("text", "words", "said"),
     [
-        # Names without quotes are no sign of R, nor are quotes around all cells, or names that repeat.
+        # R writes unique row names in quotes, and numbers without.
         ("radius_nm gamma_mJ_m2\n1 100 25\n2 50 25\n", "--delimiter blank", "name each column in the header"),
         ('radius_nm,gamma_mJ_m2\n"100","25","3"\n', "", "name each column in the header"),
         ('radius_nm,gamma_mJ_m2\n"a",25,3\n"a",50,3\n', "", "name each column in the header"),
@@ -295,7 +296,7 @@ def test_rows_of_another_size_are_refused_together(run: Run, text: str, words: s
 
 
 @pytest.mark.parametrize("end", ["\n", "\r\n"])
-def test_a_separator_at_the_end_of_each_row_is_a_column_without_cells(run: Run, end: str) -> None:
+def test_a_separator_at_the_end_of_each_row_makes_an_empty_column(run: Run, end: str) -> None:
     ran = batch(run, end.join(["radius [nm],gamma [mJ/m2]", "100,25,", "50,25,", ""]))
     assert (ran.code, "; the last column has no header and is empty" in ran.err) == (0, True)
     assert [line.split(",")[:3] for line in written()] == [
@@ -315,12 +316,12 @@ def test_quotes_between_blanks() -> None:
         b"",
     ]
     lines = Delimited(" ")
-    lines.begin(b"a\tb\n")
+    lines.read_header(b"a\tb\n")
     assert [cells for *_, cells, _ in lines.records(['"a\t""b"""\t"C:\\"\n'])] == [['a\t"b"', "C:\\"]]
 
 
 @pytest.mark.parametrize("line", ['"open 2', '"a"b 2', '1 "a', '"' * 3 + " 2", '"a' * 10_000])
-def test_a_quote_that_is_not_closed_between_blanks_is_named(run: Run, line: str) -> None:
+def test_an_unclosed_quote_between_blanks_is_named(run: Run, line: str) -> None:
     ran = batch(run, f'radius_nm "n"\n\n100 "a b"\n{line}\n', f"--delimiter blank {ASKED}", "x.txt")
     assert (ran.code, "line 4: a quote is not closed in '" in ran.err) == (2, True)
     assert ran.err.endswith("write tabs between the columns, and --format tsv\n")
@@ -348,7 +349,7 @@ UNITS = [
 @pytest.mark.parametrize(
     ("mark", "words"), [(",", ""), ("\t", "--delimiter tab"), (";", "--delimiter semicolon"), ("|", "--delimiter bar")]
 )
-def test_a_row_of_units_gives_them(run: Run, head: str, units: str, row: str, mark: str, words: str) -> None:
+def test_a_row_of_units_is_read(run: Run, head: str, units: str, row: str, mark: str, words: str) -> None:
     lines = [line.replace(",", mark) for line in (head, units, row, row)]
     target = "out.tsv" if mark == "\t" else "out.csv"
     ran = batch(run, "\n".join([*lines, ""]), words, "x.csv", target)
@@ -363,8 +364,8 @@ def test_a_row_of_units_gives_them(run: Run, head: str, units: str, row: str, ma
 
 
 @pytest.mark.parametrize(("head", "units", "row"), UNITS)
-def test_a_row_of_units_is_as_good_as_units_in_the_header(run: Run, head: str, units: str, row: str) -> None:
-    """The same notes, the same numbers."""
+def test_a_row_of_units_equals_units_in_the_header(run: Run, head: str, units: str, row: str) -> None:
+    """The notes and the numbers are the same."""
     plain = [each.strip("[]()") for each in units.split(",")]
     pairs = zip(head.split(","), plain, strict=True)
     known = ("nm", "µm", "mJ/m2", "mJ/m²", "mN/m", "K", "Gpa", "mJ.m-2")
@@ -387,7 +388,7 @@ def test_a_row_of_units_is_as_good_as_units_in_the_header(run: Run, head: str, u
         ('"radius"\t"gamma"\r\n"nm"\t"mJ/m2"\r\n"100.5"\t25\r\n', "--delimiter tab"),
     ],
 )
-def test_a_row_of_units_stands_in_any_table(run: Run, text: str, words: str) -> None:
+def test_any_table_may_have_a_row_of_units(run: Run, text: str, words: str) -> None:
     target = "out.csv" if "semicolon" in words else "out.tsv"
     ran = batch(run, text, words, "x.txt", target)
     assert (ran.code, "read: radius [nm], surface_energy [mJ/m2] from gamma [mJ/m2]; " in ran.err) == (0, True), ran.err
@@ -400,7 +401,7 @@ def test_a_row_of_units_stands_in_any_table(run: Run, text: str, words: str) -> 
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        # What is not clearly a row of units is none.
+        # The row is not clearly one of units.
         ("radius,gamma,n\nnm,mJ/m2,5\n100,25,3\n", "the first row has units. Delete it, and write --column 'radius="),
         ("n,radius,gamma\n1,nm,mJ/m2\n2,100,25\n", "the first row has units. Delete it"),
         ("radius,gamma\nnm,25\n100,25\n", "the first row has units. Delete it"),
@@ -411,14 +412,14 @@ def test_a_row_of_units_stands_in_any_table(run: Run, text: str, words: str) -> 
             "'radius' (first cell '100') and 'gamma' (first cell '25'): neither has a unit",
         ),
         ("radius,gamma\nnm,-\n100,25\n", "'gamma' (first cell '25'): neither has a unit. Write --column 'gamma="),
-        # The header has other units.
+        # The header has another unit.
         (
             "radius [nm],gamma\num,mJ/m2\n100,25\n",
             "'radius [nm]' is above 'um' in the row of units, line 2: make the two agree, or delete the row",
         ),
         ("# a\nradius,gamma_J_m2\nnm,mJ/m2\n100,25\n", "'gamma_J_m2' is above 'mJ/m2' in the row of units, line 3"),
         ("radius,gamma,nu [-]\nnm,mJ/m2,%\n100,25,20\n", "header: 'nu [-]' is above '%'"),
-        # A unit leaves open what it would in the header.
+        # The unit leaves the meaning open, as in the header.
         ("r,gamma\nnm,mJ/m2\n100,25\n", "'r [nm]' (first cell '100'): r may be a distance. Write --column 'r [nm]="),
         ("radius,gamma,gamma_var\nnm,mJ/m2,mJ/m2\n100,25,2\n", "'gamma_var [mJ/m2]' (first cell '2'): it may be"),
     ],
@@ -428,8 +429,8 @@ def test_other_rows_of_units_are_refused(run: Run, text: str, said: str) -> None
     assert (ran.code, said in ran.err, Path("out.csv").exists()) == (2, True, False), ran.err
 
 
-def test_what_is_said_to_type_beside_a_row_of_units_is_read(run: Run) -> None:
-    """By the name in the table or with the unit. An option outranks the row, as it does the header."""
+def test_a_column_option_goes_with_a_row_of_units(run: Run) -> None:
+    """It names the column with or without the unit. The option outranks the row, as it outranks the header."""
     for column in ("r [nm]=radius [nm]", "r=radius", "r=radius [nm]", "r [nm]=radius"):
         ran = batch(run, "r,gamma\nnm,mJ/m2\n100,25\n", f"--column '{column}'")
         assert (ran.code, float(written()[2].split(",")[2])) == (0, approx(OF_25)), ran.err
@@ -439,7 +440,7 @@ def test_what_is_said_to_type_beside_a_row_of_units_is_read(run: Run) -> None:
     assert (ran.code, float(written()[2].split(",")[3])) == (0, approx(OF_25))
 
 
-def test_a_row_of_units_alone(run: Run) -> None:
+def test_a_table_with_a_row_of_units_only(run: Run) -> None:
     ran = batch(run, "radius,gamma\nnm,mJ/m2\n")
     assert (ran.code, written()) == (
         0,
@@ -449,7 +450,7 @@ def test_a_row_of_units_alone(run: Run) -> None:
 
 
 def test_a_row_of_units_is_no_contact(run: Run) -> None:
-    """It counts in no number of rows, and in numbers of lines alone."""
+    """It counts in line numbers, but not in row numbers."""
     text = 'radius,gamma,"a\nb"\nnm,mJ/m2,\n100,25,1\nx,25,2\n'
     ran = batch(run, text, "--material quartz")
     assert ran.err.splitlines()[-2:] == [

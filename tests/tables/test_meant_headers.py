@@ -1,4 +1,4 @@
-"""Headers in words that the program may not know: none is read as what it does not mean."""
+"""Headers in words that the program may not know: none is read with a wrong meaning."""
 
 import pytest
 
@@ -12,7 +12,7 @@ def test_no_header_is_misread(seed: int, count: int) -> None:
     assert [*outcomes.values()].count(READ) > 0.05 * len(outcomes)
 
 
-def test_they_are_the_same_for_a_seed_and_all_differ() -> None:
+def test_the_headers_of_a_seed_are_always_the_same_and_all_differ() -> None:
     headers = meant_headers(1, 1200)
     assert headers == meant_headers(1, 1200)
     assert len({header.text for header in headers}) == len(headers) == 1200

@@ -1,4 +1,4 @@
-"""Memory of long runs: all processes together, as the kernel counts them (a shared page is divided among them)."""
+"""The memory of long runs, of all processes; a shared page is divided among them, as the kernel counts it."""
 
 import sys
 from pathlib import Path
@@ -11,7 +11,7 @@ pytestmark = [
     pytest.mark.slow,
     pytest.mark.skipif(not Path("/proc/self/smaps_rollup").exists(), reason="this kernel does not count shared pages"),
 ]
-LIMITS = {"csv": 150, "parquet": 250}  # MB, of all quantities
+LIMITS = {"csv": 150, "parquet": 250}  # MB for a table with all quantities
 FEW, MANY = 200_000, 1_000_000
 BATCH = f"exec '{sys.executable}' -m jkroll batch --quiet --jobs 2"
 
@@ -26,7 +26,7 @@ BATCH = f"exec '{sys.executable}' -m jkroll batch --quiet --jobs 2"
     ],
 )
 def test_memory_does_not_grow_with_rows(command: str) -> None:
-    # Parquet is read by its groups of rows: of a million, if nothing else is asked.
+    # Parquet is read in its groups of rows: by default, a group has a million rows.
     found: list[float] = []
     for rows in (MANY, 3 * MANY) if "parquet" in command else (FEW, MANY):
         write_table(Path("grains.csv"), rows)
@@ -36,5 +36,5 @@ def test_memory_does_not_grow_with_rows(command: str) -> None:
         found.append(run(Rival("out", ["sh", "-c", command]), Path(), Path("grains.csv")).memory)
     print(f"{command}: {found[0]:.0f} and {found[1]:.0f} MB")
     assert max(found) < LIMITS["parquet" if "parquet" in command else "csv"]
-    # Runs of one table differ by 25; the further rows are 50 MB of text, or 130 of numbers.
+    # Runs of the same table differ by 25 MB; the additional rows are 50 MB of text, or 130 MB of numbers.
     assert found[1] < found[0] + 40

@@ -1,4 +1,4 @@
-"""NDJSON: the same rows as in CSV, and lines that are no objects."""
+"""NDJSON: the same rows as in CSV, and lines that are not objects."""
 
 import json
 from pathlib import Path
@@ -11,14 +11,14 @@ from relative import approx
 
 
 def converted(run: Run, text: str, *options: str) -> list[dict[str, object]]:
-    """The objects that a batch writes."""
+    """Return the objects that a batch writes."""
     Path("grains.ndjson").write_text(text, encoding="utf-8")
     ran = run("batch", "grains.ndjson", "-o", "out.ndjson", "--jobs", "1", *options)
     assert ran.code in (0, 1), ran.err
     return [json.loads(line) for line in Path("out.ndjson").read_text(encoding="utf-8").splitlines() if line.strip()]
 
 
-def test_lines_that_are_no_objects(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_lines_that_are_not_objects(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(files, "CHUNK", 64)
     lines = ['{"radius [nm]": 100}', "[1, 2]", "", '{"radius [nm]": 1', '{"radius [nm]": 100, "load [nN]": 1}', "{}"]
     found = converted(run, "\n".join(lines), "--quantities", "r_min")
@@ -34,8 +34,8 @@ def test_lines_that_are_no_objects(run: Run, monkeypatch: pytest.MonkeyPatch) ->
     assert found[3]["load [nN]"] == 1
 
 
-def test_an_object_a_line(run: Run) -> None:
-    """Two objects in a line and one over two lines would have made as many objects as lines."""
+def test_each_line_must_be_one_object(run: Run) -> None:
+    """Two objects in a line and one object in two lines would give the right number of objects."""
     lines = ['{"radius [nm]": 1}, {"radius [nm]": 2}', '{"radius [nm]": [{"x": 3}', '{"y": 4}]}', '{"radius [nm]": 5}']
     found = converted(run, "\n".join(['{"radius [nm]": 0.5}', *lines]), "--quantities", "r_min")
     assert [one["status"] for one in found] == [None, *["is not a JSON object"] * 3, None]
@@ -43,14 +43,14 @@ def test_an_object_a_line(run: Run) -> None:
     assert found[4]["r_min [m]"] == approx(1.25e-7)
 
 
-def test_tables_that_are_none(run: Run) -> None:
+def test_a_file_that_is_no_table_is_refused(run: Run) -> None:
     for text, message in (("", "the table is empty"), ("[1]\n", "the first line is not a JSON object with members")):
         Path("x.ndjson").write_text(text, encoding="utf-8")
         assert run("batch x.ndjson").err == f"jkroll: {message}\n"
 
 
-def test_a_value_that_is_nested_deeply_spoils_at_most_its_row(run: Run) -> None:
-    """A library reads 1000 brackets and writes 254."""
+def test_a_deeply_nested_value_spoils_at_most_its_row(run: Run) -> None:
+    """The library orjson reads up to 1000 brackets, and writes up to 254."""
     deep = "[" * 300 + "]" * 300
     rows = ['{"radius": "100nm"}', f'{{"radius": "100nm", "note": {deep}}}', f'{{"radius": {deep}}}']
     Path("x.ndjson").write_text("\n".join(rows) + "\n", encoding="utf-8")

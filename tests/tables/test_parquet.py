@@ -1,4 +1,4 @@
-"""Parquet: the rows of a CSV table to within roundings, and columns with units, nulls or nothing that can be read."""
+"""Parquet: the same rows as in CSV to within rounding; columns with units or nulls; and files that cannot be read."""
 
 import csv
 import datetime
@@ -22,12 +22,12 @@ from jkroll.tables.parquet import Batches  # noqa: E402
 
 
 def write(columns: dict[str, list[object]], name: str = "grains.parquet") -> str:
-    """A Parquet file."""
+    """Write a Parquet file, and return its name."""
     parquet.write_table(pyarrow.table(columns), name, row_group_size=100)
     return name
 
 
-def test_the_same_as_in_csv(run: Run) -> None:
+def test_rows_are_the_same_as_in_csv(run: Run) -> None:
     text = random_table(60, 8)
     Path("grains.csv").write_text(text, encoding="utf-8")
     assert run("batch grains.csv -o out.csv --jobs 1").code == 1
@@ -45,7 +45,7 @@ def test_the_same_as_in_csv(run: Run) -> None:
     assert [row["material"] for row in found] == columns["material"]
 
 
-def test_best_ranges_are_numbers_and_a_word(run: Run) -> None:
+def test_best_ranges_are_columns_of_numbers_and_of_words(run: Run) -> None:
     assert run("pull-off quartz 100nm,1um --quantities P_c --best -o best.parquet").code == 0
     (row, _), columns = parquet.read_table("best.parquet").to_pylist(), parquet.read_table("best.parquet").schema
     assert row["pull_off_force_best_by"] == "Maugis"
@@ -54,7 +54,7 @@ def test_best_ranges_are_numbers_and_a_word(run: Run) -> None:
     assert words == ["material", "pull_off_force_best_by", "doubt", "status"]
 
 
-def test_a_plane_that_a_list_wrote_is_read_as_one(run: Run) -> None:
+def test_a_plane_in_a_written_list_is_read_as_a_plane(run: Run) -> None:
     assert run("n-grav quartz 100nm,1um --radius2 plane,1um -o list.parquet").code == 0
     listed = parquet.read_table("list.parquet").select(["material", "radius [m]", "radius2 [m]"])
     assert math.inf in listed["radius2 [m]"].to_pylist()
@@ -71,7 +71,7 @@ def test_a_plane_that_a_list_wrote_is_read_as_one(run: Run) -> None:
 
 @pytest.mark.parametrize("kind", ["float64", "float32", "float16", "int64", "int16", "uint8"])
 def test_numbers_of_any_kind_and_nulls(run: Run, monkeypatch: pytest.MonkeyPatch, kind: str) -> None:
-    """More rows than are computed at once, so that columns are looked at from a place on."""
+    """There are several blocks, so columns are also read from a later row on."""
     from jkroll.tables import parquet as batch
 
     values = [None if row % 5 == 3 else row % 50 + 50 for row in range(100)]
@@ -98,7 +98,7 @@ def test_numbers_of_any_kind_and_nulls(run: Run, monkeypatch: pytest.MonkeyPatch
             assert bool(row["status"]) == bool(line["status"])
 
 
-def test_what_is_no_parquet(run: Run) -> None:
+def test_other_files_are_refused(run: Run) -> None:
     for text in (b"PAR1 no", b"radius [nm]\n100\n", b""):
         Path("x.parquet").write_bytes(text)
         ran = run("batch x.parquet -o y.parquet")
@@ -113,7 +113,7 @@ def test_what_is_no_parquet(run: Run) -> None:
     assert not Path("y.parquet").exists()
 
 
-def test_it_is_not_compressed_once_more(run: Run) -> None:
+def test_parquet_is_not_compressed_again(run: Run) -> None:
     said = "Parquet is compressed in itself; leave out .gz"
     write({"radius [nm]": [100.0], "material": ["quartz"]})
     for words in (
@@ -127,7 +127,7 @@ def test_it_is_not_compressed_once_more(run: Run) -> None:
     assert [path.name for path in Path().iterdir()] == ["grains.parquet"]
 
 
-def test_what_cannot_be_read(run: Run) -> None:
+def test_a_broken_file_is_an_error_in_one_line(run: Run) -> None:
     name = write({"radius [nm]": [100.0 + row for row in range(1000)], "material": ["iron"] * 1000})
     text = bytearray(Path(name).read_bytes())
     for place in range(4, len(text), 291):
@@ -151,7 +151,7 @@ def test_what_cannot_be_read(run: Run) -> None:
 
 
 @pytest.mark.parametrize("unit", ["nm", "m", "ft"])
-def test_an_infinite_number_is_no_number(run: Run, unit: str) -> None:
+def test_an_infinite_radius_is_a_bad_one(run: Run, unit: str) -> None:
     values: list[object] = [1.0, math.inf, -math.inf, 1e308, 2.0]
     assert run("batch", write({f"radius [{unit}]": values}), "-o", "out.parquet", "--quantities", "r_min").code == 1
     rows = parquet.read_table("out.parquet").to_pylist()
@@ -168,15 +168,15 @@ def test_lines_are_counted_from_the_beginning_of_the_file(run: Run, monkeypatch:
     assert (ran.code, ran.err.partition(" must")[0]) == (1, "jkroll: line 235: radius: '0.0'")
 
 
-def test_what_a_file_says_of_itself_stays(run: Run) -> None:
+def test_the_metadata_of_a_file_stays(run: Run) -> None:
     schema = pyarrow.schema([("radius [nm]", pyarrow.float64())], metadata={"source": "a cloud"})
     parquet.write_table(pyarrow.table({"radius [nm]": [1.0]}, schema=schema), "grains.parquet")
     assert run("batch grains.parquet -o out.parquet").code == 0
     assert parquet.read_schema("out.parquet").metadata[b"source"] == b"a cloud"
 
 
-def test_a_column_of_materials_has_as_many_words_as_its_numbers_allow(run: Run) -> None:
-    """As pandas writes 128 categories."""
+def test_a_dictionary_of_materials_may_use_all_of_its_codes(run: Run) -> None:
+    """A data frame of pandas writes 128 categories with codes of 8 bits."""
     words = ["quartz", *(f"stone{number}" for number in range(127))]
     codes = pyarrow.array([0, None, 127], pyarrow.int8())
     material = pyarrow.DictionaryArray.from_arrays(codes, words)
@@ -213,7 +213,7 @@ def test_strict_writes_nothing(run: Run) -> None:
 def test_a_run_of_several_pieces_has_all_rows(
     run: Run, monkeypatch: pytest.MonkeyPatch, rows: int, group: int, jobs: int
 ) -> None:
-    """About 300 rows are written together and 20 computed together, whatever groups the file has."""
+    """About 300 rows are written together and 20 are computed together, for any groups of rows in the file."""
     from jkroll.tables import parquet as batch
 
     table = pyarrow.table({"radius [nm]": [100.0 + row for row in range(rows)], "id": pyarrow.array(range(rows))})
@@ -229,7 +229,7 @@ def test_a_run_of_several_pieces_has_all_rows(
     assert found.read(["id"]).column(0).to_pylist() == [*range(rows)]
 
 
-def test_without_pyarrow_a_line_says_which_extra_brings_it(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_without_pyarrow_a_line_names_the_extra(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     name = write({"radius [nm]": [100.0]})
     monkeypatch.setitem(sys.modules, "pyarrow", None)
     monkeypatch.delitem(sys.modules, "jkroll.tables.parquet", raising=False)
@@ -245,7 +245,7 @@ def test_a_table_without_columns_is_refused(run: Run) -> None:
 
 
 def test_each_batch_is_measured_once() -> None:
-    """Else the time grows as the square of the batches of a group: small row groups of an input are many."""
+    """Otherwise the time would grow as the square of the number of batches in a group; small groups make many."""
     batches, sizes = [Mock() for _ in range(500)], [PropertyMock(return_value=1) for _ in range(500)]
     for batch, size in zip(batches, sizes, strict=True):
         type(batch).nbytes = size

@@ -1,4 +1,4 @@
-"""Many tables: one after the other, or by workers that may be killed."""
+"""Many tables, converted in this process, by other processes, or by workers that may be killed."""
 
 import errno
 import gzip
@@ -23,7 +23,7 @@ PARTS = 5
 
 @pytest.fixture
 def grains() -> list[str]:
-    """Some tables."""
+    """Write some tables, and return their names."""
     Path("grains").mkdir()
     names = [f"grains/part-{place}.csv" for place in range(PARTS)]
     for place, name in enumerate(names):
@@ -32,7 +32,7 @@ def grains() -> list[str]:
 
 
 def whole(directory: str) -> dict[str, bytes]:
-    """The contents of the files of a directory."""
+    """Return the contents of the files in a directory."""
     return {path.name: path.read_bytes() for path in Path(directory).iterdir()}
 
 
@@ -46,8 +46,8 @@ def test_a_file_for_each_table(run: Run, grains: list[str]) -> None:
     assert not written
 
 
-def test_no_table_keeps_descriptors(run: Run, grains: list[str]) -> None:
-    """Else the tables of one run would be limited by how many files a process may have open: often 1024."""
+def test_no_table_keeps_a_file_open(run: Run, grains: list[str]) -> None:
+    """Otherwise the number of tables in a run would be limited: a process may often open 1024 files."""
     Path("bad.csv").write_text("radius [nm],radus\n1,2\n", encoding="utf-8")
     Path("grains.csv.gz").write_bytes(gzip.compress(Path(grains[0]).read_bytes()))
     calls = [[grains[0], "-o", "out.csv"], [grains[0], "-o", "out.csv", "--strict"], ["bad.csv", "-o", "out.csv"]]
@@ -64,7 +64,7 @@ def test_no_table_keeps_descriptors(run: Run, grains: list[str]) -> None:
 
 
 def times(directory: str) -> dict[str, int]:
-    """Return when the tables of a directory were written."""
+    """Return the time at which each table in a directory was written."""
     return {path.name: path.stat().st_mtime_ns for path in Path(directory).glob("*.csv")}
 
 
@@ -106,7 +106,7 @@ def test_a_row_is_named_with_its_table(run: Run) -> None:
 
 
 def test_a_name_without_a_file_stops_no_other_table(run: Run, grains: list[str]) -> None:
-    """As a link has whose file is away, or a file that goes while others are converted."""
+    """It may be a link to a missing file, or a file that was removed during the run."""
     Path("grains/away.csv").symlink_to("nowhere.csv")
     words = ("batch", "grains/*.csv", "-o", "forces/", "--quantities", "r_min")
     for resume in ([], ["--resume"]):
@@ -117,13 +117,13 @@ def test_a_name_without_a_file_stops_no_other_table(run: Run, grains: list[str])
     assert run(*words, "--resume").err.count("No such file") == 1
 
 
-def test_resume_makes_anew_what_is_older_than_its_table(run: Run, grains: list[str]) -> None:
+def test_resume_converts_tables_newer_than_their_output(run: Run, grains: list[str]) -> None:
     words = ("batch", "grains/*.csv", "-o", "forces/", "--quantities", "r_min", "--jobs", "1")
     assert run(*words).code == 1
     before = times("forces")
     Path(grains[1]).write_text("radius [nm]\n100\n", encoding="utf-8")
     os.utime(grains[1], ns=(0, before["part-1.csv"] + 1))
-    assert run(*words, "--resume").code == 0  # the rows of what was kept are not counted
+    assert run(*words, "--resume").code == 0  # rows of kept files are not counted
     after = times("forces")
     assert {name for name in before if after[name] != before[name]} == {"part-1.csv"}
     assert (Path("forces") / "part-1.csv").read_text(encoding="utf-8").startswith("radius [nm],r_min [m],")
@@ -132,7 +132,7 @@ def test_resume_makes_anew_what_is_older_than_its_table(run: Run, grains: list[s
 
 
 @pytest.mark.parametrize("option", [["--resume"], ["--dask", "tcp://127.0.0.1:1"]])
-def test_a_single_table_is_not_resumed_and_needs_no_cluster(run: Run, grains: list[str], option: list[str]) -> None:
+def test_resume_and_dask_are_refused_for_a_single_table(run: Run, grains: list[str], option: list[str]) -> None:
     said = "jkroll: --resume and --dask are for many files: write 'grains/*.csv' -o DIRECTORY/\n"
     for path in (grains[0], "-"):
         assert run("batch", path, "-o", "out.csv", *option) == (2, "", said)
@@ -140,21 +140,23 @@ def test_a_single_table_is_not_resumed_and_needs_no_cluster(run: Run, grains: li
 
 
 @pytest.mark.usefixtures("grains")
-def test_nothing_of_the_users_is_touched(run: Run) -> None:
+def test_other_hidden_files_stay(run: Run) -> None:
     Path("forces").mkdir()
     Path("forces/.mine.part-0.csv").write_text("mine")
     assert run("batch", "grains/*.csv", "-o", "forces/", "--jobs", "1", "--quantities", "r_min").code == 1
     assert Path("forces/.mine.part-0.csv").read_text() == "mine"
 
 
-def test_a_file_whose_name_has_brackets_is_a_file(run: Run) -> None:
+def test_a_file_name_may_have_brackets(run: Run) -> None:
     Path("a[1].csv").write_text("radius [nm]\n100\n", encoding="utf-8")
     assert run("batch", "a[1].csv", "-o", "forces/", "--material", "quartz").code == 0
     assert Path("forces/a[1].csv").exists()
 
 
 @pytest.mark.slow
-def test_a_pool_writes_what_one_process_writes(run: Run, monkeypatch: pytest.MonkeyPatch, grains: list[str]) -> None:
+def test_several_processes_write_the_same_files_as_one(
+    run: Run, monkeypatch: pytest.MonkeyPatch, grains: list[str]
+) -> None:
     assert run("batch", "grains/*.csv", "-o", "whole/", "--jobs", "1").code == 1
     monkeypatch.setattr(command, "LITTLE", 1)
     assert run("batch", "grains/*.csv", "-o", "forces/", "--jobs", "2").code == 1
@@ -162,7 +164,7 @@ def test_a_pool_writes_what_one_process_writes(run: Run, monkeypatch: pytest.Mon
     assert whole("forces") == whole("whole")
 
 
-def test_what_makes_no_directory(run: Run, grains: list[str]) -> None:
+def test_a_target_that_is_no_directory_is_refused(run: Run, grains: list[str]) -> None:
     message = "jkroll: several tables need a directory for the results: -o DIRECTORY/\n"
     for output in ([], ["-o", grains[0]], ["-o", f"{grains[0]}/"]):
         assert run("batch", "grains/*.csv", *output) == (2, "", message)
@@ -174,7 +176,7 @@ def test_what_makes_no_directory(run: Run, grains: list[str]) -> None:
 
 @pytest.fixture
 def scheduler() -> Iterator[str]:
-    """A Dask scheduler."""
+    """Start a Dask scheduler, and return its address."""
     pytest.importorskip("distributed")
     with cluster() as (_, address):
         yield address
@@ -182,7 +184,7 @@ def scheduler() -> Iterator[str]:
 
 @contextmanager
 def cluster() -> "Iterator[tuple[subprocess.Popen[str], str]]":
-    """A Dask scheduler, and its address."""
+    """Start a Dask scheduler, and return it with its address."""
     words = "-m distributed.cli.dask_scheduler --port 0 --host 127.0.0.1 --no-dashboard".split()
     process = subprocess.Popen([sys.executable, *words], stderr=subprocess.PIPE, text=True)
     assert process.stderr is not None
@@ -193,14 +195,14 @@ def cluster() -> "Iterator[tuple[subprocess.Popen[str], str]]":
 
 
 def worker(address: str) -> "subprocess.Popen[bytes]":
-    """A Dask worker."""
+    """Start a Dask worker."""
     words = f"-m distributed.cli.dask_worker {address} --nthreads 1 --no-nanny --no-dashboard".split()
     return subprocess.Popen([sys.executable, *words], stderr=subprocess.DEVNULL)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kill", [False, True])
-def test_two_dask_workers_write_what_one_process_writes(
+def test_dask_workers_write_the_same_files_as_one_process(
     run: Run, grains: list[str], scheduler: str, *, kill: bool
 ) -> None:
     for place, name in enumerate(grains):
@@ -220,14 +222,14 @@ def test_two_dask_workers_write_what_one_process_writes(
         for process in workers:
             process.kill()
             process.wait()
-    assert whole("forces") == whole("whole")  # and nothing that the one has begun that was killed
+    assert whole("forces") == whole("whole")  # without a temporary file of the killed worker
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM])
 @pytest.mark.parametrize("lost", ["scheduler", "workers"])
-def test_a_cluster_that_is_lost_is_said_in_a_line(run: Run, grains: list[str], lost: str, number: int) -> None:
-    """What it has begun goes, and --resume makes what is missing."""
+def test_a_lost_cluster_is_reported_in_a_line(run: Run, grains: list[str], lost: str, number: int) -> None:
+    """Temporary files are removed, and --resume makes the missing files."""
     pytest.importorskip("distributed")
     for place, name in enumerate(grains):
         Path(name).write_text(random_table(1000, place), encoding="utf-8")
@@ -259,7 +261,7 @@ def test_a_cluster_that_is_lost_is_said_in_a_line(run: Run, grains: list[str], l
     assert len([*Path("forces").glob("part-*.csv")]) == PARTS
 
 
-def test_a_scheduler_that_cannot_be_reached_is_said_in_a_line(run: Run, grains: list[str]) -> None:
+def test_an_unreachable_scheduler_is_reported_in_a_line(run: Run, grains: list[str]) -> None:
     """TLS has no certificates here."""
     pytest.importorskip("distributed")
     ran = run("batch", "grains/*.csv", "-o", "forces/", "--dask", "tls://127.0.0.1:1")
@@ -278,7 +280,7 @@ def test_errors_of_other_processes_are_reported(run: Run, monkeypatch: pytest.Mo
     assert (ran.code, ran.err.splitlines()) == (2, lines)
 
 
-def test_processes_that_do_not_start_are_said_in_a_line(
+def test_processes_that_do_not_start_are_reported_in_a_line(
     run: Run, monkeypatch: pytest.MonkeyPatch, grains: list[str]
 ) -> None:
     monkeypatch.setattr(command, "LITTLE", 1)

@@ -1,4 +1,4 @@
-"""The progress of a run, on a terminal."""
+"""The line of progress of a run on a terminal."""
 
 import sys
 from functools import partial
@@ -12,14 +12,15 @@ from jkroll.tables.files import Input
 from jkroll.tables.run import Converted, progress_of, with_progress
 
 
-def test_a_bar_shows_part_and_rows(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_line_shows_the_share_read_and_the_rows(monkeypatch: pytest.MonkeyPatch) -> None:
     Path("grains.csv").write_bytes(b"100\n" * 100)
     file = Input("grains.csv")
     with file.file:
         out = Stream(terminal=True)
         monkeypatch.setattr("sys.stderr", out)
         monkeypatch.setattr("jkroll.tables.run.WAIT", 0)
-        monkeypatch.setattr("jkroll.tables.run.monotonic", iter([0.0, 10.0]).__next__)  # as it begins, after a block
+        seconds = iter([0.0, 10.0])  # at the beginning, and after a block
+        monkeypatch.setattr("jkroll.tables.run.monotonic", seconds.__next__)
         monkeypatch.setattr(file, "share_read", lambda rows: rows / 200_000)
         every = [Converted(b"", 0, Tally(rows=50_000))] * 2
         blocks = with_progress(every, lambda block: block.tally.rows, partial(progress_of, file))
@@ -31,7 +32,7 @@ def test_a_bar_shows_part_and_rows(monkeypatch: pytest.MonkeyPatch) -> None:
     assert out.text().removeprefix(line) == f"\r{' ' * (len(line) - 2)}\r"
 
 
-def test_no_bar_in_a_pipe(run: Run) -> None:
+def test_a_pipe_gets_no_line_of_progress(run: Run) -> None:
     Path("grains.csv").write_text("radius [nm]\n" + "100\n" * 100, encoding="utf-8")
     before = {*sys.modules}
     assumed = "assumed: ξ = 200 pm (--xi), no load (--load)"

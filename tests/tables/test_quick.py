@@ -1,4 +1,4 @@
-"""The quick way through a table and the careful one: whatever the quick one takes, both write the same bytes."""
+"""The quick and the careful reading of a table write the same bytes."""
 
 import csv
 import io
@@ -38,7 +38,7 @@ MATERIALS = st.sampled_from(["quartz", "iron", "gold", "", "SiO2", "unobtainium"
 
 
 def rows(cell: st.SearchStrategy[str], name: st.SearchStrategy[str]) -> st.SearchStrategy[list[str]]:
-    """Cells of a row, as many as there should be."""
+    """Return a strategy for the cells of a row, with as many cells as the header has."""
     own = st.floats(1, 1e4).map("{:.3f} nm".format)
     return st.tuples(name, MATERIALS, cell, cell, st.sampled_from(["0.1", "0.25"]) | cell, own | cell).map(list)
 
@@ -48,15 +48,15 @@ ANY = rows(NUMBERS | ODD, NAMES) | st.lists(NUMBERS | ODD, max_size=8)
 
 
 def converter(dialect: str, end: str, *, excel_safe: bool) -> Converter:
-    """The converter of a table with this header."""
+    """Return the converter of a table with this header."""
     lines = Delimited(SEPARATORS[dialect], excel_safe=excel_safe)
-    lines.begin((lines.separator.join(HEADER) + end).encode())
+    lines.read_header((lines.separator.join(HEADER) + end).encode())
     table = Table(understood(lines.names), [], Asked({}, known_materials(), offered=quantities_named("report")[1]))
     return Converter(lines, table, "", strict=False)
 
 
 def converted(dialect: str, end: str, text: bytes, *, excel_safe: bool) -> Converted:
-    """Return a block of rows, converted."""
+    """Return a converted block of rows."""
     return converter(dialect, end, excel_safe=excel_safe).converted(text)
 
 
@@ -68,7 +68,9 @@ def converted(dialect: str, end: str, text: bytes, *, excel_safe: bool) -> Conve
     last=st.sampled_from(["", "\n", "\r\n", "\n\n"]),
     excel_safe=st.booleans(),
 )
-def test_quick_or_careful(*, table: list[list[str]], dialect: str, end: str, last: str, excel_safe: bool) -> None:
+def test_quick_and_careful_reading_agree(
+    *, table: list[list[str]], dialect: str, end: str, last: str, excel_safe: bool
+) -> None:
     separator = SEPARATORS[dialect]
     text = (end.join(separator.join(row) for row in table) + last).encode()
     quick = converted(dialect, end, text, excel_safe=excel_safe)
@@ -77,7 +79,7 @@ def test_quick_or_careful(*, table: list[list[str]], dialect: str, end: str, las
     assert quick == careful
 
 
-def test_the_quick_way_is_taken() -> None:
+def test_usual_rows_are_read_quickly() -> None:
     text = b"a,quartz,100,1,0.2,50 nm\n" * 300 + b"b,quartz,-5,0,0.2,50 nm\n"
     convert = converter("csv", "\n", excel_safe=False)
     with patch.object(Delimited, "_read", side_effect=AssertionError), patch.object(cells, "_meaning") as one_by_one:
@@ -90,7 +92,7 @@ def test_the_quick_way_is_taken() -> None:
     assert others == [first] * 299
 
 
-def test_another_process_converts_alike() -> None:
+def test_a_converter_may_be_sent_to_another_process() -> None:
     text = b"a,quartz,100,1,0.2,50 nm\nb,quartz,-5,0,0.2,50 nm\n"
     convert = converter("csv", "\n", excel_safe=False)
     assert pickle.loads(pickle.dumps(convert)).converted(text) == convert.converted(text)
@@ -99,7 +101,7 @@ def test_another_process_converts_alike() -> None:
 @settings(deadline=None)
 @given(text=st.text(st.sampled_from('a,"\n\r'), max_size=24).map(str.encode))
 def test_records_are_those_of_csv(text: bytes) -> None:
-    """Where Python's csv module takes all of a text, its records and cells are the same, and so are their lines."""
+    """If Python's csv module accepts the whole text, its records are the same, and so are their lines."""
     lines = as_lines(text)
     records = [*Delimited(",").records(lines)]
     assert "".join("".join(lines[start:stop]) for start, stop, *_ in records).encode() == text
@@ -117,7 +119,7 @@ def test_records_are_those_of_csv(text: bytes) -> None:
     rest=st.text(st.sampled_from('a,"\n'), max_size=8).map(str.encode),
 )
 def test_no_record_is_cut(text: bytes, rest: bytes) -> None:
-    """Whatever comes after it, a text is cut where a record ends."""
+    """A text is cut where a record ends, whatever follows."""
 
     def records(text: bytes) -> list[tuple[list[str], str]]:
         return [(cells, problem) for *_, cells, problem in Delimited(",").records(as_lines(text))]
@@ -126,7 +128,7 @@ def test_no_record_is_cut(text: bytes, rest: bytes) -> None:
     assert records(text[:size]) + records(text[size:] + rest) == records(text + rest)
 
 
-def test_an_open_quote_does_not_gather_what_follows_in_one_block() -> None:
+def test_an_open_quote_does_not_make_one_block_of_the_rest() -> None:
     from jkroll.tables.files import CHUNK, blocks
 
     lines = [b'"open,quartz\n', *(b"row %d,quartz\n" % row for row in range(CHUNK // 10))]
@@ -137,10 +139,10 @@ def test_an_open_quote_does_not_gather_what_follows_in_one_block() -> None:
     assert all(block.endswith(b"\n") and len(block) <= CHUNK for block in found)
 
 
-def test_a_first_record_longer_than_a_block_is_one() -> None:
+def test_the_first_record_may_be_longer_than_a_block() -> None:
     from jkroll.tables.files import CHUNK, blocks
 
-    text = b"radius [nm]" + b",column" * CHUNK + b"\n100\n"  # as read: pieces of CHUNK bytes
+    text = b"radius [nm]" + b",column" * CHUNK + b"\n100\n"  # read in pieces of CHUNK bytes
     pieces = [text[start : start + CHUNK] for start in range(0, len(text), CHUNK)]
     first, *rest = blocks(iter(pieces), Delimited(",").cut)
     assert first.startswith(text[:-4])
@@ -151,7 +153,7 @@ def test_a_line_of_separators_takes_little_memory() -> None:
     import tracemalloc
 
     line = b"," * (1 << 18)
-    converted("csv", "\n", b"\n", excel_safe=False)  # loads what is loaded once
+    converted("csv", "\n", b"\n", excel_safe=False)  # loads the modules before the measurement
     tracemalloc.start()
     found = converted("csv", "\n", line + b"\n", excel_safe=False)
     _, peak = tracemalloc.get_traced_memory()

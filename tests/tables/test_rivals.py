@@ -1,4 +1,4 @@
-"""The rivals of the benchmark do the work that `jkroll batch` does."""
+"""The rivals of the benchmark do the same work as `jkroll batch`."""
 
 import csv
 import shutil

@@ -1,4 +1,4 @@
-"""Every spelling of every input in a header is read rightly or refused; only a symbol without a mark may pass."""
+"""Each spelling of each input in a header is read rightly or refused; only a symbol without a mark may pass."""
 
 from collections import Counter
 from collections.abc import Iterable
@@ -13,7 +13,8 @@ from spellings import MANGLINGS, Spelling, spellings
 
 
 def outcome(spelling: Spelling) -> str:
-    given = ("radius2",) if spelling.name != "reduced_radius" else ()  # which says what R is
+    """Return how a spelling is read: rightly or wrongly, refused or passed."""
+    given = ("radius2",) if spelling.name != "reduced_radius" else ()  # R is then the radius of sphere 1
     try:
         header = understood([spelling.text], [["3"]], given=given)
     except BadTable:
@@ -26,7 +27,7 @@ def outcome(spelling: Spelling) -> str:
 
 
 def are_read_rightly_or_refused(some: Iterable[Spelling]) -> None:
-    """Check that no spelling is read as another input, nor passed by; a third of each kind is read."""
+    """Check that no spelling is read wrongly or wrongly passed, and that a third of each kind is read."""
     outcomes = {spelling: outcome(spelling) for spelling in some}
     wrong = {each.text: found for each, found in outcomes.items() if found not in ("read", "refused", "passed")}
     assert not wrong

@@ -1,4 +1,4 @@
-"""What is half understood is refused: preambles, members and numbers that are none, in every format alike."""
+"""Half-understood text is refused in each format: preambles, members, and cells that are not numbers."""
 
 from pathlib import Path
 
@@ -40,7 +40,7 @@ def test_the_line_of_a_bad_row_is_counted_from_the_beginning_of_the_file(run: Ru
     assert "line 5: " in run(f"batch x.csv -o out.csv --strict {FORCE}").err
 
 
-def test_a_member_that_stands_twice_is_refused(run: Run) -> None:
+def test_a_duplicate_member_is_refused(run: Run) -> None:
     rows = [
         '{"radius [nm]": 100, "gamma [mJ/m2]": 25, "at": "12:30"}',
         '{"radius [nm]": 100, "gamma [mJ/m2]": 25, "radius [nm]": 5, "at": ""}',
@@ -64,7 +64,7 @@ def test_a_member_that_stands_twice_is_refused(run: Run) -> None:
         ("load [nN]", [float("nan"), float("inf"), 0.0, None]),
     ],
 )
-def test_no_other_number_stands_in_for_one_that_is_none(run: Run, column: str, values: list[float | None]) -> None:
+def test_no_other_number_replaces_a_missing_one(run: Run, column: str, values: list[float | None]) -> None:
     pyarrow = pytest.importorskip("pyarrow")
     parquet = pytest.importorskip("pyarrow.parquet")
     table = pyarrow.table({"radius [nm]": [100.0] * 4, column: pyarrow.array(values, pyarrow.float64())})
@@ -102,7 +102,7 @@ CELLS = {
     "1 000": None,
     "1e-7²": None,
     "1₀e-7": None,
-    **dict.fromkeys(("5①nm", "5⒈nm", "5⑴nm", "5ᵐ", "1\u202e2nm")),  # with marks of notes
+    **dict.fromkeys(("5①nm", "5⒈nm", "5⑴nm", "5ᵐ", "1\u202e2nm")),  # marks of notes
     "1×10⁻¹µm": 1e-7,
 }  # fmt: skip
 
@@ -127,14 +127,14 @@ def test_a_cell_is_read_or_refused_with_the_true_reason(cell: str) -> None:
 @pytest.mark.parametrize(
     ("head", "cells", "values"),
     [
-        ("viscous_time [ps]", ["1.25d1", "1.25e1", "1.25D+01"], [None, 1.25e-11, None]),  # and no 1.25 days
+        ("viscous_time [ps]", ["1.25d1", "1.25e1", "1.25D+01"], [None, 1.25e-11, None]),  # not 1.25 days
         ("radius [nm]", ["5m1", "5 m", "1.5D-07", "5Q2"], [None, 5.0, None, None]),
     ],
 )
-def test_a_letter_and_digits_directly_behind_a_number_are_no_unit(
+def test_a_letter_and_digits_directly_after_a_number_are_no_unit(
     head: str, cells: list[str], values: list[float | None]
 ) -> None:
-    """However many cells are read together."""
+    """This holds for a single cell, and for cells read together."""
     (column,) = understood([head]).inputs
     numbers = column.numbers({column.name: [cell.encode() for cell in cells]})
     assert [*numbers.odd] == [place for place, value in enumerate(values) if value is None]
@@ -143,15 +143,16 @@ def test_a_letter_and_digits_directly_behind_a_number_are_no_unit(
     )
 
 
-def test_per_cent_behind_an_error_bar_may_be_of_the_value_where_the_column_is_in_per_cent_too() -> None:
+def test_per_cent_after_an_error_bar_in_a_column_of_per_cent_is_refused() -> None:
+    """It may be a percentage of the value, or the unit of both."""
     (column,) = understood(["filling_factor [%]"]).inputs
     with pytest.raises(QuantityError, match="has a % that can be read in two ways"):
         column.value("40±5 %")
 
 
 @pytest.mark.parametrize("cell", ["1e-7", "1E−07", "1×10⁻⁷", "１e-7", "1.0 x 10^-7"])
-def test_a_value_keeps_the_unit_of_its_column_where_its_error_bar_has_another(cell: str) -> None:
-    """However its power of ten is written."""
+def test_a_value_keeps_the_unit_of_its_column_next_to_another(cell: str) -> None:
+    """The notation of its power of ten makes no difference."""
     (column,) = understood(["load [N]", "load_err [nN]"]).inputs
     load = column.value(column.joined(cell, "5"))
     assert isinstance(load, Measured)
@@ -161,7 +162,7 @@ def test_a_value_keeps_the_unit_of_its_column_where_its_error_bar_has_another(ce
 @pytest.mark.parametrize(
     ("rows", "is_refused"), [(["1.200;25"], True), (["1.200;25.5"], False), (["1.200;25", "2.5;25"], False)]
 )
-def test_a_point_between_semicolons_may_be_one_of_thousands(run: Run, rows: list[str], is_refused: bool) -> None:
+def test_a_point_between_semicolons_may_separate_thousands(run: Run, rows: list[str], is_refused: bool) -> None:
     Path("x.csv").write_text("\n".join(["radius [nm];gamma [mJ/m2]", *rows, ""]), encoding="utf-8")
     ran = run(f"batch x.csv -o out.csv --delimiter semicolon {FORCE}")
     assert (ran.code, "'1.200' may be 1.200 or 1200" in ran.err) == ((2, True) if is_refused else (0, False))
@@ -171,9 +172,9 @@ def test_a_point_between_semicolons_may_be_one_of_thousands(run: Run, rows: list
 def test_a_comma_in_a_number_without_a_unit_is_refused(run: Run, words: str) -> None:
     ran = run(words)
     assert (ran.code, "may be a list or a number with a comma" in ran.err) == (2, True)
-    assert ran.err.endswith("decimal points, as in 1.0,5.0, and a number without a comma\n")  # 1,000 is no 1.0,000.0
+    assert ran.err.endswith("decimal points, as in 1.0,5.0, and a number without a comma\n")  # 1,000 is not 1.0,000.0
 
 
-def test_a_power_behind_an_error_bar_alone_is_refused(run: Run) -> None:
+def test_a_power_after_an_error_bar_without_brackets_is_refused(run: Run) -> None:
     ran = run("pull-off 100nm --gamma 2.5±0.5e-2J/m2")
     assert (ran.code, "can be read as (2.5±0.5)e-2 or as 2.5±(0.5e-2)" in ran.err) == (2, True)

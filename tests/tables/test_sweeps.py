@@ -1,4 +1,4 @@
-"""Sweeps of any length: the rows of a short sweep, whoever writes them."""
+"""Sweeps of any length: their rows are those of a short sweep, in each format."""
 
 import csv
 import gzip
@@ -39,19 +39,19 @@ INFERENCES = [
 
 
 def table(text: str) -> list[list[str]]:
-    """The cells of a CSV table."""
+    """Return the cells of a CSV table."""
     return list(csv.reader(text.splitlines()))
 
 
 def by(way: str, patch: pytest.MonkeyPatch) -> None:
-    """Have rows computed one by one with floats, or as arrays, whatever their number."""
+    """Have rows computed as floats or as arrays, whatever their number."""
     for kind in ("COMPUTED", "SEARCHED"):
         few = {"floats": 10**9, "arrays": -1}[way]
         patch.setattr(sweeps, kind, getattr(sweeps, kind)._replace(few=few))
 
 
 def in_both_ways(run: Run, monkeypatch: pytest.MonkeyPatch, *words: str) -> list[Ran]:
-    """Run a command whose rows are computed by floats, and one whose rows are computed as arrays."""
+    """Run a command whose rows are computed as floats, and again with rows computed as arrays."""
     found = []
     for way in ("floats", "arrays"):
         with monkeypatch.context() as patch:
@@ -61,10 +61,10 @@ def in_both_ways(run: Run, monkeypatch: pytest.MonkeyPatch, *words: str) -> list
 
 
 @pytest.mark.parametrize("sweep", INFERENCES)
-def test_inferred_rows_are_the_same_by_floats_and_by_arrays(
+def test_inferred_rows_are_the_same_as_floats_and_as_arrays(
     run: Run, monkeypatch: pytest.MonkeyPatch, sweep: str
 ) -> None:
-    """Numbers to within roundings; gaps, doubts, reasons and notes to the letter."""
+    """Numbers agree to within rounding; gaps, doubts, reasons and notes are equal."""
     floats, arrays = in_both_ways(run, monkeypatch, *shlex.split(sweep), "--csv")
     assert (arrays.code, arrays.err) == (floats.code, floats.err)
     header, *rows = table(floats.out)
@@ -75,8 +75,8 @@ def test_inferred_rows_are_the_same_by_floats_and_by_arrays(
     for row, other in zip(rows, others, strict=True):
         values = dict(zip(header, row, strict=True))
         for name, cell, other_cell in zip(header, row, other, strict=True):
-            beside = re.sub("_(minus|plus)", "", name)  # a side is the difference of two values
-            rounding = 0.0 if beside == name else 16 * math.ulp(float(values[beside] or 0))
+            value_name = re.sub("_(minus|plus)", "", name)  # a side is the difference of two values
+            rounding = 0.0 if value_name == name else 16 * math.ulp(float(values[value_name] or 0))
             try:
                 assert float(cell) == approx(float(other_cell), rel=close, abs=rounding), name
             except ValueError:
@@ -97,7 +97,7 @@ def test_a_file_has_the_bytes_of_the_stream(run: Run, monkeypatch: pytest.Monkey
 
 @pytest.mark.parametrize("options", [[], ["--bare"], ["--digits", "5", "--to", "pN"]])
 def test_a_number_has_one_spelling(run: Run, monkeypatch: pytest.MonkeyPatch, options: list[str]) -> None:
-    """In every format and by either way, and it is read back as the same double."""
+    """It is the same in each format and by either way, and is read back as the same double."""
     words = ["pull-off", "quartz", "1e-15m,1e-9m,20nm,50nm,1e5m,3e15m", "--quiet", *options]
     out = {ran.out for ran in in_both_ways(run, monkeypatch, *words)}
     cells = {cell for text in out for line in text.splitlines()[1:] for cell in re.split("[\t,]", line)}
@@ -108,9 +108,7 @@ def test_a_number_has_one_spelling(run: Run, monkeypatch: pytest.MonkeyPatch, op
 
 
 @pytest.mark.parametrize("options", ["", "--angle 10deg", "--model maugis,dmt", "--load 1nN --radius2 200nm,plane"])
-def test_what_is_named_is_a_column_whether_a_command_shows_it_there_or_not(
-    run: Run, monkeypatch: pytest.MonkeyPatch, options: str
-) -> None:
+def test_each_quantity_requested_by_name_has_a_column(run: Run, monkeypatch: pytest.MonkeyPatch, options: str) -> None:
     named = [name for name, quantity in NOMENCLATURE.items() if quantity.unit and formula_of(name) is not None]
     given = ["load", "rolling_angle"]
     words = [*f"report quartz 100nm,200nm {options} --quantities".split(), ",".join({*named}.difference(given))]
@@ -125,8 +123,8 @@ def test_what_is_named_is_a_column_whether_a_command_shows_it_there_or_not(
             assert ("rolling_frequency_as_printed [Hz]" in empty) is ("sphere 2 differs" in row[-1])
 
 
-def test_a_value_of_many_rows_is_rounded_once(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Else the time grows as the square of the number of rows that are written together."""
+def test_each_value_of_many_rows_is_rounded_once(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Otherwise the time would grow as the square of the number of rows that are written together."""
     by("arrays", monkeypatch)
     with patch.object(Format, "number", autospec=True, side_effect=Format.number) as number:
         _, *rows = table(run("pull-off quartz 1nm:1um:1000 --csv --digits 3 --quantities pull_off_force").out)
@@ -135,14 +133,14 @@ def test_a_value_of_many_rows_is_rounded_once(run: Run, monkeypatch: pytest.Monk
 
 
 @pytest.mark.parametrize("line", ["pull-off quartz 100nm", "frequencies quartz,gold 100nm 1um --to MHz --digits 3"])
-def test_a_file_of_json_has_what_json_prints(run: Run, line: str) -> None:
+def test_a_file_of_json_equals_the_printed_json(run: Run, line: str) -> None:
     printed = run(f"{line} --json")
     for words in (f"{line} -o x.json", f"{line} --json -o X.JSON"):
         assert run(words) == (printed.code, "", printed.err)
     assert Path("x.json").read_bytes().decode() == Path("X.JSON").read_bytes().decode() == printed.out
 
 
-def test_what_is_not_written_into_a_file_of_json(run: Run) -> None:
+def test_options_that_exclude_a_file_of_json(run: Run) -> None:
     for option in ("--csv", "--bare", "--cite"):
         assert (
             run(f"pull-off quartz 100nm -o x.json {option}").err
@@ -162,7 +160,7 @@ def test_rows_are_not_written_under_the_name_of_a_picture(run: Run, end: str) ->
         assert not Path(f"rows.{end}").exists()
 
 
-def test_what_a_file_of_rows_is_not(run: Run) -> None:
+def test_options_that_exclude_a_file_of_rows(run: Run) -> None:
     for form in ("json", "bare", "explain", "cite"):
         message = f"jkroll: -o 'x.csv' and --{form} exclude each other; redirect the output: > FILE\n"
         assert run(f"pull-off quartz 1nm:1um:3 -o x.csv --{form}") == (2, "", message)
@@ -176,13 +174,13 @@ def test_what_a_file_of_rows_is_not(run: Run) -> None:
     ("line", "head"),
     [
         ("pull-off quartz,iron", "2 pairs"),
-        ("pull-off quartz --model jkr,dmt", "quartz"),  # a pair under two laws is one
+        ("pull-off quartz --model jkr,dmt", "quartz"),  # two laws make no second pair
         ("pull-off quartz,iron --model jkr,dmt", "2 pairs"),
         ("pull-off 100nm,1um", "2 pairs"),
     ],
 )
-def test_rows_without_a_result_are_a_table_too(run: Run, line: str, head: str) -> None:
-    """Whatever a quantity that they do not show would need."""
+def test_rows_without_a_result_are_still_a_table(run: Run, line: str, head: str) -> None:
+    """They need no inputs of quantities that they do not show."""
     ran = run(line, terminal=True)
     assert ran.code == 1
     assert ran.out.startswith(head)
@@ -190,12 +188,12 @@ def test_rows_without_a_result_are_a_table_too(run: Run, line: str, head: str) -
     assert "None" not in ran.out + run(f"{line} --csv").out
 
 
-COMMANDS = [name for name in QUESTIONS if name != "impact"]  # which takes a speed besides
+COMMANDS = [name for name in QUESTIONS if name != "impact"]  # impact also needs a speed
 RADII = [1e-8, 1e-7, 1e-6] * 2
 
 
 def listed(run: Run, way: str, line: str) -> list[dict[str, str]]:
-    """Return the rows of a list as they are written: as text in a pipe, by --csv, into a file, or as JSON."""
+    """Return the rows of a list in a format: as text in a pipe, by --csv, in a file, or as JSON."""
     if way == "json":
         return [{**each["inputs"]} for each in json.loads(run(f"{line} --json").out)]
     if way in ("ndjson", "parquet", "tsv"):
@@ -206,8 +204,8 @@ def listed(run: Run, way: str, line: str) -> list[dict[str, str]]:
 
 @pytest.mark.parametrize("way", ["", "--csv", "tsv", "ndjson", "parquet", "json"])
 @pytest.mark.parametrize("command", COMMANDS)
-def test_what_was_listed_stands_in_each_row(run: Run, command: str, way: str) -> None:
-    """Q of JKR has no radius, 6πγξ, but that of Maugis, what was measured, and the doubts have one."""
+def test_each_row_has_the_listed_values(run: Run, command: str, way: str) -> None:
+    """Q of JKR, 6πγξ, depends on no radius. But Q of Maugis, the measured quantities and the doubts do."""
     if way == "parquet":
         pytest.importorskip("pyarrow")
     rows = listed(run, way, f"{command} quartz,iron 10nm,100nm,1um --quantities Q")
@@ -222,7 +220,7 @@ def test_what_was_listed_stands_in_each_row(run: Run, command: str, way: str) ->
 @pytest.mark.parametrize(
     ("line", "head", "values"),
     [
-        ("pull-off quartz 1um --young 5GPa,50GPa", "youngs_modulus [Pa]", [5e9, 5e10]),  # on which doubts rest
+        ("pull-off quartz 1um --young 5GPa,50GPa", "youngs_modulus [Pa]", [5e9, 5e10]),  # doubts depend on E
         ("pull-off quartz 1um --young 5GPa,rigid", "youngs_modulus [Pa]", [5e9, "rigid"]),
         ("pull-off quartz 1um --z0 0.2nm:0.4nm:2", "atomic_spacing [m]", [2e-10, 4e-10]),
         ("yield-force quartz --quantities Q --radius 100nm±5nm,1um", "radius [m]", [1e-7, 1e-6]),
@@ -230,7 +228,7 @@ def test_what_was_listed_stands_in_each_row(run: Run, command: str, way: str) ->
         ("infer xi quartz 10nm,1um --measured yield_force=30pN", "radius [m]", [1e-8, 1e-6]),
     ],
 )
-def test_what_only_doubts_rest_on_stands_in_each_row(
+def test_each_row_has_the_inputs_that_only_doubts_depend_on(
     run: Run, monkeypatch: pytest.MonkeyPatch, line: str, head: str, values: list[float | str]
 ) -> None:
     for ran in in_both_ways(run, monkeypatch, *line.split(), "--csv"):
@@ -238,7 +236,7 @@ def test_what_only_doubts_rest_on_stands_in_each_row(
         assert [cell if cell.isalpha() else approx(float(cell)) for cell in cells] == values
 
 
-def test_a_list_on_a_terminal_has_its_radii(run: Run) -> None:
+def test_a_list_on_a_terminal_shows_its_radii(run: Run) -> None:
     for command in COMMANDS:
         lines = run(f"{command} quartz,iron 10nm,100nm,1um --quantities Q --quiet", terminal=True).out.splitlines()
         first = next(place for place, line in enumerate(lines) if line.startswith("quartz "))

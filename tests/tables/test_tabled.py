@@ -1,4 +1,4 @@
-"""`jkroll.table`: the same kind of table back, with what `batch` adds to the file of that table."""
+"""`jkroll.table` returns the same type of table, with the columns that `batch` adds to a file."""
 
 import csv
 import importlib
@@ -25,6 +25,7 @@ NUMBERS = {"radius [nm]": RADII, "gamma [mJ/m2]": GAMMAS, "material": SOLIDS}
 
 
 def bare(name: str) -> str:
+    """Return the name in a header, without the unit."""
     return name.partition(" [")[0]
 
 
@@ -86,21 +87,21 @@ KINDS = [
 
 
 def values(found: Any, head: str) -> list[Any]:
-    """Return the column of a header, or of its name alone where units are kept elsewhere, as a list; None is empty."""
+    """Return a column as a list, by its header, or by its name if the unit is an attribute. None is an empty cell."""
     try:
         column = found[head]
     except KeyError:
         column = found[bare(head)]
         assert str(getattr(column, "unit", None) or column.attrs["units"]) == "N"
     column = column.to_pylist() if hasattr(column, "to_pylist") else getattr(column, "value", column)
-    if callable(column):  # of a Series
+    if callable(column):  # a method of a Series
         column = found[head]
     cells = numpy.asarray(column).tolist()
     return [None if cell in ("", None) or (isinstance(cell, float) and isnan(cell)) else cell for cell in cells]
 
 
 @pytest.mark.parametrize("make", KINDS)
-def test_adds_what_batch_adds_to_the_file_of_the_table(make: Callable[[], Any], run: Run) -> None:
+def test_adds_the_columns_of_batch(make: Callable[[], Any], run: Run) -> None:
     data = make()
     Path("grains.csv").write_text(
         "\n".join(
@@ -123,7 +124,7 @@ def test_adds_what_batch_adds_to_the_file_of_the_table(make: Callable[[], Any], 
 
 
 @pytest.mark.parametrize("make", KINDS)
-def test_leaves_the_table_that_it_took_as_it_was(make: Callable[[], Any]) -> None:
+def test_leaves_its_argument_unchanged(make: Callable[[], Any]) -> None:
     data, other = make(), make()
     jkroll.table(data, WANTED)
     names = (getattr(each, "column_names", None) or getattr(each, "columns", each) for each in (data, other))
@@ -137,7 +138,7 @@ def test_keeps_the_index_of_a_data_frame() -> None:
     assert [*found.columns] == [*data.columns, *ADDED]
 
 
-def test_a_dataset_gets_the_dimensions_of_what_was_read() -> None:
+def test_a_dataset_gets_the_dimensions_of_its_inputs() -> None:
     xarray = pytest.importorskip("xarray")
     data = xarray.Dataset(
         {
@@ -192,7 +193,7 @@ def test_infinite_radii_are_planes() -> None:
     assert plane == approx(2 * sphere)
 
 
-def test_columns_say_what_names_do_not() -> None:
+def test_columns_gives_meanings_to_names() -> None:
     data = {"a": [100.0, 200.0], "solid": ["quartz", "iron"], "r": [1.0, 2.0]}
     columns = {"a": "radius [nm]", "solid": "material", "r": ""}
     found = jkroll.table(data, "P_c", columns=columns)
@@ -201,7 +202,7 @@ def test_columns_say_what_names_do_not() -> None:
     )
 
 
-def test_the_unit_of_a_library_is_that_of_a_column_with_a_meaning() -> None:
+def test_a_column_with_a_meaning_keeps_the_unit_of_its_library() -> None:
     quantity: Any = pint.application_registry.Quantity
     found = jkroll.table({"a": quantity([0.1], "um")}, "P_c", material="quartz", columns={"a": "radius"})
     assert found["pull_off_force [N]"] == approx([jkroll.solve("P_c", material="quartz", radius=1e-7)], rel=1e-15)
@@ -249,21 +250,21 @@ def test_says_how_the_table_is_read() -> None:
         ([1, 2], {}, "list is not a table"),
     ],
 )
-def test_what_is_no_table_of_contacts_is_refused(data: Any, arguments: Any, words: str) -> None:
+def test_bad_tables_and_arguments_are_refused(data: Any, arguments: Any, words: str) -> None:
     with pytest.raises(jkroll.JkrollError) as caught:
         jkroll.table(data, "P_c", **arguments)
     assert words in str(caught.value)
     assert "--" not in str(caught.value)
 
 
-def test_strict_raises_the_first_row_that_fails() -> None:
+def test_strict_raises_the_error_of_the_first_bad_row() -> None:
     data = {"radius [nm]": [100.0] * 6000 + [-1.0], "material": "quartz"}
     assert jkroll.table(data, "P_c")["status"][6000] is not None
     with pytest.raises(jkroll.JkrollError, match="row 6000, counted from 0: radius"):
         jkroll.table(data, "P_c", strict=True)
 
 
-def test_imports_no_library_that_the_table_does_not_come_from() -> None:
+def test_imports_only_the_library_of_the_table() -> None:
     code = "import jkroll, sys; jkroll.table({'radius [nm]': [1.0]}, 'P_c', material='quartz'); print(*sys.modules)"
     environment = {**os.environ, "PYTHONPATH": str(Path(jkroll.__file__).parents[1])}
     ran = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)

@@ -11,7 +11,7 @@ from meant_headers import ADVISED as ADVISED_OTHERS
 from meant_headers import IDLE, MISREAD, PASSED, REFUSED, Header, advice_for, groups_of, meant_headers, outcome
 from relative import approx
 
-BESIDE = "material,radius [nm]"  # of quartz
+BESIDE = "material,radius [nm]"  # the other columns, of quartz
 ADVISED = {
     "Interface Energy (J/m^2)": "work_of_adhesion [J/m^2]",
     "dens. of solid (g/cm3)": "density [g/cm3]",
@@ -29,7 +29,7 @@ PASSING = (
 
 
 def ran(run: Run, heads: str, cells: str, options: str = "", path: str = "x.csv") -> str:
-    """Return what is said of a table, after its exit code."""
+    """Return the exit code of a table's conversion, with its messages."""
     Path(path).write_text(f"{heads}\n{cells}\n", encoding="utf-8")
     found = run("batch", path, *shlex.split(options), "-o", "out.csv")
     return f"{found.code}: {found.err}"
@@ -37,11 +37,12 @@ def ran(run: Run, heads: str, cells: str, options: str = "", path: str = "x.csv"
 
 @pytest.fixture(autouse=True)
 def _wide(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Keep the lines of messages unbroken."""
     monkeypatch.setenv("COLUMNS", "2000")
 
 
 @pytest.mark.parametrize("head", ADVISED)
-def test_a_column_that_may_be_an_input_is_refused_and_the_advice_reads_it(run: Run, head: str) -> None:
+def test_a_possible_input_is_refused_with_advice_that_works(run: Run, head: str) -> None:
     said = ran(run, f"{BESIDE},{head}", "quartz,100,3")
     assert said.startswith("2: ")
     advised = [shlex.split(word)[0] for word in re.findall(r"--column ('[^']*')", said)]
@@ -51,32 +52,32 @@ def test_a_column_that_may_be_an_input_is_refused_and_the_advice_reads_it(run: R
 
 
 @pytest.mark.parametrize("head", PASSING)
-def test_a_column_of_something_else_passes(run: Run, head: str) -> None:
+def test_a_column_of_another_quantity_passes(run: Run, head: str) -> None:
     assert f"passed through: {head}" in ran(run, f"{BESIDE},{head}", "quartz,100,3").replace('"', "")
 
 
-def test_the_message_says_what_stands_in_and_pass_rest_names_it(run: Run) -> None:
+def test_messages_name_the_value_used_instead(run: Run) -> None:
     said = ran(run, "material,radius [nm],foo (GPa),bar (g/cm3)", "quartz,100,3,2", "--density 2g/cm3")
     assert "'foo (GPa)' (first cell '3'): not read, and E is the material's" in said
     assert "'bar (g/cm3)' (first cell '2'): not read, and ρ is --density 2g/cm3" in said
     options = "--density 2g/cm3 --pass-rest --quantities pull_off_force,mass"
     said = ran(run, "material,radius [nm],foo (GPa),bar (g/cm3)", "quartz,100,3,2", options)
-    assert '"foo (GPa)", "bar (g/cm3)" (ρ is --density 2g/cm3)' in said  # no result rests on E
+    assert '"foo (GPa)", "bar (g/cm3)" (ρ is --density 2g/cm3)' in said  # no result depends on E
 
 
-def test_what_no_result_rests_on_passes(run: Run) -> None:
-    """The reduced radius and w decide on a pull-off force."""
+def test_a_column_that_no_result_depends_on_passes(run: Run) -> None:
+    """A pull-off force depends on the reduced radius and w only."""
     said = ran(run, f"{BESIDE},bar (g/cm3),foo (m/s)", "quartz,100,2,3", "--quantities pull_off_force")
     assert said.startswith("0: ")
 
 
 @pytest.mark.parametrize("columns", ["youngs_modulus [GPa],youngs_modulus2 [GPa]", "contact_modulus [GPa]"])
-def test_what_columns_give_stands_for_nothing(run: Run, columns: str) -> None:
+def test_an_input_with_a_column_replaces_no_unread_one(run: Run, columns: str) -> None:
     cells = ",".join(["5"] * len(columns.split(",")))
     assert "'foo" not in ran(run, f"{BESIDE},{columns},foo (GPa)", f"quartz,100,{cells},3")
 
 
-def test_cells_say_the_unit_where_the_header_has_none(run: Run) -> None:
+def test_cells_may_give_the_unit(run: Run) -> None:
     said = ran(run, f"{BESIDE},adhesive", "quartz,100,25 mJ/m2")
     assert "'adhesive' (first cell '25 mJ/m2'): not read" in said
 
@@ -88,7 +89,7 @@ def test_a_column_of_materials_is_refused(run: Run, head: str, name: str) -> Non
     assert ran(run, f"radius [nm],{head}", "100,iron").startswith("2: ")
 
 
-def test_labels_and_letters_are_no_materials(run: Run) -> None:
+def test_labels_and_letters_are_not_materials(run: Run) -> None:
     assert ran(run, f"{BESIDE},grade", "quartz,100,C").startswith("0: ")
     assert ran(run, f"{BESIDE},lab", "quartz,100,Zurich").startswith("0: ")
 
@@ -100,20 +101,20 @@ def test_properties_that_columns_give_need_no_material(run: Run) -> None:
     assert "its cells are materials" in ran(run, f"{heads},name", "100,25,54,0.2,2600,quartz")
 
 
-def test_a_column_of_a_table_of_ours_is_none(run: Run) -> None:
-    """A table that batch has written is read again."""
+def test_columns_that_batch_has_added_pass(run: Run) -> None:
+    """The output of batch is read again."""
     Path("first.csv").write_text("material,radius [nm],speed [m/s]\nquartz,100,1\n")
     assert run("batch first.csv -o second.csv").code == 0
     again = run("batch second.csv -o third.csv --quantities yield_angle")
     assert "not read" not in again.err
 
 
-MOST = {"inputs": 0.03, "plain": 0.04, "sphere 2": 0.07}  # of the headers of a group that may pass
+MOST = {"inputs": 0.03, "plain": 0.04, "sphere 2": 0.07}  # the largest fraction of headers that may pass, by group
 
 
 @pytest.mark.parametrize(("seed", "count"), [(4, 600), pytest.param(5, 12_000, marks=pytest.mark.slow)])
 def test_few_headers_that_mean_an_input_pass(seed: int, count: int) -> None:
-    """Nearly none does that is a plain word with a unit in brackets, none is misread, and few advices are wrong."""
+    """Very few plain words with a unit in brackets pass; none is misread, and little advice is wrong."""
     headers = meant_headers(seed, count)
     outcomes = {header.text: outcome(header) for header in headers}
     assert MISREAD not in outcomes.values()
@@ -126,14 +127,14 @@ def test_few_headers_that_mean_an_input_pass(seed: int, count: int) -> None:
     assert [*outcomes.values()].count(ADVISED_OTHERS) <= 0.012 * len(groups["inputs"])
 
 
-def test_a_reduced_radius_beside_half_a_sense_is_no_advice(run: Run) -> None:
+def test_a_header_with_a_factor_or_function_gets_no_advice(run: Run) -> None:
     for head in ("half radius of grain (um)", "2*foo (GPa)", "log E_mat (GPa)"):
         said = ran(run, f"material,{head}", "quartz,3", "--radius 1um")
         assert said.startswith("2: "), head
         assert re.findall(r"--column '[^']*=(\w+)", said) == [], head
 
 
-def test_a_number_read_from_the_wall_is_that_of_sphere_2(run: Run) -> None:
+def test_properties_of_a_wall_are_those_of_sphere_2(run: Run) -> None:
     Path("x.csv").write_text("radius [um],E [GPa],nu,E wall (GPa),wall poisson ratio\n1,70,0.2,3,0.4\n")
     assert run("batch x.csv --quantities contact_modulus --material2 gold -o out.csv").code == 0
     value = float(Path("out.csv").read_text().splitlines()[1].split(",")[5])
@@ -158,13 +159,13 @@ MANGLED = {
 
 
 @pytest.mark.parametrize("head", MANGLED)
-def test_a_unit_that_a_program_has_mangled_is_one(head: str) -> None:
-    """Capitals changed, signs and powers lost, and Å written as A."""
+def test_a_mangled_unit_is_recognized(head: str) -> None:
+    """Capitals are changed, signs and powers are lost, and Å is written as A."""
     assert outcome(Header(head, MANGLED[head], 1.0, is_plain=False, is_of_2=False)) == REFUSED
 
 
 @pytest.mark.parametrize("head", ["радиус (um)", "半径_m", "������ [nm]", "нагрузка (nN)", "Ñ€Ð°Ð´Ð¸ÑƒÑ\x81 (nm)"])
-def test_the_unit_alone_decides_beside_a_word_in_another_script(head: str) -> None:
+def test_the_unit_alone_decides_for_a_word_in_another_script(head: str) -> None:
     assert outcome(Header(head, "radius", 1.0, is_plain=False, is_of_2=False)) == REFUSED
 
 
@@ -198,23 +199,23 @@ ADVICE = {
 
 
 @pytest.mark.parametrize("head", ADVICE)
-def test_no_advice_changes_the_sense(head: str) -> None:
+def test_advice_keeps_the_meaning(head: str) -> None:
     assert advice_for(head) <= ADVICE[head]
     assert bool(advice_for(head)) == bool(ADVICE[head])
 
 
 @pytest.mark.parametrize("head", ["P_n {N}", "P_n / N", "P_n-N", "P_n_N", "P_n N"])
 def test_the_index_of_a_symbol_is_no_prefix_of_its_unit(head: str) -> None:
-    """The load P_n in N is not in nN."""
+    """The load P_n is in N, not in nN."""
     assert outcome(Header(head, "load", 1.0, is_plain=False, is_of_2=False)) != MISREAD
 
 
 @pytest.mark.parametrize("head", ["IMPACT_ENERGY_PJ", "impact energy pj"])
-def test_a_prefix_whose_case_is_lost_is_asked_for(head: str) -> None:
+def test_a_prefix_of_unclear_case_is_refused(head: str) -> None:
     """It may be pico or peta."""
     assert outcome(Header(head, "energy", 1e-12, is_plain=False, is_of_2=False)) != MISREAD
 
 
-def test_the_symbol_of_sphere_2_is_no_prefix() -> None:
-    """The Hamaker constant A in J is not in aJ."""
+def test_the_symbol_of_a_header_is_no_prefix_of_its_unit() -> None:
+    """The Hamaker constant A is in J, not in aJ."""
     assert outcome(Header("WALL_HAMAKER_A_J", "hamaker2", 1.0, is_plain=False, is_of_2=True)) == REFUSED

@@ -1,8 +1,8 @@
-"""`jkroll bench`: the cost and error of every way to compute six quantities, as one table or one page of a plot.
+"""`jkroll bench`: the cost and the error of each way to compute six quantities, as a table or a page of plots.
 
-The ways are the package's, the paper's equations, inversions by other codes and a table. The equations are written in
-their plainest form, for doubles and for decimals of 60 digits, which give the exact values. The inputs include a load
-and a pull-off force, or an approach in units of the unloaded one.
+The ways are those of this package, the equations of the paper, inversions in other codes, and a table of values. The
+equations are written in their simplest form, for doubles and for decimals of 60 digits, which give the exact values.
+The inputs include a load and a pull-off force, or an approach and the approach of an unloaded contact.
 """
 
 # ruff: noqa: D102, N803, N806  (names of quantities and the paper's symbols)
@@ -37,22 +37,22 @@ SYMBOLS = {
     "delta": "approach_at_load", "delta0": "approach", "z0": "atomic_spacing",
 }  # fmt: skip
 DIGITS = 60
-_STEP = Decimal("1e-20")  # relative step of an input for a slope; its square is below the digits that are compared
+_STEP = Decimal("1e-20")  # relative step of an input for a slope; terms in its square are too small to matter
 
 Way = Callable[..., Any]  # a function whose parameters are the paper's symbols
-Errors = tuple[float, float]  # median and largest error of a way in a region, in ulp/(1 + κ)
+Errors = tuple[float, float]  # the median and the largest error of a way in a region, in ulp/(1 + κ)
 
 
 def inputs_taken(way: Way) -> tuple[str, ...]:
-    """Return the names of the inputs of a function whose parameters are the paper's symbols."""
+    """Return the names of the inputs of a way."""
     code = way.__code__
     return tuple(SYMBOLS[symbol] for symbol in code.co_varnames[: code.co_argcount] if symbol in SYMBOLS)
 
 
 class Equations:
-    """The paper's equations, for numbers with the given roots and π.
+    """The paper's equations, for the type of number that the given roots and π have.
 
-    `tolerance`: of an iteration's last step but one, which the last step squares.
+    `tolerance`: an iteration ends when its relative step is smaller; the error is then about the square of the step.
     """
 
     def __init__(self, sqrt: Way, cbrt: Way, pi: Any, tolerance: Any) -> None:
@@ -62,7 +62,7 @@ class Equations:
         return 1 / (1 / first + 1 / second)
 
     def factor(self, P: Any, P_c: Any) -> Any:
-        """Return the larger root x = â^(3/2) of P/P_c = 4(x² − x), Eq 5."""
+        """Return x = â^(3/2), the larger root of P/P_c = 4(x² − x), Eq 5."""
         return (1 + self.sqrt(1 + P / P_c)) / 2
 
     def stretch(self, P: Any, P_c: Any) -> Any:
@@ -81,13 +81,13 @@ class Equations:
         return self.radius(R1, R2, w, E) * self.stretch(P, P_c)
 
     def stiffness(self, R1: Any, R2: Any, w: Any, E: Any, P: Any, P_c: Any) -> Any:
-        """Return the slope of P(δ), the ratio of those of P(â), Eq 5, and δ(â), Eq 6."""
+        """Return the slope dP/dδ: that of P(â), Eq 5, divided by that of δ(â), Eq 6."""
         a_ = self.stretch(P, P_c)
         slope = (12 * a_**2 - 6 * self.sqrt(a_)) / (6 * a_ - 1 / self.sqrt(a_))
         return self.pull_off_force(R1, R2, w) / self.approach(R1, R2, w, E) * slope
 
     def load_factor_at_approach(self, delta: Any, delta0: Any) -> Any:
-        """Solve Eq 6, 3y⁴ − 2y = δ/δ0, by Newton's method, which is monotonic from above the root."""
+        """Return y³ for the solution of Eq 6, 3y⁴ − 2y = δ/δ0, by Newton's method, which is monotonic from above."""
         ratio = delta / delta0
         y = 1 + self.sqrt(self.sqrt(abs(ratio)))
         for _ in range(200):
@@ -101,7 +101,7 @@ class Equations:
         return 4 * self.pull_off_force(R1, R2, w) * self.factor(P, P_c) * xi
 
     def contact_radius_maugis(self, R1: Any, R2: Any, w: Any, E: Any, z0: Any, P: Any) -> Any:
-        """Return a from Maugis' two equations for a and m = c/a at a load, solved for v = 1/√(m² − 1).
+        """Return a at a load from Maugis' two equations for a and m = c/a, solved for v = 1/√(m² − 1).
 
         The arguments must be decimals.
         """
@@ -125,7 +125,7 @@ class Equations:
 
 
 def _arc_tangent(value: Decimal) -> Decimal:
-    """Return the arc tangent from its series, after halving the angle eight times."""
+    """Return the arc tangent from its series, with an angle that is halved eight times."""
     for _ in range(8):
         value = value / (1 + (1 + value * value).sqrt())
     total, power, number = value, value, 1
@@ -136,7 +136,7 @@ def _arc_tangent(value: Decimal) -> Decimal:
 
 
 def _root(function: Callable[[Decimal], Decimal], near: Decimal) -> Decimal:
-    """Return the root of a function near a value, found by the secant method."""
+    """Return the root of a function near a value, by the secant method."""
     last, root = near, near * (1 + Decimal("1e-9"))
     value_at_last = function(last)
     while abs(root - last) > abs(root).scaleb(-25):  # the error after the last step is far smaller
@@ -151,9 +151,9 @@ DOUBLES = Equations(numpy.sqrt, numpy.cbrt, numpy.pi, 1e-15)
 
 
 def exact(quantity: str, point: Mapping[str, float]) -> tuple[Decimal, float]:
-    """Return a quantity at a point of doubles, to 60 digits, and its condition κ.
+    """Return a quantity at a point of doubles to 60 digits, with its condition κ.
 
-    κ is the ratio of the value's relative error to that of the state and, for Maugis, of λ.
+    κ is the relative error of the quantity per relative error of the load or the approach and, for Maugis, of λ.
     """
     equation = getattr(DECIMALS, quantity)
     names = inputs_taken(equation)
@@ -173,10 +173,10 @@ def exact(quantity: str, point: Mapping[str, float]) -> tuple[Decimal, float]:
 
 
 def _by_quartic(delta: Any, delta0: Any) -> Any:
-    """Solve the quartic of the contact radius like codes for many particles (Parteli et al., Sci. Rep. 4, 6227, 2014).
+    """Return x from the quartic of the contact radius, as codes for many particles do.
 
-    Their equation is a⁴ − 2Rδa² − 4πw(1−ν²)R²/E a + R²δ² = 0, here with a in units of a0: a0² = 3Rδ0 and
-    2πwR²/E* = 4a0³/9.
+    Parteli et al., Sci. Rep. 4, 6227 (2014), solve a⁴ − 2Rδa² − 4πw(1−ν²)R²/E a + R²δ² = 0. Here a is in units of a0,
+    with a0² = 3Rδ0 and 2πwR²/E* = 4a0³/9.
     """
     ratio = delta / delta0
     c0, c1, c2 = ratio**2 / 9, -4 / 9, -2 * ratio / 3
@@ -191,7 +191,7 @@ def _by_quartic(delta: Any, delta0: Any) -> Any:
 
 @cache
 def _table() -> tuple[Any, Any]:
-    """Return 10⁴ equidistant approaches from the fold to 3 δ0, and x at each."""
+    """Return 10⁴ equidistant approaches from the fold to 3 δ0, and x at each of them."""
     y = linspace(6 ** (-1 / 3), 1.26, 200_000)
     nodes = linspace(FOLD_APPROACH, 3, 10_000)
     return nodes, interp(nodes, 3 * y**4 - 2 * y, y**3)
@@ -200,8 +200,8 @@ def _table() -> tuple[Any, Any]:
 def _radius_by_cos(R1: Any, R2: Any, w: Any, E: Any, z0: Any, P: Any) -> Any:
     """Return the contact radius by the fit of Carpick, Ogletree & Salmeron (J. Colloid Interface Sci. 211, 395, 1999).
 
-    The coefficients are from the code woodem/woo, pkg/dem/Hertz.cpp, which cites Eqs (7), (10), (12a) and (12b) of the
-    article.
+    The coefficients are those of the code woodem/woo, pkg/dem/Hertz.cpp, which cites Eqs (7), (10), (12a) and (12b) of
+    the article.
     """
     R = DOUBLES.reduced(R1, R2)
     transition = TRANSITION_OVER_TABOR * cbrt(R * (w / E) ** 2) / z0
@@ -238,8 +238,8 @@ PROMISE, PROMISE_OF_MAUGIS = 15, 40  # ulp/(1 + κ), as the guide promises
 class Size(NamedTuple):
     """The size of a measurement."""
 
-    points: int  # in each region, for errors, and in the ordinary one, to time single numbers
-    elements: int  # in the arrays that are timed
+    points: int  # points in each region: all measure errors, and the ordinary ones also time single numbers
+    elements: int  # elements of the arrays that are timed
     repeats: int
 
 
@@ -248,7 +248,7 @@ QUICK = Size(points=50, elements=20_000, repeats=2)
 
 
 class Row(NamedTuple):
-    """The cost and the errors of one way to compute one quantity."""
+    """The cost and the errors of one way to compute a quantity."""
 
     quantity: str
     way: str
@@ -267,7 +267,7 @@ class Row(NamedTuple):
 Arrays = Mapping[str, Any]
 REGIONS = ("ordinary", "pull-off", "fold", "δ = 0", "extreme")
 _PULL_OFF_APPROACH = -(2 ** (-4 / 3))  # δ/δ0 at the pull-off force
-# Powers of ten between which ordinary inputs lie, and inputs of any size.
+# Ordinary inputs, and inputs of any size, lie between these powers of ten.
 _ORDINARY = {
     "radius": (-8, -4), "radius2": (-8, -4), "work_of_adhesion": (-2, 0.3), "contact_modulus": (9, 11.5),
     "yield_displacement": (-10, -9.3), "atomic_spacing": (-10, -9),
@@ -279,10 +279,10 @@ _ANY = {
 
 
 def regions(count: int) -> Mapping[str, Arrays]:
-    """Return points in each region: ordinary, near pull-off, near the fold, near δ = 0, and of extreme states.
+    """Return points in each region: ordinary, near pull-off, near the fold, near δ = 0, and extreme.
 
     Ordinary points are grains of 10 nm to 100 µm under loads of −0.8 to 2 P_c, or at approaches of −0.8 to 3 δ0. The
-    others have sizes and properties of any magnitude. At the fold there are approaches only.
+    other points have sizes and properties of any magnitude. The fold has approaches only.
     """
     random = numpy.random.default_rng(1997)
 
@@ -296,14 +296,15 @@ def regions(count: int) -> Mapping[str, Arrays]:
 
     sign = numpy.sign(random.uniform(-1, 1, count))
     small, tiny = sign * powers(-15, -2), sign * powers(-18, -2)
-    is_tiny = numpy.arange(count) % 2 == 0
-    huge, huge_load = numpy.where(is_tiny, powers(0, 6), powers(6, 29)), numpy.where(is_tiny, tiny, powers(0, 9))
+    is_even = numpy.arange(count) % 2 == 0
+    approach = numpy.where(is_even, powers(0, 6), powers(6, 29))
+    load = numpy.where(is_even, tiny, powers(0, 9))
     return {
         "ordinary": _at(ordinary, random.uniform(-0.8, 3, count), random.uniform(-0.8, 2, count)),
         "pull-off": _at(any_size, _PULL_OFF_APPROACH * (1 + small), powers(-15, -2) - 1),
         "fold": _at(any_size, FOLD_APPROACH + powers(-14, -1)),
         "δ = 0": _at(any_size, tiny, -8 / 9 * (1 + small)),
-        "extreme": _at(any_size, huge, huge_load),
+        "extreme": _at(any_size, approach, load),
     }
 
 
@@ -312,7 +313,7 @@ def _reduced(sizes: Arrays) -> Any:
 
 
 def _at(sizes: Arrays, approach_ratio: Any, load_ratio: Any = None) -> Arrays:
-    """Return points at approaches and, if given, at loads in multiples of the rounded pull-off force."""
+    """Return points at approaches and, if given, at loads in multiples of the pull-off force."""
     points = {**sizes, "approach_at_load": approach_ratio, "approach": numpy.ones_like(approach_ratio)}
     if load_ratio is None:
         return points
@@ -321,7 +322,7 @@ def _at(sizes: Arrays, approach_ratio: Any, load_ratio: Any = None) -> Arrays:
 
 
 def as_rows(points: Arrays) -> list[dict[str, float]]:
-    """Return the points as dictionaries of floats."""
+    """Return each point as a dictionary of floats."""
     columns = (column.tolist() for column in points.values())
     return [dict(zip(points, row, strict=True)) for row in zip(*columns, strict=True)]
 
@@ -330,7 +331,7 @@ def as_rows(points: Arrays) -> list[dict[str, float]]:
 
 
 def measure(size: Size, quantities: Sequence[str] = QUANTITIES) -> Iterator[Row]:
-    """Measure every way to compute the quantities; iterate over the rows."""
+    """Measure each way to compute the quantities, and iterate over the rows."""
     points = regions(size.points)
     elements = numpy.linspace(1, 2, size.elements)
     root = _best({"cbrt": lambda: numpy.cbrt(elements)}, size.repeats)["cbrt"] / size.elements
@@ -340,9 +341,9 @@ def measure(size: Size, quantities: Sequence[str] = QUANTITIES) -> Iterator[Row]
 
 
 def _measure_quantity(quantity: str, points: Mapping[str, Arrays], size: Size, root: float) -> Iterator[Row]:
-    """Measure every way to compute a quantity from arrays, and the package's also from floats.
+    """Measure each way to compute a quantity from arrays, and the package's way also from floats.
 
-    The package's way is that of `jkroll.solve`. `root`: the time of a cube root in ns.
+    The package's way is that of `jkroll.solve`. `root`: the time of a cube root, in ns.
     """
     others = OTHER_WAYS[quantity]
 
@@ -375,7 +376,7 @@ def _by_symbols(way: Way, arrays: Arrays) -> Any:
 
 
 def _error(values: Any, exacts: Sequence[tuple[Decimal, float]]) -> Errors:
-    """Return the median and largest error of values, in units of the exact ones' last place over 1 + κ; inf for nan."""
+    """Return the median and the largest error of values, in ulp/(1 + κ) of the exact ones; that of nan is infinite."""
     ulps = []
     for value, (exactly, condition) in zip(numpy.asarray(values).tolist(), exacts, strict=True):
         if math.isfinite(value):
@@ -386,7 +387,7 @@ def _error(values: Any, exacts: Sequence[tuple[Decimal, float]]) -> Errors:
 
 
 def _best(runs: Mapping[str, Callable[[], Any]], repeats: int) -> dict[str, float]:
-    """Return the shortest time of each run, in ns; they take turns, so that a busy machine slows all of them."""
+    """Return the shortest time of each run, in ns. The runs take turns, so that a busy machine slows all of them."""
     best = dict.fromkeys(runs, math.inf)
     for _ in range(2 * repeats):  # the first round warms up
         for name, run in runs.items():
@@ -411,7 +412,7 @@ others  median and largest error in ulp/(1 + κ) in a region of points, κ the c
 
 
 def write_bench(out: TextIO, output: str, size: Size) -> list[Row]:
-    """Measure everything, write it in a format, and return the rows. `table` has a part for each quantity."""
+    """Measure all ways, write them in a format, and return the rows. A `table` has a part for each quantity."""
     if output != "table":
         rows = [*measure(size)]
         write_records(HEADS, map(_in_full, rows), output, out)
@@ -427,7 +428,7 @@ def write_bench(out: TextIO, output: str, size: Size) -> list[Row]:
 
 
 def machine() -> str:
-    """Return the processor and the versions on which the times depend."""
+    """Return the processor and the versions that the times depend on."""
     versions = f"Python {platform.python_version()}, numpy {numpy.__version__}, jkroll {__version__}"
     return f"{platform.processor() or platform.machine()}, {versions}"
 
@@ -442,7 +443,7 @@ def _in_full(row: Row) -> list[Cell]:
 
 
 def _in_short(row: Row) -> list[Cell]:
-    """Return the cells of a row with two digits; more would mean nothing for errors and times."""
+    """Return the cells of a row with two digits, since errors and times are not known to more."""
     errors: list[Cell] = []
     for region in REGIONS:
         pair = row.errors.get(region)
@@ -452,7 +453,7 @@ def _in_short(row: Row) -> list[Cell]:
 
 # --- The page ---------------------------------------------------------------------------------------------------------
 
-_NEAREST, _ALL_DIGITS = 0.1, 2.0**53  # in ulp: the smallest error that is drawn, and an error as large as the value
+_NEAREST, _ALL_DIGITS = 0.1, 2.0**53  # the smallest error drawn, and an error as large as the value, in ulp
 
 
 def picture_of_bench(rows: Sequence[Row]) -> Picture:
@@ -467,7 +468,7 @@ def picture_of_bench(rows: Sequence[Row]) -> Picture:
 
 
 def _panel(quantity: str, rows: Sequence[Row]) -> Panel:
-    """Return the panel of one quantity, with the error that the guide promises."""
+    """Return the panel of a quantity, with the error that the guide promises."""
     promise, law = (PROMISE_OF_MAUGIS, ", Maugis") if "maugis" in quantity else (PROMISE, "")
     x, y = Axis("time_of_a_point", 1e-10, 1e-2), Axis("error", 0.01, 1e18)
     ways = [

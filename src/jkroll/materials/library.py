@@ -1,4 +1,4 @@
-"""Materials by name: the shipped ones, and those of the user's files, which take precedence.
+"""Materials by name: those that are shipped, and those of the user's files, which take precedence.
 
 A file is TOML of limited size, so that it loads fast. A mistake in one material does not affect the others: it is
 raised when that material is used.
@@ -21,7 +21,7 @@ MAX_BYTES = 64_000  # some 180 materials with all their references
 MAX_NAME = 60
 
 _HERE = os.path.dirname(os.path.abspath(__file__))
-# A wheel has the file here, a checkout at its top level.
+# A wheel has the file here; a checkout has it at the top level.
 _PLACES = (os.path.join(folder, "materials.toml") for folder in (_HERE, os.path.join(_HERE, *[os.pardir] * 3)))
 SHIPPED = next(path for path in _PLACES if os.path.exists(path))
 
@@ -29,7 +29,7 @@ Path = str | os.PathLike[str]
 
 
 class MaterialsFileError(BadRequest):
-    """Error raised for a materials file that cannot be read, or that contains something other than materials."""
+    """Error raised for a materials file that cannot be read, or that contains anything other than materials."""
 
     def __init__(self, path: object, problem: str) -> None:
         super().__init__(f"materials file {quoted(str(path))}: {problem}", "bad materials file")
@@ -40,24 +40,24 @@ class UnknownMaterial(BadRequest):
 
 
 class UnclearMaterial(BadRequest):
-    """Error raised for a name of several materials."""
+    """Error raised for a name that several materials share."""
 
 
 # --- Materials --------------------------------------------------------------------------------------------------------
 
-ORIGIN = ("method", "law", "reference")  # the origin of a property: its method, contact law and reference
+ORIGIN = ("method", "law", "reference")  # of a property: the method, the contact law and the reference that gave it
 
 
 class Displacement(NamedTuple):
-    """A yield displacement with its range, in SI units, and the radius of the identical pairs measured."""
+    """A measured yield displacement with its range, in SI units, and the radius of the identical spheres."""
 
     measured: Interval
     radius: float
 
     def scaled(self, radius: Any) -> Interval:
-        """Return the displacement of identical pairs of another radius.
+        """Return the displacement of identical spheres of another radius.
 
-        Its range is between growth with the contact radius, as R^(2/3), and growth with the sphere radius.
+        Its range lies between growth with the contact radius, as R^(2/3), and growth with the sphere radius.
         """
         scale = radius / self.radius
         least, most = smaller_and_larger(scale, cbrt(scale) * cbrt(scale))
@@ -77,10 +77,10 @@ class Material(NamedTuple):
     references: tuple[Mapping[str, str], ...] = ()
     state: str = ""  # "below 175 K"
     uncertainties: Mapping[str, Uncertain] = read_only({})  # by property
-    origins: Mapping[str, Mapping[str, str]] = read_only({})  # by property: the fields of `ORIGIN` that are stated
-    displacement: Displacement | None = None  # measured, to be scaled to a contact
-    note_radii: Mapping[str, Interval] = read_only({})  # radii of spheres that a note concerns, unless it concerns all
-    problem: str = ""  # the mistake in its file, if its data cannot be used
+    origins: Mapping[str, Mapping[str, str]] = read_only({})  # by property: the fields of `ORIGIN` that the file states
+    displacement: Displacement | None = None  # measured, to be scaled to the spheres of a contact
+    note_radii: Mapping[str, Interval] = read_only({})  # by property: the radii that its note concerns, if not all
+    problem: str = ""  # the mistake in its file, which makes it unusable
 
     @property
     def key(self) -> tuple[str, str]:
@@ -92,7 +92,7 @@ class Material(NamedTuple):
 
     @property
     def words(self) -> dict[str, str]:
-        """The name and the aliases, by their spellings in lower case."""
+        """The name and the aliases as written, by their spellings in lower case."""
         return {word.casefold(): word for word in (*self.aliases, self.name)}
 
     @property
@@ -106,21 +106,21 @@ class Material(NamedTuple):
         return self._repr_mimebundle_()["text/html"]
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
-        """Return all forms that notebooks show and convert: a row for each fact."""
+        """Return all forms that notebooks show and convert, with a row for each fact."""
         from ..quantities.shown import bundle
         from .sheet import parts_of_material
 
         return bundle(parts_of_material(self))
 
     def sources_of(self, name: str) -> list[Mapping[str, str]]:
-        """Return the references of a property: its own, or else those that belong to no other property."""
-        keys = {name: origin["reference"] for name, origin in self.origins.items() if "reference" in origin}
+        """Return the references of a property: its own, or else those that no property has as its own."""
+        keys = {of: origin["reference"] for of, origin in self.origins.items() if "reference" in origin}
         if name in keys:
             return [entry for entry in self.references if entry["key"] == keys[name]]
         return [entry for entry in self.references if entry["key"] not in keys.values()]
 
     def missing_text(self, name: str) -> str:
-        """Return a sentence on a missing property, with the note of its file."""
+        """Return the sentence on a missing property, with the note of the file if there is one."""
         note = self.notes.get(name)
         return f"{self.name}: {note}" if note else f"{self.name} has none in {self.title}"
 
@@ -129,7 +129,7 @@ class Material(NamedTuple):
 
 
 def data_of(path: str) -> Mapping[str, Any]:
-    """Return the content of a TOML file; raise BadRequest if it cannot be read or is too large."""
+    """Return the content of a TOML file. Raises BadRequest if the file cannot be read or is too large."""
     try:
         with open(path, "rb") as file:
             content = file.read(MAX_BYTES + 1)
@@ -151,25 +151,27 @@ _FORMS: Mapping[type, str] = {dict: "a table", list: "a list", str: "a text in q
 
 
 def in_form(value: object, form: type, where: str) -> Any:
-    """Return a value if it is a table, a list or a text as required; `where`: its key. Raises BadRequest."""
+    """Return a value that is a table, a list or a text as required. `where`: its key. Raises BadRequest for others."""
     if not isinstance(value, form):
         raise BadRequest(f"{shown(where)} is not {_FORMS[form]}")
     return value
 
 
 def texts(value: object, form: type, where: str) -> Any:
-    """Return a text, or the texts of a list or a table, safe to print; raise BadRequest for other values."""
+    """Return a text, or the texts of a list or a table, safe to print. Raises BadRequest for other values."""
     content = in_form(value, form, where)
     if form is dict:
         return {key: texts(text, str, f"{where}.{key}") for key, text in content.items()}
-    return tuple(texts(text, str, where) for text in content) if form is list else shown(content)
+    if form is list:
+        return tuple([texts(text, str, where) for text in content])
+    return shown(content)
 
 
 _RULE = f"begins with a letter, has no comma and {MAX_NAME} characters at most, and is not all or plane"
 
 
 def is_material_name(word: str) -> bool:
-    """Return whether a word can name a material: it must differ from a radius and from a list.
+    """Return whether a word can name a material: it must not look like a radius or a list.
 
     >>> is_material_name("SiO2"), is_material_name("100nm"), is_material_name("a,b"), is_material_name("all")
     (True, False, False, False)
@@ -179,69 +181,58 @@ def is_material_name(word: str) -> bool:
 
 
 def materials_in(path: str) -> list[Material]:
-    """Return the materials of a file, including those with a mistake; raise MaterialsFileError for other files."""
+    """Return the materials of a file, including those with a mistake. Raises MaterialsFileError for other files."""
     try:
         data = data_of(path)
         _refuse_unknown_keys("", data, ("title", "materials", "references"))
         title = texts(data.get("title", shown(path)), str, "title")
-        tables, references = (in_form(data.get(key, {}), dict, key) for key in ("materials", "references"))
+        tables = in_form(data.get("materials", {}), dict, "materials")
+        references = in_form(data.get("references", {}), dict, "references")
         materials = [_read(name, table, title, path, references) for name, table in tables.items()]
-        names = {material.name.casefold(): material.name for material in reversed(materials)}
-        for material in materials:
-            for key, word in material.words.items():
-                if not is_material_name(word):
-                    raise BadRequest(f"{quoted(word, MAX_NAME)} cannot name a material; a name {_RULE}")
-                other = names.get(key, material.name)
-                if other != material.name:
-                    both = f"{quoted(other)} and {quoted(material.name)}"
-                    raise BadRequest(f"{quoted(word)} names both {both}; case makes no difference")
+        _check_names(materials)
     except BadRequest as error:
         raise MaterialsFileError(path, str(error)) from None
     return materials
+
+
+def _check_names(materials: Sequence[Material]) -> None:
+    """Raise BadRequest for a word that cannot name a material, or that names two of them."""
+    names = {material.name.casefold(): material.name for material in reversed(materials)}
+    for material in materials:
+        for key, word in material.words.items():
+            if not is_material_name(word):
+                raise BadRequest(f"{quoted(word, MAX_NAME)} cannot name a material; a name {_RULE}")
+            other = names.get(key, material.name)
+            if other != material.name:
+                both = f"{quoted(other)} and {quoted(material.name)}"
+                raise BadRequest(f"{quoted(word)} names both {both}; case makes no difference")
 
 
 _ABOUT: Mapping[str, type] = {"aliases": list, "references": list, "state": str, "source": str}
 
 
 def _read(name: str, table: Any, title: str, path: str, references: Mapping[str, Any]) -> Material:
-    """Return a material from its table, or with the mistake in it. `title`: the default title of its set."""
-    material, values, origins = Material(name, title, path), {}, {}
+    """Return a material from its table, or with the mistake in the table. `title`: the default title of its set."""
+    material = Material(name, title, path)
     try:
         in_form(table, dict, f"materials.{name}")
         about = {key: texts(table.get(key, form()), form, f"{name}.{key}") for key, form in _ABOUT.items()}
         material = material._replace(aliases=about["aliases"], title=about["source"] or title, state=about["state"])
         _refuse_unknown_keys(f"{name}.", table, (*PROPERTIES, XI, *_ABOUT, "notes"))
         notes, note_radii = _notes(name, table)
-        for key in (*PROPERTIES, XI):
-            if key not in table:
-                continue
-            where, needed = f"{name}.{key}", ["value", "radius"] if key == XI else ["value"]
-            given = table[key] if isinstance(table[key], dict) else {"value": table[key]}
-            _refuse_unknown_keys(f"{where}.", given, (*needed, *ORIGIN))
-            missing = [each for each in needed if each not in given]
-            if missing:
-                raise BadRequest(f"{shown(where)} has no {missing[0]}")
-            values[key] = _value(key, given["value"], name, where)
-            if given is table[key]:
-                origins[key] = texts({each: given[each] for each in ORIGIN if given.get(each, "") != ""}, dict, where)
-        displacement = None
-        measured = values.pop(XI, None)
-        if measured is not None:
-            radius = _value("radius", table[XI]["radius"], name, f"{name}.{XI}.radius")
-            if not isinstance(radius, float):
-                raise BadRequest(f"{shown(name)}.{XI}: the radius of the spheres must be a single value")
-            displacement = Displacement(Interval(middle(measured), *ends_of(measured)), radius)
-        keys = [*about["references"], *(origin["reference"] for origin in origins.values() if "reference" in origin)]
-        missing = [key for key in keys if key not in references]
-        if missing:
-            raise BadRequest(f"{quoted(name)} cites {quoted(missing[0])}, which is not in [references]")
+        values, origins = _values(name, table)
+        displacement = _displacement(name, table, values.pop(XI, None))
+        keys = dict.fromkeys(about["references"])
+        keys |= dict.fromkeys([origin["reference"] for origin in origins.values() if "reference" in origin])
+        for key in keys:
+            if key not in references:
+                raise BadRequest(f"{quoted(name)} cites {quoted(key)}, which is not in [references]")
+        cited = [{"key": key, **texts(references[key], dict, f"references.{key}")} for key in keys]
         return material._replace(
             properties=read_only({key: middle(value) for key, value in values.items()}),
             notes=read_only(notes),
             note_radii=read_only(note_radii),
-            references=tuple(
-                {"key": key, **texts(references[key], dict, f"references.{key}")} for key in dict.fromkeys(keys)
-            ),
+            references=tuple(cited),
             uncertainties=read_only({key: value for key, value in values.items() if is_uncertain(value)}),
             origins=read_only(origins),
             displacement=displacement,
@@ -250,8 +241,37 @@ def _read(name: str, table: Any, title: str, path: str, references: Mapping[str,
         return material._replace(problem=str(error))
 
 
+def _values(name: str, table: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, dict[str, str]]]:
+    """Return the SI values of a material's properties and yield displacement, and the origins that it states."""
+    values, origins = {}, {}
+    for key in (*PROPERTIES, XI):
+        if key not in table:
+            continue
+        where, needed = f"{name}.{key}", ["value", "radius"] if key == XI else ["value"]
+        given = table[key] if isinstance(table[key], dict) else {"value": table[key]}
+        _refuse_unknown_keys(f"{where}.", given, (*needed, *ORIGIN))
+        for field in needed:
+            if field not in given:
+                raise BadRequest(f"{shown(where)} has no {field}")
+        values[key] = _value(key, given["value"], name, where)
+        if given is table[key]:
+            stated = {field: given[field] for field in ORIGIN if given.get(field, "") != ""}
+            origins[key] = texts(stated, dict, where)
+    return values, origins
+
+
+def _displacement(name: str, table: Mapping[str, Any], measured: Any) -> Displacement | None:
+    """Return the yield displacement of a material with the radius of its measurement; None without a measured one."""
+    if measured is None:
+        return None
+    radius = _value("radius", table[XI]["radius"], name, f"{name}.{XI}.radius")
+    if not isinstance(radius, float):
+        raise BadRequest(f"{shown(name)}.{XI}: the radius of the spheres must be a single value")
+    return Displacement(Interval(middle(measured), *ends_of(measured)), radius)
+
+
 def _notes(name: str, table: Mapping[str, Any]) -> tuple[dict[str, str], dict[str, Interval]]:
-    """Return the notes of a material by property, and the radii of notes on spheres of some sizes only."""
+    """Return the notes of a material by property, and the radii of those notes that concern only some sizes."""
     every = in_form(table.get("notes", {}), dict, f"{name}.notes")
     _refuse_unknown_keys(f"{name}.notes.", every, (*PROPERTIES, XI))
     notes, radii = {}, {}
@@ -279,7 +299,7 @@ def _refuse_unknown_keys(where: str, table: Mapping[str, Any], known: Sequence[s
 
 
 def _value(key: str, value: object, name: str, where: str) -> float | Uncertain:
-    """Return the SI value of a property from a text, or from a number if it has no unit."""
+    """Return the SI value of a property, from a text, or from a number if the property has no unit."""
     is_number = isinstance(value, int | float) and not isinstance(value, bool)
     try:
         return value_of(repr(value) if is_number else texts(value, str, where), key)
@@ -291,7 +311,7 @@ def _value(key: str, value: object, name: str, where: str) -> float | Uncertain:
 
 @cache
 def shipped() -> Sequence[Material]:
-    """Return the shipped materials; a wheel contains them as a module generated by its build."""
+    """Return the shipped materials. A wheel has them also as a module, which its build generates."""
     if os.path.dirname(SHIPPED) != _HERE:  # a checkout
         return materials_in(SHIPPED)
     from .shipped import MATERIALS  # type: ignore  # mypy does not find it, or finds it without types
@@ -303,15 +323,15 @@ def shipped() -> Sequence[Material]:
 
 
 class Materials:
-    """All known materials, by name or alias in any case. A name of several materials is refused when used."""
+    """All known materials, by name or alias in any case. A name that several share is refused when it is used."""
 
     def __init__(self, paths: Path | Iterable[Path] = (), *, added: Path | Iterable[Path] = ()) -> None:
-        """Read the shipped file, then `added`, then that of `paths`, or each of them.
+        """Read the shipped file, then `added`, and then the file or the files of `paths`.
 
-        A material takes over names of earlier files. Only one of `added` does not take over shipped names: these then
-        mean both materials.
+        A material takes over the names of earlier files. But in a file of `added`, it does not take over shipped names:
+        such a name then means both materials.
         """
-        self.overrides: list[str] = []  # sentences on names that were taken over
+        self.overrides: list[str] = []  # sentences on the names taken over
         self._materials: dict[str, Material] = {}  # by name, case folded
         self._meanings: dict[str, list[Material]] = {}  # by name or alias, case folded
         taking = _decoded(paths)
@@ -319,21 +339,22 @@ class Materials:
             self._add(shipped() if path == SHIPPED else materials_in(path), takes=path in taking)
 
     def _add(self, materials: Sequence[Material], *, takes: bool) -> None:
-        """Add the materials of a file. They take over earlier names, and shipped ones if `takes`."""
+        """Add the materials of a file. They take over earlier names; `takes`: True to take over shipped names, too."""
         meanings: dict[str, list[Material]] = {}
         named: dict[str, Material] = {}
         for material in materials:
-            words = material.words
-            earlier = []
-            for key, word in words.items():
-                earlier += [(word, other) for other in self._meanings.get(key, ())]
-            taken = [(word, other.title) for word, other in earlier if takes or other.path != SHIPPED]
-            remarks = [f"{shown(material.path)} overrides {shown(word)} of {title}" for word, title in taken]
-            self.overrides += dict.fromkeys(remarks)
-            for key in words:
-                shared = [other for other in self._meanings.get(key, ()) if other.path == SHIPPED and not takes]
+            overrides: dict[str, None] = {}
+            for key, word in material.words.items():
+                shared = []
+                for other in self._meanings.get(key, ()):
+                    if takes or other.path != SHIPPED:
+                        overrides[f"{shown(material.path)} overrides {shown(word)} of {other.title}"] = None
+                    else:
+                        shared.append(other)
                 meanings.setdefault(key, shared).append(material)
-            if len(meanings[key := material.name.casefold()]) == 1:
+            self.overrides += overrides
+            key = material.name.casefold()
+            if len(meanings[key]) == 1:
                 named[key] = material
         for others in self._meanings.values():  # a material that takes over a name also takes over the aliases
             others[:] = [named.get(other.name.casefold(), other) for other in others]
@@ -343,8 +364,8 @@ class Materials:
     def __getitem__(self, word: str) -> Material:
         """Return a material by its name or alias, in any case.
 
-        Raises UnknownMaterial, UnclearMaterial for a name of several materials, and MaterialsFileError for a material
-        with a mistake.
+        Raises UnknownMaterial, UnclearMaterial for a name that several materials share, and MaterialsFileError for a
+        material with a mistake.
         """
         word = str(word)
         key = word.strip().casefold()
@@ -358,9 +379,10 @@ class Materials:
         several = meanings or states
         if len(several) > 1:
             raise _unclear(word, several)
-        if guess := states[0].name if states else closest(key, [*self.materials, *self.aliases]):
-            guess = listed([material.name for material in self._meanings[guess.casefold()]], "or")
-            remedy = f"; did you mean {guess}? jkroll materials lists all"
+        guess = states[0].name if states else closest(key, [*self.materials, *self.aliases])
+        if guess:
+            names = listed([material.name for material in self._meanings[guess.casefold()]], "or")
+            remedy = f"; did you mean {names}? jkroll materials lists all"
         else:
             remedy = (
                 ". Give its own numbers, as in jkroll pull-off 100nm --gamma 30mJ/m2 (an example), add it to a file "
@@ -378,7 +400,7 @@ class Materials:
         return str(word).strip().casefold() in self._meanings
 
     def items(self) -> ItemsView[str, Material]:
-        """Return the names with the materials, without those with a mistake."""
+        """Return the names and the materials, without those with a mistake."""
         return self.materials.items()
 
     def to_dict(self) -> dict[str, dict[str, float]]:
@@ -398,7 +420,7 @@ class Materials:
         return self._repr_mimebundle_()["text/html"]
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
-        """Return all forms that notebooks show and convert: a row for each material."""
+        """Return all forms that notebooks show and convert, with a row for each material."""
         from ..quantities.shown import bundle
         from .sheet import parts_of_materials
 
@@ -421,7 +443,7 @@ class Materials:
 
 
 def _decoded(paths: Path | Iterable[Path]) -> list[str]:
-    """Return one path or several as texts; raise MaterialsFileError for other objects."""
+    """Return one path or several as texts. Raises MaterialsFileError for other objects."""
     is_path = isinstance(paths, str | bytes) or not isinstance(paths, Iterable)
     try:
         return [*map(os.fsdecode, [paths] if is_path else paths)]  # type: ignore[arg-type]
@@ -430,27 +452,35 @@ def _decoded(paths: Path | Iterable[Path]) -> list[str]:
 
 
 def _unclear(word: str, materials: Sequence[Material]) -> UnclearMaterial:
-    """Return the error for a name of several materials, with their surface energies and states or sets."""
-    from ..quantities.formatting import amount
-
+    """Return the error for a name that materials share, with the surface energy and the state or set of each."""
     first, last, name = materials[0], materials[-1], quoted(word)
     if first.path == SHIPPED != last.path and word.strip().casefold() in last.words:
         title, file = first.title, shown(last.path)
         meanings = f"shipped ({title}) and also in {file}; rename it, or pass --materials {file}"
         return UnclearMaterial(f"material {name} is {meanings}", "unclear material")
     has_sets = len({material.title for material in materials}) > 1
-    choices = []
-    for material in materials:
-        energy = material.properties.get("surface_energy")
-        known = [amount("surface_energy", energy)] if energy is not None else []
-        about = ", ".join(filter(None, [*known, material.state or (material.title if has_sets else "")]))
-        choices.append(f"{material.name} ({about})" if about else material.name)
+    choices = [_choice(material, has_sets=has_sets) for material in materials]
     return UnclearMaterial(f"material {name} is one of several; write {listed(choices, 'or')}", "unclear material")
+
+
+def _choice(material: Material, *, has_sets: bool) -> str:
+    """Return the name of a material with its surface energy and its state, or else its set if there are several."""
+    from ..quantities.formatting import amount
+
+    about = []
+    if "surface_energy" in material.properties:
+        about.append(amount("surface_energy", material.properties["surface_energy"]))
+    if material.state:
+        about.append(material.state)
+    elif has_sets:
+        about.append(material.title)
+    text = ", ".join(filter(None, about))
+    return f"{material.name} ({text})" if text else material.name
 
 
 @cache
 def known_materials() -> Materials:
-    """Return the shipped materials, which are read once."""
+    """Return the shipped materials, which are read only once."""
     return Materials()
 
 
@@ -460,8 +490,8 @@ def known_materials() -> Materials:
 def materials_of_user(option: str | None) -> Materials:
     """Return the known materials, including those of the user's files.
 
-    In order of precedence, these are the file of the configuration directory, the file of the environment, and the file
-    of the option. Only the last may replace shipped materials.
+    In order of precedence, these are the file in the configuration directory, the file that the environment names, and
+    the file of the option. Only the last may replace shipped materials.
     """
     configuration = os.environ.get("XDG_CONFIG_HOME") or os.path.expanduser("~/.config")
     path = os.path.join(configuration, "jkroll", "materials.toml")

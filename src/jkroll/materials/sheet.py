@@ -1,4 +1,4 @@
-"""Materials for readers: the facts about one, and a table of several."""
+"""Materials for readers: the facts about a material, and a table of several."""
 
 import re
 from collections.abc import Sequence
@@ -17,7 +17,7 @@ _REFERENCE = ("author", "title", "journal", "volume", "pages", "year", "eprint",
 
 
 def values_of_materials(chosen: "Sequence[Material]") -> Rows:
-    """Return the names of some materials, and the columns of their properties."""
+    """Return the names of materials, and the columns of their properties."""
     columns: list[TextColumn] = []
     for name in PROPERTIES:
         values = [material.measures.get(name) for material in chosen]
@@ -26,7 +26,7 @@ def values_of_materials(chosen: "Sequence[Material]") -> Rows:
 
 
 def parts_of_materials(chosen: "Sequence[Material]") -> list[Part]:
-    """Return a table of materials for a notebook: their properties, state and source."""
+    """Return a table of materials for a notebook, with their properties, state and source."""
     leading, columns = values_of_materials(chosen)
     columns.append(TextColumn("state", [each.state for each in chosen], is_right=False))
     columns.append(TextColumn("source", [each.title for each in chosen], is_right=False))
@@ -43,21 +43,27 @@ def parts_of_material(material: "Material") -> list[Part]:
 
 def sheet_of(material: "Material") -> tuple[str, list[tuple[str, str]]]:
     """Return the title and the facts of a material: state, properties with their origins, notes and references."""
-    aliases = f" (also {', '.join(material.aliases)})" if material.aliases else ""
     facts = [("state", material.state)]
     for name, measure in {**dict.fromkeys(PROPERTIES), **material.measures}.items():
         text = f"none in {material.title}" if measure is None else amount(name, measure)
         if name == XI and material.displacement is not None:
             text += f", spheres of {amount('radius', material.displacement.radius)}"
         facts.append((name, text))
-        facts += [(f"  {field}", origin) for field, origin in material.origins.get(name, {}).items()]
+        for field, origin in material.origins.get(name, {}).items():
+            facts.append((f"  {field}", origin))
     for name, note in material.notes.items():
-        radii = material.note_radii.get(name)
-        sizes = f" (R = {amount('radius', radii)})" if radii is not None else ""
-        facts.append(("note", f"{NOMENCLATURE[name].sentence}{sizes}: {note}"))
+        head = NOMENCLATURE[name].sentence
+        if name in material.note_radii:
+            head += f" (R = {amount('radius', material.note_radii[name])})"
+        facts.append(("note", f"{head}: {note}"))
     for entry in material.references:
-        label = f"{entry['key']}: " if material.origins else ""
-        words = ", ".join(entry[field] for field in _REFERENCE if entry.get(field))
-        facts.append(("reference", label + re.sub("[{}]", "", words)))  # without the braces of BibTeX
+        words = ", ".join([entry[field] for field in _REFERENCE if entry.get(field)])
+        text = re.sub("[{}]", "", words)  # the braces of BibTeX
+        if material.origins:
+            text = f"{entry['key']}: {text}"
+        facts.append(("reference", text))
     facts.append(("source", material.title))
-    return f"material {material.name}{aliases}", [(head, text) for head, text in facts if text]
+    title = f"material {material.name}"
+    if material.aliases:
+        title += f" (also {', '.join(material.aliases)})"
+    return title, [(head, text) for head, text in facts if text]

@@ -1,7 +1,8 @@
 """Columns of texts as SI numbers and as materials.
 
-orjson reads all numbers at once, with the unit's power of ten inside each text, so that each is rounded once, as in a
-one-liner. Any cell other than a bare number with a decimal unit is read on its own.
+orjson reads all numbers of a column at once. The power of ten of the unit is part of each text, so each number is
+rounded once, as in a one-liner. A cell that is not a bare number, or has a unit that is not a power of ten, is read by
+itself.
 """
 
 from __future__ import annotations
@@ -27,45 +28,44 @@ from ..text import quoted
 Floats = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.float64]]
 
 PLAIN = b"0123456789.eE+-, "
-MAX_KEPT = 10_000  # cells kept with their meaning
+MAX_KEPT = 10_000  # most cells whose values are cached
 _NUMBER = rb"[-+]?(?:0|[1-9][0-9]{0,19})(?:\.[0-9]{1,20})?(?:[eE][-+]?[0-9]{1,2})?"
-_CELL = re.compile(
-    rb"\s*(" + _NUMBER + rb")((?![A-Za-z][-+]?[0-9]) ?[^\s0-9.,][^,]*)?\s*"
-)  # d1 in 1.25d1 is not a unit
+# A number and its unit; d1 in 1.25d1 is not a unit.
+_CELL = re.compile(rb"\s*(" + _NUMBER + rb")((?![A-Za-z][-+]?[0-9]) ?[^\s0-9.,][^,]*)?\s*")
 _NUMBER_FIRST = re.compile(r"^[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
 _POWER = rb"e([+-]?[0-9]{1,3})"
 _TINY = re.compile(rb"[eE]-[0-9]{3}")
-_HAS_UNIT = re.compile(r"[^\W\d_eEx⁰¹²³⁴⁵⁶⁷⁸⁹]|[%°]")  # a letter, except in a power of ten
-_NO_VALUES = ("", "nan", "na", "n/a", "null", "none", "-", "--")  # cells without a value, as other programs write them
+_HAS_UNIT = re.compile(r"[^\W\d_eEx⁰¹²³⁴⁵⁶⁷⁸⁹]|[%°]")  # a letter that is not part of a power of ten
+_NO_VALUES = ("", "nan", "na", "n/a", "null", "none", "-", "--")  # cells without a value, as common programs write them
 
 
 class Column(NamedTuple):
-    """The column of an input, the unit of its bare numbers, and the columns of its uncertainty.
+    """The column of an input, with the unit of its bare numbers and the columns of its uncertainty.
 
-    A range has only the columns of its ends; `position` is that of the low one.
+    A range has columns for its ends only, and `position` is that of the low end.
     """
 
     position: int
     name: str
     unit_text: str
     unit: Unit | None
-    sides: tuple[tuple[str, int], ...] = ()  # the parts of the uncertainty (see `Reading`) and their positions
+    sides: tuple[tuple[str, int], ...] = ()  # the part (see `Reading`) and the position of each column of uncertainty
     error_unit: str = ""  # the unit of ± cells; empty if it is that of the values
     coverage: float = 1.0  # the coverage factor of the uncertainties, as in k = 2
 
     @property
     def positions(self) -> dict[str, int]:
-        """The positions of the columns that together make a value."""
+        """The positions of the columns that together give a value, by name."""
         values = {} if self.is_range else {self.name: self.position}
         return values | {f"{self.name}_{part}": position for part, position in self.sides}
 
     @property
     def is_range(self) -> bool:
-        """True if a value is given by its two ends."""
+        """True if the columns are the two ends of a range."""
         return "low" in dict(self.sides)
 
     def joined(self, *cells: str) -> str:
-        """Return the cells of a value as one text: 25 and 5 as 25±5. Cells with their own units keep them."""
+        """Return the cells of one value as a single text: 25 and 5 as 25±5. Cells with units keep them."""
         for cell in cells:
             if cell.strip() and has_no_value(cell):
                 return cell
@@ -82,7 +82,8 @@ class Column(NamedTuple):
             first = _in_unit(first, self.unit_text)
             others = [_in_unit(cell, self.error_unit or self.unit_text) for cell in others]
         if "both" in dict(self.sides):
-            return f"({first}±{others[0]})" if is_bare else f"{first}±{others[0]}"
+            text = f"{first}±{others[0]}"
+            return f"({text})" if is_bare else text
         if self.is_range:
             return f"{first or '?'} to {others[0] or '?'}"
         if not all(others):
@@ -91,24 +92,27 @@ class Column(NamedTuple):
         return f"{first} +{plus}/-{minus}"
 
     def half_bars(self, columns: Mapping[str, Sequence[bytes]]) -> list[int]:
-        """Return the rows of a block in which only one side of the uncertainty is given."""
-        cells = [columns[f"{self.name}_{part}"] for part, _ in self.sides if part in ("minus", "plus")]
-        rows = enumerate(zip(*cells, strict=True))
-        return [row for row, (minus, plus) in rows if bool(minus.strip()) != bool(plus.strip())]
+        """Return the rows of a block that give only one side of the uncertainty."""
+        sides = [columns[f"{self.name}_{part}"] for part, _ in self.sides if part in ("minus", "plus")]
+        rows = []
+        for row, (minus, plus) in enumerate(zip(*sides, strict=True)):
+            if bool(minus.strip()) != bool(plus.strip()):
+                rows.append(row)
+        return rows
 
     def _standard(self, number: re.Match[str]) -> str:
-        """Return an expanded uncertainty as a standard one."""
+        """Return an expanded uncertainty divided by its coverage factor."""
         return repr(float(number[0]) / self.coverage)
 
     @property
     def exponent(self) -> int | None:
-        """The power of ten between the unit and the SI unit; None if there is none, or no unit."""
+        """The power of ten between the unit and the SI unit; None if there is no unit, or another factor."""
         if self.unit is None:
             return 0 if NOMENCLATURE[self.name].unit == "1" else None
         return exponent_of(self.unit)
 
     def numbers(self, columns: Mapping[str, Sequence[bytes]]) -> Numbers:
-        """Return the numbers of a block, given its columns of cells by name."""
+        """Return the numbers of a block. `columns`: its cells, by the name of the column."""
         cells = columns[self.name] if not self.sides else self._with_sides(columns)
         if isinstance(cells, Doubles) and self.exponent is not None:
             return Numbers(scaled(cells.values, self.exponent))
@@ -117,11 +121,14 @@ class Column(NamedTuple):
 
     def _with_sides(self, columns: Mapping[str, Sequence[bytes]]) -> list[bytes]:
         """Return the cells of the values, each joined with its uncertainty."""
-        rows = zip(*(columns[name] for name in self.positions), strict=True)
-        return [self.joined(*(cell.decode(errors="replace") for cell in row)).encode() for row in rows]
+        joined = []
+        for row in zip(*(columns[name] for name in self.positions), strict=True):
+            texts = [cell.decode(errors="replace") for cell in row]
+            joined.append(self.joined(*texts).encode())
+        return joined
 
     def _of_mixed_cells(self, cells: Sequence[bytes]) -> Numbers:
-        """Return the numbers of cells that include other texts, or units of their own."""
+        """Return the numbers of a column in which some cells have other texts, or units of their own."""
         values = numpy.full(len(cells), numpy.nan)
         by_unit: dict[bytes | None, dict[int, bytes]] = {}
         others: list[int] = []
@@ -137,17 +144,22 @@ class Column(NamedTuple):
                 others += texts
             else:
                 values[[*texts]] = numbers
-        meanings = {position: _meaning(self, cells[position]) for position in others}
-        odd = [position for position, meaning in meanings.items() if isinstance(meaning, JkrollError)]
-        uncertain = {position: meaning for position, meaning in meanings.items() if is_uncertain(meaning)}
-        for position in meanings.keys() - {*odd}:
-            values[position] = middle(meanings[position])
+        odd: list[int] = []
+        uncertain: dict[int, Uncertain] = {}
+        for position in others:
+            meaning = _meaning(self, cells[position])
+            if isinstance(meaning, JkrollError):
+                odd.append(position)
+                continue
+            if is_uncertain(meaning):
+                uncertain[position] = meaning
+            values[position] = middle(meaning)
         return Numbers(values, odd, uncertain)
 
     def value(self, text: str) -> float | Uncertain:
-        """Return the SI value of a cell, with its uncertainty if it states one.
+        """Return the SI value of a cell, with its uncertainty if the cell states one.
 
-        A bare number has the unit of the column.
+        A bare number is in the unit of the column.
         """
         if has_no_value(text):
             raise QuantityError(self.name, text, "is not a number", "leave the cell empty if there is none")
@@ -160,7 +172,7 @@ def _in_unit(number: str, unit_text: str) -> str:
 
 
 def has_no_value(text: str) -> bool:
-    """Return whether a cell has no value, in the notation of common programs."""
+    """Return whether a cell has no value, in a notation of common programs."""
     return text.strip().casefold() in _NO_VALUES
 
 
@@ -174,7 +186,7 @@ def is_number(text: str) -> bool:
 
 @lru_cache(maxsize=MAX_KEPT)
 def _meaning(column: Column, cell: bytes) -> float | Uncertain | JkrollError:
-    """Return the value of a cell, or its error; the same cells share one, since an error is slow to word."""
+    """Return the value of a cell, or its error. Equal cells share the result, since an error is slow to word."""
     try:
         return column.value(cell.decode(errors="replace"))
     except JkrollError as error:
@@ -183,7 +195,7 @@ def _meaning(column: Column, cell: bytes) -> float | Uncertain | JkrollError:
 
 @lru_cache(maxsize=MAX_KEPT)
 def _exponent(unit_text: bytes, name: str) -> int | None:
-    """Return the power of ten of a unit for a quantity; None for any other text."""
+    """Return the power of ten between a unit and the SI unit of a quantity; None for any other text."""
     try:
         text = unit_text.decode().strip()
         unit = None if not text or has_uncertainty(text) else unit_of(text, name)
@@ -193,29 +205,32 @@ def _exponent(unit_text: bytes, name: str) -> int | None:
 
 
 def cell_of(value: object) -> str:
-    """Return a typed value as a cell of text; no value is an empty cell."""
+    """Return a Python value as the text of a cell; None gives an empty cell."""
     if isinstance(value, bytes):
         return value.decode(errors="replace")
     return "" if value is None else str(value)
 
 
 def cells_of(values: Any) -> list[bytes]:
-    """Return typed values, a list or an array of numbers, as cells of text."""
+    """Return a list of Python values, or an array of numbers, as the texts of cells."""
     if not len(values):
         return []
     is_list = isinstance(values, list)
     if not is_list or {*map(type, values)} <= {int, float, type(None)}:
         cells = orjson.dumps(values, option=orjson.OPT_SERIALIZE_NUMPY)[1:-1].split(b",")
         nulls = values.count(None) if is_list else 0
-        if cells.count(b"null") == nulls:  # orjson writes null for nan and infinity
-            return [b"" if cell == b"null" else cell for cell in cells] if nulls else cells
+        if cells.count(b"null") == nulls:  # orjson writes null for nan and infinity, too
+            if not nulls:
+                return cells
+            return [b"" if cell == b"null" else cell for cell in cells]
     return [cell_of(value).encode() for value in values]
 
 
 def plain_numbers(cells: Sequence[bytes], exponent: int) -> Floats | None:
     """Return the numbers of cells, times a power of ten; nan for an empty cell.
 
-    Returns None if a cell has any other text, or is a 0 that may be a number too small for a double.
+    None if a cell has any other text, or if a 0 may stand for a number too small for a double.
+
     >>> plain_numbers([b"1", b"2.5", b"+1E2", b"5.0e-1", b""], -9)
     array([1.0e-09, 2.5e-09, 1.0e-07, 5.0e-10,     nan])
     """
@@ -231,7 +246,7 @@ def plain_numbers(cells: Sequence[bytes], exponent: int) -> Floats | None:
     values = _members(text)
     if len(values) != len(cells):  # some cells are empty or not numbers
         empty = b"," + end
-        while empty in text:  # each pass finds every other one in a run
+        while empty in text:  # each pass replaces every other one of a run of empty cells
             text = text.replace(empty, b",null,")
         values = _members(text)
     if len(values) != len(cells):
@@ -241,7 +256,7 @@ def plain_numbers(cells: Sequence[bytes], exponent: int) -> Floats | None:
 
 
 def _members(text: bytes) -> list[Any]:
-    """Return the members of a comma-separated text, read as JSON; an empty list if it is not JSON."""
+    """Return the members of a comma-separated text read as JSON; an empty list if it is not JSON."""
     try:
         members: list[Any] = orjson.loads(b"[" + text[1:-1] + b"]")
     except orjson.JSONDecodeError:
@@ -250,10 +265,10 @@ def _members(text: bytes) -> list[Any]:
 
 
 class Doubles(Sequence[bytes]):
-    """Cells that are doubles in memory, nan for an empty one; a cell becomes a text only when it is looked up.
+    """Cells that are doubles in memory, with nan for an empty one. A cell becomes text only when it is looked up.
 
-    Reading their texts, as for a file, would take twice the time of computing a contact. So these values may differ
-    from a file's by the rounding of the unit's power of ten.
+    Reading numbers from texts would take twice as long as computing a contact. So a value may differ from that of a
+    file by the rounding of the unit's power of ten.
     """
 
     def __init__(self, values: Floats) -> None:
@@ -275,7 +290,7 @@ class Doubles(Sequence[bytes]):
 
 
 def scaled(values: Floats, exponent: int) -> Floats:
-    """Return numbers times a power of ten, rounded once if a double holds that power exactly (up to 22).
+    """Return numbers times a power of ten. They are rounded once if a double holds that power exactly (up to 22).
 
     >>> scaled(numpy.array([100.0, numpy.nan]), -9)
     array([1.e-07,    nan])
@@ -285,23 +300,23 @@ def scaled(values: Floats, exponent: int) -> Floats:
 
 # --- Materials --------------------------------------------------------------------------------------------------------
 
-LABEL = Material("", "", "")  # placeholder for a name that is not a material, without properties
+LABEL = Material("", "", "")  # a placeholder without properties, for a name that is not a material
 
 Indices = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.int64]]
 
 
 class Lookup:
-    """The materials of a column, with indices in order of appearance; index 0 is for empty cells."""
+    """The materials of a column, numbered in order of appearance; number 0 is for empty cells."""
 
     def __init__(self, materials: Materials, otherwise: Material | None) -> None:
         """`otherwise`: the material for empty cells."""
         self.materials = materials
         self.known: list[Material | None] = [otherwise]
-        self.errors: dict[bytes, JkrollError] = {}  # for cells that are not the name of a material
+        self.errors: dict[bytes, JkrollError] = {}  # of cells that name no material
         self._indices: dict[bytes, int] = {}  # by cell
 
     def indices(self, cells: Sequence[bytes]) -> Indices:
-        """Return the indices of the materials of cells; unknown names have the index of LABEL."""
+        """Return the index of the material of each cell; unknown names have that of LABEL."""
         if len(self._indices) > MAX_KEPT:
             self._indices.clear()
             self.errors.clear()
@@ -320,7 +335,7 @@ class Lookup:
 
     @property
     def remarks(self) -> list[str]:
-        """Remarks on a column with labels: ambiguous names of materials, and aliases that were accepted."""
+        """Remarks on names that several materials share and, in a column with labels, on accepted aliases."""
         remarks = [str(error) for error in self.errors.values() if isinstance(error, UnclearMaterial)]
         if not self.errors:
             return remarks
@@ -336,31 +351,32 @@ class Lookup:
         return numpy.array([*map(marks.index, marks)])[indices]
 
     def together(self, indices: Indices) -> Material | None:
-        """Return the materials of rows with one mark as one material with arrays as properties.
+        """Return the materials of rows with the same mark as one material, whose properties are arrays.
 
-        If they are all the same, that material is returned.
+        If the rows have one material, it is returned itself.
         """
         first = self.known[int(indices[0])]
         if first is None or not first.properties or _is_special(first) or (indices == indices[0]).all():
             return first
-        solids = [solid.properties if solid else {} for solid in self.known]
         properties: Any = {}
         for name in first.properties:
-            values = numpy.array([of_solid.get(name, numpy.nan) for of_solid in solids])
-            properties[name] = values[indices]
+            values = [solid.properties.get(name, numpy.nan) if solid else numpy.nan for solid in self.known]
+            properties[name] = numpy.array(values)[indices]
         return LABEL._replace(properties=properties)
 
 
 def _mark(material: Material | None) -> Hashable:
-    """Return the names of a material's properties as a mark; a special material has its own."""
+    """Return the mark of a material: the names of its properties, or for a special material its key."""
     if material is None:
         return None
     return material.key if _is_special(material) else frozenset(material.properties)
 
 
 def _is_special(material: Material) -> bool:
-    """Return whether a material is more than its numbers: uncertain, rigid, or with forces measured on it."""
-    more = (
-        material.uncertainties or material.displacement is not None or measured_solid(material) or is_smooth(material)
-    )
-    return bool(more) or INFINITY in material.properties.values()
+    """Return whether the rows of a material need a frame of their own.
+
+    They do if it is uncertain, rigid or smooth, or if forces were measured on it.
+    """
+    if material.uncertainties or material.displacement is not None or INFINITY in material.properties.values():
+        return True
+    return bool(measured_solid(material)) or is_smooth(material)

@@ -1,4 +1,4 @@
-"""Force curves from tables: columns in the notation of `batch`, as arrays in SI units."""
+"""Force curves from tables: columns in the notation of `batch` become arrays in SI units."""
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -18,7 +18,7 @@ from .files import Input, input_format, table_of_lines
 from .header import Header, typed, understood
 from .table import Asked, Records
 
-# The quantities of columns: x in order of preference, then forces.
+# The quantities that a curve reads: x, in order of preference, and forces.
 _X = {"contact_radius_at_load": RADIUS, "approach_at_load": APPROACH, "lever_travel": TRAVEL}
 _FORCES = ("load", "lever_force", "lever_deflection")
 MEASURED = "contact_radius_at_load,lever_travel,lever_force,lever_deflection"
@@ -42,7 +42,7 @@ class CurveTable(NamedTuple):
 
 
 class ReadCurve(NamedTuple):
-    """A curve, and the sentence that says how its table was read."""
+    """A curve, and the sentence that says how its table is read."""
 
     curve: ForceCurve
     reading: str
@@ -53,16 +53,16 @@ def read_curve(
 ) -> ReadCurve:
     """Return the curve in a file. Raises BadTable.
 
-    `stiffness`: of the lever; `columns`, `form`, `mark`: the values of --column, --format and --delimiter.
+    `stiffness`: that of the lever; `columns`, `form`, `mark`: the values of --column, --format and --delimiter.
     """
     asked = Asked({}, known, columns=columns, measured=MEASURED, pass_rest=True)
     file = Input(path)
     with file.file:
         lines, blocks = _opened(file, asked, form, mark)
         table = _table(lines.names, lines.sample, lines.stated, asked)
-        every = [lines.read(block, table) for block in blocks]
+        records = [lines.read(block, table) for block in blocks]
     branches = [f"branches from {lines.names[table.labels[_BRANCH]]}"] if _BRANCH in table.labels else []
-    return ReadCurve(_curve(table, every, stiffness), table.columns.reading(*branches, *lines.remarks))
+    return ReadCurve(_curve(table, records, stiffness), table.columns.reading(*branches, *lines.remarks))
 
 
 def curve_of_columns(columns: Any, known: Materials, stiffness: float | None) -> ReadCurve:
@@ -75,21 +75,22 @@ def curve_of_columns(columns: Any, known: Materials, stiffness: float | None) ->
 
 def _opened(file: Input, asked: Asked, stated: str, mark: str) -> tuple[Any, Iterator[Any]]:
     """Return the reader of a table, and its blocks."""
-    given = input_format(file.path, "-", stated, mark)
-    if given.name == "parquet":
+    form = input_format(file.path, "-", stated, mark)
+    if form.name == "parquet":
         with missing_extra("parquet"):
             from .parquet import batches_of
         return batches_of(file, "", asked)
-    return table_of_lines(file, given, asked, excel_safe=False, as_markdown=False)
+    return table_of_lines(file, form, asked, excel_safe=False, as_markdown=False)
 
 
 def _table(
     names: Sequence[str], sample: Sequence[Sequence[str]], stated: Mapping[str, str], asked: Asked
 ) -> CurveTable:
-    """Return the columns of a curve in a table. Raises BadTable if there is no pair of x and force."""
+    """Return the columns of a curve in a table. Raises BadTable without a pair of x and force."""
     header = understood(names, sample, stated, (), asked.measured, pass_rest=True)
     found = {column.name: column for column in header.inputs}
-    x_name, force_name = (next((name for name in every if name in found), "") for every in (_X, _FORCES))
+    x_name = next((name for name in _X if name in found), "")
+    force_name = next((name for name in _FORCES if name in found), "")
     if not x_name or not force_name:
         lacking = "force" if x_name else "contact radius, approach or travel"
         quantities = ("lever_travel", "lever_force", "contact_radius_at_load", "approach_at_load", "load")
@@ -110,7 +111,7 @@ def _table(
 
 
 def _curve(table: CurveTable, records: list[Records], stiffness: float | None) -> ForceCurve:
-    """Return a curve from blocks of a table. Raises BadTable for a travel or a deflection without a stiffness."""
+    """Return the curve in blocks of a table. Raises BadTable for a travel or a deflection without a stiffness."""
     x, force_column = table.columns.inputs
     x_name, force_name = x.name, force_column.name
     if x_name == "lever_travel" and stiffness is None:
@@ -129,7 +130,7 @@ def _curve(table: CurveTable, records: list[Records], stiffness: float | None) -
 
 
 def _numbers(column: Column, records: list[Records]) -> tuple[Any, Any]:
-    """Return the numbers of a column in SI units, nan for empty cells, and their errors if there are any."""
+    """Return the numbers of a column in SI units, nan for empty cells, and their errors, or None without errors."""
     values, errors = [], []
     for block in records:
         numbers = column.numbers(block.cells)
@@ -140,16 +141,16 @@ def _numbers(column: Column, records: list[Records]) -> tuple[Any, Any]:
         array[[*block.odd]] = numpy.nan
         values.append(array)
         errors.append(error)
-    every = numpy.concatenate(values) if values else numpy.empty(0)
+    joined = numpy.concatenate(values) if values else numpy.empty(0)
     bars = numpy.concatenate(errors) if errors else numpy.empty(0)
     known = numpy.isfinite(bars) & (bars > 0)
     if not known.any():
-        return every, None
-    return every, numpy.where(known, bars, numpy.median(bars[known]))
+        return joined, None
+    return joined, numpy.where(known, bars, numpy.median(bars[known]))
 
 
 def _branch_of(records: list[Records]) -> Any:
-    """Return the branch of each row from its word. Raises BadTable for an unknown word."""
+    """Return the branch of each row, from its word. Raises BadTable for an unknown word."""
     cells = []
     for block in records:
         cells += [cell.decode(errors="replace").strip() for cell in block.cells[_BRANCH]]

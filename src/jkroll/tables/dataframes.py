@@ -1,11 +1,12 @@
-"""Tables of Python libraries: their columns with units, and the same type of table with more columns.
+"""Tables of Python libraries: their columns with units, and tables of the same type with more columns.
 
-A type is recognized by its methods, so that a library is imported only if the table comes from it.
+The methods of a table tell which library it comes from, so that only this library is imported.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property, partial
 from importlib import import_module
+from itertools import product
 from math import isnan
 from typing import Any, NamedTuple
 
@@ -20,7 +21,7 @@ from .cells import Doubles, cells_of
 from .layouts import SAMPLE
 from .table import Asked, Records
 
-Added = Mapping[str, Any]  # new columns by header: arrays of numbers, or lists of texts with None for empty
+Added = Mapping[str, Any]  # new columns by header: arrays of numbers, or lists of texts with None for an empty cell
 
 
 class Named(NamedTuple):
@@ -32,14 +33,14 @@ class Named(NamedTuple):
 
 
 class Data:
-    """The columns of a dict of arrays, lists or single values; subclasses are for tables of libraries."""
+    """The columns of a dict of arrays, lists or single values. Its subclasses are for the tables of libraries."""
 
     def __init__(self, data: Any) -> None:
         self.data = data
 
     @cached_property
     def columns(self) -> list[Named]:
-        """The columns in their order."""
+        """The columns in order."""
         columns = []
         for name, column in self._items():
             columns.append(Named(name, headed(name, _unit_of(column)), partial(self._filled, column)))
@@ -48,17 +49,20 @@ class Data:
     @cached_property
     def size(self) -> int:
         """The number of rows."""
-        sizes = {str(name): len(column) for name, column in self._items() if not _is_single(column)}
+        sizes = {}
+        for name, column in self._items():
+            if not _is_single(column):
+                sizes[str(name)] = len(column)
         if len({*sizes.values()}) > 1:
-            lengths = ", ".join(f"{quoted(name)} {size}" for name, size in sizes.items())
+            lengths = ", ".join([f"{quoted(name)} {size}" for name, size in sizes.items()])
             raise BadTable(f"the columns have different lengths: {lengths}")
         return next(iter(sizes.values()), 1)
 
     def use(self, heads: Iterable[str]) -> None:
-        """Choose the rows by the columns to read; only data with dimensions have a choice."""
+        """Choose the rows by the headers of the columns to read. Only an xarray Dataset has a choice."""
 
     def with_columns(self, added: Added) -> Any:
-        """Return a table of the same type with more columns, and with its labels."""
+        """Return a table of the same type, with the same labels and more columns."""
         return {**self.data, **{head: _array(column) for head, column in added.items()}}
 
     def _items(self) -> Any:
@@ -67,7 +71,9 @@ class Data:
     def _filled(self, column: Any) -> Any:
         """Return the values of a column, one for each row."""
         values = _magnitude(column)
-        return cells_in(numpy.full(self.size, values) if _is_single(values) else values)
+        if _is_single(values):
+            values = numpy.full(self.size, values)
+        return cells_in(values)
 
 
 class _Pandas(Data):
@@ -77,8 +83,9 @@ class _Pandas(Data):
     def _filled(self, column: Any) -> Any:
         if hasattr(column.dtype, "units"):  # of pint
             column = column.pint.magnitude
-        is_plain = isinstance(column.dtype, numpy.dtype) and column.dtype.kind in "fiu"
-        return cells_in(column.to_numpy() if is_plain else column.to_numpy(dtype=object, na_value=None))
+        if isinstance(column.dtype, numpy.dtype) and column.dtype.kind in "fiu":
+            return cells_in(column.to_numpy())
+        return cells_in(column.to_numpy(dtype=object, na_value=None))
 
     @property
     def size(self) -> int:
@@ -97,9 +104,9 @@ class _Polars(Data):
         return ((column.name, column) for column in self.data.get_columns())
 
     def _filled(self, column: Any) -> Any:
-        return cells_in(
-            column.to_numpy() if column.dtype.is_numeric() and not column.null_count() else column.to_list()
-        )
+        if column.dtype.is_numeric() and not column.null_count():
+            return cells_in(column.to_numpy())
+        return cells_in(column.to_list())
 
     def with_columns(self, added: Added) -> Any:
         """Return the table with more columns."""
@@ -136,7 +143,7 @@ class _Astropy(Data):
         return len(self.data)
 
     def with_columns(self, added: Added) -> Any:
-        """Return the table with more columns; their units are attributes, as usual in the library."""
+        """Return the table with more columns, with their units as attributes."""
         quantity, table = import_module("astropy.units").Quantity, self.data.copy(copy_data=False)
         for head, column in added.items():
             name, unit = name_and_unit(head)
@@ -151,7 +158,7 @@ class _Astropy(Data):
 
 
 class _Xarray(Data):
-    """A Dataset; its rows are the points of the dimensions of the columns to read."""
+    """A Dataset. Its rows are the points of the dimensions that the columns to read have."""
 
     dims: tuple[Any, ...] = ()
 
@@ -161,8 +168,11 @@ class _Xarray(Data):
     def use(self, heads: Iterable[str]) -> None:
         """Choose the dimensions of the columns to read."""
         wanted = {*heads}
-        used = [self.data.variables[column.name].dims for column in self.columns if column.head in wanted]
-        self.dims = tuple(dimension for dimension in self.data.sizes if any(dimension in dims for dims in used))
+        used: set[Any] = set()
+        for column in self.columns:
+            if column.head in wanted:
+                used.update(self.data.variables[column.name].dims)
+        self.dims = tuple(dimension for dimension in self.data.sizes if dimension in used)
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -180,13 +190,11 @@ class _Xarray(Data):
         own = [dimension for dimension in self.dims if dimension in column.dims]
         column = column.transpose(*own)
         data = numpy.asarray(_magnitude(column.data) if hasattr(column.data, "magnitude") else column.values)
-        spread = data.reshape(
-            [size if dimension in own else 1 for dimension, size in zip(self.dims, self.shape, strict=True)]
-        )
-        return cells_in(numpy.broadcast_to(spread, self.shape).reshape(-1))
+        shape = [size if dimension in own else 1 for dimension, size in zip(self.dims, self.shape, strict=True)]
+        return cells_in(numpy.broadcast_to(data.reshape(shape), self.shape).reshape(-1))
 
     def with_columns(self, added: Added) -> Any:
-        """Return the Dataset with more variables; their units are attributes."""
+        """Return the Dataset with more variables, with their units as attributes."""
         variables = {}
         for head, column in added.items():
             name, unit = name_and_unit(head)
@@ -206,7 +214,7 @@ _KINDS: Mapping[str, type[Data]] = {
 
 
 def data_of(data: Any) -> Data:
-    """Return a table of a library, recognized by its methods. Raises BadTable for other objects."""
+    """Return the data of a table, recognized by its methods. Raises BadTable for other objects."""
     for attribute, kind in _KINDS.items():
         if hasattr(data, attribute):
             return kind(data)
@@ -222,7 +230,7 @@ def data_of(data: Any) -> Data:
 
 
 def headed(name: Any, unit: Any) -> str:
-    """Return a name with the unit that its library states.
+    """Return the header of a column: its name, with the unit that the library states.
 
     >>> headed("radius", "nm"), headed("radius", None), headed("nu", "")
     ('radius [nm]', 'radius', 'nu [1]')
@@ -231,7 +239,7 @@ def headed(name: Any, unit: Any) -> str:
 
 
 def name_and_unit(head: str) -> tuple[str, str]:
-    """Return the name and the unit of a header made by jkroll.
+    """Return the name and the unit in a header of a result.
 
     >>> name_and_unit("pull_off_force [N]"), name_and_unit("n_grav")
     (('pull_off_force', 'N'), ('n_grav', ''))
@@ -241,18 +249,20 @@ def name_and_unit(head: str) -> tuple[str, str]:
 
 
 def _unit_of(column: Any) -> Any:
-    """Return the unit of a column as stated by its library; None without one."""
-    if (unit := unit_stated(column)) is not None:
+    """Return the unit of a column as its library states it; None without one."""
+    unit = unit_stated(column)
+    if unit is not None:
         return unit
-    for holder in (column, column.data) if hasattr(column, "dims") else (column,):
-        for attribute in ("units", "unit"):
-            if getattr(holder, attribute, None) is not None:
-                return getattr(holder, attribute)
+    holders = (column, column.data) if hasattr(column, "dims") else (column,)
+    for holder, attribute in product(holders, ("units", "unit")):
+        unit = getattr(holder, attribute, None)
+        if unit is not None:
+            return unit
     return None
 
 
 def _magnitude(column: Any) -> Any:
-    """Return the numbers of a Quantity of pint or astropy; other objects are returned as they are."""
+    """Return the numbers of a Quantity of pint or astropy; other objects are returned unchanged."""
     if hasattr(column, "magnitude"):
         return column.magnitude
     return column.value if hasattr(column, "to_value") else column
@@ -262,7 +272,7 @@ def _magnitude(column: Any) -> Any:
 
 
 def cells_in(values: Any) -> Any:
-    """Return values as an array of integers, or of doubles with nan; or a list with None for missing values."""
+    """Return values as an array of integers, or of doubles with nan, or as a list with None for missing values."""
     mask = getattr(values, "mask", None)
     array = numpy.asarray(getattr(values, "unmasked", values))
     if array.ndim != 1:
@@ -277,7 +287,7 @@ def cells_in(values: Any) -> Any:
 
 
 def _is_single(column: Any) -> bool:
-    """Return whether a column is a single value for all rows."""
+    """Return whether a column is one value for all rows."""
     return isinstance(column, str) or getattr(column, "ndim", 1) == 0 or not hasattr(column, "__len__")
 
 
@@ -300,11 +310,12 @@ class Memory:
         rows.use(read)
         self.size = rows.size
         self._values: dict[int, Any] = {}  # of columns by position
-        empty = [""] * min(SAMPLE, rows.size)
         first = []
         for position, name in enumerate(self.names):
-            is_read = name in read
-            first.append([cell.decode() for cell in cells_from(self._of(position)[:SAMPLE])] if is_read else empty)
+            if name in read:
+                first.append([cell.decode() for cell in cells_from(self._of(position)[:SAMPLE])])
+            else:
+                first.append([""] * min(SAMPLE, rows.size))
         self.sample: list[Sequence[str]] = [*zip(*first, strict=True)]
 
     def _of(self, position: int) -> Any:
@@ -314,11 +325,11 @@ class Memory:
         return self._values[position]
 
     def read(self, block: range, table: Any) -> Records:
-        """Return some rows as records."""
+        """Return a block of rows as records."""
         part, size = slice(block.start, block.stop), len(block)
-        cells: dict[str, Sequence[bytes]] = {
-            name: cells_from(self._of(position)[part]) for name, position in table.columns.positions.items()
-        }
+        cells: dict[str, Sequence[bytes]] = {}
+        for name, position in table.columns.positions.items():
+            cells[name] = cells_from(self._of(position)[part])
         for name, position in table.labels.items():
             values = self._of(position)
             cells[name] = [b""] * size if _are_doubles(values) else cells_of(values[part])

@@ -1,4 +1,4 @@
-"""Decimal commas: find the decimal mark of a table, and convert records to decimal points."""
+"""Decimal commas: the decimal mark of a table, and records with decimal points in place of commas."""
 
 import re
 from collections import Counter
@@ -19,10 +19,11 @@ _WITH_POINT = re.compile(r"[-+]?\d*\.\d+")
 
 
 def decimal_mark(columns: Iterable[Iterable[str]], separator: str, *, points_may_group: bool = False) -> str:
-    """Return the decimal mark of the numbers in columns; "" if they do not decide.
+    """Return the decimal mark of the numbers in columns; "" if the numbers leave it open.
 
-    A mark that occurs twice in a number separates thousands or a list, and decides nothing. `points_may_group`: True if
-    a point may separate thousands when nothing decides. Raises BadTable for a number with such a mark.
+    A mark that occurs twice in a number separates thousands or the members of a list; such a number is ignored.
+    `points_may_group`: True if a point may separate thousands where nothing else decides. Raises BadTable for a number
+    whose mark may separate thousands.
 
     >>> decimal_mark([["0,125", "1.234,5", "1,234,567", "1,200", "1,2,3"]], ";")
     ','
@@ -43,7 +44,7 @@ def decimal_mark(columns: Iterable[Iterable[str]], separator: str, *, points_may
 
 
 def have_decimal_commas(cells: Iterable[str]) -> bool:
-    """Return whether some cells are numbers with a decimal comma, and none has a decimal point."""
+    """Return whether some cells are numbers with a decimal comma, and none is one with a decimal point."""
     numbers = [cell.strip() for cell in cells]
     return any(map(_WITH_COMMA.fullmatch, numbers)) and not any(map(_WITH_POINT.fullmatch, numbers))
 
@@ -55,7 +56,7 @@ def _two_readings(number: str) -> str:
 
 
 def without_unclear(records: Records) -> Records:
-    """Return records of a table with an unknown decimal mark; rows with a point that may separate thousands are bad."""
+    """Return records of a table whose decimal mark is unknown. A row is bad if a point may separate thousands."""
     odd = dict(records.odd)
     for name, column in records.cells.items():
         if is_of_text(name) or b"." not in b"".join(column):
@@ -68,15 +69,16 @@ def without_unclear(records: Records) -> Records:
 
 
 def with_decimal_points(records: Records) -> Records:
-    """Return records with decimal points instead of commas; rows with a point in a number are bad."""
-    cells = {name: column for name, column in records.cells.items() if not is_of_text(name)}
+    """Return records with decimal points in place of commas. A row is bad if a number already has a point."""
+    points = dict(records.cells)
     odd = dict(records.odd)
-    for column in cells.values():
+    for name, column in records.cells.items():
+        if is_of_text(name):
+            continue
         for row, cell in enumerate(column):
-            if not _POINT.search(cell):
-                continue
-            text = quoted(cell.decode("utf-8", "replace"))
-            problem = f"{text} has a point: this table has decimal commas, and no thousands separators"
-            odd.setdefault(row, BadRequest(problem))
-    points = {name: [cell.replace(b",", b".") for cell in column] for name, column in cells.items()}
-    return records._replace(cells={**records.cells, **points}, odd=odd)
+            if _POINT.search(cell):
+                text = quoted(cell.decode("utf-8", "replace"))
+                problem = f"{text} has a point: this table has decimal commas, and no thousands separators"
+                odd.setdefault(row, BadRequest(problem))
+        points[name] = [cell.replace(b",", b".") for cell in column]
+    return records._replace(cells=points, odd=odd)

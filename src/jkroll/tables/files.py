@@ -1,10 +1,10 @@
-"""Files of tables: formats and compressions, the input as blocks of whole records, and formats made of lines.
+"""Files of tables: their formats and compressions, and their content as blocks of whole records.
 
-The extension of a file gives its format, unless `--format` does. Blocks end at the same positions in every run.
+`--format`, or else the extension of a file, gives its format. Blocks end at the same positions in every run.
 
-The records of CSV, TSV and NDJSON are lines. Passed-through text keeps its bytes; blank lines are left out. A block of
-cells without quotes is split at its separators. With quotes, the csv module reads it and finds the lines of each
-record. An unclosed quote, or a wrong number of cells, affects only its own line.
+The records of CSV, TSV and NDJSON are lines. Text that passes through keeps its bytes; blank lines are left out. A
+block of cells without quotes is split at its separators. In a block with quotes, the csv module reads the cells and
+finds the lines of each record. An unclosed quote, or a wrong number of cells, affects only its own line.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ import zlib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
-from itertools import chain, compress, islice, takewhile
+from itertools import chain, compress, islice
 from operator import not_
 from types import MappingProxyType
 from typing import Any, BinaryIO, NamedTuple
@@ -56,18 +56,19 @@ NOT_WRITTEN = "xlsx xls ods json svg pdf png jpg jpeg gif tif tiff eps ps svgz b
 FORMATS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}
 WRITTEN = {**FORMATS, "md": "md"}
 SEPARATORS = {"csv": ",", "tsv": "\t"}  # the defaults of --delimiter
-COMPRESSIONS = {"gz": "gzip", "gzip": "gzip", "zst": "zstd", "zstd": "zstd"}
-CHUNK = 1 << 21  # bytes read at a time; a process keeps twice as much from block to block
-FEED = 1 << 9  # bytes decompressed at a time, to 512 KiB at most by gzip, 16 MiB by zstd
+COMPRESSIONS = {"gz": "gzip", "gzip": "gzip", "zst": "zstd", "zstd": "zstd"}  # by extension
+CHUNK = 1 << 21  # bytes read at a time; a process keeps up to two chunks between blocks
+FEED = 1 << 9  # compressed bytes fed to a decompressor at a time: they become at most 512 KiB (gzip) or 16 MiB (zstd)
 BOM = b"\xef\xbb\xbf"
 MAX_RECORD = 1 << 24  # bytes
-DELIMITERS = {"comma": ",", "semicolon": ";", "bar": "|", "tab": "\t", "blank": " "}  # by the words of --delimiter
-_BLANKS = " \t\r\n"  # ASCII only: `str.strip` also removes bytes of Å and à
-ROW_OF_UNITS, ROW_OF_COMMENTS = "row of units", "row of comments"  # in the status column
+DELIMITERS = {"comma": ",", "semicolon": ";", "bar": "|", "tab": "\t", "blank": " "}  # by the value of --delimiter
+_BLANKS = " \t\r\n"  # ASCII only: `str.strip` would also remove bytes of Å and à
+ROW_OF_UNITS, ROW_OF_COMMENTS = "row of units", "row of comments"  # phrases of the status column
 _OPEN = "a quote is not closed"
 _MISQUOTED = "a quote is not closed, or text follows it"
 _CARRIAGE_RETURN = "there is a carriage return outside quotes; lines end in line feeds"
-# The beginnings of formulas, also in full width, and characters that a spreadsheet drops before them.
+# A spreadsheet takes a cell for a formula if it begins with one of these signs, also of full width, or with a character
+# that the spreadsheet drops.
 _BEGIN_FORMULAS = (*"=+-@\t\r\n\0", *(letter.encode().decode(BYTES) for letter in "＝＋－＠"))
 _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)([eE][+-]?\d+)?")
 
@@ -75,7 +76,7 @@ _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)([eE][+-]?\d+)?")
 
 
 class FileFormat(NamedTuple):
-    """A format, with its compression and, if it has one, its separator."""
+    """A format, with its compression and, for a table of cells, its separator."""
 
     name: str
     compression: str = ""
@@ -83,9 +84,9 @@ class FileFormat(NamedTuple):
 
 
 def format_of_name(path: str, formats: Mapping[str, str] = FORMATS) -> FileFormat | None:
-    """Return the format of a file name such as grains.csv.gz, or None. Raises BadTable for x.parquet.gz.
+    """Return the format of a file name such as grains.csv.gz; None for an unknown extension.
 
-    `formats`: by extension; the default are those that can be read.
+    `formats`: the formats by extension; by default those that can be read. Raises BadTable for x.parquet.gz.
 
     >>> format_of_name("grains.csv.gz"), format_of_name("a/grains")
     (FileFormat(name='csv', compression='gzip', separator=','), None)
@@ -99,11 +100,14 @@ def format_of_name(path: str, formats: Mapping[str, str] = FORMATS) -> FileForma
 
 
 def input_format(path: str, target: str, stated: str = "", delimiter: str = "") -> FileFormat:
-    """Return the input format. `stated`, `delimiter`: values of options; a call has at most one. Raises BadTable."""
+    """Return the format of the input: that of `--format` or `--delimiter`, or else that of the file's name.
+
+    `stated`, `delimiter`: the values of these options, of which a call gives at most one. Raises BadTable.
+    """
     named = format_of_name(stated.lstrip(".") or path)
     if stated and named is None:
         raise BadTable(f"--format: {quoted(stated)} is not csv, tsv or ndjson, with .gz or .zst or without, or parquet")
-    if path == "-" and not stated:  # a piped table is not compressed, even if its output is
+    if path == "-" and not stated:  # a table from a pipe is not compressed, even if the output is
         named = (format_of_name(target) or FileFormat("csv", separator=","))._replace(compression="")
     if delimiter:
         mark = DELIMITERS.get(delimiter, delimiter)
@@ -121,18 +125,19 @@ def input_format(path: str, target: str, stated: str = "", delimiter: str = "") 
 
 
 def _begins_as_dump(path: str) -> bool:
-    """Return whether a file begins like a dump of LAMMPS."""
+    """Return whether a file begins as a dump of LAMMPS."""
     with suppress(BadTable), (file := Input(path)).file:
         return is_dump(next(file.pieces(COMPRESSIONS.get(ending(path), "")), b""))
     return False
 
 
 def output_format(target: str, usual: str, *, quiet: bool) -> FileFormat:
-    """Return the output format: that of the file name, or else the `usual` one without compression, with a note.
+    """Return the format of the output: that of the file's name, or else the `usual` one, uncompressed and with a note.
 
-    Raises BadRequest for a format of other programs.
+    Raises BadRequest for a format that only other programs write.
     """
-    if (form := format_of_name(target, WRITTEN)) is not None:
+    form = format_of_name(target, WRITTEN)
+    if form is not None:
         return form
     name, end = os.path.splitext(target)
     if ending(target) in NOT_WRITTEN:
@@ -146,7 +151,7 @@ def output_format(target: str, usual: str, *, quiet: bool) -> FileFormat:
 
 
 def compressed(block: Any, compression: str) -> Any:
-    """Return a block compressed on its own; such blocks concatenated are a valid compressed file."""
+    """Return a block compressed by itself; the concatenation of such blocks is a valid compressed file."""
     if not compression or not block:
         return block
     if compression == "gzip":
@@ -157,21 +162,23 @@ def compressed(block: Any, compression: str) -> Any:
 
 
 def decompressed(file: BinaryIO, compression: str, path: str) -> Iterator[bytes]:
-    """Iterate over the decompressed bytes of a file in pieces. Raises BadTable for a damaged file."""
+    """Iterate over the decompressed bytes of a file. Raises BadTable for a damaged file."""
     problem = BadTable(f"{quoted(path)} is not what its name says, or its end is missing")
-    begin: Callable[[], Any] = partial(zlib.decompressobj, zlib.MAX_WBITS | 16)
+    new_frame: Callable[[], Any] = partial(zlib.decompressobj, zlib.MAX_WBITS | 16)
     damaged: type[Exception] = zlib.error
     if compression == "zstd":
         with missing_extra("zstd"):
             from zstandard import ZstdDecompressor, ZstdError
-        begin, damaged = ZstdDecompressor().decompressobj, ZstdError
-    frame = begin()
+        new_frame, damaged = ZstdDecompressor().decompressobj, ZstdError
+    frame = new_frame()
     try:
         for piece in iter(partial(file.read, FEED), b""):
             rest = piece.lstrip(b"\0") if frame.eof else piece  # a file may end in zeros
             while rest:
-                frame = begin() if frame.eof else frame
-                if text := frame.decompress(rest):  # an empty text would mean the end
+                if frame.eof:
+                    frame = new_frame()
+                text = frame.decompress(rest)
+                if text:  # an empty text would mean the end
                     yield text
                 rest = frame.unused_data.lstrip(b"\0")
     except damaged:
@@ -188,7 +195,8 @@ class Input:
 
     def __init__(self, path: str) -> None:
         """Open a file; `-` is stdin. Raises BadTable."""
-        self.path, self.rows = path, 0  # the number of rows, if the format states it
+        self.path = path
+        self.rows = 0  # set if the format states the number of rows
         try:
             self.file = io.BufferedReader(io.FileIO(0 if path == "-" else path, closefd=path != "-"), CHUNK)
         except OSError as error:
@@ -197,7 +205,7 @@ class Input:
         self.is_file = stat.S_ISREG(self.begun.st_mode)
 
     def pieces(self, compression: str) -> Iterator[bytes]:
-        """Iterate over the decompressed bytes: at most CHUNK at a time; from a pipe, what is available."""
+        """Iterate over the decompressed bytes, at most CHUNK at a time; a pipe gives what is available."""
         raw = iter(partial(self.file.read1, CHUNK), b"")
         try:
             yield from decompressed(self.file, compression, self.path) if compression else raw
@@ -205,7 +213,7 @@ class Input:
             raise BadTable(f"{quoted(self.path)}: {error.strerror}") from None
 
     def share_read(self, rows: int) -> float:
-        """Return the fraction of the input that is read after this many rows; 0 if unknown, as for a pipe."""
+        """Return the fraction of the input that has been read after some rows; 0 for a pipe."""
         if self.rows:
             return rows / self.rows
         return self.file.tell() / max(self.begun.st_size, 1) if self.is_file else 0.0
@@ -218,9 +226,9 @@ class Input:
 
 
 def table_of_lines(
-    given: Input, form: FileFormat, asked: Asked, *, excel_safe: bool, as_markdown: bool
+    source: Input, form: FileFormat, asked: Asked, *, excel_safe: bool, as_markdown: bool
 ) -> tuple[Delimited | Ndjson, Iterator[bytes]]:
-    """Return a table made of lines, with its header read, and its blocks of rows. Raises BadTable.
+    """Return a table made of lines, with its header already read, and its blocks of rows. Raises BadTable.
 
     `excel_safe`, `as_markdown`: see Delimited.
     """
@@ -229,30 +237,30 @@ def table_of_lines(
         lines: Delimited | Ndjson = Ndjson()
     else:
         lines = Delimited(form.separator, excel_safe=excel_safe, as_markdown=as_markdown)
-    every = blocks(given.pieces(form.compression), lines.cut)
-    first = next(every, b"")
+    stream = blocks(source.pieces(form.compression), lines.cut)
+    first = next(stream, b"")
     mark = BOM if first.startswith(BOM) else b""
-    every = chain([first.removeprefix(mark)], every)
+    stream = chain([first.removeprefix(mark)], stream)
     if is_dump(first):
         if not is_of_blanks:
             raise BadTable("this is a dump of LAMMPS, with blanks between its columns; write --delimiter blank")
-        every = as_table(every, given.path, form.compression)
+        stream = as_table(stream, source.path, form.compression)
     if is_of_blanks:
-        every = between_tabs(every)
-    first = next(every)
-    rows = first[lines.begin(first, asked.stated, asked.measured) :]
+        stream = between_tabs(stream)
+    first = next(stream)
+    rows = first[lines.read_header(first, asked.stated, asked.measured) :]
     if not as_markdown:
         lines.header = mark + lines.header
-    return lines, filter(None, chain([rows], every))
+    return lines, filter(None, chain([rows], stream))
 
 
 def blocks(pieces: Iterator[bytes], cut: Callable[[bytes], int]) -> Iterator[bytes]:
-    """Iterate over blocks of whole records: about BLOCK records, and at most CHUNK bytes unless a record is longer.
+    """Iterate over blocks of whole records: about BLOCK records in at most CHUNK bytes, unless a record is longer.
 
-    `cut`: returns the number of bytes of whole records at the beginning of a text.
+    `cut`: a function that returns the number of bytes of whole records at the beginning of a text.
 
-    If a record does not end within MAX_RECORD, its first lines become a block, and the format reports the error. Raises
-    BadTable for a longer line.
+    If a record does not end within MAX_RECORD bytes, its first lines become a block in which the format finds the
+    error. Raises BadTable for a longer line.
     """
     text = _filled(b"", pieces, CHUNK // 4)
     usual = size = max(1, min(CHUNK, BLOCK * len(text) // max(1, text.count(b"\n"))))
@@ -269,10 +277,12 @@ def blocks(pieces: Iterator[bytes], cut: Callable[[bytes], int]) -> Iterator[byt
 
 
 def _filled(text: bytes, pieces: Iterator[bytes], size: int) -> bytes:
-    """Return a text, extended by pieces to a size. At the end of the input, the last line gets a line feed."""
+    """Return a text that pieces extend to a size, or to the end of the input, where the last line gets a line feed."""
     while len(text) < size:
-        if not (piece := next(pieces, b"")):
-            return text + b"\n" if text and not text.endswith(b"\n") else text
+        piece = next(pieces, b"")
+        if not piece:
+            has_open_line = text and not text.endswith(b"\n")
+            return text + b"\n" if has_open_line else text
         text += piece
     return text
 
@@ -281,17 +291,17 @@ def _filled(text: bytes, pieces: Iterator[bytes], size: int) -> bytes:
 
 csv.field_size_limit(MAX_RECORD)  # the default is 128 KiB
 
-Record = tuple[int, int, list[str], str]  # its first line, the line after it, its cells, an error if it has none
+Record = tuple[int, int, list[str], str]  # its first line, the line after it, its cells, or else the error
 
 
 class Delimited:
-    """A table of cells with a separator between them."""
+    """A table whose cells stand between separators."""
 
     def __init__(self, separator: str, *, excel_safe: bool = False, as_markdown: bool = False) -> None:
-        """`separator`: blanks have been converted to tabs, and are written as tabs.
+        """`separator`: a blank for a table whose blanks have been replaced by tabs; the output has tabs.
 
-        `excel_safe`: True to write cells so that a spreadsheet takes no text for a formula. `as_markdown`: True to
-        write Markdown.
+        `excel_safe`: True to write text so that a spreadsheet does not take it for a formula.
+        `as_markdown`: True to write Markdown.
         """
         self.word = next(word for word, mark in DELIMITERS.items() if mark == separator)
         self.separator, self.excel_safe = separator.replace(" ", "\t"), excel_safe
@@ -301,7 +311,7 @@ class Delimited:
     def cut(self, text: bytes) -> int:
         """Return the number of bytes of whole records at the beginning of a text."""
         end = text.rfind(b"\n") + 1
-        if b'"' not in text or self.word == "blank":  # in a table with blanks, a quote ends in its line
+        if b'"' not in text or self.word == "blank":  # between blanks, a quote ends in its line
             return end
         lines = as_lines(text[:end])
         last = len(lines)
@@ -312,7 +322,7 @@ class Delimited:
         return sum(map(len, lines[:last]))
 
     def records(self, lines: Sequence[str]) -> Iterator[Record]:
-        """Iterate over records. Cells have one character for each byte. A bad line has no cells."""
+        """Iterate over the records of lines, with a character for each byte of a cell. A bad line has no cells."""
         start = 0
         while start < len(lines):
             reader, begin = csv.reader(lines[start:], delimiter=self.separator, strict=True), start
@@ -326,11 +336,11 @@ class Delimited:
                 start += 1
 
     def _line(self, cells: Iterable[str]) -> str:
-        """Return cells as a line, with quotes where needed."""
+        """Return cells as a line, with quotes where they are needed."""
         return self.separator.join(in_quotes(cell, self.separator) for cell in cells)
 
     def _written(self, cells: Sequence[str], line: str) -> bytes:
-        """Return cells as a line of output, without its end."""
+        """Return the cells of a line as the output has them, without the end of the line."""
         if self.excel_safe and any(map(_is_formula, cells)):
             cells = [f"'{cell}" if _is_formula(cell) else cell for cell in cells]
             line = self._line(cells)
@@ -339,10 +349,10 @@ class Delimited:
 
     # --- The header ---------------------------------------------------------------------------------------------------
 
-    def begin(self, block: bytes, stated: Mapping[str, str] = MappingProxyType({}), measured: str = "") -> int:
-        """Read the beginning of a table; return the number of bytes above its rows. Raises BadTable.
+    def read_header(self, block: bytes, stated: Mapping[str, str] = MappingProxyType({}), measured: str = "") -> int:
+        """Read the header in the first block; return the number of bytes above the rows. Raises BadTable.
 
-        `block`: the first block; `stated`, `measured`: see `meaning_of`.
+        `stated`, `measured`: see `meaning_of`.
         """
 
         def is_read(text: str) -> bool:
@@ -362,24 +372,28 @@ class Delimited:
             column = unnamed_column(self.names, first, self.word, is_read)
             cells, line = self._with_unnamed(column, cells, line)
         self.header = self._written(cells, line)
-        marked = [row.without_mark() for row in first[:1] if is_marked]  # a row of units marked like the header
-        count = self._take_units([*marked, *first[len(marked) :]], stated, measured)
-        whole = (row.cells for row in chain(first[count:], rows) if len(row.cells) == len(self.names))
-        self.sample = [[*map(text_of, row)] for row in islice(whole, SAMPLE)]
+        below_header = [*first]
+        if is_marked and first:  # a row of units may have the mark of the header
+            below_header[0] = first[0].without_mark()
+        count = self._take_units(below_header, stated, measured)
+        whole = filter(lambda row: len(row.cells) == len(self.names), chain(first[count:], rows))
+        self.sample = [[*map(text_of, row.cells)] for row in islice(whole, SAMPLE)]
         self._take_decimal_mark([*map(is_read, self.names)])
         self.writer = self._writer("\r\n" if line.endswith("\r\n") else "\n")
         return sum(map(len, lines[: self.lines]))
 
     def _writer(self, end: str) -> Lines:
-        """Return the writer of lines with this end, or of Markdown, where numbers are aligned right."""
+        """Return the writer of lines with this end, or of Markdown with columns of numbers aligned right."""
         if not self.as_markdown:
             return Lines(self.separator, end=end, has_commas=self.has_decimal_commas)
-        columns = [[row[position].strip() for row in self.sample] for position in range(len(self.names))]
-        are_right = [any(cells) and all(map(_NUMBER.fullmatch, filter(None, cells))) for cells in columns]
+        are_right = []
+        for position in range(len(self.names)):
+            cells = [*filter(None, (row[position].strip() for row in self.sample))]
+            are_right.append(bool(cells) and all(map(_NUMBER.fullmatch, cells)))
         return Markdown(are_right, has_commas=self.has_decimal_commas)
 
     def _rows(self, lines: Sequence[str]) -> Iterator[Row]:
-        """Iterate over the readable rows below the header."""
+        """Iterate over the rows below the header, without blank lines and lines with an error."""
         above = self.lines
         for start, stop, cells, problem in self.records(lines):
             line = "".join(lines[start:stop])
@@ -387,29 +401,39 @@ class Delimited:
                 yield Row(cells, line, above + start + 1)
 
     def _with_unnamed(self, column: str, cells: list[str], line: str) -> tuple[list[str], str]:
-        """Return the cells and the line of the header, with an empty name for an unnamed column if there is one."""
-        if column:
+        """Return the cells and the line of the header, with an empty name for a column that has none.
+
+        `column`: see `unnamed_column`.
+        """
+        if not column:
+            return cells, line
+        if column == FIRST:
+            cells = ["", *cells]
+            line = f'""{self.separator}{line}'
+        else:
             text = line.rstrip("\r\n")
-            end = line[len(text) :]
-            cells = ["", *cells] if column == FIRST else [*cells, ""]
-            line = f'""{self.separator}{line}' if column == FIRST else f"{text}{self.separator}{end}"
-            self.names = tuple(map(text_of, cells))
-            self.remarks.append(column)
+            cells = [*cells, ""]
+            line = f"{text}{self.separator}{line[len(text) :]}"
+        self.names = tuple(map(text_of, cells))
+        self.remarks.append(column)
         return cells, line
 
     def _take_units(self, rows: Sequence[Row], stated: Mapping[str, str], measured: str) -> int:
-        """Make a row of units, and adjacent rows of comments, part of the header; return the number of these rows."""
+        """Move a row of units, and the rows of comments around it, into the header; return the number of these rows."""
         first = 0
         while first < len(rows) and is_remark(rows[first], self.names):
             first += 1
-        first = first if first < len(rows) else 0
+        if first == len(rows):
+            first = 0
         headers = with_units(self.names, rows[first], stated, measured) if rows else None
         self.stated = headers.stated if headers else stated
         self.above: list[tuple[bytes, str]] = []  # lines between the header and the rows, with their status
         if headers is None:
             return 0
         self.names = headers.names
-        end = first + 1 + len([*takewhile(partial(is_remark, names=self.names), rows[first + 1 :])])
+        end = first + 1
+        while end < len(rows) and is_remark(rows[end], self.names):
+            end += 1
         for row in rows[:end]:
             status = ROW_OF_UNITS if row is rows[first] else ROW_OF_COMMENTS
             self.above.append((self._written(row.cells, row.line), status))
@@ -418,7 +442,7 @@ class Delimited:
         return end
 
     def _take_decimal_mark(self, are_read: Sequence[bool]) -> None:
-        """Find the decimal mark of the sample, and convert the sample to points. Raises BadTable."""
+        """Find the decimal mark of the sample, and replace commas in the sample by points. Raises BadTable."""
         columns = [*zip(*self.sample, strict=True)]
         passed = compress(columns, map(not_, are_read))
         is_doubtful = self.separator == ";" or (self.separator != "," and any(map(have_decimal_commas, passed)))
@@ -430,14 +454,14 @@ class Delimited:
             self.sample = [[cell.replace(",", ".") for cell in row] for row in self.sample]
 
     def head(self, added: Sequence[str]) -> bytes:
-        """Return the lines above the rows: the header with the added columns, and a row of units."""
+        """Return the lines above the rows: the header with the added columns, and the row of units if there is one."""
         lines = [self.writer.header(added, [self.header])]
         for line, status in self.above:
             lines.append(self.writer.rows(added, [*[None] * (len(added) - 1), status], [line]))
         return b"".join(lines)
 
     def _names(self, cells: Sequence[str], line: str, problem: str, is_read: Callable[[str], bool]) -> tuple[str, ...]:
-        """Return the names of columns. `cells`, `line`, `problem`: of the first record. Raises BadTable."""
+        """Return the names of the columns. `cells`, `line`, `problem`: those of the first record. Raises BadTable."""
         if not line.strip(self.blanks):
             raise BadTable("the table has no header; begin with a line of the columns' names")
         text, *names = map(text_of, (line.strip(_BLANKS), *(cells or [line])))
@@ -451,7 +475,7 @@ class Delimited:
         return tuple(names)
 
     def _check_separator(self, line: str, count: int, is_read: Callable[[str], bool]) -> None:
-        """Raise BadTable if another separator divides the header into inputs; for blanks, into two at least."""
+        """Raise BadTable if another separator divides the header into inputs; blanks must give two at least."""
         for word, mark in DELIMITERS.items():
             is_blank = mark == " "
             cells = line.replace('"', "").split(None if is_blank else mark)
@@ -468,7 +492,7 @@ class Delimited:
         return without_unclear(records) if self.is_open and b"." in text else records
 
     def _cut(self, text: bytes, positions: Mapping[str, int]) -> Records | None:
-        """Split lines of equal width without quotes at their separators; None if there are other lines."""
+        """Return the records of lines without quotes that all have the width of the header; None for other lines."""
         width, separator = len(self.names), self.separator.encode()
         if b'"' in text or self.excel_safe or self.as_markdown:
             return None
@@ -486,7 +510,7 @@ class Delimited:
         return Records(lines, columns, {}, range(len(lines)), len(lines))
 
     def _read(self, text: bytes, positions: Mapping[str, int]) -> Records:
-        """Return the records of lines of any form."""
+        """Return the records of any lines."""
         width = len(self.names)
         before: list[bytes] = []
         rows: list[list[str]] = []
@@ -498,7 +522,7 @@ class Delimited:
             if not line.strip(self.blanks):
                 continue
             if len(row) != width:
-                odd[len(rows)] = BadRequest(problem) if problem else self._of_size(len(row), line)
+                odd[len(rows)] = BadRequest(problem) if problem else self._size_error(len(row), line)
                 padded = (row or [line]) + [""] * (width - max(len(row), 1))
                 rest = self.separator.join(padded[width - 1 :])  # including excess cells
                 cells = [*padded[: width - 1], rest]
@@ -509,8 +533,8 @@ class Delimited:
         columns = {name: [row[position].encode(BYTES) for row in rows] for name, position in positions.items()}
         return Records(before, columns, odd, starts, len(lines))
 
-    def _of_size(self, size: int, line: str) -> BadRequest:
-        """Return the error of a line with more or fewer cells than the header."""
+    def _size_error(self, size: int, line: str) -> BadRequest:
+        """Return the error for a line with fewer or more cells than the header."""
         width = len(self.names)
         text = quoted(text_of(line).replace("\t", " ").strip())
         remedy = remedy_of_size(size, width, self.word)
@@ -519,12 +543,12 @@ class Delimited:
 
 
 def as_lines(text: bytes) -> list[str]:
-    """Return the lines of a text with their ends, one character for each byte."""
+    """Return the lines of a text with their ends, as characters for its bytes."""
     return io.StringIO(text.decode(BYTES), newline="\n").readlines()
 
 
 def _problem(error: str) -> str:
-    """Return an error of the csv module in our words."""
+    """Return the problem that an error of the csv module reports, in our words."""
     if error.startswith(("unexpected end", "field larger")):
         return _OPEN
     return _CARRIAGE_RETURN if error.startswith("new-line") else _MISQUOTED

@@ -1,4 +1,4 @@
-"""The fit of a measured force curve in a table, from texts and numbers."""
+"""The fit of a measured force curve in a table, from the texts and numbers of a call."""
 
 import os
 from collections.abc import Mapping
@@ -29,7 +29,10 @@ _TAKEN = (*_RADII, *_BODIES, "atomic_spacing")
 
 
 def fit_given(curve: Any, words: Mapping[str, str | None], spring: Any, given: Mapping[str, Any]) -> Fit:
-    """Return the fit of a curve in a file or in columns; arguments as for `jkroll.fit`. `words`: its texts by name."""
+    """Return the fit of a curve in a file or in columns. The arguments are those of `jkroll.fit`.
+
+    `words`: the arguments that are texts, by name.
+    """
     for name in given.keys() - {*_TAKEN}:
         raise BadRequest(f"fit takes no {quoted(name)}; it takes {listed(_TAKEN)}")
     read = Reader().in_si(given)
@@ -58,7 +61,7 @@ def fit_of_file(
 
 
 def _fitted(curve: ForceCurve, known: Known) -> Fit:
-    """Return the fit of a curve. Raises BadCurve, also if a spherical body 1 is not rigid."""
+    """Return the fit of a curve. Raises BadCurve, also if the sphere of the profile sphere is not rigid."""
     fitted = fit_curve(curve, known)
     moduli = {**known.bodies}
     if fitted.other_modulus is not None:
@@ -79,7 +82,7 @@ def _stiffness(known: Known) -> float | None:
 
 
 def known_of(words: Mapping[str, str | None], spring: Any, given: Mapping[str, Any]) -> Known:
-    """Return the known data of the contact and the instrument. Raises BadRequest, QuantityError.
+    """Return what is known about the contact and the instrument. Raises BadRequest, QuantityError.
 
     `given`: inputs in SI units, some with uncertainties.
     """
@@ -121,7 +124,7 @@ def _stiffness_of(spring: Any) -> Any:
 
 
 def _radius(given: Mapping[str, Any]) -> Any:
-    """Return the reduced radius that follows from the given radii; None without any."""
+    """Return the reduced radius of the given radii; None without any."""
     radii = {name: given[name] for name in _RADII if name in given}
     if not radii:
         return None
@@ -132,12 +135,12 @@ def _radius(given: Mapping[str, Any]) -> Any:
 
 
 def _relative_error(value: Any) -> float:
-    """Return half the width of an uncertainty relative to the value; 0 without one."""
+    """Return half the width of a value's uncertainty, relative to the value; 0 without an uncertainty."""
     return float((value.high - value.low) / 2 / abs(value.value)) if is_uncertain(value) else 0.0
 
 
 def _check_sphere(given: Mapping[str, Any]) -> None:
-    """Raise BadRequest if half-space theory is off by more than the profile of a sphere would correct."""
+    """Raise BadRequest if the error of half-space theory is larger than the correction by the profile of a sphere."""
     ratio = middle(given.get("poisson_ratio2", given.get("poisson_ratio", 0.0)))
     if not ratio >= INCOMPRESSIBLE:
         raise BadRequest(
@@ -151,7 +154,7 @@ def _check_sphere(given: Mapping[str, Any]) -> None:
 
 
 def _range(text: str | None) -> LoadRange | None:
-    """Return the range in a text FROM:TO, in percent of the largest load or in forces."""
+    """Return the range that a text FROM:TO gives, in percent of the largest load or in forces."""
     if text is None:
         return None
     ends = [end.strip() for end in text.split(":")]

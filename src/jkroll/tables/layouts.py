@@ -1,7 +1,7 @@
 """Layouts of tables made of lines: comments above the header, dumps of LAMMPS, row names of R, and rows of units.
 
-A dump has a few items above its columns, and no units. Other programs write comments, and the last comment may be the
-header. R writes no name above its row names.
+A dump has several items above its columns, and states no units. Other programs write comments, of which the last may be
+the header. R writes no name above its row names.
 """
 
 import re
@@ -17,20 +17,20 @@ from .header import typed
 from .reading import UNREAD, Reading, reading_of
 from .words import MATERIALS, unit_for
 
-BYTES = "latin-1"  # one character for each byte, since the csv module reads characters
+BYTES = "latin-1"  # a character for each byte, since the csv module reads characters
 SAMPLE = 200  # lines or rows that decide how a table is read
 _COMMENT = re.compile(r"\A(?:[ \t]*#+ *|sep=)", re.IGNORECASE)  # the mark of a line above the header
 _MARK = re.compile(rb"^[ \t]*(#+)[ \t]+", re.MULTILINE)  # the mark of a comment
 
 # --- Blanks as separators ---------------------------------------------------------------------------------------------
 
-# Patterns that few tables need are compiled on first use.
-# A cell in quotes, with a quote as \" (the default of R) or ""; in quotes with other backslashes; without quotes.
+# Few tables need this pattern and others below, so they are compiled on first use.
+# A cell is in quotes, with \" (the default of R) or "" for a quote; or in quotes with other backslashes; or has none.
 _CELL = rb'"(?:[^"\\]++|\\.|"")*+"(?!\S)|"[^"]*+"(?!\S)|[^\s"]\S*'
 
 
 def between_tabs(blocks: Iterable[bytes]) -> Iterator[bytes]:
-    """Iterate over blocks with tabs instead of blanks. Raises BadTable."""
+    """Iterate over blocks with tabs in place of blanks. Raises BadTable."""
     line = 0
     for block in blocks:
         yield tabbed(block, line)
@@ -38,18 +38,18 @@ def between_tabs(blocks: Iterable[bytes]) -> Iterator[bytes]:
 
 
 def tabbed(block: bytes, line: int = 0) -> bytes:
-    """Return a block with tabs instead of blanks. Raises BadTable for a quote that is not closed in its line.
+    """Return a block with tabs in place of blanks. Raises BadTable for a quote that is not closed in its line.
 
     `line`: the number of lines above the block.
     """
     lines = _MARK.sub(rb"\1", block).split(b"\n")
     if b'"' not in block:
-        return b"\n".join(b"\t".join(each.split()) for each in lines)
-    return b"\n".join(b"\t".join(_cells(each, line + position)) for position, each in enumerate(lines, 1))
+        return b"\n".join(b"\t".join(text.split()) for text in lines)
+    return b"\n".join(b"\t".join(_cells(text, number)) for number, text in enumerate(lines, line + 1))
 
 
 def _cells(line: bytes, number: int) -> list[bytes]:
-    """Return the cells of a line, which keep their quotes. `number`: of the line, from 1. Raises BadTable."""
+    """Return the cells of a line with their quotes. `number`: the number of the line. Raises BadTable."""
     if b'"' not in line or line.startswith(b"#"):
         return line.split()
     cells = re.findall(_CELL, line)
@@ -74,26 +74,24 @@ def is_dump(block: bytes) -> bool:
 
 
 def as_table(blocks: Iterable[bytes], path: str, compression: str) -> Iterator[bytes]:
-    """Iterate over the blocks of a dump, with its items as comments and its columns as header.
+    """Iterate over the blocks of a dump as those of a table: its items are comments, and its columns the header.
 
-    `path`, `compression`: of its file. Raises BadTable for several time steps, or a wrong number of rows.
+    `path`, `compression`: those of the file. Raises BadTable for several time steps, or a wrong number of rows.
     """
     rows, above, line = 0, 0, 0  # rows so far, lines above the first row, lines above the block
-    count, number = 0, 0  # the stated number of rows, and the line with it
+    count, number = 0, 0  # the stated number of rows, and the line that states it
     for block in blocks:
         lines = block.split(b"\n")
         if not line:
             position = _line_of_columns(lines)
             above = position + 1
             count, number = _stated_rows(lines[:position])
-            lines[:above] = [
-                *(b"# " + each for each in lines[:position]),
-                re.sub(_COLUMNS, b"", lines[position], count=1),
-            ]
+            items = [b"# " + item for item in lines[:position]]
+            lines[:above] = [*items, re.sub(_COLUMNS, b"", lines[position], count=1)]
         below = lines[max(above - line, 0) :]
-        for step, each in enumerate(below):
-            if each.startswith(b"ITEM: "):
-                raise BadTable(_several_steps(max(line, above) + step + 1, each, path, compression))
+        for position, text in enumerate(below, max(line, above) + 1):
+            if text.startswith(b"ITEM: "):
+                raise BadTable(_several_steps(position, text, path, compression))
         rows += sum(map(bool, map(bytes.strip, below)))
         line += len(lines) - 1
         yield b"\n".join(lines)
@@ -105,7 +103,7 @@ def as_table(blocks: Iterable[bytes], path: str, compression: str) -> Iterator[b
 
 
 def _line_of_columns(lines: Sequence[bytes]) -> int:
-    """Return the index of the line that names the columns of a dump. Raises BadTable."""
+    """Return the index of the line with the columns of a dump. Raises BadTable."""
     for position, line in enumerate(lines[:SAMPLE]):
         if line.startswith(b"ITEM: ") and not re.match(_NO_COLUMNS, line):
             return position
@@ -113,7 +111,7 @@ def _line_of_columns(lines: Sequence[bytes]) -> int:
 
 
 def _stated_rows(items: Sequence[bytes]) -> tuple[int, int]:
-    """Return the number of rows that the items of a dump state, and its line; 0 and 0 without one."""
+    """Return the number of rows that the items of a dump state, and the number of its line; 0 and 0 without one."""
     for position, line in enumerate(items[:-1], 1):
         if line.startswith(b"ITEM: NUMBER OF") and items[position].strip().isdigit():
             return int(items[position]), position + 1
@@ -121,7 +119,7 @@ def _stated_rows(items: Sequence[bytes]) -> tuple[int, int]:
 
 
 def _several_steps(number: int, line: bytes, path: str, compression: str) -> str:
-    """Return the error message for a dump with a second time step."""
+    """Return the error message for a dump with a second time step, from the line that begins it."""
     item = line.decode(errors="replace").strip()
     item = item if item == "ITEM: TIMESTEP" else f"{item}$"
     program = {"gzip": "zcat", "zstd": "zstdcat"}.get(compression, "")
@@ -136,14 +134,17 @@ def _several_steps(number: int, line: bytes, path: str, compression: str) -> str
 
 
 def header_position(lines: Sequence[str], separator: str, is_read: Callable[[str], bool]) -> int:
-    """Return the number of lines above the header: comments, and the separator as spreadsheets write it in sep=;.
+    """Return the number of lines above the header: comments, and a line sep=; in which a spreadsheet names a separator.
 
-    The last of these lines that contains columns to read is the header, unless the line below them all does. Between
-    blanks or tabs, the last comment is the header if the line below has the same number of numbers.
+    The first line below the comments is the header if it has a column to read, or else the last comment that has one.
+    If no line has one, the last comment is still the header if the line below it has as many numbers as it has cells,
+    between blanks or tabs.
     """
     count = len([*takewhile(_COMMENT.match, lines[:SAMPLE])])
-    texts = [text_of(bare(line)).strip() for line in lines[: count + 1]]
-    rows = [[cell.strip('"') for cell in text.split(separator)] for text in texts]
+    rows = []
+    for line in lines[: count + 1]:
+        text = text_of(bare(line)).strip()
+        rows.append([cell.strip('"') for cell in text.split(separator)])
     for position in (count, *reversed(range(count))):
         if position < len(rows) and any(map(is_read, rows[position])):
             return position
@@ -153,7 +154,7 @@ def header_position(lines: Sequence[str], separator: str, is_read: Callable[[str
 
 
 def text_of(cell: str) -> str:
-    """Return a cell as text, decoded from one character for each byte."""
+    """Return a cell as text, from its characters for bytes."""
     return cell.encode(BYTES).decode("utf-8", "replace")
 
 
@@ -173,7 +174,7 @@ FIRST, LAST = "the first column has row names", "the last column has no header a
 
 
 class Row(NamedTuple):
-    """A row below a header: its cells and its line, with one character for each byte, and the number of the line."""
+    """A row below the header: its cells and its line as characters for bytes, and the number of the line."""
 
     cells: Sequence[str]
     line: str
@@ -181,7 +182,7 @@ class Row(NamedTuple):
 
     @property
     def last(self) -> int:
-        """The number of its last line; a cell in quotes may span several."""
+        """The number of the last line of the row; a cell in quotes may have several lines."""
         return self.number - 1 + self.line.count("\n") + (not self.line.endswith("\n"))
 
     def without_mark(self) -> "Row":
@@ -190,11 +191,12 @@ class Row(NamedTuple):
 
 
 def unnamed_column(names: Sequence[str], rows: Sequence[Row], word: str, is_read: Callable[[str], bool]) -> str:
-    """Return which column has no name in the header, FIRST or LAST; an empty text if all have one.
+    """Return FIRST or LAST for a column without a name in the header; "" if all columns have one.
 
-    `rows`: the first rows, none with as many cells as there are names; `word`: the name of the separator. R writes no
-    name above row names, which it quotes, unlike numbers. Lines may end with a separator. Raises BadTable if all rows
-    have another common number of cells.
+    `rows`: the first rows, none with as many cells as there are names; `word`: the name of the separator.
+
+    R writes no name above row names, which it quotes, unlike numbers. Other programs end each line with a separator.
+    Raises BadTable if all rows have another number of cells than the header.
     """
     sizes, width = {len(row.cells) for row in rows}, len(names)
     if len(sizes) != 1:
@@ -203,10 +205,7 @@ def unnamed_column(names: Sequence[str], rows: Sequence[Row], word: str, is_read
     if size == width + 1:
         if not any(row.cells[-1].strip() for row in rows):
             return LAST
-        of_rows = {row.cells[0] for row in rows}
-        are_quoted = all(row.line.lstrip(" ").startswith('"') for row in rows)
-        has_numbers = any(re.search(r"\d", re.sub(r'"[^"]*"', "", row.line)) for row in rows)
-        if are_quoted and has_numbers and len(of_rows) == len(rows):
+        if _are_row_names(rows):
             return FIRST
     if size > width and not any(map(is_read, names)) and any(is_read(text_of(cell)) for cell in rows[0].cells):
         title = quoted(" ".join(names))
@@ -219,13 +218,23 @@ def unnamed_column(names: Sequence[str], rows: Sequence[Row], word: str, is_read
     raise BadTable(f"header: it has {in_cells(width)}, and each row below, from line {number} on, has {size}: {remedy}")
 
 
+def _are_row_names(rows: Sequence[Row]) -> bool:
+    """Return whether the first cells of rows are row names: in quotes and all different, next to numbers."""
+    has_numbers = False
+    for row in rows:
+        if not row.line.lstrip(" ").startswith('"'):
+            return False
+        has_numbers |= re.search(r"\d", re.sub(r'"[^"]*"', "", row.line)) is not None
+    return has_numbers and len({row.cells[0] for row in rows}) == len(rows)
+
+
 def in_cells(size: int) -> str:
     """Return a number of cells in words."""
     return f"{size} {'cell' if size == 1 else 'cells'}"
 
 
 def remedy_of_size(size: int, width: int, word: str) -> str:
-    """Return what to do with a row of `size` cells below a header of `width`. `word`: the name of the separator."""
+    """Return what to write for a row of `size` cells below a header of `width`. `word`: the name of the separator."""
     if size > width:
         return f"write text with a {word} in quotes"
     return 'write "" for an empty cell' if word == "blank" else f"write a {word} for each empty cell"
@@ -236,32 +245,32 @@ def remedy_of_size(size: int, width: int, word: str) -> str:
 _NUMBER = re.compile(r"\s*[-+−]?[\d.,]")  # the beginning of a number
 _IN_BRACKETS = r"\[([^\[\]]*)\]|\(([^()]*)\)"
 _NO_UNIT = ("", "-", "--", "–", "—")
-# The first cells of rows that Origin writes below its header.
+# The first cells of the rows that Origin writes below its header.
 _REMARKS = {"comment", "comments", "f(x)", "long name", "parameters", "sampling interval", "sparklines"}
 
 
 class Headers(NamedTuple):
-    """The headers of columns with the units of a row below, and the meanings of `--column` with these units."""
+    """The headers of columns, and the meanings that `--column` gives some, both with the units of a row below."""
 
     names: tuple[str, ...]
     stated: Mapping[str, str]
 
 
 class _Cell(NamedTuple):
-    """A header and the cell below it, which may belong to a row of units."""
+    """A header and the cell below it, which may be part of a row of units."""
 
-    name: str  # including the unit
-    role: str
-    meaning: str = ""  # the meaning of a stated column, with the unit in the cell
+    name: str  # the header with the unit
+    role: str  # the role of the cell below
+    meaning: str = ""  # the meaning that `--column` gives, with the unit
 
 
 _A_UNIT, _ANOTHER_UNIT, _NEITHER, _NO_ROW_OF_UNITS = "unit", "another unit than the header", "text", "anything else"
 
 
 def with_units(names: Sequence[str], row: Row, stated: Mapping[str, str], measured: str) -> Headers | None:
-    """Return headers with the units in a row below; None if it is not clearly a row of units.
+    """Return headers with the units in a row below; None if the row is not clearly one of units.
 
-    A row of units has no numbers, only units of columns to read, or empty cells. `stated`, `measured`: see
+    A row of units has no numbers: its cells are units of columns to read, or empty. `stated`, `measured`: see
     `meaning_of`. Raises BadTable if a header has another unit.
     """
     below = [*map(text_of, row.cells)]
@@ -280,7 +289,7 @@ def with_units(names: Sequence[str], row: Row, stated: Mapping[str, str], measur
 
 
 def _below(name: str, text: str, stated: Mapping[str, str], measured: str) -> _Cell:
-    """Return a header and the cell below it, which may be its unit."""
+    """Return a header and the cell below it, with the role of the cell."""
     unit = _without_brackets(text)
     if unit in _NO_UNIT:
         return _Cell(name, _NEITHER)
@@ -288,51 +297,50 @@ def _below(name: str, text: str, stated: Mapping[str, str], measured: str) -> _C
     if typed(name) not in stated and typed(whole) in stated:  # as an earlier message suggested
         name = whole
     is_stated, meaning = typed(name) in stated, stated.get(typed(name), name)
-    own, with_unit = reading_of(meaning, measured), reading_of(f"{meaning} [{unit}]", measured)
+    reading, with_unit = reading_of(meaning, measured), reading_of(f"{meaning} [{unit}]", measured)
     if unit == "1" and not with_unit.unit_text:
-        role = _NO_ROW_OF_UNITS
-    elif own.unit_text:
-        is_same = _is_unit(unit, own)
+        return _Cell(name, _NO_ROW_OF_UNITS)
+    if reading.unit_text:
         roles = {True: _A_UNIT, False: _ANOTHER_UNIT, None: _NO_ROW_OF_UNITS}
         if is_stated:
             roles = {True: _A_UNIT, False: _A_UNIT, None: _NEITHER}
-        role = roles[is_same]
-    elif meaning.strip() and with_unit.unit_text:
+        return _Cell(name, roles[_is_unit(unit, reading)])
+    if meaning.strip() and with_unit.unit_text:
         return _Cell(name, _A_UNIT, f"{meaning} [{unit}]") if is_stated else _Cell(whole, _A_UNIT)
-    else:
-        role = _NO_ROW_OF_UNITS if _is_read(own) else _NEITHER
-        is_of_other = role == _NEITHER and name.strip() and is_in_table(unit) and not re.search(r"[\[(]", name)
-        name = whole if is_of_other and not is_stated else name
-    return _Cell(name, role)
+    if _is_read(reading):
+        return _Cell(name, _NO_ROW_OF_UNITS)
+    if name.strip() and is_in_table(unit) and not re.search(r"[\[(]", name) and not is_stated:
+        name = whole  # another quantity, with its unit
+    return _Cell(name, _NEITHER)
 
 
 def _is_number(cell: str) -> bool:
-    """Return whether a cell begins with a number; 1 may be the unit of a ratio."""
+    """Return whether a cell begins with a number; a lone 1 may be the unit of a ratio."""
     unit = _without_brackets(cell)
     return unit != "1" and unit not in _NO_UNIT and _NUMBER.match(unit) is not None
 
 
 def _is_unit(text: str, reading: Reading) -> bool | None:
-    """Return whether a text is the same unit as in a header; None if it is not a unit of its quantity."""
+    """Return whether a text is the unit of a header; None if it is not a unit of the header's quantity."""
     if text == reading.unit_text:
         return True
     unit = unit_for(text, reading.name) if reading.name else ""
     if not unit:
         return None
     texts = {unit, reading.unit_text}
-    return texts == {"1", "-"} or (
-        texts.isdisjoint(("1", "-")) and len({unit_of(text, reading.name) for text in texts}) == 1
-    )
+    if texts.isdisjoint(("1", "-")):
+        return unit_of(unit, reading.name) == unit_of(reading.unit_text, reading.name)
+    return texts == {"1", "-"}
 
 
 def _is_read(reading: Reading) -> bool:
-    """Return whether a header without a unit belongs to a column of numbers to read."""
+    """Return whether a header without a unit is that of a column of numbers to read."""
     is_number = reading.is_input and not reading.is_symbol and reading.name not in MATERIALS
     return is_number or reading.part not in ("", UNREAD)
 
 
 def _without_brackets(cell: str) -> str:
-    """Return a cell without enclosing brackets."""
+    """Return a cell without the brackets around it."""
     text = cell.strip()
     found = re.fullmatch(_IN_BRACKETS, text) if text.startswith(("[", "(")) else None
     return (found[1] or found[2] or "").strip() if found else text

@@ -1,4 +1,4 @@
-"""NDJSON: lines of JSON objects as records of a table."""
+"""NDJSON: a table with a JSON object in each line."""
 
 import json
 from collections import Counter
@@ -9,7 +9,7 @@ from typing import Any
 
 import orjson
 
-from ..errors import BadRequest, BadTable
+from ..errors import BadRequest, BadTable, JkrollError
 from ..text import quoted
 from ..write.writers import Objects
 from .cells import cell_of, cells_of
@@ -21,7 +21,7 @@ Object = dict[str, Any]
 
 
 class Ndjson:
-    """A table with a JSON object in each line; the names in the first one are its columns."""
+    """A table with a JSON object in each line. The members of the first object name its columns."""
 
     lines = 0  # there is no header
     header, remarks = b"", ()
@@ -31,8 +31,8 @@ class Ndjson:
         """Return the number of bytes of whole lines."""
         return text.rfind(b"\n") + 1
 
-    def begin(self, block: bytes, stated: Mapping[str, str] = MappingProxyType({}), measured: str = "") -> int:  # noqa: ARG002
-        """Read the names in the first object, and the values of the first objects; return 0. Raises BadTable.
+    def read_header(self, block: bytes, stated: Mapping[str, str] = MappingProxyType({}), measured: str = "") -> int:  # noqa: ARG002
+        """Read the names in the first object, and the values in the first lines; return 0. Raises BadTable.
 
         `stated`: see `meaning_of`.
         """
@@ -52,27 +52,30 @@ class Ndjson:
         return 0
 
     def head(self, added: Sequence[str]) -> bytes:
-        """Return the text above the rows: there is none."""
+        """Return the text above the rows: it is empty."""
         return self.writer.header(added, [self.header])
 
     def read(self, text: bytes, table: Table) -> Records:
-        """Return lines as records."""
-        every = text.split(b"\n")
-        starts = [position for position, line in enumerate(every) if line.strip()]
-        lines = [every[position] for position in starts]
+        """Return the records of a block of lines."""
+        all_lines = text.split(b"\n")
+        starts = [position for position, line in enumerate(all_lines) if line.strip()]
+        lines = [all_lines[position] for position in starts]
         objects = [*map(_object, lines)]
-        problems = [self._problem(line, members, table) for line, members in zip(lines, objects, strict=True)]
-        odd = {row: BadRequest(problem) for row, problem in enumerate(problems) if problem}
+        odd: dict[int, JkrollError] = {}
+        for row, (line, members) in enumerate(zip(lines, objects, strict=True)):
+            problem = self._problem(line, members, table)
+            if problem:
+                odd[row] = BadRequest(problem)
         rows = [members or {} for members in objects]
         cells = {}
         for name, position in table.positions.items():
             cells[name] = cells_of([row.get(self.names[position]) for row in rows])
-        return Records([*map(_beginning, lines, objects)], cells, odd, starts, len(every) - 1)
+        return Records([*map(_beginning, lines, objects)], cells, odd, starts, len(all_lines) - 1)
 
     def _problem(self, line: bytes, members: Object | None, table: Table) -> str:
-        """Return why a line is not a row; an empty text if it is.
+        """Return the reason why a line is not a row; "" if it is one.
 
-        It is not without an object, with a duplicate member, or with an input or result that the first line lacks.
+        It is none without an object, with a member twice, or with an input or a result that the first line lacks.
         """
         if members is None:
             return "is not a JSON object"
@@ -88,14 +91,14 @@ class Ndjson:
 
 
 def _beginning(line: bytes, members: Object | None) -> bytes:
-    """Return the object of a line without its end; if it is not an object, one with the line as a text."""
+    """Return the object of a line without its closing brace; for any other line, an object with the line as text."""
     if members is None:
         return b'{"line":' + orjson.dumps(line.decode("utf-8", "replace")) + b","
     return line.rstrip().removesuffix(b"}").rstrip() + b"," * bool(members)
 
 
 def _object(line: bytes) -> Object | None:
-    """Return the object in a line, or None if it contains anything else."""
+    """Return the object in a line; None for any other line."""
     with suppress(orjson.JSONDecodeError):
         value = orjson.loads(line)
         return value if isinstance(value, dict) else None
@@ -103,7 +106,7 @@ def _object(line: bytes) -> Object | None:
 
 
 def _twice(line: bytes, members: Object) -> str:
-    """Return the name of a duplicate member in the object of a line, or ""; orjson keeps the last one silently."""
+    """Return the name of a member that an object has twice, or ""; orjson silently keeps the last one."""
     if line.count(b":") == len(members):  # each member has a colon
         return ""
     with suppress(RecursionError):

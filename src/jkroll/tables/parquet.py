@@ -1,4 +1,4 @@
-"""Parquet: read the batches of a file as records, and write rows as batches."""
+"""Parquet: batches of a file as records, and rows as batches."""
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -17,25 +17,25 @@ from .layouts import SAMPLE
 from .table import Asked, Records, Table
 
 BUFFER = 1 << 18  # bytes read at a time from each column
-BYTES = 1 << 24  # approximate size of a group of rows
+BYTES = 1 << 24  # approximate number of bytes in a group of rows
 
 # --- Rows as batches --------------------------------------------------------------------------------------------------
 
 
 class Batches:
-    """The writer of rows as batches of Arrow; the header is an empty batch."""
+    """The writer of rows as batches of Arrow. The header is an empty batch."""
 
     is_plain, has_words, digits = False, False, None
 
     def header(self, heads: Sequence[str], before: Sequence[Any] = ()) -> Any:
-        """Return the batch without rows. `before`: the schema of the columns before these."""
+        """Return the empty batch with the types of all columns. `before`: the schema of the columns before these."""
         (schema,) = before or (pyarrow.schema([]),)
         new = [pyarrow.field(head, pyarrow.string() if has_texts(head) else pyarrow.float64()) for head in heads]
-        every = pyarrow.schema([*schema, *new], metadata=schema.metadata)
-        return pyarrow.RecordBatch.from_pylist([], schema=every)
+        full_schema = pyarrow.schema([*schema, *new], metadata=schema.metadata)
+        return pyarrow.RecordBatch.from_pylist([], schema=full_schema)
 
     def rows(self, heads: Sequence[str], columns: Sequence[Any], before: Any = None) -> Any:
-        """Return rows as a batch. `before`: the batch of the columns before these."""
+        """Return rows as a batch. `before`: the batch with the columns before these."""
         schema = self.header(heads, [before.schema] if before is not None else ()).schema
         arrays = before.columns if before is not None else []
         size = max(map(length, columns))
@@ -46,10 +46,10 @@ class Batches:
 
     @contextmanager
     def sink(self, stream: BinaryIO, header: Any) -> Iterator[Callable[[Any], None]]:
-        """Return the function that writes batches after the header, in groups of rows of similar size."""
+        """Return a function that writes batches below the header, in groups of similar size."""
         texts = [field.name for field in header.schema if not pyarrow.types.is_floating(field.type)]
         group: list[Any] = []
-        size = 0  # size of the group; memory that batches share counts once for each
+        size = 0  # bytes in the group; memory that batches share counts in each batch
         with pyarrow.parquet.ParquetWriter(stream, header.schema, use_dictionary=texts) as file:
 
             def flush() -> None:
@@ -72,17 +72,17 @@ class Batches:
 # --- A file as blocks -------------------------------------------------------------------------------------------------
 
 
-def batches_of(given: Input, target: str, asked: Asked) -> tuple["Arrow", Iterator[Any]]:
-    """Return the table in a Parquet file, and its batches."""
-    if "-" in (given.path, target):
+def batches_of(source: Input, target: str, asked: Asked) -> tuple["Arrow", Iterator[Any]]:
+    """Return the table of a Parquet file, and its batches."""
+    if "-" in (source.path, target):
         raise BadRequest("Parquet is read from a file and written to a file: -o FILE")
-    with _readable(given.path):
-        file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
+    with _readable(source.path):
+        file = pyarrow.parquet.ParquetFile(source.file, buffer_size=BUFFER, pre_buffer=False)
         table = Arrow(file, asked)
-    given.rows = file.metadata.num_rows
+    source.rows = file.metadata.num_rows
 
     def batches() -> Iterator[Any]:
-        with _readable(given.path):
+        with _readable(source.path):
             yield from file.iter_batches(BLOCK)
 
     return table, batches()
@@ -99,12 +99,12 @@ def _readable(path: str) -> Iterator[None]:
 
 
 class Arrow:
-    """A table with typed columns."""
+    """A table whose columns have types."""
 
     lines, remarks = 0, ()  # its header is not a line
 
     def __init__(self, file: Any, asked: Asked) -> None:
-        """Read the header, and the cells of the first rows in columns that may be read."""
+        """Read the header, and the cells of the first rows in the columns that may be read."""
         self.header, self.writer = file.schema_arrow, Batches()
         self.names = tuple(self.header.names)
         self.stated = asked.stated
@@ -114,11 +114,11 @@ class Arrow:
         self.sample = [[cell_of(row.get(name)) for name in self.names] for row in rows]
 
     def head(self, added: Sequence[str]) -> Any:
-        """Return the batch without rows, of its own and the added columns."""
+        """Return the empty batch with the columns of the table and the added ones."""
         return self.writer.header(added, [self.header])
 
     def read(self, batch: Any, table: Table) -> Records:
-        """Return a batch as records."""
+        """Return the records of a batch."""
         cells = {}
         for name, position in table.columns.positions.items():
             cells[name] = cells_of(values_of(batch.column(position)))
@@ -129,13 +129,13 @@ class Arrow:
 
 
 def _has_texts(type_: Any) -> bool:
-    """Return whether a type is a type of texts."""
+    """Return whether a type of Arrow holds texts."""
     types = pyarrow.types
     type_ = type_.value_type if types.is_dictionary(type_) else type_
     return bool(types.is_string(type_) or types.is_large_string(type_) or types.is_string_view(type_))
 
 
 def values_of(column: Any) -> Any:
-    """Return the values of a column as a list, or faster as an array if all rows have a number."""
+    """Return the values of a column as a list, or as an array, which is faster, if all rows have a number."""
     is_whole = pyarrow.types.is_integer(column.type) or pyarrow.types.is_float64(column.type)
     return column.to_numpy() if is_whole and not column.null_count else column.to_pylist()

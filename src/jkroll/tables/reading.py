@@ -1,9 +1,9 @@
 """The meaning of a single header: an input with its unit, a part of an uncertainty, or a possible input.
 
 A header is a word with a unit, in one of a few notations: `radius [nm]`, `R2 (nm)`, `Load/nN`, `radius in nm`, `E_GPa`,
-`gamma..mJ.m2.`. Words are compared by letters and digits only, so `Young's modulus` equals `youngsModulus`. A symbol is
-compared as written, or in any case if a unit follows; the unit then decides between quantities that share it. A header
-that contains the word of an input without being a word with a unit is refused. All other columns pass through.
+`gamma..mJ.m2.`. Words are compared by letters and digits only, so `Young's modulus` equals `youngsModulus`. Symbols are
+compared as written, or in any case if a unit follows; the unit then decides between the quantities that share a symbol.
+A header that contains a word for an input, but is not such a word with a unit, is refused. Other columns pass through.
 """
 
 import re
@@ -20,23 +20,23 @@ from .words import MATERIALS, Meaning, fits, headed, key, spelt_out, squeezed, u
 
 
 class Reading(NamedTuple):
-    """The meaning of a header: an input with the text of its unit; a column without a name passes through."""
+    """The meaning of a header: an input and the text of its unit. A column without a name passes through."""
 
-    name: str = ""  # with a problem, the possible input; "" for ± alone
+    name: str = ""  # the input, or with a problem the possible input; "" for ± alone
     unit_text: str = ""
     part: str = ""  # part of the uncertainty: "both" sides, "minus", "plus", "low" or "high" end, or UNREAD
     is_symbol: bool = False  # a symbol without a unit: an input only if its cells have units
     problem: str = ""  # the reason to refuse the header, unless another column gives the input
-    meant: Sequence[str] = ()  # headers to write instead, if that is certain
-    names: Sequence[str] = ()  # possible inputs
+    meant: Sequence[str] = ()  # the headers to write instead, if they are certain
+    names: Sequence[str] = ()  # the possible inputs
     of: str = ""  # the header without its words for a spread
-    otherwise: "Reading | None" = None  # the meaning of an UNREAD part if its value is not read
-    is_relative: bool = False  # True if a part is relative to the value, even if the value is in %
+    otherwise: "Reading | None" = None  # the meaning of an UNREAD part in a table without the value
+    is_relative: bool = False  # True for a part relative to the value, even if the value is in %
     coverage: float = 1.0  # the coverage factor of the uncertainty
-    is_stated: bool = False  # given by an option
-    position: int = 0  # the column's position in a table
-    text: str = ""  # the header; and the first non-empty cell below it
-    cell: str = ""
+    is_stated: bool = False  # True if `--column` gives the meaning
+    position: int = 0  # the position of the column in the table
+    text: str = ""  # the header
+    cell: str = ""  # the first cell with a value
 
     @property
     def is_input(self) -> bool:
@@ -50,7 +50,7 @@ class Split(NamedTuple):
     word: str
     unit: str
     mark: str = "["  # the bracket, mark or "in" between them; empty for a gap
-    is_mangled: bool = False  # signs, or letters such as µ, may have become _ or .
+    is_mangled: bool = False  # True if signs, or letters such as µ, may have become _ or .
 
     @property
     def is_explicit(self) -> bool:
@@ -62,12 +62,12 @@ _SPELT = str.maketrans(
     "’‘“”″∕⁄₀₁₂Ø⌀【〔「⟨«‹】〕」⟩»›\\", '\'\'"""//012DD[[[[[[]]]]]] ', "$\u00ad\u200b\u200c\u200d\u200e\u200f\ufeff"
 )
 UNREAD = "unread"
-_SUFFIXES = ("", "%", "u", "in", "min")  # not units after a word: a percentage, an uncertainty, inside, a minimum
+_SUFFIXES = ("", "%", "u", "in", "min")  # suffixes that are not units: percentage, uncertainty, inside, minimum
 _SIGNS = re.compile(r"(?<=[^\W_])\^?[+−⁺⁻-](?=$|[\s\[({<,/;:|])")  # after a word, as in γ+ and γ- [mJ/m2]
 _PLUS_MINUS = re.compile(r"\+\s?/?\s?[-−]")
 _ACCENTS = "[\u0300\u0301\u0303\u0308\u0327]"  # of à, é, ñ, ö, ç
-_LATEX = {r"\\mu\$?\s?": "µ", r"(?<=[_^])\{([^{}]*)\}": r"\1"}  # $R_{1}$ [$\mu$m], with the marks above
-# Where a unit may begin: after a mark (the first group), or after a gap.
+_LATEX = {r"\\mu\$?\s?": "µ", r"(?<=[_^])\{([^{}]*)\}": r"\1"}  # $R_{1}$ [$\mu$m]; `_SPELT` removes $ and \
+# A unit may begin after a mark (the first group), or after a gap.
 _CUT = re.compile(
     r"([\s_.-]*[,/:;|\[({<=@~–—•·]\s*(?:in[\s_.]+)?|\s+in\s+)"
     r"|(?:[\s_.-]+|(?<=[a-z0-9])(?=[A-Z]))(?:(?:in|IN)[\s_.]+|[Ii]n(?=[A-Z]))?"
@@ -80,16 +80,16 @@ _FACTORS = r"^[\d\s.*/^+()−-]+|\s*[*/^+(−-][\d\s.()]*(?:(?<=\d)[eE][+-]?\d+)
 _FACTOR_BEHIND = r"\s*(?:(?<![^\W\d_])x|[×*·/^+−-])\s*\(?\d[\d.,eE^+⁰¹²³⁴⁵⁶⁷⁸⁹⁻−-]*\)?$"  # as in radius (nm) x 10
 FACTOR_INSIDE = r"(?<![\w.^])\d[\d.]*[*·×]?(?=[^\W\d_])"  # as in w=2γ
 FACTOR = "a sign or a factor is next to the word or its unit"
-_LEFT_OVER = r"[\[(][\s_.,;%-]*[\])]|[\s_.,-]{2,}"  # left over where words were removed
+_LEFT_OVER = r"[\[(][\s_.,;%-]*[\])]|[\s_.,-]{2,}"  # brackets and blanks around removed words
 SPREAD = "it may be an uncertainty of {0}; its columns are {0}_err, or {0}_minus and {0}_plus"
 NO_FACTOR = "it is an expanded uncertainty, and its coverage factor k is missing"
 FACTOR_OF_UNIT = r"^[x×*]?\s*\d[\d.]*\s*(?:[eE^×*]*\s*[-+−⁻]?[\d⁰¹²³⁴⁵⁶⁷⁸⁹]+\s*)*[×*·]?\s*"  # as in 10^-20 J
-_LONGEST = 120  # longer texts are not headers of inputs
+_LONGEST = 120  # characters; a longer text is not the header of an input
 
 
 @lru_cache(maxsize=1000)
 def reading_of(text: str, measured: str = "") -> Reading:
-    """Return the meaning of a header; `measured`: a quantity that columns may have in addition to inputs.
+    """Return the meaning of a header. `measured`: a quantity that is read in addition to inputs.
 
     >>> reading_of("R2 (nm)")[:2], reading_of("E [J]")[:2], reading_of("surface_energy_mJ_m2")[:2]
     (('radius2', 'nm'), ('energy', 'J'), ('surface_energy', 'mJ/m2'))
@@ -97,7 +97,9 @@ def reading_of(text: str, measured: str = "") -> Reading:
     if len(text) > _LONGEST:
         return Reading()
     text = normalized(text)
-    if (unsigned := _SIGNS.sub("", text)) != text and (reading := reading_of(unsigned, measured)).is_input:
+    unsigned = _SIGNS.sub("", text)
+    reading = reading_of(unsigned, measured) if unsigned != text else Reading()
+    if reading.is_input:
         otherwise = Reading() if reading.is_symbol or reading.part else Reading(reading.name, problem=FACTOR)
         return Reading(reading.name, part=UNREAD, problem=FACTOR, names=reading.names, of=unsigned, otherwise=otherwise)
     known = words.meanings(measured)
@@ -114,7 +116,7 @@ def reading_of(text: str, measured: str = "") -> Reading:
 
 
 def normalized(text: str) -> str:
-    """Return a header with uniform marks, blanks and brackets."""
+    """Return a header with the same marks, blanks and brackets as other headers."""
     text = decoded(text)
     for mark, plain in _LATEX.items():
         text = re.sub(mark, plain, text)
@@ -123,7 +125,7 @@ def normalized(text: str) -> str:
 
 
 def without_accents(text: str) -> str:
-    """Return a text without the accents of words; Å and â stay.
+    """Return a text without accents on letters of words; Å and â stay.
 
     >>> without_accents("Oberflächenenergie"), without_accents("densité"), without_accents("Stoßenergie (Å)")
     ('Oberflachenenergie', 'densite', 'Stossenergie (Å)')
@@ -136,7 +138,7 @@ def without_accents(text: str) -> str:
 
 
 def decoded(text: str) -> str:
-    r"""Return a UTF-8 header that was wrongly read as cp1252 or Latin-1 as originally written; others unchanged.
+    r"""Return a header as it was in UTF-8, if a program has read its bytes as cp1252 or Latin-1; others unchanged.
 
     >>> decoded("Î³ (mJ/mÂ²)"), decoded("Ï\x81"), decoded("γ (eV/Å²)"), decoded("Å²")
     ('γ (mJ/m²)', 'ρ', 'γ (eV/Å²)', 'Å²')
@@ -150,7 +152,7 @@ def decoded(text: str) -> str:
 
 
 def splits_of(text: str) -> Iterator[Split]:
-    """Iterate over words with possible units: no unit, and the text after each position where a unit may begin."""
+    """Iterate over the ways to divide a header: without a unit, and at each position where a unit may begin."""
     yield Split(text.strip(" _."), "")
     if len(text) > _LONGEST:
         return
@@ -162,10 +164,10 @@ def splits_of(text: str) -> Iterator[Split]:
 
 
 def _exact(split: Split, known: Mapping[str, Meaning]) -> Reading | None:
-    """Return the meaning of a word or a symbol with its unit; None if it is not an input, or has another unit."""
+    """Return the meaning of a word or a symbol with its unit; None if it is not an input, or the unit does not fit."""
     word, unit, is_explicit, is_mangled = split.word, split.unit, split.is_explicit, split.is_mangled
     if not is_explicit and re.search(r"[\s_.][\[({<]", unit):
-        return None  # the unit is at the end: P_n {N} is in N
+        return None  # the unit is at the end: N in P_n {N}
     if key(word) not in known and words.with_symbol(word) is None:
         word = words.without_body(word)
     meaning = known.get(key(word))
@@ -191,7 +193,7 @@ def _exact(split: Split, known: Mapping[str, Meaning]) -> Reading | None:
     is_of_capitals = unit.istitle() or f"{word}{unit}".isupper()  # mm may have become Mm, and pN PN
     if is_of_capitals and not is_symbol and unit_text != unit_for(unit, name):
         return None
-    if unit == NOMENCLATURE[name].symbol and "[" not in split.mark:  # gravity (g) may be of any unit
+    if unit == NOMENCLATURE[name].symbol and "[" not in split.mark:  # gravity (g) may have any unit
         return None
     alike = [each for each in meaning.names if NOMENCLATURE[each].unit == NOMENCLATURE[name].unit]
     is_open = meaning.has_remedy and (meaning.problem or len(alike) > 1)
@@ -201,9 +203,9 @@ def _exact(split: Split, known: Mapping[str, Meaning]) -> Reading | None:
 
 
 def _of_part(text: str, measured: str) -> Reading:
-    """Return the meaning of a header about the spread of a value, without a name if that is on its left.
+    """Return the meaning of a header about the spread of a value, without a name if the value is on its left.
 
-    A notation that is not clearly an uncertainty is UNREAD. For any other header, the reading has no part.
+    A notation that is not clearly an uncertainty is UNREAD. The reading of any other header has no part.
     """
     factor = re.search(words.COVERAGE, text)
     plain = re.sub(words.COVERAGE, "", text)
@@ -221,8 +223,8 @@ def _of_part(text: str, measured: str) -> Reading:
     is_relative = re.fullmatch(words.RELATIVE, word, re.IGNORECASE) is not None
     is_certain = bool(share) or not is_relative
     in_brackets = re.fullmatch(r"[\[(](.*)[\])]|", rest)
-    if in_brackets and _is_unit(unit := (in_brackets[1] or "").strip()):
-        unit = share or unit
+    if in_brackets and _is_unit(in_brackets[1] or ""):
+        unit = share or (in_brackets[1] or "").strip()
         is_certain &= part == "both" and word not in ("σ", "sigma", "se") and bool(unit or not word.startswith("err"))
         reading = Reading("", unit, "both") if is_certain else Reading("", unit, UNREAD, problem=SPREAD)
         return reading._replace(coverage=coverage, is_relative=is_relative)
@@ -245,18 +247,18 @@ def _of_spread(text: str, measured: str) -> Reading:
 
 
 def _unread(text: str, measured: str, whole: str = "") -> Reading:
-    """Return the meaning of a header with words for a spread: UNREAD, for the input that the rest of it means.
+    """Return the reading of a header with words for a spread: UNREAD, for the input that its other words mean.
 
-    `whole`: the header itself, which does not count as a rest.
+    `whole`: the whole header, which is not searched for an input.
     """
     rest = text
     for pattern in (words.SPREAD, words.SPREAD_BESIDE, words.FILLER, words.SHARE):
         rest = re.sub(_LEFT_OVER, " ", re.sub(pattern, " ", rest)).strip(" _.,;:-")
-        for inner in (rest, rest.replace("(", "", 1).replace(")", "", 1)):  # as in SE(γ)
-            reading = reading_of(inner, measured) if inner != whole else Reading()
+        for word in (rest, rest.replace("(", "", 1).replace(")", "", 1)):  # as in SE(γ)
+            reading = reading_of(word, measured) if word != whole else Reading()
             if reading.is_input and not reading.part and reading.name not in MATERIALS:
-                names = words.symbols().get(spelt_out(inner), Meaning()).names
-                return Reading(reading.name, reading.unit_text, UNREAD, problem=SPREAD, names=names, of=inner)
+                names = words.symbols().get(spelt_out(word), Meaning()).names
+                return Reading(reading.name, reading.unit_text, UNREAD, problem=SPREAD, names=names, of=word)
     unit = rest.removeprefix("in ").strip("[]()/ ")
     if _is_unit(unit):
         return Reading(unit_text=unit, part=UNREAD, problem=SPREAD)
@@ -264,7 +266,7 @@ def _unread(text: str, measured: str, whole: str = "") -> Reading:
 
 
 def _is_unit(text: str) -> bool:
-    """Return whether a text may be the unit of a column without the name of an input, or is empty."""
+    """Return whether a text is empty, or may be the unit of a column whose header names no input."""
     return text.strip() in ("", "1", "-") or is_in_table(text.strip())
 
 
@@ -277,11 +279,12 @@ def _scaled(text: str, measured: str) -> Reading | None:
 
 
 def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading | None:
-    """Return the refusal of a header that contains the word of an input but cannot be read; None if it may pass."""
+    """Return the refusal of a header that contains a word for an input but cannot be read; None if it may pass."""
     for split in sorted(splits, key=lambda split: len(split.word), reverse=True):
         unit = re.sub(FACTOR_OF_UNIT, "", split.unit) or split.unit
-        bare = split._replace(word=re.sub(_FACTORS, "", split.word), unit=unit)
-        if bare != split and (reading := _exact(bare, known)) and not reading.is_symbol:
+        without_factor = split._replace(word=re.sub(_FACTORS, "", split.word), unit=unit)
+        reading = _exact(without_factor, known) if without_factor != split else None
+        if reading is not None and not reading.is_symbol:
             return Reading(reading.name, problem=FACTOR)
         word, is_slip = _word_in(split.word, known, split.unit)
         word = word or (words.with_index(split.word) if split.unit else "")
@@ -320,9 +323,9 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
 def _doubtful(
     split: Split, word: str, meaning: Meaning, names: Sequence[str], unit_text: str, *, is_slip: bool
 ) -> Reading:
-    """Return the refusal of a header with the word of an input next to other words, or with a slip.
+    """Return the refusal of a header in which a word for an input has a slip, or stands next to other words.
 
-    It offers no remedy if the other words may mean another quantity.
+    It suggests no header if the other words may mean another quantity.
     """
     name, others = names[0], _beside(split.word, word)
     if re.search(FACTOR_INSIDE, split.word):
@@ -346,7 +349,7 @@ def _doubtful(
 
 
 def _beside(text: str, word: str) -> set[str]:
-    """Return the other tokens of a text that contains a word, or those after the first if that is its symbol."""
+    """Return the words of a header other than a known word, or all but the first if that is its symbol."""
     tokens = plain_words(text)
     for first, last in combinations(range(len(tokens) + 1), 2):
         if "".join(tokens[first:last]) == word:
@@ -355,26 +358,30 @@ def _beside(text: str, word: str) -> set[str]:
 
 
 def plain_words(text: str) -> list[str]:
-    """Return the words in a text in lower case, with 1 or 2 directly after a word as the only numbers."""
+    """Return the words of a text in lower case; the only numbers are 1 and 2 directly after a word."""
     parted = re.sub(_ACRONYM, " ", _CUT.sub(" ", ascii_text(text).replace("'", "")))
     return re.findall(r"[a-z]+[12]?", parted.casefold())
 
 
 def _word_in(text: str, known: Mapping[str, Meaning], unit: str) -> tuple[str, bool]:
-    """Return the known word in a text, alone, among others or with a slip; and whether there is a slip.
+    """Return the known word in a text, alone, among others or with a slip, and whether there is a slip.
 
-    Of several words, the longest counts, preferably one that the unit fits.
+    The longest of several words counts, if possible one that fits the unit.
     """
     letters = key(text)
     if letters in known:
         return letters, False
     tokens = plain_words(text)
     if words.OTHERS.isdisjoint(tokens):
-        runs = ("".join(tokens[first:last]) for first, last in combinations(range(len(tokens) + 1), 2))
-        every = sorted((run for run in runs if run in known), key=len)
-        if every:
-            fitting = [run for run in every if any(unit_for(unit, name) for name in known[run].names)] if unit else []
-            return (fitting or every)[-1], False
+        found, fitting = [], []
+        for first, last in combinations(range(len(tokens) + 1), 2):
+            word = "".join(tokens[first:last])
+            if word in known:
+                found.append(word)
+                if unit and any(unit_for(unit, name) for name in known[word].names):
+                    fitting.append(word)
+        if found:
+            return sorted(fitting or found, key=len)[-1], False
     slips = [*filter(None, map(words.slips().get, words.lacking_a_letter(letters)))]
     if not slips or letters[1:] == slips[0]:  # dgamma is Δγ
         return "", False
@@ -385,18 +392,18 @@ def _word_in(text: str, known: Mapping[str, Meaning], unit: str) -> tuple[str, b
 
 
 def words_in(text: str) -> list[str]:
-    """Return the words before each position in a header where a unit may begin, and the whole header."""
+    """Return a header, and the words before each position in it where a unit may begin."""
     return [split.word for split in splits_of(normalized(text))]
 
 
 def symbol_of(word: str) -> str:
-    """Return the symbol of an input, without the 1 of sphere 1; "" for another word."""
+    """Return the symbol of an input, without the 1 of sphere 1; "" if a word is no such symbol."""
     symbol = spelt_out(word).removesuffix("1")
     return symbol if symbol in words.symbols() else ""
 
 
 def means_other(split: Split, name: str) -> bool:
-    """Return whether the text after the word of an input shows that the column is something else."""
+    """Return whether the text after the word of an input shows that the column is another quantity."""
     units = [each.unit for each in (split, *splits_of(split.unit)) if each.unit not in _SUFFIXES]
     unit = max(filter(is_in_table, units), key=len, default="")
     is_of_other = bool(unit) and not fits(unit, name)

@@ -1,9 +1,9 @@
 """The `batch` command: from the options to the exit code, for one table or for many tables into a directory.
 
-This process reads the blocks of a table and writes them in order. If there are many blocks, other processes convert
-them; the output does not depend on their number. Of many tables, each is a task for processes of this machine or of a
-Dask cluster. A file gets its name when it is complete, so `--resume` can continue an interrupted run: it keeps files
-that are newer than their tables.
+This process reads the blocks of a table and writes them in order. Other processes convert them if there are many; the
+output does not depend on the number of processes. Each of many tables is a task for a process of this machine or for a
+worker of a Dask cluster. A file gets its name when it is complete, so `--resume` can continue an interrupted run: it
+keeps files that are newer than their tables.
 """
 
 import glob
@@ -42,12 +42,12 @@ from .table import Asked, Table, TableBlock
 MAX_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of them
 ALONE = 4  # blocks that this process converts before it starts others
 WAIT = 0.5  # seconds before progress is shown
-WIDTH = 60  # width of the line of progress, in characters
-MAX_NOTES = 6  # most notes at the end, about rows or about many tables
-LITTLE = 1 << 19  # bytes that a process converts while another one starts
+WIDTH = 60  # characters in the line of progress
+MAX_NOTES = 6  # most notes at the end, on rows or on many tables
+LITTLE = 1 << 19  # bytes that a process converts while another starts
 FOLDER_ENDS = ("/", os.sep)  # a directory ends in one of them; Windows has both
-DASK_WAIT = 20.0  # seconds for a Dask scheduler to answer, and then to get a worker
-DASK_CHECK = 2.0  # seconds between checks that it still has one
+DASK_WAIT = 20.0  # seconds for a Dask scheduler to answer, and as many for it to get a worker
+DASK_CHECK = 2.0  # seconds between checks that it still has a worker
 DASK_STEP = 0.02  # seconds between checks for a converted table
 
 T = TypeVar("T")
@@ -61,7 +61,7 @@ class Job(NamedTuple):
     format: str = ""
     delimiter: str = ""
     strict: bool = False
-    resume: bool = False  # of many files, keep those that are done
+    resume: bool = False  # with many tables, keep the files that are done
     jobs: int = 0
     excel_safe: bool = False
     dask: str = ""
@@ -70,7 +70,7 @@ class Job(NamedTuple):
 
     @property
     def processes(self) -> int:
-        """Number of processes: `--jobs`, or one for each available core."""
+        """The number of processes: that of `--jobs`, or one for each available core."""
         cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
         return self.jobs or min(cores, MAX_PROCESSES)
 
@@ -81,7 +81,7 @@ class Job(NamedTuple):
 
 
 def run(path: str, job: Job) -> int:
-    """Convert a table, or several; return the exit code."""
+    """Convert a table, or several tables; return the exit code."""
     if (glob.has_magic(path) and not os.path.exists(path)) or job.target.endswith(FOLDER_ENDS):
         tally, code = _convert_many(path, job)
     else:
@@ -101,13 +101,15 @@ def notes_on(tally: Tally, asked: Asked) -> Iterator[str]:
     if tally.inferred:
         yield _summary(asked.infer, tally)
     notes = [*about_rows(tally, EVERY_DOUBT, f"column {DOUBT if asked.doubt else STATUS}")]
-    yield from (note.line for note in notes[:MAX_NOTES])
-    if (more := len(notes) - MAX_NOTES) > 0:
+    for note in notes[:MAX_NOTES]:
+        yield note.line
+    more = len(notes) - MAX_NOTES
+    if more > 0:
         yield f"note: column {STATUS} has {more} more reasons for empty cells"
 
 
 def _summary(name: str, tally: Tally) -> str:
-    """Return the sentence on an inferred input: count, median, quartiles, mean and scatter."""
+    """Return the sentence on the values of an inferred input: their number, median, quartiles, mean and scatter."""
     import numpy
 
     values = numpy.concatenate(tally.inferred)
@@ -117,7 +119,7 @@ def _summary(name: str, tally: Tally) -> str:
 
 
 def scatter_in_words(name: str, known: Any) -> str:
-    """Return the median, quartiles, mean and scatter of at least two values of a quantity, for a sentence."""
+    """Return the phrase with the median, quartiles, mean and scatter of at least two values of a quantity."""
     import numpy
 
     low, median, high = numpy.quantile(known, [0.25, 0.5, 0.75]).tolist()
@@ -129,7 +131,7 @@ def scatter_in_words(name: str, known: Any) -> str:
 def about(table: Table) -> Iterator[str]:
     """Iterate over lines about a table as a whole.
 
-    They report assumed inputs, labels that may be meant as materials, options without effect, and inputs that
+    They name assumed inputs, labels that may be meant as materials, options without effect, and inputs that the
     uncertainties leave out.
     """
     from ..report.notes import about_idle, about_left_out, assumed_in, idle_in
@@ -145,7 +147,7 @@ def about(table: Table) -> Iterator[str]:
     read = {*map(computed_as, table.columns.names)}
     filled = sorted(NOMENCLATURE[name].option or f"--{name}" for name in table.fixed if computed_as(name) in read)
     notes += [f"{option} fills empty cells: the others keep their values" for option in filled]
-    # An infinite value may make a body rigid in some rows.
+    # An infinite value is not idle: it may make a body rigid in some rows.
     every_idle = idle_in(table.groups, judges=table.wanted.doubts)
     idle = [name for name in every_idle if table.fixed.get(name, INFINITY) != INFINITY]
     notes += [note.text for note in (*about_idle(idle), *about_left_out(*table.sources))]
@@ -156,7 +158,7 @@ def about(table: Table) -> Iterator[str]:
 
 
 class Converted(NamedTuple):
-    """A converted block, its number of lines, and its counts."""
+    """A converted block, its number of lines, and the counts of its rows."""
 
     output: Any
     lines: int
@@ -164,9 +166,9 @@ class Converted(NamedTuple):
 
 
 class Converter(NamedTuple):
-    """A function that adds the results to blocks of a table; it can be sent to other processes."""
+    """A function that adds results to the blocks of a table. It can be sent to other processes."""
 
-    form: Any
+    source: Any  # reads blocks, and its writer writes them
     table: Table
     compression: str
     strict: bool  # raise an error for the first failed row
@@ -174,7 +176,7 @@ class Converter(NamedTuple):
     def converted(self, block: Any) -> Converted:
         """Return a block with the results of each row. Raises BadRow."""
         table = self.table
-        records = self.form.read(block, table)
+        records = self.source.read(block, table)
         rows = TableBlock(table, records)
         columns = evaluated(table.wanted, rows)
         columns.leave_out_bars(rows.half_bars)
@@ -183,9 +185,9 @@ class Converter(NamedTuple):
         failed = columns.first_failed if self.strict else None
         if failed is not None:
             raise BadRow(records.starts[failed.first], worded(failed.reasons))
-        form = Format(digits=self.form.writer.digits)
+        form = Format(digits=self.source.writer.digits)
         added = [*table.law_words.values(), *result_columns(columns, form, table.wanted.remarks())]
-        output = compressed(self.form.writer.rows(table.added, added, records.before), self.compression)
+        output = compressed(self.source.writer.rows(table.added, added, records.before), self.compression)
         tally = Tally.of(columns)
         unknown = table.asked.infer
         if unknown:
@@ -194,48 +196,56 @@ class Converter(NamedTuple):
 
 
 def convert_one(path: str, job: Job) -> Tally:
-    """Convert a table; return the total counts."""
+    """Convert a table; return the counts of its rows."""
     asked = job.asked
-    given = input_format(path, job.target, job.format, job.delimiter)
-    wanted = output_format(job.target, given.name, quiet=job.quiet)
-    as_markdown = wanted.name == "md" and given.name in SEPARATORS
-    if wanted.name != given.name and not as_markdown:
-        name = quoted(f"{os.path.basename(job.target).partition('.')[0]}.{given.name}")
+    source_format = input_format(path, job.target, job.format, job.delimiter)
+    target_format = output_format(job.target, source_format.name, quiet=job.quiet)
+    as_markdown = target_format.name == "md" and source_format.name in SEPARATORS
+    if target_format.name != source_format.name and not as_markdown:
+        name = quoted(f"{os.path.basename(job.target).partition('.')[0]}.{source_format.name}")
         raise BadTable(f"-o: the output has the format of the input; write {name}, and convert it with another program")
     file = Input(path)
     with file.file:
         file.check_output(job.target)
-        form: Any
-        if given.name == "parquet":
+        source: Any
+        if source_format.name == "parquet":
             with missing_extra("parquet"):
                 from .parquet import batches_of
-            form, blocks = batches_of(file, job.target, asked)
+            source, blocks = batches_of(file, job.target, asked)
         else:
-            form, blocks = table_of_lines(file, given, asked, excel_safe=job.excel_safe, as_markdown=as_markdown)
+            source, blocks = table_of_lines(
+                file, source_format, asked, excel_safe=job.excel_safe, as_markdown=as_markdown
+            )
         header = understood(
-            form.names, form.sample, form.stated, asked.inputs, asked.measured, asked.supply, pass_rest=asked.pass_rest
+            source.names,
+            source.sample,
+            source.stated,
+            asked.inputs,
+            asked.measured,
+            asked.supply,
+            pass_rest=asked.pass_rest,
         )
         check_inputs(header, asked.measured)
-        reading = header.reading(*form.remarks)
+        reading = header.reading(*source.remarks)
         job.say([reading])  # first: an unread column may be the cause of a missing input
-        table = Table(header, form.sample, asked)
+        table = Table(header, source.sample, asked)
         remarks = [*about(table)]
         job.say(remarks)
         with whole_file(job.target, job.mark) as output:
-            convert = Converter(form, table, wanted.compression, strict=job.strict)
+            convert = Converter(source, table, target_format.compression, strict=job.strict)
             return _convert(file, blocks, convert, output, job)._replace(remarks=(reading, *remarks))
 
 
 def _convert(file: Input, blocks: Iterator[Any], convert: Converter, output: BinaryIO, job: Job) -> Tally:
-    """Write a table; return the total counts."""
-    form, tally = convert.form, Tally()
-    header = compressed(form.head(convert.table.added), convert.compression)
-    line = form.lines
+    """Write a table with its results; return the counts of its rows."""
+    source, tally = convert.source, Tally()
+    header = compressed(source.head(convert.table.added), convert.compression)
+    line = source.lines
     converted = _converted(blocks, convert, job.processes)
     if sys.stderr.isatty() and not job.quiet:
         converted = with_progress(converted, lambda block: block.tally.rows, partial(progress_of, file))
     try:
-        with form.writer.sink(output, header) as write, closing(converted):
+        with source.writer.sink(output, header) as write, closing(converted):
             for block in converted:
                 write(block.output)
                 line += block.lines
@@ -250,15 +260,14 @@ def _convert(file: Input, blocks: Iterator[Any], convert: Converter, output: Bin
 def _converted(blocks: Iterator[Any], convert: Converter, processes: int) -> Generator[Converted]:
     """Iterate over converted blocks in their order.
 
-    Formats read by a library use its threads instead of processes.
+    A format that a library reads uses the threads of the library, not processes.
     """
-    is_alone = processes < 2 or not isinstance(convert.form, Delimited | Ndjson)
+    is_alone = processes < 2 or not isinstance(convert.source, Delimited | Ndjson)
     yield from map(convert.converted, blocks if is_alone else islice(blocks, ALONE))
     block = next(blocks, None)
     if block is None:
         return
-    # Multiprocessing is imported only for large tables.
-    from .workers import answers
+    from .workers import answers  # only a large table loads multiprocessing
 
     yield from answers(processes, convert.converted, chain([block], blocks))
 
@@ -266,9 +275,10 @@ def _converted(blocks: Iterator[Any], convert: Converter, processes: int) -> Gen
 def with_progress(
     items: Iterable[T], size_of: Callable[[T], int], line_of: Callable[[int, float], str]
 ) -> Generator[T]:
-    """Iterate over items, with a progress line on the terminal that disappears at the end.
+    """Iterate over items, with a line of progress on the terminal that disappears at the end.
 
-    `line_of`: returns the line for the sizes of all items so far, and the seconds since the beginning.
+    `size_of`: returns the size of an item; `line_of`: returns the line, from the size of all items so far and the
+    seconds since the beginning.
     """
     began, done, line = monotonic(), 0, ""
     try:
@@ -276,7 +286,8 @@ def with_progress(
             done += size_of(item)
             yield item
             del item  # see `_convert`
-            if (taken := monotonic() - began) > WAIT:
+            taken = monotonic() - began
+            if taken > WAIT:
                 line = line_of(done, taken)
                 sys.stderr.write(f"\r{line:{WIDTH}}\r")
                 sys.stderr.flush()
@@ -285,7 +296,7 @@ def with_progress(
 
 
 def progress_of(file: Input, rows: int, taken: float) -> str:
-    """Return the number of rows of a file converted so far, and the time left if it is known."""
+    """Return the line of progress of a file: the fraction read and the time left, if known, and the number of rows."""
     share = file.share_read(rows)
     left = f"{share:4.0%}, {taken * (1 / share - 1):.0f} s left, " if share else ""
     return f"{left}{rows:,} rows"
@@ -293,13 +304,13 @@ def progress_of(file: Input, rows: int, taken: float) -> str:
 
 # --- Many tables ------------------------------------------------------------------------------------------------------
 
-Pair = tuple[str, str]  # a table, and its output file
-Outcome = tuple[Tally, JkrollError | None]  # the counts of a table, and its error if it failed as a whole
+Pair = tuple[str, str]  # a table and its output file
+Outcome = tuple[Tally, JkrollError | None]  # the counts of a table's rows, and the error if the whole table failed
 Task = Callable[[Pair], Outcome]
 
 
 def _convert_many(path: str, job: Job) -> tuple[Tally, int]:
-    """Convert the tables that match a pattern; return the counts, and the highest exit code of a table."""
+    """Convert the tables that match a pattern; return the counts of their rows, and the highest exit code."""
     pairs = _pairs(job.target, path)
     left = [pair for pair in pairs if not (job.resume and _is_newer(pair))]
     mark = os.urandom(4).hex()
@@ -317,14 +328,17 @@ def _convert_many(path: str, job: Job) -> tuple[Tally, int]:
             say(f"note: {kept} of {len(pairs)} files are newer than their tables and were kept", sys.stderr)
         for line, count in Counter(tally.remarks).most_common(MAX_NOTES):
             say_wrapped(line if count == len(left) else f"{line}: {count} of {len(left)} files", sys.stderr)
-    errors = {quoted(table): error for (table, _), (_, error) in zip(left, outcomes, strict=True) if error is not None}
-    for table, error in errors.items():
-        say(f"jkroll: {table}: {str(error).removeprefix(f'{table}: ')}", sys.stderr)
-    return tally, max((error.exit_code for error in errors.values()), default=0)
+    code = 0
+    for (path_of_table, _), (_, error) in zip(left, outcomes, strict=True):
+        if error is not None:
+            table = quoted(path_of_table)
+            say(f"jkroll: {table}: {str(error).removeprefix(f'{table}: ')}", sys.stderr)
+            code = max(code, error.exit_code)
+    return tally, code
 
 
 def _pairs(directory: str, path: str) -> list[Pair]:
-    """Return the tables that match a pattern, with their outputs; make the directory. Raises BadRequest."""
+    """Return the tables that match a pattern, with their outputs, and make the directory. Raises BadRequest."""
     folder = directory.rstrip("".join(FOLDER_ENDS))
     is_file = os.path.exists(folder) or format_of_name(directory, WRITTEN) is not None
     if directory == "-" or (is_file and not os.path.isdir(folder)):
@@ -349,7 +363,7 @@ def _is_newer(pair: Pair) -> bool:
 
 
 def _outcome(job: Job, pair: Pair) -> Outcome:
-    """Convert a table in this process; an error is part of the outcome."""
+    """Return the outcome of a table converted in this process; an error is part of it."""
     path, target = pair
     try:
         return convert_one(path, job._replace(target=target)), None
@@ -360,7 +374,7 @@ def _outcome(job: Job, pair: Pair) -> Outcome:
 
 
 def _by_processes(count: int, task: Task, pairs: list[Pair]) -> Iterator[Outcome]:
-    """Iterate over the outcomes of tables converted by several processes."""
+    """Return the outcomes of tables converted by several processes."""
     size = sum(os.path.getsize(table) for table, _ in pairs if os.path.exists(table))
     count = min(count, len(pairs), 1 + size // LITTLE)
     if count < 2:
@@ -373,7 +387,7 @@ def _by_processes(count: int, task: Task, pairs: list[Pair]) -> Iterator[Outcome
 def _on_cluster(address: str, task: Task, pairs: list[Pair]) -> Iterator[Outcome]:
     """Iterate over the outcomes of tables converted by the workers of a Dask cluster.
 
-    The tables of a lost worker go to others. Raises BadTable if there is no cluster, and LostWorker if its scheduler or
+    The tables of a lost worker go to others. Raises BadTable if there is no cluster, and LostWorker if the scheduler or
     all of its workers are lost.
     """
     import logging
@@ -391,7 +405,7 @@ def _on_cluster(address: str, task: Task, pairs: list[Pair]) -> Iterator[Outcome
         client.wait_for_workers(1, timeout=DASK_WAIT)
     except (OSError, ValueError):
         raise BadTable(f"--dask: no scheduler with a worker answers at {quoted(address)}") from None
-    except Exception as error:  # raised by the library of a protocol
+    except Exception as error:  # any error of the library of a protocol
         raise BadTable(f"{scheduler} cannot be reached: {shown(str(error))}") from None
     with closing(client):
         # A worker resolves a relative path in its own directory.
@@ -411,7 +425,7 @@ def _on_cluster(address: str, task: Task, pairs: list[Pair]) -> Iterator[Outcome
 
 
 def _await(future: Any, client: Any) -> None:
-    """Wait until a table is converted or given up. Raises OSError if there are no workers for some time."""
+    """Wait until a table is converted or given up. Raises OSError if no worker is left."""
     checked = monotonic()
     while not future.done():
         sleep(DASK_STEP)

@@ -6,28 +6,28 @@ from itertools import groupby
 
 from .words import MATERIALS
 
-LABEL_OF = "label of column "  # followed by its index: the name of its cells
+LABEL_OF = "label of column "  # with the index of the column, this is the name of its cells
 MEANS = {*"mean average avg median meansd meanstd meanstdev meansem mittelwert moyenne".split()}
 SPREADS = {
     *"""sd stdev stddev standarddeviation stdeviation sem stderr stderror standarderror rsd variance
     standardabweichung écarttype ecarttype""".split()
 }
 
-# Statistics next to others; otherwise labels of data.
+# Words that name statistics next to the words above, but otherwise label data.
 _COMPANIONS = {*"n count number se std cv var ci iqr min max minimum maximum sum total range error".split()}
 _STATISTICS = MEANS | SPREADS | _COMPANIONS
 _PERCENTILE = re.compile(r"\d[\d.]*\s*%|q[1-3]")
-# The start of a cell with a mean or a spread, which few tables have.
+# The beginning of a cell that names a mean or a spread.
 _MAY_NAME = re.compile(rb"\n[^\na-z0-9]*(?:mean|average|avg|median|mittel|moyenne|rsd|s\W?d|st|s\W?e\W?m|var|cart)")
 
 
 def is_of_text(name: str) -> bool:
-    """Return whether a column does not hold numbers, by its name in a table."""
+    """Return whether a column of a table holds texts. `name`: the name of its cells."""
     return name in MATERIALS or name.startswith(LABEL_OF)
 
 
 def statistic(cell: bytes) -> str:
-    """Return the statistic that a cell names, in lower case; "" for any other cell.
+    """Return the statistic that a cell names, without blanks and in lower case; "" for any other cell.
 
     >>> statistic(b"Mean:"), statistic(b"Std. dev. (n=5)"), statistic(b"75%"), statistic(b"grain 5")
     ('mean', 'stddev', 'percentile', '')
@@ -41,27 +41,27 @@ def statistic(cell: bytes) -> str:
 
 
 def _may_name(cells: Sequence[bytes]) -> bool:
-    """Return whether some cells may name a mean or a spread: a fast test, since most columns have none."""
+    """Return whether some cells may name a mean or a spread. This test is fast, since few columns have such cells."""
     return _MAY_NAME.search(b"\n" + b"\n".join(cells).lower()) is not None
 
 
 def are_kinds_of_data(cells: Sequence[bytes]) -> bool:
-    """Return whether all cells name statistics other than spreads, so that the data are means or extremes."""
+    """Return whether all cells name statistics, but no spread, so that the data themselves are means or extremes."""
     names = {statistic(cell) for cell in cells if cell.strip()} if _may_name(cells) else {""}
     return "" not in names and names.isdisjoint(SPREADS)
 
 
 def rows_of_statistics(cells: Sequence[bytes], *, alone: bool) -> list[int]:
-    """Return the rows whose cells name statistics: a spread such as SD, or a mean with others or `alone`.
+    """Return the rows whose cells name statistics: a spread such as SD, or a mean with other statistics or `alone`.
 
-    Words that may be labels, such as N, count as statistics next to one of these.
+    Words that may be labels, such as N, count as statistics next to a spread or a mean.
     """
     if not _may_name(cells):
         return []
     names, rows = [*map(statistic, cells)], list[int]()
     for is_named, run in groupby(range(len(names)), lambda row: bool(names[row])):
-        run_of_rows = [*run]
-        found = {names[row] for row in run_of_rows}
+        adjacent = [*run]
+        found = {names[row] for row in adjacent}
         if is_named and (found & SPREADS or (found & MEANS and (alone or len(found) > 1))):
-            rows += run_of_rows
+            rows += adjacent
     return rows

@@ -1,6 +1,6 @@
-"""The rows of a table: the request of its header, first rows and options, and blocks of its cells as rows.
+"""The rows of a table: what its header, first rows and options ask for, and its blocks of cells as rows.
 
-No file is opened here: `batch` reads and writes.
+This module opens no file: `batch` reads and writes.
 """
 
 from collections.abc import Collection, Mapping, Sequence
@@ -35,8 +35,8 @@ class Asked(NamedTuple):
 
     inputs: Mapping[str, Any]  # texts by name; in Python, values in SI units and materials
     known: Materials
-    explicit: Sequence[str] = ()  # quantities asked for by name
-    offered: Sequence[str] = ()  # quantities that may lack inputs
+    explicit: Sequence[str] = ()  # the quantities requested by name
+    offered: Sequence[str] = ()  # the quantities to add if the inputs suffice
     columns: Sequence[str] = ()  # the values of `--column`
     pass_rest: bool = False  # pass all columns that are not read
     infer: str = ""  # the unknown input
@@ -47,26 +47,26 @@ class Asked(NamedTuple):
 
     @property
     def stated(self) -> Mapping[str, str]:
-        """The headers that `--column` replaces."""
+        """The meanings that `--column` gives headers."""
         return stated_meanings(self.columns, self.measured)
 
     def supply(self, columns: Collection[str]) -> Supply:
-        """Return the inputs that are supplied without a column. `columns`: the inputs with columns."""
+        """Return the inputs supplied without a column. `columns`: the inputs with a column."""
         names = [self.measured] if self.infer else [*self.explicit, *self.offered]
         return Supply.of(names, {*columns, self.infer}, self.inputs, self.known)
 
     def is_read(self, text: str) -> bool:
-        """Return whether a header may be that of an input, of the measured quantity, or of laws."""
+        """Return whether a header may be that of an input, of the measured quantity, or of a column of laws."""
         return is_law(text) or is_input(self.stated.get(typed(text), text), self.measured)
 
 
-_OF_LAW = ("model", "profile")  # inputs that are words, not numbers
+_OF_LAW = ("model", "profile")  # inputs whose values are words
 
 
 class Table:
     """The columns of a table to read, the inputs that options give to all rows, and the columns to add.
 
-    Inputs of a row take precedence over options.
+    An input of a row takes precedence over an option.
     """
 
     def __init__(self, columns: Header, rows: Sequence[Sequence[str]], asked: Asked) -> None:
@@ -75,30 +75,46 @@ class Table:
         self.labels = _labels(columns, rows, asked)
         self.positions = {**columns.positions, **self.labels}
         inputs, known = asked.inputs, asked.known
-        self.spheres = {name: _material(inputs[name], known) if name in inputs else None for name in MATERIALS}
-        every = {name: value for name, value in inputs.items() if name not in (*MATERIALS, *_OF_LAW)}
-        self.fixed = {name: value_of(each, name) if isinstance(each, str) else each for name, each in every.items()}
+        self.spheres: dict[str, Material | None] = {}
+        for name in MATERIALS:
+            self.spheres[name] = _material(inputs[name], known) if name in inputs else None
+        self.fixed: dict[str, Any] = {}  # the numbers that options give
+        for name, value in inputs.items():
+            if name not in (*MATERIALS, *_OF_LAW):
+                self.fixed[name] = value_of(value, name) if isinstance(value, str) else value
         self.model = law_given(*map(inputs.get, _OF_LAW))
         self.law_words = LAWS[self.model].words if self.model is not None else {}  # text columns, the same in all rows
         self.lookups = {name: Lookup(known, solid) for name, solid in self.spheres.items()}
         self.given = columns.names | self.fixed.keys()
-        cells = {name: [row[position].encode() for row in rows] for name, position in self.positions.items()}
-        sample = TableBlock(self, Records(rows, cells))  # this looks up materials
+        cells = {}
+        for name, position in self.positions.items():
+            cells[name] = [row[position].encode() for row in rows]
+        sample = TableBlock(self, Records(rows, cells))  # the lookups then know the materials of these rows
         frames = self._frames(cells)
         self.names, named = self._names(frames)
         self.sources = self._sources(sample)
-        sides = {*SIDES} if asked.uncertainty else {*chain.from_iterable(each.sides for each in self.sources)}
-        sides |= {*chain.from_iterable(value.sides for value in self.fixed.values() if is_uncertain(value))}
-        wanted = Wanted(self.names, named=named, sides=sides, doubts=asked.doubt)
+        wanted = Wanted(self.names, named=named, sides=self._sides(), doubts=asked.doubt)
         self.wanted = wanted.with_best(self.names) if asked.best else wanted
         solids = chain.from_iterable(lookup.known for lookup in self.lookups.values())
         if any(solid and solid.displacement for solid in solids):
-            self.given |= {XI}  # it is not assumed
+            self.given |= {XI}  # the material states it
         # A frame for each group of rows, with the quantities that it shows, or the measured one.
         self.groups = [(frame.filled, frame.judged(self.names)) for frame in frames]
         for text in columns.texts:
             if text.strip() in self.added:
                 raise BadTable(f"header: the table already has a column {quoted(text)}; rename it")
+
+    def _sides(self) -> set[str]:
+        """Return the sides of uncertainties that results need columns for."""
+        if self.asked.uncertainty:
+            return {*SIDES}
+        sides: set[str] = set()
+        for sources in self.sources:
+            sides.update(sources.sides)
+        for value in self.fixed.values():
+            if is_uncertain(value):
+                sides.update(value.sides)
+        return sides
 
     @property
     def added(self) -> list[str]:
@@ -106,9 +122,9 @@ class Table:
         return [*self.law_words, *self.wanted.heads(header), *self.wanted.remarks()]
 
     def frame(self, given: Mapping[str, Any], solids: Mapping[str, Material | None]) -> Frame:
-        """Return the frame of inputs and of the materials of cells; for the inverse problem, an Inverse frame.
+        """Return the frame of some inputs and of the materials in cells, completed by the options.
 
-        Raises an error of the frame.
+        The inverse problem has an Inverse frame. Raises an error of the frame.
         """
         of_row, spheres = {*map(computed_as, given)}, {**self.spheres, **solids}.values()
         fixed = {name: value for name, value in self.fixed.items() if computed_as(name) not in of_row}
@@ -118,7 +134,7 @@ class Table:
             return Frame(given, *spheres, model=self.model)
         if measured not in given:
             raise BadRequest(f"{measured}: the row has no measured value", "no measured value")
-        from ..model.inverse import Inverse  # for which a table without an unknown does not pay
+        from ..model.inverse import Inverse  # only a table with an unknown loads it
 
         value = given.pop(measured)
         return Inverse([self.asked.infer], {measured: value}, Frame(given, *spheres, model=self.model))
@@ -126,70 +142,79 @@ class Table:
     # --- Added columns ------------------------------------------------------------------------------------------------
 
     def _frames(self, cells: Mapping[str, Sequence[bytes]]) -> list[Frame]:
-        """Return frames without rows that together have all inputs.
+        """Return frames without rows, which together have all inputs.
 
-        If columns exclude each other, a frame has one of them. Only the names of inputs matter, not their values. A
-        column without known materials holds labels, unless it must hold materials because there would be no work of
-        adhesion, or it would be uncertain.
+        Of inputs that exclude each other, each frame has one. Only the names of inputs matter here, not their values.
+        A column of materials without a known name has labels, unless the table then has no work of adhesion or infers
+        an input.
         """
         columns = self.columns
         names = [column.name for column in columns.inputs]
         cases = dict.fromkeys(_without_exclusive(first, names, self.asked.measured) for first in names or [""])
         some = LABEL._replace(properties=dict.fromkeys(PROPERTIES, _NO_ROWS))
-        solids, of_labels = dict[str, Material | None](), dict[str, Material | None]()
+        solids, labels = dict[str, Material | None](), dict[str, Material | None]()
         if columns.materials:  # each row decides whether both spheres are of a solid with a displacement
             solids = {name: solid and solid._replace(displacement=None) for name, solid in self.spheres.items()}
         for column in columns.materials:
             texts = {text for text in cells[column.name] if text.strip()}
-            of_labels |= {column.name: LABEL} if texts and texts <= self.lookups[column.name].errors.keys() else {}
+            if texts and texts <= self.lookups[column.name].errors.keys():
+                labels[column.name] = LABEL
             solids[column.name] = some
 
         def frames_of(solids: Mapping[str, Material | None]) -> list[Frame]:
             return [self.frame(dict.fromkeys(case, _NO_ROWS), solids) for case in cases]
 
-        frames = frames_of(solids | of_labels)
-        if of_labels and (self.asked.infer or frames[0].missing(["work_of_adhesion"])):
+        frames = frames_of(solids | labels)
+        if labels and (self.asked.infer or frames[0].missing(["work_of_adhesion"])):
             return frames_of(solids)  # their rows report unknown materials
         return frames
 
     def _names(self, frames: Sequence[Frame]) -> tuple[Sequence[str], Sequence[str]]:
-        """Return the quantities that columns and options allow, and those of them shown in every row."""
+        """Return the quantities that columns and options allow, and those of them that every row shows."""
         explicit, offered = self.asked.explicit, self.asked.offered
         if self.asked.infer:
             frames[0].check()
             return [self.asked.infer], [self.asked.infer]
         for name in explicit:
-            if name in self.given:
-                raise BadRequest(f"--quantities: {name} is an input here; leave it out: results show their inputs")
-            if all(frame.missing([name]) for frame in frames):
-                try:
-                    frames[0].plans(name)
-                except NotInLaw:
-                    continue  # the column stays empty
-                except MissingInput as error:
-                    unknown = [*chain.from_iterable(lookup.errors.values() for lookup in self.lookups.values())]
-                    if unknown:
-                        raise BadTable(f"{unknown[0]}; {error}") from None
-                    raise
+            self._check_explicit(name, frames)
         first, second = self.spheres.values()
         is_of_two = second not in (None, first) or any(NOMENCLATURE[name].sphere == 2 for name in self.given)
         shown: set[str] = set()
         for frame in frames:
-            shown.update(name for name in frame.possible(offered) if frame.shows_to_identical(name))
+            shown.update(filter(frame.shows_to_identical, frame.possible(offered)))
         shown -= self.given
-        if is_of_two:
-            shown = {name for name in shown if not NOMENCLATURE[name].of_identical}
-        possible = [name for name in offered if name in shown]
+        possible = []
+        shown_in_all = [*explicit]
+        for name in offered:
+            quantity = NOMENCLATURE[name]
+            if name in shown and not (is_of_two and quantity.of_identical):
+                possible.append(name)
+                if quantity.shown_with and not quantity.of_identical:
+                    shown_in_all.append(name)  # some cells need its column, so every row shows it
         names = [*dict.fromkeys((*explicit, *possible))]
         if not names:
             frames[0].plans(offered[0])
             raise BadRequest("--quantities: known for identical spheres only, but the table describes sphere 2")
-        # A quantity that has a column because of some cells is shown in all rows.
-        of_cells = [name for name in possible if NOMENCLATURE[name].shown_with and not NOMENCLATURE[name].of_identical]
-        return names, [*explicit, *of_cells]
+        return names, shown_in_all
+
+    def _check_explicit(self, name: str, frames: Sequence[Frame]) -> None:
+        """Raise an error if a quantity requested by name is an input, or lacks inputs in all frames."""
+        if name in self.given:
+            raise BadRequest(f"--quantities: {name} is an input here; leave it out: results show their inputs")
+        if not all(frame.missing([name]) for frame in frames):
+            return
+        try:
+            frames[0].plans(name)
+        except NotInLaw:
+            return  # the column stays empty
+        except MissingInput as error:
+            unknown = [*chain.from_iterable(lookup.errors.values() for lookup in self.lookups.values())]
+            if unknown:
+                raise BadTable(f"{unknown[0]}; {error}") from None
+            raise
 
     def _sources(self, block: "TableBlock") -> list[Sources]:
-        """Return the sources of uncertainty in each group of rows."""
+        """Return the sources of uncertainty of each group of rows."""
         sources = []
         for group in groups(block):
             with suppress(JkrollError):  # the status of bad rows has the reason
@@ -200,14 +225,14 @@ class Table:
 
 
 def _material(given: str | Material, known: Materials) -> Material:
-    """Return a material by name, or a given one as it is."""
+    """Return a material by its name; a given material is returned unchanged."""
     return known[given] if isinstance(given, str) else given
 
 
 def _labels(columns: Header, rows: Sequence[Sequence[str]], asked: Asked) -> dict[str, int]:
-    """Return the names and positions of columns that may label rows of statistics: neither inputs nor in `--column`.
+    """Return the names and positions of columns that may label rows of statistics.
 
-    If all of the first rows are labelled as means, these are the data.
+    They are neither inputs nor in `--column`. If the first rows are all labelled as means, these are the data.
     """
     inputs: set[int] = set()
     for column in columns.inputs:
@@ -221,11 +246,12 @@ def _labels(columns: Header, rows: Sequence[Sequence[str]], asked: Asked) -> dic
 
 
 def _without_exclusive(first: str, names: Sequence[str], measured: str) -> tuple[str, ...]:
-    """Return names, including the first, without those that the first or an earlier one excludes."""
+    """Return names without each one that `first`, or an earlier name, excludes."""
     chosen: set[str] = set()
     for name in (first, *names):
         others = chosen - {measured, name}
-        if name == measured or not any(name in group and not others.isdisjoint(group) for group in EXCLUSIVE):
+        is_excluded = any(name in group and not others.isdisjoint(group) for group in EXCLUSIVE)
+        if name == measured or not is_excluded:
             chosen.add(name)
     return tuple(name for name in names if name in chosen)
 
@@ -236,15 +262,15 @@ def _without_exclusive(first: str, names: Sequence[str], measured: str) -> tuple
 class Records(NamedTuple):
     """A block of a table as columns of cells."""
 
-    before: Any  # the text or columns before the results of each row
+    before: Any  # the text or the columns that the output has before the results
     cells: Mapping[str, Sequence[bytes]]  # by the name of the column
     odd: Mapping[int, JkrollError] = MappingProxyType({})  # records that are not rows, with the error
-    starts: Sequence[int] = ()  # the first line of each record in the block
-    size: int = 0  # number of lines in the block
+    starts: Sequence[int] = ()  # the first line of each record, counted in the block
+    size: int = 0  # the number of lines
 
 
 class TableBlock:
-    """Some rows of a table; rows whose materials have the same properties can share a frame."""
+    """A block of rows of a table; rows whose materials have the same properties can share a frame."""
 
     def __init__(self, table: Table, records: Records) -> None:
         """`records`: the cells of the columns that the table reads."""
@@ -263,7 +289,7 @@ class TableBlock:
 
     @property
     def half_bars(self) -> dict[int, JkrollError]:
-        """The rows in which only one side of an uncertainty is given, with the reason for leaving it out."""
+        """The errors of rows with only one side of an uncertainty, by row; their results have no uncertainty."""
         errors: dict[int, JkrollError] = {}
         for column in self.table.columns.inputs:
             problem = f"{column.name}: one side of its error bar is missing, so the row has none"
@@ -272,7 +298,7 @@ class TableBlock:
         return errors
 
     def frame(self, given: Mapping[str, Any], rows: Indices) -> Any:
-        """Return the frame of the inputs of rows in a group."""
+        """Return the frame of rows of a group, from the values of their inputs."""
         solids = {name: self.table.lookups[name].together(indices[rows]) for name, indices in self.indices.items()}
         frame = self.table.frame(given, solids)
         if LABEL in solids.values() and frame.missing(self.table.names):
@@ -280,7 +306,7 @@ class TableBlock:
         return frame
 
     def frame_of(self, row: int) -> Any:
-        """Return the frame of a single row. Raises BadRequest, the error of a cell, or one of the frame."""
+        """Return the frame of a single row. Raises BadRequest, or the error of a cell or of the frame."""
         if row in self.odd:
             raise self.odd[row]
         if row in self.statistics:
@@ -289,7 +315,8 @@ class TableBlock:
             head = typed(self.table.columns.texts[self.table.labels[label]])
             remedy = f"--column {quoted(f'{head}=')} if it is a label"
             raise BadRequest(f"{text}: a row of statistics is not a contact; {remedy}", "row of statistics")
-        table, cells = self.table, {name: cells[row].decode(errors="replace") for name, cells in self.cells.items()}
+        table = self.table
+        cells = {name: column[row].decode(errors="replace") for name, column in self.cells.items()}
         given: dict[str, Any] = {}
         for column in table.columns.inputs:
             text = column.joined(*(cells[name] for name in column.positions))

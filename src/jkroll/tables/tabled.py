@@ -1,4 +1,4 @@
-"""`jkroll.table`: the same as `batch`, for tables in Python."""
+"""`jkroll.table`: the results of `batch` for tables in Python."""
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -77,8 +77,8 @@ def table(
     strict
         True to raise an error for the first row without a result.
     say
-        A function such as `print` for the lines that `batch` prints: how columns are read, what is assumed, and how
-        many rows are in doubt.
+        A function such as `print`, called with each line that `batch` prints: how columns are read, what is assumed,
+        and how many rows are in doubt.
 
     Returns
     -------
@@ -100,7 +100,8 @@ def table(
         if not (isinstance(value, float) or is_uncertain(value)):
             raise QuantityError(name, "an array", "is not one value for all rows", "make it a column of the table")
     words = {"model": model, "profile": profile}
-    inputs = {name: each for name, each in {**solids, **words, **described}.items() if each is not None}
+    every_input = {**solids, **words, **described}
+    inputs = {name: value for name, value in every_input.items() if value is not None}
     if bool(infer) != bool(measured):
         raise BadRequest('infer and measured go together, as in infer="gamma", measured="pull_off_force"')
     wanted = words_in(quantities) if quantities is not None else []
@@ -122,12 +123,12 @@ def table(
         )
         return _tabled(rows, asked, say, strict=strict)
     except JkrollError as error:
-        error.args = tuple(_in_python(each) if isinstance(each, str) else each for each in error.args)
+        error.args = tuple([_in_python(part) if isinstance(part, str) else part for part in error.args])
         raise
 
 
 def _meanings(rows: Data, columns: Mapping[Any, str]) -> Iterator[str]:
-    """Iterate over meanings of columns as values of `--column`. They take the unit that the library states."""
+    """Iterate over the meanings of columns in the form of `--column`, with the units that the library states."""
     heads = {column.name: column for column in rows.columns}
     for name, meaning in columns.items():
         column = heads.get(name)
@@ -140,7 +141,7 @@ def _meanings(rows: Data, columns: Mapping[Any, str]) -> Iterator[str]:
 
 
 def _in_python(text: str) -> str:
-    """Return a message with the arguments of `table` instead of the options of `batch`.
+    """Return a message with the arguments of `table` in place of the options of `batch`.
 
     >>> _in_python("Write --column 'R2 (nm)=radius2 [nm]', or --column 'R2 (nm)=' to pass it through (--pass-rest)")
     "Write columns={'R2 (nm)': 'radius2 [nm]'}, or columns={'R2 (nm)': ''} to pass it through (pass_rest)"
@@ -150,21 +151,27 @@ def _in_python(text: str) -> str:
 
 
 def _tabled(rows: Data, asked: Asked, say: Callable[[str], object] | None, *, strict: bool) -> Any:
-    """Return a table with its results."""
+    """Return the table with its results."""
 
     def tell(lines: Iterable[str]) -> None:
         for line in lines if say else ():
             say(_in_python(line))  # type: ignore[misc]
 
-    form = Memory(rows, asked)
+    source = Memory(rows, asked)
     header = understood(
-        form.names, form.sample, form.stated, asked.inputs, asked.measured, asked.supply, pass_rest=asked.pass_rest
+        source.names,
+        source.sample,
+        source.stated,
+        asked.inputs,
+        asked.measured,
+        asked.supply,
+        pass_rest=asked.pass_rest,
     )
     check_inputs(header, asked.measured)
     tell([header.reading()])
-    read = Table(header, form.sample, asked)
+    read = Table(header, source.sample, asked)
     tell(about(read) if say else ())
-    convert, tally = Converter(form, read, "", strict=strict), Tally()
+    convert, tally = Converter(source, read, "", strict=strict), Tally()
     blocks: list[Sequence[Any]] = []
     for start in range(0, rows.size, BLOCK) or [0]:
         try:
@@ -180,7 +187,7 @@ def _tabled(rows: Data, asked: Asked, say: Callable[[str], object] | None, *, st
 
 
 def _joined(parts: Sequence[Any]) -> Any:
-    """Return the parts of a column joined together."""
+    """Return the parts of a column joined to one."""
     if all(isinstance(part, list) for part in parts):
         return [*chain.from_iterable(parts)]
     return numpy.concatenate(parts)

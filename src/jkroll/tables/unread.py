@@ -1,12 +1,12 @@
 """Columns that are not read, judged by their units: no column may pass if another value would silently replace it.
 
-The unit of a column tells which inputs it may be; its words only choose among them. If a material, an option, a default
+The unit of a column tells which inputs it may be, and its words choose among them. If a material, an option, a default
 or sphere 1 supplies such an input, the column is refused until the user states its meaning. Lengths and forces often
-mean something else, so their words must point to an input. For a text column, the cells show that it names materials.
+mean something else, so their words must point to an input. A text column may be an input if its cells are materials.
 """
 
 import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence, Set
 from functools import cache, lru_cache
 from itertools import chain, pairwise, product
 from typing import Any, NamedTuple
@@ -29,8 +29,8 @@ from .words import INPUTS, MATERIALS, fits, headed, key, sphere_of, tokens_of, u
 
 # Inputs that replace each other, in addition to EXCLUSIVE.
 _OF_MODULI = tuple(("contact_modulus", name) for name in ("youngs_modulus", "youngs_modulus2"))
-_OF_INPUTS = {*INPUTS, *(route for name in INPUTS for route in routes_anywhere().get(name, ()))}
-# Inputs whose words also occur with words of other quantities.
+_OF_INPUTS = {*INPUTS, *chain.from_iterable(routes_anywhere().get(name, ()) for name in INPUTS)}
+# Inputs whose columns may also have words for other quantities.
 _OF_PARTS = (
     "approach_at_load",
     "atomic_spacing",
@@ -41,49 +41,44 @@ _OF_PARTS = (
     "hamaker",
 )
 _OF_EACH_UNIT = {NOMENCLATURE[name].unit: name for name in INPUTS}
-NOT_READ = "not read, and "  # the clause of the value used instead follows
+NOT_READ = "not read, and "  # before the clause that names the value used instead
 _POWERS = {"sq": "2", "cu": "3"}
 _MOST_MEANT = 3  # inputs that a message offers to choose from
 
 
 class Supply(NamedTuple):
-    """The inputs that are supplied without a column, each with a clause that names the source."""
+    """The inputs supplied without a column, each with a clause that names the source."""
 
-    clauses: Mapping[str, str]  # as in "E1 is quartz's 54 GPa"; an alternative input has the clause of the other
-    direct: Collection[str]  # inputs that are supplied directly
-    solids: Sequence[str]  # columns of materials that could supply a property
+    clauses: Mapping[str, str]  # as in "E1 is quartz's 54 GPa"; an input that another replaces has the other's clause
+    direct: Collection[str]  # the inputs that are supplied themselves
+    solids: Sequence[str]  # the columns of materials that could supply a property
     known: Materials
 
     @classmethod
     def of(
         cls, names: Sequence[str], columns: Collection[str], options: Mapping[str, Any], known: Materials
     ) -> "Supply":
-        """Return the inputs that are supplied to some quantities.
+        """Return the inputs that some quantities need and that are supplied without a column.
 
-        `columns`: the inputs with columns; `options`: the texts of options, by input.
+        `names`: the quantities; `columns`: the inputs with columns; `options`: the texts of options, by input.
         """
         columns = {*columns, *map(computed_as, columns)}
         law = law_given(options.get("model"), options.get("profile"))
         needed = depends_on(tuple(names), (law or DEFAULT_LAW,))
         left = [name for name in INPUTS if name in needed and name not in columns]
-        free = [group for group in (*EXCLUSIVE, *_OF_MODULI) if columns.isdisjoint(group)]
-        others = decided_by(columns) | {name for pair, name in _OF_MODULI if pair in columns}
+        decided = decided_by(columns) | {name for pair, name in _OF_MODULI if pair in columns}
         clauses: dict[str, str] = {}
         for name in left:
             first = of_sphere(1, name)
-            if name in others and name not in options:
+            if name in decided and name not in options:
                 continue
             supplier = _supplier(name, columns, options, known)
             if supplier:
                 clauses[name] = f"{symbol_of(name).removesuffix('1')} is {supplier}"
             elif first != name and (first in columns or first in clauses):
                 clauses[name] = f"{symbol_of(name)} is that of sphere 1"
-        replaced: dict[str, str] = {}
-        open_names = [name for name in left if name not in clauses and name not in others]
-        for group in free:
-            for other in group:
-                if other in clauses:
-                    replaced |= dict.fromkeys((name for name in open_names if name in group), clauses[other])
+        open_names = [name for name in left if name not in clauses and name not in decided]
+        replaced = _replaced(open_names, columns, clauses)
         lacking = {NOMENCLATURE[name].sphere for name in left if of_sphere(1, name) in PROPERTIES}
         solids = [solid for sphere, solid in enumerate(MATERIALS, 1) if sphere in lacking and solid not in columns]
         if "material2" in solids:
@@ -91,10 +86,21 @@ class Supply(NamedTuple):
         return cls(replaced | clauses, clauses, solids, known)
 
 
-def decided_by(columns: Collection[str]) -> set[str]:
-    """Return the inputs that columns of other inputs decide.
+def _replaced(names: Sequence[str], columns: Set[str], clauses: Mapping[str, str]) -> dict[str, str]:
+    """Return the inputs that a supplied input replaces, each with the clause of that input."""
+    replaced: dict[str, str] = {}
+    for group in (*EXCLUSIVE, *_OF_MODULI):
+        if columns.isdisjoint(group):
+            for other in group:
+                if other in clauses:
+                    replaced |= dict.fromkeys([name for name in names if name in group], clauses[other])
+    return replaced
 
-    A load decides the approach, and radii the reduced radius; but γ leaves w of two solids open.
+
+def decided_by(columns: Collection[str]) -> set[str]:
+    """Return the inputs that the columns of other inputs decide.
+
+    A load decides the approach, and radii decide the reduced radius; but γ leaves w of two solids open.
     """
     decided: set[str] = set()
     for group in EXCLUSIVE:
@@ -104,7 +110,7 @@ def decided_by(columns: Collection[str]) -> set[str]:
 
 
 def _supplier(name: str, columns: Collection[str], options: Mapping[str, Any], known: Materials) -> str:
-    """Return the source of an input without a column, in words; "" for none, or for sphere 1."""
+    """Return the source of an input without a column, in words; "" if it has none, or if sphere 1 supplies it."""
     if name in options:
         value = options[name] if isinstance(options[name], str) else amount(name, options[name])
         return f"{NOMENCLATURE[name].option or f'--{name}'} {shown(value)}"
@@ -123,45 +129,48 @@ def _supplier(name: str, columns: Collection[str], options: Mapping[str, Any], k
     return f"{amount(name, DEFAULTS[name])} by default" if name in DEFAULTS else ""
 
 
-def judged(head: Reading, cells: Sequence[str], supply: Supply) -> Reading:
-    """Return an unread column, with a problem if it may be an input that is supplied otherwise.
+def judged(reading: Reading, cells: Sequence[str], supply: Supply) -> Reading:
+    """Return the reading of a column, with a problem if it is unread and may be an input supplied otherwise.
 
-    `cells`: the first cells.
+    `cells`: its cells in the first rows.
     """
-    if head.name or head.problem or head.part or head.is_stated:
-        return head
+    if reading.name or reading.problem or reading.part or reading.is_stated:
+        return reading
     cells = [cell.strip() for cell in cells if not has_no_value(cell)]
     if cells and not any(map(is_number, cells)):
-        reading = _of_solids(head, cells, supply)
-        if reading is not None:
-            return reading
-    text = normalized(head.text)
+        of_solids = _of_solids(reading, cells, supply)
+        if of_solids is not None:
+            return of_solids
+    text = normalized(reading.text)
     split, candidates = _candidates(text, cells, supply)
     if not candidates:
-        return head
+        return reading
     tokens = tokens_of(split.word)
     names, is_certain = _likeliest(tokens, [*candidates], supply)
     clauses = dict.fromkeys(supply.clauses[name] for name in names or candidates)
     problem = f"{NOT_READ}{'; '.join([*clauses][:_MOST_MEANT])}"
     is_certain &= not re.search(FACTOR_INSIDE, text) and (words.FUNCTIONS | words.SENSES).isdisjoint(tokens)
     is_mangled = split.is_mangled and is_in_table(f"u{split.unit}")
-    has_units = not all(map(is_number, cells))
+    cells_have_units = not all(map(is_number, cells))
     if not is_certain:
         meant = []
-    elif has_units and not split.unit:
+    elif cells_have_units and not split.unit:
         meant = names
     else:
         meant = [headed(name, (not is_mangled and candidates[name]) or "UNIT") for name in names]
     first = names[0] if names else next(iter(candidates))
-    return head._replace(name=first, problem=problem, meant=meant[:_MOST_MEANT], names=names or [*candidates])
+    return reading._replace(name=first, problem=problem, meant=meant[:_MOST_MEANT], names=names or [*candidates])
 
 
 def _candidates(text: str, cells: Sequence[str], supply: Supply) -> tuple[Split, Mapping[str, str]]:
-    """Return the word and the unit of a header, and the supplied inputs that it may be, with their units."""
+    """Return the word and the unit of a header, and the units of the supplied inputs that it may be."""
     split = _with_unit(text)
     units = {unit: _unit(split, name) for unit, name in _OF_EACH_UNIT.items()}
-    units_of = {name: units.get(NOMENCLATURE[name].unit, "") for name in supply.clauses}
-    candidates = {name: unit for name, unit in units_of.items() if unit}
+    candidates: dict[str, str] = {}
+    for name in supply.clauses:
+        unit = units.get(NOMENCLATURE[name].unit, "")
+        if unit:
+            candidates[name] = unit
     if not candidates:
         candidates, split = dict.fromkeys(_without_unit(text, cells, supply), ""), Split(text, "")
     if _is_result(split):
@@ -176,23 +185,23 @@ def _candidates(text: str, cells: Sequence[str], supply: Supply) -> tuple[Split,
 
 @lru_cache(maxsize=5000)
 def _unit(split: Split, name: str) -> str:
-    """Return the unit of an input in a header; UNIT if it cannot be read as written, "" if the unit is another."""
+    """Return the unit of an input in a header; UNIT if its spelling is not read, "" for a unit of another kind."""
     quotient = re.sub(r"(?<=\w)([ms])\^?[-−]1$", r"/\1", split.unit)
     if quotient != split.unit and fits(quotient, name):
         return "UNIT"  # ms-1
-    is_of_other = is_in_table(split.unit) and not split.unit.isupper() and not fits(split.unit, name)  # Å as A
-    if not split.unit or is_of_other:
+    is_other = is_in_table(split.unit) and not split.unit.isupper() and not fits(split.unit, name)  # Å may become A
+    if not split.unit or is_other:
         return ""
     unit = unit_for(split.unit, name, is_explicit=split.is_explicit)
     if unit:
         return unit
-    is_behind_number = re.match(r"[12][\W_]*(?!e[-\d])[^\W\d]", split.unit)  # the number of a sphere
+    has_sphere_first = re.match(r"[12][\W_]*(?!e[-\d])[^\W\d]", split.unit)
     spelt = re.sub(FACTOR_OF_UNIT, "", split.unit) + "_" * split.is_mangled
-    return "UNIT" if not is_behind_number and words.may_be_unit(spelt, name) else ""
+    return "UNIT" if not has_sphere_first and words.may_be_unit(spelt, name) else ""
 
 
 def _without_unit(text: str, cells: Sequence[str], supply: Supply) -> list[str]:
-    """Return the supplied inputs that a header without a unit may be: by the unit of its first cell, or as a symbol."""
+    """Return the supplied inputs that a header without a unit may be, by the unit of its first cell or its symbol."""
     if not all(map(is_number, cells)):
         return [name for name in supply.clauses if _is_value(cells[0], name)]
     tokens = tokens_of(text)
@@ -204,15 +213,16 @@ def _without_unit(text: str, cells: Sequence[str], supply: Supply) -> list[str]:
     return [reading.name] if is_symbol and reading.name in supply.direct else []
 
 
-def _of_solids(head: Reading, cells: Sequence[str], supply: Supply) -> Reading | None:
-    """Return a column whose cells are known materials, possibly those of a sphere; None for another column."""
-    tokens = tokens_of(normalized(head.text))
+def _of_solids(reading: Reading, cells: Sequence[str], supply: Supply) -> Reading | None:
+    """Return the refusal of a column whose cells are all known materials; None for another column."""
+    tokens = tokens_of(normalized(reading.text))
     is_label = not words.LABELS.isdisjoint({*tokens} - {"name", "names"})
     if not supply.solids or is_label or not all(_is_material(cell, supply.known) for cell in dict.fromkeys(cells)):
         return None
-    sphere = sphere_of(tokens)
-    names = [MATERIALS[sphere - 1]] if sphere and MATERIALS[sphere - 1] in supply.solids else [*supply.solids]
-    return head._replace(name=names[0], problem=f"{NOT_READ}its cells are materials", meant=names)
+    sphere, names = sphere_of(tokens), [*supply.solids]
+    if sphere and MATERIALS[sphere - 1] in supply.solids:
+        names = [MATERIALS[sphere - 1]]
+    return reading._replace(name=names[0], problem=f"{NOT_READ}its cells are materials", meant=names)
 
 
 def _is_material(cell: str, known: Materials) -> bool:
@@ -225,7 +235,7 @@ def _is_material(cell: str, known: Materials) -> bool:
 
 
 def _is_value(cell: str, name: str) -> bool:
-    """Return whether a cell is a value of an input with a unit."""
+    """Return whether a cell is a number with a unit of an input."""
     if is_number(cell) or not cell[:1].isdigit() or NOMENCLATURE[name].unit in ("", "1"):
         return False
     try:
@@ -239,30 +249,34 @@ def _is_value(cell: str, name: str) -> bool:
 
 
 def _with_unit(text: str) -> Split:
-    """Return a header divided at the longest unit that the table of units, or an input, knows."""
-    known = [split._replace(unit=split.unit.lstrip(" /|:;-")) for split in splits_of(_plain(text)) if _is_unit(split)]
+    """Return a header divided at its longest known unit; without one, the whole header is the word."""
+    known = []
+    for split in splits_of(_with_powers(text)):
+        if _is_unit(split):
+            known.append(split._replace(unit=split.unit.lstrip(" /|:;-")))
     return max(known, key=lambda split: (len(split.unit), len(split.word)), default=Split(text, ""))
 
 
-def _plain(text: str) -> str:
-    """Return a header with squares and cubes of metres written as powers."""
+def _with_powers(text: str) -> str:
+    """Return a header with square and cubic metres written as powers: m2 for sq m."""
     pattern = r"(?i)(?<![a-z])(sq|cu)[\s._]*(c?m)(?![a-z])"
     return re.sub(pattern, lambda found: f"{found[2]}{_POWERS[found[1].lower()]}", text)
 
 
 def _is_unit(split: Split) -> bool:
+    """Return whether the second part of a split is a unit that an input, or the table of units, knows."""
     is_certain = split.is_explicit or split.is_mangled or not f"{split.word}{split.unit}".isascii()
     if not is_certain and len(split.unit) == 1 and len(split.word) < 3:
         return False  # an index
     if key(split.unit) in words.meanings(""):
-        return False  # specific gravity
+        return False  # the g of specific gravity
     if not split.is_explicit and re.search(r"\s(?:in|[/,;:|])\s|[\s_.][\[({<]", split.unit):
         return False  # the unit is at the end: r_m / nm, A_22 [J]
     return is_in_table(split.unit) or any(_unit(split, name) for name in _OF_EACH_UNIT.values())
 
 
 def _is_result(split: Split) -> bool:
-    """Return whether a word is the name or symbol of a result of this program, or starts with such a name."""
+    """Return whether a word is the name or the symbol of a result of this program, or begins with the name."""
     name = re.sub(r"[\s_.-]+", "_", split.word.strip()).casefold()
     for result, quantity in NOMENCLATURE.items():
         is_named = name == result or name.startswith(f"{result}_")
@@ -278,40 +292,42 @@ def _symbols_of_inputs() -> Collection[str]:
 
 
 def _is_unreadable(word: str) -> bool:
-    """Return whether no letter of a word can be read, so that only its unit tells what it may be."""
+    """Return whether a word has no letter that can be read, so that only the unit tells its meaning."""
     return not re.search(r"[a-zA-Z]", ascii_text(word)) and re.search(r"[^\W\d]|[?\ufffd]", word) is not None
 
 
 def _points_to(tokens: Sequence[str], name: str) -> bool:
-    """Return whether the words of a column allow it to be this input."""
+    """Return whether the words of a header allow it to be this input."""
     first, unit = of_sphere(1, name), NOMENCLATURE[name].unit
     if first not in _OF_PARTS:
         if not words.LABELS.isdisjoint(tokens):
             return False
         others = words.NO_INPUTS.get(unit, frozenset())
         long_words = [word for word in others if len(word) > 4]
-        is_other = any(word in token for word, token in product(long_words, tokens))
-        of_others = {*(token for token in tokens if len(token) > 2), "".join(tokens)}  # k alone, and k_n
-        if is_other or not (words.OTHERS | others).isdisjoint(of_others):
+        has_other = any(word in token for word, token in product(long_words, tokens))
+        long_tokens = [token for token in tokens if len(token) > 2]
+        if has_other or not (words.OTHERS | others).isdisjoint(
+            [*long_tokens, "".join(tokens)]
+        ):  # short words count together: kn for k_n
             return False
     if first in ("radius", "diameter", "reduced_radius") and words.is_of_asperity(tokens):
         return False
     if first not in words.POINTERS:
         return unit not in words.COMMON_UNITS
     symbols, stems = words.POINTERS[first]
-    bare = {*tokens, *map("".join, pairwise(tokens)), *map(_bare, tokens)}  # F_n, cut-off
+    bare = {*tokens, *map("".join, pairwise(tokens)), *map(_bare, tokens)}  # also fn for F_n, and cutoff for cut-off
     return not bare.isdisjoint(symbols) or any(stem in token for stem, token in product(stems, bare))
 
 
 def _likeliest(tokens: Sequence[str], names: Sequence[str], supply: Supply) -> tuple[list[str], bool]:
-    """Return the inputs that the words of a column most likely mean, and whether a word makes that certain."""
+    """Return the inputs that the words of a header most likely mean, and whether a word makes them certain."""
     sphere, is_of_pair = sphere_of(tokens), words.is_of_pair(tokens)
     if is_of_pair:
         names = [name for name in names if name in words.PAIRS.values()]
     if not sphere and _index(tokens) in "psti":  # another letter may be of either sphere
         names = [name for name in names if NOMENCLATURE[name].sphere != 2 or of_sphere(1, name) not in supply.clauses]
-    telling = tokens[:1] if _index(tokens) else tokens
-    scores = {name: _score(telling, name) for name in names}
+    scored = tokens[:1] if _index(tokens) else tokens
+    scores = {name: _score(scored, name) for name in names}
     best = max(scores.values(), default=0)
     likeliest = [name for name in names if scores[name] == best]
     if sphere:
@@ -321,25 +337,29 @@ def _likeliest(tokens: Sequence[str], names: Sequence[str], supply: Supply) -> t
 
 
 def _index(tokens: Sequence[str]) -> str:
-    """Return the letter after a symbol, as in E_w, xi_r and rho_B; "" if there is none."""
+    """Return the letter after a symbol, as the w in E_w; "" if there is none."""
     return tokens[1] if len(tokens) == 2 and len(tokens[0]) < 4 and len(tokens[1]) == 1 else ""
 
 
 def _score(tokens: Sequence[str], name: str) -> int:
-    """Return the number of words in a header that are those of an input, or start like them."""
+    """Return the number of words in a header that match an input; two adjacent words that match together count more."""
     first = of_sphere(1, name)
     symbols, vocabulary = [_bare(token) for token in tokens_of(symbol_of(first))], _vocabulary(first)
-    pairs = [*map("".join, pairwise(tokens))]  # dGamma
-    found = [token for token in tokens if _is_one_of(_bare(token), symbols, vocabulary)]
-    return len(found) + 2 * sum(pair in vocabulary for pair in pairs)
+    score = 0
+    for token in tokens:
+        score += _is_one_of(_bare(token), symbols, vocabulary)
+    for pair in map("".join, pairwise(tokens)):  # dGamma
+        score += 2 * (pair in vocabulary)
+    return score
 
 
 def _bare(token: str) -> str:
-    """Return a word of a header without the number of a sphere, of a start or of a percentile: v0, d50."""
+    """Return a word of a header without a number at its end: of a sphere (R2), a start (v0) or a percentile (d50)."""
     return re.sub(r"(?<=[a-z])(?:[12]|\d?0)$", "", token)
 
 
 def _is_one_of(token: str, symbols: Collection[str], vocabulary: Collection[str]) -> bool:
+    """Return whether a token is a symbol, a word, or the beginning or another form of a word."""
     if token in symbols or (len(token) < 3 and token in vocabulary):
         return True
     if len(token) < 3:
@@ -349,10 +369,9 @@ def _is_one_of(token: str, symbols: Collection[str], vocabulary: Collection[str]
 
 @cache
 def _vocabulary(name: str) -> Collection[str]:
-    """Return the words for an input: from its name, its option and its synonyms."""
+    """Return the words for an input: those of its name, its option and its synonyms."""
     texts = [name]
-    for of_word in (OPTION_WORDS, QUANTITY_SYNONYMS):
-        texts += [word for word, meant in of_word.items() if meant == name]
-    tokens = {*chain.from_iterable(map(tokens_of, texts))}
-    tokens = {token for token in tokens if len(token) > 1}
+    for name_of in (OPTION_WORDS, QUANTITY_SYNONYMS):
+        texts += [text for text, meant in name_of.items() if meant == name]
+    tokens = {token for token in chain.from_iterable(map(tokens_of, texts)) if len(token) > 1}
     return tokens - words.GENERIC | {*words.WORDS_BESIDES.get(name, ())}

@@ -14,7 +14,7 @@ from ..text import ascii_text
 
 MATERIALS = ("material", "material2")
 INPUTS = ("radius", *(name for name, quantity in NOMENCLATURE.items() if quantity.option and quantity.unit))
-SYMBOLS_TOO = {"E": "energy", "Er": "contact_modulus", "W": "work_of_adhesion"}  # additional meanings of symbols
+SYMBOLS_TOO = {"E": "energy", "Er": "contact_modulus", "W": "work_of_adhesion"}  # more symbols, or more meanings of one
 SYMBOLS_TOO |= {
     "SFE": "surface_energy",
     "rad": "radius",
@@ -25,23 +25,23 @@ SYMBOLS_TOO |= {
     "A11": "hamaker",
     "A22": "hamaker2",
 }
-# Columns of curves: their synonyms and these symbols count only in the header of a curve.
+# Quantities of curves: these symbols and their synonyms count only in the header of a curve.
 _OF_CURVES = {
     **dict.fromkeys(OF_CURVES, ""),
     "contact_radius_at_load": "a",
     "lever_force": "F",
     "lever_deflection": "d",
 }
-NO_HEADERS = ("roughness",)  # options that are not headers: a column of roughness has a height, not a gap
-RATIOS = ("poisson_ratio", "poisson_ratio2")  # the only ratios whose symbols have no other common meaning
+NO_HEADERS = ("roughness",)  # options that are not headers: a column of roughness gives a height, not a gap
+RATIOS = ("poisson_ratio", "poisson_ratio2")  # the only ratios whose symbol has no other common meaning
 
 
 class Meaning(NamedTuple):
-    """The inputs that a word or a symbol may mean, distinguished by unit; none for another quantity."""
+    """The inputs that a word or a symbol may mean, distinguished by unit; a word for another quantity has none."""
 
     names: Sequence[str] = ()
-    problem: str = ""  # the reason if it is not read
-    has_remedy: bool = True  # True if the column may be one of the inputs unchanged
+    problem: str = ""  # the reason why the word is not read
+    has_remedy: bool = True  # True if the numbers of the column may be those of the input
 
 
 _SIZE = Meaning(["radius", "diameter"], "it may be a radius or a diameter")
@@ -72,19 +72,19 @@ _DOUBTFUL_SYMBOLS = {
     "Eeff": _MODULUS,
 }
 
-_DISTANCE = {  # r1 and r2, however, are radii
+_DISTANCE = {  # but r1 and r2 are radii
     "r": Meaning(["radius"], "r may be a distance"),
     "s": Meaning(["asperity_radius"], "s may be a distance"),
 }
-# Symbols that mean another quantity in another case: Δ, and d0 for a diameter.
+# Symbols that mean another quantity if their case changes: δ becomes Δ, and D0 is a diameter.
 _OTHER_IN_CASE = ("d0", "delta", "deltaw")
 
-# Symbols of solids with an index that names the solid: E_s, rho_p, Es; nu only before a gap, R only with a body.
+# The symbol of a property with an index for the solid: E_s, rho_p, Es. A gap follows nu, and R has a body as index.
 _WITH_INDEX = re.compile(
     r"([EG]|rho|nu|R(?=[\s_](?:tip|probe|sphere|sample|wall)\Z))(?:[\s_]+([A-Za-z]\w*)|(?<!nu)[a-z])"
 )
 
-# Words shared with other quantities, as in speed of sound and contact angle: inputs only alone or with a unit.
+# Words that other quantities share, as in speed of sound and contact angle. They mean an input alone or with a unit.
 SHARED = (
     *"""energy speed velocity geschwindigkeit vitesse velocidad angle approach contacts monomers gravity cutoff xi z0
     surfacetension""".split(),
@@ -106,9 +106,9 @@ NEUTRAL = {
     *chain(BODIES[1], BODIES[2]),
     *(f"{body}s" for body in chain(BODIES[1], BODIES[2])),
 }
-# Words that turn the quantity into a function of it.
+# Words for a function of a quantity.
 FUNCTIONS = {*"log ln lg exp inv inverse reciprocal sqrt normalized".split()}
-# Words, or stems of words, that turn the quantity into that of the pair.
+# Words, and stems of words, for a quantity of the pair of spheres.
 _INDICES_OF_PAIR = {*"eff red eq star".split()}
 _STEMS_OF_PAIR = re.compile("redu[czi]|ridott|effe[ck]|equiv|combined|composite|harmoni")
 PAIRS = {"radius": "reduced_radius", "youngs_modulus": "contact_modulus", "surface_energy": "work_of_adhesion"}
@@ -117,32 +117,31 @@ LABELS = {*"""id ids no nr num number name names type types class classes case c
     family label tag index step count counts cell rank source ref reference url doi note notes comment comments desc
     description quality flag status unit units method model formula cost price date color colour grade out
     ratio lit dft calc""".split()}  # fmt: skip
-INDICES = ("in", "bar")  # without brackets they may mean inside and mean
-# Parts of an uncertainty other than both sides: one side, and the ends of a range.
+INDICES = ("in", "bar")  # units in brackets; elsewhere they may mean inside and mean
+# Words for a side of an uncertainty, or for an end of a range.
 PARTS = {
     "minus": "minus",
     "plus": "plus",
     **dict.fromkeys(("min", "low", "lower"), "low"),
     **dict.fromkeys(("max", "high", "upper"), "high"),
 }
-# Notations of an uncertainty in a header. The patterns are compiled on first use: few tables need them.
+# Notations of an uncertainty in a header. Few tables need these patterns, so they are compiled on first use.
 PERCENT = r"(?i)(?<![\d\s_.,/])[\s_.,/]*[\[(]?(?:%|percent|pct)(?![a-z])[\])]?"  # a percentage of the value
 SHARE = r"(?i)[\s_.,/]*[\[(]?(?:%|percent|pct)[\])]?"
 LEVEL = r"\d\s*(?:%|percent|pct)"  # a confidence level
-COVERAGE = (
-    r"(?i)[\s,;_]*[\[(]?\s*(?<![^\W_])k\s*=\s*(\d+(?:[.,]\d+)?)\s*[\])]?"  # the factor of an expanded uncertainty
-)
+# The coverage factor of an expanded uncertainty.
+COVERAGE = r"(?i)[\s,;_]*[\[(]?\s*(?<![^\W_])k\s*=\s*(\d+(?:[.,]\d+)?)\s*[\])]?"
 EXPANDED = r"^U(?![^\W_])|(?i:expanded)"
 _ERROR = "|".join([
     r"(?:standard|std?)[\s_.]*(?:dev(?:iation)?|err(?:or)?|unc(?:ertainty)?)\.?", r"(?:expanded[\s_.]+)?uncertainty",
     *"stderr error err stdev std sd sem se unc".split(),
 ])  # fmt: skip
-RELATIVE = rf"rsd|cv|coefficient[\s_.]of[\s_.]variation|rel(?:ative|\.)?[\s_.]+(?:{_ERROR})"  # % if stated
+RELATIVE = rf"rsd|cv|coefficient[\s_.]of[\s_.]variation|rel(?:ative|\.)?[\s_.]+(?:{_ERROR})"  # only with %
 PART = (
     rf"(?i)^(?:u|σ|sigma)\s*\(([^()]+)\)|^(?:±|\+/?-)|^(?:σ|sigma|{RELATIVE}|{_ERROR})(?:\s+of)?(?=$|[\s_(\[])"
     rf"|[\s_.]*(?:±|\+/?-)(?=$|[\s_.,/(\[])|[\s_.]+(?:{RELATIVE}|{_ERROR}|{'|'.join(PARTS)})(?=$|[\s_.,/(\[])"
 )
-# Other words for a spread; words for a spread only next to a value; and words that accompany these.
+# Other words for a spread; words that mean a spread only next to a value; and words that accompany these.
 _SPREADS = "errors errm errp errorbar plusminus stdv dev deviation uncert sigma var variance ci iqr mad rmse".split()
 _SPREADS_BESIDE = """change difference lo hi minimum maximum neg pos confidence limit limits bound bounds range spread
     scatter tolerance tol accuracy precision resolution residual rms quartile quantile percentile noise
@@ -157,7 +156,7 @@ SPREAD = (
 )
 SPREAD_BESIDE = rf"(?i)(?<!{_LETTER})(?:{'|'.join(_SPREADS_BESIDE)}|[qp]\d+)(?!{_LETTER})"
 FILLER = rf"(?i)(?<!{_LETTER})(?:{'|'.join(_FILLERS)})(?!{_LETTER})|(?<![^\W_])k\s*=\s*[\d.,]+"
-# A prefix of a symbol that usually marks its uncertainty.
+# A prefix that usually marks the uncertainty of a symbol.
 DIFFERENCE = rf"^(?:(?i:delta|d|u)(?=[\s_(])|[Δδ](?=[\s_(]*{_LETTER})|d(?={_LETTER}))"
 
 _WORD = re.compile(r"[^\W\d_](?:[\w\s.'-]*[\w\s.-])?")
@@ -174,7 +173,7 @@ def key(word: str) -> str:
 
 
 def spelt_out(word: str) -> str:
-    """Return a symbol with Greek letters spelt out; capitals such as Rho make no difference."""
+    """Return a symbol with Greek letters spelt out; Rho with a capital is the same as rho."""
     spelt = ascii_text(word).replace(" ", "").replace("_", "")
     return spelt.lower() if spelt.rstrip("12").title() in ("Gamma", "Nu", "Rho", "Xi", "Tau", "Theta") else spelt
 
@@ -183,16 +182,19 @@ def spelt_out(word: str) -> str:
 def meanings(measured: str) -> dict[str, Meaning]:
     """Return the meanings of words by key, with and without 1 or 2 for the sphere.
 
-    `measured`: quantities separated by commas; their names, symbols and synonyms are added to those of inputs.
+    `measured`: quantities separated by commas, whose names, symbols and synonyms are known in addition to inputs.
     """
     names = {name: name for name in (*INPUTS, *MATERIALS)} | OPTION_WORDS
     for word in NO_HEADERS:
         del names[word]
     for name, others in SYNONYMS.items():
         names |= dict.fromkeys(others, name)
-    inputs = {word: Meaning([name]) for word, name in names.items() if name in INPUTS or name in MATERIALS}
-    inputs |= {re.sub("us$", "i", re.sub("y$", "ies", word)): meaning for word, meaning in inputs.items()}  # radii
-    known = dict.fromkeys(NOMENCLATURE, Meaning()) | _of_spheres(inputs | _DOUBTFUL_WORDS)
+    inputs, plurals = {}, {}
+    for word, name in names.items():
+        if name in INPUTS or name in MATERIALS:
+            inputs[word] = Meaning([name])
+            plurals[re.sub("us$", "i", re.sub("y$", "ies", word))] = inputs[word]  # radii
+    known = dict.fromkeys(NOMENCLATURE, Meaning()) | _of_spheres(inputs | plurals | _DOUBTFUL_WORDS)
     for name in filter(None, measured.split(",")):
         spelt = [name, NOMENCLATURE[name].symbol]
         if name in _OF_CURVES:
@@ -215,7 +217,7 @@ def symbols() -> dict[str, Meaning]:
 
 @cache
 def symbols_in_any_case() -> dict[str, Meaning]:
-    """Return the meanings of symbols in lower case, without those that differ from others only by case, as R from r."""
+    """Return the meanings of symbols in lower case, if all cases of the symbol mean the same: not those of R and r."""
     meanings: dict[str, list[Meaning]] = {}
     for symbol, meaning in symbols().items():
         meanings.setdefault(symbol.casefold(), []).append(meaning)
@@ -227,7 +229,7 @@ def symbols_in_any_case() -> dict[str, Meaning]:
 
 
 def with_symbol(word: str) -> Meaning | None:
-    """Return the meaning of a symbol that is followed by a unit, in any case; None for another word.
+    """Return the meaning of a symbol before a unit, in any case; None for another word.
 
     >>> with_symbol("e").names, with_symbol("r2").names, with_symbol("d0")
     (['youngs_modulus', 'energy'], ['radius2'], None)
@@ -237,7 +239,7 @@ def with_symbol(word: str) -> Meaning | None:
 
 
 def with_index(text: str) -> str:
-    """Return the key of a solid's property, given its symbol with an index; "" for another text.
+    """Return the key of the property whose symbol stands before an index for the solid; "" for another text.
 
     >>> with_index("E_s"), with_index("ρp"), with_index("E_loss"), with_index("num")
     ('youngsmodulus', 'density', '', '')
@@ -261,7 +263,7 @@ def tokens_of(text: str) -> list[str]:
 
 
 def is_of_pair(tokens: Iterable[str]) -> bool:
-    """Return whether the words of a header name a quantity of the pair.
+    """Return whether the words of a header name a quantity of the pair of spheres.
 
     >>> is_of_pair(["modulo", "ridotto"]), is_of_pair(["e", "eff"]), is_of_pair(["red", "grain"]), is_of_pair(["e"])
     (True, True, True, False)
@@ -282,7 +284,7 @@ _ORDINALS = {"first": 1, "second": 2}
 
 
 def sphere_of(tokens: Sequence[str]) -> int:
-    """Return the sphere that words of a header name, by a number or a body; 0 if they name none."""
+    """Return the number of the sphere that the words of a header name, by a number or a body; 0 if they name none."""
     numbers = [int(token[-1]) for token in tokens if re.fullmatch(r"[a-z]*([12])\1?", token)]  # A22
     numbers += [_ORDINALS[token] for token in tokens if token in _ORDINALS]
     if numbers:
@@ -303,7 +305,7 @@ _WITH_BODY = (
 
 
 def without_body(word: str) -> str:
-    """Return a word with the number of its sphere instead of a body; any other word unchanged.
+    """Return a word with a number in place of the body of a sphere; a word without a body unchanged.
 
     >>> without_body("E wall"), without_body("tip radius"), without_body("radius of sphere 2"), without_body("wall")
     ('E2', 'radius1', 'radius2', 'wall')
@@ -317,7 +319,7 @@ def without_body(word: str) -> str:
 
 
 def _of_spheres(known: Mapping[str, Meaning]) -> dict[str, Meaning]:
-    """Return meanings of words, and of the same words with 1 or 2 for inputs of one sphere."""
+    """Return the meanings of words, and those of the same words with 1 or 2 if they mean an input of one sphere."""
     of_spheres = dict(known)
     for word, meaning in known.items():
         of_first = [name for name in meaning.names if NOMENCLATURE[name].sphere == 1]
@@ -329,12 +331,15 @@ def _of_spheres(known: Mapping[str, Meaning]) -> dict[str, Meaning]:
 
 @cache
 def slips() -> dict[str, str]:
-    """Return the words for inputs by all spellings with one letter missing, or none.
+    """Return the words for inputs by their spellings: the right one, and those that lack a letter.
 
-    Two words that share such a spelling differ by a slip: one letter, or two letters exchanged.
+    Two words that share such a spelling differ by a slip: by one letter, or by two exchanged letters.
     """
-    words = (word for word, meaning in meanings("").items() if meaning.names and not meaning.problem and len(word) > 3)
-    known = [word for word in words if not re.fullmatch("diam?[12]?", word)]  # diag is a word
+    known = []
+    for word, meaning in meanings("").items():
+        is_like_diag = re.fullmatch("diam?[12]?", word)
+        if meaning.names and not meaning.problem and len(word) > 3 and not is_like_diag:
+            known.append(word)
     spellings: dict[str, str] = {}
     for word in sorted(known, key=len, reverse=True):  # the longest first: gamma is not a slip in gamma2
         spellings |= dict.fromkeys(lacking_a_letter(word), word)
@@ -342,7 +347,7 @@ def slips() -> dict[str, str]:
 
 
 def lacking_a_letter(word: str) -> list[str]:
-    """Return a word, and its spellings with one letter missing."""
+    """Return a word, and its spellings that lack one letter."""
     return [word, *(word[:index] + word[index + 1 :] for index in range(len(word)))]
 
 
@@ -354,7 +359,7 @@ _COMMON = """m cm mm um nm pm Pa kPa MPa GPa N mN uN nN pN J mJ aJ fJ zJ eV J/m2
 
 @cache
 def units_by_letters() -> dict[str, list[str]]:
-    """Return common units by their letters and digits, unchanged and in lower case."""
+    """Return the common units by their letters and digits, as written and in lower case."""
     units = {"Gpa": ["GPa"], "Mpa": ["MPa"], "Kpa": ["kPa"], "mps": ["m/s"], "mum": ["um"]}
     for unit in _COMMON:
         letters = unit.replace("/", "")
@@ -365,7 +370,7 @@ def units_by_letters() -> dict[str, list[str]]:
 
 
 def squeezed(text: str) -> str:
-    """Return the letters and digits of a unit; the sign of an uncertainty stays, since units have none.
+    """Return the letters and digits of a unit. The sign of an uncertainty stays, since no unit has one.
 
     >>> squeezed("mJ.m-2"), squeezed("kg_per_m³")
     ('mJm2', 'kgm3')
@@ -375,7 +380,7 @@ def squeezed(text: str) -> str:
 
 
 def fits(unit_text: str, name: str) -> bool:
-    """Return whether a text is a unit of a quantity; ratios have the units - and 1."""
+    """Return whether a text is a unit of a quantity; a ratio has the units - and 1."""
     unit = NOMENCLATURE[name].unit
     if unit == "1" and unit_text in ("1", "-"):
         return True
@@ -387,28 +392,34 @@ def fits(unit_text: str, name: str) -> bool:
 
 
 def unit_for(text: str, name: str, *, is_explicit: bool = False) -> str:
-    """Return the unit of a quantity that a text means, as written or in a notation of programs; else "".
+    """Return the unit of a quantity that a text means, also in the notation of programs; "" if it means none.
 
-    Without brackets, only the shipped table is searched: loading pint takes as long as many rows. There programs may
-    have changed capitals, so MN can mean mN.
+    `is_explicit`: True if brackets or another mark show that the text is a unit. For any other text only the shipped
+    table is searched, since pint takes as long to load as many rows to read. Such a text may have lost its capitals,
+    so MN can mean mN.
     """
     if text in _COMMON:
         return text if fits(text, name) else ""  # nm is not N/m
     letters, by_letters, is_known = squeezed(text), units_by_letters(), is_in_table(text)
-    small = letters.casefold()
+    small, is_of_one_case = letters.casefold(), text.islower() or text.isupper()
     is_clear = is_known and (letters in by_letters or small not in by_letters)
     units = [text] if is_explicit or is_clear or text in ("1", "-") else []
     if not (is_explicit and is_known):
-        others = by_letters.get(letters, []) + (by_letters.get(small, []) if text.islower() or text.isupper() else [])
+        others = [*by_letters.get(letters, [])]
+        if is_of_one_case:
+            others += by_letters.get(small, [])
         units += [unit for unit in others if not (is_explicit and "/" in unit and text.isalnum())]  # Nm is not N/m
-    if parted := re.match(r"([^\W\d_])[\W_]+\w", text):  # m_j is mJ, but c_m is not cm, and the load P in N not pN
+    parted = re.match(r"([^\W\d_])[\W_]+\w", text)
+    if parted:
+        # m_j is mJ. But c_m is not cm, and P / N is not pN: a program that splits nN changes capitals, too.
+        is_index = not is_of_one_case
         is_symbol = parted[1].casefold() == NOMENCLATURE[name].symbol.rstrip("12").casefold()
-        is_index = not (
-            text.islower() or text.isupper()
-        )  # nor is P_n / N in nN: a program that splits nN changes capitals
         units = [unit for unit in units if unit == text or not (is_index and unit[1:2].isalpha())]
         units = [unit for unit in units if unit == text or not (is_symbol or unit[1:2].islower())]
-    return next((unit for unit in units if fits(unit, name)), "")
+    for unit in units:
+        if fits(unit, name):
+            return unit
+    return ""
 
 
 _IN_ANY_CASE = str.maketrans("µμΜÅå", "uuuaa")
@@ -420,7 +431,7 @@ def _in_small_letters(unit: str) -> str:
 
 
 def _parts_of(unit: str) -> _Parts:
-    """Return the letters of a unit in lower case, without signs, each with the digits after it."""
+    """Return the letters of a unit in lower case, each with the digits after it; signs are left out."""
     parts: list[tuple[str, str]] = re.findall(r"([a-z]+)[^a-z\d]*(\d*)", _in_small_letters(unit))
     return tuple((letters, power.removeprefix("1")) for letters, power in parts)
 
@@ -431,7 +442,10 @@ def _joined(parts: _Parts) -> _Parts:
 
 @cache
 def _units_by_parts() -> dict[_Parts, list[str]]:
-    """Return common and rare units by their parts; units with a power also in one part, and without the power."""
+    """Return the common and rare units by their parts.
+
+    A unit with a power is also there without it, and with all its letters together.
+    """
     units: dict[_Parts, list[str]] = {(("a", ""),): ["angstrom"]}
     for unit in (*_COMMON, *_RARE):
         parts = _parts_of(unit)
@@ -444,7 +458,7 @@ def _units_by_parts() -> dict[_Parts, list[str]]:
 
 
 def may_be_unit(text: str, name: str) -> bool:
-    """Return whether a text may be a unit of a quantity, written by a program that changes capitals or drops signs.
+    """Return whether a text may be a unit of a quantity that a program wrote with other capitals or without signs.
 
     >>> [may_be_unit(text, "density") for text in ("kg?m??", "g_cm_", "KgM3", "kg", "kgm")]
     [True, True, True, False, False]
@@ -452,15 +466,19 @@ def may_be_unit(text: str, name: str) -> bool:
     if re.search(r"[^\W\d_a-z]", _in_small_letters(text)):
         return False  # it is the end of a word
     parts = _parts_of(text)
-    spelt = [parts, _joined(parts)] if not any(power for _, power in parts) else [parts]
+    spellings = [parts]
+    if not any(power for _, power in parts):
+        spellings.append(_joined(parts))
     if parts[1:] and not (text[-1].isalnum() or parts[-1][1]):
-        spelt.append((*parts[:-1], (parts[-1][0], "lost")))
-    units = chain.from_iterable(_units_by_parts().get(each, ()) for each in spelt)
+        spellings.append((*parts[:-1], (parts[-1][0], "lost")))
+    units: list[str] = []
+    for spelling in spellings:
+        units += _units_by_parts().get(spelling, [])
     return any(fits(unit, name) for unit in units)
 
 
 def is_like_unit(token: str) -> bool:
-    """Return whether a word in lower case may be part of a unit or a symbol, or the name of a body."""
+    """Return whether a word in lower case may be part of a unit, a prefix, or the name of a body."""
     return token in NEUTRAL or token in PREFIXES or any(unit.startswith(token) for unit in units_by_letters())
 
 
@@ -471,18 +489,18 @@ def headed(name: str, unit_text: str = "UNIT") -> str:
 
 # --- Words of columns that are not read -------------------------------------------------------------------------------
 
-# Rare units. They are not read in every spelling, but a column with one of them may be an input.
+# Rare units. A column with one of them may be an input, but not every spelling is read.
 _RARE = """angstrom angstroms ang micron microns nanometer micrometer nanometre micrometre GN/m2 MN/m2 kN/m2 N/m2
     dyne/cm dyne/cm2 psi gigapascal megapascal joule nJ pJ keV meV erg newton nanonewton dyn dyne nanoN kg/dm3 t/m3
     kg/cum m/sec mps us ns ps sec""".split()
 _MEANT_BY = {"ang": "angstrom", "m/sec": "m/s", "mps": "m/s", "nanoN": "nN", "kg/cum": "kg/m3", "sec": "s"}
 # Words that turn the quantity next to them into a multiple or a part of it.
 SENSES = {*"half double twice fwhm hwhm squared square inv times per ratio rel relative change rate".split()}
-# SI units so common that a word must point to an input.
+# SI units so common that a unit alone does not point to an input: a word must.
 COMMON_UNITS = ("m", "N", "s", "1")
 _OF_BODIES = """size groess gross grain partic sphere bead kugel korn partikel colloid monomer indenter bille tamano
     taille tip probe ball""".split()
-# For inputs in these units: symbols, and parts of words, that point to them.
+# Symbols, and parts of words, that point to an input with a common unit, or to one of some other inputs.
 POINTERS: Mapping[str, tuple[Sequence[str], Sequence[str]]] = {
     "poisson_ratio": ("nu pr".split(), "poiss querkontrak".split()),
     "hysteresis_fraction": ((), ["hyst"]),
@@ -509,11 +527,12 @@ POINTERS: Mapping[str, tuple[Sequence[str], Sequence[str]]] = {
         "load last charge setpoint applied norm carg caric trigger press aufl belast".split(),
     ),
 }
+# Words that do not distinguish the inputs of a dimension.
 GENERIC = {
     *"energy energie energia modulus module modulo modul coefficient constante rate radius rayon radio work of".split(),
     *"roughness gap".split(),
-}  # they do not distinguish inputs of one dimension
-# By SI unit: words for quantities that are not inputs.
+}
+# Words for quantities that are not inputs, by SI unit.
 NO_INPUTS: Mapping[str, frozenset[str]] = {
     unit: frozenset(text.split())
     for unit, text in {
@@ -534,7 +553,7 @@ NO_INPUTS: Mapping[str, frozenset[str]] = {
             rupture capillary drag electrostatic""",
     }.items()
 }
-# Words that others use for an input, but that do not always mean it.
+# Words that are in use for an input, but do not always mean it.
 WORDS_BESIDES: Mapping[str, Sequence[str]] = {
     "radius": "radius radii rad raggio halbmesser roc".split(),
     "atomic_spacing": "minimum closest".split(),

@@ -1,6 +1,6 @@
-"""Worker processes. Each receives questions over its own pipe and sends back answers or errors.
+"""Worker processes. Each worker receives questions over its own pipe and sends back answers or errors.
 
-A worker ends at once when its parent process ends. No lock is shared, so a worker may be killed at any moment.
+A worker ends as soon as its parent process does. Workers share no lock, so each may be killed at any moment.
 """
 
 import gc
@@ -21,7 +21,7 @@ Answer = Callable[[Any], Any]
 
 
 class LostWorker(JkrollError):
-    """Error raised when a worker is killed from outside."""
+    """Error raised when another program kills a worker."""
 
     exit_code = 1
 
@@ -30,10 +30,10 @@ def _serve(questions: Any, answer: Answer) -> None:
     """Answer the questions from a pipe until it is closed."""
     _mask("SIG_UNBLOCK", {*SIGNALS} - {signal.SIGINT})
     Thread(target=_end_with_parent, daemon=True).start()
-    gc.disable()  # a block leaves no cycles, and searching for them takes a microsecond for each row
+    gc.disable()  # a block leaves no cycles, and the search for them takes a microsecond for each row
     with suppress(EOFError, ConnectionError):
         while True:
-            questions.send(_outcome(answer, questions.recv()))  # nothing of a block is kept for the next one
+            questions.send(_outcome(answer, questions.recv()))  # no variable keeps a block until the next one
     os._exit(0)  # an orderly shutdown of the interpreter would take longer than most tables
 
 
@@ -46,7 +46,7 @@ def _outcome(answer: Answer, question: Any) -> Any:
 
 
 def _end_with_parent() -> None:
-    """End this process when its parent has ended, since nobody waits for answers."""
+    """End this process when its parent has ended, since nobody waits for answers any more."""
     parent = parent_process()
     if parent is not None:
         parent.join()
@@ -54,19 +54,20 @@ def _end_with_parent() -> None:
 
 
 def _mask(how: str, numbers: Iterable[int]) -> None:
-    """Block or unblock signals, also for processes started later; blocked signals wait. Windows has no such thing."""
+    """Block or unblock signals, also for processes started later. Blocked signals wait. Windows cannot do this."""
     if hasattr(signal, "pthread_sigmask"):
         resource_tracker.ensure_running()  # starting it unblocks some signals
         signal.pthread_sigmask(getattr(signal, how), numbers)
 
 
 def answers(count: int, answer: Answer, questions: Iterable[Any]) -> Iterator[Any]:
-    """Iterate over the answers of some workers in the order of the questions. Raises their errors, and LostWorker.
+    """Iterate over the answers of several workers in the order of the questions. Raises their errors, and LostWorker.
 
     Workers ignore interrupts: they end with the iteration.
     """
     context = get_context("spawn")  # safe with threads, and the same on every system
-    processes, asked = dict[Any, Any](), deque[Any]()  # by pipe; and the pipes with an open question
+    processes = dict[Any, Any]()  # by pipe
+    asked = deque[Any]()  # pipes with an open question
     try:
         _mask("SIG_BLOCK", SIGNALS)  # a starting process would print a traceback
         try:
