@@ -50,8 +50,8 @@ class Result(Numeric):
 
     It acts as its number: `float(result)`, `result * 2`, `f"{result:.3g}"`, `result.to("nN")`.
 
-    `code` is the code of the reason. `error` is the relative error of an approximate moment. `growth` is the largest
-    factor by which the relative error of a measured value grows in an inferred one.
+    `error` is the relative error of an approximate moment. `growth` is the largest factor by which the relative error
+    of a measured value grows in an inferred one.
     """
 
     def __init__(
@@ -178,12 +178,12 @@ class Answer(Results):
 
     @property
     def lacking(self) -> Mapping[str, JkrollError]:
-        """The errors of quantities without a value, except for limits that end meaning: a warning reports those."""
+        """The errors of quantities without a value, except limits that end a meaning: a warning reports those."""
         return {name: error for name, error in self.reasons.items() if not has_code(error)}
 
     @property
     def explained(self) -> Self:
-        """The answer that `--explain` derives: inferred values are followed by the measured quantities."""
+        """The answer for `--explain`: the measured quantities follow the inferred values."""
         measured = tuple(name for name in self.judged if name not in self.computed)
         if not measured or self.failure is not None:
             return self
@@ -195,7 +195,7 @@ class Answer(Results):
 
     @property
     def has_no_headline(self) -> bool:
-        """True if no quantity that the command is named after has a value."""
+        """True if no quantity of the headline has a value."""
         return all(result.value is None for result in self.results if result.name in self.question.headline)
 
     @cached_property
@@ -219,7 +219,7 @@ class Answer(Results):
         return tuple(map(self.result, self.columns))
 
     def result(self, name: str) -> Result:
-        """Return a result; one without a value has no equation."""
+        """Return a result, or the reason why it has no value."""
         is_inferred = name in self.described.unknowns
         law = "" if self.frame.law.is_default or is_inferred else self.frame.law.name
         if name in self.reasons:
@@ -282,8 +282,9 @@ class Answer(Results):
     def exceeded(self) -> list[Doubt]:
         """The limits of the model that do not hold, the most important first.
 
-        Limits that end meaning come first, led by a contact wider than its sphere; then limits of the headline; then
-        the others. Within each, limits on a state come first, then limits with a remedy, then the largest excess.
+        Limits that end a meaning come first, led by a contact wider than its sphere; then limits of the headline; then
+        the others. In each group, limits on a state (with threshold 0) come first, then limits with a remedy, then the
+        largest excess.
         """
         return sorted((doubt for doubt in self.validity if doubt.is_exceeded), key=self._rank)
 
@@ -306,10 +307,10 @@ class Answer(Results):
         )
 
     def _is_of_headline(self, limit: Limit) -> bool:
-        """Return whether a limit concerns a quantity that the command is named after.
+        """Return whether a limit concerns the headline.
 
-        The limit of the law does if the quantity by another law differs. So does a limit on a result, such as a
-        negative force.
+        The limit of the law does if another law gives the headline another value. So does a limit on a result itself,
+        such as a negative force.
         """
         if limit.name in limit.touches and limit.name in self.values:
             return True
@@ -324,7 +325,7 @@ class Answer(Results):
 
     @cached_property
     def assumed(self) -> Mapping[str, str]:
-        """The assumptions by name, each with the option that sets it; the atomic spacing only if it enters a limit."""
+        """The assumptions by name, each with the option that replaces it."""
         texts = assumed(self.frame, self._entering[0], self._possible, has_values=True)
         return {name: text for name, text in texts.items() if name not in self.judged}
 

@@ -100,8 +100,8 @@ def about_limit(doubt: Doubt, answer: Answer) -> str:
     return f"{listed(symbols)}: for smooth spheres; rough ones give an effective value, of this size alone"
 
 
-def proofs(answer: Answer) -> Iterator[Note]:
-    """Iterate over notes on inferred values: unusual sizes, unused data of materials, and the check forwards."""
+def about_inferred(answer: Answer) -> Iterator[Note]:
+    """Iterate over notes on inferred values: unusual sizes, unused data of materials, and a check forwards."""
     if not answer.described.unknowns or not answer.values:
         return
     frame, values = answer.frame, answer.values
@@ -117,9 +117,9 @@ def proofs(answer: Answer) -> Iterator[Note]:
                 yield Note("more", f"{symbol} of {material.name} is not used")
     yield from _about_library(answer)
     verb = "give" if answer.condition else "gives"
-    proof = f"{equal(values, symbol_of)} {verb} {equal(forward, symbol_of)}"
+    check = f"{equal(values, symbol_of)} {verb} {equal(forward, symbol_of)}"
     if "surface_energy" in values and "radius2" in frame.stated and "surface_energy2" not in frame.given:
-        proof += f" if γ2 = γ1, so w = {amount('work_of_adhesion', frame['work_of_adhesion'])}"
+        check += f" if γ2 = γ1, so w = {amount('work_of_adhesion', frame['work_of_adhesion'])}"
     if answer.condition:
-        proof += f"; κ = {answer.condition:.3g}"
-    yield Note("more", proof)
+        check += f"; κ = {answer.condition:.3g}"
+    yield Note("more", check)

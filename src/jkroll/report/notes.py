@@ -27,8 +27,8 @@ Severity = Literal[
     "warning",  # a number has no meaning
     "lead",  # the answer to the question
     "against",  # the note of a material that speaks against its value
-    "caveat",  # it may change a decision
-    "remark",  # it changes no decision
+    "caveat",  # a limitation that may change a decision
+    "remark",  # a limitation of less importance
     "data",  # any other note of a material
     "assumed",  # the assumptions
     "more",  # shown only by --explain
@@ -49,7 +49,7 @@ class Note(NamedTuple):
         return f"{'warning' if self.severity == 'warning' else 'note'}: {self.text}"
 
 
-_RULES = {  # the formulas that replace inputs
+_RULES = {  # assumed formulas, by the input that each replaces
     "contacts": "as many contacts as grains in each, n_c = N",
     "shear_strength": "τ = G/4π²",
     "work_of_adhesion": "w = 2√(γ1γ2)",

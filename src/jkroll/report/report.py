@@ -13,7 +13,7 @@ from ..quantities.formatting import significant, symbol_among
 from ..quantities.laws import DEFAULT_LAW, JKR_OF_SPHERE
 from ..text import first_of
 from .answer import Answer
-from .inferred import about_limit, proofs
+from .inferred import about_inferred, about_limit
 from .leads import leads
 from .notes import (
     ABOVE,
@@ -80,7 +80,7 @@ class Report(Answer):
         inputs, idle = self._entering
         every = (
             *leads(self),
-            *proofs(self),
+            *about_inferred(self),
             *about_assumed(self.assumed),
             *about_missing({**self.lacking, **self.open_bars()}),
             *about_left_out(self.sources),
