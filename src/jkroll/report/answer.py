@@ -1,6 +1,6 @@
 """The answer of a command for one frame: its results, the inputs as understood, best ranges and limits."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from copy import copy
 from functools import cached_property
@@ -50,8 +50,8 @@ class Result(Numeric):
 
     It acts as its number: `float(result)`, `result * 2`, `f"{result:.3g}"`, `result.to("nN")`.
 
-    `code` is the code of the reason. `error` is the relative error of an approximate moment. `growth` is the largest
-    factor by which relative errors of measured values enter an inferred one.
+    `error` is the relative error of an approximate moment. `growth` is the largest factor by which the relative error
+    of a measured value grows in an inferred one.
     """
 
     def __init__(
@@ -63,13 +63,13 @@ class Result(Numeric):
         error: float | None = None,
         growth: float | None = None,
         by_law: Mapping[str, float] = MappingProxyType({}),  # an inferred value by each other law
-        bar: ErrorBar | None = None,  # if an input has one
-        law: str = "",  # of attraction: set if it is not JKR, and has another formula for the quantity or none
-        of_law: str = "",  # the equation in the paper, or the source of the law
+        bar: ErrorBar | None = None,  # the uncertainty, if an input has one
+        law: str = "",  # the law of attraction, unless it is JKR or has the same formula as JKR
+        equation: str = "",  # by that law: its number in the paper, or the source of the law
     ) -> None:
         self.name, self.value, self.reason, self.code, self.error = name, value, reason, code, error
         self.growth, self.by_law, self.bar, self.law = growth, by_law, bar, law
-        self.equation = of_law if law else NOMENCLATURE[name].equation
+        self.equation = equation if law else NOMENCLATURE[name].equation
 
     def __repr__(self) -> str:
         return f"<{self.name}: {self}>"
@@ -95,7 +95,8 @@ class Result(Numeric):
     @property
     def measure(self) -> float | Uncertain | None:
         """The value, with its uncertainty if it has one."""
-        return self.value if self.uncertain is None else self.uncertain
+        uncertain = self.uncertain
+        return self.value if uncertain is None else uncertain
 
 
 def without_value(name: str, error: JkrollError, law: str = "") -> Result:
@@ -112,9 +113,9 @@ _MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_app
 
 
 def model_error(name: str, frame: Frame) -> float | None:
-    """Return the relative error of an approximate moment; None if it is exact, undefined or not a moment.
+    """Return the relative error of an approximate moment; None for other quantities and for an exact moment.
 
-    Eq (25) is exact at a fixed load; at a fixed approach the moment has another term in ξ³.
+    Eq (25) is exact at a fixed load. At a fixed approach the moment has another term in ξ³.
     """
     exact_model = "fixed_approach_moment" if "approach_at_load" in frame.stated else "yield_moment"
     if name not in _MOMENTS or name == exact_model:
@@ -126,16 +127,29 @@ def model_error(name: str, frame: Frame) -> float | None:
 
 
 def with_force_by_maugis(error: Failure, frame: Frame) -> Failure:
-    """Return the error for a load beyond JKR's pull-off force, with Maugis' pull-off force where it has a value."""
+    """Return the error for a load beyond JKR's pull-off force, with Maugis' pull-off force if it is known."""
     if not frame.law.is_default:
         return error
     other = frame.replace(model=BETWEEN)
-    scenes = (other, at_half_spacing(other)) if frame.assumes_spacing else (other,)
-    forces = [force for each in scenes for force in each.numbers("pull_off_force").values()]
-    if len(forces) < len(scenes):
+    frames = [other]
+    if frame.assumes_spacing:
+        frames.append(at_half_spacing(other))
+    forces: list[float] = []
+    for each in frames:
+        forces += each.numbers("pull_off_force").values()
+    if len(forces) < len(frames):
         return error
     cause = HELD_BY_MAUGIS if forces[0] >= -error.numbers[0] else BEYOND_JKR
     return Failure(cause, numbers=(*error.numbers, -max(forces)))
+
+
+def _measures(frame: Frame, names: Sequence[str]) -> dict[str, Any]:
+    """Return the values of quantities, with their uncertainties."""
+    values = frame.numbers(*names)
+    if not values or not frame.uncertainties:
+        return values
+    bars = error_bars(frame, values)
+    return values | {name: bar.of(values[name]) for name, bar in bars.items() if bar.sides}
 
 
 # --- Answers ----------------------------------------------------------------------------------------------------------
@@ -151,8 +165,11 @@ class Answer(Results):
 
     @property
     def condition(self) -> float | None:
-        """The condition number of a pair of inferred inputs."""
-        return self.described.solution.condition if self.described.unknowns[1:] and self.failure is None else None
+        """The condition number of a pair of inferred inputs; None without a pair."""
+        condition: float | None = None
+        if len(self.described.unknowns) > 1 and self.failure is None:
+            condition = self.described.solution.condition
+        return condition
 
     @cached_property
     def reasons(self) -> Mapping[str, JkrollError]:
@@ -161,23 +178,24 @@ class Answer(Results):
 
     @property
     def lacking(self) -> Mapping[str, JkrollError]:
-        """The errors of quantities without a value, except for limits that end meaning: a warning reports those."""
+        """The errors of quantities without a value, except limits that end a meaning: a warning reports those."""
         return {name: error for name, error in self.reasons.items() if not has_code(error)}
 
     @property
     def explained(self) -> Self:
-        """The answer as `--explain` derives it: with inferred values, also the measured quantities."""
+        """The answer for `--explain`: the measured quantities follow the inferred values."""
         measured = tuple(name for name in self.judged if name not in self.computed)
         if not measured or self.failure is not None:
             return self
-        explained, forward = copy(self), type(self)(Question(measured, measured, measured), self.frame)
-        forward.bars = {}  # uncertainties are those of the unknowns
+        forward = type(self)(Question(measured, measured, measured), self.frame)
+        forward.bars = {}  # the uncertainties belong to the unknowns
+        explained = copy(self)
         explained.results = (*self.results, *forward.results)
         return explained
 
     @property
     def has_no_headline(self) -> bool:
-        """True if no quantity that the command is named after has a value."""
+        """True if no quantity of the headline has a value."""
         return all(result.value is None for result in self.results if result.name in self.question.headline)
 
     @cached_property
@@ -201,15 +219,17 @@ class Answer(Results):
         return tuple(map(self.result, self.columns))
 
     def result(self, name: str) -> Result:
-        """Return a result; one without a value has no equation."""
-        unknowns = self.described.unknowns
-        law = "" if self.frame.law.is_default or name in unknowns else self.frame.law.name
+        """Return a result, or the reason why it has no value."""
+        is_inferred = name in self.described.unknowns
+        law = "" if self.frame.law.is_default or is_inferred else self.frame.law.name
         if name in self.reasons:
             return without_value(name, self.reasons[name], law)
-        of_law = equation_of(self.frame, name) if law and has_other_formulas(self.frame, name) else ""
+        if law and not has_other_formulas(self.frame, name):
+            law = ""
+        equation = equation_of(self.frame, name) if law else ""
         error, bar = model_error(name, self.frame), self.bar(name)
-        result = Result(name, self.values[name], error=error, bar=bar, law=law if of_law else "", of_law=of_law)
-        if name in unknowns:
+        result = Result(name, self.values[name], error=error, bar=bar, law=law, equation=equation)
+        if is_inferred:
             growth = self.described.solution.growths[name]
             result.growth = growth if isfinite(growth) else None
             result.by_law = {law: middle(values[name]) for law, values in self.by_law.items()}
@@ -230,6 +250,11 @@ class Answer(Results):
         """The best ranges of results that have a value."""
         return {name: self.ranges.estimate(name) for name in self.ranges.names}
 
+    @property
+    def rules(self) -> list[int]:
+        """The rules that give the best ranges, in the order of the results."""
+        return [*dict.fromkeys(estimate.by for estimate in self.estimates.values())]
+
     @cached_property
     def of_jkr(self) -> Mapping[str, float]:
         """The values by JKR, to compare with those of another law."""
@@ -239,24 +264,27 @@ class Answer(Results):
     @cached_property
     def by_law(self) -> Mapping[str, Mapping[str, Any]]:
         """Inferred values with uncertainties, by each law whose formulas for the measured quantities differ."""
-        unknowns, found = self.described.unknowns, dict[str, Mapping[str, Any]]()
+        by_law: dict[str, Mapping[str, Any]] = {}
+        unknowns = self.described.unknowns
         if not unknowns or not self.values or self.ended:
-            return found
+            return by_law
         formulas = self.described.formulas_to(*unknowns)
         for law in MODELS:
             other = self.described.replace(model=law)
             with suppress(MissingInput):
-                if other.formulas_to(*unknowns) != formulas and (values := other.numbers(*unknowns)):
-                    bars = error_bars(other, values) if other.uncertainties else {}
-                    found[law] = values | {name: bar.of(values[name]) for name, bar in bars.items() if bar.sides}
-        return found
+                if other.formulas_to(*unknowns) != formulas:
+                    values = _measures(other, unknowns)
+                    if values:
+                        by_law[law] = values
+        return by_law
 
     @property
     def exceeded(self) -> list[Doubt]:
         """The limits of the model that do not hold, the most important first.
 
-        Limits that end meaning come first, led by a contact wider than its sphere; then limits of the headline; then
-        the others. Within each, limits on a state come first, then limits with a remedy, then the largest excess.
+        Limits that end a meaning come first, led by a contact wider than its sphere; then limits of the headline; then
+        the others. In each group, limits on a state (with threshold 0) come first, then limits with a remedy, then the
+        largest excess.
         """
         return sorted((doubt for doubt in self.validity if doubt.is_exceeded), key=self._rank)
 
@@ -265,15 +293,24 @@ class Answer(Results):
         return any(doubt.code == code for doubt in self.exceeded)
 
     def _rank(self, doubt: Doubt) -> tuple[bool, bool, bool, bool, bool, float]:
+        """Return the sorting key of an exceeded limit; the least is the most important."""
         limit = doubt.limit
-        is_late = limit is not CONTACT_EXCEEDS_SPHERE, not limit.ends_meaning, not self._is_of_headline(limit)
+        is_of_state = not limit.threshold
         has_remedy = limit.has_remedy is not None and limit.has_remedy(self.frame)
-        return *is_late, bool(limit.threshold), not has_remedy, -doubt.excess
+        return (
+            limit is not CONTACT_EXCEEDS_SPHERE,
+            not limit.ends_meaning,
+            not self._is_of_headline(limit),
+            not is_of_state,
+            not has_remedy,
+            -doubt.excess,
+        )
 
     def _is_of_headline(self, limit: Limit) -> bool:
-        """Return whether a limit concerns a quantity that the command is named after.
+        """Return whether a limit concerns the headline.
 
-        The law counts if another law moves that quantity. A limit on a result itself counts too, such as a force < 0.
+        The limit of the law does if another law gives the headline another value. So does a limit on a result itself,
+        such as a negative force.
         """
         if limit.name in limit.touches and limit.name in self.values:
             return True
@@ -288,7 +325,7 @@ class Answer(Results):
 
     @cached_property
     def assumed(self) -> Mapping[str, str]:
-        """The assumptions by name, each with the option that sets it; the atomic spacing only if it enters a limit."""
+        """The assumptions by name, each with the option that replaces it."""
         texts = assumed(self.frame, self._entering[0], self._possible, has_values=True)
         return {name: text for name, text in texts.items() if name not in self.judged}
 
@@ -298,25 +335,25 @@ class Answer(Results):
 
     @property
     def names_in_table(self) -> list[str]:
-        """The quantities with a row in a table: those that rest on an energy need one that is stated."""
+        """The quantities with a row in a table; some need a stated input, such as an energy."""
         question, stated = self.question, self.frame.stated.keys()
         hidden = {name for name, inputs in question.if_stated.items() if stated.isdisjoint(inputs)}
         return [name for name in question.with_row if name in question.named or name not in hidden]
 
     @property
     def is_of_impact(self) -> bool:
-        """True if the answer says whether spheres that collide stick."""
+        """True if the answer tells whether colliding spheres stick."""
         return {"restitution", "sticking_speed"} <= self.values.keys()
 
     @property
     def shows_surfaces(self) -> bool:
-        """True if the table has rows for real surfaces, because the pull-off force of SiO2 is asked."""
+        """True if the table has rows for real surfaces: the pull-off force of SiO2 is in the headline."""
         is_asked = "pull_off_force" in self.question.headline and not self.frame.stated_model
         return is_asked and self.is_in_doubt(ROUGH_MATTERS) and solid_of_pair(self.frame) == SIO2
 
     @property
     def is_on_pull_off(self) -> bool:
-        """True if the pull-off force is the only question, and real surfaces may hold less."""
+        """True if the pull-off force alone is the headline, and real surfaces may hold less."""
         is_alone = self.question.headline == ("pull_off_force",) and "pull_off_force" in self.values
         return is_alone and not self.frame.stated_model and bool(may_be_rough(self.frame))
 

@@ -24,9 +24,9 @@ _OF_CURVE = ("pull_off_force", "contact_radius", "approach")
 WHOLE_CURVE = Question(_OF_CURVE, _OF_CURVE)
 FOLD, PULL_OFF, JUMP_IN, EQUILIBRIUM = "fold", "pull-off", "jump-in", "equilibrium"
 NAMED = {FOLD: 1 / 6, PULL_OFF: 1 / 2, JUMP_IN: 2 / 3, EQUILIBRIUM: 1.0}  # the load factors of JKR
-STEPS, FEW_STEPS = 40, 12  # on the stable branch, in a file and on a terminal
+STEPS, FEW_STEPS = 40, 12  # along the stable branch, in a file and on a terminal
 MAX_LOAD = 16 / 9  # in units of the law's pull-off force, if no loads are given
-# By law: the input that sets a state, and the quantity with its value at a load. For other laws both are the load.
+# By law: the input that sets a state, and the quantity that gives its value at a load. Other laws use the load.
 _SET_BY = {
     "jkr": ("load_factor", "load_factor"),
     "maugis": ("edge_ratio", "edge_ratio_at_load"),
@@ -44,7 +44,7 @@ class State(NamedTuple):
     def in_frame(self, frame: Frame) -> Frame:
         """Return a frame at the state."""
         frame = frame.replace(**{self.given: self.value}, state=self.name)
-        if self.name == FOLD:  # here the formula gives only rounding errors
+        if self.name == FOLD:  # its stiffness is infinite, but the formula gives only rounding errors
             frame.drop("stiffness", NO_STIFFNESS)
         return frame
 
@@ -84,14 +84,18 @@ def states(frame: Frame, loads: Loads | None = None, steps: int = STEPS) -> list
         first = frame.replace(load=low)[at_load] if low > -force else named[PULL_OFF]
         last = frame.replace(load=high)[at_load]
     except (MissingInput, NoResult):  # the answer says what is missing, or that the spheres let go
-        return [State("load", loads.high, "stable") if loads else State("load", 0.0, EQUILIBRIUM)]
+        if loads:
+            return [State("load", loads.high, "stable")]
+        return [State("load", 0.0, EQUILIBRIUM)]
     half = steps // 2
-    held = (named[PULL_OFF] * (step / half) ** 3 for step in range(1, half) if FOLD in named)
-    every = [
-        *(State(given, first + (last - first) * step / steps, "stable") for step in range(steps + 1)),
-        *(State(given, value, "unstable" if value < named[FOLD] else "fixed grips") for value in held),
-        *(State(given, value, name) for name, value in named.items() if value or name != FOLD),
-    ]
+    every = [State(given, first + (last - first) * step / steps, "stable") for step in range(steps + 1)]
+    if FOLD in named:
+        for step in range(1, half):
+            value = named[PULL_OFF] * (step / half) ** 3
+            every.append(State(given, value, "unstable" if value < named[FOLD] else "fixed grips"))
+    for name, value in named.items():
+        if value or name != FOLD:
+            every.append(State(given, value, name))
     by_value = {float(f"{state.value:.12g}"): state for state in every}  # a named state replaces an unnamed one
     path = [by_value[value] for value in sorted(by_value)]
     if named.get(FOLD) == 0:
@@ -104,7 +108,7 @@ def states(frame: Frame, loads: Loads | None = None, steps: int = STEPS) -> list
 
 
 def _named(frame: Frame) -> dict[str, float]:
-    """Return the input values of the named states; a fold without contact has 0."""
+    """Return the inputs that set the named states; a fold without contact has 0."""
     if frame.law.name == "jkr":
         return {**NAMED}
     if frame.law.name == "dmt":
@@ -128,10 +132,11 @@ def frames_of_curve(frame: Frame, loads: Loads | None = None, steps: int = STEPS
 
 
 def lead_of_curve(report: Report) -> str:
-    """Return the best ranges of a force curve, and the law that gives a better curve if there is one."""
-    is_better = any(estimate.by == BETTER_LAW for estimate in report.estimates.values())
-    better = "; the curve by Maugis' law: --model maugis" if is_better else ""
-    return f"best ranges: {report.best_ranges}{better}"
+    """Return the best ranges of a force curve, and Maugis' law if it gives a better curve."""
+    text = f"best ranges: {report.best_ranges}"
+    if BETTER_LAW in report.rules:
+        text += "; the curve by Maugis' law: --model maugis"
+    return text
 
 
 def answer_at_state(question: Question, frame: Frame) -> Report:
@@ -146,7 +151,9 @@ def curve_columns(frames: Sequence[Frame], names: Sequence[str], *, doubts: bool
 
     `doubts`: True to judge limits; `keeps_all`: True to keep numbers without a meaning.
     """
-    inputs = {name for frame in frames for name in frame.echo(frame.inputs_used(names))}
+    inputs: set[str] = set()
+    for frame in frames:
+        inputs.update(frame.echo(frame.inputs_used(names)))
     sides = sides_in((frame, names) for frame in frames)
     shown = in_order(inputs.difference(names))
     return Wanted(names, named=names, inputs=shown, sides=sides, doubts=doubts, keeps_all=keeps_all)

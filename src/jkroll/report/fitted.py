@@ -1,7 +1,7 @@
-"""The report of a fitted force curve: results with their errors as texts, and sentences about them."""
+"""The report of a fitted force curve: its results and their errors as texts, and sentences about the fit."""
 
 from collections.abc import Iterator, Sequence
-from math import floor, isfinite, log10
+from math import floor, isfinite, log10, nan
 
 from ..model.fit_branches import LOADING
 from ..model.fit_result import RESULTS, Fit
@@ -21,29 +21,33 @@ WORDS = {
 }
 HEADS = ("quantity", "symbol", "fit", "unit", "noise", "calibration", "model")
 _ABSENT = "–"
-_SCALED = {"J/m^2": "J/m", "Pa": "Pa m^0.5"}  # units of wR and E*√R
+_SCALED = {"J/m^2": "J/m", "Pa": "Pa m^0.5"}  # units of wR and E*√R, by those of w and E*
 _WITHOUT_RADIUS = {"work_of_adhesion_opening": "wR_open", "work_of_adhesion_closing": "wR_close",
     "adhesion_hysteresis": "ΔwR", "contact_modulus": "E*√R"}  # fmt: skip
+_VARIANTS = {"": "", "sphere": " for a sphere", "z0/2": " at z0/2"}  # of a law, in words
 
 
 def unit_of_result(fitted: Fit, name: str) -> str:
-    """Return the SI unit of a result; without a radius, that of wR or E*√R."""
+    """Return the SI unit of a result; without a radius, the unit of wR or E*√R."""
     return unit_without_radius(name) if fitted.is_scaled else NOMENCLATURE[RESULTS[name]].unit
 
 
 def unit_without_radius(name: str) -> str:
-    """Return the SI unit of a result that is fitted without a radius."""
+    """Return the SI unit of a result that was fitted without a radius."""
     unit = NOMENCLATURE[RESULTS[name]].unit
     return _SCALED.get(unit, unit)
 
 
 def sentence_of(name: str) -> str:
-    """Return the name of a result in a sentence."""
+    """Return the name of a result for a sentence."""
     return WORDS[name][0].replace("adhesion on", "work of adhesion on")
 
 
 def line_on_known(fitted: Fit, *, on_radius: str = "", stiffness: str = "") -> str:
-    """Return the line above a fit: what was fitted, and what is known. `stiffness`: of the lever, as typed."""
+    """Return the line above a fit: the fitted data, the law and the known inputs.
+
+    `on_radius`: the text after the radius; `stiffness`: the stiffness of the lever, as typed.
+    """
     known = fitted.known
     law = LAWS[known.law].short if fitted.largest_adhesion is None else "Hertz"
     texts = [f"{fitted.kind} and force, by {law}"]
@@ -66,42 +70,55 @@ def rows_of_results(fitted: Fit) -> list[list[str]]:
 def row_of_result(fitted: Fit, name: str) -> list[str]:
     """Return the cells of a result under `HEADS`; a dash stands for an error that was not computed."""
     words, symbol = WORDS[name]
-    symbol = _WITHOUT_RADIUS.get(name, symbol) if fitted.is_scaled else symbol
+    if fitted.is_scaled:
+        symbol = _WITHOUT_RADIUS.get(name, symbol)
     errors = fitted.errors.get(name)
     if errors is None:
-        (text, *_), unit = _cells(fitted, name, [fitted.values[name]])
+        (text,), unit = _cells(fitted, name, [])
         return [words, symbol, text, unit, "", "", ""]
-    (text, *parts, total), unit = _cells(fitted, name, [fitted.values[name], *errors, errors.total])
-    return [words, symbol, text if total == _ABSENT else f"{text} ± {total}", unit, *parts]
+    (text, *parts, total), unit = _cells(fitted, name, [*errors, errors.total])
+    if total != _ABSENT:
+        text = f"{text} ± {total}"
+    return [words, symbol, text, unit, *parts]
 
 
 def in_words(fitted: Fit, name: str) -> str:
     """Return a result with its unit and total error, for a sentence."""
     errors = fitted.errors.get(name)
-    is_known = errors is not None and isfinite(errors.total)
-    texts, unit = _cells(fitted, name, [fitted.values[name], *([errors.total] if errors and is_known else [])])
+    if errors is None or not isfinite(errors.total):
+        texts, unit = _cells(fitted, name, [])
+    else:
+        texts, unit = _cells(fitted, name, [errors.total])
     return with_unit(" ± ".join(texts), unit)
 
 
-def _cells(fitted: Fit, name: str, numbers: Sequence[float | None]) -> tuple[list[str], str]:
-    """Return a value and its errors as texts, and their unit; errors have two digits, the value ends where they do."""
-    quantity, first = RESULTS[name], numbers[0] or 0.0
-    if fitted.is_scaled and unit_of_result(fitted, name) != NOMENCLATURE[quantity].unit:
-        power = 3 * floor(log10(abs(first)) / 3) if first else 0
-        power = 0 if power in (0, 3) else power
-        unit, factor = f"1e{power} {unit_of_result(fitted, name)}".removeprefix("1e0 "), 10.0**-power
-    else:
-        sizes = (abs(number) for number in (first, numbers[-1]) if number is not None and isfinite(number))
-        unit, scale = Format().common_unit(quantity, [max(sizes)])
-        factor = scale[1] / scale[0]
-    errors = [None if number is None or not isfinite(number) else number * factor for number in numbers[1:]]
-    total = errors[-1] if errors else None
-    texts = [_ABSENT if error is None else significant(error, 2, zeros=True) for error in errors]
-    return [_rounded(first * factor, total or 0.0), *texts], unit
+def _cells(fitted: Fit, name: str, errors: Sequence[float | None]) -> tuple[list[str], str]:
+    """Return the texts of a result and its errors, and their unit.
+
+    Errors have two digits. The last error is the total, and the result ends at the second digit of the total.
+    """
+    value = fitted.values[name]
+    known = [nan if error is None else error for error in errors]
+    total = known[-1] if known and isfinite(known[-1]) else 0.0
+    unit, factor = _unit_of(fitted, name, value, total)
+    texts = [significant(error * factor, 2, zeros=True) if isfinite(error) else _ABSENT for error in known]
+    return [_rounded(value * factor, total * factor), *texts], unit
+
+
+def _unit_of(fitted: Fit, name: str, value: float, error: float) -> tuple[str, float]:
+    """Return the unit that suits a result and its error, and the factor to this unit from SI units."""
+    unit = unit_of_result(fitted, name)
+    if unit == NOMENCLATURE[RESULTS[name]].unit:
+        unit, scale = Format().common_unit(RESULTS[name], [max(abs(value), error)])
+        return unit, scale[1] / scale[0]
+    power = 3 * floor(log10(abs(value)) / 3) if value else 0
+    if power in (0, 3):
+        return unit, 1.0
+    return f"1e{power} {unit}", 10.0**-power
 
 
 def _rounded(value: float, error: float) -> str:
-    """Return a value rounded to the second digit of its error, which may exceed it."""
+    """Return a value, rounded to the second digit of its error, which may be larger than the value."""
     if error <= abs(value):
         return bar_digits(value, error)
     return f"{value:.{max(1 - floor(log10(error)), 0)}f}"
@@ -118,14 +135,15 @@ def sentences(fitted: Fit) -> Iterator[str]:
         if not fitted.is_scaled:
             limit = amount("work_of_adhesion", fitted.largest_adhesion, Format(digits=2))
         yield f"w: below {limit}, by the noise"
-    if is_sure(fitted) and (other := fitted.other_modulus) is not None:
-        name, modulus = other
+    if is_sure(fitted) and fitted.other_modulus is not None:
+        name, modulus = fitted.other_modulus
         yield f"{NOMENCLATURE[name].symbol} = {amount(name, modulus, Format(digits=3))} of the other body"
     if "tabor_parameter" in good:
         yield from _about_laws(fitted)
     if "unloaded_contact_over_radius" in good:
-        widths = [significant(good[name], 2) for name in ("unloaded_contact_over_radius", "contact_over_radius")]
-        yield f"without load a0/R = {widths[0]}; the widest contact has a/R = {widths[1]}"
+        unloaded = significant(good["unloaded_contact_over_radius"], 2)
+        widest = significant(good["contact_over_radius"], 2)
+        yield f"without load a0/R = {unloaded}; the widest contact has a/R = {widest}"
     yield from _about_errors(fitted)
     yield _about_misfit(fitted)
     if fitted.baselines:
@@ -135,21 +153,20 @@ def sentences(fitted: Fit) -> Iterator[str]:
 
 
 def is_sure(fitted: Fit) -> bool:
-    """Return whether w and E* can be trusted: the curve is that of one contact and determines E*."""
+    """Return whether w and E* can be trusted: the curve looks like one contact, and it determines E*."""
     return {"poor-fit", "modulus-undetermined"}.isdisjoint(fitted.remarks)
 
 
 def _about_laws(fitted: Fit) -> Iterator[str]:
-    """Iterate over sentences with w by each law, starting with the law that holds."""
+    """Iterate over the sentence with w by each law, the law that holds first, and a sentence on the profile."""
     name = next((name for name in RESULTS if name in fitted.values), "")
     best, profile = fitted.law_that_holds, fitted.known.profile
     order = sorted(fitted.by_law, key=lambda law: (law.partition(",")[0] != best, profile not in law, law))
     texts = []
     for key in order:
         law, _, variant = key.partition(", ")
-        words = {"": "", "sphere": " for a sphere", "z0/2": " at z0/2"}[variant]
         number = amount("work_of_adhesion", fitted.by_law[key][name], Format(digits=3))
-        texts.append(f"{LAWS[law].short}{words} {number}")
+        texts.append(f"{LAWS[law].short}{_VARIANTS[variant]} {number}")
     tabor = significant(fitted.goodness["tabor_parameter"], 2)
     advice = "" if best == fitted.known.law else f": take --model {best}"
     yield f"w by law, the one that holds first: {', '.join(texts)} (Tabor parameter {tabor}; JKR needs 5{advice})"
@@ -158,7 +175,7 @@ def _about_laws(fitted: Fit) -> Iterator[str]:
 
 
 def _about_errors(fitted: Fit) -> Iterator[str]:
-    """Iterate over at most one sentence: the main error of E*, if it is not noise."""
+    """Iterate over at most one sentence: the main source of the error of E*, unless it is noise."""
     errors = fitted.errors["contact_modulus"]
     parts = {"the instrument (R, k)": errors.calibration or 0.0, "the model": errors.model or 0.0}
     largest = max(parts, key=lambda part: parts[part])
@@ -169,15 +186,19 @@ def _about_errors(fitted: Fit) -> Iterator[str]:
 def _about_misfit(fitted: Fit) -> str:
     """Return the sentence on the misfit and the number of points."""
     good = fitted.goodness
-    share = f", {good['rms_over_pull_off']:.1%} of P_c" if "rms_over_pull_off" in good else ""
-    text = f"misfit {amount('pull_off_force', good['rms'], Format(digits=2))} rms{share}"
+    text = f"misfit {amount('pull_off_force', good['rms'], Format(digits=2))} rms"
+    if "rms_over_pull_off" in good:
+        text += f", {good['rms_over_pull_off']:.1%} of P_c"
     if fitted.kind != "contact radius":
         text += f", {good['rms_over_noise']:.2g} times the noise"
-    independent = good["independent_points"]
-    alike = f"{independent:.0f} of them independent" if independent >= 1.5 else "all of one trend"
-    points = f"{good['points']:.0f} points, {alike}"
-    past = f", {good['points_past_jump']:.0f} past the fitted jump-off" if good["points_past_jump"] else ""
-    return f"{text}; {points}{past}"
+    text += f"; {good['points']:.0f} points"
+    if good["independent_points"] >= 1.5:
+        text += f", {good['independent_points']:.0f} of them independent"
+    else:
+        text += ", all of one trend"
+    if good["points_past_jump"]:
+        text += f", {good['points_past_jump']:.0f} past the fitted jump-off"
+    return text
 
 
 def _about_baselines(fitted: Fit) -> str:
@@ -185,7 +206,7 @@ def _about_baselines(fitted: Fit) -> str:
     texts = []
     for name, base in fitted.baselines.items():
         unit, scale = Format().common_unit("load", [max(abs(base["force"]), base["error"])])
-        value, error = (base[part] * scale[1] / scale[0] for part in ("force", "error"))
+        value, error = base["force"] * scale[1] / scale[0], base["error"] * scale[1] / scale[0]
         where = "before the contact" if name == LOADING else "behind the contact"
         texts.append(f"{_rounded(value, error)} ± {significant(error, 2, zeros=True)} {unit} {where}")
     return f"baseline: {', '.join(texts)}"

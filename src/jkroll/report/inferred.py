@@ -16,7 +16,7 @@ from ..text import listed
 from .answer import Answer
 from .notes import Note
 
-# The factor between an inferred value and the library's above which a note reports it, and the question it asks.
+# The factor between an inferred value and the library's above which a note reports it, and the question of the note.
 _FAR = {
     **dict.fromkeys(("surface_energy", "work_of_adhesion"), (5.0, "probably rough or wet surfaces;")),
     "youngs_modulus": (2.0, "probably not the contact of one smooth sphere;"),
@@ -27,15 +27,16 @@ _FAR = {
 
 
 def laws_of(answer: Answer) -> list[str]:
-    """Return the laws for which inferred values are shown: first the one that holds, then the one in use."""
-    own = answer.frame.law.name
-    is_moved = any(estimate.by == BETTER_LAW for estimate in answer.estimates.values())
-    return [BETWEEN, own] if is_moved or lack_by_better_law(answer) else [own]
+    """Return the laws whose inferred values are shown: Maugis', if it holds or has no value, then the law in use."""
+    in_use = answer.frame.law.name
+    if BETTER_LAW in answer.rules or lack_by_better_law(answer):
+        return [BETWEEN, in_use]
+    return [in_use]
 
 
 def lack_by_better_law(answer: Answer) -> str:
-    """Return why Maugis' law gives no value where the law in use does; empty if it does, or if an input is missing."""
-    if not answer.described.unknowns or all(estimate.by != LAW_ONLY for estimate in answer.estimates.values()):
+    """Return the reason why Maugis' law gives no inferred value; empty if it gives one or lacks an input."""
+    if not answer.described.unknowns or LAW_ONLY not in answer.rules:
         return ""
     other = answer.described.by_law_at_spacing
     if other.missing(other.unknowns) or other.solution.failure is None:
@@ -47,46 +48,60 @@ def lack_by_better_law(answer: Answer) -> str:
 
 
 def solids_of(frame: Frame, name: str) -> list[str]:
-    """Return the names of the solids that an inferred property describes: sphere 1, or both for work of adhesion."""
+    """Return the names of the solids that an inferred value describes: of sphere 1, or of both for a pair's value."""
     solids = [solid.name for solid, _ in frame.materials]
-    return solids[:1] if name in PROPERTIES else [*dict.fromkeys(solids)]
+    if name in PROPERTIES:
+        return solids[:1]
+    return [*dict.fromkeys(solids)]
 
 
 def library_values(frame: Frame) -> Mapping[str, float | Uncertain]:
     """Return the library's values of the unknown properties, with their uncertainties."""
-    alone = Frame({}, frame.material, frame.material2)
-    numbers = alone.numbers(*(name for name in frame.unknowns if name in (*PROPERTIES, *_FAR)))
-    return {name: alone.uncertainties.get(name, number) for name, number in numbers.items()}
+    of_library = Frame({}, frame.material, frame.material2)
+    properties = [name for name in frame.unknowns if name in PROPERTIES or name in _FAR]
+    numbers = of_library.numbers(*properties)
+    return {name: of_library.uncertainties.get(name, number) for name, number in numbers.items()}
 
 
 def _about_library(answer: Answer) -> Iterator[Note]:
-    """Iterate over notes on inferred properties that are far from those of the materials."""
+    """Iterate over notes on inferred values that are far from the library's."""
+    by_maugis = BETWEEN in laws_of(answer)
     for name, usual in library_values(answer.described).items():
-        better = answer.ranges.by_better_law(name) if BETWEEN in laws_of(answer) else ()
-        ends = [end for end in better if end > 0] or [answer.values[name]]  # nan where that law has no value
-        factors = sorted((end / middle(usual) for end in ends), key=lambda factor: abs(log(factor)))
-        far, question = _FAR.get(name, (INFINITY, ""))
-        if not 1 / far <= factors[0] <= far:
-            sizes = from_to(*(max(factor, 1 / factor) for factor in (factors[0], factors[-1])))
-            times = f"{sizes} times" if factors[0] > 1 else f"1/{sizes.replace('–', ' to 1/')} of"
-            whose = f"{listed(solids_of(answer.described, name))}'s ({amount(name, usual, Format(digits=3))})"
-            symbol = symbol_among(name, answer.inputs)
-            yield Note("lead", f"{symbol} is {times} {whose}: {question} jkroll guide measurements")
+        ends = [answer.values[name]]
+        if by_maugis:
+            positive = [end for end in answer.ranges.by_better_law(name) if end > 0]  # nan if the law has no value
+            ends = positive or ends
+        factors = sorted((end / middle(usual) for end in ends), key=_distance)
+        nearest, farthest = factors[0], factors[-1]
+        limit, question = _FAR.get(name, (INFINITY, ""))
+        if 1 / limit <= nearest <= limit:
+            continue
+        sizes = from_to(max(nearest, 1 / nearest), max(farthest, 1 / farthest))
+        times = f"{sizes} times" if nearest > 1 else f"1/{sizes.replace('–', ' to 1/')} of"
+        whose = f"{listed(solids_of(answer.described, name))}'s ({amount(name, usual, Format(digits=3))})"
+        symbol = symbol_among(name, answer.inputs)
+        yield Note("lead", f"{symbol} is {times} {whose}: {question} jkroll guide measurements")
+
+
+def _distance(factor: float) -> float:
+    """Return the distance of a factor from 1, on a logarithmic scale."""
+    return abs(log(factor))
 
 
 # --- Sentences --------------------------------------------------------------------------------------------------------
 
 
 def about_limit(doubt: Doubt, answer: Answer) -> str:
-    """Return what a limit means for the unknowns."""
-    if doubt.code == ROUGH_MATTERS:
-        unknowns = listed(symbol_among(name, {*answer.inputs, *answer.assumed}) for name in answer.described.unknowns)
-        return f"{unknowns}: for smooth spheres; rough ones give an effective value, of this size alone"
-    return doubt.text
+    """Return the sentence on a limit: its consequence for inferred values."""
+    if doubt.code != ROUGH_MATTERS:
+        return doubt.text
+    shown = {*answer.inputs, *answer.assumed}
+    symbols = [symbol_among(name, shown) for name in answer.described.unknowns]
+    return f"{listed(symbols)}: for smooth spheres; rough ones give an effective value, of this size alone"
 
 
-def proofs(answer: Answer) -> Iterator[Note]:
-    """Iterate over notes on inferred values: unusual sizes, unused properties of materials, and the check forwards."""
+def about_inferred(answer: Answer) -> Iterator[Note]:
+    """Iterate over notes on inferred values: unusual sizes, unused data of materials, and a check forwards."""
     if not answer.described.unknowns or not answer.values:
         return
     frame, values = answer.frame, answer.values
@@ -101,7 +116,10 @@ def proofs(answer: Answer) -> Iterator[Note]:
                 symbol = NOMENCLATURE[replaced].symbol.rstrip("1")
                 yield Note("more", f"{symbol} of {material.name} is not used")
     yield from _about_library(answer)
-    proof = f"{equal(values, symbol_of)} {'give' if answer.condition else 'gives'} {equal(forward, symbol_of)}"
+    verb = "give" if answer.condition else "gives"
+    check = f"{equal(values, symbol_of)} {verb} {equal(forward, symbol_of)}"
     if "surface_energy" in values and "radius2" in frame.stated and "surface_energy2" not in frame.given:
-        proof += f" if γ2 = γ1, so w = {amount('work_of_adhesion', frame['work_of_adhesion'])}"
-    yield Note("more", proof + (f"; κ = {answer.condition:.3g}" if answer.condition else ""))
+        check += f" if γ2 = γ1, so w = {amount('work_of_adhesion', frame['work_of_adhesion'])}"
+    if answer.condition:
+        check += f"; κ = {answer.condition:.3g}"
+    yield Note("more", check)

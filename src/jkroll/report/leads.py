@@ -28,7 +28,7 @@ from .ranges import held_on_surfaces, range_in_words
 
 _TWO, _THREE, _FOUR = Format(digits=2), Format(digits=3), Format(digits=4)
 _AFTER_IMPACT = "n_roll_after_impact"  # needs a speed
-_WIDE = 2  # ratio of the ends of a range from which a single number is given, too
+_WIDE = 2  # ratio of the ends from which a range is followed by a single number
 
 
 def leads(answer: Answer) -> Iterator[Note]:
@@ -56,9 +56,9 @@ def leads(answer: Answer) -> Iterator[Note]:
 
 
 def options_for_centre(answer: Answer) -> str:
-    """Return the options with which the law gives the centre of the best ranges of P_c and M; empty where none do.
+    """Return the options that make the law give the centres of the best ranges of P_c and M; empty if none do.
 
-    The pull-off force of two like spheres grows with γ, the moment that starts rolling with γ and ξ.
+    For identical spheres P_c is proportional to γ, and the moment M that starts rolling is proportional to ξ.
     """
     frame, names = answer.frame, ("pull_off_force", "yield_moment")
     found = [answer.estimates[name] for name in names if name in answer.estimates]
@@ -74,7 +74,7 @@ def options_for_centre(answer: Answer) -> str:
 
 
 def _what_it_means(answer: Answer) -> str:
-    """Return the inferred values: their best ranges, or values with uncertainties by the law in use."""
+    """Return the sentence on inferred values: best ranges, or values with uncertainties by the law in use."""
     texts = []
     for result in answer.results:
         if result.name not in answer.described.unknowns:
@@ -91,7 +91,7 @@ def _what_it_means(answer: Answer) -> str:
 
 
 def _filled(answer: Answer) -> str:
-    """Return the question's own sentence, filled with best ranges; empty if one is missing."""
+    """Return the sentence of the question, with best ranges filled in; empty if one is missing."""
     found = {name: estimate for name, estimate in answer.estimates.items() if estimate.by != NONE}
     words = {name: _spoken(name, each) for name, each in found.items()}
     if "{or_none}" in answer.question.lead:  # a sentence that can say so
@@ -109,7 +109,7 @@ def _filled(answer: Answer) -> str:
 
 
 def _spoken(name: str, estimate: Estimate) -> str:
-    """Return a best range for a sentence; an end at a displacement of one atom is only approximate."""
+    """Return a best range as a sentence says it; it is approximate if ξ is unknown."""
     text = range_in_words(name, estimate)
     about = "about " if estimate.by == XI_UNKNOWN else ""
     if text.startswith("≥ "):
@@ -118,7 +118,7 @@ def _spoken(name: str, estimate: Estimate) -> str:
 
 
 def _middle(name: str, estimate: Estimate, *, is_short: bool) -> str:
-    """Return the one number to take of a wide range, and how far it may be off."""
+    """Return a single number for a wide range, with its largest error; empty for a narrow range."""
     low, high = estimate.low, estimate.high
     if not low > 0 or not high >= _WIDE * low:
         return ""
@@ -157,7 +157,7 @@ def _water_or_dry(answer: Answer) -> Iterator[Note]:
 
 
 def _filled_gap(frame: Frame) -> str:
-    """Return the humidity above which water fills the gap of roughness, as a text; empty if no gap is given."""
+    """Return the sentence on the humidity from which water fills the gap of roughness; empty if no gap is given."""
     known = frame.numbers("roughness_gap", "threshold_humidity")
     if len(known) < 2:
         return ""
@@ -221,7 +221,7 @@ def _law_that_holds(answer: Answer) -> str:
 
 
 def _elastic_or_not(frame: Frame) -> str:
-    """Return whether an impact stays elastic; without a yield strength, its peak pressure and the one at rest."""
+    """Return whether an impact stays elastic; without a yield strength, its peak pressure and the pressure at rest."""
     peak = _pressure(frame, "impact_pressure")
     if frame.missing(["first_yield_pressure"]):
         rest = _pressure(frame, "hertz_pressure")

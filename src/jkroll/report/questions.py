@@ -22,7 +22,7 @@ class Question:
         without_row: tuple[str, ...] = (),  # for programs only: not in the table of an answer
         lead: str = "",  # the answering sentence; a name in braces stands for the best range of a quantity
         groups: Mapping[str, str] = MappingProxyType({}),  # titles in the table, by the first quantity below each
-        if_stated: Mapping[str, tuple[str, ...]] = MappingProxyType({}),  # in the table only with one of these inputs
+        if_stated: Mapping[str, tuple[str, ...]] = MappingProxyType({}),  # in the table only if one of these is stated
     ) -> None:
         self.headline, self.quantities, self.named, self.without_row = headline, quantities, named, without_row
         self.lead, self.groups, self.if_stated = lead, groups, if_stated
@@ -168,12 +168,12 @@ def quantity_named(word: str) -> str:
 
 
 def _has_values(name: str) -> bool:
-    """Return whether a name is that of a quantity with values, rather than of a word such as a material."""
+    """Return whether a name belongs to a quantity with values, rather than to a word such as a material."""
     return name in NOMENCLATURE and not NOMENCLATURE[name].is_word
 
 
 def quantities_named(text: str) -> tuple[list[str], list[str]]:
-    """Return the quantities of a list: those given by name, and those of its commands, which may lack inputs."""
+    """Return the quantities given by name in a list, and those of its commands, which may lack inputs."""
     wanted: list[str] = []
     offered: list[str] = []
     for word in map(str.strip, text.split(",")):

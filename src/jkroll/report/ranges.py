@@ -1,4 +1,4 @@
-"""Sentences that explain best ranges: the rule of each, what it includes, and what it leaves out."""
+"""Sentences that explain best ranges: the rule that gives a range, and the effects it includes or leaves out."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from math import isnan, nan
@@ -69,7 +69,7 @@ def range_in_words(name: str, estimate: Estimate) -> str:
 
 
 def why(by: int, answer: Answer) -> str:
-    """Return the reason for a range by one rule, what it includes and leaves out; empty for the law in use."""
+    """Return the reason for the ranges by one rule, and the effects they include; empty for the law in use."""
     if by == LAW_ONLY and (lack := lack_by_better_law(answer)):
         return lack
     return _OF_ANSWER[by](answer) if by in _OF_ANSWER else _WORDS.get(by, "")
@@ -221,7 +221,7 @@ def _measured(answer: Answer) -> str:
 
 
 def _above_law(answer: Answer) -> str:
-    """Return how many times the law's speed was measured, if all of the range is above it."""
+    """Return the ratio of the measured speeds to the law's, as a text; empty unless all of them are larger."""
     estimate, speed = answer.estimates.get("sticking_speed"), answer.values.get("sticking_speed", INFINITY)
     if estimate is None or not estimate.low > speed:
         return ""
@@ -278,7 +278,7 @@ def _xi_unknown(answer: Answer) -> str:
 
 
 def _of_silica(answer: Answer) -> str:
-    """Return the headline for spheres of SiO2, by measured rolling forces, to compare with."""
+    """Return the headline by rolling forces measured on SiO2, for comparison; empty if they give none."""
     silica = Frame(answer.frame.stated, known_materials()["quartz"])
     if not isinstance(answer.frame.given.get("radius"), float):
         return ""
@@ -296,7 +296,7 @@ def _of_silica(answer: Answer) -> str:
 
 
 def _of_measured_solid(answer: Answer) -> str:
-    """Return the forces measured on spheres of the same solid, but of another size or surface energy."""
+    """Return the sentence on forces measured on spheres of the same solid, but another size or surface energy."""
     rolled, solid = what_rolled(answer.frame), solid_that_rolled(answer.frame)
     if rolled is None:
         return ""

@@ -4,16 +4,16 @@ from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 from math import erfc, hypot, sqrt
 
-from ..model.estimate import ADHESION_ONLY, FRICTION_ASSUMED, MEASURED, NONE, WORDS
+from ..model.estimate import ADHESION_ONLY, FRICTION_ASSUMED, MEASURED, NONE, WORDS, Estimate
 from ..model.frame import Frame
-from ..model.limits import LAW, ROUGH_MATTERS, STICKING_UNSURE, WIDE_CONTACT, Doubt, may_be_rough, touched
+from ..model.limits import LAW, ROUGH_MATTERS, STICKING_UNSURE, WIDE_CONTACT, Doubt, Limit, may_be_rough, touched
 from ..model.measured import on_surfaces
 from ..model.uncertainty import error_bars
 from ..quantities.formatting import significant, symbol_among
 from ..quantities.laws import DEFAULT_LAW, JKR_OF_SPHERE
 from ..text import first_of
 from .answer import Answer
-from .inferred import about_limit, proofs
+from .inferred import about_inferred, about_limit
 from .leads import leads
 from .notes import (
     ABOVE,
@@ -32,7 +32,7 @@ from .notes import (
 from .ranges import held_on_surfaces, range_in_words, why
 
 _MOST = 4  # results in a note
-_LOST = 0.01  # a note reports lost contacts above this fraction of the uncertain values
+_LOST = 0.01  # fraction of the uncertain values beyond pull-off from which a note reports it
 
 
 class Report(Answer):
@@ -41,34 +41,36 @@ class Report(Answer):
     @cached_property
     def whys(self) -> Mapping[int, str]:
         """The reasons for best ranges, by rule."""
-        return {by: why(by, self) for by in dict.fromkeys(estimate.by for estimate in self.estimates.values())}
+        return {by: why(by, self) for by in self.rules}
 
     def lines_on_ranges(self, names: Iterable[str]) -> Iterator[str]:
-        """Iterate over a line for each rule that gives a range, in the order of the results."""
+        """Iterate over a line for each rule that gives one of these results a range and has a reason."""
         for by in dict.fromkeys(self.estimates[name].by for name in names if name in self.estimates):
-            if text := self.whys[by]:
-                yield f"{WORDS[by]}: {text}"
+            if self.whys[by]:
+                yield f"{WORDS[by]}: {self.whys[by]}"
 
     def notes_on_ranges(self) -> Iterator[Note]:
         """Iterate over a note for each rule that gives the headline a range, for reports without a table."""
         texts: dict[int, list[str]] = {}
-        for name, estimate in self.estimates.items():
-            if name in self.question.headline:
-                text = f"{symbol_among(name, self.inputs)}: {range_in_words(name, estimate)}"
-                texts.setdefault(estimate.by, []).append(text)
+        for name, estimate in self._estimates_of_headline.items():
+            text = f"{symbol_among(name, self.inputs)}: {range_in_words(name, estimate)}"
+            texts.setdefault(estimate.by, []).append(text)
         for by, of_rule in texts.items():
-            if text := self.whys[by]:
-                yield Note("lead", f"best range of {first_of(of_rule, _MOST)} ({WORDS[by]}); {text}")
+            if self.whys[by]:
+                yield Note("lead", f"best range of {first_of(of_rule, _MOST)} ({WORDS[by]}); {self.whys[by]}")
 
     @property
     def best_ranges(self) -> str:
-        """The best ranges of results of the headline in one line."""
-        texts = (
-            f"{symbol_among(name, self.inputs)} {range_in_words(name, estimate)} ({WORDS[estimate.by]})"
-            for name, estimate in self.estimates.items()
-            if name in self.question.headline
-        )
+        """The best ranges of the headline, as a text of one line."""
+        texts = []
+        for name, estimate in self._estimates_of_headline.items():
+            text = f"{symbol_among(name, self.inputs)} {range_in_words(name, estimate)}"
+            texts.append(f"{text} ({WORDS[estimate.by]})")
         return ", ".join(texts)
+
+    @property
+    def _estimates_of_headline(self) -> Mapping[str, Estimate]:
+        return {name: estimate for name, estimate in self.estimates.items() if name in self.question.headline}
 
     @cached_property
     def notes(self) -> tuple[Note, ...]:
@@ -78,7 +80,7 @@ class Report(Answer):
         inputs, idle = self._entering
         every = (
             *leads(self),
-            *proofs(self),
+            *about_inferred(self),
             *about_assumed(self.assumed),
             *about_missing({**self.lacking, **self.open_bars()}),
             *about_left_out(self.sources),
@@ -89,8 +91,10 @@ class Report(Answer):
             *about_limits(self.validity),
             *_about_lost_contacts(self),
         )
-        is_in_range = any(estimate.by == FRICTION_ASSUMED for estimate in self.estimates.values())
-        return tuple(note for note in dict.fromkeys(every) if not (is_in_range and note is FRICTION))
+        notes = dict.fromkeys(every)
+        if FRICTION_ASSUMED in self.rules:  # then a best range shows it
+            notes.pop(FRICTION, None)
+        return tuple(notes)
 
     def doubts(self) -> list[Note]:
         """Return a note for each exceeded limit of the model, in the order of `exceeded`."""
@@ -98,38 +102,47 @@ class Report(Answer):
         for doubt in self.exceeded:
             if doubt.limit is LAW:
                 continue  # the best ranges show it
-            severity: Severity = "caveat" if doubt.limit.is_shown and not self._is_in_ranges(doubt) else "more"
-            text = self._whose(doubt) + self.about(doubt)
+            severity: Severity = "more"
+            text = self._subject_of(doubt.limit) + self.about(doubt)
             if doubt.limit.ends_meaning:
                 severity, text = "warning", text + self._by_law_alone
+            elif doubt.limit.is_shown and not self._is_in_ranges(doubt):
+                severity = "caveat"
             notes.append(Note(severity, text))
         return notes
 
     @cached_property
     def _by_law_alone(self) -> str:
-        """The suffix of a warning if results without meaning still have best ranges: only the law fails."""
-        has_ranges = all(self.estimates[name].by != NONE for name in self.ended)
-        return f", by plain {self.frame.law.short}" if has_ranges else ""
+        """The suffix of a warning if results without a meaning still have best ranges: only the law in use fails."""
+        if any(self.estimates[name].by == NONE for name in self.ended):
+            return ""
+        return f", by plain {self.frame.law.short}"
 
     def _is_in_ranges(self, doubt: Doubt) -> bool:
-        """Return whether the best ranges already include what a limit means."""
-        rules = {estimate.by for estimate in self.estimates.values()}
-        return doubt.code == STICKING_UNSURE and not rules.isdisjoint((ADHESION_ONLY, MEASURED))
+        """Return whether the best ranges already include the consequence of a limit."""
+        return doubt.code == STICKING_UNSURE and not {ADHESION_ONLY, MEASURED}.isdisjoint(self.rules)
 
-    def _whose(self, doubt: Doubt) -> str:
-        """Return the symbol of the only result whose meaning a limit ends, unless the sentence names it."""
-        names = [name for name in doubt.limit.touches if name in self.ended]
-        alone = len(doubt.limit.touches) == 1 and names and doubt.limit.name not in names
-        return f"{symbol_among(names[0], self.inputs)}: " if alone else ""
+    def _subject_of(self, limit: Limit) -> str:
+        """Return the prefix of a limit's sentence: the symbol of the only result whose meaning the limit ends.
+
+        It is empty if the sentence names the result itself.
+        """
+        if len(limit.touches) != 1:
+            return ""
+        (name,) = limit.touches
+        if name not in self.ended or name == limit.name:
+            return ""
+        return f"{symbol_among(name, self.inputs)}: "
 
     def ended_by(self, doubt: Doubt) -> tuple[str, ...]:
         """Return the names of the results whose meaning a limit ends."""
+        if not (doubt.is_exceeded and doubt.limit.ends_meaning):
+            return ()
         judged = self.described.judged
-        limits = [doubt.limit] if doubt.is_exceeded and doubt.limit.ends_meaning else []
-        return tuple(name for name in self.ended if touched(self.frame, judged([name]), limits))
+        return tuple(name for name in self.ended if touched(self.frame, judged([name]), [doubt.limit]))
 
     def about(self, doubt: Doubt) -> str:
-        """Return what a limit means for the results, or for the unknowns."""
+        """Return the sentence on a limit: its consequence for the results, or for inferred values."""
         if doubt.code == WIDE_CONTACT:
             return _of_a_sphere(self.frame) or doubt.text
         if self.described.unknowns:
@@ -143,21 +156,26 @@ class Report(Answer):
 
     @property
     def sentences_below(self) -> list[Note]:
-        """The sentences below a table."""
-        above = {held_on_surfaces(self.frame)} if self.shows_surfaces or self.is_on_pull_off else set()
+        """The sentences below a table; those above it are not repeated."""
+        above = set()
+        if self.shows_surfaces or self.is_on_pull_off:
+            above.add(held_on_surfaces(self.frame))
         return [note for note in self.sentences if note.severity not in ABOVE and note.text not in above]
 
     def _about_pull(self) -> Iterator[Note]:
-        """Iterate over a note if the contact is pulled harder than rough spheres hold."""
-        pull = -self.frame.values["load"] if "load" in self.frame.stated else 0.0
+        """Iterate over at most one note: the contact is pulled harder than rough spheres hold."""
+        if "load" not in self.frame.stated:
+            return
+        pull = -self.frame.values["load"]
         has_force = bool(self.frame.under(DEFAULT_LAW).numbers("pull_off_force"))
-        is_rough = pull > 0 and has_force and bool(may_be_rough(self.frame))
-        if is_rough and any(pull > low for low, _ in on_surfaces(self.frame).values()):
-            yield Note("lead", f"at this pull they may have parted: {held_on_surfaces(self.frame)}")
+        if pull > 0 and has_force and may_be_rough(self.frame):
+            forces = on_surfaces(self.frame).values()
+            if any(pull > low for low, _ in forces):
+                yield Note("lead", f"at this pull the spheres may have parted: {held_on_surfaces(self.frame)}")
 
     @property
     def _valued(self) -> list[str]:
-        """The judged quantities that have a value."""
+        """The judged quantities that have a value; one without a meaning counts among bare numbers only."""
         columns = self.judged if self.keeps_all else self.judged_meant
         return [name for name, column in columns.items() if not column.is_empty]
 
@@ -166,30 +184,34 @@ class Report(Answer):
 
 
 def _of_a_sphere(frame: Frame) -> str:
-    """Return the difference between a true sphere and a paraboloid, where it is known."""
-    forces = (each.numbers("pull_off_force") for each in (frame.under(JKR_OF_SPHERE), frame.under(DEFAULT_LAW)))
-    of_sphere, of_paraboloid = (values.get("pull_off_force", 0.0) for values in forces)
+    """Return the sentence on the difference between a sphere and a paraboloid; empty where it is unknown."""
+    of_sphere = frame.under(JKR_OF_SPHERE).numbers("pull_off_force").get("pull_off_force", 0.0)
+    of_paraboloid = frame.under(DEFAULT_LAW).numbers("pull_off_force").get("pull_off_force", 0.0)
     if not of_sphere:
         return ""
     less = f"{significant(100 * (1 - of_sphere / of_paraboloid), 2)} %"
-    far = f"of a sphere P_c is {less} smaller, w from it {less} too low (--profile sphere)"
-    return f"contact too wide for a paraboloid: {far}"
+    difference = f"of a sphere P_c is {less} smaller, w from it {less} too low (--profile sphere)"
+    return f"contact too wide for a paraboloid: {difference}"
 
 
 def _about_lost_contacts(answer: Answer) -> Iterator[Note]:
-    """Iterate over a note if part of the uncertain values, taken as normally distributed, is beyond pull-off."""
-    has_spread = answer.sources is not None and "load" in answer.described.inputs_used([*answer.computed])
-    forces = answer.frame.numbers("load", "pull_off_force") if has_spread else {}
+    """Iterate over at most one note: some of the uncertain values are beyond pull-off, if normally distributed."""
+    if answer.sources is None or "load" not in answer.described.inputs_used([*answer.computed]):
+        return
+    forces = answer.frame.numbers("load", "pull_off_force")
     if len(forces) < 2 or answer.open_bars():
         return
     bars = error_bars(answer.frame, forces, sources=answer.sources).values()
     spread = hypot(*(bar.sides["minus"] for bar in bars if "minus" in bar.sides))
-    part = erfc(sum(forces.values()) / (sqrt(2) * spread)) / 2 if spread else 0.0
-    if part >= _LOST:
-        text = f"at {100 * part:.2g} % of the uncertain values the load is beyond pull-off"
+    if not spread:
+        return
+    margin = forces["load"] + forces["pull_off_force"]
+    lost = erfc(margin / (sqrt(2) * spread)) / 2
+    if lost >= _LOST:
+        text = f"at {100 * lost:.2g} % of the uncertain values the load is beyond pull-off"
         yield Note("caveat", f"error bars are of contacts that hold: {text}")
 
 
 def every_line(report: Report) -> list[str]:
-    """Return all notes of a report as lines, the most important first, for a file without the answer."""
+    """Return all sentences of a report as lines, the most important first, for a file without the answer."""
     return [note.line for note in by_severity(report.sentences)]
