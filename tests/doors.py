@@ -30,6 +30,7 @@ from jkroll.model.reasons import Failure, NoErrorBar
 from jkroll.model.rows import SIDES, Block, Columns, Wanted, evaluated, of_single_row, put_single_rows
 from jkroll.model.uncertainty import sources_of
 from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.quantities.values import middle
 from jkroll.report.questions import QUESTIONS
 from jkroll.tables.table import Table
 from questions import Ask, Sheet
@@ -301,7 +302,7 @@ def _is_at_threshold(limit: Limit, scene: Frame, names: Sequence[str]) -> bool:
 
 def is_at_its_end(scene: Frame) -> bool:
     """Return whether the contact lets go within the accuracy of its state, so that either answer is right."""
-    states = {name: scene.stated[name] for name in ("load", "approach_at_load") if name in scene.stated}
+    states = {name: middle(scene.stated[name]) for name in ("load", "approach_at_load") if name in scene.stated}
     for name, value in states.items():
         step = AT_END * abs(value) or LEAST
         for wanted in ("contact_radius_at_load", "load_at_factor", "edge_ratio", "load_maugis"):
