@@ -115,12 +115,12 @@ class Reader:
         self.quantity = registry.Quantity
         magnitude = quantity.magnitude
         if not hasattr(magnitude, "std_dev"):
-            magnitude = self.number(name, magnitude)  # 16 bits cannot hold 1e-7
+            magnitude = self.number(name, magnitude)  # floats of 16 bits cannot hold 1e-7
         try:
             if not quantity.is_compatible_with(unit):
                 raise QuantityError(name, str(quantity), "is of another dimension", f"give a value in {unit}")
             return registry.Quantity(magnitude, quantity.units).m_as(unit)
-        except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:  # those of pint
+        except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:  # raised by pint
             raise QuantityError(name, str(quantity), f"has a unit that cannot be converted: {error}") from None
 
     def _unit_of(self, name: str) -> str:
@@ -155,7 +155,8 @@ class Reader:
     def _measured(self, name: str, number: Any) -> Measured:
         """Return a number of the package uncertainties. Raises BadRequest if it is correlated with another input."""
         for variable, part in getattr(number, "error_components", dict)().items():
-            if part and (owner := self._owners.setdefault(variable, name)) != name:
+            owner = self._owners.setdefault(variable, name) if part else name
+            if owner != name:
                 remedy = (
                     "write uncertainties.wrap(lambda x: jkroll.solve(...))(x), with x for the value that they share"
                 )
