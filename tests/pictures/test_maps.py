@@ -72,7 +72,7 @@ def test_fig_3b_the_forces_cross_at_0_8_nm_within_the_map() -> None:
     crossing = solve("yield_force_ratio", radius=0.8e-9)
     assert crossing == approx(1, rel=1e-12)
     assert panel_of("3b").y.low < 0.8e-9
-    assert "0.8 nm; the text has 1 nm" in paper("3b").remarks[-1]
+    assert "0.8 nm; the paper has 1 nm" in paper("3b").remarks[-1]
 
 
 def test_fig_8_what_does_not_roll_at_10_nm_and_what_turns_at_100_nm() -> None:
@@ -322,7 +322,7 @@ def test_where_a_law_is_farthest_off_has_a_value(run: Run) -> None:
     given: dict[str, Any] = {"material": "quartz", "radius": 1e-8, "model": "maugis"}
     ends = sorted(solve("contact_radius", **given, atomic_spacing=spacing) * 1e12 for spacing in (2e-10, 4e-10))
     own = solve("contact_radius", material="quartz", radius=1e-8) * 1e12
-    found = re.search(r"off at R1 = 10 nm: a0 = (\d+)–(\d+) pm by Maugis' law, (\d+) pm here\.", out)
+    found = re.search(r"off at R1 = 10 nm: a0 = (\d+)–(\d+) pm by Maugis' law, (\d+) pm by JKR\.", out)
     assert found is not None, out
     assert [*map(float, found.groups())] == approx([*ends, own], rel=0.05)
     assert "farthest" not in run("map contact_radius quartz --x radius=10nm:50nm --model jkr,maugis").out

@@ -157,10 +157,9 @@ class Reader:
         for variable, part in getattr(number, "error_components", dict)().items():
             owner = self._owners.setdefault(variable, name) if part else name
             if owner != name:
-                remedy = (
-                    "write uncertainties.wrap(lambda x: jkroll.solve(...))(x), with x for the value that they share"
-                )
-                raise BadRequest(f"{owner} and {name} are correlated, and inputs must be independent; {remedy}")
+                problem = f"{owner} and {name} are correlated, and inputs must be independent"
+                remedy = "write uncertainties.wrap(lambda x: jkroll.solve(...))(x)"
+                raise BadRequest(f"{problem}; {remedy}, with x for the value that they share")
         return Measured(number.nominal_value, number.std_dev)
 
     def compare_labels(self, name: str, value: Any) -> None:

@@ -35,7 +35,7 @@ def _unloaded(frame: Frame) -> Frame:
 def lines_over_input(quantity: str, sweep: Sweep) -> Drawn:
     """Return a quantity over the input with the most values, with a line for each combination of the others.
 
-    Several laws of one contact, when no input has several values, are compared by their force curves.
+    If no input has several values, the laws of one contact are compared by their force curves.
     """
     values = {name: {spread.low for spread in spreads} for name, spreads in sweep.spreads.items()}
     counts = {name: len(each) for name, each in values.items() if len(each) > 1}
