@@ -1,4 +1,4 @@
-"""The shifted contact as it is drawn: each formula against what it must add up to."""
+"""The shifted contact as figures show it: each formula compared with an integral or a condition."""
 
 import math
 import re

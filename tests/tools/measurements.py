@@ -1,9 +1,9 @@
-"""Measurements next to the values of this program: data, and the table in `jkroll guide validation`.
+"""Measurements and the values of this program: the data, and the table in `jkroll guide validation`.
 
     python tests/tools/measurements.py
 
-writes the table into the page anew. A row has only what was read in the source itself or in a text that cites it, and
-says which. What was not stated there, such as the shape of the other body, is said in the remark.
+renews the table in the page. A row has only numbers that were read in the source itself or in a text that cites it, and
+states which. The remark names what was not stated there, such as the shape of the other body.
 """
 
 from collections.abc import Iterator, Mapping
@@ -21,9 +21,9 @@ PAGE = Path(__file__).parents[2] / "src" / "jkroll" / "guide" / "validation.md"
 HEAD = "| row | solids | R1 | what | measured | computed | ratio |\n|---|---|---|---|---|---|---|\n"
 END = "\n*abstract*:"  # the paragraph below the table and its origins
 
-_OF_RATIOS = "yield_force_ratio"  # a quantity without a unit, as which ratios are read and printed
+_OF_RATIOS = "yield_force_ratio"  # a quantity without a unit, to read and print ratios
 _ROUNDED = Format(digits=3)
-_SAID = (  # of the inputs of a scene
+_SAID = (  # the inputs of a scene that the table states
     "radius", "radius2", "surface_energy", "surface_energy2", "yield_displacement", "humidity", "contact_angle"
 )  # fmt: skip
 
@@ -39,12 +39,12 @@ class Measurement(NamedTuple):
     source: str
     read: str  # "abstract": the authors' own; "second hand": in a text that cites them
     remark: str
-    beside: str = ""  # another radius: measured and computed are the value at `radius` over the value there
-    material2: str = ""  # of the other body, if it has one of its own
+    beside: str = ""  # another radius: the numbers are then ratios, of the value at `radius` to the value there
+    material2: str = ""  # the material of the other body, if it differs
 
 
 class Compared(NamedTuple):
-    """A measurement with both of its numbers."""
+    """A measurement with the measured and the computed number."""
 
     row: Measurement
     measured: float
@@ -214,12 +214,12 @@ MEASUREMENTS = (
 
 
 def comparisons() -> list[Compared]:
-    """Return all measurements with both of their numbers, those that disagree most first."""
+    """Return all measurements with their measured and computed numbers, the largest disagreement first."""
     return sorted((_compared(row) for row in MEASUREMENTS), key=lambda each: -abs(log(each.ratio)))
 
 
 def measurements_table() -> str:
-    """Return the measurements as a table in Markdown, and below it the origin of each row."""
+    """Return the measurements as a table in Markdown, with the origin of each row below it."""
     rows, origins = [], []
     for place, each in enumerate(comparisons(), 1):
         row = each.row
@@ -265,7 +265,7 @@ def _scene(row: Measurement, given: Mapping[str, str]) -> Frame:
 
 
 def _inputs_of(scene: Frame, row: Measurement) -> Iterator[str]:
-    """Iterate over the inputs that are said: the materials, the radii, γ and ξ where they enter."""
+    """Iterate over the inputs that the table states: the materials, the radii, and γ and ξ where they enter."""
     for name, value in scene.echo({*row.given, row.quantity, *scene.inputs_of(row.quantity)}).items():
         if name in ("material", "material2"):
             yield value
