@@ -1,4 +1,4 @@
-"""Scenes for the tests: random ones of any size and material, and hard ones, in which a careless formula loses digits."""
+"""Scenes for the tests: random ones of any size and material, and hard ones, in which careless formulas lose digits."""
 
 import math
 from collections.abc import Iterator

@@ -138,7 +138,7 @@ def rolling_frequencies(lammps: Any, sphere: Body, sphere2: Body, *, held: bool 
 
     A held body 2 has a nearly infinite density.
 
-    The rolling spring, M/R per displacement ξ of the contact, is 4P_c/R. The tangential one prevents slip: it would make
+    The rolling spring, M/R per displacement ξ of the contact, is 4P_c/R. The tangential one prevents slip; it makes
     the contact vibrate sideways, with 2/7 of the masses, 1000 times as fast. Sphere 1 starts to roll by 1e-5.
     """
     scene = both(sphere, {**sphere2, "density": 1e30} if held else sphere2)
