@@ -247,8 +247,8 @@ def test_claims_about_contact_angles_and_rolling_in_other_codes() -> None:
 
     assert both(40, 0, 12) == approx((80, 92), rel=5e-3)
     assert both(34, 1, 40) == approx((93, 122), rel=5e-3)
-    assert "it is 80, and Owens–Wendt makes 92" in PAGES["contact-angle"]
-    assert "for 34, 40, 1 it is 93 and 122" in PAGES["contact-angle"]
+    page = " ".join(PAGES["contact-angle"].split())
+    assert re.search(r"it is 80 mJ/m².* Owens and Wendt gives 92\. For 34, 40 and 1 mJ/m², .* give 93 and 122", page)
     for load in (0.0, 5e-9):
         scene = {"material": "quartz", "radius": 1e-7, "load": load, "model": "dmt"}
         names = ["yield_moment", "pull_off_force", "reduced_radius"]
