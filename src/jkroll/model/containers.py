@@ -94,7 +94,8 @@ class Reader:
 
     def _of_array(self, name: str, value: Any) -> Any:
         """Return the floats of a number or a container of numbers, with the unit of the array if it has one."""
-        if (unit := unit_stated(value)) is not None and hasattr(value, "attrs"):
+        unit = unit_stated(value)
+        if unit is not None and hasattr(value, "attrs"):
             return self._of_stated_unit(name, value, text_of_unit(unit))
         _refuse_unit(name, value)
         if hasattr(value, "dtype") and hasattr(value, "dims"):  # a Dataset of xarray has no dtype, and is refused

@@ -54,12 +54,12 @@ _OF_WATER = ("meniscus_force", "kelvin_radius", "threshold_humidity")
 _STICKING = {"sticking_speed": 1, "sticking_energy": 2}  # powers of the speed
 _ROUNDED = 1e-12  # largest relative difference of two ends that comes from rounding
 _LOSING = ("restitution", "lost_energy")
-# Measured quantities that any loss in a collision moves in one direction, and inputs that as they grow do the same.
+# Any loss in a collision moves these measured quantities in one direction, and so do these inputs as they grow.
 _LOSSES = frozenset({"restitution", "sticking_speed"})
 _LOSE = ("surface_energy", "work_of_adhesion", "hamaker", "viscous_time")
 _AS_PULL_OFF = ("pull_off_force", "bond_number")  # in proportion to the pull-off force
 _BREAKING = ("disruption_energy", "disruption_speed")  # from fits to simulations and the work to part two spheres
-# Results that follow from Lennard-Jones' law: the power of a base quantity, and the name of the base by that law.
+# By result: the power with which it depends on a base quantity, the base, and the same base by Lennard-Jones' law.
 _BY_LENNARD_JONES = {
     **dict.fromkeys(_AS_PULL_OFF, (1.0, "pull_off_force", "pull_off_force_lennard_jones")),
     "well_energy": (1.0, "well_energy", "well_energy_lennard_jones"),

@@ -236,7 +236,7 @@ class Frame:
         return converted(self.described, known, own_material2=self.material2 is not None)
 
     def _displacement_of_solid(self) -> Interval | None:
-        """Return the yield displacement of the common solid at these radii; None if another one is stated, or none."""
+        """Return the yield displacement of the common solid at these radii; None without one, or if one is stated."""
         material, radius = self.material, self.given.get("radius")
         if material is None or material.displacement is None or radius is None:
             return None
@@ -254,7 +254,7 @@ class Frame:
         return data if self.displacement is None or self.material is None else {**data, XI: (self.material, XI)}
 
     def data_used(self, inputs: Collection[str]) -> list[tuple[Material, str]]:
-        """Return the properties that come from materials among some inputs, each with its material."""
+        """Return the material and the property of each input that comes from a material."""
         return [used for name, used in self.data.items() if name in inputs]
 
     @cached_property

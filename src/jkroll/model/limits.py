@@ -58,7 +58,7 @@ class Limit:
         return _COMPARISONS[self.sign](number, threshold)
 
     def excess(self, number: Any) -> Any:
-        """Return how far numbers exceed the first threshold: the logarithm of the ratio, or the number beyond 0."""
+        """Return how far numbers are beyond the first threshold: the logarithm of their ratio; for 0, the number."""
         size = ln(number / self.threshold) if self.threshold else number
         return size if self.sign.startswith(">") else -size
 

@@ -26,7 +26,7 @@ from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE_
 from ..quantities.values import parse_quantity
 from ..text import listed
 
-MAX_DIGITS = 17  # these distinguish any two doubles
+MAX_DIGITS = 17  # so many distinguish any two doubles
 _FEWEST = 4  # fewest digits of the numbers in a reason
 
 

@@ -47,7 +47,7 @@ class Results:
 
     @property
     def columns(self) -> Mapping[str, Column]:
-        """The columns; values without a meaning are replaced by reasons unless all are kept."""
+        """The columns, with reasons instead of values that have no meaning, unless all values are kept."""
         return self.computed if self.keeps_all else self.meant
 
     @cached_property
@@ -71,7 +71,10 @@ class Results:
         return meant
 
     def without_meaning(self, column: Column, touching: Iterable[str]) -> Column:
-        """Return a column with reasons instead of values where a limit ends the meaning of one of some quantities."""
+        """Return a column with reasons instead of values where a limit ends the meaning of a quantity.
+
+        `touching`: the quantities.
+        """
         reasons: Any = 0
         if column.is_empty:
             return column
@@ -85,7 +88,7 @@ class Results:
         return Column(where(reasons == 0, column.values, nan), first_of(column.reasons, reasons))
 
     def _ends_of(self, name: str) -> Any:
-        """Return the reasons of rows in which limits end the meaning of a quantity, one array for the same limits."""
+        """Return the reasons of rows in which limits end the meaning of a quantity, shared by all with these limits."""
         ending = () if name in NUMBERS_OF_LIMITS else self.ending
         concerned = tuple(index for index, doubt in enumerate(ending) if concerns(doubt.limit, self.frame, [name]))
         if concerned not in self._ends:
@@ -128,7 +131,7 @@ class Results:
 
     @cached_property
     def bars(self) -> Mapping[str, ErrorBar]:
-        """The uncertainties of values, for quantities that have any."""
+        """The uncertainties of results, by name; results without an uncertainty are left out."""
         if self.sources is None:
             return {}
         bars = error_bars(self.described, self.values, sources=self.sources)

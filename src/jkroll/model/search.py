@@ -189,7 +189,7 @@ def slopes(y: Any) -> Any:
 
 
 def _roots(problem: Problem) -> tuple[Any, Failures]:
-    """Return the unknown, its growth and the condition of each row, as an array of three lines, and the errors.
+    """Return an array with a column for each row (the unknown, its growth and the condition), and the errors.
 
     If no usual size is a solution, all sizes that a frame accepts are scanned.
     """
@@ -323,7 +323,7 @@ class Points(NamedTuple):
 
 
 def _pairs(problem: Problem, start: Any = None) -> tuple[Any, Failures]:
-    """Return two unknowns, growths, condition and positions of each row, as an array of seven lines, and the errors.
+    """Return an array with a column for each row (two unknowns, growths, condition and positions), and the errors.
 
     For arrays, Newton's method starts from the positions of a similar problem, whose rows repeat. A row in which it
     fails is solved on its own. Once one repeat of a row has no solution, the remaining ones are skipped.
@@ -352,8 +352,8 @@ class Pairs:
     """A problem of two unknowns, in one row or many, in the coordinates of the search.
 
     The coordinates are logarithms of the unknowns, and ln(1 + P/P_c) for a load, which continues past pull-off.
-    Quantities enter by logarithms, too, but linearly near zero. Positions are arrays with a line for each unknown; the
-    positions of all rows of a problem are concatenated, once or repeatedly.
+    Quantities enter by logarithms, too, but linearly near zero. Positions are the columns of an array; those of all
+    rows of a problem are concatenated, once or repeatedly.
     """
 
     def __init__(self, problem: Problem) -> None:
@@ -380,7 +380,7 @@ class Pairs:
         return numpy.array([*values.values()]), quantities, residuals
 
     def slopes(self, positions: Any) -> tuple[Any, Any]:
-        """Return unknowns and residuals at positions, in four lines, and a matrix of derivatives for each position."""
+        """Return an array of unknowns and residuals at positions, and a matrix of derivatives for each position."""
         count = positions.shape[1]
         steps = _STEP * numpy.array([[0, -1, 1, 0, 0], [0, 0, 0, -1, 1]])
         values, _, residuals = self.points(numpy.tile(positions, 5) + steps.repeat(count, axis=1))
