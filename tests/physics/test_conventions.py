@@ -82,7 +82,7 @@ def test_rolling_energy_is_the_moment_times_the_angle(scene: dict[str, Any]) -> 
 
 def test_every_row_has_a_definition_and_a_source() -> None:
     every = (*QUESTIONS["energies"].quantities, *QUESTIONS["aggregates"].quantities)
-    for name in (name for name in every if not name.endswith("lennard_jones")):  # a fit defines it
+    for name in (name for name in every if not name.endswith("lennard_jones")):  # a fit defines those
         quantity = NOMENCLATURE[name]
         fields = docstring_fields(FORMULAS[name]) if name in FORMULAS else {}
         assert quantity.definition or fields.get("Source"), name

@@ -39,7 +39,7 @@ from .uncertainty import ErrorBar, error_bars
     NONE, DEFINITION, MEASURED, SCALED, XI_UNKNOWN, FRICTION_ASSUMED, SPACING_ASSUMED, ADHESION_ONLY, BOUNDS, LAW_ONLY,
     KELVIN, GAP, BETTER_LAW, LAW_IN_USE,
 ) = range(14)  # fmt: skip
-_GIVEN = {law: number for number, law in enumerate(LAWS, LAW_IN_USE + 1)}  # the rules of laws that the user gives
+_GIVEN = {law: number for number, law in enumerate(LAWS, LAW_IN_USE + 1)}  # a law that the user gives decides
 WORDS = (
     "–", "definition", "measured", "scaled", "ξ unknown", "τ assumed", "z0 assumed", "adhesion only", "JKR to DMT",
     "JKR only", "Kelvin", "roughness", "Maugis", "JKR",
@@ -52,7 +52,7 @@ _LAWS_THEMSELVES = (
 )  # fmt: skip
 _OF_WATER = ("meniscus_force", "kelvin_radius", "threshold_humidity")
 _STICKING = {"sticking_speed": 1, "sticking_energy": 2}  # powers of the speed
-_ROUNDED = 1e-12  # largest relative difference of two ends that comes from rounding
+_ROUNDED = 1e-12  # relative difference of two ends that rounding may make
 _LOSING = ("restitution", "lost_energy")
 # Any loss in a collision moves these measured quantities in one direction, and so do these inputs as they grow.
 _LOSSES = frozenset({"restitution", "sticking_speed"})
@@ -70,7 +70,7 @@ _BY_LENNARD_JONES = {
     "disruption_energy": (1.0, "pull_off_work", "well_energy_lennard_jones"),
     "disruption_speed": (0.5, "pull_off_work", "well_energy_lennard_jones"),
 }  # fmt: skip
-FRICTION_FACTOR = 3.0  # uncertainty of the assumed shear strength, either way: an order of magnitude in all
+FRICTION_FACTOR = 3.0  # uncertainty of the assumed shear strength, up or down: an order of magnitude in all
 _SAME = 1e-9  # relative difference below which two laws agree
 _TOO_WIDE = reason(ENDS[CONTACT_EXCEEDS_SPHERE.codes[1.0]])
 

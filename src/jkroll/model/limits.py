@@ -206,7 +206,7 @@ def _has_speed(frame: Frame, names: Collection[str]) -> bool:  # noqa: ARG001
 
 
 def _too_slow(name: str, least: float, code: str, words: str) -> Limit:
-    """Return the limit of a rolling distance. `least`: the energy, in yield energies, above which a sphere rolls."""
+    """Return the limit of a rolling distance: the energy, in units of the yield energy, above which a sphere rolls."""
     return Limit("energy_over_yield", frozenset({name}), "<=", {least: code}, words, ends_meaning=True)
 
 
