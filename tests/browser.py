@@ -56,7 +56,7 @@ class Browser:
 
     def __init__(self, port: int, profile: Path) -> None:
         self.driver = f"http://127.0.0.1:{port}"
-        log = profile / "requests.json"  # see hosts_asked
+        log = profile / "requests.json"  # for hosts_asked
         options = {"binary": CHROMIUM, "args": [*QUIET, f"--user-data-dir={profile}", f"--log-net-log={log}"]}
         wanted = {"capabilities": {"alwaysMatch": {"browserName": "chrome", "goog:chromeOptions": options}}}
         self.session = f"/session/{self.call('POST', '/session', wanted)['sessionId']}"
@@ -119,7 +119,7 @@ class Browser:
 def hosts_asked(profile: Path) -> set[str | None]:
     """Return the hosts to which pages and workers sent requests, from the log of a browser that has ended.
 
-    The browser's own requests, which leave no trace elsewhere, have no initiator, or an internal page: chrome://newtab.
+    Requests by the browser itself, which leave no other trace, have no initiator or an internal page: chrome://newtab.
     """
     events = json.loads((profile / "requests.json").read_text(encoding="utf-8"))["events"]
     requests = [event["params"] for event in events if "initiator" in event.get("params", {})]
@@ -127,7 +127,7 @@ def hosts_asked(profile: Path) -> set[str | None]:
 
 
 def _is_of_browser(initiator: str) -> bool:
-    """Return whether the initiator of a request is the browser itself; a page without an origin is a page."""
+    """Return whether the browser itself initiated a request; a page without an origin counts as a page."""
     return initiator == "not an origin" or urlsplit(initiator).scheme.startswith("chrome")
 
 

@@ -11,8 +11,8 @@ from jkroll.report.questions import QUESTIONS
 
 KNOWN = ("quartz", "quartz", "SiO2", "iron", "FE", "gold", "polystyrene", "graphite", "all")
 MATERIALS = (*KNOWN, *KNOWN, "plane", "quarz", "lead")
-# Names of what `isolate` has put there, and of what is not there. None leads out of its directory, not even with a
-# slip.
+# Names of files that `isolate` has made, and of files that do not exist. None leads out of its directory, not even with
+# a typing error.
 FILES = ("mine.toml", "mine.toml", ".", "null", "zero", "none.toml", "", "broken.toml", "../../none/passwd")
 TABLES = (
     *("grains.csv",) * 4, *("pairs.tsv", "grains.ndjson", "grains.csv.gz", "grains.parquet") * 2, "wrong.csv",
@@ -61,7 +61,7 @@ VALUES = {
     "mark": ("quartz@100nm", "@1um", "iron", "quartz@100nm,@1nm", "quarz@1nm", "@", "quartz@", "@5nN", ",", "a@b@c",
     ""),
 }  # fmt: skip
-# How often each command is drawn: figures and tables take a hundred times as long as a scene.
+# How often each command is drawn: figures and tables take a hundred times as long as a single contact.
 WEIGHTS = dict.fromkeys(QUESTIONS, 100.0)
 WEIGHTS |= {"infer": 100, "materials": 50, "batch": 12, "map": 16, "export": 30, "quantities": 10, "guide": 3}
 WEIGHTS |= {"figure": 1, "bench": 1, "fit": 6}
@@ -91,7 +91,7 @@ def command_line(source: Random) -> list[str]:
     words = [name, *_words(source, name)]
     options = [
         option for option in COMMANDS[name].options() if option.name not in ("dask", "plot")
-    ]  # they take seconds
+    ]  # these take seconds
     for _ in range(min(LONGEST, int(source.expovariate(0.7))) if options else 0):
         words += _option(source, name, source.choice(options))
     if source.random() < 0.12:
@@ -116,7 +116,7 @@ def _words(source: Random, name: str) -> list[str]:
         "quantities": [source.choice(QUANTITIES)] * (source.random() < 0.5),
         "guide": [source.choice(("dem", "units", "nowhere"))] * (source.random() < 0.9),
         "fit": [source.choice(TABLES)],
-        "bench": ["nothing"],  # it takes seconds, so it is never called correctly
+        "bench": ["nothing"],  # it takes seconds, so it is always called incorrectly
     }
     if name == "infer":
         measured = source.choice([*MEASURED, f"{source.choice(QUANTITIES)}={_value(source, 'load')}"])

@@ -13,7 +13,7 @@ from hypothesis import HealthCheck, settings
 from harness import Ran, Run, Stream
 from jkroll.cli.process import main
 
-# The tests that other systems cannot run, and what they need; CONTRIBUTING has the same table.
+# The tests that other systems cannot run, and their requirements; CONTRIBUTING has the same table.
 ON_LINUX = {
     "cli/test_command_lines.py": "limits of memory",
     "cli/test_completion.py": "shells on terminals of their own",
@@ -35,8 +35,8 @@ ON_LINUX = {
 }
 collect_ignore = [] if sys.platform == "linux" else [*ON_LINUX]
 
-# The same examples in every run, and no limit of time: a busy machine fails no test. tests/tools/fuzz.py looks for new
-# ones.
+# Every run has the same examples, and no time limit: a busy machine fails no test. tests/tools/fuzz.py looks for new
+# examples.
 settings.register_profile(
     "same", max_examples=50, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow]
 )
@@ -46,7 +46,7 @@ settings.load_profile("same")
 def pytest_configure() -> None:
     """Choose one seed for the slow accuracy test in all processes, and let processes compile the program once.
 
-    Garbage is collected thirty times less often: each collection goes through all objects of pytest.
+    Garbage is collected thirty times less often, since each collection goes through all objects of pytest.
     """
     gc.set_threshold(20_000)
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)

@@ -1,12 +1,12 @@
 """The command lines of tests/corpus/command_lines.txt: read, run and judge them.
 
-A line holds an exit code and a typed command, as `0 jkroll pull-off quartz 100nm`. Some lines have their output in
-tests/corpus/outputs.txt, as a person has read it: below `$` and the line stands what it prints, after `!` what it
-prints on standard error, and after `>` each file that it writes. A line runs next to the files of
-tests/input_files.py, on a terminal of 80 columns without colour. As in a shell, `| cat` makes standard output a pipe,
-`< FILE` is standard input, `NAME=VALUE` before the program sets an environment variable, and another command, which
-then decides the exit code, follows `;`. Standard error is a file, because progress bars depend on time. Lines below
-`# needs MODULE`, up to the next line that begins with #, need a library that some installations lack.
+A line holds an exit code and a typed command, such as `0 jkroll pull-off quartz 100nm`. Some lines have their output
+in tests/corpus/outputs.txt, where a person has read it. Below `$` and the line stands its output, after `!` the output
+on standard error, and after `>` each file that it writes. A line runs next to the files of tests/input_files.py, on a
+terminal of 80 columns without colour. As in a shell, `| cat` makes standard output a pipe, `< FILE` sets standard
+input, `NAME=VALUE` before the program sets an environment variable, and `;` precedes another command, which then
+decides the exit code. Standard error is a file, because progress bars depend on time. Lines below `# needs MODULE`, up
+to the next line that begins with #, need a library that some installations lack.
 
 This module imports only `main` from jkroll, so that it can also run the lines in another checkout.
 """
@@ -31,10 +31,10 @@ from transcripts import rounded
 
 PATH = Path(__file__).parent / "corpus" / "command_lines.txt"
 OUTPUTS = PATH.with_name("outputs.txt")
-LONGEST = 40  # lines of an output that a person reads
+LONGEST = 40  # most lines of an output that a person reads
 _ENVIRONMENT = {"XDG_CONFIG_HOME": "/nonexistent", "COLUMNS": "80", "LINES": "24", "TERM": "dumb"}
 _FOREIGN = ("JKROLL_MATERIALS", "_JKROLL_COMPLETE", "FORCE_COLOR", "NO_COLOR", "COLORTERM")
-_directories: set[Path] = set()  # in which lines may be run
+_directories: set[Path] = set()  # directories in which lines may be run
 _UNFORESEEN = ("Traceback", "should have foreseen")
 
 
@@ -43,7 +43,7 @@ class Line(NamedTuple):
 
     code: int
     typed: str
-    library: str = ""  # the library it needs, if any
+    library: str = ""  # the library that it needs, if any
 
     @property
     def can_run(self) -> bool:
@@ -82,7 +82,7 @@ def lines() -> list[Line]:
 
 
 def spread(corpus: Sequence[Line], count: int) -> list[Line]:
-    """Return so many lines, spread over the corpus, the same at every call."""
+    """Return a number of lines spread over the corpus, the same at every call."""
     return [corpus[place * len(corpus) // count] for place in range(min(count, len(corpus)))]
 
 
@@ -149,14 +149,14 @@ def run(line: Line) -> Outcome:
 
 
 def _run(command: Command) -> Ran:
-    """Run a command."""
+    """Run one command."""
     with open(command.standard_input, "rb") as standard_input, mock.patch.dict(os.environ, command.variables):
         os.dup2(standard_input.fileno(), 0)
         return captured(command.words, terminal=not command.is_piped)
 
 
 def faults(line: Line, outcome: Outcome) -> list[str]:
-    """Return the faults of an outcome: another exit code, a traceback, invalid JSON."""
+    """Return the faults of an outcome: a wrong exit code, a traceback, invalid JSON."""
     found = [f"exit code {outcome.code}: {outcome.err}"] if outcome.code != line.code else []
     found += [outcome.err for text in _UNFORESEEN if text in outcome.err]
     if "--json" in shlex.split(line.typed) and outcome.out:
@@ -175,7 +175,7 @@ def _refuse(constant: str) -> NoReturn:
 
 
 def output(line: Line) -> str:
-    """Run a line, and return it with its output as tests/corpus/outputs.txt has it."""
+    """Run a line; return it with its output in the form of tests/corpus/outputs.txt."""
     outcome = run(line)
     files = [("> ", f"{name}\n{content.decode(errors='replace')}") for name, content in outcome.files.items()]
     printed = [
@@ -187,15 +187,15 @@ def output(line: Line) -> str:
 
 
 def outputs() -> Mapping[str, str]:
-    """Return the outputs that a person has read, by what is typed."""
+    """Return the outputs that a person has read, by typed line."""
     blocks = re.split(r"^(?=\$ )", OUTPUTS.read_text(encoding="utf-8"), flags=re.MULTILINE)
     return {block.partition("\n")[0].removeprefix("$ "): block for block in blocks if block}
 
 
 def write_outputs(count: int | None) -> int:
-    """Write the outputs anew, of the same lines or of so many others; return the number of lines.
+    """Renew the outputs, of the same lines or of about so many others; return the number of lines.
 
-    An output that is long, that differs from one run to the next, or that is no text is left out.
+    Left out are outputs that are long, that differ between runs, or that are no text.
     """
     runnable = [line for line in lines() if line.can_run]
     chosen = [line for line in runnable if line.typed in outputs()] if count is None else spread(runnable, count)

@@ -1,4 +1,4 @@
-"""The doors of the program: the ways to ask for the same rows, and the answers that each gives."""
+"""The doors of the program: the ways to ask for the same rows, and the answer of each."""
 
 import csv
 import json
@@ -37,17 +37,17 @@ from questions import Ask, Sheet
 from tuning import computed
 
 ULP = 2.0**-52
-STATED = 60.0  # largest difference of two evaluations in ulp times 1 + κ; an energy of Maugis' law states 30
-SURE = 2.0  # largest difference in ulp that needs no κ
+STATED = 60.0  # largest difference of two evaluations in ulp times 1 + κ; an energy by Maugis' law states 30
+SURE = 2.0  # largest difference in ulp that is allowed without κ
 STEP = 2.0**-45  # relative, of an input: so small that κ is found next to pull-off, too
 AT_END = 2.0**-43  # relative, of a state: so close to the end of a contact that rounding decides whether it holds
 FILES = ("csv", "tsv", "ndjson", "parquet")
 
-Scenes = Sequence[Frame | None]  # of rows; None for a row that is no scene
+Scenes = Sequence[Frame | None]  # of rows; None for a row without a scene
 
 
 class Refused(Exception):
-    """Raised when a door has an error for all rows together, or for the only one."""
+    """Error raised when a door refuses all rows together, or the only row."""
 
 
 class Rows(NamedTuple):
@@ -81,7 +81,7 @@ def rows_of(every: Sequence[Columns]) -> Rows:
 
 
 def _by_key(reasons: Mapping[str, JkrollError]) -> Iterator[tuple[str, JkrollError]]:
-    """Iterate over reasons; the reason for a value without an error bar has the key of a side."""
+    """Iterate over reasons by key; for a value without an error bar, the key is that of a side."""
     for name, error in reasons.items():
         yield f"{name}_{SIDES[0]}" if isinstance(error, NoErrorBar) else name, error
 
@@ -102,7 +102,7 @@ def best_of(key: str) -> str:
 
 
 def call_of(words: Sequence[str]) -> Call:
-    """Return the call that words express."""
+    """Return the call that the words of a command line express."""
     action: Any = action_of(words)
     call: Call = action.args[0]
     return call
@@ -129,7 +129,7 @@ def of_list(ask: Ask, *, by_arrays: bool, best: bool = False) -> Rows:
 
 
 def printed(run: Run, ask: Ask, form: str, *more: str, by_arrays: bool) -> tuple[Ran, list[dict[str, Any]]]:
-    """Return what a call printed, and the cells that it wrote, by header, in an option's format or in a file."""
+    """Return the output of a call, and the cells that it wrote, by header, in a printed format or in a file."""
     path = Path(f"out.{form}")
     path.unlink(missing_ok=True)
     with computed(by_arrays=by_arrays):
@@ -166,7 +166,7 @@ def strict_json(text: str) -> Any:
 
 
 class Converted(NamedTuple):
-    """The rows of a table as computed and written and as defined by floats, and their scenes."""
+    """The rows of a table as computed and written, the rows as defined by floats, and the scenes."""
 
     rows: Rows
     cells: list[dict[str, str]]
@@ -175,7 +175,7 @@ class Converted(NamedTuple):
 
 
 def of_table(run: Run, sheet: Sheet, *, sample: int = 200) -> Converted:
-    """Return the rows of a table; `sample`: the number of first rows that decide on its columns."""
+    """Return the rows of a table; `sample`: the number of first rows that decide the meaning of columns."""
     Path("in.csv").write_text(sheet.text(), encoding="utf-8")
     arrays: list[Columns] = []
     floats: list[Columns] = []
@@ -209,7 +209,7 @@ def _at(block: Block, place: int, _: int) -> Frame:
 
 
 def _scene_of(block: Block, place: int) -> Frame | None:
-    """Return a row of a block as a scene; None for one that is no scene."""
+    """Return the scene of a row in a block; None for a row without a scene."""
     try:
         scene: Frame = block.frame_of(place)
         return scene
@@ -235,7 +235,7 @@ def _rounding(scene: Frame, name: str) -> float:
 
 
 def _condition(scene: Frame, name: str, value: float) -> float:
-    """Return κ: the factor from relative errors of the inputs to that of a quantity; infinite where it ends."""
+    """Return κ: the factor from relative errors of the inputs to that of a quantity; infinite where a contact ends."""
     inputs = {source: scene.given[source] for source in scene.inputs_of(name) if source in scene.given}
     return sum(_growth(scene, name, value, *one) for one in inputs.items() if one[1] and math.isfinite(one[1]))
 
@@ -253,7 +253,7 @@ def _growth(scene: Frame, name: str, value: float, source: str, given: float) ->
 def sides_agree(scene: Frame, name: str, one: float | None, other: float | None) -> bool:
     """Return whether two numbers of an uncertainty agree.
 
-    None, which means no influence, agrees with a number that is only rounding.
+    None means no influence, and agrees with a number that comes from rounding.
     """
     error = 4 * max((_error(each, name) for each in _ends(scene, name)), default=0.0) + _rounding(scene, name)
     value = outcomes(scene, (name,))[name]
@@ -269,7 +269,7 @@ def _error(scene: Frame, name: str) -> float:
 
 
 def _ends(scene: Frame, *names: str) -> Iterator[Frame]:
-    """Iterate over the scene and those at the ends of its uncertain inputs, one by one and all together."""
+    """Iterate over the scene, and over scenes at the ends of its uncertain inputs, moved alone and all together."""
     yield scene
     sources = sources_of(scene, scene.inputs_of(*names)).entering
     for source in sources:
@@ -301,7 +301,7 @@ def _is_at_threshold(limit: Limit, scene: Frame, names: Sequence[str]) -> bool:
 
 
 def is_at_its_end(scene: Frame) -> bool:
-    """Return whether the contact lets go within the accuracy of its state, so that either answer is right."""
+    """Return whether the state is so close to the end of the contact that either answer is right."""
     states = {name: middle(scene.stated[name]) for name in ("load", "approach_at_load") if name in scene.stated}
     for name, value in states.items():
         step = AT_END * abs(value) or LEAST
@@ -314,7 +314,7 @@ def is_at_its_end(scene: Frame) -> bool:
 
 
 def differences(one: Rows, other: Rows, scenes: Scenes | None = None) -> Iterator[str]:
-    """Iterate over the differences of two doors in common columns, exact or, given the scenes, beyond accuracy."""
+    """Iterate over the differences of two doors in common columns: any or, given scenes, those beyond accuracy."""
     if len(one.values) != len(other.values):
         yield f"{len(one.values)} and {len(other.values)} rows"
         return
@@ -355,6 +355,6 @@ def _same(scene: Frame | None, key: str, one: float | None, other: float | None)
 
 
 def _ends_of_best(scene: Frame) -> Iterator[Frame]:
-    """Iterate over the scene and the same scene under the better law, at the ends of uncertain inputs."""
+    """Iterate over the scene, and the same scene under the better law, at the ends of uncertain inputs."""
     for each in _ends(scene, *scene.possible(["pull_off_force", "yield_force"])):
         yield from (each, each.by_law_at_spacing, at_half_spacing(each.by_law_at_spacing))

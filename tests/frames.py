@@ -12,7 +12,7 @@ from jkroll.model.search import Solution
 
 
 def outcomes(scene: Frame, names: Iterable[str]) -> dict[str, Any]:
-    """Return the value of each quantity, or the error that explains why no row has one."""
+    """Return the value of each quantity, or the error that states why no row has a value."""
     columns = scene.columns(names)
     return {
         name: scene.error(name, column.reasons) if column.is_empty else column.values
@@ -26,7 +26,7 @@ def doubts(scene: Frame, names: Iterable[str], judged: Iterable[limits.Limit] = 
 
 
 def factor_of_law(scene: Frame, names: Iterable[str]) -> Any:
-    """Return the factor between quantities and their values under the law that holds."""
+    """Return the largest factor between quantities and their values under the law that holds."""
     return other_law.factor_of_law(scene, scene.columns(names))
 
 

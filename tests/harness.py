@@ -47,7 +47,7 @@ def captured(words: Sequence[str], *, terminal: bool = False) -> Ran:
         out = Stream(os.fdopen(os.dup(file.fileno()), "wb"), terminal=terminal)
         with redirect_stdout(out), redirect_stderr(err):
             code = main([*words])
-        with suppress(OSError):  # a full file takes no more
+        with suppress(OSError):  # the file system is full
             out.close()
         file.seek(0)
         return Ran(code, file.read().decode("utf-8", "surrogateescape"), err.text())

@@ -1,4 +1,4 @@
-"""Small files that command lines name: tables and files of materials, valid, broken and unusual."""
+"""Small files for command lines: tables and files of materials, valid, broken and unusual."""
 
 import gzip
 from pathlib import Path

@@ -28,7 +28,7 @@ TYPED = [name for name, quantity in NOMENCLATURE.items() if quantity.example and
 
 
 def is_one_line(message: str) -> bool:
-    """Return whether a message can be shown as it is: printable, not empty, not long."""
+    """Return whether a message can be shown unchanged: it is printable, not empty and not long."""
     return 0 < len(message) <= LONGEST_MESSAGE and message.isprintable()
 
 
@@ -93,7 +93,7 @@ def check_call(arguments: list[str]) -> int:
     """Run a command line in this process, check the invariants of all command lines, and return its exit code."""
     code, said, err = captured(arguments)
     lines = err.splitlines()
-    if "--debug" in arguments and code:  # a traceback stands before the line
+    if "--debug" in arguments and code:  # a traceback precedes the line
         lines = lines[-1:]
     errors = [line for line in lines if line.startswith("jkroll: ")]
     assert code in CODES, arguments
@@ -102,12 +102,12 @@ def check_call(arguments: list[str]) -> int:
         for line in lines
     ), (arguments, lines)
     assert bool(errors) == (code != 0), (arguments, code, lines)
-    has_files = not {"batch", "fit"}.isdisjoint(arguments[:2])  # each file that fails has a line
+    has_files = not {"batch", "fit"}.isdisjoint(arguments[:2])  # each file that fails has its own line
     assert len(errors) <= 1 or has_files, (arguments, lines)
     assert not any("this is a bug in jkroll" in line for line in errors), (arguments, lines)
     if code == JkrollError.exit_code:
         assert said == "", arguments
-        assert lines == errors or "batch" in arguments, arguments  # there are notes on the tables before
+        assert lines == errors or "batch" in arguments, arguments  # notes on the tables precede the errors
     assert "\x1b" not in said, arguments
     return code
 
@@ -129,7 +129,7 @@ def kept(target: str) -> list[bytes]:
     return [file.encode() for file in files]
 
 
-# Names that command lines may use besides small files.
+# Names that command lines may use besides the small files.
 DEVICES = {
     "null": "null",
     "null.csv": "null",
@@ -142,7 +142,7 @@ MOST_WRITTEN = 1_000_000  # bytes per file; beyond this the disk is full
 
 
 def isolate(directory: str) -> None:
-    """Hide the user's files and terminal from later calls, and confine these to a directory."""
+    """Hide the user's files and terminal from later calls, and confine the calls to a directory."""
     os.environ.update(XDG_CONFIG_HOME=directory, COLUMNS="80", TERM="dumb")
     for name in ("JKROLL_MATERIALS", "_JKROLL_COMPLETE", "FORCE_COLOR"):
         os.environ.pop(name, None)

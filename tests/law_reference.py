@@ -124,14 +124,14 @@ ALL_STICK = mpf("0.681745209228707968370096573791593022995682283322922")
 
 
 def slowed(T_star: Exact) -> Exact:
-    """Return the ratio of the sticking speeds with and without viscous damping, by the fit."""
+    """Return the ratio of the sticking speeds with and without viscous damping, from the fit."""
     L = -digits.log(1 - T_star / ALL_STICK)
     p, q = (sum(mpf(number) * L**power for power, number in enumerate(row.split())) for row in FITTED)
     return (p / q) ** 3
 
 
 def _rigid_on_soft_plane(R1: Exact, R2: Exact, E1: Exact, E2: Exact, nu2: Exact) -> Exact:
-    """Return the radius of a sphere for which the true shape is valid."""
+    """Return the radius of a sphere if the true shape is valid for it."""
     if digits.inf != R2 or E1 < 100 * E2 or nu2 < mpf(0.45):
         raise ValueError
     return R1
@@ -277,7 +277,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "approach_at_pull_off_maugis": lambda edge_c, d_M, lambda_: sum(approach_terms(edge_c, lambda_)) * d_M,
     "edge_ratio_at_fold": lambda lambda_: ratio(*maugis.fold(lambda_)) if maugis.folds_in_contact(lambda_) else mpf(0),
     "fold_approach_maugis": lambda d_M, lambda_: maugis.lowest_approach(lambda_) * d_M,
-    # Maugis' law: what a state has
+    # Maugis' law: quantities of a state
     "contact_radius_maugis": lambda edge, T: edge * T,
     "zone_radius": lambda edge, T: T * sqrt(1 + edge**2),
     "approach_maugis": lambda edge, T, R, E, sigma0: (edge * T) ** 2 / R - 2 * sigma0 * T / E,
@@ -325,7 +325,7 @@ TERMS: Mapping[str, Callable[..., Exact]] = {
     "state_energy_maugis": lambda edge, T, l_M, U_M, lambda_: max(map(abs, state_energy(edge, T, l_M, U_M, lambda_))),
 }
 
-# The parameters whose condition a formula states besides its number of ulp.
+# The parameters for which a formula states a condition besides its number of ulp.
 CONDITIONED: Mapping[str, tuple[str, ...]] = {
     "contact_radius_dmt": ("load",),
     "threshold_humidity": ("roughness_gap",),

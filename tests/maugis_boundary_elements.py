@@ -1,8 +1,9 @@
 """Rolling of a paraboloid on an elastic half-space in three dimensions, by boundary elements on a square grid.
 
 Dugdale's traction acts on a disc whose centre lags behind the apex. The contact pressure adds to it; the conjugate
-gradients of Polonsky & Keer (Wear 231, 206, 1999) find it at a given load. Love's formula gives the displacements of
-rectangular patches, by a discrete convolution on a doubled grid. Units as in `maugis_reference`: E* = 3/4, R = 1.
+gradients of Polonsky & Keer (Wear 231, 206, 1999) find this pressure at a given load. Love's formula gives the
+displacements by rectangular patches, as a discrete convolution on a doubled grid. Units as in `maugis_reference`: E* =
+3/4, R = 1.
 """
 
 from typing import Any
@@ -67,7 +68,7 @@ def _disc(radius: float, x: Any, y: Any, step: float) -> Any:
 
 
 def _kernel(points: int, step: float) -> Any:
-    """Return the Fourier transform of the grid's displacement for a unit pressure on one cell."""
+    """Return the Fourier transform of the displacements by a unit pressure on one cell."""
     index = numpy.fft.fftfreq(2 * points, 1 / (2 * points)) * step
     x, y = numpy.meshgrid(index, index, indexing="ij")
     h = step / 2

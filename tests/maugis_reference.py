@@ -18,7 +18,7 @@ from mpmath import MPContext  # type: ignore[import-untyped]
 Exact = Any  # an mpf of the context below; mpmath declares no types
 OfState = Callable[[Exact, Exact, Exact], Exact]  # a function of Ā, t and λ
 
-digits = MPContext()  # our own context, because other tests change the precision of mpmath's
+digits = MPContext()  # our own context, since other tests change the precision of mpmath's
 digits.dps = 120
 mpf, sqrt, cbrt = digits.mpf, digits.sqrt, digits.cbrt
 pi = digits.pi  # to as many digits as needed
@@ -73,7 +73,7 @@ def folds_in_contact(transition: Exact) -> bool:
 
 
 def touch_approach(transition: Exact) -> Exact:
-    """Return the approach at which the spheres touch: Ā is 0 there, and the first equation gives c̄ as Ām."""
+    """Return the approach at which the spheres touch; Ā is 0 there, and the first equation gives c̄ as Ām."""
     both = 4 * transition**2 / 3 * (pi / 2 - 1)
     return -4 * transition / 3 * 2 / (both + sqrt(both**2 + pi * transition))
 
@@ -124,7 +124,7 @@ def _end_of_fall(of_state: OfState, transition: Exact) -> Exact:
 def _bisect(is_before: Callable[[Exact], bool], high: Exact) -> Exact:
     """Return a position just before the one where a condition ceases to hold.
 
-    It starts where cancellation in the equations, in proportion to t², leaves half of the digits.
+    The search starts where cancellation in the equations, proportional to t², leaves half of the digits.
     """
     low = -mpf(digits.dps) / 2
     while high - low > 0.1:

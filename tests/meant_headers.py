@@ -1,11 +1,12 @@
-"""Headers as people write them: thousands for a seed, each with its meaning; the words are independent of the program.
+"""Headers as people write them: thousands for a seed, each with its meaning.
 
     python tests/meant_headers.py 1 2 3
 
 prints for each seed how headers are read next to a column `material`. The words come from papers on dust, decks and
 tables of DEM codes, exports of AFM software, data sheets of powders, and lists of materials. They were collected
-independently, so that some are unknown to the program. About half of the headers mean no input but have the dimension
-of one: a hardness is not a modulus. The program may refuse them or pass them through, but must never read them.
+independently of the program, which does not know some of them. About half of the headers mean no input but have the
+dimension of one: a hardness is not a modulus. The program may refuse them or pass them through, but must never read
+them.
 """
 
 import re
@@ -33,15 +34,15 @@ class Header(NamedTuple):
 
     text: str
     name: str  # the input that it means; "" if none
-    factor: float  # from a number below it to SI units
+    factor: float  # from numbers in the column to SI units
     is_plain: bool  # ASCII, with the unit in brackets
     is_of_2: bool  # means sphere 2 only
     others: tuple[str, ...] = ()  # other inputs that it may mean
-    share: float = 1.0  # the input over the number below it: a radius is half of a diameter
+    share: float = 1.0  # the input over the number in the column: a radius is half of a diameter
 
     @property
     def advice(self) -> set[str]:
-        """The inputs that the program may suggest for it."""
+        """The inputs that the program may suggest for the header."""
         names = {self.name, *self.others}
         return {name.replace("radius", "diameter") for name in names} if self.share == 0.5 else names
 
@@ -375,7 +376,7 @@ _IS_GREEK = f"[{''.join(_GREEK)}]"
 
 
 def _ascii(text: str) -> str:
-    """Return a text with Greek letters spelt out and without accents; other alphabets stay."""
+    """Return a text with Greek letters spelt out and without accents; other alphabets are kept."""
     spelt = re.sub(_IS_GREEK, lambda found: _GREEK[found[0]], text)
     return (
         re.sub(r"[\u0300-\u036f]", "", normalize("NFKD", re.sub("[µμ]", "u", spelt)))
@@ -390,7 +391,7 @@ def _by_janitor(text: str) -> str:
 
 
 def _mistaken(text: str) -> str:
-    """Return a text in UTF-8 as shown by a program that takes it for cp1252, decoded like browsers do."""
+    """Return a text in UTF-8 as a program shows it that takes it for cp1252, decoded as browsers do."""
     pieces = (bytes([code]) for code in text.encode())
     return "".join(piece.decode("latin-1" if piece in b"\x81\x8d\x8f\x90\x9d" else "cp1252") for piece in pieces)
 
@@ -420,7 +421,7 @@ _OF_ALL = ("R", "MATLAB", "MATLAB, joined", "janitor", "SQL, small", "SQL, capit
 
 
 def _with_body(term: Term, chance: Random) -> tuple[str, tuple[str, ...], bool]:
-    """Return a word with its body, if it has one; its meanings; and whether it means sphere 2 only."""
+    """Return a word with its body, if it has one, its meanings, and whether it means sphere 2 only."""
     text = term.text
     if not term.names:
         return text, (), False
@@ -465,8 +466,8 @@ def _header(term: Term, chance: Random) -> Header:
         how = chance.choice(_OF_GREEK)
         how = "decomposed" if how == "lost" and not text.isascii() else how
     mangled = _MANGLINGS[how](whole) if how else whole
-    in_metres = re.search("[µμ]", whole) and re.search(r"[^\W_][_.]m$", mangled)  # radius_m is, for all who read it
-    is_lost = in_metres or ("*" in text and "*" not in mangled)  # E_GPa is no E*
+    in_metres = re.search("[µμ]", whole) and re.search(r"[^\W_][_.]m$", mangled)  # everyone reads radius_m as metres
+    is_lost = in_metres or ("*" in text and "*" not in mangled)  # without its star, E* is E
     whole = whole if is_lost else mangled
     name, *others = names or ("",)
     return Header(whole, name, factor * term.share, is_plain and not how, is_of_2, tuple(others), term.share)
@@ -512,7 +513,7 @@ def _understood(text: str) -> Understood:
 
 
 def advice_for(text: str) -> set[str]:
-    """Return the inputs that the refusal of a header names; none if it is not refused."""
+    """Return the inputs that the refusal of a header names; none if the header is not refused."""
     try:
         _understood(text)
     except BadTable as error:
@@ -532,7 +533,7 @@ def outcome(header: Header) -> str:
         return IDLE if header.name and supplied.keys().isdisjoint({header.name, *header.others}) else PASSED
     (column,) = found.inputs
     if not header.name and column.name.startswith("shear_modulus"):
-        return PASSED  # an input, but not one that is meant
+        return PASSED  # an input, but not one of those meant
     is_meant = computed_as(column.name) in {header.name, *header.others} - {""}
     factor = column.unit[0] / column.unit[1] if column.unit else 1.0
     factor *= 0.5 if column.name.startswith("diameter") else 1.0

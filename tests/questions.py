@@ -30,7 +30,7 @@ LETS_GO = [
     -1.001,
     -1.5,
     -8 / 9,
-]  # loads near pull-off, over the pull-off force
+]  # loads near pull-off, relative to the pull-off force
 ODD_CELLS = ["abc", "-1 m", "0", "1e-9", "nan", "inf", "1e-9 kg", "1e90 m", "5±1", "3 to 4", "10%"]
 MOST_ROWS = 6
 
@@ -42,7 +42,7 @@ class Ask(NamedTuple):
     inputs: Mapping[str, Sequence[str]]  # the texts of the values of each input; materials are among them
     quantities: str = ""  # of --quantities
     model: str | None = None
-    options: Sequence[str] = ()  # inputs with one value that a table takes from options
+    options: Sequence[str] = ()  # inputs with one value, which a table takes from options
 
     def words(self, *more: str) -> list[str]:
         """Return the words of a command line."""
@@ -132,7 +132,7 @@ def any_ask(random: Random, command: str = "", model: str | None = "") -> Ask:
         names = [name for name in random.sample(NAMES, random.randint(1, 4)) if name not in inputs]
         quantities = ",".join(names + random.choice([[], [], ["contact"]]))
     options = [name for name, texts in inputs.items() if len(texts) == 1 and random.random() < 0.3]
-    if len(options) == len(inputs):  # a table without columns for a contact is refused
+    if len(options) == len(inputs):  # a table without columns of the contact is refused
         options = options[1:]
     return Ask(command, inputs, quantities, model, tuple(options))
 
@@ -144,7 +144,7 @@ class _Values:
         self.random, self.model = random, model
         self.wider = random.choice([1.0] * 6 + [1e4, 1e4, 1e20])  # times the sizes of grains
         self.kinds = random.choice([[], [], [], [], ["±"], ["±"], ["to"], ["±", "to"]])  # of uncertainties
-        self.part = random.choice([0.1, 0.2, 0.2, 0.5])  # share of the values that have one
+        self.part = random.choice([0.1, 0.2, 0.2, 0.5])  # share of the values with an uncertainty
         self.found: dict[str, tuple[str, ...]] = {}
         self.count = 1
 
@@ -193,7 +193,7 @@ class _Values:
             self._add("youngs_modulus", lambda: "rigid", beside=self.found["youngs_modulus"])
 
     def _state(self) -> None:
-        """Add loads or approaches, many of them at the end of what the contact holds, or beyond."""
+        """Add loads or approaches, many of them at or beyond the end of what the contact holds."""
         kind = self.random.choice(["", "", "load", "load", "approach_at_load"])
         if not kind:
             return
@@ -213,7 +213,7 @@ class _Values:
         self._add(kind, text)
 
     def _held(self, kind: str) -> tuple[float, float]:
-        """Return the size of loads or approaches of the first row, and how much of it the contact holds."""
+        """Return the size of loads or approaches of the first row, and the part of it that the contact holds."""
         texts: dict[str, Any] = {name: own[0] for name, own in self.found.items() if not has_uncertainty(own[0])}
         name, fold = ("pull_off_force", "") if kind == "load" else ("approach", "fold_approach_maugis")
         try:
@@ -242,7 +242,7 @@ class _Values:
         return repr(self.random.choice([0.5, -0.99, 0.3, self.random.uniform(-0.9, 0.5)]))
 
     def _sizes(self, name: str, low: float, high: float, special: str = "") -> None:
-        """Add values of any size, some with few digits, some equal to those of sphere 1, and some special."""
+        """Add values of any size, some with few digits, some equal to those of sphere 1, and some special values."""
         low, high = low / self.wider, high * self.wider
         first = self.found.get(name.removesuffix("2"), ())
 

@@ -1,4 +1,4 @@
-"""Tables for the tests: write and read table files, and make random rows."""
+"""Tables for the tests: read and write table files, and make random rows."""
 
 import csv
 import json
@@ -40,7 +40,7 @@ def read_rows(name: str) -> list[dict[str, Any]]:
 
 
 def random_table(size: int, seed: int) -> str:
-    """Return a table of grains of every kind that a table can mix, as CSV."""
+    """Return a table of grains of every kind that a table may mix, as CSV."""
     import random
 
     draw = random.Random(seed)
@@ -64,7 +64,7 @@ def random_table(size: int, seed: int) -> str:
     return "\n".join(lines) + "\n"
 
 
-# Small blocks, with processes for all but the first: killing a short run then meets each of its states.
+# Small blocks, all but the first in other processes: a kill during a short run then meets each of its states.
 IN_SMALL_BLOCKS = """
 import signal
 import jkroll.__main__

@@ -1,7 +1,8 @@
 """The exact value of each result: the paper's equations in 120-digit arithmetic, in their plainest form.
 
-Inputs are doubles and taken as exact. Nothing is rearranged to save digits; there are simply enough of them. The worst
-cancellation, in the rolling of spheres whose radii differ 1e15 times, leaves 76. Nothing is shared with `jkroll`.
+Inputs are doubles and count as exact. Nothing is rearranged to save digits; there are enough of them. The worst
+cancellation, in the rolling of spheres whose radii differ by a factor of 1e15, leaves 76 digits. This module shares
+nothing with `jkroll`.
 """
 
 # ruff: noqa: N803  (the paper's symbols)
@@ -20,7 +21,7 @@ DEFAULTS = {
 FOLD = -cbrt(mpf(9) / 16)  # δ̂, where dδ/dâ = 0
 
 # The allowed errors in ulp of a result times 1 plus its condition: the largest; the median over all results; and the
-# median of each name. The first and the last come from the rounding of moduli and of a contact radius, which products
+# median for each name. The first and the last arise from the rounding of moduli and of a contact radius, which products
 # and third powers multiply.
 BOUND, MEDIAN, MEDIAN_OF_A_NAME = 15.0, 0.55, 1.5
 
@@ -41,23 +42,23 @@ def root(approach_ratio: Exact) -> Exact:
         raise ValueError("no contact")
     y = 1 + sqrt(sqrt(abs(approach_ratio)))
     step = mpf(1)
-    while abs(step) > abs(y) * mpf(10) ** (-digits.dps // 2):  # the last step squares that
+    while abs(step) > abs(y) * mpf(10) ** (-digits.dps // 2):  # the last step squares this
         step = (3 * y**4 - 2 * y - approach_ratio) / (12 * y**3 - 2)
         y -= step
     return y
 
 
 def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
-    """Return every result for one scene, each from its equation and the exact values of earlier ones.
+    """Return every result for one scene, each from its equation and the exact values of earlier results.
 
-    Sphere 2 takes missing inputs from sphere 1; its radius may be infinite. The contact's state is that at a load or,
-    if `approach_at_load` is given, at an approach.
+    Sphere 2 takes missing inputs from sphere 1, and its radius may be infinite. The contact is in the state at a load
+    or, if `approach_at_load` is given, at an approach.
     """
     values = values_in(given)
     names = {*EQUATIONS, *OF_A_SCENE, "load"} - {*law_reference.EQUATIONS, *AT_AN_APPROACH.values(), *NO_RESULTS}
     names |= {"adhesive_force", *values.routes.values()}
     results = {name: values.get_exact(name) for name in sorted(names - given.keys())}
-    if abs(values["load_margin"]) < 1e-7:  # the rounding of a load may put it at pull-off
+    if abs(values["load_margin"]) < 1e-7:  # rounding of the load may put it at pull-off
         del results["rolling_over_sliding"]
     if values["load"] / values["pull_off_force"] < 1e-12:  # within the rounding of an approach
         del results["rolling_resistance_coefficient"]
@@ -65,7 +66,7 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
 
 
 def values_in(given: Mapping[str, float]) -> "Values":
-    """Return the values of a scene: the given ones, and the others when they are needed."""
+    """Return the values of a scene: the given values, and others as they are needed."""
     known = {name: mpf(value) for name, value in {**DEFAULTS, **given}.items()}
     values = Values({name + "2": value for name, value in known.items()} | known)
     if "approach_at_load" in known:
@@ -77,7 +78,7 @@ def values_in(given: Mapping[str, float]) -> "Values":
 
 
 class Values(dict[str, Exact]):
-    """The values of a scene: the given ones, and those that equations give when they are needed."""
+    """The values of a scene: the given values, and values from equations as they are needed."""
 
     routes: Mapping[str, str] = MappingProxyType({})  # the chosen equations of quantities that have several
 
@@ -96,7 +97,7 @@ class Values(dict[str, Exact]):
 
 
 def released(y: Exact, y2: Exact) -> Exact:
-    """Return the energy that the contact releases from √â = y to y2, in P_cδ0: −∫ P̂ (dδ̂/dy) dy with Eqs (5) and (6)."""
+    """Return the energy that the contact releases from √â = y to y2, in P_cδ0: −∫ P̂ (dδ̂/dy) dy by Eqs (5) and (6)."""
     return _potential(y) - _potential(y2)
 
 
@@ -123,12 +124,12 @@ def conditions(given: Mapping[str, float], results: Mapping[str, Exact]) -> dict
         moved = exact_results({**given, state: mpf(given[state]) * (1 + step)})
         found = {name: _ratio(moved[name] - value, step * value) for name, value in results.items()}
     for name, pressure in (("yield_speed", "first_yield_pressure"), ("plastic_speed", "plastic_pressure")):
-        if results.get(name):  # near the pressure of a touch, its error is that of both pressures
+        if results.get(name):  # near the pressure of a touch, the error is that of both pressures
             over_touch, energy = results[pressure] / results["touch_pressure"], results["adhesion_energy"]
             step = mpf(10) ** -40
             moved = _speed_to(over_touch * (1 + step), results["reduced_mass"], energy)
             found[name] = 2 * _ratio(moved - results[name], step * results[name])
-    if results.get("restitution"):  # near v_stick, its error is that of v_stick
+    if results.get("restitution"):  # near v_stick, the error is that of v_stick
         found["restitution"] = float(1 / results["restitution"] ** 2 - 1)
     return found
 
@@ -138,12 +139,12 @@ def _ratio(value: Exact, other: Exact) -> float:
 
 
 def exact(formula: str, arguments: Mapping[str, float]) -> Exact:
-    """Return the exact value of a formula at arguments taken as exact; its equation finds other needs by itself."""
+    """Return the exact value of a formula at arguments that count as exact; its equation evaluates the rest."""
     return _evaluate(EQUATIONS[formula], arguments)
 
 
 def scale(formula: str, arguments: Mapping[str, float]) -> Exact:
-    """Return the reference for a formula's relative error: its value or, if two terms may cancel, the larger one."""
+    """Return the reference for a formula's relative error: its value or, if two terms may cancel, the larger term."""
     return abs(_evaluate(TERMS[formula], arguments) if formula in TERMS else exact(formula, arguments))
 
 
@@ -237,21 +238,21 @@ SYMBOLS = {
 
 
 def _wave_speed(density: Exact, modulus: Exact, ratio: Exact) -> Exact:
-    """Return the speed of a Rayleigh wave; 0 in a rigid sphere, which has none."""
+    """Return the speed of a Rayleigh wave; 0 in a rigid sphere, which has no wave."""
     if modulus == math.inf:
         return mpf(0)
     return (mpf(0.8766) + mpf(0.1631) * ratio) * sqrt(modulus / (2 * (1 + ratio)) / density)
 
 
 def _pressing(P: Exact) -> Exact:
-    """Return a load that presses; raise ValueError for others, which no coefficient multiplies."""
+    """Return a load that presses; raise ValueError for others, which have no coefficient."""
     if P <= 0:
         raise ValueError("no load that presses")
     return P
 
 
 def _held(s: Exact) -> Exact:
-    """Return the distance from pull-off of a contact that holds by itself; others have no equation."""
+    """Return the distance from pull-off of a contact that holds by itself; other contacts have no equation."""
     if s < 0:
         raise ValueError
     return s
@@ -264,7 +265,7 @@ def _given_way(T_peel: Exact, T_over_slide: Exact, s: Exact) -> Exact:
 
     def excess(
         angle: Exact,
-    ) -> Exact:  # T over the strength of the remaining area, both over that of the peeled contact
+    ) -> Exact:  # T over the strength of the remaining area, relative to that of the peeled contact
         left = (1 + s**2 + 2 * s * digits.cos(angle)) / (1 + s**2)
         return T_over_slide * digits.sin(angle) - cbrt(left) ** 2
 
@@ -276,7 +277,7 @@ def _given_way(T_peel: Exact, T_over_slide: Exact, s: Exact) -> Exact:
 def _root_below(start: Exact, function: Callable[[Exact], Exact], slope: Callable[[Exact], Exact]) -> Exact:
     """Return the root of a convex function by Newton's steps from a start beyond it."""
     root, step = start, mpf(1)
-    while abs(step) > abs(root) * mpf(10) ** (-digits.dps // 2):  # the last step squares that
+    while abs(step) > abs(root) * mpf(10) ** (-digits.dps // 2):  # the last step squares this
         step = function(root) / slope(root)
         root -= step
     return root
@@ -299,7 +300,7 @@ def _at_peak(energy: Exact) -> Exact:
 
 
 def _speed_to(over_touch: Exact, m: Exact, W_adhesion: Exact) -> Exact:
-    """Return the speed at which the peak pressure is a multiple of that of a touch; it is not real below 1."""
+    """Return the speed at which the peak pressure is a multiple of the pressure of a touch; not real below 1."""
     if over_touch <= 1:
         raise ValueError
     ratio = over_touch * _pressure_in_units(_at_peak(mpf(0)))
@@ -308,7 +309,7 @@ def _speed_to(over_touch: Exact, m: Exact, W_adhesion: Exact) -> Exact:
 
 
 def _yields_at(sigma_y: Exact, nu: Exact) -> Exact:
-    """Return the peak pressure at which von Mises' stress on the axis of Hertz' contact is the yield strength."""
+    """Return the peak pressure at which von Mises' stress on the axis of Hertz' contact equals the yield strength."""
     return sigma_y / _largest_stress(nu)
 
 
@@ -497,7 +498,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "speed_over_sticking": lambda v, v_s: v / v_s,
     "flight_ratio": lambda W0, R1, R2, P_c: 2 * W0 / ((R1 + R2) * P_c),
     "contact_over_sphere": lambda a0, a, R1, R2: max(a0, a) / min(R1, R2),
-    # the strip of Appendix A, corrected as the docstrings say
+    # the strip of Appendix A, corrected as the docstrings state
     "asymmetric_pressure": lambda X, b, xi, R_c, E_strain, C: (
         E_strain / (2 * R_c) * (sqrt(b**2 - X**2) + (C - b**2 / 2 + xi * X) / sqrt(b**2 - X**2))
     ),
@@ -507,14 +508,14 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "half_strips_moment": lambda b, xi, R_c, E_strain, C: (
         E_strain / (2 * R_c) * ((-((b - xi) ** 3) / 6 + C * (b - xi)) - (-((b + xi) ** 3) / 6 + C * (b + xi)))
     ),
-    # the shifted circle, as it is drawn
+    # the shifted circle of the figures
     "exact_pressure": lambda X_c, a, E, R, xi, p_H, p_B: sum(_shifted_pressure(X_c, a, E, R, xi, p_H, p_B)),
     "half_circle_pressure": lambda r, A, delta, E, R: sum(_half_circle_pressure(r, A, delta, E, R)),
     "unloaded_half_width": lambda w, R_c, E_strain: cbrt(32 * w * R_c**2 / (pi * E_strain)),
     **law_reference.EQUATIONS,
 }
 
-# What only scenes have: sphere 2, and a quantity that is another one by definition.
+# Quantities of scenes only: those of sphere 2, and those that equal another quantity by definition.
 OF_A_SCENE: Mapping[str, Callable[..., Exact]] = {
     "diameter2": lambda R2: 2 * R2,
     "shear_modulus2": lambda E2, nu2: E2 / (2 * (1 + nu2)),
@@ -526,12 +527,12 @@ OF_A_SCENE: Mapping[str, Callable[..., Exact]] = {
 AT_AN_APPROACH = {
     "load": "load_at_factor", "load_margin": "load_margin_of_factor", "load_factor": "load_factor_at_approach",
 }  # fmt: skip
-NO_RESULTS = ("boussinesq_pressure_at_approach", "initial_angular_speed")  # formulas that no plan takes
+NO_RESULTS = ("boussinesq_pressure_at_approach", "initial_angular_speed")  # formulas that no plan uses
 
-# Formulas whose accuracy is stated for the ratio of two arguments as it is rounded.
+# Formulas whose accuracy is stated for the rounded ratio of two arguments.
 OF_A_RATIO = ("load_factor_at_approach", "load_margin_at_approach")
 
-# What x is the cube of, for formulas whose accuracy is stated in that.
+# The root x of x³ for formulas whose accuracy is stated in x.
 MEASURED: Mapping[str, Callable[[Exact], Exact]] = {"load_factor_at_approach": cbrt}
 
 # The larger of two terms that may cancel.

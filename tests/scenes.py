@@ -1,4 +1,4 @@
-"""Scenes for the tests: random ones of any size and material, and hard ones, where a careless formula loses digits."""
+"""Scenes for the tests: random ones of any size and material, and hard ones, in which careless formulas lose digits."""
 
 import math
 from collections.abc import Iterator
@@ -89,12 +89,12 @@ def random_scenes(count: int, seed: int) -> Iterator[Frame]:
 
 
 def steps_from(value: float, *counts: float) -> list[float]:
-    """Return a double and its neighbours that are some steps away, on either side."""
+    """Return a double and the doubles that are some steps away on either side."""
     return [value + sign * count * math.ulp(value) for count in (0.0, *counts) for sign in (-1, 1)][1:]
 
 
 def hard_loads(force: float) -> Iterator[float]:
-    """Iterate over loads near pull-off, near -8/9 of it where the approach is 0, and of any magnitude."""
+    """Iterate over loads near pull-off, near -8/9 of it (where the approach is 0), and of any magnitude."""
     yield from (
         -force + count * math.ulp(force) for count in (0, 1, 2, 3, 10, *(10.0**power for power in range(2, 16)))
     )
@@ -103,7 +103,7 @@ def hard_loads(force: float) -> Iterator[float]:
 
 
 def hard_approaches(approach: float, fold: float) -> Iterator[float]:
-    """Iterate over approaches near the fold, 0, equilibrium, and the border of two forms, and of any magnitude."""
+    """Iterate over approaches near the fold, 0, equilibrium and the border of two formulas, and of any magnitude."""
     yield from (approach * (fold + 10.0**power) for power in range(-14, 0))
     meeting = (0.5 / 6 ** (1 / 3) + fold, 3 / 6 ** (1 / 3) + fold)
     yield from (approach * ratio for middle in (1.0, *meeting) for ratio in steps_from(middle, 1, 1e3, 1e6, 1e9))
@@ -119,7 +119,7 @@ ENDS: dict[str, tuple[float, ...]] = {
 }  # fmt: skip
 
 
-OF_HARD_SCENES = {*QUARTZ, *OTHER, *ENDS, *DEFAULTS, "load", "approach_at_load"}  # inputs that these have
+OF_HARD_SCENES = {*QUARTZ, *OTHER, *ENDS, *DEFAULTS, "load", "approach_at_load"}  # inputs of hard scenes
 
 
 def hard_scenes(fold: float) -> Iterator[Frame]:

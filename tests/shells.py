@@ -7,9 +7,9 @@ import sys
 import time
 from pathlib import Path
 
-PATIENCE = 30  # seconds until a shell is given up
+PATIENCE = 30  # seconds before a shell is given up
 
-# The options of each shell (no configuration of the user's), and what is typed first: jkroll's completion.
+# The options of each shell, without the user's configuration, and the first input: jkroll's completion.
 SHELLS = {
     "bash": (["--norc", "--noprofile", "-i"], "PS1='ready> '; eval \"$(_JKROLL_COMPLETE=source_bash jkroll)\""),
     "zsh": (
@@ -21,7 +21,7 @@ SHELLS = {
         "function fish_prompt; echo -n 'ready> '; end; _JKROLL_COMPLETE=source_fish jkroll | source",
     ),
 }
-# Stands in for jkroll: answers completions as jkroll does, else writes the words of the call to a file.
+# A stand-in for jkroll: it answers completions as jkroll does, and otherwise writes the words of the call to a file.
 STAND_IN = """#!/bin/sh
 if [ -n "$_JKROLL_COMPLETE" ]; then exec {python} -m jkroll "$@"; fi
 for word in "$@"; do printf '%s\\n' "$word"; done > {words}.new
@@ -58,7 +58,7 @@ class Shell:
     def words_of(self, keys: str) -> list[str]:
         """Return the words of the command that is called by the keys and a return."""
         self.words.unlink(missing_ok=True)
-        self.type(keys + "\n")  # a shell reads on after a completion
+        self.type(keys + "\n")  # a shell continues to read after a completion
         self._wait_for(self.words)
         return self.words.read_text(encoding="utf-8").splitlines()
 

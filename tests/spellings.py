@@ -29,12 +29,12 @@ NOTATIONS = (
     "{word}_{unit}", "{word}-{unit}", "{word} {unit}", "{word}.{unit}", "{word}_in_{unit}", "{word}__{unit}",
     "{word}_({unit})", "{word} - {unit}",
 )  # fmt: skip
-_MARKS = re.compile(r"[\[(<,/:;|]|\{\{|\sin\s")  # with which a notation says that a unit follows
-_LOSSY = ("R", "MATLAB", "MATLAB, joined", "SQL, small", "SQL, capital", "janitor")  # which lose these marks
+_MARKS = re.compile(r"[\[(<,/:;|]|\{\{|\sin\s")  # marks by which a notation separates a unit
+_LOSSY = ("R", "MATLAB", "MATLAB, joined", "SQL, small", "SQL, capital", "janitor")  # notations that lose these marks
 
 
 def _plain(text: str) -> str:
-    """Return a text with µ, superscripts and Å as spelled by programs that know only letters without marks."""
+    """Return a text with µ, superscripts and Å as a program spells them that knows only plain letters."""
     return normalize("NFKC", text.replace("µ", "u").replace("Å", "angstrom")).replace("−", "-")
 
 
@@ -100,7 +100,7 @@ def spellings() -> Iterator[Spelling]:
     """Iterate over all headers, each once."""
     seen: set[str] = set()
     for name in INPUTS:
-        units = UNITS.get(NOMENCLATURE[name].unit, [])  # a ratio has none
+        units = UNITS.get(NOMENCLATURE[name].unit, [])  # a ratio has no units
         for place, (word, is_symbol) in enumerate(words_of(name) if units else ()):
             unit, factor = units[place % len(units)]
             for notation in NOTATIONS:

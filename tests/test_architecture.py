@@ -1,4 +1,4 @@
-"""The house: which part may know which, and what nobody may do."""
+"""The architecture: which part may import which, and rules for every file."""
 
 import ast
 import inspect
@@ -23,9 +23,9 @@ from tools.make_stub import stubs
 SOURCE = Path(jkroll.__file__).parent
 MODULES = sorted(SOURCE.rglob("*.py"))
 
-# From the top down: a folder imports from those below it. The files outside a folder are the ground.
+# From the top down: a folder imports from those below it. Files outside of folders are the ground.
 FOLDERS = "cli bench pictures tables write report model materials quantities physics ground".split()
-# The package and its script hand out names of all folders; the wheel's build adds the module of shipped materials.
+# The package and its script pass on names of all folders; the build of the wheel adds the module of shipped materials.
 PUBLIC = {"__init__", "__main__", "formulas"}
 ONLY = {
     "typer": {"cli"},
@@ -39,7 +39,7 @@ ONLY = {
     "zstandard": {"tables"},
 }
 
-# The paper's equations between the quantities, which `solve` does not know; the manual names them.
+# The paper's equations between the quantities, which `solve` does not need; the manual names them.
 DERIVATION = {"pressure", "boussinesq_pressure_at_approach", "initial_angular_speed"}
 
 
@@ -115,7 +115,7 @@ def test_one_module_knows_each_library(library: str) -> None:
 
 
 def test_no_part_of_a_library_is_private() -> None:
-    """What begins with an underscore may be gone in the next version."""
+    """A name that begins with an underscore may be gone in the next version."""
     for path in MODULES:
         parts = {part for target, folder in imports(path).items() if not folder for part in target.split(".")}
         assert [part for part in parts if part.startswith("_") and not part.startswith("__")] == [], path.name
@@ -228,7 +228,7 @@ def test_a_type_checker_knows_what_a_user_writes(tmp_path: Path) -> None:
 @pytest.mark.slow
 @pytest.mark.skipif(find_spec("pyright") is None or shutil.which("node") is None, reason="needs pyright and node")
 def test_the_checker_of_editors_knows_the_same(tmp_path: Path) -> None:
-    """Without a node of its own pyright would load one."""
+    """Without its own node, pyright would download one."""
     (tmp_path / "user.py").write_text(USER, encoding="utf-8")
     settings = {"extraPaths": [str(SOURCE.parent)], "typeCheckingMode": "strict"}
     (tmp_path / "pyrightconfig.json").write_text(json.dumps(settings), encoding="utf-8")
@@ -259,7 +259,7 @@ def modules_of_tests(path: Path) -> set[str]:
 
 
 def test_a_test_knows_the_inside_of_one_folder_at_most() -> None:
-    """All else that it imports is public, or a front: what another folder of the program imports too."""
+    """Its other imports are public, or names that another folder of the program imports, too."""
     names = {".".join(path.relative_to(SOURCE).with_suffix("").parts) for path in MODULES if part(path) != "ground"}
     fronts = {
         ".".join(target.split(".")[1:3]) for path in MODULES for target, folder in imports(path).items()

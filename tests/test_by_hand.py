@@ -1,4 +1,4 @@
-"""Numbers, warnings and signs at the doors, each with a value by hand: what an error in the evaluator would change."""
+"""Numbers, warnings and signs, each with a value computed by hand, which an error in the evaluator would change."""
 
 import csv
 import json
@@ -42,7 +42,8 @@ def batch(run: Run, text: str, words: str) -> list[dict[str, str]]:
 def test_a_time_step_is_the_least_of_those_of_all_pairs(run: Run, program: str, word: str) -> None:
     """Iron of 300 nm, quartz of 100 nm: 50.05 ps for two of iron, 27.62 ps for two of quartz, 19.57 ps for both.
 
-    1/20 of 2π/√(8G*a(7/2)(1/m1 + 1/m2)) with w = 2√(γ1γ2), a = (9πwR²/2E*)^(1/3); a fifth of Rayleigh's is 23.3 ps.
+    It is 1/20 of 2π/√(8G*a(7/2)(1/m1 + 1/m2)) with w = 2√(γ1γ2), a = (9πwR²/2E*)^(1/3); a fifth of Rayleigh's time is
+    23.3 ps.
     """
     iron = "--gamma 3J/m2 --young 210GPa --poisson 0.27 --density 7.7g/cm3"
     quartz = "--gamma2 25mJ/m2 --young2 54GPa --poisson2 0.17 --density2 2.6g/cm3"
@@ -88,13 +89,13 @@ def test_a_mean_surface_energy_of_unlike_solids_is_in_doubt_from_a_ratio_of_3_on
     ("words", "said"), [("r-min 0.1nm", True), ("r-min 0.3nm", False), ("pull-off quartz 1nm", False)]
 )
 def test_what_ends_the_meaning_of_a_number_is_a_warning_and_no_note(run: Run, words: str, *, said: bool) -> None:
-    """R_min = R1R2/ξ = 50 pm is below R1 at 0.1 nm, not at 0.3 nm, where 1.3 is a large angle; few atoms are a note."""
+    """R_min = R1R2/ξ = 50 pm is below R1 at 0.1 nm; at 0.3 nm it is not, but the angle 1.3 is large."""
     err = run(f"{words} --quiet").err
     assert (err.startswith("warning: "), "no chain bends within one of its spheres" in err) == (said, said)
 
 
 CODES = {
-    # Lennard-Jones' over JKR's, 1 + (1/3)/(1 + 1.95 μ^1.4), is 1.25 at 899 nm and 1.05 at 389 µm; Maugis' is less.
+    # Lennard-Jones' over JKR's, 1 + (1/3)/(1 + 1.95 μ^1.4), is 1.25 at 899 nm and 1.05 at 389 µm; Maugis' is smaller.
     "pull-off 890nm,910nm,380um,400um": ["law-off-25%", "law-off-5%", "law-off-5%", ""],
     # Maugis' over JKR's is c/a0 = 1.160 at equal hysteresis, and 0.660 at equal ξ (maugis_reference).
     "yield-force 10um --adhesion-hysteresis 10mJ/m2 --quantities yield_force": ["law-off-5%"],
@@ -111,7 +112,7 @@ def test_a_doubt_begins_where_its_number_passes_the_threshold(run: Run, words: s
 
 
 def test_rough_spheres_have_less_and_a_sticking_speed_gives_an_upper_limit(run: Run) -> None:
-    """P_c = (3/2)πγR1 = 117.8 nN: 1/4 to 1/2, 1/100 to 1/10. Other losses than adhesion pass for γ, but not in P_c."""
+    """P_c = (3/2)πγR1 = 117.8 nN: 1/4 to 1/2, 1/100 to 1/10. Losses other than adhesion count as γ, but not in P_c."""
     said = run("pull-off quartz 1um").err
     assert ("29–59 nN" in said, "1.2–12 nN" in said) == (True, True)
     for measured, is_limit in {"sticking_speed=10cm/s": True, "pull_off_force=100nN": False}.items():
@@ -119,7 +120,7 @@ def test_rough_spheres_have_less_and_a_sticking_speed_gives_an_upper_limit(run: 
 
 
 def test_an_empty_cell_is_in_no_doubt(run: Run) -> None:
-    """T* = (T_vis/ν²)√(E*a0/m), m of the pair, is 156 at 1 ns, beyond 0.68: no v_stick, which two codes concern."""
+    """T* = (T_vis/ν²)√(E*a0/m), m of the pair, is 156 at 1 ns, beyond 0.68: no v_stick is there to judge."""
     words = f"{QUARTZ} --quantities pull_off_force,sticking_speed"
     found = batch(run, "R1 (nm),viscous_time [ps]\n100,1000\n100,1\n", words)
     assert [row["doubt"] for row in found] == ["law-off-25%", "law-off-25% sticking-unsure fitted-elsewhere"]
@@ -127,7 +128,7 @@ def test_an_empty_cell_is_in_no_doubt(run: Run) -> None:
 
 @pytest.mark.parametrize("loads", ["-15.5nN,-15.6nN", "-15.5nN:-15.6nN:400:lin"])
 def test_a_contact_that_the_better_law_does_not_hold_is_off_by_more_than_any_factor(run: Run, loads: str) -> None:
-    """Of 100 nm of quartz, Maugis' law holds 15.004 nN (maugis_reference), DMT's 2πwR = 15.71 nN."""
+    """For 100 nm of quartz, Maugis' law holds 15.004 nN (maugis_reference), and DMT's 2πwR is 15.71 nN."""
     found = rows(run(f"contact 100nm {QUARTZ} --model dmt --load={loads} --csv").out)
     assert {row["doubt"].split()[0] for row in found} == {"law-off-2x"}
     assert all(row["contact_radius_at_load [m]"] for row in found)
@@ -143,10 +144,10 @@ def test_a_contact_that_the_better_law_does_not_hold_is_off_by_more_than_any_fac
     ],
 )
 def test_measured_forces_mean_a_displacement_by_law_for_their_solid_alone(run: Run, words: str, by: str) -> None:
-    """R_min = R1²/ξ, 0.69 to 1.57 nN of R1 = 0.95 µm.
+    """R_min = R1²/ξ, from 0.69 to 1.57 nN at R1 = 0.95 µm.
 
     In JKR Q = 6πγξ: ξ = 1.4642 to 3.3317 nm. By Maugis' law at z0 = 2 Å, F = 4E*a³ξ/(3RR1) of maugis_reference: 2.8180
-    nm for 0.85 nN, thus 2.2875 to 5.2050 nm; at 1 Å less.
+    nm for 0.85 nN, so 2.2875 to 5.2050 nm; at 1 Å it is less.
     """
     (result,) = json.loads(run(f"r-min quartz 0.95um --z0 2angstrom {words} --json").out)["results"]
     best = result["best"]
@@ -157,7 +158,7 @@ def test_measured_forces_mean_a_displacement_by_law_for_their_solid_alone(run: R
 
 
 def test_a_displacement_of_a_solid_is_scaled_to_the_reduced_radius(run: Run) -> None:
-    """On a plane 2R is 2R1: 2 nm at 1 µm becomes 2 nm·2^(2/3) to 2 nm·2, and Q = 6πwξ."""
+    """On a plane, 2R is 2R1: 2 nm at 1 µm becomes 2 nm·2^(2/3) to 2 nm·2, and Q = 6πwξ."""
     text = '[materials.bead]\nsurface_energy = "25 mJ/m2"\nyield_displacement = { value = "2 nm", radius = "1 um" }\n'
     Path("own.toml").write_text(text, encoding="utf-8")
     (row,) = rows(run("yield-force bead 1um --radius2 plane --materials own.toml --csv").out)
@@ -166,13 +167,13 @@ def test_a_displacement_of_a_solid_is_scaled_to_the_reduced_radius(run: Run) -> 
 
 
 def test_shares_of_ranges_are_those_of_their_widths(run: Run) -> None:
-    """F = (3/2)πγR1 at γ = 20 to 30, R1 = 90 to 110: widths of 10·100 and 20·25, thus 2/3 and 1/3; of squares, 4/5."""
+    """F = (3/2)πγR1 at γ = 20 to 30, R1 = 90 to 110: the widths are 10·100 and 20·25, so the shares are 2/3 and 1/3."""
     found = results(run("pull-off", "90 to 110 nm", "--gamma", "20 to 30 mJ/m2", "--json").out)["pull_off_force"]
     assert found["shares"] == approx({"surface_energy": 2 / 3, "radius": 1 / 3}, rel=1e-9)
 
 
 def test_the_error_of_a_moment_is_that_of_its_own_state(run: Run) -> None:
-    """At a fixed load M = 6πwRξ is exact, at a fixed approach (δ0 = a0²/3R here) M(1 + x), x = E*a0ξ²/(6πwR²).
+    """At a fixed load M = 6πwRξ is exact; at a fixed approach (δ0 = a0²/3R) it is M(1 + x), x = E*a0ξ²/(6πwR²).
 
     Two half-circles give M(1 + 2x). For 100 nm of quartz, x = 0.0018837, and x/(1 + x) = 0.0018801.
     """
@@ -185,7 +186,7 @@ def test_the_error_of_a_moment_is_that_of_its_own_state(run: Run) -> None:
 
 
 def test_a_cell_with_an_error_bar_is_no_plain_number(run: Run) -> None:
-    """F = (3/2)πγR1 = 11.781 nN, to 1 % of 100 ± 1 nm, 5 % of 100 ± 5 nm, and to nothing of 100 nm."""
+    """F = (3/2)πγR1 = 11.781 nN, within 1 % for 100 ± 1 nm, 5 % for 100 ± 5 nm, and exactly for 100 nm."""
     cells = ["100±1", "100", "100±5", "100(5)"] * 100
     found = batch(run, "\n".join(["R1 (nm)", *cells, ""]), f"{QUARTZ} --quantities pull_off_force --no-doubt")
     bars = [float(row["pull_off_force_plus [N]"] or 0) for row in found]
@@ -196,7 +197,7 @@ def test_a_cell_with_an_error_bar_is_no_plain_number(run: Run) -> None:
 
 
 def test_rows_of_several_processes_stand_in_their_order(run: Run) -> None:
-    """F = (3/2)πγR1. The first block of another process takes longest: its cells have error bars."""
+    """F = (3/2)πγR1. The first block of another process takes the longest: its cells have error bars."""
     cells = [f"{radius}±1" if 12 <= radius < 30 else f"{radius}" for radius in range(1, 120)]
     Path("in.csv").write_text("\n".join(["R1 (nm)", *cells, ""]), encoding="utf-8")
     with read_in_chunks(64):
@@ -218,7 +219,7 @@ def test_a_result_as_old_as_its_table_is_kept(run: Run, later: int, *, is_kept: 
 
 
 def test_quartiles_and_scatter_of_inferred_values_are_those_of_a_sample(run: Run) -> None:
-    """γ = F/3πR of 2 µm on a plane, 18.85 µm: 200, 300, 400, 600, 1000 nN have mean 500 and √(Σ(F − F̄)²/4) = 316.23."""
+    """γ = F/3πR for 2 µm on a plane, 18.85 µm: 200, 300, 400, 600, 1000 nN have mean 500, √(Σ(F − F̄)²/4) = 316.23."""
     Path("in.csv").write_text("R1 (um),P_c (nN)\n2,200\n2,300\n2,400\n2,600\n2,1000\n", encoding="utf-8")
     said = run("batch in.csv -o out.csv --infer gamma --measured pull_off_force --radius2 plane").err
     quartiles = "median 21.2207 mJ/m², quartiles 15.9155 mJ/m² and 31.831 mJ/m²"
@@ -236,7 +237,8 @@ def test_a_strict_run_names_the_first_bad_row_and_ends_with_the_worst_code(run: 
 def test_signs_of_a_map_stand_where_its_limit_is_exceeded(run: Run) -> None:
     """An x where a0 = (9πγR²/E*)^(1/3) is below 3 z0 = 1.2 nm: γ below 2.7 mJ/m² at 50 nm, below 17 mJ/m² at 20 nm.
 
-    A ' where it is off by 5 %: at 1 J/m², JKR's over Maugis' is 1.036 at 200 nm, 1.052 at 100 nm (maugis_reference).
+    A ' where the law is off by 5 %: at 1 J/m², JKR's over Maugis' is 1.036 at 200 nm, 1.052 at 100 nm
+    (maugis_reference).
     """
     out = run("map contact-radius --young 54GPa --poisson 0.17 --x gamma=1mJ/m2:1J/m2 --y radius=20nm:200nm").out
     assert out.splitlines()[2:7] == [
@@ -249,8 +251,9 @@ def test_signs_of_a_map_stand_where_its_limit_is_exceeded(run: Run) -> None:
 
 
 def test_the_axis_of_pressures_ends_at_2_5_of_hertz(run: Run) -> None:
-    """Fig. 9, a = (32wR²/πE′)^(1/3) = 1.5416 nm: E′a/2R = 2.143 GPa, thus 5.358 GPa.
+    """Fig. 9, a = (32wR²/πE′)^(1/3) = 1.5416 nm: E′a/2R = 2.143 GPa, so the axis ends at 5.358 GPa.
 
-    Of its points, at −a cos(πk/400), the outermost has −5.317 GPa (k = 24); the one before it would have −5.579 GPa.
+    Of the points of the curve, at −a cos(πk/400), the outermost has −5.317 GPa (k = 24); the next would have −5.579
+    GPa.
     """
     assert run("figure 9").out.splitlines()[4] == "exact, Eq (56)   -1.514   -5.317"

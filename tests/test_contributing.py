@@ -1,6 +1,6 @@
-"""The page for contributors: its changes are made on a copy of the source, which then answers as the page says.
+"""The page for contributors: its changes are made on a copy of the source, which must then answer as on the page.
 
-`python tests/test_contributing.py` writes what the copy prints into the page anew, to be read before it is committed.
+`python tests/test_contributing.py` renews the output in the page; read it before you commit it.
 """
 
 import os
@@ -22,14 +22,14 @@ SECTIONS = {
     title: text for title, text in re.findall(r"^## (.*)\n((?:(?!## ).*\n)*)", PAGE, re.MULTILINE) if "```diff" in text
 }
 COUNTED = {1: "one place", 2: "two places", 3: "three places"}
-# The tests that ask for what a new entry needs, without those that list all laws or all materials.
+# The tests that require something of a new entry, without those that list all laws or all materials.
 ASK = ("tests/physics/test_accuracy.py", "tests/model/test_laws.py", "tests/materials", "tests/test_architecture.py")
 LIST_ALL = ("test_the_laws_of_attraction_stand_beside_each_other", "test_the_sets")
 TRANSCRIBE = "import sys; from transcripts import transcript; print(''.join(map(transcript, sys.argv[1:])), end='')"
 
 
 def changes(section: str) -> list[tuple[str, str, str]]:
-    """Return the changes that a section shows: the file, the lines before, and the lines after."""
+    """Return the changes in a section: the file, the lines before, and the lines after."""
     found = []
     for block in re.findall(r"```diff\n(.*?)```", section, re.DOTALL):
         for path, hunks in re.findall(r"^\+\+\+ (\S+)\n((?:(?!\+\+\+ ).*\n)*)", block, re.MULTILINE):
@@ -41,7 +41,7 @@ def changes(section: str) -> list[tuple[str, str, str]]:
 
 
 def copy_with(folder: Path, *sections: str, only: str = "") -> Path:
-    """Return a copy of this checkout in which the changes of sections are made; `only`: below this folder."""
+    """Return a copy of this checkout with the changes of sections; `only`: the folder in which changes are made."""
     copy = folder / "copy"
     for name in ("src", "tests"):
         shutil.copytree(ROOT / name, copy / name, ignore=shutil.ignore_patterns("__pycache__"))
@@ -57,12 +57,12 @@ def copy_with(folder: Path, *sections: str, only: str = "") -> Path:
 
 
 def environment(copy: Path) -> dict[str, str]:
-    """Return the environment in which a copy is run instead of this checkout."""
+    """Return the environment in which the copy runs instead of this checkout."""
     return {**os.environ, "PYTHONPATH": os.pathsep.join([str(copy / "src"), str(copy / "tests")])}
 
 
 def transcript(copy: Path, block: str) -> str:
-    """Return what a console block of the page is in a copy."""
+    """Return a console block of the page with the output of a copy."""
     ran = subprocess.run(
         [sys.executable, "-c", TRANSCRIBE, *commands(block)],
         env=environment(copy), capture_output=True, text=True, encoding="utf-8", check=True,

@@ -1,4 +1,4 @@
-"""Diameters and shear moduli by every door, against R = D/2 and, of equal spheres, E* = G/(1 − ν)."""
+"""Diameters and shear moduli at every door, compared with R = D/2 and, for equal spheres, E* = G/(1 − ν)."""
 
 import csv
 import io
@@ -130,7 +130,7 @@ def test_a_shear_modulus_without_poissons_ratio_says_that_it_is_needed() -> None
 
 
 def test_that_a_material_has_a_modulus_is_no_excuse() -> None:
-    """Without Poisson's ratio, its E must not stand in for the shear modulus that was given."""
+    """Without Poisson's ratio, E of the material must not replace the given shear modulus."""
     quartz = known_materials()["quartz"]
     bare = quartz._replace(properties={"surface_energy": GAMMA, "youngs_modulus": 54e9})
     scene = Frame({"radius": 1e-7, "shear_modulus": 30e9}, bare)
@@ -157,7 +157,7 @@ def test_values_that_they_cannot_have() -> None:
 
 
 def test_uncertainties_scale() -> None:
-    """P_c goes as D, and a0 as G^(-1/3)."""
+    """P_c is proportional to D, and a0 to G^(-1/3)."""
     force = solve("pull_off_force", material="quartz", diameter="200±10 nm")
     assert (force.value, force.minus, force.plus) == approx((FORCE, FORCE / 20, FORCE / 20), rel=1e-12)
     force = solve("pull_off_force", material="quartz", diameter="180 to 220 nm")
@@ -169,7 +169,7 @@ def test_uncertainties_scale() -> None:
 
 
 def test_a_range_of_a_material_goes_through_both_the_modulus_and_poissons_ratio() -> None:
-    """Of soda-lime glass ν is 0.20 to 0.23, and E* = G/(1 − ν)."""
+    """For soda-lime glass ν is 0.20 to 0.23, and E* = G/(1 − ν)."""
     glass = "glass-soda-lime-air"
     found = answer("contact", material=glass, radius=1e-6, surface_energy=GAMMA, shear_modulus=30e9)["contact_radius"]
     assert found.uncertain is not None
@@ -228,7 +228,7 @@ def test_lists_that_are_arrays(run: Run) -> None:
 
 @pytest.mark.parametrize("others", ["--diameter2 300nm,200nm", "--radius2 150nm,100nm"])
 def test_a_sphere_2_of_a_list_may_be_alike(run: Run, others: str) -> None:
-    """Eq (41) as printed is of identical spheres alone; a row of them has it."""
+    """Eq (41) as printed is for identical spheres only; a row of such spheres has it."""
     for first in ("100nm", "--diameter 200nm"):
         found = rows(run(f"frequencies quartz {first} {others} --csv --quiet").out)
         assert [bool(row["rolling_frequency_as_printed [Hz]"]) for row in found] == [False, True]
@@ -267,7 +267,7 @@ def test_every_command_with_a_radius_takes_them(run: Run, line: str) -> None:
 
 
 def test_inferred_from_spheres_of_a_diameter(run: Run) -> None:
-    """γ = P_c/3πR on a plane, of smooth spheres."""
+    """γ = P_c/3πR on a plane, for smooth spheres."""
     gamma = 300e-9 / (3 * math.pi * 2e-6)
     ran = run("infer gamma quartz --diameter 4um --diameter2 plane --measured pull_off_force=300nN --bare --quiet")
     assert float(ran.out) == approx(gamma, rel=1e-12)
@@ -317,7 +317,7 @@ def test_an_axis_is_no_other_input(run: Run, words: str, said: str) -> None:
 
 
 def results(run: Run, table: str, *words: str) -> tuple[str, list[dict[str, str]]]:
-    """Return what is said of a table, and its rows with results."""
+    """Return the messages on a table, and its rows with results."""
     Path("grains.csv").write_text(table, encoding="utf-8")
     ran = run("batch", "grains.csv", *words, "--no-doubt", "-o", "out.csv")
     return ran.err, rows(Path("out.csv").read_text(encoding="utf-8"))

@@ -1,4 +1,4 @@
-"""What whoever simulates grains reads: the rows of `resistances` and `aggregates`, and the recipes of `guide dem`."""
+"""Results for simulations of grains: the rows of `resistances` and `aggregates`, and the recipes of `guide dem`."""
 
 import math
 import re
@@ -20,12 +20,12 @@ from scenes import QUARTZ
         ("quartz 1um", "slides or peels off at 180–220 nN (T_first, below both as the contact shrinks)"),
         ("quartz 1um --shear-strength 10MPa", "held from rolling, it slides at"),
         ("quartz 100nm --xi 1nm", "pushed, it rolls first"),
-        # πa0²τ, a0 = 3.991 nm · 10^(2/3), which is less than the 0.7 nN that rolled SiO2
+        # πa0²τ, a0 = 3.991 nm · 10^(2/3), which is less than the 0.7 nN at which SiO2 rolled
         (
             "quartz 1um --shear-strength 0.4MPa",
             "pushed, it slides at 430 pN",
         ),
-        ("quartz 100nm --shear-strength 584.5MPa", "at 22 nN"),  # where its whole area slides at 29.2 nN
+        ("quartz 100nm --shear-strength 584.5MPa", "at 22 nN"),  # the whole area slides at 29.2 nN
     ],
 )
 def test_what_comes_first(run: Run, words: str, said: str) -> None:
@@ -33,7 +33,7 @@ def test_what_comes_first(run: Run, words: str, said: str) -> None:
 
 
 def test_turns_of_a_sphere_that_arrives(run: Run) -> None:
-    """At a speed it does not spin yet: its number stands first, and each row says which sphere it is of."""
+    """A sphere with a speed does not spin yet. Its number of turns comes first, and each row names its sphere."""
     ran = run("n-roll quartz 1um --speed 5cm/s")
     names = [line.split()[0] for line in ran.out.splitlines()]
     assert names == ["n_roll_after_impact", "n_roll", "n_roll_energy_balance"]
@@ -55,7 +55,7 @@ def test_moment_of_a_chain(run: Run) -> None:
 @pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])
 @pytest.mark.parametrize("radius", [100, 101, 102, 105, 107])
 def test_the_load_that_a_message_gives_can_be_typed(run: Run, radius: int, model: str) -> None:
-    """The pull-off force as it is printed may be beyond pull-off; the message has a load that is not."""
+    """The printed pull-off force may be beyond pull-off; the load in the message is not."""
     scene = f"contact quartz {radius}nm --model {model}"
     refused = run(f"{scene} --load=-20nN")
     assert refused.code
@@ -71,7 +71,7 @@ def test_the_load_that_a_message_gives_can_be_typed(run: Run, radius: int, model
 
 @pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])
 def test_ratios_of_a_state(run: Run, model: str) -> None:
-    """Eq 4: -1 at pull-off in every law, and 1 without load; by Eqs 5 and 6 JKR's radius and approach at pull-off."""
+    """Eq 4: -1 at pull-off by every law, and 1 without load; by Eqs 5 and 6, radius and approach at pull-off in JKR."""
     least = -solve("pull_off_force", model=model, **QUARTZ)
     names = ["load_ratio", "contact_radius_ratio", "approach_ratio"]
     assert [*solve(names, model=model, **QUARTZ).values()] == approx([0, 1, 1], rel=1e-12)
@@ -85,7 +85,7 @@ def test_ratios_of_a_state(run: Run, model: str) -> None:
 
 
 def test_rolling_is_reported_once(run: Run) -> None:
-    """A contact that slides at 25 pN and rolls at 94 does not break before: it slides."""
+    """A contact that slides at 25 pN and rolls at 94 pN does not break first: it slides."""
     said = run("resistances quartz 0.5nm --explain").out
     assert "slides or peels off before it rolls" in said
     assert "breaks before it rolls" not in said
@@ -124,7 +124,7 @@ def test_sources_of_aggregates_are_cited(run: Run) -> None:
     ],
 )
 def test_softer_grains(power: float, step: float, slide: float, slide_at_strength: float, kept: str) -> None:
-    """The recipe of `guide dem`: γ q^power and ξ q^-power keep a quantity and the moment, and set step and friction."""
+    """The recipe of `guide dem`: γ q^power and ξ q^-power keep a quantity and the moment, not the step."""
     q, xi = 0.01, 2e-10
     names = [kept, "yield_moment", "sliding_frequency", "sliding_force"]
     before = solve(names, **QUARTZ, xi=xi)
@@ -141,7 +141,7 @@ def test_softer_grains(power: float, step: float, slide: float, slide_at_strengt
 
 
 def test_which_time_step_governs() -> None:
-    """Of quartz, below the page's radius, a twentieth of the period of sliding; above it, a fifth of t_R."""
+    """For quartz below the radius of the page, it is a twentieth of the period of sliding; above, a fifth of t_R."""
     assert "the shorter below R1 = 36 nm" in page("dem")
     for radius, is_by_sliding in ((35e-9, True), (37e-9, False)):
         scene = {**QUARTZ, "radius": radius}
@@ -151,7 +151,7 @@ def test_which_time_step_governs() -> None:
 
 @pytest.mark.parametrize("model", ["jkr", "dmt"])
 def test_coefficient_of_rolling_for_codes_that_multiply_the_load(model: str) -> None:
-    """As a moment it is M; in JKR 2ξ/(R(s - 1)), and it needs a load that presses."""
+    """Times the load, it gives the moment M; in JKR it is 2ξ/(R(s - 1)), and it needs a load that presses."""
     name = "rolling_resistance_coefficient"
     for load in (1e-12, 1e-8, 1e-4):
         coefficient, moment, radius = solve(
@@ -167,7 +167,7 @@ def test_coefficient_of_rolling_for_codes_that_multiply_the_load(model: str) -> 
 
 
 def test_loss_of_a_collision_in_lammps() -> None:
-    """On the JKR curve from touching to the largest tension, in P_cδ0; z³ = 6â^1.5 goes from 4 to 3."""
+    """On the JKR curve from the touch to the largest tension, in P_cδ0; z³ = 6â^1.5 changes from 4 to 3."""
     from scipy.integrate import quad  # type: ignore[import-untyped]
 
     lost = -quad(lambda z: z**3 * (z**3 - 6) / 9 * 2 * 6 ** (-1 / 3) * (z**3 - 1), 3 ** (1 / 3), 4 ** (1 / 3))[0]
@@ -177,7 +177,7 @@ def test_loss_of_a_collision_in_lammps() -> None:
 
 
 def test_mixing_of_lethe() -> None:
-    """Where w is 2√(γ1γ2), its manual has γ1 + γ2 − 2(√γ1 − √γ2)²."""
+    """Instead of w = 2√(γ1γ2), the manual has γ1 + γ2 − 2(√γ1 − √γ2)²."""
     one, other = 0.02, 0.4
     assert round(1e3 * (one + other - 2 * (math.sqrt(one) - math.sqrt(other)) ** 2)) == -62
     assert round(1e3 * solve("work_of_adhesion", surface_energy=one, surface_energy2=other)) == 179

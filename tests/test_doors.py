@@ -1,8 +1,8 @@
-"""The same rows by every door: the prompt, lists, files, tables and Python give the same answers.
+"""The same rows at every door: the prompt, lists, files, tables and Python give the same answers.
 
-A row by floats is the definition of a row. What arrays compute may differ from it within the accuracy that is stated;
-all else is equal. Two additions of the prompt are known: the values at two atomic spacings of a quantity that rests on
-z0, and how far a contact would hold by Maugis' law.
+Floats define a row. Arrays may differ from it within the stated accuracy; everything else is equal. The prompt adds two
+known things: the values at two atomic spacings of a quantity that depends on z0, and how far a contact would hold by
+Maugis' law.
 """
 
 import math
@@ -60,7 +60,7 @@ from jkroll.report.questions import QUESTIONS
 from questions import SPHERES, Ask, Sheet, any_ask, ask_of, mixed_sheet, sheet_of
 
 FEW, MANY = range(10, 14), 1000
-PARTS = [range(first, first + MANY // 5) for first in range(0, MANY, MANY // 5)]  # of many questions
+PARTS = [range(first, first + MANY // 5) for first in range(0, MANY, MANY // 5)]  # many questions, in parts
 UNITS = ["nm", "angstrom", "nN", "lbf", "eV", "GPa", "cm/s", "N ym4", "m ym3", "J Ym-1", "kHz"]
 
 Cells = Mapping[str, Any]
@@ -68,7 +68,7 @@ FORMS = FILES  # output forms for rows, besides --csv
 
 
 def disagreements(run: Run, ask: Ask, unit: str = "", forms: Sequence[str] = FORMS) -> Iterator[str]:
-    """Iterate over all in which the doors differ on a question; `unit`: that of results, if some have its dimension."""
+    """Iterate over the differences of the doors on a question; `unit`: that of results, if some have its dimension."""
     try:
         floats = of_list(ask, by_arrays=False)
     except JkrollError as error:
@@ -87,8 +87,8 @@ def disagreements(run: Run, ask: Ask, unit: str = "", forms: Sequence[str] = FOR
 
 
 def _in_refusals(run: Run, ask: Ask, error: JkrollError) -> Iterator[str]:
-    """Iterate over the doors that do not refuse what cannot be rows. A table does so row by row."""
-    said = str(error).partition(": ")[2] or str(error)  # behind the name of an input, which the prompt has as typed
+    """Iterate over the doors that do not refuse a question that cannot be rows. A table refuses it row by row."""
+    said = str(error).partition(": ")[2] or str(error)  # after the name of an input, which the prompt has as typed
     refusals: set[str] = set()
     for form in ("--json", "--csv", "ndjson"):
         try:
@@ -96,13 +96,13 @@ def _in_refusals(run: Run, ask: Ask, error: JkrollError) -> Iterator[str]:
             yield f"{form} does not refuse: {error}"
         except Refused as other:
             refusals.add(str(other))
-    is_last = error.phrase == "± and range together"  # what else is wrong with a single pair comes before it
+    is_last = error.phrase == "± and range together"  # other errors of a single pair precede this one
     if len(refusals) > 1 or not (is_last or all(said in other or _lacks(other) for other in refusals)):
-        yield f"{error} and {refusals}"  # for a single pair, a missing input comes first
+        yield f"{error} and {refusals}"  # for a single pair, a missing input precedes other errors
     try:
         found = of_table(run, sheet_of(ask))
     except Refused as other:
-        in_option = bool(ask.options) and said in str(other)  # an option is that of all rows
+        in_option = bool(ask.options) and said in str(other)  # an option applies to all rows
         if not in_option and not _lacks(str(other)):
             yield f"table: {error} and {other}"
         return
@@ -112,14 +112,14 @@ def _in_refusals(run: Run, ask: Ask, error: JkrollError) -> Iterator[str]:
 
 
 def _lacks(text: str) -> bool:
-    """Return whether a table is refused since nothing leads to a quantity asked for by name, or it has a sphere 2."""
+    """Return whether a table is refused because a named quantity cannot be computed, or because it has a sphere 2."""
     return " needs " in text or " not in " in text or "identical spheres only" in text
 
 
 # --- Tests ------------------------------------------------------------------------------------------------------------
 
 PLAIN = "'1e-7 m' --gamma '0.025 J/m^2' --young '54e9 Pa' --poisson 0.17 --density '2600 kg/m^3'"
-# What was found by random questions, as small as it shows.
+# Failures of random questions, each reduced as far as it still fails.
 FOUND: Mapping[str, str] = {
     "a row that is computed again, of an uncertain input": "contact quartz '1e-7±1e-8 m,1e-7 m' --load '-1.17e-8 N'",
     "a load about 0, beside what the pull-off force follows from": (
@@ -229,12 +229,12 @@ def test_doors_agree(run: Run) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("numbers", PARTS, ids=str)
 def test_doors_agree_on_fresh_questions(run: Run, numbers: range) -> None:
-    """The seed stands at the head of the run; with ACCURACY_SEED set to it, the same questions come again."""
+    """The head of the run states the seed; with ACCURACY_SEED set to it, the same questions come again."""
     check(run, seed=int(os.environ["ACCURACY_SEED"]), numbers=numbers)
 
 
 def check(run: Run, seed: int, numbers: range) -> None:
-    """Ask random questions at all doors, and those under one law in one table, too."""
+    """Ask random questions at all doors, and the questions under one law in one table, too."""
     for number in numbers:
         random = Random(f"{seed} {number}")
         ask = any_ask(random)
@@ -254,7 +254,7 @@ def test_doors_agree_on_best_ranges(run: Run) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("numbers", PARTS[:2], ids=str)  # which have some 1500 scenes
+@pytest.mark.parametrize("numbers", PARTS[:2], ids=str)  # with some 1500 scenes
 def test_doors_agree_on_best_ranges_of_fresh_questions(run: Run, numbers: range) -> None:
     check_best(run, seed=int(os.environ["ACCURACY_SEED"]), numbers=numbers)
 
@@ -308,7 +308,7 @@ def check_best(run: Run, seed: int, numbers: range) -> None:
 
 
 def best_disagreements(run: Run, ask: Ask) -> Iterator[str]:
-    """Iterate over all in which the doors differ on the best ranges of answers, and on what they doubt."""
+    """Iterate over the differences of the doors in the best ranges of answers, and in their doubts."""
     try:
         floats = of_list(ask, by_arrays=False, best=True)
     except JkrollError:
@@ -338,26 +338,26 @@ def best_disagreements(run: Run, ask: Ask) -> Iterator[str]:
 
 
 def _in_shared(one: Rows, other: Rows) -> Iterator[str]:
-    """Iterate over what differs in the columns that two doors share."""
+    """Iterate over the differences in the columns that two doors share."""
     both = [key for key in one.keys if key in other.keys and not side_of(key)]
     for row, (values, others) in enumerate(zip(one.values, other.values, strict=True)):
         yield from (f"row {row}: {key}" for key in both if values.get(key) != others.get(key))
 
 
 def _in_answer(ask: Ask, texts: Mapping[str, str], floats: Rows, row: int) -> Iterator[str]:
-    """Iterate over what differs between a row and the answer to it in Python, which has the object of JSON."""
+    """Iterate over the differences between a row and its answer in Python, which has the object of JSON."""
     values, reasons = floats.values[row], floats.reasons[row]
     names = [key for key in floats.keys if key in NOMENCLATURE and key in values]
     names += [name for name, error in reasons.items() if is_end_of_meaning(error)]
     given: dict[str, Any] = {name: text if name in SPHERES else value_of(text, name) for name, text in texts.items()}
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore", UserWarning)  # of radii that are a metre or more
+            warnings.simplefilter("ignore", UserWarning)  # for radii of a metre or more
             found = answer(names, model=ask.model, **given)
         of_json = found.as_dict()
     except JkrollError:
         return
-    if not (reasons and any(map(is_uncertain, given.values()))):  # sources are those of all quantities together
+    if not (reasons and any(map(is_uncertain, given.values()))):  # the sources are those of all quantities together
         every = {result["name"]: result.get("best", {}) for result in of_json["results"]}
         for name in names:
             expected = _best_in(values, name)
@@ -371,7 +371,7 @@ def _in_answer(ask: Ask, texts: Mapping[str, str], floats: Rows, row: int) -> It
 
 
 def _best_in(values: Mapping[str, float], name: str) -> tuple[Any, Any, Any]:
-    """Return the ends of the best range of a quantity in a row, and the word of its rule; None of an open end."""
+    """Return the ends of the best range of a quantity in a row, None for an open end, and the name of its rule."""
     low, high, by = (_as_cell(f"{name}_best_{part}", values) for part in ("low", "high", "by"))
     return low, high, by
 
@@ -386,11 +386,11 @@ LENNARD_JONES = {
     "pull_off_work": "well_energy_lennard_jones",
     "pull_off_work_at_dead_load": "dead_load_work_lennard_jones",
 }
-IN_PROPORTION = ("bond_number", "disruption_energy", "disruption_speed")  # to one of these
+IN_PROPORTION = ("bond_number", "disruption_energy", "disruption_speed")  # proportional to one of these
 
 
 def _in_scene(scene: Frame, values: Mapping[str, float]) -> Iterator[str]:
-    """Iterate over the best ranges by laws that do not hold what these laws give, each asked for itself."""
+    """Iterate over the best ranges by laws that differ from the values that these laws give if asked for directly."""
     if scene.uncertainties or scene.stated_model is not None or "tabor_parameter" in scene.missing(["tabor_parameter"]):
         return
     for key in (key for key in values if key.endswith("_best_by") and WORDS[int(values[key])] in ("Maugis", "JKR")):
@@ -403,13 +403,13 @@ def _in_scene(scene: Frame, values: Mapping[str, float]) -> Iterator[str]:
         ends = [outcomes(each, (name,))[name] for each in scenes]
         if name in IN_PROPORTION:
             continue
-        if WORDS[int(values[key])] == "JKR" and name in values:  # which has a meaning
+        if WORDS[int(values[key])] == "JKR" and name in values:  # the value has a meaning
             ends.append(values[name])
         numbers = [end for end in ends if isinstance(end, float)]
         most = [*numbers]
         if name in LENNARD_JONES and (name == "pull_off_force" or scene["tabor_parameter"] < 0.7):  # an upper end
             most.append(outcomes(scene, (LENNARD_JONES[name],))[LENNARD_JONES[name]])
-        if WORDS[int(values[key])] == "JKR":  # whose value may have no meaning, too
+        if WORDS[int(values[key])] == "JKR":  # the value may have no meaning, too
             scenes.append(scene)
         is_open = any(name in Results(each, each.columns([name])).ended for each in scenes)
         for end, expected in zip(("low", "high"), (min(numbers), max(most)), strict=True):
@@ -418,11 +418,11 @@ def _in_scene(scene: Frame, values: Mapping[str, float]) -> Iterator[str]:
 
 
 def _in_lines(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
-    """Iterate over the lines of one pair that are not the values of its row, and those that it has not."""
+    """Iterate over the lines of one pair that differ from the values of its row, and over those missing."""
     ran = answered(run, *ask.words("--best"))
     ended = {name for name, error in floats.reasons[0].items() if is_end_of_meaning(error)}
     if ran.code or (ended and scenes_of(ask)[0].uncertainties):
-        return  # without a contact there is no line; other sources enter where lines keep what has no meaning
+        return  # without a contact there is no line; other sources enter where lines keep numbers without a meaning
     lines = dict(line.split(" ", 1) for line in ran.out.splitlines())
     for key in [key for key in floats.keys if best_of(key) and best_of(key) not in ended]:
         cell, expected = lines.get(key), _as_cell(key, floats.values[0])
@@ -457,14 +457,14 @@ def test_a_map_doubts_where_its_points_are_doubted(quantity: str) -> None:
 
 
 def _reason(error: JkrollError, scene: Frame) -> str:
-    """Return an error without its beginning: a prompt has the command or the option instead of a name."""
+    """Return an error without its prefix: the prompt has the command or the option instead of a name."""
     if isinstance(error, Failure) and error.cause == BEYOND_PULL_OFF:
         error = with_force_by_maugis(error, scene)
     return str(getattr(error, "explanation", error.__str__)())
 
 
 def _in_outputs(run: Run, ask: Ask, rows: Rows, unit: str, forms: Sequence[str], *, by_arrays: bool) -> Iterator[str]:
-    """Iterate over what differs between rows and what is written of them, by one way of computing."""
+    """Iterate over the differences between rows and their output, computed in one way."""
     options = ["--to", unit] if unit else []
     try:
         ran, cells = printed(run, ask, "--csv", *options, by_arrays=by_arrays)
@@ -499,7 +499,7 @@ def _in_outputs(run: Run, ask: Ask, rows: Rows, unit: str, forms: Sequence[str],
 
 
 def _in_bare(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
-    """Iterate over the bare numbers that are not those of rows.
+    """Iterate over the bare numbers that differ from those of rows.
 
     Inputs, which are no columns of rows, are among them.
     """
@@ -511,13 +511,13 @@ def _in_bare(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
             value = None if cell == "-" else float(cell)
             expected = floats.values[row].get(name)
             if name in floats.reasons[row] and is_end_of_meaning(floats.reasons[row][name]):
-                expected = scenes[row][name]  # which bare output keeps
+                expected = scenes[row][name]  # unformatted output keeps it
             if name in floats.keys and value != expected:
                 yield f"row {row}: {name} = {expected!r} and {cell}"
 
 
 def _in_cells(rows: Rows, cells: Sequence[Cells], options: Sequence[str] = ()) -> Iterator[str]:
-    """Iterate over the cells of results, doubts and states that are not those of rows.
+    """Iterate over the cells of results, doubts and states that differ from those of rows.
 
     Cells in other units are compared elsewhere.
     """
@@ -538,13 +538,13 @@ def _head(key: str) -> str:
 
 
 def _as_cell(key: str, values: Mapping[str, float]) -> float | str | None:
-    """Return what a row has in a column: a number, the word of a rule, or None."""
+    """Return the value of a row in a column: a number, the name of a rule, or None."""
     number = values.get(key)
     return WORDS[int(number)] if number is not None and key.endswith("_best_by") else number
 
 
 def _read(cell: Any, head: str) -> Any:
-    """Return a cell of any output: a number, a text or None; a word for an infinite input as Parquet's number."""
+    """Return a cell of any output: a number, a text or None; in Parquet, an infinite input becomes its word."""
     if cell in ("", None):
         return None
     name = head.partition(" ")[0]
@@ -557,7 +557,7 @@ def _read(cell: Any, head: str) -> Any:
 
 
 def _in_object(floats: Rows, row: int, found: Mapping[str, Any], options: Sequence[str]) -> Iterator[str]:
-    """Iterate over what differs between a row and its object."""
+    """Iterate over the differences between a row and its object."""
     values, reasons = floats.values[row], floats.reasons[row]
     results = {each["name"]: each for each in found["results"]}
     for key in floats.keys:
@@ -585,7 +585,7 @@ def _in_object(floats: Rows, row: int, found: Mapping[str, Any], options: Sequen
 
 
 def _in_table(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
-    """Iterate over what differs between a list and a table of the same rows."""
+    """Iterate over the differences between a list and a table of the same rows."""
     try:
         found = of_table(run, sheet_of(ask))
     except Refused as refusal:
@@ -606,12 +606,12 @@ def _in_table(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
 
 
 def _of_any_values(scene: Frame) -> Frame:
-    """Return a scene with these inputs, none with a value from which more follows: a plane, a rigid body, no load."""
+    """Return a scene with these inputs, but without special values: a plane, a rigid body, no load."""
     return scene.replace(**dict.fromkeys(scene.stated, 0.25))
 
 
 def mixed_disagreements(run: Run, sheet: Sheet, sample: int) -> Iterator[str]:
-    """Iterate over what differs between the rows of a table by arrays and by floats."""
+    """Iterate over the differences between the rows of a table by arrays and by floats."""
     try:
         found = of_table(run, sheet, sample=sample)
     except Refused:
@@ -624,7 +624,7 @@ def mixed_disagreements(run: Run, sheet: Sheet, sample: int) -> Iterator[str]:
 
 
 def _in_solve(ask: Ask, floats: Rows) -> Iterator[str]:
-    """Iterate over what differs between rows and calls with their values."""
+    """Iterate over the differences between rows and calls with their values."""
     for row, texts in enumerate(ask.rows()):
         values, reasons = floats.values[row], floats.reasons[row]
         given: dict[str, Any] = {
@@ -632,11 +632,11 @@ def _in_solve(ask: Ask, floats: Rows) -> Iterator[str]:
         }
         names = [key for key in floats.keys if not side_of(key) and key in values]
         if any(side_of(key) for key in reasons):
-            names = []  # some value has no uncertainty, which is an error here
+            names = []  # some value has no uncertainty, which raises an error here
         results: dict[str, Any] = {}
         try:
             results = solve(names, model=ask.model, **given)
-        except NoErrorBar:  # with no reason for it, other sources enter than those of all quantities together
+        except NoErrorBar:  # without a reason in the row, other sources enter than those of all quantities together
             if not reasons:
                 raise
         for name, found in results.items():
@@ -648,7 +648,7 @@ def _in_solve(ask: Ask, floats: Rows) -> Iterator[str]:
                     yield f"row {row}: {name}_{side} = {values.get(f'{name}_{side}')!r} and {number!r}"
         for name, error in reasons.items():
             if name not in NOMENCLATURE or _is_infinite(error) or is_end_of_meaning(error):
-                continue  # solve gives its number
+                continue  # solve returns the number
             try:
                 yield f"row {row}: {name}: {error} and {solve(name, model=ask.model, **given)}"
             except JkrollError as other:
@@ -657,13 +657,13 @@ def _in_solve(ask: Ask, floats: Rows) -> Iterator[str]:
 
 
 def _is_element(scene: Frame, name: str, found: Any, element: float, *, is_special: bool) -> bool:
-    """Return whether an element of an array is right for the value of a row, or for the error of one that has none.
+    """Return whether an element of an array is right for the value of a row, or for the error of a row without one.
 
-    `is_special`: whether the arrays have numbers from which more follows, and which need no contact then.
+    `is_special`: True if the arrays have special values, which need no contact.
     """
     is_gap = math.isnan(element)
     if isinstance(found, JkrollError) and is_end_of_meaning(found):
-        return not is_gap or is_at_its_end(scene)  # solve gives all numbers
+        return not is_gap or is_at_its_end(scene)  # solve returns all numbers
     if is_gap and is_special and scene.is_rigid:
         return True
     if isinstance(found, float):
@@ -673,7 +673,7 @@ def _is_element(scene: Frame, name: str, found: Any, element: float, *, is_speci
 
 
 def _in_arrays_of_solve(ask: Ask, floats: Rows) -> Iterator[str]:
-    """Iterate over what differs between rows and elements of arrays, which are nan where there is no value."""
+    """Iterate over the differences between rows and elements of arrays, which are nan where there is no value."""
     groups: dict[tuple[str | None, ...], list[int]] = {}
     rows, scenes = ask.rows(), scenes_of(ask)
     for row, texts in enumerate(rows):
@@ -691,7 +691,7 @@ def _in_arrays_of_solve(ask: Ask, floats: Rows) -> Iterator[str]:
                 elements = np.broadcast_to(solve(name, model=ask.model, **given), len(places)).tolist()
             except JkrollError as error:
                 if is_special and isinstance(error, MissingInput):
-                    continue  # a number from which more follows needs less
+                    continue  # a special value needs less
                 for row in places:
                     expected = floats.values[row].get(name, floats.reasons[row].get(name))
                     if expected is not None and str(expected) != str(error) and not _is_of_another(expected, name):
@@ -704,15 +704,15 @@ def _in_arrays_of_solve(ask: Ask, floats: Rows) -> Iterator[str]:
 
 
 def _is_of_another(outcome: Any, name: str) -> bool:
-    """Return whether a quantity fails as one does on which it rests: for all rows it may fail for another reason."""
+    """Return whether a quantity fails like one on which it depends: for all rows, it may fail for another reason."""
     return isinstance(outcome, Failure) and outcome.name != name
 
 
 def _is_of_all_rows(error: JkrollError) -> bool:
-    """Return whether an error is one of all rows of a kind: an input is missing, or their spheres are not identical."""
+    """Return whether an error concerns all rows of a group: an input is missing, or the spheres are not identical."""
     return isinstance(error, MissingInput) or (isinstance(error, Failure) and error.cause == OF_IDENTICAL_SPHERES)
 
 
 def _is_infinite(outcome: object) -> bool:
-    """Return whether a value is infinite where a number is to be written."""
+    """Return whether a value is infinite where a number must be written."""
     return isinstance(outcome, Failure) and outcome.cause == INFINITE

@@ -1,4 +1,4 @@
-"""Other systems, as far as Linux can tell: what Windows and macOS lack is needed by no import and by no answer."""
+"""Other systems, as far as Linux can tell: no import and no answer needs what Windows and macOS lack."""
 
 import re
 import subprocess
@@ -9,7 +9,7 @@ from conftest import ON_LINUX
 
 ROOT = Path(__file__).parents[1]
 
-# What Windows has not, and macOS not all of it; the standard library itself does without each of them.
+# Modules that Windows lacks, and some that macOS lacks; the standard library itself works without each of them.
 WITHOUT = """
 import os, signal, sys
 for name in "fcntl grp pty pwd readline resource syslog termios tty".split():
@@ -35,13 +35,13 @@ LINES = (
     "pull-off quartz 100nm",
     "guide units",
     "pull-off quartz 1nm:1um:20 -o out.csv",
-    "batch grains.csv -o out.csv",  # which is replaced
+    "batch grains.csv -o out.csv",  # the output is replaced
     "batch grains.csv -o a.csv --jobs 2",
 )
 
 
 def without_posix(program: str, *words: str) -> None:
-    """Run a program in a process that lacks what only POSIX has."""
+    """Run a program in a process without the modules of POSIX."""
     ran = subprocess.run([sys.executable, "-c", WITHOUT + program, *words], capture_output=True, text=True)
     assert (ran.returncode, ran.stderr) == (0, ""), ran.stderr
 

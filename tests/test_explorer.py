@@ -23,7 +23,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Browser, st
 
 
 def opened(site: tuple[Browser, str], query: str = "", **size: int) -> Browser:
-    """Open the explorer, and wait until Python has answered for what its form has."""
+    """Open the explorer, and wait until Python has answered for the inputs of its form."""
     window, address = site
     window.open(address + query, **size)
     window.wait("document.querySelector('#status')?.textContent.startsWith('live')")
@@ -32,7 +32,7 @@ def opened(site: tuple[Browser, str], query: str = "", **size: int) -> Browser:
 
 
 def settle(window: Browser) -> None:
-    """Wait until the numbers shown are those of the form."""
+    """Wait until the numbers on the page are those of the form."""
     window.wait("""(() => {
         const shown = JSON.parse(document.querySelector('#explorer').dataset.answered);
         const boxes = [...document.querySelectorAll('#inputs :is(select, input:not([type]))')];
@@ -68,7 +68,7 @@ def test_its_numbers_are_those_of_the_command_below(site: tuple[Browser, str], q
     checked = 0
     for best, below, words in found.values():
         rows = [re.split(r"\s{2,}", line) for line in lines if line.startswith(f"{words}  ")]
-        if not rows:  # the command says in a note why it has no such result
+        if not rows:  # the command states in a note why there is no such result
             assert best == "–"
             continue
         ((_, _, *cells),) = rows

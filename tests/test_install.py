@@ -1,4 +1,4 @@
-"""What is released: built twice, alike to the byte, and installed into an empty environment, where it answers."""
+"""A release: it is built twice with identical bytes, and answers in an empty environment."""
 
 import json
 import os
@@ -36,7 +36,7 @@ class Built(NamedTuple):
     wheel: Path
 
     def contents(self) -> list[bytes]:
-        """Return the bytes of both."""
+        """Return the bytes of both files."""
         return [path.read_bytes() for path in self]
 
 
@@ -61,7 +61,7 @@ def build(tools: Path, checkout: Path, target: Path) -> Built:
 
 @pytest.fixture(scope="module")
 def tools(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """An environment that builds, with what pyproject.toml requires for it, and checks what is built."""
+    """An environment with the tools to build a release, as pyproject.toml requires them, and to check it."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
     return environment(tmp_path_factory.mktemp("tools"), *project["build-system"]["requires"], "twine")
 

@@ -1,4 +1,4 @@
-"""What `jkroll export lammps` prints, run by LAMMPS."""
+"""The output of `jkroll export lammps`, run by LAMMPS."""
 
 import math
 from typing import Any
@@ -39,7 +39,7 @@ def load_of(ratio: float, pair: str) -> float:
 
 @pytest.mark.parametrize(("model", "wanted"), [("jkr", "pull_off_force"), ("dmt", "pull_off_force_dmt")])
 def test_a_wall_holds_and_rolls_as_a_plane(run: Run, lammps: Any, model: str, wanted: str) -> None:
-    """The sphere is drawn off a plane of iron; in DMT it lets go where it stops to touch."""
+    """The sphere is pulled off a plane of iron; in DMT it lets go where the touch ends."""
     printed = run(*f"export lammps quartz 1um --radius2 plane --material2 iron --model {model}".split()).out
     scene = both(GRAIN, {**IRON, "radius": math.inf})
     force, approach = jkroll.solve((wanted, "approach"), **scene).values()
@@ -113,7 +113,7 @@ def test_rolling_frequency(run: Run, lammps: Any, ratio: float) -> None:
 def test_rolling_moment(run: Run, lammps: Any, pair: str, ratio: float, model: str) -> None:
     """Sphere 1 turns by an angle over body 2: the moment is linear in ξ, up to that of the yield displacement.
 
-    The spins make the two surfaces move alike, so that nothing slides.
+    The spins move both surfaces alike, so that nothing slides.
     """
     scene, load = both(*PAIRS[pair]), load_of(ratio, pair)
     names = ("approach_at_load", "yield_moment", "pull_off_force_dmt", "reduced_radius", "contact_modulus")
@@ -122,7 +122,7 @@ def test_rolling_moment(run: Run, lammps: Any, pair: str, ratio: float, model: s
         approach, moment = ((load + dmt) * 0.75 / modulus / math.sqrt(radius)) ** (2 / 3), dmt * 2e-10
     spheres = exported(run, lammps, pair, f"--load={load}N", "--model", model)
     steps, step = 100, 1e-12
-    shift = 2e-10 / steps  # of the contact in a step
+    shift = 2e-10 / steps  # of the contact, per step
     spheres.force(approach)
     spheres.code.command(f"timestep {step}")
     spheres.omega[0, 1] = shift / step / spheres.radius
@@ -134,7 +134,7 @@ def test_rolling_moment(run: Run, lammps: Any, pair: str, ratio: float, model: s
         measured.append(abs(spheres.torque[0, 1]))
     half, full, beyond = measured
     assert before < 1e-9 * moment
-    assert math.isclose(half, moment / 2, rel_tol=0.03)  # a step more or less
+    assert math.isclose(half, moment / 2, rel_tol=0.03)  # within a step
     assert math.isclose(full, moment, rel_tol=0.03)
     assert math.isclose(beyond, moment, rel_tol=1e-6)
 
@@ -142,7 +142,7 @@ def test_rolling_moment(run: Run, lammps: Any, pair: str, ratio: float, model: s
 @pytest.mark.parametrize("ratio", [0.0, 1.0, -0.5])
 @pytest.mark.parametrize("pair", PAIRS)
 def test_sliding_and_twisting(run: Run, lammps: Any, pair: str, ratio: float) -> None:
-    """Sphere 1 moves past body 2, or turns about the line of centres: linear up to the threshold, and not beyond it."""
+    """Sphere 1 moves past body 2, or turns about the line of centres: linear up to the threshold, not beyond."""
     scene, load = both(*PAIRS[pair]), load_of(ratio, pair)
     names = (
         "approach_at_load", "tangential_stiffness", "sliding_displacement", "sliding_force", "twisting_stiffness",
@@ -165,12 +165,12 @@ def test_sliding_and_twisting(run: Run, lammps: Any, pair: str, ratio: float) ->
             spheres.run(count)
             measured.append(abs(float(spheres.f[0, 0] if slides else spheres.torque[0, 2])))
         half, beyond = measured
-        assert math.isclose(half, stiffness * limit / 2, rel_tol=0.03)  # a step more or less
+        assert math.isclose(half, stiffness * limit / 2, rel_tol=0.03)  # within a step
         assert math.isclose(beyond, threshold, rel_tol=1e-6)
 
 
 def test_the_fastest_mode_is_resolved_by_the_time_step(run: Run, lammps: Any) -> None:
-    """Two spheres that slide against each other, and turn alike: R is δ0/2 shorter in LAMMPS."""
+    """Two spheres slide against each other, and turn alike: R is δ0/2 shorter in LAMMPS."""
     pair = "quartz 1um"
     printed = run(*f"export lammps {pair}".split()).out
     step = float(next(line for line in printed.splitlines() if line.startswith("timestep")).split()[1])
@@ -191,7 +191,7 @@ def test_the_fastest_mode_is_resolved_by_the_time_step(run: Run, lammps: Any) ->
 
 @pytest.mark.parametrize("model", ["jkr", "dmt"])
 def test_collisions_create_no_energy(run: Run, lammps: Any, model: str) -> None:
-    """Of a gas of beads, which collide in all directions, again and again; friction takes energy, nothing gives it."""
+    """A gas of beads, which collide again and again from all directions; friction takes energy, nothing adds any."""
     bead = "silica-humid 50um --gamma 0.2122mJ/m2 --young 725MPa --xi 10nm"
     ran = run(*f"export lammps {bead} --quiet".split(), "--model", model)
     commands = [line for line in ran.out.splitlines() if not line.startswith("#")]
@@ -229,7 +229,7 @@ def test_collisions_create_no_energy(run: Run, lammps: Any, model: str) -> None:
 
 
 class Grains:
-    """A sphere that touches z = 0 from above, and maybe one from below. A printed input is given to them unchanged."""
+    """A sphere that touches z = 0 from above, and perhaps one from below. They receive a printed input unchanged."""
 
     def __init__(self, lammps: Any, printed: str, radii: list[float], overlap: float, density: float = 2600.0) -> None:
         size = 5 * max(radii)
@@ -247,9 +247,9 @@ class Grains:
         self.code.commands_string(printed)
 
     def tension_when_drawn(self, distance: float, steps: int, step: float) -> float:
-        """Draw sphere 1 upwards, and return the largest tension on it.
+        """Pull sphere 1 upwards, and return the largest tension on it.
 
-        Neighbor lists are made anew as LAMMPS finds it necessary.
+        LAMMPS renews its neighbour lists when it finds this necessary.
         """
         self.code.commands_list(
             [
@@ -276,7 +276,7 @@ class Grains:
         ("quartz 1mm", [1e-3, 1e-3]),
         ("quartz 100nm --radius2 1um", [1e-7, 1e-6]),
         ("quartz 100nm --radius2 plane", [1e-7]),
-        ("quartz 100nm --young 1MPa", [1e-7, 1e-7]),  # where a0 is 1.5 R1 and δ0 is also larger than a radius
+        ("quartz 100nm --young 1MPa", [1e-7, 1e-7]),  # a0 is 1.5 R1, and δ0 is larger than a radius, too
     ],
 )
 def test_printed_lines_run_unchanged(run: Run, lammps: Any, words: str, radii: list[float]) -> None:
@@ -308,4 +308,4 @@ def test_collision_loses_what_the_manual_says(run: Run, lammps: Any, speed: floa
     separation = code.numpy.extract_atom("x")[0, 2] - code.numpy.extract_atom("x")[1, 2]
     leaving = float(v[0, 2] - v[1, 2]) / (speed * sticking) if separation > 2.001e-6 else 0.0
     code.close()
-    assert math.isclose(leaving, restitution, rel_tol=5e-3, abs_tol=1e-9)  # a finite time step
+    assert math.isclose(leaving, restitution, rel_tol=5e-3, abs_tol=1e-9)  # the time step is finite

@@ -1,4 +1,4 @@
-"""What tests/tools/missing.py names: nothing of what is there, and everything that is taken away."""
+"""tests/tools/missing.py names nothing that is there, and everything that is removed."""
 
 import copy
 from collections.abc import Iterator, Mapping

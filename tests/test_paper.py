@@ -1,7 +1,7 @@
-"""Every number printed in the paper, computed and compared at the precision with which it is printed.
+"""Every number printed in the paper, computed and compared at its printed precision.
 
-The numbers are the records of paper.toml, which says how they are written and read. What the paper has wrong is among
-them, as a strict xfail with its reason.
+The numbers are the records of paper.toml, which states how to write and read them. Numbers that are wrong in the paper
+are among them, as strict xfails with their reasons.
 """
 
 import math
@@ -21,7 +21,7 @@ from jkroll.model.reasons import MissingInput
 from jkroll.quantities.units import parse_unit
 
 EMPTY_CELL = "..."
-ROUNDING = 1e-9  # how far a formula, or an exponent, may be from the printed one
+ROUNDING = 1e-9  # largest distance of a formula or an exponent from the printed one
 INPUTS = NOMENCLATURE.keys() | {name for formula in FORMULAS.values() for name in parameters_of(formula)}
 NAMES = INPUTS | FORMULAS.keys()
 
@@ -41,7 +41,7 @@ class Record(NamedTuple):
     disagrees: str = ""
 
     def computed(self) -> float:
-        """Return the wanted product, or its exponent, as it is computed."""
+        """Return the computed product, or its exponent."""
         given = understood(self.given)
         result = product(self.wanted, given)
         if not self.exponent_of:
@@ -50,7 +50,7 @@ class Record(NamedTuple):
         return math.log2(product(self.wanted, doubled) / result)
 
     def admitted(self) -> Interval:
-        """Return the ends of the values that agree with what is printed."""
+        """Return the ends of the range of values that agree with the printed number."""
         if self.within:
             low, high = self.within
             return si(low), si(high)
@@ -104,7 +104,7 @@ def product(text: str, given: Given) -> float:
 
 
 def value(name: str, given: Given) -> float:
-    """Return the SI value of a quantity, of a formula, of what only a formula takes, of pi, or of a number."""
+    """Return the SI value of a quantity, a formula, a parameter of a formula, pi, or a number."""
     if name in NOMENCLATURE:
         return float(solve(name, **{key: given[key] for key in given if key in NOMENCLATURE}))
     if name in FORMULAS:
@@ -116,7 +116,7 @@ def value(name: str, given: Given) -> float:
 
 
 def understood(texts: Mapping[str, str]) -> Given:
-    """Return what is given: texts that `solve` reads; else SI values, of products from what stands before them."""
+    """Return the given values: texts for `solve`, or SI values of products of earlier values."""
     given: dict[str, Any] = {}
     for name, text in texts.items():
         if is_product(text):
@@ -135,7 +135,7 @@ EMPTY_CELLS = [record for _, record in RECORDS if record.printed == EMPTY_CELL]
 
 
 def disagreement(record: Record) -> list[pytest.MarkDecorator]:
-    """Return the mark of a number that must not come back. An error while computing it is no disagreement."""
+    """Return the mark of a number that the program must not reproduce. An error does not count."""
     return [pytest.mark.xfail(strict=True, raises=AssertionError, reason=record.disagrees)] if record.disagrees else []
 
 

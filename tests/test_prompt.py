@@ -1,4 +1,4 @@
-"""The prompt of the manual's site, in headless Chromium and without a network: its answers are those of the script.
+"""The prompt of the manual's site, in headless Chromium and without a network: its answers are those of the program.
 
 From the sdist, which has no `.docs`, these tests are left out. Where CI is set, a missing browser is a failure.
 """
@@ -86,14 +86,14 @@ def test_an_answer_is_that_of_the_script(page: tuple[Browser, str], line: str) -
 
 @pytest.mark.parametrize("line", ["pull-off quartz 1nm:1um:5000 --csv", "map r-min --x radius=1nm:1um"])
 def test_what_needs_numpy_is_that_of_the_script(page: tuple[Browser, str], line: str) -> None:
-    """The address has another port than those of other runs: nothing of numpy is in the browser's cache."""
+    """The address has a new port, so nothing of numpy is in the browser's cache."""
     found, (printed, code) = answer(opened(page), line), script(line)
     assert rounded(found["shown"]) == rounded(without_colours(printed))
     assert found["code"] == code == 0
 
 
 def test_numbers_of_a_large_sweep_are_spelled_as_by_orjson() -> None:
-    """The module of the prompt that stands in for orjson writes and reads the same bytes."""
+    """The module of the prompt that replaces orjson writes and reads the same bytes."""
     there = runpy.run_path(str(DOCS / "prompt" / "orjson.py"))
     values = [0.0, -0.0, 1.0, 100.0, 1e-5, 4.999999999999999e-05, 1e-7, 5e-324, -1e15, 0.1]
     for each in (numpy.array(values), numpy.array([values, values]), numpy.array([1.0, nan, -inf]), values, [1, None]):
@@ -259,7 +259,7 @@ def test_a_link_carries_the_line_which_waits_for_a_press(page: tuple[Browser, st
 
 
 def test_a_narrow_screen_shows_all_of_the_page(page: tuple[Browser, str]) -> None:
-    """The answer scrolls by itself; the page does not."""
+    """The answer scrolls within the page; the page does not scroll."""
     window = opened(page, "?c=contact%20quartz%20100nm", width=390, height=800)
     answer(window, "contact quartz 100nm")
     assert window.script("return document.documentElement.scrollWidth <= document.documentElement.clientWidth")
@@ -267,6 +267,6 @@ def test_a_narrow_screen_shows_all_of_the_page(page: tuple[Browser, str]) -> Non
 
 
 def test_the_page_is_small() -> None:
-    """At most 450 lines of HTML, CSS and JavaScript, and no framework."""
+    """It has at most 450 lines of HTML, CSS and JavaScript, and no framework."""
     files = [path for path in (DOCS / "prompt").iterdir() if path.suffix in (".html", ".css", ".js")]
     assert sum(len(path.read_text(encoding="utf-8").splitlines()) for path in files) <= 450

@@ -1,4 +1,4 @@
-"""What the site has for Python: a notebook of the page, run by Jupyter, and the reference of the public names."""
+"""The pages for Python on the site: a notebook of the page, run by Jupyter, and the reference of the public names."""
 
 import importlib.util
 import inspect
@@ -48,7 +48,7 @@ def test_the_notebook_has_all_of_the_page() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.filterwarnings("ignore")  # of Jupyter
+@pytest.mark.filterwarnings("ignore")  # from Jupyter
 def test_jupyter_shows_what_the_page_shows(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     nbclient, nbformat = pytest.importorskip("nbclient"), pytest.importorskip("nbformat")
     pytest.importorskip("ipykernel")
@@ -59,7 +59,7 @@ def test_jupyter_shows_what_the_page_shows(tmp_path: Path, monkeypatch: pytest.M
     wanted = [cell.shown for cell in maker().cells_of(page()) if cell.shown is not None]
     cells = [cell for cell in run.cells if cell.cell_type == "code"]
     for cell, shown in zip(cells, wanted, strict=True):
-        assert "".join(map(text_of, cell.outputs)).split() == shown.split(), cell.source  # lines break elsewhere
+        assert "".join(map(text_of, cell.outputs)).split() == shown.split(), cell.source  # line breaks differ
     kinds = {kind for cell in cells for output in cell.outputs for kind in output.get("data", {})}
     assert {"text/html", "text/latex", "image/png"} <= kinds
 

@@ -1,4 +1,4 @@
-"""The README is a transcript: every command in it is run and must print what stands there."""
+"""The README is a transcript: every command in it is run and must print the output that it shows."""
 
 import re
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""What a release says of itself: one version, one author, one title, and addresses that hold on a package index."""
+"""The data of a release: one version, one author, one title, and addresses that work on a package index."""
 
 import json
 import re

@@ -53,12 +53,12 @@ def test_a_request_to_another_host_is_seen(tmp_path: Path, page: str) -> None:
         window.open(address)
         window.wait("document.readyState === 'complete'")
         while "example.invalid" not in log.read_text(encoding="utf-8"):
-            window.script("return 0")  # the log is written as the browser works
+            window.script("return 0")  # the browser writes the log as it works
     assert hosts_asked(tmp_path) == {"127.0.0.1", "example.invalid"}
 
 
 def runnable(topic: str) -> list[tuple[str, str]]:
-    """Return the commands of a page's transcripts and tables, each with its part of the page, in their order.
+    """Return the commands in the transcripts and tables of a page, in their order, each with its part of the page.
 
     A command that needs a file is left out unless its transcript begins with this file.
     """
@@ -95,12 +95,12 @@ def test_every_picture_is_shown_and_every_link_leads_to_a_place(site: tuple[Brow
             }""")
         pictures += found["count"]
         broken += [(shown, source) for source, width in found["pictures"] if not width]
-        # A page that is left before its icon has come makes Chromium ask for favicon.ico, which no page names.
+        # If a page is left before its icon has arrived, Chromium asks for favicon.ico, which no page names.
         missing = [file for file, status in found["files"] if status >= 400 and not file.endswith("/favicon.ico")]
         broken += [(shown, file) for file in missing]
         places[shown] = {"", *found["places"]}
         links[shown] = {*found["links"], *found["frames"]}
-    assert pictures == len(GALLERY) + 2  # the README has one, and so has the page on pictures
+    assert pictures == len(GALLERY) + 2  # one in the README, and one in the page on pictures
     for shown, targets in links.items():
         for target, place in {urldefrag(each) for each in targets if each.startswith(address)}:
             reached = window.script("return fetch(arguments[0]).then((answer) => answer.ok)", target)
@@ -276,7 +276,7 @@ def test_the_site_says_how_to_install_what_it_carries() -> None:
         assert f"Version: {__version__}" in content.read(f"jkroll-{__version__}.dist-info/METADATA").decode()
     for words in ("jkroll: adhesive contact of two elastic spheres", "MIT License", "source code"):
         assert words in html
-    for path in SITE.rglob("*.html"):  # no index has it, but an installed one takes its extras
+    for path in SITE.rglob("*.html"):  # no index has it, but an installed version takes its extras
         assert not re.search(r"pip install '?jkroll(?![-[])", path.read_text(encoding="utf-8")), path
 
 

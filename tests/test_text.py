@@ -1,4 +1,4 @@
-"""Text for a terminal: the size of the terminal, and what is shown of a user's text."""
+"""Text for a terminal: the size of the terminal, and the texts of a user as they are shown."""
 
 import pytest
 

@@ -1,7 +1,8 @@
-"""The numbers of jkroll against programs that other people wrote: LAMMPS, tamaas and Adhesion.
+"""The numbers of jkroll compared with programs of other authors: LAMMPS, tamaas and Adhesion.
 
 LAMMPS moves two spheres by Newton's laws, time step after time step; tamaas finds the pressure that deforms an elastic
-surface as prescribed; Adhesion has its own formulas of JKR. A program that is not installed is a skip, in CI an error.
+surface in a prescribed way; Adhesion has its own formulas of JKR. A program that is not installed is a skip, in CI an
+error.
 """
 
 import math
@@ -31,15 +32,15 @@ from third_party import (
 
 pytestmark = pytest.mark.slow
 
-FORCE_CURVE = 4e-12  # of P_c, or of the load where it is larger
+FORCE_CURVE = 4e-12  # relative to P_c, or to the load if it is larger
 CONTACT_RADIUS = 7e-13
 STIFFNESS = 4e-8
-NO_SLIP = 1e-5  # LAMMPS has the contact δ/2 below the surface: about δ0/R; and there is some slip, 1e-6
+NO_SLIP = 1e-5  # in LAMMPS, the contact lies δ/2 below the surface: about δ0/R; and there is some slip, 1e-6
 ROLLING_TO_REST = 2e-4
 MOMENT_OF_CIRCLE = 4e-4
 MOMENT_OF_STRIP = 1e-3
 TORSION = 4e-4
-ADHESIVE_SPHERE = 0.03  # what its range and its neighbours leave
+ADHESIVE_SPHERE = 0.03  # left by the range of the attraction and by the neighbouring spheres
 JKR_RELATIONS = 4e-14
 
 GRAIN: Body = {**QUARTZ, "radius": 1e-7}
@@ -80,7 +81,7 @@ def test_lammps_force_curve(spheres: Spheres, scene: Mapping[str, Any], ratio: f
 
 @pytest.mark.parametrize("ratio", [1.0, 0.0, -0.5, -0.9])
 def test_lammps_contact_radius(lammps: Any, pair: tuple[Body, Body], scene: Mapping[str, Any], ratio: float) -> None:
-    """A viscoelastic contact is damped by (1/s)amv/m, here at a speed at which that is far above P_c."""
+    """A viscoelastic contact is damped by (1/s)amv/m; here the speed makes this far larger than P_c."""
     spheres = Spheres(lammps, *pair, damping=(1.0, "viscoelastic"))
     load = ratio * jkroll.solve("pull_off_force", **scene)
     names = ("approach_at_load", "contact_radius_at_load", "reduced_mass")
@@ -92,7 +93,7 @@ def test_lammps_contact_radius(lammps: Any, pair: tuple[Body, Body], scene: Mapp
 
 @pytest.mark.parametrize("ratio", [1.0, 0.0, -0.5])
 def test_lammps_stiffness(spheres: Spheres, scene: Mapping[str, Any], ratio: float) -> None:
-    """From four forces around the load: the error is of fourth order."""
+    """From four forces around the load; the error is of fourth order."""
     load = ratio * jkroll.solve("pull_off_force", **scene)
     approach, stiffness, step = jkroll.solve(("approach_at_load", "stiffness", "approach"), load=load, **scene).values()
     step *= 1e-3
@@ -103,7 +104,7 @@ def test_lammps_stiffness(spheres: Spheres, scene: Mapping[str, Any], ratio: flo
 # --- LAMMPS: vibrations and rolling -----------------------------------------------------------------------------------
 
 
-LARGE: Body = {**QUARTZ, "radius": 1e-3}  # so that δ0/R is 2e-6
+LARGE: Body = {**QUARTZ, "radius": 1e-3}  # δ0/R is then 2e-6
 OTHERS: Mapping[str, Body] = {
     "100:60": {**QUARTZ, "radius": 6e-4},
     "2:1": {**QUARTZ, "radius": 5e-4},
@@ -116,7 +117,7 @@ OTHERS: Mapping[str, Body] = {
 @pytest.mark.parametrize("held", [False, True], ids=["free", "held"])
 @pytest.mark.parametrize("other", OTHERS)
 def test_lammps_rolling_frequency_without_slip(lammps: Any, other: str, held: bool) -> None:
-    """Where the centres move too, Eq (40) does not hold."""
+    """Where the centres move, too, Eq (40) does not hold."""
     measured, eq_40, _, no_slip = rolling_frequencies(lammps, LARGE, OTHERS[other], held=held)
     assert math.isclose(measured, no_slip, rel_tol=NO_SLIP)
     assert not math.isclose(measured, eq_40, rel_tol=0.1)
@@ -124,10 +125,10 @@ def test_lammps_rolling_frequency_without_slip(lammps: Any, other: str, held: bo
 
 @pytest.mark.parametrize("slips", [False, True], ids=["no slip", "free to slide"])
 def test_lammps_rolling_to_rest(lammps: Any, slips: bool) -> None:
-    """Without slip the energy balance holds; Eq (48) is for a sphere that spins while it slides on, with 2/7 of W0.
+    """Without slip the energy balance holds; Eq (48) is for a sphere that spins as it slides on, with 2/7 of W0.
 
-    The friction is the mean rolling moment: μ·2P_c·R = ⟨M⟩. The springs are stiff, so that it yields at once, and 20
-    time steps per vertical vibration resolve them. Sphere 2 is held.
+    The friction is the mean rolling moment: μ·2P_c·R = ⟨M⟩. The springs are stiff, so that the contact yields at once,
+    and 20 time steps per vertical vibration resolve them. Sphere 2 is held.
     """
     grain: Body = {**QUARTZ, "radius": 1e-5}
     energy = 0.1 * jkroll.solve("adhesion_energy", **grain)
@@ -159,7 +160,7 @@ def test_lammps_rolling_to_rest(lammps: Any, slips: bool) -> None:
 
 
 def disc(a: float, cells: int) -> tuple[Any, Any, Any, float]:
-    """Return the places of cells, which of them make up a circle, as large as one of radius a, and their size."""
+    """Return the positions of cells, the cells that form a circle of the area of one of radius a, and their size."""
     centres = np.arange(cells) + 0.5 - cells / 2
     x, y = np.meshgrid(centres, centres, indexing="ij")
     inside = x**2 + y**2 <= (cells / 2.2) ** 2
@@ -171,7 +172,7 @@ def disc(a: float, cells: int) -> tuple[Any, Any, Any, float]:
 def test_tamaas_moment_of_a_shifted_circle(tamaas: Any, ratio: float) -> None:
     """Eq (25): in a circle of the contact radius at the load, whose centre lags by ξ, the surface fits the sphere.
 
-    The circle is as large as the cells that make it up. The error that this leaves halves with the cells.
+    The circle has the area of its cells; the error that this leaves is proportional to the size of the cells.
     """
     xi = 2e-10
     load = ratio * jkroll.solve("pull_off_force", **GRAIN)
@@ -188,9 +189,9 @@ def test_tamaas_moment_of_a_shifted_circle(tamaas: Any, ratio: float) -> None:
 
 
 def test_tamaas_torsional_stiffness(tamaas: Any) -> None:
-    """A circle of the surface that turns by φ about its centre: u = φ(−y, x), and no other displacement.
+    """A circle of the surface turns by φ about its centre: u = φ(−y, x), and there is no other displacement.
 
-    Its tractions have no divergence, so that each component displaces the surface by 1/(2πGr), as a pressure does for
+    The tractions have no divergence. Each component therefore displaces the surface by 1/(2πGr), as a pressure does for
     E* = 2G.
     """
     names = ("twisting_stiffness", "contact_radius_at_load")
@@ -200,7 +201,7 @@ def test_tamaas_torsional_stiffness(tamaas: Any) -> None:
     for cells in (64, 128):
         _, y, inside, cell = disc(a, cells)
         found = pressure(surface(tamaas, 2 * shear, cells * cell, inside.shape), inside, y)
-        stiffnesses.append(2 * np.sum(y * found) * cell**2 / 2)  # both components; two solids in series
+        stiffnesses.append(2 * np.sum(y * found) * cell**2 / 2)  # both components, for two solids in series
     assert math.isclose(2 * stiffnesses[1] - stiffnesses[0], expected, rel_tol=TORSION)
 
 
@@ -208,7 +209,7 @@ def test_tamaas_torsional_stiffness(tamaas: Any) -> None:
 def test_tamaas_moment_of_a_shifted_strip(tamaas: Any, load_constant: float) -> None:
     """Eqs (68) and (70), the latter with −2C, in units of a and E′. C = 1/2 is a contact without adhesion.
 
-    The error of the cells halves with them. That of the strip's repetitions is (πa/period)²/6 = 1e-4.
+    The error is proportional to the size of the cells. That of the periodic repetition is (πa/period)²/6 = 1e-4.
     """
     xi, period = 0.05, 128.0
     solids = {"cylinder_radius": 100.0, "plane_strain_modulus": 1.0}
@@ -270,7 +271,7 @@ def test_adhesion_without_load(jkr: Any, scene: Mapping[str, Any]) -> None:
 
 @pytest.mark.parametrize("ratio", [100.0, 1.0, 0.0, -0.5, -8 / 9, -0.99, -1.0])
 def test_adhesion_under_load(jkr: Any, scene: Mapping[str, Any], ratio: float) -> None:
-    """Eqs (5) and (6) at the contact radius; as differences they may have errors of P_c and δ0."""
+    """Eqs (5) and (6) at the contact radius; they are differences, and may have the errors of P_c and δ0."""
     pull_off, unloaded = jkroll.solve(("pull_off_force", "approach"), **scene).values()
     names = ("contact_radius_at_load", "approach_at_load")
     radius, approach = jkroll.solve(names, load=ratio * pull_off, **scene).values()
@@ -281,7 +282,7 @@ def test_adhesion_under_load(jkr: Any, scene: Mapping[str, Any], ratio: float) -
 
 @pytest.mark.parametrize("ratio", [1.0, 0.0, -0.9])
 def test_adhesion_pressure(jkr: Any, scene: Mapping[str, Any], ratio: float) -> None:
-    """Eq (12). For Adhesion tension is positive."""
+    """Eq (12). In Adhesion, tension is positive."""
     load = ratio * jkroll.solve("pull_off_force", **scene)
     names = ("contact_radius_at_load", "hertz_pressure", "boussinesq_pressure")
     parts = jkroll.solve(names, load=load, **scene)

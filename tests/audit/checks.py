@@ -1,7 +1,7 @@
-"""A check: a claim of the paper, the number that follows from its premises, and the verdict on the two.
+"""Checks, which compare a claim of the paper with the number that follows from its premises.
 
-Integrals, derivatives and roots are found by plain arithmetic, so that a check needs no formula of the paper to test
-one.
+Integrals, derivatives and roots are computed by plain arithmetic, so that a check of one formula needs no other formula
+of the paper.
 """
 
 from collections.abc import Callable
@@ -13,11 +13,11 @@ import numpy
 Verdict = Literal["holds", "sign", "misprint", "wrong", "approximate"]
 Terms = float | tuple[float, ...]  # one number, or several: the terms of a sum, the ends of a range, or cases
 
-ROUNDING = 1e-9  # relative difference that two routes to one number may have
+ROUNDING = 1e-9  # largest relative difference of two routes to one number
 
 
 class Check(NamedTuple):
-    """A claim of the paper, evaluated at values where nothing is special, so that only equal formulas agree."""
+    """A claim of the paper, evaluated at arbitrary values, where only equal formulas agree."""
 
     equation: str  # numbers of equations, or the place in the prose
     claim: str
@@ -25,7 +25,7 @@ class Check(NamedTuple):
     reason: str
     printed: Terms
     follows: Terms
-    restated: Terms | None = None  # the printed claim where the paper states it again
+    restated: Terms | None = None  # the claim as the paper prints it again elsewhere
     within: float = ROUNDING  # relative difference admitted by the printed digits or the order of a series
     hedge: float = 1.0  # factor admitted by an "about" or a "≈" of the paper
 
@@ -45,7 +45,7 @@ class Check(NamedTuple):
 
     @property
     def numbers(self) -> tuple[float, float]:
-        """Return what is printed, and what follows; of several numbers, those that differ most."""
+        """Return the printed number and the one that follows; of several pairs, the pair that differs most."""
         pairs = zip(_terms(self.printed), _terms(self.follows), strict=True)
         return max(pairs, key=lambda pair: _difference(*pair))
 
@@ -80,17 +80,17 @@ def integral(function: Function, low: float, high: float) -> float:
 
 
 def to_rim(function: Function, a: float) -> float:
-    """Return the integral from 0 to a of a function with a factor √(a − s), or 1/√(a − s), if any."""
+    """Return the integral from 0 to a of a function that may have a factor √(a − s) or 1/√(a − s)."""
     return integral(lambda angle: function(a * sin(angle)) * a * cos(angle), 0, pi / 2)
 
 
 def across(function: Function, a: float) -> float:
-    """Return the integral from −a to a of a function with such a factor at both ends, if any."""
+    """Return the integral from −a to a of a function that may have such a factor at both ends."""
     return to_rim(lambda s: function(s) + function(-s), a)
 
 
 def over_disc(function: Callable[[float, float], float], a: float) -> float:
-    """Return the integral over a circle of a function of x and y with such a factor at the rim, if any."""
+    """Return the integral over a circle of a function of x and y that may have such a factor at the rim."""
     turn = 2 * pi / _DIRECTIONS
     angles = [(place + 0.5) * turn for place in range(_DIRECTIONS)]
     return to_rim(lambda r: turn * r * sum(function(r * cos(angle), r * sin(angle)) for angle in angles), a)
@@ -99,7 +99,7 @@ def over_disc(function: Callable[[float, float], float], a: float) -> float:
 def principal_value(function: Function, x: float, a: float) -> float:
     """Return the Cauchy principal value of ∫ f(s)/(√(a² − s²)(x − s)) ds from −a to a, for a smooth f and |x| < a.
 
-    For a constant f it is 0. So f(x) is subtracted, and no singularity remains.
+    The value is 0 for a constant f. So f(x) is subtracted, which removes the singularity.
     """
     at_x = function(x)
     nodes = [a * cos(pi * (place + 0.5) / _NODES) for place in range(_NODES)]
@@ -107,7 +107,7 @@ def principal_value(function: Function, x: float, a: float) -> float:
 
 
 def slope(function: Callable[[complex], complex], x: float) -> float:
-    """Return the derivative by a complex step, in which nothing cancels."""
+    """Return the derivative by a complex step, which cancels no digits."""
     step = 1e-30
     return function(complex(x, step)).imag / step
 

@@ -1,8 +1,8 @@
-"""All claims of the paper, in its order, and the table of those that do not hold, as `jkroll guide paper` has it.
+"""All claims of the paper, in its order, and the table of the claims that do not hold, for `jkroll guide paper`.
 
     python tests/audit/claims.py
 
-writes that table into the page anew.
+renews the table in the page.
 """
 
 import sys
@@ -19,7 +19,7 @@ HEAD = "| Eq | claim | printed | follows | printed over follows | verdict | from
 
 
 def claims() -> tuple[Check, ...]:
-    """Evaluate every claim of the paper, in its order, and what follows in its place."""
+    """Return the checks of all claims of the paper, in its order."""
     return (*moment(), *statics(), *vibrations(), *collisions(), *cylinder())
 
 

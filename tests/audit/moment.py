@@ -1,4 +1,4 @@
-"""Sects. 2 to 4, Eqs 1-25: the contact, and the moment of a shifted one.
+"""Sects. 2 to 4, Eqs 1-25: the contact, and the moment of a shifted contact.
 
 Appendices A and B, Eqs 50-88: the cylinder on a plane, where E means E/(1 − ν²), and the integrals.
 """
@@ -96,7 +96,7 @@ def _half_circles() -> tuple[Check, ...]:
 
 
 def _rigid_pull_off() -> float:
-    """Return the attraction 4γ(1 − h) up to a gap of 1, which is 2γ in all, summed over the gap h = r²/(2R)."""
+    """Return the attraction 4γ(1 − h), integrated over the gap h = r²/(2R) up to 1; its work is 2γ."""
     return integral(lambda r: 2 * pi * r * 4 * pair.gamma * (1 - r**2 / (2 * pair.r)), 0, sqrt(2 * pair.r))
 
 
@@ -121,7 +121,7 @@ def _half_disc(a: float, start: float) -> float:
 
 # --- A cylinder on a plane --------------------------------------------------------------------------------------------
 
-# A strip in which no number is special: its half-width, its lag, the load as an area, the cylinder, a place inside.
+# A strip of arbitrary numbers: its half-width, its lag, the load as an area, the cylinder, and a position inside.
 A: Final = 0.83
 XI: Final = 0.067
 C: Final = 0.211
@@ -212,7 +212,7 @@ def symmetric(x: float, a: float) -> float:
 
 
 def shifted(x: float) -> float:
-    """Return the pressure of a strip that lags, x from its centre, Eq (64)."""
+    """Return the pressure of a lagging strip at a distance x from its centre, Eq (64)."""
     return symmetric(x, A) + E / (2 * R) * XI * x / sqrt(A**2 - x**2)
 
 
@@ -227,12 +227,12 @@ def halves_moment(xi: float) -> float:
 
 
 def _transform(xi: float, x: float) -> float:
-    """Return the left side of Eq (51) for the pressure of a strip that lags by ξ, all of it over the root."""
+    """Return the left side of Eq (51), divided by the root, for the pressure of a strip that lags by ξ."""
     return principal_value(lambda s: E / (2 * R) * (A**2 - s**2 + C - A**2 / 2 + xi * s), x, A)
 
 
 def _dent_slope(xi: float, x: float) -> float:
-    """Return du/dx under that pressure: Boussinesq's 1/(πEr), x − s away, summed along y = (x − s) tan(angle)."""
+    """Return du/dx under that pressure: Boussinesq's 1/(πEr) at x − s, integrated along y = (x − s) tan(angle)."""
     return -integral(cos, -pi / 2, pi / 2) / (pi * E) * _transform(xi, x)
 
 

@@ -14,7 +14,7 @@ from audit.checks import Check, across, integral, lowest, nearest, over_disc, ro
 
 
 class Pair:
-    """Two spheres, in units in which no number is special; body 2 may be a plane (r2 infinite)."""
+    """Two spheres of arbitrary numbers; body 2 may be a plane (r2 infinite)."""
 
     def __init__(
         self,
@@ -29,7 +29,7 @@ class Pair:
         gravity: float = 0.0021,
         energy: float = 0.0037,
     ) -> None:
-        """Evaluate what the paper says in Eqs 1-6 and in the text around them."""
+        """Evaluate Eqs 1-6 and the text around them."""
         self.r1, self.r2, self.e, self.gamma, self.rho, self.xi = r1, r2, e, gamma, rho, xi
         self.stretch, self.gravity, self.energy = stretch, gravity, energy
         self.r = 1 / (1 / r1 + 1 / r2)  # reduced radius
@@ -56,7 +56,7 @@ class Pair:
         return -sqrt(4 * self.gamma * self.e / (pi * a))
 
     def pressure(self, r: float, a: float) -> float:
-        """Return the sum of both at a distance r from the centre of the circle."""
+        """Return the sum of both pressures at a distance r from the centre of the circle."""
         depth = sqrt((1 - r / a) * (1 + r / a))
         return self.hertz(a) * depth + self.griffith(a) / depth
 
@@ -76,7 +76,7 @@ class Pair:
         return self.hertz(self.a) * depth + (punch + tilt * x / self.a) / depth
 
     def load_of(self, a: float) -> float:
-        """Return the pressure, integrated over a circle."""
+        """Return the integral of a pressure over a circle."""
         return 2 * pi * to_rim(lambda r: r * self.pressure(r, a), a)
 
     def approach_of(self, a: float) -> float:
@@ -94,7 +94,7 @@ class Pair:
         return root(self.load_of, 0.7 * self.a0, 3 * self.a0)
 
     def depth(self, pressure: Callable[[float, float], float], x: float, y: float) -> float:
-        """Return the depth of the dent that a pressure makes at a point, by Boussinesq along every chord through it."""
+        """Return the depth of the dent that a pressure makes at a point, by Boussinesq along chords through it."""
 
         def along_chord(angle: float) -> float:
             along, aside = (cos(angle), sin(angle)), x * sin(angle) - y * cos(angle)
@@ -110,7 +110,7 @@ class Pair:
 
     @cached_property
     def moment_at_load(self) -> float:
-        """The moment of the exact pressure at the approach that keeps the load, in which the load is linear."""
+        """The moment of the exact pressure at the approach that keeps the load; the load is linear in the approach."""
 
         def excess(delta: float) -> float:
             return over_disc(lambda x, y: self.shifted_pressure(x, y, delta), self.a) - self.p
@@ -129,7 +129,7 @@ class Pair:
     @cached_property
     def lever(self) -> float:
         """Travel of the driven centre over the angle of rolling, with body 2 held: by virtual work, M = Q lever."""
-        travel, angle = 1 + self.r1 / self.r2, 1 / self.r  # for each length that the contact point moves
+        travel, angle = 1 + self.r1 / self.r2, 1 / self.r  # per length that the contact point moves
         return travel / angle
 
     @cached_property
@@ -147,7 +147,7 @@ twins: Final = Pair(r2=pair.r1)
 
 
 def reference(radius: float = 1e-7, gamma: float = 0.1) -> Pair:
-    """Return a pair at the values in SI units at which (36) and (42) are written; γ = 25 mJ/m² is quartz."""
+    """Return a pair with the values, in SI units, for which (36) and (42) are written; γ = 25 mJ/m² is quartz."""
     return Pair(r1=radius, r2=radius, e=1e10 / 2, gamma=gamma, rho=2000.0, xi=2e-10, stretch=1.0, gravity=9.80665)
 
 
@@ -196,12 +196,12 @@ def factor_at(load_ratio: float) -> float:
 
 
 def _ring(of: Pair) -> float:
-    """Return the radius of the polygon of centres in which every contact, on both of its spheres, is off by ξ."""
+    """Return the radius of the polygon of centres in which every contact is shifted by ξ on both of its spheres."""
     return of.r1 / sin(of.xi / of.r1)
 
 
 def _level_chain(of: Pair) -> float:
-    """Return the number of spheres at which the moment of their weight is the largest that the contact bears."""
+    """Return the number of spheres whose weight has the largest moment that the contact bears."""
     return sqrt(4 * of.p_c * of.xi / (of.m1 * of.gravity * of.r1))
 
 
@@ -321,7 +321,7 @@ def collisions() -> tuple[Check, ...]:
               follows=factor_at(pair.p / stiffer.p_c) / pair.x),
         Check("Table 1", "quartz: ν = 5.4(10) by its head", "misprint", "scrambled in the copy",
               printed=QUARTZ[1], restated=QUARTZ[2],
-              follows=sum(value for value in QUARTZ if -1 <= value <= 0.5)),  # the one that can be a Poisson's ratio
+              follows=sum(value for value in QUARTZ if -1 <= value <= 0.5)),  # only one can be a Poisson's ratio
     )  # fmt: skip
 
 

@@ -142,7 +142,7 @@ def test_the_program_computes_what_follows_for_a_strip(name: str, equation: str,
 
 @pytest.mark.parametrize("place", [-0.8, 0.0, 0.3])
 def test_the_pressure_that_is_drawn_dents_to_the_shifted_sphere(place: float) -> None:
-    """That of `shifted_pressure` does, by the audit of Eq 25; its load is kept at an approach higher by ξ²/2R."""
+    """By the audit of Eq 25, `shifted_pressure` does so; an approach higher by ξ²/2R keeps its load."""
     value = shifted.exact_pressure(
         position_in_circle=place * pair.a, contact_radius_at_load=pair.a, contact_modulus=pair.e,
         reduced_radius=pair.r, yield_displacement=pair.xi, hertz_pressure=pair.hertz(pair.a),

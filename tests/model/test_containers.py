@@ -1,4 +1,4 @@
-"""Containers from Python as inputs: what they say of units, labels and correlations is heeded, or refused in words."""
+"""Containers from Python as inputs: their units, labels and correlations are read, or refused with a reason."""
 
 import array
 import datetime
@@ -21,7 +21,7 @@ FORCES = jkroll.solve("pull_off_force", material="quartz", radius=numpy.array([1
 
 
 class Labelled(SimpleNamespace):
-    """What xarray has around an array: `data`, names of dimensions, attributes; numpy drops the unit of the data."""
+    """An array as xarray has it: `data`, names of dimensions, attributes; numpy drops the unit of the data."""
 
     data: Any
 
@@ -83,7 +83,7 @@ def test_unit_of_another_package_inside_a_labelled_array_is_refused() -> None:
 
 @pytest.mark.parametrize("words", [{"units": "nm"}, {"unit": "nm"}, {"dims": ()}])
 def test_uncertain_value_with_a_unit_is_refused(words: dict[str, Any]) -> None:
-    """float() of an array of unyt, or of xarray, is its number without the unit."""
+    """float() of an array of unyt or xarray gives the number without the unit."""
 
     class Array(SimpleNamespace):
         def __float__(self) -> float:
@@ -103,12 +103,12 @@ class Index:
         self.labels = labels
 
     def equals(self, other: object) -> bool:
-        """Return whether others are the same."""
+        """Return whether other labels are the same."""
         return isinstance(other, Index) and other.labels == self.labels
 
 
 class Series:
-    """Numbers with labels, as pandas has them."""
+    """Numbers with labels, as a Series of pandas has them."""
 
     dtype = numpy.dtype(float)
 
@@ -121,7 +121,7 @@ class Series:
 
 
 def labelled(numbers: list[float], dimension: str, *labels: object) -> Labelled:
-    """Return numbers as xarray has them."""
+    """Return numbers with labels, as an array of xarray has them."""
     found = Labelled(numpy.array(numbers))
     found.dims, found.indexes = (dimension,), {dimension: Index(*labels)} if labels else {}
     return found
@@ -147,7 +147,7 @@ UNLIKE = {
 @pytest.mark.parametrize("door", DOORS)
 @pytest.mark.parametrize("case", UNLIKE)
 def test_arrays_with_other_labels_are_refused(case: str, door: str) -> None:
-    """By position, the first of these has a number of every row for that of another grain."""
+    """Taken by position, two of these would combine values of different grains."""
     first, second, lack = UNLIKE[case]
     words = rf"\w+ and \w+ have different {lack}: align them first, or give numpy arrays"
     with pytest.raises(jkroll.JkrollError, match=words):
@@ -168,7 +168,7 @@ def test_arrays_with_the_same_labels_are_taken_by_position() -> None:
 
 
 def test_inputs_that_are_correlated_are_refused() -> None:
-    """As independent ones, the same γ of both spheres would have 1.67e-9 N; it has 2.356e-9 N, a fifth of P_c."""
+    """If they counted as independent, P_c would have an error of 1.67e-9 N; it has 2.356e-9 N, a fifth of P_c."""
     uncertainties = pytest.importorskip("uncertainties")
     energy = uncertainties.ufloat(0.025, 0.005)
     words = (
@@ -185,7 +185,7 @@ def test_inputs_that_are_correlated_are_refused() -> None:
 
 
 def test_inputs_that_are_independent_are_taken() -> None:
-    """A change of one γ by 20 % is one of 10 % in w, and both add in quadrature."""
+    """A change of one γ by 20 % changes w by 10 %, and both changes add in quadrature."""
     uncertainties = pytest.importorskip("uncertainties")
     first, second = (uncertainties.ufloat(0.025, 0.0025) for _ in range(2))
     force = jkroll.solve("pull_off_force", gamma=first + second - second, gamma2=second, radius=1e-7)
@@ -196,7 +196,7 @@ def test_inputs_that_are_independent_are_taken() -> None:
 
 
 def test_formula_converts_quantities_and_numbers_in_si_units() -> None:
-    """(3/2)πwR for w = 50 mJ/m², R = 75 nm; 75 were taken for metres, and the force was in nm."""
+    """(3/2)πwR for w = 50 mJ/m², R = 75 nm; once, 75 was taken for metres and the force came out in nm."""
     exact = 3 * math.pi / 2 * 0.05 * 75e-9
     for energy, radius in (
         (0.05, Quantity(75, "nm")),
@@ -206,7 +206,7 @@ def test_formula_converts_quantities_and_numbers_in_si_units() -> None:
     ):
         force: Any = jkroll.formulas.pull_off_force(work_of_adhesion=energy, reduced_radius=radius)
         assert math.isclose(in_newtons(force), exact, rel_tol=1e-14)
-        assert str(force.units) == "newton"  # as those of solve
+        assert str(force.units) == "newton"  # as in results of solve
 
 
 def test_formula_converts_quantities_that_the_nomenclature_does_not_have() -> None:
@@ -338,7 +338,7 @@ AT: dict[str, Callable[[Any], Any]] = {
     "path": jkroll.Materials,
     "value": lambda odd: jkroll.Measured(odd, 1e-9),
 }
-# What a door takes by intention: no material, no law, and float() of a number.
+# Differences that a door has by intention: no material, no law, or float() of a number.
 TAKEN = {("material", "none"), ("model", "none"), ("value", "Decimal"), ("value", "Fraction")}
 
 
@@ -348,7 +348,7 @@ def test_number_of_any_kind_gives_the_right_number(number: str) -> None:
     assert numpy.allclose(getattr(found, "magnitude", found), FORCES[0], rtol=1e-14)
 
 
-@pytest.mark.filterwarnings("ignore:Warning. converting a masked element:UserWarning")  # numpy's own
+@pytest.mark.filterwarnings("ignore:Warning. converting a masked element:UserWarning")  # from numpy
 @pytest.mark.parametrize("door", AT)
 def test_odd_container_is_refused_in_words(door: str) -> None:
     for name, odd in ODD.items():
@@ -362,7 +362,7 @@ def test_odd_container_is_refused_in_words(door: str) -> None:
 
 @pytest.mark.slow
 def test_xarray() -> None:
-    """Read with its unit: an array, its variable, one element, a list of them, and pieces of dask."""
+    """An array with its unit is read, and so are a variable, one element, a list of elements, and pieces of dask."""
     xarray = pytest.importorskip("xarray")
     array = xarray.DataArray(RADII)
     for radii in (array, array.variable, [array[0], array[1]], [array.variable[0], RADII[1]]):

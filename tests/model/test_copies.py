@@ -1,4 +1,4 @@
-"""Public names, answers and errors go to another process and back, and are copied: all that they say stays."""
+"""Public names, answers and errors are copied, and sent to another process and back, without a loss."""
 
 import copy
 import math
@@ -60,7 +60,7 @@ ANSWERS: dict[str, dict[str, Any]] = {
 
 @pytest.mark.parametrize("asked", ANSWERS)
 def test_answer_is_copied(asked: str) -> None:
-    """Before and after it was shown, which computes what it says."""
+    """Before and after it was shown, since showing it computes its texts."""
     answered = jkroll.answer(asked, **ANSWERS[asked])
     before = [pickle.loads(pickle.dumps(answered)), copy.deepcopy(answered)]
     print(answered, repr(answered), answered.doubts, answered.best)
@@ -94,7 +94,7 @@ def raised(call: Any, *arguments: Any, **scene: Any) -> Any:
 
 
 def every_error() -> Iterator[JkrollError]:
-    """Iterate over errors of all types."""
+    """Iterate over one error of each type."""
     solve, scene = jkroll.solve, {"material": "quartz", "radius": 1e-7}
     yield raised(solve, "pull_off_force", gamma=0.1)
     yield raised(solve, "contact_radius_at_pull_off", **scene, model="dmt")
@@ -154,7 +154,7 @@ def test_errors_of_all_types_are_copied() -> None:
 
 
 def test_another_process_computes_and_answers() -> None:
-    """A process that is spawned imports everything again."""
+    """A spawned process imports everything again."""
     scene: dict[str, Any] = {"material": "quartz", "radius": 1e-7}
     with multiprocessing.get_context("spawn").Pool(1) as pool:
         formula, given = jkroll.formulas.pull_off_force, {"work_of_adhesion": 0.05, "reduced_radius": 5e-8}

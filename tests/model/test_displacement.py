@@ -1,4 +1,4 @@
-"""Measured forces instead of the assumed yield displacement, and hysteresis of adhesion as a part of w."""
+"""Measured forces instead of the assumed yield displacement, and adhesion hysteresis as a part of w."""
 
 from math import inf, sqrt
 from typing import Any
@@ -42,7 +42,7 @@ def test_the_forces_are_those_that_are_compared_with_their_errors(solid: str, so
 @pytest.mark.parametrize("gamma", ["20 mJ/m2", "25 mJ/m2", "22±2 mJ/m2"])
 @pytest.mark.parametrize("material", ["quartz", "silica-humid"])
 def test_at_the_spheres_that_were_rolled_stand_their_forces(material: str, gamma: str) -> None:
-    """With any γ: a displacement follows from the force and from γ, so that the force has no error bar from γ."""
+    """The displacement follows from the force and γ, so the force does not depend on γ, and has no error bar from γ."""
     scene = of(material, 0.95e-6, surface_energy=value_of(gamma, "surface_energy"))
     assert best(scene, "yield_force") == (approx(0.69e-9), approx(1.57e-9), "scaled")
 
@@ -53,8 +53,8 @@ def test_ice_has_the_force_that_was_measured_and_not_its_scaled_surface_energy()
 
 
 def test_what_follows_from_the_force_alone_has_a_power_of_it() -> None:
-    """By every law the same, though each has another value at the same ξ."""
-    scene = of("quartz", 3e-7, energy_ratio=10.0)  # so that rolling begins at both ends
+    """The power is the same by every law, though the values at the same ξ differ."""
+    scene = of("quartz", 3e-7, energy_ratio=10.0)  # enough energy for rolling to begin at both ends
     parts = [end / scene["yield_force"] for end in best(scene, "yield_force")[:2]]
     powers = {"yield_moment": 1.0, "n_grav": 0.5, "n_roll": -1.0, "roll_energy_quarter_turn": 1.0}
     for name, power in powers.items():
@@ -71,14 +71,14 @@ def test_a_range_of_radii_has_the_ends_of_both() -> None:
 
 
 def test_a_sphere_on_a_plane_counts_by_the_reduced_radius() -> None:
-    """With the same contact and the same ξ/R."""
+    """The contact and ξ/R are the same."""
     on_plane, pair = of("quartz", 2e-7, radius2=inf), of("quartz", 4e-7)
     ours, theirs = best(on_plane, "yield_angle"), best(pair, "yield_angle")
     assert ours == (approx(theirs.low), approx(theirs.high), "scaled")
 
 
 def test_polystyrene_has_a_displacement_of_its_own() -> None:
-    """The same by each law, with another force."""
+    """The displacement is the same by each law, and the forces differ."""
     scene = of("polystyrene", 5e-6, radius2=inf)
     (row,) = [row for row in MEASUREMENTS if row.solids == "polystyrene on glass" and row.given["radius"] == "5 um"]
     assert value_of(row.measured, "yield_displacement") == ROLLED[POLYSTYRENE].low == ROLLED[POLYSTYRENE].high == 42e-9
@@ -97,7 +97,7 @@ def test_polystyrene_has_a_displacement_of_its_own() -> None:
         ("polystyrene", 2.9e-6, {}, "ξ unknown"),
         ("ice-warm", 0.49e-6, {}, "ξ unknown"),
         ("ice-cold", 1.45e-6, {}, "ξ unknown"),
-        ("silica-dry", 1e-6, {}, "ξ unknown"),  # whose γ is not that of the spheres that were rolled
+        ("silica-dry", 1e-6, {}, "ξ unknown"),  # its γ differs from that of the measured spheres
         ("quartz", 1e-6, {"surface_energy": 0.05}, "ξ unknown"),
         ("quartz", 1e-6, {"work_of_adhesion": 0.1}, "ξ unknown"),
         ("quartz", 1e-6, {"yield_displacement": 2e-10}, "Maugis"),

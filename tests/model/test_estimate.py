@@ -47,7 +47,7 @@ def test_where_laws_are_within_5_percent_both_are_the_range() -> None:
 
 
 def test_an_error_bar_is_in_the_range_and_moves_no_law() -> None:
-    """At 1 mm of iron all laws are within 5 %, however uncertain γ is; at 100 nm each end is by the law of its end."""
+    """At 1 mm of iron all laws agree within 5 %, however uncertain γ is; at 100 nm each end follows its own law."""
     gamma = value_of("20 to 30 mJ/m2", "surface_energy")
     small: dict[str, Any] = {"radius": 1e-7, "youngs_modulus": 54e9, "poisson_ratio": 0.17}
     low, high, by = best("pull_off_force", surface_energy=gamma, **small)["pull_off_force"]
@@ -56,7 +56,7 @@ def test_an_error_bar_is_in_the_range_and_moves_no_law() -> None:
     assert (low, high, by) == (approx(least), approx(most), "Maugis")
     of_iron = best("pull_off_force", "iron", radius=1e-3, surface_energy=value_of("1 to 2 J/m2", "surface_energy"))
     assert of_iron["pull_off_force"].by == "JKR"
-    # R_min = R1R2/ξ and δ_α = ξ/R rest on no law, and a solid whose ξ is a range may have no modulus
+    # R_min = R1R2/ξ and δ_α = ξ/R do not depend on a law; a solid with a range of ξ may lack a modulus.
     for name in ("r_min", "yield_angle"):
         displacement = value_of("1 to 3 nm", "yield_displacement")
         assert best(name, radius=1e-7, surface_energy=0.025, yield_displacement=displacement)[name].by == "any law"
@@ -71,7 +71,7 @@ def test_forces_that_rolled_are_scaled_as_the_radius_or_its_power(radius: float)
 
 
 def test_what_follows_from_a_displacement_has_that_of_every_law() -> None:
-    """ξ is proportional to the force, under each law by another factor."""
+    """ξ is proportional to the force, with another factor for each law."""
     low, high, by = best("r_min", **QUARTZ)["r_min"]
     every = {**QUARTZ, "yield_displacement": 2e-10}
     forces = [solve("yield_force", **every), *by_maugis("yield_force", **every)]
@@ -104,7 +104,7 @@ def test_adhesion_alone_sets_one_end_or_none() -> None:
 
 
 def test_small_hard_spheres_stick_at_1_to_10_times_the_speed_of_jkr_with_a_jump_or_without() -> None:
-    """Energies go with the square of the speed. Below the least of these speeds no energy is left."""
+    """Energies are proportional to the square of the speed. Below the least of these speeds no energy is left."""
     for solid in ("quartz", "silica-dry"):
         given: dict[str, Any] = {"material": solid, "radius": 9e-8}
         found = best("sticking_speed sticking_energy restitution", **given, speed=0.5)
@@ -124,7 +124,7 @@ def test_other_losses_lower_what_a_jump_leaves() -> None:
 
 
 def test_a_chain_that_a_displacement_ends_has_the_other_end() -> None:
-    """At ξ = 2 Å not one sphere is held level (N < 1); at the largest ξ some are, as N² is proportional to it."""
+    """At ξ = 2 Å no sphere is held level (N < 1); at the largest ξ some are, as N² is proportional to ξ."""
     given: dict[str, Any] = {"material": "silica-dry", "radius": 3e-5, "yield_displacement": 2e-10}
     assert solve("n_grav", **given) < 1
     numbers = by_maugis("n_grav", **given)
@@ -160,7 +160,7 @@ def test_energies_with_a_jump_are_by_maugis_alone() -> None:
 
 
 def test_aggregates_break_up_as_their_contacts_do() -> None:
-    """The energy of Wada's fit is in proportion to the work to part two spheres, and the speed to its root."""
+    """The energy of Wada's fit is proportional to the work to part two spheres, and the speed to its root."""
     crowd = {**QUARTZ, "density": 2600.0, "monomers": 1000.0}
     parted = best("pull_off_work", **crowd)["pull_off_work"].high / solve("pull_off_work", **crowd)
     for name, power in (("disruption_energy", 1), ("disruption_speed", 0.5)):
@@ -182,7 +182,7 @@ def test_silica_sticks_to_a_plane_as_it_was_measured(solid: str, radius: float, 
 
 @pytest.mark.parametrize("other", [{"radius": 0.2e-6}, {"radius": 0.7e-6}, {"radius2": 0.5e-6}])
 def test_speeds_that_stuck_are_carried_in_proportion_to_the_law(other: dict[str, Any]) -> None:
-    """The speed of JKR is in the same proportion to that of spheres of 0.25 and 0.6 µm on a plane."""
+    """The speed by JKR has the same ratio to the speeds of spheres of 0.25 and 0.6 µm on a plane."""
     given: dict[str, Any] = {"material": "quartz", "radius": 0.5e-6, "radius2": inf, **other}
     ratios = [
         measured / solve("sticking_speed", material="quartz", radius=radius, radius2=inf)
@@ -198,7 +198,7 @@ def test_speeds_that_stuck_are_carried_in_proportion_to_the_law(other: dict[str,
 
 @pytest.mark.parametrize("other", [{"radius": 4e-8}, {"viscous_time": 1e-12}, {"material": "polystyrene"}])
 def test_what_stuck_otherwise_was_not_measured(other: Mapping[str, Any]) -> None:
-    """Hard spheres were seen to stick at 1 to 10 times the speed of JKR, unless another loss is given."""
+    """Hard spheres were seen to stick at 1 to 10 times the speed by JKR, unless another loss is given."""
     given = {"material": "quartz", "radius": 0.5e-6, "radius2": inf, **other}
     speed, found = solve("sticking_speed", **given), best("sticking_speed", **given)["sticking_speed"]
     assert (found.by == "measured") == ("viscous_time" not in other)
@@ -260,7 +260,7 @@ def test_many_rows_have_the_ranges_of_each() -> None:
 
 
 def test_friction_that_is_assumed_is_known_to_an_order_of_magnitude() -> None:
-    """Forces go with τ, energies with its square; a contact that peels off before it slides does so at any τ."""
+    """Forces are proportional to τ, energies to τ². A contact that peels off before it slides does so at any τ."""
     names = ("sliding_force", "sliding_energy", "sliding_or_peeling_force", "peeling_force")
     found = best(" ".join(names), **QUARTZ)
     strength = solve("shear_strength", **QUARTZ)

@@ -1,4 +1,4 @@
-"""The fit of force curves: what was put in comes out, with errors that are as large as they say."""
+"""The fit of force curves returns the inputs of a computed curve, with errors as large as the scatter."""
 
 from typing import Any
 
@@ -79,7 +79,7 @@ def test_contact_radii_need_no_contact_point() -> None:
 
 
 def test_of_contact_radii_the_part_with_a_resting_edge_is_left_out() -> None:
-    """Unloading begins at the radius of loading, and the edge rests until G has risen to w of opening."""
+    """Unloading begins at the largest radius, and the edge rests until G has risen to w of opening."""
     modulus, radius, first = 2e6, 1e-3, 1e-4
     scatter = numpy.random.default_rng(1).normal(0, 1e-7, 79)
 
@@ -97,7 +97,7 @@ def test_of_contact_radii_the_part_with_a_resting_edge_is_left_out() -> None:
 
 
 def test_contact_radii_give_w_without_tension() -> None:
-    """By loads of 5 to 90 times the pull-off force, none of them tensile."""
+    """The loads are 5 to 90 times the pull-off force, and none is tensile."""
     a = numpy.linspace(3e-4, 1e-4, 40)
     load = 4 / 3 * 2e6 * a**3 / 1e-3 - numpy.sqrt(8 * pi * 0.045 * 2e6 * a**3)
     fit = fit_curve(ForceCurve(RADIUS, a, load), Known(radius=1e-3))
@@ -311,7 +311,7 @@ def test_a_sphere_is_distinguished_from_a_paraboloid() -> None:
 
 @pytest.mark.parametrize("stiffness", [0.3, 3.0, 300.0, numpy.inf])
 def test_states_of_a_sphere_are_those_of_the_physics(stiffness: float) -> None:
-    """`physics.sneddon` finds them in dimensionless form, by another variable."""
+    """`physics.sneddon` computes them in dimensionless form, with another variable."""
     radius, w, modulus = 7.5e-6, 0.06, 1e6
     setting = Setting(curve_law("jkr", "sphere"), radius, 4e-10, Grip(stiffness))
     contact = Contact(w, modulus, radius, 4e-10)

@@ -1,4 +1,4 @@
-"""The errors of a fit: what the instrument and the model move, and what is not known is absent."""
+"""The errors of a fit: moves by the instrument and the model; an unknown error is absent."""
 
 from pathlib import Path
 from typing import Any
@@ -46,7 +46,7 @@ def maugis_curve(w: float, modulus: float, radius: float, stiffness: float) -> F
 
 
 def test_w_and_modulus_go_with_the_spring_of_a_deflection() -> None:
-    """A force k d and a travel in which P/k is d: w and E* are proportional to k."""
+    """The force is kd, and d is also the part P/k of the travel: w and E* are proportional to k."""
     z, force = jkr_curve()
     known = PROBE._replace(stiffness_error=0.05)
     errors = fit_curve(ForceCurve(TRAVEL, z, force, is_deflection=True), known).errors
@@ -67,7 +67,7 @@ def test_an_error_without_a_cause_is_absent() -> None:
 
 
 def test_the_baseline_of_each_branch_moves_its_w() -> None:
-    """A load that is wrong by ε moves w of a branch that is held with the E* and z_c of the other by its own ε."""
+    """With E* and z_c of the other branch, an offset ε of the loads moves w of a branch in proportion."""
     z, force = jkr_curve()
     noise = numpy.random.default_rng(4).normal(0, 3e-9, len(z))
     quiet = numpy.where(numpy.arange(len(z)) < len(z) // 2, 10 * noise, noise)  # loading is ten times as noisy
@@ -174,7 +174,7 @@ def test_exact_zeros_are_no_saturation() -> None:
 
 
 def test_the_misfit_counts_points_past_the_jump() -> None:
-    """The contact point is 30 nm off, so that the model's jump comes before the last points."""
+    """The contact point is 30 nm off, so that the jump of the model comes before the last points."""
     z, force = jkr_curve(branches=(UNLOADING,), baseline=0.0)
     problem = Problem(TRAVEL, PROBE, branches_of(ForceCurve(TRAVEL, z, force), 3.01))
     branch = problem.branches.by_name[UNLOADING]
@@ -199,7 +199,7 @@ def test_a_wide_contact_is_named_for_every_profile() -> None:
 
 
 def test_there_is_no_release_rate_where_there_is_no_contact_radius() -> None:
-    """No contact with adhesion has a larger load than Hertz' at its approach."""
+    """No contact with adhesion has a larger load than Hertz' contact at the same approach."""
     z, force = jkr_curve(branches=(UNLOADING,), baseline=0.0)
     curve = ForceCurve(TRAVEL, z, force)
     problem = Problem(TRAVEL, PROBE, branches_of(curve, 3.01))
@@ -243,7 +243,7 @@ def jkr_of_lever(z: Any, adhesion: float, modulus: float, point: float, stiffnes
 
 
 def test_the_curve_of_an_afm_gives_what_another_code_finds() -> None:
-    """The same points, by scipy; both errors of a point are equal as forces, σ_z = σ_F/k."""
+    """The same points, fitted by scipy; both errors of a point are equal as forces, σ_z = σ_F/k."""
     optimize = pytest.importorskip("scipy.optimize")
     path = Path(__file__).parents[1] / "data" / "afm_retract.csv"
     fitted, stiffness = fit(str(path), spring="0.31451 N/m"), 0.31451

@@ -1,4 +1,4 @@
-"""The fit of a force curve in the manual, against the truth of a curve that the program did not make."""
+"""The fit of a force curve in the manual, compared with the truth of a curve that the program did not make."""
 
 from pathlib import Path
 from typing import Any
@@ -29,14 +29,14 @@ def test_what_was_put_in_is_found_as_well_as_the_page_says(law: str, spacing: fl
     left = fitted.curve["residual [N]"]
     thirds = [abs(part.mean()) for part in numpy.array_split(left, 3)]
     assert max(thirds) < 2 * made.NOISE / len(left) ** 0.5  # no trend
-    if spacing == 4:  # that of the curve
+    if spacing == 4:  # the spacing of the curve
         total = fitted.errors["work_of_adhesion_opening"].total
         assert abs(fitted.values["work_of_adhesion_opening"] - 2 * made.GAMMA) < 2 * total
 
 
 @pytest.mark.parametrize("law", ["jkr", "maugis"])
 def test_scipy_and_solve_give_the_same(law: str) -> None:
-    """By loads at approaches, each with the same weight."""
+    """By loads at approaches, all with the same weight."""
     optimize = pytest.importorskip("scipy.optimize")
     approach, force = numpy.loadtxt(CURVE, delimiter=",", skiprows=1, unpack=True)
 
@@ -66,7 +66,7 @@ def test_the_curve_is_that_of_its_generator() -> None:
 
 @pytest.mark.parametrize("law", ["jkr", "maugis", "dmt"])
 def test_a_curve_has_two_numbers_in_it(law: str) -> None:
-    """They are γR and E²R, on which μ depends as well."""
+    """The numbers are γR and E²R, on which μ depends, too."""
     sphere: dict[str, Any] = {"radius": 1e-6, "surface_energy": 0.04, "youngs_modulus": 6e9}
     other: dict[str, Any] = {"radius": 4e-6, "surface_energy": 0.01, "youngs_modulus": 3e9}
     approach = numpy.linspace(0, 5e-9, 50)

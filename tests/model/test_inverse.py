@@ -1,4 +1,4 @@
-"""The inverse problem: a value put in comes back, every solution is found, and what has none is refused."""
+"""The inverse problem: inputs come back, every solution is found, and a problem without a solution is refused."""
 
 import csv
 import json
@@ -77,7 +77,7 @@ def test_an_example_by_hand() -> None:
 
 @pytest.mark.parametrize("word", ["approach", "delta0", "δ0"])
 def test_a_measured_approach_is_that_without_load_as_in_solve(word: str) -> None:
-    """Eq (6) without load: δ0 = (3π²w²R/4E*²)^(1/3), whatever the load is; E* = E/2(1 − ν²) of equal spheres."""
+    """Eq (6) without load, whatever the load is: δ0 = (3π²w²R/4E*²)^(1/3), with E* = E/2(1 − ν²) of equal spheres."""
     scene = {name: value for name, value in QUARTZ.items() if name != "youngs_modulus"}
     radius, work, ratio = scene["radius"], 2 * scene["surface_energy"], scene["poisson_ratio"]
     modulus = math.sqrt(3 * math.pi**2 * work**2 * radius / 2 / (4 * 1e-9**3)) * 2 * (1 - ratio**2)
@@ -106,7 +106,7 @@ def test_all_solutions_are_named() -> None:
 @pytest.mark.parametrize("model", ["jkr", "maugis"])
 @pytest.mark.parametrize("quantity", ["rolling_frequency", "n_grav", "sliding_frequency"])
 def test_two_solutions_between_pull_off_and_the_scan_are_found(quantity: str, model: str) -> None:
-    """Of a small sphere in tension: the quantity rises from pull-off to a maximum before the scan's next value."""
+    """A small sphere in tension: the quantity rises from pull-off to a maximum before the next value of the scan."""
     scene = Frame({"load": -5e-9}, known_materials()["quartz"], model=model)
     least = 4e-8 if model == "jkr" else 3e-8
     radii = numpy.geomspace(least, 1.3 * least, 4000)
@@ -128,7 +128,7 @@ def test_a_load_of_fixed_direction_has_two_solutions_near_pull_off() -> None:
 
 
 def test_a_load_that_changes_the_last_digits_alone_is_no_jump() -> None:
-    """Between two doubles of the quantity, where the scan is as fine as rounding."""
+    """It lies between two doubles of the quantity, where the scan is as fine as rounding."""
     scene = Frame({**QUARTZ, **PLANE})
     radius = scene.replace(load=2e-15)["contact_radius_at_load"]
     for steps in range(-20, 21):
@@ -137,7 +137,7 @@ def test_a_load_that_changes_the_last_digits_alone_is_no_jump() -> None:
 
 
 def test_a_solution_at_a_value_of_the_scan_hides_no_other() -> None:
-    """δ is least at a radius that grows with the load: here 3 % above 1 µm, which is scanned."""
+    """δ is least at a radius that grows with the load: here 3 % above 1 µm, a value of the scan."""
     quartz = known_materials()["quartz"]
     radii = numpy.geomspace(4e-7, 7e-7, 10001)
     least = radii[Frame({"load": 5e-8, "radius": radii}, quartz)["approach_at_load"].argmin()]
@@ -151,7 +151,7 @@ def test_a_solution_at_a_value_of_the_scan_hides_no_other() -> None:
 
 @pytest.mark.parametrize("measured", ["31.4159pN", f"{2 * math.pi * 0.025 * 2e-10!r}N", "1e50N"])
 def test_rounding_is_no_dependence(run: Run, measured: str) -> None:
-    """In DMT, 2πγξ is computed from a pull-off force and a radius, whose digits do not all cancel."""
+    """In DMT, 2πγξ is computed from a pull-off force and a radius, and some of their digits do not cancel."""
     forces = {solve("yield_force", material="quartz", radius=1e-9 * 1.1**step, model="dmt") for step in range(100)}
     assert len(forces) > 1
     ran = run(f"infer radius quartz --measured yield_force={measured} --model dmt")
@@ -160,7 +160,7 @@ def test_rounding_is_no_dependence(run: Run, measured: str) -> None:
 
 @pytest.mark.parametrize("quantity", ["load_maugis", "load_at_factor"])
 def test_a_search_in_rounding_alone_comes_to_an_end(quantity: str) -> None:
-    """A load that is computed back from the state that it makes changes with γ in its last digits, up and down."""
+    """A load that is computed from the state that it makes changes with γ in its last digits, up and down."""
     given = {**QUARTZ, "radius": 1e-4, "youngs_modulus": 8e7, "load": 1e-12}
     del given["surface_energy"]
     with pytest.raises(NoResult) as caught:
@@ -217,7 +217,7 @@ def test_nothing_is_extrapolated() -> None:
 
 
 def test_where_no_usual_value_is_found_all_that_a_scene_takes_are_scanned() -> None:
-    """P_c = 3πγR of a sphere on a plane, and w = 2γ; a few of many values are beyond the usual ones."""
+    """P_c = 3πγR of a sphere on a plane, and w = 2γ; a few of many values are outside the usual sizes."""
     given: dict[str, Any] = {"radius": 2.5e-6, "radius2": math.inf}
     gamma = 21e-12 / (3 * math.pi * 2.5e-6)
     assert infer("gamma", measured={"pull_off_force": 21e-12}, **given) == approx(gamma, rel=1e-14)
@@ -236,7 +236,7 @@ def test_a_value_beyond_the_usual_ones_is_reported(run: Run) -> None:
 
 @pytest.mark.parametrize("measured", [1.0, 1e-30])
 def test_both_ends_of_what_a_quantity_can_be_are_exact(measured: float) -> None:
-    """It is that of the weaker body, and largest where E1 = E2, between two places of the scan."""
+    """The quantity is that of the weaker body, and largest where E1 = E2, between two values of the scan."""
     given: dict[str, Any] = {"radius": 1e-6, "surface_energy": 0.03, "poisson_ratio": 0.3, "youngs_modulus2": 2e9}
     ends = [solve("sliding_energy", **given, youngs_modulus=modulus) for modulus in (1.0, 2e9)]
     with pytest.raises(NoSolution) as error:
@@ -274,14 +274,14 @@ def test_an_uncertain_measurement_gives_an_uncertain_answer() -> None:
 
 @pytest.mark.parametrize("stiffness", [1e3, [1e3, 2e3]])
 def test_the_uncertainty_of_a_material_alone_gives_no_error_bars_as_in_solve(stiffness: Any) -> None:
-    """The γ of warm ice has error bars, which enter together with those of a measured value."""
+    """The γ of warm ice has error bars, which enter only together with those of a measured value."""
     values = infer("radius", measured={"stiffness": stiffness}, material="ice-warm")
     assert isinstance(values, float if isinstance(stiffness, float) else numpy.ndarray)
     assert isinstance(infer("radius", measured={"stiffness": "1000±10 N/m"}, material="ice-warm"), Measured)
 
 
 def test_each_source_enters_an_inferred_value_once() -> None:
-    """With the radius of sphere 2, which is that of sphere 1; a density does not enter."""
+    """An error of the radius of sphere 2, which is that of sphere 1, enters once; that of a density does not."""
     given = {
         name: Interval(value, 0.9 * value, 1.1 * value) for name, value in {"radius": 1e-6, "density": 2e3}.items()
     }
@@ -351,7 +351,7 @@ def test_what_is_inferred_is_no_input(run: Run, words: str, inferred: set[str]) 
 
 
 def test_the_uncertainty_of_sphere_2_enters_what_is_inferred_of_sphere_1() -> None:
-    """P_c is as √(γ1γ2): γ1 goes as 1/γ2 at a measured force."""
+    """P_c is proportional to √(γ1γ2), so γ1 is proportional to 1/γ2 at a measured force."""
     given: dict[str, Any] = {"radius": 1e-6, "surface_energy2": Measured(0.025, 0.001)}
     found = infer("gamma", measured={"pull_off_force": 2e-7}, **given)
     assert isinstance(found, Measured)
@@ -359,7 +359,7 @@ def test_the_uncertainty_of_sphere_2_enters_what_is_inferred_of_sphere_1() -> No
 
 
 def test_rows_have_the_doubts_of_what_was_measured(run: Run) -> None:
-    """With the inferred value in the scene."""
+    """The doubts are those of a scene with the inferred value."""
     ran = run("infer radius quartz --measured pull_off_force=0.1nN,10nN,10mN --csv")
     radii = ",".join(column(ran.out, "radius [m]"))
     assert column(ran.out, "doubt") == column(
@@ -386,7 +386,7 @@ def test_more_rows_than_are_explained(run: Run) -> None:
 
 
 def test_rows_that_all_lack_an_input_say_so_one_by_one(run: Run) -> None:
-    """As the rows of any question do."""
+    """As in the rows of any question."""
     ran = run("infer gamma 1um,2um --measured contact_radius=30nm --csv")
     assert ran.code == 1
     assert column(ran.out, "status") == ["needs youngs_modulus and poisson_ratio"] * 2
@@ -410,7 +410,7 @@ def test_an_inferred_value_is_explained_by_the_formula_of_what_was_measured(run:
 
 def test_steps_that_no_unknown_changes_are_explained(run: Run) -> None:
     ran = run("infer gamma quartz 100nm --measured vertical_frequency=1GHz --explain")
-    assert "    m1 = 1.08909e-17 kg    m1 = (4/3)πR1³ρ\n" in ran.out  # that of (4/3)π(100 nm)³ of 2600 kg/m³
+    assert "    m1 = 1.08909e-17 kg    m1 = (4/3)πR1³ρ\n" in ran.out  # (4/3)π(100 nm)³ times 2600 kg/m³
 
 
 @pytest.mark.parametrize(
@@ -453,7 +453,7 @@ def test_the_reason_is_said_of_assumed_inputs_and_of_absurd_values_too(run: Run,
 
 @pytest.mark.parametrize("part", [1.0, 0.3, 0.1, 0.03])
 def test_the_values_that_an_error_names_can_be_typed(part: float) -> None:
-    """Next to pull-off six digits are too few: the frequency falls to 0 there."""
+    """Near pull-off six digits are too few: the frequency falls to 0 there."""
     given: dict[str, Any] = {"material": "quartz", "model": "dmt", "load": -2.8e-8}
     frequency = part * solve("vertical_frequency", radius=2e-7, **given)
     with pytest.raises(SeveralSolutions) as caught:
@@ -465,7 +465,7 @@ def test_the_values_that_an_error_names_can_be_typed(part: float) -> None:
 
 @pytest.mark.parametrize("measured", ["hysteresis_fraction=1", "adhesion_hysteresis=20mJ/m2"])
 def test_what_is_only_given_is_not_measured(run: Run, measured: str) -> None:
-    """It was asked for as an input that it needs itself."""
+    """The error does not ask for it as an input of itself."""
     ran = run(f"infer xi quartz 100nm --measured {measured}")
     name = measured.partition("=")[0]
     option = f"--{name.replace('_', '-')}"
@@ -484,7 +484,7 @@ def test_what_was_measured_is_not_assumed(run: Run) -> None:
 
 
 def test_what_follows_from_an_inferred_value_has_its_reason() -> None:
-    """In the row of a force that no surface energy gives, and in no other."""
+    """Only the row of a force that no surface energy gives has this reason."""
     measured = {"pull_off_force": numpy.array([1e-7, -1.0, 2e-7])}
     inverse = Inverse(["surface_energy"], measured, Frame({**PLANE, "youngs_modulus": 5e10, "poisson_ratio": 0.2}))
     columns = inverse.columns(["surface_energy", "pull_off_force", "contact_radius"])
@@ -505,7 +505,7 @@ def test_a_value_that_maugis_law_does_not_have_is_not_reported(run: Run) -> None
 
 
 def test_rows_of_two_solids_are_inferred(run: Run) -> None:
-    """Both spheres of one solid have one surface energy; of two, that of sphere 1 is sought."""
+    """Two spheres of one solid share the surface energy; of two solids, that of sphere 1 is sought."""
     Path("in.csv").write_text("material,material2,radius,P_c\niron,iron,1um,300nN\niron,quartz,1um,300nN\n")
     assert run("batch in.csv -o out.csv --infer gamma --measured P_c").code == 0
     with open("out.csv", encoding="utf-8", newline="") as file:
@@ -526,7 +526,7 @@ def test_without_a_load_no_contact_is_lost(run: Run) -> None:
 
 
 def test_two_unknowns_of_uncertain_solids_in_rows_are_those_of_single_ones(run: Run) -> None:
-    """Error bars of many solids are found at places of arrays with two axes."""
+    """The error bars of many solids are at positions of arrays with two axes."""
     words = "radius,gamma {} --measured pull_off_force={} --measured contact_radius=5nm --csv --quiet"
     rows = run("infer", *words.format("silica-humid,silica-dry,mica", "1nN:1uN:5").split()).out.splitlines()
     heads, rows = rows[0].split(","), rows[1:]

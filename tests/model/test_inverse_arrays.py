@@ -1,4 +1,4 @@
-"""The inverse problem for arrays: the values and the reasons that each element has by itself."""
+"""The inverse problem for arrays gives the values and the reasons of single elements."""
 
 import math
 from collections.abc import Sequence
@@ -20,7 +20,7 @@ from jkroll.quantities.laws import MODELS
 from relative import approx
 from scenes import OTHER, QUARTZ, log_uniform
 
-# Every input, with a value of it, and with quantities from which it is inferred under any law.
+# A value of every input, and quantities from which the input is inferred under any law.
 TYPICAL = {
     "surface_energy": 0.03, "work_of_adhesion": 0.05, "yield_displacement": 2e-10, "adhesion_hysteresis": 5e-3,
     "youngs_modulus": 5e10, "radius": 1e-7, "load": 1e-7, "hamaker": 1e-19, "shear_strength": 1e8,
@@ -51,7 +51,7 @@ def solution(name: str, quantity: str, measured: float, scene: Frame) -> Solutio
 
 
 def by_itself(name: str, quantity: str, measured: float, scene: Frame) -> Solution | NoResult:
-    """Return the solution for one measured value, or the reason why there is none."""
+    """Return the solution for one measured value, or the reason for its absence."""
     try:
         return solution(name, quantity, measured, scene)
     except NoResult as error:
@@ -61,8 +61,11 @@ def by_itself(name: str, quantity: str, measured: float, scene: Frame) -> Soluti
 def assert_as_each_by_itself(
     name: str, quantity: str, measured: Sequence[float], arrays: dict[str, Any], scene: Frame
 ) -> list[Solution | NoResult]:
-    """Compare values, to rounding errors times their condition, and reasons; return what each has by itself."""
-    ulps = 40 if "maugis" in (scene.law.name, *quantity.split("_")) else 9  # as is promised
+    """Compare values and reasons with those of single elements; return the latter.
+
+    Values may differ by rounding errors times their condition.
+    """
+    ulps = 40 if "maugis" in (scene.law.name, *quantity.split("_")) else 9  # as stated by the formulas
     rows = [scene.replace(**{each: float(one[row]) for each, one in arrays.items()}) for row in range(len(measured))]
     found = solved((name,), {quantity: numpy.array(measured)}, scene.replace(**arrays))
     expected = [by_itself(name, quantity, level, row) for level, row in zip(measured, rows, strict=True)]
@@ -101,7 +104,7 @@ FAST = {("surface_energy", "jkr"), ("load", "jkr"), ("shear_strength", "jkr")}
     ],
 )
 def test_arrays_give_what_floats_give(name: str, model: str) -> None:
-    """Where the measured value alone varies, where some inputs vary, and where all do."""
+    """Only the measured value varies, some inputs vary, or all do."""
     random = Random(f"{name} {model}")
     energies = {"surface_energy", "surface_energy2"} if name in ("work_of_adhesion", "hamaker") else set()
     given = {each: one for each, one in {**QUARTZ, **OTHER, "load": -1e-9}.items() if each not in {name, *energies}}
@@ -120,7 +123,7 @@ def test_arrays_give_what_floats_give(name: str, model: str) -> None:
 
 
 def test_all_solutions_of_arrays_are_named() -> None:
-    """Also where both lie between two points of the scan, next to a turning point."""
+    """The same holds for two solutions between two points of the scan, next to a turning point."""
     scene = Frame({"load": 5e-8}, known_materials()["quartz"])
     least = min(scene.replace(radius=1e-9 * radius)["approach_at_load"] for radius in range(400, 700))
     measured = [3e-10, 1.00001 * least, 0.9 * least, 1e-9]
@@ -151,7 +154,7 @@ def test_a_quantity_without_any_value_has_a_reason_in_each_element() -> None:
 
 
 def test_infer_takes_arrays_with_special_values_among_others() -> None:
-    """A plane, a rigid body and no load imply more than other values; they are computed as such."""
+    """A plane, a rigid body and no load imply more than other values do."""
     given: dict[str, Any] = {
         "radius2": [math.inf, 1e-6, 2e-6],
         "youngs_modulus2": [[math.inf], [1e9]],

@@ -22,7 +22,7 @@ def force(energy: float, radius: float) -> float:
 
 
 def test_series_are_aligned_as_pandas_does() -> None:
-    """Its own product says which labels the result has, and in which order."""
+    """The product by pandas itself shows the labels of the result and their order."""
     found = jkroll.solve("P_c", gamma=ENERGIES, radius=RADII)
     pandas.testing.assert_series_equal(found, 1.5 * math.pi * ENERGIES * RADII, check_names=False)
     assert found.isna().tolist() == [False, False, True, True]

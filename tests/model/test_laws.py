@@ -1,4 +1,4 @@
-"""Laws of attraction through the whole graph: Maugis' against his equations in 120 digits, and its limits."""
+"""Laws of attraction through the whole graph: Maugis' law against his equations in 120 digits, and its limits."""
 
 import json
 import math
@@ -73,17 +73,17 @@ def test_maugis_tends_to_jkr_and_to_dmt(model: str, radius: float, spacing: floa
     limits, between = (outcomes(scene, names) for scene in solved)
     shared = [name for name in names if isinstance(limits[name], float) and isinstance(between[name], float)]
     assert len(shared) > 80
-    # What sticks tends to it more slowly.
+    # The quantities of sticking approach their limits more slowly.
     slow = ("sticking_", "restitution", "lost_energy", "energy_over_sticking", "speed_over_sticking")
     for name in shared:
         tolerance = 20 * error if name.startswith(slow) else error
-        smallest = error * 2e-10 if name == "contact_displacement" else 0.0  # of ξ: in DMT there is none
+        smallest = error * 2e-10 if name == "contact_displacement" else 0.0  # of ξ: in DMT the displacement is 0
         assert math.isclose(between[name], limits[name], rel_tol=tolerance, abs_tol=smallest), name
 
 
 @pytest.mark.parametrize(("model", "displacement"), [("jkr", 2e-10), ("maugis", 6.809966491779044e-12), ("dmt", 0.0)])
 def test_the_contact_circle_lags_by_xi_in_jkr_and_not_at_all_in_dmt(model: str, displacement: float) -> None:
-    """Under Maugis' law by ξ/(1 + 3tĀ/2λ), where Ā and t solve his two equations without load."""
+    """Under Maugis' law it lags by ξ/(1 + 3tĀ/2λ), where Ā and t solve his two equations without load."""
     assert solve("contact_displacement", **QUARTZ, model=model) == approx(displacement, rel=1e-14)
     loads = numpy.array([-1.0, 0.0, 1e-8])
     found = solve("contact_displacement", **QUARTZ, model=model, load=loads)
@@ -96,7 +96,7 @@ def test_the_contact_circle_lags_by_xi_in_jkr_and_not_at_all_in_dmt(model: str, 
 
 
 def test_hysteresis_is_at_most_the_work_of_adhesion() -> None:
-    """All of it is still a part."""
+    """The whole of it is a part, too."""
     assert math.isclose(solve("hysteresis_ratio", **QUARTZ, adhesion_hysteresis=0.05), 1, rel_tol=1e-14)
     with pytest.raises(JkrollError, match=r"60 mJ/m² is above the work of adhesion, 50 mJ"):
         solve("yield_moment", **QUARTZ, adhesion_hysteresis=0.06)
@@ -150,7 +150,7 @@ def test_what_a_law_lacks_is_said_as_a_missing_input_is(name: str) -> None:
 # --- Tables and arrays ------------------------------------------------------------------------------------------------
 
 
-# Formulas that hold for JKR only, besides those whose `Valid` says so.
+# Formulas that hold for JKR only, besides the formulas whose docstring says so.
 OF_JKR = (
     *(name for name in vars(jkr) if name in FORMULAS and not name.startswith("contact_area")),
     "pull_off_force",
@@ -163,13 +163,13 @@ OF_JKR = (
     "stiffness",
     "boussinesq_pressure",
 )
-# What authors wrote as multiples of JKR's P_cδ0 is their formula of γ, R and E under any law.
+# Multiples of JKR's P_cδ0 in the literature: under any law, these are formulas of γ, R and E.
 CONVENTIONS = ("paszun_dominik", "pencil_code")
 
 
 @pytest.mark.parametrize("model", [name for name in LAWS if name != DEFAULT_LAW])
 def test_no_result_of_a_law_comes_by_a_formula_of_jkr(model: str) -> None:
-    """What a law neither has by a formula of its own nor lacks (None) would be computed as by JKR."""
+    """A law must have its own formula, or lack the quantity (None); otherwise JKR's formula would be used."""
     inputs = {"radius", "surface_energy", "youngs_modulus", "poisson_ratio", "density", "load", "yield_displacement"}
     known = frozenset({*inputs, "speed", "monomers", "filling_factor", "rolling_angle", "atomic_spacing", "gravity"})
     results = [name for name, quantity in NOMENCLATURE.items() if name not in known and not quantity.variant_of]
@@ -182,10 +182,10 @@ def test_no_result_of_a_law_comes_by_a_formula_of_jkr(model: str) -> None:
         for step in plan.steps.values()
         if step.formula and (step.name in OF_JKR or re.search(r"Valid: +JKR(?! is)", step.formula.__doc__))
     }
-    assert by_jkr == {"adhesion_energy": "adhesion_energy"}  # P_cδ0 of JKR itself, a unit
+    assert by_jkr == {"adhesion_energy": "adhesion_energy"}  # P_cδ0 of JKR itself, a unit of energy
 
 
-# Quantities of their own that are also what some law has for another.
+# Quantities with their own names that are also another quantity under some law.
 SHARED = ("kinetic_energy", "contact_radius_at_load", "pull_off_force_dmt", "roll_energy_quarter_turn")
 
 
@@ -213,7 +213,7 @@ def test_a_law_has_what_its_answers_need(law: Law) -> None:
 
 @pytest.mark.parametrize("size", [1, 7, 28, 29])
 def test_blocks_of_any_size_make_the_whole(size: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Of results that depend on all arrays, on some, or on none."""
+    """Some results depend on all arrays, some on a few, and some on none."""
     radii, energies = numpy.geomspace(1e-8, 1e-5, 29), numpy.linspace(0.02, 0.5, 29)
     given: dict[str, Any] = {**QUARTZ, "radius": radii, "surface_energy": energies}
     names = ["pull_off_force", "r_min", "work_of_adhesion", "contact_modulus"]
@@ -325,7 +325,7 @@ def test_a_sticking_energy_that_the_spacing_decides_has_no_value_at_the_prompt_e
 
 @pytest.mark.parametrize("radius", [20e-6, numpy.array([20e-6, 30e-6])])
 def test_what_the_spacing_decides_is_judged_with_the_spacing_that_is_assumed(radius: Any) -> None:
-    """It has no value of its own then. Of the law it makes no doubt that a stated spacing would not make."""
+    """Without a given spacing the quantity has no value. Its doubts are those with the assumed spacing stated."""
     quartz = known_materials()["quartz"]
     assumed, stated = (Frame({"radius": radius, **more}, quartz) for more in ({}, {"atomic_spacing": 4e-10}))
     factors = [factor_of_law(scene, ["sticking_speed"]) for scene in (assumed, stated)]
@@ -338,7 +338,7 @@ def test_what_the_spacing_decides_is_judged_with_the_spacing_that_is_assumed(rad
 
 
 def test_a_quantity_that_the_spacing_decides_has_no_value_without_it() -> None:
-    """From Python as at the prompt: an error for numbers, nan in arrays where the transition parameter is below 1."""
+    """In Python this is an error for numbers, and nan in arrays where the transition parameter is below 1."""
     with pytest.raises(Failure, match="depends on z0; give --z0 4angstrom"):
         solve("sticking_energy", model="maugis", **QUARTZ)
     radii = numpy.geomspace(1e-7, 1e-3, 30)
@@ -358,7 +358,7 @@ def test_a_law_that_is_none_of_them_is_refused(model: Any) -> None:
 
 
 def test_loads_far_above_pull_off_have_their_digits() -> None:
-    """A narrow ring around a wide contact at any λ; on the curve, a state at a load is that at its approach."""
+    """A narrow ring around a wide contact at any λ; on the curve, the state at a load is the state at its approach."""
     for spacing in (4e-10, 1e-8, 1e-6):
         for load in (1e-2, 1.0, 1e2, 1e6, 1e14):
             at_load = solve(["approach_at_load", "adhesive_force"], model="maugis", **QUARTZ, z0=spacing, load=load)
@@ -385,7 +385,7 @@ def test_the_energy_of_a_state_is_the_work_of_its_load() -> None:
 
 @pytest.mark.parametrize("law", ["jkr", "maugis", "dmt"])
 def test_a_contact_holds_its_own_pull_off_force(law: str) -> None:
-    """Whatever the last digit of that is, for numbers, for arrays, and by whatever plan."""
+    """It does so whatever the last digit of the force is: for numbers, for arrays, and by any plan."""
     source = random.Random(11)
     for _ in range(50):
         grain: dict[str, Any] = {
@@ -399,7 +399,7 @@ def test_a_contact_holds_its_own_pull_off_force(law: str) -> None:
         assert solve("contact_radius_at_load", model=law, load=[load, 0.0], **grain)[0] == approx(one, rel=1e-6)
 
 
-# Within 5 % of Maugis' law: JKR for μ above, DMT for μ below, as `jkroll guide models` and the docstring of μ have it.
+# Within 5 % of Maugis' law: JKR above this μ, DMT below it, as in `jkroll guide models` and the docstring of μ.
 WITHIN = {
     "jkr": {"approach": 0.5, "pull_off_force": 1.1, "contact_radius": 1.7, "yield_moment": 3.3, "sticking_energy": 12},
     "dmt": {"approach": 0.002, "pull_off_force": 0.14, "contact_radius": 0.07, "yield_moment": 0.02},
@@ -422,7 +422,7 @@ def test_where_a_law_is_within_5_per_cent_depends_on_the_quantity(model: str, na
 @pytest.mark.parametrize("given", [{}, {"load": 1e-9}, {"approach_at_load": 1e-10}, {"adhesion_hysteresis": 0.01}])
 @pytest.mark.parametrize("model", LAWS)
 def test_a_formula_of_another_law_has_no_contact_of_this_one(model: str, given: dict[str, float]) -> None:
-    """What only one law has by a formula is the same under another law, or refused: approach_dmt took JKR's radius."""
+    """The formulas of one law give the same under another law, or are refused. approach_dmt once took JKR's radius."""
     scene = Frame({"radius": 1e-7, **given}, known_materials()["quartz"], model=model)
     foreign = [name for name in NOMENCLATURE if NOMENCLATURE[name].variant_of and law_of(name) not in (None, model)]
     found = {name: value for name, value in outcomes(scene, foreign).items() if not isinstance(value, JkrollError)}
@@ -441,7 +441,7 @@ def test_what_another_law_has_is_refused_with_its_name(run: Run) -> None:
 
 
 def test_the_depth_of_the_fold_is_that_of_the_law_in_use() -> None:
-    """P_c times the fold's depth of the reference; JKR's 27.03 aJ stood for the 45.2 aJ of dry silica."""
+    """P_c times the depth of the fold by the reference. JKR's 27.03 aJ once stood for the 45.2 aJ of dry silica."""
     grain: dict[str, Any] = {"material": "silica-dry", "radius": 1e-7}
     names = ["work_of_adhesion", "reduced_radius", "contact_modulus", "transition_parameter"]
     w, radius, modulus, transition = map(mpf, solve(names, model="maugis", **grain).values())

@@ -1,4 +1,4 @@
-"""Limits of the model: on which side of a threshold a number is in doubt, for what it is judged, and what is said."""
+"""Limits of the model: the side of a threshold on which a number is in doubt, its scope, and its sentence."""
 
 import json
 import math
@@ -21,7 +21,7 @@ from scenes import OTHER, QUARTZ
 
 
 def verdicts(*names: str, **given: Any) -> dict[str, str]:
-    """Return the code of each limit that is judged for these names."""
+    """Return the code of each limit that is judged for some quantities."""
     return {one.limit.name: one.code for one in doubts(Frame({**QUARTZ, **given}), names)}
 
 
@@ -104,7 +104,7 @@ def test_a_scene_in_doubt(name: str, given: dict[str, Any], code: str) -> None:
 
 
 def test_the_order_of_two_spheres_decides_no_doubt_about_roughness() -> None:
-    """The smaller sphere decides: a plane is no sphere."""
+    """The smaller sphere decides; a plane does not count."""
     for radius, radius2, is_in_doubt in (
         (1e-6, 1e-7, False),
         (1e-7, 1e-6, False),
@@ -118,7 +118,7 @@ def test_the_order_of_two_spheres_decides_no_doubt_about_roughness() -> None:
 
 
 def test_spheres_of_a_viscous_time_bounce_where_they_are_faster_than_it_lets_them_stick() -> None:
-    """At every time e and the doubt say the same, also in columns and above T* = 0.68, where all stick."""
+    """At every time, e and the doubt agree, also in columns and above T* = 0.68, where all spheres stick."""
     times, speeds = np.array([1e-13, 1e-12, 1e-11, 1e-10]), np.array([1.0, 30.0, 1.0, 1.0])
     bounces = []
     for time, speed in zip(times.tolist(), speeds.tolist(), strict=True):
@@ -134,7 +134,7 @@ def test_spheres_of_a_viscous_time_bounce_where_they_are_faster_than_it_lets_the
 def test_a_sphere_springs_back_where_what_is_left_of_its_energy_does_not_reach_the_yield_energy() -> None:
     """The paper: "do not roll at all, if they are smaller than about 10 nm".
 
-    By Eqs (1) and (3) its (2/7)P_cδ0 is 6πγξ² at 11 nm of quartz.
+    By Eqs (1) and (3), its (2/7)P_cδ0 is 6πγξ² at 11 nm of quartz.
     """
     gamma, modulus, shift = 0.025, 54e9 / (2 * (1 - 0.17**2)), 2e-10
     for share, names in ((2 / 7, ["n_roll"]), (5 / 7, ["n_roll_after_impact"]), (1.0, ["n_roll_energy_balance"])):
@@ -147,7 +147,7 @@ def test_a_sphere_springs_back_where_what_is_left_of_its_energy_does_not_reach_t
 
 
 def test_iron_of_100_nm_is_pressed_to_where_a_solid_yields() -> None:
-    """p_H = 2aE*/πR is 17.8 GPa there, 0.16 E*; of quartz it is 0.05 E*."""
+    """There p_H = 2aE*/πR is 17.8 GPa, 0.16 E*; for quartz it is 0.05 E*."""
     for material, ratio, is_in_doubt in (("iron", 0.16, True), ("quartz", 0.051, False)):
         scene = Frame({"radius": 1e-7}, known_materials()[material])
         assert scene["hertz_pressure"] / scene["contact_modulus"] == approx(ratio, rel=0.02)
@@ -155,7 +155,7 @@ def test_iron_of_100_nm_is_pressed_to_where_a_solid_yields() -> None:
 
 
 def test_what_is_not_judged() -> None:
-    for turns in ("n_roll", "n_roll_after_impact"):  # a speed along the surface is none of a head-on impact
+    for turns in ("n_roll", "n_roll_after_impact"):  # a speed along the surface, which is no speed of a head-on impact
         assert "speed_over_sticking" not in verdicts(turns, speed=1.0)
     assert "load_margin" not in verdicts("yield_force")
     assert "profile_error" not in verdicts("r_min")
@@ -170,14 +170,14 @@ def test_a_load_of_exactly_the_pull_off_force_is_not_stable() -> None:
 
 
 def test_a_ratio_of_forces_has_the_doubts_of_its_contact() -> None:
-    """Without load, too, where nothing of the contact enters 4ξ/R1."""
+    """This also holds without load, although nothing of the contact enters 4ξ/R1."""
     soft = {"radius": 3e-10, "surface_energy": 0.025, "youngs_modulus": 5e9, "poisson_ratio": 0.2}
     of_loads = [codes(bits(Frame({**soft, "load": load}), ["yield_force_ratio"])).split() for load in (0.0, 1e-18)]
     assert {"few-atoms", "wide-contact"} <= {*of_loads[0]} == {*of_loads[1]}
 
 
 def test_the_paraboloid_is_off_by_what_the_next_term_gives() -> None:
-    """r²/2R + r⁴/8 (R1⁻³ + R2⁻³) against the sum of two circles, and 1 % at a = 0.2 R1."""
+    """r²/2R + r⁴/8 (R1⁻³ + R2⁻³) compared with the sum of two circles; the error is 1 % at a = 0.2 R1."""
     for radius2 in (1e-7, 4e-8, 1e-5):
         scene = {**QUARTZ, "radius2": radius2, "youngs_modulus": 54e10}
         error, a, reduced = solve(["profile_error", "contact_radius_at_load", "reduced_radius"], **scene).values()
@@ -227,12 +227,12 @@ def test_what_could_not_be_judged_is_said(run: Run) -> None:
     said = run("pull-off gold 100nm --explain").out
     lacking = "need Young's modulus and Poisson's ratio; gold has none in Table 1 of D&T"
     assert f"note: not checked: contact-exceeds-sphere, law-off-5%, few-atoms, may-yield and 1 more: {lacking}" in said
-    assert "z0 = " not in said  # which nothing was judged by
+    assert "z0 = " not in said  # no limit was judged by it
     assert "not checked" not in run("pull-off quartz 100nm --explain").out
 
 
 def test_turns_after_an_impact_follow_from_angular_momentum() -> None:
-    """The momentum about the contact, m v R, is kept: (I + mR²)ω = m v R; ⟨M⟩ then takes the energy ½(I + mR²)ω²."""
+    """The angular momentum about the contact, mvR, is conserved: (I + mR²)ω = mvR; ⟨M⟩ then takes ½(I + mR²)ω²."""
     names = ["mass", "moment_of_inertia", "mean_rolling_moment", "n_roll_after_impact"]
     mass, inertia, moment, turns = solve(names, speed=0.1, **QUARTZ).values()
     total = inertia + mass * 1e-14
@@ -241,7 +241,7 @@ def test_turns_after_an_impact_follow_from_angular_momentum() -> None:
 
 
 def test_a_load_of_fixed_direction(run: Run) -> None:
-    """M/R1 − Pξ/R2, which is M/R1 on a plane; shown where a load or a state is given."""
+    """It is M/R1 − Pξ/R2, and M/R1 on a plane. It is shown if a load or a state is given."""
     names = ["yield_force", "yield_force_fixed_load"]
     turning, fixed = solve(names, load=-1e-9, **QUARTZ).values()
     assert fixed - turning == approx(1e-9 * 2e-10 / 1e-7, rel=1e-9)
@@ -252,7 +252,7 @@ def test_a_load_of_fixed_direction(run: Run) -> None:
 
 
 def test_a_sphere_rolls_by_itself_beyond_eight_pull_off_forces(run: Run) -> None:
-    """Of identical spheres: Q_P = 2P_cξ(1 + s)/R1 − Pξ/R1 is 0 at P = 8P_c, where s = 3."""
+    """For identical spheres, Q_P = 2P_cξ(1 + s)/R1 − Pξ/R1 is 0 at P = 8P_c, where s = 3."""
     force = 3 * math.pi * 0.025 * 5e-8
     for times, code in ((7.999, ""), (8.001, "rolls-by-itself")):
         assert verdicts("yield_force_fixed_load", load=times * force)["yield_force_fixed_load"] == code
@@ -299,7 +299,7 @@ def test_a_chain_from_a_plane_yields_between_its_spheres(run: Run) -> None:
         ("pull_off_force", {"material": "quartz", "radius": 1e-4, "model": "dmt"}, "law-off-25%"),
         ("pull_off_force", {"material": "quartz", "radius": 1e-7, "model": "maugis"}, ""),
         ("yield_force", {"material": "quartz", "radius": 1e-7}, "law-off-2x"),  # 57 % smaller at equal ξ
-        ("r_min", {"material": "quartz", "radius": 1e-7}, ""),  # which no law of adhesion enters
+        ("r_min", {"material": "quartz", "radius": 1e-7}, ""),  # no law of adhesion enters it
         ("n_grav", {"material": "polystyrene", "radius": 1e-4}, ""),
     ],
 )
@@ -310,7 +310,7 @@ def test_the_law_of_adhesion_is_judged_by_its_effect(name: str, given: dict[str,
 
 
 def test_a_contact_that_only_one_law_has_is_doubtful() -> None:
-    """DMT holds a load that Maugis' law does not; where neither holds it, there is no answer to doubt."""
+    """DMT holds a load that Maugis' law does not. Where neither law holds it, there is no answer to doubt."""
     force = solve("pull_off_force", **QUARTZ, model="dmt")
     held = {**QUARTZ, "radius": 1e-4, "load": -0.9 * 1e3 * force}
     scene = Frame(held, model="dmt")
@@ -336,7 +336,7 @@ def test_an_answer_of_zero_is_not_compared_with_that_of_another_law(
 
 
 def test_a_dmt_contact_at_an_approach_is_doubtful_without_a_work_of_adhesion_too() -> None:
-    """Its radius √(Rδ) rests on no work of adhesion, and Maugis' contact is far wider."""
+    """Its radius √(Rδ) does not depend on the work of adhesion, and Maugis' contact is far wider."""
     scenes = [Frame({**QUARTZ, "approach_at_load": given}, model="dmt") for given in (1e-11, np.array([1e-11, 1e-12]))]
     for name, first in (("contact_radius_at_load", "law-off-2x few-atoms"), ("stiffness", "law-off-25% few-atoms")):
         one, both = (bits(scene, [name]) for scene in scenes)
@@ -345,7 +345,7 @@ def test_a_dmt_contact_at_an_approach_is_doubtful_without_a_work_of_adhesion_too
 
 
 def test_the_other_law_has_the_spacing_that_follows_from_a_cutoff() -> None:
-    """The scene computes it, in whose place stands one that is given it."""
+    """The scene computes the spacing from the cutoff; the other law has the same spacing stated."""
     given: dict[str, Any] = {"radius": 1e-7, "hamaker": 6.5e-20, "cutoff": 2e-10}
     other = Frame(given, known_materials()["quartz"]).by_law
     assert other["pull_off_force"] == solve("pull_off_force", material="quartz", model="maugis", **given)

@@ -1,4 +1,4 @@
-"""Two unknowns against a dense scan of both, divided again where both quantities pass their measured values."""
+"""Two unknowns compared with a dense scan of both, which is refined where both quantities pass their values."""
 
 import math
 from random import Random
@@ -15,10 +15,10 @@ from jkroll.model.unsolved import SIZES, NoDependence, NoSolution, SeveralSoluti
 from jkroll.quantities.laws import MODELS
 from scenes import log_uniform
 
-PER_DECADE = 10  # of the dense scan, whose cells end at other values than those of the program
-PARTS = 5  # of each side of a cell, when it is divided
-ROUNDS = 12  # of dividing: a cell is then 1e-9 of its first width
-MANY = 3000  # cells that both quantities pass; more form a curve instead of points
+PER_DECADE = 10  # values of the dense scan; its cells end at other values than those of the program
+PARTS = 5  # of each side of a cell that is divided
+ROUNDS = 12  # of division: a cell is then 1e-9 times as wide
+MANY = 3000  # cells that both quantities pass; more of them form a curve instead of points
 SPANS = {
     "surface_energy": (1e-3, 1.0), "youngs_modulus": (1e6, 1e12), "radius": (1e-8, 1e-3),
     "yield_displacement": (1e-11, 1e-8)
@@ -32,7 +32,7 @@ QUANTITIES = (
 
 
 def above(scene: Frame, names: tuple[str, ...], measured: dict[str, float], places: Any) -> Any:
-    """Return for both quantities whether they are above their measured values, as ±1, and nan where they have none."""
+    """Return whether the quantities are above their measured values: 1 or −1, and nan where they have no value."""
     found = outcomes(scene.replace(**dict(zip(names, places, strict=True))), [*measured])
     signs = [
         numpy.full(places.shape[1:], numpy.nan)
@@ -44,7 +44,7 @@ def above(scene: Frame, names: tuple[str, ...], measured: dict[str, float], plac
 
 
 def scanned(names: tuple[str, ...], measured: dict[str, float], scene: Frame) -> list[tuple[float, ...]] | None:
-    """Return the pairs that a dense scan finds, the same ones several times; None where it finds a curve."""
+    """Return the pairs that a dense scan finds, some of them several times; None if it finds a curve."""
     axes = []
     for name in names:
         least, most = SIZES[name]
@@ -71,12 +71,12 @@ def scanned(names: tuple[str, ...], measured: dict[str, float], scene: Frame) ->
 
 
 def is_near(one: tuple[float, ...], other: tuple[float, ...]) -> bool:
-    """Return whether two pairs are the same, as far as the scan tells."""
+    """Return whether two pairs are the same within the resolution of the scan."""
     return all(math.isclose(a, b, rel_tol=1e-4, abs_tol=1e-14) for a, b in zip(one, other, strict=True))
 
 
 def solved(names: tuple[str, ...], measured: dict[str, float], scene: Frame) -> list[tuple[float, ...]] | None:
-    """Return the pairs that the program names; None where it refuses the problem as not separated."""
+    """Return the pairs that the program names; None if it refuses the problem as not separated."""
     try:
         inverse = Inverse(names, measured, scene)
         return [tuple(inverse[name] for name in names)]
@@ -89,9 +89,9 @@ def solved(names: tuple[str, ...], measured: dict[str, float], scene: Frame) -> 
 
 
 def compared(random: Random) -> str:
-    """Return what became of a random problem.
+    """Return the outcome of a random problem.
 
-    Fails where a pair that the scan finds is not named, or one that is no solution.
+    Fails if the program does not name a pair that the scan finds, or names a pair that is no solution.
     """
     given: dict[str, Any] = {name: log_uniform(random, *span) for name, span in SPANS.items()}
     given |= {"radius2": math.inf, "poisson_ratio": 0.2, "density": 2e3, "shear_strength": 1e7, "atomic_spacing": 4e-10}

@@ -1,4 +1,4 @@
-"""Spawned processes, joblib and dask take the functions of jkroll, and give their results back."""
+"""Spawned processes, joblib and dask accept the functions of jkroll, and return their results."""
 
 import multiprocessing
 from typing import Any

@@ -1,4 +1,4 @@
-"""The profile of a true sphere: its numbers, where it is refused, and what a wide contact says of it."""
+"""The profile of a true sphere: its numbers, its refusals, and the notes on a wide contact."""
 
 import json
 import math
@@ -26,7 +26,7 @@ PARABOLOID = 1.5 * math.pi * 0.02 * 1e-6  # its pull-off force
 
 
 def test_pull_off_and_contact_of_a_sphere() -> None:
-    """At w/(E*R) = 0.01 a sphere has 0.95900 of the pull-off force and 0.4855 R for the 0.5209 R of a paraboloid."""
+    """At w/(E*R) = 0.01 a sphere has 0.95900 of the pull-off force, and 0.4855 R instead of 0.5209 R."""
     assert solve("pull_off_force", **GEL, profile="sphere") == approx(0.95900 * PARABOLOID, rel=1e-5)
     assert solve("contact_radius", **GEL, profile="sphere") == approx(0.4855e-6, rel=1e-4)
     assert solve("pull_off_force", **GEL) == approx(PARABOLOID, rel=1e-12)
@@ -108,7 +108,7 @@ def test_profile_is_one_of_two_words() -> None:
 
 
 def test_wide_contact_says_what_a_sphere_would_give(run: Run) -> None:
-    """The table at w/(E*R) = 0.001: P_c is 0.99082 of that of a paraboloid."""
+    """The table at w/(E*R) = 0.001: P_c is 0.99082 of the value for a paraboloid."""
     said = "contact too wide for a paraboloid: of a sphere P_c is 0.92 % smaller, w from it 0.92 % too low"
     assert said in run(f"pull-off {WORDS} --work-of-adhesion 2mJ/m2").err
     assert "w from it 0.91 % too low" in run(f"infer w {WORDS} --measured P_c=9.338nN").err
@@ -119,7 +119,7 @@ def test_wide_contact_says_what_a_sphere_would_give(run: Run) -> None:
 
 
 def test_sphere_softer_than_its_size_has_no_meaning() -> None:
-    """From a0 = R of the paraboloid on, w/(E*R) = 2/9π, as without the profile."""
+    """This begins at a0 = R of the paraboloid, w/(E*R) = 2/9π, as it does without the profile."""
     for work, has_meaning in ((0.14, True), (0.142, False)):
         said = answer("pull-off", **{**GEL, "work_of_adhesion": work}, profile="sphere")
         assert ("contact-exceeds-sphere" not in {doubt.code for doubt in said.doubts}) is has_meaning

@@ -1,4 +1,4 @@
-"""Scenes: one plan for all that is asked, failures that leave other quantities alone, and changed inputs."""
+"""Frames: one plan for all quantities, failures that do not affect other quantities, and changed inputs."""
 
 import gc
 from itertools import combinations, islice
@@ -86,14 +86,14 @@ def test_arrays_of_which_sphere_2_loses_what_it_had_of_its_own_are_evaluated_ane
 
 @pytest.mark.parametrize("name", ["youngs_modulus2", "radius2"])
 def test_arrays_that_do_not_broadcast_are_no_scene(name: str) -> None:
-    """Also where they decide on what follows from the inputs: on rigid bodies, and on a material's displacement."""
+    """The same holds if they decide what follows from the inputs: rigid bodies, or the displacement of a material."""
     arrays = {name.removesuffix("2"): numpy.ones(2), name: numpy.ones(3)}
     with pytest.raises(BadRequest, match=rf"do not broadcast: {name.removesuffix('2')} \(2,\), {name} \(3,\)"):
         Frame(arrays, known_materials()["silica-dry"])
 
 
 def test_every_parameter_is_a_name_that_something_gives() -> None:
-    """The formulas of the nomenclature end at names that a user can give."""
+    """The formulas of the nomenclature lead back to names that a user can give."""
     wanted = [name for name in NOMENCLATURE if name in FORMULAS]
     ends = {name for name in depends_on(tuple(wanted)) if formula_of(name) is None}
     without_option = {name for name in ends if name not in NOMENCLATURE or not NOMENCLATURE[name].option}
@@ -124,7 +124,7 @@ def test_spheres_that_are_bound_without_touching_have_no_contact_that_is_stiff(n
 
 
 def test_a_scene_with_alternatives_is_gone_with_its_last_user() -> None:
-    """A search for cycles comes after 50 000 new objects; a block of a long table leaves a handful."""
+    """A search for cycles comes after 50 000 new objects, and a block of a long table leaves only a few."""
     gc.disable()
     try:
         scene = Frame({**QUARTZ, "radius": numpy.geomspace(1e-8, 1e-6, 5)})

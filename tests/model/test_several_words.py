@@ -1,4 +1,4 @@
-"""Lists of materials and laws, and units of other packages, in `solve`; numbers that are metres in `answer`."""
+"""Lists of materials and laws, and units of other packages, in `solve`; numbers in metres in `answer`."""
 
 from typing import Any
 
@@ -123,4 +123,4 @@ def test_a_grain_of_a_metre_is_warned_of(word: str, number: float) -> None:
     with pytest.warns(UserWarning, match=f'{word}={number} is a sphere of {number:g} m.*write {word}="{number} nm"'):
         answer("P_c", gamma=0.025, **{word: number})
     answer("P_c", gamma=0.025, **{word: f"{number} m"})  # is meant
-    jkroll.answer("P_c", gamma=0.025, radius=1e-7, radius2=1e3)  # a lens as good as flat
+    jkroll.answer("P_c", gamma=0.025, radius=1e-7, radius2=1e3)  # a lens that is nearly flat

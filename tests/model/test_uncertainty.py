@@ -1,4 +1,4 @@
-"""Uncertainties: against sampling, against power laws, at turning points, and what moves together."""
+"""Uncertainties compared with sampling and with power laws, at turning points, and of inputs that move together."""
 
 import csv
 import io
@@ -35,7 +35,7 @@ def found(
 
 
 def assert_spans(one: Uncertain, values: Any, *, inner: float = 0.01, outer: float = 0.0) -> None:
-    """Check that a range ends where some values end, but for parts of its width: inside these, and outside."""
+    """Check that a range ends near the ends of some values, within parts of its width: inside and outside."""
     width = one.high - one.low
     assert max(values) - inner * width <= one.high <= max(values) + (outer + 1e-12) * width
     assert min(values) - (outer + 1e-12) * width <= one.low <= min(values) + inner * width
@@ -78,7 +78,7 @@ def test_sides_that_differ_are_given_one_by_one() -> None:
 
 
 def test_the_lower_side_may_be_the_longer_one() -> None:
-    """Near pull-off, √(1 + P/P_c) falls more than it rises."""
+    """Near pull-off, √(1 + P/P_c) falls by more than it rises."""
     force = solve("pull_off_force", **QUARTZ)
     one = found("load_margin", QUARTZ, {"load": Measured(-0.75 * force, 0.2 * force, 0.2 * force)}).uncertainty
     assert isinstance(one, Measured)
@@ -111,7 +111,7 @@ def test_quadrature_agrees_with_sampling() -> None:
 @pytest.mark.parametrize(
     ("name", "given", "ranges"),
     [
-        ("rolling_frequency", QUARTZ, {"radius2": Interval(2.2e-7, 1.2e-7, 3.2e-7)}),  # Eq (40) against R2
+        ("rolling_frequency", QUARTZ, {"radius2": Interval(2.2e-7, 1.2e-7, 3.2e-7)}),  # Eq (40) as a function of R2
         ("rolling_frequency", QUARTZ, {"radius2": Interval(1.5e-7, 1e-7, 4e-7), "density": Interval(2e3, 1e3, 3e3)}),
         ("approach_at_load", {**QUARTZ, "load": 5e-8}, {"radius": Interval(5e-7, 1e-7, 2e-6)}),
         ("contact_modulus", QUARTZ, {"poisson_ratio": Interval(0.05, -0.2, 0.3)}),
@@ -127,7 +127,7 @@ def test_turning_points_inside_a_range_count(name: str, given: dict[str, float],
 
 
 def test_a_load_about_0_is_not_taken_for_none() -> None:
-    """Without load rolling does not depend on the radius; in the rest of this range it does, by P_c. Eqs (5), (28)."""
+    """Without load, rolling does not depend on the radius; in the rest of this range it does, by P_c. Eqs (5), (28)."""
     ranges = {"load": Interval(0.0, -4e-9, 4e-9), "radius": Interval(1.2e-7, 8e-8, 1.6e-7)}
 
     def force(load: float, radius: float) -> float:
@@ -157,7 +157,7 @@ def test_a_load_about_0_is_not_taken_for_none() -> None:
 def test_the_ridge_of_a_quantity_of_the_weaker_body_is_found(
     name: str, spans: list[tuple[float, float]], extreme: float
 ) -> None:
-    """The weaker body is the other one beyond E1 = E2, where the quantity is largest."""
+    """Beyond E1 = E2 the other body is the weaker one; the quantity is largest there."""
     given: dict[str, Any] = {"radius": 1e-6, "surface_energy": 0.05, "poisson_ratio": 0.2}
     moduli = ("youngs_modulus", "youngs_modulus2")
     ranges: dict[str, Any] = {each: Interval(sum(span) / 2, *span) for each, span in zip(moduli, spans, strict=True)}
@@ -169,7 +169,7 @@ def test_the_ridge_of_a_quantity_of_the_weaker_body_is_found(
 @pytest.mark.parametrize("name", ["twisting_energy", "sliding_displacement", "peeling_over_sliding", "sliding_force"])
 @pytest.mark.parametrize("count", [2, pytest.param(3, marks=pytest.mark.slow)])
 def test_the_ends_are_those_of_a_grid(name: str, count: int) -> None:
-    """Which body is the weaker depends on E/(1 + ν) of both, and changes within these ranges."""
+    """E/(1 + ν) of both bodies decides which one is weaker, and this changes within these ranges."""
     given: dict[str, Any] = {"radius": 1e-6, "surface_energy": 0.05, "surface_energy2": 0.08, "poisson_ratio2": 0.2}
     given |= {"youngs_modulus2": 4e9}
     spans = {"youngs_modulus": (1.9e9, 4.8e9), "poisson_ratio": (0.03, 0.46), "youngs_modulus2": (2.2e9, 5e9)}
@@ -240,7 +240,7 @@ def test_a_quantity_without_a_value_at_an_end_says_so(run: Run) -> None:
 
 @pytest.mark.parametrize(("load", "gamma"), [("-10±1nN", "25mJ/m2"), ("-9nN", "25±4mJ/m2"), ("-9±0.8nN", "25±3mJ/m2")])
 def test_draws_without_a_contact_are_reported(run: Run, load: str, gamma: str) -> None:
-    """Both ends of each uncertainty hold, and a tenth or so of all values between and beyond do not."""
+    """The contact holds at both ends of each uncertainty, but not at a tenth or so of the values between and beyond."""
     words = ["contact", "quartz", "100nm", "--load", load, "--gamma", gamma]
     random = Random(f"{load} {gamma}")
 
@@ -269,7 +269,7 @@ def test_every_format_has_the_uncertainty(run: Run) -> None:
     assert row["pull_off_force_plus [N]"] == row["pull_off_force_minus [N]"] == "2.356194490192344e-9"
     assert run(*words, "--bare").out == "1.1780972450961723e-8\n"
     table = run(*words, terminal=True).out
-    # Maugis' 14.2 nN at half the atomic spacing less 18 %, and Lennard-Jones' 15.3 nN with 20 %, as it goes with γ
+    # Maugis' 14.2 nN at half the atomic spacing less 18 %; Lennard-Jones' 15.3 nN, proportional to γ, plus 20 %.
     assert re.search(r" 12–18 +Maugis +11\.78 +nN", table)
     assert "γ = 25 ± 5 mJ/m²" in table
     assert "  shares    γ1 100%\n" in run(*words, "--explain").out
@@ -307,7 +307,7 @@ def test_measurements_of_pint_are_read_in_any_unit() -> None:
     assert [found.value, *found.sides.values()] == approx([again.value, *again.sides.values()], rel=1e-14)
 
 
-@pytest.mark.filterwarnings("ignore:This function will be removed:DeprecationWarning")  # pint's own, in its texts
+@pytest.mark.filterwarnings("ignore:This function will be removed:DeprecationWarning")  # from pint, in its texts
 @pytest.mark.parametrize(
     ("uncertainty", "unit", "reason"),
     [(5, "N", "is of another dimension"), (15, "mJ/m^2", "has an uncertainty of half the value or more")],
@@ -330,7 +330,7 @@ def test_a_list_holds_no_uncertain_values() -> None:
 
 @pytest.mark.parametrize("low", [-0.3, -0.01, -0.002, -1e-4])
 def test_a_turning_point_next_to_an_end_of_a_range_is_found(low: float) -> None:
-    """E* is least at ν = 0, however near to an end of the range that is."""
+    """E* is least at ν = 0, however near this is to an end of the range."""
     given: dict[str, Any] = {"youngs_modulus": 1e9, "poisson_ratio": Interval((low + 0.4) / 2, low, 0.4)}
     assert_spans(solve("contact_modulus", **given), [0.5e9, 0.5e9 / (1 - 0.4**2)])
 
@@ -341,7 +341,7 @@ def test_rounding_is_no_uncertainty(gamma: str) -> None:
 
 
 def test_a_displacement_that_a_material_scales_with_the_radius_is_no_range_beside_one(tmp_path: Path) -> None:
-    """It has a range at each radius, which moves with it. Measured radii move it to first order."""
+    """It has a range at each radius, which moves with the radius. Measured radii move it to first order."""
     path = tmp_path / "mine.toml"
     path.write_text(
         '[materials.bead]\nsurface_energy = "25 mJ/m2"\nyield_displacement = { value = "2 nm", radius = "1 um" }\n'

@@ -1,4 +1,4 @@
-"""Two unknowns from two quantities: pairs come back, all that a scan finds are named, others are refused."""
+"""Two unknowns from two quantities: pairs come back, every pair of a scan is named, other problems are refused."""
 
 import csv
 import json
@@ -46,14 +46,14 @@ def test_an_example_by_hand() -> None:
 
 
 def test_the_condition_of_power_laws_is_that_of_the_matrix_of_exponents() -> None:
-    """P_c goes as γ, and dP/dδ as γ^(1/3)E^(2/3), so that E goes as K^(3/2)P_c^(-1/2)."""
+    """P_c is proportional to γ, and dP/dδ to γ^(1/3)E^(2/3), so E is proportional to K^(3/2)P_c^(-1/2)."""
     pair = found(NAMES, MEASURED, PLANE)
     assert pair.condition == approx(numpy.linalg.cond(numpy.array([[1, 0], [1 / 3, 2 / 3]])), rel=1e-5)
     assert pair.growths == approx({"surface_energy": 1.0, "youngs_modulus": math.hypot(1.5, 0.5)}, rel=1e-5)
 
 
 def test_an_input_that_cancels_from_a_quantity_is_found_from_the_other() -> None:
-    """DMT's moment without load, 4E*a0³ξ/(3R), is 2πwRξ, as a0³ = 3πwR²/(2E*): it gives w, and a0 then E*."""
+    """By DMT, the moment without load, 4E*a0³ξ/(3R), is 2πwRξ, as a0³ = 3πwR²/(2E*): it gives w, and a0 then E*."""
     given = {**PLANE, "yield_displacement": 2e-10}
     pair = found(NAMES[::-1], {"unloaded_moment": 1e-16, "contact_radius": 3e-8}, given, "dmt")
     work = 1e-16 / (2 * math.pi * 2e-6 * 2e-10)
@@ -103,7 +103,7 @@ def test_both_spheres_of_one_material_are_inferred_together() -> None:
 
 
 ENERGY_AND_RADIUS = ("surface_energy", "radius")
-FORCES = {"pull_off_force": 3e-7, "pull_off_force_dmt": 4e-7}  # what every pair gives
+FORCES = {"pull_off_force": 3e-7, "pull_off_force_dmt": 4e-7}  # every pair gives these
 STAY = "and pull_off_force_dmt cannot give both: both stay as they are along γ1 ∝ R1^-1 (κ is above 1e8)"
 # f = √(K/m)/2π, and under a large load K does not depend on γ
 PRESSED = {"stiffness": 1e3, "vertical_frequency": 1e6}, {**PLANE, "density": 2e3, "load": 1e3}
@@ -148,7 +148,7 @@ def test_refusals(
 
 
 def test_a_load_that_is_left_open_counts_by_its_distance_from_pull_off() -> None:
-    """F = τπa² and 8G*a tell a alone: a³ goes as R²(1 + √(1 + P/P_c))², and R as this to a power from −1/2 to 0."""
+    """F = τπa² and 8G*a only give a: a³ ∝ R²(1 + √(1 + P/P_c))², so R is a power of this, from −1/2 to 0."""
     given = {"radius2": math.inf, "surface_energy": 0.05, "youngs_modulus": 1e9, "poisson_ratio": 0.2}
     measured = {"sliding_force": 1e-9, "tangential_stiffness": 10.0}
     with pytest.raises(Unseparated, match=r"along R1 ∝ \(1 \+ P/P_c\)\^-") as caught:
@@ -157,7 +157,7 @@ def test_a_load_that_is_left_open_counts_by_its_distance_from_pull_off() -> None
 
 
 def test_two_unknowns_that_both_quantities_leave_open_are_named() -> None:
-    """In DMT the moment is 2πwRξ, whatever the load and the modulus are, and its digits come from rounding."""
+    """By DMT, the moment is 2πwRξ, whatever the load and the modulus are, and its digits come from rounding."""
     given = {**PLANE, "surface_energy": 0.05, "yield_displacement": 2e-10, "density": 2e3}
     measured = Frame({**given, "load": 1e-8, "youngs_modulus": 1e9}, model="dmt").numbers("yield_force", "n_grav")
     with pytest.raises(Unseparated, match=r"they leave E1 and P open"):
@@ -165,7 +165,7 @@ def test_two_unknowns_that_both_quantities_leave_open_are_named() -> None:
 
 
 def test_what_is_barely_separated_is_refused() -> None:
-    """P_c over 2πwR goes to 3/4 for soft spheres under Maugis' law, and with that the only difference of two forces."""
+    """By Maugis' law, P_c/(2πwR) tends to 3/4 for soft spheres, and the only difference of two forces vanishes."""
     given = {"radius2": math.inf, "poisson_ratio": 0.2, "youngs_modulus": 1e6, "atomic_spacing": 4e-10}
     names, condition = ("surface_energy", "radius"), 1e6
     for radius in (1e-8, 1e-7, 1e-6):
@@ -200,7 +200,7 @@ def test_all_pairs_are_named(radius: float) -> None:
 
 @pytest.mark.parametrize("margin", [1e-1, 1e-2, 1e-4, 1e-6])
 def test_pairs_are_found_next_to_pull_off(margin: float) -> None:
-    """Where the stiffness falls to 0 as the root of the margin, and corners of cells have no contact."""
+    """The stiffness falls to 0 as the root of the margin there, and corners of cells have no contact."""
     values = {"surface_energy": 0.03, "youngs_modulus": 54e9}
     full = Frame({**PLANE, **values})
     values["load"] = -(1 - margin) * full["pull_off_force"]
@@ -222,7 +222,7 @@ def test_a_pair_in_a_cell_without_contact_at_one_corner_hides_no_other() -> None
 
 
 def test_the_order_of_what_was_measured_hides_no_pair() -> None:
-    """Below some radius v_stick of Maugis' law does not change with it, so that two spheres have both values."""
+    """Below some radius, v_stick by Maugis' law does not change with the radius, so two spheres have both values."""
     measured = {"yield_force": 2.71151e-9, "sticking_speed": 4.24886}
     given = {"radius2": math.inf, "poisson_ratio": 0.17, "youngs_modulus": 54e9, "density": 2600.0}
     given |= {"load": 3.43e-7, "atomic_spacing": 4e-10, "yield_displacement": 2e-10}
@@ -238,12 +238,12 @@ def test_the_order_of_what_was_measured_hides_no_pair() -> None:
 
 
 def test_error_bars_of_both_measurements_enter() -> None:
-    """γ goes as P_c, and E as K^(3/2)P_c^(-1/2)."""
+    """γ is proportional to P_c, and E to K^(3/2)P_c^(-1/2)."""
     measured = {"pull_off_force": Measured(3e-7, 3e-9), "stiffness": Measured(1e3, 20.0)}
     both = infer(["gamma", "young"], measured=measured, **PLANE)
     parts = [both[name].plus / both[name].value for name in NAMES]
     assert parts == approx([0.01, math.hypot(0.005, 0.03)], rel=1e-3)
-    given = {**PLANE, "radius": Measured(2e-6, 2e-8)}  # γ goes as 1/R, and E as 1/√R
+    given = {**PLANE, "radius": Measured(2e-6, 2e-8)}  # γ is proportional to 1/R, and E to 1/√R
     both = infer(["gamma", "young"], measured=MEASURED, **given)
     parts = [both[name].plus / both[name].value for name in NAMES]
     assert parts == approx([0.01, 0.005], rel=1e-3)
@@ -284,7 +284,7 @@ COMMAND = f"{WORDS} --measured pull_off_force=300nN --measured stiffness=1kN/m"
 def test_arrays_broadcast_and_hold_nan_where_there_is_no_pair() -> None:
     measured = {"pull_off_force": numpy.array([[3e-7], [4e-7]]), "stiffness": numpy.array([1e3, 1e12])}
     failures = solved(NAMES, measured, Frame(PLANE)).failures
-    assert {failures[row].__traceback__ for row in (1, 3)} == {None}  # it would hold all that was computed
+    assert {failures[row].__traceback__ for row in (1, 3)} == {None}  # a traceback would hold all that was computed
     both = infer(["gamma", "young"], measured=measured, **PLANE)
     alone = infer(["gamma", "young"], measured={"pull_off_force": 4e-7, "stiffness": 1e3}, **PLANE)
     for name in NAMES:

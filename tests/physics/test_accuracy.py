@@ -47,7 +47,7 @@ from scenes import (
     strip_contacts,
 )
 
-pytestmark = pytest.mark.filterwarnings("error")  # of numpy, too
+pytestmark = pytest.mark.filterwarnings("error")  # warnings of numpy, too
 
 FORMULAS = {
     **physics.FORMULAS,
@@ -68,13 +68,13 @@ HERE = Path(__file__).parent
 class Error(NamedTuple):
     """The error of a result, and the scene in which it occurs."""
 
-    ulp: float  # over 1 + κ: the larger one of that of a number and that of an element of an array
+    ulp: float  # over 1 + κ: the larger error, of a number or of an element of an array
     of_number: float
     scene: Frame
 
 
 def errors_of(scenes: Iterable[Frame]) -> dict[str, list[Error]]:
-    """Solve scenes one by one, and, as arrays, those with the same inputs."""
+    """Solve scenes as numbers and, with all scenes that have the same inputs, as arrays; return the errors."""
     alike = defaultdict(list)
     for scene in scenes:
         exact = {name: value for name, value in exact_results(scene).items() if abs(value) < math.inf}
@@ -140,7 +140,7 @@ def test_results_of_every_hard_scene_are_within_the_bound() -> None:
 
 @pytest.mark.slow
 def test_results_of_fresh_scenes_are_within_the_bounds() -> None:
-    """The seed stands at the head of the run; with ACCURACY_SEED set to it, the same scenes come again."""
+    """The head of the run states the seed; with ACCURACY_SEED set to it, the same scenes come again."""
     errors = errors_of(random_scenes(MANY, seed=int(os.environ["ACCURACY_SEED"])))
     for name in RESULTS:
         assert worst(errors[name]).ulp <= BOUND, (name, worst(errors[name]))
@@ -154,13 +154,13 @@ def test_results_of_fresh_scenes_are_within_the_bounds() -> None:
 
 @cache
 def parameter_values() -> list[Frame]:
-    """Return values of every parameter of every formula, of magnitudes that go together, each taken as exact."""
+    """Return values of every parameter of every formula, of matching magnitudes, each taken as exact."""
     random = Random(1997)
     return [dict(_values(random, scene)) for scene in random_scenes(COUNT, seed=1998)]
 
 
 def test_values_are_the_same_in_every_process() -> None:
-    """The order of a set of texts differs from one to the next, and with it the numbers that are drawn for each."""
+    """The order of a set of texts differs between processes; the numbers drawn for each text must not."""
     code = "import test_accuracy as test; print(dict(test._values(test.Random(1), *test.random_scenes(1, seed=1))))"
     paths = os.pathsep.join(filter(None, [*map(str, (HERE, HERE.parent)), os.environ.get("PYTHONPATH", "")]))
     environment = os.environ | {"PYTHONHASHSEED": "1", "PYTHONPATH": paths}
@@ -215,7 +215,7 @@ def _damped(random: Random) -> Iterator[tuple[str, Any]]:
 
 
 def _wet(random: Random) -> Iterator[tuple[str, Any]]:
-    """Iterate over values of a meniscus of water, next to dry and saturated air and to where water wets no more."""
+    """Iterate over values of a meniscus of water, near dry and saturated air, and near the end of wetting."""
     yield "humidity", random.choice([random.random(), log_uniform(random, 1e-30, 1), 1 - log_uniform(random, 1e-15, 1)])
     yield "contact_angle", random.choice([0.0, random.uniform(0, 1.57), math.pi / 2 - log_uniform(random, 1e-9, 1)])
     yield "kelvin_radius", log_uniform(random, 1e-11, 1e-5)
@@ -242,7 +242,7 @@ def law_values() -> list[Frame]:
 
 
 def _law_values(random: Random) -> Iterator[tuple[str, Any]]:
-    """Iterate over values of a contact between JKR and DMT, in any state and near pull-off and the fold."""
+    """Iterate over values of a contact between JKR and DMT, in any state, also near pull-off and the fold."""
     ranges = ((1e-9, 1e3), (1e-12, 1e3), (1e2, 1e14))
     work, radius, modulus = (log_uniform(random, low, high) for low, high in ranges)
     transition = log_uniform(random, *random.choice([(1e-6, 1e6), (0.1, 10)]))
@@ -288,7 +288,7 @@ def _law_values(random: Random) -> Iterator[tuple[str, Any]]:
 
 
 def values_of(name: str) -> list[Frame]:
-    """Return values of the parameters of a formula; those of inputs that no scene has are near their examples."""
+    """Return values of a formula's parameters; inputs that no scene has are near their examples."""
     random = Random(1999)
     inputs = [each for each in parameters_of(FORMULAS[name]) if each in NOMENCLATURE and NOMENCLATURE[each].example]
     return [{each: near_example(each, random) for each in inputs} | values for values in _scenes_of(name)]
@@ -302,8 +302,8 @@ def _scenes_of(name: str) -> list[Frame]:
     return law_values()
 
 
-# The worst of thousands of arguments, each beyond the accuracy that was once stated. The force that slides or peels was
-# a square, which doubled a rounding.
+# The worst of thousands of arguments, each beyond the accuracy that was stated before. The force that slides or peels
+# was a square, which doubled a rounding.
 WORST: list[tuple[str, Frame]] = [
     (
         "sliding_or_peeling_force",
@@ -345,7 +345,7 @@ def test_formula_is_as_accurate_as_it_says_at_its_worst(name: str, given: Frame)
     assert formula_error(name, given, float(FORMULAS[name](**given))) <= float(accuracy_of(name).partition(" ulp")[0])
 
 
-# Where some formulas have no value, or state no accuracy.
+# Arguments for which some formulas have no value, or state no accuracy.
 OUTSIDE: Mapping[str, Callable[[Frame], bool]] = {
     "load_margin": lambda values: values["load"] < -values["pull_off_force"],
     "stiffness": lambda values: values["load_margin"] < 0,
@@ -375,7 +375,7 @@ OUTSIDE: Mapping[str, Callable[[Frame], bool]] = {
 }
 
 
-# Formulas of states that are roots, whose references take longest.
+# Formulas of states that are roots, whose references take the longest.
 OF_ROOTS = [
     name
     for name in LAW_FORMULAS
@@ -404,7 +404,7 @@ def is_accurate_in(name: str, values_of_scenes: Iterable[Frame]) -> None:
     arguments = [{parameter: values[parameter] for parameter in parameters} for values in scenes]
     elements = formula(**{parameter: np.array([given[parameter] for given in arguments]) for parameter in parameters})
     for given, element in zip(arguments, elements.tolist(), strict=True):
-        for value in {formula(**given), element}:  # one where they agree
+        for value in {formula(**given), element}:  # a single value where the two agree
             error = formula_error(name, given, value)
             assert error <= bound, f"{error} ulp, {bound} stated in physics/accuracy.py, at {given}"
 

@@ -1,4 +1,4 @@
-"""Energies and speeds by convention: the factors printed next to them, from the curve of JKR itself."""
+"""Energies and speeds by convention: the factors printed next to them, computed from the curve of JKR itself."""
 
 import math
 import re
@@ -27,12 +27,12 @@ A0 = (9 * math.pi * 0.025 * RADIUS**2 / MODULUS) ** (1 / 3)
 @pytest.mark.parametrize(
     ("name", "value"),
     [
-        # 3πγR times a0²/(2·6^(1/3)R), as they stand in Lumajord/DustSimulation
+        # 3πγR times a0²/(2·6^(1/3)R), as in Lumajord/DustSimulation
         ("fold_energy", 3 * math.pi * 0.025 * RADIUS * 0.5 * A0**2 / (RADIUS * 6 ** (1 / 3))),
         ("sticking_speed_paszun_dominik", 1.07 * (0.025 / RADIUS) ** (5 / 6) / (MODULUS ** (1 / 3) * 2600.0**0.5)),
-        # twice 9.6: with one of the two factors 2 in √(2·2·9.6 …) the speed has 1.0705 where the other has 1.07
+        # twice 9.6: with only one of the two factors 2 in √(2·2·9.6 …), the speed would have 1.0705 instead of 1.07
         ("sticking_energy_pencil_code", 2 * 9.6 * 0.025 ** (5 / 3) * RADIUS ** (4 / 3) / MODULUS ** (2 / 3)),
-        # with the reduced radius, and with that of a grain
+        # with the reduced radius, and with the radius of a grain
         ("roll_energy_quarter_turn", 6 * math.pi**2 * 0.025 * RADIUS * 2e-10),
         ("roll_energy_half_turn", 6 * math.pi**2 * 0.025 * 1e-7 * 2e-10),
     ],
@@ -46,7 +46,7 @@ FACTOR = re.compile(r"(\d+\.\d+|6/5) (P_cδ0|F_cδ_c)")
 
 @pytest.mark.parametrize("name", [name for name in NOMENCLATURE if FACTOR.search(NOMENCLATURE[name].definition)])
 def test_factors_are_those_of_the_values(name: str) -> None:
-    """Each factor that a definition prints is the value in that unit, to half a unit of its last place."""
+    """Each factor in a definition is the value in that unit, within half a unit of its last place."""
     units = {"P_cδ0": solve("adhesion_energy", **PAIR), "F_cδ_c": solve("fold_energy", **PAIR)}
     value = solve(name, **PAIR)
     for factor, unit in FACTOR.findall(NOMENCLATURE[name].definition):
@@ -82,7 +82,7 @@ def test_rolling_energy_is_the_moment_times_the_angle(scene: dict[str, Any]) -> 
 
 def test_every_row_has_a_definition_and_a_source() -> None:
     every = (*QUESTIONS["energies"].quantities, *QUESTIONS["aggregates"].quantities)
-    for name in (name for name in every if not name.endswith("lennard_jones")):  # which a fit defines
+    for name in (name for name in every if not name.endswith("lennard_jones")):  # a fit defines those
         quantity = NOMENCLATURE[name]
         fields = docstring_fields(FORMULAS[name]) if name in FORMULAS else {}
         assert quantity.definition or fields.get("Source"), name
@@ -94,7 +94,7 @@ def test_every_row_has_a_definition_and_a_source() -> None:
 
 @pytest.mark.parametrize("radius2", [1e-7, 3e-7, math.inf])
 def test_sliding_frequency_is_an_eigenvalue(radius2: float) -> None:
-    """Of two spheres with the motions x1, x2, θ1, θ2 and the spring k_s (x1 − R1θ1 − x2 − R2θ2)²/2."""
+    """Two spheres with the motions x1, x2, θ1, θ2 and the spring k_s (x1 − R1θ1 − x2 − R2θ2)²/2."""
     scene = {**PAIR, "radius2": radius2}
     stiffness, mass, mass2 = solve(["tangential_stiffness", "mass", "mass2"], **scene).values()
     radii, masses = [1e-7, radius2], [mass, mass2]
@@ -128,13 +128,13 @@ def test_sliding_is_the_fastest_mode(poisson: float, ratio: float) -> None:
         ({"radius": 1e-8}, 1.8816679933550200e-12),  # 1.88, 2.33 ps
         ({"radius": 1e-7}, 2.3321264448659369e-11),  # 27.6, 23.3 ps
         ({"radius": 1e-7, "youngs_modulus": 54e7}, 1.2819654804729837e-10),  # 128, 233 ps
-        ({"radius": 1e-7, "radius2": 5e-8}, 1.1660632224329685e-11),  # of the smaller sphere
+        ({"radius": 1e-7, "radius2": 5e-8}, 1.1660632224329685e-11),  # t_R of the smaller sphere
         ({"radius": 5e-8, "radius2": 1e-7}, 1.1660632224329685e-11),
-        ({"radius": 1e-7, "radius2": math.inf}, 2.3321264448659369e-11),  # of the sphere
+        ({"radius": 1e-7, "radius2": math.inf}, 2.3321264448659369e-11),  # t_R of the sphere
     ],
 )
 def test_the_time_step_is_the_shorter_of_two_rules(scene: dict[str, Any], step: float) -> None:
-    """A twentieth of the period of sliding with rotation, or a fifth of the Rayleigh time, of quartz."""
+    """The rules for quartz: a twentieth of the period of sliding with rotation, or a fifth of the Rayleigh time."""
     assert solve("time_step", material="quartz", **scene) == approx(step, rel=1e-10)
     several = solve("time_step", material="quartz", **{**scene, "radius": np.array([scene["radius"], 1e-5])})
     assert several[0] == approx(step, rel=1e-10)
@@ -147,7 +147,7 @@ def test_a_rigid_sphere_leaves_the_time_step_to_the_contact() -> None:
 
 
 def test_the_time_step_is_stable_for_many_contacts() -> None:
-    """Grains of a close-packed lattice have 12 contacts: its fastest mode stays below Verlet's limit of 2/ω."""
+    """In a close-packed lattice a grain has 12 contacts; its fastest mode stays below Verlet's limit of 2/ω."""
     for radius in (1e-9, 1e-7, 1e-5):
         slide, step = solve(["sliding_frequency", "time_step"], **{**GRAIN, "radius": radius}).values()
         for contacts in (12, 40):

@@ -17,7 +17,7 @@ SILICA: dict[str, Any] = {**ELASTIC, "hamaker": 6.5e-20}
 
 
 def test_silica() -> None:
-    """63.3 mJ/m² and 0.143 nm; at 0.4 nm it would be 10.8 mJ/m²."""
+    """The results are 63.3 mJ/m² and 0.143 nm; at 0.4 nm, w would be 10.8 mJ/m²."""
     work, spacing = solve(["work_of_adhesion", "atomic_spacing"], **SILICA).values()
     assert round(1e3 * work, 1) == 63.3
     assert round(1e9 * spacing, 3) == 0.143
@@ -25,7 +25,7 @@ def test_silica() -> None:
 
 
 def test_the_3_9_law_has_this_constant_this_work_and_this_spacing() -> None:
-    """σ(h) = (8w/3z0)[(z0/h)³ − (z0/h)⁹]: its integral is w, and far away it is A/(6πh³)."""
+    """The integral of σ(h) = (8w/3z0)[(z0/h)³ − (z0/h)⁹] is w, and far away σ is A/(6πh³)."""
     work, spacing = solve(["work_of_adhesion", "atomic_spacing"], **SILICA).values()
     h = np.geomspace(spacing, 1e4 * spacing, 200_001)
     traction = 8 * work / (3 * spacing) * ((spacing / h) ** 3 - (spacing / h) ** 9)
@@ -43,7 +43,7 @@ def test_everything_goes_on_with_them() -> None:
 
 
 def test_two_solids() -> None:
-    """A12 = √(A1A2); another material does not have the constant of the first."""
+    """A12 = √(A1A2); another material does not take the constant of the first."""
     both = solve("work_of_adhesion", hamaker2=4 * 6.5e-20, **SILICA)
     assert math.isclose(both, 2 * solve("work_of_adhesion", **SILICA), rel_tol=1e-15)
     with pytest.raises(MissingInput, match="Hamaker constant of sphere 2; give --hamaker2"):

@@ -1,4 +1,4 @@
-"""Head-on collisions: restitution, and sticking with viscous damping, against the motion on the JKR curve."""
+"""Head-on collisions: restitution, and sticking with viscous damping, compared with the motion on the JKR curve."""
 
 import math
 from typing import Any
@@ -14,8 +14,8 @@ from jkroll.physics.motion import FITTED_UP_TO, STICKS_FROM, sticking_speed_visc
 from relative import approx
 
 QUARTZ: dict[str, Any] = {"material": "quartz", "radius": 1e-6}
-# The motion in units of δ0 and √(P_cδ0/m): δ̂ = 3y⁴ − 2y with y = z/6^(1/3), dt = 2·6^(-1/3)(z³ − 1)dσ, which makes it
-# polynomial.
+# The motion in units of δ0 and √(P_cδ0/m), with δ̂ = 3y⁴ − 2y, y = z/6^(1/3) and dt = 2·6^(-1/3)(z³ − 1)dσ, in which it
+# is polynomial.
 C = 6 ** (-1 / 3)
 
 
@@ -24,7 +24,7 @@ def acceleration(z: float, u: float, viscosity: float) -> float:
 
 
 def slowest_that_parts(viscosity: float) -> float:
-    """Return the speed at which grains meet that come to rest at the fold: the motion backwards in time from there."""
+    """Return the speed at which grains meet that come to rest at the fold, from the motion backwards in time."""
     from scipy.integrate import solve_ivp  # type: ignore[import-untyped]
 
     growth, start = math.sqrt(10 * C / 3), 1e-5
@@ -86,7 +86,7 @@ def test_restitution_bounds_that_of_the_equation_of_motion(viscosity: float, tim
 
 
 def _with(viscosity: float) -> dict[str, Any]:
-    """Return the viscous time that a viscosity number stands for."""
+    """Return the viscous time for a viscosity number."""
     return {"viscous_time": viscosity / solve("viscosity_number", **QUARTZ, viscous_time=1.0)} if viscosity else {}
 
 
@@ -118,7 +118,7 @@ def test_damping_of_grains_that_always_stick_is_refused() -> None:
     ("radius", "speed", "viscous_time"), [(0.6e-6, 1.2, 2.276811e-11), (0.25e-6, 1.9, 7.048843e-12)]
 )
 def test_viscous_time_of_a_measured_sticking_speed(radius: float, speed: float, viscous_time: float) -> None:
-    """Silica on a plane: Runge and Kutta's steps backwards from rest at the fold lead to the measured speed."""
+    """Silica on a plane: Runge–Kutta steps backwards in time, from rest at the fold, lead to the measured speed."""
     pair: dict[str, Any] = {"material": "quartz", "radius": radius, "radius2": math.inf}
     found = infer("viscous_time", measured={"sticking_speed": speed}, **pair)
     assert found == approx(viscous_time, rel=1e-6)
@@ -126,7 +126,7 @@ def test_viscous_time_of_a_measured_sticking_speed(radius: float, speed: float, 
 
 
 def test_viscous_time_that_a_public_code_was_fitted_with() -> None:
-    """By its comments, 31.6 ps for 105.869 cm/s at 0.76 µm: a power law from 0.6 µm, and no measurement."""
+    """By its comments, 31.6 ps for 105.869 cm/s at 0.76 µm: a power law for radii from 0.6 µm, not a measurement."""
     speed = 1.2 * (0.6 / 0.76) ** 0.53
     assert speed == approx(1.05869, abs=5e-6)
     pair: dict[str, Any] = {
@@ -154,7 +154,7 @@ def test_what_an_impact_says(run: Run) -> None:
 
 
 def test_peak_pressure_is_that_of_hertz_without_adhesion() -> None:
-    """p0 = (2E*/π)(15mv²/(16E*R³))^(1/5), where v is well above the sticking speed."""
+    """p0 = (2E*/π)(15mv²/(16E*R³))^(1/5) if v is well above the sticking speed."""
     speed, mass, modulus = 100.0, *solve(["reduced_mass", "contact_modulus"], **QUARTZ).values()
     hertz = 2 * modulus / math.pi * (15 * mass * speed**2 / (16 * modulus * 0.5e-6**3)) ** 0.2
     assert solve("impact_pressure", **QUARTZ, speed=speed) == approx(hertz, rel=1e-3)
@@ -191,7 +191,7 @@ def test_pressure_of_first_yield(poisson_ratio: float, times: float) -> None:
 
 
 def test_contact_that_yields_on_touching_has_no_yield_speed() -> None:
-    """The root of the formula below 5.08 P_c/(πa0²) is a state under tension, and no impact."""
+    """Below 5.08 P_c/(πa0²), the root of the formula is a state under tension, and no impact."""
     with pytest.raises(Failure, match=r"first_yield_pressure: 788.7 MPa is below 15.055 GPa, the pressure of adhesion"):
         solve("yield_speed", material="iron", radius=1e-7, yield_strength=5e8)
     speeds = solve("yield_speed", material="quartz", radius=1e-6, yield_strength=np.array([1e8, 3e9]))
@@ -219,14 +219,14 @@ def test_what_an_impact_says_of_yield(words: str, said: str, run: Run) -> None:
 
 @pytest.mark.parametrize("asperity", [0.2e-9, 1.5e-9, 5e-9])
 def test_rough_pull_off_by_the_pairwise_sum(asperity: float) -> None:
-    """A sphere on a plane, with a hemisphere of the solid between: van der Waals' force is the sum over the volumes."""
+    """A sphere on a plane, with a hemisphere of the solid between: van der Waals' force, summed over the volumes."""
     radius, gap = 1e-6, 1.65e-10
 
     def on_point(across: float, height: float) -> float:
         """Return the axial force of a sphere on the asperity on a point of the hemisphere, per Hamaker constant."""
         up = asperity + gap + radius - height
         distance = math.hypot(across, up)
-        field = 8 * radius**3 * distance / (distance**2 - radius**2) ** 4  # of the sphere, of 4π/3 R³/(d² − R²)³
+        field = 8 * radius**3 * distance / (distance**2 - radius**2) ** 4  # field of the sphere, 4π/3 R³/(d² − R²)³
         return field * up / distance * 2 * math.pi * across
 
     from scipy.integrate import dblquad

@@ -1,4 +1,4 @@
-"""Maugis' contact where test_accuracy.py does not judge it: its energy by quadrature, next to its ends, in 3-D."""
+"""Maugis' contact beyond the tests of test_accuracy.py: its energy by quadrature, near its ends, and in 3-D."""
 
 import math
 from typing import Any
@@ -14,7 +14,7 @@ from maugis_reference import Exact, mpf
 
 
 def state(transition: Any, edge_ratio: Any) -> dict[str, Any]:
-    """Return all of a contact, dimensionless."""
+    """Return all quantities of a contact, dimensionless."""
     at = dugdale.Shape(edge_ratio)
     span = dugdale.span(transition, at)
     approach = dugdale.approach(transition, at, span)
@@ -59,7 +59,7 @@ def test_constants() -> None:
 
 @pytest.mark.parametrize("radius", [1.0559497443981639e-06, 2e-7, 1e-6, 1e-5])
 def test_no_stiffness_at_the_fold_is_that_of_a_stable_contact(radius: float) -> None:
-    """Within rounding of the fold the slope has no limit, and no sign that doubles can tell."""
+    """Within rounding of the fold, the slope has neither a limit nor a sign that doubles can tell."""
     iron: dict[str, Any] = {"radius": radius, "atomic_spacing": 4e-10}
     fold = jkroll.solve("fold_approach_maugis", model="maugis", material="iron", **iron)
     near = fold + numpy.arange(-4, 40) * abs(math.ulp(fold))
@@ -69,7 +69,7 @@ def test_no_stiffness_at_the_fold_is_that_of_a_stable_contact(radius: float) -> 
 
 
 def test_states_a_few_ulp_from_pull_off_are_next_to_it() -> None:
-    """There the curve is level, and its slope as rounded may have either sign."""
+    """The curve is level there, and its rounded slope may have either sign."""
     transitions = numpy.geomspace(1e-4, 1e4, 2000)
     least = dugdale.pull_off_ratio(transitions)
     tension = -state(transitions, least)["load"]
@@ -92,7 +92,7 @@ def test_rolling_moment_of_a_three_dimensional_contact(transition: float, points
     ("tabor", "ratio"), [(0.03, 1.99468), (0.1, 1.96896), (0.5, 1.78748), (1.0, 1.67068), (2.0, 1.58349)]
 )
 def test_pull_off_of_lennard_jones(tabor: float, ratio: float) -> None:
-    """Numbers of tests/tools/lennard_jones.py."""
+    """The numbers are those of tests/tools/lennard_jones.py."""
     force = any_law.pull_off_force_lennard_jones(
         work_of_adhesion=1 / math.pi, reduced_radius=1.0, tabor_parameter=tabor
     )
@@ -104,7 +104,7 @@ def test_pull_off_of_lennard_jones(tabor: float, ratio: float) -> None:
     [(0.03, 2.90929, 0.34858), (0.1, 3.03744, 0.52705), (0.3, 3.50893, 1.15878), (0.7, 4.58361, 2.31711)],
 )
 def test_energies_of_lennard_jones(tabor: float, well: float, at_dead_load: float) -> None:
-    """Numbers of tests/tools/lennard_jones.py."""
+    """The numbers are those of tests/tools/lennard_jones.py."""
     scene = {"work_of_adhesion": 1 / math.pi, "reduced_radius": 1.0, "atomic_spacing": 1.0, "tabor_parameter": tabor}
     assert math.isclose(any_law.well_energy_lennard_jones(**scene), well, rel_tol=2e-3)
     assert math.isclose(any_law.dead_load_work_lennard_jones(**scene), at_dead_load, rel_tol=5e-3)
@@ -113,7 +113,7 @@ def test_energies_of_lennard_jones(tabor: float, well: float, at_dead_load: floa
 def test_energies_of_rigid_spheres_by_lennard_jones() -> None:
     """The sphere rests where the energy of two half-spaces, (8/3)(1/2H² - 1/8H⁸), is 0, and pulls most at H = 1."""
 
-    def to_infinity(gap: float) -> float:  # of that energy, twice, as a force is 2πR times it
+    def to_infinity(gap: float) -> float:  # the integral of that energy, twice, as a force is 2πR times the energy
         return 16 / 3 * (1 / (2 * gap) - 1 / (56 * gap**7))
 
     scene = {"work_of_adhesion": 1 / math.pi, "reduced_radius": 1.0, "atomic_spacing": 1.0, "tabor_parameter": 1e-9}

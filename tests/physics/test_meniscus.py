@@ -1,4 +1,4 @@
-"""The force of a meniscus of condensed water, against the exact shape: a nodoid, integrated here."""
+"""The force of a meniscus of condensed water, compared with the exact shape, a nodoid, which is integrated here."""
 
 import math
 
@@ -49,7 +49,7 @@ def nodoid(kelvin: float, contact_angle: float, *, is_pair: bool) -> tuple[float
 
 
 def by_first_order(ratio: float, contact_angle: float) -> tuple[float, float]:
-    """Return F/(4πRγ_L cosθ) of the program for r_K/R, and q."""
+    """Return F/(4πRγ_L cosθ) by the program for r_K/R, and q."""
     size = float(meniscus_size(kelvin_radius=ratio, reduced_radius=1.0, contact_angle=contact_angle))
     force = meniscus_force(reduced_radius=1.0, contact_angle=contact_angle, meniscus_size=size)
     return float(force) / (4 * math.pi * WATER_TENSION * math.cos(contact_angle)), size
@@ -76,7 +76,7 @@ def test_the_exact_meniscus_is_in_the_stated_range(degrees: float, is_pair: bool
 
 
 def test_the_exact_meniscus_has_the_published_forces() -> None:
-    """A plane and a like pair at half-filling angles of 0.02 to 0.4, by other integrals of the same shape."""
+    """A plane and an equal sphere, at half-filling angles of 0.02 to 0.4, by other integrals of the same shape."""
     from scipy.optimize import brentq
 
     for degrees, is_pair, forces in (
@@ -125,7 +125,7 @@ WET = {"material": "quartz", "radius": 1e-6, "radius2": math.inf}
 def test_a_small_meniscus_pulls_alike_at_every_humidity() -> None:
     forces = solve("meniscus_force", **{**WET, "radius": 1.0}, humidity=np.array([0.1, 0.5, 0.9]))
     assert forces == approx(4 * math.pi * WATER_TENSION, rel=1e-4)
-    assert solve("meniscus_force", radius=1e-6, humidity=0.5) == approx(  # a pair has half of it, but for q
+    assert solve("meniscus_force", radius=1e-6, humidity=0.5) == approx(  # two spheres have half of it, except for q
         solve("meniscus_force", radius=5e-7, radius2=math.inf, humidity=0.5), rel=1e-12
     )
 

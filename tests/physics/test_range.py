@@ -1,4 +1,4 @@
-"""Inputs at the ends of the range: a result is right to its last digits, or there is none; never a wrong number."""
+"""Inputs at the ends of the range: a result has all its digits, or there is none, but never a wrong number."""
 
 import math
 import sys
@@ -30,7 +30,7 @@ NAMES = [name for name in (*GIVEN, *OTHER) if not name.startswith("poisson")]
 @pytest.mark.parametrize("value", [1e-31, 1e31, 1e-300, 1e300, 5e-324])
 @pytest.mark.parametrize("name", [*NAMES, *ENERGIES, *STATES, "mass", "pull_off_force"])
 def test_a_number_beyond_the_range_is_refused(name: str, value: float) -> None:
-    """A load or an approach may be 0, and may be as near to it as it likes."""
+    """A load or an approach may be 0, or as close to it as it likes."""
     for given in (value, np.array([1.0, value]), np.full(40_000, value)):
         scene = {**GIVEN, name: given}
         if name in STATES and value < 1:
@@ -81,11 +81,11 @@ def test_an_element_that_leaves_the_doubles_leaves_the_others_alone() -> None:
 LARGEST = sys.float_info.max
 SIZES = [name for name in (*GIVEN, *OTHER, "atomic_spacing") if not name.startswith("poisson")]
 RESULTS = [name for name, one in NOMENCLATURE.items() if formula_of(name) is not None and not one.variant_of]
-BOUND_OF_LAW = {"jkr": BOUND, "maugis": 25.0}  # ulp, times 1 plus the condition in the state and in z0
+BOUND_OF_LAW = {"jkr": BOUND, "maugis": 25.0}  # in ulp, times 1 plus the condition with respect to the state and to z0
 
 
 def corner_scenes(low: float, high: float, count: int) -> Iterator[dict[str, float]]:
-    """Iterate over scenes in which some or all inputs have the least or the largest magnitude, or any in between."""
+    """Iterate over scenes in which some or all inputs have the smallest or the largest magnitude, or any in between."""
     random = Random(count)
     usual = {**GIVEN, **OTHER, "atomic_spacing": 4e-10}
 
@@ -93,7 +93,7 @@ def corner_scenes(low: float, high: float, count: int) -> Iterator[dict[str, flo
         return random.choice([low, high, low, high, 10 ** random.uniform(math.log10(low), math.log10(high))])
 
     for _ in range(count):
-        share = random.choice([0.1, 0.5, 1.0, 1.0])  # of the inputs that are at a corner
+        share = random.choice([0.1, 0.5, 1.0, 1.0])  # share of the inputs that are at a corner
         scene = {name: corner() if random.random() < share else usual[name] for name in SIZES}
         scene |= {"poisson_ratio": random.choice([0.0, 0.3, 0.5, -0.999]), "poisson_ratio2": 0.2, "rolling_angle": 1.5}
         if random.random() < 0.4:
@@ -109,14 +109,14 @@ def corner_scenes(low: float, high: float, count: int) -> Iterator[dict[str, flo
 
 
 class ExactScene:
-    """The exact values of all steps that lead to the results of a scene; None for a step that has none."""
+    """The exact values of all steps that lead to the results of a scene; None for a step without a value."""
 
     def __init__(self, given: Mapping[str, Any], plans: Mapping[str, Plan]) -> None:
-        """Evaluate plans from the values that they start from."""
+        """Evaluate plans from their starting values."""
         self.plans, steps = plans, _formulas_of(plans)
         self.given = {name: mpf(given[name]) for name in _inputs_of(plans)}
         self.values: dict[str, Exact | None] = dict(self.given)
-        self.in_doubles = set(self.given)  # those that doubles hold, with all on the way to them
+        self.in_doubles = set(self.given)  # values that doubles hold, with all values on the way
         for name, step in steps.items():
             known = {parameter: self.values[argument] for parameter, argument in step.arguments.items()}
             value = self.values[name] = None if None in known.values() else _exact_or_none(step.formula.__name__, known)
@@ -125,7 +125,7 @@ class ExactScene:
                 self.in_doubles |= {name} if self.in_doubles.issuperset(step.arguments.values()) else set()
 
     def is_right(self, name: str, value: Any, bound: float) -> bool:
-        """Return whether a number is the exact one; or, where there is no number, whether there is none in doubles."""
+        """Return whether a number is exact enough or, if there is none, whether doubles cannot hold it."""
         source = self.plans[name].name
         exact_value = self.values[source]
         if not isinstance(value, float) or math.isnan(value):
@@ -136,7 +136,7 @@ class ExactScene:
         return error <= bound or error <= bound * (1 + self.condition(source))
 
     def condition(self, name: str) -> float:
-        """Return how many times relative errors of the state and of the atomic spacing appear in a result."""
+        """Return the factor by which relative errors of the state and of the atomic spacing appear in a result."""
         value, step = self.values[name], mpf(10) ** -60
         states = [state for state in (*STATES, "atomic_spacing") if self.given.get(state)]
         moved = [ExactScene(self.given | {state: self.given[state] * (1 + step)}, self.plans) for state in states]
@@ -144,7 +144,7 @@ class ExactScene:
 
 
 def _exact_or_none(formula: str, given: dict[str, Exact]) -> Exact | None:
-    """Return the exact value of a formula; None where its equation has none."""
+    """Return the exact value of a formula; None if its equation has none."""
     try:
         value = exact(formula, given)
     except (ValueError, ZeroDivisionError):
@@ -162,7 +162,7 @@ def _exact_or_none(formula: str, given: dict[str, Exact]) -> Exact | None:
     ],
 )
 def test_scenes_at_the_corners_have_right_numbers(model: str, count: int) -> None:
-    """Every number is right, and there is one wherever doubles hold it and all on the way to it."""
+    """Every number is right, and there is a number wherever doubles hold it and all values on the way to it."""
     answered = 0
     for given in corner_scenes(LEAST, MOST, count):
         scene = Frame(given, model=model)
@@ -185,12 +185,12 @@ def _inputs_of(plans: Mapping[str, Plan]) -> set[str]:
 
 
 def _formulas_of(plans: Mapping[str, Plan]) -> dict[str, Plan]:
-    """Return the steps of plans that have a formula, by name, in an order in which they can be evaluated."""
+    """Return the steps of plans that have a formula, by name, in an order in which to evaluate them."""
     return {name: step for plan in plans.values() for name, step in plan.steps.items() if step.formula is not None}
 
 
 def _elements(given: Mapping[str, Any], plans: Mapping[str, Plan]) -> dict[str, float]:
-    """Return what the formulas of plans make of arrays."""
+    """Return the results of the formulas of plans for arrays."""
     values = {name: np.array([given[name]]) for name in _inputs_of(plans)}
     with np.errstate(all="ignore"):
         for name, step in _formulas_of(plans).items():
@@ -201,6 +201,6 @@ def _elements(given: Mapping[str, Any], plans: Mapping[str, Plan]) -> dict[str, 
 
 
 def _digits_for(numbers: dict[str, Any]) -> int:
-    """Return digits enough for what cancels in Maugis' equations: powers of λ, and of the edge ratio."""
+    """Return enough digits for the cancellation in Maugis' equations: powers of λ and of the edge ratio."""
     sizes = [value for name, value in numbers.items() if name in OF_MAUGIS and OF_MAUGIS[name].unit == "1"]
     return 120 + 6 * max([0, *(abs(int(math.log10(size))) for size in sizes if isinstance(size, float) and size > 0)])

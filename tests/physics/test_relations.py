@@ -1,4 +1,4 @@
-"""Relations between the formulas: limits, exchange of the spheres, dimensions; and what Python takes and gives."""
+"""Relations between the formulas: limits, exchange of the spheres, dimensions; and what Python accepts and returns."""
 
 import inspect
 import math
@@ -27,7 +27,7 @@ QUARTZ: dict[str, Any] = {"surface_energy": 0.025, "youngs_modulus": 54e9, "pois
 
 
 def close(value: float, other: float, ulps: float = 20) -> bool:
-    """Equal but for a few roundings."""
+    """Return whether numbers are equal but for a few roundings."""
     return abs(value - other) <= ulps * 2.2e-16 * max(abs(value), abs(other))
 
 
@@ -54,7 +54,7 @@ OF_SPHERE_1 = ["yield_force", "n_grav", "n_roll", "rolling_over_sliding"]
 
 
 def exchanged(scene: dict[str, Any]) -> dict[str, Any]:
-    """The scene with spheres 1 and 2 exchanged."""
+    """Return the scene with spheres 1 and 2 exchanged."""
     return {name.removesuffix("2") if name.endswith("2") else name + "2": value for name, value in scene.items()}
 
 
@@ -87,7 +87,7 @@ UREG: Any = pint.application_registry
 OF_A_STRIP = {name: formula for name, formula in vars(cylinder).items() if inspect.getmodule(formula) is cylinder}
 
 
-# Values of parameters that a formula takes in a part of their range alone.
+# Values of parameters that a formula accepts only in a part of their range.
 IN_DOMAIN = {
     "indenter_radius": {"radius2": INFINITY, "youngs_modulus": INFINITY, "poisson_ratio2": 0.5},
     "unloaded_artanh": {"elastoadhesive_ratio": 0.01, "artanh_at_pull_off": 0.324},
@@ -96,7 +96,7 @@ IN_DOMAIN = {
 
 @pytest.mark.parametrize("name", [*FORMULAS, *OF_A_STRIP])
 def test_dimensions(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A formula fed with pint Quantities gives one of the dimension that its annotation and the nomenclature say."""
+    """A formula of pint Quantities returns the dimension that its annotation and the nomenclature state."""
     for constant, of_unit in (("WATER_TENSION", "N/m"), ("KELVIN_LENGTH", "m")):
         monkeypatch.setattr(meniscus, constant, UREG.Quantity(vars(meniscus)[constant], of_unit))
     formula = {**PLAIN_FORMULAS, **OF_A_STRIP}[name]
@@ -120,7 +120,7 @@ def test_every_formula_is_documented_and_takes_its_parameters_by_name() -> None:
     for name, formula in FORMULAS.items():
         fields = docstring_fields(formula)
         assert all(fields.get(key) for key in ("summary", "formula")), fields
-        assert {"Always.", "Definition."}.isdisjoint(fields.values()), name  # a row that says nothing is left out
+        assert {"Always.", "Definition."}.isdisjoint(fields.values()), name  # a field that says nothing is left out
         parameters = inspect.signature(formula).parameters.values()
         assert all(parameter.kind is parameter.KEYWORD_ONLY for parameter in parameters), name
 

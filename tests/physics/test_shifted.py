@@ -1,4 +1,4 @@
-"""The shifted contact as it is drawn: each formula against what it must add up to."""
+"""The shifted contact as figures show it: each formula compared with an integral or a condition."""
 
 import math
 import re
@@ -42,7 +42,7 @@ def test_fig_2_is_two_half_circles_on_a_shifted_one() -> None:
 def test_fig_9_says_how_far_the_half_strips_are_off() -> None:
     drawn = figure_9(known_materials())
     remarks = plain(" ".join(drawn.remarks))
-    ratio = re.search(r"lower by (\d\.\d+)", remarks)
+    ratio = re.search(r"lower by a factor of (\d\.\d+)", remarks)
     assert ratio
     a = float(next(re.finditer(r"a = ([\d.]+) nm", remarks))[1]) * 1e-9
     assert float(ratio[1]) == approx(math.pi / 2 / (1 + (2e-10 / a) ** 2 / 3), abs=1e-3)

@@ -1,4 +1,4 @@
-"""A rigid sphere of true shape on a half-space: the dimensionless functions against 50 digits, and in their limits."""
+"""A rigid sphere of true shape on a half-space: the dimensionless functions against 50 digits, and their limits."""
 
 import math
 from collections.abc import Callable
@@ -18,7 +18,7 @@ digits.dps = 50
 mpf, pi, sqrt = digits.mpf, digits.pi, digits.sqrt
 Exact = Any  # an mpf; mpmath declares no types
 
-# δ_H/R, its two derivatives and P_H/(E*R²), of x = a/R, as the literature has them.
+# δ_H/R, its two derivatives and P_H/(E*R²) as functions of x = a/R, as in the literature.
 PROFILE: dict[Callable[..., Any], Callable[[Exact], Exact]] = {
     sneddon.artanh_of_contact: digits.atanh,
     sneddon.indentation: lambda x: x * digits.atanh(x),
@@ -38,13 +38,13 @@ def load(x: Exact, ratio: Exact) -> Exact:
 
 
 def held(x: Exact, ratio: Exact, machine: str) -> Exact:
-    """Return what a machine holds."""
+    """Return the quantity that a machine holds."""
     grips, dead_load = MACHINES[machine]
     return grips * approach(x, ratio) + dead_load * load(x, ratio)
 
 
 def contacts(count: int, seed: int) -> list[float]:
-    """Return a/R, small ones, any, next to where the series ends, and next to 1."""
+    """Return values of a/R: small, any, near the end of the series, and near 1."""
     random = Random(seed)
     ranges = ((1e-9, 1e-3), (1e-3, 0.9), (0.299, 0.301), (0.9, 1 - 1e-9))
     near = [1 - log_uniform(random, 1e-15, 1e-3) for _ in range(count)]
@@ -70,7 +70,7 @@ def test_load_and_approach_are_those_of_the_energy_release_rate() -> None:
 
 @pytest.mark.parametrize("machine", MACHINES)
 def test_last_state_is_the_extreme_of_what_the_machine_holds(machine: str) -> None:
-    """The least of gδ + cP over all contacts, by its derivative in 50 digits."""
+    """The least gδ + cP over all contacts, from its derivative in 50 digits."""
     random = Random(1971)
     for _ in range(20):
         ratio = log_uniform(random, 1e-12, 10)
@@ -137,16 +137,16 @@ def test_wide_contact_tends_to_the_radius_of_the_sphere() -> None:
     """Near a = R: with y = R − a, L = ½ ln(2R/y), δ_H = RL, δ_H′ = R/(2y), P_H = E*R²(2L − 1) to first order."""
     for y in (1e-6, 1e-9, 1e-12):
         artanh = sneddon.artanh_of_contact(1 - y, 1.0)
-        y = 1 - (1 - y)  # as it is rounded
+        y = 1 - (1 - y)  # the rounded value
         assert artanh == approx(math.log(2 / y) / 2, rel=y)
         assert sneddon.indentation(artanh) == approx(artanh, rel=2 * y)
         assert sneddon.hertz_load(artanh) == approx(2 * artanh - 1, rel=2 * y)
         assert sneddon.indentation_slope(artanh) == approx(0.5 / y, rel=40 * y)
-    for ratio in (1e9, 1e15):  # the contact never covers the sphere, and a stronger pull is lost nearer to its edge
+    for ratio in (1e9, 1e15):  # no contact covers the sphere; a stronger one is lost nearer to its edge
         assert sneddon.last_state(ratio, 0.0, 1.0) == approx(math.log(72 * math.pi * ratio) / 4, rel=1e-3)
 
 
-# The table of what a sphere has over its paraboloid: w/(E*R), a0/R, δ(P=0), P_pull, a_pull, δ_fold, P_fold.
+# The ratios of a sphere to its paraboloid, by column: w/(E*R), a0/R, δ(P=0), P_pull, a_pull, δ_fold, P_fold.
 OVER_PARABOLOID = (
     (1e-6, 0.02418, 0.99981, 0.99991, 0.99990, 0.99999, 0.99997),
     (1e-4, 0.11186, 0.9958, 0.99801, 0.9978, 0.99987, 0.9993),

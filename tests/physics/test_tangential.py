@@ -1,4 +1,4 @@
-"""Sliding, twisting and peeling: one strength for both thresholds; Griffith's criterion by differences of energies."""
+"""Sliding, twisting and peeling: one strength for both thresholds, and Griffith's criterion by energy differences."""
 
 import math
 from collections.abc import Callable
@@ -20,7 +20,7 @@ NEW = [
     "sliding_or_peeling_force", "rolling_over_sliding",
 ]  # fmt: skip
 
-OF_ANY_LAW = ("twisting_stiffness", "twisting_frequency")  # by the radius of its contact
+OF_ANY_LAW = ("twisting_stiffness", "twisting_frequency")  # they follow from the contact radius by any law
 
 
 # --- Stiffness of torsion, two ways -----------------------------------------------------------------------------------
@@ -28,7 +28,7 @@ OF_ANY_LAW = ("twisting_stiffness", "twisting_frequency")  # by the radius of it
 
 @pytest.mark.parametrize("radius2", [1e-7, 3e-7, math.inf])
 def test_twisting_frequency_is_an_eigenvalue(radius2: float) -> None:
-    """Of two spheres that turn about the line of centres with the spring k_t (θ1 − θ2)²/2; a plane is held."""
+    """Two spheres turn about the line of centres with the spring k_t (θ1 − θ2)²/2; a plane is held."""
     scene = {**PAIR, "radius2": radius2}
     names = ["twisting_stiffness", "moment_of_inertia", "moment_of_inertia2", "twisting_frequency"]
     stiffness, *inertia, frequency = solve(names, **scene).values()
@@ -43,10 +43,10 @@ def test_twisting_frequency_is_an_eigenvalue(radius2: float) -> None:
 
 
 def energy(a: Any, load: float, force: Any, scene: dict[str, float]) -> Any:
-    """Return the energy of a contact of radius a under dead loads: elastic, of the two loads, and of its surface.
+    """Return the energy of a contact of radius a under dead loads: elastic, of both loads, and of the surface.
 
-    The elastic energy of an approach δ is that of a sphere pressed by a flat punch's part more or less:
-    E*(δ²a − 2δa³/(3R) + a⁵/(5R²)); its derivative is the load. The tangential spring is 8G*a.
+    The elastic energy at an approach δ, that of a sphere plus or minus a flat punch, is E*(δ²a − 2δa³/(3R) + a⁵/(5R²));
+    its derivative is the load. The tangential spring is 8G*a.
     """
     radius, modulus, shear = scene["reduced_radius"], scene["contact_modulus"], scene["contact_shear_modulus"]
     approach = load / (2 * modulus * a) + a**2 / (3 * radius)
@@ -68,7 +68,7 @@ def force_at(a: Any, load: float, scene: dict[str, float]) -> Any:
 
 
 def largest(function: Callable[[Any], Any], low: float, high: float) -> tuple[float, float]:
-    """Return the place and the value of a maximum, by a parabola through the best of many points."""
+    """Return the position and the value of a maximum, by a parabola through the best of many points."""
     x = np.linspace(low, high, 4001)
     y = function(x)
     best = int(np.nanargmax(y))
@@ -87,7 +87,7 @@ def test_the_contact_peels_where_no_radius_is_an_equilibrium(scene: dict[str, An
     load = ratio * solve("pull_off_force", **scene)
     found = solve(names, load=load, **scene)
     a = found["contact_radius_at_load"]
-    with np.errstate(invalid="ignore"):  # no equilibrium at such a radius
+    with np.errstate(invalid="ignore"):  # without an equilibrium at such a radius
         at, force = largest(lambda radius: force_at(radius, load, found), 0.3 * a, a)
     assert math.isclose(force, found["peeling_force"], rel_tol=1e-7)
     assert math.isclose(at, found["peeling_radius"], rel_tol=1e-4)
@@ -96,7 +96,7 @@ def test_the_contact_peels_where_no_radius_is_an_equilibrium(scene: dict[str, An
 @pytest.mark.parametrize("radius", [1e-9, 1e-7, 1.7e-7])
 @pytest.mark.parametrize("ratio", [-0.5, 0.0, 1.0])
 def test_a_brittle_contact_slides_where_the_force_reaches_the_strength_of_its_area(radius: float, ratio: float) -> None:
-    """Where the equilibria of the energies cross πa²τ, by bisection in the radius."""
+    """The equilibria of the energies cross πa²τ there, by bisection in the radius."""
     scene: dict[str, Any] = {**QUARTZ, "radius": radius}
     scene["load"] = ratio * solve("pull_off_force", **scene)
     names = [

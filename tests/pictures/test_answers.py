@@ -64,7 +64,7 @@ def test_arrays_and_materials_made_by_hand() -> None:
         "P_c", material=[[solid], ["iron"]], material2="quartz", radius=numpy.geomspace(1e-8, 1e-6, 3)
     )
     assert answers["P_c"].tolist() == forces.reshape(-1).tolist()
-    many = jkroll.answer("P_c", material=SOLIDS, radius=numpy.geomspace(1e-8, 1e-6, 400))  # more than row by row
+    many = jkroll.answer("P_c", material=SOLIDS, radius=numpy.geomspace(1e-8, 1e-6, 400))  # too many for row by row
     assert many["P_c"].tolist() == [float(answer["P_c"]) for answer in many]
 
 

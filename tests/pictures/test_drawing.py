@@ -1,4 +1,4 @@
-"""Pictures in files: contours follow the formulas, labels cover nothing, and the same call gives the same bytes."""
+"""Pictures in files: contours follow the formulas, labels cover nothing, and a call always gives the same bytes."""
 
 import csv
 import itertools
@@ -47,7 +47,7 @@ POWERS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 _TEXT = re.compile(r"<text[^>]*>(.*?)</text>", re.DOTALL)
 
 
-# The figures of the paper, one of them in the fast run.
+# The figures of the paper; the fast run draws one of them.
 OF_EACH_KIND = [pytest.param(name, marks=pytest.mark.slow) if name != "8" else name for name in PAPER_MAPS]
 
 
@@ -57,7 +57,7 @@ def texts_of(svg: str) -> list[str]:
 
 
 def map_drawn(words: list[str]) -> tuple[Picture, Panel, Field]:
-    """Return the picture of a call of `map` with two axes, its panel and its field."""
+    """Return the picture of a map over two axes, with its panel and its field."""
     drawn, _ = picture_of(map_request(call_of(["map", *words])))
     return (drawn, *field_of(drawn))
 
@@ -77,7 +77,7 @@ def best_at(name: str, material: str, **given: float) -> Estimate:
 
 @cache
 def in_a_column(name: str, width: int = 85) -> tuple[Picture, Figure]:
-    """Return a figure of the paper, and its page at the width of a journal's column in mm; drawn once for all tests."""
+    """Return a figure of the paper, and its page at the width of a journal's column, drawn once for all tests."""
     drawn = paper_map(name, known_materials(), as_printed=True)
     with settings(PAPER):
         return drawn, figure_of(drawn, width / 25.4, PAPER, has_caption=True)
@@ -85,7 +85,7 @@ def in_a_column(name: str, width: int = 85) -> tuple[Picture, Figure]:
 
 @cache
 def map_in_a_column(*words: str) -> tuple[Picture, Figure]:
-    """Return the map of a user, and its page; drawn once for all tests."""
+    """Return a map of a user, and its page; drawn once for all tests."""
     drawn, *_ = map_drawn([*words])
     with settings(PAPER):
         return drawn, figure_of(drawn, 120 / 25.4, PAPER, has_caption=True)
@@ -103,9 +103,9 @@ def lines_of(page: Figure, name: str) -> list[Any]:
 
 
 def contours(field: Field, page: Figure) -> list[tuple[float, Any]]:
-    """Return the levels of a drawn map, and points on their lines in SI units, between the vertices too.
+    """Return the levels of a drawn map, with points in SI units on their lines, also between the vertices.
 
-    The lines are straight on the page, so that these are found in its pixels.
+    The lines are straight on the page, so the points are computed in its pixels.
     """
     (axes,) = page.axes
     found = []
@@ -157,7 +157,7 @@ def test_a_contour_of_a_users_map_is_its_formula(
 
 @pytest.mark.parametrize("kind", [pytest.param(kind, marks=pytest.mark.slow) for kind in ("svg", "pdf", "png")])
 def test_the_same_bytes_every_time(run: Run, tmp_path: Path, kind: str) -> None:
-    """Neither the process, nor the time, nor the user's matplotlib settings enter."""
+    """The bytes do not depend on the process, the time, or the user's settings of matplotlib."""
     words = ["figure", "3a", "--mark", "quartz@100nm", "-o"]
     assert run(*words, f"one.{kind}").code == 0
     (tmp_path / "matplotlibrc").write_text("font.size: 20\nlines.linewidth: 9\n", encoding="utf-8")
@@ -192,7 +192,7 @@ def test_a_file_says_what_drew_it(run: Run, tmp_path: Path, kind: str) -> None:
 
 
 def test_the_text_of_an_svg_is_text_in_a_font_of_its_own(run: Run, tmp_path: Path) -> None:
-    """Words are whole, the letters of each text stand in their order, and straight lines take few bytes."""
+    """Words are whole, the letters of each text are in order, and straight lines take few bytes."""
     run("figure 3a -o out.svg --quiet")
     svg = (tmp_path / "out.svg").read_text(encoding="utf-8")
     assert {"surface energy per surface, γ1", "100 mJ/m2", "10 mN", "graphite"} <= {*texts_of(svg)}
@@ -207,7 +207,7 @@ def test_the_text_of_an_svg_is_text_in_a_font_of_its_own(run: Run, tmp_path: Pat
     [("pull-off ice-warm", ()), ("yield-force quartz", ()), ("restitution quartz --speed 1m/s", ("speed",))],
 )
 def test_the_band_of_a_curve_is_the_best_range_of_each_answer(words: str, data: tuple[str, ...]) -> None:
-    """The rule is that of single answers, with the error bars of the material, and the word for it."""
+    """Its rule and its name are those of single answers, with the error bars of the material."""
     drawn, _ = picture_of(map_request(call_of(["map", *words.split(), "--x", "radius=10nm:10um:7"])))
     ((curve,),) = (panel.curves for panel in drawn.panels)
     assert curve.band is not None
@@ -223,7 +223,7 @@ def test_the_band_of_a_curve_is_the_best_range_of_each_answer(words: str, data: 
 
 
 def test_a_band_of_a_map_has_the_value_of_its_contour() -> None:
-    """At the ends of a band the best range ends at the value of the contour."""
+    """At an edge of a band, an end of the best range equals the value of the contour."""
     drawn, _, field = map_drawn("contact-radius-at-load quartz --x radius=50nm:1um --y load=0nN:50nN:lin".split())
     with settings(PAPER):
         page = figure_of(drawn, 85 / 25.4, PAPER, has_caption=True)
@@ -302,7 +302,7 @@ def test_a_caption_has_the_inputs_of_what_is_drawn(run: Run, tmp_path: Path, opt
     assert ("assumed: z0" in ran.err) is ("z0" in held)
     assert "(--xi)" not in ran.err
     shown = texts_of((tmp_path / "contact.svg").read_text(encoding="utf-8"))
-    moments = ("M: ", "Mhalf: ", "Mδ: ")  # their indices are texts of another size
+    moments = ("M: ", "Mhalf: ", "Mδ: ")  # indices of these labels are separate texts of another size
     if options in ("", "--panel force"):
         assert {"fold", "pull-off", "jump-in", "stable", "unstable", "fixed grips"} <= {*shown}
         assert all(any(moment in text for text in shown) for moment in moments) is (not options)
@@ -310,7 +310,7 @@ def test_a_caption_has_the_inputs_of_what_is_drawn(run: Run, tmp_path: Path, opt
 
 @pytest.mark.slow
 def test_a_hatch_belongs_to_one_limit_and_shows_beneath_any_other() -> None:
-    """No stroke of a hatch is also one of another limit, so that no two of them together look like a third."""
+    """A limit shares no stroke of its hatch with another limit, so no two hatches together look like a third."""
     hatch_of: dict[str, set[str]] = {}
     for name in ("3b", "8"):
         _, page = in_a_column(name)
@@ -323,7 +323,7 @@ def test_a_hatch_belongs_to_one_limit_and_shows_beneath_any_other() -> None:
             hatch_of.setdefault(" ".join(text.split()), set()).add(hatch)
     assert {len(hatches) for hatches in hatch_of.values()} == {1}
     of_law = [hatch_of.pop(f"JKR is off by more than {least}") for least in ("5 %", "a factor of 2")]
-    assert of_law == [{"||"}, {"||||||"}]  # denser where it is worse, by whole multiples
+    assert of_law == [{"||"}, {"||||||"}]  # the hatch is denser, by whole multiples, where the law is worse
     hatch_of["JKR"] = of_law[0]
     both = {"x": "/\\", "+": "-|"}
     strokes = [{stroke for sign in hatch for stroke in both.get(sign, sign)} for (hatch,) in hatch_of.values()]
@@ -392,7 +392,7 @@ def test_a_unit_stays_on_the_line_of_its_number(text: str, kept: str) -> None:
 
 
 def test_labels_without_a_unit_have_it_in_the_title() -> None:
-    """A mass takes no prefix, so that the numbers on the contours stand alone."""
+    """A mass takes no prefix, so the numbers on the contours have no unit."""
     drawn, _, field = map_drawn("mass --x radius=10cm:1m --y density=1g/cm3:10g/cm3".split())
     assert {*field.in_words(levels_of(field))[0]} >= {"10", "1000"}
     assert drawn.title.endswith("⟦m1⟧ [kg]")
@@ -400,7 +400,7 @@ def test_labels_without_a_unit_have_it_in_the_title() -> None:
 
 @pytest.mark.parametrize("model", ["jkr", pytest.param("maugis", marks=pytest.mark.slow)])
 def test_the_edge_of_a_gap_is_where_the_contact_breaks(model: str) -> None:
-    """The border of the part without a value, as drawn, is P = -P_c: no staircase of the points of a mesh."""
+    """The border of the part without a value, as drawn, is P = -P_c: it is no staircase along points of a mesh."""
     words = f"contact-radius-at-load quartz --x radius=10nm:1um --y load=-20nN:50nN:lin --model {model}"
     drawn, panel, field = map_drawn(words.split())
     (edge,) = lines_of(figure_of(drawn, 4.0, PAPER, has_caption=False), "edge")
@@ -429,7 +429,7 @@ def test_a_limit_that_holds_in_part_of_a_map_has_its_name_at_its_line() -> None:
 
 @pytest.mark.slow
 def test_regions_may_have_gaps(run: Run, tmp_path: Path) -> None:
-    """The margins of bounds have no value beyond the fold, as the quantity has none."""
+    """The margins of bounds, like the quantity, have no value beyond the fold."""
     run("map load_at_factor quartz --x radius=10nm:1um --y approach_at_load=-0.3nm:1nm:lin -o load.svg --quiet")
     shown = texts_of((tmp_path / "load.svg").read_text(encoding="utf-8"))
     assert any(text.startswith("no value") for text in shown)
@@ -448,7 +448,7 @@ def test_many_curves_have_a_legend_clear_of_the_caption() -> None:
 @pytest.mark.parametrize("name", OF_EACH_KIND)
 @pytest.mark.parametrize("width", [85, pytest.param(180, marks=pytest.mark.slow)])
 def test_each_contour_has_its_label_on_its_line_and_on_no_other(name: str, width: int) -> None:
-    """A label is horizontal and within the frame, on a patch that hides what runs beneath it."""
+    """A label is horizontal and within the frame, on a patch that hides everything beneath it."""
     drawn, page = in_a_column(name, width)
     (axes,) = page.axes
     _, field = field_of(drawn)
@@ -456,14 +456,14 @@ def test_each_contour_has_its_label_on_its_line_and_on_no_other(name: str, width
     labels = [text for text in axes.texts if text.get_text() in {*map(typeset, shown)}]
     boxes = [text.get_window_extent() for text in labels]
     assert {text.get_rotation() for text in labels} == {0.0}
-    frame = axes.get_window_extent().padded(-3 * page.dpi / 72)  # where its ticks are
+    frame = axes.get_window_extent().padded(-3 * page.dpi / 72)  # the ticks are outside of it
     assert all(frame.count_contains(box.corners()) == 4 for box in boxes)
     assert not any(one.overlaps(other) for one, other in itertools.combinations(boxes, 2))
     paths = [
         [MplPath(axes.transData.transform(line)) for line in lines_of(page, f"contour-{position}")]
         for position in range(len(shown))
     ]
-    assert len(labels) >= len(shown) - 2  # contours may lie in the ticks of the lower and the upper edge
+    assert len(labels) >= len(shown) - 2  # contours may run into the ticks of the lower and the upper edge
     for text, box in zip(labels, boxes, strict=True):
         crossing = [
             label for label, own in zip(shown, paths, strict=True) if any(path.intersects_bbox(box) for path in own)
@@ -513,7 +513,7 @@ def test_letters_and_their_subscripts_have_six_points(name: str) -> None:
 
 @pytest.mark.parametrize("name", ["8", pytest.param("6b", marks=pytest.mark.slow)])
 def test_no_letter_stands_outside_of_a_narrow_page(name: str) -> None:
-    """Everything lies within the page at a journal's column width."""
+    """Everything lies within the page at the width of a journal's column."""
     _, page = in_a_column(name)
     page.draw_without_rendering()
     box = page.get_tightbbox()
@@ -530,7 +530,7 @@ def test_as_many_curves_as_there_may_be_differ() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("width", [85, 180])
 def test_a_page_of_curves_has_short_legends_and_titles_that_stay_together(width: int) -> None:
-    """No legend is half as high as its panel, no line of an axis' title ends with a comma, texts keep off the frame."""
+    """No legend is half as high as its panel, no line of an axis title ends with a comma, and texts avoid the frame."""
     picture = contact_of_quartz()
     with settings(PAPER):
         page = figure_of(picture, width / 25.4, PAPER, has_caption=True)
@@ -546,7 +546,7 @@ def test_a_page_of_curves_has_short_legends_and_titles_that_stay_together(width:
 
 
 def test_a_colour_has_one_meaning_over_the_panels_of_a_contact() -> None:
-    """The contact without load is on the stable branch, and at pull-off it comes to the fixed grips."""
+    """The contact without load is on the stable branch; at pull-off it is on the branch of fixed grips."""
     picture = contact_of_quartz()
     force, pressure, moment = ({curve.text: curve.colour for curve in panel.curves} for panel in picture.panels)
     assert pressure == {"⟦P = 0⟧": force["stable"], "pull-off": force["fixed grips"]}
@@ -554,7 +554,7 @@ def test_a_colour_has_one_meaning_over_the_panels_of_a_contact() -> None:
 
 
 def test_a_law_has_one_colour_over_the_panels_of_a_contact() -> None:
-    """The pressure, which JKR alone has, is no panel to compare laws by."""
+    """JKR alone has the pressure, so its panel cannot compare laws."""
     scenes = [Frame({"radius": 1e-7}, known_materials()["quartz"], model=model) for model in ("maugis", "jkr")]
     picture, notes = curves_of_contact(scenes, None, None)
     force, moment = ({curve.text: curve.colour for curve in panel.curves} for panel in picture.panels)
@@ -599,7 +599,7 @@ def test_the_force_curve_of_one_law_has_its_branches_and_states(
 
 @pytest.mark.parametrize("loads", ["-5nN:10nN", "-5nN:-4.99nN", "1nN:1.001nN"])
 def test_curves_of_several_laws_end_at_the_loads_and_have_no_chords(loads: str) -> None:
-    """There is no curve where the force is beyond the loads: between the unstable branch and the stable one."""
+    """Between the unstable and the stable branch the force is beyond the loads, and no curve is drawn there."""
     low, high = loads_of(loads)
     scenes = [Frame({"radius": 1e-7}, known_materials()["quartz"], model=model) for model in ("jkr", "maugis")]
     drawn, _ = curves_of_contact(scenes, Loads(low, high), "force")
@@ -647,7 +647,7 @@ def test_the_pull_off_force_by_law_tends_to_its_limits(run: Run, tmp_path: Path)
 @pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])
 @pytest.mark.parametrize(("first", "last"), [("1nN", "2nN"), ("0nN", "5nN"), ("-1nN", "1nN"), ("-1uN", "1uN")])
 def test_rows_of_a_curve_fill_its_loads(run: Run, model: str, first: str, last: str) -> None:
-    """The stable branch has as many rows in any range, from its first load, or from pull-off, to its last."""
+    """The stable branch has as many rows in any range, from its first load (or pull-off) to its last."""
     ran = run(f"contact quartz 100nm --curve --model {model} --load={first}:{last} --csv")
     rows = [*csv.DictReader(ran.out.splitlines())]
     ends = [max(parse_quantity(first, "load"), -solve("pull_off_force", material="quartz", radius=1e-7, model=model))]
@@ -718,7 +718,7 @@ def test_a_picture_that_cannot_be_written_leaves_the_old_one(
 
 
 def test_the_absence_of_the_extra_is_one_line(tmp_path: Path) -> None:
-    """Without matplotlib the terminal's picture is drawn; a file is refused before anything is computed."""
+    """Without matplotlib, the terminal shows its picture; a file is refused before anything is computed."""
     code = (
         "import sys; sys.modules['matplotlib'] = None; from jkroll.cli.process import main; "
         "sys.exit(main(['figure', '3a', *sys.argv[1:]]))"
@@ -736,7 +736,7 @@ def test_the_absence_of_the_extra_is_one_line(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_a_million_points_take_less_than_importing_matplotlib() -> None:
-    """Compare CPU times, each in a process of its own, in turns."""
+    """It compares CPU times, each of its own process, in turns."""
     words = ["contact-radius-at-load", "quartz", "--x", "radius=10nm:1mm:1000", "--y", "load=0nN:1uN:1000:lin"]
     ways = {
         "map": f"from jkroll.cli.process import main; main({['map', *words]!r})",
@@ -756,7 +756,7 @@ def test_a_million_points_take_less_than_importing_matplotlib() -> None:
 
 README = Path(__file__).parents[2] / "README.md"
 KEPT = Path(__file__).parents[1] / "data"
-PAGE = Path(__file__).parents[2] / "src/jkroll/guide/pictures.md"  # has the command of the README's picture
+PAGE = Path(__file__).parents[2] / "src/jkroll/guide/pictures.md"  # it contains the command of the README's picture
 SHOWN = re.findall(r"^jkroll (.*) -o (contact\.svg)(.*)$", PAGE.read_text(encoding="utf-8"), re.MULTILINE)
 _NUMBER = re.compile(r"-?\d+\.?\d*")
 
@@ -795,7 +795,7 @@ if __name__ == "__main__":
 
 @pytest.mark.slow
 def test_texts_of_marks_keep_apart() -> None:
-    """From each other, from contours' and within the frame; where another dot is nearer, a line leads to its own."""
+    """From each other, from contours and from the frame; a line leads to the dot if another dot is nearer."""
     marks = "quartz@100nm,silica-dry@100nm,iron@1um,gold@10nm,graphite@10um,ice-warm@1um,polystyrene@1um"
     names = re.findall(r"[^,]+, \d+ .m", re.sub(r"@(\d+)(.)m", r", \1 \2m", marks).replace("um", "µm"))
     drawn, panel, _ = map_drawn(f"pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 --mark {marks}".split())

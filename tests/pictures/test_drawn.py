@@ -1,4 +1,4 @@
-"""`jkroll.curve` and `jkroll.figure`: the numbers of the commands' pictures, and pictures on axes of a user."""
+"""`jkroll.curve` and `jkroll.figure`: the numbers of the commands' pictures, and pictures on axes of the user."""
 
 import csv
 from pathlib import Path
@@ -53,7 +53,7 @@ def test_loads_of_a_curve_have_their_approaches(model: str) -> None:
     approaches, loads = drawn.lines["stable"]
     assert [loads.min(), loads.max()] == approx([-5e-9, 20e-9], rel=1e-12)
     found = jkroll.solve("approach_at_load", material="quartz", radius=1e-7, model=model, load=loads[1:-1])
-    assert found.tolist() == approx(approaches[1:-1].tolist(), rel=1e-9)  # ends are interpolated
+    assert found.tolist() == approx(approaches[1:-1].tolist(), rel=1e-9)  # the ends are interpolated
 
 
 def test_several_laws_are_a_line_each_with_gaps_between_branches() -> None:

@@ -1,4 +1,4 @@
-"""Maps and curves as data and in a terminal: they follow the formulas, and show what the paper reads off them."""
+"""Maps and curves as data and in a terminal: they follow the formulas, and show what the paper reads from them."""
 
 import csv
 import io
@@ -72,14 +72,14 @@ def test_fig_3b_the_forces_cross_at_0_8_nm_within_the_map() -> None:
     crossing = solve("yield_force_ratio", radius=0.8e-9)
     assert crossing == approx(1, rel=1e-12)
     assert panel_of("3b").y.low < 0.8e-9
-    assert "0.8 nm; the text has 1 nm" in paper("3b").remarks[-1]
+    assert "0.8 nm; the paper has 1 nm" in paper("3b").remarks[-1]
 
 
 def test_fig_8_what_does_not_roll_at_10_nm_and_what_turns_at_100_nm() -> None:
     def turns(ratio: float, radius: float) -> float:
         return float(solve("n_roll", contact_modulus=ratio, surface_energy=1.0, radius=radius))
 
-    # Eq (48) has 2πn⟨M⟩ = (2/7)W0, and W_yield = ⟨M⟩ξ/R: they are equal where 2πRn = ξ.
+    # Eq (48) gives 2πn⟨M⟩ = (2/7)W0, and W_yield = ⟨M⟩ξ/R: they are equal at 2πRn = ξ.
     assert 2 * math.pi * 5e-9 * turns(9.2e11, 1e-8) == approx(2e-10, rel=0.03)
     assert turns(1.5e9, 1e-7) == approx(1, rel=0.03)
     drawn, field = panel_of("8"), field_of("8")
@@ -93,13 +93,13 @@ def test_fig_8_what_does_not_roll_at_10_nm_and_what_turns_at_100_nm() -> None:
 
 
 def apart(quantity: str, given: dict[str, Any]) -> Any:
-    """Return the factor between JKR and Maugis' law, by the reading in which they are farthest apart."""
+    """Return the factor between JKR and Maugis' law, by the comparison in which they are farthest apart."""
     own = solve(quantity, **given)
     between = {**given, "model": "maugis", "atomic_spacing": 4e-10}
     ratios = [solve(quantity, **between) / own]
     if quantity in ("yield_force", "r_min", "n_grav", "n_roll"):
         displacement = 2e-10
-        for name in ("adhesive_force", "zone_radius"):  # M/c is the same
+        for name in ("adhesive_force", "zone_radius"):  # at the same M/c
             change = solve(name, **given) / solve(name, **between)
             displacement = displacement * (change if name == "adhesive_force" else 1 / change)
         ratios.append(solve(quantity, **between, yield_displacement=displacement) / own)
@@ -142,7 +142,7 @@ def test_a_table_has_rounded_values_or_those_that_were_asked(axis: Axis, most: i
 
 
 def test_the_axis_of_a_flat_curve_does_not_enlarge_rounding_errors(run: Run) -> None:
-    """Q does not depend on R1: its values differ by rounding alone."""
+    """Q does not depend on R1: its values differ only by rounding."""
     forces = evaluate(Frame({}, known_materials()["quartz"]), "yield_force", Axis("radius", 1e-8, 1e-6, size=1001))
     assert is_flat(forces)
     axis = axis_around("yield_force", [forces], may_be_log=True)
@@ -221,7 +221,7 @@ def test_curves_are_rows_of_their_values(run: Run) -> None:
         assert value == approx(solve("pull_off_force", material=name, radius=radii[text]), rel=1e-3)
 
 
-KEY = re.compile(r"^([x/|^'—]) (\S.*)$", re.MULTILINE)  # a sign and what it stands for, below a map
+KEY = re.compile(r"^([x/|^'—]) (\S.*)$", re.MULTILINE)  # a sign and its meaning, below a map
 OVERLAPPING = ["figure 3a", "figure 8", "map moment quartz --x xi=0.01nm:1nm --y radius=1nm:1um"]
 
 
@@ -237,7 +237,7 @@ def test_a_sign_stands_for_one_limit_on_every_map(run: Run) -> None:
 
 
 def test_the_key_names_what_is_on_the_map(run: Run) -> None:
-    """Grains with a below 3 z0 do not hold 5 nN: they are not on the map."""
+    """Grains with a below 3 z0 do not hold 5 nN, so they are not on the map."""
     line = "map contact-radius-at-load quartz --x radius=10nm:1um --y load=-50nN:{}:lin --quiet"
     beyond, within = (run(line.format(load)).out for load in ("-5nN", "5nN"))
     assert "no value: beyond pull-off" in [text for _, text in KEY.findall(beyond)]
@@ -275,7 +275,7 @@ def test_the_numbers_go_where_no_value_is(run: Run, tmp_path: Path) -> None:
 
 
 def test_the_numbers_are_as_many_as_were_asked(run: Run) -> None:
-    """Contours and limits need fewer points than are written."""
+    """Contours and limits need fewer points than the output has."""
     out = run("map r_min --x radius=1nm:1um:300 --y xi=1angstrom:1nm:3 --data -").out
     rows = [tuple(map(float, row.values())) for row in csv.DictReader(io.StringIO(out))]
     assert len({*rows}) == 900
@@ -308,7 +308,7 @@ def test_a_material_that_lacks_a_property_leaves_the_others(run: Run) -> None:
 
 
 def test_where_a_curve_is_doubtful_is_said(run: Run) -> None:
-    """The radius up to which the law is inexact is that of single answers."""
+    """The radius up to which the law is inexact agrees with single answers."""
     said = run("map contact_radius quartz --x radius=10nm:1mm").out
     radius = re.search(r"JKR is off by more than 5 % \(quartz, R1 = 10 nm to (\d+) (nm|µm)\)", said)
     assert radius is not None, said
@@ -317,12 +317,12 @@ def test_where_a_curve_is_doubtful_is_said(run: Run) -> None:
 
 
 def test_where_a_law_is_farthest_off_has_a_value(run: Run) -> None:
-    """By the law that holds, from half the atomic spacing on, as a note on that pair has it."""
+    """The value is by the law that holds, from half the atomic spacing on, as in the note on such a pair."""
     out = " ".join(run("map contact_radius quartz --x radius=10nm:50nm").out.split())
     given: dict[str, Any] = {"material": "quartz", "radius": 1e-8, "model": "maugis"}
     ends = sorted(solve("contact_radius", **given, atomic_spacing=spacing) * 1e12 for spacing in (2e-10, 4e-10))
     own = solve("contact_radius", material="quartz", radius=1e-8) * 1e12
-    found = re.search(r"off at R1 = 10 nm: a0 = (\d+)–(\d+) pm by Maugis' law, (\d+) pm here\.", out)
+    found = re.search(r"off at R1 = 10 nm: a0 = (\d+)–(\d+) pm by Maugis' law, (\d+) pm by JKR\.", out)
     assert found is not None, out
     assert [*map(float, found.groups())] == approx([*ends, own], rel=0.05)
     assert "farthest" not in run("map contact_radius quartz --x radius=10nm:50nm --model jkr,maugis").out
@@ -338,7 +338,7 @@ def test_a_doubt_of_a_whole_curve_has_no_range(run: Run) -> None:
 
 
 def test_the_stretches_of_a_doubt_have_the_gap_between_them(run: Run) -> None:
-    """JKR's approach at pull-off crosses Maugis': between the stretches in which it is off, it is not."""
+    """JKR's approach at pull-off crosses Maugis': it is not off between the stretches in which it is."""
     out = " ".join(run("map approach_at_pull_off quartz --x radius=1nm:1mm").out.split())
     said = re.search(r"than 5 % \(quartz, R1 = 1 nm to (\d+) (nm|µm), (\d+) (nm|µm) to (\d+) (nm|µm)\)", out)
     assert said is not None, out
@@ -354,12 +354,12 @@ def test_the_stretches_of_a_doubt_have_the_gap_between_them(run: Run) -> None:
 def test_a_curve_is_doubtful_only_where_it_is(run: Run) -> None:
     """Grains with a below 3 z0 do not hold 5 nN."""
     assert "a/z0" not in run("map contact-radius-at-load quartz --x radius=10nm:1um --load=-5nN").out
-    for count, radii in (("", "10 nm to 16 nm"), (":3", "10 nm")):  # one value is no range
+    for count, radii in (("", "10 nm to 16 nm"), (":3", "10 nm")):  # a single value is written without a range
         assert f"3 atoms (quartz, R1 = {radii})" in run(f"map contact-radius quartz --x R1=10nm:1um{count}").out
 
 
 def test_a_material_that_is_left_out_is_named_in_the_caption(run: Run) -> None:
-    """One that has no Young's modulus, or another surface energy than the axis has."""
+    """The material has no Young's modulus, or another surface energy than the axis."""
     assert run("figure 8").out.count("\nNot shown: gold.\n") == 1
     out = run("map pull-off --x gamma=1mJ/m2:1J/m2 --y radius=1nm:1um").out
     assert "\nNot shown: iron.\n" in out
@@ -367,7 +367,7 @@ def test_a_material_that_is_left_out_is_named_in_the_caption(run: Run) -> None:
 
 
 def test_a_curve_without_values_is_not_drawn_and_gaps_have_their_reason(run: Run) -> None:
-    """The atomic spacing decides whether small, hard spheres stick by Maugis' law."""
+    """By Maugis' law, the atomic spacing decides whether small, hard spheres stick."""
     curves = " ".join(run("map v_stick silica-dry --x radius=10nm:10um --model jkr,maugis").out.split())
     assert "No value where it depends on z0; give --z0 4angstrom." in curves
     small = run("map v_stick quartz --x radius=1nm:2nm --model jkr,maugis").err
@@ -382,7 +382,7 @@ def test_a_curve_without_values_is_not_drawn_and_gaps_have_their_reason(run: Run
 
 
 def test_a_marked_grain_of_another_material_says_its_own_value(run: Run) -> None:
-    """The map holds the surface energy and Poisson's ratio of quartz."""
+    """The fixed inputs of the map are the surface energy and Poisson's ratio of quartz."""
     words = "map contact_radius quartz --x radius=10nm:10um --y young=1GPa:1TPa --mark iron@100nm,quartz@1um"
     own = run("contact iron 100nm --bare --quiet --quantities contact_radius").out
     said = " ".join(run(words).out.split())
@@ -395,7 +395,7 @@ def test_a_marked_grain_of_another_material_says_its_own_value(run: Run) -> None
 
 
 def test_an_axis_may_be_the_word_of_an_option(run: Run) -> None:
-    """Whose approach is δ at the load: among results it is δ0."""
+    """The approach of the option is δ at the load; among results, it is δ0."""
     words = "quartz 100nm --data - --x"
     by_name = run(f"map load {words} approach_at_load=-0.05nm:1nm:5").out
     assert run(f"map load {words} approach=-0.05nm:1nm:5").out == by_name
@@ -524,7 +524,7 @@ def test_curves_of_several_laws_have_no_equation_of_one(run: Run) -> None:
     ("width", "marks"), [("80", "quartz@100nm,quartz@120nm,quartz@130nm"), ("40", "silica-humid@100nm")]
 )
 def test_every_mark_is_on_the_screen(run: Run, monkeypatch: pytest.MonkeyPatch, width: str, marks: str) -> None:
-    """Curves have a row for it, and a map the value there."""
+    """Curves show it as a row, and a map as the value there."""
     monkeypatch.setenv("COLUMNS", width)
     curves = run(f"map pull-off quartz --x radius=10nm:1um --mark {marks}", terminal=True).out
     of_map = run(f"map pull-off quartz --x radius=10nm:1um --y gamma=1mJ/m2:1J/m2 --mark {marks}", terminal=True).out
@@ -545,7 +545,7 @@ def test_every_mark_is_on_the_screen(run: Run, monkeypatch: pytest.MonkeyPatch, 
     ],
 )
 def test_a_caption_has_every_doubt_of_the_rows(run: Run, words: str, axis: str) -> None:
-    """Those that have no region or line on a map too; `--plain` leaves all of them out."""
+    """This holds for doubts without a region or line on a map, too; `--plain` leaves all of them out."""
     quantity, *scene = words.split()
     name, ends = axis.split("=")
     option = f"--{name} {ends}:41" if name != "radius" else f"{ends}:41"
@@ -583,7 +583,7 @@ def test_limits_that_are_not_judged_are_reported(run: Run, words: str) -> None:
 
 
 def test_a_limit_of_another_number_than_its_name_says_what_follows_alone(run: Run) -> None:
-    """Roughness is judged by the smaller sphere, here the second one."""
+    """Roughness is judged by the smaller sphere, which is the second one here."""
     out = run("map pull-off quartz 10um --x radius2=100nm:1mm").out
     assert re.search(
         r"Rough spheres of hard solids had 1/2 to 1/100 of this \(quartz, R2 = \S+ µm to 1 mm\)", " ".join(out.split())

@@ -43,7 +43,7 @@ def main() -> None:
             else:
                 shutil.copy(path, CORPUS / target)
         return
-    values.unit_of("nautical_mile", "radius")  # pint starts, which is no input's fault
+    values.unit_of("nautical_mile", "radius")  # starts pint now, so that no input is blamed for the time
     with tempfile.TemporaryDirectory() as directory:
         seeds = Path(directory, "seeds")
         seeds.mkdir()

@@ -1,13 +1,13 @@
-"""Make the tables of an elastic sphere that attracts by the 3-9 law, and hold the program's fits against them.
+"""Make the tables of an elastic sphere that attracts by the 3-9 law, and compare them with the program's fits.
 
     python tests/tools/lennard_jones.py [μ ...]          # the pull-off force
     python tests/tools/lennard_jones.py energies [μ ...] # the work to part, and that up to pull-off under a dead load
     python tests/tools/lennard_jones.py curve > tests/data/force_curve.csv
 
-The last makes a force curve as it is measured, with noise and an unknown zero of the approach.
+The last command makes a force curve as an instrument measures it, with noise and an unknown zero of the approach.
 
 The gap is h/z0 = H = ρ²/2 − D + μ^(3/2) u(ρ), with ρ = r/√(Rz0) and a traction (8/3)(H^-3 − H^-9) w/z0 on an elastic
-half-space. Traction is constant on rings, whose displacement is the difference of that of two discs (elliptic
+half-space. Traction is constant on rings; the displacement by a ring is the difference of those by two discs (elliptic
 integrals). Newton's method follows the curve by the gap at the centre, through the turning points of D; a parabola
 through the three largest tensions gives the pull-off force. The far traction is added in closed form. Above μ = 2 the
 gap at the centre no longer falls along the whole curve, so that the table ends there.
@@ -26,7 +26,7 @@ TABLE = {
     0.5: 1.78748, 0.7: 1.72892, 1.0: 1.67068, 1.5: 1.61486, 2.0: 1.58349,
 }  # fmt: skip
 # The energies over πwRz0: the depth of the well, and the work from rest to the largest tension. Below μ = 0.698 the
-# approach moves one way along the whole curve, and the first is the work to part at fixed grips.
+# approach changes in one direction along the whole curve, and the depth is the work to part at fixed grips.
 ENERGIES = {
     0.01: (2.88567, 0.31633), 0.03: (2.90929, 0.34858), 0.05: (2.94093, 0.39226), 0.1: (3.03744, 0.52705),
     0.136: (3.11533, 0.63610), 0.2: (3.26324, 0.83963), 0.3: (3.50893, 1.15878), 0.5: (4.03202, 1.75904),
@@ -49,7 +49,7 @@ def disc(r: Any, radius: Any) -> Any:
 
 
 def states(tabor: float, rings: int, gaps: Iterable[float]) -> Iterator[tuple[float, float]]:
-    """Iterate over the approach over z0 and the tension over πwR at gaps at the centre, the first of them at rest."""
+    """Iterate over states, as approach over z0 and tension over πwR, at gaps at the centre; the first is at rest."""
     if tabor > 2:
         raise ValueError("the curve cannot be followed by the gap at the centre above μ = 2")
     scale = max(1.0, tabor**0.5)
@@ -142,7 +142,7 @@ def force_curve(rings: int = 300) -> Iterator[tuple[float, float]]:
 
 
 def main() -> None:
-    """Print a row for each μ: the pull-off force by two numbers of rings, extrapolated, in the table, by the fit."""
+    """Print a row for each μ: the pull-off force for two numbers of rings, extrapolated, tabled, and by the fit."""
     if sys.argv[1:] == ["curve"]:
         print("approach [m],force [N]")
         for approach, force in force_curve():

@@ -1,9 +1,9 @@
-"""Measurements next to the values of this program: data, and the table in `jkroll guide validation`.
+"""Measurements and the values of this program: the data, and the table in `jkroll guide validation`.
 
     python tests/tools/measurements.py
 
-writes the table into the page anew. A row has only what was read in the source itself or in a text that cites it, and
-says which. What was not stated there, such as the shape of the other body, is said in the remark.
+renews the table in the page. A row has only numbers that were read in the source itself or in a text that cites it, and
+states which. The remark names what was not stated there, such as the shape of the other body.
 """
 
 from collections.abc import Iterator, Mapping
@@ -18,12 +18,12 @@ from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.values import value_of
 
 PAGE = Path(__file__).parents[2] / "src" / "jkroll" / "guide" / "validation.md"
-HEAD = "| row | solids | R1 | what | measured | computed | ratio |\n|---|---|---|---|---|---|---|\n"
+HEAD = "| row | solids | R1 | quantity | measured | computed | ratio |\n|---|---|---|---|---|---|---|\n"
 END = "\n*abstract*:"  # the paragraph below the table and its origins
 
-_OF_RATIOS = "yield_force_ratio"  # a quantity without a unit, as which ratios are read and printed
+_OF_RATIOS = "yield_force_ratio"  # a quantity without a unit, to read and print ratios
 _ROUNDED = Format(digits=3)
-_SAID = (  # of the inputs of a scene
+_SAID = (  # the inputs of a scene that the table states
     "radius", "radius2", "surface_energy", "surface_energy2", "yield_displacement", "humidity", "contact_angle"
 )  # fmt: skip
 
@@ -39,12 +39,12 @@ class Measurement(NamedTuple):
     source: str
     read: str  # "abstract": the authors' own; "second hand": in a text that cites them
     remark: str
-    beside: str = ""  # another radius: measured and computed are the value at `radius` over the value there
-    material2: str = ""  # of the other body, if it has one of its own
+    beside: str = ""  # another radius: the numbers are then ratios, of the value at `radius` to the value there
+    material2: str = ""  # the material of the other body, if it differs
 
 
 class Compared(NamedTuple):
-    """A measurement with both of its numbers."""
+    """A measurement with the measured and the computed number."""
 
     row: Measurement
     measured: float
@@ -63,17 +63,17 @@ _HEIM = "Heim, Blum, Preuss & Butt 1999, PRL 83, 3328"
 _GUNDLACH = "Gundlach et al. 2011, Icarus 214, 717"
 _SUMER = "Sümer & Sitti, Rolling and spinning friction characterization of fine particles"
 _MOUTINHO = "Quoted by Moutinho et al."
-_XI = "ξ: 2 Å is the paper's, and F_roll = 6πγξ whatever the radius"
-_GROWS = "ξ grows with the sphere; that of the source may come from a force or from a displacement"
+_XI = "ξ: 2 Å is the value of the paper, and F_roll = 6πγξ at any radius"
+_GROWS = "ξ grows with the sphere; the source may have it from a force or from a displacement"
 _MICHALSKE = "Michalske & Fuller 1985, J. Am. Ceram. Soc. 68, 586"
 _TIPS = "J. Phys. D: Appl. Phys. 7, 1243 (1974)"
-_DUST_SIMULATION = "Comments in Lumajord/DustSimulation, which was fitted to it"
+_DUST_SIMULATION = "Comments in Lumajord/DustSimulation, which was fitted to this value"
 _LACTOSE = "Newell et al. 2001, Pharm. Res. 18, 662"
 _OF_TIPS = (
-    "Tips in a microbalance, pull-off by JKR; the radii are not in the abstract, the work is per area of the contact"
+    "Tips in a microbalance, pull-off by JKR; the abstract does not give the radii, and the work is per contact area"
 )
-_BY_GAS = "Gas chromatography, the dispersive part, beside the pull-off by AFM that γ of the material is from"
-_SMOOTH = "γ: the theory of the source itself is within tens of per cent"
+_BY_GAS = "Measured by gas chromatography, dispersive part; γ of the material is from pull-off by AFM"
+_SMOOTH = "γ: the theory of the source itself agrees within tens of per cent"
 
 MEASUREMENTS = (
     Measurement(
@@ -86,20 +86,22 @@ MEASUREMENTS = (
     ),
     Measurement(
         "SiO2", "yield_force", "1.21±0.36 nN", "quartz", {"radius": "0.95 um"},
-        _GUNDLACH, "abstract", _XI + "; the radius is not in the abstract, 0.95 µm is taken",
+        _GUNDLACH, "abstract", _XI + "; the abstract does not give the radius, and 0.95 µm is assumed",
     ),
     Measurement(
         "SiO2", "yield_force_ratio", "0.01", "quartz", {"radius": "1 um"},
-        _HEIM, "abstract", "ξ: about 1/100 for radii of 0.5 to 2.5 µm means that ξ goes as the radius; 1 µm is taken",
+        _HEIM, "abstract",
+        "ξ: about 1/100 at radii of 0.5 to 2.5 µm means that ξ is proportional to the radius; 1 µm is assumed",
     ),
     Measurement(
         "water ice", "yield_force", "11.48±2.38 nN", "ice-warm", {"radius": "1.45 um"},
-        _GUNDLACH, "abstract", "ξ; no second witness, as γ of ice-warm was itself scaled with this force, from that of "
-            "SiO2",
+        _GUNDLACH, "abstract",
+        "ξ; this is no independent test, as γ of ice-warm was itself scaled with this force, from γ of SiO2",
     ),
     Measurement(
         "SiO2", "break_energy_dust_simulation", "1.3e-15 J", "quartz", {"radius": "0.95 um"},
-        _BLUM, "abstract", "γ: dry silica has about ten times the γ of quartz here, and the energy goes as γ^(5/3)",
+        _BLUM, "abstract",
+        "γ: dry silica has about ten times the γ of quartz, and the energy is proportional to γ^(5/3)",
     ),
     *(
         Measurement(
@@ -111,25 +113,25 @@ MEASUREMENTS = (
     Measurement(
         "water ice, 175–200 K", "yield_displacement", "0.19 mm", "ice-cold", {"radius": "1.1 mm"},
         "Musiolik & Wurm 2019, arXiv:1902.08503", "abstract",
-        "ξ grows with the sphere; whether 1.1 mm is the radius or the diameter is not said",
+        "ξ grows with the sphere; the abstract does not say whether 1.1 mm is the radius or the diameter",
     ),
     Measurement(
         "polystyrene on glass", "shear_strength", "9 to 15 MPa", "polystyrene-glassy", {"radius": "10 um", **_PLANE},
-        _SUMER, "abstract", "G/4π² is an order of magnitude; that of the softer solid counts",
+        _SUMER, "abstract", "G/4π² is an order of magnitude; G is that of the softer solid",
     ),
     Measurement(
         "water ice, below 210 K", "sticking_speed", "9.6 m/s", "ice-warm", {"radius": "1 um", **_PLANE},
         "Gundlach & Blum 2015, ApJ 798, 34", "abstract",
-        "Losses that are not elastic, or γ; the grains are µm-sized and hit grown ice, 1 µm and a plane are taken",
+        "Losses other than adhesion, or γ; the grains are µm-sized and hit grown ice: 1 µm and a plane are assumed",
     ),
     *(
         Measurement(
             "silica", "sticking_speed", measured, "quartz", {"radius": radius, **_PLANE}, source, "second hand",
             "Plastic asperities (Paszun & Dominik 2008), or γ of dry silica, ten times larger (Kimura et al. 2015); a "
-                "plane is taken, and the sizes are radii presumably",
+                "plane is assumed, and the sizes are presumably radii",
         )
         for radius, measured, source in (
-            ("0.6 um", "1.2 m/s", _DUST_SIMULATION + "; its 105.869 cm/s for 0.76 µm is no measurement, but the power "
+            ("0.6 um", "1.2 m/s", _DUST_SIMULATION + "; its 105.869 cm/s at 0.76 µm is not measured: it is the power "
                 "law 1.2 m/s·(0.6/0.76)^0.53"),
             ("0.25 um", "1.90 m/s", _DUST_SIMULATION),
         )
@@ -137,37 +139,36 @@ MEASUREMENTS = (
     Measurement(
         "silver on aluminium", "sticking_speed", "636", "iron", {"radius": "10 nm", **_PLANE},
         "Arffman et al. 2015, J. Aerosol Sci. 86, 32", "abstract",
-        "14 m/s at 20 nm over 0.022 m/s at 1 µm, diameters presumably: the speed goes as R^−1.6, by an elastic contact "
-            "of any "
-        "solids as R^(−5/6); plastic loss",
+        "14 m/s at 20 nm over 0.022 m/s at 1 µm, presumably diameters: the speed is proportional to R^−1.6, and by an "
+            "elastic contact of any solids to R^(−5/6); plastic loss",
         beside="500 nm",
     ),
     Measurement(
         "polystyrene on polyurethane", "contact_radius", "1.68±0.06", "polystyrene-glassy",
         {"radius": "6 um", **_PLANE},
         "J. Appl. Phys. 1989, doi 10.1063/1.344087", "abstract",
-        "For twice the radius: a goes as R^(0.75 ± 0.05), by JKR and DMT of any solids as R^(2/3)",
+        "At twice the radius: a is proportional to R^(0.75 ± 0.05), and by JKR and DMT to R^(2/3) for any solids",
         beside="3 um",
     ),
     Measurement(
         "vitreous silica, closing cracks", "work_of_adhesion", "0.15 J/m2", "silica-humid", {},
         _MICHALSKE, "abstract",
-        "γ: freshly cracked glass at any humidity closes with twice the surface tension of water; silica-humid is "
-            "a convention of simulations",
+        "γ: freshly cracked glass closes with twice the surface tension of water at any humidity; silica-humid is a "
+            "convention of simulations",
     ),
     Measurement(
         "vitreous silica, closing cracks", "work_of_adhesion", "0.15 J/m2", "silica-dry", {},
-        _MICHALSKE, "abstract", "γ of silica-dry is of dry dust, from the strength of aggregates",
+        _MICHALSKE, "abstract", "γ of silica-dry is that of dry dust, from the strength of aggregates",
     ),
     Measurement(
         "soda-lime glass, closing cracks", "work_of_adhesion", "0.15 J/m2", "glass-soda-lime-air", {},
-        _MICHALSKE, "abstract", "No second witness: γ of the material is the half of this",
+        _MICHALSKE, "abstract", "No independent test: γ of the material is half of this",
     ),
     Measurement(
         "mica on mica, dry", "pull_off_force", "12 to 16 mN", "mica", {"radius": "1 cm", **_PLANE},
         "Christenson 1993, J. Phys. Chem. 97, 12034", "abstract",
-        "No second witness: γ of mica is from this, but cleavage of sheets agrees with it; 1.2 to 1.6 N/m, for crossed "
-            "cylinders, which are a sphere on a plane, of any radius",
+        "No independent test: γ of mica is from this, but cleavage of sheets agrees with it; the source has 1.2 to "
+            "1.6 N/m for crossed cylinders of any radius, which are equivalent to a sphere on a plane",
     ),
     *(
         Measurement(solids, "surface_energy", measured, material, {}, _LACTOSE, "abstract", _BY_GAS)
@@ -178,7 +179,7 @@ MEASUREMENTS = (
     ),
     Measurement(
         "fused quartz on steel", "work_of_adhesion", "42±3 mJ/m2", "quartz", {}, _TIPS, "abstract",
-        f"{_OF_TIPS}; oxide and adsorbed water, not the metal, decide", material2="iron",
+        f"{_OF_TIPS}; oxide and adsorbed water decide, not the metal", material2="iron",
     ),
     Measurement(
         "fused quartz on steel", "work_of_adhesion", "42±3 mJ/m2", "quartz", {}, _TIPS, "abstract",
@@ -191,7 +192,7 @@ MEASUREMENTS = (
     *(
         Measurement(
             solids, "pull_off_force", measured, "quartz", {"radius": radius, **_PLANE},
-            _MOUTINHO, "second hand", f"{cause}; the sizes are diameters presumably",
+            _MOUTINHO, "second hand", f"{cause}; the sizes are presumably diameters",
         )
         for solids, radius, measured, cause in (
             ("SiO2 on smooth glass, dry", "2.5 um", "314 nN", _SMOOTH),
@@ -200,7 +201,7 @@ MEASUREMENTS = (
             ("SiO2, rms roughness 22 nm", "10 um", "120 nN", "Roughness"),
             ("SiO2, rms roughness 321 nm", "10 um", "20 to 60 nN", "Roughness"),
             ("SiO2, 67 % humidity", "10 um", "1.2 to 1.9 uN", (
-                "Water between the bodies: dry, it was half, so that the ratio is near 1 by "
+                "Water between the bodies: the dry force was half as large, and the ratio is near 1 by "
                 "chance"
             )),
         )
@@ -208,18 +209,18 @@ MEASUREMENTS = (
     Measurement(
         "SiO2, 67 % humidity", "meniscus_force", "1.2 to 1.9 uN", "quartz",
         {"radius": "10 um", "humidity": "67%", **_PLANE}, _MOUTINHO, "second hand",
-        "Roughness, presumably: the form is of smooth bodies that touch; the sizes are diameters presumably",
+        "Roughness, presumably: the formula is for smooth bodies that touch; the sizes are presumably diameters",
     ),
 )  # fmt: skip
 
 
 def comparisons() -> list[Compared]:
-    """Return all measurements with both of their numbers, those that disagree most first."""
+    """Return all measurements with their measured and computed numbers, the largest disagreement first."""
     return sorted((_compared(row) for row in MEASUREMENTS), key=lambda each: -abs(log(each.ratio)))
 
 
 def measurements_table() -> str:
-    """Return the measurements as a table in Markdown, and below it the origin of each row."""
+    """Return the measurements as a table in Markdown, with the origin of each row below it."""
     rows, origins = [], []
     for place, each in enumerate(comparisons(), 1):
         row = each.row
@@ -265,7 +266,7 @@ def _scene(row: Measurement, given: Mapping[str, str]) -> Frame:
 
 
 def _inputs_of(scene: Frame, row: Measurement) -> Iterator[str]:
-    """Iterate over the inputs that are said: the materials, the radii, γ and ξ where they enter."""
+    """Iterate over the inputs that the table states: the materials, the radii, and γ and ξ where they enter."""
     for name, value in scene.echo({*row.given, row.quantity, *scene.inputs_of(row.quantity)}).items():
         if name in ("material", "material2"):
             yield value

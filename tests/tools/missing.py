@@ -1,8 +1,8 @@
-"""Name what a new quantity, input or format of tables lacks: the file, and what to write there.
+"""Name what is missing for a new quantity, input or format of tables: the file, and what to write there.
 
     python tests/tools/missing.py contact_circumference
 
-The tests ask for the same, one after the other. Exits with 1 if something is missing.
+The tests require the same, one after the other. Exits with 1 if something is missing.
 """
 
 import os
@@ -43,9 +43,9 @@ TESTS = Path(__file__).resolve().parents[1]
 PAGES = [TESTS.parent / "README.md", *sorted((TESTS.parent / "src/jkroll/guide").glob("*.md"))]
 CONTRIBUTING = TESTS.parent / ".github/CONTRIBUTING.md"
 NOMENCLATURE_FILE, REFERENCE = "src/jkroll/quantities/nomenclature.py", "tests/reference.py"
-HELP_LINES = 31  # of the help of a command, for a screen, besides lines that only list further options
+HELP_LINES = 31  # most lines of a command's help, not counting lines that only list further options
 OPTIONS_ALONE = re.compile(r" +(--[\w-]+(, |,|$))+")
-SCENES = 8  # that are drawn
+SCENES = 8  # scenes that are drawn
 IN_SOME_SCENES = {"load", "approach_at_load", "energy", "speed", "energy_ratio", "radius2"}  # one of several inputs
 
 
@@ -57,7 +57,7 @@ class Lack(NamedTuple):
 
 
 def missing(name: str) -> list[Lack]:
-    """Return what a quantity, an input or a format of tables lacks, in the order in which it is written."""
+    """Return what is missing for a quantity, an input or a format of tables, in the order in which to write it."""
     if name in FORMATS:
         return [*_of_format(name)]
     formula = FORMULAS.get(name)
@@ -94,7 +94,7 @@ def _of_row(name: str) -> Iterator[Lack]:
 
 
 def _is_of_derivation(name: str) -> bool:
-    """Return whether a formula is a step of the derivation, which the page on Python lists, and no quantity."""
+    """Return whether a formula is a step of a derivation, which the page on Python lists, rather than a quantity."""
     return f"`{name}`" in (TESTS.parent / "src/jkroll/guide/python.md").read_text(encoding="utf-8")
 
 
@@ -141,7 +141,7 @@ def _of_input(name: str) -> Iterator[Lack]:
 
 
 def _is_in_formulas(name: str) -> bool:
-    """Return whether a formula takes an input, besides those of other laws, whose tests draw all values."""
+    """Return whether a formula takes an input. Those of other laws do not count: their tests draw all values."""
     takers = [formula for formula in FORMULAS.values() if name in parameters_of(formula)]
     return any(_reference_of(formula.__module__) == REFERENCE for formula in takers)
 
@@ -159,14 +159,14 @@ def help_of(command: str) -> str:
 
 
 def is_too_long(text: str) -> bool:
-    """Return whether a help has more lines than fit, without those that list further options alone."""
+    """Return whether a help has too many lines, not counting those that only list further options."""
     return len([line for line in text.splitlines() if not OPTIONS_ALONE.fullmatch(line)]) > HELP_LINES
 
 
 def tables_read_as(name: str) -> list[str]:
-    """Return the repositories of found tables with a column that is read as an input, where the test does not say so.
+    """Return the repositories of found tables in which a column is read as an input, but the test does not say so.
 
-    An input that is converted to another, as a shear modulus, is not read where that is given.
+    An input that is converted to another, such as a shear modulus, is not read where the other is given.
     """
     if name in CONVERTED:
         return []
@@ -191,7 +191,7 @@ def found_tables() -> list[tuple[str, dict[str, Any]]]:
 
 
 def _of_formula(name: str) -> Iterator[Lack]:
-    """Iterate over what a formula, and the result that it gives, lack."""
+    """Iterate over what a formula and its result lack."""
     formula = FORMULAS[name]
     file = f"src/{formula.__module__.replace('.', '/')}.py"
     if not _is_documented(formula):
@@ -226,22 +226,22 @@ def _is_documented(formula: Any) -> bool:
 
 
 def _reference_of(module: str) -> str:
-    """Return the file in which the equations of the formulas of a module stand."""
+    """Return the file with the reference equations for the formulas of a module."""
     laws = {FORMULAS[each].__module__ for each in law_reference.EQUATIONS if each in FORMULAS}
     return "tests/law_reference.py" if module in laws else REFERENCE
 
 
 def stub_lacks(name: str) -> bool:
-    """Return whether the stub of the formulas has no line, or an old one, of a formula."""
+    """Return whether the stub of the formulas lacks the line of a formula, or has an outdated one."""
     path, text = next((path, text) for path, text in stubs().items() if path.stem == "formulas")
     line = next(line for line in text.splitlines() if line.endswith(f" as {name}"))
     return line not in path.read_text(encoding="utf-8").splitlines()
 
 
 def _of_values(name: str) -> Iterator[Lack]:
-    """Iterate over what the tests of a formula's accuracy lack: scenes that lead to it, or its accuracy.
+    """Iterate over what the tests of a formula's accuracy lack: scenes that lead to the formula, or its accuracy.
 
-    The formulas of other laws have scenes of their own, in which more is drawn than here.
+    The formulas of other laws have their own scenes, in which more is drawn than here.
     """
     if name in law_reference.EQUATIONS:
         return
@@ -281,7 +281,7 @@ def _error_in(name: str, values: reference.Values) -> float | None:
 
 
 def pages_to_renew(name: str) -> list[Path]:
-    """Return the pages whose transcripts of the questions that show a quantity are not as the program prints them."""
+    """Return the pages with outdated transcripts of the questions that show a quantity."""
     questions = _questions_with(name)
     with tempfile.TemporaryDirectory() as folder, chdir(folder), mock.patch.dict(os.environ, TERMINAL):
         return [page for page in PAGES if any(map(_is_old, _blocks(page, questions)))]
@@ -292,7 +292,7 @@ def _questions_with(name: str) -> list[str]:
 
 
 def _blocks(page: Path, questions: list[str]) -> Iterator[str]:
-    """Iterate over the transcripts of a page, one for each command, that show all rows of one of some questions."""
+    """Iterate over the transcripts of a page, one for each command, that show all rows of a given question."""
     for block in transcripts(page.read_text(encoding="utf-8")):
         for part in block.split("$ ")[1:]:
             words = part.splitlines()[0].split()
@@ -308,7 +308,7 @@ def _is_old(block: str) -> bool:
 
 
 def _of_format(name: str) -> Iterator[Lack]:
-    """Iterate over what a format of tables lacks, given the end of its files' names."""
+    """Iterate over what a format of tables lacks, given the suffix of its files."""
     form = FORMATS[name]
     if form not in help_of("batch"):
         yield Lack("src/jkroll/cli/options.py", f"{form} in the help of --format")
@@ -319,7 +319,7 @@ def _of_format(name: str) -> Iterator[Lack]:
 
 
 def main() -> int:
-    """Print what the names of the command line lack; return 1 if something does."""
+    """Print what is missing for the names on the command line; return 1 if anything is."""
     if len(sys.argv) < 2:
         sys.exit(__doc__)
     lacks = [lack for name in sys.argv[1:] for lack in missing(name)]

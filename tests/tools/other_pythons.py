@@ -2,8 +2,8 @@
 
     python tests/tools/other_pythons.py
 
-Further CPythons are those of other versions than the one that runs this, on PATH and in ~/.pyenv/versions. Each gets an
-environment of its own outside of the checkout. Prints which ran, and ends with 1 at the first that fails.
+Further CPythons have another version than the one that runs this script; they are on PATH or in ~/.pyenv/versions. Each
+gets its own environment outside of the checkout. Prints the versions that ran, and ends with 1 at the first failure.
 """
 
 import os
@@ -35,7 +35,7 @@ def lowest_requirements() -> list[str]:
 
 
 def pythons() -> dict[Version, str]:
-    """Return the CPythons that work and are permitted, by version: this one, else the first that is found."""
+    """Return the CPythons that work and are permitted, by version: this one, or the first that is found."""
     found: dict[Version, str] = {sys.version_info[:2]: sys.executable}
     folders = [*map(Path, os.get_exec_path()), *sorted(Path.home().glob(".pyenv/versions/*/bin"))]
     for path in [path for folder in folders for path in sorted(folder.glob("python3*"))]:
@@ -55,7 +55,7 @@ def environment(python: str, folder: str, *requirements: str) -> str:
 
 
 def main() -> int:
-    """Run all of it; return 1 if something fails."""
+    """Run the tests and the command lines; return 1 if something fails."""
     found = pythons()
     lowest = lowest_requirements()
     try:

@@ -6,11 +6,11 @@
     python tests/tools/run_command_lines.py outputs [COUNT]
 
 `random` checks the invariants of generated lines: see `check_call` of tests/invariants.py. `check` runs the corpus, or
-so many lines spread over it, and checks that each ends with the code that stands beside it, without a traceback, and
-that what `--json` prints is JSON. `compare` runs the corpus in two checkouts, a process each, and prints what differs
-in exit codes, streams and files that are written; the second is this one unless named. Each ends with 1 if a line is
-wrong or differs. `outputs` writes tests/corpus/outputs.txt anew, to be read before it is committed: the outputs of the
-lines that it has, or of about so many spread over the corpus.
+COUNT lines spread over it, and checks that each line ends with its exit code and without a traceback, and that `--json`
+prints JSON. `compare` runs the corpus in two checkouts, each in its own process, and prints the differences in exit
+codes, streams and written files; the second checkout is this one unless it is named. Each of them ends with 1 if a line
+is wrong or differs. `outputs` renews tests/corpus/outputs.txt for the lines in it, or for about COUNT lines spread
+over the corpus; read it before you commit it.
 """
 
 import os
@@ -111,7 +111,7 @@ def _recording(checkout: Path, path: Path) -> "subprocess.Popen[bytes]":
 
 
 def _differences(before: Outcome, after: Outcome) -> Iterator[str]:
-    """Iterate over lines that say in what two outcomes differ."""
+    """Iterate over lines that describe the differences of two outcomes."""
     if before.code != after.code:
         yield f"exit code {before.code}, now {after.code}"
     yield from _texts("stdout", before.out, after.out)

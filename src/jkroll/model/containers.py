@@ -94,7 +94,8 @@ class Reader:
 
     def _of_array(self, name: str, value: Any) -> Any:
         """Return the floats of a number or a container of numbers, with the unit of the array if it has one."""
-        if (unit := unit_stated(value)) is not None and hasattr(value, "attrs"):
+        unit = unit_stated(value)
+        if unit is not None and hasattr(value, "attrs"):
             return self._of_stated_unit(name, value, text_of_unit(unit))
         _refuse_unit(name, value)
         if hasattr(value, "dtype") and hasattr(value, "dims"):  # a Dataset of xarray has no dtype, and is refused
@@ -115,12 +116,12 @@ class Reader:
         self.quantity = registry.Quantity
         magnitude = quantity.magnitude
         if not hasattr(magnitude, "std_dev"):
-            magnitude = self.number(name, magnitude)  # 16 bits cannot hold 1e-7
+            magnitude = self.number(name, magnitude)  # floats of 16 bits cannot hold 1e-7
         try:
             if not quantity.is_compatible_with(unit):
                 raise QuantityError(name, str(quantity), "is of another dimension", f"give a value in {unit}")
             return registry.Quantity(magnitude, quantity.units).m_as(unit)
-        except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:  # those of pint
+        except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:  # raised by pint
             raise QuantityError(name, str(quantity), f"has a unit that cannot be converted: {error}") from None
 
     def _unit_of(self, name: str) -> str:
@@ -155,11 +156,11 @@ class Reader:
     def _measured(self, name: str, number: Any) -> Measured:
         """Return a number of the package uncertainties. Raises BadRequest if it is correlated with another input."""
         for variable, part in getattr(number, "error_components", dict)().items():
-            if part and (owner := self._owners.setdefault(variable, name)) != name:
-                remedy = (
-                    "write uncertainties.wrap(lambda x: jkroll.solve(...))(x), with x for the value that they share"
-                )
-                raise BadRequest(f"{owner} and {name} are correlated, and inputs must be independent; {remedy}")
+            owner = self._owners.setdefault(variable, name) if part else name
+            if owner != name:
+                problem = f"{owner} and {name} are correlated, and inputs must be independent"
+                remedy = "write uncertainties.wrap(lambda x: jkroll.solve(...))(x)"
+                raise BadRequest(f"{problem}; {remedy}, with x for the value that they share")
         return Measured(number.nominal_value, number.std_dev)
 
     def compare_labels(self, name: str, value: Any) -> None:

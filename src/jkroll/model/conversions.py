@@ -30,7 +30,8 @@ def converted(given: Mapping[str, Any], of_solids: Mapping[str, Any], *, own_mat
         modulus, name = of_sphere(sphere, _SHEAR), of_sphere(sphere, "poisson_ratio")
         if name not in known and not own_material2:
             name = "poisson_ratio"
-        if modulus in given and (ratio := known.get(name)) is not None:
+        ratio = known.get(name)
+        if modulus in given and ratio is not None:
             if is_uncertain(ratio) and (name in given or is_uncertain(given[modulus])):
                 young, poisson = NOMENCLATURE[CONVERTED[modulus]].option, NOMENCLATURE[name].option
                 remedy = f"give {young} with its error bar, or {poisson} without one"

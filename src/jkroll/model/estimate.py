@@ -1,7 +1,7 @@
 """The best range of each result, and the rule that gives it.
 
-A result has the value by the law in use. A law that holds better here, forces measured on the same solid, or a lack of
-measurements widen it to a range. In each row, the first rule that applies decides.
+A result has the value by the law in use. A law that holds better for the contact, forces measured on the same solid, or
+a lack of measurements widen it to a range. In each row, the first rule that applies decides.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
@@ -53,12 +53,12 @@ _LAWS_THEMSELVES = (
 _OF_WATER = ("meniscus_force", "kelvin_radius", "threshold_humidity")
 _STICKING = {"sticking_speed": 1, "sticking_energy": 2}  # powers of the speed
 _LOSING = ("restitution", "lost_energy")
-# Measured quantities that any loss in a collision moves one way, and inputs that move them the same way as they grow.
+# Any loss in a collision moves these measured quantities in one direction, and so do these inputs as they grow.
 _LOSSES = frozenset({"restitution", "sticking_speed"})
 _LOSE = ("surface_energy", "work_of_adhesion", "hamaker", "viscous_time")
 _AS_PULL_OFF = ("pull_off_force", "bond_number")  # in proportion to the pull-off force
-_BREAKING = ("disruption_energy", "disruption_speed")  # by fits to simulations, with the work to part two spheres
-# Results by Lennard-Jones' law: each is a power of a quantity, which that law gives under another name.
+_BREAKING = ("disruption_energy", "disruption_speed")  # from fits to simulations and the work to part two spheres
+# By result: the power with which it depends on a base quantity, the base, and the same base by Lennard-Jones' law.
 _BY_LENNARD_JONES = {
     **dict.fromkeys(_AS_PULL_OFF, (1.0, "pull_off_force", "pull_off_force_lennard_jones")),
     "well_energy": (1.0, "well_energy", "well_energy_lennard_jones"),
@@ -85,27 +85,27 @@ class Estimate(NamedTuple):
     by: Any
 
 
-Ends = tuple[Any, Any]  # nan where there is none
+Ends = tuple[Any, Any]  # the lower and the upper end, nan where there is none
 Rule = tuple[Any, Any, Any, int]  # the rows to which it applies, the two ends there, its number
 
 
 def _first(rules: Iterable[Rule]) -> Estimate:
     """Return the range by the first rule that applies, row by row; the last rule applies to all rows."""
     *others, (_, low, high, by) = rules
-    found = Estimate(low, high, by)
-    for applies, *rule in reversed(others):
-        found = Estimate(*(where(applies, new, old) for new, old in zip(rule, found, strict=True)))
-    return found
+    first = Estimate(low, high, by)
+    for applies, low, high, by in reversed(others):
+        first = Estimate(where(applies, low, first.low), where(applies, high, first.high), where(applies, by, first.by))
+    return first
 
 
 def estimates(results: Results, names: Iterable[str]) -> dict[str, Estimate]:
-    """Return the estimates of those results that have a number in some row, with or without a meaning."""
+    """Return the estimates of results, by name; results without a number in any row are left out."""
     ranges = Ranges(results)
     return {name: ranges.estimate(name) for name in names if name in ranges.names}
 
 
 class Ranges:
-    """The ranges of results by laws and measurements; each is computed once."""
+    """The ranges of results by laws and measurements, each computed once."""
 
     def __init__(self, results: Results) -> None:
         self.results, self.frame = results, results.frame
@@ -115,7 +115,7 @@ class Ranges:
     def estimate(self, name: str) -> Estimate:
         """Return the estimate of a result that has a number in some row.
 
-        It is NONE where neither end has a meaning, and where the contact is wider than the smaller sphere.
+        Its rule is NONE where neither end has a meaning, and where the contact is wider than the smaller sphere.
         """
         low, high, by = _first(self._rules(name))
         has_end = (low <= inf) | (high <= inf)  # false for nan
@@ -125,7 +125,7 @@ class Ranges:
         return Estimate(where(has_none, nan, low), where(has_none, nan, high), where(has_none, NONE, by))
 
     def _rules(self, name: str) -> Iterator[Rule]:
-        """Iterate over the rules that may apply to a result, each with its range; the last one applies to all rows."""
+        """Iterate over the rules that may apply to a result, with their ranges; the last one applies to all rows."""
         own, is_rolling = self.hull(name, _itself), bool(rolling([name]))
         if name in _LAWS_THEMSELVES:
             yield True, nan, nan, NONE
@@ -159,12 +159,12 @@ class Ranges:
         return is_computed and other.formulas_to(name) == self.frame.formulas_to(name)
 
     def _is_from_losses(self, name: str) -> bool:
-        """Return whether an inferred value ascribes all losses of a collision to its own cause."""
+        """Return whether an inferred input is held to cause all losses of a collision."""
         is_unknown = name in _LOSE and name in self.results.described.unknowns
         return is_unknown and not _LOSSES.isdisjoint(self.results.judged)
 
     def _of_one_law(self, name: str, own: Ends, rule: int) -> Iterator[Rule]:
-        """Iterate over the rules where the law is no question: it decides, except for an assumed atomic spacing."""
+        """Iterate over the rules for a result of one law only: it decides, unless the atomic spacing is assumed."""
         if self.frame.assumes_spacing:
             low, high = self.hull(name, _itself, at_half_spacing)
             is_wider = (own[0] - low > _SAME * abs(own[0])) | (high - own[1] > _SAME * abs(own[1]))
@@ -182,20 +182,21 @@ class Ranges:
             return
         columns = [law(self.results.described).column(name) for law in _BETTER]
         yield columns[0].reasons != 0, *own, LAW_ONLY
-        better, of_both = self.by_better_law(name), self.hull(name, _itself, *_BETTER)
+        low, high = self.by_better_law(name)
+        low_of_all, high_of_all = self.hull(name, _itself, *_BETTER)
         theirs = [column.or_else(0.0) for column in columns]
         if name in _BY_LENNARD_JONES:
             value, most = self._by_lennard_jones(name)
             theirs.append(value)
-            better, of_both = ((low, at_least(high, most)) for low, high in (better, of_both))
+            high, high_of_all = at_least(high, most), at_least(high_of_all, most)
         ours = self.results.computed[name].or_else(0.0)
-        yield farthest((value, ours) for value in theirs) > LAW_MATTERS, *better, BETTER_LAW
-        yield True, *of_both, LAW_IN_USE
+        yield farthest((value, ours) for value in theirs) > LAW_MATTERS, low, high, BETTER_LAW
+        yield True, low_of_all, high_of_all, LAW_IN_USE
 
     def _of_water(self, name: str, own: Ends) -> Rule:
-        """Return the rule for condensed water: the exact meniscus or, where there is a gap, at most its force.
+        """Return the rule for condensed water: the exact meniscus or, where there is a gap, its force as an upper end.
 
-        For a meniscus so small that both differ by less than half a percent, the first order counts as exact.
+        The first order counts as exact for a meniscus so small that the two differ by less than half a percent.
         """
         if name != "meniscus_force":
             return True, *own, KELVIN
@@ -213,17 +214,17 @@ class Ranges:
         if stuck is not None and speed is not None:
             value = self.results.computed[name].values
             is_carried = stuck.has_size(self.frame) & self._is_hard
-            for applies, ends in (
+            for applies, (low, high) in (
                 (stuck.is_near(self.frame), stuck.ends(self.frame)),
                 (is_carried, stuck.in_proportion(self.frame)),
             ):
-                yield applies, *(value * (end / speed) ** power for end in ends), MEASURED
+                yield applies, value * (low / speed) ** power, value * (high / speed) ** power, MEASURED
         yield self._is_hard, own[0], MOST_SEEN**power * own[1], MEASURED
 
     def _of_restitution(self) -> Iterator[Rule]:
         """Iterate over the rules for the coefficient of restitution, which any further loss lowers."""
-        of_speed = self  # or, of a question about e alone, the ranges of the speed
-        if "sticking_speed" not in self.names:
+        of_speed = self
+        if "sticking_speed" not in self.names:  # a question about e alone needs the range of the speed, too
             frame = self.results.described
             of_speed = Ranges(Results(frame, frame.columns(["sticking_speed"])))
         if "sticking_speed" in of_speed.names:
@@ -238,10 +239,11 @@ class Ranges:
     def _of_rolling(self, name: str) -> Iterator[Rule]:
         """Iterate over the rules for a rolling quantity with an assumed ξ: measured forces, then the limits of ξ.
 
-        At sizes far from those that were measured, both count.
+        At sizes far from the measured ones, both count.
         """
+        rolled = what_rolled(self.frame)
         least, most, is_known = nan, nan, False
-        if (rolled := what_rolled(self.frame)) is not None:
+        if rolled is not None:
             ends = (then(law, end) for law in (_itself, *_BETTER) for end in rolled.ends)
             least, most = self.hull(name, *ends)
             is_known = rolled.has_energy(self.frame)
@@ -249,7 +251,7 @@ class Ranges:
         laws = _BETTER if name in self._ends(_between) else (_itself,)
         at_an_atom = self.hull(name, *laws)
         low, high = self.hull(name, *(then(law, at_full_hysteresis) for law in laws))
-        is_past = self.hull("hysteresis_ratio", *laws)[1] >= 1  # at 2 Å more than all of it would be lost
+        is_past = self.hull("hysteresis_ratio", *laws)[1] >= 1  # at 2 Å, more than the work of adhesion would be lost
         rises = self._most(name, *(then(law, _at_twice) for law in laws)) > self._most(name, *laws)
         low = where(rises, where(is_past, nan, at_an_atom[0]), low)
         high = where(rises, high, where(is_past, nan, at_an_atom[1]))
@@ -263,10 +265,11 @@ class Ranges:
     def of_laws(self, name: str, by: int) -> list[Ends]:
         """Return the ends of a result for a rule, by the law in use and by Maugis' law at both spacings."""
         ends: tuple[Make, ...] = (_itself,)
-        if by == SCALED and (rolled := what_rolled(self.frame)) is not None:
-            ends = rolled.ends
-        elif by == XI_UNKNOWN:
+        if by == XI_UNKNOWN:
             ends = (_itself, at_full_hysteresis)
+        elif by == SCALED:
+            rolled = what_rolled(self.frame)
+            ends = rolled.ends if rolled is not None else ends
         return [self.hull(name, *(then(law, end) for end in ends)) for law in (_itself, *_BETTER)]
 
     # --- Other laws and measurements ---
@@ -283,7 +286,10 @@ class Ranges:
         low: Any = inf
         high: Any = -inf
         without_meaning = []
-        for least, most, is_ended in (ends[name] for ends in map(self._ends, makers) if name in ends):
+        for ends in map(self._ends, makers):
+            if name not in ends:
+                continue
+            least, most, is_ended = ends[name]
             has_value: Any = where(is_ended, False, most - least >= 0)
             low, high = at_most(low, where(has_value, least, inf)), at_least(high, where(has_value, most, -inf))
             if is_anywhere(is_ended):
@@ -295,7 +301,7 @@ class Ranges:
         return where(low < inf, low, nan), where(high > -inf, high, nan)
 
     def _most(self, name: str, *makers: Make) -> Any:
-        """Return the largest value of a result over variants of the frame, with or without a meaning."""
+        """Return the largest value of a result over variants of the frame, whether or not it has a meaning."""
         most: Any = -inf
         for ends in map(self._ends, makers):
             if name in ends:
@@ -305,14 +311,14 @@ class Ranges:
     def _ends(self, make: Make) -> Mapping[str, tuple[Any, Any, Any]]:
         """Return the ends of results in a variant of the frame, with the rows in which they have no meaning.
 
-        The ends are those of the uncertainty, or the value itself; each variant is computed once.
+        They are the ends of the uncertainty, or the value itself. Each variant is computed once.
         """
         if make not in self._made:
             self._made[make] = {}
             with suppress(MissingInput, NoResult):
                 names = dict.fromkeys((*self.names, XI, "hysteresis_ratio"))
-                for each in self.names:
-                    names |= dict.fromkeys(_BY_LENNARD_JONES.get(each, ())[1:])
+                for name in self.names:
+                    names |= dict.fromkeys(_BY_LENNARD_JONES.get(name, ())[1:])
                 self._made[make] = _ends_by(make, self.results.described, names)
         return self._made[make]
 
@@ -350,9 +356,8 @@ class Ranges:
 def _ends_by(make: Make, frame: Frame, names: Iterable[str]) -> dict[str, tuple[Any, Any, Any]]:
     """Return the ends of quantities in a variant of a frame, with the rows in which a limit ends their meaning.
 
-    The ends are those of the uncertainty; without one, both are the value.
-
-    Raises a JkrollError if some of several rows have no uncertainties.
+    They are the ends of the uncertainty; without one, both are the value. For several rows, raises the error of their
+    uncertainties; a single row then has none.
     """
     other = make(frame)
     columns, bars = other.columns(other.possible(names)), dict[str, ErrorBar]()
@@ -360,14 +365,13 @@ def _ends_by(make: Make, frame: Frame, names: Iterable[str]) -> dict[str, tuple[
         try:
             bars = error_bars(frame, columns, make)
         except JkrollError:
-            if frame.shape:  # of several rows, one may be to blame
+            if frame.shape:  # the error may concern one row only
                 raise
-    ended = Results(other, columns).ended
-    return {
-        name: (*_with_bar(column.values, bars.get(name)), ended.get(name, False))
-        for name, column in columns.items()
-        if not column.is_empty
-    }
+    ended, ends = Results(other, columns).ended, {}
+    for name, column in columns.items():
+        if not column.is_empty:
+            ends[name] = (*_with_bar(column.values, bars.get(name)), ended.get(name, False))
+    return ends
 
 
 def _with_bar(value: Any, bar: ErrorBar | None) -> Ends:
@@ -388,7 +392,7 @@ def _between(frame: Frame) -> Frame:
 
 
 def _between_at_half(frame: Frame) -> Frame:
-    """Return the frame by that law at half the atomic spacing, unless the spacing was given."""
+    """Return the frame under the law between JKR and DMT, at half the atomic spacing unless the spacing was given."""
     return at_half_spacing(_between(frame)) if frame.assumes_spacing else _between(frame)
 
 

@@ -1,7 +1,8 @@
 """Divide a measured force curve into branches: signs, baseline, free parts, contact, and the range to fit.
 
-Loading leads to the largest force, unloading away from it. A branch is free where it is out of contact: there its force
-is the baseline. Loads are forces minus the baseline, tension negative; travel and approach increase into the contact.
+Loading leads to the largest force, unloading away from it. A branch is free where it is out of contact; its force there
+is the baseline. Loads are forces minus the baseline, and a tension is negative. Travel and approach increase into the
+contact.
 """
 
 from collections.abc import Mapping
@@ -20,18 +21,18 @@ LEAST_POINTS = 5
 _NOISE = 5.0  # standard deviations of the noise above which a force is a signal
 _SMOOTH = 9  # points of a running median
 _END = 0.1  # fraction of a branch that counts as its end
-_FLATTER = 0.05  # largest rise over a free end, as a share of the range of forces; a straight line rises by 0.1
-_LOST = 0.5  # share of the minimum's depth; above this force the contact is lost
-_RISE = 0.05  # rise of the force where a lever lets go, as a share of the minimum's depth
-_SHORT = 0.03  # a branch has at least this fraction of the points
+_FLATTER = 0.05  # largest rise over a free end, as a share of the range of forces; that of a straight line is 0.1
+_LOST = 0.5  # share of the depth of the minimum; the contact is lost above this force
+_RISE = 0.05  # rise of the force where a lever lets go, as a share of the depth of the minimum
+_SHORT = 0.03  # least share of the points in a branch
 _STEEPER = 5.0  # ratio of the rises of force at both ends above which the flatter one is free
 _NEAR_ONCE = 1.5  # total path of z over the path of one approach and one retraction
-_PAUSED = 10.0  # a gap in time is longer than this many usual steps
+_PAUSED = 10.0  # least length of a gap in time, in usual steps
 _LEAST_NOISE = 1e-9  # least noise of computed curves, as a share of the range of forces
-_FLAT = 5  # equal largest readings in a row that show a saturated sensor
-_LONG = 0.2  # least length of a flat, free end without a force below it, as a share of the travel
+_FLAT = 5  # equal extreme readings in a row that show a saturated sensor
+_LONG = 0.2  # least length of a flat, free end if no force is below it, as a share of the travel
 _MOST_PHI = 0.99  # largest correlation of neighbours in the baseline
-_SETTLES = 0.1  # fraction of the free part after the jump in which the lever swings
+_SETTLES = 0.1  # fraction of the free part in which the lever still swings after the jump
 
 
 class BadCurve(JkrollError):
@@ -40,7 +41,7 @@ class BadCurve(JkrollError):
     exit_code = 1
 
     def __init__(self, problem: str, phrase: str) -> None:
-        """`phrase`: the reason in a table."""
+        """`phrase`: the reason as a table states it."""
         super().__init__(problem)
         self.phrase = phrase
 
@@ -48,8 +49,8 @@ class BadCurve(JkrollError):
 class ForceCurve(NamedTuple):
     """The columns of a curve in order of time, in SI units: z or a, the force, and optional columns.
 
-    `z` is a contact radius, an approach or a travel; `kind` tells which. Errors are standard deviations, None if
-    unknown. `branch` names the branch of each point, or PAUSE if it belongs to neither; None without such a column.
+    `z` is a contact radius, an approach or a travel, as `kind` states. Errors are standard deviations, None if unknown.
+    `branch` names the branch of each point, or PAUSE if it belongs to neither; it is None without such a column.
     `time` has any unit. `is_deflection`: the force is a measured deflection times the stiffness of the lever.
     """
 
@@ -64,21 +65,24 @@ class ForceCurve(NamedTuple):
 
     def chosen(self, which: Array) -> Self:
         """Return the points at some indices, or where a mask is True."""
-        columns = {name: each[which] for name, each in self._asdict().items() if isinstance(each, numpy.ndarray)}
-        return type(self)(**{**self._asdict(), **columns})
+        columns: dict[str, Any] = {}
+        for name, value in self._asdict().items():
+            if isinstance(value, numpy.ndarray):
+                columns[name] = value[which]
+        return self._replace(**columns)
 
 
 RADIUS, APPROACH, TRAVEL = "contact radius", "approach", "travel"
 
 
 class Baseline(NamedTuple):
-    """The force out of contact as a line over z: its middle and slope with standard errors, and the noise."""
+    """The force out of contact as a line over z, with the noise around it."""
 
-    force: float
+    force: float  # at the middle of the line
     slope: float
-    error: float
+    error: float  # standard error of the force
     noise: float
-    z: float = 0.0  # the position at which the line has `force`
+    z: float = 0.0  # the position of the middle
     slope_error: float = 0.0
 
     def at(self, z: Array) -> Array:
@@ -89,8 +93,8 @@ class Baseline(NamedTuple):
 class Branch(NamedTuple):
     """A branch: its points with loads instead of forces, and the slice in contact, in order of time.
 
-    `reach` is the slice that may be in contact, beyond the least load. Contact radii have no baseline; a branch without
-    a free part takes the baseline of the other.
+    `reach` extends the contact beyond the least load, as far as it may still hold. Contact radii have no baseline; a
+    branch without a free part takes the baseline of the other branch.
     """
 
     name: str
@@ -101,7 +105,7 @@ class Branch(NamedTuple):
     has_free_part: bool = False
 
     def extended(self, first_z: float) -> Self:
-        """Return the branch with its contact extended to all positions within reach from `first_z` on."""
+        """Return the branch with its contact extended, within reach, to all positions from `first_z` on."""
         held = numpy.nonzero(self.points.z[self.reach] >= first_z)[0]
         if self.name == UNLOADING:
             last = int(held[-1]) + 1 if len(held) else 0
@@ -125,9 +129,9 @@ class Branches(NamedTuple):
 
 
 def branches_of(curve: ForceCurve, stiffness: float, *, tilt: bool = False, only: str = "") -> Branches:
-    """Return the branches of a curve. `stiffness` is that of the lever, infinite without one. Raises BadCurve.
+    """Return the branches of a curve. `stiffness`: of the lever, infinite without a lever. Raises BadCurve.
 
-    `only`: the name of the only branch to fit; a curve with one branch takes it as the name.
+    `only`: the name of the only branch to fit, which is also the name of the branch of a curve with one branch.
     """
     remarks: dict[str, str] = {}
     curve = _finite(_without_pause(curve, remarks), remarks)
@@ -142,7 +146,11 @@ def branches_of(curve: ForceCurve, stiffness: float, *, tilt: bool = False, only
     noise = max(_white_noise(curve.force), floor)
     ends = {name: _free(part, name, noise) for name, part in parts.items()}
     baselines = {name: _baseline(part, ends[name], tilt=tilt) for name, part in parts.items()}
-    known = [each for each in (baselines.get(name) for name in (UNLOADING, LOADING)) if each is not None]
+    known = []
+    for name in (UNLOADING, LOADING):
+        baseline = baselines.get(name)
+        if baseline is not None:
+            known.append(baseline)
     if not known:
         known = [Baseline(0.0, 0.0, 0.0, noise)]
         remarks["no-baseline"] = "no part away from contact: the force is taken as it is, its zero with it"
@@ -155,13 +163,16 @@ def branches_of(curve: ForceCurve, stiffness: float, *, tilt: bool = False, only
         errors = _errors(part, max(own.noise, noise), give)
         inside = _in_contact(load, name, max(own.noise, noise))
         branches[name] = Branch(name, Points(part.z, load, *errors), *inside, own, baselines[name] is not None)
-    _check(branches, max(noise, *(each.noise for each in known)), remarks)
+    _check(branches, max(noise, *(baseline.noise for baseline in known)), remarks)
     return Branches(branches, max(known[0].noise, floor), remarks, sign)
 
 
 def _without_pause(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
     """Return a curve without the points that a column marks as a pause."""
-    if curve.branch is None or not (is_pause := curve.branch == PAUSE).any():
+    if curve.branch is None:
+        return curve
+    is_pause = curve.branch == PAUSE
+    if not is_pause.any():
         return curve
     remarks["pause"] = f"{int(is_pause.sum())} points of a pause are left out"
     return curve.chosen(~is_pause)
@@ -186,9 +197,11 @@ def _finite(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
     is_known = numpy.isfinite(curve.z) & numpy.isfinite(curve.force)
     if curve.kind == RADIUS:
         is_known &= curve.z > 0
-    if left_out := int((~is_known).sum()):
+    count = int(is_known.sum())
+    left_out = len(is_known) - count
+    if left_out:
         remarks["gaps"] = f"{left_out} of {len(is_known)} points have no number and are left out"
-    if (count := int(is_known.sum())) < LEAST_POINTS:
+    if count < LEAST_POINTS:
         raise BadCurve(f"the curve has {count} points, and a fit needs {LEAST_POINTS}", "too few points")
     curve = curve.chosen(is_known)
     if not (numpy.ptp(curve.z) > 0 and numpy.ptp(curve.force) > 0):
@@ -198,9 +211,9 @@ def _finite(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
 
 
 def _unsaturated(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
-    """Return a curve without the points where the sensor is saturated: repeated largest or least readings.
+    """Return a curve without the points where the sensor is saturated, which repeat the largest or the least reading.
 
-    Readings of exactly 0 are kept: a computed curve has them out of contact.
+    Readings of exactly 0 are kept, since a computed curve has them out of contact.
     """
     is_kept = numpy.ones(len(curve.force), bool)
     for end in (curve.force.max(), curve.force.min()):
@@ -251,7 +264,7 @@ def _with_pull_negative(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurv
 
 
 def _split(curve: ForceCurve, only: str, remarks: dict[str, str]) -> dict[str, ForceCurve]:
-    """Return the points of each branch in time, divided by a column or at the turning point of z or of the force.
+    """Return the points of each branch in order of time, divided by a column or where z or the force turns.
 
     Branches named in a column may be sorted by z in the file.
     """
@@ -303,9 +316,9 @@ def running_median(values: Array, size: int = _SMOOTH) -> Array:
 
 
 def _white_noise(force: Array) -> float:
-    """Return the standard deviation of white noise, from differences of neighbours: the least over some orders.
+    """Return the standard deviation of white noise, the least of those from differences of some orders.
 
-    In a curve with few points, differences of low order include its curvature.
+    If a curve has few points, differences of low order include its curvature.
     """
     sizes = []
     for order, square in ((2, 6), (3, 20), (4, 70)):
@@ -328,7 +341,7 @@ def _free(part: ForceCurve, name: str, noise: float) -> slice:
     depth = level - float(smooth[least])
     slope = numpy.polyfit(numpy.arange(count), end, 1)[0] * count
     if abs(slope) > max(_FLATTER * float(numpy.ptp(force)), 3 * noise):
-        return slice(0, 0)  # still in contact
+        return slice(0, 0)  # the branch ends in contact
     if depth > _NOISE * spread:
         above = numpy.nonzero(smooth[least:] > level - max(_NOISE * spread, 0.1 * depth))[0]
         first = least + int(above[0]) if len(above) else len(force)
@@ -376,7 +389,7 @@ def _error_of_median(phi: float, count: int) -> float:
 
 def _compare(baselines: Mapping[str, Baseline | None], remarks: dict[str, str]) -> None:
     """Add a remark if the baselines before and after the contact differ."""
-    both = [each for each in baselines.values() if each is not None]
+    both = [baseline for baseline in baselines.values() if baseline is not None]
     if len(both) < 2:
         return
     difference = both[1].force - both[0].force
@@ -391,7 +404,7 @@ def _compare(baselines: Mapping[str, Baseline | None], remarks: dict[str, str]) 
 def _errors(part: ForceCurve, noise: float, give: float) -> tuple[Array, Array]:
     """Return standard deviations of the force and of z; only their ratio matters.
 
-    Without a column of errors of z, these are the errors of the force times `give`, a compliance.
+    Without a column of its own, the deviation of z is that of the force times a compliance, `give`.
     """
     force_error = part.force_error if part.force_error is not None else numpy.full(len(part.z), noise)
     if part.z_error is not None:
@@ -400,9 +413,9 @@ def _errors(part: ForceCurve, noise: float, give: float) -> tuple[Array, Array]:
 
 
 def _in_contact(load: Array, name: str, noise: float) -> tuple[slice, slice]:
-    """Return two slices of a branch in contact: from the largest to the least load, and to where it may still hold.
+    """Return the slice of a branch from the largest to the least load, and the slice that may be in contact.
 
-    After the least load, a stiff lever still holds the contact; a soft one is already snapping off.
+    After the least load, a stiff lever still holds the contact, while a soft one is already snapping off.
     """
     forward = load if name == UNLOADING else load[::-1]
     smooth = running_median(forward, 5)
@@ -412,7 +425,7 @@ def _in_contact(load: Array, name: str, noise: float) -> tuple[slice, slice]:
     if depth > _NOISE * noise:
         lost = numpy.nonzero(forward[least:] > -_LOST * depth)[0]
         risen = numpy.nonzero(forward[least:] > -(1 - _RISE) * depth)[0]
-        ends = tuple(least + int(each[0]) if len(each) else count for each in (risen, lost))
+        ends = tuple(least + int(beyond[0]) if len(beyond) else count for beyond in (risen, lost))
     else:
         pressed = numpy.nonzero(smooth > _NOISE * noise)[0]
         ends = (int(pressed[-1]) + 1 if len(pressed) else count,) * 2
@@ -421,7 +434,7 @@ def _in_contact(load: Array, name: str, noise: float) -> tuple[slice, slice]:
 
 
 def _check(branches: dict[str, Branch], noise: float, remarks: dict[str, str]) -> None:
-    """Drop a branch with too few points in contact, and remark on what the others lack. Raises BadCurve."""
+    """Drop branches with too few points in contact, and add remarks on the others. Raises BadCurve if none is left."""
     for name in [*branches]:
         if len(branches[name].in_contact.z) < LEAST_POINTS:
             problem = f"{name}: fewer than {LEAST_POINTS} points are in contact"
@@ -495,7 +508,7 @@ class LoadRange(NamedTuple):
         order = smooth if branch.name == UNLOADING else smooth[::-1]
         below = numpy.nonzero(order <= high)[0]
         first = int(below[0]) if len(below) else len(load)
-        is_whole = self.is_share and self.low <= -1  # up to the last point, even if noise puts it below the median
+        is_whole = self.is_share and self.low <= -1  # includes the last point, even if noise puts it below the median
         beyond = numpy.nonzero(order[first:] < (-numpy.inf if is_whole else low))[0]
         last = first + int(beyond[0]) if len(beyond) else len(load)
         if last - first < LEAST_POINTS:

@@ -39,7 +39,7 @@ def fit_curve(curve: ForceCurve, known: Known) -> Fit:
 
 
 def _solution(curve: ForceCurve, known: Known) -> tuple[Solution, dict[str, str]]:
-    """Return the minima of a curve, and remarks on its branches."""
+    """Return the minima of the branches of a curve, and remarks on them."""
     only = {"load": LOADING, "unload": UNLOADING}.get(known.branch, "")
     stiffness = known.stiffness if curve.kind == TRAVEL else numpy.inf
     branches = branches_of(curve, stiffness, tilt=known.tilt, only=only)
@@ -56,7 +56,7 @@ def _solution(curve: ForceCurve, known: Known) -> tuple[Solution, dict[str, str]
     if len(found) > 1:
         try:
             other = solved_with(problem, found[1], main)
-        except BadCurve as error:  # it has too few points in the range
+        except BadCurve as error:  # the branch has too few points in the range
             remarks["branch-left-out"] = f"{error}; the branch is left out"
     return Solution(problem, problem.setting, main, other), remarks
 
@@ -77,8 +77,10 @@ def _result(solution: Solution, remarks: dict[str, str]) -> Fit:
     )  # fmt: skip
     pull_off = _pull_off(solution) if has_adhesion else None
     force = -float(running_median(main.branch.in_contact.force, 3).min())
-    result.values |= {} if pull_off is None else {"pull_off_force_fitted": pull_off}
-    result.values |= {"pull_off_force_measured": force} if force > 0 and has_adhesion else {}
+    if pull_off is not None:
+        result.values["pull_off_force_fitted"] = pull_off
+        if force > 0:
+            result.values["pull_off_force_measured"] = force
     result.goodness = goodness_of(solution, pull_off)
     width = float(main.minimum.residuals.radii.max()) / problem.radius
     if problem.known.radius is not None:
@@ -88,14 +90,15 @@ def _result(solution: Solution, remarks: dict[str, str]) -> Fit:
             result.goodness["unloaded_contact_over_radius"] = float(contact_radius(**contact)) / problem.radius
     moves = by_calibration(few)
     _add(result, "calibration", [*moves.values()])
-    _add(result, "model", [each for each in (by_range(few),) if each])
+    _add(result, "model", [by_range(few)])
     models = by_models(solution, few, width)
     result.by_law = {law: dict(each) for law, each in models.by_law.items()}
     if problem.known.radius is None:
         result.remarks["radius-free"] = "no radius is given: w is wR and E* is E*√R, for a paraboloid by JKR"
     elif has_adhesion:
         result.goodness["tabor_parameter"] = models.tabor_parameter
-    if (sphere := models.by_law.get("jkr, sphere")) is not None and problem.known.profile == "paraboloid":
+    sphere = models.by_law.get("jkr, sphere")
+    if sphere is not None and problem.known.profile == "paraboloid":
         for text in on_profile(solution.values, sphere, result.errors, width):
             result.remarks["profile-matters"] = text
     _add(result, "model", models.moves)
@@ -104,9 +107,9 @@ def _result(solution: Solution, remarks: dict[str, str]) -> Fit:
 
 
 def _add(result: Fit, part: str, moves: list[Results]) -> None:
-    """Add moves of the results to one part of their errors, in squares."""
+    """Add moves of the results to one part of their errors, in quadrature."""
     for name, errors in [*result.errors.items()]:
-        result.errors[name] = errors.plus(part, [each[name] for each in moves if name in each])
+        result.errors[name] = errors.plus(part, [move[name] for move in moves if name in move])
 
 
 def _pull_off(solution: Solution) -> float:
@@ -140,10 +143,11 @@ def _baselines_of(solution: Solution) -> dict[str, dict[str, float]]:
 def _points_of(solution: Solution) -> dict[str, Array]:
     """Return the points of the fitted branches in contact, with fitted loads, residuals, G and a."""
     columns = [_columns_of(solution, part) for part in solution.parts]
-    return {name: numpy.concatenate([each[name] for each in columns]) for name in columns[0]}
+    return {name: numpy.concatenate([of_branch[name] for of_branch in columns]) for name in columns[0]}
 
 
 def _columns_of(solution: Solution, part: Solved) -> dict[str, Array]:
+    """Return the points of one branch in contact."""
     points, main = part.branch.in_contact, solution.main.unknowns
     loads = residuals(points, part.unknowns, solution.setting).loads
     rate, radius = release_rate(solution.problem, points, main)

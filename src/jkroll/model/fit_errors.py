@@ -1,8 +1,8 @@
 """The three errors of a fit: statistical (noise), calibration (the instrument) and model.
 
-Noise moves the points, and the baselines subtracted from them. The calibration error is the move of the results when R
-or k changes by its error. The model error is their move with the range, the shape of the sphere, the law that holds and
-the atomic spacing.
+Noise moves the points, and the baselines that are subtracted from them. The results also move if R or k changes by its
+error: that is the calibration error. The model error is their move with the range, the shape of the sphere, the law
+that holds and the atomic spacing.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -26,8 +26,13 @@ _WIDE = 0.1  # a/R above which the shape of the sphere matters
 Results = Mapping[str, float]
 
 
+def _unchanged(part: Solved) -> Points:
+    """Return the fitted points of a branch."""
+    return part.points
+
+
 class Solution(NamedTuple):
-    """The minima of a curve: the main branch, and the other one at the E* and z_c of the main branch."""
+    """The minima of a curve: of the main branch, and of the other branch with the E* and z_c of the main one."""
 
     problem: Problem
     setting: Setting
@@ -47,7 +52,7 @@ class Solution(NamedTuple):
     def results(self, main: Minimum, other: Minimum | None) -> dict[str, float]:
         """Return the results at two minima."""
         values: dict[str, float] = {}
-        w, modulus = (float(each) for each in exp(main.unknowns[:POINT]))
+        w, modulus = exp(main.unknowns[:POINT]).tolist()
         if ADHESION in self.main.free:
             values[NAMES[self.main.branch.name]] = w
         values["contact_modulus"] = modulus
@@ -59,7 +64,7 @@ class Solution(NamedTuple):
             values |= {"adhesion_hysteresis": w - closing, "hysteresis_fraction": 1 - closing / w}
         return values
 
-    def refitted(self, setting: Setting, change: Callable[[Solved], Points] = lambda each: each.points) -> Results:
+    def refitted(self, setting: Setting, change: Callable[[Solved], Points] = _unchanged) -> Results:
         """Return the results with another setting or changed points; fits start from the present minima and noise."""
         main = minimum(change(self.main), setting, self.main.unknowns, self.main.free, self.main.minimum.noise)
         if self.other is None:
@@ -67,12 +72,12 @@ class Solution(NamedTuple):
         other = minimum(change(self.other), setting, main.unknowns, self.other.free, self.other.minimum.noise)
         return self.results(main, other)
 
-    def moves(self, setting: Setting, change: Callable[[Solved], Points] = lambda each: each.points) -> Results:
+    def moves(self, setting: Setting, change: Callable[[Solved], Points] = _unchanged) -> Results:
         """Return the moves of the results with another setting or changed points."""
         return difference(self.refitted(setting, change), self.values)
 
     def thinned(self) -> "Solution":
-        """Return the solution for fewer points; its moves by a change are nearly those of all points."""
+        """Return the solution for fewer points, whose moves are nearly those of all points."""
         parts: list[Solved] = []
         for part in self.parts:
             step = -(-len(part.points.z) // _FEW)
@@ -90,8 +95,8 @@ def covariance_of(solution: Solution) -> tuple[tuple[str, ...], Array]:
     main, other = solution.main, solution.other
     every = {ADHESION: NAMES[main.branch.name], MODULUS: "contact_modulus", POINT: "contact_point"}
     scales = {ADHESION: exp(main.unknowns[ADHESION]), MODULUS: exp(main.unknowns[MODULUS])}
-    scale = numpy.array([scales.get(each, solution.problem.branches.sign) for each in main.free])
-    names, matrix = tuple(every[each] for each in main.free), main.minimum.covariance
+    scale = numpy.array([scales.get(unknown, solution.problem.branches.sign) for unknown in main.free])
+    names, matrix = tuple(every[unknown] for unknown in main.free), main.minimum.covariance
     covariance = matrix * numpy.outer(scale, scale)
     if other is None:
         return names, covariance
@@ -108,7 +113,7 @@ def covariance_of(solution: Solution) -> tuple[tuple[str, ...], Array]:
 
 
 def with_baselines(few: Solution, names: tuple[str, ...], covariance: Array) -> Array:
-    """Return the covariance with the errors of the baselines added, each by the moves that it causes."""
+    """Return the covariance with the errors of the baselines added, each as the moves that it causes."""
     for base, offset, slope in _baseline_changes(few):
         moves = few.moves(few.setting, partial(_shifted, base, offset, slope))
         column = numpy.array([moves[name] for name in names])
@@ -118,9 +123,9 @@ def with_baselines(few: Solution, names: tuple[str, ...], covariance: Array) -> 
 
 def statistical_errors(solution: Solution, names: tuple[str, ...], covariance: Array) -> dict[str, Errors]:
     """Return the errors of the results from noise."""
-    errors = {
-        name: Errors(statistical=float(sqrt(each))) for name, each in zip(names, numpy.diag(covariance), strict=True)
-    }
+    errors = {}
+    for name, variance in zip(names, numpy.diag(covariance), strict=True):
+        errors[name] = Errors(statistical=float(sqrt(variance)))
     if solution.other is not None:
         opening, closing = (solution.values[name] for name in (names[0], names[-1]))
         first, last, both = covariance[0, 0], covariance[-1, -1], covariance[0, -1]
@@ -154,7 +159,7 @@ def _stronger(factor: float, part: Solved) -> Points:
 
 
 def _baseline_changes(solution: Solution) -> Iterator[tuple[Baseline, float, float]]:
-    """Iterate over uncertain baselines, each with a change of its force or of its slope by the error."""
+    """Iterate over uncertain baselines, each with the error of its force and with the error of its slope."""
     for base in dict.fromkeys(part.branch.baseline for part in solution.parts):
         if base is not None and base.error:
             yield base, base.error, 0.0
@@ -165,8 +170,9 @@ def _baseline_changes(solution: Solution) -> Iterator[tuple[Baseline, float, flo
 def _shifted(base: Baseline, offset: float, slope: float, part: Solved) -> Points:
     """Return points with a changed force, if their branch has this baseline."""
     points = part.points
-    is_of_base = part.branch.baseline == base
-    return points._replace(force=points.force + offset + slope * (points.z - base.z)) if is_of_base else points
+    if part.branch.baseline != base:
+        return points
+    return points._replace(force=points.force + offset + slope * (points.z - base.z))
 
 
 # --- Model ------------------------------------------------------------------------------------------------------------
@@ -185,7 +191,7 @@ def by_range(few: Solution) -> Results:
         chosen = few.main.at(points.chosen(which), few.main.minimum)
         for name, value in few._replace(main=chosen).refitted(few.setting).items():
             spread[name].append(value - here[name])
-    return {name: (max(each) - min(each)) / 2 for name, each in spread.items() if len(each) > 1}
+    return {name: (max(changes) - min(changes)) / 2 for name, changes in spread.items() if len(changes) > 1}
 
 
 class Models(NamedTuple):
@@ -229,7 +235,8 @@ def by_models(solution: Solution, few: Solution, width: float) -> Models:
     if has_adhesion and tabor < STRONG:
         by_law["maugis, z0/2"] = moved("maugis", spacing=known.spacing / 2)
         moves.append(difference(by_law["maugis, z0/2"], by_law["maugis"]))
-    if (holds := "jkr" if tabor >= STRONG else "maugis") != known.law and has_adhesion:
+    holds = "jkr" if tabor >= STRONG else "maugis"
+    if holds != known.law and has_adhesion:
         moves.append(difference(by_law[holds], by_law[known.law]))
     if width > _WIDE and known.profile == "paraboloid" and known.law == "jkr":
         by_law["jkr, sphere"] = moved("jkr", "sphere")
@@ -238,10 +245,9 @@ def by_models(solution: Solution, few: Solution, width: float) -> Models:
 
 
 def _refitted_anew(few: Solution, setting: Setting) -> Results:
-    """Return the results by a law with a very different z_c, such as DMT's compared with JKR's."""
+    """Return the results by a law whose z_c is very different, as it is between DMT and JKR."""
     main = few.main
-    w, modulus = (float(each) for each in exp(main.unknowns[:POINT]))
-    start = with_point(main.points, setting, w, modulus)
+    start = with_point(main.points, setting, *exp(main.unknowns[:POINT]).tolist())
     found = minimum(main.points, setting, start, main.free, main.minimum.noise)
     return few._replace(main=main.at(main.points, found)).refitted(setting)
 

@@ -1,8 +1,8 @@
 """Force curves of the laws as functions of one variable, with the derivatives by ln w and ln E* that a fit needs.
 
-A state has a variable q: the contact radius a in JKR, the approach δ in DMT, the edge ratio v in Maugis' law. Given q,
-a, δ and P are explicit, and so are their derivatives at fixed q. A fit compares loads at a measured x: an approach, the
-travel δ + P/k of a lever, or a contact radius.
+A variable q sets the state: the contact radius a in JKR, the approach δ in DMT, the edge ratio v in Maugis' law. Given
+q, formulas for a, δ and P are explicit, and so are their derivatives at fixed q. A fit compares loads at a measured x:
+an approach, the travel δ + P/k of a lever, or a contact radius.
 
 All values are floats or arrays of one dimension in SI units. `profile` is the shape of body 1; w and E* are positive.
 """
@@ -84,7 +84,7 @@ class CurveLaw(Protocol):
         """Return q of the last state before the contact is lost, where dx/dq = 0 or a = 0."""
 
     def start(self, x: Array, contact: Contact, grip: Grip, last: float, x_last: float) -> Array:
-        """Return a first guess of q, preferably above the state at x. `last`, `x_last`: q and x of the last state."""
+        """Return a first guess of q at x, preferably too high. `last`, `x_last`: q and x of the last state."""
 
     def most(self, contact: Contact) -> float:
         """Return the upper bound of q."""
@@ -93,8 +93,8 @@ class CurveLaw(Protocol):
 def state_at(law: CurveLaw, x: Array, contact: Contact, grip: Grip) -> tuple[Array, float, float]:
     """Return q of the stable states at x, with q and x of the last state, which stands for all x beyond it.
 
-    Newton's method between bounds, with bisection where a step leaves them. In JKR x is convex in a, so that no step
-    does.
+    Newton's method between bounds, with bisection where a step leaves the bounds. In JKR no step leaves them, since x
+    is convex in a.
     """
     last, most = law.last(contact, grip), law.most(contact)
     x_last = float(grip.x(law.values(last, contact)[0]))
@@ -202,7 +202,7 @@ class Jkr(NamedTuple):
         return _root(slope, low, high)
 
     def start(self, x: Array, contact: Contact, grip: Grip, last: float, x_last: float) -> Array:
-        """Return an a above that at x, from the curvature at the last state; for a radius, the measured one."""
+        """Return an a that is too high at x, from the curvature at the last state; a measured radius itself."""
         if grip.is_radius:
             return x
         radius, modulus = contact.reduced_radius, contact.contact_modulus
@@ -247,7 +247,7 @@ class Dmt:
         return 0.0
 
     def start(self, x: Array, contact: Contact, grip: Grip, last: float, x_last: float) -> Array:  # noqa: ARG002
-        """Return a δ above that at x: the deflection of the lever is ignored."""
+        """Return a δ that is too high at x: it ignores the deflection of the lever."""
         return x * x / contact.reduced_radius if grip.is_radius else numpy.maximum(x - x_last, 0)
 
     def most(self, contact: Contact) -> float:  # noqa: ARG002
@@ -297,7 +297,7 @@ class Maugis:
         return _root(slope, max(low, _LEAST_RATIO), max(high, 2 * _LEAST_RATIO))
 
     def start(self, x: Array, contact: Contact, grip: Grip, last: float, x_last: float) -> Array:
-        """Return a v near that at x, from Hertz' contact radius and the width of the ring."""
+        """Return an approximate v at x, from Hertz' contact radius and the width of the ring."""
         transition, length, depth = _scales(contact)
         area = (x / length) ** 2 if grip.is_radius else numpy.maximum(x - x_last, 0) / depth
         wide = numpy.minimum(sqrt(pi / 4 * transition * area), numpy.cbrt(2 / 3 * transition * area))

@@ -5,12 +5,12 @@ state at x, and the slopes X = dx/dq and T = dP/dq, a residual is
 
     r = X(F − P)/√(X²σ_F² + T²σ_x²)
 
-It stays finite where the contact is lost, although dP/dx = T/X does not. A point beyond the last state of the model has
-r = (x − x_last)/σ_x.
+It stays finite where the contact is lost, although dP/dx = T/X diverges there. A point beyond the last state of the
+model has r = (x − x_last)/σ_x.
 
-Noise is white, or autoregressive of first order, r_i = φr_(i−1) + e_i: residuals are whitened, and φ is corrected for
-the bias from smooth unknowns (Kendall). The residuals themselves give the scale of e. If fewer than 20 points are
-independent, the residuals are a misfit of the model: the fit takes them as white, and multiplies the variances by the
+Noise is white, or autoregressive of first order, r_i = φr_(i−1) + e_i. Residuals are whitened, and φ is corrected for
+its bias by smooth unknowns (Kendall). The residuals themselves give the scale of e. If fewer than 20 points are
+independent, the residuals are a misfit of the model; the fit takes them as white, and multiplies the variances by the
 correlation time. Residuals beyond 3 standard deviations have Huber's weights.
 """
 
@@ -32,7 +32,7 @@ _ROUNDS = 5  # most rounds of noise and minimum in turn
 _SAME_PHI = 0.01
 FEW_INDEPENDENT = 20.0  # n/τ below which correlated noise looks like a misfit
 _STEPS = 100  # most steps of the minimiser
-_SAME = 1e-7  # it stops at this relative decrease of the sum of squares
+_SAME = 1e-7  # relative decrease of the sum of squares at which the minimiser stops
 _LEAST_DAMPING, _MOST_DAMPING = 1e-12, 1e10
 _LONGEST = 4.0  # the longest step of ln w and ln E*, a factor of 55
 
@@ -87,7 +87,7 @@ class Residuals(NamedTuple):
 
 
 def residuals(points: Points, unknowns: Array, setting: Setting) -> Residuals:
-    """Return the residuals of points. The derivatives are those of the model; the residuals' have the other sign.
+    """Return the residuals of points. Derivatives are those of the model; those of residuals have the other sign.
 
     ∂P/∂θ at fixed x = P_θ − (T/X)x_θ
     """
@@ -132,7 +132,7 @@ class Noise(NamedTuple):
 
     @property
     def correlation_time(self) -> float:
-        """The number of points per independent one, τ = (1 + φ)/(1 − φ)."""
+        """The number of points per independent point, τ = (1 + φ)/(1 − φ)."""
         return (1 + self.phi) / (1 - self.phi)
 
 
@@ -188,10 +188,10 @@ def minimum(
     *,
     rounds: int = _ROUNDS,
 ) -> Minimum:
-    """Return the minimum from a start; its own residuals give the noise unless `noise` is given.
+    """Return the minimum that is reached from a start. Its residuals give the noise unless `noise` is given.
 
-    `free`: the unknowns to move, by default all of the setting; `rounds`: of noise and minimum in turn, the first with
-    white noise.
+    `free`: the unknowns to move, by default all of the setting; `rounds`: most rounds of noise and minimum in turn, the
+    first with white noise.
     """
     chosen = [*(setting.names if free is None else free)]
     unknowns, found = numpy.array(start, float), noise
@@ -300,9 +300,12 @@ def with_point(points: Points, setting: Setting, w: float, modulus: float) -> Ar
 
 def best_of(starts: Sequence[Array], points: Points, setting: Setting, free: Sequence[int] | None = None) -> Minimum:
     """Return the lowest of the minima from some starts. Raises ValueError if none is finite."""
-    found = [minimum(points, setting, start, free, rounds=1) for start in starts]
-    found = [each for each in found if numpy.isfinite(each.unknowns).all() and numpy.isfinite(each.cost)]
+    found = []
+    for start in starts:
+        reached = minimum(points, setting, start, free, rounds=1)
+        if numpy.isfinite(reached.unknowns).all() and numpy.isfinite(reached.cost):
+            found.append(reached)
     if not found:
         raise ValueError("no minimum")
-    best = min(found, key=lambda each: _spread(each.residuals.values, len(each.covariance)))
+    best = min(found, key=lambda reached: _spread(reached.residuals.values, len(reached.covariance)))
     return minimum(points, setting, best.unknowns, free)

@@ -1,7 +1,7 @@
 """The problem of a fit: a measured curve with known data, its starts, minima and fitted range, and G of its points.
 
-The unloading branch gives w of opening, E* and z_c. With these E* and z_c the loading branch gives w of closing; by
-itself it hardly separates w from E*.
+The unloading branch gives w of opening, E* and z_c. With these E* and z_c, the loading branch gives w of closing; alone
+it hardly separates w from E*.
 """
 
 from typing import NamedTuple, Self
@@ -83,7 +83,7 @@ class Problem(NamedTuple):
         return self.kind == RADIUS or tension >= _NO_ADHESION * self.branches.noise
 
     def range_of(self, branch: Branch, default: LoadRange) -> slice:
-        """Return the slice of the given range, or of a default range; all in contact if the default has few points."""
+        """Return the slice of the given range, or of a default range; the whole contact if this has too few points."""
         if self.known.range is not None:
             return self.known.range.within(branch)
         try:
@@ -93,7 +93,7 @@ class Problem(NamedTuple):
 
 
 class Solved(NamedTuple):
-    """A branch with its fitted points and their minimum; `free`: the unknowns that were fitted."""
+    """A branch with its fitted points, their minimum, and the unknowns that were fitted (`free`)."""
 
     branch: Branch
     points: Points
@@ -133,7 +133,10 @@ def solved(problem: Problem, branch: Branch) -> Solved:
 
 
 def _solved_by_radii(problem: Problem, branch: Branch) -> Solved:
-    """Return the minimum for contact radii; unloading counts from where the edge recedes, found by iteration."""
+    """Return the minimum for contact radii. Of unloading, only the part in which the edge recedes counts.
+
+    Iteration finds its start.
+    """
     points = branch.in_contact
     found = _first_minimum(problem, points)
     for _ in range(_PLATEAUS if branch.name == UNLOADING else 0):
@@ -171,7 +174,7 @@ def _first_minimum(problem: Problem, points: Points) -> Minimum:
     try:
         if problem.known.law != "jkr":
             by_jkr = best_of(starts, points, problem.by_law("jkr")).unknowns
-            starts = [*starts, with_point(points, setting, *(float(exp(each)) for each in by_jkr[:POINT]))]
+            starts.append(with_point(points, setting, *exp(by_jkr[:POINT]).tolist()))
         found = best_of(starts, points, setting)
     except ValueError:
         found = None
@@ -181,7 +184,7 @@ def _first_minimum(problem: Problem, points: Points) -> Minimum:
 
 
 def _starts(problem: Problem, points: Points) -> list[Array]:
-    """Return two starts: from the depth and width of the tensile part, and with a larger modulus."""
+    """Return two starts: one from the depth and width of the tensile part, and one with a larger modulus."""
     setting, radius = problem.setting, problem.radius
     w = max(-float(running_median(points.force, 3).min()), 1e-300) / (1.5 * pi * radius)
     if setting.grip.is_radius:
@@ -204,9 +207,9 @@ def _starts(problem: Problem, points: Points) -> list[Array]:
 
 
 def extended(problem: Problem, branch: Branch, unknowns: Array) -> Branch:
-    """Return a branch whose contact extends as far as fixed grips hold it, by a minimum."""
+    """Return a branch whose contact extends as far as fixed grips hold it. `unknowns`: at a minimum."""
     if problem.kind != APPROACH:
-        return branch  # after the least load a lever snaps off
+        return branch  # a lever snaps off after the least load
     setting = problem.setting
     contact, grip, law = setting.contact(unknowns), setting.grip, setting.law
     x_last = float(grip.x(law.values(numpy.float64(law.last(contact, grip)), contact)[0]))

@@ -1,4 +1,4 @@
-"""The result of a fit: what was known, what was found, and how far it can be trusted."""
+"""The result of a fit: the known data, the fitted values, their errors, and remarks."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -60,7 +60,7 @@ class Errors(NamedTuple):
         return float(sqrt(sum(each * each for each in self if each is not None)))
 
     def plus(self, part: str, moves: Sequence[float]) -> Self:
-        """Return the errors with moves of the result added to one part, in squares."""
+        """Return the errors with moves of the result added to one part, in quadrature."""
         if not moves:
             return self
         old = getattr(self, part) or 0.0
@@ -71,9 +71,9 @@ class Errors(NamedTuple):
 class Fit:
     """The fit of a curve, in SI units.
 
-    `values` and `errors` have the names of `RESULTS`. `covariance` is the statistical covariance of the results in
-    `names`, in their units. `remarks` are sentences by code; `baselines` and `fitted_loads` (least, largest) are by
-    branch. `largest_adhesion` is the upper limit of w for a curve without adhesion.
+    The keys of `values` and `errors` are the names of `RESULTS`. `covariance` is the statistical covariance of the
+    results in `names`, in their units. `remarks` are sentences by code; `baselines` and `fitted_loads` (least, largest)
+    are by branch. `largest_adhesion` is the upper limit of w for a curve without adhesion.
     """
 
     known: Known
@@ -92,7 +92,7 @@ class Fit:
 
     @property
     def curve(self) -> dict[str, Array]:
-        """The `points` under headers with SI units, as `--curve --csv` writes them, for a DataFrame."""
+        """The points as columns under headers with SI units, as `--curve --csv` writes them."""
         heads = {
             "branch": "branch", "z": "contact_radius_at_load [m]" if self.kind == RADIUS else "z [m]",
             "force": "load [N]", "model": "load_fitted [N]", "residual": "residual [N]",

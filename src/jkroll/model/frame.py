@@ -1,8 +1,8 @@
 """A frame: the inputs of one row or of many, and the quantities that follow from them.
 
-The assumptions of a frame are stated here, once: sphere 2 is like sphere 1 in all that is not given for it, and the
-inputs in DEFAULTS take the values listed there unless they are given. A frame accepts numbers in the range of their
-quantity, from 1e-30 to 1e30 in SI units. Its results are doubles with all digits, and exactly 0 where physics is.
+A frame makes two assumptions: sphere 2 is like sphere 1 in every property that is not given for it, and the inputs in
+DEFAULTS have the values listed there unless they are given. A frame accepts numbers in the range of their quantity,
+from 1e-30 to 1e30 in SI units. Its results are doubles with all digits, and exactly 0 where the physics gives 0.
 """
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
@@ -18,15 +18,7 @@ from ..materials.library import Material
 from ..physics.contact import reduced_radius
 from ..physics.elementary import NUMBER, where
 from ..quantities.laws import ALWAYS, DEFAULT_LAW, LAWS, Law, other_law
-from ..quantities.nomenclature import (
-    CONVERTED,
-    INFINITY,
-    NOMENCLATURE,
-    PROPERTIES,
-    STATE,
-    XI,
-    of_sphere,
-)
+from ..quantities.nomenclature import CONVERTED, INFINITY, NOMENCLATURE, PROPERTIES, STATE, XI, of_sphere
 from ..quantities.values import Interval, Uncertain, is_uncertain, middle
 from ..text import listed
 from .column import Column, at_row, broadcast, first_of
@@ -53,7 +45,7 @@ from .reasons import (
 
 # --- Frames -----------------------------------------------------------------------------------------------------------
 
-IN_ITS_PLACE = (XI, "adhesion_hysteresis", "hysteresis_fraction")  # each of them sets where rolling begins
+IN_ITS_PLACE = (XI, "adhesion_hysteresis", "hysteresis_fraction")  # alternatives that set where rolling begins
 DEFAULTS = {
     XI: 2e-10,
     "load": 0.0,
@@ -63,11 +55,11 @@ DEFAULTS = {
     "cutoff": 1.65e-10,
     "contact_angle": 0.0,
 }
-# Values of inputs that determine other quantities: a plane, a rigid body, no load.
+# Special values of inputs (a plane, a rigid body, no load), and the values of other quantities that follow.
 FOLLOWS: Mapping[str, tuple[float, Mapping[str, float]]] = {
     "diameter2": (INFINITY, {}),  # converted to a radius
     "radius2": (INFINITY, {"radius_ratio": 0.0, "rayleigh_frequency2": 0.0, **dict.fromkeys(OF_A_PLANE, INFINITY)}),
-    "youngs_modulus": (INFINITY, {"poisson_ratio": 0.0}),  # without strain it does not matter
+    "youngs_modulus": (INFINITY, {"poisson_ratio": 0.0}),  # without strain, Poisson's ratio does not matter
     "youngs_modulus2": (INFINITY, {"poisson_ratio2": 0.0}),
     "load": (0.0, {"load_margin": 1.0}),
 }
@@ -86,10 +78,10 @@ EXCLUSIVE = (
     *((other, name) for name, other in CONVERTED.items()),
 )
 
-# Inputs that replace a solid's yield displacement, or give sphere 2 another solid.
+# Inputs that replace the yield displacement of a solid, or give sphere 2 another solid.
 _OTHER_DISPLACEMENT = frozenset((*IN_ITS_PLACE, *(of_sphere(2, name) for name in OF_A_SOLID)))
 
-# Quantities that need a contact area: they have no value if both bodies are rigid. JKR's others follow from these.
+# Quantities that have no value if both bodies are rigid: they need a contact area. JKR's others follow from these.
 _ON_AREA = frozenset({"contact_modulus", "contact_shear_modulus", "shear_strength", "pull_off_force", "load_factor",
     "rolling_frequency_as_printed"})  # fmt: skip
 
@@ -98,12 +90,12 @@ Made = TypeVar("Made")
 
 
 class Frame:
-    """Two spheres, as far as they are described, and all that follows from the description.
+    """Two spheres, as far as they are described, and all quantities that follow from the description.
 
-    `described` are the inputs by name, `stated` the same after conversion. `given` adds the properties of the
-    materials, without uncertainties; `known` adds defaults and what a single input implies. `values` are those of the
-    known names and of all results so far, nan where there is none; `reasons` explain the nan. Both are arrays, or
-    numbers that hold for all rows.
+    `described` are the inputs by name, and `stated` are the same inputs after conversion. `given` adds the properties
+    of the materials, and drops uncertainties. `known` adds the names of defaults and of quantities that a single input
+    implies. `values` hold the known values and all results so far, nan where there is none; `reasons` explain the nan.
+    Both hold arrays, or numbers that apply to all rows.
 
     >>> frame = Frame({"surface_energy": 0.025, "radius": 1e-7})
     >>> f"{frame['pull_off_force']:.4e}"
@@ -112,7 +104,7 @@ class Frame:
     1e-07
     """
 
-    few = 300  # points of uncertain inputs, enough for two ranges, up to which floats beat importing numpy
+    few = 300  # points of uncertain inputs up to which floats are faster than importing numpy: enough for two ranges
     unknowns: Sequence[str] = ()  # inputs that are inferred from measured quantities
     solution: Any = None  # the inferred values of the unknowns
 
@@ -126,27 +118,27 @@ class Frame:
         moved: Mapping[str, Any] = MappingProxyType({}),
         state: str = "",
     ) -> None:
-        """Take SI values by name; they override the materials of sphere 1 and, if it has its own, of sphere 2.
+        """`given`: SI values by name, which override those of the materials; `material2`: only if sphere 2 has its own.
 
-        `model` is the name of a law in `LAWS`; None means the paper's, JKR. The frame computes with the middle of an
-        uncertain value; `model.uncertainty` does the rest. `moved`: values that override a material's without counting
-        as stated; None removes an input. `state`: the name of a state of a force curve. Raises QuantityError, or
-        BadRequest for arrays that do not broadcast.
+        `model`: the name of a law in `LAWS`; None for JKR, the law of the paper. `moved`: values that override those of
+        a material without counting as stated; None removes an input. `state`: the name of a state of a force curve. The
+        frame computes with the middle of an uncertain value; `model.uncertainty` does the rest. Raises QuantityError,
+        or BadRequest for arrays that do not broadcast.
         """
         self.law = LAWS[DEFAULT_LAW if model is None else model]
         self.stated_model = None if model is None else self.law.name
         self.state = state
         check_exclusive(given)
         self.material, self.material2, self.moved = material, material2, moved
-        # Each material with the number of its sphere; sphere 2 only if it has its own.
+        # Each material with the number of its sphere; sphere 2 is listed only if it has its own.
         self.materials = [(solid, sphere) for solid, sphere in ((material, 1), (material2, 2)) if solid is not None]
-        # By the name of an input: the material that provides it, and the name of the property there.
-        self.of_materials = {
-            of_sphere(sphere, name): (solid, name) for solid, sphere in self.materials for name in solid.properties
-        }
+        # By input: the material that provides it, and the name of the material's property.
+        self.of_materials: dict[str, tuple[Material, str]] = {}
+        for solid, sphere in self.materials:
+            self.of_materials |= {of_sphere(sphere, name): (solid, name) for name in solid.properties}
         self.described = {**given}
         self.stated = self.described if CONVERTED.keys().isdisjoint(given) else self._converted()
-        for name in self.stated.keys() & CONVERTED.keys():  # without ν, G leaves E open
+        for name in self.stated.keys() & CONVERTED.keys():  # a shear modulus without ν leaves E unknown
             self.of_materials.pop(CONVERTED[name], None)
         stated = self.stated.items()
         self.uncertain: dict[str, Uncertain] = {name: value for name, value in stated if is_uncertain(value)}
@@ -162,43 +154,43 @@ class Frame:
             self.given[XI] = self.displacement.value
         has_displacement = any(solid.displacement is not None for solid, _ in self.materials)
         self.values = {**_assumed(frozenset(self.given), has_displacement), **self.given}
-        self.sources: dict[str, str] = {}  # the input that each implied value follows from
+        self.sources: dict[str, str] = {}  # by implied value: the input from which it follows
         for source, values in _implied(self.values, self.law, self.uncertain).items():
             self.sources |= dict.fromkeys(values.keys() - self.values.keys(), source)
             self.values = {**values, **self.values}
         self.known = frozenset(self.values)
-        self.plan_key = (self.known, material2 is not None, self.law.name)  # plans depend on these alone
+        self.plan_key = (self.known, material2 is not None, self.law.name)  # plans depend only on these
         self.reasons: dict[str, Any] = {}  # reasons of nan values, for results that have any
         self.steps: dict[str, Plan] = {}  # the steps that computed these results
-        # Computed arrays with reasons, by step and ids of its arguments, which are kept alive so that no id is reused.
+        # Computed arrays and reasons, by step and ids of its arguments; these are kept alive, so that no id is reused.
         self._shared: dict[tuple[object, ...], tuple[tuple[Any, Any], Any]] = {}
         self.derived: dict[Any, Any] = {}  # results of functions of the frame: see `once_a_frame`
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle the description; the rest is computed again."""
+        """Pickle the description; results are computed again."""
         return _described, (self.described, self.material, self.material2, self.stated_model, self.moved, self.state)
 
     def replace(self, **values: Any) -> "Frame":
         """Return the frame with other values of inputs; None removes an input.
 
-        `model` sets the law of attraction, `state` the name of the state. A value from a material becomes moved, any
-        other stated. A radius replaces a described diameter, and E replaces G. Arrays that follow from the same values
-        are reused, which saves a tenth of the time of a table with doubts.
+        `model` sets the law of attraction, `state` the name of the state. New values of a material's properties count
+        as moved, all others as stated. A radius replaces a described diameter, and E replaces G. Arrays that follow
+        from the same values are reused, which saves a tenth of the time of a table with doubts.
         """
         model, state = values.pop("model", self.stated_model), values.pop("state", self.state)
         of_materials = self.of_materials.keys() & values.keys() - self.stated.keys()
         moved = {**self.moved, **{name: values.pop(name) for name in of_materials}}
-        every = {**self.described, **values}
-        given = {
-            name: value for name, value in every.items() if value is not None and CONVERTED.get(name) not in values
-        }
+        given = {}
+        for name, value in {**self.described, **values}.items():
+            if value is not None and CONVERTED.get(name) not in values:
+                given[name] = value
         frame = Frame(given, self.material, self.material2, model=model, moved=moved, state=state)
         frame._shared = {**self._shared}
         return frame
 
     @property
     def filled(self) -> "Frame":
-        """The frame with placeholders for inputs that are not inferred yet, for making plans."""
+        """The frame for making plans, with placeholders for inputs that are not inferred yet."""
         return self
 
     @property
@@ -210,13 +202,13 @@ class Frame:
         """Raise the error of an `Inverse` frame whose search has no result for any measured value."""
 
     def judged(self, names: Iterable[str]) -> Sequence[str]:
-        """Return the quantities whose limits are judged for some results: here the results themselves."""
+        """Return the quantities whose limits apply to some results: here the results themselves."""
         return [*names]
 
     def under(self, law: str) -> "Frame":
         """Return the frame under another law.
 
-        A state of a force curve that the law lacks is replaced by its load, or dropped if only grips hold it.
+        If the law lacks the state of a force curve, its load replaces it, unless only grips hold the state.
         """
         of_one_law = _OF_ONE_LAW & self.stated.keys()
         if self.state in HELD_BY_LOAD and of_one_law:
@@ -244,33 +236,33 @@ class Frame:
         return converted(self.described, known, own_material2=self.material2 is not None)
 
     def _displacement_of_solid(self) -> Interval | None:
-        """Return the yield displacement of the spheres' common solid at these radii, unless another one is stated."""
+        """Return the yield displacement of the common solid at these radii; None without one, or if one is stated."""
         material, radius = self.material, self.given.get("radius")
         if material is None or material.displacement is None or radius is None:
             return None
         is_of_two = self.material2 is not None and self.material2.key != material.key
         if is_of_two or not self.stated.keys().isdisjoint(_OTHER_DISPLACEMENT):
             return None
-        return material.displacement.scaled(
-            2 * reduced_radius(radius=radius, radius2=self.given.get("radius2", radius))
-        )
+        reduced = reduced_radius(radius=radius, radius2=self.given.get("radius2", radius))
+        return material.displacement.scaled(2 * reduced)
 
     @cached_property
     def data(self) -> Mapping[str, tuple[Material, str]]:
-        """The inputs that are data of a material, each with the material and the property."""
+        """The inputs that come from a material, each with the material and the property."""
         others = self.stated.keys() | self.moved.keys()
         data = {name: of_solid for name, of_solid in self.of_materials.items() if name not in others}
         return data if self.displacement is None or self.material is None else {**data, XI: (self.material, XI)}
 
     def data_used(self, inputs: Collection[str]) -> list[tuple[Material, str]]:
-        """Return the materials with the properties that these inputs take from them."""
+        """Return the material and the property of each input that comes from a material."""
         return [used for name, used in self.data.items() if name in inputs]
 
     @cached_property
     def uncertainties(self) -> Mapping[str, Uncertain]:
         """The uncertainties of inputs, stated or from materials."""
         bars = {name: solid.uncertainties.get(of_solid) for name, (solid, of_solid) in self.data.items()}
-        return {name: bar for name, bar in {**bars, XI: self.displacement, **self.uncertain}.items() if bar is not None}
+        bars |= {XI: self.displacement, **self.uncertain}
+        return {name: bar for name, bar in bars.items() if bar is not None}
 
     @cached_property
     def is_rigid(self) -> Any:
@@ -284,16 +276,16 @@ class Frame:
     def is_identical(self) -> Any:
         """True if no input makes sphere 2 differ from sphere 1; row by row for arrays."""
         of_2 = {of_sphere(1, name): value for name, value in self.given.items() if NOMENCLATURE[name].sphere == 2}
-        lacking = self.material2 is not None and any(name in self.given and name not in of_2 for name in PROPERTIES)
-        return reduce(and_, (value == self.given.get(name) for name, value in of_2.items()), not lacking)
+        lacks_some = self.material2 is not None and any(name in self.given and name not in of_2 for name in PROPERTIES)
+        return reduce(and_, (value == self.given.get(name) for name, value in of_2.items()), not lacks_some)
 
     @property
     def stated_of_1(self) -> dict[str, Any]:
-        """The stated inputs that hold for a pair of spheres like sphere 1: none of sphere 2, no w of two solids."""
-        of_pair = () if self.material2 is None else ("work_of_adhesion",)
-        return {
-            name: value for name, value in self.stated.items() if NOMENCLATURE[name].sphere != 2 and name not in of_pair
-        }
+        """The stated inputs that hold for two spheres like sphere 1: none of sphere 2, nor w between two solids."""
+        stated = {name: value for name, value in self.stated.items() if NOMENCLATURE[name].sphere != 2}
+        if self.material2 is not None:
+            stated.pop("work_of_adhesion", None)
+        return stated
 
     def shows(self, name: str) -> Any:
         """Return whether a quantity is shown without being asked for by name, row by row for arrays."""
@@ -312,7 +304,7 @@ class Frame:
     # --- Plans --------------------------------------------------------------------------------------------------------
 
     def plan(self, name: str) -> Plan:
-        """Return the plan of a quantity; it has no formula if the inputs do not determine the quantity."""
+        """Return the plan of a quantity, without a formula if the inputs do not determine the quantity."""
         return plan_for(name, *self.plan_key)
 
     def plans(self, *names: str) -> list[Plan]:
@@ -345,14 +337,14 @@ class Frame:
         return in_order(used & (self.given.keys() | DEFAULTS.keys()))
 
     def inputs_used(self, names: Sequence[str]) -> Collection[str]:
-        """Return the inputs that quantities depend on, as far as the frame has them."""
+        """Return those inputs of the frame that quantities depend on."""
         possible = self.possible(names)
         return self.inputs_of(*possible) if possible else depends_on(tuple(names)) & self.given.keys()
 
     def echo(self, used: Collection[str]) -> dict[str, Any]:
         """Return the inputs that are used or stated, as understood: materials, law, SI values, state.
 
-        Stated inputs that are not used may still decide doubts and values by other laws, and identify rows of a list.
+        Even if they are not used, stated inputs may decide doubts and values by other laws, or identify rows of a list.
         """
         used = {*used, *(self.stated.keys() & self.given.keys())}
         echoed: dict[str, Any] = {of_sphere(sphere, "material"): solid.name for solid, sphere in self.materials}
@@ -376,13 +368,15 @@ class Frame:
             return NotInLaw(name, in_order(plan.lacking), self.law.title)
         names = lacked(plan.missing, self.stated)
         if XI in names and "radius" not in self.given:
-            names = names - {XI} | {"radius"}  # it scales ξ of the solid
-        without = {}
+            names = names - {XI} | {"radius"}  # the radius scales ξ of the solid
+        lacking: dict[str, None] = {}
         for each in in_order(names):
-            solid = self.material2 or self.material if NOMENCLATURE[each].sphere == 2 else self.material
+            solid = self.material
+            if NOMENCLATURE[each].sphere == 2 and self.material2 is not None:
+                solid = self.material2
             if solid is not None and solid.name and of_sphere(1, each) in PROPERTIES:
-                without[solid.missing_text(of_sphere(1, each))] = True
-        return MissingInput(name, in_order(names), ", ".join(without))
+                lacking[solid.missing_text(of_sphere(1, each))] = None
+        return MissingInput(name, in_order(names), ", ".join(lacking))
 
     # --- Values and reasons -------------------------------------------------------------------------------------------
 
@@ -425,11 +419,11 @@ class Frame:
         return self.given.keys().isdisjoint(("atomic_spacing", "hamaker"))
 
     def may_rest_on_spacing(self, name: str) -> bool:
-        """Return whether a quantity of small, hard spheres depends on an assumed atomic spacing."""
+        """Return whether a quantity depends on an assumed atomic spacing if the spheres are small and hard."""
         return self.assumes_spacing and not self.law.by_spacing.isdisjoint(self.plan(name).steps.keys() - {name})
 
     def rests_on_spacing(self, name: str) -> Any:
-        """Return whether a quantity depends on an assumed atomic spacing here, row by row."""
+        """Return the rows in which a quantity depends on an assumed atomic spacing; False if there are none."""
         return self.may_rest_on_spacing(name) and self.column("transition_parameter").values < 1
 
     def drop(self, name: str, cause: Cause) -> None:
@@ -494,8 +488,12 @@ class Frame:
 
     def errors(self, columns: Mapping[str, Column], row: int = 0) -> dict[str, JkrollError]:
         """Return the errors of columns without a value in a row, by name; hidden quantities are left out."""
-        numbers = {name: at_row(column.reasons, row) for name, column in columns.items()}
-        return {name: self.error(name, n, row) for name, n in numbers.items() if n not in (0, reason(HIDDEN))}
+        errors = {}
+        for name, column in columns.items():
+            number = at_row(column.reasons, row)
+            if number not in (0, reason(HIDDEN)):
+                errors[name] = self.error(name, number, row)
+        return errors
 
 
 def once_a_frame(make: Callable[[Frame], Made]) -> Callable[[Frame], Made]:
@@ -512,9 +510,9 @@ def once_a_frame(make: Callable[[Frame], Made]) -> Callable[[Frame], Made]:
 
 
 def made_of(step: Plan, given: Mapping[str, Any], reasons: Any) -> tuple[Any, Any]:
-    """Return the values of a formula, and the reasons of cells without one.
+    """Return the values of a formula, and the reasons of cells without a value.
 
-    `reasons`: those of the arguments, which take precedence.
+    `reasons`: the reasons of the arguments, which take precedence.
     """
     try:
         values = step.formula(**given)
@@ -570,7 +568,7 @@ def _exclusive_among(given: frozenset[str]) -> list[str]:
 
 @lru_cache(maxsize=KEPT)
 def _assumed(given: frozenset[str], has_displacement: bool) -> Mapping[str, float]:
-    """Return the defaults that no input replaces. A measured displacement of the solid also replaces ξ."""
+    """Return the defaults that no input replaces. A measured displacement of the solid replaces the default ξ."""
     replaced = set()
     for names in EXCLUSIVE:
         if not given.isdisjoint(names):
@@ -585,7 +583,7 @@ def _assumed(given: frozenset[str], has_displacement: bool) -> Mapping[str, floa
 def _implied(values: Mapping[str, Any], law: Law, uncertain: Collection[str]) -> dict[str, Mapping[str, float]]:
     """Return the values that follow from a single input, or from its absence, by input.
 
-    Nothing follows from the middle of an uncertain value, since its other values imply something else.
+    Nothing follows from the middle of an uncertain value, since the values around it imply something else.
     """
     implied = {}
     for name, (value, follows) in FOLLOWS.items():
@@ -594,7 +592,7 @@ def _implied(values: Mapping[str, Any], law: Law, uncertain: Collection[str]) ->
     if "radius2" not in values:
         implied["radius2"] = {"radius_ratio": 1.0}
     if "poisson_ratio2" not in values:
-        implied.pop("youngs_modulus", None)  # a sphere 2 that deforms would inherit the ratio
+        implied.pop("youngs_modulus", None)  # a deformable sphere 2 would inherit this ratio
     if law.tables[ALWAYS].get("load_margin", "") is None:
         implied.pop("load", None)
     return implied

@@ -18,11 +18,11 @@ from .unsolved import SIZES, already_given, inputs_named
 
 
 class Inverse(Frame):
-    """A frame without one or two inputs, the unknowns, but with measured values of as many quantities.
+    """A frame in which one or two inputs are unknown, and as many quantities are measured.
 
-    Its columns are those of the frame `found`, in which the unknowns have values. The search starts when a column is
-    asked for; until then, placeholders for the unknowns suffice to make plans. A material's value of an unknown is not
-    used.
+    Its columns come from the frame `found`, in which the unknowns have values. The search starts with the first column
+    that is asked for; until then, placeholders for the unknowns suffice to make plans. A material's value of an unknown
+    is not used.
     """
 
     few = 0  # points of uncertain inputs computed with floats: a search needs arrays
@@ -32,8 +32,8 @@ class Inverse(Frame):
     ) -> None:
         """`measured`: values by quantity, possibly uncertain or arrays; `known`: the frame without the unknowns.
 
-        `near`: a frame whose solution is the start of Newton's method, for two unknowns in arrays. Raises a BadRequest
-        for invalid unknowns or quantities.
+        `near`: a frame whose solution starts Newton's method, for two unknowns in arrays. Raises BadRequest for invalid
+        unknowns or quantities.
         """
         self.unknowns, self.measured, self.near = tuple(inputs_named(unknowns)), measured, near
         self.levels = {name: middle(value) for name, value in measured.items()}
@@ -49,11 +49,11 @@ class Inverse(Frame):
         self.shape = broadcast(self.arrays)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle the description; the rest is computed again."""
+        """Pickle the description; results are computed again."""
         return Inverse, (self.unknowns, self.measured, self.problem.frame)
 
     def replace(self, **values: Any) -> "Inverse":
-        """Return the frame with other values of some inputs and measured quantities."""
+        """Return the frame with other values of inputs and measured quantities."""
         measured = {name: values.pop(name, value) for name, value in self.measured.items()}
         return Inverse(self.unknowns, measured, self.problem.frame.replace(**values), self)
 
@@ -80,12 +80,12 @@ class Inverse(Frame):
         return [name for name in names if super(Inverse, self).missing(self.judged([name]))]
 
     def inputs_of(self, *wanted: str) -> tuple[str, ...]:
-        """Return the inputs that quantities depend on; for an unknown, with the measured quantities."""
+        """Return the inputs that quantities depend on; an unknown depends on the measured quantities, too."""
         measured = self.measured.keys() if not {*self.unknowns}.isdisjoint(wanted) else ()
         return in_order({*super().inputs_of(*wanted), *measured} - self.problem.sought.keys())
 
     def inputs_used(self, names: Sequence[str]) -> Collection[str]:
-        """Return the inputs that quantities depend on, as far as the frame has them, without the unknowns."""
+        """Return those inputs of the frame that quantities depend on, without the unknowns."""
         return {*self.filled.inputs_used(self.judged(names))} - self.problem.sought.keys()
 
     def missing_input(self, name: str) -> MissingInput:
@@ -108,7 +108,7 @@ class Inverse(Frame):
     def solution(self) -> Solution:
         """The values of the unknowns, with the reasons of rows without a solution.
 
-        Raises a BadRequest for rows with several solids, if each row decides whether both spheres have the same solid.
+        Raises BadRequest if the solids vary by row and an unknown is a property: it may belong to one sphere or both.
         """
         solids = [solid.name for solid, _ in self.materials]
         if solids[1:] and not all(solids) and not {*PROPERTIES}.isdisjoint(self.unknowns):
@@ -135,7 +135,7 @@ class Inverse(Frame):
         return self.found.column(name)
 
     def error(self, name: str, number: int, row: int = 0) -> JkrollError:
-        """Return the reason for an empty cell as an error; it may be the reason of the search."""
+        """Return the reason for an empty cell as an error, which may be an error of the search."""
         failure = self.solution.failure or self.solution.failures.get(row)
         return self.found.error(name, number, row) if failure is None else failure
 

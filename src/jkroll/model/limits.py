@@ -25,10 +25,10 @@ _COMPARISONS = {"<": lt, "<=": le, ">": gt, ">=": ge}
 
 
 class Limit:
-    """A number that limits the model, the quantities that it touches, and the consequence beyond it.
+    """A number that limits the model, the quantities that it touches, and the consequence beyond the limit.
 
-    A value is in doubt if it is, for example, "<" a threshold. Several thresholds of one number are listed in the order
-    in which a value crosses them, each with its code.
+    The comparison states when a number is in doubt: with "<", if it is below a threshold. A number may have several
+    thresholds, each with its code, in the order in which it crosses them.
     """
 
     def __init__(
@@ -38,14 +38,14 @@ class Limit:
         sign: Literal["<", "<=", ">", ">="],
         codes: Mapping[float, str],  # by threshold
         consequence: str,  # in words: the meaning of a number beyond the threshold
-        applies: Callable[[Frame, Collection[str]], bool] | None = None,  # to these results of a frame; None: to all
+        applies: Callable[[Frame, Collection[str]], bool] | None = None,  # to some results of a frame; None: to all
         ends_meaning: bool = False,  # results beyond the limit have no meaning
-        conclusion: str = "",  # the name of the consequence, if it is not the number's
-        # Computes the number to judge in place of the named one; to compare laws or data, the ratio of two answers.
+        conclusion: str = "",  # the name of the consequence, if it differs from the name of the number
+        # Computes the number to judge in place of the named one, such as the ratio of two answers.
         factor: Callable[[Frame, Mapping[str, Column]], Any] | None = None,
         where: Callable[[Frame], Any] | None = None,  # the rows in which it is judged
-        is_shown: bool = True,  # below an answer, not only in explanations
-        has_remedy: Callable[[Frame], bool] | None = None,  # its sentence names a remedy, and precedes others
+        is_shown: bool = True,  # below an answer; otherwise only in explanations
+        has_remedy: Callable[[Frame], bool] | None = None,  # True if its sentence names a remedy; it then comes first
     ) -> None:
         self.name, self.touches, self.sign, self.codes = name, touches, sign, codes
         self.consequence, self.applies, self.ends_meaning = consequence, applies, ends_meaning
@@ -58,7 +58,7 @@ class Limit:
         return _COMPARISONS[self.sign](number, threshold)
 
     def excess(self, number: Any) -> Any:
-        """Return how far numbers lie beyond the first threshold: the logarithm of the ratio, or beyond 0 the number."""
+        """Return how far numbers are beyond the first threshold: the logarithm of their ratio; for 0, the number."""
         size = ln(number / self.threshold) if self.threshold else number
         return size if self.sign.startswith(">") else -size
 
@@ -74,15 +74,15 @@ class Limit:
 
 
 class Doubt:
-    """A judged limit: its number, and the judged number, which differs if the limit has a factor.
+    """A judged limit with its number, and the number that was judged, which differs if the limit has a factor.
 
-    Both are numbers or arrays.
+    Both may be arrays.
     """
 
     def __init__(
         self, limit: Limit, value: Any, judged: Any, error: JkrollError | None = None, unjudged: Any = False
     ) -> None:
-        """`error`: the reason if no row could be judged; `unjudged`: the rows that could not be judged."""
+        """`error`: the reason, if no row could be judged; `unjudged`: the rows that could not be judged."""
         self.limit, self.value, self.judged, self.error, self.unjudged = limit, value, judged, error, unjudged
 
     @property
@@ -97,12 +97,15 @@ class Doubt:
 
     @property
     def code(self) -> str:
-        """The code of the last threshold crossed; empty if the limit holds, UNCHECKED if it was not judged."""
+        """The code of the last threshold that the number crosses; empty if the limit holds, UNCHECKED if not judged."""
         return codes(self.bits)
 
     @property
     def factor(self) -> float | None:
-        """The number over the first threshold, below 1 if the limit holds; None if infinite or undefined."""
+        """The ratio by which the number exceeds the first threshold, below 1 if the limit holds.
+
+        None if the ratio is infinite or undefined.
+        """
         return exp(self.excess) if self.limit.threshold and self.excess < inf else None
 
     @property
@@ -118,7 +121,7 @@ class Doubt:
 
     @cached_property
     def is_beyond(self) -> Any:
-        """The rows beyond the first threshold; False if there are none, as for most limits."""
+        """The rows beyond the first threshold; False if there are none, the usual case."""
         is_beyond = self.limit.is_beyond(self.judged, self.limit.threshold)
         return is_beyond if is_anywhere(is_beyond) else False
 
@@ -141,7 +144,7 @@ class Doubt:
 
 
 def _bits_where(condition: Any, bits: int, otherwise: Any) -> Any:
-    """Return bits in the rows of a condition, as 64-bit integers: numpy's default has 32 in a browser."""
+    """Return bits in the rows of a condition, as integers of 64 bits; in a browser numpy's default has 32."""
     if isinstance(condition, bool):
         return bits if condition else otherwise
     import numpy
@@ -149,8 +152,8 @@ def _bits_where(condition: Any, bits: int, otherwise: Any) -> Any:
     return numpy.where(condition, numpy.int64(bits), otherwise)
 
 
-# Quantities that rest on the law and on elasticity. In DMT, the radius at an approach does not depend on the work of
-# adhesion, nor does Q/P_c without load.
+# Every quantity that depends on the law or on elasticity needs one of these. By DMT, neither the radius at an approach
+# nor Q/P_c without load needs the work of adhesion.
 _ELASTICITY = frozenset({"work_of_adhesion", "contact_radius_at_load", "yield_force_ratio"})
 _DISPLACEMENT = frozenset({"yield_displacement"})
 JUMP = 0.7  # Tabor parameter below which contacts by Lennard-Jones' 3-9 law have no jump at fixed grips
@@ -164,15 +167,13 @@ _PULLED = frozenset({"pull_off_force", "bond_number"})
 _IMPACT = frozenset({"restitution", "lost_energy", "impact_pressure"})
 
 LAW_MATTERS = 1.05  # factor between the answers of two laws
-
-
 SOFT = 1e8  # contact modulus in Pa below which solids (rubbers, gels) close over their roughness
 RUBBERY = 0.49  # Poisson's ratio above which a solid stretches rather than yields
 
 
 @once_a_frame
 def may_be_rough(frame: Frame) -> Any:
-    """Return whether roughness can part two solids; it cannot for soft ones, nor for mica on mica."""
+    """Return whether roughness can part two solids; it parts neither soft solids nor mica from mica."""
     if is_smooth(frame.material) and (frame.material2 is None or is_smooth(frame.material2)):
         return False
     return frame.numbers("contact_modulus").get("contact_modulus", INFINITY) >= SOFT
@@ -210,7 +211,7 @@ def _too_slow(name: str, least: float, code: str, energy: str) -> Limit:
     return Limit("energy_over_yield", frozenset({name}), "<=", {least: code}, consequence, ends_meaning=True)
 
 
-# First the limits that end the meaning of results; then the law of attraction; then causes of inexact results.
+# Limits that end the meaning of results come first, then the law of attraction, then causes of inexact results.
 CONTACT_EXCEEDS_SPHERE = Limit(
     "contact_over_sphere", _ELASTICITY | _DISPLACEMENT, ">", {1.0: "contact-exceeds-sphere"},
     "the contact is wider than the smaller sphere; the surface tension of the solid matters then",
@@ -387,20 +388,20 @@ BITS = {code: 1 << position for position, code in enumerate((*CODES, UNCHECKED))
 ENDING_MEANING = sum(limit.bits for limit in ENDING)
 NOT_JUDGED = BITS[UNCHECKED]
 EVERY_DOUBT = sum(BITS.values())
-# The explanations of codes that end the meaning of results, which are also reasons, and of unjudged limits.
+# In words: the codes that end the meaning of results, which are also reasons, and the code of unjudged limits.
 MEANINGS = {code: limit.consequence.partition(";")[0] for limit in ENDING for code in limit.codes.values()}
 ENDS = {code: register(EndOfMeaning(words, words, code=code)) for code, words in MEANINGS.items()}
 MEANINGS[UNCHECKED] = "a limit needs an input that is not given"
-# Numbers that keep their meaning beyond every limit: w, and the numbers that limits judge unless they are results.
+# Numbers that keep their meaning beyond every limit: w, and the numbers that limits judge, unless they are results.
 NUMBERS_OF_LIMITS = {"work_of_adhesion", *(limit.name for limit in LIMITS)}.difference(
     *(limit.touches for limit in LIMITS if "work_of_adhesion" not in limit.touches)
 )
 
 
 def doubts(frame: Frame, columns: Mapping[str, Column], limits: Iterable[Limit] = LIMITS) -> list[Doubt]:
-    """Return the limits of the results in columns, each judged or with the reason why not.
+    """Return the limits of the results in columns, each judged or with the reason why it is not.
 
-    Limits whose numbers do not exist for the law or the contact are left out.
+    A limit is left out if its number does not exist for the law or the contact.
     """
     concerned = touched(frame, columns, limits)
     numbers = frame.columns(limit.name for limit in concerned)
@@ -435,7 +436,7 @@ def concerns(limit: Limit, frame: Frame, names: Collection[str]) -> bool:
 
 
 def bits_of(frame: Frame, judged: Sequence[tuple[Any, Sequence[str]]], every: Iterable[Doubt]) -> Any:
-    """Return the codes of doubts as bits; each limit counts in the rows where a quantity that it concerns is judged.
+    """Return the codes of doubts as bits. A limit counts in the rows in which it concerns a judged quantity.
 
     `judged`: rows, with the quantities that are judged in them.
     """

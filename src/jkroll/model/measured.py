@@ -64,7 +64,7 @@ class Rolled(NamedTuple):
 
     @property
     def ends(self) -> tuple[Make, Make]:
-        """The functions that set a frame's displacement to the least and to the largest measured one."""
+        """The functions that set a frame's displacement to the least and to the largest measured value."""
         return _end_of(self, Rolled.least), _end_of(self, Rolled.most)
 
     def is_near(self, frame: Frame) -> Any:
@@ -95,9 +95,10 @@ def _end_of(rolled: Rolled, end: Callable[[Rolled, Any], Any]) -> Make:
 
 
 def _rolled_at(rolled: Rolled, end: Callable[[Rolled, Any], Any], frame: Frame) -> Frame:
-    """Return a frame with the displacement that an end of the measurement implies, under its law and without load.
+    """Return a frame with the displacement that an end of a measurement implies, under the frame's law without load.
 
-    Scaled far, a force may imply less than the assumed displacement of about one atom; that is the lower bound.
+    A force measured at a very different radius may imply less than the assumed displacement of about one atom, which is
+    the lower bound.
     """
     radius = 2 * frame["reduced_radius"]
     displacement = end(rolled, radius)
@@ -186,7 +187,7 @@ def what_stuck(frame: Frame) -> Stuck | None:
     return STUCK.get(solid_of_pair(frame))
 
 
-MOST_SEEN = 10  # largest speed at which hard spheres were seen to stick, in units of JKR's
+MOST_SEEN = 10  # largest speed at which hard spheres were seen to stick, in units of the speed by JKR
 
 
 class Surface(NamedTuple):
@@ -204,13 +205,13 @@ SURFACES: Mapping[str, Surface] = {
     "for rough grains in air": Surface(1 / 100, 1 / 10, "1/100–1/10", "tens of µm"),
 }
 SURFACES_FROM = 1e-6  # radius of the smallest spheres to which these fractions are scaled, in m
-ENERGY_ON_SURFACES = 0.025  # surface energy for which they are fractions of JKR's force, in J/m²
+ENERGY_ON_SURFACES = 0.025  # surface energy of the JKR force that these fractions refer to, in J/m²
 
 
 def on_surfaces(frame: Frame, ends: tuple[float, float] | None = None) -> Mapping[str, tuple[float, float]]:
-    """Return the least and the largest pull-off force on each surface; `ends`: JKR's force with its error bars.
+    """Return the least and the largest pull-off force on each surface; `ends`: the ends of JKR's force.
 
-    For SiO2 it is the measured one, whatever surface energy the pair has.
+    For SiO2 these are the measured forces, whatever surface energy the pair has.
     """
     force = frame.under(DEFAULT_LAW)["pull_off_force"]
     low, high = ends or (force, force)

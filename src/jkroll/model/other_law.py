@@ -31,25 +31,25 @@ def by_law_at_spacing(frame: Frame, names: Iterable[str]) -> Frame:
 
 
 def has_other_formulas(frame: Frame, name: str, law: str = DEFAULT_LAW) -> bool:
-    """Return whether a law has other formulas for a quantity than the frame has, or none."""
+    """Return whether a law and the frame have different formulas for a quantity, or only one of them has any."""
     return frame.plan(name).steps.keys() != plan_for(name, *frame.plan_key[:2], law).steps.keys()
 
 
 def moved_by_law(frame: Frame, names: Iterable[str]) -> list[str]:
-    """Return the quantities for which the other law has formulas of its own, or the only ones."""
+    """Return the quantities for which the other law has different formulas, or is the only one to have any."""
     other = frame.by_law
     return [name for name in other.possible(names) if has_other_formulas(frame, name, other.law.name)]
 
 
 def factor_of_law(frame: Frame, columns: Mapping[str, Column]) -> Any:
-    """Return the largest factor between results and those under the law that holds.
+    """Return the largest factor between the results by the law in use and by the law that holds.
 
     A pull-off force is also compared with Lennard-Jones' law. The factor is infinite if only the law in use has a
     result, or if signs differ.
     """
     if frame.law.name == BETWEEN:
         return 1.0
-    if frame.law.profile != PARABOLOID:  # the law is judged apart from the profile
+    if frame.law.profile != PARABOLOID:  # the law is judged for a paraboloid
         frame = frame.under(DEFAULT_LAW)
         columns = frame.columns(columns)
     ours = {name: columns[name].values for name in moved_by_law(frame, columns) if not columns[name].is_empty}

@@ -15,7 +15,7 @@ from ..physics import FORMULAS
 from ..quantities.laws import DEFAULT_LAW, Routes, law_of, routes, routes_anywhere
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, UnknownQuantity, computed_as, of_sphere
 
-# A sphere 2 of another material takes none of these from sphere 1: all that each sphere has, except the radius.
+# Every input that each sphere has, except the radius. A sphere 2 of another material takes none of them from sphere 1.
 OF_A_SOLID = frozenset(
     name
     for name, quantity in NOMENCLATURE.items()
@@ -68,7 +68,7 @@ def plan_for(wanted: str, known: frozenset[str], own_material2: bool, model: str
 
 @lru_cache(maxsize=KEPT)
 def taken_by(names: tuple[str, ...], *plan_key: Any) -> frozenset[str]:
-    """Return quantities with the parameters of all formulas that they need; `plan_key`: see `plan_for`."""
+    """Return the names of quantities and of the parameters of all their formulas; `plan_key`: see `plan_for`."""
     plans = [plan_for(name, *plan_key) for name in names]
     return frozenset(names).union(*(step.arguments for plan in plans for step in plan.steps.values()))
 
@@ -104,7 +104,7 @@ def formula_of(name: str) -> Any:
 def arguments_of(name: str) -> tuple[tuple[str, str], ...]:
     """Return the parameters of a quantity's formula, each with the name of its value.
 
-    This is the value of sphere 2 for a quantity of sphere 2.
+    A quantity of sphere 2 takes the values of sphere 2.
     """
     parameters, is_of_2 = parameters_of(formula_of(name)), NOMENCLATURE[name].sphere == 2
     return tuple((parameter, of_sphere(2, parameter) if is_of_2 else parameter) for parameter in parameters)

@@ -1,4 +1,4 @@
-"""The range of numbers that a frame accepts as inputs, and of those that it gives as results."""
+"""The ranges of numbers that a frame accepts as inputs, and that it gives as results."""
 
 from math import isfinite
 from typing import Any
@@ -20,7 +20,7 @@ def check_range(name: str, value: Any) -> None:
     position: tuple[int, ...] = ()
     if not isinstance(value, NUMBER):
         if value.size and all(abs(end) <= MOST and takes(name, end) for end in (value.min(), value.max())):
-            return  # the usual case: a range includes all numbers between two of its members
+            return  # the usual case: a range with two numbers includes all numbers between them
         are_refused = ~takes(name, value)
         if not are_refused.any():
             return
@@ -45,7 +45,7 @@ def takes(name: str, value: Any) -> Any:
 # --- Results ----------------------------------------------------------------------------------------------------------
 
 SMALLEST = 2.2250738585072014e-308  # the smallest double with all digits
-# Quantities of sphere 2 that are infinite for a plane, such as its mass.
+# Quantities of sphere 2 that are infinite if it is a plane, such as its mass.
 OF_A_PLANE = [
     name for name, quantity in NOMENCLATURE.items()
     if quantity.range is UP_TO_INFINITE and quantity.sphere == 2 and formula_of(name) is not None
@@ -53,7 +53,7 @@ OF_A_PLANE = [
 
 
 def is_answer(name: str, value: Any) -> Any:
-    """Return whether doubles are results with all digits, or zeros or infinities that the physics allows."""
+    """Return whether doubles are valid results: numbers with all digits, or zeros and infinities of the physics."""
     size = abs(value)
     has_digits = size >= SMALLEST
     if name not in OF_A_PLANE:

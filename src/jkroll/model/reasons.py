@@ -1,7 +1,7 @@
-"""Reasons for missing values: their causes, and the errors and sentences made of them.
+"""Reasons for missing values: their causes, and the errors and sentences that state them.
 
-In columns a reason is an integer, 0 for none. It combines the cause and the step of the calculation without a value;
-the numbers in its sentence come from the columns of this step, in the same row.
+In columns a reason is an integer, 0 for none. It encodes a cause, and the step of the calculation that has no value.
+The numbers in its sentence are the arguments of this step in the same row.
 
 The end of this file states the arguments for which a formula has no result.
 """
@@ -9,7 +9,7 @@ The end of this file states the arguments for which a formula has no result.
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from math import pi
-from operator import gt, le
+from operator import gt, itemgetter, le
 from typing import Any
 
 from ..errors import JkrollError, NoResult, code_of
@@ -26,15 +26,15 @@ from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE_
 from ..quantities.values import parse_quantity
 from ..text import listed
 
-MAX_DIGITS = 17  # these distinguish any two doubles
-_FEWEST = 4  # least digits of the numbers in a reason
+MAX_DIGITS = 17  # so many distinguish any two doubles
+_FEWEST = 4  # fewest digits of the numbers in a reason
 
 
 class MissingInput(JkrollError):
     """Error raised when a quantity cannot be computed from the given inputs."""
 
     def __init__(self, wanted: str, missing: Sequence[str], lacking: str = "") -> None:
-        """`lacking`: names the materials that should provide the missing inputs."""
+        """`lacking`: the materials that should provide the missing inputs, in words."""
         super().__init__(wanted, tuple(missing), lacking)
         self.wanted, self.missing, self.lacking = wanted, tuple(missing), lacking
         self.phrase = needs_in_words(self.missing)
@@ -49,24 +49,29 @@ class MissingInput(JkrollError):
         return self.explanation() if lacks_itself else f"{NOMENCLATURE[self.wanted].sentence} {self.explanation()}"
 
     def explanation(self, verb: str = "needs") -> str:
-        """Return the missing inputs, the materials that lack them, and how to give them; `verb`: "need" for several.
+        """Return the missing inputs, the materials that lack them, and the options to give, in words.
 
-        The name of the quantity is left out.
+        The words follow the names of one or several quantities. `verb`: "need" for several.
         """
-        quantities = [NOMENCLATURE[name] for name in self.missing]
-        options = " ".join(f"{quantity.option} {quantity.example}" for quantity in quantities if quantity.option)
-        radii = [f"a radius such as {quantity.example}" for quantity in quantities if not quantity.option]
+        options, radii = [], []
+        for name in self.missing:
+            quantity = NOMENCLATURE[name]
+            if quantity.option:
+                options.append(f"{quantity.option} {quantity.example}")
+            else:
+                radii.append(f"a radius such as {quantity.example}")
+        examples = listed(filter(None, [" ".join(options), *radii]))
         give = "give"
         if self.lacking:
             give = f"{self.lacking}; give, for example,"
         elif {*self.missing} <= {*PROPERTIES}:
             give = "name a material, such as quartz, or give"
         of_pair = "; --work-of-adhesion 50mJ/m2 may replace --gamma" if "surface_energy" in self.missing else ""
-        return f"{verb} {_in_words(self.missing)}; {give} {listed(filter(None, [options, *radii]))}{of_pair}"
+        return f"{verb} {_in_words(self.missing)}; {give} {examples}{of_pair}"
 
 
 class NotInLaw(MissingInput):
-    """Error raised if a law of attraction does not have a quantity, or one that it depends on."""
+    """Error raised if a law of attraction lacks a quantity, or another quantity that it depends on."""
 
     def __init__(self, wanted: str, absent: Sequence[str], law: str) -> None:
         super().__init__(wanted, ())
@@ -108,7 +113,7 @@ class Cause:
         phrase: str,  # in the status of a row
         words: str,  # in full; {0} is the value of `name` that excludes a result, {1} and {2} are its limits
         name: str = "",  # the quantity whose value excludes a result
-        # The comparison with the limit. A load or an approach counts at the limit too: rounding may have put it there.
+        # The comparison with the limit. Loads and approaches at their limit are beyond it: rounding may put them there.
         is_beyond: Callable[[Any, Any], Any] = le,
         code: str = "",  # in JSON; the default is the phrase with hyphens
     ) -> None:
@@ -117,14 +122,14 @@ class Cause:
         self.has_contact = name not in STATE_OR_LOAD  # without a contact, no value of the frame is valid
 
     def __eq__(self, other: object) -> bool:
-        return type(other) is type(self) and vars(other) == vars(self)  # a copy in another process is equal
+        return type(other) is type(self) and vars(other) == vars(self)  # copies in other processes are equal
 
     def __hash__(self) -> int:
         return hash(self.words)
 
 
 class EndOfMeaning(Cause):
-    """A cause for numbers without a meaning; bare output and `jkroll.solve` still give the numbers."""
+    """A cause of numbers without a meaning; unformatted output and `jkroll.solve` still give the numbers."""
 
 
 MISSING = Cause("", "an input is missing, which the plan names", code="missing-input")
@@ -207,19 +212,19 @@ _STEPS = ("", *dict.fromkeys((*NOMENCLATURE, *FORMULAS)))
 
 
 def register(cause: Cause) -> Cause:
-    """Add a cause to those that reasons can have, and return it."""
+    """Add a cause to the list of causes, and return it."""
     _CAUSES.append(cause)
     return cause
 
 
 @cache
 def reason(cause: Cause, step: str = "") -> int:
-    """Return the number of a reason; `step`: the quantity without a value, if its formula is the reason."""
+    """Return the integer that encodes a reason. `step`: the quantity whose formula has no value, if one is to blame."""
     return _CAUSES.index(cause) * len(_STEPS) + _STEPS.index(step)
 
 
 def cause_and_step(number: int) -> tuple[Cause | None, str]:
-    """Return the cause of a reason, and its step."""
+    """Return the cause and the step that the integer of a reason encodes."""
     cause, step = divmod(number, len(_STEPS))
     return _CAUSES[cause], _STEPS[step]
 
@@ -242,7 +247,7 @@ class Failure(NoResult):
     def explanation(self) -> str:
         """Return the cause in words with its numbers, with enough digits to distinguish a value from its limit.
 
-        The first limit can be typed as it is: rounding does not move it beyond what a contact holds.
+        The first limit can be typed as an input: its rounding keeps it within what the contact holds.
         """
         if not self.numbers:
             return self.cause.words
@@ -271,7 +276,7 @@ class NoErrorBar(NoResult):
         self.name, self.why = name, why
 
     def explanation(self) -> str:
-        """Return why there is no value."""
+        """Return the reason in words."""
         return f"no uncertainty, as there is no value at an end of an input: {self.why}"
 
 
@@ -283,15 +288,15 @@ def explanation_of(name: str, error: JkrollError) -> str:
 
 
 def grouped(errors: Mapping[str, JkrollError]) -> Iterator[tuple[list[str], str]]:
-    """Iterate over reasons, each with the quantities that have no value for it.
+    """Iterate over reasons in words, each with the quantities that it leaves without a value.
 
-    Quantities that lack the same inputs share a reason, in the shortest words, even if some have an alternative input.
+    Quantities that lack the same inputs share the shortest of their reasons, although some have an alternative input.
     """
     explanations = {name: explanation_of(name, error) for name, error in errors.items()}
     groups: dict[object, list[str]] = {}
     for name, error in errors.items():
-        lacked = error.missing if isinstance(error, MissingInput) else ()
-        groups.setdefault(lacked or explanations[name], []).append(name)
+        missing = error.missing if isinstance(error, MissingInput) else ()
+        groups.setdefault(missing or explanations[name], []).append(name)
     for names in groups.values():
         shortest = min(names, key=lambda name: len(explanations[name]))
         error = errors[shortest]
@@ -326,11 +331,12 @@ def _fold_sphere(given: Given) -> Any:
 
 Rule = tuple[Cause, Callable[[Given], Any]]
 
-# Between pull-off and the fold, seen by the stiffness or by the distance from pull-off.
+# Only grips hold a contact between pull-off and the fold; its stiffness or its distance from pull-off is negative.
 _NOT_HELD: Rule = (NOT_HELD, lambda given: (given.get("stiffness", 0) < 0) | (given.get("load_margin", 0) < 0))
 _PARTED: Rule = (BEYOND_FOLD, lambda given: approach_at_fold(approach=given["approach"]))
 
-# By formula: the cause, and the limit for the quantity that the cause names, or else the condition itself.
+# By formula: the cause, and a function of the arguments that returns the limit of the quantity that the cause names. If
+# the cause names none, the function returns the condition itself.
 RULES: Mapping[str, Rule] = {
     "load_margin": (BEYOND_PULL_OFF, lambda given: -given["pull_off_force"]),
     "edge_ratio_at_load": (BEYOND_PULL_OFF, lambda given: -given["pull_off_force_maugis"]),
@@ -338,12 +344,12 @@ RULES: Mapping[str, Rule] = {
     "adhesive_force_dmt": (BEYOND_PULL_OFF, _pull_off_dmt),
     "load_factor_at_approach": _PARTED,
     "load_margin_at_approach": _PARTED,
-    "edge_ratio_at_approach": (BEYOND_FOLD, lambda given: given["fold_approach_maugis"]),
+    "edge_ratio_at_approach": (BEYOND_FOLD, itemgetter("fold_approach_maugis")),
     "contact_radius_dmt_at_approach": (BEYOND_FOLD, lambda _: 0.0),
-    "yield_displacement_at_hysteresis": (TOO_MUCH_HYSTERESIS, lambda given: given["work_of_adhesion"]),
+    "yield_displacement_at_hysteresis": (TOO_MUCH_HYSTERESIS, itemgetter("work_of_adhesion")),
     "sticking_speed_viscous": (STICKS_ALWAYS, lambda _: FITTED_UP_TO),
-    "yield_speed": (YIELDS_ON_TOUCH, lambda given: given["touch_pressure"]),
-    "plastic_speed": (PLASTIC_ON_TOUCH, lambda given: given["touch_pressure"]),
+    "yield_speed": (YIELDS_ON_TOUCH, itemgetter("touch_pressure")),
+    "plastic_speed": (PLASTIC_ON_TOUCH, itemgetter("touch_pressure")),
     "kelvin_radius": (DRY_OR_SATURATED, lambda given: (given["humidity"] <= 0) | (given["humidity"] >= 1)),
     "meniscus_size": (NO_WETTING, lambda given: given["contact_angle"] >= pi / 2),
     "threshold_humidity": (NO_WETTING, lambda given: given["contact_angle"] >= pi / 2),
@@ -363,7 +369,7 @@ RULES: Mapping[str, Rule] = {
 
 
 def reason_for(step: str, given: Given) -> Any:
-    """Return the reasons for arguments without a result, as a number or an array."""
+    """Return the reasons why a step has no result for its arguments, as an integer or an array."""
     no_double = reason(NO_DOUBLE, step)
     if step not in RULES:
         return no_double

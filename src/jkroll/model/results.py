@@ -30,13 +30,13 @@ ROW = ""  # the key of a reason that concerns the whole row
 class Results:
     """The columns of quantities of a frame, with inputs, uncertainties and limits.
 
-    A result has no value where a limit ends its meaning, except in bare numbers.
+    Where a limit ends the meaning of a result, the result has no value, except in unformatted output.
     """
 
     def __init__(self, described: Frame, computed: Mapping[str, Column], *, keeps_all: bool = False) -> None:
-        """`computed`: the columns; `keeps_all`: True to keep values without a meaning, for bare numbers.
+        """`described`: the frame; `computed`: its columns; `keeps_all`: True to keep values without a meaning.
 
-        Uncertainties are those of the frame `described`. Limits are judged on the frame in which all inputs have
+        Uncertainties are those of the frame as described. Limits are judged on the frame in which all inputs have
         values: for the results, or for the measured quantities if the results are inferred.
         """
         self.described, self.computed, self.keeps_all = described, computed, keeps_all
@@ -47,45 +47,48 @@ class Results:
 
     @property
     def columns(self) -> Mapping[str, Column]:
-        """The columns, with reasons instead of values without a meaning."""
+        """The columns, with reasons instead of values that have no meaning, unless all values are kept."""
         return self.computed if self.keeps_all else self.meant
 
     @cached_property
     def meant(self) -> Mapping[str, Column]:
-        """The columns without values that have no meaning."""
+        """The columns with reasons instead of values that have no meaning."""
         judged = self.described.judged
         return {name: self.without_meaning(column, judged([name])) for name, column in self.computed.items()}
 
     @cached_property
     def judged(self) -> Mapping[str, Column]:
-        """The columns whose limits apply to the results."""
+        """The columns of the quantities whose limits apply to the results."""
         names = self.described.judged(self.computed)
         return {name: self.computed[name] if name in self.computed else self.frame.column(name) for name in names}
 
     @cached_property
     def judged_meant(self) -> Mapping[str, Column]:
-        """`judged` without values that have no meaning."""
+        """The judged columns with reasons instead of values that have no meaning."""
         meant = {}
         for name, column in self.judged.items():
             meant[name] = self.meant[name] if name in self.meant else self.without_meaning(column, [name])
         return meant
 
     def without_meaning(self, column: Column, touching: Iterable[str]) -> Column:
-        """Return a column with reasons in the rows where a limit ends the meaning of some quantities."""
+        """Return a column with reasons instead of values where a limit ends the meaning of a quantity.
+
+        `touching`: the quantities.
+        """
         reasons: Any = 0
         if column.is_empty:
             return column
         for touched in touching:
             reasons = first_of(reasons, self._ends_of(touched))
             if NOMENCLATURE[touched].of_identical:
-                is_of_another = where(self.frame.is_identical, 0, reason(OF_ANOTHER_PAIR))
-                reasons = first_of(reasons, is_of_another)
+                of_another_pair = where(self.frame.is_identical, 0, reason(OF_ANOTHER_PAIR))
+                reasons = first_of(reasons, of_another_pair)
         if isinstance(reasons, int) and not reasons:
             return column
         return Column(where(reasons == 0, column.values, nan), first_of(column.reasons, reasons))
 
     def _ends_of(self, name: str) -> Any:
-        """Return the reasons of rows in which a limit ends the meaning of a quantity; shared by equal limits."""
+        """Return the reasons of rows in which limits end the meaning of a quantity, shared by all with these limits."""
         ending = () if name in NUMBERS_OF_LIMITS else self.ending
         concerned = tuple(index for index, doubt in enumerate(ending) if concerns(doubt.limit, self.frame, [name]))
         if concerned not in self._ends:
@@ -99,7 +102,7 @@ class Results:
 
     @cached_property
     def ended(self) -> dict[str, Any]:
-        """The rows in which a limit ends the meaning of a result, by quantity; only quantities with such rows."""
+        """The rows in which a limit ends the meaning of a result, for each quantity that has such rows."""
         ended = {}
         for name, column in self.computed.items():
             meant = self.meant[name]
@@ -112,7 +115,7 @@ class Results:
     # --- Inputs and uncertainties -------------------------------------------------------------------------------------
 
     def inputs_shown(self, names: Sequence[str]) -> dict[str, Any]:
-        """Return the inputs that were stated or enter quantities, as understood, with their uncertainties."""
+        """Return the inputs that were stated or that quantities depend on, as understood, with their uncertainties."""
         inputs = self.described.echo(self.described.inputs_used(names))
         if self.sources is not None:
             inputs |= {name: given for name, given in self.sources.given.items() if name in inputs}
@@ -120,7 +123,7 @@ class Results:
 
     @cached_property
     def sources(self) -> Sources | None:
-        """The sources of uncertainty of the results; None without any.
+        """The sources of uncertainty of the results; None if no input is uncertain.
 
         Raises a JkrollError for sources that cannot be combined.
         """
@@ -128,7 +131,7 @@ class Results:
 
     @cached_property
     def bars(self) -> Mapping[str, ErrorBar]:
-        """The uncertainties of values, for quantities that have any."""
+        """The uncertainties of results, by name; results without an uncertainty are left out."""
         if self.sources is None:
             return {}
         bars = error_bars(self.described, self.values, sources=self.sources)
@@ -138,13 +141,13 @@ class Results:
 
     @cached_property
     def ending(self) -> Sequence[Doubt]:
-        """The limits that end the meaning of results, judged for all values."""
+        """The limits that end the meaning of results, judged for all columns with values."""
         known = {name: column for name, column in self.judged.items() if not column.is_empty}
         return doubts(self.frame, known, ENDING)
 
     @cached_property
     def validity(self) -> Sequence[Doubt]:
-        """The limits of the model, judged for the values with a meaning, or with the reason why they are not."""
+        """The limits of the model, judged for values with a meaning, or with the reason why they are not judged."""
         known = {name: column for name, column in self.judged_meant.items() if not column.is_empty}
         unjudged = [doubt for doubt in self._of_resting if doubt.error is not None]
         return [*self.ending, *self.inexact(known), *unjudged]
@@ -155,12 +158,12 @@ class Results:
 
     @cached_property
     def _of_resting(self) -> Sequence[Doubt]:
-        """The limits that do not end meaning, judged for columns that depend on an assumed atomic spacing."""
+        """The limits that do not end meaning, judged for columns whose empty cells need an atomic spacing."""
         return self.inexact(self._resting)
 
     @cached_property
     def _resting(self) -> dict[str, Column]:
-        """The columns with empty cells because the atomic spacing, on which they depend, was not given."""
+        """The columns with empty cells that need an atomic spacing, which was not given."""
         resting = {}
         for name, column in self.judged.items():
             if self.frame.may_rest_on_spacing(name) and is_anywhere(_rests(name, column)):
@@ -169,7 +172,7 @@ class Results:
 
     @property
     def bits(self) -> Any:
-        """The codes of limits that do not hold as bits, row by row; UNCHECKED is one of them."""
+        """The codes of exceeded limits as bits, row by row, with UNCHECKED for limits that were not judged."""
         inexact = [doubt for doubt in self.validity if not doubt.limit.ends_meaning]
         bits = bits_of(self.frame, _rows_with_values(self.judged_meant), inexact)
         rests = [(_rests(name, column), [name]) for name, column in self._resting.items()]
@@ -177,7 +180,7 @@ class Results:
 
     @property
     def ending_bits(self) -> Any:
-        """The codes of the limits that end the meaning of results as bits, by row."""
+        """The codes of the limits that end the meaning of results, as bits, row by row."""
         return self._bits_of_ending & ENDING_MEANING
 
     @property
@@ -189,7 +192,7 @@ class Results:
     def errors(self, row: int = 0) -> dict[str, JkrollError]:
         """Return the errors of quantities without a value in a row, by name, with the numbers of this row.
 
-        The only key is ROW if no quantity applies to the row.
+        If no quantity applies to the row, the only key is ROW.
         """
         errors = self.described.errors(self.columns, row)
         if not errors and all(at_row(column.reasons, row) for column in self.columns.values()):  # all are hidden
@@ -206,12 +209,12 @@ class Results:
 
 
 def _rests(name: str, column: Column) -> Any:
-    """Return the rows without a value because it depends on an assumed atomic spacing."""
+    """Return the rows in which a quantity has no value because it depends on an assumed atomic spacing."""
     return column.reasons == reason(RESTS_ON_SPACING, name)
 
 
 def _rows_with_values(columns: Mapping[str, Column]) -> list[tuple[Any, list[str]]]:
-    """Return the rows in which quantities have values, once for quantities that share their reasons."""
+    """Return the rows in which quantities have values; quantities that share their reasons are listed together."""
     names_of: dict[int, list[str]] = {}
     for name, column in columns.items():
         if not column.is_empty:
@@ -220,10 +223,10 @@ def _rows_with_values(columns: Mapping[str, Column]) -> list[tuple[Any, list[str
 
 
 def is_end_of_meaning(error: JkrollError) -> bool:
-    """Return whether an error is the reason of a number without a meaning."""
+    """Return whether an error states that a number has no meaning."""
     return isinstance(error, Failure) and isinstance(error.cause, EndOfMeaning)
 
 
 def has_code(error: JkrollError) -> bool:
-    """Return whether a code of a doubt already states an error."""
+    """Return whether the code of a doubt already states an error."""
     return is_end_of_meaning(error) and error.args[0] != OF_ANOTHER_PAIR

@@ -1,6 +1,6 @@
 """The columns of rows: values, uncertainties, doubts as bits, and the reasons for empty cells.
 
-Rows with the same inputs are one frame of arrays. In short lists, each row is a frame of numbers.
+Rows for which the same inputs are given form one frame of arrays. In a short list, each row is a frame of numbers.
 """
 
 from collections import Counter
@@ -33,9 +33,9 @@ if TYPE_CHECKING:
 else:
     Indices = Any  # numpy is imported only for arrays
 
-BLOCK = 5 << 10  # rows computed together: many enough for numpy's overhead, few enough for the cache
-AT_ONCE = 1 << 15  # rows times points of their uncertain inputs, in one frame
-SIDES = ("minus", "plus", "low", "high")  # of uncertainties: minus and plus of a standard one, the ends of a range
+BLOCK = 5 << 10  # rows computed together: enough to outweigh numpy's overhead, few enough for the cache
+AT_ONCE = 1 << 15  # most elements in one frame: rows times points of uncertain inputs
+SIDES = ("minus", "plus", "low", "high")  # minus and plus of a standard uncertainty, low and high of a range
 _MOST = 1 << 62  # largest integer for keys in an array
 BAD = -1  # the mark of a row or cell that no frame of arrays accepts
 _EMPTY, _PLAIN, _SPECIAL, _MEASURED, _INTERVAL = range(5)  # marks of cells
@@ -43,7 +43,7 @@ DOUBT = "doubt"  # the column with the codes of exceeded limits
 STATUS = "status"  # the column with reasons
 UNCERTAINTY = "±"  # the key of a reason about uncertainties
 _NO_DOUBTS: Counter[int] = Counter()
-_BEST = "_best_"  # the suffix in keys of the columns of a best range
+_BEST = "_best_"  # in the keys of columns of a best range, after the name of the quantity
 _BY = f"{_BEST}by"
 _TEXTS = {DOUBT, STATUS, *(name for name, quantity in NOMENCLATURE.items() if quantity.is_word)}
 Reasons = Mapping[str, JkrollError]  # for the empty cells of a row, by column
@@ -52,14 +52,14 @@ _NONE: Mapping[str, Any] = {}  # unlike a MappingProxyType, it can be pickled
 
 
 class Wanted:
-    """The columns of rows, known from the plan and the names before anything is computed."""
+    """The columns to compute for rows; plans and names determine them before any value is computed."""
 
     def __init__(
         self,
         names: Sequence[str],
-        named: Collection[str] = (),  # names that were asked for, shown in any row
+        named: Collection[str] = (),  # quantities asked for by name, shown in every row
         inputs: Sequence[str] = (),  # columns of inputs, before the quantities
-        sides: Collection[str] | None = None,  # the sides of uncertainties with columns; None for no uncertainties
+        sides: Collection[str] | None = None,  # the sides of uncertainties that have columns; None: no uncertainties
         doubts: bool = True,  # judge the limits
         best: Sequence[str] = (),  # quantities with columns of their best range
         keeps_all: bool = False,  # keep numbers without a meaning
@@ -68,7 +68,7 @@ class Wanted:
         self.doubts, self.best, self.keeps_all = doubts, best, keeps_all
 
     def with_best(self, names: Collection[str]) -> "Wanted":
-        """Return the same columns, with best ranges of some quantities."""
+        """Return these columns with the best ranges of some quantities."""
         best = [name for name in self.names if name in names]
         return Wanted(self.names, self.named, self.inputs, self.sides, self.doubts, best, self.keeps_all)
 
@@ -98,12 +98,12 @@ class Wanted:
         return heads
 
     def remarks(self, *, doubt: bool = True) -> tuple[str, ...]:
-        """Return the last columns, those of codes and reasons. `doubt`: with codes, if limits are judged."""
+        """Return the keys of the last columns: codes and reasons. `doubt`: include codes, if limits are judged."""
         return (DOUBT, STATUS) if doubt and self.doubts else (STATUS,)
 
     @property
     def reported_doubts(self) -> int:
-        """The bits of the doubts to report. Next to best ranges, codes of the law count only if it was given."""
+        """The bits of doubts to report. A table with best ranges reports codes of the law only if the law was given."""
         return EVERY_DOUBT ^ NOT_JUDGED ^ (LAW.bits if self.best and "model" not in self.inputs else 0)
 
     # --- Results ------------------------------------------------------------------------------------------------------
@@ -117,11 +117,11 @@ class Wanted:
         return number_of_points(frame, self.names) if self.sides is not None and frame.uncertainties else 1
 
     def has_bars(self, results: Results) -> bool:
-        """Return whether there are columns for the uncertainties of results."""
+        """Return whether the uncertainties of results have columns."""
         return self.sides is not None and results.sources is not None and results.sources.sides <= {*self.sides}
 
     def lacks_bars(self, results: Results) -> BadRequest | None:
-        """Return the error for uncertainties that have no columns; None if all have."""
+        """Return the error for results whose uncertainties have no columns; None for other results."""
         if self.sides is None or results.sources is None or self.has_bars(results):
             return None
         problem = "the table has no columns for error bars, which are left out; --uncertainty adds them"
@@ -159,16 +159,16 @@ class Gap(NamedTuple):
 
 
 class Columns:
-    """The columns of rows, in their order: arrays, or lists for few rows. Writers index them and iterate."""
+    """The columns of rows: arrays, or lists for few rows. Writers index columns and iterate over them."""
 
     def __init__(self, wanted: Wanted, size: int, *, few: bool) -> None:
-        """`few`: the columns are lists, so that numpy is not needed."""
+        """`few`: True for columns as lists, which do not need numpy."""
         self.wanted, self.few = wanted, few
         self.inputs: dict[str, Any] = {name: [None] * size for name in wanted.inputs}
         if few:
             self.numbers: Any = [[nan] * size for _ in wanted.keys]  # one column for each key
             self.doubts: Any = [0] * size  # as bits
-            self._gap_of: Any = [0] * size  # the number of each row's gap, from 1; 0 without one
+            self._gap_of: Any = [0] * size  # the number of each row's gap, from 1; 0 if it has none
         else:
             import numpy
 
@@ -188,7 +188,7 @@ class Columns:
     # --- Storing results ----------------------------------------------------------------------------------------------
 
     def put(self, rows: Any, results: Results) -> None:
-        """Store the results of a frame. `rows`: the indices of its rows as an array, or of a single row."""
+        """Store the results of a frame. `rows`: an array with the indices of its rows, or the index of a single row."""
         wanted, span = self.wanted, rows
         if not isinstance(rows, int) and len(rows) == len(self):
             span = slice(None)
@@ -233,16 +233,19 @@ class Columns:
         wanted, no_bars = self.wanted, self.wanted.lacks_bars(results)
         columns = [results.columns.get(name, _HIDDEN) for name in wanted.names]
         numbers = [column.reasons for column in columns] + [bar.open_at for bar in bars.values()]
-        distinct = {id(each): each for each in numbers}.values()  # many columns share theirs
-        arrays = [each for each in distinct if not isinstance(each, int)]
+        distinct = {id(number): number for number in numbers}.values()  # many columns share their reasons
+        arrays = [number for number in distinct if not isinstance(number, int)]
         if not arrays and not any(distinct) and no_bars is None:
             return
         if isinstance(rows, int):
             parts = [(0, rows, rows)]
         else:
-            is_in_all = no_bars is not None or any(each for each in distinct if isinstance(each, int))
+            is_in_all = no_bars is not None or any(number for number in distinct if isinstance(number, int))
             with_gaps = _indices(len(rows)) if is_in_all else reduce(or_, arrays).nonzero()[0]
-            parts = [(int(part[0]), int(rows[part[0]]), rows[part]) for part in alike(with_gaps, arrays) if len(part)]
+            parts = []
+            for part in alike(with_gaps, arrays):
+                if len(part):
+                    parts.append((int(part[0]), int(rows[part[0]]), rows[part]))
         for row, first, indices in parts:
             reasons = {**results.errors(row), **(results.open_bars(row) if bars else {})}
             if no_bars is not None:
@@ -253,7 +256,7 @@ class Columns:
 
     def _put_gap(self, rows: Any, first: int, reasons: Reasons, *, is_failed: bool) -> None:
         """Store the reasons of rows. `is_failed`: True if they have no value."""
-        has_number = any(map(is_end_of_meaning, reasons.values()))  # a number without a meaning still answers
+        has_number = any(map(is_end_of_meaning, reasons.values()))  # even without a meaning, a number is an answer
         is_failed = lack(reasons) is not None or (is_failed and not has_number)
         gap = Gap(status_of(reasons), is_failed, first, reasons)
         number = self._gap_numbers.setdefault(gap[:2], len(self.gaps) + 1)
@@ -266,7 +269,7 @@ class Columns:
     # --- Counted gaps and doubts --------------------------------------------------------------------------------------
 
     def leave_out_bars(self, rows: Mapping[int, JkrollError]) -> None:
-        """Empty the uncertainties of rows that have values. `rows`: the reasons, by row."""
+        """Empty the uncertainties of some rows, unless they have no value. `rows`: the reason by row."""
         keys: list[str] = []
         for name in self.wanted.names:
             keys += self.wanted.sides_of(name).values()
@@ -293,9 +296,11 @@ class Columns:
     @property
     def counted_gaps(self) -> list[tuple[Gap, int]]:
         """The gaps with their numbers of rows, in order of the first row."""
-        counts = Counter(as_list(self._gap_of)) if self.gaps else Counter[int]()
-        numbered = sorted(enumerate(self.gaps, 1), key=lambda item: item[1].first)
-        return [(gap, counts[number]) for number, gap in numbered if counts[number]]
+        if not self.gaps:
+            return []
+        counts = Counter(as_list(self._gap_of))
+        counted = [(gap, counts[number]) for number, gap in enumerate(self.gaps, 1) if counts[number]]
+        return sorted(counted, key=lambda item: item[0].first)
 
     @property
     def first_failed(self) -> Gap | None:
@@ -305,7 +310,7 @@ class Columns:
 
     @cached_property
     def distinct_doubts(self) -> tuple[Any, Any, Any]:
-        """The distinct bits of doubts, the index of each row's bits among them, and the number of rows of each."""
+        """The distinct values of the doubts as bits, the index of each row among them, and their numbers of rows."""
         import numpy
 
         return numpy.unique(self.doubts, return_inverse=True, return_counts=True)
@@ -323,7 +328,7 @@ _HIDDEN = Column(nan, reason(HIDDEN))
 
 
 def rows_of(value: Any, size: int) -> Any:
-    """Return the value of an input as a column of rows, with its uncertainty."""
+    """Return a column with the value of an input in each row, with its uncertainty."""
     if isinstance(value, str):
         return [value] * size
     import numpy
@@ -361,7 +366,7 @@ def as_list(column: Any) -> list[Any]:
 class Numbers(NamedTuple):
     """A column of SI values, nan where there is none.
 
-    `odd` are the cells that are not numbers; `uncertain` are the values with uncertainties.
+    `odd`: the rows of cells that are not numbers; `uncertain`: the uncertain values, by row.
     """
 
     values: Any
@@ -374,7 +379,7 @@ class Block(Protocol):
 
     size: int
     numbers: Mapping[str, Numbers]  # by input
-    marks: Sequence[Any]  # arrays of integers that differ for other laws or solids; BAD for refused rows
+    marks: Sequence[Any]  # arrays of integers, equal in rows with the same law or solid; BAD for refused rows
 
     def frame(self, given: Mapping[str, Any], rows: Indices) -> Any:
         """Return the frame of some rows of a group. Raises a JkrollError if a row does not fit into a frame."""
@@ -388,7 +393,7 @@ def evaluated(wanted: Wanted, block: Block) -> Columns:
     import numpy
 
     columns = Columns(wanted, block.size, few=False)
-    is_left = numpy.ones(block.size, dtype=bool)  # rows to compute singly, for their own errors
+    is_left = numpy.ones(block.size, dtype=bool)  # rows to compute one at a time, so that each has its own error
     for group in groups(block):
         with suppress(JkrollError):
             frame, size = block.frame(group.given(group.rows), group.rows), len(group.rows)
@@ -452,7 +457,7 @@ def alike(rows: Indices, columns: Iterable[Any]) -> Iterator[Indices]:
         least, most = int(numbers.min()), int(numbers.max())
         if least < most:
             span = most - least + 1
-            if size * span >= _MOST:  # hardly ever
+            if size * span >= _MOST:  # the keys would overflow, which is rare
                 distinct, keys = numpy.unique(keys, return_inverse=True)
                 size = len(distinct)
             keys, size = keys * span + (numbers - least), size * span
@@ -497,7 +502,7 @@ def _values(column: Numbers, rows: Indices, mark: int) -> Any:
 
 
 def lack(reasons: Reasons) -> JkrollError | None:
-    """Return the error of a row without a contact or a frame; None for other rows."""
+    """Return the error of a row that has no contact or no frame; None for other rows."""
     for name, error in reasons.items():
         has_contact = not isinstance(error, Failure) or error.cause.has_contact
         if name == ROW or (not has_contact and name in NOMENCLATURE):
@@ -506,7 +511,7 @@ def lack(reasons: Reasons) -> JkrollError | None:
 
 
 def status_of(reasons: Reasons) -> str:
-    """Return a phrase for each sort of reason. Missing inputs share one phrase."""
+    """Return the phrases of reasons, each once. All missing inputs share one phrase."""
     missing = [error.missing for error in reasons.values() if isinstance(error, MissingInput)]
     needs = needs_in_words(dict.fromkeys(chain.from_iterable(missing)))
     phrases: dict[str, None] = {}
@@ -558,7 +563,7 @@ class Tally(NamedTuple):
         return cls(len(columns), failed, gaps, columns.counted_doubts)
 
     def plus(self, other: "Tally", table: str = "") -> "Tally":
-        """Return the sum of the counts; `table` is the name of another table, whose rows are numbered from 1."""
+        """Return the sum of the counts. `table`: a prefix that names the other table; its rows are numbered from 1."""
         gaps = dict(self.gaps)
         for status, (more, row, text) in other.gaps.items():
             rows, first, words = gaps.get(status, (0, row + (0 if table else self.rows), f"{table}{text}"))

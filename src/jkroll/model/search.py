@@ -35,14 +35,14 @@ Values = Mapping[str, Any]  # by name: numbers, or arrays with a value for each 
 Failures = Mapping[int, JkrollError]  # by row
 
 PER_DECADE = 8  # values in a scan
-_AS_SHOWN = 1e-3  # largest relative error of a quantity at a solution, or at its rounded digits
+_AS_SHOWN = 1e-3  # largest relative error of a measured quantity at a solution, or at the digits of it that are shown
 _STEP = 1e-6  # step of a logarithm, for numerical derivatives
 _ROUNDS = 150  # of bisection or of Newton's method: enough to reach neighbouring doubles
 _ROUNDING = 1e-13  # relative change of a quantity that may come from rounding
 
 # For scans.
 _TOGETHER = 1000  # rows in one scan
-_WIDEST = (1.01 * LEAST, MOST / 1.01)  # sizes to scan if the usual ones have no value
+_WIDEST = (1.01 * LEAST, MOST / 1.01)  # sizes to scan if no usual size is a solution
 _AHEAD = 1e-8  # relative step that shows whether a function rises or falls
 _MANY = 64  # most intervals of a row; more come from rounding
 
@@ -52,8 +52,8 @@ _LOADS = numpy.linspace(-14.0, 46.0, 209)  # from 1e-6 P_c beyond pull-off to 1e
 _LAST_STEP = 1e-14  # the search ends at this step
 _NEAR = 1e-9  # in logarithms of the measured values: largest residual of a solution
 _SAME = 1e-5  # pairs that differ by less are the same
-_LINEAR = 1e-6  # fraction of a measured value below which a quantity is linear, above logarithmic
-_AT_ZERO = 1e-12  # the same for a measured 0, in SI units: an approach of 1 pm
+_LINEAR = 1e-6  # fraction of its measured value below which a quantity enters linearly; it enters by logarithm above
+_AT_ZERO = 1e-12  # in place of this fraction for a measured 0, in SI units: an approach of 1 pm
 _SAMPLED = 7  # cells of the grid between tests of whether the quantities separate the unknowns
 _TO_GAP = 20  # bisections towards the edge of a region without quantities
 _LEFT_OPEN = 1e-4  # smaller exponents count as 0
@@ -66,10 +66,10 @@ class Solution(NamedTuple):
     """The values of the unknowns of a problem: numbers, or arrays with nan in rows that have a reason."""
 
     values: Values  # by unknown
-    growths: Values = MappingProxyType({})  # by unknown: the largest factor by which relative errors of levels enter it
+    growths: Values = MappingProxyType({})  # by unknown: the largest ratio of its relative error to that of the levels
     condition: Any = nan  # condition number of measured values as functions of the unknowns, both in logarithms
     reasons: Any = 0  # as in columns
-    failures: Failures = MappingProxyType({})  # errors of rows with a search of their own
+    failures: Failures = MappingProxyType({})  # errors of single rows
     failure: JkrollError | None = None  # the common error of all rows
     positions: Any = None  # of two unknowns, in the coordinates of the search
 
@@ -77,7 +77,7 @@ class Solution(NamedTuple):
 class Problem:
     """Measured values of as many quantities as there are unknowns, and a frame of the known inputs.
 
-    The values may be arrays, and so may those of the frame. A material's value of an unknown is replaced.
+    The measured values and the known inputs may be arrays. A material's value of an unknown is replaced.
     """
 
     def __init__(self, unknowns: Sequence[str], levels: Values, frame: Frame) -> None:
@@ -88,7 +88,7 @@ class Problem:
         self.shape = broadcast(self.arrays)
 
     def rows(self, rows: Any) -> "Problem":
-        """Return the problem for some rows; a problem of numbers is the same in all rows."""
+        """Return the problem of some rows; a problem of numbers is the same in all rows."""
         if not self.shape:
             return self
         flat = {name: numpy.broadcast_to(array, self.shape).ravel() for name, array in self.arrays.items()}
@@ -98,11 +98,14 @@ class Problem:
 
     @cached_property
     def sought(self) -> dict[str, str]:
-        """The unknown for each input sought; with one material for both spheres, sphere 2 shares the unknown."""
-        keys, sought = [solid.key for solid, _ in self.frame.materials], {name: name for name in self.unknowns}
+        """The unknown that gives each sought input. If both spheres are of one material, they share the unknown."""
+        sought = {name: name for name in self.unknowns}
+        keys = [solid.key for solid, _ in self.frame.materials]
         if len(keys) == 2 and keys[0] == keys[1]:
-            twins = {of_sphere(2, name): name for name in self.unknowns if name in PROPERTIES}
-            sought |= {twin: name for twin, name in twins.items() if twin not in self.frame.stated}
+            for name in self.unknowns:
+                twin = of_sphere(2, name)
+                if name in PROPERTIES and twin not in self.frame.stated:
+                    sought[twin] = name
         return sought
 
     def with_values(self, values: Values) -> Frame:
@@ -118,13 +121,17 @@ class Problem:
         """Return whether rounded values of the unknowns reproduce the measured ones as shown."""
         typed = {name: float(f"{value:.{digits}g}") for name, value in values.items()}
         forward = self.with_values(typed).numbers(*self.levels)
-        errors = [(abs(forward.get(name, inf) - level), abs(level)) for name, level in self.levels.items()]
-        return all(error <= _AS_SHOWN * size for error, size in errors)
+        for name, level in self.levels.items():
+            error = abs(forward.get(name, inf) - level)
+            if not error <= _AS_SHOWN * abs(level):  # an error may be nan
+                return False
+        return True
 
     def quantities(self, values: Values) -> Any:
-        """Return the measured quantities, one row each, at arrays of the unknowns; nan where there is no result."""
-        size, known = len(next(iter(values.values()))), self.with_values(values).numbers(*self.levels)
-        return numpy.array([numpy.broadcast_to(known.get(name, nan), size) for name in self.levels])
+        """Return an array with a row for each measured quantity, at arrays of the unknowns; nan for no result."""
+        size = len(next(iter(values.values())))
+        numbers = self.with_values(values).numbers(*self.levels)
+        return numpy.array([numpy.broadcast_to(numbers.get(name, nan), size) for name in self.levels])
 
     def check(self) -> None:
         """Raise MissingInput or NoDependence if no measured value can have a solution."""
@@ -142,8 +149,8 @@ class Problem:
 def solved(problem: Problem, start: Any = None) -> Solution:
     """Return the solution of each row of a problem.
 
-    `start`: for two unknowns in arrays, the positions of a similar problem, from which Newton's method starts. Raises
-    the error if no row can have a solution.
+    `start`: the positions of a similar problem, where Newton's method starts for two unknowns in arrays. Raises the
+    error if no row can have a solution.
     """
     problem.check()
     count = len(problem.unknowns)
@@ -151,14 +158,17 @@ def solved(problem: Problem, start: Any = None) -> Solution:
     if failures and not problem.shape:
         raise failures[0]
     measures, positions = table[: 2 * count + 1], table[2 * count + 1 :]
-    measures[count:] = [[float(f"{number:.6g}") for number in row] for row in measures[count:]]  # no rounding errors
+    for row in measures[count:]:
+        row[:] = [float(f"{number:.6g}") for number in row]  # digits that rounding does not reach
     *columns, condition = measures.reshape(2 * count + 1, *problem.shape) if problem.shape else measures[:, 0].tolist()
     values, growths = (dict(zip(problem.unknowns, part, strict=True)) for part in (columns[:count], columns[count:]))
     reasons: Any = 0
-    if problem.shape and (lacks := numpy.isnan([*values.values()]).any(axis=0)).any():
-        reasons = numpy.where(lacks, reason(NoSolution.cause), 0)
-        for row, failure in failures.items():
-            reasons.flat[row] = reason_of(failure)
+    if problem.shape:
+        is_unsolved = numpy.isnan([*values.values()]).any(axis=0)
+        if is_unsolved.any():
+            reasons = numpy.where(is_unsolved, reason(NoSolution.cause), 0)
+            for index, failure in failures.items():
+                reasons.flat[index] = reason_of(failure)
     return Solution(values, growths, condition, reasons, failures, positions=positions)
 
 
@@ -173,15 +183,15 @@ def grid(name: str, sizes: tuple[float, float]) -> Any:
 
 
 def slopes(y: Any) -> Any:
-    """Return slopes from three points a step apart; from two if y is nan at one end, and nan if at both."""
+    """Return slopes from three points a step apart; from two points if y is nan at one end, and nan if at both ends."""
     low, high = numpy.diff(y, axis=0) / _STEP
     return numpy.where(numpy.isnan(low), high, numpy.where(numpy.isnan(high), low, (low + high) / 2))
 
 
 def _roots(problem: Problem) -> tuple[Any, Failures]:
-    """Return a table with the unknown, its growth and the condition in each row; and the errors.
+    """Return an array with a column for each row (the unknown, its growth and the condition), and the errors.
 
-    If the usual sizes have no solution, all sizes that a frame accepts are scanned.
+    If no usual size is a solution, all sizes that a frame accepts are scanned.
     """
     (unknown,) = problem.unknowns
     outcomes: dict[int, Any] = {}
@@ -209,8 +219,8 @@ class Scan:
     level, rises at one end and falls at the other, or stays at its level at one end only. The bisection finds the edges
     of gaps and the extremes, and then the roots between them and the grid.
 
-    `span` has the least and largest value of the quantity in each row, over all points computed. `stretch` has the
-    first and last value of the unknown at which the quantity stays at its level, nan if there is none.
+    `span` holds the least and the largest value of the quantity in each row, over all points computed. `stretch` holds
+    the first and the last value of the unknown at which the quantity stays at its level, nan if there is none.
     """
 
     def __init__(self, problem: Problem) -> None:
@@ -220,7 +230,7 @@ class Scan:
         self.span, self.stretch = numpy.full((2, 2, size), nan)
 
     def outcomes(self, sizes: tuple[float, float]) -> list[Any]:
-        """Return the only value of the unknown between two sizes in each row, or the error."""
+        """Return for each row the only value of the unknown between two sizes, or the error."""
         rows, roots = self.roots(sizes)
         return [self._outcome(row, roots[rows == row].tolist()) for row in range(len(self.levels))]
 
@@ -286,8 +296,8 @@ class Points(NamedTuple):
     """Points of a scan, as arrays of one shape."""
 
     row: Any
-    x: Any  # the unknown
-    y: Any  # the measured quantity, nan where it has no value
+    x: Any  # the value of the unknown
+    y: Any  # the measured quantity there, nan where it has no value
     side: Any  # -1 below the level, 1 above it, 0 at it
     stays: Any  # True if the quantity stays at its level
     slope: Any  # the sign of the derivative by the unknown
@@ -313,10 +323,10 @@ class Points(NamedTuple):
 
 
 def _pairs(problem: Problem, start: Any = None) -> tuple[Any, Failures]:
-    """Return a table with two unknowns, growths, condition and positions in each row; and the errors.
+    """Return an array with a column for each row (two unknowns, growths, condition and positions), and the errors.
 
-    Arrays start Newton's method from the positions of a similar problem, whose rows repeat. Where it fails, a row is
-    solved on its own; once a repeat of a row has no solution, the remaining ones are skipped.
+    For arrays, Newton's method starts from the positions of a similar problem, whose rows repeat. A row in which it
+    fails is solved on its own. Once one repeat of a row has no solution, the remaining ones are skipped.
     """
     count = size = prod(problem.shape)
     table, failures, lost = numpy.full((7, size), nan), dict[int, JkrollError](), set[int]()
@@ -341,9 +351,9 @@ def _pairs(problem: Problem, start: Any = None) -> tuple[Any, Failures]:
 class Pairs:
     """A problem of two unknowns, in one row or many, in the coordinates of the search.
 
-    These are logarithms of the unknowns, and ln(1 + P/P_c) for a load, which continues past pull-off. Quantities enter
-    by logarithms too, but linearly near zero. Positions are arrays with a row for each unknown; for several rows, the
-    positions of all rows are concatenated, once or repeatedly.
+    The coordinates are logarithms of the unknowns, and ln(1 + P/P_c) for a load, which continues past pull-off.
+    Quantities enter by logarithms, too, but linearly near zero. Positions are the columns of an array; those of all
+    rows of a problem are concatenated, once or repeatedly.
     """
 
     def __init__(self, problem: Problem) -> None:
@@ -361,7 +371,7 @@ class Pairs:
         values = dict(zip(problem.unknowns, numpy.exp(positions), strict=True))
         if self.load is not None:
             unloaded = problem.with_values({**values, "load": 0.0}).numbers("pull_off_force")
-            force = unloaded.get("pull_off_force", SIZES["load"][0])  # without a value: the least scanned
+            force = unloaded.get("pull_off_force", SIZES["load"][0])  # if it has no value, the least load scanned
             is_unloaded = abs(positions[self.load]) <= _NEAR
             load = numpy.clip(force * numpy.expm1(positions[self.load]), -MOST, MOST)
             values["load"] = numpy.where(is_unloaded, 0.0, load)
@@ -370,7 +380,7 @@ class Pairs:
         return numpy.array([*values.values()]), quantities, residuals
 
     def slopes(self, positions: Any) -> tuple[Any, Any]:
-        """Return unknowns and residuals at positions, in four rows, and a matrix of derivatives for each position."""
+        """Return an array of unknowns and residuals at positions, and a matrix of derivatives for each position."""
         count = positions.shape[1]
         steps = _STEP * numpy.array([[0, -1, 1, 0, 0], [0, 0, 0, -1, 1]])
         values, _, residuals = self.points(numpy.tile(positions, 5) + steps.repeat(count, axis=1))
@@ -423,7 +433,8 @@ class Pairs:
             spans = numpy.transpose([numpy.nanmin(quantities, axis=1), numpy.nanmax(quantities, axis=1)])
             raise NoSolution(problem, spans.tolist())
         table = self.table(positions)
-        if (is_open := table[4] > MAX_CONDITION).any():
+        is_open = table[4] > MAX_CONDITION
+        if is_open.any():
             raise self._unseparated(self.slopes(positions[:, is_open])[1][0, 2:])
         is_same = (abs(positions[:, :, None] - positions[:, None]) <= _SAME).all(axis=0)
         distinct = numpy.unique(is_same.argmax(axis=0))  # the first of equal pairs is the nearest
@@ -435,16 +446,17 @@ class Pairs:
     def _starts(self, mesh: Any, residuals: Any) -> Any:
         """Return starts in the cells of a grid where both measured values lie between corners, or next to a gap.
 
-        They are the means of the corners that have quantities; next to a gap, also positions close to its edge.
+        A start is the mean of the corners where both quantities have values. Next to a gap, a position close to its
+        edge is another start.
         """
-        corners, ends = (sliding_window_view(each, (2, 2), axis=(1, 2)) for each in (residuals, mesh))
-        low, high = (each.reduce(corners, axis=(3, 4)) for each in (numpy.fmin, numpy.fmax))
-        has = numpy.isfinite(corners).all(axis=0)  # True if both quantities have values
-        is_gap = ~has.all(axis=(2, 3))
-        cells = ((low <= 0) & (high >= 0) | is_gap).all(axis=0) & has.any(axis=(2, 3))
-        middles = numpy.nanmean(numpy.where(has, ends, nan)[:, cells], axis=(2, 3))
+        corners, ends = (sliding_window_view(grids, (2, 2), axis=(1, 2)) for grids in (residuals, mesh))
+        low, high = (extreme.reduce(corners, axis=(3, 4)) for extreme in (numpy.fmin, numpy.fmax))
+        has_values = numpy.isfinite(corners).all(axis=0)
+        is_gap = ~has_values.all(axis=(2, 3))
+        cells = ((low <= 0) & (high >= 0) | is_gap).all(axis=0) & has_values.any(axis=(2, 3))
+        middles = numpy.nanmean(numpy.where(has_values, ends, nan)[:, cells], axis=(2, 3))
         near = middles[:, is_gap[cells]]
-        far = numpy.nanmean(numpy.where(has, nan, ends)[:, cells & is_gap], axis=(2, 3))
+        far = numpy.nanmean(numpy.where(has_values, nan, ends)[:, cells & is_gap], axis=(2, 3))
         for _ in range(_TO_GAP):
             half = (near + far) / 2
             is_near = numpy.isfinite(self.points(half)[1]).all(axis=0)
@@ -452,10 +464,11 @@ class Pairs:
         return numpy.concatenate([middles, near], axis=1)
 
     def _unseparated(self, matrix: Any) -> Unseparated:
-        """Return the error that names the direction in which both quantities stay constant, from their derivatives."""
+        """Return the error that states along which direction both quantities are constant. `matrix`: derivatives."""
         symbols = [NOMENCLATURE[name].symbol for name in self.problem.unknowns]
         exponents = abs(matrix).max(axis=0).tolist()
-        if left_open := [symbols[position] for position, exponent in enumerate(exponents) if exponent <= _LEFT_OPEN]:
+        left_open = [symbol for symbol, exponent in zip(symbols, exponents, strict=True) if exponent <= _LEFT_OPEN]
+        if left_open:
             remark = f"they leave {listed(left_open)} open"
         else:
             if self.load is not None:

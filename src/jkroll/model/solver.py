@@ -178,7 +178,7 @@ def _values_by_word(
 ) -> dict[str, Any]:
     """Return the values of quantities if materials or laws differ between elements.
 
-    Elements with the same ones are one frame.
+    Elements with the same materials and law form one frame.
     """
     import numpy
 

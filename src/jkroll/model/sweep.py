@@ -1,4 +1,4 @@
-"""The rows of lists and ranges: each pair of materials with all values of its inputs, and each law.
+"""The rows of lists and ranges: the combinations of pairs of materials, values of inputs and laws.
 
 Few rows are frames of numbers. Many rows are frames of arrays, if single frames would take longer than importing numpy.
 """
@@ -27,7 +27,7 @@ _MODULI_OF_TWO_KINDS = ({"shear_modulus", "youngs_modulus2"}, {"youngs_modulus",
 class Sizes(NamedTuple):
     """The numbers of rows at which a call changes its way of working."""
 
-    most_answers: int  # that are written as separate answers
+    most_answers: int  # rows written as separate answers
     most_in_table: int  # rows of a table on a terminal
     few: int  # single rows that take about as long as importing numpy and orjson
 
@@ -52,7 +52,7 @@ class Sweep:
         self.unknowns, self.measured = unknowns, measured
 
     def seeking(self, unknowns: Sequence[str], measured: Mapping[str, Sequence[Spread]]) -> "Sweep":
-        """Return the rows of the inverse problem, with measured values. Raises a BadRequest."""
+        """Return the rows of the inverse problem. Raises BadRequest if a measured quantity is also given."""
         for name in measured.keys() & self.spreads.keys():
             raise already_given(name)
         return Sweep(self.pairs, {**self.spreads, **measured}, self.models, unknowns, [*measured])
@@ -74,7 +74,7 @@ class Sweep:
 
     @cached_property
     def starts(self) -> dict[str, list[int]]:
-        """The index of the first value of each list or range of an input, and last the number of all its values."""
+        """By input: the index of the first value of each of its lists and ranges, and last the number of its values."""
         return {name: [*accumulate(map(len, spreads), initial=0)] for name, spreads in self.spreads.items()}
 
     @property
@@ -110,7 +110,7 @@ class Sweep:
 
     @cached_property
     def groups(self) -> list[Frame]:
-        """A frame for each group of rows: one pair of materials, law and sort of values. A group shares its plan."""
+        """An example of each group of rows; a group has one pair of materials, one law, and one sort of each value."""
         materials: dict[Material, None] = {}
         for pair in self.pairs:
             materials |= dict.fromkeys(material for material in pair if material is not None)
@@ -138,7 +138,7 @@ class Sweep:
     def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> Wanted:
         """Return the columns of the headline alone, with all numbers.
 
-        Quantities of identical spheres are shown only if they were asked for by name.
+        Quantities of identical spheres are included only if they were asked for by name.
         """
         shown = [name for name in quantities if name in named or not NOMENCLATURE[name].of_identical]
         return Wanted(quantities, named=shown, doubts=doubts, keeps_all=True)
@@ -196,7 +196,7 @@ class Sweep:
 def _examples(name: str, spreads: Sequence[Spread], noted: Iterable[Interval] = ()) -> list[Any]:
     """Return an example of each sort of value that an input has.
 
-    Sorts are: a number, an uncertain value, a special value, and a value in each of the `noted` ranges of radii.
+    The sorts are: a number, an uncertain value, a special value, and a radius in each of the `noted` ranges.
     """
     special = FOLLOWS[name][0] if name in FOLLOWS else None
     values: dict[object, Any] = {}

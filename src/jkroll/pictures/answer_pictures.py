@@ -35,17 +35,21 @@ def _unloaded(frame: Frame) -> Frame:
 def lines_over_input(quantity: str, sweep: Sweep) -> Drawn:
     """Return a quantity over the input with the most values, with a line for each combination of the others.
 
-    Several laws of one contact, when no input has several values, are compared by their force curves.
+    If no input has several values, the laws of one contact are compared by their force curves.
     """
-    values = {name: {spread.low for spread in spreads} for name, spreads in sweep.spreads.items()}
-    counts = {name: len(each) for name, each in values.items() if len(each) > 1}
+    counts = {}
+    for name, spreads in sweep.spreads.items():
+        count = len({spread.low for spread in spreads})
+        if count > 1:
+            counts[name] = count
     if not counts and len(sweep.pairs) == 1:
         return Drawn(*curves_of_contact([_unloaded(frame) for frame in sweep.frames()], None, "force"))
     if not counts:
         remedy = 'give several values of one, such as radius=["10 nm", "1 um"], or plot one answer'
         raise BadRequest(f"no input has several values to draw over: {remedy}")
     name = max(counts, key=counts.__getitem__)
-    low, high = min(values[name]), max(values[name])
+    values = [spread.low for spread in sweep.spreads[name]]
+    low, high = min(values), max(values)
     x = Axis(name, low, high, is_log=low > 0)
     others = {other: spreads for other, spreads in sweep.spreads.items() if other != name}
     check_axes(quantity, [x], others, tuple(model or DEFAULT_LAW for model in sweep.models))

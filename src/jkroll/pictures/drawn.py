@@ -33,19 +33,21 @@ class Drawn:
 
     @property
     def lines(self) -> dict[str, tuple[Any, Any]]:
-        """The x and y of each line, by label, preceded by the title of one of several panels; nan separates parts."""
-        panels, found = self._picture.panels, dict[str, tuple[Any, Any]]()
+        """The x and y of each line, by label; nan separates the parts of a line.
+
+        The label begins with the title of the panel if there are several panels.
+        """
+        panels, lines = self._picture.panels, dict[str, tuple[Any, Any]]()
         for panel in panels:
             for curve in panel.curves:
                 label = plain(f"{panel.title}: {curve.text}" if panels[1:] else curve.text)
                 x, y = curve.x, curve.y
-                if label in found:
-                    x, y = (
-                        numpy.concatenate([first, [numpy.nan], second])
-                        for first, second in zip(found[label], (x, y), strict=True)
-                    )
-                found[label] = x, y
-        return found
+                if label in lines:
+                    first_x, first_y = lines[label]
+                    x = numpy.concatenate([first_x, [numpy.nan], x])
+                    y = numpy.concatenate([first_y, [numpy.nan], y])
+                lines[label] = x, y
+        return lines
 
     @property
     def field(self) -> tuple[Any, Any, Any] | None:
@@ -98,7 +100,7 @@ class Drawn:
             return figure_of(self._picture, None, STYLES[style], has_caption=caption)
 
     def _repr_png_(self) -> tuple[bytes, dict[str, int]]:
-        """Return the PNG for notebooks, shown at half its pixels, so that letters have the size of the text around."""
+        """Return the PNG for notebooks, shown at half its pixels, so that letters match the surrounding text."""
         with missing_extra("plot"):
             from .page import draw
         content = draw(self._picture, "png", None, "paper", has_caption=True)

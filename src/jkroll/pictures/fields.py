@@ -33,7 +33,7 @@ _TOLERANCE = 0.005  # largest error of a line, in steps of the mesh
 _HALVINGS = 24  # bisections that find the edge of the part without values
 _BOUNDS = ((0, (4, 2)), (0, (7, 2, 1.5, 2)), (0, (10, 3)), (0, (5, 1.5, 1, 1.5, 1, 1.5)))  # dashes of named lines
 _PALE = 0.55  # share of paper in a band of best ranges
-_CERTAIN, _UNCERTAIN = 201, 41  # points along each side for best ranges, if inputs have no error bars or some
+_CERTAIN, _UNCERTAIN = 201, 41  # points along each side for best ranges, without and with uncertain inputs
 _OVERLAP = 0.02  # largest part of the picture in which bands may overlap
 _FARTHEST = 20.0  # distance from the edge of a band
 
@@ -98,7 +98,7 @@ def _rings(values: Any, low: float, high: float) -> list[Any]:
 
 
 def simplified(points: Any) -> Any:
-    """Return as few points of a line as possible, such that no other point is farther from it than the tolerance."""
+    """Return a line of fewer points, from which no point of the given line is farther away than the tolerance."""
     kept = numpy.zeros(len(points), dtype=bool)
     kept[[0, -1]] = True
     spans = [(0, len(points) - 1)]
@@ -118,9 +118,9 @@ def simplified(points: Any) -> Any:
 
 
 def one_further(values: Any) -> Any:
-    """Return values in which each missing one next to known ones is the mean of its known neighbours.
+    """Return values in which each missing value next to known ones is the mean of its known neighbours.
 
-    Lines then extend beyond the edge of the part with values, where they are cut off.
+    Lines then extend beyond the edge of the part with values, and are cut off there.
     """
     known = numpy.isfinite(values)
     total, count = numpy.zeros(values.shape), numpy.zeros(values.shape)
@@ -186,7 +186,7 @@ class Drawn(NamedTuple):
 
 
 def draw_field(axes: Any, panel: Panel, levels: Sequence[float], style: Style, letters: int) -> Drawn:
-    """Draw a field without the texts inside. `levels`: of its contours; `letters`: that fit a line of the legend."""
+    """Draw a field without the texts inside. `levels`: its contours; `letters`: the number in a line of the legend."""
     drawing = _Drawing(axes, panel, levels, style, letters)
     drawing.draw_regions()
     drawing.draw_contours()
@@ -195,7 +195,7 @@ def draw_field(axes: Any, panel: Panel, levels: Sequence[float], style: Style, l
 
 
 class _Drawing:
-    """A field on axes, with the legend's keys and the bounds of regions so far."""
+    """A field on axes, with the keys of the legend and the bounds of regions that were drawn so far."""
 
     def __init__(self, axes: Any, panel: Panel, levels: Sequence[float], style: Style, letters: int) -> None:
         """Fill the axes with the bands of the field."""
@@ -237,7 +237,7 @@ class _Drawing:
                 self.bounds.append(Bound(region.name, paths, partial(self._at, inside)))
 
     def draw_contours(self) -> None:
-        """Draw the contours, also those of the quantity as printed, and the bands of best ranges."""
+        """Draw the contours of the quantity, the contours of the quantity as printed, and the bands of best ranges."""
         self.contours = [self.mesh.lines(self.around, height) for height in self.heights]
         step = self._draw_bands() if self.field.has_best and self.levels else 0
         for position, paths in enumerate(self.contours):
@@ -271,7 +271,8 @@ class _Drawing:
                 paths = self.mesh.lines(numpy.where(abs(end) < far, end, numpy.nan), height)
                 self._line(paths, color=self.style.hatch, linewidth=0.35, zorder=1.1, gid="band")
         which = "contours" if step == 1 else "thick contours"
-        text = f"{which}: {self.field.frame.law.short}; bands: where the best range has their value, by {best.rules()}"
+        bands = f"where the best range includes their value, by {best.rules()}"
+        text = f"{which}: {self.field.frame.law.short}; bands: {bands}"
         look: dict[str, Any] = {"facecolor": self.style.paper, "edgecolor": self.style.hatch, "linewidth": 0.35}
         line = Line2D([], [], color=self.style.ink, linewidth=_THIN if step == 1 else _THICK)
         self.keys.append((Patch(label=self._in_lines(text), **look), line))

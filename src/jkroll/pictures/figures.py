@@ -1,6 +1,6 @@
 """Pictures with fixed content: the curves of a contact, and the figures of the paper.
 
-The paper's figures with data are its maps, and the shifted contact of Figs. 2 and 9; the others have none. One more
+The paper has data in its maps, and in Figs. 2 and 9 of the shifted contact; its other figures are sketches. One more
 figure shows the pull-off force by each law.
 """
 
@@ -56,9 +56,10 @@ def _force(frames: Sequence[Frame], loads: Loads | None) -> Panel:
     points: list[Mark] = []
     for number, frame in enumerate(frames):
         for name, x, y in _branches(frame, most):
-            if name not in NAMED:
-                look = (name, x, y, _BRANCHES.index(name)) if is_one else (frame.law.title, x, y, number)
-                curves.append(Curve(*look))
+            if name not in NAMED and is_one:
+                curves.append(Curve(name, x, y, _BRANCHES.index(name)))
+            elif name not in NAMED:
+                curves.append(Curve(frame.law.title, x, y, number))
             elif is_one:
                 points.append(Mark(_NO_LOAD if name == EQUILIBRIUM else name, x, y))
     if loads is not None:
@@ -78,7 +79,7 @@ def _force(frames: Sequence[Frame], loads: Loads | None) -> Panel:
 def _branches(frame: Frame, most: float) -> Iterator[tuple[str, Any, Any]]:
     """Iterate over the branches and named states of a force curve up to a load, as name, approaches and loads.
 
-    A branch begins at the state before it.
+    A branch begins at the last state of the branch before it.
     """
     path = states(frame, Loads(-inf, most), POINTS)
     groups = []
@@ -98,7 +99,7 @@ def _branches(frame: Frame, most: float) -> Iterator[tuple[str, Any, Any]]:
 
 
 def _pressure(frames: Sequence[Frame], _: Loads | None) -> Panel:
-    """Return the panel of pressure across the contact, without load and at pull-off. Only JKR has it."""
+    """Return the panel of pressure across the contact, without load and at pull-off. Only JKR gives it."""
     (frame,) = frames
     curves = []
     for text, name, branch in ((_NO_LOAD, EQUILIBRIUM, "stable"), (PULL_OFF, PULL_OFF, "fixed grips")):
@@ -122,7 +123,7 @@ def _moment(frames: Sequence[Frame], _: Loads | None) -> Panel:
     else:
         lines = [(frame.law.title, frame, "yield_moment") for frame in frames]
     shifts = numpy.linspace(0, limit, POINTS)
-    first = 3 if len(frames) == 1 else 0  # a colour that no branch in the panel of the force has
+    first = 3 if len(frames) == 1 else 0  # a colour that no branch in the force panel has
     curves = []
     for number, (text, frame, name) in enumerate(lines, first):
         moments = values_of(frame.replace(yield_displacement=shifts[1:]), [name])[name]
@@ -151,8 +152,8 @@ class ContactPanel(NamedTuple):
     """A panel of a contact: the function that draws it, and the quantities in it."""
 
     draw: Callable[[Sequence[Frame], Loads | None], Panel]
-    needed: tuple[str, ...]  # by each law
-    further: tuple[str, ...] = ()  # for a single law, if it has them
+    needed: tuple[str, ...]  # for each law
+    further: tuple[str, ...] = ()  # for a single law, as far as it has them
 
     def missing(self, frames: Sequence[Frame]) -> list[NotInLaw]:
         """Return the errors for frames whose laws lack a quantity of the panel."""
@@ -170,24 +171,24 @@ PANELS: Mapping[str, ContactPanel] = {
 def curves_of_contact(
     frames: Sequence[Frame], loads: Loads | None, panel: str | None
 ) -> tuple[Picture, tuple[str, ...]]:
-    """Return a picture with one panel, or all those that the laws of the frames have, and its notes.
+    """Return a picture with one panel, or with all panels that the laws of the frames have, and its notes.
 
     The notes name the laws that lack a panel; for one law, they also give best ranges and doubts.
     """
     is_one = len(frames) == 1
     asked = [PANELS[panel]] if panel is not None else [*PANELS.values()]
     missing: list[NotInLaw] = []
+    drawn: list[ContactPanel] = []
+    names: list[str] = []
     for each in asked:
-        missing += each.missing(frames)
-    drawn = [each for each in asked if not each.missing(frames)]
+        errors = each.missing(frames)
+        missing += errors
+        if not errors:
+            drawn.append(each)
+            names += [*each.needed, *each.further] if is_one else each.needed
     if not drawn:
         raise missing[0]
     panels = tuple(each.draw(frames, loads) for each in drawn)
-    names: list[str] = []
-    for each in drawn:
-        names += each.needed
-        if is_one:
-            names += each.further
     varied = ("load",) if is_one else ("load", "yield_displacement")
     fixed: dict[str, None] = {}
     notes = dict.fromkeys(f"no curve: {error}" for error in missing)
@@ -220,7 +221,7 @@ def pressure_panel(curves: Sequence[Curve], highest: float, title: str) -> Panel
 
 RADII = Axis("radius", 5e-10, 1e-3)
 _ENERGIES = Axis("surface_energy", 1e-3, 1e1)
-# E1* = E1/(1 - ν1²) is 10 GPa in Fig. 6a; elsewhere it enters only where the model has no meaning.
+# E1* = E1/(1 - ν1²) is 10 GPa in Fig. 6a; in the other maps it matters only where the model has no meaning.
 _SOFT = {"youngs_modulus": 1e10, "poisson_ratio": 0.0}
 _LIGHT = {**_SOFT, "density": 2000.0}
 
@@ -238,42 +239,41 @@ class PaperMap(NamedTuple):
 PAPER_MAPS: Mapping[str, PaperMap] = {
     "3a": PaperMap(
         "pull_off_force",
-        "⟦P_c = 3πγR⟧ with ⟦R = R1/2⟧: JKR; small, hard spheres tend to ⟦4πγR⟧.",
+        "JKR gives ⟦P_c = 3πγR⟧ with ⟦R = R1/2⟧; for small, hard spheres the force tends to ⟦4πγR⟧.",
     ),
     "3b": PaperMap(
         "yield_force_ratio",
-        "It does not depend on ⟦γ⟧. The forces are equal (contour 1) at ⟦R1 = 4ξ⟧ = 0.8 nm; the text has 1 nm. "
-        "There, as the text warns, elasticity holds no longer.",
+        "The ratio does not depend on ⟦γ⟧. The forces are equal (contour 1) at ⟦R1 = 4ξ⟧ = 0.8 nm; the paper has 1 nm. "
+        "As the paper warns, elasticity no longer holds there.",
     ),
     "3c": PaperMap(
         "r_min",
-        "It does not depend on ⟦γ⟧: ⟦R1²/ξ⟧. At ⟦R1⟧ = 100 nm it is 50 µm, 500 times the radius.",
+        "The radius ⟦r_min = R1²/ξ⟧ does not depend on ⟦γ⟧. At ⟦R1⟧ = 100 nm it is 50 µm, 500 times as large.",
     ),
     "3d": PaperMap(
         "n_grav",
-        "About a thousand spheres of 100 nm stand at ⟦γ⟧ = 25 mJ/m². A single sphere (contour 1) rolls "
-        "from 8 µm (polystyrene) to 52 µm (iron) on; the text has about 100 µm.",
+        "At ⟦γ⟧ = 25 mJ/m², a level chain of about a thousand spheres of 100 nm holds. A single sphere (contour 1) "
+        "rolls down if it is larger than 8 µm (polystyrene) to 52 µm (iron); the paper has about 100 µm.",
         given=_LIGHT,
     ),
     "6a": PaperMap(
         "vertical_frequency",
-        "GHz at ⟦R1⟧ = 35 nm (⟦γ⟧ = 1 mJ/m²) to 130 nm (10 J/m²): almost independent of ⟦γ⟧, which "
-        "enters by its power 1/6.",
+        "The frequency is 1 GHz at ⟦R1⟧ = 35 nm (⟦γ⟧ = 1 mJ/m²) to 130 nm (10 J/m²): it hardly depends on ⟦γ⟧, "
+        "which enters with the power 1/6.",
         given=_LIGHT,
     ),
     "6b": PaperMap(
         "rolling_frequency",
-        "Eq (40) as it follows. The paper's curves are Eq (41), 2.5 times lower. At ⟦R1⟧ = "
-        "100 nm and ⟦γ⟧ = 100 mJ/m² it is 5.3 times slower than the normal vibration; the text has one to "
-        "two orders.",
+        "The contours are Eq (40); the paper's curves are Eq (41), 2.5 times lower. At ⟦R1⟧ = 100 nm and ⟦γ⟧ = 100 "
+        "mJ/m², rolling is 5.3 times slower than the normal vibration; the paper has one to two orders of magnitude.",
         given=_LIGHT,
         printed="rolling_frequency_as_printed",
     ),
     "8": PaperMap(
         "n_roll",
-        "For ⟦W0 = P_cδ0⟧; in general these are ⟦n_roll/(W0/P_cδ0)⟧. An energy balance gives 7/2 of Eq (49). Below "
-        "10 nm, spheres with ⟦E*/γ⟧ above 9·10¹¹ m⁻¹ do not roll; below 100 nm a full turn takes ⟦E*/γ⟧ below "
-        "1.5·10⁹ m⁻¹.",
+        "The energy is ⟦W0 = P_cδ0⟧; for any other, the contours are ⟦n_roll/(W0/P_cδ0)⟧. An energy balance gives 7/2 "
+        "of Eq (49). Spheres below 10 nm do not roll if ⟦E*/γ⟧ is above 9·10¹¹ m⁻¹; spheres below 100 nm roll a full "
+        "turn only if it is below 1.5·10⁹ m⁻¹.",
         x=Axis("modulus_over_energy", 1e9, 1e13, needs={"surface_energy": 1.0}),  # γ may be any
         given={},
     ),
@@ -293,8 +293,10 @@ def paper_map(
     field = drawn.panels[0].field
     unit = field.in_words([])[1] if field is not None else ""
     title, remarks = f"Fig. {name}: {symbol(declared.quantity)}{bracketed(unit)}", (*drawn.remarks, declared.remark)
-    dashed = (f"Dashed in files: Eq ({NOMENCLATURE[printed].equation}), each below its contour.",) if printed else ()
-    return Picture(title, drawn.panels, (*drawn.caption, *dashed), drawn.doubts, remarks)
+    caption = [*drawn.caption]
+    if printed:
+        caption.append(f"Dashed in files: Eq ({NOMENCLATURE[printed].equation}), each curve below its contour.")
+    return Picture(title, drawn.panels, tuple(caption), drawn.doubts, remarks)
 
 
 # --- Figs. 2 and 9: the shifted contact in three and two dimensions ---------------------------------------------------
@@ -333,14 +335,14 @@ def figure_2(materials: Materials) -> Picture:
         *_halves("half-circle", a, shift, half_circle),
         Curve("not shifted", centred, pressure(distance=abs(centred), **circle), 3),
     ]
-    along = pressure_panel(curves, state["hertz_pressure"], "pressure along the way")
+    along = pressure_panel(curves, state["hertz_pressure"], "pressure along the rolling direction")
     moments = [amount(name, state[name]) for name in ("yield_moment", "half_circles_moment")]
     caption = (
         f"Two quartz spheres of 20 nm that have rolled by ⟦ξ⟧ = {amount('yield_displacement', shift)}, without load.",
         f"Moment: exact {moments[0]}, Eq (25); half-circles {moments[1]}, Eq (19).",
     )
     remarks = (
-        "The circle stays behind the contact point. Ahead the pull at the rim is weaker, behind it is stronger.",
+        "The circle lags behind the contact point. The pull at its rim is weaker ahead and stronger behind.",
         "Exact: Hertz, flat punch and tilted flat punch on one circle at a fixed load.",
         "Half-circles: Eq (16) at a fixed approach, not continuous at ⟦x = 0⟧.",
     )
@@ -348,7 +350,7 @@ def figure_2(materials: Materials) -> Picture:
 
 
 def _halves(word: str, a: float, shift: float, pressure_of: Callable[[Any, float], Any]) -> Iterator[Curve]:
-    """Iterate over the pressures behind and ahead of the contact point, each half of a symmetric contact's pressure.
+    """Iterate over the pressures behind and ahead of the contact point, each from half of a symmetric contact.
 
     `pressure_of` returns the pressure at positions, given the size of the symmetric contact.
     """
@@ -376,6 +378,7 @@ def figure_9(materials: Materials) -> Picture:
     shifted_strip = {"contact_half_width": a, "yield_displacement": shift, **size}
     moments = contact_point_moment(**shifted_strip), half_strips_moment(**shifted_strip)
     shifted_by = amount("yield_displacement", shift)
+    ratio = f"{moments[0] / moments[1]:.3f}"
     caption = (
         f"Quartz cylinder of 20 nm on a rigid plane without load (⟦C = 0⟧), shifted by ⟦ξ⟧ = {shifted_by}.",
         "Exact: Eq (64). Half-strips: two halves of symmetric strips, Eq (71).",
@@ -384,7 +387,7 @@ def figure_9(materials: Materials) -> Picture:
         f"Griffith's criterion gives ⟦a⟧ = {amount('contact_radius', a)}.",
         "The half-strips are not continuous at ⟦x = 0⟧.",
         f"Moment per length about the contact point: exact {moments[0]:.3g} N, Eq (70) with its sign corrected.",
-        f"Half-strips {moments[1]:.3g} N, Eq (77): lower by {moments[0] / moments[1]:.3f}, ⟦π/2⟧ where ⟦ξ⟧ ≪ ⟦a⟧.",
+        f"Half-strips {moments[1]:.3g} N, Eq (77): lower by a factor of {ratio}, which tends to ⟦π/2⟧ for ⟦ξ⟧ ≪ ⟦a⟧.",
     )
     highest = modulus * a / (2 * radius)
     panels = (pressure_panel([symmetric], highest, "symmetric"), pressure_panel(curves, highest, "shifted by ⟦ξ⟧"))
@@ -413,16 +416,15 @@ def figure_laws(materials: Materials, marks: Sequence[str]) -> Picture:
         Curve("JKR", ends, numpy.array([1.5, 1.5]), 3),
     )
     points = tuple(mark_at(text, materials, Frame({}, model="maugis"), _TABOR, _RATIO) for text in marks)
-    spacing = amount("atomic_spacing", DEFAULTS["atomic_spacing"])
-    fit = "Lennard-Jones' by a fit to numerical solutions, within 0.3 % for ⟦0.01 ≤ μ ≤ 2⟧"
-    caption = (
-        f"Pull-off force over ⟦πwR⟧ by each law; {fit}.",
-        *((f"Grains at Maugis–Dugdale with ⟦z0⟧ = {spacing}: ⟦μ⟧ falls as ⟦1/z0⟧.",) if points else ()),
-    )
-    return Picture("", (Panel(_TABOR, _RATIO, curves, points),), caption)
+    fit = "Lennard-Jones' is a fit to numerical solutions, within 0.3 % for ⟦0.01 ≤ μ ≤ 2⟧"
+    caption = [f"Pull-off force over ⟦πwR⟧ by each law; {fit}."]
+    if points:
+        spacing = amount("atomic_spacing", DEFAULTS["atomic_spacing"])
+        caption.append(f"Grains are on the Maugis–Dugdale curve for ⟦z0⟧ = {spacing}; ⟦μ⟧ falls as ⟦1/z0⟧.")
+    return Picture("", (Panel(_TABOR, _RATIO, curves, points),), tuple(caption))
 
 
 # --- All of them ------------------------------------------------------------------------------------------------------
 
-PROFILES: Mapping[str, Callable[[Materials], Picture]] = {"2": figure_2, "9": figure_9}  # which take no options
+PROFILES: Mapping[str, Callable[[Materials], Picture]] = {"2": figure_2, "9": figure_9}  # without options
 FIGURE_NAMES = (*sorted({*PAPER_MAPS, *PROFILES}), "laws", "geometry")

@@ -57,7 +57,7 @@ def content_of(figure: Any, file_format: str, about: About, **layout: Any) -> by
 
 
 def _readable(svg: str, about: About) -> str:
-    """Return an SVG with its texts in lines, its description, its font, and small hatch patterns."""
+    """Return an SVG with whole lines as texts, a description, an embedded font, and small hatch patterns."""
     svg = re.sub(r"\s*<!--.*?-->", "", svg, flags=re.DOTALL)
     svg = _TEXT.sub(lambda match: f"<text>{_in_lines(match[1])}</text>", svg)
     svg = _DOTS.sub(lambda match: f"{match[1]}{_TILE}{match[2]}{_TILE}{match[3]}{_tile(match[4])}{match[5]}", svg)
@@ -108,7 +108,7 @@ def _letters(svg: str) -> dict[str, set[str]]:
 
 
 def _face(style: str, letters: Iterable[str]) -> str:
-    """Return a font of some letters as a rule of a style sheet."""
+    """Return the font, reduced to some letters, as a rule of a style sheet."""
     options = subset.Options(hinting=False, layout_features=[], notdef_outline=True, name_IDs=[])
     options.drop_tables += ["FFTM", "GDEF", "GPOS", "GSUB"]
     font = ttLib.TTFont(_path_of(style), recalcTimestamp=False)

@@ -20,7 +20,7 @@ _X = {"contact radius": "contact_radius_at_load", "approach": "approach_at_load"
 
 
 class FittedCurve(Shown, Fit):
-    """The fit of a curve; it can be drawn, and is shown as in a terminal."""
+    """The fit of a curve, which can be drawn; notebooks show it as a terminal does."""
 
     @property
     def drawn(self) -> Drawn:

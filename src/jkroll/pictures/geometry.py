@@ -22,7 +22,7 @@ class _Pair(NamedTuple):
     above: float  # radius of sphere 1
     below: float
     half: float  # radius of the contact circle
-    lag: float  # distance of the circle's middle behind the line of centres
+    lag: float  # distance from the line of centres back to the middle of the circle
 
     def heights(self) -> tuple[float, float]:
         """Return the heights of both centres."""
@@ -56,9 +56,8 @@ def sketch() -> Picture:
 
 def _panel(pair: _Pair, arrows: tuple[Arrow, ...], title: str, ends: tuple[tuple[float, float], ...]) -> Panel:
     """Return a panel of a pair, without axes; `ends`: its lowest and highest positions, across and upwards."""
-    x, y = (
-        Axis(name, *end, is_log=False) for name, end in zip(("position_across", "position_upwards"), ends, strict=True)
-    )
+    across, upwards = ends
+    x, y = Axis("position_across", *across, is_log=False), Axis("position_upwards", *upwards, is_log=False)
     centres = numpy.array([max(y.low, pair.heights()[1] - 0.15), min(y.high, pair.heights()[0] + 0.15)])
     curves = (*pair.outlines(), Curve(_AXIS, 0 * centres, centres, _INK))
     return Panel(x, y, curves, title=title, is_true_to_scale=True, has_axes=False, arrows=arrows)

@@ -11,7 +11,7 @@ from .picture import Mark, Style
 
 _EDGE = 4.0  # width that the ticks take inside the frame, in points of the page
 _APART = 2.0  # gap between two texts, or between a line and its name, in points of the page
-_ASIDE = 20.0  # cost of a distance from the line, over that of one from the middle of the axes
+_ASIDE = 20.0  # cost of a distance from the line, relative to a distance from the middle of the axes
 _DOT = 3.0  # half the size of a point, in points of the page
 _STEP = 1.5  # between the points of a line, in points of the page
 _WAYS = ((0.7, 0.7), (0.7, -0.7), (-0.7, 0.7), (-0.7, -0.7), (1, 0), (-1, 0), (0, 1), (0, -1))  # the best first
@@ -25,7 +25,7 @@ class Bound(NamedTuple):
 
     text: str
     paths: Sequence[Any]  # in data coordinates
-    has: Callable[[Any], Any]  # whether positions, in pixels, are in the region
+    has: Callable[[Any], Any]  # True for positions, in pixels, that are in the region
 
 
 class Labels:
@@ -39,7 +39,7 @@ class Labels:
         self.taken: list[Any] = []
 
     def of_marks(self, marks: Sequence[Mark]) -> None:
-        """Draw marked points with their texts at free positions, and leaders to these."""
+        """Draw marked points with their texts at free positions, and leaders to the texts."""
         points = []
         for mark in marks:
             if mark.x is not None and mark.y is not None:
@@ -47,13 +47,13 @@ class Labels:
         self.taken += [_box(self._pixels(point), _DOT * self.scale) for _, *point in points]
         steps = numpy.array([[reach * self.scale * numpy.array(way) for way in _WAYS] for reach in _REACH])
         steps = steps.reshape(-1, 2)
-        for label, *point in sorted(points, key=lambda each: -each[1]):  # those on the right have the least room
+        for label, *point in sorted(points, key=lambda each: -each[1]):  # points on the right have the least room
             text, half = self._text(typeset(label), zorder=5)
             dot = self._pixels(point)
             middles = (dot + steps + half * numpy.sign(steps)).clip(self.frame.min + half, self.frame.max - half)
             boxes = [_box(middle, half) for middle in middles]
             free = self._free(boxes, _APART) or self._free(boxes, 0.5) or boxes
-            box = min(free, key=lambda box: self._crossings(box, dot))  # the first of those with the fewest
+            box = min(free, key=lambda box: self._crossings(box, dot))  # the first box with the fewest crossings
             leader = numpy.array([dot, dot.clip(box.min, box.max)])
             ends = self.axes.transData.inverted().transform(leader)
             self.drawn = _joined([self.drawn, self._dense(leader)])
@@ -63,18 +63,18 @@ class Labels:
             self._put(text, box)
 
     def _crossings(self, box: Any, dot: Any) -> int:
-        """Return a cost of a text and its leader: how many lines and other texts they cross."""
+        """Return the cost of a text and its leader, which rises with the lines and other texts that they cross."""
         leader = self._dense(numpy.array([dot, dot.clip(box.min, box.max)]))
         leader = leader[numpy.hypot(*(leader - dot).T) > 2 * _DOT * self.scale]
         texts = sum(bool(other.count_contains(leader)) for other in self.taken)
         near = abs(self.drawn[None] - leader[:, None]).max(axis=2) < self.scale
-        return 3 * int(box.padded(1).count_contains(self.drawn) > 0) + int(near.any()) + 2 * texts  # the worst first
+        return 3 * int(box.padded(1).count_contains(self.drawn) > 0) + int(near.any()) + 2 * texts
 
     def of_contours(self, texts: Sequence[str], contours: Sequence[Sequence[Any]]) -> None:
         """Write each label horizontally onto its contour, at the free position nearest to the middle of the axes.
 
-        It stands on a patch in the picture's colour at that point, so that no hatch runs through it and its minus sign
-        cannot be taken for the contour. A contour without room has no label.
+        A label stands on a patch in the picture's colour at that point, so that no hatch runs through it and its minus
+        sign cannot be taken for the contour. A contour without room has no label.
         """
         every = [_joined(self._dense(self._pixels(path)) for path in paths) for paths in contours]
         middle = (self.frame.min + self.frame.max) / 2

@@ -1,7 +1,7 @@
 """Draw pictures into SVG, PDF and PNG files, for a journal's page or a dark slide.
 
-Only this module imports matplotlib, which lays out the page. The same picture gives the same bytes: it has no date, its
-ids depend on the content only, and the user's own matplotlib settings are ignored.
+Only this module and the modules that it imports load matplotlib. The same picture gives the same bytes: a file has no
+date, its ids depend on the content alone, and the user's own matplotlib settings are ignored.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -30,7 +30,7 @@ from .ranges import Band
 LETTER_SIZE = 8.6  # in points, at any width of the page; subscripts, 0.7 times as large, have 6
 _CONTOURS = 12  # at most
 _TICK_DIGITS = 6  # at most
-_TICK_WIDTHS = {False: 0.45, True: 0.6}  # width of a number and a gap on the lower axis, in inches, by `is_log`es
+_TICK_WIDTHS = {False: 0.45, True: 0.6}  # width of a number and a gap on the lower axis, in inches, by `is_log`
 LETTER_WIDTH = 0.42  # mean width of a letter over its size
 MARKERS = "os^Dv*"
 DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
@@ -67,7 +67,7 @@ def draw(
 
 
 def _check_letters(texts: Iterable[str]) -> None:
-    """Raise BadRequest for a letter that the font lacks, as the name of a user's material may contain."""
+    """Raise BadRequest for a letter that the font lacks; the name of a user's material may contain one."""
     font = font_manager.get_font(font_manager.findfont(FONT))
     for letter in dict.fromkeys("".join(texts)):
         if letter.isalpha() and not font.get_char_index(ord(letter)):
@@ -75,7 +75,10 @@ def _check_letters(texts: Iterable[str]) -> None:
 
 
 def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption: bool) -> Figure:
-    """Return a picture as a matplotlib figure: title, rows of axes with legends, and caption, on a sheet with room."""
+    """Return a picture as a matplotlib figure: a title, rows of axes with legends, and a caption.
+
+    They are on a sheet with room around them, which is cut to the page.
+    """
     count = len(drawn.panels)
     inches = inches or (_ONE_PANEL if count == 1 else _MORE_PANELS)
     columns = min(count, max(1, int(inches / _NARROWEST)))
@@ -85,7 +88,7 @@ def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption
     every = [*figure.subplots(rows, columns, squeeze=False).flat]
     for empty in every[count:]:
         empty.remove()
-    letters = _letters(inches / columns - 0.4)  # that fit a line of a legend
+    letters = _letters(inches / columns - 0.4)  # in a line of a legend
     drawings: list[Drawn] = []
     for panel, axes, letter in zip(drawn.panels, every, "abcdef", strict=False):
         _set_axes(axes, panel, inches / columns, _ASPECT if columns == 1 else _ASPECT_BESIDE)
@@ -119,7 +122,7 @@ def draw_on(axes: Any, panel: Panel, style: Style) -> None:
 
 
 def _drawing_on(axes: Any, panel: Panel, style: Style, letters: int) -> Drawn:
-    """Draw a panel without the texts inside. `letters`: that fit a line of the legend."""
+    """Draw a panel without the texts inside. `letters`: the number in a line of the legend."""
     if panel.field is not None:
         return draw_field(axes, panel, levels_of(panel.field), style, letters)
     return _draw_curves(axes, panel, style, letters)
@@ -143,7 +146,7 @@ def _letters(inches: float) -> int:
 
 
 def _lay_out(figure: Figure, every: Sequence[Any], keys: Sequence[Sequence[Any]]) -> None:
-    """Put a legend below each of the axes, and fix the layout, so that labels can be measured."""
+    """Put a legend below each of the axes, and freeze the layout, so that labels can be measured."""
     figure.draw_without_rendering()
     for axes, handles in zip(every, keys, strict=False):
         if handles:
@@ -160,7 +163,7 @@ def _lay_out(figure: Figure, every: Sequence[Any], keys: Sequence[Sequence[Any]]
 
 @contextmanager
 def settings(style: Style) -> Iterator[None]:
-    """Use matplotlib's own default settings instead of the user's, with ours on top."""
+    """Replace the user's settings of matplotlib by its defaults and the settings of our pages."""
     ours: dict[Any, Any] = {
         "font.size": LETTER_SIZE, "font.family": FONT, "mathtext.fontset": "stix",
         "axes.linewidth": 0.6, "xtick.major.width": 0.6, "ytick.major.width": 0.6, "hatch.linewidth": 0.35,
@@ -182,7 +185,7 @@ def settings(style: Style) -> Iterator[None]:
 
 
 def _set_axes(axes: Any, panel: Panel, inches: float, aspect: float) -> None:
-    """Set the shape of axes, the scale, range, ticks and title of both, and the marks on their edges."""
+    """Set the shape of axes, the scale, range, ticks and title of each axis, and the marks on the edges."""
     if panel.is_true_to_scale:
         aspect = (panel.y.high - panel.y.low) / (panel.x.high - panel.x.low)
     axes.set_box_aspect(aspect)
@@ -190,7 +193,7 @@ def _set_axes(axes: Any, panel: Panel, inches: float, aspect: float) -> None:
         axes.set(xlim=(panel.x.low, panel.x.high), ylim=(panel.y.low, panel.y.high))
         axes.set_axis_off()
         return
-    letters = _letters(0.77 * inches)  # that fit a line of a title
+    letters = _letters(0.77 * inches)  # in a line of a title
     _set_axis(axes, panel.x, "x", max(2, int(inches / _TICK_WIDTHS[panel.x.is_log])), letters)
     _set_axis(axes, panel.y, "y", 9, int(1.1 * aspect * letters))
     _mark_edge(axes, "x", [(mark.x, mark.text) for mark in panel.marks if mark.y is None])
@@ -233,7 +236,7 @@ def _mark_edge(axes: Any, which: str, marks: Sequence[tuple[Any, str]]) -> None:
 
 
 def levels_of(field: Field) -> list[float]:
-    """Return the values of the contours: round ones within the range of a field."""
+    """Return the values of the contours: round values within the range of a field."""
     low, high = extent(field.values)
     if is_flat(field.values):
         return []
@@ -278,6 +281,6 @@ def line_of(curve: Curve, number: int, style: Style) -> dict[str, Any]:
     colour = style.lines[curve.colour % len(style.lines)]
     if len(curve.x) == 1:
         return {"color": colour, "linestyle": "", "marker": MARKERS[number % len(MARKERS)], "markersize": 4}
-    turn = number // len(DASHES)  # in each turn the colours come with other dashes
+    turn = number // len(DASHES)  # in each turn, a colour has other dashes
     dashes = "--" if curve.is_dashed else DASHES[(number + turn) % len(DASHES)]
     return {"color": colour, "linestyle": dashes, "linewidth": 1.1}

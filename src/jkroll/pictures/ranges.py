@@ -20,10 +20,10 @@ class Band(NamedTuple):
 
     low: Any
     high: Any
-    by: Any  # the rule of each range, a position in WORDS
+    by: Any  # the rule of each range, as an index into WORDS
 
     def rules(self, where: Callable[[Any], str] = lambda _: "") -> str:
-        """Return the words for the rules, in order, each with where it applies."""
+        """Return the names of the rules, in order, each with the place where it applies."""
         rules = [rule for rule in dict.fromkeys(self.by.ravel().tolist()) if rule != NONE]
         words: dict[str, int] = {WORDS[rule].replace("ξ", "⟦ξ⟧"): rule for rule in rules}
         texts = []

@@ -51,7 +51,7 @@ from .picture import (
 from .ranges import band_of
 
 MAX_CURVES = 24  # more cannot be distinguished
-SIDE = 201  # points along each side of a field, for captions and limits, and by default for its numbers
+SIDE = 201  # points along each side of a field, from which captions and limits come; the default for its numbers
 MOST_BANDS = 4  # of best ranges; more cannot be distinguished
 ALONG = 1001  # points of a curve, unless its axis has another number
 # The limits that can have a region on a map, each with its sign in a terminal and its hatch on a page. A pattern means
@@ -62,7 +62,7 @@ SIGNS = {
     "energy_over_yield": ("^", "----"),
     "tabor_parameter": ("|", "||||||"),
 }
-SLIGHT = ("'", "||")  # where a law is off by little; its lines are a part of the hatch for a law that is far off
+SLIGHT = ("'", "||")  # where a law is slightly off; this hatch is part of the hatch for a law that is far off
 UNDRAWN = ("", "")
 DRAWN_LIMITS = tuple(limit for limit in LIMITS if limit.name in SIGNS and not limit.conclusion)
 _FARTHEST = log(1e3)  # largest excess of a limit on a map
@@ -79,7 +79,7 @@ class PlotRequest(NamedTuple):
     marks: Sequence[str]
     materials: Materials
     limits: Sequence[Limit] = LIMITS  # drawn, or named in sentences, if they concern the quantity
-    printed: str = ""  # the quantity as the paper prints it, if that differs
+    printed: str = ""  # the name of the quantity as the paper prints it, if the paper differs
     has_best: bool = True  # True to draw the best ranges
 
 
@@ -92,17 +92,21 @@ def _map_of(request: PlotRequest, upright: Axis) -> tuple[Picture, tuple[str, ..
     """Return the picture of a field, with its limits as regions, and its notes."""
     quantity, ((_, frame),) = request.quantity, request.frames
     x, y = (axis._replace(size=axis.size or SIDE) for axis in (request.x, upright))
-    layer = Layer(request, "", frame, [axis._replace(size=SIDE) for axis in (x, y)])
-    regions = [*layer.regions()]
-    drawn = tuple(region for region in regions if region.where)
-    field = Field(quantity, frame, layer.values, drawn, request.printed, layer.gaps, request.has_best)
+    layer = Layer(request, "", frame, [x._replace(size=SIDE), y._replace(size=SIDE)])
+    drawn: list[Region] = []
+    everywhere: list[Region] = []
+    for region in layer.regions():
+        if region.where:
+            drawn.append(region)
+        else:
+            everywhere.append(region)
+    field = Field(quantity, frame, layer.values, tuple(drawn), request.printed, layer.gaps, request.has_best)
     marks = [mark_at(text, request.materials, frame, x, y) for text in request.marks]
     of_materials, left_out = _material_marks(request.materials, x, y) if frame.material is None else ([], ())
     panel = Panel(x, y, marks=(*of_materials, *marks), field=field)
-    undrawn = {"": [region for region in regions if region not in drawn]}
-    caption, beyond = (*_opening(quantity, [layer]), *left_out), (*_sentences(undrawn),)
+    caption, beyond = (*_opening(quantity, [layer]), *left_out), (*_sentences({"": everywhere}),)
     remarks = (f"{'; '.join(_about_marks(request, panel))}.",) if panel.marks else ()
-    return Picture(described(quantity, field.in_words([])[1]), (panel,), caption, beyond, remarks), layer.notes
+    return Picture(described(quantity, field.in_words([])[1]), (panel,), caption, beyond, remarks), tuple(layer.notes)
 
 
 def _curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
@@ -147,8 +151,9 @@ def distinction(frame: Frame, several: Iterable[str], models: Sequence[object]) 
     parts = [material.name for material, _ in frame.materials]
     if len(models) > 1 and frame.stated_model is not None:
         parts.append(frame.law.title)
-    computed = [name if name in frame.given else computed_as(name) for name in several]
-    parts += [f"{symbol(name)} = {amount(name, frame.given[name])}" for name in computed]
+    for name in several:
+        given = name if name in frame.given else computed_as(name)
+        parts.append(f"{symbol(given)} = {amount(given, frame.given[given])}")
     return ", ".join(parts)
 
 
@@ -225,7 +230,7 @@ def _frame_at(text: str, materials: Materials, frame: Frame) -> Frame:
 def _material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[list[Mark], tuple[str, ...]]:
     """Return marks for the materials with a position on an axis, and the sentence of a caption about the others.
 
-    Materials with a state are left out: several of one substance would crowd the edge.
+    Materials with a state are left out: the states of one substance would crowd the edge.
     """
     placed, others = [], []
     for material in materials.materials.values():
@@ -241,7 +246,7 @@ def _material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[list[Mark],
 
 
 def _about_marks(request: PlotRequest, panel: Panel) -> Iterator[str]:
-    """Iterate over the positions of marks on an axis, and over the values for grains, from their own inputs."""
+    """Iterate over the positions of marks on an axis, and over the quantity of marked grains, by their own inputs."""
     quantity, ((_, frame),) = request.quantity, request.frames
     typed = {_name_of(text): text for text in request.marks}
     for mark in panel.marks:
@@ -273,32 +278,51 @@ class Layer:
             drawn |= axis.inputs(axis.high)
         self.frame = frame.replace(**drawn)  # at an end; a quantity needs the same inputs all along an axis
         points = over(frame, *axes)
-        every = _doubts(points, quantity, request.limits)
-        self.doubts = [doubt for doubt in every if doubt.error is None]
-        missing = [doubt.error for doubt in every if doubt.error is not None]
-        names = [quantity, *(doubt.limit.name for doubt in self.doubts if doubt.limit in DRAWN_LIMITS)]
+        self.doubts: list[Doubt] = []
+        missing: list[JkrollError] = []
+        names = [quantity]
+        for doubt in _doubts(points, quantity, request.limits):
+            if doubt.error is not None:
+                missing.append(doubt.error)
+                continue
+            self.doubts.append(doubt)
+            if doubt.limit in DRAWN_LIMITS:
+                names.append(doubt.limit.name)
         inputs, used = self.frame.inputs_of(*names), self.frame.inputs_of(quantity)
-        # The limits are judged at an assumed load; if the quantity does not depend on it, this is not an assumption.
+        # Limits are judged at an assumed load. If the quantity does not depend on the load, this is not an assumption.
         shown = [name for name in inputs if name in used or name != "load" or name in self.frame.given]
-        moduli = {} if drawn.keys().isdisjoint(("poisson_ratio", "poisson_ratio2")) else _shear_moduli(frame)
-        on_axes = {*map(computed_as, drawn)}
-        self.inputs = inputs_as_texts(self.frame, [moduli.get(name, name) for name in shown if name not in on_axes])
-        remark = NOMENCLATURE[quantity].note
-        self.unjudged = [f"Limits are not judged: {_without(error)}." for error in missing[:1]]
+        self.inputs = inputs_as_texts(self.frame, self._fixed(shown, drawn.keys()))
+        self.unjudged: list[str] = []
         if missing and quantity == "pull_off_force" and frame.law.is_default and len(axes) > 1:
-            self.unjudged.insert(0, "DMT's law, which is for small, hard spheres, has 4/3 of this.")
-        self.notes = (
-            *(note.text for note in about_idle(entering(self.frame, names, judges=False)[1])),
-            *notes_on(points, self.frame, shown, names),
-            *([f"{symbol_of(quantity)}: {remark}"] if remark else []),
-        )
+            self.unjudged.append("DMT's law, for small, hard spheres, gives 4/3 of this force.")
+        if missing:
+            self.unjudged.append(f"Limits are not judged: {_without(missing[0])}.")
+        self.notes = [note.text for note in about_idle(entering(self.frame, names, judges=False)[1])]
+        self.notes += notes_on(points, self.frame, shown, names)
+        remark = NOMENCLATURE[quantity].note
+        if remark:
+            self.notes.append(f"{symbol_of(quantity)}: {remark}")
         self.values = evaluate(frame, quantity, *axes)
         self.known = numpy.isfinite(self.values)
         if not self.known.any():
-            errors = self.frame.errors(self.frame.columns([quantity]))
-            explanation = "".join(f": {explanation_of(quantity, error)}" for error in errors.values())
-            raise Failure(Cause("", f"no value anywhere on these axes{explanation}"), quantity)
+            text = "no value anywhere on these axes"
+            for error in self.frame.errors(self.frame.columns([quantity])).values():
+                text += f": {explanation_of(quantity, error)}"
+            raise Failure(Cause("", text), quantity)
         self.gaps = _phrases(points.column(quantity).reasons)
+
+    def _fixed(self, inputs: Iterable[str], drawn: Collection[str]) -> list[str]:
+        """Return the inputs that are not drawn on an axis.
+
+        If Poisson's ratio is drawn, a given shear modulus replaces Young's modulus, which varies with the ratio.
+        """
+        moduli = {}
+        if "poisson_ratio" in drawn or "poisson_ratio2" in drawn:
+            for name in ("shear_modulus", "shear_modulus2"):
+                if name in self.given.described:
+                    moduli[CONVERTED[name]] = name
+        on_axes = {*map(computed_as, drawn)}
+        return [moduli.get(name, name) for name in inputs if name not in on_axes]
 
     def curve(self, colour: int, *, has_best: bool) -> Curve:
         """Return the curve of the quantity along its axis, with the band of its best ranges and the rows to show."""
@@ -314,14 +338,20 @@ class Layer:
         best = band_of(here, self.quantity, shown.shape) if rows is not None else None
         if rows is not None and best is not None:
             every = [*compress(best.estimates(), known)]
-            ranges = (range_in_words(self.quantity, estimate) for estimate in every)
-            rows = rows._replace(best=(*ranges,), by=(*(WORDS[estimate.by] for estimate in every),))
+            ranges, rules = [], []
+            for estimate in every:
+                ranges.append(range_in_words(self.quantity, estimate))
+                rules.append(WORDS[estimate.by])
+            rows = rows._replace(best=tuple(ranges), by=tuple(rules))
         law = self.frame.law.short if self.frame.stated_model is None else ""
         key = "; ".join(filter(None, (law, f"band: best range, by {band.rules(self._where)}")))
         return Curve(self.text, x.values(), self.values, colour, band=band, key=key, rows=rows)
 
     def regions(self) -> Iterator[Region]:
-        """Iterate over regions beyond thresholds: a law's last one, then the first unless all lies beyond the last."""
+        """Iterate over the regions beyond the last threshold of a limit, and beyond the first one.
+
+        If all points lie beyond the last threshold, there is no region beyond the first.
+        """
         for doubt in self.doubts:
             limit = doubt.limit
             first, *_, last = (limit.threshold, *limit.codes)
@@ -330,16 +360,16 @@ class Layer:
                 is_beyond = self.known & (doubt.excess > step)
                 if is_beyond.any():
                     text, where = self._beyond(limit, threshold), self._where(is_beyond)
-                    look = SIGNS[limit.name] if limit in DRAWN_LIMITS else UNDRAWN
-                    if look != UNDRAWN and limit.factor is not None and step == 0:
-                        look = SLIGHT
+                    look = UNDRAWN
+                    if limit in DRAWN_LIMITS:
+                        look = SLIGHT if limit.factor is not None and step == 0 else SIGNS[limit.name]
                     name = text.partition(":")[0] if limit.factor is None else limit.codes[threshold].replace("-", " ")
                     yield Region(text, where, *look, name, partial(_excess_over, limit, step, self.quantity))
                     if not where:
                         break
 
     def _beyond(self, limit: Limit, threshold: float) -> str:
-        """Return the consequence beyond a threshold, and, unless another number is judged, the limit's number there."""
+        """Return the consequence beyond a threshold, with the threshold unless the limit judges another number."""
         if limit is LAW:
             size = f"{100 * (threshold - 1):.0f} %" if threshold < 2 else f"a factor of {threshold:g}"
             return f"{self.given.law.title} is off by more than {size}"
@@ -350,7 +380,7 @@ class Layer:
         return f"⟦{NOMENCLATURE[limit.name].symbol} {limit.sign[0]} {number}⟧{unit and f' {unit}'}: {meaning}"
 
     def _where(self, is_beyond: Any) -> str:
-        """Return where a condition holds: stretches of a curve or part of a map; empty for all points with a value."""
+        """Return in words where a condition holds; an empty text if it holds at all points with a value."""
         if (is_beyond == self.known).all():
             return ""
         if len(self.axes) == 1:
@@ -363,7 +393,7 @@ class Layer:
 
 
 def _stretches(axis: Axis, is_beyond: Any, known: Any) -> str:
-    """Return the stretches of an axis in which a condition holds, skipping points without a value."""
+    """Return the stretches of an axis on which a condition holds, in words; points without a value are skipped."""
     values, beyond = axis.values()[known], is_beyond[known]
     edges = numpy.flatnonzero(numpy.diff(beyond, prepend=False, append=False)).reshape(-1, 2)
     stretches = []
@@ -373,19 +403,18 @@ def _stretches(axis: Axis, is_beyond: Any, known: Any) -> str:
     return f"{symbol(axis.name)} = {', '.join(stretches)}"
 
 
-def _shear_moduli(frame: Frame) -> dict[str, str]:
-    """Return the shear moduli that were given, by their Young's moduli, which vary with Poisson's ratio."""
-    return {CONVERTED[name]: name for name in ("shear_modulus", "shear_modulus2") if name in frame.described}
-
-
 def _phrases(reasons: Any) -> tuple[str, ...]:
     """Return the phrases of the reasons why points have no value."""
-    causes = (cause_and_step(number)[0] for number in numpy.unique(reasons).tolist() if number)
-    return (*dict.fromkeys(cause.phrase for cause in causes if cause is not None and cause.phrase),)
+    phrases: dict[str, None] = {}
+    for number in numpy.unique(reasons).tolist():
+        cause, _ = cause_and_step(number)
+        if cause is not None and cause.phrase:
+            phrases[cause.phrase] = None
+    return tuple(phrases)
 
 
 def _without(error: JkrollError) -> str:
-    """Return what a limit lacks."""
+    """Return the reason why a limit is not judged, in words."""
     return f"that {error.explanation()}" if isinstance(error, MissingInput) else str(error)
 
 
@@ -395,7 +424,7 @@ def _doubts(here: Frame, quantity: str, limits: Iterable[Limit]) -> list[Doubt]:
 
 
 def _excess_over(limit: Limit, step: float, quantity: str, here: Frame) -> Any:
-    """Return how far a limit is exceeded beyond a step, as a logarithm that is cut off at the largest on a map."""
+    """Return the excess of a limit over a step as a logarithm, clipped at the largest excess on a map."""
     (doubt,) = _doubts(here, quantity, [limit])
     return numpy.clip(doubt.excess - step, -_FARTHEST, _FARTHEST)
 
@@ -404,7 +433,7 @@ def _excess_over(limit: Limit, step: float, quantity: str, here: Frame) -> Any:
 
 
 def inputs_as_texts(frame: Frame, names: Iterable[str]) -> tuple[str, ...]:
-    """Return the materials of a frame, and inputs with their values."""
+    """Return texts with the materials of a frame, and with inputs and their values."""
     materials = [frame.material.name] if frame.material is not None else []
     if frame.material2 is not None:
         materials.append(f"material2 = {frame.material2.name}")
@@ -417,10 +446,10 @@ def notes_on(given: Frame, frame: Frame, inputs: Collection[str], names: Sequenc
 
     `given`: the frame as the user gave it, or all points of a picture; `frame` is one of them.
     """
-    uncertain = {name: measured for name, measured in given.uncertainties.items() if name in inputs}
-    of_point = assumed(frame, inputs, names, has_values=False)
-    of_data = *about_given(frame, names, inputs), *about_data(given, inputs)
-    notes = *about_middles(uncertain), *about_assumed(of_point), *of_data
+    uncertain = {name: value for name, value in given.uncertainties.items() if name in inputs}
+    assumptions = assumed(frame, inputs, names, has_values=False)
+    notes = [*about_middles(uncertain), *about_assumed(assumptions)]
+    notes += [*about_given(frame, names, inputs), *about_data(given, inputs)]
     return [note.text for note in dict.fromkeys(notes)]
 
 
@@ -430,7 +459,7 @@ def fixed_inputs(inputs: Sequence[str]) -> tuple[str, ...]:
 
 
 def _opening(quantity: str, layers: Sequence[Layer]) -> Iterator[str]:
-    """Iterate over the first sentences of a caption: on the quantity, its fixed inputs, and its values."""
+    """Iterate over the first sentences of a caption, about the quantity, its fixed inputs and its values."""
     sentence = marked(NOMENCLATURE[quantity].sentence)  # `capital` leaves a formula at the beginning alone
     clauses = [capital(sentence), symbol(quantity)]
     equations = {equation_of(layer.frame, quantity) for layer in layers}
@@ -458,23 +487,26 @@ def _opening(quantity: str, layers: Sequence[Layer]) -> Iterator[str]:
 
 
 def _sentences(regions_of: Mapping[str, Iterable[Region]]) -> Iterator[str]:
-    """Iterate over sentences on where the model has no meaning or is not exact; `regions_of`: by a layer's label."""
-    places: dict[str, dict[str, str]] = {}  # where it holds, by label, for each text
+    """Iterate over sentences that state where the model has no meaning or is not exact.
+
+    `regions_of`: the regions of each layer, by its label.
+    """
+    places: dict[str, dict[str, str]] = {}  # by the text of a region and the label of a layer
     for label, regions in regions_of.items():
         for region in regions:
             places.setdefault(region.text, {})[label] = region.where
-    for text, where in places.items():
-        if len(where) == len(regions_of) and not any(where.values()):
+    for text, place_of in places.items():
+        if len(place_of) == len(regions_of) and not any(place_of.values()):
             yield f"Everywhere {text}."
         else:
-            each_place = []
-            for label, place in where.items():
-                each_place.append(", ".join(filter(None, (label, place or "everywhere"))))
-            yield f"{capital(text)} ({'; '.join(each_place)})."
+            places_of_text = []
+            for label, place in place_of.items():
+                places_of_text.append(", ".join(filter(None, (label, place or "everywhere"))))
+            yield f"{capital(text)} ({'; '.join(places_of_text)})."
 
 
 def _farthest_off(x: Axis, layer: Layer) -> Iterator[str]:
-    """Iterate over the sentence on where the law of a curve is farthest off, with the value by Maugis' law."""
+    """Iterate over at most one sentence: where the law of a curve is farthest off, and the value by Maugis' law."""
     for doubt in layer.doubts:
         if doubt.limit is not LAW:
             continue
@@ -486,5 +518,5 @@ def _farthest_off(x: Axis, layer: Layer) -> Iterator[str]:
             place, shown = amount(x.name, value, _TWO), amount(quantity, here[quantity], _THREE)
             yield (
                 f"{here.law.title} is farthest off at {symbol(x.name)} = {place}: {symbol(quantity)} = "
-                f"{range_in_words(quantity, best)} by Maugis' law, {shown} here."
+                f"{range_in_words(quantity, best)} by Maugis' law, {shown} by {here.law.title}."
             )

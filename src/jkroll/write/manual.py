@@ -20,7 +20,7 @@ _IMAGE = re.compile(r"!\[[^]]*\]\([^)]*\)\n\n")  # images are shown on the site 
 # Terms of the field by which a section is found, in addition to its heading.
 FIELD_TERMS: Mapping[tuple[str, str], str] = {
     ("contact-angle", "γ from contact angles"): "wetting wettability contact angle owens wendt surface tension",
-    ("contact-angle", "Owens and Wendt, worked"): "contact angle wetting",
+    ("contact-angle", "An example by Owens and Wendt"): "contact angle wetting",
     ("dem", "DEM"): "lammps",
     ("dem", "Other programs, and damping"): "dissipation viscous coefficient of restitution",
     ("dem", "What other codes call γ"): "cohesion energy density",
