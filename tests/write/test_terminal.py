@@ -6,7 +6,7 @@ import re
 import pytest
 
 from harness import Run, Stream
-from jkroll.cli.commands import takers
+from jkroll.cli.commands import commands_taking
 from jkroll.model.limits import LIMITS
 from jkroll.quantities.formatting import Format
 from jkroll.quantities.nomenclature import NOMENCLATURE
@@ -222,7 +222,7 @@ def test_uncertain_columns_have_one_unit_and_two_digits_of_the_uncertainty(run: 
 def test_the_list_of_quantities_fits_and_names_no_variants(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COLUMNS", "80")
     terminal = Stream(terminal=True)
-    write_quantities([*NOMENCLATURE], terminal, "table", takers)
+    write_quantities([*NOMENCLATURE], terminal, "table", commands_taking)
     groups = [group.splitlines() for group in terminal.text().split("\n\n")[:-1]]
     assert max(len(line) for group in groups for line in group) <= 80
     listed = [line.split()[0] for group in groups for line in group[2:] if not line.startswith(" ")]

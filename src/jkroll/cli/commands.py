@@ -246,7 +246,7 @@ _COMMANDS = (
 COMMANDS: Mapping[str, Command] = {command.name: command for command in _COMMANDS}
 
 
-def takers(name: str) -> list[str]:
+def commands_taking(name: str) -> list[str]:
     """Return the names of the commands that take an input."""
     return [command.name for command in _COMMANDS if any(option.name == name for option in command.options())]
 

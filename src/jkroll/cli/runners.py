@@ -457,16 +457,16 @@ def run_quantities(call: Call) -> int:
     """List quantities, search them by words, or show one in full; if none matches, search the manual."""
     from ..write.catalogue import write_quantities
     from ..write.manual import hits_of, quantities_meant, write_hits
-    from .commands import takers
+    from .commands import commands_taking
 
     output, text = call.output.name, " ".join(call.words)
     names = quantities_meant(call.words)
     if names:
-        write_quantities(names, sys.stdout, output, takers)
+        write_quantities(names, sys.stdout, output, commands_taking)
         return 0
     hits = hits_of(text, call.materials.materials.values())
     if hits.quantities:
-        write_quantities(hits.quantities, sys.stdout, output, takers, most=MOST_FOUND)
+        write_quantities(hits.quantities, sys.stdout, output, commands_taking, most=MOST_FOUND)
     elif output in ("table", "plain"):
         say_wrapped(f"no quantity is called {quoted(text)}; the manual has:", sys.stdout)
         write_hits(text, hits, sys.stdout)
