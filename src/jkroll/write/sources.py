@@ -174,6 +174,7 @@ def _meaning(name: str, frame: Frame) -> str:
 
 Entry = Mapping[str, str]  # a BibTeX entry: its key, its type and its fields
 
+
 def references() -> dict[str, Entry]:
     """Return the BibTeX entries of this program, of the paper, of laws and of conventions."""
     entries = {**data_of(os.path.join(os.path.dirname(__file__), "references.toml"))}
