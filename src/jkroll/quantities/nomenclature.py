@@ -408,7 +408,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
 
 
 def _variants() -> dict[str, Quantity]:
-    """Return the variants of quantities by laws, under the names of their formulas; none has an equation in the paper."""
+    """Return the variants of quantities that laws have, by the names of their formulas; the paper has no equation."""
     variants = {}
     for name, quantity in _QUANTITIES.items():
         symbol, unit, sentence, may_be_zero = quantity.symbol, quantity.unit, quantity.sentence, quantity.may_be_zero
