@@ -246,8 +246,8 @@ def in_words(name: str, value: float | str) -> float | str:
 def in_units(unit: str, values: Sequence[float], digits: int = ROUND_DIGITS, *, is_log: bool) -> tuple[list[str], str]:
     """Return the values of an axis as texts, and their common unit; it is empty if each text has its own unit.
 
-    On a logarithmic scale all texts have the same form: a unit with a prefix, or a number with an exponent, or one
-    without.
+    On a logarithmic scale the texts have the same form: all have a unit with a prefix, all have an exponent, or none
+    has one.
     >>> in_units("Hz", [1e9, 1e12], is_log=True), in_units("J", [1e-18, 1e-15], is_log=True)
     ((['1 GHz', '1 THz'], ''), (['1e-18', '1e-15'], 'J'))
     >>> in_units("1", [0.01, 1000.0], is_log=True), in_units("1", [1000.0, 2e6], is_log=True)

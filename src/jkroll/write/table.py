@@ -75,7 +75,7 @@ def _about_inputs(
 
     The properties of a material follow it in brackets. `several`: the inputs that differ between rows.
     """
-    not_given = {*assumed, "energy"}.difference(form.typed)
+    not_given = {*assumed, "energy"}.difference(form.typed)  # assumed, or computed from another input
     inputs = {name: value for name, value in inputs.items() if name not in not_given}
     texts = {name: f"{symbol_among(name, inputs)} = {amount(name, value, form)}" for name, value in inputs.items()}
     if "surface_energy" in texts and "surface_energy2" not in texts:
@@ -414,7 +414,7 @@ def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str]) 
 
 
 def _count(number: int, inputs: Collection[str]) -> str:
-    """Return the number of pairs or states in words; empty for a single one. For states it names the law, too."""
+    """Return the number of pairs or states in words; empty for a single one. States without a model have JKR's name."""
     count = ""
     if number > 1:
         count = f"{number} states" if "state" in inputs else f"{number} pairs"
