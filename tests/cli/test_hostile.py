@@ -206,7 +206,10 @@ def test_what_is_written_reads_back(value: float, unit: str) -> None:
     """Every finite double in the SI unit reads back exactly; in another unit it is rounded twice."""
     as_usual, in_unit = Format(), Format({"load": (unit, unit_of(unit, "load"))})
     assert parse_quantity(f"{spelled(as_usual.number('load', value))} {as_usual.unit('load')}", "load") == value
-    written = in_unit.number("load", value)
+    try:
+        written = in_unit.number("load", value)
+    except OverflowError:  # no double has the number in this unit
+        return
     if value and 1e-290 < abs(written) < 1e290 and abs(value) > 1e-290:
         assert math.isclose(parse_quantity(f"{spelled(written)} {unit}", "load"), value, rel_tol=3e-16)
 
