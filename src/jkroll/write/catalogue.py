@@ -91,7 +91,7 @@ def _write_values(chosen: Sequence[Material], out: TextIO) -> None:
 
 
 def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
-    """Write a table of materials, grouped by set, with their surface energies and the states these belong to."""
+    """Write a table of materials, grouped by set, with the surface energy and the state of each."""
     measures = [material.measures.get("surface_energy") for material in chosen]
     ((head, energies, _),) = columns_of("surface_energy", {"γ": measures}, EXACT)
     rows: dict[str, list[tuple[str, str, str]]] = {}
@@ -145,7 +145,7 @@ def material_as_object(material: Material) -> dict[str, Any]:
 
 
 def _write_lines(material: Material, out: TextIO) -> None:
-    """Write a line `name value unit` for each property and each side of its uncertainty; the origin follows."""
+    """Write a line `name value unit` for each property and each side of its uncertainty, then lines on its origin."""
     say(f"material {material.name}", out)
     if material.state:
         say(f"state {material.state}", out)
@@ -221,7 +221,7 @@ def _write_tables(names: Sequence[str], out: TextIO, most: int) -> None:
 
 
 def quantity_as_object(name: str) -> dict[str, Any]:
-    """Return the JSON object of a quantity with all its facts, from which the other forms take theirs."""
+    """Return the JSON object of a quantity, with all facts; the other forms show some of them."""
     quantity, formula = NOMENCLATURE[name], formula_of(name)
     fields: Mapping[str, str] = {}
     follows_from: list[str] = []

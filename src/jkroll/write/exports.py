@@ -238,7 +238,7 @@ _DUST_COLLIDER = """\
 def _grain(frame: Frame, program: str) -> tuple[str, list[float]]:
     """Return the name of the material and its γ, E, ν, density and ξ in SI units.
 
-    Raises an error if the program, one for dust, cannot represent the frame.
+    Raises an error if the program cannot represent the frame.
     """
     frame.plans("pull_off_force", "contact_modulus", "density", "yield_displacement")
     _refuse_state(frame, program)

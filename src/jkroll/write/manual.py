@@ -38,7 +38,7 @@ FIELD_TERMS: Mapping[tuple[str, str], str] = {
 SECTIONS = {"doubts": ("models", "Limits")}  # sections by a short name, to which notes refer
 HISTORY = "changes"  # the page of past changes, which a search finds only by this word
 MAX_TEXT = 100  # width of running text
-MAX_LINES = 12  # two passages with more lines on the terminal are not both shown
+MAX_LINES = 12  # of two passages with more lines on a terminal, only the first is shown
 LEAST_SHOWN, LEAST_NAMED = 0.7, 0.5  # least score, relative to the best, of a passage shown and of a page named
 MAX_ELSEWHERE = 3  # number of pages, or of materials, named below a passage
 LIKELY = 0.75  # least similarity of a known word that is suggested for an unknown one
@@ -136,7 +136,7 @@ def passages() -> Iterator[Passage]:
 def section_meant(text: str) -> Section | None:
     """Return the section that a text names, by its short name or by its page and words of its heading.
 
-    None if several sections fit.
+    None if no section fits, or more than one.
     """
     page, _, words = text.partition(" ")
     of_heading = {*words_in(words)}

@@ -29,7 +29,7 @@ from ..text import listed, say, say_wrapped
 
 _SECTIONS = ("Source", "Valid")
 _NO_POWER = 1e-4  # a smaller exponent is a rounding error
-_LESS = 1 - 1e-5  # the factor that moves an input, to find its power; at the lower end of a range its inverse does
+_LESS = 1 - 1e-5  # factor of a moved input, which gives its power; at the lower end of a range the inverse
 _INDENT = 12  # indent of the text of a fact
 _STEP_INDENT = 27  # indent of the text beside the value of an input or a step
 

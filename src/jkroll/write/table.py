@@ -304,7 +304,7 @@ def _range(estimate: "Estimate | None", unit: _ShownUnit, form: Format) -> list[
         return ["–", "–"]
     low, high = _converted(estimate.low, unit), _converted(estimate.high, unit)
     digits = form.digits or 2
-    if estimate.by in (DEFINITION, LAW_ONLY, KELVIN) and form.digits is None:  # not known to all digits
+    if estimate.by in (DEFINITION, LAW_ONLY, KELVIN) and form.digits is None:  # only approximate
         return [f"≈ {from_to(low, high)}", WORDS[int(estimate.by)]]
     if abs(high - low) <= _SAME * abs(high):
         text = significant(low, form.digits or RESULT_DIGITS, zeros=form.digits is None and low != 0)
@@ -414,11 +414,11 @@ def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str]) 
 
 
 def _count(number: int, inputs: Collection[str]) -> str:
-    """Return the number of pairs or states in words; empty for a single one. States without a model have JKR's name."""
+    """Return the number of pairs or states in words; empty for a single one."""
     count = ""
     if number > 1:
         count = f"{number} states" if "state" in inputs else f"{number} pairs"
-    if "state" in inputs and "model" not in inputs:
+    if "state" in inputs and "model" not in inputs:  # the default law gives the states of a force curve
         count += f" by {LAWS[DEFAULT_LAW].short} (--model)"
     return count
 

@@ -132,7 +132,7 @@ class Objects(Lines):
         return divided(columns)
 
     def _leads(self, heads: Sequence[str], *, is_begun: bool) -> list[bytes]:
-        """Return the names of the members as prefixes; the beginning of a row brings its own comma."""
+        """Return the names of the members as prefixes. The given beginning of a row ends with a comma."""
         first, *others = [self._text(head) + b":" for head in heads]
         if not is_begun:
             first = b"{" + first
