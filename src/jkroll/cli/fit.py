@@ -169,7 +169,7 @@ def following_command(call: Call, fitted: Fit) -> str:
 
 
 def _as_typed(call: Call, names: Sequence[str]) -> list[str]:
-    """Return the given ones among some inputs as options, as typed."""
+    """Return the typed options of those inputs that were given."""
     return [f"{NOMENCLATURE[name].option} {call.inputs[name]}" for name in names if name in call.inputs]
 
 

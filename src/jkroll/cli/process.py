@@ -42,7 +42,7 @@ SYNONYMS: Mapping[str, str] = {
     "--unit": "--to",
     "--units": "--to",
 }
-# What to type instead of words of other programs. After the name of a command, a word has another hint there.
+# Hints at what to type instead of words of other programs. Some words have another hint after a command.
 HINTS: Mapping[str, str] = {
     "verify": "jkroll guide paper has the audit of the paper",
     "plot": "jkroll map draws a quantity, jkroll figure a figure of the paper, jkroll contact --curve a force curve",

@@ -148,7 +148,7 @@ def _write_columns(
             sys.stdout.write(text.decode())
         sys.stdout.flush()
     tally = reduce(Tally.plus, tallies, Tally())
-    # Some states of a curve may be beyond the end of the meaning, even if its single answer is not.
+    # Numbers of some states of a curve may have no meaning even if those of the whole curve have one.
     if single is None or (tally.with_doubts(ENDING_MEANING) and not single.ended):
         notes = notes_below(groups, tally, wanted.reported_doubts, is_table=is_table)
     else:
@@ -159,7 +159,7 @@ def _write_columns(
 
 
 def _notes_of(single: "Report", *, has_table: bool) -> "list[Note]":
-    """Return the notes on a single answer; a table has some of them above it, so only the others are returned."""
+    """Return the notes on a single answer, without those that a table has above it."""
     if has_table:
         return single.sentences_below
     return [*single.notes_on_ranges(), *single.sentences]

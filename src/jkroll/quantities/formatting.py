@@ -13,7 +13,7 @@ RESULT_DIGITS = 4  # digits of a result in a table for readers
 ROUND_DIGITS = 12  # digits that show a round value in full, but not its rounding error
 _PLAIN = 10**DIGITS  # smaller numbers are written without an exponent
 _ERRORS = 1e-14  # on a linear scale, a number below this fraction of the largest one is 0
-_NARROW = 0.05  # the ends of a range of a smaller relative width have three digits
+_NARROW = 0.05  # relative width; the ends of a narrower range have three digits
 _PREFIXES = dict(
     zip(range(-24, 18, 3), ("y", "z", "a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T", "P"), strict=True)
 )
@@ -82,7 +82,7 @@ class Format:
 
 
 def _sizes(values: Sequence[float | str | Uncertain | None]) -> list[float]:
-    """Return the sorted sizes of values; 0, infinity, words and None have none."""
+    """Return the sorted sizes of values; 0, infinity, words and None are left out."""
     sizes = []
     for value in values:
         if value is not None and not isinstance(value, str):
@@ -111,7 +111,7 @@ def engineering(value: float, unit: str, digits: int = DIGITS, known: range = _K
 
 
 def _power(value: float, unit: str, digits: int) -> int:
-    """Return the power of ten of the multiple of a unit that suits a value rounded to significant digits."""
+    """Return the power of ten that suits a value, rounded to significant digits, as the prefix of its unit."""
     exponent = f"{value:.{digits - 1}e}".partition("e")[2]
     power = 3 * (int(exponent or 0) // 3)
     return power if unit in WITH_PREFIXES and power in _PREFIXES else 0

@@ -6,8 +6,8 @@ on others (`n_grav` on the moment, `vertical_frequency` on the stiffness) need n
 quantity that the law does not have. A name without a route has the formula of the same name. A formula to which only
 one law has a route belongs to that law. Another law refuses it, since it would mix the two laws.
 
-The profile of body 1 is part of a law, too: JKR's contact of a true sphere is another `Law` than that of a paraboloid,
-which users choose by the profile.
+The profile of body 1 is part of a law, too: JKR's law of a paraboloid and that of a true sphere are two `Law`s, between
+which the profile chooses.
 
 A new law needs a `Law` here, its formulas in `physics`, its reference in `write/references.toml`, the states of its
 force curve in `report.curve`, and the reasons for missing results in `model.reasons`. The nomenclature takes the names
@@ -102,7 +102,7 @@ _JKR = Law(
     omits=frozenset(_BY_LENNARD_JONES),
 )
 
-_PEAK_OF_JKR = ("impact_pressure", "touch_pressure", "yield_speed", "plastic_speed")  # by its energies
+_PEAK_OF_JKR = ("impact_pressure", "touch_pressure", "yield_speed", "plastic_speed")  # they follow from JKR's energies
 
 # Routes of all laws but JKR: for quantities that follow from the law's own force and radius, and None for those that
 # only JKR has.
@@ -118,7 +118,7 @@ _OUTSIDE_JKR: Routes = {
     "displacement_limit": None,
     "viscosity_number": None,
     **dict.fromkeys(_PEAK_OF_JKR),
-    "sliding_force": None,  # over the contact or the zone of attraction? A factor of 6 for quartz of 100 nm
+    "sliding_force": None,  # over the contact or the zone of attraction? For quartz of 100 nm they differ by a factor of 6
     "sliding_displacement": None,
     "sliding_energy": None,
     "twisting_moment": None,

@@ -408,7 +408,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
 
 
 def _variants() -> dict[str, Quantity]:
-    """Return the variants of quantities that laws have, by the names of their formulas; the paper has no equation."""
+    """Return a variant of a quantity for each law's own formula, by name; the paper has no equation for it."""
     variants = {}
     for name, quantity in _QUANTITIES.items():
         symbol, unit, sentence, may_be_zero = quantity.symbol, quantity.unit, quantity.sentence, quantity.may_be_zero
@@ -428,7 +428,7 @@ NOMENCLATURE: Mapping[str, Quantity] = read_only({**_QUANTITIES, **_variants()})
 
 
 def of_sphere(sphere: int, name: str) -> str:
-    """Return the quantity of sphere 1 or 2 that a quantity of one sphere corresponds to; other names unchanged.
+    """Return the same quantity of sphere 1 or 2; a quantity of no single sphere is returned unchanged.
 
     >>> of_sphere(2, "density"), of_sphere(1, "density2"), of_sphere(2, "load")
     ('density2', 'density', 'load')
@@ -517,7 +517,7 @@ def named(word: str, names: Collection[str] = NOMENCLATURE) -> str:
 
 
 def with_symbol(word: str, names: Collection[str] = NOMENCLATURE) -> list[str]:
-    """Return the quantities among `names` whose symbol a word is.
+    """Return the quantities among `names` that have a word as their symbol.
 
     If no symbol is equal to the word, letter case, underscores and spaces are ignored and Greek letters may be spelt
     out. The index of sphere 1 may be left out. Variants are skipped, since they share the symbol of their quantity.
@@ -543,8 +543,8 @@ ALIKE = 0.65
 def nearest(word: str) -> str | None:
     """Return the quantity that a word probably means; None if no quantity is similar.
 
-    The first rule that gives a quantity decides: its symbol is the word, with or without the index of sphere 1; the
-    word is a synonym; the name begins with the word; the name or the option is most similar to the word.
+    The first rule that gives a quantity decides: the word is its symbol, with or without the index of sphere 1; the
+    word is its synonym; its name begins with the word; its name or its option is most similar to the word.
     """
     meanings = {**OPTION_WORDS, **QUANTITY_SYNONYMS, **{name: name for name in NOMENCLATURE}}
     name = word.strip().lstrip("-").replace("-", "_").replace(" ", "_").casefold()

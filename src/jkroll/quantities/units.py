@@ -1,8 +1,8 @@
 """Units: names with powers as exact ratios to the SI base units, and conversion of numbers between them.
 
 A unit has at most eight names with integer powers. pint never sees a user's text: it is asked only for the meaning of
-a single, validated name that is not in the table below. Names in the table have pint's meaning. Names whose meaning
-differs between versions of pint have one in the table, or are refused.
+a single, validated name that is not in the table below. Names in the table have pint's meaning. Names that mean
+different units in different versions of pint are defined in the table, or refused.
 """
 
 import re

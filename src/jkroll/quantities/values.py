@@ -77,7 +77,7 @@ def _expectation(name: str) -> str:
 
 
 class Uncertain:
-    """A value in SI units with an uncertainty. `sides`: its numbers by name, as minus and plus, or low and high."""
+    """A value in SI units with an uncertainty. `sides`: the uncertainty by name: minus and plus, or low and high."""
 
     kind = ""
     value: Any
@@ -184,7 +184,7 @@ class Measured(Uncertain):
 
 
 class Interval(Uncertain):
-    """A range in SI units, any value of which is possible, and a value within it.
+    """A range of possible values in SI units, and a value within it.
 
     >>> Interval(0.025, 0.02, 0.03).sides
     {'low': 0.02, 'high': 0.03}
@@ -251,9 +251,9 @@ def with_sides(value: float, sides: Mapping[str, float]) -> float | Uncertain:
 _Decimal = tuple[int, int]  # an integer and a power of ten
 _UnitIn = Callable[[str], Unit]  # returns the unit that a text means; an empty text means the default unit
 _NUMBER = re.compile(r"([+-]?)([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?")
-_LETTER_AND_DIGITS = re.compile(r"([^\W\d_])([+-]?[0-9]+)")  # as in 1.25d1: never a unit
+_LETTER_AND_DIGITS = re.compile(r"([^\W\d_])([+-]?[0-9]+)")  # as in 1.25d1, which is never a unit
 _SECOND = re.compile(r" ?(?:[-–—…] ?)+[0-9]| ?([^-–—…]+?) ?[-–—…] ?[0-9.]+ ?\1$")  # after the 5 of 5-6 nm, 5nm-6nm
-_MARKS = ("±", "(", "+-", "+−", "/-", "/−", "/ -", "/ −", " to ")  # /- as in +/- and in +6/-4
+_MARKS = ("±", "(", "+-", "+−", "/-", "/−", "/ -", "/ −", " to ")  # /- occurs in +/- and in +6/-4
 
 
 def parse_quantity(text: str, name: str) -> float:
