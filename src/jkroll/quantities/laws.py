@@ -118,7 +118,7 @@ _OUTSIDE_JKR: Routes = {
     "displacement_limit": None,
     "viscosity_number": None,
     **dict.fromkeys(_PEAK_OF_JKR),
-    "sliding_force": None,  # over the contact or the zone of attraction? For quartz of 100 nm they differ by a factor of 6
+    "sliding_force": None,  # over the contact or the zone of attraction? They differ 6 times for quartz of 100 nm
     "sliding_displacement": None,
     "sliding_energy": None,
     "twisting_moment": None,
