@@ -125,7 +125,7 @@ def _meant(words: Sequence[str], begun: str) -> Iterable[Candidate]:
     if begun.startswith("-") and "=" not in begun and "--" not in words:
         return _options({flag_and_value(word, flags)[0] for word in words}, flags.values())
     if command is None:
-        return [] if "=" in begun else [(each.name, each.sentence) for each in COMMANDS.values()]
+        return [] if "=" in begun else [(name, known.sentence) for name, known in COMMANDS.items()]
     flag, value, is_joined = _flag_and_value_begun(words, begun)
     if is_joined and not flag.startswith("-"):
         flag = f"--{flag}"  # as in gamma=25mJ/m2

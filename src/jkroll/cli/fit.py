@@ -250,7 +250,7 @@ def _summary(fits: Sequence[Fit], files: int) -> Iterator[str]:
     from ..tables.run import scatter_in_words
 
     for name in _SUMMARY:
-        values = numpy.array([each.values[name] for each in fits if name in each.values])
-        if len(values) < 2 or any(each.is_scaled for each in fits):
+        values = numpy.array([fit.values[name] for fit in fits if name in fit.values])
+        if len(values) < 2 or any(fit.is_scaled for fit in fits):
             continue
         yield f"note: {name}: {len(values)} of {files} files; {scatter_in_words(RESULTS[name], values)}"

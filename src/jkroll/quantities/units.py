@@ -360,7 +360,8 @@ def lookup(name: str) -> Unit | None:
         is_plural_of_symbol = symbol != unit_name and name.endswith(symbol + "s")  # GPas is not a unit of pressure
         try:
             unit = exact.Unit(prefix + unit_name)
-            zero, one = (exact.Quantity(Decimal(value), unit).to_root_units() for value in (0, 1))
+            zero = exact.Quantity(Decimal(0), unit).to_root_units()
+            one = exact.Quantity(Decimal(1), unit).to_root_units()
         except Exception:  # logarithmic units fail in their own ways; none has a simple factor
             return None
         powers = {str(base): power for base, power in one.unit_items()}

@@ -250,7 +250,7 @@ def _grain(frame: Frame, program: str) -> tuple[str, list[float]]:
         raise BadRequest(f"export: {program} divides by Poisson's ratio, which is 0 here")
     names = ("youngs_modulus", "poisson_ratio", "density", "yield_displacement")
     name = frame.material.name if frame.material else "jkroll"
-    return name, [frame["work_of_adhesion"] / 2, *(frame[each] for each in names)]
+    return name, [frame["work_of_adhesion"] / 2, *(frame[quantity] for quantity in names)]
 
 
 def dust_simulation_material(frame: Frame) -> str:

@@ -171,8 +171,8 @@ def hits_of(text: str, materials: Iterable[Material]) -> Hits:
         if not any(search.knows(word) for search in searches):
             raise _unknown_word(word, {*topics()}.union(*(search.vocabulary for search in searches)))
     ranked = of_manual.ranked(words)
-    best = [each.thing for each in ranked[:2] if each.score >= LEAST_SHOWN * ranked[0].score]
-    pages = [each.thing.section.page for each in ranked if each.score >= LEAST_NAMED * ranked[0].score]
+    best = [match.thing for match in ranked[:2] if match.score >= LEAST_SHOWN * ranked[0].score]
+    pages = [match.thing.section.page for match in ranked if match.score >= LEAST_NAMED * ranked[0].score]
     return Hits(
         best,
         [*dict.fromkeys(pages)],

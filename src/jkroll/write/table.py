@@ -108,11 +108,11 @@ def _about_inputs(
 
 def _of_solid(inputs: "Mapping[str, float | str | Uncertain]", several: Sequence[str]) -> str:
     """Return the solid of sphere 2 in words; empty if it differs between rows or has its own properties."""
-    own = {name for name in (*inputs, *several) if NOMENCLATURE[name].sphere == 2} - {"radius2", "diameter2"}
-    solid = inputs.get("material2" if "material2" in own else "material")
+    of_sphere_2 = {name for name in (*inputs, *several) if NOMENCLATURE[name].sphere == 2} - {"radius2", "diameter2"}
+    solid = inputs.get("material2" if "material2" in of_sphere_2 else "material")
     if solid is not None:
         return f" of {solid}"
-    return "" if own else " of the same solid"
+    return "" if of_sphere_2 else " of the same solid"
 
 
 class Row(NamedTuple):
