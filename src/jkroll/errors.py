@@ -12,20 +12,20 @@ class JkrollError(Exception):
     """Base class of all errors that jkroll raises."""
 
     exit_code = 2
-    phrase = ""  # a row's status, the same for all errors of a kind; if empty, the status is the message
+    phrase = ""  # the status of a row, common to all errors of a group; if empty, the message is the status
 
     @property
     def code(self) -> str:
-        """The phrase as a code for programs."""
+        """The code for programs, made of the phrase."""
         return code_of(self.phrase)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle the attributes: `args`, which exceptions pickle, may differ from the arguments of `__init__`."""
+        """Return the parts to pickle. `args` alone do not suffice, since `__init__` may take other arguments."""
         return _unpickled, (type(self), self.args, vars(self))
 
 
 def _unpickled(cls: type[JkrollError], arguments: tuple[Any, ...], attributes: Mapping[str, Any]) -> JkrollError:
-    """Return an error of a class with its attributes."""
+    """Return an error of a class with some attributes, without calling `__init__`."""
     error = cls.__new__(cls, *arguments)
     vars(error).update(attributes)
     return error
@@ -41,12 +41,12 @@ def code_of(phrase: str) -> str:
 
 
 class MissingExtra(JkrollError):
-    """Error raised if a library is missing that an extra installs."""
+    """Error raised if an optional library is missing."""
 
 
 @contextmanager
 def missing_extra(extra: str) -> Iterator[None]:
-    """Convert the error about a missing library into one that names the extra with the library."""
+    """Convert the error about a missing library into one that names the extra which installs it."""
     try:
         yield
     except ModuleNotFoundError as error:
@@ -58,11 +58,11 @@ class NoResult(JkrollError):
     """Error raised if a quantity has no value for the given inputs."""
 
     exit_code = 1
-    name = ""  # the single quantity, if any, that has no value, or whose value rules a contact out
-    cause: Any  # the cause in a column of reasons
+    name = ""  # the quantity without a value, or whose value excludes a contact; empty if there are several
+    cause: Any  # the cause as stored in a column of reasons
 
     def explanation(self) -> str:
-        """Return why there is no answer, without the name of the quantity."""
+        """Return the reason, without the name of the quantity."""
         return ""
 
     def __str__(self) -> str:
@@ -70,22 +70,22 @@ class NoResult(JkrollError):
 
 
 class BadRequest(JkrollError):
-    """Error raised for arguments, options or cells that are no request, or one that cannot be met."""
+    """Error raised for arguments, options or cells that cannot be understood or computed."""
 
     def __init__(self, problem: str, phrase: str = "") -> None:
-        """`phrase`: the row's status, unless the problem is."""
+        """`phrase`: the status of a row; if empty, the problem is the status."""
         super().__init__(problem)
         self.phrase = phrase
 
 
 class BadTable(JkrollError):
-    """Error raised for a header, a format or a file that is no table of scenes."""
+    """Error raised for a header, a format or a file that cannot be read as a table."""
 
 
 class BadRow(JkrollError):
     """Error raised with `--strict` for the first row that fails.
 
-    Its arguments are the line, counted from the beginning of the block or table, and the reason.
+    Its arguments are the number of the line in its block or table, and the reason.
     """
 
     exit_code = 1

@@ -1,10 +1,10 @@
-"""Text for people and programs: ASCII, JSON, wrapped lines, tables, terminal width, similar words, quotes and lists."""
+"""Text for people and programs: ASCII, JSON, numbers, wrapped lines, similar words, quotes, lists and tables."""
 
 import codecs
 import os
 import sys
 from collections.abc import Collection, Iterable, Sequence
-from itertools import accumulate, compress
+from itertools import compress
 from typing import Any, NamedTuple, TextIO
 
 _ASCII = {
@@ -21,7 +21,7 @@ LETTERS = {name: letter for letter, name in _ASCII.items() if len(name) > 1 and 
 
 
 def ascii_text(text: str) -> str:
-    """Return a text in ASCII. A Greek letter becomes its name, separated by spaces from other letters.
+    """Return a text in ASCII; a Greek letter becomes its name, with spaces between it and other letters.
 
     >>> ascii_text("P_c = 3πγR, 50 µm")
     'P_c = 3 pi gamma R, 50 um'
@@ -40,7 +40,7 @@ def ascii_text(text: str) -> str:
 
 
 def composed(text: str) -> str:
-    """Return a text with letters and marks combined, and wide forms as usual ones; superscripts and ① stay.
+    """Return a text with accents combined with their letters and wide letters replaced; superscripts and ① stay.
 
     >>> composed("1㎚"), composed("A\u030a"), composed("１（ｍ²）"), composed("5①")
     ('1nm', 'Å', '1(m²)', '5①')
@@ -62,8 +62,11 @@ def _replace(error: UnicodeError) -> tuple[str, int]:
     assert isinstance(error, UnicodeEncodeError)
     text, start, end = error.object, error.start, error.end
     before, after = text[start - 1 : start], text[end : end + 1]
-    before, after = before if before.isascii() else "", after if after.isascii() else ""
-    replaced = ascii_text(before + text[start:end] + after)  # separates a Greek letter from its neighbours
+    if not before.isascii():
+        before = ""
+    if not after.isascii():
+        after = ""
+    replaced = ascii_text(before + text[start:end] + after)  # its neighbours decide the spaces around a Greek letter
     return replaced[len(before) : len(replaced) - len(after)], end
 
 
@@ -71,7 +74,7 @@ codecs.register_error("jkroll-ascii", _replace)
 
 
 def json_text(value: Any, out: TextIO) -> str:
-    """Return a value as JSON, in ASCII unless the stream is UTF-8.
+    """Return a value as JSON; other characters than ASCII are escaped unless the stream has UTF-8.
 
     Raises ValueError for a number that is not finite.
     """
@@ -82,7 +85,7 @@ def json_text(value: Any, out: TextIO) -> str:
 
 
 def spelled(number: float) -> str:
-    """Return a finite number for programs: the shortest text that gives the same double, spelled like orjson's.
+    """Return the shortest text that reads back as a finite double, spelled as by orjson.
 
     >>> spelled(1e-07), spelled(4.999999999999999e-05), spelled(100.0), spelled(1e22)
     ('1e-7', '0.00004999999999999999', '100.0', '1e22')
@@ -98,24 +101,22 @@ def spelled(number: float) -> str:
 
 
 def say(text: str, out: TextIO) -> None:
-    """Print a line in a single write, so that output that is cut off ends with a whole line."""
+    """Write a line in a single call, so that interrupted output ends with a whole line."""
     out.write(text + "\n")
 
 
 def say_wrapped(text: str, out: TextIO, indent: int = 2) -> None:
-    """Print a sentence in one line, or, on a terminal, wrapped, with the later lines indented.
-
-    No line breaks between a number and its unit.
-    """
-    is_long = out.isatty() and len(text) > terminal_width()
-    say("\n".join(wrapped(text, terminal_width(), indent)) if is_long else text, out)
+    """Write a sentence as one line; on a terminal it is wrapped, and its later lines are indented."""
+    if out.isatty() and len(text) > terminal_width():
+        text = "\n".join(wrapped(text, terminal_width(), indent))
+    say(text, out)
 
 
 NO_BREAK_SPACE = "\N{NO-BREAK SPACE}"
 
 
 def wrapped(text: str, width: int, indent: int = 0) -> list[str]:
-    """Return the wrapped lines of a sentence, the later indented; none breaks before a unit or at an equals sign.
+    """Return the wrapped lines of a sentence, indented from the second; none breaks before a unit or at a sign = or ±.
 
     >>> wrapped("load 0 N", 5), wrapped("load P = 0 N", 9, 2)
     (['load', '0 N'], ['load', '  P = 0 N'])
@@ -129,7 +130,7 @@ def wrapped(text: str, width: int, indent: int = 0) -> list[str]:
 
 
 def with_units_joined(text: str) -> str:
-    """Return a text with no-break spaces between number and unit, around = and ±, and before an option in brackets.
+    """Return a text with no-break spaces before units, around = and ±, and before an option in brackets.
 
     >>> with_units_joined("M [fN m] is 5 fN m, 0.3 % less").replace(NO_BREAK_SPACE, "_")
     'M [fN_m] is 5_fN_m, 0.3_% less'
@@ -141,7 +142,7 @@ def with_units_joined(text: str) -> str:
 
 
 def width_of(text: str) -> int:
-    """Return how many columns of a terminal a text takes: two for a wide letter, none for a combining mark.
+    """Return the width of a text on a terminal: a wide letter counts 2, a combining mark 0.
 
     >>> width_of("P_c"), width_of("δ\u0302"), width_of("石英")
     (3, 1, 4)
@@ -161,9 +162,9 @@ MAX_SIZE = 1000  # a table or a picture of this size still fits into memory
 
 
 def terminal_width() -> int:
-    """Return the width of the terminal: the variable COLUMNS, else the terminal's own, else 80; at most MAX_SIZE."""
+    """Return the width of the terminal: the variable COLUMNS, or the terminal's own width, or 80; at most MAX_SIZE."""
     stated = os.environ.get("COLUMNS", "")
-    try:  # shutil does the same, but importing it takes a tenth of a call
+    try:  # shutil has a function for this, but importing it takes a tenth of the time of a call
         width = int(stated) if stated.isdecimal() else 0
         columns = width or os.get_terminal_size(sys.__stdout__.fileno()).columns  # type: ignore[union-attr]
     except (AttributeError, ValueError, OSError):
@@ -171,7 +172,7 @@ def terminal_width() -> int:
     return min(columns or 80, MAX_SIZE)
 
 
-MAX_WORD = 80  # a longer word is no misspelling, and it would take long to compare
+MAX_WORD = 80  # characters; a longer word is not a misspelling, and comparing it would take long
 
 
 def closest(word: str, known: Iterable[str], cutoff: float = 0.6) -> str | None:
@@ -188,7 +189,8 @@ def closest(word: str, known: Iterable[str], cutoff: float = 0.6) -> str | None:
     same = [candidate for candidate in words if candidate.casefold() == word.casefold()]
     if same:  # MPA is closer to MPa than to mPa
         return min(same, key=lambda candidate: sum(map(str.__ne__, candidate, word)))
-    return next(iter(get_close_matches(word, words, n=1, cutoff=cutoff)), None)
+    similar = get_close_matches(word, words, n=1, cutoff=cutoff)
+    return similar[0] if similar else None
 
 
 MAX_QUOTED = 200
@@ -204,15 +206,16 @@ def quoted(text: str, limit: int = MAX_QUOTED) -> str:
 
 
 def shown(text: str, limit: int = MAX_QUOTED) -> str:
-    """Return a user's text shortened, without characters that move the cursor or reverse the line."""
-    text = text if len(text) <= limit else text[:limit] + "..."
+    """Return a user's text shortened, with a question mark for each character that controls a terminal."""
+    if len(text) > limit:
+        text = text[:limit] + "..."
     if text.isprintable():
         return text
-    return "".join(character if character.isprintable() else "?" for character in text)
+    return "".join(letter if letter.isprintable() else "?" for letter in text)
 
 
 def for_terminal(text: str) -> str:
-    r"""Return lines from other sources for a terminal, without characters that move the cursor or reverse the line.
+    r"""Return lines of other authors for a terminal, with a question mark for each character that controls it.
 
     Tabs, line ends and blanks of any width stay.
 
@@ -245,7 +248,7 @@ def capital(text: str) -> str:
 
 
 def listed(texts: Iterable[str], word: str = "and") -> str:
-    """Return texts as an enumeration, with a word before the last one.
+    """Return texts as an enumeration: commas between them, but a word before the last one.
 
     >>> listed(["a"]), listed(["a", "b"]), listed(["a", "b", "c"], "or")
     ('a', 'a and b', 'a, b or c')
@@ -255,13 +258,13 @@ def listed(texts: Iterable[str], word: str = "and") -> str:
 
 
 def first_of(texts: Sequence[str], most: int = 3) -> str:
-    """Return the first few texts as a list, followed by how many more there are.
+    """Return the first few texts, separated by commas, and the number of the others.
 
     >>> first_of(["a", "b", "c"]), first_of(["a", "b", "c"], 1)
     ('a, b, c', 'a and 2 more')
     """
-    rest = len(texts) - most
-    return ", ".join(texts[:most]) + (f" and {rest} more" if rest > 0 else "")
+    first, others = ", ".join(texts[:most]), len(texts) - most
+    return f"{first} and {others} more" if others > 0 else first
 
 
 def ending(path: str) -> str:
@@ -281,11 +284,11 @@ _LEAST_TEXT = 24  # least width of a wrapped text
 
 
 class TextColumn(NamedTuple):
-    """A column of texts; numbers are aligned to the right."""
+    """A column of texts."""
 
     head: str
     cells: Sequence[str]
-    is_right: bool = True
+    is_right: bool = True  # aligned to the right, as numbers are
 
 
 def html_table(columns: Sequence[TextColumn]) -> str:
@@ -296,15 +299,13 @@ def html_table(columns: Sequence[TextColumn]) -> str:
     """
     from html import escape
 
-    styles = [f'style="text-align:{"right" if column.is_right else "left"}"' for column in columns]
-
-    def row(tag: str, texts: Iterable[str]) -> str:
-        cells = [f"<{tag} {style}>{escape(text)}</{tag}>" for style, text in zip(styles, texts, strict=True)]
-        return f"<tr>{''.join(cells)}</tr>"
-
-    heads = row("th", (column.head for column in columns))
-    rows = (row("td", cells) for cells in zip(*(column.cells for column in columns), strict=True))
-    return "\n".join(["<table>", heads, *rows, "</table>"])
+    cells = []
+    for column in columns:
+        style = f'style="text-align:{"right" if column.is_right else "left"}"'
+        head = f"<th {style}>{escape(column.head)}</th>"
+        cells.append([head, *(f"<td {style}>{escape(text)}</td>" for text in column.cells)])
+    rows = [f"<tr>{''.join(row)}</tr>" for row in zip(*cells, strict=True)]
+    return "\n".join(["<table>", *rows, "</table>"])
 
 
 def as_arguments(text: str) -> str:
@@ -328,37 +329,51 @@ def write_table(
     """Write columns between leading and trailing ones, in as many tables as the width of the terminal requires.
 
     Tables after the first leave out rows in which all cells are `silent`. If there are trailing columns, each table
-    repeats the first column, if it has room, so that its values can be compared.
+    repeats the first column where it has room, so that its values can be compared.
     """
     if not columns:
         say("\n".join(_lines(leading, _GAP if fit_terminal(leading) else 1)), out)
     repeated = columns[:1] if trailing else []
-
-    def kept_rows(of: Sequence[TextColumn]) -> list[TextColumn]:
-        return [column._replace(cells=[*compress(column.cells, is_kept)]) for column in of]
-
     while columns:
         room = terminal_width() + _GAP - _size([*leading, *trailing])
-        count = max(sum(end <= room for end in accumulate(_size([column]) for column in columns)), 1)
-        say("\n".join(_lines([*leading, *columns[:count], *trailing])), out)
-        columns = columns[count:]
-        is_kept = [not {*cells} <= {*silent} for cells in zip(*(column.cells for column in columns), strict=True)]
-        leading, columns, trailing, repeated = map(kept_rows, (leading, columns, trailing, repeated))
+        number = _number_within(room, columns)
+        say("\n".join(_lines([*leading, *columns[:number], *trailing])), out)
+        columns = columns[number:]
+        rows = zip(*(column.cells for column in columns), strict=True)
+        kept = [not {*cells} <= {*silent} for cells in rows]
+        leading, columns = _with_rows(leading, kept), _with_rows(columns, kept)
+        trailing, repeated = _with_rows(trailing, kept), _with_rows(repeated, kept)
         if columns:
             say("", out)
-            has_room = fit_terminal([*leading, *repeated, columns[0], *trailing])
-            columns = [*repeated, *columns] if has_room else columns
+            if fit_terminal([*leading, *repeated, columns[0], *trailing]):
+                columns = [*repeated, *columns]
+
+
+def _number_within(room: int, columns: Iterable[TextColumn]) -> int:
+    """Return the number of columns that fit a width; at least 1."""
+    number = 0
+    for column in columns:
+        room -= _size([column])
+        if room < 0:
+            break
+        number += 1
+    return max(number, 1)
+
+
+def _with_rows(columns: Iterable[TextColumn], kept: Sequence[bool]) -> list[TextColumn]:
+    """Return columns with some of their rows."""
+    return [column._replace(cells=[*compress(column.cells, kept)]) for column in columns]
 
 
 def write_texts(heads: Sequence[str], rows: Iterable[Sequence[str]], out: TextIO) -> None:
-    """Write rows of texts; a row wider than the terminal continues below the last column."""
+    """Write rows of texts as a table; a row that is wider than the terminal continues below its last column."""
     columns = text_columns([heads, *rows], words=len(heads))
     for line in _lines(columns):
         say_wrapped(line, out, min(_size(columns[:-1]), terminal_width() - _LEAST_TEXT))
 
 
 def text_columns(rows: Iterable[Sequence[str]], *, words: int) -> list[TextColumn]:
-    """Return the columns of rows, the first of which holds the heads; the first `words` columns hold words."""
+    """Return the columns of rows; the first row has the heads. `words`: the number of first columns that hold words."""
     columns = []
     for position, (head, *cells) in enumerate(zip(*rows, strict=True)):
         columns.append(TextColumn(head, cells, is_right=position >= words))
@@ -366,7 +381,7 @@ def text_columns(rows: Iterable[Sequence[str]], *, words: int) -> list[TextColum
 
 
 def _lines(columns: Iterable[TextColumn], gap: int = _GAP) -> list[str]:
-    """Return the heads of columns, a rule below them, and the rows; `gap`: the blanks between columns."""
+    """Return the lines of a table: heads, a rule and rows. `gap`: the number of blanks between columns."""
     lines = [(" " * gap).join(cells) for cells in zip(*map(padded, columns), strict=True)]
     head, *rows = map(str.rstrip, lines)
     return [head, "─" * min(width_of(lines[0]), terminal_width()), *rows]
@@ -376,15 +391,18 @@ def padded(column: TextColumn) -> list[str]:
     """Return the head and the cells of a column, padded to the same width."""
     texts = [column.head, *column.cells]
     width = max(map(width_of, texts))
-    blanks = [" " * (width - width_of(text)) for text in texts]
-    return [blank + text if column.is_right else text + blank for blank, text in zip(blanks, texts, strict=True)]
+    cells = []
+    for text in texts:
+        blanks = " " * (width - width_of(text))
+        cells.append(blanks + text if column.is_right else text + blanks)
+    return cells
 
 
 def fit_terminal(columns: Iterable[TextColumn]) -> bool:
-    """Return whether columns next to each other fit the width of the terminal."""
+    """Return whether a table of these columns fits the width of the terminal."""
     return _size(columns) <= terminal_width() + _GAP
 
 
 def _size(columns: Iterable[TextColumn]) -> int:
-    """Return the width of columns in a terminal, including the blanks after each."""
+    """Return the width of columns on a terminal, including the blanks after each column."""
     return sum(width_of(padded(column)[0]) + _GAP for column in columns)

@@ -1,4 +1,4 @@
-"""The command line: what it prints, to which stream, with which exit code, and every message whole."""
+"""The command line: its output on each stream, its exit codes, and its whole messages."""
 
 import csv
 import io
@@ -163,7 +163,7 @@ def test_quiet(run: Run) -> None:
     assert run("yield-force quartz 100nm --quiet").err == ""
 
 
-# Without which not all results of these commands have values.
+# Inputs without which some results of these commands have no value.
 NEEDED = {
     "aggregates": ("--monomers", "1000", "--filling-factor", "0.1"),
     "impact": ("--speed", "10m/s", "--viscous-time", "1ps"),
@@ -192,7 +192,7 @@ def test_json_has_best_ranges_in_the_unit_that_is_asked_for(run: Run) -> None:
     assert [in_dyn[end] for end in ("low", "high")] == approx([force["best"][end] * 1e5 for end in ("low", "high")])
     assert (in_dyn["by"], in_dyn["why"]) == (force["best"]["by"], force["best"]["why"])
     assert in_dyn["why"]
-    assert "best" not in limit  # a law itself
+    assert "best" not in limit  # the force of a law has no better range
 
 
 def test_an_open_end_is_null(run: Run) -> None:
@@ -275,7 +275,7 @@ def test_explain_names_formula_steps_and_value(run: Run) -> None:
     ):
         assert piece in text
     on_terminal = run("frequencies quartz 100nm --explain", terminal=True).out
-    assert f" N m/rad\n{' ' * 27}k = M/δ_α = F_aR, which" in on_terminal  # below a value that is too long
+    assert f" N m/rad\n{' ' * 27}k = M/δ_α = F_aR, which" in on_terminal  # below a long value
 
 
 def test_what_rests_on_no_equation_of_the_paper_cites_none(run: Run) -> None:
@@ -331,7 +331,7 @@ def test_a_paragraph_for_methods_cites_what_is_cited(run: Run, words: str) -> No
     text = run(f"{words} --cite --tex").out
     keys = {key for keys in re.findall(r"~\\cite\{([^}]*)\}", text) for key in keys.split(",")}
     assert keys == set(re.findall(r"@\w+\{(.*),", run(f"{words} --cite").out))
-    plain = re.sub(r"\$[ -#%-~]*?\$|\\cite\{[^}]*\}|\\[&%_#]|~", "", text)  # mathematics, in ASCII, and commands
+    plain = re.sub(r"\$[ -#%-~]*?\$|\\cite\{[^}]*\}|\\[&%_#]|~", "", text)  # without ASCII formulas and commands
     assert not re.search(r"[\\&%$#_{}^~⟦⟧]", plain)
 
 
@@ -428,7 +428,7 @@ def test_ranges_over_many_orders(run: Run) -> None:
     assert middle["inputs"]["radius2"] == 1e5
     loads = [one["inputs"]["load"] for one in json.loads(run("yield-force quartz 1um --load -3nN:1nN:5 --json").out)]
     assert loads == [-3e-9, -2e-9, -1e-9, 0.0, 1e-9]
-    assert run("pull-off quartz 100nm --z0 1e-30m --json").code == 0  # which is compared at half of it, too
+    assert run("pull-off quartz 100nm --z0 1e-30m --json").code == 0  # results are compared at half this z0, too
 
 
 def test_a_unit_that_a_double_cannot_express_is_refused(run: Run) -> None:
@@ -548,7 +548,7 @@ def test_the_rows_of_a_curve_differ_by_what_sets_their_states(run: Run, model: s
 
 @pytest.mark.parametrize("form", ["--csv", "--json", "--bare"])
 def test_a_curve_of_states_without_any_value_but_their_load_is_refused(run: Run, form: str) -> None:
-    """The load is an input of the state."""
+    """The load of each state is an input, not a result, so no state has a value."""
     ran = run("contact", "gold", "1um", "--curve", "--model", "dmt", form)
     assert (ran.code, ran.out) == (2, "")
     assert "contact needs Young's modulus and Poisson's ratio" in ran.err
@@ -602,7 +602,7 @@ def test_every_answer_says_how_far_it_can_be_trusted(run: Run) -> None:
     doubts = run("yield-force quartz 3nm").err
     assert "warning: ξ is too large for the formula" in doubts
     assert "(ξ/ξ_max = 1.56)" in doubts
-    assert "(ξ/ξ_max = 1.56)" in run("yield-force quartz 3nm --quiet").err  # a warning
+    assert "(ξ/ξ_max = 1.56)" in run("yield-force quartz 3nm --quiet").err  # --quiet keeps warnings
     assert run("yield-force quartz 3nm --bare --quiet").err == ""
     assert "the contact slides or peels off before it rolls" in run("yield-force quartz 0.5nm").err
     assert "Q/T_first = 3.8" in run("yield-force quartz 0.5nm --explain").out
@@ -617,7 +617,7 @@ def test_every_answer_says_how_far_it_can_be_trusted(run: Run) -> None:
 
 
 def test_every_answer_says_by_what_its_range_is(run: Run) -> None:
-    """One rule of each kind: laws apart, within 5 % of each other, forces that rolled, and none that did."""
+    """Each rule occurs: laws that differ, laws within 5 % of each other, measured rolling forces, and no such force."""
     results = json.loads(run("report quartz 100nm --json").out)["results"]
     by = {one["name"]: one["best"]["by"] for one in results if "best" in one}
     expected = {"pull_off_force": "Maugis", "yield_force": "scaled", "r_min": "scaled", "vertical_frequency": "JKR"}
@@ -654,7 +654,7 @@ def test_notes_are_few_and_say_their_rows(run: Run) -> None:
         lines = run(f"{name} quartz 0.5nm").err.splitlines()
         assert len(lines) <= 5, name
         of_notes = [line for line in lines if not line.startswith("warning: ")]
-        assert max(map(len, of_notes)) <= 160, name  # of two lines at most
+        assert max(map(len, of_notes)) <= 160, name  # at most two lines
     doubts, last = run("pull-off quartz 0.5nm 1nm 5um").err.splitlines()
     assert doubts.startswith("note: doubts in 3 of 3 rows (jkroll guide doubts): ")
     assert all(word in doubts for word in ("few-atoms 2", "more"))
@@ -731,7 +731,7 @@ def test_what_a_note_tells_to_give_can_be_given(run: Run) -> None:
 def test_a_stable_state_is_doubted_as_the_contact_there(
     run: Run, model: str, sets: str, result: str, radius: str
 ) -> None:
-    """At its load; a state of DMT at its approach, which sets it."""
+    """A state has the doubts of the contact at its load; a state of DMT has those at its approach."""
     words = f"quartz {radius} --model {model} --csv"
     rows = [*csv.DictReader(run(f"contact {words} --curve").out.splitlines())]
     name, unit = {"load": ("load [N]", "N"), "approach": ("approach_at_load [m]", "m")}[sets]
@@ -773,12 +773,12 @@ def test_a_known_material_outranks_a_file_of_its_name(run: Run, line: str) -> No
     assert run(line) == expected
     assert expected.code == 0
     inferred = run("infer gamma gold 100nm --measured pull_off_force=3nN --bare").out
-    assert float(inferred) == approx(3e-9 / (3 * math.pi * 0.5e-7))  # P_c = 3πγR of the reduced radius
+    assert float(inferred) == approx(3e-9 / (3 * math.pi * 0.5e-7))  # P_c = 3πγR with the reduced radius
 
 
 @pytest.mark.parametrize("name", ["grains.csv", "./grains.csv", "x\x1b[31m.csv"])
 def test_a_file_is_said_to_be_one(run: Run, name: str) -> None:
-    """Unless a material has its name; what it is called moves no cursor."""
+    """The message names the file with its control characters replaced."""
     Path(name).touch()
     safe = name.replace("\x1b", "?")
     assert run("pull-off", name, "100nm").err == f"jkroll: '{safe}' is a file; jkroll batch {safe} reads tables\n"

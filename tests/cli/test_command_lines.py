@@ -1,4 +1,4 @@
-"""Command lines by the thousand: random ones end with a documented code and a line, those of the corpus with theirs."""
+"""Thousands of command lines: random lines end with a documented code, lines of the corpus with the code listed."""
 
 import resource
 from collections import Counter
@@ -19,7 +19,7 @@ WRITES_TO_THE_HOME = {"install_completion"}
 
 
 def run_many(count: int, seed: int) -> Counter[int]:
-    """Check generated command lines; how many ended with which code."""
+    """Check generated command lines; return the number of lines for each exit code."""
     source = Random(seed)
     return Counter(check_call(command_line(source)) for _ in range(count))
 
@@ -28,7 +28,7 @@ def run_many(count: int, seed: int) -> Counter[int]:
 def _isolated(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     for name in ("XDG_CONFIG_HOME", "COLUMNS", "TERM", "JKROLL_MATERIALS", "_JKROLL_COMPLETE", "FORCE_COLOR"):
-        monkeypatch.setenv(name, "")  # to be put back
+        monkeypatch.setenv(name, "")  # monkeypatch restores it
     monkeypatch.chdir(tmp_path)
     isolate(str(tmp_path))
     yield
@@ -49,7 +49,7 @@ def test_very_many_generated_command_lines(seed: int) -> None:
 
 
 def wrong(count: int) -> dict[str, list[str]]:
-    """Return what is wrong with lines of the corpus, by what is typed."""
+    """Return the faults of some lines of the corpus, by the line."""
     with among_input_files():
         found = {line.typed: faults(line, run(line)) for line in spread(lines(), count) if line.can_run}
     return {typed: what for typed, what in found.items() if what}
@@ -73,9 +73,9 @@ def test_lines_of_the_corpus_print_what_a_person_has_read() -> None:
 
 
 def wrong_with_inputs(name: str | None, inputs: Iterable[str]) -> dict[str, list[str]]:
-    """Return what is wrong with the example of a command and each of some inputs besides, by what is typed.
+    """Return the faults of lines with the example of a command and one more input each, by the line.
 
-    Such a line has the exit code of the example alone.
+    Each line must have the exit code of the example.
     """
     example = f"jkroll {name} {COMMANDS[name].example}" if name else "jkroll pull-off quartz 100nm"
     with among_input_files():

@@ -1,4 +1,4 @@
-"""Completion on TAB in the real shells, each on a terminal of its own."""
+"""Completion with TAB in real shells, each on its own terminal."""
 
 import json
 import os
@@ -11,7 +11,7 @@ import pytest
 from jkroll.cli.completion import candidates as candidates_for
 from shells import Shell
 
-# What is typed, and the words that the command is then called with. A second TAB goes on where the first has ended.
+# Typed keys, and the words of the completed command. Keys after a TAB continue at the end of its completion.
 TYPED = {
     "commands": ("yie\t quartz", ["yield-force", "quartz"]),
     "a material": ("pull-off qua\t 1um", ["pull-off", "quartz", "1um"]),
@@ -28,7 +28,7 @@ TYPED = {
     "a file": ("materials --materials mine.to\t", ["materials", "--materials", "mine.toml"]),
     "nothing that is known": ("pull-off zz\t", ["pull-off", "zz"]),
 }
-# Names that a shell would read as more than a word; the last is none.
+# Names that a shell would not read as one word, except the last one.
 NAMES = [
     "za$(touch hacked)",
     "zb`touch hacked`",
@@ -48,7 +48,7 @@ NAMED = "".join(f"[materials.{json.dumps(name, ensure_ascii=False)}]\n" for name
     params=["bash", pytest.param("zsh", marks=pytest.mark.slow), pytest.param("fish", marks=pytest.mark.slow)],
 )
 def shell(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Shell]:
-    """Each shell, with a materials file of the user's own; where one is missing, that is seen."""
+    """A shell whose user has a materials file. A missing shell is an error in CI, and skipped elsewhere."""
     program = shutil.which(request.param)
     if program is None:
         message = f"{request.param} is not installed: its completion is not tested"
@@ -69,7 +69,7 @@ def test_tab_completes(shell: Shell, what: str) -> None:
 
 
 def offered(line: str) -> list[str]:
-    """Return what a shell is offered for the last word of a line."""
+    """Return the candidates for the last word of a line."""
     _, *words, begun = line.split(" ")
     return [word for word, _ in candidates_for(words, begun)]
 
@@ -94,7 +94,7 @@ def test_only_names_that_are_one_word_are_offered(tmp_path: Path, monkeypatch: p
         ("jkroll guide wo", ["words"]),
         ("jkroll contact --model dmt,j", ["dmt,jkr"]),
         ("jkroll contact --gamma 5mJ", ["5mJ/m2"]),
-        ("jkroll contact --material2 = ir", ["iron"]),  # as bash divides --material2=ir
+        ("jkroll contact --material2 = ir", ["iron"]),  # bash divides --material2=ir so
         ("jkroll contact --radius2 = 100n", ["100nm"]),
         ("jkroll contact --model = ma", ["maugis"]),
         ("jkroll contact --material2=ir", ["iron"]),

@@ -1,4 +1,4 @@
-"""`jkroll export`: the lines that it writes. test_lammps_export.py runs LAMMPS; others' laws are written here."""
+"""The lines that `jkroll export` writes, and the contact laws of other programs. test_lammps_export.py runs LAMMPS."""
 
 import math
 import re
@@ -21,12 +21,12 @@ TWISTING = re.compile(rf" twisting sds {NUMBER} 0 {NUMBER}")
 
 
 def coefficients(text: str) -> dict[str, tuple[float, ...]]:
-    """Return the numbers of each pair of types."""
+    """Return the coefficients of each pair of types."""
     return {types: tuple(map(float, numbers)) for types, _, *numbers in COEFFICIENTS.findall(text)}
 
 
 def test_numbers_are_those_of_the_formulas(run: Run) -> None:
-    """E = 2E*, γ, 8G*, k_roll = 4P_c/R and μ_roll = 2ξ/R, which both are independent of the elastic constants."""
+    """The numbers are 2E*, γ, 8G*, F_slide/2P_c, k_roll = 4P_c/R and μ_roll = 2ξ/R."""
     [(modulus, gamma, tangential, slip, rolling, cap)] = coefficients(run("export lammps quartz 100nm").out).values()
     assert modulus == approx(54e9 / (1 - 0.17**2), rel=1e-11)
     assert gamma == 0.025
@@ -39,7 +39,7 @@ def test_numbers_are_those_of_the_formulas(run: Run) -> None:
 
 @pytest.mark.parametrize("load", [0.0, 5e-9, -1e-8])
 def test_thresholds_of_sliding_and_twisting_at_the_load(run: Run, load: float) -> None:
-    """The caps are μ(P + 2P_c): a force, and a moment with μ in metres."""
+    """Each cap is μ(P + 2P_c): a force of sliding, and a moment of twisting, whose μ is in metres."""
     text = run(f"export lammps quartz 100nm --load={load}N --shear-strength 12MPa").out
     scene: dict[str, Any] = {"material": "quartz", "radius": 1e-7, "load": load, "shear_strength": 12e6}
     names = ("pull_off_force", "sliding_force", "twisting_stiffness", "twisting_moment")
@@ -55,7 +55,7 @@ def test_thresholds_of_sliding_and_twisting_at_the_load(run: Run, load: float) -
 
 
 def test_dmt(run: Run) -> None:
-    """The moment is P_DMT ξ at any load, and LAMMPS' yield force μ(P + 2P_DMT)."""
+    """The moment is P_DMT ξ at any load, and the yield force of LAMMPS is μ(P + 2P_DMT)."""
     pull_off = solve("pull_off_force_dmt", material="quartz", radius=1e-7)
     for load in (0.0, 5e-9):
         text = run(f"export lammps quartz 100nm --model dmt --load {load}N").out
@@ -68,7 +68,7 @@ def test_dmt(run: Run) -> None:
 
 
 def test_the_state_of_a_dmt_contact_is_that_of_dmt(run: Run) -> None:
-    """An approach means the load of DMT, and DMT holds more tension than JKR."""
+    """An approach gives the load by DMT, which holds more tension than JKR."""
     load = solve("load", material="quartz", radius=1e-7, approach_at_load=2e-11, model="dmt")
     by_approach = run("export lammps quartz 100nm --model dmt --approach 0.02nm").out
     assert f"P = {load:.12g} N" in by_approach
@@ -102,7 +102,7 @@ def test_unequal_spheres_have_three_pairs_of_types(run: Run) -> None:
     ],
 )
 def test_skin_of_lammps_reaches_all_contacts(run: Run, words: str, radii: tuple[float, float]) -> None:
-    """A default of 1 mm is refused for small grains; spheres in contact are up to 0.397 δ0 apart."""
+    """LAMMPS refuses its default of 1 mm for small grains. Spheres in contact are at most 0.397 δ0 apart."""
     text = run(f"export lammps {words}").out
     [skin] = map(float, re.findall(r"^neighbor (\S+) bin$", text, re.MULTILINE))
     young = {"youngs_modulus": 1e6} if "1MPa" in words else {}
@@ -138,7 +138,7 @@ def test_a_plane_is_a_wall(run: Run) -> None:
     held = 1e-8 + 2 * solve("pull_off_force", **scene)
     assert cap == approx(solve("yield_moment", **scene) / (1e-6 * held), rel=1e-11)
     alone = run("export lammps quartz 1um").out
-    assert coefficients(text) == coefficients(alone)  # of the spheres among each other
+    assert coefficients(text) == coefficients(alone)  # of two grains
 
 
 def test_a_program_goes_by_the_name_that_its_authors_write(run: Run) -> None:
@@ -148,7 +148,7 @@ def test_a_program_goes_by_the_name_that_its_authors_write(run: Run) -> None:
 
 @pytest.mark.parametrize("program", ["lammps", "liggghts", "dust-collider", "dust-simulation"])
 def test_best_ranges_and_the_caveat_are_in_the_file_or_beside_it(run: Run, program: str) -> None:
-    """As comments in ASCII; --quiet leaves them out, and no number changes."""
+    """Notes are comments in ASCII. --quiet leaves them out and changes no number."""
     ran = run(f"export {program} quartz 100nm")
     quiet = run(f"export {program} quartz 100nm --quiet")
     assert (quiet.code, quiet.err) == (0, "")
@@ -176,7 +176,7 @@ def test_each_word_of_lammps_is_explained(run: Run) -> None:
 
 
 def test_a_pair_that_lacks_an_input_is_left_out(run: Run) -> None:
-    """Of γ1 and γ2 nothing is said, so that only the coefficients of unlike spheres are known."""
+    """The work of adhesion does not give γ of the first solid, so its pair of like spheres has no coefficients."""
     words = (
         "export lammps 100nm --young 54GPa --poisson 0.17 --density 2g/cm3 --material2 iron --work-of-adhesion 50mJ/m2"
     )
@@ -246,7 +246,7 @@ def test_mistakes(run: Run, words: str, message: str) -> None:
 def liggghts_force(
     overlap: float, modulus: float, radii: tuple[float, float], density: float, *, exact_circle: bool
 ) -> float:
-    """Return the force of two spheres, or of a sphere and a wall, whose radius is infinite."""
+    """Return the force of LIGGGHTS on two spheres, or on a sphere and a wall, which has an infinite radius."""
     radius, radius2 = radii
     at_wall = math.isinf(radius2)
     reduced = radius if at_wall else radius * radius2 / (radius + radius2)
@@ -272,7 +272,7 @@ def liggghts_force(
     ],
 )
 def test_pull_off_of_liggghts(run: Run, words: str, place: int, radii: tuple[float, float]) -> None:
-    """The least force of its own law is that of JKR; with sjkr, two spheres take twice the k, but for terms in δ/R."""
+    """The least force by sjkr2 is JKR's pull-off force. With sjkr two spheres need twice k, up to terms in δ/R."""
     text = run(f"export liggghts {words}").out
     solids = [[*map(float, re.findall(rf"{name} peratomtype (.*)", text)[0].split())] for name in ("Modulus", "Ratio")]
     count, *densities = re.findall(r"peratomtypepair (.*)", text)[0].split()
@@ -306,7 +306,7 @@ def test_dust_simulation(run: Run, words: str) -> None:
     assert "Silicate.mat" in ran.err
     modulus, reduced, shear = young / 2 / (1 - nu**2), radius / 2, young / 2 / (1 + nu)
     a0 = (9 * math.pi * gamma * reduced**2 / modulus) ** (1 / 3)
-    pull_off = 3 * math.pi * gamma * reduced  # dyn = 1e-5 N, and so on
+    pull_off = 3 * math.pi * gamma * reduced  # in cgs units, so dyn = 1e-5 N
     sliding, twisting = 8 * (shear / 2 / (2 - nu)) * a0, 16 / 3 * (shear / 2) * a0**3
     names = "pull_off_force yield_moment sliding_force twisting_moment tangential_stiffness mass".split()
     own = [float(run(f"report {words} --quantities {name} --bare").out) for name in names]
@@ -325,7 +325,7 @@ def test_dust_simulation(run: Run, words: str) -> None:
 
 
 def test_material_of_dust_collider(run: Run) -> None:
-    """A line is `<material id = "ID"> "name"` and six numbers, and text behind # is left out."""
+    """A line has `<material id = "ID"> "name"` and six numbers; DustCollider ignores text after #."""
     ran = run("export dust-collider quartz 0.6um --xi 2nm")
     [line] = [line for line in ran.out.splitlines() if not line.startswith("#")]
     tag, name, *numbers = line.replace('<material id = "1">', "tag").split()
@@ -339,7 +339,7 @@ def test_material_of_dust_collider(run: Run) -> None:
 
 @pytest.mark.parametrize("program", ["lammps", "liggghts"])
 def test_the_time_step_is_the_shorter_of_two_rules(run: Run, program: str) -> None:
-    """Of the pair and of each sphere against its like: the shortest.
+    """The step is the shortest of those of the pair and of each two like spheres.
 
     The speed of a Rayleigh wave is a root of its equation.
     """
@@ -353,11 +353,11 @@ def test_the_time_step_is_the_shorter_of_two_rules(run: Run, program: str) -> No
     by_rayleigh = math.pi * 1e-7 / math.sqrt(wave * shear / 2600) / 5
     assert step("quartz 100nm") == approx(by_rayleigh, rel=5e-3)
     assert step("iron 300nm") > by_rayleigh
-    assert step("quartz 100nm --radius2 plane") == approx(by_rayleigh, rel=5e-3)  # a wall has no Rayleigh time
-    assert step("quartz 100nm --radius2 300nm --material2 iron") == approx(1.9574069e-11, rel=1e-7)  # by sliding
+    assert step("quartz 100nm --radius2 plane") == approx(by_rayleigh, rel=5e-3)  # the wall has no Rayleigh time
+    assert step("quartz 100nm --radius2 300nm --material2 iron") == approx(1.9574069e-11, rel=1e-7)  # sliding decides
     assert step("quartz 100nm --radius2 plane --material2 iron") == approx(1.7895081e-11, rel=1e-7)
     assert step("silica-humid 5um") == approx(9.2316243e-10, rel=1e-7)
-    assert step("quartz 10nm") == approx(1.8816680e-12, rel=1e-7)  # by the period of sliding
+    assert step("quartz 10nm") == approx(1.8816680e-12, rel=1e-7)  # the period of sliding decides
 
 
 def test_the_middle_of_a_range_is_said_to_be_that(run: Run) -> None:

@@ -1,4 +1,4 @@
-"""Faults around the process: the documented exit code, at most one line, nothing half-written, no traceback."""
+"""Faults around the process: each ends with the documented code and at most a line, without half-written files."""
 
 import os
 import random
@@ -17,7 +17,7 @@ from harness import Run
 from terminal import on_terminal
 
 JKROLL = (sys.executable, "-m", "jkroll")
-# What writes: a line, lines, a block, several blocks, and what typer writes.
+# Calls that write a line, lines, a block or several blocks.
 WRITERS = {
     "bare": "pull-off quartz 100nm --bare --quiet",
     "plain": "report quartz 100nm --quiet",
@@ -39,7 +39,7 @@ SWEEPS = {
 }
 ONE_OF_EACH_KIND = ("bare", "rows", "help")
 ALL_KINDS = [name if name in ONE_OF_EACH_KIND else pytest.param(name, marks=pytest.mark.slow) for name in WRITERS]
-# An interpreter that says when jkroll has begun: an interrupt before that has the interpreter's own way.
+# A program that writes a dot when jkroll has begun; Python itself handles an earlier interrupt.
 STARTING = """
 import signal, sys
 from jkroll.__main__ import run
@@ -56,14 +56,14 @@ run()
 
 
 def run(line: str | Iterable[str], **options: object) -> "subprocess.CompletedProcess[bytes]":
-    """Run jkroll with both streams caught, if nothing else is said of them."""
+    """Run jkroll and return the process. Both streams are captured unless `options` redirect them."""
     words = line.split() if isinstance(line, str) else line
     streams: dict[str, Any] = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
     return subprocess.run([*JKROLL, *words], **(streams | options), check=False, timeout=60)
 
 
 def in_shell(line: str) -> tuple[int, str]:
-    """The code and the errors of jkroll in a line of bash that begins with it; the code is that of its own process."""
+    """Return the exit code and the errors of jkroll at the beginning of a line of bash."""
     command = " ".join(JKROLL) + f" {line}; exit ${{PIPESTATUS[0]}}"
     ran = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False, timeout=60)
     return ran.returncode, ran.stderr
@@ -135,7 +135,7 @@ def test_a_listener_to_notes_that_goes_away_is_141() -> None:
 
 
 def run_limited(line: str, **options: object) -> "subprocess.CompletedProcess[bytes]":
-    """Run jkroll where no file may grow beyond 20 kB. No bytecode is written: Python leaves a part of it there."""
+    """Run jkroll with a limit of 20 kB for each file. Python would leave incomplete bytecode, so it writes none."""
 
     def limit() -> None:
         resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, 20_000))
@@ -185,7 +185,7 @@ BUSY = {
 
 
 def signalled(line: str, number: int, delay: float, stdout: int = subprocess.DEVNULL) -> tuple[int, bytes]:
-    """The code and the errors of jkroll when a signal comes some time after its first line."""
+    """Return the exit code and the errors of jkroll if a signal comes some time after it has begun."""
     words = [sys.executable, "-c", STARTING, *line.split()]
     with subprocess.Popen(words, stdout=stdout, stderr=subprocess.PIPE) as process:
         assert process.stderr is not None
@@ -197,11 +197,11 @@ def signalled(line: str, number: int, delay: float, stdout: int = subprocess.DEV
 
 
 def interrupt(what: str, times: int, longest: float) -> None:
-    """Interrupt a call at random moments."""
+    """Interrupt a call at random moments, and check its exit code and errors."""
     source = random.Random(what)
     for _ in range(times):
         code, errors = signalled(BUSY[what], signal.SIGINT, source.uniform(0.0, longest))
-        if code == 2 or errors:  # it was faster
+        if code == 2 or errors:  # the call was faster
             assert errors.startswith(b"jkroll: no such option '--laod'")
             assert errors.count(b"\n") == 1
         assert code == -signal.SIGINT or errors
@@ -221,7 +221,7 @@ def test_an_interrupt_at_very_many_moments_is_silent(what: str) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGKILL])
 def test_it_dies_by_other_signals_silently(number: int, tmp_path: Path) -> None:
-    """The system may cut the write that it interrupts, and so the last line; those before it are whole."""
+    """All lines but the last are whole; the system may cut the write that a signal interrupts."""
     source = random.Random(number)
     for _ in range(2):
         with (tmp_path / "rows").open("wb") as file:
@@ -314,7 +314,7 @@ def test_a_dumb_terminal_gets_no_escapes(settings: dict[str, str], styled: bool)
 def test_no_colour_is_none() -> None:
     _, screen = on_terminal([*JKROLL, "guide", "promises"], TERM="xterm-256color", NO_COLOR="1")
     codes = {code for piece in screen.split("\x1b[")[1:] for code in piece.split("m")[0].split(";")}
-    assert codes <= {"0", "1", "2", "3", "4"}  # as usual, bold, dim, italic and underlined
+    assert codes <= {"0", "1", "2", "3", "4"}  # normal, bold, dim, italic and underlined
 
 
 @pytest.mark.parametrize("instruction", ["x", "complete_tcsh"])
@@ -326,7 +326,7 @@ def test_an_unknown_request_for_completions_is_a_wrong_usage(instruction: str) -
 
 
 def test_an_error_is_broken_on_a_terminal_alone() -> None:
-    """A pipe, which programs read, gets one line."""
+    """A message to a pipe is one line, since programs read it."""
     words = [*JKROLL, "pull-off", "quarz", "100nm"]
     code, screen = on_terminal(words, COLUMNS="60", TERM="xterm")
     message = subprocess.run(words, capture_output=True, text=True, check=False).stderr

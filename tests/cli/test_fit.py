@@ -1,4 +1,4 @@
-"""`jkroll fit` at the prompt: what is typed, what is answered, and the words for what cannot be fitted."""
+"""`jkroll fit` on the command line: its output, and its messages about curves that cannot be fitted."""
 
 import csv
 import gzip
@@ -74,7 +74,7 @@ def test_a_column_of_branches_divides_them(run: Run, curve: str) -> None:
 
 
 def test_the_curve_of_another_law_and_program(run: Run) -> None:
-    """A fit of scipy's to `jkroll.solve` gave γ 27.84 ± 0.11 (JKR), 26.41 ± 0.11 mJ/m² and E 5.95 GPa."""
+    """A fit of `jkroll.solve` by scipy gave γ = 27.84 ± 0.11 (JKR) and 26.41 ± 0.11 mJ/m² (Maugis), E = 5.95 GPa."""
     for law, gamma in (("jkr", 27.84e-3), ("maugis", 26.41e-3)):
         found = values(run("fit", str(OF_NINES), *"--radius 1um --radius2 plane --json --model".split(), law).out)
         assert found["work_of_adhesion_opening"] == approx(2 * gamma, rel=0.008)
@@ -172,7 +172,7 @@ def test_a_curve_without_adhesion_has_an_upper_limit_in_each_form(run: Run) -> N
 
 
 def test_a_sphere_that_is_not_rigid_is_refused(run: Run, curve: str) -> None:
-    """E2 of the curve is about 1.3 MPa."""
+    """A rigid sphere needs E1 ≥ 100 E2, and E2 of the curve is about 1.3 MPa."""
     assert curve
     words = f"fit curve.csv {KNOWN} --profile sphere --poisson2 0.5 --poisson 0.5"
     assert run(f"{words} --young 1GPa").code == 0
@@ -273,7 +273,7 @@ def test_a_table_that_is_no_curve_says_so(run: Run, text: str, said: str) -> Non
 
 
 def broken(text: str, seed: int) -> bytes:
-    """Return a table with something wrong in it."""
+    """Return a table with a fault that depends on the seed."""
     rng = numpy.random.default_rng(seed)
     lines = text.splitlines()
     kind = seed % 10

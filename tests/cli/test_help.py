@@ -1,4 +1,4 @@
-"""The help is our own: it lists exactly the options that the reader takes and typer declares."""
+"""The help lists exactly the options that the reader of command lines accepts and typer declares."""
 
 import re
 from typing import Any
@@ -16,7 +16,7 @@ NAMES = [None, *COMMANDS]
 
 
 def taken(name: str | None) -> dict[str, bool]:
-    """Return every flag that typer knows of a command, or before any, and whether it is hidden."""
+    """Return the flags of a command, or of the program, in typer's application; True for a hidden flag."""
     group: Any = typer.main.get_command(app)
     command = group if name is None else group.commands[name]
     return {
@@ -28,7 +28,7 @@ def taken(name: str | None) -> dict[str, bool]:
 
 
 def listed(name: str | None) -> list[str]:
-    """Return every flag that the help names, but for those of its examples."""
+    """Return the flags that the help names, except those in its example."""
     text, _, _ = help_of(name).partition("Example: ")
     return re.findall(r"(?<![\w-])--?[a-z][a-z0-9-]*(?<!-)", text)
 

@@ -1,4 +1,4 @@
-"""The grammar of command lines: what is read alike, what is refused and how, and that the registry has all of it."""
+"""The grammar of command lines: lines with the same meaning, refused lines, and the registry of commands."""
 
 import json
 from functools import partial
@@ -19,7 +19,7 @@ from jkroll.errors import BadRequest, JkrollError
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.report.questions import QUESTIONS
 
-# Lines that ask for the same.
+# Lines with the same meaning.
 ALIKE = [
     ["pull-off quartz 100nm --to nN", "pull-off --to=nN quartz 100nm", "pull-off quartz --to nN -- 100nm"],
     ["pull-off quartz 100nm --units nN", "pull-off quartz 100nm --unit=nN", "pull-off quartz 100nm --to nN"],
@@ -46,7 +46,7 @@ ALIKE = [
     "pull-off --laod 3 -h"],
     ["units", "guide units"],
 ]  # fmt: skip
-# Lines that no reading can be right for, and what is said.
+# Lines without a meaning, and their messages.
 REFUSED = {
     "pull-off quartz 1um -o": "-o needs a value, as in -o OUT",
     "pull-off quartz 1um -o --quiet": "-o needs a value, as in -o OUT",
@@ -80,7 +80,7 @@ REFUSED = {
 
 
 def meaning(words: list[str]) -> Any:
-    """Return what words are read as, in a form that can be compared: a function with its arguments, or an error."""
+    """Return the meaning of words in a form that can be compared: a function with its arguments, or an error."""
     try:
         action = action_of(words)
     except JkrollError as error:
@@ -126,7 +126,7 @@ def test_a_number_that_needs_no_unit_takes_no_word(line: str) -> None:
 
 
 def options_with_values() -> list[tuple[str, Option[Any]]]:
-    """Return every option that takes a text, with its command."""
+    """Return all options that take a text, each with the name of its command."""
     return [
         (name, option) for name in COMMANDS for option in COMMANDS[name].options() if option.metavar and not option.most
     ]

@@ -1,4 +1,4 @@
-"""The typer application runs the same program as the script: for CliRunner, shells and typer's own tools."""
+"""The typer application, which serves CliRunner, shells and typer's tools, runs the same program as the script."""
 
 import os
 import shutil
@@ -14,7 +14,7 @@ from jkroll.cli.commands import COMMANDS, flags_of
 from jkroll.cli.options import HELP
 from jkroll.cli.shells import app
 
-# A line of each kind of option and of each exit code; no line is read by typer before our own reader.
+# Lines with each type of option and each exit code; typer must accept all of them.
 LINES = """\
 --version
 --debug --version
@@ -32,7 +32,7 @@ guide no such page
 
 
 def by_runner(line: str) -> tuple[int, bytes, bytes]:
-    """Return exit code, output and errors of a line, run by the application."""
+    """Return the exit code, the output and the errors of a line that the application runs."""
     ran = CliRunner().invoke(app, line.split(), catch_exceptions=False)
     return ran.exit_code, ran.stdout_bytes, ran.stderr_bytes
 

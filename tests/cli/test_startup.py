@@ -1,4 +1,4 @@
-"""Imports of a call: no more than it uses. The time that this saves is measured by benchmarks/startup.py."""
+"""A call imports only the modules that it uses. benchmarks/startup.py measures the time that this saves."""
 
 import os
 import subprocess
@@ -13,7 +13,7 @@ from jkroll.cli.commands import COMMANDS
 from jkroll.cli.process import action_of
 
 LIBRARIES = {"numpy", "pint", "rich", "typer", "pydantic", "mpmath", "matplotlib", "tomllib"}
-HEAVY = {"dataclasses", "inspect", "pathlib", "difflib", "shutil", "subprocess"}  # of the standard library
+HEAVY = {"dataclasses", "inspect", "pathlib", "difflib", "shutil", "subprocess"}  # modules of the standard library
 PINT = {"numpy", "pint"}  # pint imports numpy by itself
 
 PROGRAM = """
@@ -30,7 +30,7 @@ print(codes, *sys.modules, file=sys.stderr)
 
 
 def imported(*calls: str, folder: Path, terminal: bool = False, variables: dict[str, str] | None = None) -> set[str]:
-    """Which libraries some calls import in all, from a wheel, where the shipped materials are a module."""
+    """Return the libraries that some calls import, with the shipped materials as a module, as in a wheel."""
     module = run_path(str(Path(__file__).parents[2] / ".hatch" / "module.py"))["text"]()
     (folder / "shipped.py").write_text(module, encoding="utf-8")
     ran = subprocess.run(

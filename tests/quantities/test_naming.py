@@ -1,4 +1,4 @@
-"""Words that users have for quantities."""
+"""Words with which users name quantities."""
 
 from pathlib import Path
 from typing import Any
@@ -39,7 +39,7 @@ def test_a_symbol_leads_to_its_quantity() -> None:
         ("R", "reduced_radius"),
         ("r1", "radius"),
         ("delta", "approach_at_load"),
-        ("v", "v"),  # the symbol of two
+        ("v", "v"),  # the symbol of two quantities
         ("quartz", "quartz"),
     ],
 )
@@ -65,7 +65,7 @@ def test_symbols_wherever_a_quantity_is_named(run: Run) -> None:
 
 
 def test_a_table_is_not_read_by_symbols(run: Run, tmp_path: Path) -> None:
-    """A column of a user's table may be called v or P; only names make it an input."""
+    """A column called v or P is not an input, since only names of quantities are read from headers."""
     table, results = tmp_path / "grains.csv", tmp_path / "results.csv"
     table.write_text("E,radius\n5,100nm\n")
     assert run("batch", str(table), "-o", str(results), "--quantities", "R_min").code == 0
@@ -91,7 +91,7 @@ def test_search_shows_the_quantity_before_what_mentions_it(run: Run) -> None:
 
 
 def test_an_input_by_the_word_of_an_option_is_what_the_option_gives() -> None:
-    """Whose approach is δ at the load: among results it is δ0."""
+    """The input `approach` is δ at the load; the result of this name is δ0."""
     contact: dict[str, Any] = {"material": "quartz", "radius": 1e-7}
     assert jkroll.solve("load", approach=-5e-11, **contact) == jkroll.solve("load", approach_at_load=-5e-11, **contact)
     assert jkroll.solve("approach", **contact) == approx(1.0618e-10, rel=1e-4)

@@ -1,4 +1,4 @@
-"""Results and uncertain values as numbers."""
+"""Results and uncertain values act as numbers."""
 
 import copy
 import math

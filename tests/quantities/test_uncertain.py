@@ -1,4 +1,4 @@
-"""Values with an uncertainty: the texts that state one, those that are refused, and how they are written."""
+"""Values with an uncertainty: accepted texts, refused texts, and how values are written."""
 
 import copy
 import math
@@ -142,7 +142,7 @@ def test_nothing_but_the_declared_errors_escapes(text: str) -> None:
 
 
 class Ufloat(NamedTuple):
-    """A number as the package `uncertainties` has it."""
+    """A number with the attributes of a number of the package `uncertainties`."""
 
     nominal_value: float
     std_dev: float

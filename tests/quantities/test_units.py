@@ -10,12 +10,12 @@ from jkroll.quantities.nomenclature import nearest
 from jkroll.quantities.units import PLAIN, PREFIXABLE, PREFIXES, dimension_of, kind_of, lookup
 from jkroll.quantities.values import QuantityError, parse_quantity, unit_of
 
-# Names of the table that versions of pint have unlike, or not at all.
+# Names of the table that versions of pint lack, or to which they give different values.
 UNLIKE = frozenset(
     """gf gram_force pond ponds kgf kilogram_force kilopond kiloponds Da dalton daltons u amu bohr bohrs hartree
     hartrees Eh E_h rydberg rydbergs Ry fathom fathoms furlong furlongs electronvolt cmHg mmHg""".split()
 )
-OTHER_NAMES = {"°": "deg", "%": "percent", "kmph": "kph", "kmh": "kph"}  # for which pint has another name
+OTHER_NAMES = {"°": "deg", "%": "percent", "kmph": "kph", "kmh": "kph"}  # pint's names for them
 
 
 @pytest.mark.parametrize(
@@ -156,9 +156,9 @@ def test_a_long_text_is_refused_and_not_repeated() -> None:
 
 
 def test_a_name_in_the_table_means_what_it_means_to_pint() -> None:
-    """So does every product of a prefix and a name; the factors of pint have some fifty digits.
+    """The table agrees with pint for each name and each product of a prefix and a name, to some fifty digits.
 
-    Those that its versions have unlike are read above.
+    Names that differ between versions of pint are read in the tests above.
     """
     prefixed = [prefix + name for prefix in ("", *PREFIXES) for name in PREFIXABLE if name not in UNLIKE]
     for name in (*(name for name in PLAIN if name not in UNLIKE), *prefixed):
@@ -169,9 +169,9 @@ def test_a_name_in_the_table_means_what_it_means_to_pint() -> None:
 
 
 def test_no_name_of_pint_means_another_number_in_another_version() -> None:
-    """Each version has the number of the list, or none. The list was made with pint 0.25.3.
+    """Each version of pint has the number in the list, which was made with pint 0.25.3, or no number.
 
-    If a new version fails here: its names go into `_UNLIKE` of units.py, and what people type into the table.
+    If a new version fails here, add its names to `_UNLIKE` of units.py, and names that people type to the table.
     """
     lines = (Path(__file__).parents[1] / "data" / "units.txt").read_text(encoding="utf-8").splitlines()
     listed = [line.split() for line in lines if not line.startswith("#")]

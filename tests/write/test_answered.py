@@ -1,4 +1,4 @@
-"""`jkroll.answer`: what a command prints, as an object."""
+"""`jkroll.answer` returns the answer of a command as an object."""
 
 import json
 import math
@@ -57,7 +57,7 @@ def test_error_bars_and_units() -> None:
 
 def test_rows_are_those_of_the_table(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     found = jkroll.answer("report", material="quartz", radius="100nm", speed="20cm/s")
-    monkeypatch.setenv("COLUMNS", "100")  # where columns are two blanks apart
+    monkeypatch.setenv("COLUMNS", "100")  # wide enough for two blanks between columns
     printed = run("report", "quartz", "100nm", "--speed", "20cm/s", terminal=True).out.splitlines()
     for row in found.rows.values():
         (line,) = (line for line in printed if line.startswith(f"{row.quantity}  "))
@@ -121,7 +121,7 @@ UNSOLVED = unsolved.Unsolved.__subclasses__()
 
 
 def test_kinds_of_reasons_have_codes_of_their_own() -> None:
-    """Two kinds of one phrase say the same, one of them with more words."""
+    """Two causes may share a phrase if one of them only adds words to it."""
     phrases = {(kind.phrase or kind.words): kind.code for kind in KINDS} | {
         kind.phrase: code_of(kind.phrase) for kind in UNSOLVED
     }
@@ -146,7 +146,7 @@ def test_kinds_of_reasons_have_codes_of_their_own() -> None:
     ],
 )
 def test_a_result_without_a_value_has_the_code_of_its_reason(run: Run, words: str, name: str, code: str) -> None:
-    several = words.replace("100nm", "100nm,200nm").replace("10um", "10um,20um")  # whose rows fail one by one
+    several = words.replace("100nm", "100nm,200nm").replace("10um", "10um,20um")  # rows fail one by one
     for answer in json.loads(run(f"{several} --json").out):
         (result,) = [result for result in answer["results"] if result["name"] == name]
         assert (result["value"], result["reason_code"]) == (None, code)

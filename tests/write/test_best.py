@@ -1,4 +1,4 @@
-"""Best ranges on a terminal, in lists, lines, files and explanations: where they stand, and where they are left out."""
+"""Best ranges on a terminal, in lists, lines, files and explanations: their positions, and where they are left out."""
 
 import csv
 import re
@@ -15,13 +15,16 @@ QUARTZ: dict[str, Any] = {"material": "quartz", "radius": 1e-7}
 
 
 def cells(run: Run, words: str, symbol: str) -> list[str]:
-    """Return the cells of the row of a symbol in a table on a terminal, from the symbol on."""
+    """Return the cells of the table row with a symbol, beginning with the symbol."""
     (line,) = [line for line in run(words, terminal=True).out.splitlines() if f" {symbol} " in line]
     return re.split(r"\s{2,}", line[line.index(f"{symbol} ") :].strip())
 
 
 def test_a_table_has_the_range_first_and_the_law_last(run: Run) -> None:
-    """SiO2 of 0.95 µm rolled at 0.69 to 1.57 nN: as R 73, as R^(2/3) 350 pN. ξ/R is 4 mrad at 2 Å in every law."""
+    """SiO2 spheres of 0.95 µm rolled at 0.69 to 1.57 nN. Scaled to 100 nm as R and R^(2/3), that is 73 and 350 pN.
+
+    The angle ξ/R is 4 mrad at 2 Å by every law.
+    """
     assert approx([72.6, 350.0], rel=1e-3) == [0.69e3 * 1 / 9.5, 1.57e3 * (1 / 9.5) ** (2 / 3)]
     assert cells(run, "yield-force quartz 100nm", "Q") == ["Q", "73–350", "scaled", "94.25", "pN"]
     assert cells(run, "yield-force quartz 100nm --xi 2angstrom", "δ_α") == ["δ_α", "4.000", "any law", "4.000", "mrad"]
@@ -46,7 +49,7 @@ def test_lists_have_it_beside_the_headline(run: Run) -> None:
     row = next(line for line in out.splitlines() if line.split()[:1] == ["100"])
     assert row.split()[1:3] == [f"{significant(least * 1e9, 2)}–{significant(most * 1e9, 2)}", "Maugis"]
     assert "best" not in run("pull-off quartz 100nm --model jkr,maugis", terminal=True).out
-    out = run("yield-force quartz 2nm 1um", terminal=True).out  # the first has no meaning
+    out = run("yield-force quartz 2nm 1um", terminal=True).out  # the force at 2 nm has no meaning
     assert re.search(r"^best Q \[pN\] +– +710–1700$", out, re.MULTILINE)
     assert re.search(r"^by +– +scaled$", out, re.MULTILINE)
 
@@ -68,7 +71,7 @@ def test_files_and_lines_have_it_where_it_is_asked_for(run: Run) -> None:
 
 @pytest.mark.parametrize("option", ["", "--best"])
 def test_a_row_that_only_another_law_can_answer_fails_whatever_is_written(run: Run, option: str) -> None:
-    """In DMT no hysteresis of adhesion has a lag; by Maugis' law it has one."""
+    """In DMT a hysteresis of adhesion gives no displacement ξ; by Maugis' law it gives one."""
     words = "yield-force quartz 100nm,200nm --hysteresis-fraction 0.9 --model dmt --csv"
     ran = run(f"{words} {option}")
     assert (ran.code, ran.out.count("not in DMT")) == (1, 2)
@@ -76,7 +79,7 @@ def test_a_row_that_only_another_law_can_answer_fails_whatever_is_written(run: R
 
 
 def test_a_range_has_error_bars_in_lists(run: Run) -> None:
-    """Each end is that of its law at the end of the input."""
+    """Each end of the range is the value of its law at an end of the input."""
     (row, _) = csv.DictReader(
         run("pull-off", "quartz", "100nm,1um", "--gamma", "20 to 30 mJ/m2", "--csv", "--best").out.splitlines()
     )
@@ -87,7 +90,7 @@ def test_a_range_has_error_bars_in_lists(run: Run) -> None:
 
 
 def test_explanations_have_what_a_range_is_made_of(run: Run) -> None:
-    """Both laws, at both atomic spacings."""
+    """The line names the forces of JKR, and of Maugis' law at two atomic spacings."""
     said = run("pull-off quartz 100nm --explain").out
     forces = [
         solve("pull_off_force", model=model, **QUARTZ, atomic_spacing=spacing) * 1e9
@@ -99,10 +102,10 @@ def test_explanations_have_what_a_range_is_made_of(run: Run) -> None:
 
 
 def test_explanations_have_the_powers_of_inputs(run: Run) -> None:
-    """Of f_z, γ^(1/6) E^(1/3) R^(-7/6) ρ^(-1/2); of δ under a load, at which no power is a simple one."""
+    """f_z goes as γ^(1/6) E^(1/3) R^(-7/6) ρ^(-1/2). The powers of δ under a load are no simple fractions."""
     said = run("frequencies quartz 100nm --quantities f_z --explain").out
     assert "  power law R1^-1.17 γ1^0.167 E1^0.333 ν1^0.0198 ρ1^-0.5\n" in said
-    assert " N^-0.5\n" in run("aggregates quartz 100nm --monomers 2 --filling-factor 0.2 --explain").out  # at least 2
+    assert " N^-0.5\n" in run("aggregates quartz 100nm --monomers 2 --filling-factor 0.2 --explain").out  # N ≥ 2
     under_load = run("contact quartz 100nm --load -5nN --quantities δ --explain").out
     powers = dict(word.split("^") for word in re.findall(r"power law (.*)", under_load)[0].split())
     ends = [solve("approach_at_load", **QUARTZ, load=load) for load in (-5.001e-9, -4.999e-9)]

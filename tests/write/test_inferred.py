@@ -1,4 +1,4 @@
-"""Inferred values on a terminal, in JSON and in rows: by the law that holds and the one in use, and by the library."""
+"""Inferred values on a terminal, in JSON and in rows, by the law that holds and by the law in use; library values."""
 
 import csv
 import json
@@ -22,7 +22,7 @@ QUARTZ: dict[str, Any] = {"material": "quartz", "radius": RADIUS, "radius2": mat
 
 
 def bisected(forward: Callable[[float], float], level: float, low: float, high: float) -> float:
-    """Return where a rising function has a level."""
+    """Return the argument at which an increasing function reaches a level."""
     for _ in range(60):
         middle = math.sqrt(low * high)
         low, high = (middle, high) if forward(middle) < level else (low, middle)
@@ -30,7 +30,7 @@ def bisected(forward: Callable[[float], float], level: float, low: float, high: 
 
 
 def by_maugis(force: float, spacing: float) -> float:
-    """Return the surface energy at which quartz is pulled off a plane by a force."""
+    """Return the surface energy with which a force pulls quartz off a plane, by Maugis' law at a spacing."""
 
     def pulled(energy: float) -> float:
         return float(solve("pull_off_force", surface_energy=energy, atomic_spacing=spacing, **QUARTZ))
@@ -39,7 +39,7 @@ def by_maugis(force: float, spacing: float) -> float:
 
 
 def rows(run: Run, words: str) -> list[list[str]]:
-    """Return the rows of a table: the symbol, the law, and the cells behind it."""
+    """Return the rows of a table, beginning with the symbol and the law."""
     lines = run(f"{words} --quiet", terminal=True).out.splitlines()
     start = next(number for number, line in enumerate(lines) if line.startswith("──"))
     found = ([cell.strip() for cell in line.split("  ") if cell.strip()] for line in lines[start + 1 :])
@@ -62,14 +62,14 @@ def test_error_bars_widen_the_range_of_the_law_that_holds(run: Run) -> None:
     best = result["best"]
     assert best["by"] == "Maugis"
     assert "z0 = 2–4 Å (--z0)" in best["why"]
-    # nearly in proportion to the force
+    # Inferred energies are nearly proportional to the force.
     assert best["low"] == approx(min(ends) * 280 / 300, rel=0.01)
     assert best["high"] == approx(max(ends) * 320 / 300, rel=0.01)
     assert result["value"] == approx(BY_JKR)
 
 
 def test_a_law_that_holds_has_one_row(run: Run) -> None:
-    """P_c = 3πγR, with the reduced radius of two equal spheres."""
+    """γ follows from P_c = 3πγR with the reduced radius of two equal spheres, 50 µm."""
     energy = 1e3 * 20e-6 / (3 * math.pi * 50e-6)
     assert rows(run, "infer gamma pdms 100um --measured P_c=20uN") == [["γ", "JKR", f"{energy:.2f}", "20.1", "mJ/m²"]]
 
@@ -84,7 +84,7 @@ def test_two_unknowns_have_a_block_of_rows_for_each_law(run: Run) -> None:
     found = rows(run, f"{ON_PLANE.replace('gamma', 'gamma,young')} P_c=300nN --measured stiffness=1kN/m")
     assert [row[:2] for row in found] == [["γ", "Maugis (best)"], ["E", "Maugis (best)"], ["γ", "JKR"], ["E", "JKR"]]
     assert [row[3] for row in found] == ["25", "54", "25", "54"]
-    assert found[2][2] == f"{1e3 * BY_JKR:.2f}"  # which rests on no modulus
+    assert found[2][2] == f"{1e3 * BY_JKR:.2f}"  # the pull-off force of JKR does not depend on a modulus
 
 
 def test_a_law_without_a_solution_says_why(run: Run) -> None:
@@ -108,12 +108,12 @@ def test_what_no_material_has_stands_alone(run: Run) -> None:
         (
             "gamma quartz",
             1 / 32,
-            r"γ is 1/([\d.]+) to 1/([\d.]+) of quartz's \(25 mJ/m²\): probably rough or wet surfaces; jkroll guide meas",
+            r"γ is 1/([\d.]+) to 1/([\d.]+) of quartz's \(25 mJ/m²\): probably rough or wet surfaces; jkroll guide",
         ),
         (
             "w quartz",
             1 / 32,
-            r"w is 1/([\d.]+) to 1/([\d.]+) of quartz's \(50 mJ/m²\): probably rough or wet surfaces; jkroll guide meas",
+            r"w is 1/([\d.]+) to 1/([\d.]+) of quartz's \(50 mJ/m²\): probably rough or wet surfaces; jkroll guide",
         ),
         (
             "w quartz --material2 mica",
@@ -130,9 +130,9 @@ def test_energies_far_from_the_materials_are_reported(run: Run, words: str, fact
     """P_c = 3/2 πwR by JKR, up to 2πwR by other laws; w = 2√(γ1γ2), mica has 0.15 J/m²."""
     work = 2 * math.sqrt(0.025 * (0.15 if "mica" in words else 0.025))
     measured = f"P_c={1.5 * math.pi * factor * work * RADIUS}N"
-    if "young" in words:  # a0³ = 9πwR²/8E* of a plane
+    if "young" in words:  # a0³ = 9πwR²/(2E*), and E* = E/(2(1 - ν²))
         modulus = factor * 54e9 / 2 / (1 - 0.17**2)
-        measured = f"contact_radius={(9 * math.pi * work * RADIUS**2 / 8 / modulus) ** (1 / 3)}m"
+        measured = f"contact_radius={(9 * math.pi * work * RADIUS**2 / 2 / modulus) ** (1 / 3)}m"
     said = " ".join(run(f"infer {words} 2um --radius2 plane --measured {measured}", terminal=True).out.split())
     if not note:
         assert "rough or wet" not in said

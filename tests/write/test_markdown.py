@@ -1,4 +1,4 @@
-"""Tables in Markdown: what GitHub shows of them is what CSV, or the table of a terminal, has."""
+"""Tables in Markdown: GitHub shows the cells of CSV, or those of the table on a terminal."""
 
 import csv
 import gzip
@@ -35,7 +35,7 @@ def cells_of(line: str) -> list[str]:
 
 
 def read(text: str) -> Table:
-    """Return the only table of a text, and check that each row has as many cells as the header."""
+    """Return the only table of a text. Each of its rows must have as many cells as the header."""
     lines = [line for line in text.removesuffix("\n").split("\n") if line.startswith("|")]
     heads, sides, *rows = map(cells_of, lines)
     assert all(re.fullmatch("-{3,}:?", side) for side in sides)
@@ -44,7 +44,7 @@ def read(text: str) -> Table:
 
 
 def read_csv(text: str) -> list[list[str]]:
-    """Return the records of CSV."""
+    """Return the rows of CSV as lists of cells."""
     return [*csv.reader(text.splitlines())]
 
 

@@ -1,4 +1,4 @@
-"""Numbers without a meaning: no door shows one, but for those that have no place for a reason, and solve."""
+"""Numbers without a meaning: only `solve` and outputs without a place for a reason show them."""
 
 import csv
 import json
@@ -21,7 +21,8 @@ SLOW, SHORT = (
 )
 SONIC = "faster than sound in the solid: no static contact describes that"
 XI = "ξ is too large for the formula"
-# Calls with two values; the last one makes these results meaningless, or, with None, all results.
+# Calls with two values; the results without a meaning at the second value, or None for all results; the code and the
+# phrase of their reason.
 CALLS: dict[str, tuple[tuple[str, str, str], set[str] | None, str, str]] = {
     "turns that do not begin": (
         ("n-roll quartz 100nm", "--speed", "12cm/s,10cm/s"), {"n_roll"}, "does-not-roll-sliding", SLOW,
@@ -48,7 +49,7 @@ CALLS: dict[str, tuple[tuple[str, str, str], set[str] | None, str, str]] = {
 
 
 def words_of(call: tuple[str, str, str], *, last: bool = False) -> str:
-    """Return the words of a list, or of its last row."""
+    """Return the words of a call with a list of values, or with the last value only."""
     words, option, values = call
     return f"{words} {option} {values.split(',')[-1] if last else values}"
 
@@ -60,28 +61,28 @@ def test_no_door_shows_a_number_without_a_meaning(run: Run, name: str) -> None:
     heads = {head.partition(" ")[0]: head for head in rows[0] if head.partition(" ")[0] in NOMENCLATURE}
     shown = {one["name"] for one in json.loads(run(f"{words_of(call, last=True)} --json").out)["results"]}
     ended = shown if ended is None else ended
-    # A list as CSV: the first row has the values, the last one gaps with the reason.
+    # A list as CSV: the first row has the values, the last row has gaps and the reason.
     assert all(rows[0][heads[each]] for each in ended)
     assert {each for each in shown if not rows[1][heads[each]]} == ended
     assert phrase in rows[1]["status"].split("; ")
     assert code in rows[1]["doubt"].split()
-    for words in (words_of(call), words_of(call, last=True)):  # a list, and one pair
+    for words in (words_of(call), words_of(call, last=True)):  # a list, and a single pair
         one = run(f"{words} --csv")
         assert (one.code, "failed" in one.err) == (0, False)
         assert (
             list(csv.DictReader(one.out.splitlines()))[-1].items()
             >= {key: cell for key, cell in rows[1].items() if key in one.out}.items()
         )
-        # JSON, and what Python has of it
+        # JSON
         every = json.loads(run(f"{words} --json").out)
         found = every[-1] if isinstance(every, list) else every
         results = {each["name"]: each for each in found["results"]}
         assert {each for each, result in results.items() if result["value"] is None} == ended
         assert all(results[each]["reason"] == phrase for each in ended)
-        for each in ended:  # an end of a best range may have a meaning, as another law or displacement has one
+        for each in ended:  # by another law or displacement, an end of a best range may have a meaning
             ends = {results[each].get("best", {}).get(end) for end in ("low", "high")}
             assert ends == {None} or name in {"turns that do not begin", "a sphere that flies off"}
-        # the terminal
+        # A terminal
         table = run(words, terminal=True)
         assert table.code == 0
         assert phrase in " ".join((table.out + table.err).split())
@@ -89,12 +90,12 @@ def test_no_door_shows_a_number_without_a_meaning(run: Run, name: str) -> None:
         if any(f" {NOMENCLATURE[each].symbol} " in line and NOMENCLATURE[each].sentence in line for each in ended):
             assert " –" in line
             assert not re.search(r"\d{3}", line.rpartition(" –")[2]), line
-    # a file of rows
+    # A file with rows
     assert run(f"{words_of(call)} -o out.ndjson").code == 0
     *_, last = map(json.loads, Path("out.ndjson").read_text(encoding="utf-8").splitlines())
     assert all(last[heads[each]] is None for each in ended)
     assert phrase in last["status"]
-    # Bare numbers and plain lines keep it, with the warning on stderr.
+    # Bare numbers and plain lines keep the numbers, with a warning on stderr.
     bare, plain = run(f"{words_of(call, last=True)} --bare"), run(words_of(call, last=True))
     assert (bare.code, plain.code) == (0, 0)
     assert re.search(rf"warning: (n_roll: )?{re.escape(phrase)}", plain.err)
@@ -105,7 +106,7 @@ def test_no_door_shows_a_number_without_a_meaning(run: Run, name: str) -> None:
 
 @pytest.mark.parametrize("name", CALLS)
 def test_a_table_ends_the_same_meanings_with_doubts_and_without(run: Run, name: str) -> None:
-    """As a list does: that both have the same cells is asked of all doors."""
+    """A table and a list have the same empty cells."""
     (words, option, values), ended, _, phrase = CALLS[name]
     command, *inputs = words.split()
     *_, of_list = csv.DictReader(run(f"{words} {option} {values} --csv").out.splitlines())
@@ -129,25 +130,25 @@ def test_a_table_ends_the_same_meanings_with_doubts_and_without(run: Run, name: 
 
 
 def shown_by(run: Run, command: str) -> set[str]:
-    """Return the names of the quantities of a command."""
+    """Return the names of the quantities that a command shows."""
     given = "--speed 10m/s" if command == "n-roll" else ""
     return {one["name"] for one in json.loads(run(f"{command} quartz 1um {given} --json").out)["results"]}
 
 
 def test_a_sphere_of_quartz_of_one_micron_flies_off_at_4_65_metres_a_second() -> None:
-    """From m v²/(R1 + R2) = P_c: v² = 1.1781e-7 N · 2 µm/1.0891e-14 kg = 21.635 m²/s²."""
+    """With m v²/(R1 + R2) = P_c, v² = 1.1781e-7 N · 2 µm/1.0891e-14 kg = 21.635 m²/s²."""
     speed = math.sqrt(1.5 * math.pi * 0.05 * 0.5e-6 * 2e-6 / (4 / 3 * math.pi * 1e-18 * 2600))
     assert round(speed, 2) == 4.65
     ratio = jkroll.solve("flight_ratio", material="quartz", radius=1e-6, speed=speed)
     assert math.isclose(ratio, 1, rel_tol=1e-12)
     assert jkroll.solve("flight_ratio", material="quartz", radius=1e-6, radius2=math.inf, speed=1e3) == 0  # on a plane
-    for radius2, more in ((1e-6, 1.0), (3e-6, 1.5 * 4 / 2)):  # P_c goes as R, which is 0.75 µm instead of 0.5 µm
+    for radius2, more in ((1e-6, 1.0), (3e-6, 1.5 * 4 / 2)):  # P_c ~ R, which is 0.75 µm instead of 0.5 µm
         found = jkroll.solve("flight_ratio", material="quartz", radius=1e-6, radius2=radius2, speed=speed)
         assert math.isclose(found, 1 / more, rel_tol=1e-12)
 
 
 def test_a_speed_along_the_surface_is_not_judged_as_one_of_a_head_on_impact(run: Run) -> None:
-    """At 1 m/s spheres of quartz of 1 µm, which stick up to 0.087 m/s, bounce head-on, and roll along the surface."""
+    """Quartz spheres of 1 µm stick up to 0.087 m/s. At 1 m/s they bounce head-on, but roll along the surface."""
     rolled = json.loads(run("n-roll quartz 1um --speed 1m/s --json").out)
     assert [round(one["value"], 2) for one in rolled["results"]] == [13.14, 5.25, 18.39]
     assert not {"bounces", "flies-off"} & {one["code"] for one in rolled["validity"]}
@@ -160,7 +161,7 @@ def test_a_speed_along_the_surface_is_not_judged_as_one_of_a_head_on_impact(run:
         "impact_pressure",
     ]
     assert "bounces" in {one["code"] for one in hit["validity"]}
-    # 595.6 mm/s at 100 nm, of a free pair: the energy of one sphere would be twice that of their relative motion.
+    # A free pair of 100 nm sticks up to 595.6 mm/s. The energy of one sphere would be twice that of relative motion.
     for speed, is_above in (("0.59m/s", False), ("0.60m/s", True)):
         found = json.loads(run(f"impact quartz 100nm --speed {speed} --json").out)
         assert ("bounces" in {one["code"] for one in found["validity"]}) is is_above
@@ -168,7 +169,7 @@ def test_a_speed_along_the_surface_is_not_judged_as_one_of_a_head_on_impact(run:
 
 
 def test_what_rests_on_the_atomic_spacing_is_not_judged_without_it(run: Run) -> None:
-    """By Maugis' law U_stick of small, hard spheres rests on z0, and with it all that a speed is held against."""
+    """By Maugis' law U_stick of small, hard spheres depends on z0, and so does each limit of a speed."""
     row = run("impact quartz 100nm,1m --speed 1m/s --model maugis --csv")
     small, large = csv.DictReader(row.out.splitlines())
     assert ("unchecked" in small["doubt"].split(), small["status"]) == (True, "needs atomic_spacing")
@@ -181,13 +182,13 @@ def test_what_rests_on_the_atomic_spacing_is_not_judged_without_it(run: Run) -> 
 
 
 def test_python_has_the_reason_and_solve_the_number() -> None:
-    """W0/(14πP_cξ), W0 = ½ · 1.0891e-17 kg · 0.01 m²/s², P_c = 11.781 nN."""
+    """n_roll = W0/(14πP_cξ), with W0 = ½ · 1.0891e-17 kg · 0.01 m²/s² and P_c = 11.781 nN."""
     given: dict[str, Any] = {"material": "quartz", "radius": 1e-7, "speed": 0.1}
     found = jkroll.answer("n-roll", **given)
     assert (found["n_roll"].value, found["n_roll"].reason) == (None, SLOW)
     assert str(found["n_roll"]) == f"no value: {SLOW}"
     assert f"{found['n_imp'].value:.4g}" == "0.001314"
-    assert found.best["n_roll"].by == "–"  # it does not roll by any force that was measured
+    assert found.best["n_roll"].by == "–"  # it does not roll with any measured force either
     assert f"{jkroll.solve('n_roll', **given):.5g}" == "0.00052546"
 
 
@@ -197,7 +198,7 @@ def test_a_contact_wider_than_its_sphere_stands_first_and_ends_all(run: Run) -> 
     warning, *others = [line for line in said.splitlines() if line.startswith(("warning: ", "note: "))]
     assert warning.startswith(f"warning: {WIDE}; the surface tension of the solid matters then")
     assert "(a/R_small = 2.56)" in warning
-    assert not any(re.search(r"\d (N|m|µm|nN|J)\b", line) for line in others)  # nothing is quoted
+    assert not any(re.search(r"\d (N|m|µm|nN|J)\b", line) for line in others)  # no note quotes a number
     assert f"warning: {WIDE}" in run(f"report {GEL} --density 1g/cm3 --quiet").err
     found = jkroll.answer("report", radius="15um", radius2="plane", work_of_adhesion="71mJ/m2", youngs_modulus="rigid",
         youngs_modulus2="3kPa", poisson_ratio2=0.5, density="1g/cm3")  # fmt: skip
@@ -208,7 +209,7 @@ def test_a_contact_wider_than_its_sphere_stands_first_and_ends_all(run: Run) -> 
 
 
 def test_a_load_widens_a_contact_beyond_its_sphere(run: Run) -> None:
-    """Without load a0 is 11.7 µm; by Hertz 1.2 µN presses a sphere of 15 µm to a = R, and adhesion helps."""
+    """Without load a0 is 11.7 µm. Even without adhesion 1.2 µN presses a sphere of 15 µm to a = R (Hertz)."""
     soft = "15um --radius2 plane --work-of-adhesion 2mJ/m2 --young rigid --young2 3kPa --poisson2 0.5"
     few, many = csv.DictReader(run(f"contact {soft} --load 0N,2uN --csv").out.splitlines())
     assert math.isclose(float(few["contact_radius_at_load [m]"]), 11.67e-6, rel_tol=1e-3)
@@ -223,7 +224,7 @@ def test_a_load_widens_a_contact_beyond_its_sphere(run: Run) -> None:
 
 
 def test_an_inferred_value_ends_with_the_meaning_of_what_was_measured(run: Run) -> None:
-    """5 µN at pull-off mean w = 71 mJ/m² of a sphere of 15 µm, on which the contact finds no place."""
+    """A pull-off force of 5 µN gives w = 71 mJ/m² for a sphere of 15 µm, and a contact wider than the sphere."""
     measured = "--measured pull_off_force=5.0187uN"
     words = f"infer work_of_adhesion 15um --radius2 plane --young rigid --young2 3kPa --poisson2 0.5 {measured}"
     [result] = json.loads(run(f"{words} --json").out)["results"]
@@ -253,7 +254,7 @@ def test_a_result_of_identical_spheres_has_no_number_for_others(run: Run) -> Non
 
 
 def test_a_state_beyond_pull_off_that_grips_hold_has_its_numbers(run: Run) -> None:
-    """At δ = −0.5δ0 the contact is that of the force curve: 3y⁴ − 2y = −0.5, y = √â = 0.6916… or 0.2641…."""
+    """At δ = −0.5δ0 the force curve has 3y⁴ − 2y = −0.5, so y = √â is 0.6916… or 0.2641…."""
     found = json.loads(run("contact quartz 100nm --approach -53.1pm --quantities contact_radius_at_load --json").out)
     assert found["results"][0]["value"] > 0
     said = run("contact quartz 100nm --approach -60pm").err
@@ -268,7 +269,7 @@ def test_a_state_beyond_pull_off_that_grips_hold_has_its_numbers(run: Run) -> No
         ("contact 10um --gamma 30mJ/m2 --young 100kPa --poisson 0.49", "large-strain"),
         ("contact 10um --gamma 30mJ/m2 --young 300kPa --poisson 0.45", "may-yield"),
         ("contact 1um --radius2 plane --gamma 20mJ/m2 --young 70GPa --poisson 0.2 --young2 2MPa --poisson2 0.5",
-         "large-strain"),  # the softer body decides
+         "large-strain"),  # the strain is that of the softer body
         ("contact iron 100nm", "may-yield"),
     ],
 )  # fmt: skip
@@ -283,9 +284,12 @@ def test_rubber_is_strained_and_does_not_yield(run: Run, words: str, code: str) 
 
 
 def test_what_touches_the_headline_is_said_before_what_does_not(run: Run) -> None:
-    """2a/(πR) = 2 · 16.61/(π · 50) = 0.2115 of 0.1: the load presses the solid. Energies are farther off, but later."""
+    """2a/(πR) = 2 · 16.61/(π · 50) = 0.2115 exceeds 0.1: the load strains the solid.
+
+    The other doubts exceed their limits by more, but concern no quantity of the headline.
+    """
     lines = run("contact quartz 100nm --load 3uN").err.splitlines()
-    note = [line for line in lines if line.startswith("note: ")][-1]  # behind the best range
+    note = [line for line in lines if line.startswith("note: ")][-1]  # after the note on the best range
     assert note.startswith("note: it probably yields, as the pressure exceeds what even a flawless solid bears")
     assert "(p_H/E* = 0.212, limit 0.1)" in note
     pressed, *others = jkroll.answer("contact", material="quartz", radius=1e-7, load=3e-6).doubts
@@ -298,7 +302,7 @@ def test_what_touches_the_headline_is_said_before_what_does_not(run: Run) -> Non
     [
         ("pull-off quartz 10um", True),
         ("pull-off polystyrene 10um", True),
-        ("pull-off iron 10um --material2 mica", True),  # the other one is rough
+        ("pull-off iron 10um --material2 mica", True),  # mica is smooth, but iron is rough
         ("pull-off mica 10um", False),
         ("pull-off mica 10um --radius2 plane", False),
         ("pull-off pdms 10um", False),

@@ -1,4 +1,4 @@
-"""What a notebook shows of an answer: the table of the terminal and the lines around it, as text, HTML and LaTeX."""
+"""Answers in a notebook: the table of the terminal and the lines around it, as text, HTML and LaTeX."""
 
 import re
 import shutil
@@ -34,7 +34,7 @@ LISTS: list[tuple[str, str, dict[str, Any]]] = [
 
 
 class Cells(HTMLParser):
-    """The texts of cells and paragraphs, in their order."""
+    """A reader of the texts of cells and paragraphs, in their order."""
 
     def __init__(self, text: str) -> None:
         super().__init__()
@@ -44,23 +44,23 @@ class Cells(HTMLParser):
         assert not self.tags
 
     def handle_starttag(self, tag: str, attrs: Any) -> None:  # noqa: ARG002
-        """Open a tag, and a text."""
+        """Open a tag and begin its text."""
         self.tags.append(tag)
         if tag in ("td", "th", "p"):
             self.texts.append("")
 
     def handle_endtag(self, tag: str) -> None:
-        """Close the last tag, which it has to be."""
+        """Close a tag, which must be the last one opened."""
         assert self.tags.pop() == tag
 
     def handle_data(self, data: str) -> None:
-        """Take a text."""
+        """Add to the text of the open tag."""
         if self.tags[-1] in ("td", "th", "p"):
             self.texts[-1] += data
 
 
 def words_of(text: str) -> list[str]:
-    """Return the words of a text, without rules and with arguments instead of options."""
+    """Return the words of a text without rules; arguments replace options."""
     text = text.replace("more: --explain", "more: .notes and .doubts").replace(".doubts of each answer", ".doubts")
     text = re.sub(r"--([a-z0-9-]+)", lambda option: option[1].replace("-", "_"), text)
     return re.sub("─+", " ", text).split()
@@ -78,7 +78,7 @@ def test_print_and_html_have_the_words_of_the_terminal(run: Run, words: str, wan
 @pytest.mark.parametrize(("words", "wanted", "scene"), LISTS)
 def test_lists_have_the_words_of_the_terminal(run: Run, words: str, wanted: str, scene: Any) -> None:
     ran, found = run(*words.split(), terminal=True), jkroll.answer(wanted, **scene)
-    notes = re.sub(r"jkroll: .*\n", "", ran.err)  # how many rows failed: in Python their answers say so
+    notes = re.sub(r"jkroll: .*\n", "", ran.err)  # Python has no line on the number of failed rows
     assert words_of(str(found)) == words_of(ran.out + notes)
 
 

@@ -1,4 +1,4 @@
-"""What a terminal shows: tables of several scenes in the width there is, and notes in lines that fit."""
+"""Output on a terminal: tables and notes that fit its width."""
 
 import json
 import re
@@ -6,7 +6,7 @@ import re
 import pytest
 
 from harness import Run, Stream
-from jkroll.cli.commands import takers
+from jkroll.cli.commands import commands_taking
 from jkroll.model.limits import LIMITS
 from jkroll.quantities.formatting import Format
 from jkroll.quantities.nomenclature import NOMENCLATURE
@@ -23,7 +23,7 @@ from tuning import computed, tables_on_a_terminal
 def test_scenes_are_rows_or_columns_or_several_tables(
     run: Run, monkeypatch: pytest.MonkeyPatch, columns: str, first: str, rows: int
 ) -> None:
-    """Thirteen results and the doubts; a law that is given leaves out their best ranges."""
+    """The table has thirteen results and the doubts; it has no best ranges, because the law is given."""
     monkeypatch.setenv("COLUMNS", columns)
     words = "report graphite,iron 1mm --gamma 75mJ/m2 --model jkr --quiet"
     lines = run(words, terminal=True).out.splitlines()
@@ -31,7 +31,7 @@ def test_scenes_are_rows_or_columns_or_several_tables(
     assert (len(heads) > 1) == (columns == "30")
     assert all(({"graphite", "iron"} <= set(head.split())) == (rows == 14) for head in heads)
     if len(heads) == 1:
-        table = [line for line in lines if not line.startswith(("rough-matters: ", "law-off"))]  # what that means
+        table = [line for line in lines if not line.startswith(("rough-matters: ", "law-off"))]  # the meaning of codes
         assert len(table) - table.index(heads[0]) - 2 == rows
         assert all(len(line) <= int(columns) for line in lines)
 
@@ -91,7 +91,7 @@ def test_a_definition_of_jkr_stands_beside_values_of_jkr_alone(
     explained = run(f"{words} --explain").out
     energies = json.loads(run(f"{words} --json").out)["results"]
     others = json.loads(run(f"{words} --model {law} --json").out)["results"]
-    others = [one for one in others if not one["name"].endswith("lennard_jones")]  # which energies has no row of
+    others = [one for one in others if not one["name"].endswith("lennard_jones")]  # `energies` shows none of them
     assert {one["value"] for one in others if "jkr" in one} >= {None}
     for one, other in zip(energies, others, strict=True):
         assert one["definition"] in re.sub(r"\s+", " ", explained)
@@ -120,7 +120,7 @@ def test_a_warning_names_all_that_has_no_meaning_and_stands_under_quiet(run: Run
 
 
 def test_doubts_stand_by_size(run: Run) -> None:
-    """How far each is beyond its limit: M/2cRw = 3.1 of 1, a/z0 = 1.5 of 3, and p_H/E* = 0.13 of 0.1."""
+    """The doubts exceed their limits by less and less: M/2cRw = 3.1 of 1, a/z0 = 1.5 of 3, and p_H/E* = 0.13 of 0.1."""
     said = run("yield-force quartz 6nm --explain").out
     places = [said.index(f"({symbol} = ") for symbol in ("M/2cRw", "a/z0", "p_H/E*")]
     assert places == sorted(places)
@@ -147,7 +147,7 @@ def test_two_codes_of_doubt_are_both_named_where_they_fit(run: Run) -> None:
 
 
 def test_powers_of_ten_have_one_form(run: Run) -> None:
-    """The same in tables and in sentences; a column has one unit, however far apart its values are."""
+    """Tables and sentences write powers alike. A column has one unit, however much its values differ."""
     assert re.search(r" U .* 1\.501  1e-18 J$", run("energies quartz 100nm", terminal=True).out, re.MULTILINE)
     assert "U = 1.50102e-18 J\n" in run("energies quartz 100nm --explain").out
     row = next(line for line in run("energies quartz 100nm 1mm", terminal=True).out.splitlines() if line[:2] == "U ")
@@ -157,7 +157,7 @@ def test_powers_of_ten_have_one_form(run: Run) -> None:
 
 
 def test_a_list_of_laws_says_which_of_them_holds(run: Run) -> None:
-    """No column shows another law, so the doubts name the laws that are off."""
+    """Without a column of the other law, the doubts show which laws do not hold."""
     ran = run("pull-off quartz 100nm --model jkr,maugis,dmt --quantities P_c", terminal=True)
     rows = [line.split() for line in ran.out.splitlines() if line.startswith(("jkr", "maugis", "dmt"))]
     assert rows == [["jkr", "11.78", "law-off-25%"], ["maugis", "14–15"], ["dmt", "15.71"]]
@@ -230,7 +230,7 @@ def test_uncertain_columns_have_one_unit_and_two_digits_of_the_uncertainty(run: 
 def test_the_list_of_quantities_fits_and_names_no_variants(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COLUMNS", "80")
     terminal = Stream(terminal=True)
-    write_quantities([*NOMENCLATURE], terminal, "table", takers)
+    write_quantities([*NOMENCLATURE], terminal, "table", commands_taking)
     groups = [group.splitlines() for group in terminal.text().split("\n\n")[:-1]]
     assert max(len(line) for group in groups for line in group) <= 80
     listed = [line.split()[0] for group in groups for line in group[2:] if not line.startswith(" ")]

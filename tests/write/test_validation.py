@@ -1,4 +1,4 @@
-"""`jkroll guide validation`: its table is that of the measurements."""
+"""The table of `jkroll guide validation` agrees with the measurements."""
 
 import math
 
@@ -10,7 +10,7 @@ COMPARED = comparisons()
 
 
 def test_the_page_has_the_table() -> None:
-    """If it fails: `python tests/tools/measurements.py` renews it."""
+    """The page has the table of the measurements; `python tests/tools/measurements.py` renews it."""
     assert measurements_table() in PAGE.read_text(encoding="utf-8")
 
 
@@ -20,7 +20,7 @@ def test_those_that_disagree_most_come_first() -> None:
 
 
 def test_computed_numbers_are_those_of_the_formulas() -> None:
-    """P_c = 3πγR1 on a plane, F_roll = 6πγξ, and powers of the radius."""
+    """Numbers follow from P_c = 3πγR1 on a plane, F_roll = 6πγξ, and powers of the radius."""
     found = {(each.row.solids, each.row.given.get("radius"), each.row.quantity): each for each in COMPARED}
     smooth = found["SiO2 on smooth glass, dry", "2.5 um", "pull_off_force"]
     assert smooth.computed == approx(3 * math.pi * 0.025 * 2.5e-6)
@@ -39,7 +39,7 @@ def test_computed_numbers_are_those_of_the_formulas() -> None:
 
 
 def test_sticking_speeds_of_silica_are_of_the_two_sizes_that_were_measured() -> None:
-    """By JKR, √(2U/m) with U = 0.7722405 P_cδ0."""
+    """The JKR speed is √(2U/m) with U = 0.7722405 P_cδ0."""
     speeds = {each.row.given["radius"]: each for each in COMPARED if each.row.solids == "silica"}
     assert {radius: each.measured for radius, each in speeds.items()} == {"0.6 um": 1.2, "0.25 um": 1.9}
     assert speeds["0.6 um"].computed == approx(0.150207, rel=1e-5)

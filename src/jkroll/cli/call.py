@@ -1,4 +1,4 @@
-"""A call of a command: its words and options, read on demand, as frames and as a format of results."""
+"""A call of a command, whose words and options are read on demand: as frames, and as a format of results."""
 
 import os
 import shlex
@@ -32,16 +32,16 @@ class Output(NamedTuple):
     """A form of output."""
 
     name: str
-    has_rows: bool = False  # writes columns
-    has_answers: bool = False  # writes single answers with their notes
-    keeps_all: bool = False  # keeps numbers without a meaning: it cannot show a reason
-    for_readers: bool = False  # shows inputs as typed, and lines around a table
+    has_rows: bool = False  # it can have columns with a row for each frame
+    has_answers: bool = False  # it can have single answers with their notes
+    keeps_all: bool = False  # it has numbers without a meaning, as it cannot show the reason for an empty cell
+    for_readers: bool = False  # it shows inputs as typed, and lines around a table
 
 
 TABLE = Output("table", has_rows=True, has_answers=True, for_readers=True)
 PLAIN = Output("plain", has_rows=True, has_answers=True, keeps_all=True)
 FILE = Output("file", has_rows=True)
-CHOSEN = (  # by options with these names
+CHOSEN = (  # the forms that options of the same names choose
     BARE := Output("bare", has_rows=True, keeps_all=True),
     JSON := Output("json", has_answers=True),
     CSV := Output("csv", has_rows=True),
@@ -57,12 +57,18 @@ class Call(Options):
     def __init__(self, command: "Command", words: Sequence[str] = (), options: Mapping[str, Any] | None = None) -> None:
         """`options`: values by the names of options; options of inputs have the names of the nomenclature."""
         self.command = command.name
-        first = 1 if command.has_subject else 0
-        self.subject = "".join(words[:first])  # the program, input, quantity, table or figure; may be empty
-        self.words = tuple(words[first:])
-        given = options or {}
-        self.inputs: dict[str, str] = {name: value for name, value in given.items() if name in NOMENCLATURE}
-        super().__init__({name: value for name, value in given.items() if name not in NOMENCLATURE})
+        self.subject, self.words = "", tuple(words)
+        if command.has_subject and words:
+            self.subject = words[0]  # the program, input, quantity, table or figure
+            self.words = tuple(words[1:])
+        self.inputs: dict[str, str] = {}
+        others = {}
+        for name, value in (options or {}).items():
+            if name in NOMENCLATURE:
+                self.inputs[name] = value
+            else:
+                others[name] = value
+        super().__init__(others)
 
     @property
     def line(self) -> str:
@@ -73,14 +79,14 @@ class Call(Options):
         words = ["jkroll", self.command, *filter(None, (self.subject,)), *self.words]
         for name, value in {**self.inputs, **self.given}.items():
             if name in flags and name not in ("target", "data", "quiet"):
-                words += [flags[name]] if value is True else [f"{flags[name]}={value}"]
+                words.append(flags[name] if value is True else f"{flags[name]}={value}")
         return shlex.join(words)
 
     # --- Frames -------------------------------------------------------------------------------------------------------
 
     @cached_property
     def materials(self) -> Materials:
-        """The known materials; stderr reports those that a user's file replaces."""
+        """The known materials; a note on stderr names those that a user's file replaces."""
         known = materials_of_user(self.file)
         for text in known.overrides:
             say_wrapped(f"note: {text}", sys.stderr)
@@ -88,7 +94,7 @@ class Call(Options):
 
     @cached_property
     def models(self) -> Sequence[str | None]:
-        """The names of laws; None if none was given."""
+        """The names of the given laws; a single None if none was given."""
         text, profile = self.inputs.get("model"), self.inputs.get("profile")
         if text is None:
             return [law_given(None, profile)]
@@ -107,7 +113,7 @@ class Call(Options):
                 self._refuse_file(word)
         if radii:
             texts["radius"] = ",".join(radii)
-        check_exclusive(texts, lambda name: NOMENCLATURE[name].option or "a radius")
+        check_exclusive(texts, _option_or_radius)
         return texts
 
     @cached_property
@@ -116,8 +122,10 @@ class Call(Options):
 
         Raises QuantityError for a value outside the range of the input.
         """
-        texts = {name: text for name, text in self.values.items() if not (self.curve and name == "load")}
-        every = {name: spreads_of(text, name) for name, text in texts.items()}
+        every = {}
+        for name, text in self.values.items():
+            if not (self.curve and name == "load"):
+                every[name] = spreads_of(text, name)
         for name, spreads in every.items():
             for spread in spreads:
                 check_range(name, spread.low)
@@ -128,16 +136,22 @@ class Call(Options):
     def typed(self) -> dict[str, str]:
         """The given inputs and measured quantities, as typed.
 
-        The text is empty for several values, and for an input that was converted from another one.
+        The text is empty for several values, and for an input to which another one was converted.
         """
-        measured = (text.partition("=") for text in self.measured)
-        texts = self.values | {quantity_named(word): value for word, _, value in measured}
-        typed = {name: "" if "," in text or ":" in text else as_typed(text) for name, text in texts.items()}
-        return typed | dict.fromkeys((CONVERTED[name] for name in self.values.keys() & CONVERTED.keys()), "")
+        texts = {**self.values}
+        for text in self.measured:
+            word, _, value = text.partition("=")
+            texts[quantity_named(word)] = value
+        typed = {}
+        for name, text in texts.items():
+            typed[name] = "" if "," in text or ":" in text else as_typed(text)
+        for name in self.values.keys() & CONVERTED.keys():
+            typed[CONVERTED[name]] = ""
+        return typed
 
     @cached_property
     def loads(self) -> "Loads | None":
-        """The ends of the loads of a force curve, if they are given."""
+        """The ends of the loads of a force curve; None if they were not given."""
         from ..report.curve import loads_of
 
         if "approach_at_load" in self.values:
@@ -155,11 +169,11 @@ class Call(Options):
         """The materials of the two spheres, in all combinations. A given file of materials is always checked."""
         if self.file is not None:
             _ = self.materials
-        named = [word for word in self.words if _is_material(word)]
         for word in map(str.casefold, (*self.words, self.inputs.get("material2", ""))):
             option = {"plane": "--radius2", "rigid": "--young2"}.get(word)
             if option:
                 raise BadRequest(f"{word} is for sphere 2: write {option} {word}")
+        named = [word for word in self.words if _is_material(word)]
         if len(named) > 1:
             both = f"two materials, {quoted(named[0])} and {quoted(named[1])}"
             raise BadRequest(f"{both}; for a list write quartz,iron; for sphere 2, --material2 iron")
@@ -171,7 +185,7 @@ class Call(Options):
         return Sweep(self.pairs, self.spreads, self.models)
 
     def _named(self, text: str | None) -> list[Material | None]:
-        """Return the materials in a list, or None if none was given; "all" leaves out those with a mistake."""
+        """Return the materials in a list, or a single None without one; "all" leaves out those with a mistake."""
         if text is None:
             return [None]
         if text.casefold() == "all":
@@ -181,7 +195,7 @@ class Call(Options):
         return [*map(self._material, text.split(","))]
 
     def _material(self, word: str) -> Material:
-        """Return a material by name. An unknown name may be the name of a table."""
+        """Return a material by name; raise BadRequest if the name is that of a file."""
         try:
             return self.materials[word]
         except UnknownMaterial:
@@ -189,16 +203,16 @@ class Call(Options):
             raise
 
     def _refuse_file(self, word: str) -> None:
-        """Raise BadRequest if a word is the name of a file, with the command that reads it."""
+        """Raise BadRequest if a word is the name of a file; the message names the command that reads tables."""
         if os.path.isfile(word):
-            asked = " --infer INPUT --measured QUANTITY" if self.command == "infer" else ""
-            raise BadRequest(f"{quoted(word)} is a file; jkroll batch {shown(word)}{asked} reads tables")
+            options = " --infer INPUT --measured QUANTITY" if self.command == "infer" else ""
+            raise BadRequest(f"{quoted(word)} is a file; jkroll batch {shown(word)}{options} reads tables")
 
     # --- Format of the output -----------------------------------------------------------------------------------------
 
     @cached_property
     def output(self) -> Output:
-        """The chosen form, or that of the output file; else a table on a terminal, and unformatted lines in a pipe."""
+        """The chosen form, or that of the output file, or a table on a terminal and unformatted lines in a pipe."""
         chosen = next((output for output in CHOSEN if output.name in self.given), None)
         if self.target is None:
             return chosen or (TABLE if sys.stdout.isatty() else PLAIN)
@@ -214,41 +228,53 @@ class Call(Options):
         return self.target is not None and ending(self.target) in PICTURES
 
     def form(self, quantities: Sequence[str]) -> Format:
-        """Return the format of results; each unit of `--to` applies to the quantities of its dimension.
-
-        Tables for readers show inputs as typed.
-        """
-        units: dict[str, tuple[str, Unit]] = {}
-        of_results = {name: NOMENCLATURE[name].unit for name in quantities}
-        for text in self.to.split(",") if self.to is not None else []:
-            try:
-                unit = parse_unit(text)
-            except BadUnit as error:
-                remedy = error.remedy([*map(dimension_of, of_results.values())])
-                expected = f"expected a unit such as {of_results[quantities[0]]}"
-                raise QuantityError("--to", text, str(error), remedy or expected) from None
-            fitting = [name for name, of_result in of_results.items() if dimension_of(of_result) == unit[2]]
-            if not (fitting and text.strip()):
-                every = ", ".join(dict.fromkeys(of_results.values()))
-                raise BadRequest(f"--to: {quoted(text)} fits none of the results, which are in: {every}")
-            if fitting[0] in units:
-                both = f"{quoted(units[fitting[0]][0])} and {quoted(text)}"
-                raise BadRequest(f"--to: {both} are units of one dimension; give one of them")
-            units |= dict.fromkeys(fitting, (" ".join(text.split()), unit))
+        """Return the format of results; tables for readers show inputs as typed."""
+        units = {} if self.to is None else _units_of(quantities, self.to)
         return Format(units, self.digits, self.typed if self.output.for_readers else {})
 
 
 PICTURES = ("svg", "pdf", "png")
 
 
+def _units_of(quantities: Sequence[str], text: str) -> dict[str, tuple[str, Unit]]:
+    """Return the units for quantities, from a list with at most one unit for each dimension."""
+    units: dict[str, tuple[str, Unit]] = {}
+    si = {name: NOMENCLATURE[name].unit for name in quantities}
+    for word in text.split(","):
+        try:
+            unit = parse_unit(word)
+        except BadUnit as error:
+            remedy = error.remedy([*map(dimension_of, si.values())])
+            remedy = remedy or f"expected a unit such as {si[quantities[0]]}"
+            raise QuantityError("--to", word, str(error), remedy) from None
+        fitting = [name for name in si if dimension_of(si[name]) == unit[2]]
+        if not (fitting and word.strip()):
+            every = ", ".join(dict.fromkeys(si.values()))
+            raise BadRequest(f"--to: {quoted(word)} fits none of the results, which are in: {every}")
+        if fitting[0] in units:
+            both = f"{quoted(units[fitting[0]][0])} and {quoted(word)}"
+            raise BadRequest(f"--to: {both} are units of one dimension; give one of them")
+        units |= dict.fromkeys(fitting, (" ".join(word.split()), unit))
+    return units
+
+
 def message_of(error: JkrollError, command: str, options: Collection[str]) -> str:
-    """Return the message of an error in the user's terms: the command that lacks an input, the option of a bad one."""
+    """Return the message of an error, which names the command that lacks an input, or the option with a bad value."""
     if type(error) is MissingInput and command in QUESTIONS:
         return f"{command} {error.explanation()}"
     name, _, problem = str(error).partition(": ")
-    option = NOMENCLATURE[name].option if name in NOMENCLATURE else ""
-    return f"{option}: {problem}" if option and option in options else str(error)
+    if name in NOMENCLATURE:
+        option = NOMENCLATURE[name].option
+        if option and option in options:
+            return f"{option}: {problem}"
+    return str(error)
+
+
+def _option_or_radius(name: str) -> str:
+    """Return how an input is typed: as an option, or as a radius among the words."""
+    return NOMENCLATURE[name].option or "a radius"
 
 
 def _is_material(word: str) -> bool:
+    """Return whether a word names a material, rather than a radius."""
     return word.casefold() == "all" or (word[:1].isalpha() and word.casefold() != "plane")

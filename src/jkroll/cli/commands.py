@@ -1,4 +1,4 @@
-"""The commands: their words and options, the function that runs each, and the help on a terminal."""
+"""The commands: their arguments and options, their runners, and their help on a terminal."""
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -95,10 +95,10 @@ FIT = (
 BENCH = (Options.quick, Options.plot, Options.width, Options.style, Options.uncaptioned, *_LISTED)
 
 _OF_SPHERE_2 = ("surface_energy2", "youngs_modulus2", "shear_modulus2", "poisson_ratio2", "density2")
-# Inputs that every question accepts, like materials.
+# Inputs that every question accepts.
 _ALWAYS = ("radius2", "diameter", "diameter2", "material2", "surface_energy", "work_of_adhesion", "youngs_modulus",
     "shear_modulus", "poisson_ratio", "density", *_OF_SPHERE_2, "atomic_spacing")  # fmt: skip
-# Inputs listed among the further options of the help, even where they are used.
+# Inputs that the help lists among the further options even for commands that use them.
 _FURTHER = ("diameter2", "shear_modulus", *_OF_SPHERE_2, "atomic_spacing", *OF_THE_PAIR, "energy_ratio",
     "adhesion_hysteresis", "hysteresis_fraction", "hamaker", "hamaker2", "cutoff", "viscous_time",
     "asperity_radius", "profile", "yield_strength", "contact_angle", "roughness_gap")  # fmt: skip
@@ -106,10 +106,10 @@ _FURTHER = ("diameter2", "shear_modulus", *_OF_SPHERE_2, "atomic_spacing", *OF_T
 
 @cache
 def input_options(quantities: tuple[str, ...] = ()) -> tuple[Option[Any], ...]:
-    """Return the options for the inputs that quantities depend on; without quantities, for all inputs.
+    """Return the options of the inputs on which quantities depend; without quantities, those of all inputs.
 
-    Every command accepts the properties of materials, but shows them only where they matter. Without quantities, the
-    inputs of the report are shown.
+    Every command accepts the properties of materials, but its help shows only the options that matter. Without
+    quantities, the help shows the inputs of the report.
     """
     from ..model.plan import depends_on
     from ..quantities.laws import LAWS, has_profile, varies_by_law
@@ -120,17 +120,22 @@ def input_options(quantities: tuple[str, ...] = ()) -> tuple[Option[Any], ...]:
         depends |= {"model"}
     if has_profile(of_results[0]):  # the question is about the contact itself
         depends |= {"profile"}
+    shown = {*depends, "material2", "radius2"}.difference(_FURTHER)
     if quantities:
-        names = dict.fromkeys((*_ALWAYS, *(name for name in NOMENCLATURE if name in depends)))
-        shown = {*depends, "material2", "radius2"}.difference(_FURTHER) | {"diameter"}
+        used = [name for name in NOMENCLATURE if name in depends]
+        shown.add("diameter")
     else:
-        names = dict.fromkeys((*_ALWAYS, *NOMENCLATURE))
-        shown = {*depends, "material2", "radius2"}.difference(_FURTHER) - {"diameter", "density"}
-    return tuple(_input(name, hidden=name not in shown) for name in names if NOMENCLATURE[name].option)
+        used = [*NOMENCLATURE]
+        shown -= {"diameter", "density"}
+    options = []
+    for name in dict.fromkeys((*_ALWAYS, *used)):
+        if NOMENCLATURE[name].option:
+            options.append(_input(name, hidden=name not in shown))
+    return tuple(options)
 
 
 def _input(name: str, *, hidden: bool = False) -> Option[Any]:
-    """Return the option of an input; the radius, usually a word, has one where words are something else."""
+    """Return the option of an input; that of the radius, usually an argument, is --radius."""
     quantity = NOMENCLATURE[name]
     return Option(None, quantity.option or "--radius", metavar=quantity.example, name=name, hidden=hidden)
 
@@ -143,10 +148,10 @@ JOBS = CONTACT, ROLLING, DUST, DEM, ALL, OTHERS = "Contact", "Rolling", "Dust", 
 
 
 class Command:
-    """A command; `words` are the arguments that it takes besides options, as shown in the help.
+    """A command. `words`: its arguments other than options, as the help shows them.
 
-    Its runner, `module:function`, answers a call and returns the exit code. The module is imported with the first call,
-    so a command loads only what it uses.
+    `runner`: the function that answers a call and returns the exit code, as `module:function`. The module is imported
+    for the call, so that a command loads only what it uses.
     """
 
     def __init__(
@@ -166,7 +171,7 @@ class Command:
 
 
 def _by_flag(options: Iterable[Option[Any]]) -> dict[str, Option[Any]]:
-    """Return options by their spellings."""
+    """Return options by all of their spellings."""
     flags: dict[str, Option[Any]] = {}
     for option in options:
         flags |= dict.fromkeys(option.flags, option)
@@ -177,12 +182,12 @@ def _options_of_export() -> tuple[Option[Any], ...]:
     from ..write.exports import THRESHOLDS, USUAL
 
     law = Option(None, "--model", "Law of attraction, jkr (the default) or dmt", "dmt", name="model")
-    inputs = (option for option in input_options(USUAL + THRESHOLDS) if option.name != law.name)
+    inputs = [option for option in input_options(USUAL + THRESHOLDS) if option.name != law.name]
     return (*inputs, law, Options.file, Options.quiet)
 
 
 def _options_of_table() -> tuple[Option[Any], ...]:
-    inputs = (_input(name, hidden=True) for name, quantity in NOMENCLATURE.items() if quantity.example)
+    inputs = [_input(name, hidden=True) for name, quantity in NOMENCLATURE.items() if quantity.example]
     return (*TABLE, *inputs, Options.file, Options.quiet)
 
 
@@ -196,7 +201,7 @@ _SCENE = "[MATERIAL] [RADIUS]..."
 def _question(
     name: str, job: str, sentence: str, example: str, *others: Option[Any], runner: str = "runners:run_question"
 ) -> Command:
-    """Return the command of a question: its inputs, its own options, and those of the output."""
+    """Return the command of a question. `others`: its own options, between those of inputs and of the output."""
     quantities = () if name == "report" else QUESTIONS[name].quantities
     return Command(name, sentence, _SCENE, lambda: (*input_options(quantities), *others, *OUTPUT), runner, example, job)
 
@@ -246,9 +251,13 @@ _COMMANDS = (
 COMMANDS: Mapping[str, Command] = {command.name: command for command in _COMMANDS}
 
 
-def takers(name: str) -> list[str]:
+def commands_taking(name: str) -> list[str]:
     """Return the names of the commands that take an input."""
-    return [command.name for command in _COMMANDS if any(option.name == name for option in command.options())]
+    names = []
+    for command in _COMMANDS:
+        if any(option.name == name for option in command.options()):
+            names.append(command.name)
+    return names
 
 
 def flags_of(name: str | None) -> dict[str, Option[Any]]:
@@ -286,7 +295,7 @@ def help_of(name: str | None) -> str:
 
 
 def _of_program(width: int) -> list[str]:
-    """Return the help of the program as lines: examples, then the commands by task."""
+    """Return the lines of the help of the program: examples, then the commands by task."""
     lines = [
         *wrapped("Usage: jkroll COMMAND [MATERIAL] [RADIUS]... [OPTIONS]", width),
         *_indented(TITLE, width, 2),
@@ -295,18 +304,22 @@ def _of_program(width: int) -> list[str]:
     ]
     for job in JOBS:
         rows = [(command.name, command.sentence) for command in COMMANDS.values() if command.job == job]
-        lines += _listed(job, [(", ".join(name for name, _ in rows), "")] if job == OTHERS else rows, width)
-    return [*lines, *_listed("Options", [(", ".join(option.flag for option in PROGRAM), "")], width)]
+        if job == OTHERS:
+            rows = [(", ".join([name for name, _ in rows]), "")]
+        lines += _listed(job, rows, width)
+    return [*lines, *_listed("Options", [(", ".join([option.flag for option in PROGRAM]), "")], width)]
 
 
 def _of_command(name: str, width: int) -> list[str]:
-    """Return the help of a command as lines: usage, meaning, groups of options, an example."""
+    """Return the lines of the help of a command: usage, meaning, groups of options, an example."""
     command = COMMANDS[name]
-    options = (*command.options(), HELP)
+    groups: dict[str, list[Option[Any]]] = {}
+    for option in (*command.options(), HELP):
+        groups.setdefault(_group(option), []).append(option)
     lines = [*wrapped(f"Usage: jkroll {name} {command.words} [OPTIONS]".replace("  ", " "), width)]
     lines += [*_indented(command.sentence, width, 2), ""]
-    for group in dict.fromkeys(map(_group, options)):
-        lines += _listed(group, _rows([option for option in options if _group(option) == group]), width)
+    for group, options in groups.items():
+        lines += _listed(group, _rows(options), width)
     lines.append("")
     if name in QUESTIONS:
         lines += _indented(LISTS, width, 2)
@@ -314,17 +327,19 @@ def _of_command(name: str, width: int) -> list[str]:
 
 
 def _group(option: Option[Any]) -> str:
-    """Return the group of an option."""
+    """Return the group of an option in the help."""
     quantity = NOMENCLATURE.get(option.name)
     if quantity is None:
         return option.group
-    return "Pair" if quantity.sphere or option.name in (*OF_THE_PAIR, *_WITH_THE_PAIR.split()) else "Assumed"
+    if quantity.sphere or option.name in (*OF_THE_PAIR, *_WITH_THE_PAIR.split()):
+        return "Pair"
+    return "Assumed"
 
 
-def _rows(options: Iterable[Option[Any]]) -> list[Row]:
-    """Return rows of options and their meaning: options with one text share a row, hidden ones come last without text.
+def _rows(options: Sequence[Option[Any]]) -> list[Row]:
+    """Return the rows of options with their meanings; options with the same meaning share a row.
 
-    An option that the text of another one mentions has no row.
+    An option that another meaning mentions has no row. The last row lists the hidden options without their meanings.
     """
     rows: dict[str, list[str]] = {}
     for option in options:
@@ -344,7 +359,7 @@ def _rows(options: Iterable[Option[Any]]) -> list[Row]:
 
 
 def _listed(title: str, rows: Sequence[Row], width: int) -> list[str]:
-    """Return rows as two columns after a title; a row without a meaning spans both."""
+    """Return rows as lines with two columns after a title; a row without a meaning spans both columns."""
     left = GUTTER + max((len(typed) for typed, meaning in rows if meaning), default=0) + 2
     lines = []
     for typed, meaning in rows:

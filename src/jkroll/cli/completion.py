@@ -1,7 +1,7 @@
 """Completion with TAB: candidates for a partial word, written in the form that each shell reads.
 
-The scripts are those that typer's `--install-completion` installs. They pass the typed words in environment variables.
-We answer without typer, because its import takes longer than an answer.
+`--install-completion` installs typer's scripts, which pass the typed words in environment variables. The answer is
+written without typer, because importing it takes longer than the answer.
 """
 
 import os
@@ -21,11 +21,11 @@ from .process import finished, flag_and_value
 
 SHELLS = ("bash", "zsh", "fish", "powershell", "pwsh")
 
-Candidate = tuple[str, str]  # a word, and its meaning for shells that show it
+Candidate = tuple[str, str]  # a word, and its meaning, which some shells show
 
 
 def is_asked_by(instruction: str) -> bool:
-    """Return whether a script asks for candidates, as in complete_bash, rather than for a script."""
+    """Return whether an instruction asks for candidates, as complete_bash does, and not for a script."""
     action, _, shell = instruction.partition("_")
     return action == "complete" and shell in SHELLS
 
@@ -36,11 +36,12 @@ def main() -> int:
 
 
 def _write() -> int:
-    shell = os.environ["_JKROLL_COMPLETE"].partition("_")[2]
-    found = list(candidates(*_typed(shell)))
+    """Write the candidates; return the exit code."""
+    _, _, shell = os.environ["_JKROLL_COMPLETE"].partition("_")
+    of_shell = list(candidates(*_typed(shell)))
     if shell == "fish" and os.environ.get("_TYPER_COMPLETE_FISH_ACTION") == "is-args":
-        return 0 if found else FAILED  # fish then offers files
-    say(_written(shell, found), sys.stdout)
+        return 0 if of_shell else FAILED  # without candidates fish offers files
+    say(_written(shell, of_shell), sys.stdout)
     return 0
 
 
@@ -48,16 +49,18 @@ def _write() -> int:
 
 
 def _typed(shell: str) -> tuple[list[str], str]:
-    """Return the words after the name of the program, and the partial word, which may be empty."""
+    """Return the complete words after the name of the program, and the partial word, which may be empty."""
     if shell == "bash":
         words, position = _divided(os.environ.get("COMP_WORDS", "")), int(os.environ.get("COMP_CWORD", "0"))
-        return words[1:position], (words[position:] or [""])[0]
+        return words[1:position], words[position] if position < len(words) else ""
     line = os.environ.get("_TYPER_COMPLETE_ARGS", "")
     words = _divided(line)[1:]
     if shell in ("powershell", "pwsh"):
         begun = os.environ.get("_TYPER_COMPLETE_WORD_TO_COMPLETE", "")
         return words[:-1] if begun else words, begun
-    return (words, "") if line.endswith(" ") or not words else (words[:-1], words[-1])
+    if line.endswith(" ") or not words:
+        return words, ""
+    return words[:-1], words[-1]
 
 
 def _divided(line: str) -> list[str]:
@@ -72,23 +75,33 @@ def _divided(line: str) -> list[str]:
     return words
 
 
-def _written(shell: str, found: Sequence[Candidate]) -> str:
+def _written(shell: str, offered: Iterable[Candidate]) -> str:
     """Return candidates in the form that a shell reads."""
-    if shell == "bash":
-        return "\n".join(word for word, _ in found)
-    if shell == "fish":
-        return "\n".join(f"{word}\t{meaning}".rstrip() for word, meaning in found)
-    if shell != "zsh":
-        return "\n".join(f"{word}:::{meaning or ' '}" for word, meaning in found)
-    lines = [f'"{_for_zsh(word)}"' + (f':"{_for_zsh(meaning)}"' if meaning else "") for word, meaning in found]
-    return "_arguments '*: :((" + "\n".join(lines) + "))'" if lines else "_files"
+    lines = []
+    for word, meaning in offered:
+        if shell == "bash":
+            lines.append(word)
+        elif shell == "fish":
+            lines.append(f"{word}\t{meaning}".rstrip())
+        elif shell == "zsh":
+            lines.append(_for_zsh(word, meaning))
+        else:
+            lines.append(f"{word}:::{meaning or ' '}")
+    text = "\n".join(lines)
+    if shell == "zsh":
+        return f"_arguments '*: :(({text}))'" if lines else "_files"
+    return text
 
 
-_FOR_ZSH = str.maketrans({'"': '""', "'": "''", "$": "\\$", "`": "\\`", ":": r"\\:"})
+_ESCAPED_FOR_ZSH = str.maketrans({'"': '""', "'": "''", "$": "\\$", "`": "\\`", ":": r"\\:"})
 
 
-def _for_zsh(text: str) -> str:
-    return text.translate(_FOR_ZSH)
+def _for_zsh(word: str, meaning: str) -> str:
+    """Return a candidate in the form of zsh: "word":"meaning"."""
+    text = f'"{word.translate(_ESCAPED_FOR_ZSH)}"'
+    if meaning:
+        text += f':"{meaning.translate(_ESCAPED_FOR_ZSH)}"'
+    return text
 
 
 # --- Candidates -------------------------------------------------------------------------------------------------------
@@ -97,35 +110,37 @@ def _for_zsh(text: str) -> str:
 def candidates(words: Sequence[str], begun: str) -> Iterator[Candidate]:
     """Iterate over the candidates for a partial word after other words.
 
-    Candidates contain no characters that a shell could interpret.
+    A candidate with a character that a shell could interpret is left out.
     """
-    for word, meaning in _fitting(words, begun):
-        if word.startswith(begun.rpartition("=")[2]) and all(char.isalnum() or char in "_-−.+,@=:/" for char in word):
+    _, _, prefix = begun.rpartition("=")
+    for word, meaning in _meant(words, begun):
+        if word.startswith(prefix) and all(letter.isalnum() or letter in "_-−.+,@=:/" for letter in word):
             yield word, meaning
 
 
-def _fitting(words: Sequence[str], begun: str) -> Iterable[Candidate]:
-    """Return the candidates after some words: commands, options, arguments or values of options."""
-    commands = [COMMANDS[word] for word in words if word in COMMANDS]
-    command = commands[0] if commands else None
-    flags = flags_of(command.name if command else None)
+def _meant(words: Sequence[str], begun: str) -> Iterable[Candidate]:
+    """Return the commands, options, arguments or values of options that a partial word after some words may mean."""
+    command = next((COMMANDS[word] for word in words if word in COMMANDS), None)
+    flags = flags_of(None if command is None else command.name)
     if begun.startswith("-") and "=" not in begun and "--" not in words:
         return _options({flag_and_value(word, flags)[0] for word in words}, flags.values())
     if command is None:
-        return [] if "=" in begun else [(each.name, each.sentence) for each in COMMANDS.values()]
-    flag, value, is_joined = _flag_and_begun(words, begun)
-    option = flags.get(flag if flag.startswith("-") or not is_joined else f"--{flag}")  # gamma=25mJ/m2
+        return [] if "=" in begun else [(name, known.sentence) for name, known in COMMANDS.items()]
+    flag, value, is_joined = _flag_and_value_begun(words, begun)
+    if is_joined and not flag.startswith("-"):
+        flag = f"--{flag}"  # as in gamma=25mJ/m2
+    option = flags.get(flag)
     if option is not None and option.metavar:
         return _values(option.name, value)
-    found: list[Candidate] = []
+    arguments: list[Candidate] = []
     if not is_joined:
         for placeholder in _placeholders(command, words, value):
-            found += _values(placeholder, value)
-    return found
+            arguments += _values(placeholder, value)
+    return arguments
 
 
-def _flag_and_begun(words: Sequence[str], begun: str) -> tuple[str, str, bool]:
-    """Return the word whose value may be partial, that value, and whether "=" joins the two.
+def _flag_and_value_begun(words: Sequence[str], begun: str) -> tuple[str, str, bool]:
+    """Return the flag before a partial value, the value, and whether "=" joins them.
 
     bash splits `--to=nN` into three words.
     """
@@ -138,7 +153,7 @@ def _flag_and_begun(words: Sequence[str], begun: str) -> tuple[str, str, bool]:
 
 
 def _options(given: Set[str], options: Iterable[Option[Any]]) -> Iterator[Candidate]:
-    """Iterate over the visible options, except those given that do not repeat."""
+    """Iterate over the visible options; a given option is left out unless it may be repeated."""
     for option in dict.fromkeys(options):
         if not option.hidden and (option.repeats or given.isdisjoint(option.flags)):
             for flag in option.flags:
@@ -146,9 +161,10 @@ def _options(given: Set[str], options: Iterable[Option[Any]]) -> Iterator[Candid
 
 
 def _placeholders(command: Command, words: Sequence[str], begun: str) -> Sequence[str]:
-    """Return the placeholders that a partial word may fill: the first with a matching name that no other word fills.
+    """Return the placeholders that a partial word may fill.
 
-    For an empty word it is the first placeholder of the command; if none matches, all of them.
+    For an empty word it is the first placeholder. Otherwise it is the first one that has a matching name and is not
+    filled by another word. If there is no such placeholder, the word may fill any of them.
     """
     if not begun:
         return command.placeholders[:1]
@@ -160,7 +176,7 @@ def _placeholders(command: Command, words: Sequence[str], begun: str) -> Sequenc
 
 
 def _values(placeholder: str, begun: str) -> list[Candidate]:
-    """Return values for a placeholder or an option: names, also within a list, or numbers with units."""
+    """Return the values of a placeholder or an option: names, alone or in a list, or numbers with units."""
     head, comma, word = begun.rpartition(",")
     if placeholder in _NAMES:
         return [(head + comma + name, "") for name in _NAMES[placeholder](word)]
@@ -174,21 +190,31 @@ def _values(placeholder: str, begun: str) -> list[Candidate]:
 
 
 def _units(unit: str) -> Iterable[str]:
-    """Return the units in the examples of inputs of a dimension, in order."""
-    alike = (quantity for quantity in NOMENCLATURE.values() if quantity.example and quantity.unit == unit)
-    return dict.fromkeys(quantity.example.lstrip("0123456789.e-") for quantity in alike if not quantity.is_word)
+    """Return the units, each once, in the examples of inputs with the same SI unit."""
+    units: dict[str, None] = {}
+    for quantity in NOMENCLATURE.values():
+        if quantity.example and quantity.unit == unit and not quantity.is_word:
+            units[quantity.example.lstrip("0123456789.e-")] = None
+    return units
 
 
 def _materials(begun: str) -> list[str]:
-    """Return matching materials, or else aliases; only shipped ones while a user's file has errors."""
+    """Return matching materials, or aliases if none matches; only shipped ones while a user's file has errors."""
     from ..materials.library import known_materials, materials_of_user
 
     try:
         materials = materials_of_user(None)
-    except JkrollError:  # the call itself will report it
+    except JkrollError:  # the call itself reports the error
         materials = known_materials()
     names = [name for name in (*materials.materials, "all") if name.startswith(begun)]
     return names or [name for name in materials.aliases if name.startswith(begun)]
+
+
+def _quantities(_: str) -> Iterable[str]:
+    """Iterate over the quantities with a formula, without variants."""
+    for name, quantity in NOMENCLATURE.items():
+        if not quantity.is_word and not quantity.variant_of and (quantity.equation or quantity.range is ANY):
+            yield name
 
 
 def _topics(_: str) -> Iterable[str]:
@@ -199,23 +225,26 @@ def _topics(_: str) -> Iterable[str]:
 
 
 def _programs(_: str) -> Iterable[str]:
-    """Return the programs that `export` writes for."""
+    """Return the programs for which `export` writes input."""
     from ..write.exports import PROGRAMS
 
     return PROGRAMS
 
 
-_RESULTS = [  # quantities with a formula, without variants
-    name
-    for name, quantity in NOMENCLATURE.items()
-    if not (quantity.is_word or quantity.variant_of) and (quantity.equation or quantity.range is ANY)
-]
-# The names that a partial word may become, by placeholder or by the name of its option.
+def _models(_: str) -> Iterable[str]:
+    return MODELS
+
+
+def _profiles(_: str) -> Iterable[str]:
+    return PROFILES
+
+
+# The functions that return the names for a partial word, by placeholder or by name of the option.
 _NAMES: Mapping[str, Callable[[str], Iterable[str]]] = {
     **dict.fromkeys(("MATERIAL", "material", "material2", "mark"), _materials),
-    **dict.fromkeys(("QUANTITY", "NAME", "quantities"), lambda _: _RESULTS),
+    **dict.fromkeys(("QUANTITY", "NAME", "quantities"), _quantities),
     "TOPIC": _topics,
     "PROGRAM": _programs,
-    "model": lambda _: MODELS,
-    "profile": lambda _: PROFILES,
+    "model": _models,
+    "profile": _profiles,
 }

@@ -1,4 +1,4 @@
-"""The runner of `fit`: from files of curves and options to an answer, rows or a picture."""
+"""The runner of `fit`: it fits the curves in files and writes an answer, rows or a picture."""
 
 import glob
 import os
@@ -43,7 +43,7 @@ class FileFit(NamedTuple):
 
 
 class FileFitter(NamedTuple):
-    """A function that fits a file; it can be sent to another process."""
+    """The known data and the options with which files are fitted; another process can receive them."""
 
     known: Known
     materials: Materials
@@ -86,16 +86,18 @@ def run_fit(call: Call) -> int:
 
 
 def _paths(call: Call) -> list[str]:
-    """Return the files given by the words. Raises BadRequest."""
+    """Return the files that the words name; raise BadRequest if there are none."""
     words = [word for word in (call.subject, *call.words) if word]
     if not words:
         raise BadRequest("fit needs a curve, such as curve.csv; jkroll guide fit has an example")
     paths: list[str] = []
     for word in words:
-        found = sorted(glob.glob(word)) if glob.has_magic(word) and not os.path.exists(word) else [word]
-        if not found:
+        matching = [word]
+        if glob.has_magic(word) and not os.path.exists(word):
+            matching = sorted(glob.glob(word))
+        if not matching:
             raise BadRequest(f"{quoted(word)}: no such file")
-        paths += found
+        paths += matching
     if "-" in paths:
         raise BadRequest("fit reads files: save the curve first")
     return paths
@@ -139,9 +141,10 @@ def _write_single(call: Call, path: str, outcome: FileFit) -> int:
 
 def _heading(call: Call, path: str, fitted: Fit) -> str:
     """Return the line above a fit: the file and the known data."""
-    is_of_two = {"radius2", "diameter2", "reduced_radius"}.isdisjoint(call.inputs)
-    of_two = " of two equal spheres (--radius2 plane for a flat)" if is_of_two else ""
-    known = line_on_known(fitted, on_radius=of_two, stiffness=call.spring or "")
+    on_radius = ""
+    if {"radius2", "diameter2", "reduced_radius"}.isdisjoint(call.inputs):
+        on_radius = " of two equal spheres (--radius2 plane for a flat)"
+    known = line_on_known(fitted, on_radius=on_radius, stiffness=call.spring or "")
     return f"{os.path.basename(path)}: {known}"
 
 
@@ -166,12 +169,12 @@ def following_command(call: Call, fitted: Fit) -> str:
 
 
 def _as_typed(call: Call, names: Sequence[str]) -> list[str]:
-    """Return the options of those inputs that were given, as typed."""
+    """Return the typed options of those inputs that were given."""
     return [f"{NOMENCLATURE[name].option} {call.inputs[name]}" for name in names if name in call.inputs]
 
 
 def _typed(fitted: Fit, name: str) -> str:
-    """Return a result as one types it, with its error unless the error is larger."""
+    """Return a result as typed on a command line, with its error if the error is smaller than the result."""
     errors, value = fitted.errors[name], fitted.values[name]
     text = in_words(fitted, name) if errors.total < value else amount(RESULTS[name], value, Format(digits=3))
     return ascii_text(text).replace(" ", "").replace("^", "").replace("+/-", "±")
@@ -191,7 +194,7 @@ def _draw(call: Call, path: str, fitted: Fit) -> int:
 
 
 def _outcomes(call: Call, fitter: FileFitter, paths: Sequence[str]) -> Iterator[FileFit]:
-    """Iterate over the outcomes of files, with a progress line on a terminal."""
+    """Iterate over the fits of files, with a progress line on a terminal."""
     answered: Iterator[FileFit]
     run: Callable[[Any], Any] = fitter.fitted
     if (call.jobs or 1) > 1:
@@ -209,18 +212,20 @@ def _outcomes(call: Call, fitter: FileFitter, paths: Sequence[str]) -> Iterator[
 
 def _write_rows(call: Call, paths: Sequence[str], outcomes: Sequence[FileFit], known: Known) -> int:
     """Write a row for each file, and a summary on stderr; return the exit code."""
-    rows = [
-        row_of(path, outcome.fitted, "" if outcome.error is None else outcome.error.phrase or str(outcome.error))
-        for path, outcome in zip(paths, outcomes, strict=True)
-    ]
+    rows = []
+    for path, outcome in zip(paths, outcomes, strict=True):
+        reason = ""
+        if outcome.error is not None:
+            reason = outcome.error.phrase or str(outcome.error)
+        rows.append(row_of(path, outcome.fitted, reason))
     fits = [outcome.fitted for outcome in outcomes if outcome.fitted is not None]
     with text_output(call.target or "-") as out:
         if call.output is JSON:
-            write_json([_json_of_outcome(path, each) for path, each in zip(paths, outcomes, strict=True)], out)
+            write_json([*map(_json_of_outcome, paths, outcomes)], out)
         else:
             heads = heads_of(is_scaled=known.radius is None)
             form = "md" if call.output is MARKDOWN else "csv"
-            write_columns(heads, [list(each) for each in zip(*rows, strict=True)], form, out)
+            write_columns(heads, [*map(list, zip(*rows, strict=True))], form, out)
     for path, outcome in zip(paths, outcomes, strict=True):
         if outcome.error is not None:
             say_wrapped(f"jkroll: {quoted(path)}: {outcome.error}", sys.stderr)
@@ -234,7 +239,7 @@ def _write_rows(call: Call, paths: Sequence[str], outcomes: Sequence[FileFit], k
 
 
 def _json_of_outcome(path: str, outcome: FileFit) -> dict[str, Any]:
-    """Return the fit of a file, or its error, for JSON."""
+    """Return the JSON object of the fit of a file, or of its error."""
     if outcome.fitted is None:
         return {"inputs": {"file": path}, "results": [], "reason": str(outcome.error)}
     return json_of(outcome.fitted, path, outcome.reading, "", curve=False)
@@ -245,7 +250,7 @@ def _summary(fits: Sequence[Fit], files: int) -> Iterator[str]:
     from ..tables.run import scatter_in_words
 
     for name in _SUMMARY:
-        values = numpy.array([each.values[name] for each in fits if name in each.values])
-        if len(values) < 2 or any(each.is_scaled for each in fits):
+        values = numpy.array([fit.values[name] for fit in fits if name in fit.values])
+        if len(values) < 2 or any(fit.is_scaled for fit in fits):
             continue
         yield f"note: {name}: {len(values)} of {files} files; {scatter_in_words(RESULTS[name], values)}"

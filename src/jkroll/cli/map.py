@@ -1,4 +1,4 @@
-"""The runners of `map`, `figure` and `contact --curve -o`: from words and options to a drawing."""
+"""The runners of `map`, `figure` and `contact --curve -o`, which draw pictures."""
 
 import sys
 from collections.abc import Iterable, Sequence
@@ -24,9 +24,9 @@ from .call import CHOSEN, PICTURES, Call
 
 
 def check_picture(call: Call, path: str | None, flag: str = "-o") -> None:
-    """Raise BadRequest for a picture that cannot be drawn, before anything is computed.
+    """Raise BadRequest for a picture that cannot be drawn; it is called before anything is computed.
 
-    `path`: the file given with `flag`, if there is one.
+    `path`: the file given with `flag`; None without a file.
     """
     inches_of(call.width)
     for option, word, known in (("style", call.style, STYLES), ("panel", call.panel, PANELS)):
@@ -100,7 +100,7 @@ def run_figure(call: Call) -> int:
 
 
 def _with_sources(drawn: Picture, names: Sequence[str], frames: Iterable[Frame], call: Call) -> Picture:
-    """Return a picture with its sources at the end of the caption, if the call asks for them."""
+    """Return a picture; with --cite its caption ends with the sources."""
     if not call.cite:
         return drawn
     from ..report.questions import Question
@@ -118,22 +118,18 @@ def draw_contact(call: Call) -> int:
     if not call.curve:
         raise BadRequest(f"{flag} draws the curve: add --curve")
     _ = call.output  # raises for a file name that excludes it
-    for name in (
-        *(output.name for output in CHOSEN),
-        "quantities",
-        "to",
-        "digits",
-        "no_doubt",
-    ):  # options for numbers only
+    for_numbers = [*(output.name for output in CHOSEN), "quantities", "to", "digits", "no_doubt"]
+    for name in for_numbers:
         if name in call.given:
             raise BadRequest(f"{flag} and --{name.replace('_', '-')} exclude each other")
-    if (count := len(call.sweep) // len(call.models)) > 1:
+    count = len(call.sweep) // len(call.models)
+    if count > 1:
         raise BadRequest(f"a picture shows one contact; {count} were given")
     return _deliver(*curves_of_contact([*call.sweep.frames()], call.loads, call.panel), call)
 
 
 def _deliver(drawn: Picture, notes: Iterable[str], call: Call) -> int:
-    """Draw into a file and print the caption, or draw on the screen; write the data if asked for."""
+    """Draw into a file and print the caption, or draw on the terminal; write the data if there is a file for them."""
     if call.data is not None:
         _write_data(drawn, call.data)
     if call.target is not None:
@@ -176,7 +172,8 @@ def _write_data(drawn: Picture, path: str) -> None:
             names: list[str] = []
             for curve in panel.curves:
                 names += [plain(curve.text)] * len(curve.x)
-            x, y = (numpy.concatenate([getattr(curve, side) for curve in panel.curves]) for side in ("x", "y"))
+            x = numpy.concatenate([curve.x for curve in panel.curves])
+            y = numpy.concatenate([curve.y for curve in panel.curves])
             write_columns(("curve", *heads), [names, x, y], "csv", out)
 
 
@@ -194,9 +191,11 @@ def map_request(call: Call) -> PlotRequest:
     y = axis_of(call.y, "--y") if call.y is not None else None
     axes = [x, y] if y is not None else [x]
     check_axes(quantity, axes, call.values, tuple(model or DEFAULT_LAW for model in call.models))
-    if (count := len(call.sweep)) > (1 if len(axes) > 1 else MAX_CURVES):
-        most = f"the {MAX_CURVES} curves that can be distinguished; name fewer" if len(axes) == 1 else "one map"
-        raise BadRequest(f"{count} pairs are more than {most}")
+    count = len(call.sweep)
+    if len(axes) > 1 and count > 1:
+        raise BadRequest(f"{count} pairs are more than one map")
+    if count > MAX_CURVES:
+        raise BadRequest(f"{count} pairs are more than the {MAX_CURVES} curves that can be distinguished; name fewer")
     several = [name for name, text in call.values.items() if "," in text or ":" in text]
     frames = tuple((distinction(frame, several, call.models), frame) for frame in call.sweep.frames())
     limits = () if call.plain else LIMITS

@@ -1,4 +1,4 @@
-"""The options of the commands, declared once: spelling, help, and the type of the value in a call."""
+"""The options of the commands, each with its spelling, its help and the type of its value in a call."""
 
 from collections.abc import Mapping
 from copy import copy
@@ -27,9 +27,9 @@ _WITH = {
 class Option(Generic[Value]):
     """An option of a command: `Options.quiet` is the option, `call.quiet` its value in a call.
 
-    Without a `metavar` it is a switch. Its value is an integer from 1 to `most`, or a text if `most` is 0; a tuple of
-    texts if the option `repeats`. In the help it belongs to a `group`, and a `hidden` one has no text. An input has no
-    `help` of its own: its text is the sentence of the nomenclature.
+    Without a `metavar` it is a switch. Its value is an integer from 1 to `most`, a text if `most` is 0, or a tuple of
+    texts if the option `repeats`. The help lists options by `group`, `hidden` options without their text. The option of
+    an input has no `help` of its own: its text is the sentence of the nomenclature.
     """
 
     def __init__(
@@ -37,7 +37,7 @@ class Option(Generic[Value]):
         short: str = "", hidden: bool = False, repeats: bool = False, group: str = "Output",
         needs: str = "", excludes: str = "",
     ) -> None:  # fmt: skip
-        """`needs`, `excludes`: names of options separated by blanks; it needs one of the former."""
+        """`needs`: names of options, one of which must be given, too; `excludes`: those of options that may not be."""
         self.default, self.flag, self.help, self.metavar, self.most = default, flag, help, metavar, most
         self.name, self.short, self.hidden, self.repeats, self.group = name, short, hidden, repeats, group
         self.needs, self.excludes = needs.split(), excludes.split()
@@ -64,7 +64,7 @@ class Option(Generic[Value]):
         return other
 
     def parsed(self, text: str) -> str | int:
-        """Return the value of a text; raise BadRequest for a bad one."""
+        """Return the value that a text means; raise BadRequest if it is invalid."""
         if not text and self.name == "target":
             raise BadRequest(f"{self.flags[-1]}: the name of the output file is empty")
         if not self.most:

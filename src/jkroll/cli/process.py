@@ -1,7 +1,7 @@
-"""The command line as a process: read the words, run the command, print an error in one line with an exit code.
+"""The command line as a process: it reads the words, runs the command, and prints an error as a line.
 
-The command comes first, then its words and options in any order: `--to nN`, `--to=nN`, `-o x.csv` or `-ox.csv`. A value
-that begins with a hyphen needs `=`, unless it is a negative number. After `--` there are only words.
+The command comes first, then its arguments and options in any order: `--to nN`, `--to=nN`, `-o x.csv` or `-ox.csv`. A
+value that begins with a hyphen needs `=`, unless it is a negative number. All words after `--` are arguments.
 """
 
 import errno
@@ -25,7 +25,7 @@ from .options import DEBUG, HELP, VERSION, Option
 
 BROKEN_PIPE = 141
 
-# Words of other programs with a certain meaning here; names and symbols of quantities are accepted as options, too.
+# Words of other programs that are understood here. Options may also be names and symbols of quantities.
 SYNONYMS: Mapping[str, str] = {
     "help": "--help",
     "manual": "guide",
@@ -42,7 +42,7 @@ SYNONYMS: Mapping[str, str] = {
     "--unit": "--to",
     "--units": "--to",
 }
-# Words of other programs (for all commands, or after one), and a hint at what to type.
+# Hints at what to type instead of words of other programs. Some words have another hint after a command.
 HINTS: Mapping[str, str] = {
     "verify": "jkroll guide paper has the audit of the paper",
     "plot": "jkroll map draws a quantity, jkroll figure a figure of the paper, jkroll contact --curve a force curve",
@@ -54,7 +54,7 @@ HINTS: Mapping[str, str] = {
     **dict.fromkeys(("-R", "--radius"), "a radius needs no option: jkroll pull-off quartz 100nm"),
     **dict.fromkeys(("export -o", "export --output", "export --out"), "it writes to standard output: add > FILE"),
     **dict.fromkeys(
-        (f"{command} --{form}" for command in ("map", "figure") for form in ("csv", "json", "md")),
+        ("map --csv", "map --json", "map --md", "figure --csv", "figure --json", "figure --md"),
         "--data FILE writes the numbers as CSV",
     ),
     "map --quantities": "the quantity comes first: jkroll map a quartz 100nm --x load=-5nN:20nN",
@@ -63,12 +63,12 @@ HINTS: Mapping[str, str] = {
     ),
     "batch --md": "name the file: -o x.md",
 }
-# Words of a frame that may also be given as options.
+# Arguments that may also be given as options.
 NAMED = {
     "MATERIAL": Option(None, "--material", metavar="quartz", name="material"),
     "RADIUS": Option(None, "--radius", metavar="100nm", name="radius"),
 }
-_DASHES = ("–", "—")  # word processors make them of hyphens
+_DASHES = ("–", "—")  # word processors replace hyphens by them
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -85,12 +85,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def finished(run: Action, words: Sequence[str] = (), *, is_debugged: bool = False) -> int:
-    """Run an action that writes to stdout, and return the exit code. An error becomes a line on stderr.
+    """Run an action that writes to stdout, and return the exit code; an error is printed as a line on stderr.
 
     `words`: the command line as typed.
     """
-    if sys.stderr is None:
-        sys.stderr = open(os.devnull, "w", encoding="utf-8")  # it was closed
+    if sys.stderr is None:  # stderr is closed
+        sys.stderr = open(os.devnull, "w", encoding="utf-8")
     try:
         if sys.stdout is None:
             raise OSError(errno.EBADF, os.strerror(errno.EBADF))
@@ -111,7 +111,7 @@ def finished(run: Action, words: Sequence[str] = (), *, is_debugged: bool = Fals
 
 
 def _check(words: Iterable[str]) -> None:
-    """Raise BadRequest for words that no shell can pass on, since they cannot be file names."""
+    """Raise BadRequest for words that no shell can pass, because they cannot be file names."""
     for word in words:
         if "\0" in word:
             raise BadRequest(f"{quoted(word)} contains a NUL character")
@@ -122,7 +122,7 @@ def _check(words: Iterable[str]) -> None:
 
 
 def report(error: Exception, words: Sequence[str]) -> int:
-    """Print an error on stderr, in one line if the terminal is wide enough; return the exit code. `words`: as typed."""
+    """Print an error on stderr and return the exit code. `words`: the command line as typed."""
     code = FAILED
     if isinstance(error, JkrollError):
         from .call import message_of
@@ -146,7 +146,7 @@ def report(error: Exception, words: Sequence[str]) -> int:
 
 
 def action_of(words: Sequence[str]) -> Action:
-    """Return the action of a command line; raise an error if it is wrong."""
+    """Return the action of a command line; raise BadRequest for a command line without a meaning."""
     first, *rest = words or (HELP.flag,)
     if rest and (first == "help" or first in HELP.flags):
         first, rest = rest[0], [HELP.flag]
@@ -165,14 +165,17 @@ def action_of(words: Sequence[str]) -> Action:
 
 
 def _action_of_command(command: Command, words: Sequence[str]) -> Action:
-    """Return the action of a command with the words after it."""
+    """Return the action of a command. `words`: the words after its name."""
     end = words.index("--") if "--" in words else len(words)
     if any(flag in words[:end] for flag in HELP.flags):
         return partial(_print_help, command.name)
-    by_name = [option for placeholder, option in NAMED.items() if placeholder in command.placeholders]
-    arguments, options = _parsed(words[:end], {option.flag: option for option in by_name} | command.flags(), command)
+    named_arguments = [option for placeholder, option in NAMED.items() if placeholder in command.placeholders]
+    flags = {option.flag: option for option in named_arguments} | command.flags()
+    arguments, options = _parsed(words[:end], flags, command)
     arguments += words[end + 1 :]
-    arguments += [options.pop(option.name) for option in by_name if option.name in options]
+    for option in named_arguments:
+        if option.name in options:
+            arguments.append(options.pop(option.name))
     if len(arguments) > command.most_words:
         extra = quoted(arguments[int(command.most_words)])
         raise BadRequest(f"{extra} is one word too many: jkroll {command.name} {command.words}".rstrip())
@@ -196,7 +199,7 @@ def _print(text: str) -> int:
 def _parsed(
     words: Iterable[str], flags: Mapping[str, Option[Any]], command: Command | None = None
 ) -> tuple[list[str], dict[str, Any]]:
-    """Return the words that are not options, and the values of the options by name."""
+    """Return the arguments, and the values of the options by name."""
     placeholders = command.placeholders if command else ()
     arguments: list[str] = []
     given: dict[str, Any] = {}
@@ -212,7 +215,8 @@ def _parsed(
             arguments.append(_with_unit(word, rest) if "RADIUS" in placeholders else word)
             continue
         flag, value = flag_and_value(word, flags)
-        meant = SYNONYMS.get(f"{flag} {rest[0] if value is None and rest else value}")  # --format json
+        following = rest[0] if value is None and rest else value
+        meant = SYNONYMS.get(f"{flag} {following}")  # --format json
         if meant and flag not in flags:
             if value is None:
                 rest.popleft()
@@ -234,7 +238,7 @@ def _parsed(
 
 
 def flag_and_value(word: str, flags: Mapping[str, Option[Any]]) -> tuple[str, str | None]:
-    """Return the option of a word, and the value joined to it, if any: --to=nN, -ox.csv."""
+    """Return the flag of a word and the value joined to it, as in --to=nN and -ox.csv; None without a value."""
     flag, has_value, value = word.partition("=")
     short = flags.get(word[:2])
     if short is not None and short.metavar and word[2:] and _option(f"-{flag}", flags) is None:
@@ -250,15 +254,17 @@ def _value(option: Option[Any], value: str | None, rest: deque[str]) -> str:
             raise BadRequest(f"{option.flag} needs a value, as in {option.flag} {option.metavar}")
         value = rest.popleft()
     quantity = NOMENCLATURE.get(option.name)
-    return _with_unit(value, rest) if quantity is not None and quantity.unit not in ("", "1") else value
+    if quantity is None or quantity.unit in ("", "1"):
+        return value
+    return _with_unit(value, rest)
 
 
-def _with_unit(number: str, rest: deque[str]) -> str:
-    """Return a value; a number takes the unit that follows after a space."""
-    is_number = number[-1:].isdigit() and not number.strip("+-−±().0123456789eE")
+def _with_unit(word: str, rest: deque[str]) -> str:
+    """Return a word, together with the next word if they are a number and its unit."""
+    is_number = word[-1:].isdigit() and not word.strip("+-−±().0123456789eE")
     if is_number and rest and rest[0][:1].isalpha() and rest[0].casefold() not in ("plane", "all"):
-        return f"{number} {rest.popleft()}"
-    return number
+        return f"{word} {rest.popleft()}"
+    return word
 
 
 def _is_negative(text: str) -> bool:
@@ -267,7 +273,7 @@ def _is_negative(text: str) -> bool:
 
 
 def _option(flag: str, flags: Mapping[str, Option[Any]]) -> Option[Any] | None:
-    """Return the option of a flag, a synonym, or the name or symbol of a quantity; None if there is none."""
+    """Return the option that a flag means: its own, that of a synonym, or of a quantity's name or symbol; else None."""
     option = flags.get(flag) or flags.get(SYNONYMS.get(flag, ""))
     if option:
         return option
@@ -299,8 +305,8 @@ def _no_such_option(flag: str, command: str | None) -> BadRequest:
         return BadRequest(f"{quoted(flag)} begins with a hyphen, as options do; {remedy}")
     flags = flags_of(command)
     everywhere: dict[str, Any] = {}
-    for taker in COMMANDS.values():
-        everywhere |= taker.flags()
+    for other in COMMANDS.values():
+        everywhere |= other.flags()
     problem = f"no such option {quoted(flag)}"
     if flag in everywhere:
         problem, flags = f"{command or 'jkroll without a command'} takes no {quoted(flag)}", {}
@@ -310,19 +316,22 @@ def _no_such_option(flag: str, command: str | None) -> BadRequest:
     if guess := _meant(flag, flags):
         return BadRequest(f"{problem}; did you mean {guess}?")
     if guess := _meant(flag, everywhere):
-        takers = [taker.name for taker in COMMANDS.values() if guess in taker.flags()]
-        return BadRequest(f"{problem}; {guess} is an option of {first_of(takers)}")
+        commands = [other.name for other in COMMANDS.values() if guess in other.flags()]
+        return BadRequest(f"{problem}; {guess} is an option of {first_of(commands)}")
     return BadRequest(f"{problem}; see {' '.join(filter(None, ['jkroll', command]))} --help")
 
 
 def _meant(flag: str, flags: Mapping[str, Option[Any]]) -> str | None:
-    """Return the option that a word means by another name, abbreviates or resembles; None if there is none."""
+    """Return the flag that a word probably means: a synonym, an abbreviation or a misspelling of it; else None."""
     name = flag.lstrip("-").replace("-", "_").casefold()
-    if option := _option(f"--{flag.lstrip('-')}", flags):
+    option = _option(f"--{flag.lstrip('-')}", flags)
+    if option is not None:
         return option.flag
     spellings = {option.name: spelling for spelling, option in flags.items()}
-    if meant := spellings.get(QUANTITY_SYNONYMS.get(name, "")):
-        return meant
+    of_synonym = spellings.get(QUANTITY_SYNONYMS.get(name, ""))
+    if of_synonym is not None:
+        return of_synonym
     known = {spelling.lstrip("-").replace("-", "_"): spelling for spelling in flags}
-    begun = [word for word in known if name and word.startswith(name)]
-    return known.get(min(begun, key=len) if begun else closest(name, known, ALIKE) or "")
+    beginning = [word for word in known if name and word.startswith(name)]
+    likely = min(beginning, key=len) if beginning else closest(name, known, ALIKE)
+    return known.get(likely or "")

@@ -38,9 +38,9 @@ if TYPE_CHECKING:
     from ..report.notes import Note
     from ..report.report import Report
 
-CURVE_BLOCK = 500  # rows of force curves that are computed at a time
-MOST_FOUND = 12  # quantities in a table of search results
-WIDTH_OF_EXPORT = 120  # width of a comment
+CURVE_BLOCK = 500  # states of force curves that are computed at a time
+MOST_FOUND = 12  # quantities in the table of a search
+WIDTH_OF_EXPORT = 120  # of comments
 
 
 # --- Questions --------------------------------------------------------------------------------------------------------
@@ -53,11 +53,10 @@ def run_question(call: Call) -> int:
     sweep = call.sweep
     frame = sweep.groups[0]
     shown = [name for name in question.quantities if name in question.named or frame.shows_to_identical(name)]
-    form = call.form(shown or question.quantities)  # after the inputs are read: it shows them as typed
+    form = call.form(shown or question.quantities)  # after `sweep`, which reports bad inputs
     for name in question.named:
         if name in frame.stated or (name in frame.values and formula_of(name) is None):
             raise BadRequest(f"--quantities: {name} is an input here; leave it out: results show their inputs")
-
     return answer_rows(call, sweep, question, form)
 
 
@@ -65,7 +64,7 @@ def answer_rows(call: Call, sweep: Sweep, question: Question, form: Format) -> i
     """Write the answers to a question, as rows or one after the other; return the exit code."""
 
     def answer(row: Frame) -> "Report":
-        from ..report.report import Report  # plain rows of numbers do not need it
+        from ..report.report import Report  # imported here, since several rows of numbers do not need it
 
         return Report(question, row, keeps_all=call.output.keeps_all)
 
@@ -79,7 +78,8 @@ def answer_rows(call: Call, sweep: Sweep, question: Question, form: Format) -> i
         raise BadRequest(f"--{output.name}: {count} pairs are more than {sizes.most_answers}; --csv writes any number")
     if count > 1:
         sweep.wanted(question.quantities, question.named)  # raises errors before anything is written
-    return _write_answers(call, map(answer, sweep.frames()) if single is None else [single], count, form, single)
+    answers = map(answer, sweep.frames()) if single is None else [single]
+    return _write_answers(call, answers, count, form, single)
 
 
 def check_format(call: Call) -> None:
@@ -90,9 +90,11 @@ def check_format(call: Call) -> None:
 
 
 def question_of(call: Call, usual: Question) -> Question:
-    """Return the question about the quantities in `--quantities`, or the usual one; for bare output, its headline."""
+    """Return the question about `--quantities`, or the usual one; bare output has only its headline."""
     question = usual if call.quantities is None else question_about(call.quantities)
-    return Question(question.headline, question.headline, question.named) if call.output is BARE else question
+    if call.output is BARE:
+        return Question(question.headline, question.headline, question.named)
+    return question
 
 
 # --- Rows -------------------------------------------------------------------------------------------------------------
@@ -148,7 +150,8 @@ def _write_columns(
             sys.stdout.write(text.decode())
         sys.stdout.flush()
     tally = reduce(Tally.plus, tallies, Tally())
-    if single is None or (tally.with_doubts(ENDING_MEANING) and not single.ended):  # of some states of a curve
+    # Numbers of some states of a curve may have no meaning even if those of the whole curve have one.
+    if single is None or (tally.with_doubts(ENDING_MEANING) and not single.ended):
         notes = notes_below(groups, tally, wanted.reported_doubts, is_table=is_table)
     elif is_table:
         notes = single.sentences
@@ -160,18 +163,20 @@ def _write_columns(
 
 
 def _notes_of(single: "Report", *, has_table: bool) -> "list[Note]":
-    """Return the sentences about a single answer; with a table, those below it only."""
+    """Return the notes on a single answer, without those that a table has above it."""
     if has_table:
         return single.sentences_below
     return [*single.notes_on_ranges(), *single.sentences]
 
 
 def _exit_code(call: Call, failed: int, count: int, first: JkrollError | None = None) -> int:
-    """Return the exit code of rows, and print the number of failed ones, or the error of a single row."""
+    """Return the exit code of rows, and print the number of failed rows, or the error of a single row."""
     if not failed:
         return 0
-    options = [NOMENCLATURE[name].option for name in call.inputs]
-    message = message_of(first, call.command, options) if first and count == 1 else f"{failed} of {count} rows failed"
+    message = f"{failed} of {count} rows failed"
+    if first and count == 1:
+        options = [NOMENCLATURE[name].option for name in call.inputs]
+        message = message_of(first, call.command, options)
     say_wrapped(f"jkroll: {message}", sys.stderr)
     return ROWS_FAILED
 
@@ -182,9 +187,9 @@ def _exit_code(call: Call, failed: int, count: int, first: JkrollError | None = 
 def _write_answers(
     call: Call, answers: "Iterable[Report]", count: int, form: Format, single: "Report | None" = None
 ) -> int:
-    """Write answers one after the other, and the notes of a `single` one if they are not part of it.
+    """Write answers one after the other; return the exit code.
 
-    Return the exit code.
+    `single`: the answer if there is only one. Its notes follow on stderr unless the output includes them.
     """
     failures: list[JkrollError] = []
 
@@ -228,7 +233,7 @@ def _write_answers(
 
 
 def _output(target: str | None) -> AbstractContextManager[TextIO]:
-    """Return an output file, which is replaced only when complete, or stdout."""
+    """Return the output as a context: stdout, or a file that appears only when it is complete."""
     if target is None:
         return nullcontext(sys.stdout)
     from ..write.writers import text_output
@@ -252,7 +257,7 @@ def run_contact(call: Call) -> int:
 def _write_curve(call: Call) -> int:
     """Write the force curve of each frame; return the exit code.
 
-    Raises the error of the first state if every state has one.
+    Raises the error of the first state if all states have errors.
     """
     from ..model.rows import Columns, Wanted
     from ..report.curve import (
@@ -272,17 +277,17 @@ def _write_curve(call: Call) -> int:
     form = call.form(question.quantities)
     steps = FEW_STEPS if call.output is TABLE else STEPS
     samples = [*chain.from_iterable(frames_of_curve(frame, loads, steps) for frame in sweep.groups)]
-    failures = (answer_at_state(question, frame).failure for frame in samples)
-    if (first := next(failures)) is not None and None not in failures:
-        raise first
-    frames: Iterator[Frame] = chain.from_iterable(frames_of_curve(frame, loads, steps) for frame in sweep.frames())
-    if call.output is TABLE and loads is not None:  # a table shows the states that a load holds
-        frames = (frame for frame in frames if frame.state in HELD_BY_LOAD)
-    if call.output is JSON:
-        every = [*frames]
-        return _write_answers(call, (answer_at_state(question, frame) for frame in every), len(every), form)
-    names = question.quantities
+    failure = _failure_of_all(answer_at_state(question, frame) for frame in samples)
+    if failure is not None:
+        raise failure
     is_table = call.output is TABLE
+    states: Iterator[Frame] = chain.from_iterable(frames_of_curve(frame, loads, steps) for frame in sweep.frames())
+    if is_table and loads is not None:  # a table shows the states that a load holds
+        states = (state for state in states if state.state in HELD_BY_LOAD)
+    if call.output is JSON:
+        every = [*states]
+        return _write_answers(call, (answer_at_state(question, state) for state in every), len(every), form)
+    names = question.quantities
     if call.output is BARE:
         wanted = Wanted(names, named=names, doubts=not call.quiet, keeps_all=True)
     else:
@@ -291,10 +296,10 @@ def _write_curve(call: Call) -> int:
     size = None if is_table else CURVE_BLOCK
 
     def columns() -> Iterator[Columns]:
-        while block := [*islice(frames, size)]:
+        while block := [*islice(states, size)]:
             columns = Columns(wanted, len(block), few=True)
-            for row, frame in enumerate(block):
-                columns.put(row, wanted.results(frame))
+            for row, state in enumerate(block):
+                columns.put(row, wanted.results(state))
             yield columns
 
     curves = [Report(WHOLE_CURVE, frame) for frame in sweep.groups]
@@ -303,11 +308,21 @@ def _write_curve(call: Call) -> int:
     return _write_columns(call, wanted, groups, columns(), form, is_table=is_table, single=single)
 
 
+def _failure_of_all(answers: "Iterable[Report]") -> JkrollError | None:
+    """Return the error of the first answer if all answers have errors; the first answer without one ends the search."""
+    first = None
+    for answer in answers:
+        if answer.failure is None:
+            return None
+        first = first or answer.failure
+    return first
+
+
 # --- Other commands ---------------------------------------------------------------------------------------------------
 
 
 def run_export(call: Call) -> int:
-    """Write the contact of one pair as input for a program; return the exit code."""
+    """Write the contact of a pair as input for a program; return the exit code."""
     from ..report.leads import options_for_centre
     from ..report.notes import Note, about_middles, by_severity
     from ..report.report import Report
@@ -320,11 +335,12 @@ def run_export(call: Call) -> int:
         question = f"which program, {', '.join(PROGRAMS)}? Write jkroll export {guess} quartz 100nm"
         raise BadRequest(f"export: {question}; jkroll guide dem says what other codes call γ")
     (program,) = programs
-    if (count := len(call.sweep)) != 1:
+    count = len(call.sweep)
+    if count != 1:
         raise BadRequest(f"export takes one pair of spheres, not {count}; for an unequal pair: --radius2")
     frame = next(call.sweep.frames())
-    if (model := frame.law.name) not in program.models:
-        raise BadRequest(f"--model: {program.title} has {listed(program.models)}, not {quoted(model)}")
+    if frame.law.name not in program.models:
+        raise BadRequest(f"--model: {program.title} has {listed(program.models)}, not {quoted(frame.law.name)}")
     text = program.text(frame)
     if call.quiet:
         sys.stdout.write(text)
@@ -332,23 +348,20 @@ def run_export(call: Call) -> int:
     lacking = frame.missing(program.quantities)
     names = tuple(name for name in program.quantities if name not in lacking)
     answer = Report(Question(names, names), frame)
-    shown = (note for note in by_severity(answer.sentences) if note.severity != "more")
-    every = (
-        Note("lead", f"best ranges (jkroll report says why): {answer.best_ranges}"),
-        *about_middles(answer.uncertain),
-        *shown,
-    )
-    notes = [note.line for note in every]
+    ranges = Note("lead", f"best ranges (jkroll report says why): {answer.best_ranges}")
+    lines = [note.line for note in (ranges, *about_middles(answer.uncertain))]
+    lines += [note.line for note in by_severity(answer.sentences) if note.severity != "more"]
     if program.about:
         sys.stdout.write(text)
-        for line in (*(f"note: {text}" for text in program.about(frame)), *notes):
+        for line in (*(f"note: {note}" for note in program.about(frame)), *lines):
             say_wrapped(line, sys.stderr)
         return 0
-    if options := options_for_centre(answer):
+    options = options_for_centre(answer)
+    if options:
         remedy = f"for the centre of the best ranges of P_c and M add {options}"
         _write_comments([f"plain {frame.law.short}, not the best values: {remedy}"])
     sys.stdout.write(text)
-    _write_comments(notes)
+    _write_comments(lines)
     return 0
 
 
@@ -371,7 +384,7 @@ def run_infer(call: Call) -> int:
 
 
 def _measured(call: Call, names: Sequence[str]) -> dict[str, list[Spread]]:
-    """Return the values of the measured quantities, one quantity for each unknown."""
+    """Return the values of the measured quantities; raise BadRequest unless there is one for each unknown."""
     measured: dict[str, list[Spread]] = {}
     for text in call.measured:
         word, has_value, value = text.partition("=")
@@ -387,7 +400,7 @@ def _measured(call: Call, names: Sequence[str]) -> dict[str, list[Spread]]:
 
 
 def run_batch(call: Call) -> int:
-    """Convert a table; return the exit code."""
+    """Compute the results of each row of a table; return the exit code."""
     from ..tables.run import Job, run
     from ..tables.table import Asked
 
@@ -427,7 +440,7 @@ def run_batch(call: Call) -> int:
 
 
 def _unknown_and_measured(call: Call) -> tuple[str, str]:
-    """Return the names of the unknown input and of the measured quantity; empty texts if there is none."""
+    """Return the names of the unknown input and of the measured quantity; both are empty if nothing is inferred."""
     if not call.infer and not call.measured:
         return "", ""
     if not call.infer or "," in call.infer or len(call.measured) != 1:
@@ -439,7 +452,7 @@ def _unknown_and_measured(call: Call) -> tuple[str, str]:
 
 
 def run_materials(call: Call) -> int:
-    """List the materials, search them by words, or show some in full; return the exit code."""
+    """List the materials, find them by words, or show some in full; return the exit code."""
     from ..write.catalogue import write_materials
 
     output, materials = call.output.name, call.materials
@@ -463,19 +476,19 @@ def run_materials(call: Call) -> int:
 
 
 def run_quantities(call: Call) -> int:
-    """List quantities, search them by words, or show one in full; if none matches, search the manual."""
+    """List the quantities, find them by words, or show one in full; search the manual if none is found."""
     from ..write.catalogue import write_quantities
     from ..write.manual import hits_of, quantities_meant, write_hits
-    from .commands import takers
+    from .commands import commands_taking
 
     output, text = call.output.name, " ".join(call.words)
     names = quantities_meant(call.words)
     if names:
-        write_quantities(names, sys.stdout, output, takers)
+        write_quantities(names, sys.stdout, output, commands_taking)
         return 0
     hits = hits_of(text, call.materials.materials.values())
     if hits.quantities:
-        write_quantities(hits.quantities, sys.stdout, output, takers, most=MOST_FOUND)
+        write_quantities(hits.quantities, sys.stdout, output, commands_taking, most=MOST_FOUND)
     elif output in ("table", "plain"):
         say_wrapped(f"no quantity is called {quoted(text)}; the manual has:", sys.stdout)
         write_hits(text, hits, sys.stdout)
@@ -493,9 +506,12 @@ def run_guide(call: Call) -> int:
     text = " ".join(call.words)
     if not call.words:
         write_topics(sys.stdout)
-    elif text in topics():
+        return 0
+    if text in topics():
         write_text(page(text), sys.stdout)
-    elif (section := section_meant(text)) is not None:
+        return 0
+    section = section_meant(text)
+    if section is not None:
         write_text(section.text, sys.stdout)
     else:
         write_hits(text, hits_of(text, call.materials.materials.values()), sys.stdout)
@@ -503,13 +519,10 @@ def run_guide(call: Call) -> int:
 
 
 def run_bench(call: Call) -> int:
-    """Measure speed against error; return the exit code.
-
-    Obstacles to a plot are reported before anything is measured.
-    """
+    """Measure speed against error; return the exit code."""
     from .map import check_picture, draw_into
 
-    check_picture(call, call.plot, "--plot")
+    check_picture(call, call.plot, "--plot")  # before anything is measured
     from ..bench.report import FULL, QUICK, picture_of_bench, write_bench
 
     rows = write_bench(sys.stdout, call.output.name, QUICK if call.quick else FULL)

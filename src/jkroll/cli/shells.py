@@ -1,6 +1,6 @@
-"""The program as a typer application, for installing completion, for documentation and for CliRunner.
+"""The program as a typer application, to install completion, to document the commands, and for CliRunner.
 
-The words that typer has read are assembled again and passed to our own reader, which runs every command line.
+The words and options that typer has read are joined to a command line again, which `process` runs.
 """
 
 from collections.abc import Callable, Iterable
@@ -30,7 +30,7 @@ def main() -> int:
 
 
 def _parameter(option: Option[Any]) -> Parameter:
-    """Return an option as the parameter of a function, from which typer makes an option."""
+    """Return the parameter of a function that typer reads as an option."""
     kind: Any = bool
     empty: Any = False
     if option.repeats:

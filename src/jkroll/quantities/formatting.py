@@ -1,4 +1,4 @@
-"""Values as text: rounded with a suitable prefix, or as the shortest text that parses back to the same value."""
+"""Values as text: rounded, with a suitable prefix of the unit and with their uncertainty."""
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from math import floor, isinf, log10
@@ -10,10 +10,10 @@ from .values import Measured, Uncertain, ends_of, middle
 
 DIGITS = 6  # significant digits of a rounded value
 RESULT_DIGITS = 4  # digits of a result in a table for readers
-ROUND_DIGITS = 12  # all digits of a round value, without its rounding error
+ROUND_DIGITS = 12  # digits that show a round value in full, but not its rounding error
 _PLAIN = 10**DIGITS  # smaller numbers are written without an exponent
-_ERRORS = 1e-14  # on a linear scale, smaller fractions of the largest number are 0
-_NARROW = 0.05  # relative width of a range below which its ends get another digit
+_ERRORS = 1e-14  # on a linear scale, a number below this fraction of the largest one is 0
+_NARROW = 0.05  # relative width; the ends of a narrower range have three digits
 _PREFIXES = dict(
     zip(range(-24, 18, 3), ("y", "z", "a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T", "P"), strict=True)
 )
@@ -38,13 +38,14 @@ class Format:
         return self.units[name][0] if name in self.units else NOMENCLATURE[name].unit
 
     def changes(self, name: str) -> bool:
-        """Return whether the numbers of a quantity are written other than in SI units with all digits."""
+        """Return whether the numbers of a quantity are rounded, or are written in another unit than the SI unit."""
         return name in self.units or self.digits is not None
 
     def number(self, name: str, value: float) -> float:
         """Return the number to write for an SI value: in its unit, with its digits."""
-        number = convert(value, self.units[name][1]) if name in self.units else value
-        return number + 0.0 if self.digits is None else float(f"{number + 0.0:.{self.digits}g}")
+        if name in self.units:
+            value = convert(value, self.units[name][1])
+        return value + 0.0 if self.digits is None else float(f"{value + 0.0:.{self.digits}g}")
 
     def header(self, name: str) -> str:
         """Return a column header: name and unit."""
@@ -52,14 +53,15 @@ class Format:
 
     def rounded(self, name: str, value: float | str | Uncertain) -> tuple[str, str]:
         """Return a rounded value, with its uncertainty if it has one, and its unit with a suitable prefix."""
-        value = value if isinstance(value, Uncertain) else in_words(name, value)
+        if not isinstance(value, Uncertain):
+            value = in_words(name, value)
         if isinstance(value, str):
             return value, ""
         unit = self.common_unit(name, [value])
         return self.in_unit(value, unit), unit[0]
 
     def common_unit(self, name: str, values: Sequence[float | str | Uncertain | None]) -> tuple[str, Unit]:
-        """Return the unit that suits the middle one of some values, which may include words and None."""
+        """Return the unit that suits the median of values, which may include words and None, with its name."""
         if name in self.units:
             return self.units[name]
         si = NOMENCLATURE[name].unit
@@ -73,43 +75,50 @@ class Format:
     def in_unit(self, value: float | Uncertain, unit: tuple[str, Unit]) -> str:
         """Return a rounded value in a unit, with its uncertainty if it has one, without the name of the unit."""
         if isinstance(value, Measured):
-            return _plus_minus(*(convert(number, unit[1]) for number in (value.value, value.minus, value.plus)))
-        ends = (significant(convert(end, unit[1]), self.digits or DIGITS) for end in ends_of(value))
+            numbers = value.value, value.minus, value.plus
+            return _plus_minus(*[convert(number, unit[1]) for number in numbers])
+        ends = [significant(convert(end, unit[1]), self.digits or DIGITS) for end in ends_of(value)]
         return " to ".join(dict.fromkeys(ends))
 
 
 def _sizes(values: Sequence[float | str | Uncertain | None]) -> list[float]:
-    """Return the sizes of values in order, without 0 and infinity."""
-    middles = (middle(value) for value in values if value is not None and not isinstance(value, str))
-    return sorted(abs(value) for value in middles if value and not isinf(value))
+    """Return the sorted sizes of values; 0, infinity, words and None are left out."""
+    sizes = []
+    for value in values:
+        if value is not None and not isinstance(value, str):
+            size = abs(middle(value))
+            if size and not isinf(size):
+                sizes.append(size)
+    return sorted(sizes)
 
 
 def _multiple(unit: str, power: int, known: range = _KNOWN) -> str:
-    """Return the multiple of a unit by a power of ten: with a well-known prefix, or else with the power itself."""
+    """Return the multiple of a unit by a power of ten, with the power itself if its prefix is not well known."""
     return _PREFIXES[power] + unit.removeprefix("1") if power in known else f"1e{power} {unit}"
 
 
 def engineering(value: float, unit: str, digits: int = DIGITS, known: range = _KNOWN) -> tuple[str, str]:
-    """Round a value to significant digits, and choose a well-known prefix for its unit if there is one.
+    """Return a value rounded to significant digits, and its unit with a well-known prefix if one suits.
 
     `known`: the powers of ten with such a prefix.
     >>> engineering(1.1780972e-08, "N"), engineering(2e-17, "J")
     (('11.781', 'nN'), ('2e-17', 'J'))
     """
     power = _power(value, unit, digits)
-    power = power if power in known else 0
+    if power not in known:
+        power = 0
     return significant(convert(value, (*power_of_ten(power), ())), digits), _multiple(unit, power, known)
 
 
 def _power(value: float, unit: str, digits: int) -> int:
-    """Return the power of ten for the multiple of a unit that suits a value rounded to significant digits."""
+    """Return the power of ten that suits a value, rounded to significant digits, as the prefix of its unit."""
     exponent = f"{value:.{digits - 1}e}".partition("e")[2]
     power = 3 * (int(exponent or 0) // 3)
     return power if unit in WITH_PREFIXES and power in _PREFIXES else 0
 
 
 def significant(value: float, digits: int, *, zeros: bool = False) -> str:
-    """Round a number to significant digits; below a million it is written without an exponent.
+    """Return a number rounded to significant digits; from 1 to a million it has no exponent.
 
     `zeros`: True to keep trailing zeros.
     >>> significant(2600.0, 3), significant(1234567.0, 3), significant(5.0, 3, zeros=True)
@@ -123,15 +132,16 @@ def significant(value: float, digits: int, *, zeros: bool = False) -> str:
 
 
 def with_unit(number: str, unit: str) -> str:
-    """Return a number, a range or an uncertain value with its unit, which may include a power of ten.
+    """Return the text of a number, a range or an uncertain value with its unit, which may include a power of ten.
 
     >>> with_unit("11.8", "nN"), with_unit("1.50", "1e-18 J"), with_unit("1–3", "1e-18 J"), with_unit("7", "")
     ('11.8 nN', '1.50e-18 J', '(1–3)e-18 J', '7')
     """
     if not unit.startswith("1e"):
         return f"{number} {unit}".strip()
-    is_one = number.lstrip("-").replace(".", "").isdecimal()
-    return f"{number if is_one else f'({number})'}{unit.removeprefix('1')}"
+    if not number.lstrip("-").replace(".", "").isdecimal():
+        number = f"({number})"
+    return f"{number}{unit.removeprefix('1')}"
 
 
 def pretty(unit: str) -> str:
@@ -161,7 +171,7 @@ def amount(name: str, value: float | str | Uncertain, form: Format = AS_USUAL) -
 
 
 def span(name: str, low: float, high: float, digits: int | None = None) -> str:
-    """Return the ends of a range with its unit, for a sentence; see `from_to`.
+    """Return a range with its unit, for a sentence; see `from_to`.
 
     >>> span("pull_off_force", 1.437e-8, 1.5e-8), span("pull_off_force", 3.97e-7, 3.995e-7)
     ('14.4–15.0 nN', '397–400 nN')
@@ -175,16 +185,16 @@ def span(name: str, low: float, high: float, digits: int | None = None) -> str:
 
 
 def from_to(low: float, high: float, digits: int | None = None) -> str:
-    """Return the ends of a range, with another digit if that distinguishes them; otherwise a single number.
+    """Return the text of a range; a single number if its ends do not differ even with another digit.
 
-    They have two digits, or three if the range is narrow, unless `digits` is given.
+    The ends have two digits, or three if the range is narrow, unless `digits` is given.
     >>> from_to(14.37, 15.0), from_to(-1.0, 2.0), from_to(3.0, 3.0), from_to(1.02e6, 1.31e6), from_to(397.0, 399.5)
     ('14.4–15.0', '-1 to 2', '3', '(1.0–1.3)e6', '397–400')
     """
     if digits is None:
         digits = 3 if 0 < abs(high - low) < _NARROW * abs(high) else 2
     shift = _shift(max(abs(low), abs(high)))
-    ends = [end * 10.0**-shift for end in (low, high)]
+    ends = low * 10.0**-shift, high * 10.0**-shift
     texts = _alike(ends, digits)
     if low != high and len(texts) == 1:
         texts = _alike(ends, digits + 1)
@@ -195,32 +205,35 @@ def from_to(low: float, high: float, digits: int | None = None) -> str:
 
 
 def _alike(ends: Iterable[float], digits: int) -> list[str]:
-    """Return numbers that differ, rounded; with the zeros at their ends if one of them has a last digit."""
-    short, full = ([significant(end, digits, zeros=zeros and end != 0) for end in ends] for zeros in (False, True))
-    is_cut = all(text != other for text, other in zip(short, full, strict=True))
-    return [*dict.fromkeys(short if is_cut else full)]
+    """Return the distinct ends of a range, rounded. Trailing zeros are dropped only if every end has them."""
+    short, full = [], []
+    for end in ends:
+        short.append(significant(end, digits))
+        full.append(significant(end, digits, zeros=end != 0))
+    all_have_zeros = all(text != other for text, other in zip(short, full, strict=True))
+    return [*dict.fromkeys(short if all_have_zeros else full)]
 
 
 def _shift(size: float) -> int:
-    """Return the power of ten written after numbers of a size; 0 if they read well without."""
+    """Return the power of ten to write after numbers of a size; 0 if they read well without one."""
     return 0 if size == 0 or 1e-3 <= size < 1e6 else floor(log10(size))
 
 
 def _plus_minus(value: float, minus: float, plus: float) -> str:
     """Return a value with its standard uncertainty.
 
-    The uncertainty has two digits, and the value ends at the same position. If the two sides differ, both are shown.
+    The uncertainty has two digits, and the value ends with the same decimal. If the two sides differ, both are shown.
     """
     shift = _shift(abs(value))
     numbers = [number * 10.0**-shift for number in (value, minus, plus)]
-    last = int(f"{min(filter(None, numbers[1:])):.1e}".partition("e")[2]) - 1  # position of the second digit
-    middle, below, above = (f"{round(number, -last):.{max(-last, 0)}f}" for number in numbers)
+    last = int(f"{min(filter(None, numbers[1:])):.1e}".partition("e")[2]) - 1  # the power of ten of the second digit
+    middle, below, above = [f"{round(number, -last):.{max(-last, 0)}f}" for number in numbers]
     text = f"{middle} ± {above}" if above == below else f"{middle} +{above}/-{below}"
     return f"({text})e{shift}" if shift else text
 
 
 def in_words(name: str, value: float | str) -> float | str:
-    """Return the word for an infinite value; any other value unchanged.
+    """Return the word for an infinite value, or any other value unchanged.
 
     >>> in_words("radius2", float("inf")), in_words("radius2", 1e-7)
     ('plane', 1e-07)
@@ -231,10 +244,10 @@ def in_words(name: str, value: float | str) -> float | str:
 
 
 def in_units(unit: str, values: Sequence[float], digits: int = ROUND_DIGITS, *, is_log: bool) -> tuple[list[str], str]:
-    """Return values as text, and their common unit; on a logarithmic scale it is empty if each has its own.
+    """Return the values of an axis as texts, and their common unit; it is empty if each text has its own unit.
 
-    Numbers on such a scale are written alike: with prefixes if all of them have one, otherwise all or none with an
-    exponent.
+    On a logarithmic scale the texts have the same form: all have a unit with a prefix, all have an exponent, or none
+    has one.
     >>> in_units("Hz", [1e9, 1e12], is_log=True), in_units("J", [1e-18, 1e-15], is_log=True)
     ((['1 GHz', '1 THz'], ''), (['1e-18', '1e-15'], 'J'))
     >>> in_units("1", [0.01, 1000.0], is_log=True), in_units("1", [1000.0, 2e6], is_log=True)
@@ -243,26 +256,40 @@ def in_units(unit: str, values: Sequence[float], digits: int = ROUND_DIGITS, *, 
     ((['10', '1000'], 'kg/m³'), (['-10', '0', '10'], 'nN'))
     """
     if not is_log:
-        largest = max(map(abs, values), default=0.0)
-        power = _power(largest, unit, 3)
-        scale = (*power_of_ten(power), ())
-        without_errors = [value if abs(value) > _ERRORS * largest else 0.0 for value in values]
-        return [significant(convert(value, scale), digits) for value in without_errors], pretty(_multiple(unit, power))
+        return _on_linear_scale(unit, values, digits)
+    texts = []
     if unit in WITH_PREFIXES and all(_power(value, unit, digits) in _ON_AXES for value in values):
-        with_prefixes = (engineering(value, unit, digits, _ON_AXES) for value in values)
-        return [f"{number} {pretty(shown)}" for number, shown in with_prefixes], ""
-    digits = min(digits, DIGITS)  # these are round, and may be large
+        for value in values:
+            number, multiple = engineering(value, unit, digits, _ON_AXES)
+            texts.append(f"{number} {pretty(multiple)}")
+        return texts, ""
+    digits = min(digits, DIGITS)  # without prefixes, six digits show round values in full
     texts = [significant(value, digits) for value in values]
-    if any("e" in text for text in texts):
+    if "e" in "".join(texts):
         texts = [_with_exponent(value, digits) for value in values]
     return texts, pretty(unit.removeprefix("1"))
 
 
+def _on_linear_scale(unit: str, values: Sequence[float], digits: int) -> tuple[list[str], str]:
+    """Return the values of a linear axis as texts, and the unit that suits the largest of them."""
+    largest = max(map(abs, values), default=0.0)
+    power = _power(largest, unit, 3)
+    scale = (*power_of_ten(power), ())
+    texts = []
+    for value in values:
+        exceeds_errors = abs(value) > _ERRORS * largest
+        texts.append(significant(convert(value if exceeds_errors else 0.0, scale), digits))
+    return texts, pretty(_multiple(unit, power))
+
+
 def _with_exponent(value: float, digits: int) -> str:
-    """Return a rounded number with an exponent; 0 without one."""
+    """Return a rounded number with an exponent; 0 has none."""
+    if not value:
+        return "0"
     mantissa, _, exponent = f"{value:.{digits - 1}e}".partition("e")
-    mantissa = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
-    return f"{mantissa}e{int(exponent)}" if value else "0"
+    if "." in mantissa:
+        mantissa = mantissa.rstrip("0").rstrip(".")
+    return f"{mantissa}e{int(exponent)}"
 
 
 def first_symbols(names: list[str]) -> str:
@@ -272,9 +299,10 @@ def first_symbols(names: list[str]) -> str:
 
 def symbol_among(name: str, inputs: Collection[str]) -> str:
     """Return the symbol of a quantity, without the index of sphere 1 if sphere 2 has no value of its own."""
-    quantity = NOMENCLATURE[name]
-    is_of_both = quantity.sphere == 1 and quantity.twin not in inputs and name != "radius"
-    return symbol_of(name).removesuffix("1") if is_of_both else symbol_of(name)
+    quantity, symbol = NOMENCLATURE[name], symbol_of(name)
+    if quantity.sphere == 1 and quantity.twin not in inputs and name != "radius":
+        return symbol.removesuffix("1")
+    return symbol
 
 
 def symbol_of(name: str) -> str:

@@ -1,13 +1,13 @@
-"""Laws of attraction between JKR and DMT, and the formula that each has for a quantity.
+"""Laws of attraction from JKR to DMT, and the formulas of each law.
 
 A law consists of tables of routes, from the name of a quantity to the formula that gives it: "pull_off_force" leads to
 "pull_off_force_maugis" under Maugis' law. A plan follows the routes wherever a name occurs, so quantities that depend
 on others (`n_grav` on the moment, `vertical_frequency` on the stiffness) need no route of their own. None marks a
-quantity that the law does not have; a name without a route has the formula of the same name. A formula that only one
-law routes to belongs to that law: another law would mix the two, so the formula is refused.
+quantity that the law does not have. A name without a route has the formula of the same name. A formula to which only
+one law has a route belongs to that law. Another law refuses it, since it would mix the two laws.
 
-The profile of body 1 is part of a law, too: JKR's contact of a true sphere is another `Law` than that of a paraboloid.
-Users choose it by the profile.
+The profile of body 1 is part of a law, too: JKR's law of a paraboloid and that of a true sphere are two `Law`s, between
+which the profile chooses.
 
 A new law needs a `Law` here, its formulas in `physics`, its reference in `write/references.toml`, the states of its
 force curve in `report.curve`, and the reasons for missing results in `model.reasons`. The nomenclature takes the names
@@ -28,7 +28,7 @@ PARABOLOID, SPHERE = PROFILES = ("paraboloid", "sphere")  # shapes of body 1
 
 
 class Law:
-    """A law of attraction, with tables of routes by the input that selects them, or `ALWAYS`."""
+    """A law of attraction. The key of a table of routes is the input with which the table applies, or `ALWAYS`."""
 
     def __init__(
         self,
@@ -102,9 +102,10 @@ _JKR = Law(
     omits=frozenset(_BY_LENNARD_JONES),
 )
 
-_PEAK_OF_JKR = ("impact_pressure", "touch_pressure", "yield_speed", "plastic_speed")  # by its energies
+_PEAK_OF_JKR = ("impact_pressure", "touch_pressure", "yield_speed", "plastic_speed")  # they follow from JKR's energies
 
-# For all laws but JKR: quantities that follow from the law's own force and radius, and those that only JKR has.
+# Routes of all laws but JKR: for quantities that follow from the law's own force and radius, and None for those that
+# only JKR has.
 _OUTSIDE_JKR: Routes = {
     "unloaded_moment": "unloaded_moment_of_radius",
     "yield_force": "yield_force_of_moment",
@@ -117,7 +118,7 @@ _OUTSIDE_JKR: Routes = {
     "displacement_limit": None,
     "viscosity_number": None,
     **dict.fromkeys(_PEAK_OF_JKR),
-    "sliding_force": None,  # over the contact or the zone of attraction? A factor of 6 for quartz of 100 nm
+    "sliding_force": None,  # over the contact or the zone of attraction? They differ 6 times for quartz of 100 nm
     "sliding_displacement": None,
     "sliding_energy": None,
     "twisting_moment": None,
@@ -245,9 +246,9 @@ def other_law(name: str) -> str:
 
 
 def law_given(model: str | None, profile: str | None = None) -> str | None:
-    """Return the name of the law for a model and a profile in any case; None for the default.
+    """Return the name of the law for a model and a profile, typed in any case; None for the default.
 
-    Raises BadRequest for unknown words, and for a sphere under a law other than JKR.
+    Raises BadRequest for unknown words, and for a true sphere under a law other than JKR.
     """
     name = None if model is None else _one_of(MODELS, "model", model)
     if profile is None or _one_of(PROFILES, "profile", profile) == PARABOLOID:
@@ -257,32 +258,33 @@ def law_given(model: str | None, profile: str | None = None) -> str | None:
     return JKR_OF_SPHERE
 
 
-def _one_of(words: Collection[str], what: str, word: str) -> str:
+def _one_of(words: Collection[str], option: str, word: str) -> str:
+    """Return a word in lower case; raise BadRequest if the option does not accept it."""
     if not isinstance(word, str) or word.casefold() not in words:
         guess = closest(str(word), words)
         meant = f"; did you mean {guess}?" if guess else ""
-        raise BadRequest(f"{what}: {quoted(str(word), 40)} is not one of {', '.join(words)}{meant}")
+        raise BadRequest(f"{option}: {quoted(str(word), 40)} is not one of {', '.join(words)}{meant}")
     return word.casefold()
 
 
 def tables_of(law: Law) -> list[tuple[str, Routes]]:
-    """Return all tables of routes of a law, each with the input that selects it; later tables override earlier ones."""
+    """Return all tables of routes of a law with their keys; later tables override earlier ones."""
     return [*_OF_EVERY_LAW.items(), *law.tables.items()]
 
 
 @cache
 def routes(model: str, known: frozenset[str]) -> Routes:
-    """Return the routes of a law for some known inputs."""
+    """Return the routes of a law that apply if some inputs are known."""
     formulas: dict[str, str | None] = {}
-    for given, table in tables_of(LAWS[model]):
-        if given == ALWAYS or given in known:
+    for key, table in tables_of(LAWS[model]):
+        if key == ALWAYS or key in known:
             formulas |= table
     return formulas
 
 
 @cache
 def routes_anywhere(models: tuple[str, ...] = tuple(LAWS)) -> Mapping[str, list[str]]:
-    """Return all formulas that some laws have for each quantity, for any inputs."""
+    """Return the formulas of some laws for each quantity, whatever inputs are known."""
     formulas: dict[str, list[str]] = {}
     for model in models:
         for _, table in tables_of(LAWS[model]):
@@ -294,7 +296,7 @@ def routes_anywhere(models: tuple[str, ...] = tuple(LAWS)) -> Mapping[str, list[
 
 @cache
 def law_of(formula: str) -> str | None:
-    """Return the only law that uses a formula for some quantity; None if there is none, or several."""
+    """Return the only law with a route to a formula; None if no law has one, or several have."""
     laws = [model for model in LAWS if formula in {*chain.from_iterable(routes_anywhere((model,)).values())}]
     return laws[0] if len(laws) == 1 else None
 

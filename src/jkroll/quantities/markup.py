@@ -1,6 +1,6 @@
-"""Symbols and formulas in texts: marked once, then shown as text on a terminal and as TeX in pictures.
+"""Symbols and formulas in texts: unchanged on a terminal, typeset in pictures and in LaTeX.
 
-Mathematics is enclosed in ⟦ and ⟧, in the notation of the nomenclature: "⟦P_c = 3πγR⟧ with ⟦R = R1/2⟧".
+The marks ⟦ and ⟧ enclose them, in the notation of the nomenclature: "⟦P_c = 3πγR⟧ with ⟦R = R1/2⟧".
 """
 
 import re
@@ -13,12 +13,13 @@ from .units import SUPERSCRIPTS
 
 _SUPERSCRIPTS = "".join(map(chr, SUPERSCRIPTS))
 _FORMULA = re.compile("⟦([^⟦⟧]*)⟧")
-# A letter with its subscript and a star, "P_c", "R1", "E*"; an exponent, "m²", "â^(3/2)"; a number; an operator.
+# A letter with its subscript and a star, as P_c, R1 and E*; an exponent, as in m² and â^(3/2); a number; an operator.
 _TOKEN = re.compile(
     rf"log₁₀|(?P<letter>[A-Za-zΑ-Ωα-ωâ])(?:_(?P<word>[A-Za-z]+|[α-ω])|(?P<index>_?\d+))?(?P<star>\*?)"
     rf"|(?P<exponent>[{_SUPERSCRIPTS}]+)|\^\((?P<power>[^)]*)\)|[\d.]+|[-+−/·=<>≤()⟨⟩√]"
 )
-# A formula in a sentence: a root, the argument of artanh, or a word of one letter or with a sign that no other has.
+# A formula in a sentence: a root; the argument of artanh; a word with a Greek letter or one of the signs _, ^ and *; a
+# single letter, perhaps with a digit.
 _IN_SENTENCE = re.compile(
     r"2?√\([^()]*\)|(?<=artanh)\([^()]*\)|(?<!\S)(?:(?=[^\s,]*[_^*α-ω])|(?=[A-Za-z]\d?(?![^\s,]))(?!a ))[^\s,]+"
 )
@@ -31,25 +32,27 @@ _SIGNS = {
     "log₁₀": r"\mathrm{log}_{10}",
 }
 _LETTERS = {"â": r"\hat{a}", "π": r"\mathrm{π}"}
-_GREEK = {letter: name for name, letter in LETTERS.items() if "Α" <= letter <= "ω"} | {"µ": "mu"}
-_COMMANDS = {ord(letter): rf"{{\{name}}}" for letter, name in _GREEK.items()}
-_COMMANDS |= {ord("√"): r"{\surd}", ord("±"): r"{\pm}"}
-_ESCAPED = {
+_COMMANDS = {"√": r"{\surd}", "±": r"{\pm}", "µ": r"{\mu}"}  # of mathematics in LaTeX, by sign
+_COMMANDS |= {letter: rf"{{\{name}}}" for name, letter in LETTERS.items() if "Α" <= letter <= "ω"}
+_ESCAPED = {  # signs in words of LaTeX
     **{sign: f"${command}$" for sign, command in _COMMANDS.items()},
-    **{ord(sign): f"$^{{{sign.translate(SUPERSCRIPTS)}}}$" for sign in _SUPERSCRIPTS},
-    **{ord(sign): rf"\{sign}" for sign in "&%$#_{}"},
-    **{ord(sign): f"${command}$" for sign, command in (("≈", r"\approx"), ("≥", r"\geq"), ("≤", r"\leq"))},
-    ord(NO_BREAK_SPACE): "~",
-    ord("\\"): r"\textbackslash{}",
-    ord("~"): r"\textasciitilde{}",
-    ord("^"): r"\textasciicircum{}",
+    **{sign: f"$^{{{sign.translate(SUPERSCRIPTS)}}}$" for sign in _SUPERSCRIPTS},
+    **{sign: rf"\{sign}" for sign in "&%$#_{}"},
+    "≈": r"$\approx$",
+    "≥": r"$\geq$",
+    "≤": r"$\leq$",
+    NO_BREAK_SPACE: "~",
+    "\\": r"\textbackslash{}",
+    "~": r"\textasciitilde{}",
+    "^": r"\textasciicircum{}",
 }
+_IN_LATEX_FORMULAS, _IN_LATEX_WORDS = str.maketrans(_COMMANDS), str.maketrans(_ESCAPED)
 _POWER_OF_TEN = re.compile(r"(?<=\d)e([+-]?\d+)")
-_JOINED = re.compile(r" (?=[=<>\[])|(?<=[=<>]) ")  # spaces where no line may break: "P = 0 N", "P [nN]"
+_JOINED = re.compile(r" (?=[=<>\[])|(?<=[=<>]) ")  # spaces at which no line breaks, as in "P = 0 N" and "P [nN]"
 
 
 def symbol(name: str) -> str:
-    """Return the symbol of a quantity, marked as a formula; for a word unmarked.
+    """Return the symbol of a quantity, marked as a formula unless the quantity is a word.
 
     >>> symbol("pull_off_force")
     '⟦P_c⟧'
@@ -59,7 +62,7 @@ def symbol(name: str) -> str:
 
 
 def marked(sentence: str) -> str:
-    """Return a sentence of the nomenclature with its formulas marked.
+    """Return a sentence of the nomenclature with marks around its formulas.
 
     >>> marked("pull-off force over πwR"), marked("w of opening less of closing"), marked("√(1 + P/P_c) at the load")
     ('pull-off force over ⟦πwR⟧', '⟦w⟧ of opening less of closing', '⟦√(1 + P/P_c)⟧ at the load')
@@ -82,41 +85,49 @@ def typeset(text: str) -> str:
     >>> typeset("⟦P_c⟧ at ⟦R1²/ξ⟧ = -5 m⁻¹"), typeset("1e6 to 1.5e7")
     ('$P_{\\mathrm{c}}$ at $R_{1}^{2}/ξ$ = −5 m$^{-1}$', '$10^{6}$ to 1.5·$10^{7}$')
     """
+    return _converted(text, _typeset_words, str)
 
-    def typeset_words(words: str) -> str:
-        words = re.sub(r"(?<![\w.])-(?=[\d.])", "−", words).replace("$", r"\$")
-        words = re.sub(r"\b1e(-?\d+)", r"$10^{\1}$", words)
-        words = _POWER_OF_TEN.sub(r"·$10^{\1}$", words)
-        return re.sub(f"[{_SUPERSCRIPTS}]+", lambda match: f"$^{{{match[0].translate(SUPERSCRIPTS)}}}$", words)
 
-    return _converted(text, typeset_words, str)
+def _typeset_words(words: str) -> str:
+    words = re.sub(r"(?<![\w.])-(?=[\d.])", "−", words).replace("$", r"\$")
+    words = re.sub(r"\b1e(-?\d+)", r"$10^{\1}$", words)
+    words = _POWER_OF_TEN.sub(r"·$10^{\1}$", words)
+    return re.sub(f"[{_SUPERSCRIPTS}]+", lambda match: f"$^{{{match[0].translate(SUPERSCRIPTS)}}}$", words)
 
 
 def as_latex(text: str) -> str:
-    r"""Return a text for LaTeX: formulas, Greek letters and exponents as commands, the rest escaped.
+    r"""Return a text for LaTeX, with commands for formulas, Greek letters and exponents, and all else escaped.
 
     >>> as_latex("radius & ⟦R_c⟧ is 1 µm; ⟦γ⟧ is 2.5e-05 J/m²")
     'radius \\& $R_{\\mathrm{c}}$ is 1~${\\mu}$m; ${\\gamma}$ is 2.5${\\times}10^{-5}$~J/m$^{2}$'
     """
-
-    def escaped_words(words: str) -> str:
-        escaped = with_units_joined(words).translate(_ESCAPED)
-        return _POWER_OF_TEN.sub(lambda match: rf"${{\times}}10^{{{int(match[1])}}}$", escaped)
-
-    return _converted(text, escaped_words, lambda formula: formula.translate(_COMMANDS))
+    return _converted(text, _words_in_latex, _formula_in_latex)
 
 
-def _converted(text: str, words: Callable[[str], str], formula: Callable[[str], str]) -> str:
+def _words_in_latex(words: str) -> str:
+    escaped = with_units_joined(words).translate(_IN_LATEX_WORDS)
+    return _POWER_OF_TEN.sub(lambda match: rf"${{\times}}10^{{{int(match[1])}}}$", escaped)
+
+
+def _formula_in_latex(mathtext: str) -> str:
+    return mathtext.translate(_IN_LATEX_FORMULAS)
+
+
+def _converted(text: str, of_words: Callable[[str], str], of_formula: Callable[[str], str]) -> str:
     """Return a text with one function applied to its words, and another to its formulas in mathtext."""
-    pieces = _FORMULA.split(text)  # words and formulas alternate
-    pieces[::2] = map(words, pieces[::2])
-    formulas = ("".join(map(_token, _TOKEN.finditer(piece))) for piece in pieces[1::2])
-    pieces[1::2] = (f"${formula(mathtext)}$" if mathtext else "" for mathtext in formulas)
-    return "".join(pieces)
+    converted = []
+    for number, piece in enumerate(_FORMULA.split(text)):
+        if number % 2 == 0:  # words and formulas alternate
+            converted.append(of_words(piece))
+            continue
+        mathtext = "".join(map(_token, _TOKEN.finditer(piece)))
+        if mathtext:
+            converted.append(f"${of_formula(mathtext)}$")
+    return "".join(converted)
 
 
 def lines(text: str, letters: int) -> list[str]:
-    """Return a text as typeset lines of limited length, never broken within a formula or before a unit."""
+    """Return a text as typeset lines of limited length; none breaks within a formula or before a unit."""
     joined = _FORMULA.sub(lambda match: match[0].replace(" ", NO_BREAK_SPACE), with_units_joined(text))
     joined = _JOINED.sub(NO_BREAK_SPACE, joined)
     return [*map(typeset, wrap(joined, letters, break_long_words=False, break_on_hyphens=False))]
@@ -129,6 +140,12 @@ def _token(match: re.Match[str]) -> str:
         return f"^{{{(exponent or power).translate(SUPERSCRIPTS)}}}"
     if not letter:
         return _SIGNS.get(match[0], match[0])
-    subscript = rf"\mathrm{{{word}}}" if word and word.isascii() else word or (index or "").lstrip("_")
-    indexed = _LETTERS.get(letter, letter) + (f"_{{{subscript}}}" if subscript else "")
-    return indexed + ("{}^{*}" if star else "")  # apart from the slanted letter, to avoid a gap
+    subscript = word or (index or "").lstrip("_")
+    if word and word.isascii():
+        subscript = rf"\mathrm{{{word}}}"
+    mathtext = _LETTERS.get(letter, letter)
+    if subscript:
+        mathtext += f"_{{{subscript}}}"
+    if star:
+        mathtext += "{}^{*}"  # on an empty base, since mathtext puts a gap before a star on a slanted letter
+    return mathtext

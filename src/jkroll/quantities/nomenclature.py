@@ -164,10 +164,10 @@ OF_WATER: Mapping[str, Quantity] = {
 
 # --- All quantities ---------------------------------------------------------------------------------------------------
 
-# Inputs that replace the properties of two spheres. No hint offers them, since users with spheres know their radii.
+# Inputs that replace the properties of two spheres. No hint offers them, since users know the radii of their spheres.
 OF_THE_PAIR = ("reduced_radius", "contact_modulus")
 
-# Inputs that set the state of the contact; without them it follows from the load.
+# Inputs that set the state of the contact; without them the state follows from the load.
 STATE = frozenset({"approach_at_load", "load_factor", "load_margin", "edge_ratio"})
 STATE_OR_LOAD = STATE | {"load"}
 
@@ -175,7 +175,7 @@ STATE_OR_LOAD = STATE | {"load"}
 def _of_both(
     name: str, symbol: str, unit: str, sentence: str, equation: str = "", option: str = "", **more: Any
 ) -> dict[str, Quantity]:
-    """Return a quantity of sphere 1, and the same of sphere 2."""
+    """Return a quantity of sphere 1 and its twin of sphere 2, by name."""
     symbol2, sentence2 = symbol.replace("1", "2"), sentence.replace(" of sphere 1", "") + " of sphere 2"
     option2 = option and f"{option}2"
     return {
@@ -406,15 +406,16 @@ _QUANTITIES: Mapping[str, Quantity] = {
     **OF_CURVES,
 }  # fmt: skip
 
-# A law's own formula for a quantity has its own name: it is the same quantity, but without an equation in the paper.
-_BY_A_LAW = {
-    route: Quantity(
-        quantity.symbol, quantity.unit, quantity.sentence, may_be_zero=quantity.may_be_zero, variant_of=name
-    )
-    for name, quantity in _QUANTITIES.items()
-    for route in routes_anywhere().get(name, ())
-    if route not in _QUANTITIES
-}
+
+def _variants() -> dict[str, Quantity]:
+    """Return a variant of a quantity for each law's own formula, by name; the paper has no equation for it."""
+    variants = {}
+    for name, quantity in _QUANTITIES.items():
+        symbol, unit, sentence, may_be_zero = quantity.symbol, quantity.unit, quantity.sentence, quantity.may_be_zero
+        for route in routes_anywhere().get(name, ()):
+            if route not in _QUANTITIES:
+                variants[route] = Quantity(symbol, unit, sentence, may_be_zero=may_be_zero, variant_of=name)
+    return variants
 
 
 def read_only(mapping: Mapping[str, Any]) -> MappingProxyType[str, Any]:
@@ -423,11 +424,11 @@ def read_only(mapping: Mapping[str, Any]) -> MappingProxyType[str, Any]:
 
 
 copyreg.pickle(MappingProxyType, lambda mapping: (read_only, (dict(mapping),)))  # it cannot be pickled without this
-NOMENCLATURE: Mapping[str, Quantity] = read_only({**_QUANTITIES, **_BY_A_LAW})
+NOMENCLATURE: Mapping[str, Quantity] = read_only({**_QUANTITIES, **_variants()})
 
 
 def of_sphere(sphere: int, name: str) -> str:
-    """Return a quantity of one sphere as that of sphere 1 or 2; other names unchanged.
+    """Return the same quantity of sphere 1 or 2; a quantity of no single sphere is returned unchanged.
 
     >>> of_sphere(2, "density"), of_sphere(1, "density2"), of_sphere(2, "load")
     ('density2', 'density', 'load')
@@ -436,16 +437,16 @@ def of_sphere(sphere: int, name: str) -> str:
     return name if quantity is None or quantity.sphere in (0, sphere) else quantity.twin
 
 
-# The names of inputs by the words of their options.
+# The names of inputs, by the words of their options.
 OPTION_WORDS = {
     quantity.option[2:].replace("-", "_"): name for name, quantity in NOMENCLATURE.items() if quantity.option
 }
 
 
 def as_input(word: str) -> str:
-    """Return the name of an input for a word: "approach" means the option here, and otherwise a result.
+    """Return the name of the input that a word means; "approach" is the option here, elsewhere it is a result.
 
-    Raises BadRequest for R: here it is the reduced radius, elsewhere often the radius of a sphere.
+    Raises BadRequest for R, which is the reduced radius here, but often the radius of a sphere.
     >>> as_input("approach"), as_input("radius")
     ('approach_at_load', 'radius')
     """
@@ -456,7 +457,7 @@ def as_input(word: str) -> str:
     return OPTION_WORDS.get(name, name if name in NOMENCLATURE else word)
 
 
-XI = "yield_displacement"  # it determines all rolling quantities
+XI = "yield_displacement"  # all rolling quantities depend on it
 
 # Inputs that are converted to others before formulas use them: R = D/2, E = 2G(1 + ν).
 CONVERTED = {
@@ -468,7 +469,7 @@ CONVERTED = {
 
 
 def computed_as(name: str) -> str:
-    """Return the input that an input is converted to; any other name unchanged.
+    """Return the input to which an input is converted, or any other name unchanged.
 
     >>> computed_as("diameter2"), computed_as("load")
     ('radius2', 'load')
@@ -481,7 +482,7 @@ PROPERTIES = ("surface_energy", "youngs_modulus", "poisson_ratio", "density")
 
 
 def bracketed(unit: str) -> str:
-    """Return a unit in brackets, to follow a name or a symbol; empty for a number or a word."""
+    """Return a unit in brackets to follow a name or a symbol; empty for the unit of a bare number or a word."""
     return "" if unit in ("", "1") else f" [{unit}]"
 
 
@@ -516,11 +517,10 @@ def named(word: str, names: Collection[str] = NOMENCLATURE) -> str:
 
 
 def with_symbol(word: str, names: Collection[str] = NOMENCLATURE) -> list[str]:
-    """Return the quantities among `names` that have a symbol.
+    """Return the quantities among `names` that have a word as their symbol.
 
-    The symbol is searched as printed; if there is none, in any case, with Greek letters spelt out, and without
-    underscores and spaces. The index of sphere 1 may be left out. Variants are skipped, since they share the symbol of
-    their quantity.
+    If no symbol is equal to the word, letter case, underscores and spaces are ignored and Greek letters may be spelt
+    out. The index of sphere 1 may be left out. Variants are skipped, since they share the symbol of their quantity.
     """
     symbols = {name: NOMENCLATURE[name].symbol for name in names if not NOMENCLATURE[name].variant_of}
     for spelling_of in (str, _plain_spelling):
@@ -536,15 +536,15 @@ def _plain_spelling(symbol: str) -> str:
     return ascii_text(symbol.casefold()).replace("_", "").replace(" ", "")
 
 
-# Least similarity of a mistyped name: "moment" matches "yield_moment", but "restitution" not "friction".
+# Least similarity of a mistyped name: "moment" matches "yield_moment", but "restitution" does not match "friction".
 ALIKE = 0.65
 
 
 def nearest(word: str) -> str | None:
-    """Return the quantity that a word probably means; None if there is none.
+    """Return the quantity that a word probably means; None if no quantity is similar.
 
-    It is the quantity with this symbol, with or without the index of sphere 1; else with this synonym; else the first
-    one whose name begins with the word; else the one with the most similar name or option.
+    The first rule that gives a quantity decides: the word is its symbol, with or without the index of sphere 1; the
+    word is its synonym; its name begins with the word; its name or its option is most similar to the word.
     """
     meanings = {**OPTION_WORDS, **QUANTITY_SYNONYMS, **{name: name for name in NOMENCLATURE}}
     name = word.strip().lstrip("-").replace("-", "_").replace(" ", "_").casefold()

@@ -1,4 +1,4 @@
-"""Results that act as numbers: arithmetic, comparison, formats, units, and numpy's functions."""
+"""Results that act as numbers: in arithmetic, comparisons and formats, in other units, and in numpy's functions."""
 
 import operator
 from collections.abc import Callable
@@ -37,7 +37,7 @@ def _backward(operation: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]
 
 
 class Numeric:
-    """A quantity that acts as its number in SI units, with the uncertainty where that makes sense.
+    """A quantity that acts as its number in SI units, with its uncertainty in arithmetic.
 
     `float` and numpy's functions use the bare number.
     """
@@ -48,18 +48,18 @@ class Numeric:
 
     @property
     def measure(self) -> float | Uncertain | None:
-        """The value, with its uncertainty if it has one; None if there is none."""
+        """The value, with its uncertainty if it has one; None without a value."""
         raise NotImplementedError
 
     @property
     def number(self) -> Any:
-        """`measure`, but raises NoValue if there is none."""
+        """The value, as in `measure`; raises NoValue without a value."""
         if self.measure is None:
             raise NoValue(self.name, f"{self.reason}; .best has its range" if self.best else self.reason)
         return self.measure
 
     def to(self, unit: str) -> Any:
-        """Return the number in another unit, with its uncertainty. Raises QuantityError.
+        """Return the number in another unit, with its uncertainty; raise QuantityError for an unsuitable unit.
 
         A result of 11.78 nN gives 11.78 for "nN" and 0.01178 for "uN".
         """
@@ -124,5 +124,5 @@ class Numeric:
 
 
 def number_in(value: Any) -> Any:
-    """Return the number of a result; any other value unchanged."""
+    """Return the number of a result, or any other value unchanged."""
     return value.number if isinstance(value, Numeric) else value

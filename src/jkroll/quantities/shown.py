@@ -19,7 +19,7 @@ Part = str | Rows  # a line, or a table
 
 
 class Shown:
-    """An object with lines and tables for notebooks; `print` shows them as on a terminal."""
+    """An object that a notebook shows as lines and tables; `print` shows them as on a terminal."""
 
     def _parts(self) -> Iterable[Part]:
         """Return the lines and tables."""
@@ -56,32 +56,44 @@ def as_text(parts: Iterable[Part]) -> str:
 
 def as_html(parts: Iterable[Part]) -> str:
     """Return lines and tables as HTML."""
-    texts = (f"<p>{escape(part)}</p>" if isinstance(part, str) else html_table([*part[0], *part[1]]) for part in parts)
+    texts = []
+    for part in parts:
+        texts.append(f"<p>{escape(part)}</p>" if isinstance(part, str) else html_table(_joined(part)))
     return "\n".join(["<div>", *texts, "</div>"])
 
 
 def as_tabular(parts: Iterable[Part]) -> str:
-    """Return lines and tables as LaTeX: paragraphs, and tables with symbols in mathematics."""
-    texts = (as_latex(part) if isinstance(part, str) else _tabular([*part[0], *part[1]]) for part in parts)
+    """Return lines and tables as LaTeX: paragraphs, and tables with their symbols as formulas."""
+    texts = []
+    for part in parts:
+        texts.append(as_latex(part) if isinstance(part, str) else _tabular(_joined(part)))
     return "\n\n".join(texts)
 
 
+def _joined(table: Rows) -> list[TextColumn]:
+    """Return all columns of a table."""
+    leading, others = table
+    return [*leading, *others]
+
+
 def _tabular(columns: Sequence[TextColumn]) -> str:
+    """Return columns as a table of LaTeX."""
     cells = []
     for column in columns:
-        cells.append([f"⟦{text}⟧" for text in column.cells] if column.head == "symbol" else column.cells)
-    heads = " & ".join(as_latex(column.head) for column in columns)
-    rows = (" & ".join(map(as_latex, row)) for row in zip(*cells, strict=True))
-    form = "".join("r" if column.is_right else "l" for column in columns)
-    lines = [rf"{line} \\" for line in (heads, *rows)]
-    return "\n".join([rf"\begin{{tabular}}{{{form}}}", lines[0], r"\hline", *lines[1:], r"\end{tabular}"])
+        texts = [column.head, *column.cells]
+        if column.head == "symbol":
+            texts[1:] = [f"⟦{text}⟧" for text in column.cells]
+        cells.append([*map(as_latex, texts)])
+    head, *rows = [" & ".join(row) + r" \\" for row in zip(*cells, strict=True)]
+    alignment = "".join("r" if column.is_right else "l" for column in columns)
+    return "\n".join([rf"\begin{{tabular}}{{{alignment}}}", head, r"\hline", *rows, r"\end{tabular}"])
 
 
 # --- Cells ------------------------------------------------------------------------------------------------------------
 
 
 def cell(value: Value, unit: tuple[str, Unit], form: Format) -> str:
-    """Return a value in a unit; without an uncertainty it has four digits including zeros."""
+    """Return a value as text in a unit; without an uncertainty it has four digits, with trailing zeros."""
     if value is None or isinstance(value, str):
         return value or "–"
     if isinstance(value, Interval):
@@ -93,10 +105,11 @@ def cell(value: Value, unit: tuple[str, Unit], form: Format) -> str:
 
 
 def columns_of(name: str, values: Mapping[str, Sequence[Value]], form: Format) -> list[TextColumn]:
-    """Return the columns of values of a quantity, given by headers, in a unit that suits them all."""
+    """Return columns of values of a quantity in a common unit. `values`: by the head of the column."""
     unit = form.common_unit(name, [*chain.from_iterable(values.values())])
-    in_unit, is_right = f" [{unit[0]}]" if unit[0] else "", not NOMENCLATURE[name].is_word
-    return [
-        TextColumn(f"{head}{in_unit}", [cell(value, unit, form) for value in each], is_right)
-        for head, each in values.items()
-    ]
+    in_unit = f" [{unit[0]}]" if unit[0] else ""
+    columns = []
+    for head, of_column in values.items():
+        cells = [cell(value, unit, form) for value in of_column]
+        columns.append(TextColumn(f"{head}{in_unit}", cells, is_right=not NOMENCLATURE[name].is_word))
+    return columns

@@ -1,13 +1,13 @@
-"""Synonyms of quantities in other programs and languages, without accents."""
+"""Names of quantities in other programs and languages, without accents."""
 
 from typing import NamedTuple
 
 
 class Words(NamedTuple):
-    """Words for a quantity, separated by blanks."""
+    """Other names of a quantity, separated by blanks."""
 
-    certain: str = ""  # headers with these words are read
-    likely: str = ""  # these words may also mean something else
+    certain: str = ""  # headers with these names are read
+    likely: str = ""  # names that may also mean something else
 
 
 WORDS_OF_OTHERS = {

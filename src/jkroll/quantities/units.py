@@ -1,8 +1,8 @@
 """Units: names with powers as exact ratios to the SI base units, and conversion of numbers between them.
 
 A unit has at most eight names with integer powers. pint never sees a user's text: it is asked only for the meaning of
-a single, validated name that is not in the table below. Names in the table have pint's meaning, except those that
-differ between versions of pint: these are in the table, or refused.
+a single, validated name that is not in the table below. Names in the table have pint's meaning. Names that mean
+different units in different versions of pint are defined in the table, or refused.
 """
 
 import re
@@ -18,7 +18,7 @@ MAX_TEXT = 80
 MAX_TERMS = 8
 MAX_NAME = 24
 MAX_POWER = 12
-MAX_FACTOR = 10**100  # between two units; doubles then hold all results
+MAX_FACTOR = 10**100  # largest factor between a unit and the SI unit, so that doubles hold all results
 SIMILAR = 0.5  # least similarity of a suggested unit
 
 Dimension = tuple[int, ...]  # powers of BASE_UNITS
@@ -109,21 +109,21 @@ PLAIN = _by_name({
 class BadUnit(Exception):
     """Error raised for a text that is not a unit, or not a number with a unit.
 
-    Its message continues after the quoted text: "has no unit".
+    Its message is a phrase to follow the quoted text: "has no unit".
     """
 
     def __init__(self, words: str, instead: str = "", unknown: str = "") -> None:
-        """`instead`: what to type, if the text suggests it; `unknown`: an unknown name that is the whole unit."""
+        """`instead`: what to type instead, if known; `unknown`: the text of the unit, if it is one unknown name."""
         super().__init__(words)
         self._instead, self._unknown = instead, unknown
 
     def remedy(self, dimensions: Collection[Dimension]) -> str:
-        """Return what to type instead, as a unit of one of these dimensions; "" if the text does not suggest it."""
+        """Return what to type instead, or a similar unit of one of these dimensions; empty if neither is known."""
         guess = similar_unit(self._unknown, frozenset(dimensions)) if self._unknown else None
         return f"did you mean {guess}?" if guess else self._instead
 
 
-# Characters with the same meaning as one of ours. Other characters outside the grammar are refused.
+# Characters that mean the same as one of the grammar. Other characters outside the grammar are refused.
 _SAME = str.maketrans(
     {"−": "-", "·": "*", "⋅": "*", "×": "*", "∕": "/", "⁄": "/", "μ": "u", "µ": "u"}
     | dict.fromkeys("\t\u00a0\u2009\u200a\u202f\u2002\u2003\u2007\u2008", " ")
@@ -136,7 +136,7 @@ _MICRO_INSIDE = r"[A-Za-zÅ][µμ]"  # mµm once meant the nanometre, but pint r
 
 
 def normalized(text: str) -> str:
-    """Return a text with uniform signs, spaces and letters; raise BadUnit if it is long or has µ within a unit."""
+    """Return a text with uniform signs, spaces and letters; raise BadUnit if it is too long or has a µ in a unit."""
     if len(text) > MAX_TEXT:
         raise BadUnit(f"is longer than {MAX_TEXT} characters")
     if ("µ" in text or "μ" in text) and re.search(_MICRO_INSIDE, text):
@@ -146,7 +146,7 @@ def normalized(text: str) -> str:
 
 @lru_cache(maxsize=1000)
 def parse_unit(text: str) -> Unit:
-    """Read unit names with integer powers, joined by `*`, `/` or a space.
+    """Return the unit of a text: names with integer powers, joined by `*`, `/` or a space.
 
     >>> parse_unit("mJ/m2")
     (1, 1000, (1, 0, -2, 0, 0, 0, 0, 0))
@@ -187,7 +187,7 @@ def _kinds() -> dict[Dimension, str]:
 
 
 def convert(value: float, unit: Unit) -> float:
-    """Express an SI value in another unit, rounded once.
+    """Return an SI value in another unit, rounded once.
 
     >>> convert(0.25, parse_unit("mN"))
     250.0
@@ -214,10 +214,12 @@ def exponent_of(unit: Unit) -> int | None:
     numerator, denominator, _ = unit
     common = gcd(numerator, denominator)
     above, below = str(numerator // common), str(denominator // common)
-    return len(above) - len(below) if above.rstrip("0") == below.rstrip("0") == "1" else None
+    if above.rstrip("0") == below.rstrip("0") == "1":
+        return len(above) - len(below)
+    return None
 
 
-@lru_cache(maxsize=1000)  # many cells of a table may share a mistake
+@lru_cache(maxsize=1000)  # many cells of a table may have the same mistake
 def similar_unit(word: str, dimensions: frozenset[Dimension]) -> str | None:
     """Return the unit of one of these dimensions that a mistyped word probably means; None if there is none.
 
@@ -231,14 +233,14 @@ def similar_unit(word: str, dimensions: frozenset[Dimension]) -> str | None:
     known = {**PREFIXABLE, **PLAIN}
     for unit, meaning in PREFIXABLE.items():
         for prefix in PREFIXES:
-            if (len(prefix) > 2) == (len(unit) > 3):  # symbols take symbols, words take words
+            if (len(prefix) > 2) == (len(unit) > 3):  # a prefix and a unit are both symbols or both words
                 known[prefix + unit] = meaning
     fitting = [unit for unit, (_, _, dimension) in known.items() if dimension in dimensions]
     return closest(word, fitting, SIMILAR)
 
 
 def _terms(text: str) -> list[Term]:
-    """Split the text of a unit into names and powers."""
+    """Return the names and powers in the text of a unit."""
     if text.isascii() and text.isalpha():  # the usual case
         return [(text, 1)]
     for mark in ("**", "^", "*", "/"):
@@ -248,8 +250,9 @@ def _terms(text: str) -> list[Term]:
         before, _, after = below.partition(" ")
         before, after = shown(f"{above}/{before}"), shown(after)
         raise BadUnit(f"can be read as {before}*{after} or as {before}/{after}", "write the one that is meant")
-    is_reciprocal = above == "1" and slash
-    terms = [_term(name) for name in above.replace(" ", "*").split("*")] if above and not is_reciprocal else []
+    terms: list[Term] = []
+    if above and not (above == "1" and slash):
+        terms += map(_term, above.replace(" ", "*").split("*"))
     for divisor in below.split("/") if slash else ():
         (name, power), *others = map(_term, divisor.split("*"))
         terms += [(name, -power), *others]
@@ -259,7 +262,7 @@ def _terms(text: str) -> list[Term]:
 
 
 def _term(text: str) -> Term:
-    """Read a name with its power, if any: m2, m^2, m²."""
+    """Return a name and its power, which is 1 if none follows: m2, m^2, m²."""
     name = text.rstrip(_OF_POWERS).removesuffix("^")
     stated = text[len(name) :].removeprefix("^") if name != text else "1"
     power = stated.translate(SUPERSCRIPTS)
@@ -277,11 +280,12 @@ def _product(terms: Sequence[Term]) -> Unit:
     for name, power in terms:
         unit = _in_table(name) or lookup(name)
         if unit is None:
-            raise BadUnit(f"has an unknown unit {quoted(name)}", unknown=name if terms == [(name, 1)] else "")
+            is_whole = terms == [(name, 1)]
+            raise BadUnit(f"has an unknown unit {quoted(name)}", unknown=name if is_whole else "")
         above, below, powers = unit
         up, down = (above, below) if power > 0 else (below, above)
         numerator, denominator = numerator * up ** abs(power), denominator * down ** abs(power)
-        dimension = tuple(map(add, dimension, (power * exponent for exponent in powers)))
+        dimension = tuple(map(add, dimension, [power * exponent for exponent in powers]))
     if max(numerator, denominator) > MAX_FACTOR * min(numerator, denominator):
         raise BadUnit("has a unit beyond 1e-100 to 1e100 of that of the SI")
     return numerator, denominator, dimension
@@ -304,7 +308,7 @@ def _in_table(name: str) -> Unit | None:
 # --- Names of pint ----------------------------------------------------------------------------------------------------
 
 _DIGITS = 60
-# Units, by pint's names, that differ between its versions 0.24.4 to 0.26.2. Some of them are in the table.
+# pint's names of units that differ between its versions 0.24.4 and 0.26.2. The table has some of these units.
 _UNLIKE = frozenset(
     """acre acre_foot angstrom_star apothecary_dram atomic_mass_constant atomic_unit_of_current
     atomic_unit_of_electric_field atomic_unit_of_force atomic_unit_of_intensity atomic_unit_of_temperature
@@ -314,7 +318,7 @@ _UNLIKE = frozenset(
     proton_mass quarter rod rydberg rydberg_constant square_league square_rod thomson_cross_section
     unified_atomic_mass_unit unit_pole vacuum_permeability vacuum_permittivity x_unit_Cu x_unit_Mo""".split()
 )
-# Excluded names: the astronomical unit, the grain and the short ton; and lengths, since (rod) or (chain) is an object.
+# Excluded names: the astronomical unit, the grain and the short ton; and lengths whose names are objects: rod, chain.
 _OTHER_WORDS = frozenset(
     """au ch gr ton tons chain chains hand hands link links perch point points pole poles rod rods bp fur li pp rd sft
     smi th""".split()
@@ -323,7 +327,7 @@ _OTHER_WORDS = frozenset(
 
 @cache
 def _registry() -> Any:
-    """Return pint's default registry with decimals; it keeps factors with the precision first asked for."""
+    """Return pint's default registry with decimals. It caches each factor with the precision of its first use."""
     from decimal import Decimal
 
     import pint
@@ -333,12 +337,12 @@ def _registry() -> Any:
 
 @lru_cache(maxsize=1000)
 def lookup(name: str) -> Unit | None:
-    """Return pint's meaning of a unit name; None for a long name, or if pint has no simple factor for it.
+    """Return pint's meaning of a unit name; None for a long name, or a unit without a simple factor to the SI unit.
 
-    Temperatures with an offset, logarithmic units and units outside the SI (a bit, a dollar) have none. Readings that
-    nobody intends are excluded: a prefix before a speed (kmph is not a kilo-mile per hour), the yarn count Nm, the px
-    of a screen, and words with another meaning in this field or for most people. So are units that depend on the
-    version of pint.
+    Temperatures with an offset, logarithmic units and units outside the SI (a bit, a dollar) have no such factor. Some
+    meanings are excluded because nobody intends them: a prefix before a speed (kmph is not a kilo-mile per hour), the
+    yarn count Nm, the px of a screen, and words with another meaning in this field or for most people. Units that
+    depend on the version of pint are excluded, too.
     >>> lookup("nm")
     (1, 1000000000, (0, 1, 0, 0, 0, 0, 0, 0))
     """
@@ -356,7 +360,8 @@ def lookup(name: str) -> Unit | None:
         is_plural_of_symbol = symbol != unit_name and name.endswith(symbol + "s")  # GPas is not a unit of pressure
         try:
             unit = exact.Unit(prefix + unit_name)
-            zero, one = (exact.Quantity(Decimal(value), unit).to_root_units() for value in (0, 1))
+            zero = exact.Quantity(Decimal(0), unit).to_root_units()
+            one = exact.Quantity(Decimal(1), unit).to_root_units()
         except Exception:  # logarithmic units fail in their own ways; none has a simple factor
             return None
         powers = {str(base): power for base, power in one.unit_items()}

@@ -1,12 +1,13 @@
 """Texts of users as SI numbers: a strict grammar and exact arithmetic.
 
-A text is one decimal number and a unit; nothing else is accepted. A value is computed as a ratio of integers and
-rounded to a double once. It may have an uncertainty, as in 25±5 mJ/m2, 25(5) mJ/m2, 25 mJ/m2 ± 20% and 20 to 30 mJ/m2.
-There are also lists and ranges of values: "1nm,1um" and "1nm:1um:50".
+A text is one decimal number and a unit. A value is computed as a ratio of integers and rounded to a double once. It
+may have an uncertainty, as in 25±5 mJ/m2, 25(5) mJ/m2, 25 mJ/m2 ± 20% and 20 to 30 mJ/m2. A text may also be a list or
+a range of values, as in 1nm,1um and 1nm:1um:50.
 """
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from functools import partial
 from importlib import import_module
 from math import isnan, nan
@@ -35,10 +36,10 @@ NO_UNIT = "has no unit"
 
 
 class QuantityError(JkrollError):
-    """Error raised for a text or a number that is not a value of the quantity it was given for."""
+    """Error raised for a text or a number that is not a value of its quantity."""
 
     def __init__(self, name: str, value: object, mistake: str, remedy: str = "", position: Sequence[int] = ()) -> None:
-        """`mistake` follows the value; `remedy` says what to type instead, by default an example of the quantity.
+        """`mistake`: words to follow the value; `remedy`: what to type instead, by default an example.
 
         `position`: the index of a number in an array.
         """
@@ -47,8 +48,10 @@ class QuantityError(JkrollError):
         self.phrase = f"bad {name}"
 
     def problem(self) -> str:
-        """Return the mistake and, for a text, the remedy, without the name and the value."""
-        remedy = self.remedy or (f"expected {_expectation(self.name)}" if isinstance(self.value, str) else "")
+        """Return the mistake and the remedy, without the name and the value."""
+        remedy = self.remedy
+        if not remedy and isinstance(self.value, str):
+            remedy = f"expected {_expectation(self.name)}"
         return f"{self.mistake}; {remedy}" if remedy else self.mistake
 
     def __str__(self) -> str:
@@ -67,14 +70,14 @@ def _expectation(name: str) -> str:
     expected = "a number" if quantity.unit == "1" else f"a value in {quantity.unit}"
     if quantity.example:
         expected = f"{kind_of(dimension_of(quantity.unit))} such as {quantity.example}"
-    return expected + (f", or {quantity.infinity}" if quantity.infinity else "")
+    return f"{expected}, or {quantity.infinity}" if quantity.infinity else expected
 
 
 # --- Values with an uncertainty ---------------------------------------------------------------------------------------
 
 
 class Uncertain:
-    """A value in SI units with an uncertainty; `sides` has the numbers of the uncertainty by name."""
+    """A value in SI units with an uncertainty. `sides`: the uncertainty by name: minus and plus, or low and high."""
 
     kind = ""
     value: Any
@@ -98,15 +101,18 @@ class Uncertain:
         return self.sides["high"] if "high" in self.sides else self.value + self.sides["plus"]
 
     def changed(self, change: Callable[[Any], Any]) -> Self:
-        """Return the value after a linear change without a constant, such as another unit or a factor."""
+        """Return the value after a proportional change, such as another unit or a factor."""
         sides = {side: change(number) for side, number in self.sides.items()}
-        if change(1.0) < 0:
+        if change(1.0) < 0:  # the sides change places
             first, second = sides.values()
-            sides = dict(zip(sides, (second, first) if "low" in sides else (-second, -first), strict=True))
+            new = (second, first) if "low" in sides else (-second, -first)
+            sides = dict(zip(sides, new, strict=True))
         return type(self).of(change(self.value), **sides)
 
     def _plus(self, number: float) -> Self:
-        sides = {side: each + number if "low" in self.sides else each for side, each in self.sides.items()}
+        sides = self.sides
+        if "low" in sides:
+            sides = {side: end + number for side, end in sides.items()}
         return type(self).of(self.value + number, **sides)
 
     def __add__(self, other: Any) -> Any:
@@ -141,7 +147,7 @@ class Uncertain:
 
 
 class Measured(Uncertain):
-    """A value in SI units with a standard uncertainty; if only one side is given, the other is equal.
+    """A value in SI units with a standard uncertainty; a side that is not given equals the other.
 
     >>> Measured(0.025, 0.005)
     Measured(value=0.025, minus=0.005, plus=0.005)
@@ -153,8 +159,9 @@ class Measured(Uncertain):
         """Raise BadRequest for anything but numbers, and for a negative or missing uncertainty."""
         if minus is None and plus is None:
             raise BadRequest("Measured: the uncertainty is missing; write Measured(0.025, 0.005)")
-        given = (value, plus if minus is None else minus, minus if plus is None else plus)
-        self.value, below, above = (_checked_number("Measured", number) for number in given)
+        self.value = _checked_number("Measured", value)
+        below = _checked_number("Measured", plus if minus is None else minus)
+        above = _checked_number("Measured", minus if plus is None else plus)
         if min(below, above) < 0:
             raise BadRequest(f"Measured: {min(below, above)!r} is a negative uncertainty")
         self.sides = {"minus": below, "plus": above}
@@ -177,7 +184,7 @@ class Measured(Uncertain):
 
 
 class Interval(Uncertain):
-    """A range in SI units in which any value is possible, and a value within it.
+    """A range of possible values in SI units, and a value within it.
 
     >>> Interval(0.025, 0.02, 0.03).sides
     {'low': 0.02, 'high': 0.03}
@@ -187,14 +194,14 @@ class Interval(Uncertain):
 
     def __init__(self, value: float, low: float, high: float) -> None:
         """Raise BadRequest for anything but numbers, for ends in the wrong order, or a value outside them."""
-        self.value, low, high = (_checked_number("Interval", number) for number in (value, low, high))
+        self.value, low, high = [_checked_number("Interval", number) for number in (value, low, high)]
         if not low <= self.value <= high:
             raise BadRequest(f"Interval: {self.value!r} does not lie in the range from {low!r} to {high!r}")
         self.sides = {"low": low, "high": high}
 
 
 def _is_exact(other: object) -> bool:
-    """Return whether a value is a number; raise BadRequest for another uncertain value."""
+    """Return whether a value is a number; raise BadRequest if it is uncertain."""
     if isinstance(other, Uncertain):
         remedy = "write a.ufloat() and b.ufloat() if they are, or let solve combine the inputs"
         raise BadRequest(f"two uncertain values are not assumed to be independent; {remedy}")
@@ -206,13 +213,14 @@ def _checked_number(owner: str, value: object) -> float:
     may_have_unit = any(hasattr(value, word) for word in ("attrs", "dims", "unit", "units"))
     is_number = hasattr(value, "__float__") and not isinstance(value, bool)
     is_number = is_number and getattr(getattr(value, "dtype", None), "kind", "f") in "fiu"  # no durations or booleans
-    try:
-        number = float(value) if is_number and not may_have_unit else nan  # type: ignore[arg-type]
-        if not isnan(number):
-            return number
-    except (TypeError, ValueError, OverflowError):
-        pass
-    raise BadRequest(f"{owner}: {quoted(str(value))} is not a number in SI units; a text with a unit needs no {owner}")
+    number = nan
+    if is_number and not may_have_unit:
+        with suppress(TypeError, ValueError, OverflowError):
+            number = float(value)  # type: ignore[arg-type]
+    if isnan(number):
+        problem = f"{quoted(str(value))} is not a number in SI units"
+        raise BadRequest(f"{owner}: {problem}; a text with a unit needs no {owner}")
+    return number
 
 
 def is_uncertain(value: Any) -> TypeGuard[Uncertain]:
@@ -221,7 +229,7 @@ def is_uncertain(value: Any) -> TypeGuard[Uncertain]:
 
 
 def middle(value: Any) -> Any:
-    """Return the middle of an uncertain value; any other value unchanged."""
+    """Return an uncertain value without its uncertainty, or any other value unchanged."""
     return value.value if is_uncertain(value) else value
 
 
@@ -231,23 +239,25 @@ def ends_of(value: Any) -> tuple[Any, Any]:
 
 
 def with_sides(value: float, sides: Mapping[str, float]) -> float | Uncertain:
-    """Return a value with an uncertainty given by side, where nan means none."""
+    """Return a value with the uncertainty of some sides; a side that is nan is left out."""
     known = {side: number for side, number in sides.items() if not isnan(number)}
-    return (Interval if "low" in known else Measured)(value, **known) if known else value
+    if not known:
+        return value
+    return Interval(value, **known) if "low" in known else Measured(value, **known)
 
 
 # --- Texts to numbers -------------------------------------------------------------------------------------------------
 
 _Decimal = tuple[int, int]  # an integer and a power of ten
-_UnitIn = Callable[[str], Unit]  # returns the unit of a text; for an empty text, the default
+_UnitIn = Callable[[str], Unit]  # returns the unit that a text means; an empty text means the default unit
 _NUMBER = re.compile(r"([+-]?)([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?")
-_LETTER_AND_DIGITS = re.compile(r"([^\W\d_])([+-]?[0-9]+)")  # as in 1.25d1: never a unit
-_SECOND = re.compile(r" ?(?:[-–—…] ?)+[0-9]| ?([^-–—…]+?) ?[-–—…] ?[0-9.]+ ?\1$")  # 5-6 nm, 5nm-6nm
-_MARKS = ("±", "(", "+-", "+−", "/-", "/−", "/ -", "/ −", " to ")  # /- as in +/- and in +6/-4
+_LETTER_AND_DIGITS = re.compile(r"([^\W\d_])([+-]?[0-9]+)")  # as in 1.25d1, which is never a unit
+_SECOND = re.compile(r" ?(?:[-–—…] ?)+[0-9]| ?([^-–—…]+?) ?[-–—…] ?[0-9.]+ ?\1$")  # after the 5 of 5-6 nm, 5nm-6nm
+_MARKS = ("±", "(", "+-", "+−", "/-", "/−", "/ -", "/ −", " to ")  # /- occurs in +/- and in +6/-4
 
 
 def parse_quantity(text: str, name: str) -> float:
-    """Return the value of a quantity in SI units, correctly rounded, from a text without an uncertainty.
+    """Return the value of a quantity in SI units from a text without an uncertainty, correctly rounded.
 
     >>> parse_quantity("0.1 µm", "radius")
     1e-07
@@ -295,7 +305,7 @@ def checked(value: float | Uncertain, name: str, text: str) -> float | Uncertain
     return value.value if isinstance(value, Measured) and value.minus == value.plus == 0 else value
 
 
-# Compiled on first use: few texts need them, and compiling takes as long as reading a material.
+# These patterns are compiled on first use, since few texts need them and compiling takes as long as reading a material.
 _POWER_OF_TEN = r"(?<=[0-9.)]) ?[*x] ?10(?:(?:\^|\*\*)\^?([+-]?[0-9]{1,3})|\^?([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3}))(?![0-9])"
 _TWO_POWERS = r"([+-]?[0-9.]+) ?(±|\+[0-9.]+ ?/ ?-) ?([0-9.]+)([eE][+-]?[0-9]+)"
 
@@ -309,21 +319,19 @@ def normalized_value(text: str) -> str:
     text = normalized(text).replace("+/-", "±").replace("+-", "±")
     if "x" in text or "*" in text:
         text = re.sub(_POWER_OF_TEN, lambda power: f"e{power[1] or power[2].translate(SUPERSCRIPTS)}", text)
-    has_power = "e" in text or "E" in text
-    match = re.match(_TWO_POWERS, text) if has_power and has_uncertainty(text) else None
-    if match is not None:
-        value, mark, uncertainty, power = match.groups()
-        plain = f"{value}{mark}{uncertainty}"
-        raise BadUnit(
-            f"can be read as ({plain}){power} or as {value}{mark}({uncertainty}{power})", "write the one that is meant"
-        )
+    if has_uncertainty(text) and ("e" in text or "E" in text):
+        match = re.match(_TWO_POWERS, text)
+        if match is not None:
+            value, mark, bar, power = match.groups()
+            mistake = f"can be read as ({value}{mark}{bar}){power} or as {value}{mark}({bar}{power})"
+            raise BadUnit(mistake, "write the one that is meant")
     return text
 
 
 def unit_of(text: str, name: str) -> Unit:
-    """Return a unit for a quantity of the nomenclature.
+    """Return the unit that a text means for a quantity; its dimension may differ from that of the quantity.
 
-    Raises a `QuantityError`, but not for a unit of another dimension.
+    Raises a `QuantityError` for a text that is not a unit.
     """
     try:
         return unit_meant(text, dimension_of(NOMENCLATURE[name].unit))
@@ -332,12 +340,14 @@ def unit_of(text: str, name: str) -> Unit:
 
 
 def unit_meant(text: str, dimension: Dimension) -> Unit:
-    """Return a unit from a text. For an acceleration, g means standard gravity, not the gram."""
-    return parse_unit("standard_gravity" if text == "g" and dimension == dimension_of("m/s^2") else text)
+    """Return the unit that a text means for a dimension; for an acceleration, g is standard gravity, not the gram."""
+    if text == "g" and dimension == dimension_of("m/s^2"):
+        return parse_unit("standard_gravity")
+    return parse_unit(text)
 
 
 def _unit_in(text: str, dimension: Dimension, otherwise: Unit | None = None) -> Unit:
-    """Return a unit of a dimension; for an empty text, the default. Raises a `BadUnit`."""
+    """Return the unit of a dimension that a text means; an empty text means the default. Raises a `BadUnit`."""
     if not text and otherwise is not None:
         return otherwise
     if not text and any(dimension):
@@ -358,7 +368,7 @@ def has_uncertainty(text: str) -> bool:
 
 
 def _error_about(name: str, text: str, error: BadUnit) -> QuantityError:
-    """Return the error for a bad text of a quantity."""
+    """Return the error for a bad text, with the name of its quantity."""
     remedy = error.remedy([dimension_of(NOMENCLATURE[name].unit)])
     return QuantityError(name, text[:MAX_TEXT], str(error), remedy)
 
@@ -393,7 +403,7 @@ def split_number(text: str) -> tuple[_Decimal, str]:
     return (int(sign + digits), int(exponent or 0) - len(fraction or "")), rest.removeprefix(" ")
 
 
-# From units as typed to units as printed: a space after the number, except before a power of ten.
+# Replacements that turn a typed value into a printed one: a space after the number, but none before a power of ten.
 _AS_WRITTEN = {
     r" ?± ?": " ± ",
     r"(?<=[0-9.)])(?![eE][-+]?[0-9])(?=[^\W\d_]|[%°])": " ",
@@ -404,7 +414,7 @@ _TYPED_POWER = r"(?<=[A-DF-Za-df-z])(?:\^|\*\*)?(-?[0-9]+)"
 
 
 def as_typed(text: str) -> str:
-    """Return a value as typed, with units as printed. A word is unchanged.
+    """Return a typed value with its unit as printed; a word is unchanged.
 
     >>> as_typed("2angstrom"), as_typed("0.03 J/m^2"), as_typed("1um"), as_typed("40%"), as_typed("plane")
     ('2 Å', '0.03 J/m²', '1 µm', '40 %', 'plane')
@@ -427,7 +437,7 @@ _TWO_SIDES = rf"{_SIGNED} ?\+ ?{_SIGNED} ?/ ?- ?{_SIGNED}( ?[^±()]*)"  # 25 +6/
 
 
 def _read(text: str, unit_in: _UnitIn) -> float | Uncertain:
-    """Return a value, or an uncertain value in a form above or as 25±5 mJ/m2, 25 mJ/m2 ± 20% or 20 to 30 mJ/m2."""
+    """Return a value, with its uncertainty in one of the notations above or as 25±5 nm, 25 nm ± 20% or 20 to 30 nm."""
     if not has_uncertainty(text):
         return _value(text, unit_in)
     if match := re.fullmatch(_IN_BRACKETS, text):
@@ -442,7 +452,7 @@ def _read(text: str, unit_in: _UnitIn) -> float | Uncertain:
         return _measured(_value(value + end, unit_in), _value(bar + end, unit_in))
     if match := re.fullmatch(_TWO_SIDES, text):
         value, plus, minus, end = match.groups()
-        return _measured(*(_value(number + end, unit_in) for number in (value, minus, plus)))
+        return _measured(_value(value + end, unit_in), _value(minus + end, unit_in), _value(plus + end, unit_in))
     left, _, right = text.partition("±")
     if left and right and "±" not in right and not {"(", ")"}.intersection(text):
         return _plus_minus(left, right, unit_in)
@@ -458,12 +468,12 @@ def _read(text: str, unit_in: _UnitIn) -> float | Uncertain:
 
 
 def _value(text: str, unit_in: _UnitIn) -> float:
-    """Return a number with a unit as the nearest double in SI units; Python rounds a division of integers once."""
+    """Return the double nearest to a number with a unit, in SI units."""
     (mantissa, exponent), unit = split_number(text)
     numerator, denominator, _ = unit_in(unit)
     above, below = power_of_ten(exponent)
     try:
-        value = mantissa * numerator * above / (denominator * below)
+        value = mantissa * numerator * above / (denominator * below)  # a division of integers is rounded once
     except OverflowError:
         raise BadUnit("is too large for a double") from None
     if mantissa and not value:
@@ -472,13 +482,17 @@ def _value(text: str, unit_in: _UnitIn) -> float:
 
 
 def _with_unit_of(other: str, text: str) -> str:
-    """Return a number with its unit, or with that of another text if it has none."""
-    return text if split_number(text)[1] else f"{text} {split_number(other)[1]}"
+    """Return a number with its unit, or with the unit of another text if it has none."""
+    _, unit = split_number(text)
+    if unit:
+        return text
+    _, unit = split_number(other)
+    return f"{text} {unit}"
 
 
 def _plus_minus(left: str, right: str, unit_in: _UnitIn) -> Measured:
-    """Return a value with an uncertainty in a unit, or in percent of the value."""
-    unit, unit_of_bar = split_number(left)[1], split_number(right)[1]
+    """Return a value with an uncertainty that is given in a unit or in percent of the value."""
+    (_, unit), (_, unit_of_bar) = split_number(left), split_number(right)
     if unit_of_bar.startswith("%"):
         if unit_of_bar != "%" or unit_in(unit) == parse_unit("%"):
             raise BadUnit("has a % that can be read in two ways", "write 25 mJ/m2 ± 20%, or (17±1) %")
@@ -490,14 +504,14 @@ def _plus_minus(left: str, right: str, unit_in: _UnitIn) -> Measured:
 
 
 def _measured(value: float, *sides: float) -> Measured:
-    """Return a value with an uncertainty, or with one below and one above it."""
+    """Return a value with one uncertainty for both sides, or with one below and one above it."""
     if min(sides) < 0:
         raise BadUnit("has a negative uncertainty")
     return Measured(value, *sides)
 
 
 def _to_15_digits(number: float) -> float:
-    """Return a number without its rounding error if it is round: the middle of 0.1 and 0.2 is 0.15."""
+    """Return a number without the rounding error in its last digits: the middle of 0.1 and 0.2 is 0.15."""
     return float(f"{number:.15g}")
 
 
@@ -507,7 +521,7 @@ MAX_VALUES = 1_000_000_000
 
 
 class Spread:
-    """A range of values, or a single value, possibly uncertain."""
+    """The values of a range, or a single value, which may be uncertain."""
 
     def __init__(
         self, low: float, high: float, size: int = 1, *, is_log: bool = False, uncertainty: Uncertain | None = None
@@ -519,25 +533,27 @@ class Spread:
         return self.size
 
     def __iter__(self) -> Iterator[float | Uncertain]:
-        return iter([self.uncertainty]) if self.uncertainty is not None else map(self.value, range(self.size))
+        if self.uncertainty is not None:
+            return iter([self.uncertainty])
+        return map(self.value, range(self.size))
 
     def value(self, position: int) -> float:
-        """Return the value at an index, with 15 digits: between 1e-9 and 1e-6 lie exactly 1e-8 and 1e-7."""
+        """Return the value at an index, rounded to 15 digits: 1e-8 and 1e-7 lie exactly between 1e-9 and 1e-6."""
         if position in (0, self.size - 1):
             return self.high if position else self.low
         share = position / (self.size - 1)
         if self.is_log:
             return _to_15_digits(self.low * (self.high / self.low) ** share)
         value = self.low * (1 - share) + self.high * share
-        is_rounding = abs(value) < 1e-15 * max(abs(self.low), abs(self.high))
-        return 0.0 if is_rounding else _to_15_digits(value)
+        is_error = abs(value) < 1e-15 * max(abs(self.low), abs(self.high))
+        return 0.0 if is_error else _to_15_digits(value)
 
 
 _LIST_OR_NUMBER = r"[+-]?[0-9]+,[0-9]+|[+-]?[0-9]{1,3}(?:,[0-9]{3})+"  # 1,5 and 2,500,000
 
 
 def spreads_of(text: str, name: str) -> list[Spread]:
-    """Return values separated by commas, and ranges `FROM:TO:COUNT`, optionally with `:lin` or `:log`.
+    """Return the items of a text, separated by commas: values, and ranges `FROM:TO:COUNT`, `:lin` or `:log` optional.
 
     >>> [*spreads_of("1nm:1um:4", "radius")[0]]
     [1e-09, 1e-08, 1e-07, 1e-06]
@@ -549,15 +565,16 @@ def spreads_of(text: str, name: str) -> list[Spread]:
     try:
         return [_spread(item, name) for item in items]
     except QuantityError as error:
-        if error.mistake == NO_UNIT and (len(items) > 1 or ":" in text):
-            of_list = f"has a number without a unit, {error.value}; a decimal mark is a point"
-            mistake = of_list if len(items) > 1 else "needs a unit at both ends"
+        if error.mistake == NO_UNIT and len(items) > 1:
+            mistake = f"has a number without a unit, {error.value}; a decimal mark is a point"
             raise QuantityError(name, text, mistake) from None
+        if error.mistake == NO_UNIT and ":" in text:
+            raise QuantityError(name, text, "needs a unit at both ends") from None
         raise
 
 
 def _spread(text: str, name: str) -> Spread:
-    """Return a value, with its uncertainty if it states one, or a range."""
+    """Return the value of a text, with its uncertainty if it states one, or the range of a text with colons."""
     if ":" in text:
         return between(*text.split(":"), name=name, text=text)
     value = value_of(text, name)
@@ -565,13 +582,14 @@ def _spread(text: str, name: str) -> Spread:
 
 
 def between(first: str, last: str, count: str = "", scale: str = "", *more: str, name: str, text: str) -> Spread:
-    """Return the range between two values; an error quotes the text.
+    """Return the range between two values. `text`: the whole text, for errors.
 
-    Without a scale ("lin" or "log"), steps have equal ratios, or are equal if an end is not positive.
+    The values have equal ratios with the scale "log" and equal differences with "lin". Without a scale they have equal
+    ratios if both ends are positive.
     """
     if more or not (count.isascii() and count.isdigit()) or scale not in ("", "log", "lin"):
         raise QuantityError(name, text, "is not a range", "write FROM:TO:COUNT, as 1nm:1um:7, and :lin for equal steps")
-    if len(count) > 10 or not 2 <= (size := int(count)) <= MAX_VALUES:
+    if len(count) > 10 or not 2 <= int(count) <= MAX_VALUES:
         raise QuantityError(name, text, f"needs a count from 2 to {MAX_VALUES}")
     low, high = parse_quantity(first, name), parse_quantity(last, name)
     is_positive = low > 0 and high > 0
@@ -579,4 +597,4 @@ def between(first: str, last: str, count: str = "", scale: str = "", *more: str,
         raise QuantityError(name, text, "has an end that is not positive", "leave :log out: the steps are equal then")
     if max(abs(low), abs(high)) == INFINITY:
         raise QuantityError(name, text, "has an infinite end; a range needs two finite ends")
-    return Spread(low, high, size, is_log=is_positive and scale != "lin")
+    return Spread(low, high, int(count), is_log=is_positive and scale != "lin")

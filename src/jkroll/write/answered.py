@@ -1,4 +1,4 @@
-"""An answer as unformatted lines for a pipe, and as a JSON object."""
+"""Answers as lines for a pipe, one for each number, and as JSON objects."""
 
 from collections.abc import Iterable, Mapping
 from math import isnan
@@ -29,23 +29,25 @@ def write_plain(answer: Report, out: TextIO, form: Format, *, best: bool = False
 
 
 def _write_best(name: str, best: Estimate, out: TextIO, form: Format) -> None:
-    """Write a line for each known end of a best range, and for its rule."""
-    ends = zip(("low", "high"), best[:2], strict=True)
-    write_measure(name, {f"{name}_best_{which}": end for which, end in ends if not isnan(end)}, out, form)
+    """Write a line for each known end of a best range, and one for its rule."""
+    for which, end in (("low", best.low), ("high", best.high)):
+        if not isnan(end):
+            write_measure(name, {f"{name}_best_{which}": end}, out, form)
     if best.by != NONE:
         say(f"{name}_best_by {WORDS[best.by]}", out)
 
 
 def write_measure(quantity: str, measures: Mapping[str, float | Uncertain | None], out: TextIO, form: Format) -> None:
-    """Write a line `name value unit` for each number of some measures of a quantity, by name."""
+    """Write a line `name value unit` for each number of measures of a quantity. `measures`: by the name to write."""
     for name, number in numbers_of(measures).items():
-        word = in_words(quantity, number)
-        value = word if isinstance(word, str) else f"{spelled(form.number(quantity, number))} {form.unit(quantity)}"
+        value = in_words(quantity, number)
+        if not isinstance(value, str):
+            value = f"{spelled(form.number(quantity, number))} {form.unit(quantity)}"
         say(f"{name} {value}".removesuffix(" 1"), out)
 
 
 def numbers_of(measures: Mapping[str, float | Uncertain | None]) -> dict[str, float]:
-    """Return the numbers of measures by name, with the sides of their uncertainties; None has no number."""
+    """Return the values of measures and the sides of their uncertainties by name, such as "radius_minus"; skip None."""
     numbers = {}
     for name, value in measures.items():
         if value is not None:
@@ -57,11 +59,13 @@ def numbers_of(measures: Mapping[str, float | Uncertain | None]) -> dict[str, fl
 
 
 def write_json(answers: Iterable[Report], count: int, out: TextIO, form: Format) -> None:
-    """Write an object for each frame; several objects form an array, and are written as they are computed."""
+    """Write an object for each answer as soon as it is computed. `count`: their number; several form an array."""
     for number, answer in enumerate(answers, 1):
         text = json_text(as_object(answer, form), out)
         if count > 1:
-            text = ("[\n" if number == 1 else "") + text + ("\n]" if number == count else ",")
+            text += "\n]" if number == count else ","
+            if number == 1:
+                text = f"[\n{text}"
         say(text, out)
 
 
@@ -82,32 +86,33 @@ def as_object(answer: Report, form: Format) -> dict[str, Any]:
 
 
 def _result_object(result: Result, answer: Report, form: Format) -> dict[str, Any]:
-    quantity = NOMENCLATURE[result.name]
+    """Return the JSON object of a result; facts that it lacks have no keys."""
+    name, quantity = result.name, NOMENCLATURE[result.name]
     entry: dict[str, Any] = {
-        "name": result.name,
+        "name": name,
         "symbol": quantity.symbol,
-        "value": None if result.value is None else form.number(result.name, result.value),
-        "unit": form.unit(result.name),
+        "value": _number(name, result.value, form),
+        "unit": form.unit(name),
         "equation": result.equation,
         "description": quantity.sentence,
     }
     if result.law:
-        entry |= {"model": DEFAULT_LAW, **LAWS[result.law].words}
-        jkr = answer.of_jkr.get(result.name)
-        entry["jkr"] = None if jkr is None else form.number(result.name, jkr)
-    best = answer.estimates.get(result.name)
+        jkr = _number(name, answer.of_jkr.get(name), form)
+        entry |= {"model": DEFAULT_LAW, **LAWS[result.law].words, "jkr": jkr}
+    best = answer.estimates.get(name)
     if best is not None and best.by != NONE:
-        low, high = (None if isnan(end) else form.number(result.name, end) for end in best[:2])
+        low, high = _number(name, best.low, form), _number(name, best.high, form)
         entry["best"] = {"low": low, "high": high, "by": WORDS[best.by], "why": answer.whys[best.by]}
-    bar = result.uncertain
     further: dict[str, Any] = {"note": quantity.note}
     if not result.law:
         further |= {"definition": quantity.definition, "reference": quantity.reference}
+    if result.uncertain:
+        further["uncertainty"] = bar_object(name, result.uncertain, form)
+    if result.bar:
+        further["shares"] = result.bar.shares
     further |= {
-        "uncertainty": bar and bar_object(result.name, bar, form),
-        "shares": result.bar and result.bar.shares,
         "condition" if answer.condition is None else "growth": result.growth,
-        "by_law": {law: form.number(result.name, value) for law, value in result.by_law.items()},
+        "by_law": {law: form.number(name, value) for law, value in result.by_law.items()},
         "reason": result.reason,
         "reason_code": result.code,
         "relative_error": result.error,
@@ -115,13 +120,20 @@ def _result_object(result: Result, answer: Report, form: Format) -> dict[str, An
     return entry | {key: value for key, value in further.items() if value not in (None, "", {})}
 
 
+def _number(name: str, value: float | None, form: Format) -> float | None:
+    """Return a value in the unit and with the digits of a format; None for nan and None."""
+    return None if value is None or isnan(value) else form.number(name, value)
+
+
 def bar_object(name: str, bar: Uncertain, form: Format = AS_USUAL) -> dict[str, Any]:
     """Return an uncertainty as an object: its kind and its sides, in the unit of a quantity."""
-    return {"kind": bar.kind, **{side: form.number(name, number) for side, number in bar.sides.items()}}
+    sides = {side: form.number(name, number) for side, number in bar.sides.items()}
+    return {"kind": bar.kind, **sides}
 
 
 def _doubt_object(doubt: "Doubt", text: str) -> dict[str, Any]:
-    return {
+    """Return the JSON object of a judged limit. `text`: its sentence."""
+    entry = {
         "name": doubt.limit.name,
         "symbol": NOMENCLATURE[doubt.limit.name].symbol,
         "value": doubt.value,
@@ -130,5 +142,7 @@ def _doubt_object(doubt: "Doubt", text: str) -> dict[str, Any]:
         "holds": not doubt.is_exceeded,
         "text": text,
         "code": doubt.code or None,
-        **({"verdict": doubt.limit.conclusion} if doubt.limit.conclusion else {}),
     }
+    if doubt.limit.conclusion:
+        entry["verdict"] = doubt.limit.conclusion
+    return entry

@@ -1,4 +1,4 @@
-"""The materials and quantities as text: lists of them, and full sheets of single ones."""
+"""Lists of materials and of quantities as text, and the sheet of a single one with all its facts."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cache
@@ -36,22 +36,19 @@ from .writers import Cell, write_records
 
 
 def write_materials(chosen: Sequence[Material], out: TextIO, output: str, *, named: bool) -> None:
-    """Write materials in a format: a single `named` one in full, several with all their values."""
-    is_one = named and len(chosen) == 1
+    """Write materials in a format. `named`: True if the user named them; a single named one is written in full."""
+    is_single = named and len(chosen) == 1
     if output == "cite":
-        entries: dict[str, Any] = {}
-        for material in chosen:
-            entries |= {entry["key"]: entry for entry in material.references}
-        for entry in entries.values():
-            say(bibtex(entry), out)
+        _write_references(chosen, out)
+    elif output == "json" and is_single:
+        say(json_text(material_as_object(chosen[0]), out), out)
     elif output == "json":
-        objects = [material_as_object(material) for material in chosen]
-        say(json_text(objects[0] if is_one else objects, out), out)
-    elif is_one and output == "table":
+        say(json_text([material_as_object(material) for material in chosen], out), out)
+    elif output == "table" and is_single:
         _write_material(chosen[0], out)
-    elif is_one and output == "plain":
+    elif output == "plain" and is_single:
         _write_lines(chosen[0], out)
-    elif named and output == "table":
+    elif output == "table" and named:
         _write_values(chosen, out)
     elif output == "table":
         _write_list(chosen, out)
@@ -59,27 +56,42 @@ def write_materials(chosen: Sequence[Material], out: TextIO, output: str, *, nam
         _write_rows(chosen, out, output)
 
 
+def _write_references(chosen: Iterable[Material], out: TextIO) -> None:
+    """Write the BibTeX entries of materials, each once."""
+    entries: dict[str, Mapping[str, str]] = {}
+    for material in chosen:
+        for entry in material.references:
+            entries[entry["key"]] = entry
+    for entry in entries.values():
+        say(bibtex(entry), out)
+
+
 def _write_rows(chosen: Sequence[Material], out: TextIO, output: str) -> None:
     """Write a row for each material, with columns for all uncertainties that occur."""
-    bars = chain.from_iterable(material.uncertainties.values() for material in chosen)
-    columns = Wanted(PROPERTIES, sides={*chain.from_iterable(bar.sides for bar in bars)})
+    sides: set[str] = set()
+    for material in chosen:
+        sides.update(*(bar.sides for bar in material.uncertainties.values()))
+    columns = Wanted(PROPERTIES, sides=sides)
     rows: list[list[Cell]] = []
     for material in chosen:
-        numbers = numbers_of(material.measures)
-        cells: list[Cell] = [in_words(key, numbers[key]) if key in numbers else None for key in columns.keys]
-        rows.append([material.name, *cells, material.state or None, _keys(material) or None, material.title])
+        cells: dict[str, Cell] = dict.fromkeys(columns.keys)
+        for key, number in numbers_of(material.measures).items():
+            if key in cells:
+                cells[key] = in_words(key, number)
+        about = [material.state or None, _keys(material) or None, material.title]
+        rows.append([material.name, *cells.values(), *about])
     write_records(["material", *columns.heads(header), "state", "references", "source"], rows, output, out)
 
 
 def _write_values(chosen: Sequence[Material], out: TextIO) -> None:
-    """Write a table of the properties of some materials."""
+    """Write a table of materials with all their properties."""
     leading, columns = values_of_materials(chosen)
     write_table(leading, columns, out)
     say(f"\n{_IN_FULL}", out)
 
 
 def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
-    """Write a table of materials by sets, with the surface energy of each and the state that it belongs to."""
+    """Write a table of materials, grouped by set, with the surface energy and the state of each."""
     measures = [material.measures.get("surface_energy") for material in chosen]
     ((head, energies, _),) = columns_of("surface_energy", {"γ": measures}, EXACT)
     rows: dict[str, list[tuple[str, str, str]]] = {}
@@ -102,33 +114,38 @@ _IN_FULL = "in full: jkroll materials NAME"
 
 
 def _keys(material: Material) -> str:
+    """Return the keys of the references of a material."""
     return ", ".join(entry["key"] for entry in material.references)
 
 
 def material_as_object(material: Material) -> dict[str, Any]:
     """Return the JSON object of a material; missing properties are null, a missing displacement is left out."""
-    displacement = {}
+    properties: dict[str, Any] = dict.fromkeys(PROPERTIES)
+    for name, value in material.properties.items():
+        if name in properties:
+            properties[name] = in_words(name, value)
     if material.displacement is not None:
         radius, measured = material.displacement.radius, material.displacement.measured
-        displacement = {XI: {"radius": radius, "value": measured.value, **measured.sides}}
-    properties = {name: in_words(name, value) for name, value in material.properties.items()}
+        properties[XI] = {"radius": radius, "value": measured.value, **measured.sides}
+    origins = {}
+    for name, origin in material.origins.items():
+        origins[name] = {**dict.fromkeys(ORIGIN, ""), **origin}
     return {
         "name": material.name,
         "aliases": list(material.aliases),
-        **{name: properties.get(name) for name in PROPERTIES},
-        **displacement,
+        **properties,
         "state": material.state,
         "uncertainties": {name: bar_object(name, bar) for name, bar in material.uncertainties.items()},
-        "origins": {name: {**dict.fromkeys(ORIGIN, ""), **origin} for name, origin in material.origins.items()},
+        "origins": origins,
         "notes": dict(material.notes),
         "note_radii": {name: bar_object("radius", radii) for name, radii in material.note_radii.items()},
-        "references": [dict(entry) for entry in material.references],
+        "references": [*map(dict, material.references)],
         "source": material.title,
     }
 
 
 def _write_lines(material: Material, out: TextIO) -> None:
-    """Write a line `name value unit` for each property and each side of its uncertainty, and its origin."""
+    """Write a line `name value unit` for each property and each side of its uncertainty, then lines on its origin."""
     say(f"material {material.name}", out)
     if material.state:
         say(f"state {material.state}", out)
@@ -145,7 +162,7 @@ def _write_material(material: Material, out: TextIO) -> None:
 
 
 def _write_sheet(title: str, facts: Iterable[tuple[str, str]], out: TextIO) -> None:
-    """Write a title, and a line for each known fact."""
+    """Write a title and a line for each fact that has a text."""
     say(title, out)
     for head, text in facts:
         if text:
@@ -161,26 +178,26 @@ _HEADS = ("name", "symbol", "unit", "option", "commands", "equation", "meaning")
 
 
 def write_quantities(
-    names: Sequence[str], out: TextIO, output: str, takers: Callable[[str], Sequence[str]], most: int | None = None
+    names: Sequence[str],
+    out: TextIO,
+    output: str,
+    commands_taking: Callable[[str], Sequence[str]],
+    most: int | None = None,
 ) -> None:
     """Write a list of quantities in a format, or a single one in full.
 
-    `takers`: returns the commands that take an input; `most`: the number of quantities that a table describes.
+    `commands_taking`: returns the commands that take a quantity as an input; `most`: the number of quantities that a
+    table describes, after which it only names them.
     """
-    if output == "json":
-        objects = [quantity_as_object(name) for name in names]
-        say(json_text(objects[0] if len(names) == 1 else objects, out), out)
-    elif output in ("table", "plain") and len(names) == 1:
-        _write_quantity(names[0], out, takers(names[0]))
+    is_single = len(names) == 1
+    if output == "json" and is_single:
+        say(json_text(quantity_as_object(names[0]), out), out)
+    elif output == "json":
+        say(json_text([quantity_as_object(name) for name in names], out), out)
+    elif output in ("table", "plain") and is_single:
+        _write_quantity(names[0], out, commands_taking(names[0]))
     elif output == "table":
-        groups = {"name": names[:most]} if len(names) < len(NOMENCLATURE) else groups_of_quantities()
-        for title, members in groups.items():
-            heads, *rows = quantity_table(title, members)
-            write_texts(heads, rows, out)
-            say("", out)
-        others = names[len(names) if most is None else most :]
-        if others:
-            say_wrapped(f"and {len(others)} more: {', '.join(others)}", out)
+        _write_tables(names, out, len(names) if most is None else most)
     else:
         records = []
         for name in names:
@@ -189,12 +206,29 @@ def write_quantities(
         write_records(_HEADS, records, output, out)
 
 
+def _write_tables(names: Sequence[str], out: TextIO, most: int) -> None:
+    """Write the first quantities as a table and name the others; all quantities have a table for each group."""
+    groups: Mapping[str, Iterable[str]] = {"name": names[:most]}
+    if len(names) >= len(NOMENCLATURE):
+        groups = groups_of_quantities()
+    for title, members in groups.items():
+        heads, *rows = quantity_table(title, members)
+        write_texts(heads, rows, out)
+        say("", out)
+    others = names[most:]
+    if others:
+        say_wrapped(f"and {len(others)} more: {', '.join(others)}", out)
+
+
 def quantity_as_object(name: str) -> dict[str, Any]:
-    """Return the JSON object of a quantity, with all that is known of it; other lists are views of it."""
+    """Return the JSON object of a quantity, with all facts; the other forms show some of them."""
     quantity, formula = NOMENCLATURE[name], formula_of(name)
-    fields = docstring_fields(formula) if formula else {}
-    sought = words_in(name)
-    related = [other for other, words in _words_of_names().items() if _has_all(words, sought)]
+    fields: Mapping[str, str] = {}
+    follows_from: list[str] = []
+    accuracy = ""
+    if formula:
+        fields, accuracy = docstring_fields(formula), accuracy_of(formula.__name__)
+        follows_from = [argument for _, argument in arguments_of(name)]
     return {
         "name": name,
         "symbol": quantity.symbol,
@@ -205,50 +239,62 @@ def quantity_as_object(name: str) -> dict[str, Any]:
         "commands": list(commands_of(name)),
         "equation": quantity.equation,
         "formula": fields.get("formula", quantity.definition),
-        "follows_from": [argument for _, argument in arguments_of(name)] if formula else [],
+        "follows_from": follows_from,
         "source": fields.get("Source", quantity.reference),
         "valid": fields.get("Valid", ""),
-        "accuracy": accuracy_of(formula.__name__) if formula else "",
+        "accuracy": accuracy,
         "meaning": quantity.sentence,
         "note": quantity.note,
         "variant_of": quantity.variant_of,
         "variants": [other for other in NOMENCLATURE if NOMENCLATURE[other].variant_of == name],
-        "see_also": [other for other in related if other != name],
+        "see_also": _related(name),
     }
+
+
+def _related(name: str) -> list[str]:
+    """Return the other quantities whose names have all words of a name, or words that begin with them."""
+    prefixes = words_in(name)
+    related = []
+    for other, words in _words_of_names().items():
+        if other != name and all(_is_prefix(prefix, words) for prefix in prefixes):
+            related.append(other)
+    return related
 
 
 @cache
 def _words_of_names() -> Mapping[str, Sequence[str]]:
-    """Return the words of each name of the nomenclature but those of variants."""
+    """Return the words in the name of each quantity that is not a variant."""
     return {name: words_in(name) for name in without_variants(NOMENCLATURE)}
 
 
-def _has_all(words: Sequence[str], sought: Iterable[str]) -> bool:
-    """Return whether each word sought begins one of some words."""
-    return all(any(word.startswith(beginning) for word in words) for beginning in sought)
+def _is_prefix(prefix: str, words: Iterable[str]) -> bool:
+    """Return whether one of the words begins with a prefix."""
+    return any(word.startswith(prefix) for word in words)
 
 
 def commands_of(name: str) -> tuple[str, ...]:
-    """Return the commands that show a quantity, or take it as an option."""
-    takes = bool(NOMENCLATURE[name].option) or formula_of(name) is None
+    """Return the commands that compute a quantity or take it as an option."""
+    is_input = bool(NOMENCLATURE[name].option) or formula_of(name) is None
     commands = []
     for command, question in QUESTIONS.items():
-        if name in question.quantities or (takes and name in depends_on(question.quantities)):
+        if name in question.quantities or (is_input and name in depends_on(question.quantities)):
             commands.append(command)
     return tuple(commands)
 
 
 def quantity_table(title: str, names: Iterable[str]) -> Iterator[tuple[str, str, str]]:
-    """Iterate over the header and the rows of a list of quantities."""
+    """Iterate over the header and the rows of a table of quantities."""
     yield title, "symbol [unit]", "meaning"
     for name in names:
         quantity = NOMENCLATURE[name]
-        variant = f", variant of {quantity.variant_of}" if quantity.variant_of else ""
-        yield name, quantity.symbol + bracketed(pretty(quantity.unit)), quantity.sentence + variant
+        meaning = quantity.sentence
+        if quantity.variant_of:
+            meaning += f", variant of {quantity.variant_of}"
+        yield name, quantity.symbol + bracketed(pretty(quantity.unit)), meaning
 
 
 def groups_of_quantities() -> dict[str, list[str]]:
-    """Return all quantities except variants, in groups of one screen; each is in the first group that it fits."""
+    """Return all quantities except variants in groups that fit a screen, each in the first group that matches."""
     groups: dict[str, Collection[str]] = {}
     for sphere in (1, 2):
         groups[f"of sphere {sphere}"] = [name for name in NOMENCLATURE if NOMENCLATURE[name].sphere == sphere]
@@ -264,31 +310,40 @@ def groups_of_quantities() -> dict[str, list[str]]:
         "of measured curves": OF_CURVES,
         "further": NOMENCLATURE,
     }
-    left = without_variants(NOMENCLATURE)
-    shown = {}
+    left, shown = without_variants(NOMENCLATURE), {}
     for title, members in groups.items():
-        shown[title] = [name for name in left if name in members]
+        matching = [name for name in left if name in members]
+        if matching:
+            shown[title] = matching
         left = [name for name in left if name not in members]
-    return {title: members for title, members in shown.items() if members}
+    return shown
 
 
-def _write_quantity(name: str, out: TextIO, takers: Sequence[str]) -> None:
-    """Write a quantity in full, with a line for each fact. `takers`: the commands that take it as an input."""
+def _write_quantity(name: str, out: TextIO, taking: Sequence[str]) -> None:
+    """Write a quantity in full, with a line for each fact. `taking`: the commands that take it as an input."""
     record = quantity_as_object(name)
     title, example = f"{record.pop('name')}: {record.pop('meaning')}", record.pop("example")
-    is_word = example and not record["option"]
-    record["option"] = f"a word: {example}" if is_word else f"{record['option']} {example}".strip()
+    if example and not record["option"]:
+        record["option"] = f"a word: {example}"
+    else:
+        record["option"] = f"{record['option']} {example}".strip()
     record["unit"] = pretty(record["unit"])
-    shown_by = [command for command in record["commands"] if name in QUESTIONS[command].quantities]
-    of_commands = {
-        "default": amount(name, DEFAULTS[name]) if name in DEFAULTS else "",
-        "shown by": ", ".join(shown_by) or ("" if takers else f"any, with --quantities {name}"),
-        "taken by": ", ".join(takers),
-    }
-    facts: dict[str, str] = {}
-    for key, text in record.items():
+    facts: list[tuple[str, str]] = []
+    for key, value in record.items():
         if key == "commands":
-            facts |= of_commands
+            facts += _facts_of_use(name, value, taking)
         else:
-            facts[key] = text if isinstance(text, str) else ", ".join(text)
-    _write_sheet(title, ((f"  {key.replace('_', ' ')}", text) for key, text in facts.items()), out)
+            facts.append((key, value if isinstance(value, str) else ", ".join(value)))
+    _write_sheet(title, [(f"  {key.replace('_', ' ')}", text) for key, text in facts], out)
+
+
+def _facts_of_use(name: str, commands: Iterable[str], taking: Sequence[str]) -> Iterator[tuple[str, str]]:
+    """Iterate over the default of a quantity, the commands that compute it, and those that take it as an input."""
+    if name in DEFAULTS:
+        yield "default", amount(name, DEFAULTS[name])
+    computing = [command for command in commands if name in QUESTIONS[command].quantities]
+    if computing:
+        yield "shown by", ", ".join(computing)
+    elif not taking:
+        yield "shown by", f"any, with --quantities {name}"
+    yield "taken by", ", ".join(taking)

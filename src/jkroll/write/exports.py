@@ -1,11 +1,10 @@
 """Contacts as input for other programs: LAMMPS, LIGGGHTS, DustCollider and DustSimulation, in SI or cgs units.
 
-In LAMMPS they are `granular` contacts. Its rolling friction is a spring F = kξ with the cap μ|P + 2P_po| and the torque
-FR; sliding and twisting have similar caps. Comments are ASCII, because LAMMPS warns about other characters.
+LAMMPS has `granular` contacts. Its rolling friction is a spring F = kξ with the cap μ|P + 2P_po| and the torque FR;
+sliding and twisting have similar caps. Comments are ASCII, because LAMMPS warns about other characters.
 """
 
 from collections.abc import Callable, Iterable, Mapping
-from itertools import chain
 from math import pi
 from typing import NamedTuple
 
@@ -18,7 +17,7 @@ from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, STATE_OR_LOAD, of_sphere
 
 SKIN = 0.2  # skin of the neighbor lists, in units of the smaller radius
-LEAST_SKIN = 0.4  # in units of δ0: the largest distance between spheres in contact
+LEAST_SKIN = 0.4  # least skin in units of δ0: before the gap is this wide, a contact breaks
 NO_SLIP = 1e9  # a coefficient of friction that prevents slip, for laws without a sliding force
 
 USUAL = ("yield_moment", "pull_off_force", "rolling_stiffness", "tangential_stiffness", "time_step")
@@ -64,10 +63,13 @@ _REMARKS_ON = {  # by law
 
 
 def lammps_input(frame: Frame) -> str:
-    """Return input for LAMMPS: coefficients of pairs of types or of a wall, a time step, and their assumptions."""
+    """Return input for LAMMPS: the coefficients of each pair of types, or of a wall, the time step, and comments."""
     is_jkr = frame.law.is_default
-    names = [*USUAL, *THRESHOLDS, "shear_strength"] if is_jkr else [*USUAL]
-    values = {name: frame[name] for name in (*names, "contact_shear_modulus", "density", "density2", *_STATED)}
+    names = [*USUAL]
+    if is_jkr:
+        names += [*THRESHOLDS, "shear_strength"]
+    names += ["contact_shear_modulus", "density", "density2", *_STATED]
+    values = {name: frame[name] for name in names}
     grains = _grains(frame)
     pairs = {f"pair_coeff {grain} {grain} {{}}": pair for grain, pair in grains.items()}
     bodies, place = "two spheres", ""
@@ -82,7 +84,7 @@ def lammps_input(frame: Frame) -> str:
         try:
             coefficients.append(command.format(_coefficients(pair)))
             steps.append(pair["time_step"])
-        except JkrollError as error:  # a pair of like spheres may be rigid, or lack an input
+        except JkrollError as error:  # like spheres may be rigid, or lack an input
             coefficients.append(f"# {command.partition(' {')[0]}: {explanation_of(command, error)}")
     at_rest = "Like spheres touch without load. " if values["load"] else ""
     types = []
@@ -111,10 +113,12 @@ def _peeling_coefficient(frame: Frame) -> float:
 
 
 def _skin(frame: Frame, pairs: Iterable[Frame]) -> float:
-    """Return the distance beyond touching that neighbor lists cover, in m."""
-    smallest = min(frame["radius"], frame.values.get("radius2", INFINITY))
-    approaches = (approach for pair in pairs for approach in pair.numbers("approach").values())
-    return float(max(SKIN * smallest, *(LEAST_SKIN * approach for approach in approaches)))
+    """Return the skin of the neighbor lists, in m: pairs with a smaller gap are listed."""
+    skin = SKIN * min(frame["radius"], frame.values.get("radius2", INFINITY))
+    for pair in pairs:
+        for approach in pair.numbers("approach").values():
+            skin = max(skin, LEAST_SKIN * approach)
+    return float(skin)
 
 
 def _is_at_wall(frame: Frame) -> bool:
@@ -122,14 +126,15 @@ def _is_at_wall(frame: Frame) -> bool:
 
 
 def _grains(frame: Frame) -> dict[int, Frame]:
-    """Return the pair of two grains of each type, by number; a sphere on a plane gives one type."""
+    """Return a pair of like grains for each type, by the number of the type; a sphere at a wall gives one type."""
     if frame.is_identical:
         return {1: frame}
-    return {sphere: pair_of(frame, sphere) for sphere in ((1,) if _is_at_wall(frame) else (1, 2))}
+    types = (1,) if _is_at_wall(frame) else (1, 2)
+    return {sphere: pair_of(frame, sphere) for sphere in types}
 
 
 def pair_of(frame: Frame, sphere: int) -> Frame:
-    """Return the pair of two spheres like sphere 1 or like sphere 2, without load."""
+    """Return a pair of two spheres like sphere 1, or like sphere 2, without load."""
     stated = {name: value for name, value in frame.stated_of_1.items() if name not in STATE_OR_LOAD}
     of_2 = {of_sphere(1, name): value for name, value in frame.stated.items() if NOMENCLATURE[name].sphere == 2}
     if sphere == 1:
@@ -140,7 +145,7 @@ def pair_of(frame: Frame, sphere: int) -> Frame:
 
 
 def _coefficients(pair: Frame) -> str:
-    """Return the words and numbers for a contact in `pair_coeff` and `fix wall/gran`."""
+    """Return the coefficients of a contact as words and numbers, for `pair_coeff` and `fix wall/gran`."""
     slip = pair["sliding_friction_coefficient"] if pair.law.is_default else NO_SLIP
     numbers: dict[str, tuple[float, ...]] = {
         pair.law.name: (2 * pair["contact_modulus"], 0, 0, pair["work_of_adhesion"] / 2),
@@ -149,8 +154,7 @@ def _coefficients(pair: Frame) -> str:
     }
     if pair.law.is_default:
         numbers["twisting sds"] = (pair["twisting_stiffness"], 0, pair["twisting_friction_coefficient"])
-    texts = [" ".join((word, *(f"{number:.12g}" for number in values))) for word, values in numbers.items()]
-    return " ".join(texts)
+    return " ".join([word + _spaced(values) for word, values in numbers.items()])
 
 
 # --- LIGGGHTS ---------------------------------------------------------------------------------------------------------
@@ -184,9 +188,13 @@ def liggghts_input(frame: Frame) -> str:
     ratios = [frame[of_sphere(sphere, "poisson_ratio")] for sphere in spheres]
     if INFINITY in moduli:
         raise BadRequest("export: liggghts needs a finite Young's modulus of each body")
-    grains = _grains(frame)
-    pairs = [frame] if frame.is_identical else [grains[1], frame, frame, grains.get(2, frame)]
-    steps = [*chain.from_iterable(pair.numbers("time_step").values() for pair in pairs)]
+    pairs = [frame]
+    if not frame.is_identical:
+        grains = _grains(frame)
+        pairs = [grains[1], frame, frame, grains.get(2, frame)]
+    steps: list[float] = []
+    for pair in pairs:
+        steps += pair.numbers("time_step").values()
     return _LIGGGHTS.format(
         force=frame["pull_off_force"],
         wall="; type 2 is the wall" if _is_at_wall(frame) else "",
@@ -204,14 +212,17 @@ def _spaced(numbers: Iterable[float]) -> str:
 
 
 def _energy_density(pair: Frame) -> float:
-    """Return k in J/m³. With A = cδ the least force is −(kc)³/(12E*²R); c is 4πR for two spheres, 2πR1 at a wall."""
+    """Return the cohesion energy density k of a pair, in J/m³.
+
+    With A = cδ the least force is −(kc)³/(12E*²R); c is 4πR for two spheres and 2πR1 at a wall.
+    """
     modulus, radius, force = pair["contact_modulus"], pair["reduced_radius"], pair["pull_off_force"]
-    area = 2 * pi * radius * (1 if _is_at_wall(pair) else 2)
+    area = (2 if _is_at_wall(pair) else 4) * pi * radius  # A/δ = c
     return float((12 * modulus**2 * radius * force) ** (1 / 3) / area)
 
 
 def _refuse_state(frame: Frame, program: str) -> None:
-    """Raise BadRequest for a load or an approach, since the input holds for all of them."""
+    """Raise BadRequest for a load or an approach, since the program computes them itself."""
     if not STATE.isdisjoint(frame.stated) or frame.values["load"]:
         raise BadRequest(f"export: {program} finds the load by itself; give none")
 
@@ -233,7 +244,7 @@ _DUST_COLLIDER = """\
 
 
 def _grain(frame: Frame, program: str) -> tuple[str, list[float]]:
-    """Return the name of the grains' material, and its γ, E, ν, density and ξ in SI units, for a program for dust.
+    """Return the name of the material and its γ, E, ν, density and ξ in SI units.
 
     Raises an error if the program cannot represent the frame.
     """
@@ -247,7 +258,7 @@ def _grain(frame: Frame, program: str) -> tuple[str, list[float]]:
         raise BadRequest(f"export: {program} divides by Poisson's ratio, which is 0 here")
     names = ("youngs_modulus", "poisson_ratio", "density", "yield_displacement")
     name = frame.material.name if frame.material else "jkroll"
-    return name, [frame["work_of_adhesion"] / 2, *(frame[each] for each in names)]
+    return name, [frame["work_of_adhesion"] / 2, *(frame[quantity] for quantity in names)]
 
 
 def dust_simulation_material(frame: Frame) -> str:
@@ -258,7 +269,7 @@ def dust_simulation_material(frame: Frame) -> str:
 
 
 def _about_dust_simulation(frame: Frame) -> tuple[str, str]:
-    """Return the notes on a material file: its lines, and the size of grains that stick at every speed."""
+    """Return the notes on a material file: on its lines, and on the size of grains that stick at every speed."""
     ratio = frame.replace(viscous_time=float(_DAMPING[1]))["viscosity_number"]
     largest = amount("radius", frame["radius"] * (ratio / STICKS_FROM) ** (6 / 7), Format(digits=3))
     sticks = f"with this viscous time all grains below {largest} stick at every speed"
@@ -277,13 +288,13 @@ def dust_collider_material(frame: Frame) -> str:
 
 
 class Program(NamedTuple):
-    """A program that takes contacts: its title, the function that writes its input, its quantities and its laws."""
+    """A program for which `jkroll export` writes input."""
 
     title: str
-    text: Callable[[Frame], str]
+    text: Callable[[Frame], str]  # returns the input
     quantities: tuple[str, ...]
     models: tuple[str, ...] = (DEFAULT_LAW,)
-    about: Callable[[Frame], Iterable[str]] | None = None  # notes, for an input without comments
+    about: Callable[[Frame], Iterable[str]] | None = None  # returns notes, for an input that cannot have comments
 
 
 PROGRAMS: Mapping[str, Program] = {

@@ -41,7 +41,7 @@ def write_fit(fitted: Fit, out: TextIO, *, heading: str, following: str) -> None
 
 
 def parts_of_fit(fitted: Fit) -> list[Part]:
-    """Return the lines and the table of a fit for a notebook, with arguments instead of options."""
+    """Return the lines and the table of a fit for a notebook, in which arguments replace options."""
     columns = text_columns(rows_of_results(fitted), words=len(HEADS))
     return [line_on_known(fitted), (columns, []), *map(as_arguments, sentences(fitted))]
 
@@ -65,8 +65,8 @@ def json_of(fitted: Fit, path: str, reading: str, following: str, *, curve: bool
     answer: dict[str, Any] = {
         "inputs": {"file": path, "read": reading, **_inputs(fitted)},
         "results": results,
-        "covariance": {"names": [*fitted.names], "matrix": [_column(row) for row in fitted.covariance]},
-        "by_law": {law: _all_finite(each) for law, each in fitted.by_law.items()},
+        "covariance": {"names": [*fitted.names], "matrix": [*map(_column, fitted.covariance)]},
+        "by_law": {law: _all_finite(values) for law, values in fitted.by_law.items()},
         "law_that_holds": fitted.law_that_holds,
         LIMIT: fitted.largest_adhesion,
         "other_body": None if other is None else dict([other]),
@@ -83,7 +83,7 @@ def json_of(fitted: Fit, path: str, reading: str, following: str, *, curve: bool
 
 
 def _inputs(fitted: Fit) -> dict[str, Any]:
-    """Return the inputs of a fit, with standard deviations."""
+    """Return the inputs of a fit, with the standard deviations of those that are measured."""
     known = fitted.known
     inputs: dict[str, Any] = {
         "reduced_radius": known.radius,
@@ -108,7 +108,7 @@ def _inputs(fitted: Fit) -> dict[str, Any]:
 
 
 def _all_finite(values: Mapping[str, float | None]) -> dict[str, float | None]:
-    """Return values by name, with None for those that are not finite."""
+    """Return values by name, with None for those that are infinite or nan."""
     return {name: _finite(value) for name, value in values.items()}
 
 
@@ -117,6 +117,7 @@ def _finite(value: float | None) -> float | None:
 
 
 def _column(column: Any) -> list[Any]:
+    """Return an array as a list, with None for numbers that are infinite or nan."""
     return [*map(_cell, column.tolist())]
 
 
@@ -125,8 +126,11 @@ def _cell(cell: Any) -> Any:
 
 
 def write_json(answers: Sequence[Mapping[str, Any]], out: TextIO) -> None:
-    """Write one object, or an array of several."""
-    say(json_text(answers[0] if len(answers) == 1 else [*answers], out), out)
+    """Write the JSON object of a fit, or an array of several."""
+    if len(answers) == 1:
+        say(json_text(answers[0], out), out)
+    else:
+        say(json_text([*answers], out), out)
 
 
 # --- Sources ----------------------------------------------------------------------------------------------------------
@@ -155,35 +159,40 @@ def _laws_cited(fitted: Fit) -> list[Mapping[str, str]]:
 
 def _methods(fitted: Fit) -> Iterator[str]:
     """Iterate over the sentences of a Methods section."""
-    known, data = fitted.known, []
-    if known.radius is not None:
-        data.append(amount("reduced_radius", _with_error(known.radius, known.radius_error)))
+    known = fitted.known
+    theory = "Hertz' theory"
+    if fitted.largest_adhesion is None:
+        theory = f"the {LAWS[known.law].title} theory"
     shape = "a rigid sphere" if known.profile == "sphere" else "a paraboloid"
-    theory = f"the {LAWS[known.law].title} theory" if fitted.largest_adhesion is None else "Hertz' theory"
+    if known.radius is not None:
+        radius = amount("reduced_radius", _with_error(known.radius, known.radius_error))
+        shape += as_latex(f" of radius {radius}")
     program, of_law = cite_command([references()["program"]]), cite_command(_laws_cited(fitted))
-    radius = as_latex(f" of radius {data[0]}") if data else ""
     yield (
         f"With jkroll {__version__}{program} we fitted the {fitted.kind} and the force of the curve by {theory} for "
-        f"{shape}{radius}{of_law}."
+        f"{shape}{of_law}."
     )
     if isfinite(known.stiffness) and fitted.kind == "travel":
         stiffness = amount("lever_stiffness", _with_error(known.stiffness, known.stiffness_error))
         yield as_latex(f"The lever has a stiffness of {stiffness}.")
     form = Format(digits=3)
-    parts = []
+    branches = []
     for name, (low, high) in fitted.fitted_loads.items():
-        parts.append(f"{name}, at loads of {amount('load', low, form)} to {amount('load', high, form)}")
-    first, *others = parts
+        branches.append(f"{name}, at loads of {amount('load', low, form)} to {amount('load', high, form)}")
+    first, *others = branches
     yield as_latex(f"Least squares gave all results from one branch ({first}).")
     if others:
         yield as_latex(f"With its modulus and contact point the other gave its work of adhesion ({others[0]}).")
-    line = "a line" if known.tilt else "the median"
-    yield f"Out of contact {line} of the force is its zero." if fitted.baselines else "The force was not shifted."
+    if fitted.baselines:
+        line = "a line" if known.tilt else "the median"
+        yield f"Out of contact {line} of the force is its zero."
+    else:
+        yield "The force was not shifted."
     yield (
         "Residuals were whitened as an autoregression of first order, and those beyond three standard deviations have "
         "Huber's weights."
     )
-    results = (f"{sentence_of(name)} {in_words(fitted, name)}" for name in RESULTS if name in fitted.errors)
+    results = [f"{sentence_of(name)} {in_words(fitted, name)}" for name in RESULTS if name in fitted.errors]
     yield as_latex(f"Results: {listed(results)}.")
     yield "Errors are standard deviations: of noise, of the calibration (radius, stiffness) and of the model."
 
@@ -196,15 +205,16 @@ def _with_error(value: float, relative: float) -> float | Measured:
 
 
 def heads_of(*, is_scaled: bool) -> list[str]:
-    """Return the header of the table with a row for each file."""
-    heads = [FILE]
+    """Return the header of the table with a row for each file. `is_scaled`: True for units without the radius."""
+    units = {}
     for name, quantity in RESULTS.items():
-        unit = bracketed(unit_without_radius(name) if is_scaled else NOMENCLATURE[quantity].unit)
+        units[name] = bracketed(unit_without_radius(name) if is_scaled else NOMENCLATURE[quantity].unit)
+    heads = [FILE]
+    for name, unit in units.items():
         heads.append(f"{name}{unit}")
         if not name.startswith("pull_off"):
             heads.append(f"{name}_err{unit}")
-    limit = unit_without_radius("work_of_adhesion_opening") if is_scaled else NOMENCLATURE["work_of_adhesion"].unit
-    return [*heads, f"{LIMIT}{bracketed(limit)}", "codes", REASON]
+    return [*heads, f"{LIMIT}{units['work_of_adhesion_opening']}", "codes", REASON]
 
 
 def row_of(path: str, fitted: Fit | None, reason: str = "") -> list[Any]:

@@ -1,4 +1,4 @@
-"""The manual: pages of Markdown, formatted by rich on a terminal; and its search, with quantities and materials."""
+"""The pages of the manual, formatted by rich on a terminal, and the search in pages, quantities and materials."""
 
 import os
 import re
@@ -17,7 +17,7 @@ _FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 _ENDING = ".md"
 _IMAGE = re.compile(r"!\[[^]]*\]\([^)]*\)\n\n")  # images are shown on the site only
 
-# Terms of the field by which a section is found, in addition to its heading.
+# Terms of the field that lead to a section although its heading does not have them; by page and heading.
 FIELD_TERMS: Mapping[tuple[str, str], str] = {
     ("contact-angle", "γ from contact angles"): "wetting wettability contact angle owens wendt surface tension",
     ("contact-angle", "An example by Owens and Wendt"): "contact angle wetting",
@@ -35,13 +35,13 @@ FIELD_TERMS: Mapping[tuple[str, str], str] = {
     ("validation", "Measurements"): "stickiness sticking bouncing rebound coefficient of restitution detachment",
 }
 
-SECTIONS = {"doubts": ("models", "Limits")}  # sections with a short name, for references in notes
-HISTORY = "changes"  # the page of past changes, found by its name only
-MAX_TEXT = 100  # columns of running text
-MAX_LINES = 12  # of passages found, in lines of a terminal
-LEAST_SHOWN, LEAST_NAMED = 0.7, 0.5  # score of another passage relative to the best
-MAX_ELSEWHERE = 3  # pages and materials listed
-LIKELY = 0.75  # least similarity of a misspelt word
+SECTIONS = {"doubts": ("models", "Limits")}  # sections by a short name, to which notes refer
+HISTORY = "changes"  # the page of past changes, which a search finds only by this word
+MAX_TEXT = 100  # width of running text
+MAX_LINES = 12  # of two passages with more lines on a terminal, only the first is shown
+LEAST_SHOWN, LEAST_NAMED = 0.7, 0.5  # least score, relative to the best, of a passage shown and of a page named
+MAX_ELSEWHERE = 3  # number of pages, or of materials, named below a passage
+LIKELY = 0.75  # least similarity of a known word that is suggested for an unknown one
 
 
 class Section(NamedTuple):
@@ -58,19 +58,11 @@ class Passage(NamedTuple):
     section: Section
     text: str  # Markdown
     head: str  # the header of its table
-    is_first: bool  # in its section: it answers the heading
-
-    @property
-    def fields(self) -> list[Field]:
-        """The weighted texts by which it is found: its bold words, those of its section, and its whole text."""
-        page, heading, _ = self.section
-        bold = " ".join(re.findall(r"\*\*(.+?)\*\*", self.text))
-        of_field = FIELD_TERMS.get((page, heading), "")
-        return [(3.0, bold), (3.0 if self.is_first else 1.5, f"{page} {heading}"), (1.5, of_field), (1.0, self.text)]
+    is_first: bool  # the first passage of a section answers its heading
 
 
 def topics() -> tuple[str, ...]:
-    """Return the topics of the manual."""
+    """Return the topics of the manual, which are the names of its pages."""
     names = sorted(os.listdir(_FOLDER))
     return tuple(name.removesuffix(_ENDING) for name in names if name.endswith(_ENDING))
 
@@ -82,11 +74,12 @@ def page(topic: str) -> str:
 
 
 def sections() -> list[Section]:
-    """Return the sections of all pages."""
+    """Return the sections of all pages, in their order."""
     every = []
     for topic in topics():
         for piece in re.split(r"^(?=## )", page(topic), flags=re.MULTILINE):
-            every.append(Section(topic, piece.partition("\n")[0].lstrip("# "), piece))
+            heading, _, _ = piece.partition("\n")
+            every.append(Section(topic, heading.lstrip("# "), piece))
     return every
 
 
@@ -126,26 +119,30 @@ def write_topics(out: TextIO) -> None:
 
 
 def passages() -> Iterator[Passage]:
-    """Iterate over the passages of all pages, without the output of programs."""
+    """Iterate over the passages of all pages; blocks of code are left out."""
     for section in sections():
-        body = section.text.partition("\n")[2]
+        _, _, body = section.text.partition("\n")
         prose = re.sub(r"^```.*?^```", "", body, flags=re.DOTALL | re.MULTILINE).strip()
         for number, block in enumerate(re.split(r"\n\s*\n|\n(?=- |\d+\. )", prose)):
             if block.startswith("|"):
                 head, line, *rows = block.split("\n")
-                yield from (Passage(section, row, f"{head}\n{line}\n", number == 0) for row in rows)
+                for row in rows:
+                    yield Passage(section, row, f"{head}\n{line}\n", number == 0)
             elif block:  # without the sentence that introduces an example
                 text = re.sub(r"(?<=\. )[^.]*:$", "", block).strip().removesuffix(":")
                 yield Passage(section, text, "", number == 0)
 
 
 def section_meant(text: str) -> Section | None:
-    """Return a section by its short name, or the only one of a page with some words in its heading."""
+    """Return the section that a text names, by its short name or by its page and words of its heading.
+
+    None if no section fits, or more than one.
+    """
     page, _, words = text.partition(" ")
-    sought = {*words_in(words)}
+    of_heading = {*words_in(words)}
     meant = []
     for section in sections():
-        has_words = section.page == page and sought and sought <= {*words_in(section.heading)}
+        has_words = section.page == page and of_heading and of_heading <= {*words_in(section.heading)}
         if has_words or (section.page, section.heading) == SECTIONS.get(text):
             meant.append(section)
     return meant[0] if len(meant) == 1 else None
@@ -154,7 +151,7 @@ def section_meant(text: str) -> Section | None:
 class Hits(NamedTuple):
     """The results of a search, the best first."""
 
-    passages: Sequence[Passage]  # one, or two of about the same score
+    passages: Sequence[Passage]  # one, or two with similar scores
     pages: Sequence[str]  # pages with the words
     quantities: Sequence[str]
     materials: Sequence[str]
@@ -165,22 +162,22 @@ def hits_of(text: str, materials: Iterable[Material]) -> Hits:
     words = words_sought(text)
     if not words:
         raise BadRequest(f"{quoted(text, 40)} has no word to search for; {_LISTS}")
-    read = (passage for passage in passages() if passage.section.page != HISTORY or HISTORY in words)
-    of_manual = Search(read, lambda passage: passage.fields)
+    searched = [passage for passage in passages() if passage.section.page != HISTORY or HISTORY in words]
+    of_manual = Search(searched, _fields_of_passage)
     of_quantities = Search(NOMENCLATURE, _fields_of_quantity)
     of_materials = Search(materials, _fields_of_material)
     searches = of_manual, of_quantities, of_materials
-    unknown = [word for word in words if not any(search.knows(word) for search in searches)]
-    if unknown:
-        raise _unknown_word(unknown[0], {*topics()}.union(*(search.vocabulary for search in searches)))
-    found = of_manual.ranked(words)
-    best = [each.thing for each in found[:2] if each.score >= LEAST_SHOWN * found[0].score]
-    named = (each.thing.section.page for each in found if each.score >= LEAST_NAMED * found[0].score)
+    for word in words:
+        if not any(search.knows(word) for search in searches):
+            raise _unknown_word(word, {*topics()}.union(*(search.vocabulary for search in searches)))
+    ranked = of_manual.ranked(words)
+    best = [match.thing for match in ranked[:2] if match.score >= LEAST_SHOWN * ranked[0].score]
+    pages = [match.thing.section.page for match in ranked if match.score >= LEAST_NAMED * ranked[0].score]
     return Hits(
         best,
-        [*dict.fromkeys(named)],
-        _with_synonym(text, [each.thing for each in of_quantities.ranked(words) if each.has_all]),
-        [each.thing.name for each in of_materials.ranked(words) if each.has_all],
+        [*dict.fromkeys(pages)],
+        _with_synonym(text, of_quantities.with_all(words)),
+        [material.name for material in of_materials.with_all(words)],
     )
 
 
@@ -195,14 +192,14 @@ def _unknown_word(word: str, known: Iterable[str]) -> BadRequest:
 
 
 def materials_with(text: str, materials: Iterable[Material]) -> list[Material]:
-    """Return the materials with all words of a text in their names, states or sets, in their order."""
+    """Return the materials with all words of a text in their names, states or sets, in the order given."""
     every = [*materials]
-    found = {each.thing for each in Search(every, _fields_of_material).ranked(words_sought(text)) if each.has_all}
-    return [material for material in every if material in found]
+    matching = {*Search(every, _fields_of_material).with_all(words_sought(text))}
+    return [material for material in every if material in matching]
 
 
 def quantities_meant(words: Sequence[str]) -> list[str]:
-    """Return the quantities that words mean: all without words, one by name or symbol, or a comma-separated list."""
+    """Return the quantities that words mean: a comma-separated list, or one by name or symbol; all without words."""
     if not words:
         return list(NOMENCLATURE)
     several = [named(word.strip()) for word in " ".join(words).split(",")]
@@ -213,15 +210,29 @@ def quantities_meant(words: Sequence[str]) -> list[str]:
 
 
 def _with_synonym(text: str, names: Sequence[str]) -> list[str]:
-    """Return the quantity with this synonym, then those found: variants last, or left out with their quantity."""
+    """Return the names found, preceded by the quantity that has this synonym.
+
+    Variants come last, and are left out if their quantity is found.
+    """
+    quantities = [name for name in names if not NOMENCLATURE[name].variant_of]
+    variants = [name for name in names if NOMENCLATURE[name].variant_of]
     meant = QUANTITY_SYNONYMS.get("_".join(text.split()).casefold())
-    ordered = sorted(names, key=lambda name: bool(NOMENCLATURE[name].variant_of))
-    return without_variants([*dict.fromkeys([meant, *ordered] if meant else ordered)])
+    if meant:
+        quantities.insert(0, meant)
+    return without_variants([*dict.fromkeys([*quantities, *variants])])
 
 
 def without_variants(names: Collection[str]) -> list[str]:
-    """Return names without the variants of quantities that are among them."""
+    """Return the names except variants of quantities that are also among them."""
     return [name for name in names if NOMENCLATURE[name].variant_of not in names]
+
+
+def _fields_of_passage(passage: Passage) -> list[Field]:
+    page, heading, _ = passage.section
+    bold = " ".join(re.findall(r"\*\*(.+?)\*\*", passage.text))
+    of_heading = 3.0 if passage.is_first else 1.5
+    terms = FIELD_TERMS.get((page, heading), "")
+    return [(3.0, bold), (of_heading, f"{page} {heading}"), (1.5, terms), (1.0, passage.text)]
 
 
 def _fields_of_quantity(name: str) -> list[Field]:
@@ -234,15 +245,21 @@ def _fields_of_material(material: Material) -> list[Field]:
     return [(3.0, " ".join((material.name, *material.aliases))), (1.0, f"{material.state} {material.title}")]
 
 
+def _source_of(passage: Passage) -> tuple[Section, str]:
+    """Return the section of a passage and the header of its table."""
+    return passage.section, passage.head
+
+
 def write_hits(text: str, hits: Hits, out: TextIO) -> None:
-    """Write the passages found, the second only if both are short, and other places with the words."""
+    """Write the best passages, the second only if both are short, and a line on other places with the words."""
     lines = sum(len(wrapped(passage.text, terminal_width())) for passage in hits.passages)
     shown = hits.passages if lines <= MAX_LINES else hits.passages[:1]
-    for (section, head), group in groupby(shown, key=lambda passage: (passage.section, passage.head)):
-        write_text(head + "\n".join(passage.text for passage in group) + "\n", out)
+    for (section, head), group in groupby(shown, key=_source_of):
+        write_text(head + "\n".join([passage.text for passage in group]) + "\n", out)
         of_section = f", {section.heading}" if section.text.startswith("## ") else ""
         say_wrapped(f"from the page {section.page}{of_section}: jkroll guide {section.page}", out)
-    others = [page for page in hits.pages if page not in {passage.section.page for passage in shown}]
+    shown_pages = {passage.section.page for passage in shown}
+    others = [page for page in hits.pages if page not in shown_pages]
     elsewhere = [f"jkroll guide {page}" for page in others[:MAX_ELSEWHERE]]
     if hits.quantities:
         elsewhere.append(f"jkroll quantities {' '.join(words_sought(text))}")

@@ -14,10 +14,14 @@ if TYPE_CHECKING:
 
 def frame_page(answer: "Report", out: TextIO, form: Format) -> None:
     """Write an answer, with an empty line between paragraphs and tables."""
-    parts = parts_of_frame(answer, form)
-    out.write("\n".join(f"{in_markdown(part)}\n" if isinstance(part, str) else _table(part) for part in parts))
+    texts = []
+    for part in parts_of_frame(answer, form):
+        texts.append(f"{in_markdown(part)}\n" if isinstance(part, str) else _table(part))
+    out.write("\n".join(texts))
 
 
 def _table(columns: Sequence[TextColumn]) -> str:
-    writer, heads = Markdown([column.is_right for column in columns]), [column.head for column in columns]
+    """Return columns as a Markdown table."""
+    heads = [column.head for column in columns]
+    writer = Markdown([column.is_right for column in columns])
     return (writer.header(heads) + writer.rows(heads, [[*column.cells] for column in columns])).decode()

@@ -1,7 +1,6 @@
-"""The lines and tables of answers for a notebook: those of a terminal, with arguments instead of options."""
+"""The lines and tables of answers for a notebook: as on a terminal, but arguments replace options."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import chain
 from typing import TYPE_CHECKING
 
 from ..quantities.formatting import AS_USUAL, Format
@@ -19,22 +18,26 @@ _MORE = "more: --explain"  # the last line on a terminal
 
 def parts_of_answer(answer: "Report") -> Iterator[Part]:
     """Iterate over the lines and tables of an answer."""
-    parts = (*parts_of_frame(answer, AS_USUAL), *lines_of(answer.sentences_below))
-    return _in_python((part if isinstance(part, str) else (part, []) for part in parts), ".notes and .doubts")
+    parts: list[Part] = []
+    for part in parts_of_frame(answer, AS_USUAL):
+        parts.append(part if isinstance(part, str) else (part, []))
+    return _in_python((*parts, *lines_of(answer.sentences_below)), ".notes and .doubts")
 
 
 def parts_of_answers(
     groups: Sequence[Group], blocks: "Iterable[Columns]", wanted: "Wanted", tally: "Tally", form: Format
 ) -> Iterator[Part]:
-    """Iterate over the lines and tables of a list of answers, block by block."""
+    """Iterate over the lines and tables of a list of answers: those of each block, then the notes."""
     assumed = assumed_in(groups)
-    tables = chain.from_iterable(parts_of_rows(columns, form, assumed) for columns in blocks)
+    parts: list[Part] = []
+    for columns in blocks:
+        parts += parts_of_rows(columns, form, assumed)
     notes = notes_below(groups, tally, wanted.reported_doubts, is_table=True)
-    return _in_python((*tables, *lines_of(notes, has_head=True)), ".notes and .doubts of each answer")
+    return _in_python((*parts, *lines_of(notes, has_head=True)), ".notes and .doubts of each answer")
 
 
 def _in_python(parts: Iterable[Part], more: str) -> Iterator[Part]:
-    """Iterate over parts with arguments instead of options. `more`: where the rest can be read."""
+    """Iterate over parts in which arguments replace options. `more`: the attributes with further notes."""
     for part in parts:
         if isinstance(part, str):
             yield f"more: {more}" if part == _MORE else as_arguments(part)

@@ -1,10 +1,11 @@
 """Search by the words of a question: common words are ignored; rare words and phrases count most."""
 
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache
 from itertools import chain, pairwise, product
 from math import log
+from operator import attrgetter
 from typing import Generic, NamedTuple, TypeVar
 
 from ..text import ascii_text
@@ -15,19 +16,19 @@ COMMON = frozenset(
     "means much must my need of on or please program should show so such tell than that the their them then there "
     "these they this those to use want was we what when where which who why will with would you your".split()
 )
-LONG = 60  # in texts with more words, each of them counts less
-PREFIX = 0.5  # weight of a longer word with the same prefix, relative to other forms of the word
+LONG = 60  # number of words in a text; in a longer one each word counts less
+PREFIX = 0.5  # weight of a longer word that begins with the stem of the word sought
 
 Thing = TypeVar("Thing")
-Field = tuple[float, str]  # a text by which a thing is found, after its weight
+Field = tuple[float, str]  # a weight, and a text by which a thing is found
 
 
-class Found(NamedTuple, Generic[Thing]):
-    """A thing with some of the words in a search."""
+class Match(NamedTuple, Generic[Thing]):
+    """A thing that has some words of a search."""
 
     thing: Thing
     score: float
-    has_all: bool  # it has all of the words
+    has_all: bool  # the thing has all words
 
 
 def words_in(text: str) -> list[str]:
@@ -62,7 +63,7 @@ def stem(word: str) -> str:
 
 
 def nearness(word: str, other: str) -> float:
-    """Return how well a word of a text matches a word in a search: 1 for the word and its forms, 0 for no match.
+    """Return how well a word sought matches a word of a text: 1 for the word and its forms, 0 for no match.
 
     >>> [nearness("humidity", other) for other in ("humid", "humidifier", "hum")], nearness("xi", "xia")
     ([1.0, 0.5, 0.0], 0.0)
@@ -73,48 +74,67 @@ def nearness(word: str, other: str) -> float:
 
 
 class Search(Generic[Thing]):
-    """Things, and the words by which they are found."""
+    """The things that can be found, with the words of their fields."""
 
     def __init__(self, things: Iterable[Thing], fields_of: Callable[[Thing], Iterable[Field]]) -> None:
         self._things: list[tuple[Thing, list[tuple[float, list[str]]]]] = []
         self.vocabulary: set[str] = set()
         for thing in things:
-            fields = [(weight, words_in(text)) for weight, text in fields_of(thing)]
+            fields = []
+            for weight, text in fields_of(thing):
+                words = words_in(text)
+                fields.append((weight, words))
+                self.vocabulary.update(words)
             self._things.append((thing, fields))
-            self.vocabulary.update(*(text for _, text in fields))
 
     def knows(self, word: str) -> bool:
         """Return whether a word, or one that matches it, occurs in some field."""
         return any(nearness(word, other) for other in self.vocabulary)
 
-    def ranked(self, words: Sequence[str]) -> list[Found[Thing]]:
-        """Return the things with some of the words, the best first."""
+    def with_all(self, words: Sequence[str]) -> list[Thing]:
+        """Return the things that have all words, the best first."""
+        return [match.thing for match in self.ranked(words) if match.has_all]
+
+    def ranked(self, words: Sequence[str]) -> list[Match[Thing]]:
+        """Return the things that have some of the words, the best first."""
         if not words:
             return []
-        matches: dict[str, dict[str, float]] = {}
+        near: dict[str, dict[str, float]] = {}  # by word of the vocabulary: the words sought that match it
         for other in self.vocabulary:
-            near = {word: nearness(word, other) for word in words}
-            matches[other] = {word: value for word, value in near.items() if value}
-        having = []
+            of_words = {word: nearness(word, other) for word in words}
+            near[other] = {word: value for word, value in of_words.items() if value}
+        matched: list[set[str]] = []  # the words that each thing has
         for _, fields in self._things:
-            texts = chain.from_iterable(text for _, text in fields)
-            having.append({*chain.from_iterable(matches[other] for other in texts)})
-        rarity = {word: log(1 + len(having) / (1 + sum(word in has for has in having))) for word in words}
-
-        def weight_of(text: Sequence[str]) -> float:
-            """Return the weight of the words in a text; adjacent words of the question count again."""
-            of_words = [matches[other] for other in text]
-            single = sum(rarity[word] * max(match.get(word, 0.0) for match in of_words) for word in words)
-            pairs = {*chain.from_iterable(product(*neighbours) for neighbours in pairwise(of_words))}
-            phrases = pairs.intersection(pairwise(words))
-            return single + sum(rarity[first] + rarity[second] for first, second in phrases)
-
-        found = []
-        for (thing, fields), has in zip(self._things, having, strict=True):
+            of_thing: set[str] = set()
+            for _, text in fields:
+                of_thing.update(*(near[other] for other in text))
+            matched.append(of_thing)
+        rarity = {}
+        for word in words:
+            number = sum(word in of_thing for of_thing in matched)
+            rarity[word] = log(1 + len(matched) / (1 + number))
+        matches = []
+        for (thing, fields), of_thing in zip(self._things, matched, strict=True):
             score = 0.0
-            for weight, text in fields if has else ():
+            for weight, text in fields if of_thing else ():
                 if text:
-                    score += weight * weight_of(text) / (1 + len(text) / LONG)
+                    of_text = _weight_of(words, [near[other] for other in text], rarity)
+                    score += weight * of_text / (1 + len(text) / LONG)
             if score:
-                found.append(Found(thing, score * (len(has) / len(words)) ** 2, len(has) == len(words)))
-        return sorted(found, key=lambda each: each.score, reverse=True)
+                share = len(of_thing) / len(words)
+                matches.append(Match(thing, score * share**2, has_all=share == 1))
+        return sorted(matches, key=attrgetter("score"), reverse=True)
+
+
+def _weight_of(words: Sequence[str], text: Sequence[Mapping[str, float]], rarity: Mapping[str, float]) -> float:
+    """Return the weight of words in a text; words that are adjacent in both count again.
+
+    `text`: for each word of the text the words sought that match it, with their nearness.
+    """
+    weight = 0.0
+    for word in words:
+        weight += rarity[word] * max(near.get(word, 0.0) for near in text)
+    pairs = {*chain.from_iterable(product(first, second) for first, second in pairwise(text))}
+    for first, second in pairs.intersection(pairwise(words)):
+        weight += rarity[first] + rarity[second]
+    return weight

@@ -1,14 +1,13 @@
-"""The sources of a number: `--explain` takes its derivation from docstrings of formulas, `--cite` writes BibTeX.
+"""The derivation of a number for `--explain`, from the docstrings of its formulas, and its sources for `--cite`.
 
-With `--tex` it writes a paragraph for the Methods section of a paper, with citations of these entries.
+`--cite` writes BibTeX entries; with `--tex` it writes a paragraph for the Methods section of a paper, which cites them.
 """
 
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from itertools import chain
 from math import log
-from typing import TYPE_CHECKING, Any, TextIO
+from typing import Any, TextIO
 
 from .. import __version__
 from ..errors import BadRequest
@@ -28,14 +27,11 @@ from ..report.ranges import made_of, range_in_words
 from ..report.report import Report, every_line
 from ..text import listed, say, say_wrapped
 
-if TYPE_CHECKING:
-    from ..quantities.values import Uncertain
-
 _SECTIONS = ("Source", "Valid")
 _NO_POWER = 1e-4  # a smaller exponent is a rounding error
-_LESS = 1 - 1e-5  # factor of an input, to find its power; its inverse at the lower end of a range
-_INDENT = 12  # indent of texts; of those next to values, see below
-_STEP_INDENT = 27
+_LESS = 1 - 1e-5  # factor of a moved input, which gives its power; at the lower end of a range the inverse
+_INDENT = 12  # indent of the text of a fact
+_STEP_INDENT = 27  # indent of the text beside the value of an input or a step
 
 
 def docstring_fields(formula: Any) -> dict[str, str]:
@@ -72,9 +68,11 @@ def write_explanation(answers: Iterable[Report], out: TextIO, form: Format) -> N
 
 
 def _explanation(result: Result, answer: Report, form: Format) -> list[str]:
-    """Return the lines that explain a result."""
+    """Return the lines that explain a result: its formula, inputs, steps and facts."""
     quantity, frame = NOMENCLATURE[result.name], answer.frame
-    title = f"{result.name} — {quantity.sentence}" + (f", {result.source}" if result.source else "")
+    title = f"{result.name} — {quantity.sentence}"
+    if result.source:
+        title += f", {result.source}"
     if result.measure is None:
         return [title, f"  {result.reason}", ""]
     lines, facts = [title], [*_facts(result, answer, form)]
@@ -90,27 +88,25 @@ def _explanation(result: Result, answer: Report, form: Format) -> list[str]:
         for step in earlier:
             lines += _value_lines(step.name, frame, form, _formula_of(step))
         facts.append(("power law", _power_law(result.name, frame)))
-        facts += [(key.lower(), fields.get(key, "")) for key in _SECTIONS]
+        for section in _SECTIONS:
+            facts.append((section.lower(), fields.get(section, "")))
         facts.append(("accuracy", f"{accuracy_of(last.formula.__name__)} above its arguments"))
         if quantity.definition and not result.law:
             reference = f" ({quantity.reference})" if quantity.reference else ""
             facts.append(("as", f"{quantity.definition}{reference}"))
         facts.append(("note", quantity.note))
-    return [*lines, *(f"  {key:9} {text}" for key, text in facts if text), ""]
+    lines += [f"  {head:9} {text}" for head, text in facts if text]
+    return [*lines, ""]
 
 
 def _facts(result: Result, answer: Report, form: Format) -> Iterator[tuple[str, str]]:
-    """Iterate over facts about a value: its uncertainty, its errors if it is inferred, and its values by other laws."""
-
-    def shown(value: "float | Uncertain") -> str:
-        return amount(result.name, value, form)
-
+    """Iterate over the facts about a value: its uncertainty, its errors, its values by law and its best range."""
     assert result.measure is not None
     assert result.value is not None
-    yield "result", f"{NOMENCLATURE[result.name].symbol} = {shown(result.measure)}"
+    yield "result", f"{NOMENCLATURE[result.name].symbol} = {amount(result.name, result.measure, form)}"
     if result.bar is not None:
-        shares = result.bar.shares.items()
-        yield "shares", ", ".join(f"{NOMENCLATURE[name].symbol} {share:.0%}" for name, share in shares)
+        shares = [f"{NOMENCLATURE[name].symbol} {share:.0%}" for name, share in result.bar.shares.items()]
+        yield "shares", ", ".join(shares)
     if result.error:
         yield "error", f"{100 * result.error:.2g} % off the exact moment of this contact"
     if result.growth is not None and answer.condition is None:
@@ -119,7 +115,8 @@ def _facts(result: Result, answer: Report, form: Format) -> Iterator[tuple[str, 
     elif result.growth is not None:
         errors = f"relative errors of these enter times {result.growth:.3g} at most"
         yield "inferred", f"with the other input, so that both have their measured values; {errors}"
-    yield "by law", ", ".join(f"{shown(value)} ({law})" for law, value in result.by_law.items())
+    values = [f"{amount(result.name, value, form)} ({law})" for law, value in result.by_law.items()]
+    yield "by law", ", ".join(values)
     best = answer.estimates.get(result.name)
     if best is not None and best.by != NONE:
         yield "best", f"{range_in_words(result.name, best)} ({WORDS[best.by]})"
@@ -128,7 +125,7 @@ def _facts(result: Result, answer: Report, form: Format) -> Iterator[tuple[str, 
 
 
 def _value_lines(name: str, frame: Frame, form: Format, remark: str) -> list[str]:
-    """Return the symbol and value of an input or a step, with a remark next to it, or below if the value is long."""
+    """Return the symbol and value of an input or a step, with a remark beside it, or below a long value."""
     measure = frame.uncertainties.get(name) or frame[name]
     value = f"    {NOMENCLATURE[name].symbol} = {amount(name, measure, form)}"
     if len(value) >= _STEP_INDENT:
@@ -137,9 +134,9 @@ def _value_lines(name: str, frame: Frame, form: Format, remark: str) -> list[str
 
 
 def _power_law(name: str, frame: Frame) -> str:
-    """Return the powers of its inputs that a quantity follows near their values: "R1^0.667 γ1^0.333 E1^-0.333".
+    """Return the local power law of a quantity in its inputs: "R1^0.667 γ1^0.333 E1^-0.333".
 
-    It is empty at the edge of a range, where one of the powers is unknown.
+    It is empty if a moved input gives no value or changes its sign, since a power is then unknown.
     """
     texts = []
     moduli = {name: frame.stated[name] for name in CONVERTED.values() if name in frame.stated}  # fixed while ν changes
@@ -157,14 +154,15 @@ def _power_law(name: str, frame: Frame) -> str:
 
 
 def _formula_of(step: Plan) -> str:
-    """Return the formula of a step, with the indices of sphere 2 if it belongs to sphere 2."""
+    """Return the formula of a step; for a quantity of sphere 2 its symbols have the index 2."""
     formula = docstring_fields(step.formula)["formula"]
-    is_of_sphere_2 = NOMENCLATURE[step.name].sphere == 2
-    return re.sub(r"(?<=[^\W\d])1(?![0-9])", "2", formula) if is_of_sphere_2 else formula
+    if NOMENCLATURE[step.name].sphere == 2:
+        return re.sub(r"(?<=[^\W\d])1(?![0-9])", "2", formula)
+    return formula
 
 
 def _meaning(name: str, frame: Frame) -> str:
-    """Return the meaning of an input, with its material and file, or with a remark that it was assumed."""
+    """Return the meaning of an input in words, with its material and source, or with "assumed" if it was not given."""
     sentence = NOMENCLATURE[name].sentence
     for material, _ in frame.data_used([name]):
         return f"{sentence} ({material.name}, {material.title})"
@@ -174,7 +172,10 @@ def _meaning(name: str, frame: Frame) -> str:
 # --- Citations --------------------------------------------------------------------------------------------------------
 
 
-def references() -> dict[str, Mapping[str, str]]:
+Entry = Mapping[str, str]  # a BibTeX entry: its key, its type and its fields
+
+
+def references() -> dict[str, Entry]:
     """Return the BibTeX entries of this program, of the paper, of laws and of conventions."""
     entries = {**data_of(os.path.join(os.path.dirname(__file__), "references.toml"))}
     entries["program"] = {**entries["program"], "howpublished": f"Computer program, version {__version__}"}
@@ -188,16 +189,18 @@ class Cited:
         self.names = [result.name for result in answer.results if result.value is not None]
         formulas = answer.frame.formulas_to(*self.names)
         self.equations = {NOMENCLATURE[name].equation for name in formulas} - {""}
-        by_maugis = answer.frame.replace(model=BETWEEN)
-        rests_on_law = any(has_other_formulas(by_maugis, name) for name in by_maugis.possible(self.names))
         known = references()
-        self.law = [known[answer.frame.law.name]] if rests_on_law else []
-        texts = [NOMENCLATURE[name].reference for name in self.names]
-        self.conventions: list[Mapping[str, str]] = []
-        for text in texts:
-            self.conventions += [entry for words, entry in known.items() if words in text]
-        used = answer.frame.data_used(answer.inputs)
-        self.data = [*chain.from_iterable(material.sources_of(name) for material, name in used)]
+        self.law: list[Entry] = []
+        by_maugis = answer.frame.replace(model=BETWEEN)
+        if any(has_other_formulas(by_maugis, name) for name in by_maugis.possible(self.names)):
+            self.law.append(known[answer.frame.law.name])
+        self.conventions: list[Entry] = []
+        for name in self.names:
+            reference = NOMENCLATURE[name].reference
+            self.conventions += [entry for words, entry in known.items() if words in reference]
+        self.data: list[Entry] = []
+        for material, name in answer.frame.data_used(answer.inputs):
+            self.data += material.sources_of(name)
 
 
 def _with_cited(answers: Iterable[Report]) -> Iterator[tuple[Report, Cited]]:
@@ -208,33 +211,39 @@ def _with_cited(answers: Iterable[Report]) -> Iterator[tuple[Report, Cited]]:
             yield answer, cited
 
 
-def write_citations(answers: Iterable[Report], out: TextIO) -> None:
-    """Write BibTeX entries of this program, of the paper with the equations used, and of the laws and data used."""
+def _cited_by_all(answers: Iterable[Report]) -> tuple[set[str], list[Entry]]:
+    """Return the equations that answers use, and the references of their laws, data and conventions, each once."""
     equations: set[str] = set()
-    others: dict[str, Mapping[str, str]] = {}
+    entries: dict[str, Entry] = {}
     for _, cited in _with_cited(answers):
         equations |= cited.equations
-        others |= {entry["key"]: entry for entry in (*cited.law, *cited.data, *cited.conventions)}
+        for entry in (*cited.law, *cited.data, *cited.conventions):
+            entries[entry["key"]] = entry
+    return equations, [*entries.values()]
+
+
+def write_citations(answers: Iterable[Report], out: TextIO) -> None:
+    """Write BibTeX entries of this program, of the paper with the equations used, and of the laws and data used."""
+    equations, others = _cited_by_all(answers)
     program, paper, *_ = references().values()
-    note = {"note": cited_equations(equations)} if equations else {}
-    for entry in (program, {**paper, **note}, *others.values()):
+    if equations:
+        paper = {**paper, "note": cited_equations(equations)}
+    for entry in (program, paper, *others):
         say(bibtex(entry), out)
 
 
 def citations_in_words(answers: Iterable[Report]) -> str:
     """Return the sources for a caption: this program, the paper with the equations used, laws and data."""
-    equations: set[str] = set()
-    others: dict[str, str] = {}
-    for _, cited in _with_cited(answers):
-        equations |= cited.equations
-        others |= {entry["key"]: _author_and_year(entry) for entry in (*cited.law, *cited.data, *cited.conventions)}
+    equations, others = _cited_by_all(answers)
     _, paper, *_ = references().values()
-    of_paper = f"{cited_equations(equations)} of " if equations else ""
-    return f"By jkroll {__version__}, after {'; '.join((of_paper + _author_and_year(paper), *others.values()))}."
+    sources = [*map(_author_and_year, (paper, *others))]
+    if equations:
+        sources[0] = f"{cited_equations(equations)} of {sources[0]}"
+    return f"By jkroll {__version__}, after {'; '.join(sources)}."
 
 
-def _author_and_year(entry: Mapping[str, str]) -> str:
-    """Return a citation for running text.
+def _author_and_year(entry: Entry) -> str:
+    """Return an entry as a citation in running text.
 
     >>> _author_and_year({"author": "Dominik, C. and Tielens, A. G. G. M.", "year": "1995"})
     'Dominik & Tielens 1995'
@@ -250,12 +259,12 @@ def cited_equations(equations: Iterable[str]) -> str:
     >>> cited_equations({"10", "2"})
     'Eqs. (2), (10)'
     """
-    numbers = sorted(equations, key=int)
-    return f"{'Eq.' if len(numbers) == 1 else 'Eqs.'} {', '.join(f'({number})' for number in numbers)}"
+    numbers = [f"({number})" for number in sorted(equations, key=int)]
+    return f"{'Eq.' if len(numbers) == 1 else 'Eqs.'} {', '.join(numbers)}"
 
 
-def bibtex(entry: Mapping[str, str]) -> str:
-    """Return a BibTeX entry.
+def bibtex(entry: Entry) -> str:
+    """Return an entry in BibTeX's form.
 
     >>> print(bibtex({"key": "book", "type": "misc", "title": "A Book"}))
     @misc{book,
@@ -282,36 +291,42 @@ def write_methods(answers: Iterable[Report], out: TextIO) -> None:
 def _computed(answer: Report, cited: Cited) -> str:
     """Return the sentence with the program, the equations, the laws and conventions, and the quantities."""
     program, paper, *_ = references().values()
-    authors = f"Dominik \\& Tielens{cite_command([paper])}"
-    equations = f"{cited_equations(cited.equations).replace('. ', '.~', 1)} of " if cited.equations else ""
-    ways = [f"{equations}{authors}"]
+    sources = [f"Dominik \\& Tielens{cite_command([paper])}"]
+    if cited.equations:
+        sources[0] = f"{cited_equations(cited.equations).replace('. ', '.~', 1)} of {sources[0]}"
     if cited.law:
-        ways.append(f"the {answer.frame.law.title} theory{cite_command(cited.law)}")
+        sources.append(f"the {answer.frame.law.title} theory{cite_command(cited.law)}")
     if cited.conventions:
-        ways.append(f"the conventions of{cite_command(cited.conventions)}")
+        sources.append(f"the conventions of{cite_command(cited.conventions)}")
     names = [name for name in answer.question.headline if name in cited.names] or cited.names
-    quantities = as_latex("; ".join(f"{NOMENCLATURE[name].sentence} ({symbol(name)})" for name in names))
+    quantities = as_latex("; ".join([f"{NOMENCLATURE[name].sentence} ({symbol(name)})" for name in names]))
     with_program = f"With jkroll {__version__}{cite_command([program])}"
-    return f"{with_program}, after {listed(ways)}, we computed for elastic spheres in adhesive contact: {quantities}."
+    sentence = f"after {listed(sources)}, we computed for elastic spheres in adhesive contact: {quantities}."
+    return f"{with_program}, {sentence}"
 
 
 def _values(answer: Report) -> str:
-    """Return the sentence with the inputs, the sources of their data, and which of them were assumed."""
-    omitted = {"model", "energy"} if "energy_ratio" in answer.inputs else {"model"}  # the energy follows from its ratio
+    """Return the sentence with the inputs, their sources, and the word "assumed" for those that were not given."""
+    omitted = {"model"}
+    if "energy_ratio" in answer.inputs:
+        omitted.add("energy")  # it follows from the ratio
     texts = []
     for name, value in answer.measures.items():
         if name in omitted:
             continue
         quantity = NOMENCLATURE[name]
         lead = "" if quantity.is_word else f"{symbol(name)} = "
-        meaning = quantity.sentence + ("; assumed" if name in answer.assumed else "")
-        used = answer.frame.data_used([name])
-        data = chain.from_iterable(material.sources_of(of_material) for material, of_material in used)
+        meaning = quantity.sentence
+        if name in answer.assumed:
+            meaning += "; assumed"
+        data: list[Entry] = []
+        for material, of_material in answer.frame.data_used([name]):
+            data += material.sources_of(of_material)
         texts.append(as_latex(f"{lead}{amount(name, value)} ({meaning})") + cite_command(data))
     return f"Values used: {', '.join(texts)}."
 
 
-def cite_command(entries: Iterable[Mapping[str, str]]) -> str:
+def cite_command(entries: Iterable[Entry]) -> str:
     """Return the command that cites entries; empty without any."""
     keys = ",".join(dict.fromkeys(entry["key"] for entry in entries))
     return f"~\\cite{{{keys}}}" if keys else ""

@@ -1,7 +1,6 @@
 """Tables on a terminal, fitted to its width: for one answer, and for a list of pairs."""
 
-from collections.abc import Iterator, Mapping, Sequence
-from itertools import chain
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from math import isnan
 from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 
@@ -51,14 +50,15 @@ if TYPE_CHECKING:
     from ..report.report import Report
 
 
-# A row keeps the unit of the rows above if its least number is from _LEAST to _MOST, its largest at most _LARGEST.
+# A row keeps the unit of the rows above if its smallest number in that unit lies between _LEAST and _MOST, and its
+# largest is at most _LARGEST.
 _LEAST, _MOST, _LARGEST = 0.25, 2000, 10000
-_SAME = 1e-12  # relative width below which a range is a number
+_SAME = 1e-12  # a range with a smaller relative width is shown as one number
 _BEST_RANGE = "best range"
 _AS_SILICA = "as SiO2"  # the rule for a pull-off force on a surface
-_CODES = 24  # characters of the codes in a cell
+_CODES = 24  # codes with more characters are shortened in a narrow table
 _OF_MATERIALS = {"material": [*PROPERTIES], "material2": [of_sphere(2, name) for name in PROPERTIES]}
-# Inputs without a column unless they were typed, since they follow from others; γ of a material keeps its column.
+# Inputs that follow from others have no column unless they were typed. γ of a material keeps its column.
 _FOLLOWING = {"radius2", "energy"}.union(*_OF_MATERIALS.values()) - {"surface_energy"}
 
 
@@ -74,23 +74,32 @@ def _about_inputs(
 ) -> Iterator[str]:
     """Iterate over a line with the given inputs after a prefix, and one with the assumptions.
 
-    A material has its values in brackets. `several`: the inputs that differ between rows.
+    The properties of a material follow it in brackets. `several`: the inputs that differ between rows.
     """
-    follows = {*assumed, "energy"}.difference(form.typed)  # from another input
-    inputs = {name: value for name, value in inputs.items() if name not in follows}
+    not_given = {*assumed, "energy"}.difference(form.typed)  # assumed, or computed from another input
+    inputs = {name: value for name, value in inputs.items() if name not in not_given}
     texts = {name: f"{symbol_among(name, inputs)} = {amount(name, value, form)}" for name, value in inputs.items()}
     if "surface_energy" in texts and "surface_energy2" not in texts:
         texts["surface_energy"] += " per surface"
     if {"radius", "radius2"} <= texts.keys() and inputs["radius2"] in (inputs["radius"], "plane"):
         radius = amount("radius", inputs["radius"], form)
-        on_plane = f"R1 = {radius} on a plane{_of_solid(inputs, several)}"
-        texts["radius"] = on_plane if inputs["radius2"] == "plane" else f"R1 = R2 = {radius}"
+        if inputs["radius2"] == "plane":
+            texts["radius"] = f"R1 = {radius} on a plane{_of_solid(inputs, several)}"
+        else:
+            texts["radius"] = f"R1 = R2 = {radius}"
         del texts["radius2"]
     for material, properties in _OF_MATERIALS.items():
-        if material in texts:
-            data = [texts.pop(name) for name in properties if name in texts and name not in form.typed]
-            solid = inputs[material] if "material" in inputs else f"sphere 2: {inputs[material]}"
-            texts[material] = f"{solid} ({', '.join(data)})" if data else str(solid)
+        if material not in texts:
+            continue
+        texts[material] = str(inputs[material])
+        if "material" not in inputs:
+            texts[material] = f"sphere 2: {inputs[material]}"
+        values = []
+        for name in properties:
+            if name in texts and name not in form.typed:
+                values.append(texts.pop(name))
+        if values:
+            texts[material] += f" ({', '.join(values)})"
     line = ", ".join(filter(None, [lead, *texts.values()]))
     if line:
         yield line
@@ -99,16 +108,16 @@ def _about_inputs(
 
 
 def _of_solid(inputs: "Mapping[str, float | str | Uncertain]", several: Sequence[str]) -> str:
-    """Return the solid of sphere 2 in words, unless it differs between rows or its own properties are given."""
-    own = {name for name in (*inputs, *several) if NOMENCLATURE[name].sphere == 2} - {"radius2", "diameter2"}
-    solid = inputs.get("material2" if "material2" in own else "material")
+    """Return the solid of sphere 2 in words; empty if it differs between rows or has its own properties."""
+    of_sphere_2 = {name for name in (*inputs, *several) if NOMENCLATURE[name].sphere == 2} - {"radius2", "diameter2"}
+    solid = inputs.get("material2" if "material2" in of_sphere_2 else "material")
     if solid is not None:
         return f" of {solid}"
-    return "" if own else " of the same solid"
+    return "" if of_sphere_2 else " of the same solid"
 
 
 class Row(NamedTuple):
-    """A result as in the table of an answer: its name, best range and rule, and its value by the law in use."""
+    """The texts of a result in the table of an answer; each number has its unit."""
 
     quantity: str
     symbol: str
@@ -133,10 +142,10 @@ def frame_table(answer: "Report", out: TextIO, form: Format) -> None:
 def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextColumn]]:
     """Iterate over lines and tables: the inputs of an answer, its results with best ranges, and their reasons.
 
-    Conventions of other codes follow below.
+    The last table has the conventions of other codes.
     """
     stated = {name: value for name, value in answer.measures.items() if name not in answer.assumed}
-    yield from _about_inputs("", stated, _in_column(answer), form)
+    yield from _about_inputs("", stated, _assumptions(answer), form)
     yield from lines_above(answer.sentences)
     if answer.described.unknowns:
         yield _of_inferred(answer, form)
@@ -159,22 +168,30 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
 
 
 def rows_in_words(answer: "Report", form: Format) -> dict[str, Row]:
-    """Return the rows of the table of an answer by name; each number has its unit."""
-    found: dict[str, Row] = {}
+    """Return the rows of the table of an answer, by the names of their quantities."""
+    law, words = answer.frame.law.short, {}
     for rows in _rows(answer, form):
         for name, (quantity, symbol, best, by, value, _, unit) in rows.items():
-            texts = (text if text == "–" else with_unit(text, unit) for text in (best, value))
-            found[name] = Row(quantity, symbol, next(texts), by, next(texts), answer.frame.law.short)
-    return found
+            words[name] = Row(quantity, symbol, _in_unit(best, unit), by, _in_unit(value, unit), law)
+    return words
 
 
-def _in_column(answer: "Report") -> dict[str, str]:
-    """Return the assumptions of a table by name: ξ as that of the law's column, no spacing if ranges have their own."""
+def _in_unit(text: str, unit: str) -> str:
+    """Return the text of a number with its unit; the dash of an empty cell stays alone."""
+    return text if text == "–" else with_unit(text, unit)
+
+
+def _assumptions(answer: "Report") -> dict[str, str]:
+    """Return the assumptions of an answer by name, as its table needs them.
+
+    ξ is assigned to the column of the law if ranges use other values. The atomic spacing is left out if ranges vary it.
+    """
     texts, rules = {**answer.assumed}, {estimate.by for estimate in answer.estimates.values()}
     if "energy_ratio" not in answer.frame.inputs_of(*answer.frame.possible(answer.names_in_table)):
         texts.pop("energy_ratio", None)
-    if any(by < LAW_IN_USE and by not in (DEFINITION, FRICTION_ASSUMED, LAW_ONLY) for by in rules):
-        texts.pop("atomic_spacing", None)  # ranges use their own
+    better_rules = {by for by in rules if by < LAW_IN_USE}
+    if better_rules - {DEFINITION, FRICTION_ASSUMED, LAW_ONLY}:
+        texts.pop("atomic_spacing", None)
     if XI in texts and not rules.isdisjoint((SCALED, XI_UNKNOWN)):
         text, _, option = texts.pop(XI).rpartition(" ")
         texts[XI] = f"{text} in the column of {answer.frame.law.short} {option}"
@@ -182,27 +199,30 @@ def _in_column(answer: "Report") -> dict[str, str]:
 
 
 _Rows = dict[str, list[str]]  # the cells of results, by name
+_ShownUnit = tuple[str, Unit]  # the unit of a row: its name, and the unit
 
 
 def _rows(answer: "Report", form: Format) -> tuple[_Rows, _Rows]:
     """Return the rows of results, and those of conventions.
 
-    Results that repeat another one are left out, and so are results that lack an input, which a note reports.
+    Unless it was asked for by name, a result is left out if it repeats another one, or if it lacks an input, which a
+    note reports.
     """
     physics: _Rows = {}
     conventions: _Rows = {}
     names = answer.names_in_table
     shown: set[tuple[Any, str]] = set()
-    units: dict[str, tuple[str, Unit]] = {}  # by SI unit: the last unit used, kept even for values somewhat below 1
+    units: dict[str, _ShownUnit] = {}  # the last unit used, by SI unit
     for result in answer.results:
         name, quantity = result.name, NOMENCLATURE[result.name]
-        is_known = name in answer.lacking if result.value is None else (result.value, quantity.unit) in shown
+        key = result.value, quantity.unit
+        is_known = name in answer.lacking if result.value is None else key in shown
         if name not in names or (is_known and name not in answer.question.named):
             continue
-        shown.add((result.value, quantity.unit))
+        shown.add(key)
         estimate = answer.estimates.get(name)
         sizes, unit = _sizes(result.measure, estimate), units.get(quantity.unit)
-        if not unit or not _LEAST <= convert(sizes[0], unit[1]) < _MOST or convert(sizes[-1], unit[1]) > _LARGEST:
+        if unit is None or not _suits(unit, sizes):
             unit = form.common_unit(name, sizes[-1:])
         if sizes[-1]:
             units[quantity.unit] = unit
@@ -210,9 +230,24 @@ def _rows(answer: "Report", form: Format) -> tuple[_Rows, _Rows]:
         row += [cell(result.value, unit, form), cell(result.measure, unit, form), unit[0]]
         if estimate and estimate.by in (KELVIN, GAP):  # no law of adhesion enters
             row[4] = "–"
-        is_convention = estimate and estimate.by == DEFINITION and f"{{{name}}}" not in answer.question.lead
-        (conventions if is_convention else physics)[name] = row
+        if estimate and estimate.by == DEFINITION and f"{{{name}}}" not in answer.question.lead:
+            conventions[name] = row
+        else:
+            physics[name] = row
     return physics, conventions
+
+
+def _sizes(measure: "float | Uncertain | None", estimate: "Estimate | None") -> list[float]:
+    """Return the sorted sizes that determine a row's unit: of its best range, or else of the result."""
+    sizes = []
+    if estimate is not None:
+        sizes = [abs(float(end)) for end in estimate[:2] if not isnan(end)]
+    return sorted(sizes) if any(sizes) else [abs(middle(measure or 0.0))]
+
+
+def _suits(unit: _ShownUnit, sizes: Sequence[float]) -> bool:
+    """Return whether a row with these sorted sizes keeps the unit of the rows above."""
+    return _LEAST <= convert(sizes[0], unit[1]) < _MOST and convert(sizes[-1], unit[1]) <= _LARGEST
 
 
 def _grouped(rows: _Rows, question: "Question") -> list[list[str]]:
@@ -224,39 +259,33 @@ def _grouped(rows: _Rows, question: "Question") -> list[list[str]]:
     for name, row in rows.items():
         title = titles.get(name, shown)
         if title != shown:
-            grouped.append([f"{title}:", *["" for _ in row[1:]]])
+            grouped.append([f"{title}:", *[""] * (len(row) - 1)])
         grouped.append(row)
         shown = title
     return grouped
 
 
-def _sizes(measure: "float | Uncertain | None", estimate: "Estimate | None") -> list[float]:
-    """Return the sorted sizes that determine a row's unit: of its best range, or else of the result."""
-    ends = [] if estimate is None else [float(end) for end in estimate[:2] if not isnan(end)]
-    return sorted(map(abs, ends if any(ends) else [middle(measure or 0.0)]))
-
-
 def _with_surfaces(rows: _Rows, answer: "Report", form: Format) -> _Rows:
-    """Return the rows of results, with those of measured pull-off forces below the computed one."""
-    found: _Rows = {}
+    """Return the rows of results; the pull-off force is followed by the forces measured on other surfaces."""
+    extended: _Rows = {}
     for name, row in rows.items():
         if name != "pull_off_force":
-            found[name] = row
+            extended[name] = row
             continue
-        found[name] = [f"{row[0]}, smooth", *row[1:]]
+        extended[name] = [f"{row[0]}, smooth", *row[1:]]
         by_law_in_use, *_ = answer.ranges.of_laws(name, LAW_IN_USE)
         unit = form.common_unit(name, by_law_in_use[1:])
         for surface, ends in on_surfaces(answer.frame, by_law_in_use).items():
             shown, _ = _range(Estimate(*ends, SCALED), unit, form)
-            found[surface] = [surface, "P_c", shown, _AS_SILICA, "–", "–", unit[0]]
-    return found
+            extended[surface] = [surface, "P_c", shown, _AS_SILICA, "–", "–", unit[0]]
+    return extended
 
 
 def _of_results(rows: Sequence[Sequence[str]], law: str) -> list[TextColumn]:
     """Return the columns of rows of results.
 
-    Ranges are left out if all of them are values of the law in use. Otherwise they include the uncertainties, and the
-    column of the law does not.
+    If the law in use gives all ranges, its column replaces them and shows the uncertainties. Otherwise the ranges
+    include the uncertainties, and the column of the law has bare values.
     """
     if {row[3] for row in rows} <= {law, WORDS[DEFINITION], WORDS[ANY_LAW], "–", ""}:
         heads, rows = ["quantity", "symbol", law, "unit"], [[*row[:2], *row[5:]] for row in rows]
@@ -270,13 +299,13 @@ def _of_results(rows: Sequence[Sequence[str]], law: str) -> list[TextColumn]:
     return columns
 
 
-def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) -> list[str]:
+def _range(estimate: "Estimate | None", unit: _ShownUnit, form: Format) -> list[str]:
     """Return the best range of a result and its rule, in words; an open end is left out."""
-    if estimate is None or not estimate.by > NONE:  # nan in a row without this quantity
+    if estimate is None or not estimate.by > NONE:  # by is nan in a row without this quantity
         return ["–", "–"]
-    low, high = (end if isnan(end) else convert(end, unit[1]) for end in estimate[:2])
+    low, high = _converted(estimate.low, unit), _converted(estimate.high, unit)
     digits = form.digits or 2
-    if estimate.by in (DEFINITION, LAW_ONLY, KELVIN) and form.digits is None:  # not known to all digits
+    if estimate.by in (DEFINITION, LAW_ONLY, KELVIN) and form.digits is None:  # only approximate
         return [f"≈ {from_to(low, high)}", WORDS[int(estimate.by)]]
     if abs(high - low) <= _SAME * abs(high):
         text = significant(low, form.digits or RESULT_DIGITS, zeros=form.digits is None and low != 0)
@@ -291,27 +320,40 @@ def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) ->
     return [text, WORDS[int(estimate.by)]]
 
 
+def _converted(end: float, unit: _ShownUnit) -> float:
+    """Return an end of a range in a unit; nan, for an open end, stays."""
+    return end if isnan(end) else convert(end, unit[1])
+
+
 # --- Inferred values --------------------------------------------------------------------------------------------------
 
 
 def _of_inferred(answer: "Report", form: Format) -> list[TextColumn]:
-    """Return the columns of inferred values by each law, starting with the one that holds, and of library values."""
-    own, library = answer.frame.law.name, library_values(answer.described)
-    exact = Format(form.units, form.digits or RESULT_DIGITS)
+    """Return the columns of inferred values and of library values, with rows for each law; the law that holds is first.
+
+    The column of the library is left out if the library has none of the values.
+    """
+    library = library_values(answer.described)
     rows = []
     for law in laws_of(answer):
         for result in answer.results:
             name, known = result.name, library.get(result.name)
             unit = form.common_unit(name, [result.measure if known is None else known])
-            better = Estimate(*answer.ranges.by_better_law(name), BETTER_LAW)
-            inferred = cell(result.measure, unit, form) if law == own else _range(better, unit, form)[0]
-            short = f"{LAWS[law].short} (best)" if law != own else LAWS[law].short
-            row = [NOMENCLATURE[name].sentence, symbol_among(name, answer.inputs), short, inferred]
-            rows.append([*row, "–" if known is None else exact.in_unit(known, unit), unit[0]])
-    solids = [*dict.fromkeys(chain.from_iterable(solids_of(answer.described, name) for name in library))]
+            inferred, short = cell(result.measure, unit, form), LAWS[law].short
+            if law != answer.frame.law.name:
+                better = Estimate(*answer.ranges.by_better_law(name), BETTER_LAW)
+                inferred, short = _range(better, unit, form)[0], f"{short} (best)"
+            of_library = "–"
+            if known is not None:
+                of_library = Format(form.units, form.digits or RESULT_DIGITS).in_unit(known, unit)
+            quantity, symbol = NOMENCLATURE[name].sentence, symbol_among(name, answer.inputs)
+            rows.append([quantity, symbol, short, inferred, of_library, unit[0]])
+    solids: dict[str, None] = {}
+    for name in library:
+        solids |= dict.fromkeys(solids_of(answer.described, name))
     heads = ["quantity", "symbol", "law", "inferred", f"{listed(solids or ['library'])} has", "unit"]
     columns = [column._replace(is_right=column.head in heads[3:5]) for column in text_columns([heads, *rows], words=3)]
-    if solids[1:] or not fit_terminal(columns):
+    if len(solids) > 1 or not fit_terminal(columns):
         columns[4] = columns[4]._replace(head="library has")
     if not library:
         del columns[4]
@@ -322,7 +364,7 @@ def _of_inferred(answer: "Report", form: Format) -> list[TextColumn]:
 
 
 def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[str, str], lead: str = "") -> None:
-    """Write a list as a table with a row for each pair (see `parts_of_rows`), or with a column if only that fits."""
+    """Write a list as a table with a row for each pair, or with a column for each if only that fits the terminal."""
     for part in parts_of_rows(columns, form, assumed, lead):
         if isinstance(part, str):
             say_wrapped(part, out)
@@ -331,74 +373,68 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
 
 
 def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str], lead: str = "") -> Iterator[str | Rows]:
-    """Iterate over the lines and the table of a list: a row for each pair, then the meaning of words and codes.
+    """Iterate over the parts of a list: lines on common inputs and assumptions, a table, and lines on its words.
 
-    Common inputs and assumptions come first, then the `lead`.
+    The `lead` stands above the table. The table has a row for each pair; the lines below it give the meaning of rules
+    and codes.
     """
-    inputs = {name: [in_words(name, value) for value in as_list(each)] for name, each in columns.inputs.items()}
+    names, inputs = columns.wanted.names, {}
+    for name, column in columns.inputs.items():
+        inputs[name] = [in_words(name, value) for value in as_list(column)]
     distinct = {name: {*values} - {None} for name, values in inputs.items()}  # None: not an input of the row
     common = {name: next(iter(values)) for name, values in distinct.items() if len(values) == 1}
     several = [name for name in inputs if name not in common]
-    number = len(columns) // max(len(distinct.get("model", ())), 1)
-    count = f"{number} {'states' if 'state' in inputs else 'pairs'}" if number > 1 else ""
-    if "state" in inputs and "model" not in inputs:
-        count += f" by {LAWS[DEFAULT_LAW].short} (--model)"
+    models = distinct.get("model", set())
+    count = _count(len(columns) // max(len(models), 1), inputs)
     if "radius2" in several and "radius2" not in form.typed:
         count += " of equal spheres (R2 = R1)"
-    if any(map(columns.wanted.best_of, columns.wanted.names)):
-        assumed = {name: text for name, text in assumed.items() if name != "atomic_spacing"}  # ranges use their own
-        common = {name: value for name, value in common.items() if name != "atomic_spacing" or name in form.typed}
+    if any(map(columns.wanted.best_of, names)):  # ranges vary the atomic spacing
+        assumed = {name: text for name, text in assumed.items() if name != "atomic_spacing"}
+        if "atomic_spacing" not in form.typed:
+            common.pop("atomic_spacing", None)
     yield from _about_inputs(count, common, assumed, form, several)
-    if BETWEEN in distinct.get("model", ()) and "model" in several:
-        is_named = "tabor_parameter" in columns.wanted.names
-        yield f"take the rows of maugis{'; μ is the Tabor parameter' if is_named else ''}"
-    exact, leading = Format(form.units, form.digits or DIGITS), list[TextColumn]()
+    if BETWEEN in models and "model" in several:
+        of_parameter = "; μ is the Tabor parameter" if "tabor_parameter" in names else ""
+        yield f"take the rows of maugis{of_parameter}"
+    exact, leading, results = Format(form.units, form.digits or DIGITS), list[TextColumn](), list[TextColumn]()
     following = _FOLLOWING | STATE_OR_LOAD if "state" in inputs else _FOLLOWING
     for name in several:
         if name in form.typed or name not in following:
             leading += columns_of(name, {symbol_among(name, inputs): inputs[name]}, exact)
-    results, rules, to_take = _results_of_rows(columns, form, "model" in several)
+    rules, to_take = list[float](), list[str]()
+    for name in names:
+        if name not in inputs:
+            of_quantity, of_rows = _of_quantity(columns, name, form, has_models="model" in several)
+            results += of_quantity
+            rules += of_rows
+            if len(of_quantity) > 1:
+                to_take.append(f"best {symbol_among(name, columns.inputs)}")
     shown = [codes(bits & columns.wanted.reported_doubts) for bits in as_list(columns.doubts)]
     if any(shown):
         results.append(TextColumn(DOUBT, shown, is_right=False))
     if lead:
         yield lead
     if to_take:
-        yield f"take {listed(to_take)}; plain {LAWS[DEFAULT_LAW].short} is there to compare"
+        yield f"take {listed(to_take)}; the other columns are plain {LAWS[DEFAULT_LAW].short}"
     yield leading, results
-    of_codes = lines_on_codes(chain.from_iterable(text.split() for text in shown))
-    rules_shown = (int(by) for by in rules if not isnan(by))
-    yield from (*lines_on_rules(rules_shown, columns.wanted.names), *of_codes)
+    yield from lines_on_rules([int(by) for by in rules if not isnan(by)], names)
+    yield from lines_on_codes(" ".join(shown).split())
 
 
-def _results_of_rows(
-    columns: "Columns", form: Format, has_laws: bool
-) -> tuple[list[TextColumn], list[float], list[str]]:
-    """Return the columns of results, the rules of their ranges, and the heads of the ranges to take.
-
-    `has_laws`: True if the rows have several laws, so that each row has the range of its own law.
-    """
-    results, rules, to_take = list[TextColumn](), list[float](), list[str]()
-    for name in columns.wanted.names:
-        if name in columns.inputs:
-            continue
-        best, of_rows = _best(columns, name, form)
-        head = symbol_among(name, columns.inputs)
-        own = f"{head} by {LAWS[DEFAULT_LAW].short}" if best and "model" not in columns.inputs else head
-        of_law = columns_of(name, {own: _measures(columns, name)}, form)
-        if has_laws and best:
-            of_law, best = [_with_ranges(of_law[0], best[0], of_rows)], []
-        elif best:
-            to_take.append(f"best {head}")
-        results += [*best, *of_law]
-        rules += of_rows
-    return results, rules, to_take
+def _count(number: int, inputs: Collection[str]) -> str:
+    """Return the number of pairs or states in words; empty for a single one."""
+    count = ""
+    if number > 1:
+        count = f"{number} states" if "state" in inputs else f"{number} pairs"
+    if "state" in inputs and "model" not in inputs:  # the default law gives the states of a force curve
+        count += f" by {LAWS[DEFAULT_LAW].short} (--model)"
+    return count
 
 
 def in_width(leading: list[TextColumn], results: list[TextColumn]) -> Rows:
     """Return the columns of a list in a form that suits the terminal.
 
-    Rows have all codes if these fit, and a pair becomes a column if only that fits.
+    Codes are shortened if they do not fit, and a pair becomes a column if only that fits.
     """
     if results and results[-1].head == DOUBT and not fit_terminal([*leading, *results]):
         cut = [text if len(text) <= _CODES else first_of(text.split(), 1) for text in results[-1].cells]
@@ -409,37 +445,59 @@ def in_width(leading: list[TextColumn], results: list[TextColumn]) -> Rows:
     return leading, results
 
 
+def _of_quantity(
+    columns: "Columns", name: str, form: Format, *, has_models: bool
+) -> tuple[list[TextColumn], list[float]]:
+    """Return the columns of a quantity with its best ranges, and the rule of each range.
+
+    `has_models`: True if rows have different laws. A single column then suffices: it has a range where the law of the
+    row leaves the atomic spacing open.
+    """
+    best, rules = _best(columns, name, form)
+    head = symbol_among(name, columns.inputs)
+    if best and "model" not in columns.inputs:
+        head += f" by {LAWS[DEFAULT_LAW].short}"
+    (values,) = columns_of(name, {head: _measures(columns, name)}, form)
+    if best and has_models:
+        return [_with_ranges(values, best[0], rules)], rules
+    return [*best, values], rules
+
+
 def _best(columns: "Columns", name: str, form: Format) -> tuple[list[TextColumn], list[float]]:
-    """Return the columns of the best range of a quantity and of its rule, and the rules of the rows.
+    """Return the columns of the best range of a quantity and of its rule, and the rule of each row.
 
     There are none if every range comes from the law in use or from a definition.
     """
     if not columns.wanted.best_of(name):
         return [], []
     lows, highs, rules = (as_list(columns.column(key)) for key in columns.wanted.best_of(name))
-    words = [WORDS[NONE] if isnan(by) else WORDS[int(by)] for by in rules]
     if not any(DEFINITION < by < LAW_IN_USE for by in rules):
         return [], []
     unit = form.common_unit(name, _measures(columns, name))
-    ranges = []
-    for row in zip(lows, highs, rules, strict=True):
-        ranges.append(_range(Estimate(*row), unit, form)[0])
-    head = f"best {symbol_among(name, columns.inputs)}" + (f" [{unit[0]}]" if unit[0] else "")
+    ranges, words = [], []
+    for low, high, by in zip(lows, highs, rules, strict=True):
+        text, _ = _range(Estimate(low, high, by), unit, form)
+        ranges.append(text)
+        words.append(WORDS[NONE] if isnan(by) else WORDS[int(by)])
+    head = f"best {symbol_among(name, columns.inputs)}"
+    if unit[0]:
+        head += f" [{unit[0]}]"
     return [TextColumn(head, ranges), TextColumn("by", words, is_right=False)], rules
 
 
 def _with_ranges(values: TextColumn, ranges: TextColumn, rules: Sequence[float]) -> TextColumn:
     """Return a column of values, with a range in rows whose law leaves the atomic spacing open."""
-    of_rows = zip(values.cells, ranges.cells, rules, strict=True)
-    cells = [best if by == SPACING_ASSUMED else value for value, best, by in of_rows]
+    cells = []
+    for value, best, by in zip(values.cells, ranges.cells, rules, strict=True):
+        cells.append(best if by == SPACING_ASSUMED else value)
     return values._replace(cells=cells)
 
 
-def _measures(columns: "Columns", key: str) -> list[Any]:
-    """Return the values of a column of results, with uncertainties if there are any; None for empty cells."""
-    keys = columns.wanted.sides_of(key)
-    sides = (as_list(columns.column(each)) for each in keys.values())
+def _measures(columns: "Columns", name: str) -> list[Any]:
+    """Return the values of a quantity with their uncertainties; None for empty cells."""
+    keys = columns.wanted.sides_of(name)
+    sides = [as_list(columns.column(key)) for key in keys.values()]
     measures = []
-    for value, *of_row in zip(as_list(columns.column(key)), *sides, strict=True):
+    for value, *of_row in zip(as_list(columns.column(name)), *sides, strict=True):
         measures.append(None if isnan(value) else with_sides(value, dict(zip(keys, of_row, strict=True))))
     return measures

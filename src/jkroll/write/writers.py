@@ -1,7 +1,7 @@
-"""Columns as lines of text: a writer for each format of lists, tables, maps and catalogues; and the output file.
+"""Writers of columns as lines of text, one for each format; and the file that they write.
 
-A column is a list of texts, numbers and None, or an array of numbers; an array with two axes is several columns. A
-single text or None means a column of it. None and nan are empty cells.
+A column is a list of texts, numbers and None, or an array of numbers; an array with two axes holds several columns. A
+single text, or None, is a column with this cell in every row. None and nan are empty cells.
 """
 
 import os
@@ -28,7 +28,7 @@ STRIP = 256  # rows written at once: their text fits into the cache
 
 
 class Lines:
-    """Rows as lines of cells with a separator between them."""
+    """A writer of rows as lines, with a separator between the cells."""
 
     has_words = True  # infinite inputs are written as words
     digits: int | None = None  # default digits of results; None for all
@@ -48,12 +48,13 @@ class Lines:
         self.has_header, self.is_plain, self.has_commas = has_header, is_plain, has_commas
 
     def header(self, heads: Sequence[str], before: Sequence[bytes] = ()) -> bytes:
-        """Return the line of the headers. `before`: the text before them, in the format."""
-        cells = [*before, *(self._text(head) for head in heads)]
-        return self.separator.join(cells) + self.end if self.has_header else b"".join(before)
+        """Return the line of the headers. `before`: encoded cells that precede them."""
+        if not self.has_header:
+            return b"".join(before)
+        return self.separator.join([*before, *map(self._text, heads)]) + self.end
 
     def rows(self, heads: Sequence[str], columns: Sequence[Any], before: Sequence[bytes] = ()) -> bytes:
-        """Return rows. `before`: the beginning of each row, in the format."""
+        """Return rows as text. `before`: the encoded beginning of each row."""
         size = len(before) or max(map(length, columns), default=0)
         leads = self._leads(heads, is_begun=bool(before))
         columns = [self._texts(column, lead, size) for column, lead in zip(self._divided(columns), leads, strict=False)]
@@ -75,15 +76,18 @@ class Lines:
         yield stream.write
 
     def _divided(self, columns: Sequence[Any]) -> Sequence[Any]:
-        """Return columns as they are written: several in one array stay together."""
+        """Return the columns to write one after another; an array with several of them stays whole."""
         return columns
 
     def _leads(self, heads: Sequence[str], *, is_begun: bool) -> list[bytes]:
         """Return the prefix of the cells of each column. `is_begun`: True if rows have a beginning."""
-        return [self.separator if is_begun or position else b"" for position in range(len(heads))]
+        leads = [self.separator] * len(heads)
+        if leads and not is_begun:
+            leads[0] = b""
+        return leads
 
     def _texts(self, column: Any, lead: bytes, size: int) -> Any:
-        """Return the cells of a column of texts with their prefix; an array is returned as it is."""
+        """Return the cells of a column of texts with their prefix; an array is returned unchanged."""
         if column is None or isinstance(column, str):
             return [lead + self._cell(column)] * size
         if isinstance(column, list):
@@ -92,7 +96,7 @@ class Lines:
         return column
 
     def _cells(self, column: Any, lead: bytes, part: slice) -> list[bytes]:
-        """Return some cells of a column, or of several in one array, with their prefix."""
+        """Return the cells of a part of a column with their prefix; for an array, a text for each row."""
         if isinstance(column, list):
             return column[part]
         rows = numbers_in_lines(column[..., part], self.separator, self.gap)
@@ -108,16 +112,18 @@ class Lines:
         return self.gap if isnan(value) else self._number(value + 0.0)
 
     def _number(self, value: float) -> bytes:
-        """Return a finite number."""
+        """Return the text of a finite number."""
         return spelled(value).encode()
 
     def _text(self, text: str) -> bytes:
         """Return a text, in quotes if needed."""
-        return (text if self.is_plain else in_quotes(text, self.separator.decode())).encode()
+        if not self.is_plain:
+            text = in_quotes(text, self.separator.decode())
+        return text.encode()
 
 
 class Objects(Lines):
-    """Rows as JSON objects, one on each line."""
+    """A writer of rows as JSON objects, one on each line."""
 
     def __init__(self) -> None:
         super().__init__(",", "null", end="}\n", has_header=False)
@@ -126,9 +132,11 @@ class Objects(Lines):
         return divided(columns)
 
     def _leads(self, heads: Sequence[str], *, is_begun: bool) -> list[bytes]:
-        """Return the names of members as prefixes. Beginnings of objects with members end with a comma."""
-        first, *others = (self._text(head) + b":" for head in heads)
-        return [first if is_begun else b"{" + first, *(b"," + name for name in others)]
+        """Return the names of the members as prefixes. The given beginning of a row ends with a comma."""
+        first, *others = [self._text(head) + b":" for head in heads]
+        if not is_begun:
+            first = b"{" + first
+        return [first, *(b"," + name for name in others)]
 
     def _text(self, text: str) -> bytes:
         from json.encoder import encode_basestring
@@ -137,12 +145,12 @@ class Objects(Lines):
 
 
 class Markdown(Lines):
-    """Rows as a table of GitHub's Markdown, with rounded numbers aligned right."""
+    """A writer of rows as a table of GitHub's Markdown, with rounded numbers aligned right."""
 
     digits = RESULT_DIGITS
 
     def __init__(self, are_right: Sequence[bool] = (), *, has_commas: bool = False) -> None:
-        """`are_right`: True for each of the first columns to align right; for others the header decides."""
+        """`are_right`: for each of the first columns, True to align it right; for the others the header decides."""
         super().__init__(" | ", end=" |\n", has_commas=has_commas)
         self.are_right = are_right
 
@@ -150,8 +158,9 @@ class Markdown(Lines):
         """Return the line of the headers, and the line below, which aligns the columns."""
         others = heads if before else heads[len(self.are_right) :]
         are_right = [*self.are_right, *(not has_texts(head) for head in others)]
-        sides = "".join("|---:" if is_right else "|---" for is_right in are_right).encode() + b"|\n"
-        return (b"" if before else b"| ") + super().header(heads, before) + sides
+        rule = b"".join(b"|---:" if is_right else b"|---" for is_right in are_right)
+        line = super().header(heads, before) + rule + b"|\n"
+        return line if before else b"| " + line
 
     def _leads(self, heads: Sequence[str], *, is_begun: bool) -> list[bytes]:
         """Return the prefix of the cells of each column."""
@@ -159,7 +168,7 @@ class Markdown(Lines):
         return [first or b"| ", *others]
 
     def _number(self, value: float) -> bytes:
-        """Return a number; an integer has no point."""
+        """Return the text of a number; an integer has no decimal point."""
         number = super()._number(value).removesuffix(b".0")
         return number.replace(b".", b",") if self.has_commas else number
 
@@ -168,7 +177,7 @@ class Markdown(Lines):
 
 
 class Lists:
-    """Rows as columns of Python: arrays of numbers, and lists of texts."""
+    """A writer of rows as columns of Python: arrays of numbers, and lists of texts."""
 
     digits = None
     has_words, is_plain = False, False
@@ -180,11 +189,11 @@ class Lists:
     def rows(self, _: Sequence[str], columns: Sequence[Any], before: Sequence[Any] = ()) -> list[Any]:
         """Return the columns, each with a cell for every row. `before`: the beginning of each row."""
         size = len(before) or max(map(length, columns), default=0)
-        filled = []
+        lists = []
         for column in divided(columns):
             is_same = column is None or isinstance(column, str)
-            filled.append([column] * size if is_same else column)
-        return filled
+            lists.append([column] * size if is_same else column)
+        return lists
 
 
 WRITERS = {
@@ -198,14 +207,14 @@ WRITERS = {
 
 
 def in_quotes(cell: str, separator: str) -> str:
-    """Return a cell, in quotes if needed."""
+    """Return a cell for a line, in quotes if it has a quote, the separator or a line break."""
     if any(mark in cell for mark in (separator, '"', "\n", "\r")):
         return '"' + cell.replace('"', '""') + '"'
     return cell
 
 
 def in_markdown(text: str) -> str:
-    r"""Return a text on one line that Markdown shows unchanged, also in a cell of a table.
+    r"""Return a text as one line that Markdown shows unchanged, even in a cell of a table.
 
     >>> in_markdown("a|b *c*\nP_c [nN] _d_")
     'a\\|b \\*c\\* P_c [nN] \\_d\\_'
@@ -215,12 +224,12 @@ def in_markdown(text: str) -> str:
 
 
 def in_row(cells: Iterable[str]) -> str:
-    """Return the beginning of a line of a Markdown table, with texts as cells."""
+    """Return the beginning of a row of a Markdown table, with texts as cells."""
     return "| " + " | ".join(map(in_markdown, cells))
 
 
 def numbers_in_lines(columns: Any, separator: bytes, gap: bytes) -> list[bytes]:
-    """Return the numbers of each row as a line without its end, with a separator before each; nan is a gap.
+    """Return a text for each row: its numbers, with a separator before each, and gaps for nan.
 
     `columns`: an array with one column or several.
     """
@@ -231,14 +240,14 @@ def numbers_in_lines(columns: Any, separator: bytes, gap: bytes) -> list[bytes]:
     text = orjson.dumps(numpy.ascontiguousarray(rows) + 0.0, option=orjson.OPT_SERIALIZE_NUMPY)
     if gap != b"null" and b"n" in text:
         text = text.replace(b"null", gap)
-    text = b"," + text.replace(b"[", b"")  # ,1,2],3,4]] for [[1,2],[3,4]]: a single byte is found fast
+    text = b"," + text.replace(b"[", b"")  # [[1,2],[3,4]] becomes ,1,2],3,4]], which is split fast at each ]
     if separator != b",":
         text = text.replace(b",", separator)
     return text.split(b"]")[: len(rows)]
 
 
 def divided(columns: Sequence[Any]) -> list[Any]:
-    """Return all columns separately; arrays may hold several."""
+    """Return the columns one by one, including each column of an array with several."""
     single: list[Any] = []
     for column in columns:
         if getattr(column, "ndim", 1) > 1:
@@ -249,10 +258,10 @@ def divided(columns: Sequence[Any]) -> list[Any]:
 
 
 def length(column: Any) -> int:
-    """Return the number of rows of a column, or of several in one array; 0 for a single text or None."""
-    if isinstance(column, list):
-        return len(column)
-    return 0 if column is None or isinstance(column, str) else int(column.shape[-1])
+    """Return the number of rows of a list or an array; 0 for a single text or None, which suits any number."""
+    if column is None or isinstance(column, str):
+        return 0
+    return len(column) if isinstance(column, list) else int(column.shape[-1])
 
 
 # --- Rows of frames ---------------------------------------------------------------------------------------------------
@@ -261,7 +270,7 @@ def length(column: Any) -> int:
 def written(
     writer: Any, wanted: Wanted, blocks: Iterable[Columns], form: Format, *, doubt: bool = True
 ) -> Iterator[Any]:
-    """Iterate over rows in a format, block by block; first comes the header, if the format has one.
+    """Iterate over the header, if the format has one, and the rows of each block.
 
     `doubt`: True for a column of doubts, if they are judged.
     """
@@ -270,19 +279,19 @@ def written(
     of_results = Format(form.units, form.digits or writer.digits)
     yield writer.header(heads)
     for columns in blocks:
-        inputs = [[*map(middle, column)] if isinstance(column, list) else column for column in columns.inputs.values()]
-        if writer.has_words:
-            inputs = [_in_words(name, column) for name, column in zip(wanted.inputs, inputs, strict=True)]
-        if writer.digits:
-            inputs = [_rounded(column, form.digits or DIGITS) for column in inputs]
+        inputs = []
+        for name, column in zip(wanted.inputs, columns.inputs.values(), strict=True):
+            inputs.append(_input_column(name, column, writer, form))
         yield writer.rows(heads, [*inputs, *result_columns(columns, of_results, remarks)])
 
 
-def _in_words(name: str, column: Any) -> Any:
-    """Return the column of an input, with words for infinite values."""
-    if isinstance(column, list) or (abs(column) == INFINITY).any():
-        return [in_words(name, value) for value in as_list(column)]
-    return column
+def _input_column(name: str, column: Any, writer: Any, form: Format) -> Any:
+    """Return the column of an input without uncertainties, in the words and digits of a writer."""
+    if isinstance(column, list):
+        column = [*map(middle, column)]
+    if writer.has_words and (isinstance(column, list) or (abs(column) == INFINITY).any()):
+        column = [in_words(name, value) for value in as_list(column)]
+    return _rounded(column, form.digits or DIGITS) if writer.digits else column
 
 
 def _rounded(column: Any, digits: int) -> list[Cell]:
@@ -291,7 +300,7 @@ def _rounded(column: Any, digits: int) -> list[Cell]:
 
 
 def result_columns(columns: Columns, form: Format, remarks: Sequence[str]) -> list[Any]:
-    """Return the columns of results, in their units and with their digits, then codes and reasons."""
+    """Return the columns of results in a format, then those of codes and reasons."""
     texts = [_codes(columns) if name == DOUBT else columns.status for name in remarks]
     if columns.few or columns.wanted.best or any(map(form.changes, columns.wanted.names)):
         return [*_formatted(columns, form), *texts]
@@ -299,7 +308,7 @@ def result_columns(columns: Columns, form: Format, remarks: Sequence[str]) -> li
 
 
 def _codes(columns: Columns) -> list[str | None]:
-    """Return the codes of the doubts of each row."""
+    """Return the codes of the doubts of each row as a text; None for a row without doubts."""
     if columns.few:
         return [codes(bits) or None for bits in columns.doubts]
     import numpy
@@ -310,7 +319,7 @@ def _codes(columns: Columns) -> list[str | None]:
 
 
 def _formatted(columns: Columns, form: Format) -> Iterator[Any]:
-    """Iterate over the columns of results, in their units and with their digits."""
+    """Iterate over the columns of results, in the units and with the digits of a format."""
     for name in columns.wanted.names:
         for key in columns.wanted.keys_of(name):
             column = columns.column(key)
@@ -327,14 +336,14 @@ def _formatted(columns: Columns, form: Format) -> Iterator[Any]:
 def write_records(heads: Sequence[str], records: Iterable[Sequence[Cell]], output: str, out: TextIO) -> None:
     """Write records in a format: "table", "plain", "csv", "md" or "json".
 
-    A cell without a value is None, written as "—", "-", an empty cell or null.
+    An empty cell is None, written as "—", "-", nothing or null.
     """
     if output == "json":
         say(json_text([dict(zip(heads, record, strict=True)) for record in records], out), out)
     elif output == "table":
         write_texts(heads, [[*map(_text, record)] for record in records], out)
     else:
-        write_columns(heads, [list(column) for column in zip(*records, strict=True)], output, out)
+        write_columns(heads, [*map(list, zip(*records, strict=True))], output, out)
 
 
 def write_columns(heads: Sequence[str], columns: Sequence[Any], output: str, out: TextIO) -> None:
@@ -343,11 +352,14 @@ def write_columns(heads: Sequence[str], columns: Sequence[Any], output: str, out
     if writer.digits:
         columns = [_rounded(column, DIGITS) for column in columns]
         writer = Markdown([{*map(type, column)} - {type(None)} == {float} for column in columns])
-    text = writer.header(heads) + (writer.rows(heads, columns) if columns else b"")
+    text = writer.header(heads)
+    if columns:
+        text += writer.rows(heads, columns)
     out.write(text.decode())
 
 
 def _text(cell: Cell) -> str:
+    """Return a cell as text for a reader."""
     if cell is None:
         return "—"
     return pretty(spelled(cell) if isinstance(cell, float) else str(cell))
@@ -356,15 +368,16 @@ def _text(cell: Cell) -> str:
 # --- The output: a file that is written completely or not at all, or stdout -------------------------------------------
 
 MAX_KEPT = 50  # characters of a file name in its temporary name
-SIGNALS = [signal.SIGINT, signal.SIGTERM, getattr(signal, "SIGHUP", signal.SIGTERM)]  # Windows has two of these
+SIGNALS = [signal.SIGINT, signal.SIGTERM, getattr(signal, "SIGHUP", signal.SIGTERM)]  # Windows has no SIGHUP
 _STREAMS = ("/dev/stdin", "/dev/stdout", "/dev/stderr")
 
 
 @contextmanager
 def whole_file(path: str, mark: str = "") -> Iterator[BinaryIO]:
-    """Open a temporary file that replaces `path` when it is complete; or stdout, a device, a pipe or an open file.
+    """Open an output file that replaces the one at `path` only when it is complete.
 
-    `mark`: part of the temporary name, for `remove_begun`.
+    Stdout, a device, a pipe or an open file is written directly. `mark`: part of the name of the temporary file, by
+    which `remove_begun` recognizes it.
     """
     if path == "-":
         sys.stdout.flush()
@@ -377,7 +390,7 @@ def whole_file(path: str, mark: str = "") -> Iterator[BinaryIO]:
     try:
         descriptor = _descriptor(path)
         if descriptor is not None or (os.path.exists(path) and not os.path.isfile(path)):
-            sys.stdout.flush()  # it may be the same file
+            sys.stdout.flush()  # stdout may be the same file
             with _opened(path if descriptor is None else os.dup(descriptor)) as stream:
                 yield stream
             return
@@ -391,14 +404,14 @@ def whole_file(path: str, mark: str = "") -> Iterator[BinaryIO]:
                 os.chmod(temporary, os.stat(real).st_mode & 0o7777)
             os.replace(temporary, real)
     except OSError as error:
-        error.filename = path  # a full disk gives no name, other errors a temporary one
+        error.filename = path  # the error of a full disk has no name, others have the temporary name
         raise
 
 
 @contextmanager
 def _removed_at_last(path: str) -> Iterator[BinaryIO]:
     """Open a new file for a block; remove it after the block, or if a signal ends the process."""
-    begun: list[BinaryIO] = []  # empty until it exists: a file of another process stays
+    begun: list[BinaryIO] = []  # empty until the file is open, so that no file of another process is removed
 
     def remove() -> None:
         with suppress(FileNotFoundError):
@@ -425,22 +438,22 @@ def _removed_at_last(path: str) -> Iterator[BinaryIO]:
 
 
 class _Terminal(BufferedWriter):
-    """A terminal that shows the cells of a table but cannot be controlled by them."""
+    """A terminal that shows the cells of a table, but is not controlled by their characters."""
 
     def write(self, lines: Any) -> int:
-        """Write whole lines."""
+        """Write whole lines; return their number of bytes."""
         super().write(for_terminal(bytes(lines).decode(errors="replace")).encode())
         return len(lines)
 
 
 def _opened(file: str | int, *, is_terminal: bool = False) -> BufferedWriter:
-    """Open a file or a descriptor for bytes, or as a `_Terminal` if it is one."""
+    """Return a stream of bytes to a file or a descriptor: a `_Terminal` if it is a terminal."""
     stream = open(file, "wb")
     return _Terminal(stream.detach()) if is_terminal or stream.isatty() else stream
 
 
 def remove_begun(paths: Iterable[str], mark: str) -> None:
-    """Remove temporary files with a mark, made by `whole_file` for some paths in processes that were lost."""
+    """Remove the temporary files with a mark that `whole_file` opened for some paths, in processes that were lost."""
     for folder in {os.path.dirname(os.path.realpath(path)) for path in paths}:
         with suppress(OSError):
             for name in os.listdir(folder):
@@ -449,7 +462,7 @@ def remove_begun(paths: Iterable[str], mark: str) -> None:
 
 
 def _descriptor(path: str) -> int | None:
-    """Return the descriptor of the open file in a path such as /dev/stdout or /dev/fd/63; None for other paths."""
+    """Return the descriptor that a path names, such as /dev/stdout or /dev/fd/63; None for other paths."""
     if path in _STREAMS:
         return _STREAMS.index(path)
     number = re.fullmatch(r"/(?:dev|proc/self)/fd/(\d+)", path)
@@ -458,7 +471,7 @@ def _descriptor(path: str) -> int | None:
 
 @contextmanager
 def text_output(path: str) -> Iterator[TextIO]:
-    """Open a file for UTF-8 text, see `whole_file`; "-" is stdout."""
+    """Open an output file for UTF-8 text, see `whole_file`; "-" is stdout."""
     if path == "-":
         yield sys.stdout
         sys.stdout.flush()
