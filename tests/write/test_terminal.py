@@ -166,7 +166,7 @@ def test_a_list_of_laws_says_which_of_them_holds(run: Run) -> None:
 
 def test_lists_and_curves_begin_with_what_to_take(run: Run) -> None:
     ran = run("report quartz 100nm,1um --quantities P_c,a0", terminal=True)
-    assert "\ntake best P_c and best a0; plain JKR is there to compare\n" in ran.out
+    assert "\ntake best P_c and best a0; the other columns are plain JKR\n" in ran.out
     curve = run("contact quartz 100nm --curve", terminal=True)
     ranges = "best ranges: P_c 14–15 nN (Maugis), a0 3.0–3.2 nm (Maugis), δ0 115–121 pm (Maugis)"
     assert f"{ranges}; the curve by Maugis' law: --model maugis" in " ".join(curve.out.split())

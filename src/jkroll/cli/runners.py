@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 
 CURVE_BLOCK = 500  # states of force curves that are computed at a time
 MOST_FOUND = 12  # quantities in the table of a search
-WIDTH_OF_EXPORT = 120  # of comments
+WIDTH_OF_EXPORT = 80  # of comments
 
 
 # --- Questions --------------------------------------------------------------------------------------------------------
@@ -341,7 +341,7 @@ def run_export(call: Call) -> int:
     frame = next(call.sweep.frames())
     if frame.law.name not in program.models:
         raise BadRequest(f"--model: {program.title} has {listed(program.models)}, not {quoted(frame.law.name)}")
-    text = program.text(frame)
+    text = _with_wrapped_comments(program.text(frame))
     if call.quiet:
         sys.stdout.write(text)
         return 0
@@ -359,16 +359,24 @@ def run_export(call: Call) -> int:
     options = options_for_centre(answer)
     if options:
         remedy = f"for the centre of the best ranges of P_c and M add {options}"
-        _write_comments([f"plain {frame.law.short}, not the best values: {remedy}"])
+        say(_comment(f"plain {frame.law.short}, not the best values: {remedy}"), sys.stdout)
     sys.stdout.write(text)
-    _write_comments(lines)
+    for line in lines:
+        say(_comment(line), sys.stdout)
     return 0
 
 
-def _write_comments(lines: Iterable[str]) -> None:
-    """Write lines as comments in the input of a program."""
-    for line in lines:
-        say("\n".join(f"# {text}" for text in wrapped(ascii_text(line), WIDTH_OF_EXPORT, 2)), sys.stdout)
+def _with_wrapped_comments(text: str) -> str:
+    """Return the input of a program with its comments wrapped."""
+    lines = []
+    for line in text.splitlines():
+        lines.append(_comment(line.removeprefix("# ")) if line.startswith("# ") else line)
+    return "\n".join([*lines, ""])
+
+
+def _comment(text: str) -> str:
+    """Return a text as a comment in the input of a program, wrapped."""
+    return "\n".join(f"# {line}" for line in wrapped(ascii_text(text), WIDTH_OF_EXPORT, 2))
 
 
 def run_infer(call: Call) -> int:

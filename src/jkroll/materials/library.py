@@ -464,7 +464,7 @@ def _unclear(word: str, materials: Sequence[Material]) -> UnclearMaterial:
 
 
 def _choice(material: Material, *, has_sets: bool) -> str:
-    """Return the name of a material with its surface energy and its state, or else its set if there are several."""
+    """Return the name of a material with its surface energy and its state, or else what a note or its set says."""
     from ..quantities.formatting import amount
 
     about = []
@@ -472,6 +472,8 @@ def _choice(material: Material, *, has_sets: bool) -> str:
         about.append(amount("surface_energy", material.properties["surface_energy"]))
     if material.state:
         about.append(material.state)
+    elif "surface_energy" in material.notes:
+        about.append(material.notes["surface_energy"].partition(";")[0])
     elif has_sets:
         about.append(material.title)
     text = ", ".join(filter(None, about))

@@ -115,7 +115,10 @@ def inputs_named(words: Sequence[str]) -> list[str]:
     names = [named(word) for word in words]
     for word, name in zip(words, names, strict=True):
         if name not in SIZES:
-            raise BadRequest(f"{quoted(word)} cannot be inferred; {', '.join(SIZES)} can")
+            problem = f"{quoted(word)} cannot be inferred; {', '.join(SIZES)} can"
+            if name in NOMENCLATURE and NOMENCLATURE[name].sphere == 2:
+                problem = f"{quoted(word)}: exchange the bodies, so that the unknown one is sphere 1; R and E* stay"
+            raise BadRequest(problem)
     if len(names) not in (1, 2) or len({*names}) < len(names):
         raise BadRequest(f"{quoted(','.join(words))}: one input can be inferred, or two that differ")
     return names

@@ -38,22 +38,22 @@ pair_style granular
 timestep {step:.12g}
 # SI units. {law}: 2E* [Pa], damping, Poisson's ratio 0, as only E* enters, gamma per surface [J/m^2].
 # tangential mindlin_rescale: 8G* [Pa], damping, coefficient of friction [1]{friction}.
-# rolling sds: stiffness [N/m], damping, coefficient M/(R(P + 2P_c)) [1], M the moment at which it rolls, R the
-# reduced radius.
-# Damping is left out; coeff_restitution gives nan with adhesion. timestep [s] and thresholds are for the P above: where
-# collisions press harder, give their largest force as --load. What is behind each line: jkroll guide dem
+# rolling sds: stiffness [N/m], damping, coefficient M/(R(P + 2P_c)) [1], M the moment at which it rolls, R the \
+reduced radius.
+# Damping is left out; coeff_restitution gives nan with adhesion. timestep [s] and thresholds are for the P above: \
+where collisions press harder, give their largest force as --load. What is behind each line: jkroll guide dem
 """
 _OF_COLLISIONS = """\
-# In LAMMPS grains stick only below 0.7028 v_stick: it lets go at 3 pi gamma R, before the neck has stretched as far as
-# fixed grips stretch it, so that adhesion takes only 0.3814/0.7722 of jkroll's energy from a collision.
+# In LAMMPS grains stick only below 0.7028 v_stick: it lets go at 3 pi gamma R, before the neck has stretched as far \
+as fixed grips stretch it, so that adhesion takes only 0.3814/0.7722 of jkroll's energy from a collision.
 """
 _REMARKS_ON = {  # by law
     "jkr": """\
 # twisting sds: stiffness [N m], damping, coefficient M_twist/(P + 2P_c) [m].
-# It slides at pi a^2 tau, twists at (2/3) pi a^3 tau, tau = {shear_strength:.6g} Pa{place}. If it may peel off before
-# it slides, write {peels:.6g} as the coefficient of friction, T_first/(P + 2P_c).
-# LAMMPS multiplies the coefficient of friction, adhesion's at the P above, with every load: for contacts that are
-# pushed harder write your solid's.
+# It slides at pi a^2 tau, twists at (2/3) pi a^3 tau, tau = {shear_strength:.6g} Pa{place}. If it may peel off before \
+it slides, write {peels:.6g} as the coefficient of friction, T_first/(P + 2P_c).
+# LAMMPS multiplies the coefficient of friction, adhesion's at the P above, with every load: for contacts that are \
+pushed harder write your solid's.
 """,
     "dmt": """\
 # P_c is 4 pi gamma R here. The rolling moment is 4 pi gamma R xi at any load, the one in LAMMPS right at the P above.
@@ -174,8 +174,8 @@ pair_coeff * *
 # Only the pull-off is JKR's: without overlap there is no force; contact radius, stiffness and overlap are others.
 """
 _TWO_RULES = """\
-# timestep {:.12g}: in s, the shorter of a twentieth of the period of sliding with rotation of a JKR contact
-# without load, and a fifth of the Rayleigh time.
+# timestep {:.12g}: in s, the shorter of a twentieth of the period of sliding with rotation of a JKR contact \
+without load, and a fifth of the Rayleigh time.
 """
 
 

@@ -396,19 +396,12 @@ def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str], 
     if BETWEEN in models and "model" in several:
         of_parameter = "; μ is the Tabor parameter" if "tabor_parameter" in names else ""
         yield f"take the rows of maugis{of_parameter}"
-    exact, leading, results = Format(form.units, form.digits or DIGITS), list[TextColumn](), list[TextColumn]()
+    exact, leading = Format(form.units, form.digits or DIGITS), list[TextColumn]()
     following = _FOLLOWING | STATE_OR_LOAD if "state" in inputs else _FOLLOWING
     for name in several:
         if name in form.typed or name not in following:
             leading += columns_of(name, {symbol_among(name, inputs): inputs[name]}, exact)
-    rules, to_take = list[float](), list[str]()
-    for name in names:
-        if name not in inputs:
-            of_quantity, of_rows = _of_quantity(columns, name, form, has_models="model" in several)
-            results += of_quantity
-            rules += of_rows
-            if len(of_quantity) > 1:
-                to_take.append(f"best {symbol_among(name, columns.inputs)}")
+    results, rules, to_take = _result_columns(columns, form, has_models="model" in several)
     shown = [codes(bits & columns.wanted.reported_doubts) for bits in as_list(columns.doubts)]
     if any(shown):
         results.append(TextColumn(DOUBT, shown, is_right=False))
@@ -443,6 +436,22 @@ def in_width(leading: list[TextColumn], results: list[TextColumn]) -> Rows:
     if fit_terminal(across) and not fit_terminal([*leading, *results]):
         return across[:1], across[1:]
     return leading, results
+
+
+def _result_columns(
+    columns: "Columns", form: Format, *, has_models: bool
+) -> tuple[list[TextColumn], list[float], list[str]]:
+    """Return the columns of results, the rules of all ranges, and the heads of the ranges to take."""
+    results, rules, to_take = list[TextColumn](), list[float](), list[str]()
+    for name in columns.wanted.names:
+        if name in columns.inputs:
+            continue
+        of_quantity, of_rows = _of_quantity(columns, name, form, has_models=has_models)
+        results += of_quantity
+        rules += of_rows
+        if len(of_quantity) > 1:
+            to_take.append(f"best {symbol_among(name, columns.inputs)}")
+    return results, rules, to_take
 
 
 def _of_quantity(
