@@ -63,7 +63,8 @@ def _tables() -> Iterator[str]:
         yield f"| {title} | symbol | unit | meaning | Eq |\n|---|---|---|---|---|"
         for name in names:
             each = NOMENCLATURE[name]
-            cells = (_escaped(text) for text in (each.symbol, pretty(each.unit), each.sentence, each.equation))
+            symbol = "" if each.is_word else mathml(each.symbol)
+            cells = [symbol, *map(_escaped, (pretty(each.unit), each.sentence, each.equation))]
             yield f"| [`{name}`](#{name}) | {' | '.join(cells)} |"
         yield ""
 

@@ -12,6 +12,7 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
+from markdown import Extension, Markdown
 from mkdocs.structure.files import File, Files
 
 from jkroll import __version__
@@ -23,6 +24,7 @@ sys.path[:0] = [str(HERE), str(HERE / "prompt")]
 from explorer_page import explorer  # noqa: E402
 from page_meta import described, with_card, with_policy  # noqa: E402
 from prompt_files import put_prompt  # noqa: E402
+from prose import with_formulas  # noqa: E402
 from python_pages import notebook, reference  # noqa: E402
 from quantity_pages import equations, quantities, with_links  # noqa: E402
 
@@ -35,6 +37,20 @@ MAPS = {
     "A contact under load": "contact quartz 100nm --curve",
 }
 GALLERY = {f"Figure {number}": f"figure {number}" for number in FIGURES} | MAPS  # the line that draws each picture
+
+
+class InLines(Extension):
+    """MathML in lines of text: for Python-Markdown it would be a block of its own."""
+
+    def extendMarkdown(self, md: Markdown) -> None:  # noqa: N802
+        """Take MathML from the elements that are blocks."""
+        md.block_level_elements.remove("math")
+
+
+def on_config(config: Any) -> Any:
+    """Let formulas stand in lines of text."""
+    config.markdown_extensions.append(InLines())
+    return config
 
 
 def on_files(files: Files, config: Any) -> Files:
@@ -111,7 +127,7 @@ def materials() -> str:
 
 
 def on_page_markdown(markdown: str, page: Any, config: Any, files: Files) -> str:  # noqa: ARG001
-    """Describe a page by its first paragraph, and make links of `jkroll guide X` and the quantities in its text."""
+    """Describe a page by its first paragraph; make links of `jkroll guide X` and of quantities; typeset formulas."""
     page.meta.setdefault("description", escape(described(markdown)))
     known = {path.stem for path in (CHECKOUT / "src" / "jkroll" / "guide").glob("*.md")}
 
@@ -119,10 +135,11 @@ def on_page_markdown(markdown: str, page: Any, config: Any, files: Files) -> str
         return f"[{match[0]}]({match[1]}.md)" if match[1] in known else match[0]
 
     parts = re.split(r"(^```.*?^```\s*?$)", markdown, flags=re.MULTILINE | re.DOTALL)  # blocks of code stay
-    return "".join(
-        part if part.startswith("```") else re.sub(r"(?<!\[)`jkroll guide ([a-z-]+)`(?!\])", linked, with_links(part))
-        for part in parts
-    )
+    for place, part in enumerate(parts):
+        if not part.startswith("```"):
+            prose = re.sub(r"(?<!\[)`jkroll guide ([a-z-]+)`(?!\])", linked, with_links(part))
+            parts[place] = "\n".join(map(with_formulas, prose.split("\n")))
+    return "".join(parts)
 
 
 def on_post_page(output: str, page: Any, config: Any) -> str:  # noqa: ARG001

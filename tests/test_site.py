@@ -242,12 +242,35 @@ def test_the_name_of_a_quantity_is_a_link_to_its_definition(topic: str, link: st
         ("√(k/m)", "<msqrt><mfrac><mi>k</mi><mi>m</mi></mfrac></msqrt>"),
         ("E*²", "<msup><mi>E</mi>&#42;<mn>2</mn></msup>"),
         ("(a0)^(1/3)", "<msup>(<msub><mi>a</mi><mn>0</mn></msub>)<mn>1/3</mn></msup>"),
+        ("R1^(2/3)", "<msubsup><mi>R</mi><mn>1</mn><mn>2/3</mn></msubsup>"),
         ("a0, which is a in JKR", "<msub><mi>a</mi><mn>0</mn></msub>, which is <mi>a</mi> in JKR"),
     ],
 )
 def test_a_formula_is_typeset_with_indices_roots_and_fractions(formula: str, written: str) -> None:
     typeset = runpy.run_path(str(DOCS / "typeset.py"))["mathml"](formula)
     assert re.sub(r"</?(?:math|mrow|mo|mtext)\b[^>]*>|&nbsp;|\s", "", typeset) == re.sub(r"\s", "", written)
+
+
+@pytest.mark.parametrize(
+    ("sentence", "formulas"),
+    [
+        ("w is 2√(γ1γ2), which is 2γ for like ones", ["w", "2√(γ1γ2)", "2γ"]),
+        ("The fraction (2/5)a²/R² is 0.1 % at w = 3·10⁻⁵ E*R.", ["(2/5)a²/R²", "w", "E*R"]),
+        ("1/R = 1/R1 + 1/R2: half (μ is small)", ["1/R = 1/R1 + 1/R2", "μ"]),
+        ("of 25 mJ/m², 3 N/m or 1e-30 J/m³ at z0 = 4 Å", ["z0 = 4"]),
+        ("`P_c` of [E*](paper.md#E1), --z0* and a word, SiO2, 3a, 8e36, J. Phys. D: I", ["E*"]),
+        ("| μ R\\|P\\| | nothing at P = 0 |", ["μ", "R|P|", "P = 0"]),
+        ("`T* = √(E*a0/m)` decides, `γ` and `mJ/m²` are words of a table", ["T* = √(E*a0/m)"]),
+        ("## P_c and E*", []),
+    ],
+)
+def test_formulas_of_a_sentence_are_typeset(
+    sentence: str, formulas: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.syspath_prepend(str(DOCS))
+    prose, typeset = (runpy.run_path(str(DOCS / name)) for name in ("prose.py", "typeset.py"))
+    written = re.findall("<math.*?</math>", prose["with_formulas"](sentence))
+    assert written == [typeset["mathml"](each, is_inline=True) for each in formulas]
 
 
 def test_the_equations_have_the_numbers_of_the_paper(site: tuple[Browser, str]) -> None:
