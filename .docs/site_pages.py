@@ -18,6 +18,7 @@ from mkdocs.structure.files import File, Files
 from jkroll import __version__
 from jkroll.cli.process import main
 from jkroll.materials.library import known_materials
+from jkroll.text import capital
 
 HERE = Path(__file__).parent
 sys.path[:0] = [str(HERE), str(HERE / "prompt")]
@@ -35,6 +36,16 @@ MAPS = {
     "Pull-off force of quartz": "map pull-off quartz --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 --mark quartz@100nm",
     "Frequencies": "map frequencies quartz,iron --x radius=10nm:1um --mark quartz@100nm",
     "A contact under load": "contact quartz 100nm --curve",
+}
+# How far up the search puts the sections of a page; by itself it prefers beginnings of pages.
+BOOSTS = {
+    "words": 4,
+    "all-quantities": 3,
+    "contact-angle": 2,
+    "equations": 0.3,
+    "accuracy": 0.3,
+    "reference": 0.3,
+    "changes": 0.1,
 }
 GALLERY = {f"Figure {number}": f"figure {number}" for number in FIGURES} | MAPS  # the line that draws each picture
 
@@ -129,6 +140,9 @@ def materials() -> str:
 def on_page_markdown(markdown: str, page: Any, config: Any, files: Files) -> str:  # noqa: ARG001
     """Describe a page by its first paragraph; make links of `jkroll guide X` and of quantities; typeset formulas."""
     page.meta.setdefault("description", escape(described(markdown)))
+    name = Path(page.file.src_uri).stem
+    page.meta["search"] = {"boost": BOOSTS.get(name, 1)}
+    markdown = with_headings(markdown) if name == "words" else markdown
     known = {path.stem for path in (CHECKOUT / "src" / "jkroll" / "guide").glob("*.md")}
 
     def linked(match: re.Match[str]) -> str:
@@ -140,6 +154,16 @@ def on_page_markdown(markdown: str, page: Any, config: Any, files: Files) -> str
             prose = re.sub(r"(?<!\[)`jkroll guide ([a-z-]+)`(?!\])", linked, with_links(part))
             parts[place] = "\n".join(map(with_formulas, prose.split("\n")))
     return "".join(parts)
+
+
+def with_headings(markdown: str) -> str:
+    """Return the page of words with a heading for each, so that the search finds it and a link leads to it."""
+
+    def headed(item: re.Match[str]) -> str:
+        return f"### {item[1].replace('**', '')}\n\n{capital(item[2])}\n"
+
+    one_a_line = re.sub(r"\. (?=\*\*)", ".\n- ", re.sub(r"\n  (?=\S)", " ", markdown))
+    return re.sub(r"^- (\*\*.*?): (.*)$", headed, one_a_line, flags=re.MULTILINE)
 
 
 def on_post_page(output: str, page: Any, config: Any) -> str:  # noqa: ARG001

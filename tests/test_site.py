@@ -192,6 +192,13 @@ def test_axe_finds_nothing_on_wide_and_narrow_light_and_dark_pages(
         ("--xi", "all-quantities/#yield_displacement"),
         ("humidity", "all-quantities/#humidity"),
         ("contact angles", "contact-angle/"),
+        ("contact angle", "contact-angle/"),
+        ("fixed grips", "words/#fixed-grips"),
+        ("rolling friction", "all-quantities/#rolling_friction_coefficient"),
+        ("pull-off force", "words/#pull-off"),
+        ("sticking speed", "words/#sticking-speed"),
+        ("work of adhesion", "all-quantities/#work_of_adhesion"),
+        ("best range", "answers/#the-best-range"),
     ],
 )
 def test_the_search_leads_first_to_a_definition(site: tuple[Browser, str], words: str, place: str) -> None:
@@ -201,7 +208,9 @@ def test_the_search_leads_first_to_a_definition(site: tuple[Browser, str], words
     window.click(".md-search__input")
     for letter in words:
         window.type(letter)
-    window.wait("document.querySelector('.md-search-result__item')")
+    last = words.rpartition(" ")[2].strip("-")  # a result's address has the words that it was found by
+    results = "[...document.querySelectorAll('.md-search-result__item:first-child a')]"
+    window.wait(f"{results}.some((link) => decodeURI(link.search).includes('{last}'))")
     window.type("Enter")
     window.wait("location.pathname !== '/tables/'", 10)
     assert window.script("return location.href.split('?')[0] + location.hash") == address + place
