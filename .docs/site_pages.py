@@ -179,7 +179,7 @@ def on_post_template(output_content: str, template_name: str, config: Any) -> st
 def gallery() -> str:
     """Return a page of the figures of the paper and some maps, each below the line that draws it."""
     shown = (
-        f"## {title}\n\n```console\n$ jkroll {line}\n```\n\n![{title}](gallery/{number}.svg)\n"
+        f"## {title}\n\n```console\n$ jkroll {line}\n```\n\n[![{title}](gallery/{number}.svg)](gallery/{number}.svg)\n"
         for number, (title, line) in enumerate(GALLERY.items())
     )
     return "# Gallery\n\nThe figures of the paper as this program draws them, and maps.\n\n" + "\n".join(shown)
