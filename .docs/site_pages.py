@@ -156,6 +156,11 @@ def on_page_markdown(markdown: str, page: Any, config: Any, files: Files) -> str
     return "".join(parts)
 
 
+def on_page_content(html: str, page: Any, config: Any, files: Files) -> str:  # noqa: ARG001
+    """Keep each option on one line, which would else end after its hyphens."""
+    return re.sub(r"<code>(--[^<]{1,28})</code>", r'<code class="option">\1</code>', html)
+
+
 def with_headings(markdown: str) -> str:
     """Return the page of words with a heading for each, so that the search finds it and a link leads to it."""
 

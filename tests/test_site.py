@@ -232,7 +232,7 @@ def test_every_page_has_a_policy_and_says_what_it_is() -> None:
     ("topic", "link"),
     [
         ("models", '<a href="../all-quantities/#yield_force_fixed_load"><code>yield_force_fixed_load</code></a>'),
-        ("models", '<a href="../all-quantities/#yield_displacement"><code>--xi</code></a>'),
+        ("models", '<a href="../all-quantities/#yield_displacement"><code class="option">--xi</code></a>'),
         ("tables", '<a href="../all-quantities/#radius"><code>radius</code></a>'),
         ("all-quantities", '<a href="#yield_force"><code>yield_force</code></a></td>'),
         ("all-quantities", '<a href="../commands/#pull-off">pull-off</a>'),
