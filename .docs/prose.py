@@ -11,8 +11,8 @@ from typeset import is_formula, mathml
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.units import is_in_table
 
-# No prose: code, addresses, HTML and attributes.
-_OTHER = re.compile(r"(`[^`]*`|\]\([^)]*\)|<math.*?</math>|<[^>]+>|\{#[^}]*\}|https?://\S+)")
+# No prose: code, links, HTML, attributes and addresses.
+_OTHER = re.compile(r"(`[^`]*`|\[(?:`[^`]*`|[^]`])*\]\([^)]*\)|<math.*?</math>|<[^>]+>|\{#[^}]*\}|https?://\S+)")
 _CODED = re.compile(r"`(.*(?:√|d\w/d).*)`")  # a formula that is code, so that its stars are not those of Markdown
 # A term: letters, numbers, signs without a space, and brackets, three deep, with all that is in them.
 _IN = r"[^(){}\[\]]"

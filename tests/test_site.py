@@ -267,7 +267,7 @@ def test_a_formula_is_typeset_with_indices_roots_and_fractions(formula: str, wri
         ("The fraction (2/5)a²/R² is 0.1 % at w = 3·10⁻⁵ E*R.", ["(2/5)a²/R²", "w", "E*R"]),
         ("1/R = 1/R1 + 1/R2: half (μ is small)", ["1/R = 1/R1 + 1/R2", "μ"]),
         ("of 25 mJ/m², 3 N/m or 1e-30 J/m³ at z0 = 4 Å", ["z0 = 4"]),
-        ("`P_c` of [E*](paper.md#E1), --z0* and a word, SiO2, 3a, 8e36, J. Phys. D: I", ["E*"]),
+        ("`P_c`, [w of E*](paper.md#E1), E*, --z0* and a word, SiO2, 3a, 8e36, J. Phys. D: I", ["E*"]),
         ("| μ R\\|P\\| | nothing at P = 0 |", ["μ", "R|P|", "P = 0"]),
         ("`T* = √(E*a0/m)` decides, `γ` and `mJ/m²` are words of a table", ["T* = √(E*a0/m)"]),
         ("## P_c and E*", []),
