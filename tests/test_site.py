@@ -157,7 +157,9 @@ def test_only_the_commands_of_a_transcript_are_copied(site: tuple[Browser, str])
     ]
 
 
-@pytest.mark.parametrize("path", ["", "start/", "prompt/", "models/", "all-quantities/", "equations/", "get/"])
+@pytest.mark.parametrize(
+    "path", ["", "start/", "prompt/", "models/", "all-quantities/", "equations/", "get/", "contact-angle/"]
+)
 def test_axe_finds_nothing_on_wide_and_narrow_light_and_dark_pages(
     site: tuple[Browser, str], path: str, tmp_path: Path
 ) -> None:
