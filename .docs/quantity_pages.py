@@ -19,7 +19,7 @@ _OF_OPTIONS = {quantity.option: name for name, quantity in NOMENCLATURE.items() 
 
 def quantities() -> str:
     """Return the page of all quantities: a table of those of each kind, and a section with what is known of each."""
-    head = "---\nsearch: {boost: 1.5}\n---\n\n# All quantities\n"
+    head = "# All quantities\n"
     words = "The symbols, names, units, options and formulas of all quantities, first as tables, then one by one.\n"
     return "\n".join([head, words, *_tables(), *_sections()])
 
@@ -63,7 +63,8 @@ def _tables() -> Iterator[str]:
         yield f"| {title} | symbol | unit | meaning | Eq |\n|---|---|---|---|---|"
         for name in names:
             each = NOMENCLATURE[name]
-            cells = (_escaped(text) for text in (each.symbol, pretty(each.unit), each.sentence, each.equation))
+            symbol = "" if each.is_word else mathml(each.symbol)
+            cells = [symbol, *map(_escaped, (pretty(each.unit), each.sentence, each.equation))]
             yield f"| [`{name}`](#{name}) | {' | '.join(cells)} |"
         yield ""
 

@@ -12,17 +12,20 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
+from markdown import Extension, Markdown
 from mkdocs.structure.files import File, Files
 
 from jkroll import __version__
 from jkroll.cli.process import main
 from jkroll.materials.library import known_materials
+from jkroll.text import capital
 
 HERE = Path(__file__).parent
 sys.path[:0] = [str(HERE), str(HERE / "prompt")]
 from explorer_page import explorer  # noqa: E402
 from page_meta import described, with_card, with_policy  # noqa: E402
 from prompt_files import put_prompt  # noqa: E402
+from prose import with_formulas  # noqa: E402
 from python_pages import notebook, reference  # noqa: E402
 from quantity_pages import equations, quantities, with_links  # noqa: E402
 
@@ -34,7 +37,31 @@ MAPS = {
     "Frequencies": "map frequencies quartz,iron --x radius=10nm:1um --mark quartz@100nm",
     "A contact under load": "contact quartz 100nm --curve",
 }
+# How far up the search puts the sections of a page; by itself it prefers beginnings of pages.
+BOOSTS = {
+    "words": 4,
+    "all-quantities": 3,
+    "contact-angle": 2,
+    "equations": 0.3,
+    "accuracy": 0.3,
+    "reference": 0.3,
+    "changes": 0.1,
+}
 GALLERY = {f"Figure {number}": f"figure {number}" for number in FIGURES} | MAPS  # the line that draws each picture
+
+
+class InLines(Extension):
+    """MathML in lines of text: for Python-Markdown it would be a block of its own."""
+
+    def extendMarkdown(self, md: Markdown) -> None:  # noqa: N802
+        """Take MathML from the elements that are blocks."""
+        md.block_level_elements.remove("math")
+
+
+def on_config(config: Any) -> Any:
+    """Let formulas stand in lines of text."""
+    config.markdown_extensions.append(InLines())
+    return config
 
 
 def on_files(files: Files, config: Any) -> Files:
@@ -111,18 +138,37 @@ def materials() -> str:
 
 
 def on_page_markdown(markdown: str, page: Any, config: Any, files: Files) -> str:  # noqa: ARG001
-    """Describe a page by its first paragraph, and make links of `jkroll guide X` and the quantities in its text."""
+    """Describe a page by its first paragraph; make links of `jkroll guide X` and of quantities; typeset formulas."""
     page.meta.setdefault("description", escape(described(markdown)))
+    name = Path(page.file.src_uri).stem
+    page.meta["search"] = {"boost": BOOSTS.get(name, 1)}
+    markdown = with_headings(markdown) if name == "words" else markdown
     known = {path.stem for path in (CHECKOUT / "src" / "jkroll" / "guide").glob("*.md")}
 
     def linked(match: re.Match[str]) -> str:
         return f"[{match[0]}]({match[1]}.md)" if match[1] in known else match[0]
 
     parts = re.split(r"(^```.*?^```\s*?$)", markdown, flags=re.MULTILINE | re.DOTALL)  # blocks of code stay
-    return "".join(
-        part if part.startswith("```") else re.sub(r"(?<!\[)`jkroll guide ([a-z-]+)`(?!\])", linked, with_links(part))
-        for part in parts
-    )
+    for place, part in enumerate(parts):
+        if not part.startswith("```"):
+            prose = re.sub(r"(?<!\[)`jkroll guide ([a-z-]+)`(?!\])", linked, with_links(part))
+            parts[place] = "\n".join(map(with_formulas, prose.split("\n")))
+    return "".join(parts)
+
+
+def on_page_content(html: str, page: Any, config: Any, files: Files) -> str:  # noqa: ARG001
+    """Keep each option on one line, which would else end after its hyphens."""
+    return re.sub(r"<code>(--[^<]{1,28})</code>", r'<code class="option">\1</code>', html)
+
+
+def with_headings(markdown: str) -> str:
+    """Return the page of words with a heading for each, so that the search finds it and a link leads to it."""
+
+    def headed(item: re.Match[str]) -> str:
+        return f"### {item[1].replace('**', '')}\n\n{capital(item[2])}\n"
+
+    one_a_line = re.sub(r"\. (?=\*\*)", ".\n- ", re.sub(r"\n  (?=\S)", " ", markdown))
+    return re.sub(r"^- (\*\*.*?): (.*)$", headed, one_a_line, flags=re.MULTILINE)
 
 
 def on_post_page(output: str, page: Any, config: Any) -> str:  # noqa: ARG001
@@ -138,7 +184,7 @@ def on_post_template(output_content: str, template_name: str, config: Any) -> st
 def gallery() -> str:
     """Return a page of the figures of the paper and some maps, each below the line that draws it."""
     shown = (
-        f"## {title}\n\n```console\n$ jkroll {line}\n```\n\n![{title}](gallery/{number}.svg)\n"
+        f"## {title}\n\n```console\n$ jkroll {line}\n```\n\n[![{title}](gallery/{number}.svg)](gallery/{number}.svg)\n"
         for number, (title, line) in enumerate(GALLERY.items())
     )
     return "# Gallery\n\nThe figures of the paper as this program draws them, and maps.\n\n" + "\n".join(shown)

@@ -9,28 +9,36 @@ from html import escape
 
 _FUNCTIONS = "arccot|arctanh|artanh|tanh|min|max|exp|ln|sin|cos"
 _SHORT = "is|in|if|of|at|as|no|nm|JKR|Eq|the|for|and|its|has|a(?= [a-z]{4})"
-_SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789−")
+_SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789−+")
 _TOKEN = re.compile(
     rf"(?P<space>\s+)|(?P<function>{_FUNCTIONS})|(?P<word>(?:(?:{_SHORT})(?![\w*])|[A-Za-z]{{4,}}[\w-]*|D&T|`[^`]*`))"
-    r"|(?P<letter>[A-Za-zΑ-Ωα-ωâÛδ∞])(?:_(?P<foot>[a-z]+|[A-Z]+|\d+|[α-ω])|(?P<index>\d+))?(?P<star>\*?′?)"
-    r"|(?P<number>[\d.]*\d|[½⅔¼])|\^(?P<power>[-−]?[\d.]+)|(?P<raised>[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)|(?P<sign>.)"
+    r"|(?P<letter>[A-Za-zΑ-Ωα-ωâÛδ∞])(?:_(?P<foot>[a-z]+|[A-Z]+\d?|\d+|[α-ω])|(?P<index>\d+))?(?P<star>\*?′?)"
+    r"|(?P<number>[\d.]*\d|[½⅔¼])|\^(?P<power>[-−]?[\d.]+|[A-Z]+|[a-z])|(?P<raised>[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]+)|(?P<sign>.)"
 )
 _OF_MARKDOWN = str.maketrans({"*": "&#42;", "|": "&#124;"})  # it would take them for marks of its own
 _CLOSING = {"(": ")", "[": "]", "{": "}", "⟨": "⟩"}
 _BETWEEN = "+−-=≈<>≤≥≪≫±,;:∫"
+_SIGNS = {*"√/·|×⟨⟩()[]{}", *_BETWEEN}
 
 
-def mathml(formula: str, *, is_block: bool = False) -> str:
-    """Return a formula, with the words in it, as an element of MathML."""
-    row = _Reader([*_TOKEN.finditer(formula)]).row("").translate(_OF_MARKDOWN)
-    return f'<math displaystyle="true"{" display=block" if is_block else ""}>{row}</math>'
+def mathml(formula: str, *, is_block: bool = False, is_inline: bool = False) -> str:
+    """Return a formula, with the words in it, as an element of MathML; in a line of prose, fractions keep the slash."""
+    row = _Reader([*_TOKEN.finditer(formula)], has_slashes=is_inline).row("").translate(_OF_MARKDOWN)
+    look = " display=block" if is_block else ""
+    return f'<math displaystyle="{str(not is_inline).lower()}"{look}>{row}</math>'
+
+
+def is_formula(text: str) -> bool:
+    """Return whether all of a text can be read as a formula, without a word in it."""
+    tokens = [*_TOKEN.finditer(text.replace("^(", "("))]
+    return not any(token["word"] or (token["sign"] and token[0] not in _SIGNS) for token in tokens)
 
 
 class _Reader:
     """The tokens of a formula that are not yet read."""
 
-    def __init__(self, tokens: list[re.Match[str]]) -> None:
-        self.tokens, self.place = tokens, 0
+    def __init__(self, tokens: list[re.Match[str]], *, has_slashes: bool) -> None:
+        self.tokens, self.place, self.has_slashes = tokens, 0, has_slashes
 
     def next(self) -> str:
         """Return the next token, or an empty text at the end."""
@@ -59,7 +67,10 @@ class _Reader:
         """Return factors beside each other, and the fractions of them."""
         factors: list[str] = []
         while (text := self.next()) and text != end and text not in _BETWEEN and not self.tokens[self.place]["word"]:
-            if text == "/":
+            if text == "/" and self.has_slashes:
+                factors.append('<mo lspace="0" rspace="0">/</mo>')
+                self.place += 1
+            elif text == "/":
                 self.place += 1 + self.tokens[self.place + 1][0].isspace()
                 below = []
                 while self._is_factor(end):
@@ -113,7 +124,12 @@ class _Reader:
                 last = next(n for n in range(self.place, len(self.tokens)) if self.tokens[n][0] == ")")
                 power = f"<mn>{''.join(each[0] for each in self.tokens[self.place + 2 : last])}</mn>"
                 self.place = last + 1
-        return f"<msup>{base}<mrow>{star}{power}</mrow></msup>" if star or power else base
+        if not (star or power):
+            return base
+        above = f"<mrow>{star}{power}</mrow>"
+        if base.startswith("<msub>"):
+            return f"<msubsup>{base[len('<msub>') : -len('</msub>')]}{above}</msubsup>"
+        return f"<msup>{base}{above}</msup>"
 
 
 def _grouped(parts: list[str]) -> str:

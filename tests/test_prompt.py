@@ -4,6 +4,7 @@ From the sdist, which has no `.docs`, these tests are left out. Where CI is set,
 """
 
 import os
+import re
 import runpy
 import subprocess
 import sys
@@ -18,7 +19,10 @@ import orjson
 import pytest
 
 from browser import CHROMIUM, DRIVER, Browser, browser, served
+from doors import call_of
+from jkroll.cli.map import map_request
 from jkroll.pictures.picture import Axis, Curve, Mark, Panel, Picture
+from jkroll.pictures.request import picture_of
 from terminal import script, without_colours
 from transcripts import CURVE, TABLE, rounded
 
@@ -216,6 +220,30 @@ def test_a_picture_is_drawn_without_matplotlib() -> None:
     ]
     (contour,) = there["_lines"](numpy.array([[0.0, 1.0], [0.0, 1.0], [0.0, 2.0]]), 0.5)
     assert contour.tolist() == [[0.5, 0.0], [0.5, 1.0], [0.25, 2.0]]
+
+
+def test_a_map_has_hatches_best_ranges_and_the_edge_of_a_part_without_values() -> None:
+    words = "map contact-radius-at-load quartz --x radius=10nm:1um --y load=-50nN:50nN --mark quartz@100nm"
+    picture, _ = picture_of(map_request(call_of(words.split())))
+    svg: str = runpy.run_path(str(DOCS / "prompt" / "page.py"))["draw"](picture, "svg", None, "paper").decode()
+    found = ElementTree.fromstring(svg).iter("{http://www.w3.org/2000/svg}text")
+    texts = [re.sub("\u200b", "", "".join(text.itertext())).replace("\u00a0", " ") for text in found]
+    (dots,) = re.findall('<pattern id="(.*?)"', svg)
+    assert svg.count(f'fill="url(#{dots})"') == 2  # the region, and its key in the legend
+    contours = [text for text in texts if text in {str(radius) for radius in range(2, 20, 2)}]
+    assert len(contours) == svg.count('fill="#ffffff" opacity="0.55"') == 9  # each has the band of a best range
+    keys = texts[texts.index("quartz, 100 nm") + 1 :]
+    assert keys[:4] == [
+        "a/z0 < 3: contact radius below 3 atoms",
+        "pH/E* > 0.1: more pressure than even a flawless solid",
+        "bears",
+        "eh > 0.01: contact too wide for the formulas",
+    ]
+    assert keys[4:7] == [
+        "contours: JKR; bands: where the best range has their",
+        "value, by Maugis",
+        "no value: beyond pull-off",
+    ]
 
 
 def test_no_text_of_the_prompt_says_that_jkroll_is_on_a_package_index() -> None:

@@ -157,7 +157,9 @@ def test_only_the_commands_of_a_transcript_are_copied(site: tuple[Browser, str])
     ]
 
 
-@pytest.mark.parametrize("path", ["", "start/", "prompt/", "models/", "all-quantities/", "equations/", "get/"])
+@pytest.mark.parametrize(
+    "path", ["", "start/", "prompt/", "models/", "all-quantities/", "equations/", "get/", "contact-angle/"]
+)
 def test_axe_finds_nothing_on_wide_and_narrow_light_and_dark_pages(
     site: tuple[Browser, str], path: str, tmp_path: Path
 ) -> None:
@@ -192,6 +194,13 @@ def test_axe_finds_nothing_on_wide_and_narrow_light_and_dark_pages(
         ("--xi", "all-quantities/#yield_displacement"),
         ("humidity", "all-quantities/#humidity"),
         ("contact angles", "contact-angle/"),
+        ("contact angle", "contact-angle/"),
+        ("fixed grips", "words/#fixed-grips"),
+        ("rolling friction", "all-quantities/#rolling_friction_coefficient"),
+        ("pull-off force", "words/#pull-off"),
+        ("sticking speed", "words/#sticking-speed"),
+        ("work of adhesion", "all-quantities/#work_of_adhesion"),
+        ("best range", "answers/#the-best-range"),
     ],
 )
 def test_the_search_leads_first_to_a_definition(site: tuple[Browser, str], words: str, place: str) -> None:
@@ -201,7 +210,9 @@ def test_the_search_leads_first_to_a_definition(site: tuple[Browser, str], words
     window.click(".md-search__input")
     for letter in words:
         window.type(letter)
-    window.wait("document.querySelector('.md-search-result__item')")
+    last = words.rpartition(" ")[2].strip("-")  # a result's address has the words that it was found by
+    results = "[...document.querySelectorAll('.md-search-result__item:first-child a')]"
+    window.wait(f"{results}.some((link) => decodeURI(link.search).includes('{last}'))")
     window.type("Enter")
     window.wait("location.pathname !== '/tables/'", 10)
     assert window.script("return location.href.split('?')[0] + location.hash") == address + place
@@ -223,7 +234,7 @@ def test_every_page_has_a_policy_and_says_what_it_is() -> None:
     ("topic", "link"),
     [
         ("models", '<a href="../all-quantities/#yield_force_fixed_load"><code>yield_force_fixed_load</code></a>'),
-        ("models", '<a href="../all-quantities/#yield_displacement"><code>--xi</code></a>'),
+        ("models", '<a href="../all-quantities/#yield_displacement"><code class="option">--xi</code></a>'),
         ("tables", '<a href="../all-quantities/#radius"><code>radius</code></a>'),
         ("all-quantities", '<a href="#yield_force"><code>yield_force</code></a></td>'),
         ("all-quantities", '<a href="../commands/#pull-off">pull-off</a>'),
@@ -242,12 +253,35 @@ def test_the_name_of_a_quantity_is_a_link_to_its_definition(topic: str, link: st
         ("√(k/m)", "<msqrt><mfrac><mi>k</mi><mi>m</mi></mfrac></msqrt>"),
         ("E*²", "<msup><mi>E</mi>&#42;<mn>2</mn></msup>"),
         ("(a0)^(1/3)", "<msup>(<msub><mi>a</mi><mn>0</mn></msub>)<mn>1/3</mn></msup>"),
+        ("R1^(2/3)", "<msubsup><mi>R</mi><mn>1</mn><mn>2/3</mn></msubsup>"),
         ("a0, which is a in JKR", "<msub><mi>a</mi><mn>0</mn></msub>, which is <mi>a</mi> in JKR"),
     ],
 )
 def test_a_formula_is_typeset_with_indices_roots_and_fractions(formula: str, written: str) -> None:
     typeset = runpy.run_path(str(DOCS / "typeset.py"))["mathml"](formula)
     assert re.sub(r"</?(?:math|mrow|mo|mtext)\b[^>]*>|&nbsp;|\s", "", typeset) == re.sub(r"\s", "", written)
+
+
+@pytest.mark.parametrize(
+    ("sentence", "formulas"),
+    [
+        ("w is 2√(γ1γ2), which is 2γ for like ones", ["w", "2√(γ1γ2)", "2γ"]),
+        ("The fraction (2/5)a²/R² is 0.1 % at w = 3·10⁻⁵ E*R.", ["(2/5)a²/R²", "w", "E*R"]),
+        ("1/R = 1/R1 + 1/R2: half (μ is small)", ["1/R = 1/R1 + 1/R2", "μ"]),
+        ("of 25 mJ/m², 3 N/m or 1e-30 J/m³ at z0 = 4 Å", ["z0 = 4"]),
+        ("`P_c`, [w of E*](paper.md#E1), E*, --z0* and a word, SiO2, 3a, 8e36, J. Phys. D: I", ["E*"]),
+        ("| μ R\\|P\\| | nothing at P = 0 |", ["μ", "R|P|", "P = 0"]),
+        ("`T* = √(E*a0/m)` decides, `γ` and `mJ/m²` are words of a table", ["T* = √(E*a0/m)"]),
+        ("## P_c and E*", []),
+    ],
+)
+def test_formulas_of_a_sentence_are_typeset(
+    sentence: str, formulas: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.syspath_prepend(str(DOCS))
+    prose, typeset = (runpy.run_path(str(DOCS / name)) for name in ("prose.py", "typeset.py"))
+    written = re.findall("<math.*?</math>", prose["with_formulas"](sentence))
+    assert written == [typeset["mathml"](each, is_inline=True) for each in formulas]
 
 
 def test_the_equations_have_the_numbers_of_the_paper(site: tuple[Browser, str]) -> None:

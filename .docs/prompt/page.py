@@ -1,11 +1,11 @@
 """Draw pictures as SVG, in place of the program's module of this name: matplotlib, which it needs, is not in the page.
 
-It draws axes, curves with their bands, contours and limits of maps, marks and sketches; hatches and the best ranges of
-maps are left out.
+It draws axes, curves with their bands, contours, limits and best ranges of maps, marks and sketches; the names of lines
+stand in the legend alone.
 """
 
 from collections.abc import Iterator, Sequence
-from itertools import cycle
+from itertools import cycle, pairwise
 from math import ceil, floor, isfinite, log10
 from re import sub
 from textwrap import wrap
@@ -27,19 +27,33 @@ from jkroll.pictures.picture import (
     evaluate,
     extent,
     is_flat,
+    one_further,
     over,
     shown_values,
 )
+from jkroll.pictures.ranges import band_of, spacing
 from jkroll.quantities.markup import plain
+from jkroll.quantities.units import RAISED
+from jkroll.text import NO_BREAK_SPACE, with_units_joined
 
 WIDTH, HEIGHT = 330, 250  # of axes
 LEFT, RIGHT, TOP, BOTTOM = 88, 22, 30, 44  # around them
 LINE = 15  # height of a line of text
 LETTER = 6.0  # width of a letter, on average
+SLOPE = 0.87  # height of a sloping text above the axes, over its length
 COLUMNS = 2  # panels beside each other
 DASHES = ("", "7 3", "7 3 2 3", "2 3", "7 3 2 3 2 3", "12 4")
 TICKS, CONTOURS = 5, 9  # at most
-CELLS = 121  # of a map, on each side
+THIN, THICK = 0.9, 1.5  # contours
+MESH, FINE = 121, 401  # points on each side of a map; where it has parts without values, to find their edge
+COARSE = 41  # the same for best ranges where inputs have error bars
+FARTHEST = 20.0  # of an infinite end of a best range from the contours
+# The lines of a hatch in a square of size 1; the more often its sign is repeated, the smaller is the square.
+HATCHES = {"|": "M.5,0v1", "-": "M0,.5h1", "/": "M-.5,.5l1,-1M0,1l1,-1M.5,1.5l1,-1", ".": "M.5,.5h0"}
+ASIDE = 20  # cost of a distance of a text from its contour, over that of one from the middle of the axes
+HATCH = 20  # the square of a sign that stands alone
+
+_Point = tuple[float, float]
 
 
 def draw(
@@ -55,13 +69,12 @@ def draw(
     width, y = columns * (LEFT + WIDTH + RIGHT), LINE * bool(drawn.title)
     body = [_text(width / 2, LINE, drawn.title, "middle")] if drawn.title and has_caption else []
     for row in (drawings[first : first + columns] for first in range(0, len(drawings), columns)):
+        top = max(drawing.top for drawing in row)
         for column, drawing in enumerate(row):
             x = column * (LEFT + WIDTH + RIGHT) + LEFT
-            body.append(f'<g transform="translate({x},{y + TOP})">{"".join(drawing.parts())}</g>')
-        y += max(drawing.height for drawing in row)
-    said = [
-        line for text in (" ".join(drawn.caption), *drawn.doubts) for line in wrap(plain(text), int(width / LETTER))
-    ]
+            body.append(f'<g transform="translate({x},{y + top})">{"".join(drawing.parts())}</g>')
+        y += top + max(drawing.height for drawing in row) + LINE
+    said = [line for text in (" ".join(drawn.caption), *drawn.doubts) for line in _wrapped(text, int(width / LETTER))]
     for line in said if has_caption else ():
         y += LINE
         body.append(_text(8, y, line))
@@ -75,10 +88,16 @@ def draw(
 
 
 class _Key(NamedTuple):
-    """A line of a legend."""
+    """A text of a legend, and what stands before it: a box, a line or a line on a box, each by its look."""
 
     text: str
-    line: str  # its look
+    line: str = ""
+    box: str = ""
+
+    def drawn(self, y: float) -> str:
+        """Return what stands before the text, at a height."""
+        box = f'<rect y="{y - 9:g}" width="26" height="10" {self.box}/>' if self.box else ""
+        return box + (f'<path d="M0,{y - 4:g}h26" fill="none" {self.line}/>' if self.line else "")
 
 
 class _Axes:
@@ -89,24 +108,27 @@ class _Axes:
         spans = [axis.high - axis.low for axis in (panel.x, panel.y)]
         self.high = round(WIDTH * spans[1] / spans[0]) if panel.is_true_to_scale else HEIGHT
         self.keys: dict[str, _Key] = {}
+        self.taken: list[tuple[float, float, float]] = []  # middle and half the width of the texts inside
+        self.marks = [*self._marks()]
+        self.texts: list[str] = []  # of contours
+        on_top = [len(plain(mark.text)) for mark in panel.marks if mark.y is None]
+        self.top = TOP + SLOPE * LETTER * max(on_top, default=0)
         self.inner = [*(self._field(panel.field) if panel.field else self._curves()), *self._arrows()]
-        self.lines = [(n, key, line) for key in self.keys.values() for n, line in enumerate(wrap(key.text, 58))]
-        self.height = TOP + self.high + BOTTOM + LINE * len(self.lines)
+        self.lines = [(n, key, line) for key in self.keys.values() for n, line in enumerate(_wrapped(key.text, 58))]
+        self.height = self.high + BOTTOM + LINE * len(self.lines)
 
     def parts(self) -> Iterator[str]:
         """Iterate over the parts of the panel: what is inside of the axes, ticks, marks, legend."""
         yield f'<clipPath id="{self.name}"><rect width="{WIDTH}" height="{self.high}"/></clipPath>'
         yield f'<g clip-path="url(#{self.name})">{"".join(self.inner)}</g>'
-        yield _text(WIDTH / 2, -10, self.panel.title, "middle")
+        yield _text(WIDTH / 2, TOP - 10 - self.top, self.panel.title, "middle")
         if self.panel.has_axes:
             yield f'<rect width="{WIDTH}" height="{self.high}" fill="none" stroke="{self.style.ink}"/>'
             yield from self._ticks()
-        yield from self._marks()
+        yield from (*self.texts, *self.marks)
         for number, (position, key, line) in enumerate(self.lines):
             y = self.high + BOTTOM + LINE * (number + 0.5)
-            if position == 0:
-                yield f'<path d="M0,{y - 4:g}h26" fill="none" {key.line}/>'
-            yield _text(32, y, line)
+            yield (key.drawn(y) if position == 0 else "") + _text(32, y, line)
 
     def place(self, x: Any, y: Any) -> tuple[Any, Any]:
         """Return the positions of values of both axes."""
@@ -123,10 +145,11 @@ class _Axes:
 
     def _curves(self) -> Iterator[str]:
         for curve in self.panel.curves:
-            text = plain(": ".join(filter(None, (curve.text, curve.key))))
+            text = ": ".join(filter(None, (curve.text, curve.key)))
             colour = self.style.lines[curve.colour % len(self.style.lines)]
             dashes = DASHES[1] if curve.is_dashed else DASHES[len(self.keys) % len(DASHES)]
-            key = self.keys.setdefault(text, _Key(text, _stroke(colour, dashes, 1.6)))
+            pale = f'fill="{colour}" opacity="0.22"' if curve.band else ""
+            key = self.keys.setdefault(text, _Key(text, _stroke(colour, dashes, 1.6), pale))
             if curve.band is not None:
                 ends = [
                     numpy.clip(end, self.panel.y.low, self.panel.y.high) for end in (curve.band.low, curve.band.high)
@@ -134,7 +157,7 @@ class _Axes:
                 known = numpy.isfinite(ends[0]) & numpy.isfinite(ends[1])
                 x, low, high = (values[known] for values in (curve.x, *ends))
                 around = self._path([*x, *x[::-1]], [*low, *high[::-1]])
-                yield f'<path d="{around}Z" fill="{colour}" opacity="0.22"/>'
+                yield f'<path d="{around}Z" {pale}/>'
             if len(curve.x) == 1:
                 ((x, y),) = zip(*self.place(curve.x, curve.y), strict=True)
                 yield f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3.5" fill="{colour}"/>'
@@ -153,93 +176,155 @@ class _Axes:
             yield _text(x, y + 4, arrow.text, "middle")
 
     def _field(self, field: Field) -> Iterator[str]:
-        x, y = (axis._replace(size=CELLS) for axis in (self.panel.x, self.panel.y))
-        scaled = numpy.log10 if field.is_log else numpy.asarray
+        x, y = (axis._replace(size=MESH) for axis in (self.panel.x, self.panel.y))
+        scaled: Any = numpy.log10 if field.is_log else numpy.asarray
         with numpy.errstate(invalid="ignore", divide="ignore"):
             values: Any = scaled(evaluate(field.frame, field.quantity, x, y))
+        known, around = numpy.isfinite(values), one_further(values)
         ends = Axis(field.quantity, *extent(field.values), is_log=field.is_log)
         levels = [] if is_flat(field.values) else _round_values(ends, CONTOURS)
         heights = [float(scaled(level)) for level in levels]
-        colours = _between(self.style.bands, len(heights) + 1)
-        for colour, row in self._cells(numpy.digitize(values, heights), numpy.isfinite(values)):
-            yield f'<path d="{row}" fill="{colours[colour]}" shape-rendering="crispEdges"/>'
-        for text, height in zip(field.in_words(levels)[0], heights, strict=True):
-            yield from self._contour(values, height, _stroke(self.style.ink, "", 0.9), text)
+        bounds = [numpy.nanmin(around) - 1, *heights, numpy.nanmax(around) + 1]
+        for colour, (low, high) in zip(_between(self.style.bands, len(bounds) - 1), pairwise(bounds), strict=True):
+            inside = numpy.minimum(around - low, high - around)
+            yield self._area(inside, f'fill="{colour}" shape-rendering="crispEdges"')
+        regions = [*self._regions(field, known, over(field.frame, x, y))]
+        step, bands = self._best(field, heights, scaled) if field.has_best and heights else (1, [])
+        yield from (*bands, *regions)
+        for position, (text, height) in enumerate(zip(field.in_words(levels)[0], heights, strict=True)):
+            width = THICK if step > 1 and position % step == step // 2 else THIN
+            yield self._contour(around, height, _stroke(self.style.ink, "", width))
+            self._label(values, height, text)
         if field.printed:
             look = _stroke(self.style.ink, DASHES[1], 0.8)
             self.keys["printed"] = _Key("as printed", look)
             printed: Any = scaled(evaluate(field.frame, field.printed, x, y))
             for height in heights:
-                yield from self._contour(printed, height, look, "")
-        if not numpy.isfinite(values).all():
-            self.keys["gaps"] = _Key(": ".join(["blank: no value", *field.gaps]), 'stroke="none"')
-        here, dashes = over(field.frame, x, y), cycle(DASHES[1:])
-        for region in field.regions:
-            excess = numpy.where(numpy.isfinite(values), region.excess(here), numpy.nan)
-            look = _stroke(self.style.hatch, next(dashes), 1.2)
-            if lines := [*self._contour(excess, 0.0, look, "")]:
-                self.keys[region.text] = _Key(plain(region.text), look)
-                yield from lines
+                yield self._contour(printed, height, look)
+        if not known.all():
+            x, y = (axis._replace(size=FINE) for axis in (x, y))
+            missing = numpy.where(numpy.isfinite(evaluate(field.frame, field.quantity, x, y)), -0.5, 0.5)
+            paper, edge = f'fill="{self.style.paper}"', _stroke(self.style.ink, "", 1)
+            text = ": ".join(filter(None, ("no value", "; ".join(field.gaps))))
+            self.keys["gaps"] = _Key(text, box=f"{paper} {edge}")
+            yield self._area(missing, paper)
+            yield self._contour(missing, 0.0, edge)
 
-    def _cells(self, bands: Any, known: Any) -> Iterator[tuple[int, str]]:
-        """Iterate over the bands of a field, each with the runs of cells that are in it."""
-        across, up = (numpy.linspace(0, end, CELLS + 1) for end in (WIDTH, self.high))
-        for band in range(int(bands.max()) + 1):
-            path = []
-            for row, inside in enumerate((bands == band) & known):
-                (turns,) = numpy.nonzero(numpy.diff(numpy.concatenate([[0], inside.astype(int), [0]])))
-                top, bottom = self.high - up[row + 1], self.high - up[row]
-                path += [
-                    f"M{across[first]:.1f},{top:.1f}H{across[last]:.1f}V{bottom:.1f}H{across[first]:.1f}Z"
-                    for first, last in turns.reshape(-1, 2)
-                ]
-            yield band, "".join(path)
+    def _regions(self, field: Field, known: Any, here: Any) -> Iterator[str]:
+        """Draw the regions beyond limits of the model: hatched, or bounded by a line."""
+        dashes = cycle(DASHES[1:])
+        for number, region in enumerate(field.regions):
+            excess = one_further(numpy.where(known, region.excess(here), numpy.nan))
+            if not (excess > 0).any():
+                continue
+            if region.hatch:
+                name = f"{self.name}-hatch{number}"
+                hatch = f'fill="url(#{name})"'
+                self.keys[region.text] = _Key(region.text, box=f"{hatch} {_stroke(self.style.hatch, '', 0.6)}")
+                yield _pattern(name, region.hatch, self.style.hatch)
+                yield self._area(excess, hatch)
+                yield self._contour(excess, 0.0, _stroke(self.style.ink, "1 2", 0.8))
+            else:
+                look = _stroke(self.style.ink, next(dashes), 1)
+                self.keys[region.text] = _Key(region.text, look)
+                yield self._contour(excess, 0.0, look)
 
-    def _contour(self, values: Any, level: float, look: str, text: str) -> Iterator[str]:
-        """Draw the lines along which values on the cells are at a level, with a text at the middle of the axes."""
-        lines = [
-            (points[:, 0] * WIDTH / (CELLS - 1), self.high * (1 - points[:, 1] / (CELLS - 1)))
-            for points in _lines(values, level)
-        ]
-        if not lines:
+    def _best(self, field: Field, heights: list[float], scaled: Any) -> tuple[int, list[str]]:
+        """Return n if each n-th contour has a band, in which the best range has its value, and these bands drawn."""
+        size = COARSE if field.frame.uncertainties else MESH
+        here = over(field.frame, *(axis._replace(size=size) for axis in (self.panel.x, self.panel.y)))
+        best = band_of(here, field.quantity, (size, size))
+        if best is None:
+            return 1, []
+        far = 2 * float(abs(numpy.array(heights)).max()) + FARTHEST
+        with numpy.errstate(invalid="ignore", divide="ignore"):
+            low, high = (one_further(scaled(end).clip(-far, far)) for end in (best.low, best.high))
+        inside = numpy.array([numpy.minimum(high - height, height - low) for height in heights])
+        step = spacing(inside)
+        pale, edge = f'fill="{self.style.paper}" opacity="0.55"', _stroke(self.style.hatch, "", 0.5)
+        drawn = []
+        for excess, height in [*zip(inside, heights, strict=True)][step // 2 :: step]:
+            drawn.append(self._area(excess, pale))
+            for end in (low, high):
+                drawn.append(self._contour(numpy.where(abs(end) < far, end, numpy.nan), height, edge))
+        line = _stroke(self.style.ink, "", THIN if step == 1 else THICK)
+        self.keys["best"] = _Key(best.key(step, field.frame.law.short), line, f'fill="{self.style.paper}" {edge}')
+        return step, drawn
+
+    def _area(self, values: Any, look: str) -> str:
+        """Return the part of the axes in which values on a mesh are positive, as a path."""
+        across, up = WIDTH / (values.shape[1] - 1), self.high / (values.shape[0] - 1)
+        path = []
+        for area in _areas(values):
+            points = [f"{x * across:.1f},{self.high - y * up:.1f}" for x, y in area]
+            path.append(f"M{'L'.join(points)}Z")
+        return f'<path d="{"".join(path)}" {look}/>'
+
+    def _contour(self, values: Any, level: float, look: str) -> str:
+        """Return the lines along which values on a mesh are at a level, as a path."""
+        lines = ["L".join(f"{x:.1f},{y:.1f}" for x, y in line.tolist()) for line in self._lines(values, level)]
+        return f'<path d="M{"M".join(lines)}" fill="none" {look}/>' if lines else ""
+
+    def _lines(self, values: Any, level: float) -> list[Any]:
+        """Return the positions of the points of each of these lines."""
+        steps = numpy.array([WIDTH / (values.shape[1] - 1), -self.high / (values.shape[0] - 1)])
+        return [points * steps + (0, self.high) for points in _lines(values, level)]
+
+    def _label(self, values: Any, level: float, text: str) -> None:
+        """Write a text on the lines along which values are at a level, at a free place near the middle of the axes."""
+        if not (lines := self._lines(values, level)):
             return
-        path = "M".join("L".join(f"{x:.1f},{y:.1f}" for x, y in zip(*line, strict=True)) for line in lines)
-        yield f'<path d="M{path}" fill="none" {look}/>'
-        if text:
-            x, y = map(numpy.concatenate, zip(*lines, strict=True))
-            middle = numpy.hypot(x - WIDTH / 2, y - self.high / 2).argmin()
-            place = min(max(x[middle], 24), WIDTH - 24), min(max(y[middle] + 4, 14), self.high - 4)
-            yield _text(*place, text, "middle", self._halo())
+        points, half = numpy.concatenate(lines), LETTER * len(text) / 2
+        places = points.clip((half + 4, LINE), (WIDTH - half - 4, self.high - LINE / 2))
+        cost = numpy.hypot(*(places - (WIDTH / 2, self.high / 2)).T) + ASIDE * numpy.hypot(*(places - points).T)
+        for x, y in places[cost.argsort(kind="stable")].tolist():
+            if self._is_free(x, y + 4, half):
+                self.taken.append((x, y + 4, half))
+                self.texts.append(_text(x, y + 4, text, "middle", self._halo()))
+                return
+
+    def _is_free(self, x: float, y: float, half: float) -> bool:
+        """Return whether a text, of some width on both sides of a point, is clear of the others."""
+        return all(abs(x - other[0]) > half + other[2] + 2 or abs(y - other[1]) > LINE for other in self.taken)
 
     def _ticks(self) -> Iterator[str]:
         ink = f'stroke="{self.style.ink}"'
         for axis, is_x in ((self.panel.x, True), (self.panel.y, False)):
             values = _round_values(axis, TICKS)
             texts, unit = axis.in_words(values, 6)
-            for value, text in zip(values, texts, strict=True):
+            for value, text in zip(values, map(_raised, texts), strict=True):
                 if is_x:
                     x = WIDTH * _share(axis, value)
                     yield f'<path d="M{x:.1f},{self.high}v-5" {ink}/>{_text(x, self.high + 16, text, "middle")}'
                 else:
                     y = self.high * (1 - _share(axis, value))
                     yield f'<path d="M0,{y:.1f}h5" {ink}/>{_text(-5, y + 4, text, "end")}'
-            title = described(axis.name, unit)
+            title = described(axis.name, _raised(unit))
             place = f"translate({WIDTH / 2},{self.high + 34})"
             if not is_x:
                 place = f"translate({14 - LEFT},{self.high / 2}) rotate(-90)"
             yield f'<g transform="{place}">{_text(0, 0, title, "middle")}</g>'
 
     def _marks(self) -> Iterator[str]:
-        for mark in self.panel.marks:
-            x, y = self.place(
-                self.panel.x.low if mark.x is None else mark.x, self.panel.y.low if mark.y is None else mark.y
-            )
+        """Draw the marks with their texts: above the axes, or beside a point, clear of other points and texts."""
+        ends = self.panel.x.low, self.panel.y.high
+        points = [
+            self.place(*((end if at is None else at) for at, end in zip((mark.x, mark.y), ends, strict=True)))
+            for mark in self.panel.marks
+        ]
+        self.taken += [(x, y + 4, 3.0) for x, y in points]
+        for mark, (x, y) in zip(self.panel.marks, points, strict=True):
+            if mark.y is None:
+                yield f'<path d="M{x:.1f},-4v8" stroke="{self.style.ink}"/>'
+                yield _text(x, -8, mark.text, look=f'transform="rotate(-60 {x:.1f} -8)"')
+                continue
             yield f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3" fill="{self.style.ink}"/>'
-            if mark.y is None:  # those on one edge stand beside each other
-                yield _text(x + 4, y - 8, mark.text, look=f'{self._halo()} transform="rotate(-90 {x + 4:.1f} {y - 8})"')
-            else:
-                is_right = x > WIDTH * 0.7
-                yield _text(x + (-6 if is_right else 6), y - 5, mark.text, "end" if is_right else "start", self._halo())
+            half = LETTER * len(plain(mark.text)) / 2
+            places = [(x + side * (half + 8), y + down) for down in (-5, 16, 4) for side in (1, -1)]
+            inside = [place for place in places if half < place[0] < WIDTH - half]
+            place = next((place for place in inside if self._is_free(*place, half)), places[0])
+            self.taken.append((*place, half))
+            yield _text(*place, mark.text, "middle", self._halo())
 
     def _halo(self) -> str:
         """Return the look of a text on a map."""
@@ -261,20 +346,58 @@ def _round_values(axis: Axis, most: int) -> list[float]:
     return [float(value) for value in shown_values(axis._replace(size=0), most)]
 
 
-def _lines(values: Any, level: float) -> list[Any]:
-    """Return the lines along which values are at a level, in steps of the cells, by marching squares."""
+class _Squares(NamedTuple):
+    """The squares between the points of a mesh, and where values on it are above a level."""
+
+    values: Any
+    level: float
+    above: Any
+    count: Any  # for each square, of its corners that are above the level; -1 if one has no value
+
+    def cut(self) -> Iterator[tuple[list[_Point], list[_Point]]]:
+        """Iterate over the squares that the level cuts: the outline of the part above it, and the points of the cut."""
+        for row, column in zip(*numpy.nonzero((self.count > 0) & (self.count < 4)), strict=True):
+            corners = [(row, column), (row, column + 1), (row + 1, column + 1), (row + 1, column)]
+            outline, points = [], []
+            for first, second in zip(corners, corners[1:] + corners[:1], strict=True):
+                if self.above[first]:
+                    outline.append((float(first[1]), float(first[0])))
+                if self.above[first] != self.above[second]:
+                    points.append(self._between(first, second))
+                    outline.append(points[-1])
+            yield outline, points
+
+    def _between(self, first: tuple[int, int], second: tuple[int, int]) -> _Point:
+        """Return where values are at the level between two corners, as if they were linear."""
+        share = (self.level - self.values[first]) / (self.values[second] - self.values[first])
+        y, x = (round(float(a + share * (b - a)), 6) for a, b in zip(first, second, strict=True))
+        return x, y
+
+
+def _squares(values: Any, level: float) -> _Squares:
     above, known = values > level, numpy.isfinite(values)
-    whole = known[:-1, :-1] & known[1:, :-1] & known[:-1, 1:] & known[1:, 1:]
-    count = above[:-1, :-1].astype(int) + above[:-1, 1:] + above[1:, 1:] + above[1:, :-1]
-    neighbours: dict[tuple[float, float], list[tuple[float, float]]] = {}
-    for row, column in zip(*numpy.nonzero(whole & (count > 0) & (count < 4)), strict=True):
-        corners = [(row, column), (row, column + 1), (row + 1, column + 1), (row + 1, column)]
-        points = []
-        for first, second in zip(corners, corners[1:] + corners[:1], strict=True):
-            if above[first] != above[second]:
-                share = (level - values[first]) / (values[second] - values[first])
-                y, x = (round(float(a + share * (b - a)), 6) for a, b in zip(first, second, strict=True))
-                points.append((x, y))
+    first, second = slice(None, -1), slice(1, None)
+    corners = [(first, first), (first, second), (second, second), (second, first)]
+    count = numpy.sum([above[corner] for corner in corners], axis=0)
+    is_known = numpy.all([known[corner] for corner in corners], axis=0)
+    return _Squares(values, level, above, numpy.where(is_known, count, -1))
+
+
+def _areas(values: Any) -> Iterator[list[_Point]]:
+    """Iterate over the outlines of the parts, in steps of the mesh, in which values are positive."""
+    squares = _squares(values, 0.0)
+    for row, inside in enumerate(squares.count == 4):
+        (turns,) = numpy.nonzero(numpy.diff(numpy.concatenate([[0], inside.astype(int), [0]])))
+        for first, last in turns.reshape(-1, 2).tolist():
+            yield [(first, row), (last, row), (last, row + 1), (first, row + 1)]
+    for outline, _ in squares.cut():
+        yield outline
+
+
+def _lines(values: Any, level: float) -> list[Any]:
+    """Return the lines along which values are at a level, in steps of the mesh, by marching squares."""
+    neighbours: dict[_Point, list[_Point]] = {}
+    for _, points in _squares(values, level).cut():
         for one, other in zip(points[::2], points[1::2], strict=True):
             neighbours.setdefault(one, []).append(other)
             neighbours.setdefault(other, []).append(one)
@@ -295,6 +418,14 @@ def _between(colours: Sequence[str], count: int) -> list[str]:
     places, every = numpy.linspace(0, len(colours) - 1, count), numpy.arange(len(colours))
     mixed = numpy.stack([numpy.interp(places, every, part) for part in known.T], axis=1).round().astype(int)
     return [f"#{red:02x}{green:02x}{blue:02x}" for red, green, blue in mixed]
+
+
+def _pattern(name: str, hatch: str, colour: str) -> str:
+    """Return the pattern of a hatch: a sign, as often as it is dense."""
+    size = HATCH / len(hatch)
+    look = f'stroke="{colour}" stroke-width="{(1.4 if hatch[0] == "." else 0.6) / size:.3g}" stroke-linecap="round"'
+    place = f'width="1" height="1" patternUnits="userSpaceOnUse" patternTransform="scale({size:.3g})"'
+    return f'<pattern id="{name}" {place}><path d="{HATCHES[hatch[0]]}" {look}/></pattern>'
 
 
 def _stroke(colour: str, dashes: str, width: float) -> str:
@@ -318,11 +449,27 @@ def _text(x: float, y: float, text: str, anchor: str = "start", look: str = "") 
 
 
 def _formula(text: str) -> str:
+    """Return a formula, in which signs are escaped, with its letters in italics and its indices below the line."""
     return sub(
-        r"([^\W\d_])(?:_([^\W_]+)|(\d+))?",
-        lambda match: f'<tspan font-style="italic">{match[1]}</tspan>{_index(match[2] or match[3])}',
+        r"&\w+;|([^\W\d_])(?:_([A-Za-z]+|[α-ω])|(\d+))?",
+        lambda match: (
+            f'<tspan font-style="italic">{match[1]}</tspan>{_index(match[2] or match[3])}' if match[1] else match[0]
+        ),
         text,
     )
+
+
+def _raised(text: str) -> str:
+    """Return a number, or a unit, with true minus signs and its power of ten raised."""
+    powers = sub(r"\b1e(-?\d+)", lambda match: f"10{match[1].translate(RAISED)}", text)
+    powers = sub(r"(?<=\d)e(-?\d+)", lambda match: f"·10{match[1].translate(RAISED)}", powers)
+    return powers.replace("-", "−")
+
+
+def _wrapped(text: str, letters: int) -> list[str]:
+    """Return the lines of a text, which end neither in a formula nor before a unit."""
+    joined = sub("⟦[^⟧]*⟧", lambda match: match[0].replace(" ", NO_BREAK_SPACE), with_units_joined(text))
+    return wrap(joined, letters, break_long_words=False, break_on_hyphens=False)
 
 
 def _index(text: str | None) -> str:

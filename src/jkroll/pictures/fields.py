@@ -24,8 +24,8 @@ from ..model.frame import Frame
 from ..model.solver import values_of
 from ..quantities.markup import lines
 from .labels import Bound, Labels
-from .picture import Axis, Panel, Style, evaluate, over
-from .ranges import band_of
+from .picture import Axis, Panel, Style, evaluate, one_further, over
+from .ranges import band_of, spacing
 
 FINE = 401  # points along each side of a field
 _THIN, _THICK = 0.7, 1.1  # contours, in points
@@ -34,7 +34,6 @@ _HALVINGS = 24  # bisections that find the edge of the part without values
 _BOUNDS = ((0, (4, 2)), (0, (7, 2, 1.5, 2)), (0, (10, 3)), (0, (5, 1.5, 1, 1.5, 1, 1.5)))  # dashes of named lines
 _PALE = 0.55  # share of paper in a band of best ranges
 _CERTAIN, _UNCERTAIN = 201, 41  # points along each side for best ranges, without and with uncertain inputs
-_OVERLAP = 0.02  # largest part of the picture in which bands may overlap
 _FARTHEST = 20.0  # distance from the edge of a band
 
 
@@ -115,22 +114,6 @@ def simplified(points: Any) -> Any:
             kept[middle] = True
             spans += [(first, middle), (middle, last)]
     return points[kept]
-
-
-def one_further(values: Any) -> Any:
-    """Return values in which each missing value next to known ones is the mean of its known neighbours.
-
-    Lines then extend beyond the edge of the part with values, and are cut off there.
-    """
-    known = numpy.isfinite(values)
-    total, count = numpy.zeros(values.shape), numpy.zeros(values.shape)
-    inner = numpy.pad(numpy.where(known, values, 0.0), 1), numpy.pad(known.astype(float), 1)
-    height, width = values.shape
-    for down in range(3):
-        for right in range(3):
-            total += inner[0][down : down + height, right : right + width]
-            count += inner[1][down : down + height, right : right + width]
-    return numpy.where(known, values, numpy.where(count > 0, total / numpy.maximum(count, 1), numpy.nan))
 
 
 def finer(values: Any) -> Any:
@@ -263,16 +246,13 @@ class _Drawing:
         far = 2 * float(abs(numpy.array(self.heights)).max()) + _FARTHEST  # stands for an infinite end
         low, high = (finer(one_further(self._scaled(end).clip(-far, far))) for end in (best.low, best.high))
         inside = numpy.array([numpy.minimum(high - height, height - low) for height in self.heights])
-        steps = range(1, len(self.heights) + 1)
-        step = next(step for step in steps if _overlap(inside[step // 2 :: step]) < _OVERLAP)
+        step = spacing(inside)
         for excess, height in [*zip(inside, self.heights, strict=True)][step // 2 :: step]:
             self._fill(self.mesh.area(excess, 0.0, 3 * far), facecolor=self.style.paper, alpha=_PALE, zorder=1.1)
             for end in (low, high):
                 paths = self.mesh.lines(numpy.where(abs(end) < far, end, numpy.nan), height)
                 self._line(paths, color=self.style.hatch, linewidth=0.35, zorder=1.1, gid="band")
-        which = "contours" if step == 1 else "thick contours"
-        bands = f"where the best range includes their value, by {best.rules()}"
-        text = f"{which}: {self.field.frame.law.short}; bands: {bands}"
+        text = best.key(step, self.field.frame.law.short)
         look: dict[str, Any] = {"facecolor": self.style.paper, "edgecolor": self.style.hatch, "linewidth": 0.35}
         line = Line2D([], [], color=self.style.ink, linewidth=_THIN if step == 1 else _THICK)
         self.keys.append((Patch(label=self._in_lines(text), **look), line))
@@ -324,8 +304,3 @@ class _Drawing:
     def _line(self, paths: Sequence[Any], **look: Any) -> None:
         look = {"color": self.style.ink, "zorder": 2, **look}
         self.axes.add_collection(LineCollection([*paths], **look), autolim=False)
-
-
-def _overlap(inside: Any) -> float:
-    """Return the share of points that lie inside several bands."""
-    return float(((inside > 0).sum(axis=0) > 1).mean())

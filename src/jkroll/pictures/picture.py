@@ -219,6 +219,22 @@ def evaluate(frame: Frame, quantity: str, x: Axis, y: Axis | None = None) -> Any
     return numpy.broadcast_to(values_of(over(frame, x, y), [quantity])[quantity], shape)
 
 
+def one_further(values: Any) -> Any:
+    """Return values in which each missing value next to known ones is the mean of its known neighbours.
+
+    Lines then extend beyond the edge of the part with values, where they are cut off.
+    """
+    known = numpy.isfinite(values)
+    total, count = numpy.zeros(values.shape), numpy.zeros(values.shape)
+    inner = numpy.pad(numpy.where(known, values, 0.0), 1), numpy.pad(known.astype(float), 1)
+    height, width = values.shape
+    for down in range(3):
+        for right in range(3):
+            total += inner[0][down : down + height, right : right + width]
+            count += inner[1][down : down + height, right : right + width]
+    return numpy.where(known, values, numpy.where(count > 0, total / numpy.maximum(count, 1), numpy.nan))
+
+
 def extent(values: Any) -> tuple[float, float]:
     """Return the smallest and the largest finite value; zeros if there are none."""
     known = values[numpy.isfinite(values)]

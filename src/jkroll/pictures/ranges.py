@@ -13,6 +13,7 @@ from ..model.frame import Frame
 from ..model.results import Results
 
 _HAS_WIDTH = 1e-6  # relative width below which a range is drawn as a line
+_OVERLAP = 0.02  # largest part of a map in which bands may overlap
 
 
 class Band(NamedTuple):
@@ -31,6 +32,11 @@ class Band(NamedTuple):
             place = where(self.by == rule)
             texts.append(f"{word} ({place})" if place else word)
         return ", ".join(texts)
+
+    def key(self, step: int, law: str) -> str:
+        """Return the legend's text for the bands of a map, of which each `step`-th contour, by a law, has one."""
+        which = "contours" if step == 1 else "thick contours"
+        return f"{which}: {law}; bands: where the best range includes their value, by {self.rules()}"
 
     def estimates(self) -> Iterator[Estimate]:
         """Iterate over the ranges as estimates of single points."""
@@ -52,3 +58,15 @@ def band_of(here: Frame, quantity: str, shape: tuple[int, ...]) -> Band | None:
     high = numpy.where(has_none, numpy.nan, numpy.where(numpy.isnan(high), inf, high))
     has_width = high - low > _HAS_WIDTH * abs(numpy.where(numpy.isinf(high), low, high))
     return Band(low, high, by) if has_width.any() else None
+
+
+def spacing(inside: Any) -> int:
+    """Return the smallest n for which the bands of each n-th contour, from the one at n // 2 on, hardly overlap.
+
+    `inside`: for each contour of a map, an array that is positive within its band.
+    """
+    for step in range(1, len(inside)):
+        overlap = (inside[step // 2 :: step] > 0).sum(axis=0) > 1
+        if overlap.mean() < _OVERLAP:
+            return step
+    return len(inside)
