@@ -200,8 +200,8 @@ class Surface(NamedTuple):
 
 
 SURFACES: Mapping[str, Surface] = {
-    "on dry smooth glass": Surface(1 / 4, 1 / 2, "1/4–1/2", "spheres of 5 and 20 µm"),
-    "on humid smooth glass": Surface(1 / 2, 4 / 5, "1/2–4/5", "the same at 67 %"),
+    "on glass in dry air": Surface(1 / 4, 1 / 2, "1/4–1/2", "smooth spheres of 5 and 20 µm"),
+    "on glass in humid air": Surface(1 / 2, 4 / 5, "1/2–4/5", "the same at 67 %"),
     "for rough grains in air": Surface(1 / 100, 1 / 10, "1/100–1/10", "tens of µm"),
 }
 SURFACES_FROM = 1e-6  # radius of the smallest spheres to which these fractions are scaled, in m

@@ -203,9 +203,11 @@ def no_error_bar(
     """Return the error of a row without an uncertainty; it states why the quantity has no value at a point."""
     entering = (sources or sources_of_results(made_of(frame), [name])).entering
     points = [*chain.from_iterable(edges_of(entering))]
-    moved = made_of(frame.replace(**points[at_row(bar.open_at, row) - 1]))
-    error = moved.error(name, at_row(moved.columns((name,))[name].reasons, row), row)
-    return NoErrorBar(name, explanation_of(name, error))
+    place = at_row(bar.open_at, row) - 1
+    reasons = _at_points(frame, points, made_of, [name])[name].reasons  # rounding may leave the point alone a value
+    moved = made_of(frame.replace(**points[place]))
+    moved.columns((name,))
+    return NoErrorBar(name, explanation_of(name, moved.error(name, at_row(reasons[place], row), row)))
 
 
 def _at_points(

@@ -129,7 +129,8 @@ def _middle(name: str, estimate: Estimate, *, is_short: bool) -> str:
 def _first_to_give_way(answer: Answer) -> str:
     rolling, sliding = (answer.estimates[name] for name in ("yield_force", "sliding_or_peeling_force"))
     force = range_in_words("yield_force", sliding)
-    gives = f"it {_slides_or_peels(answer)} at {force} (T_first, below both as the contact shrinks)"
+    why = "below F_slide and T_peel, as shear shrinks the contact"
+    gives = f"it {_slides_or_peels(answer)} at {force} (T_first, {why})"
     rolls = range_in_words("yield_force", rolling)
     if rolling.high < sliding.low:
         return f"pushed, it rolls first ({rolls}); held from rolling, {gives}"

@@ -57,7 +57,7 @@ _QUESTIONS = {
         "yield_force yield_force_fixed_load yield_force_ratio yield_moment yield_angle yield_displacement",
         lead="pushed at its centre, a sphere starts to roll at {yield_force}",
     ),
-    "r-min": _question("r_min", lead="a chain can be bent to a radius of {r_min} before a contact of it rolls"),
+    "r-min": _question("r_min", lead="a chain bends down to a radius of {r_min} before a contact of it rolls"),
     "n-grav": _question(
         "n_grav",
         "n_grav gravity_moment bond_number",
@@ -93,8 +93,8 @@ _QUESTIONS = {
         "yield_moment yield_displacement unloaded_moment half_circles_moment fixed_approach_moment rolling_stiffness "
         "mean_rolling_moment mean_rolling_force",
         without_row="half_circles_moment fixed_approach_moment",  # approximations of the first
-        lead="rolling starts at {yield_moment}, the threshold for a simulation and for E_roll; the mean while it "
-        "rolls, which n_roll takes, is half of that, {mean_rolling_moment}",
+        lead="rolling starts at {yield_moment}, the threshold for a simulation; the mean while it rolls is half of "
+        "that, {mean_rolling_moment}",
     ),
 }
 # Values that contradict a headline are in the report, too; Eq (41) as printed is in `frequencies` alone.

@@ -99,9 +99,9 @@ def held_on_surfaces(frame: Frame) -> str:
     """Return the pull-off force of real surfaces: for SiO2 as measured, for other solids as a fraction of JKR's."""
     radii = frame.numbers("radius", "radius2").values()
     if min(radii, default=2 * frame["reduced_radius"]) < SURFACES_FROM:
-        return "rough ones hold less (2 to 100 times from 1 µm on; smaller ones were not measured)"
+        return "rough ones hold less: 1/2 to 1/100 of it from 1 µm on, smaller ones were not measured"
     if solid_of_pair(frame) != SIO2:
-        return f"real surfaces hold less: of JKR's force SiO2, which alone was measured, held {_ON_SURFACES}"
+        return f"real surfaces hold less (of JKR's force, measured for SiO2 only: {_ON_SURFACES})"
     forces = (f"{span('pull_off_force', *ends)} {surface}" for surface, ends in on_surfaces(frame).items())
     return f"real surfaces hold less: {', '.join(forces)}"
 
@@ -110,7 +110,7 @@ def about_surfaces(frame: Frame) -> str:
     """Return the fractions of JKR's pull-off force that were measured, and the surfaces they belong to."""
     parts = ", ".join(f"{surface.fraction} {name} ({surface.spheres})" for name, surface in SURFACES.items())
     energy, radius = amount("surface_energy", ENERGY_ON_SURFACES), amount("radius", frame["radius"])
-    choice = "take smooth glass for microspheres, rough grains for broken or natural ones; smooth is an upper limit"
+    choice = "take glass for microspheres, rough grains for broken or natural ones; smooth is an upper limit"
     return f"{choice}. Scaled to {radius} as parts of JKR's force at γ = {energy}: {parts}; not measured in vacuum"
 
 
@@ -217,7 +217,7 @@ def _measured(answer: Answer) -> str:
     if stuck.is_near(answer.frame):
         return f"{seen}, between them as R^{stuck.exponent}, {bar}"
     scaled = f"scaled to this size like {answer.frame.law.short}'s speed, {bar}"
-    return f"{seen}; {scaled}. How it depends on γ was not measured"
+    return f"{seen}; {scaled}. It is the same for every γ, whose effect was not measured"
 
 
 def _above_law(answer: Answer) -> str:
@@ -263,12 +263,12 @@ def _ceiling(answer: Answer) -> str:
     if found is None or not found.high > ceiling[1]:
         return ""
     most = span("yield_force", ceiling[1], ceiling[1])
-    return f". Adhesion alone explains at most {most}"
+    return f". The most that adhesion alone can cause is {most}"
 
 
 def _xi_unknown(answer: Answer) -> str:
     if answer.frame.missing(["hysteresis_ratio"]):
-        return f"the end that is given is at ξ = 2 Å, about one atom; {_of_silica(answer)}name your material"
+        return f"the known end is at ξ = 2 Å, about one atom; {_of_silica(answer)}name your material"
     by_law = "" if answer.frame.law.name == BETWEEN else ", by Maugis' law"
     most = answer.ranges.at_full_hysteresis(XI)[1]
     at_most = "" if isnan(most) else f" (ξ = {span(XI, most, most)})"
@@ -308,9 +308,7 @@ def _of_measured_solid(answer: Answer) -> str:
         return ""
     energies = span("surface_energy", *rolled.energies)
     forces = span(rolled.name, rolled.least(radius), rolled.most(radius))
-    is_more = answer.frame["work_of_adhesion"] / 2 > rolled.energies[1]
-    part = "upper" if is_more else "lower"
-    return f". {solid} of {energies} rolled at {forces} (scaled): with this γ take the {part} part of the range"
+    return f". {solid} of {energies} rolled at {forces} (scaled)"
 
 
 def _adhesion_only(answer: Answer) -> str:

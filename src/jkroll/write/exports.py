@@ -45,7 +45,7 @@ where collisions press harder, give their largest force as --load. What is behin
 """
 _OF_COLLISIONS = """\
 # In LAMMPS grains stick only below 0.7028 v_stick: it lets go at 3 pi gamma R, before the neck has stretched as far \
-as fixed grips stretch it, so that adhesion takes only 0.3814/0.7722 of jkroll's energy from a collision.
+as fixed grips stretch it, so that adhesion takes only 49 percent of jkroll's energy from a collision.
 """
 _REMARKS_ON = {  # by law
     "jkr": """\

@@ -13,6 +13,7 @@ from ..model.estimate import (
     KELVIN,
     LAW_IN_USE,
     LAW_ONLY,
+    MEASURED,
     NONE,
     SCALED,
     SPACING_ASSUMED,
@@ -55,7 +56,7 @@ if TYPE_CHECKING:
 _LEAST, _MOST, _LARGEST = 0.25, 2000, 10000
 _SAME = 1e-12  # a range with a smaller relative width is shown as one number
 _BEST_RANGE = "best range"
-_AS_SILICA = "as SiO2"  # the rule for a pull-off force on a surface
+_AS_SILICA = WORDS[MEASURED]  # the rule for a pull-off force on a surface
 _CODES = 24  # codes with more characters are shortened in a narrow table
 _OF_MATERIALS = {"material": [*PROPERTIES], "material2": [of_sphere(2, name) for name in PROPERTIES]}
 # Inputs that follow from others have no column unless they were typed. γ of a material keeps its column.
