@@ -492,8 +492,17 @@ def headed(name: str, unit_text: str = "UNIT") -> str:
 # Rare units. A column with one of them may be an input, but not every spelling is read.
 _RARE = """angstrom angstroms ang micron microns nanometer micrometer nanometre micrometre GN/m2 MN/m2 kN/m2 N/m2
     dyne/cm dyne/cm2 psi gigapascal megapascal joule nJ pJ keV meV erg newton nanonewton dyn dyne nanoN kg/dm3 t/m3
-    kg/cum m/sec mps us ns ps sec""".split()
-_MEANT_BY = {"ang": "angstrom", "m/sec": "m/s", "mps": "m/s", "nanoN": "nN", "kg/cum": "kg/m3", "sec": "s"}
+    kg/cum m/sec mps us ns ps sec mikrometer mikrometern mikron g/ccm gccm kg/cbm mJ/qm m/sek""".split()
+_MEANT_BY = {
+    "ang": "angstrom",
+    **dict.fromkeys("mikrometer mikrometern mikron".split(), "um"),
+    **dict.fromkeys("m/sec mps m/sek".split(), "m/s"),
+    "nanoN": "nN",
+    **dict.fromkeys("kg/cum kg/cbm".split(), "kg/m3"),
+    **dict.fromkeys("g/ccm gccm".split(), "g/cm3"),
+    "mJ/qm": "mJ/m2",
+    "sec": "s",
+}
 # Words that turn the quantity next to them into a multiple or a part of it.
 SENSES = {*"half double twice fwhm hwhm squared square inv times per ratio rel relative change rate".split()}
 # SI units so common that a unit alone does not point to an input: a word must.
