@@ -327,7 +327,12 @@ def _kind(cell: str, name: str) -> str:
 
 
 def _with_problem(reading: Reading) -> Reading:
-    """Return the reading of an input, with a problem if neither the header nor the first value states the unit."""
+    """Return the reading of an input, with a problem if neither the header nor the first value states the unit.
+
+    A humidity needs no unit, unless it is a percentage.
+    """
+    if reading.name == "humidity" and not reading.unit_text and is_number(reading.cell) and float(reading.cell) > 1:
+        return reading._replace(problem=_NO_UNIT, meant=["humidity [%]"])
     if not reading.cell or reading.unit_text or NOMENCLATURE[reading.name].unit in ("", "1"):
         return reading
     kind = _kind(reading.cell, reading.name)

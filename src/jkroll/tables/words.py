@@ -33,7 +33,7 @@ _OF_CURVES = {
     "lever_deflection": "d",
 }
 NO_HEADERS = ("roughness",)  # options that are not headers: a column of roughness gives a height, not a gap
-RATIOS = ("poisson_ratio", "poisson_ratio2")  # the only ratios whose symbol has no other common meaning
+RATIOS = ("poisson_ratio", "poisson_ratio2", "humidity")  # the only ratios whose symbol has no other common meaning
 
 
 class Meaning(NamedTuple):
@@ -76,8 +76,8 @@ _DISTANCE = {  # but r1 and r2 are radii
     "r": Meaning(["radius"], "r may be a distance"),
     "s": Meaning(["asperity_radius"], "s may be a distance"),
 }
-# Symbols that mean another quantity if their case changes: δ becomes Δ, and D0 is a diameter.
-_OTHER_IN_CASE = ("d0", "delta", "deltaw")
+# Symbols that mean another quantity if their case changes: δ becomes Δ, D0 is a diameter, and Rh is rhodium.
+_OTHER_IN_CASE = ("d0", "delta", "deltaw", "rh")
 
 # The symbol of a property with an index for the solid: E_s, rho_p, Es. A gap follows nu, and R has a body as index.
 _WITH_INDEX = re.compile(
