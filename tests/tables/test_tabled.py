@@ -272,8 +272,9 @@ def test_imports_only_the_library_of_the_table() -> None:
 
 
 def test_texts_may_have_decimal_commas() -> None:
-    """A column of numbers has no commas, and does not matter."""
-    columns = {"diameter [um]": ["4,91", "10,5", "1.234,5"], "gamma [mJ/m2]": [35.9, 30.0, 30.0]}
+    """Numbers have none, in a column of their own or among texts."""
+    diameters = numpy.array(["4,91", 10.5, "1.234,5"], dtype=object)
+    columns = {"diameter [um]": diameters, "gamma [mJ/m2]": [35.9, 30.0, 30.0]}
     found = jkroll.table(columns, "P_c")
     assert [*found["pull_off_force [N]"][:2]] == approx([4.15324e-07, 7.42201e-07], rel=1e-5)
     reason = "'1.234,5' has a point: this table has decimal commas, and no thousands separators"

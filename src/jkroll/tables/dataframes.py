@@ -321,12 +321,18 @@ class Memory:
         self.sample: list[Sequence[str]] = [*zip(*columns, strict=True)]
 
     def _take_decimal_commas(self, first: dict[int, Sequence[str]]) -> set[int]:
-        """Return the positions of texts with decimal commas, and replace these commas in the first cells by points."""
+        """Return the positions of texts with decimal commas, and replace these commas in the first cells by points.
+
+        Numbers among the texts get decimal commas, too.
+        """
         texts = {position for position in first if _include_texts(self._of(position))}
         if decimal_mark([first[position] for position in texts], "") != ",":
             return set()
         for position in texts:
             first[position] = [cell.replace(",", ".") for cell in first[position]]
+            self._values[position] = [
+                str(value).replace(".", ",") if isinstance(value, float) else value for value in self._of(position)
+            ]
         return texts
 
     def _of(self, position: int) -> Any:
