@@ -1,8 +1,10 @@
 """Faults around the process: each ends with the documented code and at most a line, without half-written files."""
 
 import os
+import pty
 import random
 import resource
+import select
 import signal
 import subprocess
 import sys
@@ -294,6 +296,17 @@ def test_no_width_of_a_terminal_cuts_a_number(columns: str) -> None:
     assert code == 0
     assert "11.78" in screen
     assert "…" not in screen
+
+
+def test_a_long_list_on_a_terminal_begins_at_once() -> None:
+    terminal, end = pty.openpty()
+    with subprocess.Popen([*JKROLL, "pull-off", "quartz", "1nm:1um:10000000"], stdout=end, stderr=end) as process:
+        begun, *_ = select.select([terminal], [], [], 20)
+        head = os.read(terminal, 19) if begun else b""
+        process.kill()
+    os.close(terminal)
+    os.close(end)
+    assert head == b"material\tradius [m]"
 
 
 @pytest.mark.parametrize(

@@ -45,6 +45,8 @@ def test_a_curve_in_every_form_of_file(run: Run, curve: str) -> None:
     check(values(run(f"fit curve.csv {KNOWN} --json").out))
     Path("curve.csv.gz").write_bytes(gzip.compress(curve.encode()))
     check(values(run(f"fit curve.csv.gz {KNOWN} --json").out))
+    Path("curve.txt").write_text(curve.replace(",", "\t"), encoding="utf-8")
+    check(values(run(f"fit curve.txt {KNOWN} --json").out))
     rows = [*csv.reader(io.StringIO(curve))]
     Path("curve.tsv").write_text(
         "# instrument\n# gain 3\ntime\tz\tF\ns\tum\tnN\n"

@@ -963,3 +963,23 @@ def test_the_mark_of_a_header_may_follow_a_byte_order_mark(run: Run) -> None:
     Path("x.txt").write_bytes(b"\xef\xbb\xbf# R1_nm gamma_mJ_m2\n100 25\n")
     assert run("batch x.txt --delimiter blank -o out.tsv --quantities pull_off_force --no-doubt").code == 0
     assert Path("out.tsv").read_text(encoding="utf-8").splitlines()[1].startswith("100\t25\t1.178")
+
+
+@pytest.mark.parametrize(("head", "cell"), [("RH", "0.6"), ("RH", "60%"), ("RH [%]", "60"), ("RH_percent", "60")])
+def test_rh_is_the_humidity(run: Run, head: str, cell: str) -> None:
+    Path("x.csv").write_text(f"material,radius [nm],{head}\nquartz,100,{cell}\n", encoding="utf-8")
+    assert run("batch x.csv -o out.csv --quantities F_men --no-doubt").code == 0
+    assert Path("out.csv").read_text().splitlines()[1] == f"quartz,100,{cell},4.2692409913092435e-8,"
+
+
+@pytest.mark.parametrize(
+    ("head", "said"),
+    [
+        ("RH", "header: 'RH' (first cell '60'): neither has a unit. Write --column 'RH=humidity [%]'"),
+        ("Rh [nm]", "passed through: Rh [nm]"),  # a hydrodynamic radius
+        ("Rh [%]", "passed through: Rh [%]"),  # rhodium
+    ],
+)
+def test_a_percentage_needs_its_unit_and_other_cases_are_no_humidity(run: Run, head: str, said: str) -> None:
+    Path("x.csv").write_text(f"material,radius [nm],{head}\nquartz,100,60\n", encoding="utf-8")
+    assert said in " ".join(run("batch x.csv -o out.csv --quantities P_c").err.split())

@@ -532,3 +532,31 @@ def test_a_table_in_json_has_no_row_of_units(run: Run) -> None:
     Path("x.ndjson").write_text('{"radius":"nm","gamma":"mJ/m2"}\n{"radius":100,"gamma":25}\n', encoding="utf-8")
     ran = run(f"batch x.ndjson {FORCE} -o out.ndjson")
     assert (ran.code, "the first row has units. Delete it" in ran.err) == (2, True)
+
+
+# --- Texts ------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [
+        ("R1 [nm]\tgamma [mJ/m2]\n100\t25\n",
+         ["R1 [nm]\tgamma [mJ/m2]\tpull_off_force [N]\tstatus", "100\t25\t1.1780972450961723e-8\t"]),
+        ("R1 [nm];gamma [mJ/m2]\r\n100,0;25\r\n",
+         ["R1 [nm];gamma [mJ/m2];pull_off_force [N];status", "100,0;25;1,1780972450961723e-8;"]),
+        ("# Exported\n# R1_nm gamma_mJ_m2\n100  25\n",
+         ["R1_nm\tgamma_mJ_m2\tpull_off_force [N]\tstatus", "100\t25\t1.1780972450961723e-8\t"]),
+        ("R1 [nm]\n100\n", ["R1 [nm],pull_off_force [N],status", "100,1.1780972450961723e-8,"]),
+    ],
+)  # fmt: skip
+def test_the_first_lines_of_a_text_tell_its_separator(run: Run, text: str, lines: list[str]) -> None:
+    ran = batch(run, text, "--gamma 25mJ/m2 --quiet", "x.txt", "out.txt")
+    assert (ran.code, ran.err) == (0, "")
+    assert written("out.txt") == lines
+
+
+def test_a_text_that_two_marks_may_divide_is_refused(run: Run) -> None:
+    ran = batch(run, "R1, nm;gamma, mJ/m2\n100,5;25,2\n", "", "x.txt")
+    said = "jkroll: 'x.txt' may be divided by commas or by semicolons; write --delimiter comma or semicolon\n"
+    assert (ran.code, ran.err) == (2, said)
+    assert batch(run, "R1, nm;gamma, mJ/m2\n100,5;25,2\n", "--delimiter semicolon", "x.txt", "out.csv").code == 0

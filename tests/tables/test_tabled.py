@@ -269,3 +269,15 @@ def test_imports_only_the_library_of_the_table() -> None:
     environment = {**os.environ, "PYTHONPATH": str(Path(jkroll.__file__).parents[1])}
     ran = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)
     assert {"pandas", "polars", "xarray", "astropy", "pyarrow", "pint"}.isdisjoint(ran.stdout.split())
+
+
+def test_texts_may_have_decimal_commas() -> None:
+    """Numbers have none, in a column of their own or among texts."""
+    diameters = numpy.array(["4,91", 10.5, "1.234,5"], dtype=object)
+    columns = {"diameter [um]": diameters, "gamma [mJ/m2]": [35.9, 30.0, 30.0]}
+    found = jkroll.table(columns, "P_c")
+    assert [*found["pull_off_force [N]"][:2]] == approx([4.15324e-07, 7.42201e-07], rel=1e-5)
+    reason = "'1.234,5' has a point: this table has decimal commas, and no thousands separators"
+    assert [*found["status"]] == [None, None, reason]
+    with pytest.raises(jkroll.JkrollError, match="write 1,2000 or 1200"):
+        jkroll.table({"diameter [um]": ["1,200"], "gamma [mJ/m2]": [35.9]}, "P_c")

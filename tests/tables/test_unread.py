@@ -65,6 +65,34 @@ def test_messages_name_the_value_used_instead(run: Run) -> None:
     assert '"foo (GPa)", "bar (g/cm3)" (ρ is --density 2g/cm3)' in said  # no result depends on E
 
 
+def test_all_columns_of_a_kind_are_refused_together(run: Run) -> None:
+    """Once d1 is read, its value would replace that of d2, whose unit is unknown."""
+    said = ran(run, "d1 [um],d2 [mikrometer],gamma [mJ/m2]", "4.91,10.98,35.9", "--quantities pull_off_force")
+    assert said == (
+        "2: jkroll: header: 'd1 [um]' (first cell '4.91'): it may be a diameter; 'd2 [mikrometer]' "
+        "(first cell '10.98'): not read, and D2 is that of sphere 1. Write --column 'd1 [um]=diameter [um]' "
+        "--column 'd2 [mikrometer]=diameter2 [UNIT]', or --column 'd1 [um]=' --column 'd2 [mikrometer]=' to pass them "
+        "through (--pass-rest passes all that is not read)\n"
+    )
+
+
+@pytest.mark.parametrize(
+    ("head", "meant"),
+    [("d2 [mikrometer]", "diameter2 [UNIT]"), ("R2 [mikrometer]", "radius2 [UNIT]"),
+     ("d2 in Mikrometern", "diameter2 [UNIT]"), ("d2 [µ]", "diameter2 [UNIT]"), ("R2_mikrometer", "radius2 [UNIT]"),
+     ("rho [g/ccm]", "density [UNIT]"), ("E wall [kN/qmm]", "youngs_modulus2 [UNIT]"), ("P [kp]", "load [UNIT]")],
+)  # fmt: skip
+def test_a_symbol_with_an_unknown_unit_is_refused(run: Run, head: str, meant: str) -> None:
+    said = ran(run, f"material,radius [um],{head}", "quartz,1,3")
+    assert said.startswith(f"2: jkroll: header: '{head}' (first cell '3'): not read, and ")
+    assert f"Write --column '{head}={meant}'" in said
+
+
+@pytest.mark.parametrize("head", ["R2", "R2 [-]", "rho [ohm m]", "A [mm^2]", "P [mbar]", "E [kcal/mol]"])
+def test_a_symbol_with_another_unit_passes(run: Run, head: str) -> None:
+    assert f"passed through: {head}" in ran(run, f"material,radius [um],{head}", "quartz,1,3").replace('"', "")
+
+
 def test_a_column_that_no_result_depends_on_passes(run: Run) -> None:
     """A pull-off force depends on the reduced radius and w only."""
     said = ran(run, f"{BESIDE},bar (g/cm3),foo (m/s)", "quartz,100,2,3", "--quantities pull_off_force")

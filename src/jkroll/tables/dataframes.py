@@ -18,6 +18,7 @@ from ..model.rows import has_texts
 from ..text import quoted, shown
 from ..write.writers import Lists
 from .cells import Doubles, cells_of
+from .decimals import decimal_mark, with_decimal_points
 from .layouts import SAMPLE
 from .table import Asked, Records
 
@@ -310,13 +311,29 @@ class Memory:
         rows.use(read)
         self.size = rows.size
         self._values: dict[int, Any] = {}  # of columns by position
-        first = []
+        first: dict[int, Sequence[str]] = {}  # the first cells of columns to read, by position
         for position, name in enumerate(self.names):
             if name in read:
-                first.append([cell.decode() for cell in cells_from(self._of(position)[:SAMPLE])])
-            else:
-                first.append([""] * min(SAMPLE, rows.size))
-        self.sample: list[Sequence[str]] = [*zip(*first, strict=True)]
+                first[position] = [cell.decode() for cell in cells_from(self._of(position)[:SAMPLE])]
+        self._with_commas = self._take_decimal_commas(first)
+        unread = [""] * min(SAMPLE, rows.size)
+        columns = [first.get(position, unread) for position in range(len(self.names))]
+        self.sample: list[Sequence[str]] = [*zip(*columns, strict=True)]
+
+    def _take_decimal_commas(self, first: dict[int, Sequence[str]]) -> set[int]:
+        """Return the positions of texts with decimal commas, and replace these commas in the first cells by points.
+
+        Numbers among the texts get decimal commas, too.
+        """
+        texts = {position for position in first if _include_texts(self._of(position))}
+        if decimal_mark([first[position] for position in texts], "") != ",":
+            return set()
+        for position in texts:
+            first[position] = [cell.replace(",", ".") for cell in first[position]]
+            self._values[position] = [
+                str(value).replace(".", ",") if isinstance(value, float) else value for value in self._of(position)
+            ]
+        return texts
 
     def _of(self, position: int) -> Any:
         """Return the values of a column."""
@@ -333,12 +350,21 @@ class Memory:
         for name, position in table.labels.items():
             values = self._of(position)
             cells[name] = [b""] * size if _are_doubles(values) else cells_of(values[part])
-        return Records(block, cells, {}, block, size)
+        records = Records(block, cells, {}, block, size)
+        with_commas = {name: cells[name] for name, position in table.positions.items() if position in self._with_commas}
+        if not with_commas:
+            return records
+        texts = with_decimal_points(records._replace(cells=with_commas))
+        return texts._replace(cells=cells | {**texts.cells})
 
 
 def cells_from(values: Any) -> Sequence[bytes]:
     """Return the values of a column as cells."""
     return Doubles(values) if _are_doubles(values) else cells_of(values)
+
+
+def _include_texts(values: Any) -> bool:
+    return isinstance(values, list) and any(isinstance(value, str | bytes) for value in values)
 
 
 def _are_doubles(values: Any) -> bool:

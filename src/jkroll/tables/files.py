@@ -102,9 +102,11 @@ def format_of_name(path: str, formats: Mapping[str, str] = FORMATS) -> FileForma
 def input_format(path: str, target: str, stated: str = "", delimiter: str = "") -> FileFormat:
     """Return the format of the input: that of `--format` or `--delimiter`, or else that of the file's name.
 
+    The first lines of a text, such as grains.txt, tell its separator.
+
     `stated`, `delimiter`: the values of these options, of which a call gives at most one. Raises BadTable.
     """
-    named = format_of_name(stated.lstrip(".") or path)
+    named, text = format_of_name(stated.lstrip(".") or path), format_of_name(path, {"txt": "csv"})
     if stated and named is None:
         raise BadTable(f"--format: {quoted(stated)} is not csv, tsv or ndjson, with .gz or .zst or without, or parquet")
     if path == "-" and not stated:  # a table from a pipe is not compressed, even if the output is
@@ -113,22 +115,58 @@ def input_format(path: str, target: str, stated: str = "", delimiter: str = "") 
         mark = DELIMITERS.get(delimiter, delimiter)
         if mark not in DELIMITERS.values():
             raise BadTable(f"--delimiter: {quoted(delimiter)} is none of {', '.join(DELIMITERS)}")
-        return FileFormat("tsv" if mark in "\t " else "csv", named.compression if named else "", mark)
+        known = named or text
+        return _divided(mark, known.compression if known else "")
     if named is not None:
         return named
     if os.path.isdir(path):
         raise BadTable(f"{quoted(path)} is a directory; name its tables, as in {quoted(os.path.join(path, '*.csv'))}")
-    if os.path.isfile(path) and _begins_as_dump(path):
-        return FileFormat("tsv", COMPRESSIONS.get(ending(path), ""), " ")
+    if os.path.isfile(path):
+        compression = COMPRESSIONS.get(ending(path), "")
+        begin = _beginning(path, compression)
+        if is_dump(begin):
+            return FileFormat("tsv", compression, " ")
+        if text is not None:
+            return _with_separator(text, _separators_of(as_lines(begin)), path)
+    if text is not None:
+        return text
     remedy = "save it as CSV, or give --format csv, tsv, ndjson or parquet, or --delimiter blank"
     raise BadTable(f"{quoted(path)}: its name has no known extension; {remedy}")
 
 
-def _begins_as_dump(path: str) -> bool:
-    """Return whether a file begins as a dump of LAMMPS."""
+def _beginning(path: str, compression: str) -> bytes:
+    """Return the first whole lines of a file, without a byte order mark; an empty text if it cannot be read."""
     with suppress(BadTable), (file := Input(path)).file:
-        return is_dump(next(file.pieces(COMPRESSIONS.get(ending(path), "")), b""))
-    return False
+        text = _filled(b"", file.pieces(compression), CHUNK // 64)
+        return text[: text.rfind(b"\n") + 1].removeprefix(BOM)
+    return b""
+
+
+def _separators_of(lines: Sequence[str]) -> list[str]:
+    """Return the words for the separators that divide the first two lines into as many cells each.
+
+    Comments and blank lines do not count. Blanks are a separator only if nothing else is.
+    """
+    rows = [line.replace("\r", "").strip(" \n") for line in lines if line.strip() and not is_comment(line)][:2]
+    found: list[str] = []
+    for word, mark in DELIMITERS.items():
+        sizes = {len(row) for row in csv.reader(rows, delimiter=mark, skipinitialspace=True)}
+        if len(sizes) == 1 and sizes.pop() > 1 and not (found and mark == " "):
+            found.append(word)
+    return found
+
+
+def _with_separator(text: FileFormat, words: Sequence[str], path: str) -> FileFormat:
+    """Return the format of a text that these separators may divide. Raises BadTable if there are several."""
+    if len(words) > 1:
+        divided = " or by ".join(f"{word}s" for word in words)
+        raise BadTable(f"{quoted(path)} may be divided by {divided}; write --delimiter {' or '.join(words)}")
+    return _divided(DELIMITERS[words[0]] if words else text.separator, text.compression)
+
+
+def _divided(mark: str, compression: str) -> FileFormat:
+    """Return the format of a table divided by a mark."""
+    return FileFormat("tsv" if mark in "\t " else "csv", compression, mark)
 
 
 def output_format(target: str, usual: str, *, quiet: bool) -> FileFormat:
@@ -136,7 +174,7 @@ def output_format(target: str, usual: str, *, quiet: bool) -> FileFormat:
 
     Raises BadRequest for a format that only other programs write.
     """
-    form = format_of_name(target, WRITTEN)
+    form = format_of_name(target, WRITTEN | ({"txt": usual} if usual in SEPARATORS else {}))
     if form is not None:
         return form
     name, end = os.path.splitext(target)

@@ -165,9 +165,13 @@ def understood(
     if supply_of is not None:
         supply = supply_of(used)
         clauses = supply.clauses
-        readings = [judged(reading, [row[reading.position] for row in rows], supply) for reading in readings]
+        readings = _judged(readings, rows, supply)
     left = [reading for reading in readings if reading.problem and not _may_pass(reading, held, known)]
     refused = [] if pass_rest else [*left]
+    if refused and supply_of is not None:  # once these columns are read, their values may replace those of others
+        meant = {reading.name for reading in refused if reading.name}
+        readings = _judged(readings, rows, supply_of({*used, *meant}))
+        refused = [reading for reading in readings if reading.problem and not _may_pass(reading, held, known)]
     refused += [reading for reading in map(_with_problem, values) if reading.problem]
     for name, columns in inputs.items():
         if name in known:
@@ -181,6 +185,11 @@ def understood(
         group.append(_column(name, parts))
     passed = {reading.position: clauses[reading.name] for reading in left if reading.name in clauses}
     return Header(tuple(texts), tuple(numbers), tuple(materials), passed)
+
+
+def _judged(readings: Iterable[Reading], rows: Sequence[Sequence[str]], supply: Supply) -> list[Reading]:
+    """Return readings, each with a problem if its column is unread and may be a supplied input."""
+    return [judged(reading, [row[reading.position] for row in rows], supply) for reading in readings]
 
 
 def _check_stated(stated: Iterable[str], texts: Sequence[str]) -> None:
@@ -318,7 +327,12 @@ def _kind(cell: str, name: str) -> str:
 
 
 def _with_problem(reading: Reading) -> Reading:
-    """Return the reading of an input, with a problem if neither the header nor the first value states the unit."""
+    """Return the reading of an input, with a problem if neither the header nor the first value states the unit.
+
+    A humidity needs no unit, unless it is a percentage.
+    """
+    if reading.name == "humidity" and not reading.unit_text and is_number(reading.cell) and float(reading.cell) > 1:
+        return reading._replace(problem=_NO_UNIT, meant=["humidity [%]"])
     if not reading.cell or reading.unit_text or NOMENCLATURE[reading.name].unit in ("", "1"):
         return reading
     kind = _kind(reading.cell, reading.name)

@@ -62,6 +62,7 @@ def table(
         input is a column with a unit, either in its name ("radius [nm]", "E_GPa") or stated by the library: the
         attribute "units", or a column of pint or astropy. Columns "material" and "material2" have names of materials,
         and a column "gamma_err [mJ/m2]" is an uncertainty. In a DataFrame nan is an empty cell.
+        Columns of texts may have decimal commas.
     quantities
         Names or symbols of quantities, or commands such as "pull-off"; by default, all that the columns allow.
     material, material2, materials, model, profile, **given

@@ -19,7 +19,7 @@ from ..quantities.formatting import amount, symbol_of
 from ..quantities.laws import DEFAULT_LAW, law_given, routes_anywhere
 from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS, PROPERTIES, computed_as, of_sphere
 from ..quantities.synonyms import QUANTITY_SYNONYMS
-from ..quantities.units import is_in_table
+from ..quantities.units import BadUnit, dimension_of, is_in_table
 from ..quantities.values import QuantityError, value_of
 from ..text import ascii_text, shown
 from . import words
@@ -173,6 +173,9 @@ def _candidates(text: str, cells: Sequence[str], supply: Supply) -> tuple[Split,
             candidates[name] = unit
     if not candidates:
         candidates, split = dict.fromkeys(_without_unit(text, cells, supply), ""), Split(text, "")
+    if not candidates:
+        split, names = _with_unread_unit(text)
+        candidates = {name: "UNIT" for name in names if name in supply.clauses}
     if _is_result(split):
         return split, {}
     tokens = tokens_of(split.word)
@@ -211,6 +214,26 @@ def _without_unit(text: str, cells: Sequence[str], supply: Supply) -> list[str]:
     reading = reading_of(text)
     is_symbol = reading.is_symbol and NOMENCLATURE[reading.name].unit not in words.COMMON_UNITS
     return [reading.name] if is_symbol and reading.name in supply.direct else []
+
+
+def _with_unread_unit(text: str) -> tuple[Split, Sequence[str]]:
+    """Return a header divided before an unknown unit, as in d2 [mikrometer], and the inputs that its symbol means."""
+    for split in splits_of(text):
+        symbol = words.with_symbol(words.without_body(split.word))
+        if symbol and split.is_explicit and not _is_known(split.unit):
+            return split, [name for name in symbol.names if NOMENCLATURE[name].unit != "1"]
+    return Split(text, ""), []
+
+
+@lru_cache(maxsize=5000)
+def _is_known(unit: str) -> bool:
+    """Return whether a text is a unit of any kind, or that of a ratio. A prefix alone is no unit."""
+    if unit in ("µ", "μ", "u"):
+        return False  # it stands for µm
+    try:
+        return unit in ("", "-", "%") or bool(dimension_of(unit))
+    except BadUnit:
+        return False
 
 
 def _of_solids(reading: Reading, cells: Sequence[str], supply: Supply) -> Reading | None:

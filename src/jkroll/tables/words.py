@@ -33,7 +33,7 @@ _OF_CURVES = {
     "lever_deflection": "d",
 }
 NO_HEADERS = ("roughness",)  # options that are not headers: a column of roughness gives a height, not a gap
-RATIOS = ("poisson_ratio", "poisson_ratio2")  # the only ratios whose symbol has no other common meaning
+RATIOS = ("poisson_ratio", "poisson_ratio2", "humidity")  # the only ratios whose symbol has no other common meaning
 
 
 class Meaning(NamedTuple):
@@ -76,8 +76,8 @@ _DISTANCE = {  # but r1 and r2 are radii
     "r": Meaning(["radius"], "r may be a distance"),
     "s": Meaning(["asperity_radius"], "s may be a distance"),
 }
-# Symbols that mean another quantity if their case changes: δ becomes Δ, and D0 is a diameter.
-_OTHER_IN_CASE = ("d0", "delta", "deltaw")
+# Symbols that mean another quantity if their case changes: δ becomes Δ, D0 is a diameter, and Rh is rhodium.
+_OTHER_IN_CASE = ("d0", "delta", "deltaw", "rh")
 
 # The symbol of a property with an index for the solid: E_s, rho_p, Es. A gap follows nu, and R has a body as index.
 _WITH_INDEX = re.compile(
@@ -492,8 +492,17 @@ def headed(name: str, unit_text: str = "UNIT") -> str:
 # Rare units. A column with one of them may be an input, but not every spelling is read.
 _RARE = """angstrom angstroms ang micron microns nanometer micrometer nanometre micrometre GN/m2 MN/m2 kN/m2 N/m2
     dyne/cm dyne/cm2 psi gigapascal megapascal joule nJ pJ keV meV erg newton nanonewton dyn dyne nanoN kg/dm3 t/m3
-    kg/cum m/sec mps us ns ps sec""".split()
-_MEANT_BY = {"ang": "angstrom", "m/sec": "m/s", "mps": "m/s", "nanoN": "nN", "kg/cum": "kg/m3", "sec": "s"}
+    kg/cum m/sec mps us ns ps sec mikrometer mikrometern mikron g/ccm gccm kg/cbm mJ/qm m/sek""".split()
+_MEANT_BY = {
+    "ang": "angstrom",
+    **dict.fromkeys("mikrometer mikrometern mikron".split(), "um"),
+    **dict.fromkeys("m/sec mps m/sek".split(), "m/s"),
+    "nanoN": "nN",
+    **dict.fromkeys("kg/cum kg/cbm".split(), "kg/m3"),
+    **dict.fromkeys("g/ccm gccm".split(), "g/cm3"),
+    "mJ/qm": "mJ/m2",
+    "sec": "s",
+}
 # Words that turn the quantity next to them into a multiple or a part of it.
 SENSES = {*"half double twice fwhm hwhm squared square inv times per ratio rel relative change rate".split()}
 # SI units so common that a unit alone does not point to an input: a word must.
