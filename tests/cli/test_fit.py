@@ -11,7 +11,7 @@ import numpy
 import pytest
 
 import jkroll
-from curves import autoregression, jkr_curve
+from curves import autoregression, jkr_curve, jkr_force, jkr_state
 from harness import Run
 from relative import approx
 
@@ -63,6 +63,26 @@ def test_a_deflection_becomes_a_force(run: Run, curve: str) -> None:
     text = "travel [um],deflection [nm]\n" + "".join(f"{z},{float(force) / 3.01}\n" for z, force in rows)
     Path("curve.csv").write_text(text, encoding="utf-8")
     check(values(run(f"fit curve.csv {KNOWN} --json").out))
+
+
+def test_a_deflection_of_the_other_sign_is_reversed(run: Run) -> None:
+    """The travel goes farther out in contact than at its free ends, since it is that of fixed grips."""
+    way = numpy.linspace(-6e-7, 6e-7, 500)
+    approach, modulus, stiffness = numpy.concatenate([way, way[::-1]]), 2e6 / 0.75, 3.0
+    is_free = approach < jkr_state(0.5, 0.05, modulus, 1e-5)[0]  # at pull-off
+    is_free[:250] = True
+    force = numpy.where(is_free, 0.0, jkr_force(approach, 0.05, modulus, 1e-5, numpy.inf))
+    force += numpy.random.default_rng(1).normal(0, 5e-9, len(force))
+    z = approach + force / stiffness
+    for sign in (1, -1):
+        text = table(sign * z, -force / stiffness, "Z piezo [um],Deflection [nm]")
+        Path("curve.csv").write_text(text, encoding="utf-8")
+        ran = run("fit curve.csv --radius 10um --radius2 plane --spring 3N/m --json")
+        assert values(ran.out)["work_of_adhesion_opening"] == approx(0.05, rel=2e-3)
+        assert values(ran.out)["contact_modulus"] == approx(modulus, rel=5e-3)
+        assert json.loads(ran.out)["notes"][0]["text"] == (
+            "the force falls on the way into the contact: its sign is reversed, so a pull is negative"
+        )
 
 
 def test_a_column_of_branches_divides_them(run: Run, curve: str) -> None:
