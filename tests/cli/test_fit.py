@@ -92,6 +92,28 @@ def test_a_deflection_of_the_other_sign_is_reversed(run: Run) -> None:
         )
 
 
+@pytest.mark.parametrize(
+    ("head", "shown"),
+    [
+        ("Indentation (nm)", '"Indentation (nm)"'),
+        ("indentation [nm]", "indentation [nm]"),
+        ("Depth_nm", "Depth_nm"),
+        ("Penetration depth (nm)", '"Penetration depth (nm)"'),
+        ("Tip-Sample Separation (nm)", '"Tip-Sample Separation (nm)"'),
+    ],
+)
+def test_an_indentation_is_an_approach_in_a_curve(run: Run, head: str, shown: str) -> None:
+    z, force = jkr_curve(stiffness=numpy.inf, low=-1e-6, count=250)
+    force += autoregression(1, len(z), 3e-9, 0.0)
+    for sign in (1, -1):
+        text = "".join(f"{sign * a * 1e9:.3f},{b * 1e9:.3f}\n" for a, b in zip(z, force, strict=True))
+        Path("curve.csv").write_text(f"{head},Force (nN)\n{text}", encoding="utf-8")
+        ran = run("fit curve.csv --radius 7.5um --radius2 plane --json")
+        check(values(ran.out))
+        read = f'read: approach_at_load [nm] from {shown}, lever_force [nN] from "Force (nN)"'
+        assert " ".join(ran.err.split()) == read
+
+
 def test_a_wide_table_fits_80_columns_and_a_hysteresis_within_its_error_is_left_out(run: Run) -> None:
     Path("curve.csv").write_text(table(*of_fixed_grips()), encoding="utf-8")
     lines = run("fit curve.csv --radius 10um --radius2 plane --spring 3N/m", terminal=True).out.splitlines()
@@ -317,6 +339,19 @@ def test_what_is_refused_says_what_to_type(run: Run, curve: str, words: str, sai
         ("travel [um],volts [V]\n1,2\n3,4\n", "no column has the force"),
         ("travel [um],force [V]\n1,2\n3,4\n", "no column has the force"),
         ("travel [um],force [nN],branch\n1,2,up\n3,4,down\n", "is none of loading and unloading"),
+        (
+            "distance (nm),force (nN)\n1,2\n3,4\n",
+            (
+                "header: no column has the contact radius, approach or travel of the curve; write "
+                "--column 'distance (nm)=approach_at_load [nm]' or --column 'distance (nm)=lever_travel [nm]'"
+            ),
+        ),
+        ("Ramp_nm,F_nN\n1,2\n", "of the curve; write --column 'Ramp_nm=approach_at_load [nm]' or"),
+        ("z [um],vertical (nm)\n1,2\n", "force of the curve; write --column 'vertical (nm)=lever_deflection [nm]'"),
+        (
+            "t,q\n1,2\n3,4\n",
+            "of the curve (the table has t, q); write --column 'HEADER=approach_at_load [UNIT]' or",
+        ),
         ("", "no header"),
         ("travel (um);force (nN)\n1,0;2,0\n3,0;4,0\n", "write --delimiter semicolon"),
     ],

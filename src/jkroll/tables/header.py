@@ -241,9 +241,9 @@ def _twice(first: Reading, second: Reading) -> BadTable:
     problem = f"header: the columns {quoted(first.text)} and {quoted(second.text)} mean the same"
     if typed(first.text) == typed(second.text):
         return BadTable(f"{problem}: rename one")
-    options = " or ".join(_option(head.text, "") for head in (second, first))
+    options = " or ".join(option_of(head.text, "") for head in (second, first))
     twin = NOMENCLATURE[first.name].twin
-    of_2 = f", or {_option(first.text, headed(twin, first.unit_text))} if it is of sphere 2" if twin else ""
+    of_2 = f", or {option_of(first.text, headed(twin, first.unit_text))} if it is of sphere 2" if twin else ""
     return BadTable(f"{problem}. Write {options} to pass one through{of_2}")
 
 
@@ -400,7 +400,7 @@ def _refusal(heads: Sequence[Reading]) -> BadTable:
         cell = f" (first cell {quoted(head.cell)})" if head.cell else ""
         texts.setdefault(head.problem, []).append(f"{quoted(head.text)}{cell}")
     problems = [f"{listed(each)}: {problem}" for problem, each in texts.items()]
-    passing = f"{' '.join(_option(head.text, '') for head in heads)} to pass {'them' if heads[1:] else 'it'} through"
+    passing = f"{' '.join(option_of(head.text, '') for head in heads)} to pass {'them' if heads[1:] else 'it'} through"
     passing += " (--pass-rest passes all that is not read)" if heads[1:] else ""
     mark = " " if all(len(head.meant) < 2 for head in heads) else "; "  # options that can be typed together
     remedies = ", or ".join(filter(None, [mark.join(ways), passing]))
@@ -410,13 +410,13 @@ def _refusal(heads: Sequence[Reading]) -> BadTable:
 def _way(head: Reading) -> str:
     """Return what to write for a column that may be an input; "" if nothing is certain."""
     if head.meant:
-        return " or ".join(_option(head.text, meant) for meant in head.meant)
+        return " or ".join(option_of(head.text, meant) for meant in head.meant)
     if not head.name or head.part or head.problem == FACTOR or head.problem.startswith(NOT_READ):
         return ""
     return f"a column {' or '.join(map(headed, head.names or [head.name]))} instead of {quoted(head.text)}"
 
 
-def _option(text: str, meaning: str) -> str:
+def option_of(text: str, meaning: str) -> str:
     """Return the option that gives a column its meaning, quoted for a shell."""
     value = f"{typed(text)}={meaning}"
     within = re.sub(r'([\\$`"])', r"\\\1", value)  # within double quotes
@@ -430,10 +430,10 @@ def check_inputs(header: Header, measured: str = "") -> None:
     if header.texts and all(map(is_number, header.texts)):
         raise BadTable(f"header: {quoted(header.texts[0])} is a number; begin with a line of the columns' names")
     if measured:
-        raise BadTable(f"header: no column has the measured {measured}; write {_option('HEADER', headed(measured))}")
+        raise BadTable(f"header: no column has the measured {measured}; write {option_of('HEADER', headed(measured))}")
     raise BadTable(
         "header: no column is an input; a row is a contact, and its inputs have columns such as radius [nm]. "
-        f"Write {_option('HEADER', 'INPUT [UNIT]')}"
+        f"Write {option_of('HEADER', 'INPUT [UNIT]')}"
     )
 
 
