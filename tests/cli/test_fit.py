@@ -92,6 +92,44 @@ def test_a_deflection_of_the_other_sign_is_reversed(run: Run) -> None:
         )
 
 
+SWAPPED = "are columns or units swapped"
+
+
+@pytest.mark.parametrize(
+    ("head", "factors", "said"),
+    [
+        (
+            "z [nm],F [nN]",  # an approach
+            (1.0, 1.0),
+            (
+                f"and no solid has that: {SWAPPED}, is the spring wrong or is the travel an approach (--column "
+                "'HEADER=approach_at_load [UNIT]')? read: lever_travel [nm] from z [nm], lever_force [nN] from F [nN]"
+            ),
+        ),
+        (
+            "approach [um],F [nN]",
+            (1.0, 1.0),
+            (
+                f"jkroll: the fit gives a/R = 11, and no sphere has that: {SWAPPED}? read: approach_at_load [um] from "
+                "approach [um], lever_force [nN] from F [nN]"
+            ),
+        ),
+        ("approach [nm],F [nN]", (1e3, 1e-3), "jkroll: the fit gives E* = 84.4 mPa, and no solid has that: "),
+        ("approach [nm],F [nN]", (1.0, 1e6), "jkroll: the fit gives w = 50 kJ/m², and no solid has that: "),
+        ("F [nN],approach [nm]", (1.0, 1.0), "jkroll: the fit gives E* = 1.25e-15 Pa, and no solid has that: "),
+    ],
+)
+def test_results_of_no_solid_are_refused(run: Run, head: str, factors: tuple[float, float], said: str) -> None:
+    z, force = of_fixed_grips()
+    columns = (1e9 * (z - force / 3) * factors[0], 1e9 * force * factors[1])
+    text = "".join(f"{a:.6g},{b:.6g}\n" for a, b in zip(*columns, strict=True))
+    Path("curve.csv").write_text(f"{head}\n{text}", encoding="utf-8")
+    ran = run("fit curve.csv --radius 10um --radius2 plane --spring 3N/m")
+    assert (ran.code, ran.out) == (1, "")
+    assert said in " ".join(ran.err.split())
+    assert SWAPPED in ran.err
+
+
 @pytest.mark.parametrize(
     ("head", "shown"),
     [
