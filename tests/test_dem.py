@@ -16,8 +16,14 @@ from scenes import QUARTZ
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ("quartz 100nm", "slides or peels off at 9.4–22 nN (T_first, below F_slide and T_peel, as shear shrinks the contact)"),
-        ("quartz 1um", "slides or peels off at 180–220 nN (T_first, below F_slide and T_peel, as shear shrinks the contact)"),
+        (
+            "quartz 100nm",
+            "slides or peels off at 9.4–22 nN (T_first, below F_slide and T_peel, as shear",
+        ),
+        (
+            "quartz 1um",
+            "slides or peels off at 180–220 nN (T_first, below F_slide and T_peel, as shear",
+        ),
         ("quartz 1um --shear-strength 10MPa", "held from rolling, it slides at"),
         ("quartz 100nm --xi 1nm", "pushed, it rolls first"),
         # πa0²τ, a0 = 3.991 nm · 10^(2/3), which is less than the 0.7 nN at which SiO2 rolled

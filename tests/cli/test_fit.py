@@ -11,7 +11,7 @@ import numpy
 import pytest
 
 import jkroll
-from curves import autoregression, jkr_curve
+from curves import autoregression, jkr_curve, jkr_force, jkr_state
 from harness import Run
 from relative import approx
 
@@ -65,6 +65,122 @@ def test_a_deflection_becomes_a_force(run: Run, curve: str) -> None:
     text = "travel [um],deflection [nm]\n" + "".join(f"{z},{float(force) / 3.01}\n" for z, force in rows)
     Path("curve.csv").write_text(text, encoding="utf-8")
     check(values(run(f"fit curve.csv {KNOWN} --json").out))
+
+
+def of_fixed_grips() -> tuple[Any, Any]:
+    """Return travel and force of PDMS, 2 MPa and 50 mJ/m², on a lever of 3 N/m without adhesion hysteresis.
+
+    The travel goes farther out in contact than at its free ends, since it is that of fixed grips.
+    """
+    way = numpy.linspace(-6e-7, 6e-7, 500)
+    approach, modulus, stiffness = numpy.concatenate([way, way[::-1]]), 2e6 / 0.75, 3.0
+    is_free = approach < jkr_state(0.5, 0.05, modulus, 1e-5)[0]  # at pull-off
+    is_free[:250] = True
+    force = numpy.where(is_free, 0.0, jkr_force(approach, 0.05, modulus, 1e-5, numpy.inf))
+    force += numpy.random.default_rng(1).normal(0, 5e-9, len(force))
+    return approach + force / stiffness, force
+
+
+def test_a_deflection_of_the_other_sign_is_reversed(run: Run) -> None:
+    z, force = of_fixed_grips()
+    for sign in (1, -1):
+        text = table(sign * z, -force / 3, "Z piezo [um],Deflection [nm]")
+        Path("curve.csv").write_text(text, encoding="utf-8")
+        ran = run("fit curve.csv --radius 10um --radius2 plane --spring 3N/m --json")
+        assert values(ran.out)["work_of_adhesion_opening"] == approx(0.05, rel=2e-3)
+        assert values(ran.out)["contact_modulus"] == approx(2e6 / 0.75, rel=5e-3)
+        assert json.loads(ran.out)["notes"][0]["text"] == (
+            "the force falls on the way into the contact: its sign is reversed, so a pull is negative"
+        )
+
+
+SWAPPED = "are columns or units swapped"
+
+
+@pytest.mark.parametrize(
+    ("head", "factors", "said"),
+    [
+        (
+            "z [nm],F [nN]",  # an approach
+            (1.0, 1.0),
+            (
+                f"and no solid has that: {SWAPPED}, is the spring wrong or is the travel an approach (--column "
+                "'HEADER=approach_at_load [UNIT]')? read: lever_travel [nm] from z [nm], lever_force [nN] from F [nN]"
+            ),
+        ),
+        (
+            "approach [um],F [nN]",
+            (1.0, 1.0),
+            (
+                f"jkroll: the fit gives a/R = 11, and no sphere has that: {SWAPPED}? read: approach_at_load [um] from "
+                "approach [um], lever_force [nN] from F [nN]"
+            ),
+        ),
+        ("approach [nm],F [nN]", (1e3, 1e-3), "jkroll: the fit gives E* = 84.4 mPa, and no solid has that: "),
+        ("approach [nm],F [nN]", (1.0, 1e6), "jkroll: the fit gives w = 50 kJ/m², and no solid has that: "),
+        ("F [nN],approach [nm]", (1.0, 1.0), "jkroll: the fit gives E* = 1.25e-15 Pa, and no solid has that: "),
+    ],
+)
+def test_results_of_no_solid_are_refused(run: Run, head: str, factors: tuple[float, float], said: str) -> None:
+    z, force = of_fixed_grips()
+    columns = (1e9 * (z - force / 3) * factors[0], 1e9 * force * factors[1])
+    text = "".join(f"{a:.6g},{b:.6g}\n" for a, b in zip(*columns, strict=True))
+    Path("curve.csv").write_text(f"{head}\n{text}", encoding="utf-8")
+    ran = run("fit curve.csv --radius 10um --radius2 plane --spring 3N/m")
+    assert (ran.code, ran.out) == (1, "")
+    assert said in " ".join(ran.err.split())
+    assert SWAPPED in ran.err
+
+
+@pytest.mark.parametrize(
+    ("head", "shown"),
+    [
+        ("Indentation (nm)", '"Indentation (nm)"'),
+        ("indentation [nm]", "indentation [nm]"),
+        ("Depth_nm", "Depth_nm"),
+        ("Penetration depth (nm)", '"Penetration depth (nm)"'),
+        ("Tip-Sample Separation (nm)", '"Tip-Sample Separation (nm)"'),
+    ],
+)
+def test_an_indentation_is_an_approach_in_a_curve(run: Run, head: str, shown: str) -> None:
+    z, force = jkr_curve(stiffness=numpy.inf, low=-1e-6, count=250)
+    force += autoregression(1, len(z), 3e-9, 0.0)
+    for sign in (1, -1):
+        text = "".join(f"{sign * a * 1e9:.3f},{b * 1e9:.3f}\n" for a, b in zip(z, force, strict=True))
+        Path("curve.csv").write_text(f"{head},Force (nN)\n{text}", encoding="utf-8")
+        ran = run("fit curve.csv --radius 7.5um --radius2 plane --json")
+        check(values(ran.out))
+        read = f'read: approach_at_load [nm] from {shown}, lever_force [nN] from "Force (nN)"'
+        assert " ".join(ran.err.split()) == read
+
+
+def test_a_wide_table_fits_80_columns_and_a_hysteresis_within_its_error_is_left_out(run: Run) -> None:
+    Path("curve.csv").write_text(table(*of_fixed_grips()), encoding="utf-8")
+    lines = run("fit curve.csv --radius 10um --radius2 plane --spring 3N/m", terminal=True).out.splitlines()
+    assert lines[1:7] == [
+        "quantity            symbol  fit             unit  noise  calibration model",
+        "─" * 76,
+        "adhesion on opening w_open  50.04 ± 0.65    mJ/m² 0.017  –           0.65",
+        "adhesion on closing w_close 49.99 ± 0.65    mJ/m² 0.053  –           0.65",
+        "adhesion hysteresis Δw      46 ± 59         µJ/m² 58     –           11",
+        "hysteresis over w   Δw/w    0.0009 ± 0.0012       0.0012 –           0.00021",
+    ]
+    assert lines[-2:] == [
+        "then: jkroll yield-force 10um --radius2 plane --work-of-adhesion 50.04±0.65mJ/m2",
+        "  --contact-modulus 2.6668±0.0029MPa",
+    ]
+
+
+def test_the_command_that_goes_on_has_a_hysteresis_only_if_it_is_known(run: Run) -> None:
+    """An error of 0.21 mJ/m² is half of 0.4 mJ/m²."""
+    known = "yield-force 7.5um --radius2 plane --work-of-adhesion 60.0±1.6mJ/m2 --contact-modulus 1.745±0.011MPa"
+    for closing, said in ((0.0598, known), (0.0594, f"{known} --adhesion-hysteresis 780±230uJ/m2")):
+        z, force = jkr_curve(closing=closing, count=250)
+        Path("curve.csv").write_text(table(z, force + autoregression(1, len(z), 1e-8, 0.0)), encoding="utf-8")
+        ran = run(f"fit curve.csv {KNOWN} ", terminal=True)
+        command = " ".join(ran.out.split()).partition("then: jkroll ")[2]
+        assert command == said
+        assert run(*command.split()).code == 0
 
 
 def test_a_column_of_branches_divides_them(run: Run, curve: str) -> None:
@@ -263,6 +379,19 @@ def test_what_is_refused_says_what_to_type(run: Run, curve: str, words: str, sai
         ("travel [um],volts [V]\n1,2\n3,4\n", "no column has the force"),
         ("travel [um],force [V]\n1,2\n3,4\n", "no column has the force"),
         ("travel [um],force [nN],branch\n1,2,up\n3,4,down\n", "is none of loading and unloading"),
+        (
+            "distance (nm),force (nN)\n1,2\n3,4\n",
+            (
+                "header: no column has the contact radius, approach or travel of the curve; write "
+                "--column 'distance (nm)=approach_at_load [nm]' or --column 'distance (nm)=lever_travel [nm]'"
+            ),
+        ),
+        ("Ramp_nm,F_nN\n1,2\n", "of the curve; write --column 'Ramp_nm=approach_at_load [nm]' or"),
+        ("z [um],vertical (nm)\n1,2\n", "force of the curve; write --column 'vertical (nm)=lever_deflection [nm]'"),
+        (
+            "t,q\n1,2\n3,4\n",
+            "of the curve (the table has t, q); write --column 'HEADER=approach_at_load [UNIT]' or",
+        ),
         ("", "no header"),
         ("travel (um);force (nN)\n1,0;2,0\n3,0;4,0\n", "write --delimiter semicolon"),
     ],

@@ -42,6 +42,28 @@ def test_a_pull_may_be_positive() -> None:
     assert "force-reversed" in fit.remarks
 
 
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize(
+    ("low", "high", "stiffness", "branches"),
+    [
+        (-0.7e-6, 1.2e-6, 3.01, (LOADING, UNLOADING)),  # it ends before the jump-off
+        (-0.7e-6, 1.2e-6, 3.01, (UNLOADING,)),
+        (-6e-6, 0.3e-6, 3.01, (LOADING, UNLOADING)),  # in tension throughout
+        (-0.3e-6, 4e-6, 30.0, (UNLOADING,)),
+    ],
+)
+def test_a_pull_may_be_positive_where_no_end_of_the_travel_is_free(
+    low: Any, high: Any, stiffness: Any, branches: Any, sign: Any
+) -> None:
+    z, force = jkr_curve(low=low, high=high, stiffness=stiffness, branches=branches, count=300, baseline=0.0)
+    noise = numpy.random.default_rng(1).normal(0, 3e-9, len(z))
+    known = Known(radius=7.5e-6, stiffness=stiffness)
+    for each, is_reversed in ((force + noise, False), (-force - noise, True)):
+        fit = fit_curve(ForceCurve(TRAVEL, sign * z, each), known)
+        assert fit.values["work_of_adhesion_opening"] == approx(0.06, rel=1e-2)
+        assert ("force-reversed" in fit.remarks) == is_reversed
+
+
 @pytest.mark.parametrize("seed", [0, 1, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(2, 10))])
 def test_curves_of_other_sizes(seed: Any) -> None:
     rng = numpy.random.default_rng(seed)

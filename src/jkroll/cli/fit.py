@@ -11,7 +11,6 @@ import numpy
 from ..errors import ROWS_FAILED, BadRequest, JkrollError
 from ..materials.library import Materials
 from ..model.fit_result import RESULTS, Fit, Known
-from ..quantities.formatting import Format, amount
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import value_of
 from ..report.fitted import in_words, is_sure, line_on_known, sentences
@@ -32,6 +31,7 @@ from .call import CITE, CSV, JSON, MARKDOWN, TABLE, Call
 
 _SUMMARY = ("work_of_adhesion_opening", "work_of_adhesion_closing", "adhesion_hysteresis", "contact_modulus")
 _RADII = ("radius", "diameter", "reduced_radius")
+_LARGEST_ERROR = 0.45  # over the value; inputs with an error of half the value are refused
 
 
 class FileFit(NamedTuple):
@@ -149,11 +149,10 @@ def _heading(call: Call, path: str, fitted: Fit) -> str:
 
 
 def following_command(call: Call, fitted: Fit) -> str:
-    """Return the command that continues from a fit to rolling; empty if w or the radius is unknown."""
-    values = fitted.values
-    w = values.get("work_of_adhesion_opening")
+    """Return the command that continues from a fit to rolling; empty if w, E* or the radius is hardly known."""
     radii = [name for name in _RADII if name in call.inputs]
-    if w is None or not radii or fitted.is_scaled:
+    are_known = all(_is_known(fitted, name) for name in ("work_of_adhesion_opening", "contact_modulus"))
+    if not are_known or not radii or fitted.is_scaled:
         return ""
     words = ["jkroll yield-force"]
     if "radius" in call.inputs:
@@ -162,8 +161,7 @@ def following_command(call: Call, fitted: Fit) -> str:
     words.append(f"--work-of-adhesion {_typed(fitted, 'work_of_adhesion_opening')}")
     words.append(f"--contact-modulus {_typed(fitted, 'contact_modulus')}")
     words += _as_typed(call, ("model", "atomic_spacing"))
-    hysteresis = values.get("adhesion_hysteresis", 0.0)
-    if hysteresis > 0:
+    if _is_known(fitted, "adhesion_hysteresis"):
         words.append(f"--adhesion-hysteresis {_typed(fitted, 'adhesion_hysteresis')}")
     return " ".join(words)
 
@@ -173,11 +171,14 @@ def _as_typed(call: Call, names: Sequence[str]) -> list[str]:
     return [f"{NOMENCLATURE[name].option} {call.inputs[name]}" for name in names if name in call.inputs]
 
 
+def _is_known(fitted: Fit, name: str) -> bool:
+    """Return whether a result is known so well that it can be typed with its error."""
+    return name in fitted.values and fitted.errors[name].total < _LARGEST_ERROR * fitted.values[name]
+
+
 def _typed(fitted: Fit, name: str) -> str:
-    """Return a result as typed on a command line, with its error if the error is smaller than the result."""
-    errors, value = fitted.errors[name], fitted.values[name]
-    text = in_words(fitted, name) if errors.total < value else amount(RESULTS[name], value, Format(digits=3))
-    return ascii_text(text).replace(" ", "").replace("^", "").replace("+/-", "±")
+    """Return a result with its error as typed on a command line."""
+    return ascii_text(in_words(fitted, name)).replace(" ", "").replace("^", "").replace("+/-", "±")
 
 
 def _draw(call: Call, path: str, fitted: Fit) -> int:

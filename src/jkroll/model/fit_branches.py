@@ -231,7 +231,8 @@ def _unsaturated(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
 def _sign(curve: ForceCurve) -> float:
     """Return the sign that makes z rise into the contact: the free end is flat, and its force is the smaller one.
 
-    Raises BadCurve if the two ends do not differ.
+    If neither end of z is flat, but the first or the last points are, z turns in the contact. Else the force is convex,
+    because a contact that is pressed gets stiffer. Raises BadCurve if the two ends of z do not differ.
     """
     order = numpy.argsort(curve.z, kind="stable")
     count = max(3, len(order) // 10)
@@ -241,19 +242,43 @@ def _sign(curve: ForceCurve) -> float:
     spread = float(numpy.ptp(curve.force))
     if max(bend_low, bend_high) > max(_STEEPER * min(bend_low, bend_high), 0.02 * spread):
         return 1.0 if bend_high > bend_low else -1.0
+    if _is_flat(curve.force[:count], spread) or _is_flat(curve.force[-count:], spread):
+        first, last = sorted((float(curve.z[0]), float(curve.z[-1])))
+        above, below = float(curve.z.max()) - last, first - float(curve.z.min())
+        if max(above, below) > 0.5 * float(numpy.ptp(curve.z)):
+            return 1.0 if above > below else -1.0
     if abs(high - low) < 0.02 * spread:
         raise BadCurve(
             f"the force is the same at both ends of the {curve.kind}, so the end in contact is not known. Leave out "
             "all points that do not belong to one approach and retraction",
             "unknown direction",
         )
-    return 1.0 if high > low else -1.0
+    rising = 1.0 if high > low else -1.0
+    return -rising if _is_concave(rising * curve.z, curve.force) else rising
+
+
+def _is_concave(z: Array, force: Array) -> bool:
+    """Return whether the force of the upper half of z is clearly concave."""
+    which = z >= numpy.median(z)
+    if which.sum() <= LEAST_POINTS:
+        return False
+    x = (z[which] - z[which].mean()) / numpy.ptp(z[which])
+    coefficients, covariance = numpy.polyfit(x, force[which], 2, cov=True)
+    least = max(_NOISE * sqrt(covariance[0, 0]), _FLATTER * float(numpy.ptp(force[which])))
+    return bool(coefficients[0] < -least)
+
+
+def _is_flat(end: Array, spread: float) -> bool:
+    """Return whether the force hardly rises over some points, relative to the range of all forces."""
+    return abs(float(numpy.polyfit(numpy.arange(len(end)), end, 1)[0])) * len(end) < _FLATTER * spread
 
 
 def _with_pull_negative(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
-    """Return a curve whose force rises into the contact, judged by its slope at that end."""
-    order = numpy.argsort(curve.z, kind="stable")[-max(LEAST_POINTS, len(curve.z) // 40) :]
-    z, force = curve.z[order], curve.force[order]
+    """Return a curve whose force rises into the contact, judged by its slope at that end as unloading begins."""
+    which = slice(int(numpy.argmax(curve.z)), None) if curve.branch is None else curve.branch == UNLOADING
+    part = curve.chosen(which) if len(curve.z[which]) >= LEAST_POINTS else curve
+    order = numpy.argsort(part.z, kind="stable")[-max(LEAST_POINTS, len(part.z) // 20) :]
+    z, force = part.z[order], part.force[order]
     slope = float(numpy.polyfit(z - z.mean(), force, 1)[0]) if numpy.ptp(z) > 0 else 0.0
     if -slope * float(numpy.ptp(z)) < max(0.02 * float(numpy.ptp(curve.force)), _NOISE * _white_noise(curve.force)):
         return curve

@@ -11,17 +11,19 @@ from ..errors import BadTable, missing_extra
 from ..materials.library import Materials
 from ..model.fit_branches import APPROACH, LOADING, PAUSE, RADIUS, TRAVEL, UNLOADING, ForceCurve
 from ..quantities.nomenclature import header as header_of
-from ..text import quoted
+from ..text import first_of, listed, quoted
 from .cells import Column
 from .dataframes import Memory, data_of
 from .files import Input, input_format, table_of_lines
-from .header import Header, typed, understood
+from .header import Header, option_of, typed, understood
+from .reading import normalized, splits_of
 from .table import Asked, Records
+from .words import unit_for
 
 # The quantities that a curve reads: x, in order of preference, and forces.
 _X = {"contact_radius_at_load": RADIUS, "approach_at_load": APPROACH, "lever_travel": TRAVEL}
 _FORCES = ("load", "lever_force", "lever_deflection")
-MEASURED = "contact_radius_at_load,lever_travel,lever_force,lever_deflection"
+MEASURED = "contact_radius_at_load,approach_at_load,lever_travel,lever_force,lever_deflection"
 _BRANCH, _TIME = "branch", "time"
 _LABELS = {_BRANCH: r"(?i)branch|segment|direction", _TIME: r"(?i)(time|t)\s*([\[(].*)?"}
 _WORDS = {
@@ -92,12 +94,7 @@ def _table(
     x_name = next((name for name in _X if name in found), "")
     force_name = next((name for name in _FORCES if name in found), "")
     if not x_name or not force_name:
-        lacking = "force" if x_name else "contact radius, approach or travel"
-        quantities = ("lever_travel", "lever_force", "contact_radius_at_load", "approach_at_load", "load")
-        raise BadTable(
-            f"header: no column has the {lacking} of the curve; write --column 'HEADER=QUANTITY [UNIT]', with one of "
-            f"{', '.join(map(header_of, quantities))}"
-        )
+        raise _lacking("force" if x_name else "contact radius, approach or travel", header)
     columns = header._replace(inputs=(found[x_name], found[force_name]), materials=())
     labels: dict[str, int] = {}
     for label, pattern in _LABELS.items():
@@ -108,6 +105,29 @@ def _table(
     used = labels.get(_BRANCH)
     columns = columns._replace(texts=tuple("" if position == used else text for position, text in enumerate(names)))
     return CurveTable(columns, asked, {**columns.positions, **labels}, labels)
+
+
+def _lacking(what: str, header: Header) -> BadTable:
+    """Return the error for a table without a column of the force or of x, with options for columns that may have it."""
+    names = ("lever_force", "lever_deflection") if what == "force" else ("approach_at_load", "lever_travel")
+    used = {*header.positions.values()}
+    options = []
+    for position, text in enumerate(header.texts):
+        if position not in used:
+            options += [option_of(text, header_of(name, unit)) for name in names if (unit := _unit_in(text, name))]
+    problem = f"header: no column has the {what} of the curve"
+    if not options:
+        problem += f" (the table has {first_of([*map(typed, header.texts)])})" if header.texts else ""
+        options = [option_of("HEADER", header_of(name, "UNIT")) for name in names]
+    return BadTable(f"{problem}; write {listed(options, 'or')}")
+
+
+def _unit_in(text: str, name: str) -> str:
+    """Return the unit in a header that fits a quantity; "" without one."""
+    for split in splits_of(normalized(text)):
+        if split.unit and (unit := unit_for(split.unit, name, is_explicit=split.is_explicit)):
+            return unit
+    return ""
 
 
 def _curve(table: CurveTable, records: list[Records], stiffness: float | None) -> ForceCurve:

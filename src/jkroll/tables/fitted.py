@@ -8,23 +8,28 @@ from typing import Any
 from ..errors import BadRequest
 from ..materials.library import Materials, materials_of_user
 from ..model.containers import Reader
-from ..model.fit_branches import BadCurve, ForceCurve, LoadRange
+from ..model.fit_branches import TRAVEL, BadCurve, LoadRange
 from ..model.fit_curve import fit_curve
+from ..model.fit_problem import NAMES
 from ..model.fit_result import Fit, Known
 from ..model.frame import DEFAULTS
 from ..model.ranges import check_range
 from ..model.reasons import MissingInput
 from ..model.solver import solve
+from ..model.unsolved import SIZES
 from ..physics.sphere import INCOMPRESSIBLE, STIFFER
+from ..quantities.formatting import Format, amount
 from ..quantities.laws import DEFAULT_LAW, JKR_OF_SPHERE, PARABOLOID, SPHERE, law_given
 from ..quantities.values import QuantityError, is_uncertain, middle, value_of
 from ..text import listed, quoted
-from .curves import curve_of_columns, read_curve
+from .curves import ReadCurve, curve_of_columns, read_curve
 
 _BRANCHES = ("both", "load", "unload")
 _BASELINES = ("median", "tilt")
 _RADII = ("radius", "radius2", "diameter", "diameter2", "reduced_radius")
 _BODIES = ("youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2")
+_WIDEST = 2.0  # largest a/R of a fitted contact
+_FORM = Format(digits=3)
 _TAKEN = (*_RADII, *_BODIES, "atomic_spacing")
 
 
@@ -43,7 +48,7 @@ def fit_given(curve: Any, words: Mapping[str, str | None], spring: Any, given: M
     known = known_of(words, spring, read)
     if isinstance(curve, str | os.PathLike):
         return fit_of_file(os.fspath(curve), known)[0]
-    return _fitted(curve_of_columns(curve, materials_of_user(None), _stiffness(known)).curve, known)
+    return _fitted(curve_of_columns(curve, materials_of_user(None), _stiffness(known)), known)
 
 
 def fit_of_file(
@@ -57,12 +62,14 @@ def fit_of_file(
     """Return the fit of the curve in a file, and the sentence that says how the file was read."""
     materials = materials or materials_of_user(None)
     read = read_curve(path, materials, _stiffness(known), columns, form, mark)
-    return _fitted(read.curve, known), read.reading
+    return _fitted(read, known), read.reading
 
 
-def _fitted(curve: ForceCurve, known: Known) -> Fit:
-    """Return the fit of a curve. Raises BadCurve, also if the sphere of the profile sphere is not rigid."""
-    fitted = fit_curve(curve, known)
+def _fitted(read: ReadCurve, known: Known) -> Fit:
+    """Return the fit of a curve. Raises BadCurve, also for values that no solid has or a sphere that is not rigid."""
+    fitted = fit_curve(read.curve, known)
+    if not fitted.is_scaled:
+        _check_sizes(fitted, read.reading)
     moduli = {**known.bodies}
     if fitted.other_modulus is not None:
         name, modulus = fitted.other_modulus
@@ -75,6 +82,30 @@ def _fitted(curve: ForceCurve, known: Known) -> Fit:
             "sphere is not rigid",
         )
     return fitted
+
+
+def _check_sizes(fitted: Fit, reading: str) -> None:
+    """Raise BadCurve if no solid has the fitted w or E*, or no sphere the fitted a/R."""
+    values, (softest, stiffest) = fitted.values, SIZES["youngs_modulus"]
+    modulus, width = values["contact_modulus"], fitted.goodness["contact_over_radius"]
+    w = max((values[name] for name in NAMES.values() if name in values), default=0.0)
+    force = values.get("pull_off_force_measured", 0.0)
+    # a contact stiffer than the lever has any E*, but the measured P_c
+    is_too_stiff = modulus > stiffest and values.get("pull_off_force_fitted", inf) > 2 * force
+    if w > SIZES["work_of_adhesion"][1]:
+        problem = f"w = {amount('work_of_adhesion', w, _FORM)}, and no solid has that"
+    elif modulus < softest or is_too_stiff:
+        problem = f"E* = {amount('contact_modulus', modulus, _FORM)}, and no solid has that"
+    elif width > _WIDEST:
+        problem = f"a/R = {width:.2g}, and no sphere has that"
+    else:
+        return
+    causes = ["are columns or units swapped"]
+    if fitted.kind == TRAVEL:
+        causes.append("is the spring wrong")
+        if is_too_stiff:
+            causes.append("is the travel an approach (--column 'HEADER=approach_at_load [UNIT]')")
+    raise BadCurve(f"the fit gives {problem}: {listed(causes, 'or')}? {reading}", "no solid")
 
 
 def _stiffness(known: Known) -> float | None:

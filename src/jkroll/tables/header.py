@@ -293,9 +293,9 @@ def _twice(first: Reading, second: Reading) -> BadTable:
     problem = f"header: the columns {quoted(first.text)} and {quoted(second.text)} mean the same"
     if typed(first.text) == typed(second.text):
         return BadTable(f"{problem}: rename one")
-    options = " or ".join(_option(reading.text, "") for reading in (second, first))
+    options = " or ".join(option_of(reading.text, "") for reading in (second, first))
     twin = NOMENCLATURE[first.name].twin
-    of_2 = f", or {_option(first.text, headed(twin, first.unit_text))} if it is of sphere 2" if twin else ""
+    of_2 = f", or {option_of(first.text, headed(twin, first.unit_text))} if it is of sphere 2" if twin else ""
     return BadTable(f"{problem}. Write {options} to pass one through{of_2}")
 
 
@@ -481,7 +481,7 @@ def _refusal(readings: Sequence[Reading]) -> BadTable:
         cell = f" (first cell {quoted(reading.cell)})" if reading.cell else ""
         texts.setdefault(reading.problem, []).append(f"{quoted(reading.text)}{cell}")
     problems = [f"{listed(each)}: {problem}" for problem, each in texts.items()]
-    options = " ".join([_option(reading.text, "") for reading in readings])
+    options = " ".join([option_of(reading.text, "") for reading in readings])
     if len(readings) > 1:
         passing = f"{options} to pass them through (--pass-rest passes all that is not read)"
     else:
@@ -495,13 +495,13 @@ def _refusal(readings: Sequence[Reading]) -> BadTable:
 def _way(reading: Reading) -> str:
     """Return the option or the header to write for a column that may be an input; "" if its meaning is unclear."""
     if reading.meant:
-        return " or ".join(_option(reading.text, meant) for meant in reading.meant)
+        return " or ".join(option_of(reading.text, meant) for meant in reading.meant)
     if not reading.name or reading.part or reading.problem == FACTOR or reading.problem.startswith(NOT_READ):
         return ""
     return f"a column {' or '.join(map(headed, reading.names or [reading.name]))} instead of {quoted(reading.text)}"
 
 
-def _option(text: str, meaning: str) -> str:
+def option_of(text: str, meaning: str) -> str:
     """Return the option that gives a header its meaning, quoted for a shell."""
     value = f"{typed(text)}={meaning}"
     if "'" not in value:
@@ -517,10 +517,10 @@ def check_inputs(header: Header, measured: str = "") -> None:
     if header.texts and all(map(is_number, header.texts)):
         raise BadTable(f"header: {quoted(header.texts[0])} is a number; begin with a line of the columns' names")
     if measured:
-        raise BadTable(f"header: no column has the measured {measured}; write {_option('HEADER', headed(measured))}")
+        raise BadTable(f"header: no column has the measured {measured}; write {option_of('HEADER', headed(measured))}")
     raise BadTable(
         "header: no column is an input; a row is a contact, and its inputs have columns such as radius [nm]. "
-        f"Write {_option('HEADER', 'INPUT [UNIT]')}"
+        f"Write {option_of('HEADER', 'INPUT [UNIT]')}"
     )
 
 

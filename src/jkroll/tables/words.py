@@ -25,12 +25,14 @@ SYMBOLS_TOO |= {
     "A11": "hamaker",
     "A22": "hamaker2",
 }
-# Quantities of curves: these symbols and their synonyms count only in the header of a curve.
+# Columns of curves: these symbols, words and their synonyms count only in the header of a curve.
 _OF_CURVES = {
     **dict.fromkeys(OF_CURVES, ""),
     "contact_radius_at_load": "a",
     "lever_force": "F",
     "lever_deflection": "d",
+    "approach_at_load": """indentation depth penetration indentation_depth penetration_depth tip_sample_separation
+        tip_sample_distance""",
 }
 NO_HEADERS = ("roughness",)  # options that are not headers: a column of roughness gives a height, not a gap
 RATIOS = ("poisson_ratio", "poisson_ratio2", "humidity")  # the only ratios whose symbol has no other common meaning
@@ -198,7 +200,7 @@ def meanings(measured: str) -> dict[str, Meaning]:
     for name in filter(None, measured.split(",")):
         spelt = [name, NOMENCLATURE[name].symbol]
         if name in _OF_CURVES:
-            spelt += [*SYNONYMS.get(name, []), _OF_CURVES[name]]
+            spelt += [*SYNONYMS.get(name, []), *_OF_CURVES[name].split()]
         known |= dict.fromkeys(filter(None, map(key, spelt)), Meaning([name]))
     return {word.replace("_", ""): meaning for word, meaning in known.items() if word}
 

@@ -23,7 +23,7 @@ from ..report.fitted import (
     unit_of_result,
     unit_without_radius,
 )
-from ..text import as_arguments, json_text, listed, say, say_wrapped, text_columns, write_texts
+from ..text import as_arguments, json_text, listed, say, say_wrapped, text_columns, write_table
 from .sources import bibtex, cite_command, references
 
 FILE, LIMIT, REASON = "file", "largest_work_of_adhesion", "status"
@@ -32,8 +32,7 @@ FILE, LIMIT, REASON = "file", "largest_work_of_adhesion", "status"
 def write_fit(fitted: Fit, out: TextIO, *, heading: str, following: str) -> None:
     """Write a fit as a table, with sentences below. `following`: the command to continue with, if there is one."""
     say_wrapped(heading, out)
-    heads, *rows = rows_of_results(fitted)
-    write_texts(heads, rows, out)
+    write_table(text_columns(rows_of_results(fitted), words=len(HEADS)), [], out)
     for line in sentences(fitted):
         say_wrapped(line, out)
     if following:
