@@ -291,6 +291,11 @@ BEST: Mapping[str, str] = {
         "--approach '-2.4e-11 m' --adhesion-hysteresis '0.0005 J/m^2' --quantities displacement_over_contact_radius"
     ),
     "no modulus": "pull-off '1e-7 m,1e-6 m' --gamma '0.025 J/m^2'",
+    "a value that only the other law has": (
+        "yield-force PS '4.336710516205178e-8 m,5e-10 m' --approach "
+        "'-4.5806076760230903e-10 m,-2.1629905358096817e-10 m,0.0 m' --adhesion-hysteresis '0.02 J/m^2' "
+        "--quantities yield_energy_of_moment"
+    ),
     "a displacement that another law allows": "resistances iron '1e-6 m,2e-9 m' --approach '0.0 m' --xi '5e-10 m'",
 }
 

@@ -166,26 +166,29 @@ def _better_law(answer: Answer) -> str:
 
 def _how_far_off(answer: Answer) -> str:
     """Return how far the law in use is from the better law's ranges: "is 25–33 % too high (a), 5–8 % too low (δ)"."""
-    errors: dict[str, list[float]] = {"high": [], "low": []}  # of both ends of each range
+    vague = "may be more than 5 % off"
+    if answer.described.uncertainties:
+        return vague
+    errors: dict[str, list[float]] = {"high": [], "low": []}  # in %, of both ends of each range
     symbols: dict[str, list[str]] = {"high": [], "low": []}
-    is_mixed = bool(answer.described.uncertainties)
+    seen = set[float]()  # a result that repeats another one has no row
     for name, estimate in answer.estimates.items():
-        if estimate.by != BETTER_LAW or name in answer.question.without_row:
+        value = answer.values.get(name, nan)
+        if estimate.by != BETTER_LAW or name in answer.question.without_row or value in seen:
             continue
-        low, high = sorted(answer.values.get(name, nan) / end - 1 if end else nan for end in estimate[:2])
-        is_mixed |= not (low >= 0 or high <= 0)  # also if one is nan
-        side = "high" if high > 0 else "low"
-        errors[side] += [100 * abs(low), 100 * abs(high)]
+        seen.add(value)
+        ratios = [value / end if end else nan for end in estimate[:2]]
+        if not (min(ratios) >= 1 or 0 < max(ratios) <= 1) or any(map(isnan, ratios)):
+            return vague
+        side = "high" if max(ratios) > 1 else "low"
+        errors[side] += [100 * abs(ratio - 1) for ratio in ratios]
         symbols[side].append(symbol_among(name, answer.inputs))
-    if is_mixed:
-        return "may be more than 5 % off"
-    is_split = all(errors.values())
     texts = []
     for side, of_side in errors.items():
         if of_side:
-            which = f" ({first_of(symbols[side], _MOST)})" if is_split else ""
+            which = f" ({first_of(symbols[side], _MOST)})" if all(errors.values()) else ""
             texts.append(f"{from_to(min(of_side), max(of_side))} % too {side}{which}")
-    return f"is {', '.join(texts)}"
+    return f"is {', '.join(texts)}" if texts else vague
 
 
 def _with_bars(answer: Answer) -> str:
