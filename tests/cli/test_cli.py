@@ -61,7 +61,7 @@ REFUSED = {
     ),
     "infer gamma quartz 100nm --measured P_c=9nN --measured P_c=8nN": (
         "infer needs a measured quantity for each input, 1 in all: --measured pull_off_force=300nN; separate several "
-        "values of one by commas"
+        "values of one quantity by commas"
     ),
     "n-roll gold 100nm": f"n-roll needs Young's modulus and Poisson's ratio; {GOLD}",
     "pull-off quartz 100nm --model maugus": "--model: 'maugus' is not one of jkr, maugis, dmt; did you mean maugis?",
@@ -607,7 +607,7 @@ def test_every_answer_says_how_far_it_can_be_trusted(run: Run) -> None:
     assert "the contact slides or peels off before it rolls" in run("yield-force quartz 0.5nm").err
     assert "Q/T_first = 3.8" in run("yield-force quartz 0.5nm --explain").out
     assert (
-        "n_roll: the 2/7 of its energy left by sliding cannot make it roll (W0"
+        "n_roll: the 2/7 of its energy after sliding cannot make it roll (W0"
         in run("n-roll quartz 10nm --energy 1e-21J").err
     )
     r_min = json.loads(run("r-min 100nm --json").out)

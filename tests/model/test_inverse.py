@@ -382,7 +382,7 @@ def test_more_rows_than_are_explained(run: Run) -> None:
     assert found == approx(forces / (3 * math.pi * 2e-6), rel=1e-12)
     refused = run(f"{words} --json")
     assert (refused.code, refused.out) == (2, "")
-    assert refused.err == "jkroll: --json: 10001 pairs are more than 10000; --csv writes any number\n"
+    assert refused.err == "jkroll: --json writes at most 10000 pairs, not 10001; --csv writes any number\n"
 
 
 def test_rows_that_all_lack_an_input_say_so_one_by_one(run: Run) -> None:

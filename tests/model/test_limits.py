@@ -262,7 +262,7 @@ def test_a_sphere_rolls_by_itself_beyond_eight_pull_off_forces(run: Run) -> None
     [doubt] = [each for each in iron if each["code"] == "rolls-by-itself"]
     assert doubt["value"] == approx(-1.464502e-7, rel=1e-6)
     ran = run("yield-force iron 1um --load 1mN").err
-    assert "a load that keeps its direction rolls sphere 1 by itself" in " ".join(ran.split())
+    assert "a load of fixed direction is enough to roll sphere 1" in " ".join(ran.split())
 
 
 def test_the_tensile_strength_was_fitted_to_filling_factors_of_a_range(run: Run) -> None:
@@ -275,7 +275,7 @@ def test_the_tensile_strength_was_fitted_to_filling_factors_of_a_range(run: Run)
 
 
 def test_a_chain_from_a_plane_yields_between_its_spheres(run: Run) -> None:
-    said = "N_grav is what the first contact, on body 2, carries"
+    said = "N_grav counts the spheres that the first contact, on body 2, carries"
     of_materials = "n-grav quartz 100nm --material2 iron --work-of-adhesion 1J/m2"
     for words in ("n-grav quartz 100nm --radius2 plane", "n-grav quartz 100nm --radius2 1nm", of_materials):
         assert f"{said}; the next, between spheres 1, yields at 940.4" in run(words).err

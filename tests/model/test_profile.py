@@ -114,7 +114,7 @@ def test_wide_contact_says_what_a_sphere_would_give(run: Run) -> None:
     assert "w from it 0.91 % too low" in run(f"infer w {WORDS} --measured P_c=9.338nN").err
     assert "paraboloid" not in run(f"pull-off {WORDS} --work-of-adhesion 2mJ/m2 --profile sphere").err
     two = run("pull-off 1um --young 1.5MPa --poisson 0.5 --gamma 2mJ/m2 --explain").out
-    assert "the shape of a sphere that they assume is off by e_h" in " ".join(two.split())
+    assert "the profile that they assume for a sphere is off by e_h" in " ".join(two.split())
     assert "too low" not in two
 
 

@@ -83,7 +83,7 @@ def test_fig_8_what_does_not_roll_at_10_nm_and_what_turns_at_100_nm() -> None:
     assert 2 * math.pi * 5e-9 * turns(9.2e11, 1e-8) == approx(2e-10, rel=0.03)
     assert turns(1.5e9, 1e-7) == approx(1, rel=0.03)
     drawn, field = panel_of("8"), field_of("8")
-    (shaded,) = (region for region in field.regions if "left by sliding" in region.text)
+    (shaded,) = (region for region in field.regions if "after sliding" in region.text)
     excess = shaded.excess(over(field.frame, drawn.x, drawn.y))
     row = int(np.argmin(abs(np.log(drawn.y.values() / 1e-8))))
     inside = drawn.x.values()[excess[row] > 0]
@@ -586,12 +586,13 @@ def test_a_limit_of_another_number_than_its_name_says_what_follows_alone(run: Ru
     """Roughness is judged by the smaller sphere, which is the second one here."""
     out = run("map pull-off quartz 10um --x radius2=100nm:1mm").out
     assert re.search(
-        r"Rough spheres of hard solids had 1/2 to 1/100 of this \(quartz, R2 = \S+ µm to 1 mm\)", " ".join(out.split())
+        r"Forces measured on rough, hard spheres were 1/2 to 1/100 of this \(quartz, R2 = \S+ µm to 1 mm\)",
+        " ".join(out.split()),
     )
     assert "R1 > " not in out
 
 
 def test_a_caption_has_no_names_of_columns(run: Run) -> None:
     out = run("map n-roll quartz 10nm --x energy=1e-21J:1e-17J").out
-    assert "W0/W_yield < 3.5: the 2/7 of its energy left by sliding cannot make it roll (" in " ".join(out.split())
+    assert "W0/W_yield < 3.5: the 2/7 of its energy after sliding cannot make it roll (" in " ".join(out.split())
     assert "of n_roll" not in out

@@ -170,7 +170,7 @@ def test_a_target_that_is_no_directory_is_refused(run: Run, grains: list[str]) -
         assert run("batch", "grains/*.csv", *output) == (2, "", message)
     assert run("batch", "grains/*.csv").code == 2
     assert run("batch", "none/*.csv", "-o", "forces/").err == "jkroll: 'none/*.csv': no such file\n"
-    assert "not overwritten" in run("batch", "grains/*.csv", "-o", "grains").err
+    assert "would be overwritten" in run("batch", "grains/*.csv", "-o", "grains").err
     assert all(Path(name).read_text().startswith("material,") for name in grains)
 
 

@@ -172,7 +172,7 @@ def test_a_point_between_semicolons_may_separate_thousands(run: Run, rows: list[
 def test_a_comma_in_a_number_without_a_unit_is_refused(run: Run, words: str) -> None:
     ran = run(words)
     assert (ran.code, "may be a list or a number with a comma" in ran.err) == (2, True)
-    assert ran.err.endswith("decimal points, as in 1.0,5.0, and a number without a comma\n")  # 1,000 is not 1.0,000.0
+    assert ran.err.endswith("as in 1.0,5.0; for a single number, leave the comma out\n")  # 1,000 is not 1.0,000.0
 
 
 def test_a_power_after_an_error_bar_without_brackets_is_refused(run: Run) -> None:

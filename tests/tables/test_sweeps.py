@@ -164,7 +164,7 @@ def test_options_that_exclude_a_file_of_rows(run: Run) -> None:
     for form in ("json", "bare", "explain", "cite"):
         message = f"jkroll: -o 'x.csv' and --{form} exclude each other; redirect the output: > FILE\n"
         assert run(f"pull-off quartz 1nm:1um:3 -o x.csv --{form}") == (2, "", message)
-    too_many = "jkroll: --json: 2000000 pairs are more than 1000000; --csv writes any number\n"
+    too_many = "jkroll: --json writes at most 1000000 pairs, not 2000000; --csv writes any number\n"
     assert run("pull-off quartz 1nm:1um:2000000 --json") == (2, "", too_many)
     assert run("pull-off quartz 1nm:1um:3 -o x.csv --resume").code == 2
     assert [*Path().iterdir()] == []

@@ -16,8 +16,8 @@ from jkroll.quantities.nomenclature import NOMENCLATURE
 GEL = "15um --radius2 plane --work-of-adhesion 71mJ/m2 --young rigid --young2 3kPa --poisson2 0.5"
 WIDE, FLIES = "the contact is wider than the smaller sphere", "too fast to roll around body 2: it flies off"
 SLOW, SHORT = (
-    "the 2/7 of its energy left by sliding cannot make it roll",
-    "held out level, even one sphere rolls down",
+    "the 2/7 of its energy after sliding cannot make it roll",
+    "not even one sphere can be held out level: it rolls down, or falls off if Bo is below 1",
 )
 SONIC = "faster than sound in the solid: no static contact describes that"
 XI = "ξ is too large for the formula"

@@ -31,7 +31,9 @@ def test_scenes_are_rows_or_columns_or_several_tables(
     assert (len(heads) > 1) == (columns == "30")
     assert all(({"graphite", "iron"} <= set(head.split())) == (rows == 14) for head in heads)
     if len(heads) == 1:
-        table = [line for line in lines if not line.startswith(("rough-matters: ", "law-off"))]  # the meaning of codes
+        table = [
+            line for line in lines if not line.startswith(("rough-matters: ", "law-off", "  "))
+        ]  # the meaning of codes
         assert len(table) - table.index(heads[0]) - 2 == rows
         assert all(len(line) <= int(columns) for line in lines)
 

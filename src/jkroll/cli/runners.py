@@ -75,7 +75,8 @@ def answer_rows(call: Call, sweep: Sweep, question: Question, form: Format) -> i
     if output.has_rows and not (single is not None and output.has_answers):
         return _write_rows(call, sweep, question, form, single)
     if count > sizes.most_answers:
-        raise BadRequest(f"--{output.name}: {count} pairs are more than {sizes.most_answers}; --csv writes any number")
+        most = f"--{output.name} writes at most {sizes.most_answers} pairs, not {count}"
+        raise BadRequest(f"{most}; --csv writes any number")
     if count > 1:
         sweep.wanted(question.quantities, question.named)  # raises errors before anything is written
     answers = map(answer, sweep.frames()) if single is None else [single]
@@ -90,7 +91,7 @@ def check_format(call: Call) -> None:
 
 
 def question_of(call: Call, usual: Question) -> Question:
-    """Return the question about `--quantities`, or the usual one; bare output has only its headline."""
+    """Return the question made of `--quantities`, or the usual one; for bare output, the headline only."""
     question = usual if call.quantities is None else question_about(call.quantities)
     if call.output is BARE:
         return Question(question.headline, question.headline, question.named)
@@ -150,7 +151,7 @@ def _write_columns(
             sys.stdout.write(text.decode())
         sys.stdout.flush()
     tally = reduce(Tally.plus, tallies, Tally())
-    # Numbers of some states of a curve may have no meaning even if those of the whole curve have one.
+    # Some states of a curve may have numbers without a meaning even if the curve as a whole has a meaning.
     if single is None or (tally.with_doubts(ENDING_MEANING) and not single.ended):
         notes = notes_below(groups, tally, wanted.reported_doubts, is_table=is_table)
     elif is_table:
@@ -403,7 +404,7 @@ def _measured(call: Call, names: Sequence[str]) -> dict[str, list[Spread]]:
     if not len(call.measured) == len(measured) == len(names):
         example = "--measured pull_off_force=300nN" + " --measured stiffness=1kN/m" * (len(names) - 1)
         wanted = f"infer needs a measured quantity for each input, {len(names)} in all: {example}"
-        raise BadRequest(f"{wanted}; separate several values of one by commas")
+        raise BadRequest(f"{wanted}; separate several values of one quantity by commas")
     return measured
 
 

@@ -27,8 +27,8 @@ _COMPARISONS = {"<": lt, "<=": le, ">": gt, ">=": ge}
 class Limit:
     """A number that limits the model, the quantities that it touches, and the consequence beyond the limit.
 
-    The comparison states when a number is in doubt: with "<", if it is below a threshold. A number may have several
-    thresholds, each with its code, in the order in which it crosses them.
+    `sign` is the comparison that puts a number in doubt: with "<", a number below a threshold is. A number may have
+    several thresholds, each with its code, in the order in which it crosses them.
     """
 
     def __init__(
@@ -40,12 +40,12 @@ class Limit:
         consequence: str,  # in words: the meaning of a number beyond the threshold
         applies: Callable[[Frame, Collection[str]], bool] | None = None,  # to some results of a frame; None: to all
         ends_meaning: bool = False,  # results beyond the limit have no meaning
-        conclusion: str = "",  # the name of the consequence, if it differs from the name of the number
+        conclusion: str = "",  # the quantity that states the verdict, such as "has_jump", if not the number
         # Computes the number to judge in place of the named one, such as the ratio of two answers.
         factor: Callable[[Frame, Mapping[str, Column]], Any] | None = None,
         where: Callable[[Frame], Any] | None = None,  # the rows in which it is judged
         is_shown: bool = True,  # below an answer; otherwise only in explanations
-        has_remedy: Callable[[Frame], bool] | None = None,  # True if its sentence names a remedy; it then comes first
+        has_remedy: Callable[[Frame], bool] | None = None,  # True if the sentence names a remedy, and so comes first
     ) -> None:
         self.name, self.touches, self.sign, self.codes = name, touches, sign, codes
         self.consequence, self.applies, self.ends_meaning = consequence, applies, ends_meaning
@@ -58,7 +58,7 @@ class Limit:
         return _COMPARISONS[self.sign](number, threshold)
 
     def excess(self, number: Any) -> Any:
-        """Return how far numbers are beyond the first threshold: the logarithm of their ratio; for 0, the number."""
+        """Return how far numbers are beyond the first threshold: ln(number/threshold), or the number if that is 0."""
         size = ln(number / self.threshold) if self.threshold else number
         return size if self.sign.startswith(">") else -size
 
@@ -74,7 +74,7 @@ class Limit:
 
 
 class Doubt:
-    """A judged limit with its number, and the number that was judged, which differs if the limit has a factor.
+    """A judged limit, the value of its quantity, and the number that was compared with the threshold.
 
     Both may be arrays.
     """
@@ -173,7 +173,7 @@ RUBBERY = 0.49  # Poisson's ratio above which a solid stretches rather than yiel
 
 @once_a_frame
 def may_be_rough(frame: Frame) -> Any:
-    """Return whether roughness can part two solids; it parts neither soft solids nor mica from mica."""
+    """Return whether roughness can keep two solids apart; it cannot if they are soft, or both smooth, as mica is."""
     if is_smooth(frame.material) and (frame.material2 is None or is_smooth(frame.material2)):
         return False
     return frame.numbers("contact_modulus").get("contact_modulus", INFINITY) >= SOFT
@@ -241,11 +241,11 @@ ENDING = (
     ),
     Limit(
         "n_grav", frozenset({"n_grav"}), "<", {1.0: "no-chain"},
-        "held out level, even one sphere rolls down; it falls off where Bo is below 1",
+        "not even one sphere can be held out level: it rolls down, or falls off if Bo is below 1",
         ends_meaning=True,
     ),
-    _too_slow("n_roll", 7 / 2, "does-not-roll-sliding", "the 2/7 of its energy left by sliding"),
-    _too_slow("n_roll_after_impact", 7 / 5, "does-not-roll-after-impact", "the 5/7 of its energy left by the impact"),
+    _too_slow("n_roll", 7 / 2, "does-not-roll-sliding", "the 2/7 of its energy after sliding"),
+    _too_slow("n_roll_after_impact", 7 / 5, "does-not-roll-after-impact", "the 5/7 of its energy after the impact"),
     _too_slow("n_roll_energy_balance", 1.0, "does-not-roll", "its energy"),
     Limit(
         "flight_ratio", _TURNS, ">", {1.0: "flies-off"},
@@ -254,7 +254,7 @@ ENDING = (
     ),
     Limit(
         "threshold_humidity", frozenset({"meniscus_force"}), "<", {1.0: GAP_STAYS_DRY},
-        "no meniscus, as the gap fills at a higher humidity",
+        "no meniscus: the gap fills only at a higher humidity",
         lambda frame, _: {"humidity", "roughness_gap"} <= frame.stated.keys(),
         ends_meaning=True,
         factor=lambda frame, _: frame["humidity"] / frame["threshold_humidity"],
@@ -281,7 +281,7 @@ INEXACT = (
     ),
     Limit(
         "yield_force_fixed_load", frozenset({"yield_force_fixed_load"}), ">", {1.0: "rolls-by-itself"},
-        "a load that keeps its direction rolls sphere 1 by itself: Q_P is the force that holds it back",
+        "a load of fixed direction is enough to roll sphere 1; Q_P is then the force that holds it back",
         factor=lambda frame, _: 1 - frame["yield_force_fixed_load"] / frame["yield_force"],  # driving over resisting
     ),
     Limit(
@@ -294,7 +294,7 @@ INEXACT = (
     ),
     Limit(
         "speed_over_sticking", frozenset({"restitution", "sticking_speed"}), ">", {1.0: "bounces"},
-        "head-on and free, they bounce if adhesion is the only loss; other losses let them stick at higher speeds",
+        "free spheres that collide head-on bounce if adhesion is the only loss; others let them stick at higher speeds",
         _has_speed,
         is_shown=False,  # e implies it
     ),
@@ -331,12 +331,12 @@ INEXACT = (
     ),
     Limit(
         "viscosity_number", frozenset({"viscous_time", "viscosity_number"}), ">", {0.0: "fitted-elsewhere"},
-        "the viscous time was fitted at one size, and v_stick holds there alone; the speeds measured on silica mean "
-        "23 ps for 0.6 µm and 7 ps for 0.25 µm, if γ is 25 mJ/m², and the damping is for T* well below 1",
+        "the viscous time was fitted at one size, and v_stick holds only there; the speeds measured on silica imply "
+        "23 ps at 0.6 µm and 7 ps at 0.25 µm, if γ is 25 mJ/m², and the formula of the damping is for T* well below 1",
     ),
     Limit(
         "radius", _PULLED, ">=", {SURFACES_FROM: ROUGH_MATTERS},
-        "rough spheres of hard solids had 1/2 to 1/100 of this",
+        "forces measured on rough, hard spheres were 1/2 to 1/100 of this",
         lambda _, names: not _PULLED.isdisjoint(names),
         factor=lambda frame, _: at_most(frame["radius"], frame["radius2"]),
         where=may_be_rough,
@@ -348,7 +348,7 @@ INEXACT = (
     ),
     Limit(
         "filling_factor", frozenset({"compressive_strength"}), ">", {0.1: "slides-and-twists"},
-        "in so dense an aggregate sliding and twisting decide P_comp; its formula assumes rolling",
+        "in an aggregate this dense, sliding and twisting determine P_comp; its formula assumes rolling",
     ),
     Limit(
         "meniscus_size", frozenset({"meniscus_force"}), ">", {0.1: "wide-meniscus"},
@@ -375,7 +375,7 @@ INEXACT = (
     ),
     Limit(
         "profile_error", _ELASTICITY, ">", {0.01: WIDE_CONTACT},
-        "contact too wide for the formulas; the shape of a sphere that they assume is off by e_h at the edge",
+        "contact too wide for the formulas; the profile that they assume for a sphere is off by e_h at the edge",
         has_remedy=may_be_sphere,
     ),
 )  # fmt: skip
@@ -388,7 +388,7 @@ BITS = {code: 1 << position for position, code in enumerate((*CODES, UNCHECKED))
 ENDING_MEANING = sum(limit.bits for limit in ENDING)
 NOT_JUDGED = BITS[UNCHECKED]
 EVERY_DOUBT = sum(BITS.values())
-# In words: the codes that end the meaning of results, which are also reasons, and the code of unjudged limits.
+# The words of the codes that end the meaning of results (these are reasons, too) and of the code of unjudged limits.
 MEANINGS = {code: limit.consequence.partition(";")[0] for limit in ENDING for code in limit.codes.values()}
 ENDS = {code: register(EndOfMeaning(words, words, code=code)) for code, words in MEANINGS.items()}
 MEANINGS[UNCHECKED] = "a limit needs an input that is not given"

@@ -14,13 +14,13 @@ LEAST, MOST = 1e-30, 1e30  # size of an input in SI units; inputs that may be 0 
 
 
 def check_range(name: str, value: Any) -> None:
-    """Raise QuantityError for a number, or an array with an element, outside the range of a quantity."""
+    """Raise QuantityError if a number, or any element of an array, is outside the range of a quantity."""
     if name not in NOMENCLATURE:
         raise UnknownQuantity(name)
     position: tuple[int, ...] = ()
     if not isinstance(value, NUMBER):
         if value.size and all(abs(end) <= MOST and takes(name, end) for end in (value.min(), value.max())):
-            return  # the usual case: a range with two numbers includes all numbers between them
+            return  # the usual case: a range that contains the least and the largest number contains all
         are_refused = ~takes(name, value)
         if not are_refused.any():
             return
@@ -53,7 +53,7 @@ OF_A_PLANE = [
 
 
 def is_answer(name: str, value: Any) -> Any:
-    """Return whether doubles are valid results: numbers with all digits, or zeros and infinities of the physics."""
+    """Return whether doubles are valid results: normal numbers, or zero or infinity where the quantity allows it."""
     size = abs(value)
     has_digits = size >= SMALLEST
     if name not in OF_A_PLANE:

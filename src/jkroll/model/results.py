@@ -37,7 +37,7 @@ class Results:
         """`described`: the frame; `computed`: its columns; `keeps_all`: True to keep values without a meaning.
 
         Uncertainties are those of the frame as described. Limits are judged on the frame in which all inputs have
-        values: for the results, or for the measured quantities if the results are inferred.
+        values. They are judged for the results or, if these are inferred, for the measured quantities.
         """
         self.described, self.computed, self.keeps_all = described, computed, keeps_all
         self.frame = described.found
@@ -47,12 +47,12 @@ class Results:
 
     @property
     def columns(self) -> Mapping[str, Column]:
-        """The columns, with reasons instead of values that have no meaning, unless all values are kept."""
+        """The columns; unless all values are kept, each value without a meaning is replaced by its reason."""
         return self.computed if self.keeps_all else self.meant
 
     @cached_property
     def meant(self) -> Mapping[str, Column]:
-        """The columns with reasons instead of values that have no meaning."""
+        """The columns in which each value without a meaning is replaced by its reason."""
         judged = self.described.judged
         return {name: self.without_meaning(column, judged([name])) for name, column in self.computed.items()}
 
@@ -64,16 +64,16 @@ class Results:
 
     @cached_property
     def judged_meant(self) -> Mapping[str, Column]:
-        """The judged columns with reasons instead of values that have no meaning."""
+        """The judged columns in which each value without a meaning is replaced by its reason."""
         meant = {}
         for name, column in self.judged.items():
             meant[name] = self.meant[name] if name in self.meant else self.without_meaning(column, [name])
         return meant
 
     def without_meaning(self, column: Column, touching: Iterable[str]) -> Column:
-        """Return a column with reasons instead of values where a limit ends the meaning of a quantity.
+        """Return a column with reasons instead of values where a limit ends the meaning of one of some quantities.
 
-        `touching`: the quantities.
+        `touching`: these quantities.
         """
         reasons: Any = 0
         if column.is_empty:
@@ -88,7 +88,7 @@ class Results:
         return Column(where(reasons == 0, column.values, nan), first_of(column.reasons, reasons))
 
     def _ends_of(self, name: str) -> Any:
-        """Return the reasons of rows in which limits end the meaning of a quantity, shared by all with these limits."""
+        """Return the reasons of rows in which limits end a meaning; quantities with the same limits share them."""
         ending = () if name in NUMBERS_OF_LIMITS else self.ending
         concerned = tuple(index for index, doubt in enumerate(ending) if concerns(doubt.limit, self.frame, [name]))
         if concerned not in self._ends:
@@ -200,7 +200,7 @@ class Results:
         return errors
 
     def open_bars(self, row: int = 0) -> dict[str, JkrollError]:
-        """Return the errors of values without an uncertainty in a row, if an end of an input gives no value."""
+        """Return the errors of values without an uncertainty in a row: there is no result at an end of an input."""
         errors: dict[str, JkrollError] = {}
         for name, bar in self.bars.items():
             if at_row(bar.open_at, row):

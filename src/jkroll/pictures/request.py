@@ -51,7 +51,7 @@ from .picture import (
 from .ranges import band_of
 
 MAX_CURVES = 24  # more cannot be distinguished
-SIDE = 201  # points along each side of a field, from which captions and limits come; the default for its numbers
+SIDE = 201  # points along each side of the grid of captions and limits; by default, that of the numbers
 MOST_BANDS = 4  # of best ranges; more cannot be distinguished
 ALONG = 1001  # points of a curve, unless its axis has another number
 # The limits that can have a region on a map, each with its sign in a terminal and its hatch on a page. A pattern means
@@ -246,7 +246,7 @@ def _material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[list[Mark],
 
 
 def _about_marks(request: PlotRequest, panel: Panel) -> Iterator[str]:
-    """Iterate over the positions of marks on an axis, and over the quantity of marked grains, by their own inputs."""
+    """Iterate over the positions of marks on an axis, and the quantity of each marked grain with its own inputs."""
     quantity, ((_, frame),) = request.quantity, request.frames
     typed = {_name_of(text): text for text in request.marks}
     for mark in panel.marks:
@@ -289,7 +289,7 @@ class Layer:
             if doubt.limit in DRAWN_LIMITS:
                 names.append(doubt.limit.name)
         inputs, used = self.frame.inputs_of(*names), self.frame.inputs_of(quantity)
-        # Limits are judged at an assumed load. If the quantity does not depend on the load, this is not an assumption.
+        # Limits are judged at an assumed load, which is no assumption if the quantity does not depend on the load.
         shown = [name for name in inputs if name in used or name != "load" or name in self.frame.given]
         self.inputs = inputs_as_texts(self.frame, self._fixed(shown, drawn.keys()))
         self.unjudged: list[str] = []
@@ -369,7 +369,7 @@ class Layer:
                         break
 
     def _beyond(self, limit: Limit, threshold: float) -> str:
-        """Return the consequence beyond a threshold, with the threshold unless the limit judges another number."""
+        """Return the consequence beyond a threshold, with the threshold unless a factor is compared with it."""
         if limit is LAW:
             size = f"{100 * (threshold - 1):.0f} %" if threshold < 2 else f"a factor of {threshold:g}"
             return f"{self.given.law.title} is off by more than {size}"
@@ -460,7 +460,7 @@ def fixed_inputs(inputs: Sequence[str]) -> tuple[str, ...]:
 
 def _opening(quantity: str, layers: Sequence[Layer]) -> Iterator[str]:
     """Iterate over the first sentences of a caption, about the quantity, its fixed inputs and its values."""
-    sentence = marked(NOMENCLATURE[quantity].sentence)  # `capital` leaves a formula at the beginning alone
+    sentence = marked(NOMENCLATURE[quantity].sentence)  # `capital` does not change a formula that begins the sentence
     clauses = [capital(sentence), symbol(quantity)]
     equations = {equation_of(layer.frame, quantity) for layer in layers}
     laws = {layer.frame.law.title for layer in layers if layer.frame.stated_model is not None}

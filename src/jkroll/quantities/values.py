@@ -169,7 +169,7 @@ class Measured(Uncertain):
     def ufloat(self) -> Any:
         """Return the number as a `ufloat` of the package `uncertainties`. Raises BadRequest if the two sides differ."""
         if self.minus != self.plus:
-            raise BadRequest(f"Measured: the sides {self.minus!r} and {self.plus!r} differ, and a ufloat has one")
+            raise BadRequest(f"Measured: {self.minus!r} and {self.plus!r} differ; a ufloat has a single side")
         return import_module("uncertainties").ufloat(self.value, self.plus)
 
     @property
@@ -203,7 +203,7 @@ class Interval(Uncertain):
 def _is_exact(other: object) -> bool:
     """Return whether a value is a number; raise BadRequest if it is uncertain."""
     if isinstance(other, Uncertain):
-        remedy = "write a.ufloat() and b.ufloat() if they are, or let solve combine the inputs"
+        remedy = "write a.ufloat() and b.ufloat() if they are, or pass the inputs to solve(), which combines them"
         raise BadRequest(f"two uncertain values are not assumed to be independent; {remedy}")
     return isinstance(other, int | float) and not isinstance(other, bool)
 
@@ -219,7 +219,7 @@ def _checked_number(owner: str, value: object) -> float:
             number = float(value)  # type: ignore[arg-type]
     if isnan(number):
         problem = f"{quoted(str(value))} is not a number in SI units"
-        raise BadRequest(f"{owner}: {problem}; a text with a unit needs no {owner}")
+        raise BadRequest(f"{owner}: {problem}; a text with a unit, such as '25±5 mJ/m2', needs no {owner}()")
     return number
 
 
@@ -538,7 +538,7 @@ class Spread:
         return map(self.value, range(self.size))
 
     def value(self, position: int) -> float:
-        """Return the value at an index, rounded to 15 digits: 1e-8 and 1e-7 lie exactly between 1e-9 and 1e-6."""
+        """Return the value at an index, rounded to 15 digits: 1e-8 and 1e-7 lie on the way from 1e-9 to 1e-6."""
         if position in (0, self.size - 1):
             return self.high if position else self.low
         share = position / (self.size - 1)
@@ -559,7 +559,7 @@ def spreads_of(text: str, name: str) -> list[Spread]:
     [1e-09, 1e-08, 1e-07, 1e-06]
     """
     if NOMENCLATURE[name].unit == "1" and "," in text and re.fullmatch(_LIST_OR_NUMBER, text.strip()):
-        remedy = "write a list of bare numbers with decimal points, as in 1.0,5.0, and a number without a comma"
+        remedy = "for a list, write decimal points, as in 1.0,5.0; for a single number, leave the comma out"
         raise QuantityError(name, text, "may be a list or a number with a comma", remedy)
     items = text.split(",")
     try:

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 Severity = Literal[
     "warning",  # a number has no meaning
     "lead",  # the answer to the question
-    "against",  # the note of a material that speaks against its value
+    "against",  # a material's note that casts doubt on one of its values
     "caveat",  # a limitation that may change a decision
     "remark",  # a limitation of less importance
     "data",  # any other note of a material
@@ -50,7 +50,7 @@ class Note(NamedTuple):
 
 
 _RULES = {  # assumed formulas, by the input that each replaces
-    "contacts": "as many contacts as grains in each, n_c = N",
+    "contacts": "each has as many contacts as grains, n_c = N",
     "shear_strength": "τ = G/4π²",
     "work_of_adhesion": "w = 2√(γ1γ2)",
 }
@@ -181,7 +181,7 @@ def about_values(frame: Frame, names: Collection[str]) -> Iterator[Note]:
         measured = "for spheres of 1.9 µm diameter, Blum & Wurm 2000 (Icarus 143, 138) use a measured 1.3e-15 J"
         yield Note("more", f"E_break of {SIO2}: {measured}")
     if "n_grav" in names and not frame.is_identical:
-        text = "N_grav is what the first contact, on body 2, carries"
+        text = "N_grav counts the spheres that the first contact, on body 2, carries"
         of_sphere_1 = Frame(frame.stated_of_1, frame.material, model=frame.stated_model)
         for carried in of_sphere_1.numbers("n_grav").values():
             text += f"; the next, between spheres 1, yields at {carried + 1:.4g}"
@@ -200,7 +200,7 @@ def about_values(frame: Frame, names: Collection[str]) -> Iterator[Note]:
 
 
 def about_limits(every: Iterable[Doubt]) -> Iterator[Note]:
-    """Iterate over notes on limits that were not judged, one for the same missing inputs.
+    """Iterate over notes on limits that were not judged, one for all limits that lack the same inputs.
 
     The first code of a limit stands for the limit.
     """

@@ -99,7 +99,7 @@ def held_on_surfaces(frame: Frame) -> str:
     """Return the pull-off force of real surfaces: for SiO2 as measured, for other solids as a fraction of JKR's."""
     radii = frame.numbers("radius", "radius2").values()
     if min(radii, default=2 * frame["reduced_radius"]) < SURFACES_FROM:
-        return "rough ones hold less: 1/2 to 1/100 of it from 1 µm on, smaller ones were not measured"
+        return "rough ones hold less: 1/2 to 1/100 of P_c if R is 1 µm or more, smaller ones were not measured"
     if solid_of_pair(frame) != SIO2:
         return f"real surfaces hold less (of JKR's force, measured for SiO2 only: {_ON_SURFACES})"
     forces = (f"{span('pull_off_force', *ends)} {surface}" for surface, ends in on_surfaces(frame).items())
@@ -160,7 +160,7 @@ def _better_law(answer: Answer) -> str:
     text += f"; the attraction reaches z0 = {_angstroms(low, high)}{narrowed}{_with_bars(answer)}"
     is_told = answer.is_in_doubt(ROUGH_MATTERS) or answer.is_on_pull_off
     if "pull_off_force" in answer.estimates and may_be_rough(frame) and not is_told:
-        text += f". P_c is that of smooth, dry spheres: {held_on_surfaces(frame)}"
+        text += f". P_c is that of smooth, dry spheres; {held_on_surfaces(frame)}"
     return text
 
 
@@ -246,7 +246,7 @@ def _scaled(answer: Answer) -> str:
     if abs(radius / rolled.radius - 1) < _ALIKE:
         return f"{what} of {at}"
     low, high = ("R", "R^(2/3)") if radius < rolled.radius else ("R^(2/3)", "R")
-    ratio = significant(max(radius / rolled.radius, rolled.radius / radius), 2)
+    ratio = significant(max(radius / rolled.radius, rolled.radius / radius), 3)
     to = f"{amount('radius', radius)}, {ratio} times {'smaller' if radius < rolled.radius else 'larger'}"
     return (
         f"{what} of {at}; to {to}, low end with {low}, high end with {high}{_as_displacement(answer)}{_ceiling(answer)}"
@@ -256,7 +256,8 @@ def _scaled(answer: Answer) -> str:
 def _as_displacement(answer: Answer) -> str:
     """Return the displacement that measured forces imply by the law in use."""
     low, high = answer.ranges.of_laws(XI, SCALED)[0]
-    return f". In {answer.frame.law.short} that is ξ = {span(XI, low, high)}" if low < high else ""
+    least = ", at least one atom" if low == answer.frame.values.get(XI) else ""
+    return f". In {answer.frame.law.short} that is ξ = {span(XI, low, high)}{least}" if low < high else ""
 
 
 def _ceiling(answer: Answer) -> str:

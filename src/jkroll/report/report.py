@@ -171,7 +171,7 @@ class Report(Answer):
         if pull > 0 and has_force and may_be_rough(self.frame):
             forces = on_surfaces(self.frame).values()
             if any(pull > low for low, _ in forces):
-                yield Note("lead", f"at this pull the spheres may have parted: {held_on_surfaces(self.frame)}")
+                yield Note("lead", f"at this pull the spheres may have parted; {held_on_surfaces(self.frame)}")
 
     @property
     def _valued(self) -> list[str]:

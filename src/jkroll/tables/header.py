@@ -35,8 +35,8 @@ from .reading import (
 from .unread import NOT_READ, Supply, decided_by, judged
 from .words import MATERIALS, fits, headed, key, unit_for
 
-_NOT_USED = "a value has one column of ±, or two for minus and plus; a range has columns of its ends only"
-_MAX_LISTED = 60  # most columns that a message lists by name
+_NOT_USED = "a value takes one ± column, or one of minus and one of plus; a range takes a low and a high column only"
+_MAX_LISTED = 60  # maximum number of columns that a message names
 _OF_DIRECTIONS = r"(?i)\s*((G|nu|ν)_?(12|13|23|xy|xz|yz)|E_?3)(?![^\W_])"
 _MARKS = {"both": "± ", "minus": "− ", "plus": "+ ", "low": "from ", "high": "to "}
 _HEADER_AND_INPUT = r"(.*)(?<!\(k)(?<!\(k )=(.*)"  # the = of (k=2) is part of a header
@@ -137,7 +137,7 @@ def understood(
     *,
     pass_rest: bool = False,
 ) -> Header:
-    """Return the header of a table, from the texts of its header and the cells of its first rows.
+    """Return the meaning of the columns of a table, from their headers and the cells of the first rows.
 
     `stated`: the meanings that `--column` gives headers; `given`: the inputs given by options; `measured`: a quantity
     that is read in addition to inputs; `supply_of`: returns the inputs supplied without a column; `pass_rest`: True to
@@ -160,7 +160,7 @@ def understood(
     without_part = {reading.name for reading in readings if not reading.part}
     for name, other in CONVERTED.items():
         if other in without_part:
-            held.add(name)  # a column of G passes next to one of E
+            held.add(name)  # a column of G may pass through if there is one of E
     clauses: Mapping[str, str] = {}
     if supply_of is not None:
         supply = supply_of(used)
@@ -223,7 +223,7 @@ def _used_inputs(inputs: Mapping[str, _Parts], rows: Sequence[Sequence[str]]) ->
 
 
 def _unused(columns: _Parts, used: _Parts) -> list[Reading]:
-    """Return the columns of an input that its values do not use, each with this problem."""
+    """Return the columns that give an input but do not enter its values, each marked as not used."""
     unused = [reading for part, reading in columns.items() if part not in used]
     return [reading._replace(problem=_NOT_USED, meant=()) for reading in unused]
 
@@ -231,7 +231,7 @@ def _unused(columns: _Parts, used: _Parts) -> list[Reading]:
 def _is_doubled(name: str, used: Mapping[str, _Parts], rows: Sequence[Sequence[str]]) -> bool:
     """Return whether an input repeats another one, as a diameter next to a radius or G next to E, and may pass through.
 
-    It does if the first rows never have it alone. A column given by `--column` is always read.
+    It may pass through if no first row has this input without the other. A column given by `--column` is always read.
     """
     parts, others = used[name], used.get(CONVERTED.get(name, ""), {})
     if not others or any(reading.is_stated for reading in parts.values()):
@@ -282,8 +282,8 @@ def _with_symbol(symbol: str, known: Mapping[str, str]) -> list[str]:
 def _may_pass(reading: Reading, held: Collection[str], known: Collection[str]) -> bool:
     """Return whether an unread column may pass through: every input that it may mean has another source.
 
-    `held`: inputs that columns decide; `known`: inputs with columns or options. A column that changes the meaning of
-    a value must not pass.
+    `held`: inputs that columns give or determine; `known`: inputs with columns or options. A column that changes the
+    meaning of a value must not pass.
     """
     return reading.name in held and reading.part != UNREAD and {*reading.names} <= {*held, *known}
 
@@ -369,7 +369,7 @@ def _in_context(readings: Sequence[Reading], given: Collection[str]) -> Iterator
 
 
 def _values_in(readings: Sequence[Reading]) -> dict[str, Reading]:
-    """Return the column of each input's value; of a range without a value, its last end."""
+    """Return the column of each input's value, or that of the last end if the input is a range without a value."""
     values = {reading.name: reading for reading in readings if reading.is_input and not reading.part}
     ends: dict[str, Reading] = {}
     for reading in readings:
@@ -381,8 +381,8 @@ def _values_in(readings: Sequence[Reading]) -> dict[str, Reading]:
 def _of_value(reading: Reading, left: Reading, values: Mapping[str, Reading], given: Collection[str]) -> Reading:
     """Return the reading of an uncertainty, with the input that it belongs to.
 
-    An uncertainty without a name belongs to the column on its left. A symbol with several meanings belongs to the only
-    one with a column. The header may also be that of a column given by `--column`, with a suffix.
+    An uncertainty without a name belongs to the column on its left. A symbol with several meanings has that of
+    the only column among them. The header may also be that of a column given by `--column`, with a suffix.
     """
     name, part = reading.name, reading.part
     if not reading.of and not name:
@@ -412,7 +412,7 @@ def _error_column(name: str, values: Mapping[str, Reading]) -> str:
 
 
 def _uncertain_instead(reading: Reading, values: Mapping[str, Reading]) -> str:
-    """Return the input whose uncertainty a header such as Δγ gives, if that input excludes the one read; else ""."""
+    """Return the input of which a header such as Δγ is the uncertainty, if it excludes the one first read; else ""."""
     text = normalized(reading.text)
     rest = re.sub(words.DIFFERENCE, "", text)
     is_difference = rest != text and reading.is_input and not reading.is_stated
@@ -436,8 +436,8 @@ def _used(name: str, columns: _Parts) -> _Parts:
     is_end = "" not in columns and not columns.keys().isdisjoint(_ENDS)
     if others and ((is_end and not shape) or any(reading.is_stated for reading in others)):
         raise BadTable(
-            f"header: {quoted(others[0].text)} alone is not an uncertainty of {name}: values have a column of ±, or "
-            "two for minus and plus; a range has low and high only"
+            f"header: {quoted(others[0].text)} alone is not an uncertainty of {name}: a value takes one ± column, or "
+            "one of minus and one of plus; a range takes a low and a high column only"
         )
     return {part: columns[part] for part in shape}
 

@@ -40,10 +40,10 @@ from .ndjson import Ndjson
 from .table import Asked, Table, TableBlock
 
 MAX_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of them
-ALONE = 4  # blocks that this process converts before it starts others
+ALONE = 4  # blocks that this process converts before it starts other processes
 WAIT = 0.5  # seconds before progress is shown
 WIDTH = 60  # characters in the line of progress
-MAX_NOTES = 6  # most notes at the end, on rows or on many tables
+MAX_NOTES = 6  # maximum number of notes at the end, on rows or on many tables
 LITTLE = 1 << 19  # bytes that a process converts while another starts
 FOLDER_ENDS = ("/", os.sep)  # a directory ends in one of them; Windows has both
 DASK_WAIT = 20.0  # seconds for a Dask scheduler to answer, and as many for it to get a worker
@@ -260,7 +260,7 @@ def _convert(file: Input, blocks: Iterator[Any], convert: Converter, output: Bin
 def _converted(blocks: Iterator[Any], convert: Converter, processes: int) -> Generator[Converted]:
     """Iterate over converted blocks in their order.
 
-    A format that a library reads uses the threads of the library, not processes.
+    Formats that a library reads are converted in the threads of the library, not in processes.
     """
     is_alone = processes < 2 or not isinstance(convert.source, Delimited | Ndjson)
     yield from map(convert.converted, blocks if is_alone else islice(blocks, ALONE))
@@ -351,7 +351,8 @@ def _pairs(directory: str, path: str) -> list[Pair]:
         raise BadTable(f"{quoted(path)}: two tables have the same name")
     pairs = [*zip(paths, targets, strict=True)]
     if any(all(map(os.path.exists, pair)) and os.path.samefile(*pair) for pair in pairs):
-        raise BadRequest(f"-o: {quoted(directory)} is where the input is; it is not overwritten")
+        problem = f"-o: {quoted(directory)} contains the input, which would be overwritten"
+        raise BadRequest(f"{problem}; name another directory")
     os.makedirs(directory, exist_ok=True)
     return pairs
 
@@ -405,7 +406,7 @@ def _on_cluster(address: str, task: Task, pairs: list[Pair]) -> Iterator[Outcome
         client.wait_for_workers(1, timeout=DASK_WAIT)
     except (OSError, ValueError):
         raise BadTable(f"--dask: no scheduler with a worker answers at {quoted(address)}") from None
-    except Exception as error:  # any error of the library of a protocol
+    except Exception as error:  # the library of a protocol may raise any error
         raise BadTable(f"{scheduler} cannot be reached: {shown(str(error))}") from None
     with closing(client):
         # A worker resolves a relative path in its own directory.

@@ -185,7 +185,8 @@ def _in_unit(text: str, unit: str) -> str:
 def _assumptions(answer: "Report") -> dict[str, str]:
     """Return the assumptions of an answer by name, as its table needs them.
 
-    ξ is assigned to the column of the law if ranges use other values. The atomic spacing is left out if ranges vary it.
+    If ranges use other values of ξ, the text says that the assumed one holds for the column of the law. The atomic
+    spacing is left out if ranges vary it.
     """
     texts, rules = {**answer.assumed}, {estimate.by for estimate in answer.estimates.values()}
     if "energy_ratio" not in answer.frame.inputs_of(*answer.frame.possible(answer.names_in_table)):
@@ -374,7 +375,7 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
 
 
 def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str], lead: str = "") -> Iterator[str | Rows]:
-    """Iterate over the parts of a list: lines on common inputs and assumptions, a table, and lines on its words.
+    """Iterate over the parts of a list: lines on common inputs and assumptions, a table, and lines that explain it.
 
     The `lead` stands above the table. The table has a row for each pair; the lines below it give the meaning of rules
     and codes.
