@@ -559,7 +559,7 @@ def test_the_error_of_warm_ice_follows_from_its_two_forces() -> None:
 
 def test_a_name_of_several_materials_is_refused_with_their_values(run: Run, tmp_path: Path) -> None:
     of_silica = (
-        "quartz (25 mJ/m², for silica in air, measured on smooth micron-sized spheres), "
+        "quartz (25 mJ/m², in air, of smooth micron-sized spheres), "
         "silica-dry (200 mJ/m², amorphous, dry or in vacuum: water desorbed) or "
         "silica-humid (22.5 mJ/m², amorphous, in humid air: water adsorbed)"
     )

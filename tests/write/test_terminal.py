@@ -254,8 +254,8 @@ def test_what_is_against_the_data_comes_first_and_roughness_from_a_micrometre_on
     assert of_ice[-1] == "more: --explain"
     of_table_1 = run("pull-off quartz 100nm --explain").out.splitlines()
     assert (
-        "note: γ of quartz: for silica in air, measured on smooth micron-sized spheres; in vacuum or baked take "
-        "silica-dry (200 mJ/m2, 8 times the adhesion)" in of_table_1
+        "note: γ of quartz: in air, of smooth micron-sized spheres; in vacuum or baked take silica-dry (200 mJ/m2, "
+        "8 times the adhesion)" in of_table_1
     )
     smooth = " on glass in dry air, "
     shown = [smooth in run(f"pull-off quartz {radius}").err for radius in ("0.99um", "1um", "20um")]

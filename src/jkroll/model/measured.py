@@ -235,4 +235,5 @@ def assumes_displacement(frame: Frame) -> bool:
 
 def at_full_hysteresis(frame: Frame) -> Frame:
     """Return the frame with the displacement at which all of the work of adhesion is lost."""
-    return frame.replace(**{XI: frame[XI] / frame["hysteresis_ratio"]})
+    displacement = frame[XI] / frame["hysteresis_ratio"]
+    return frame.replace(**{XI: where(takes(XI, displacement), displacement, frame[XI])})

@@ -295,7 +295,7 @@ def paper_map(
     title, remarks = f"Fig. {name}: {symbol(declared.quantity)}{bracketed(unit)}", (*drawn.remarks, declared.remark)
     caption = [*drawn.caption]
     if printed:
-        caption.append(f"Dashed in files: Eq ({NOMENCLATURE[printed].equation}), each curve below its contour.")
+        caption.append(f"Dashed in files: Eq ({NOMENCLATURE[printed].equation}), each below its contour.")
     return Picture(title, drawn.panels, tuple(caption), drawn.doubts, remarks)
 
 
