@@ -29,7 +29,7 @@ from ..report.questions import (
     quantity_named,
     question_about,
 )
-from ..text import ascii_text, closest, listed, quoted, say, say_wrapped, wrapped
+from ..text import closest, listed, quoted, say, say_wrapped
 from .call import BARE, CITE, EXPLAIN, JSON, MARKDOWN, PLAIN, TABLE, Call, message_of
 from .options import Options
 
@@ -40,7 +40,6 @@ if TYPE_CHECKING:
 
 CURVE_BLOCK = 500  # states of force curves that are computed at a time
 MOST_FOUND = 12  # quantities in the table of a search
-WIDTH_OF_EXPORT = 80  # of comments
 
 
 # --- Questions --------------------------------------------------------------------------------------------------------
@@ -327,7 +326,7 @@ def run_export(call: Call) -> int:
     from ..report.leads import options_for_centre
     from ..report.notes import Note, about_middles, by_severity
     from ..report.report import Report
-    from ..write.exports import PROGRAMS
+    from ..write.exports import PROGRAMS, comment_of, with_wrapped_comments
 
     word = call.subject.casefold()
     programs = [known for name, known in PROGRAMS.items() if word in (name, known.title.casefold())]
@@ -342,7 +341,7 @@ def run_export(call: Call) -> int:
     frame = next(call.sweep.frames())
     if frame.law.name not in program.models:
         raise BadRequest(f"--model: {program.title} has {listed(program.models)}, not {quoted(frame.law.name)}")
-    text = _with_wrapped_comments(program.text(frame))
+    text = with_wrapped_comments(program.text(frame))
     if call.quiet:
         sys.stdout.write(text)
         return 0
@@ -360,24 +359,11 @@ def run_export(call: Call) -> int:
     options = options_for_centre(answer)
     if options:
         remedy = f"for the centre of the best ranges of P_c and M add {options}"
-        say(_comment(f"plain {frame.law.short}, not the best values: {remedy}"), sys.stdout)
+        say(comment_of(f"plain {frame.law.short}, not the best values: {remedy}"), sys.stdout)
     sys.stdout.write(text)
     for line in lines:
-        say(_comment(line), sys.stdout)
+        say(comment_of(line), sys.stdout)
     return 0
-
-
-def _with_wrapped_comments(text: str) -> str:
-    """Return the input of a program with its comments wrapped."""
-    lines = []
-    for line in text.splitlines():
-        lines.append(_comment(line.removeprefix("# ")) if line.startswith("# ") else line)
-    return "\n".join([*lines, ""])
-
-
-def _comment(text: str) -> str:
-    """Return a text as a comment in the input of a program, wrapped."""
-    return "\n".join(f"# {line}" for line in wrapped(ascii_text(text), WIDTH_OF_EXPORT, 2))
 
 
 def run_infer(call: Call) -> int:

@@ -112,6 +112,11 @@ class Ranges:
         self.names = [name for name, column in results.computed.items() if not column.is_empty]
         self._made: dict[Make, Mapping[str, tuple[Any, Any, Any]]] = {}
 
+    @classmethod
+    def of(cls, frame: Frame, *names: str) -> "Ranges":
+        """Return the ranges of quantities of a frame."""
+        return cls(Results(frame, frame.columns(names)))
+
     def estimate(self, name: str) -> Estimate:
         """Return the estimate of a result that has a number in some row.
 
@@ -225,8 +230,7 @@ class Ranges:
         """Iterate over the rules for the coefficient of restitution, which any further loss lowers."""
         of_speed = self
         if "sticking_speed" not in self.names:  # a question about e alone needs the range of the speed, too
-            frame = self.results.described
-            of_speed = Ranges(Results(frame, frame.columns(["sticking_speed"])))
+            of_speed = Ranges.of(self.results.described, "sticking_speed")
         if "sticking_speed" in of_speed.names:
             speeds = of_speed.estimate("sticking_speed")
             yield (speeds.by == MEASURED) & (self.frame["speed"] < speeds.low), 0.0, 0.0, MEASURED

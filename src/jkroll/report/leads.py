@@ -18,7 +18,6 @@ from ..model.estimate import (
 from ..model.frame import IN_ITS_PLACE, Frame
 from ..model.limits import GAP_STAYS_DRY
 from ..model.measured import what_stuck
-from ..model.results import Results
 from ..quantities.formatting import Format, amount, from_to, significant, symbol_among
 from ..quantities.nomenclature import XI
 from ..text import listed
@@ -199,10 +198,9 @@ def _stick_or_bounce(answer: Answer) -> str:
 def _enough_to_roll(frame: Frame) -> Iterator[Note]:
     """Iterate over at most one sentence: whether the energy of a sphere is enough to begin rolling."""
     energy = frame.numbers("energy").get("energy")
-    columns = frame.columns(frame.possible(["yield_energy"]))
-    if energy is None or not columns:
+    if energy is None or not frame.possible(["yield_energy"]):
         return
-    least = Ranges(Results(frame, columns)).estimate("yield_energy")
+    least = Ranges.of(frame, "yield_energy").estimate("yield_energy")
     if least.by == NONE or isnan(least.low):
         return
     verdict = "probably rolls" if energy > sqrt(least.low * least.high) else "probably does not roll"
@@ -215,7 +213,7 @@ def _enough_to_roll(frame: Frame) -> Iterator[Note]:
 
 
 def _law_that_holds(answer: Answer) -> str:
-    force = Ranges(Results(answer.frame, answer.frame.columns(["pull_off_force"]))).estimate("pull_off_force")
+    force = Ranges.of(answer.frame, "pull_off_force").estimate("pull_off_force")
     if force.by == BETTER_LAW:
         return "Maugis' law holds here: the pull-off force of JKR is more than 5 % off"
     return "JKR holds here: Maugis' law is within 5 % of its pull-off force"

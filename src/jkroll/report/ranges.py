@@ -36,7 +36,6 @@ from ..model.measured import (
     what_stuck,
 )
 from ..model.other_law import least_spacing
-from ..model.results import Results
 from ..quantities.formatting import amount, from_to, significant, span, symbol_among
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import INFINITY, XI
@@ -286,8 +285,7 @@ def _of_silica(answer: Answer) -> str:
     silica = Frame(answer.frame.stated, known_materials()["quartz"])
     if not isinstance(answer.frame.given.get("radius"), float):
         return ""
-    columns = silica.columns(silica.possible(answer.question.headline))
-    ranges = Ranges(Results(silica, columns))
+    ranges = Ranges.of(silica, *silica.possible(answer.question.headline))
     found = {name: ranges.estimate(name) for name in ranges.names}
     scaled = [
         f"{symbol_among(name, answer.inputs)} is {range_in_words(name, estimate)}"
@@ -339,7 +337,7 @@ def _by_dmt(answer: Answer) -> str:
 def _law_only(answer: Answer) -> str:
     if answer.frame.missing(["tabor_parameter"]):
         return f"which law holds needs Young's modulus and Poisson's ratio{_by_dmt(answer)}"
-    return "no better law gives it"
+    return _WORDS[LAW_ONLY]
 
 
 _OF_ANSWER: Mapping[int, Callable[[Answer], str]] = {

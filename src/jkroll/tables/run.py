@@ -35,9 +35,8 @@ from .files import (
     output_format,
     table_of_lines,
 )
-from .header import check_inputs, understood
 from .ndjson import Ndjson
-from .table import Asked, Table, TableBlock
+from .table import Asked, Table, TableBlock, header_of
 
 MAX_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of them
 ALONE = 4  # blocks that this process converts before it starts other processes
@@ -216,16 +215,7 @@ def convert_one(path: str, job: Job) -> Tally:
             source, blocks = table_of_lines(
                 file, source_format, asked, excel_safe=job.excel_safe, as_markdown=as_markdown
             )
-        header = understood(
-            source.names,
-            source.sample,
-            source.stated,
-            asked.inputs,
-            asked.measured,
-            asked.supply,
-            pass_rest=asked.pass_rest,
-        )
-        check_inputs(header, asked.measured)
+        header = header_of(source, asked)
         reading = header.reading(*source.remarks)
         job.say([reading])  # first: an unread column may be the cause of a missing input
         table = Table(header, source.sample, asked)

@@ -22,7 +22,7 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, computed_as,
 from ..quantities.values import is_uncertain, value_of
 from ..text import quoted
 from .cells import LABEL, Indices, Lookup
-from .header import Header, is_input, is_law, stated_meanings, typed
+from .header import Header, check_inputs, is_input, is_law, stated_meanings, typed, understood
 from .statistic_rows import LABEL_OF, are_kinds_of_data, rows_of_statistics
 from .unread import Supply
 from .words import MATERIALS
@@ -58,6 +58,21 @@ class Asked(NamedTuple):
     def is_read(self, text: str) -> bool:
         """Return whether a header may be that of an input, of the measured quantity, or of a column of laws."""
         return is_law(text) or is_input(self.stated.get(typed(text), text), self.measured)
+
+
+def header_of(source: Any, asked: Asked) -> Header:
+    """Return the meaning of the columns of a source that is converted. Raises BadTable, also if an input is missing."""
+    header = understood(
+        source.names,
+        source.sample,
+        source.stated,
+        asked.inputs,
+        asked.measured,
+        asked.supply,
+        pass_rest=asked.pass_rest,
+    )
+    check_inputs(header, asked.measured)
+    return header
 
 
 _OF_LAW = ("model", "profile")  # inputs whose values are words

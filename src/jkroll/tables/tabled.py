@@ -17,10 +17,9 @@ from ..quantities.values import QuantityError, is_uncertain
 from ..report.questions import EVERYTHING, quantities_named, quantity_named
 from ..text import as_arguments
 from .dataframes import Data, Memory, data_of
-from .header import check_inputs, understood
 from .reading import reading_of
 from .run import Converter, about, notes_on
-from .table import Asked, Table
+from .table import Asked, Table, header_of
 from .words import headed as headed_input
 
 DataFrame = TypeVar("DataFrame")
@@ -159,16 +158,7 @@ def _tabled(rows: Data, asked: Asked, say: Callable[[str], object] | None, *, st
             say(_in_python(line))  # type: ignore[misc]
 
     source = Memory(rows, asked)
-    header = understood(
-        source.names,
-        source.sample,
-        source.stated,
-        asked.inputs,
-        asked.measured,
-        asked.supply,
-        pass_rest=asked.pass_rest,
-    )
-    check_inputs(header, asked.measured)
+    header = header_of(source, asked)
     tell([header.reading()])
     read = Table(header, source.sample, asked)
     tell(about(read) if say else ())

@@ -12,12 +12,15 @@ from ..errors import BadRequest, JkrollError
 from ..model.frame import Frame
 from ..model.reasons import OF_IDENTICAL_SPHERES, Failure, explanation_of
 from ..physics.motion import STICKS_FROM
+from ..physics.tangential import sliding_friction_coefficient
 from ..quantities.formatting import Format, amount, significant
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, STATE_OR_LOAD, of_sphere
+from ..text import ascii_text, wrapped
 
 SKIN = 0.2  # skin of the neighbor lists, in units of the smaller radius
 LEAST_SKIN = 0.4  # least skin in units of δ0: before the gap is this wide, a contact breaks
+WIDTH = 80  # of comments
 NO_SLIP = 1e9  # a coefficient of friction that prevents slip, for laws without a sliding force
 
 USUAL = ("yield_moment", "pull_off_force", "rolling_stiffness", "tangential_stiffness", "time_step")
@@ -109,7 +112,8 @@ def lammps_input(frame: Frame) -> str:
 
 def _peeling_coefficient(frame: Frame) -> float:
     """Return the coefficient of friction of a contact that may peel off before it slides."""
-    return float(frame["sliding_or_peeling_force"] / (frame["load"] + 2 * frame["pull_off_force"]))
+    force, load, pull_off_force = (frame[name] for name in ("sliding_or_peeling_force", "load", "pull_off_force"))
+    return float(sliding_friction_coefficient(sliding_force=force, load=load, pull_off_force=pull_off_force))
 
 
 def _skin(frame: Frame, pairs: Iterable[Frame]) -> float:
@@ -305,3 +309,19 @@ PROGRAMS: Mapping[str, Program] = {
         "DustSimulation", dust_simulation_material, (*USUAL, *THRESHOLDS), about=_about_dust_simulation
     ),
 }
+
+
+# --- Comments ---------------------------------------------------------------------------------------------------------
+
+
+def with_wrapped_comments(text: str) -> str:
+    """Return the input of a program with its comments wrapped."""
+    lines = []
+    for line in text.splitlines():
+        lines.append(comment_of(line.removeprefix("# ")) if line.startswith("# ") else line)
+    return "\n".join([*lines, ""])
+
+
+def comment_of(text: str) -> str:
+    """Return a text as a comment in the input of a program, wrapped."""
+    return "\n".join(f"# {line}" for line in wrapped(ascii_text(text), WIDTH, 2))

@@ -188,7 +188,7 @@ def _assumptions(answer: "Report") -> dict[str, str]:
     If ranges use other values of ξ, the text says that the assumed one holds for the column of the law. The atomic
     spacing is left out if ranges vary it.
     """
-    texts, rules = {**answer.assumed}, {estimate.by for estimate in answer.estimates.values()}
+    texts, rules = {**answer.assumed}, {*answer.rules}
     if "energy_ratio" not in answer.frame.inputs_of(*answer.frame.possible(answer.names_in_table)):
         texts.pop("energy_ratio", None)
     better_rules = {by for by in rules if by < LAW_IN_USE}
