@@ -296,6 +296,10 @@ BEST: Mapping[str, str] = {
         "'-4.5806076760230903e-10 m,-2.1629905358096817e-10 m,0.0 m' --adhesion-hysteresis '0.02 J/m^2' "
         "--quantities yield_energy_of_moment"
     ),
+    "a chain that the load pulls apart": (
+        "report '3e-7 m' --gamma '0.025 J/m^2,0.002 J/m^2' --young '7e10 Pa' --poisson 0.5 --load '-3.5e-8 N' "
+        "--quantities r_min"
+    ),
     "a displacement that another law allows": "resistances iron '1e-6 m,2e-9 m' --approach '0.0 m' --xi '5e-10 m'",
 }
 

@@ -254,7 +254,7 @@ class Ranges:
             yield rolled.is_near(self.frame), least, most, SCALED
         laws = _BETTER if name in self._ends(_between) else (_itself,)
         at_an_atom = self.hull(name, *laws)
-        low, high = self.hull(name, *(then(law, at_full_hysteresis) for law in laws))
+        low, high = self.at_full_hysteresis(name, *laws)
         is_past = self.hull("hysteresis_ratio", *laws)[1] >= 1  # at 2 Å, more than the work of adhesion would be lost
         rises = self._most(name, *(then(law, _at_twice) for law in laws)) > self._most(name, *laws)
         low = where(rises, where(is_past, nan, at_an_atom[0]), low)
@@ -262,9 +262,10 @@ class Ranges:
         low, high = where(is_known & (least < low), least, low), where(is_known & (most > high), most, high)
         yield True, low, high, XI_UNKNOWN
 
-    def at_full_hysteresis(self, name: str) -> Ends:
-        """Return the ends of a result if all of the work of adhesion is lost, by the better law."""
-        return self.hull(name, *(then(law, at_full_hysteresis) for law in _BETTER))
+    def at_full_hysteresis(self, name: str, *laws: Make) -> Ends:
+        """Return the ends of a result if all of the work of adhesion is lost, by the better law or by the given laws."""
+        makers = (then(law, at_full_hysteresis) for law in laws or _BETTER)
+        return self.hull(name, *makers, needs="hysteresis_ratio")
 
     def of_laws(self, name: str, by: int) -> list[Ends]:
         """Return the ends of a result for a rule, by the law in use and by Maugis' law at both spacings."""
@@ -282,19 +283,22 @@ class Ranges:
         """Return the ends of a result by the law between JKR and DMT, over all likely atomic spacings."""
         return self.hull(name, *_BETTER)
 
-    def hull(self, name: str, *makers: Make) -> Ends:
+    def hull(self, name: str, *makers: Make, needs: str = "") -> Ends:
         """Return the least and the largest value of a result over variants of the frame, uncertainties included.
 
-        An end is open where the next value beyond it has no meaning.
+        An end is open where the next value beyond it has no meaning. A variant counts in the rows in which it has the
+        quantity `needs`, too.
         """
         low: Any = inf
         high: Any = -inf
         without_meaning = []
         for ends in map(self._ends, makers):
-            if name not in ends:
+            if name not in ends or (needs and needs not in ends):
                 continue
             least, most, is_ended = ends[name]
             has_value: Any = where(is_ended, False, most - least >= 0)
+            if needs:
+                has_value = where(ends[needs][1] >= 0, has_value, False)
             low, high = at_most(low, where(has_value, least, inf)), at_least(high, where(has_value, most, -inf))
             if is_anywhere(is_ended):
                 without_meaning.append((where(is_ended, least, inf), where(is_ended, most, -inf)))

@@ -184,8 +184,8 @@ def _stick_or_bounce(answer: Answer) -> str:
     is_below, is_above = speed < sticking.low, speed > sticking.high
     verdict = "they stick" if is_below else "they bounce" if is_above else "they may stick or bounce"
     stuck = what_stuck(answer.frame)
-    is_scaled = sticking.by == MEASURED and stuck is not None and not stuck.is_near(answer.frame)
-    source = "scaled from measured ones" if is_scaled else WORDS[sticking.by]
+    is_carried = stuck is not None and stuck.has_size(answer.frame) and not stuck.is_near(answer.frame)
+    source = "scaled from measured ones" if is_carried and sticking.by == MEASURED else WORDS[sticking.by]
     text = f"at {amount('speed', speed)} {verdict}: the largest speed to stick is {sides} ({source})"
     left, alone = answer.estimates["restitution"], answer.values.get("restitution", 0.0)
     if is_below and alone > 0:
