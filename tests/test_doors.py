@@ -87,13 +87,17 @@ def disagreements(run: Run, ask: Ask, unit: str = "", forms: Sequence[str] = FOR
 
 
 def _in_refusals(run: Run, ask: Ask, error: JkrollError) -> Iterator[str]:
-    """Iterate over the doors that do not refuse a question that cannot be rows. A table refuses it row by row."""
+    """Iterate over the doors that do not refuse a question that cannot be rows.
+
+    A table refuses each row by itself. So do arrays if a value is out of range only after its conversion.
+    """
     said = str(error).partition(": ")[2] or str(error)  # after the name of an input, which the prompt has as typed
     refusals: set[str] = set()
     for form in ("--json", "--csv", "ndjson"):
         try:
-            printed(run, ask, form, by_arrays=True)
-            yield f"{form} does not refuse: {error}"
+            ran, _ = printed(run, ask, form, by_arrays=True)
+            if ran.code != 1:
+                yield f"{form} does not refuse: {error}"
         except Refused as other:
             refusals.add(str(other))
     is_last = error.phrase == "± and range together"  # other errors of a single pair precede this one
@@ -129,6 +133,7 @@ FOUND: Mapping[str, str] = {
     "kinds of rows, and one law without any value": (
         "n-grav ice-warm,iron '1e-7 m' --adhesion-hysteresis '0.006 J/m^2' --model dmt"
     ),
+    "rigid grains of a micrometre, which JKR lacks": "n-grav silica-dry '1e-6 m,2e-6 m' --young rigid --model dmt",
     "a headline that does not concern the scene": "yield-force quartz '1e-7 m' --quantities yield_force,contact",
     "an infinite result of JKR, too": (
         "report quartz '1e-7 m' --radius2 plane --model dmt --quantities mass2,pull_off_force"

@@ -323,10 +323,10 @@ def _failure_of_all(answers: "Iterable[Report]") -> JkrollError | None:
 
 def run_export(call: Call) -> int:
     """Write the contact of a pair as input for a program; return the exit code."""
-    from ..report.leads import options_for_centre
+    from ..report.leads import centre_of
     from ..report.notes import Note, about_middles, by_severity
     from ..report.report import Report
-    from ..write.exports import PROGRAMS, comment_of, with_wrapped_comments
+    from ..write.exports import PROGRAMS, comment_of, lines_at_centre, with_wrapped_comments
 
     word = call.subject.casefold()
     programs = [known for name, known in PROGRAMS.items() if word in (name, known.title.casefold())]
@@ -356,10 +356,12 @@ def run_export(call: Call) -> int:
         for line in (*(f"note: {note}" for note in program.about(frame)), *lines):
             say_wrapped(line, sys.stderr)
         return 0
-    options = options_for_centre(answer)
-    if options:
-        remedy = f"for the centre of the best ranges of P_c and M add {options}"
-        say(comment_of(f"plain {frame.law.short}, not the best values: {remedy}"), sys.stdout)
+    centre = centre_of(answer)
+    if centre is not None:
+        best = f"for the centres of the best ranges of P_c and M ({centre.options}) take instead"
+        say(comment_of(f"The lines below are plain {frame.law.short}; {best}:"), sys.stdout)
+        for line in lines_at_centre(text, program.text(centre.frame)):
+            say(line, sys.stdout)
     sys.stdout.write(text)
     for line in lines:
         say(comment_of(line), sys.stdout)

@@ -1,7 +1,8 @@
 """The best range of each result, and the rule that gives it.
 
-A result has the value by the law in use. A law that holds better for the contact, forces measured on the same solid, or
-a lack of measurements widen it to a range. In each row, the first rule that applies decides.
+A result has the value given by the law in use. A range stands beside it if another law is better for the contact, if
+forces were measured on the same solid, or if an input was never measured. In each row, the first rule that applies
+gives the range.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
@@ -39,7 +40,7 @@ from .uncertainty import ErrorBar, error_bars
     NONE, DEFINITION, MEASURED, SCALED, XI_UNKNOWN, FRICTION_ASSUMED, SPACING_ASSUMED, ADHESION_ONLY, BOUNDS, LAW_ONLY,
     KELVIN, GAP, BETTER_LAW, LAW_IN_USE, ANY_LAW,
 ) = range(15)  # fmt: skip
-_GIVEN = {law: number for number, law in enumerate(LAWS, ANY_LAW + 1)}  # a law that the user gives decides
+_GIVEN = {law: number for number, law in enumerate(LAWS, ANY_LAW + 1)}  # if the user sets the law, that law is the rule
 WORDS = (
     "–", "definition", "measured", "scaled", "ξ unknown", "τ assumed", "z0 assumed", "adhesion only", "JKR to DMT",
     "JKR only", "Kelvin", "roughness", "Maugis", "JKR", "any law",
@@ -53,11 +54,11 @@ _LAWS_THEMSELVES = (
 _OF_WATER = ("meniscus_force", "kelvin_radius", "threshold_humidity")
 _STICKING = {"sticking_speed": 1, "sticking_energy": 2}  # powers of the speed
 _LOSING = ("restitution", "lost_energy")
-# Any loss in a collision moves these measured quantities in one direction, and so do these inputs as they grow.
+# Any loss in a collision shifts these measured quantities in one direction only; so does an increase of one of _LOSE.
 _LOSSES = frozenset({"restitution", "sticking_speed"})
 _LOSE = ("surface_energy", "work_of_adhesion", "hamaker", "viscous_time")
 _AS_PULL_OFF = ("pull_off_force", "bond_number")  # in proportion to the pull-off force
-_BREAKING = ("disruption_energy", "disruption_speed")  # from fits to simulations and the work to part two spheres
+_BREAKING = ("disruption_energy", "disruption_speed")  # from fits to simulations and from a work of separation
 # By result: the power with which it depends on a base quantity, the base, and the same base by Lennard-Jones' law.
 _BY_LENNARD_JONES = {
     **dict.fromkeys(_AS_PULL_OFF, (1.0, "pull_off_force", "pull_off_force_lennard_jones")),
@@ -99,7 +100,7 @@ def _first(rules: Iterable[Rule]) -> Estimate:
 
 
 def estimates(results: Results, names: Iterable[str]) -> dict[str, Estimate]:
-    """Return the estimates of results, by name; results without a number in any row are left out."""
+    """Return the estimates of results, by name; results that are empty in every row are left out."""
     ranges = Ranges(results)
     return {name: ranges.estimate(name) for name in names if name in ranges.names}
 
@@ -164,12 +165,12 @@ class Ranges:
         return is_computed and other.formulas_to(name) == self.frame.formulas_to(name)
 
     def _is_from_losses(self, name: str) -> bool:
-        """Return whether an inferred input is held to cause all losses of a collision."""
+        """Return whether a result is an input inferred from a collision as if it caused all losses."""
         is_unknown = name in _LOSE and name in self.results.described.unknowns
         return is_unknown and not _LOSSES.isdisjoint(self.results.judged)
 
     def _of_one_law(self, name: str, own: Ends, rule: int) -> Iterator[Rule]:
-        """Iterate over the rules for a result of one law only: it decides, unless the atomic spacing is assumed."""
+        """Iterate over the rules for a result of one law: the law itself, unless the atomic spacing is assumed."""
         if self.frame.assumes_spacing:
             low, high = self.hull(name, _itself, at_half_spacing)
             is_wider = (own[0] - low > _SAME * abs(own[0])) | (high - own[1] > _SAME * abs(own[1]))
@@ -199,9 +200,9 @@ class Ranges:
         yield True, low_of_all, high_of_all, LAW_IN_USE
 
     def _of_water(self, name: str, own: Ends) -> Rule:
-        """Return the rule for condensed water: the exact meniscus or, where there is a gap, its force as an upper end.
+        """Return the rule for condensed water: up to the exact meniscus force or, with a gap, any force up to it.
 
-        The first order counts as exact for a meniscus so small that the two differ by less than half a percent.
+        The first-order force counts as exact for small menisci, where it is within half a percent of the exact force.
         """
         if name != "meniscus_force":
             return True, *own, KELVIN
@@ -211,7 +212,7 @@ class Ranges:
         return True, own[0], own[1] * where(size > 0.05, 1 + 2 * size * size, 1.0), KELVIN
 
     def _of_sticking(self, name: str, own: Ends) -> Iterator[Rule]:
-        """Iterate over the rules for the largest speed or energy at which hard spheres stick, by measurements."""
+        """Iterate over the rules, from measurements, for the largest speed or energy at which hard spheres stick."""
         if VISCOUS_TIME in self.frame.stated:
             return
         power, stuck = _STICKING[name], what_stuck(self.frame)
@@ -263,7 +264,7 @@ class Ranges:
         yield True, low, high, XI_UNKNOWN
 
     def at_full_hysteresis(self, name: str, *laws: Make) -> Ends:
-        """Return the ends of a result if all of the work of adhesion is lost, by the better law or by the given laws."""
+        """Return the ends of a result if all of the work of adhesion is lost, by the better law or by these laws."""
         makers = (then(law, at_full_hysteresis) for law in laws or _BETTER)
         return self.hull(name, *makers, needs="hysteresis_ratio")
 
@@ -286,8 +287,8 @@ class Ranges:
     def hull(self, name: str, *makers: Make, needs: str = "") -> Ends:
         """Return the least and the largest value of a result over variants of the frame, uncertainties included.
 
-        An end is open where the next value beyond it has no meaning. A variant counts in the rows in which it has the
-        quantity `needs`, too.
+        An end is open in the rows in which a variant beyond it has no meaning. With `needs`, a variant counts only in
+        rows where it also has that quantity.
         """
         low: Any = inf
         high: Any = -inf
@@ -319,7 +320,7 @@ class Ranges:
     def _ends(self, make: Make) -> Mapping[str, tuple[Any, Any, Any]]:
         """Return the ends of results in a variant of the frame, with the rows in which they have no meaning.
 
-        They are the ends of the uncertainty, or the value itself. Each variant is computed once.
+        The ends are those of the uncertainty; without one, both are the value. Each variant is computed once.
         """
         if make not in self._made:
             self._made[make] = {}
@@ -336,7 +337,7 @@ class Ranges:
 
     @property
     def _is_hard(self) -> Any:
-        """The rows whose solids are too hard to close over their roughness."""
+        """The rows whose solids are too stiff to flatten their roughness."""
         return self.frame.numbers("contact_modulus").get("contact_modulus", 0.0) >= SOFT
 
     @property
@@ -350,7 +351,10 @@ class Ranges:
         return self.frame["pull_off_force_dmt"] / self.frame["pull_off_force"]
 
     def _by_lennard_jones(self, name: str) -> Ends:
-        """Return a result by Lennard-Jones' law, and its upper end; energies only without a jump."""
+        """Return a result by Lennard-Jones' law, and its upper end.
+
+        For energies, the law applies only to contacts without a jump.
+        """
         power, base, by_law = _BY_LENNARD_JONES[name]
         own, ours, theirs = (self.frame.column(each).values for each in (name, base, by_law))
         own_most, most, most_of_law = (self.hull(each, _itself)[1] for each in (name, base, by_law))
@@ -364,8 +368,8 @@ class Ranges:
 def _ends_by(make: Make, frame: Frame, names: Iterable[str]) -> dict[str, tuple[Any, Any, Any]]:
     """Return the ends of quantities in a variant of a frame, with the rows in which a limit ends their meaning.
 
-    They are the ends of the uncertainty; without one, both are the value. For several rows, raises the error of their
-    uncertainties; a single row then has none.
+    The ends are those of the uncertainty; without one, both are the value. If uncertainties cannot be computed, raises
+    the error for several rows; a single row gets no uncertainty.
     """
     other = make(frame)
     columns, bars = other.columns(other.possible(names)), dict[str, ErrorBar]()

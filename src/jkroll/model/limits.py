@@ -207,7 +207,7 @@ def _has_speed(frame: Frame, names: Collection[str]) -> bool:  # noqa: ARG001
 
 def _too_slow(name: str, least: float, code: str, energy: str) -> Limit:
     """Return the limit of a rolling distance: the energy, in units of the yield energy, above which a sphere rolls."""
-    consequence = f"{energy} cannot make it roll"
+    consequence = f"{energy} is too little to start rolling"
     return Limit("energy_over_yield", frozenset({name}), "<=", {least: code}, consequence, ends_meaning=True)
 
 
@@ -244,8 +244,8 @@ ENDING = (
         "not even one sphere can be held out level: it rolls down, or falls off if Bo is below 1",
         ends_meaning=True,
     ),
-    _too_slow("n_roll", 7 / 2, "does-not-roll-sliding", "the 2/7 of its energy after sliding"),
-    _too_slow("n_roll_after_impact", 7 / 5, "does-not-roll-after-impact", "the 5/7 of its energy after the impact"),
+    _too_slow("n_roll", 7 / 2, "does-not-roll-sliding", "the 2/7 of its energy left after sliding"),
+    _too_slow("n_roll_after_impact", 7 / 5, "does-not-roll-after-impact", "the 5/7 of its energy left after impact"),
     _too_slow("n_roll_energy_balance", 1.0, "does-not-roll", "its energy"),
     Limit(
         "flight_ratio", _TURNS, ">", {1.0: "flies-off"},
@@ -336,7 +336,7 @@ INEXACT = (
     ),
     Limit(
         "radius", _PULLED, ">=", {SURFACES_FROM: ROUGH_MATTERS},
-        "forces measured on rough, hard spheres were 1/2 to 1/100 of this",
+        "rough spheres held 1/2 to 1/100 of this; below R = 1 µm nothing was measured",
         lambda _, names: not _PULLED.isdisjoint(names),
         factor=lambda frame, _: at_most(frame["radius"], frame["radius2"]),
         where=may_be_rough,
@@ -365,7 +365,7 @@ INEXACT = (
     ),
     Limit(
         "hertz_pressure_over_modulus", _ELASTICITY, ">", {0.1: "may-yield"},
-        "it probably yields, as the pressure exceeds what even a flawless solid bears; no plasticity is modelled",
+        "the pressure is more than even flawless solids bear: take values as a rough guide; no plasticity is modelled",
         where=_is_not_rubbery,
     ),
     Limit(

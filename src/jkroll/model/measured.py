@@ -5,8 +5,8 @@ from functools import cache, partial
 from typing import Any, NamedTuple
 
 from ..materials.library import Material
+from ..physics.contact import pull_off_force
 from ..physics.elementary import at_least, at_most, cbrt, where
-from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import INFINITY, XI
 from .frame import IN_ITS_PLACE, Frame
 from .plan import depends_on
@@ -200,9 +200,9 @@ class Surface(NamedTuple):
 
 
 SURFACES: Mapping[str, Surface] = {
-    "on glass in dry air": Surface(1 / 4, 1 / 2, "1/4–1/2", "smooth spheres of 5 and 20 µm"),
-    "on glass in humid air": Surface(1 / 2, 4 / 5, "1/2–4/5", "the same at 67 %"),
-    "for rough grains in air": Surface(1 / 100, 1 / 10, "1/100–1/10", "tens of µm"),
+    "glass in dry air": Surface(1 / 4, 1 / 2, "1/4–1/2", "smooth spheres of 5 and 20 µm"),
+    "glass in humid air": Surface(1 / 2, 4 / 5, "1/2–4/5", "the same at 67 % humidity"),
+    "rough grains in air": Surface(1 / 100, 1 / 10, "1/100–1/10", "grains of tens of µm"),
 }
 SURFACES_FROM = 1e-6  # radius of the smallest spheres to which these fractions are scaled, in m
 ENERGY_ON_SURFACES = 0.025  # surface energy of the JKR force that these fractions refer to, in J/m²
@@ -213,10 +213,11 @@ def on_surfaces(frame: Frame, ends: tuple[float, float] | None = None) -> Mappin
 
     For SiO2 these are the measured forces, whatever surface energy the pair has.
     """
-    force = frame.under(DEFAULT_LAW)["pull_off_force"]
+    radius, energy = frame["reduced_radius"], frame["work_of_adhesion"]
+    force = float(pull_off_force(work_of_adhesion=energy, reduced_radius=radius))  # JKR lacks rigid bodies
     low, high = ends or (force, force)
     if solid_of_pair(frame) == SIO2:
-        low = high = force * 2 * ENERGY_ON_SURFACES / frame["work_of_adhesion"]
+        low = high = force * 2 * ENERGY_ON_SURFACES / energy
     return {name: (low * surface.low, high * surface.high) for name, surface in SURFACES.items()}
 
 

@@ -112,7 +112,7 @@ class Answered(Shown):
     @cached_property
     def why(self) -> Mapping[str, str]:
         """The explanations of the best ranges, by the name of the rule: what a range includes and leaves out."""
-        return {WORDS[by]: text for by, text in self._answer.whys.items() if text}
+        return {WORDS[by]: self._answer.why(by) for by, reasons in self._answer.whys.items() if reasons}
 
     @cached_property
     def rows(self) -> Mapping[str, Row]:

@@ -132,11 +132,12 @@ def frames_of_curve(frame: Frame, loads: Loads | None = None, steps: int = STEPS
 
 
 def lead_of_curve(report: Report) -> str:
-    """Return the best ranges of a force curve, and Maugis' law if it gives a better curve."""
+    """Return the best ranges of a force curve, and whether Maugis' law gives a better curve."""
     text = f"best ranges: {report.best_ranges}"
-    if BETTER_LAW in report.rules:
-        text += "; the curve by Maugis' law: --model maugis"
-    return text
+    by_maugis = [name for name, estimate in report.estimates.items() if estimate.by == BETTER_LAW]
+    if by_maugis == ["pull_off_force"]:
+        return f"{text}; the curve is within 5 % of Maugis' law, except where the spheres part"
+    return f"{text}; take the curve by Maugis' law: --model maugis" if by_maugis else text
 
 
 def answer_at_state(question: Question, frame: Frame) -> Report:

@@ -19,7 +19,7 @@ from .notes import Note
 # The factor between an inferred value and the library's above which a note reports it, and the question of the note.
 _FAR = {
     **dict.fromkeys(("surface_energy", "work_of_adhesion"), (5.0, "probably rough or wet surfaces;")),
-    "youngs_modulus": (2.0, "probably not the contact of one smooth sphere;"),
+    "youngs_modulus": (2.0, "probably not the contact of one smooth sphere, so do not take it;"),
 }
 
 
@@ -80,7 +80,7 @@ def _about_library(answer: Answer) -> Iterator[Note]:
         times = f"{sizes} times" if nearest > 1 else f"1/{sizes.replace('–', ' to 1/')} of"
         whose = f"{listed(solids_of(answer.described, name))}'s ({amount(name, usual, Format(digits=3))})"
         symbol = symbol_among(name, answer.inputs)
-        yield Note("lead", f"{symbol} is {times} {whose}: {question} jkroll guide measurements")
+        yield Note("lead", f"{symbol} would be {times} {whose}: {question} see jkroll guide measurements")
 
 
 def _distance(factor: float) -> float:

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from math import isnan, sqrt
+from typing import NamedTuple
 
 from ..model.estimate import (
     ADHESION_ONLY,
@@ -23,11 +24,11 @@ from ..quantities.nomenclature import XI
 from ..text import listed
 from .answer import Answer
 from .notes import Note
-from .ranges import held_on_surfaces, range_in_words
+from .ranges import held_on_surfaces, of_silica, range_in_words
 
 _TWO, _THREE, _FOUR = Format(digits=2), Format(digits=3), Format(digits=4)
 _AFTER_IMPACT = "n_roll_after_impact"  # needs a speed
-_WIDE = 2  # ratio of the ends from which a range is followed by a single number
+_WIDE = 2  # ranges whose ends differ by at least this factor are followed by a single number
 
 
 def leads(answer: Answer) -> Iterator[Note]:
@@ -37,8 +38,7 @@ def leads(answer: Answer) -> Iterator[Note]:
     water = [*_water_or_dry(answer)]
     yield from water
     if answer.is_on_pull_off and answer.estimates["pull_off_force"].by != NONE and not water:
-        force = range_in_words("pull_off_force", answer.estimates["pull_off_force"])
-        yield Note("lead", f"if ideally smooth, they are pulled apart by {force}; {held_on_surfaces(answer.frame)}")
+        yield Note("lead", _pulled_apart(answer))
     if "sliding_or_peeling_force" in answer.values and "yield_force" in answer.estimates:
         yield Note("lead", _first_to_give_way(answer))
     if answer.is_of_impact and answer.estimates["sticking_speed"].by != NONE:
@@ -48,14 +48,27 @@ def leads(answer: Answer) -> Iterator[Note]:
     if "impact_pressure" in answer.values:
         is_known = not answer.frame.missing(["first_yield_pressure"])
         yield Note("lead" if is_known else "more", _elastic_or_not(answer.frame))
-    if answer.question.lead and (lead := _filled(answer)):
-        yield Note("lead", lead)
+    for sentence in answer.question.leads:
+        lead = _filled(sentence, answer)
+        if lead:
+            yield Note("lead", lead)
+    if XI_UNKNOWN in answer.rules and answer.frame.missing(["work_of_adhesion"]):
+        silica = of_silica(answer)
+        if silica:
+            yield Note("lead", silica)
     if "tabor_parameter" in answer.question.named and "tabor_parameter" in answer.values:
         yield Note("lead", _law_that_holds(answer))
 
 
-def options_for_centre(answer: Answer) -> str:
-    """Return the options that make the law give the centres of the best ranges of P_c and M; empty if none do.
+class Centre(NamedTuple):
+    """A frame at the centres of the best ranges of P_c and M, and the options that give it."""
+
+    frame: Frame
+    options: str
+
+
+def centre_of(answer: Answer) -> Centre | None:
+    """Return the frame whose law gives the centres of the best ranges of P_c and M; None if there is none.
 
     For identical spheres P_c is proportional to γ, and the moment M that starts rolling is proportional to ξ.
     """
@@ -64,12 +77,13 @@ def options_for_centre(answer: Answer) -> str:
     centres = [sqrt(estimate.low * estimate.high) for estimate in found]  # nan where an end is open
     is_chosen = frame.stated_model or not frame.given.keys().isdisjoint({"work_of_adhesion", *IN_ITS_PLACE})
     if len(centres) < len(names) or any(map(isnan, centres)) or is_chosen or not frame.is_identical or frame["load"]:
-        return ""
+        return None
     force, moment = centres
-    energy = frame["work_of_adhesion"] / 2 * force / frame["pull_off_force"]
-    lag = frame[XI] * moment / frame.replace(surface_energy=energy)["yield_moment"]
+    energy = float(f"{frame['work_of_adhesion'] / 2 * force / frame['pull_off_force']:.3g}")
+    lag = float(f"{frame[XI] * moment / frame.replace(surface_energy=energy)['yield_moment']:.3g}")
     options = (("--gamma", "surface_energy", energy), ("--xi", XI, lag))
-    return " ".join(f"{option} {amount(name, value, _THREE).replace(' ', '')}" for option, name, value in options)
+    words = (f"{option} {amount(name, value, _THREE).replace(' ', '')}" for option, name, value in options)
+    return Centre(frame.replace(**{"surface_energy": energy, XI: lag}), " ".join(words))
 
 
 def _what_it_means(answer: Answer) -> str:
@@ -86,29 +100,39 @@ def _what_it_means(answer: Answer) -> str:
             texts.append(f"{symbol} = {amount(result.name, result.measure or 0.0, _FOUR)}")
     frame = answer.described
     is_of_both = "surface_energy" in frame.unknowns and frame.material2 is None and "surface_energy2" not in frame.given
-    return f"the measurement implies {listed(texts)}{'; w = 2γ' if is_of_both else ''}"
+    of_both = "; w = 2γ" if is_of_both else ""
+    error = "" if frame.uncertainties else "; its error is not in this: write it as 300±20nN"
+    return f"the measurement implies {listed(texts)}{of_both}{error}"
 
 
-def _filled(answer: Answer) -> str:
-    """Return the sentence of the question, with best ranges filled in; empty if one is missing."""
+def _pulled_apart(answer: Answer) -> str:
+    force = range_in_words("pull_off_force", answer.estimates["pull_off_force"])
+    held = held_on_surfaces(answer.frame)
+    if answer.shows_surfaces:
+        return f"{held}; ideally smooth spheres are pulled apart by {force}, the upper limit"
+    return f"ideally smooth spheres are pulled apart by {force}; {held}"
+
+
+def _filled(sentence: str, answer: Answer) -> str:
+    """Return a sentence of the question, with best ranges filled in; empty if one is missing."""
     found = {name: estimate for name, estimate in answer.estimates.items() if estimate.by != NONE}
     words = {name: _spoken(name, each) for name, each in found.items()}
-    if "{or_none}" in answer.question.lead:  # a sentence that can say so
+    if "{or_none}" in sentence:  # it has room for "none"
         words |= dict.fromkeys(answer.ended, "none")
     (first, *others) = answer.question.headline
     for name, estimate in found.items():
         words[name] += _middle(name, estimate, is_short=bool(others) or name != first)
     is_open = any(isnan(found[name].low) for name in answer.question.headline if name in found)
     words["or_none"] = ", or not at all" if is_open else ""
-    words["after_impact"] = f", {words[_AFTER_IMPACT]} after it met a held body" if _AFTER_IMPACT in words else ""
+    words["after_impact"] = f", {words[_AFTER_IMPACT]} after hitting a fixed body" if _AFTER_IMPACT in words else ""
     try:
-        return answer.question.lead.format_map(words)
+        return sentence.format_map(words)
     except KeyError:
         return ""
 
 
 def _spoken(name: str, estimate: Estimate) -> str:
-    """Return a best range as a sentence says it; it is approximate if ξ is unknown."""
+    """Return a best range in words; an open range starts with "about" if ξ is unknown."""
     text = range_in_words(name, estimate)
     about = "about " if estimate.by == XI_UNKNOWN else ""
     if text.startswith("≥ "):
@@ -128,31 +152,31 @@ def _middle(name: str, estimate: Estimate, *, is_short: bool) -> str:
 def _first_to_give_way(answer: Answer) -> str:
     rolling, sliding = (answer.estimates[name] for name in ("yield_force", "sliding_or_peeling_force"))
     force = range_in_words("yield_force", sliding)
-    why = "below F_slide and T_peel, as shear shrinks the contact"
-    gives = f"it {_slides_or_peels(answer)} at {force} (T_first, {why})"
+    gives = f"it {_slides_or_peels(answer)} at {force} (T_first)"
     rolls = range_in_words("yield_force", rolling)
     if rolling.high < sliding.low:
-        return f"pushed, it rolls first ({rolls}); held from rolling, {gives}"
+        return f"a pushed sphere rolls first ({rolls}); kept from rolling, {gives}"
     if rolling.low > sliding.high:
-        return f"pushed, {gives}; to roll it takes {rolls}"
-    return f"pushed, it rolls first if ξ is small ({rolls}); else {gives}"
+        return f"pushed, a sphere does not roll, which takes {rolls}: before that, {gives}"
+    return f"a pushed sphere rolls first if ξ is small ({rolls}); otherwise {gives}"
 
 
 def _water_or_dry(answer: Answer) -> Iterator[Note]:
-    """Iterate over at most one sentence: whether the dry contact or a meniscus of water pulls more."""
+    """Iterate over at most one sentence: whether the dry contact or a meniscus of water pulls harder."""
     dry = answer.estimates.get("pull_off_force")
     if dry is None or dry.by == NONE:
         return
     force = f"the dry contact with {range_in_words('pull_off_force', dry)}"
     fills = _filled_gap(answer.frame)
     if answer.is_in_doubt(GAP_STAYS_DRY):
-        yield Note("lead", f"the dry contact decides: {fills}")
+        yield Note("lead", f"the dry contact alone pulls: {fills}")
     elif "meniscus_force" in answer.values:
         wet = answer.estimates["meniscus_force"]
         meniscus = range_in_words("meniscus_force", wet).replace("≤", "at most")
         is_wet, is_dry = wet.low > dry.high, wet.high < dry.low
-        verdict = "water decides" if is_wet else "the dry contact decides" if is_dry else "either may decide"
-        less = "; rough surfaces hold less of both" if answer.is_on_pull_off else ""
+        which = "water pulls" if is_wet else "the dry contact pulls" if is_dry else "either may pull"
+        verdict = f"{which} harder: take that force, not the sum"
+        less = "; roughness weakens both" if answer.is_on_pull_off else ""
         yield Note("lead", f"{verdict}: {fills and fills + '; '}a meniscus pulls with {meniscus}, {force}{less}")
 
 
@@ -162,7 +186,7 @@ def _filled_gap(frame: Frame) -> str:
     if len(known) < 2:
         return ""
     threshold = significant(100 * known["threshold_humidity"], 2)
-    return f"water fills the gap of {amount('roughness_gap', known['roughness_gap'])} from {threshold} % humidity on"
+    return f"water fills the gap of {amount('roughness_gap', known['roughness_gap'])} only above {threshold} % humidity"
 
 
 def _slides_or_peels(answer: Answer) -> str:
@@ -182,17 +206,18 @@ def _stick_or_bounce(answer: Answer) -> str:
     sticking = answer.estimates["sticking_speed"]
     sides = range_in_words("sticking_speed", sticking)
     is_below, is_above = speed < sticking.low, speed > sticking.high
-    verdict = "they stick" if is_below else "they bounce" if is_above else "they may stick or bounce"
+    verdict = "stick" if is_below else "bounce" if is_above else "may stick or bounce"
     stuck = what_stuck(answer.frame)
     is_carried = stuck is not None and stuck.has_size(answer.frame) and not stuck.is_near(answer.frame)
-    source = "scaled from measured ones" if is_carried and sticking.by == MEASURED else WORDS[sticking.by]
-    text = f"at {amount('speed', speed)} {verdict}: the largest speed to stick is {sides} ({source})"
+    source = "scaled from measured speeds" if is_carried and sticking.by == MEASURED else WORDS[sticking.by]
+    text = f"at {amount('speed', speed)} the spheres {verdict}: the sticking speed is {sides} ({source})"
     left, alone = answer.estimates["restitution"], answer.values.get("restitution", 0.0)
     if is_below and alone > 0:
         return f"{text}; by adhesion alone they would bounce, e = {significant(alone, 2)}"
     if is_below or isnan(left.high) or left.by != ADHESION_ONLY:
         return text
-    return f"{text}; if they bounce, adhesion alone leaves e = {from_to(answer.values['restitution'], left.high)}"
+    if_needed = "" if is_above else "if they bounce, "
+    return f"{text}; {if_needed}adhesion alone leaves e = {from_to(answer.values['restitution'], left.high)}"
 
 
 def _enough_to_roll(frame: Frame) -> Iterator[Note]:
@@ -209,7 +234,8 @@ def _enough_to_roll(frame: Frame) -> Iterator[Note]:
     elif energy > least.high:
         verdict = "rolls"
     has, needs = amount("energy", energy, _TWO), range_in_words("yield_energy", least)
-    yield Note("lead", f"it {verdict}: it has {has} and needs more than {needs}")
+    needs += _middle("yield_energy", least, is_short=True)
+    yield Note("lead", f"the sphere {verdict}: it has {has}, and to begin rolling takes {needs}")
 
 
 def _law_that_holds(answer: Answer) -> str:
@@ -224,14 +250,14 @@ def _elastic_or_not(frame: Frame) -> str:
     peak = _pressure(frame, "impact_pressure")
     if frame.missing(["first_yield_pressure"]):
         rest = _pressure(frame, "hertz_pressure")
-        return f"elastic if the solids bear a peak pressure of {peak} (p_H at rest is {rest}): --yield-strength"
+        return f"the impact is elastic if the solids bear {peak}, its peak pressure (at rest: {rest}): --yield-strength"
     first, full = _pressure(frame, "first_yield_pressure"), _pressure(frame, "plastic_pressure")
-    limits = f"peak pressure {peak}; first yield at {first} below the surface, full yield at {full}"
+    limits = f"the peak pressure is {peak}; below the surface, yield starts at {first} and is complete at {full}"
     if frame["impact_pressure"] < frame["first_yield_pressure"]:
-        return f"it stays elastic: {limits}"
+        return f"the impact stays elastic: {limits}"
     how = "fully" if frame["impact_pressure"] >= frame["plastic_pressure"] else "below the surface"
-    at_rest = "even if they touch at zero speed" if frame["touch_pressure"] >= frame["first_yield_pressure"] else ""
-    return f"it yields {how}{at_rest and ', ' + at_rest}, so e is an upper bound: {limits}"
+    at_rest = ", even if they touch at zero speed" if frame["touch_pressure"] >= frame["first_yield_pressure"] else ""
+    return f"the spheres yield {how}{at_rest}, so e is an upper bound: {limits}"
 
 
 def _pressure(frame: Frame, name: str) -> str:

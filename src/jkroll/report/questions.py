@@ -20,12 +20,13 @@ class Question:
         quantities: tuple[str, ...],  # all quantities shown, in this order
         named: tuple[str, ...] = (),  # asked for by name: always shown
         without_row: tuple[str, ...] = (),  # for programs only: not in the table of an answer
-        lead: str = "",  # the answering sentence; a name in braces stands for the best range of a quantity
-        groups: Mapping[str, str] = MappingProxyType({}),  # titles in the table, by the first quantity below each
+        leads: str = "",  # the answering sentences, one a line; a name in braces stands for a best range
+        groups: Mapping[str, str] = MappingProxyType({}),  # by title: the quantities below it, at the end of the table
         if_stated: Mapping[str, tuple[str, ...]] = MappingProxyType({}),  # in the table only if one of these is stated
     ) -> None:
         self.headline, self.quantities, self.named, self.without_row = headline, quantities, named, without_row
-        self.lead, self.groups, self.if_stated = lead, groups, if_stated
+        self.leads, self.if_stated = leads.splitlines(), if_stated
+        self.groups = {title: (*names.split(),) for title, names in groups.items()}
 
     @property
     def with_row(self) -> list[str]:
@@ -37,12 +38,12 @@ def _question(
     headline: str,
     quantities: str = "",
     without_row: str = "",
-    lead: str = "",
+    leads: str = "",
     groups: Mapping[str, str] = MappingProxyType({}),
 ) -> Question:
     """Return the question of a command; quantities are separated by blanks."""
     every = (*(quantities or headline).split(),)
-    return Question((*headline.split(),), every, without_row=(*without_row.split(),), lead=lead, groups=groups)
+    return Question((*headline.split(),), every, without_row=(*without_row.split(),), leads=leads, groups=groups)
 
 
 _QUESTIONS = {
@@ -55,13 +56,13 @@ _QUESTIONS = {
     "yield-force": _question(
         "yield_force",
         "yield_force yield_force_fixed_load yield_force_ratio yield_moment yield_angle yield_displacement",
-        lead="pushed at its centre, a sphere starts to roll at {yield_force}",
+        leads="pushed at its centre, a sphere starts to roll at {yield_force}",
     ),
-    "r-min": _question("r_min", lead="a chain bends down to a radius of {r_min} before a contact of it rolls"),
+    "r-min": _question("r_min", leads="a chain bends down to a radius of {r_min} before one of its contacts rolls"),
     "n-grav": _question(
         "n_grav",
         "n_grav gravity_moment bond_number",
-        lead="spheres in the longest chain that stays level, held at one end: {n_grav}; in a longer one the first "
+        leads="spheres in the longest chain that stays level, held at one end: {n_grav}; in a longer one the first "
         "contact rolls",
     ),
     "frequencies": _question(
@@ -69,14 +70,14 @@ _QUESTIONS = {
         "vertical_frequency rolling_frequency rolling_frequency_as_printed rolling_frequency_no_slip "
         "sliding_frequency twisting_frequency rayleigh_time",
         without_row="rolling_frequency_as_printed",
-        lead="free to move, they vibrate with {vertical_frequency} along their centres, {rolling_frequency} in "
-        "rolling, {sliding_frequency} in sliding and {twisting_frequency} in twisting",
+        leads="free spheres vibrate with {vertical_frequency} along their centres, {rolling_frequency} in rolling, "
+        "{sliding_frequency} in sliding and {twisting_frequency} in twisting",
     ),
     "n-roll": _question(
         "n_roll",
         "n_roll_after_impact n_roll n_roll_energy_balance",
-        lead="turns relative to the other: {n_roll_energy_balance} if it rolls from the start{after_impact}, {n_roll} "
-        "once it has slid{or_none}",
+        leads="turns against the other sphere: {n_roll_energy_balance} if it rolls from the start{after_impact}, "
+        "{n_roll} once it has slid{or_none}",
     ),
     "contact": _question(
         "contact_radius_at_load approach_at_load",
@@ -86,14 +87,14 @@ _QUESTIONS = {
         # energies belong to contacts without load: see `energies`
         without_row="load_ratio contact_radius_ratio approach_ratio well_energy pull_off_work "
         "pull_off_work_at_dead_load sticking_energy",
-        lead="the contact has a radius of {contact_radius_at_load} at an approach of {approach_at_load}",
+        leads="the contact has a radius of {contact_radius_at_load} at an approach of {approach_at_load}",
     ),
     "moment": _question(
         "yield_moment",
         "yield_moment yield_displacement unloaded_moment half_circles_moment fixed_approach_moment rolling_stiffness "
         "mean_rolling_moment mean_rolling_force",
         without_row="half_circles_moment fixed_approach_moment",  # approximations of the first
-        lead="rolling starts at {yield_moment}, the threshold for a simulation; the mean while it rolls is half of "
+        leads="rolling starts at {yield_moment}, the threshold for a simulation; the mean while it rolls is half of "
         "that, {mean_rolling_moment}",
     ),
 }
@@ -106,8 +107,8 @@ _REPORT = Question(
         *(name for asked in _QUESTIONS.values() for name in asked.quantities if name in (*asked.headline, *_CONTRARY)),
         *("roll_energy_quarter_turn", "sticking_speed"),
     ),
-    lead="they roll from {yield_force} on, stick up to {sticking_speed} and, if ideally smooth, are pulled apart by "
-    "{pull_off_force}",
+    leads="a push of {yield_force} starts rolling; the sticking speed is {sticking_speed}; ideally smooth spheres are "
+    "pulled apart by {pull_off_force}",
     if_stated=dict.fromkeys(_TURNS, ("energy", "energy_ratio", "speed")),
 )
 QUESTIONS: Mapping[str, Question] = {
@@ -121,9 +122,16 @@ QUESTIONS: Mapping[str, Question] = {
         "sticking_energy sticking_energy_paszun_dominik sticking_energy_pencil_code roll_energy "
         "roll_energy_quarter_turn roll_energy_half_turn sticking_speed sticking_speed_paszun_dominik "
         "sticking_speed_pencil_code",
-        lead="to part them takes {pull_off_work} if free or held by stiff grips, {pull_off_work_at_dead_load} by a "
-        "soft spring (most AFMs); to roll by a quarter turn, {roll_energy_quarter_turn}, the threshold M times π/2; "
-        "they stick up to {sticking_speed}",
+        leads="separating the spheres takes {pull_off_work} if they are free or held by stiff grips, "
+        "{pull_off_work_at_dead_load} by a soft spring (most AFMs)\n"
+        "rolling by a quarter turn takes {roll_energy_quarter_turn}: M times π/2, as D&T 97; half with the mean "
+        "moment\n"
+        "the sticking speed is {sticking_speed}",
+        groups={
+            "by other conventions": "fold_energy break_energy_dust_simulation "
+            "sticking_energy_paszun_dominik sticking_energy_pencil_code sticking_speed_paszun_dominik "
+            "sticking_speed_pencil_code",
+        },
     ),
     "impact": _question(
         "restitution",
@@ -136,9 +144,10 @@ QUESTIONS: Mapping[str, Question] = {
         "sliding_or_peeling_force tangential_stiffness sliding_displacement sliding_force sliding_energy "
         "peeling_force peeling_radius twisting_stiffness twisting_angle twisting_moment twisting_energy",
         groups={
-            "rolling_stiffness": "to roll",
-            "sliding_or_peeling_force": "to slide or peel off",
-            "twisting_stiffness": "to twist",
+            "to roll": "rolling_stiffness yield_displacement yield_angle yield_force yield_moment yield_energy",
+            "to slide or peel off": "sliding_or_peeling_force tangential_stiffness sliding_displacement sliding_force "
+            "sliding_energy peeling_force peeling_radius",
+            "to twist": "twisting_stiffness twisting_angle twisting_moment twisting_energy",
         },
     ),
     "aggregates": _question(
@@ -146,8 +155,13 @@ QUESTIONS: Mapping[str, Question] = {
         "restructuring_energy restructuring_speed restructuring_energy_ormel restructuring_speed_ormel "
         "disruption_energy disruption_speed disruption_energy_dust_simulation disruption_speed_dust_simulation "
         "compressive_strength tensile_strength",
-        lead="two equal aggregates that meet begin to restructure at {restructuring_speed} (by D&T 97, which measured "
-        "rolling forces bear out; Ormel's rule is too low) and to break up at {disruption_speed} (by Wada 07)",
+        leads="two equal aggregates that collide begin to restructure at {restructuring_speed} (D&T 97; measured "
+        "rolling forces support it, and not Ormel's rule)\n"
+        "they begin to break up at {disruption_speed} (Wada 07)",
+        groups={
+            "by other rules": "restructuring_energy_ormel restructuring_speed_ormel "
+            "disruption_energy_dust_simulation disruption_speed_dust_simulation",
+        },
     ),
 }
 EVERYTHING = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities))

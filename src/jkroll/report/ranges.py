@@ -1,6 +1,6 @@
 """Sentences that explain best ranges: the rule that gives a range, and the effects it includes or leaves out."""
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from math import isnan, nan
 
 from ..materials.library import known_materials
@@ -48,12 +48,11 @@ _MOST = 3  # results in a note
 _ALIKE = 0.01  # relative difference of radii below which nothing is scaled
 
 
-def lines_on_rules(rules: Iterable[int], names: Collection[str]) -> Iterator[str]:
-    """Iterate over a line for each rule that gives ranges in a table of these quantities."""
+def lines_on_rules(rules: Iterable[int]) -> Iterator[str]:
+    """Iterate over a line for each rule that gives ranges in a table."""
     for by in dict.fromkeys(rules):
         if by in _WORDS:
-            surfaces = f"; {_OF_SMOOTH}" if by in (BETTER_LAW, BOUNDS) and "pull_off_force" in names else ""
-            yield f"{WORDS[by]}: {_WORDS[by]}{surfaces}"
+            yield f"{WORDS[by]}: {_WORDS[by]}"
 
 
 def range_in_words(name: str, estimate: Estimate) -> str:
@@ -67,11 +66,12 @@ def range_in_words(name: str, estimate: Estimate) -> str:
     return span(name, low, high)
 
 
-def why(by: int, answer: Answer) -> str:
-    """Return the reason for the ranges by one rule, and the effects they include; empty for the law in use."""
-    if by == LAW_ONLY and (lack := lack_by_better_law(answer)):
-        return lack
-    return _OF_ANSWER[by](answer) if by in _OF_ANSWER else _WORDS.get(by, "")
+def reasons_for(by: int, answer: Answer) -> Iterator[str]:
+    """Iterate over the reasons for the ranges by one rule: first the line for a table, then the details."""
+    if by in _OF_ANSWER:
+        yield from filter(None, _OF_ANSWER[by](answer))
+    elif by in _WORDS:
+        yield _WORDS[by]
 
 
 def made_of(name: str, answer: Answer) -> str:
@@ -98,39 +98,34 @@ def held_on_surfaces(frame: Frame) -> str:
     """Return the pull-off force of real surfaces: for SiO2 as measured, for other solids as a fraction of JKR's."""
     radii = frame.numbers("radius", "radius2").values()
     if min(radii, default=2 * frame["reduced_radius"]) < SURFACES_FROM:
-        return "rough ones hold less: 1/2 to 1/100 of P_c if R is 1 µm or more, smaller ones were not measured"
+        return "rough ones hold less: 1/2 to 1/100 from R = 1 µm on, not measured below"
     if solid_of_pair(frame) != SIO2:
-        return f"real surfaces hold less (of JKR's force, measured for SiO2 only: {_ON_SURFACES})"
-    forces = (f"{span('pull_off_force', *ends)} {surface}" for surface, ends in on_surfaces(frame).items())
-    return f"real surfaces hold less: {', '.join(forces)}"
+        return "rough spheres hold less: SiO2, which alone was measured, held 1/2 to 1/100 of JKR's force"
+    forces = (f"{span('pull_off_force', *ends)} ({surface})" for surface, ends in on_surfaces(frame).items())
+    return f"real surfaces hold {', '.join(forces)}"
 
 
 def about_surfaces(frame: Frame) -> str:
     """Return the fractions of JKR's pull-off force that were measured, and the surfaces they belong to."""
-    parts = ", ".join(f"{surface.fraction} {name} ({surface.spheres})" for name, surface in SURFACES.items())
+    parts = ", ".join(f"{surface.fraction} ({surface.spheres})" for surface in SURFACES.values())
     energy, radius = amount("surface_energy", ENERGY_ON_SURFACES), amount("radius", frame["radius"])
-    choice = "take glass for microspheres, rough grains for broken or natural ones; smooth is an upper limit"
-    return f"{choice}. Scaled to {radius} as parts of JKR's force at γ = {energy}: {parts}; not measured in vacuum"
+    return f"parts of JKR's force at γ = {energy}, scaled to {radius}: {parts}"
 
 
-_ON_SURFACES = ", ".join(f"{surface.fraction} {name}" for name, surface in SURFACES.items())
 _OF_SMOOTH = "P_c is that of smooth, dry spheres: rough ones hold less"
 _SEEN = f"hard spheres were seen to stick at 1–{MOST_SEEN} times JKR's speed"
 _WORDS: Mapping[int, str] = {
-    MEASURED: f"{_SEEN}; for SiO2 of 0.1–3 µm the speeds measured on a plane, scaled like JKR's",
-    SCALED: "rolling forces measured on this solid, scaled with R^(2/3) to R",
-    XI_UNKNOWN: "not measured: from ξ = 2 Å (one atom) to where all of the work of adhesion is lost; give --xi",
-    ADHESION_ONLY: "adhesion alone loses at most this; any other loss comes on top and lowers e",
-    FRICTION_ASSUMED: (
-        "sliding and twisting rest on τ = G/4π², known to an order of magnitude, and on JKR's area: the range covers "
-        "τ/3 to 3τ (--shear-strength)"
-    ),
-    SPACING_ASSUMED: "the range is of z0 = 2–4 Å, as far as it is known; give --z0",
+    MEASURED: f"{_SEEN}; SiO2 of 0.1–3 µm: as measured, scaled",
+    SCALED: "from forces that were measured on this solid, by R^(2/3) to R",
+    XI_UNKNOWN: "from ξ = 2 Å (one atom) to where all of w is lost; --xi narrows it",
+    ADHESION_ONLY: "adhesion alone loses at most this; any other loss comes on top",
+    FRICTION_ASSUMED: "known to an order of magnitude, from τ/3 to 3τ (--shear-strength)",
+    SPACING_ASSUMED: "from z0 = 2 Å to 4 Å; --z0 narrows it",
     BOUNDS: "JKR's holds for soft spheres, DMT's for hard ones; E and ν decide",
     LAW_ONLY: "no better law gives it",
-    KELVIN: "condensed water at 25 °C (--contact-angle) between smooth bodies that touch: compare with P_c, do not add",
-    GAP: "a gap lowers the force of a meniscus, to none where it just fills; no closed form says how far",
-    BETTER_LAW: "JKR may be more than 5 % off; the attraction reaches z0 = 2–4 Å (--z0)",
+    KELVIN: "condensed water at 25 °C, smooth bodies: compare with P_c, do not add",
+    GAP: "a gap lowers the force of a meniscus, to none where it just fills",
+    BETTER_LAW: "the better law here; z0 = 2–4 Å (--z0)",
     LAW_IN_USE: "Maugis' law is within 5 % here; the range covers both",
 }
 
@@ -138,38 +133,59 @@ _WORDS: Mapping[int, str] = {
 # --- Rules, for one answer --------------------------------------------------------------------------------------------
 
 
-def _kelvin(answer: Answer) -> str:
-    text = "condensed water, 25 °C"
+def _kelvin(answer: Answer) -> Iterator[str]:
     if "roughness_gap" in answer.frame.given:
-        return f"{text}; adsorbed water may bridge a gap before: forces of menisci were measured from 2 % humidity on"
+        yield "condensed water at 25 °C; adsorbed water may bridge a gap before"
+        yield "forces of menisci were measured from 2 % humidity on"
+        return
     if "meniscus_force" not in answer.values:
-        return text
-    compare = "compare F_men with P_c, do not add it, as water changes γ, too"
-    rough = "roughness lowers both: SiO2 of 10 µm on smooth glass had 1/8–1/5 of F_men at 67 %"
-    return f"{text}, smooth bodies that touch; {compare}; {rough}; --roughness 2nm says when a gap fills"
+        yield "condensed water at 25 °C"
+        return
+    yield _WORDS[KELVIN]
+    yield "water changes γ, too"
+    yield "roughness lowers both: SiO2 of 10 µm on smooth glass had 1/8–1/5 of F_men at 67 %"
+    yield "--roughness 2nm says when a gap fills"
 
 
-def _better_law(answer: Answer) -> str:
+def _better_law(answer: Answer) -> Iterator[str]:
     frame = answer.frame
     low, high = least_spacing(frame), frame["atomic_spacing"]
-    known = frame.numbers("tabor_parameter").values()  # rigid bodies have none
-    at = "".join(f" (Tabor parameter {from_to(parameter, high / low * parameter)})" for parameter in known)
-    narrowed = " (--z0)" if frame.assumes_spacing else ""
-    text = f"{frame.law.short} {_how_far_off(answer)} at this size and stiffness{at}"
-    text += f"; the attraction reaches z0 = {_angstroms(low, high)}{narrowed}{_with_bars(answer)}"
+    spacing = f"z0 = {_angstroms(low, high)}{', --z0' if frame.assumes_spacing else ''}"
+    errors = _errors(answer)
+    yield f"{_how_far_off(errors, frame.law.short)} at this size and stiffness ({spacing})"
+    yield from _with_bars(answer)
+    if all(errors.values()):
+        for side, of_side in errors.items():
+            percent = [100 * error for pair in of_side.values() for error in pair]
+            symbols = [symbol_among(name, answer.inputs) for name in of_side]
+            yield f"{frame.law.short} is {from_to(min(percent), max(percent))} % too {side}: {', '.join(symbols)}"
+    for parameter in frame.numbers("tabor_parameter").values():  # rigid bodies have none
+        yield f"Tabor parameter {from_to(parameter, high / low * parameter)}; JKR needs 5"
+    yield f"the attraction reaches z0 = {_angstroms(low, high)}"
     is_told = answer.is_in_doubt(ROUGH_MATTERS) or answer.is_on_pull_off
     if "pull_off_force" in answer.estimates and may_be_rough(frame) and not is_told:
-        text += f". P_c is that of smooth, dry spheres; {held_on_surfaces(frame)}"
-    return text
+        yield f"P_c is that of smooth, dry spheres; {held_on_surfaces(frame)}"
 
 
-def _how_far_off(answer: Answer) -> str:
-    """Return how far the law in use is from the better law's ranges: "is 25–33 % too high (a), 5–8 % too low (δ)"."""
-    vague = "may be more than 5 % off"
+_Errors = Mapping[str, dict[str, list[float]]]  # by side and name: relative errors at both ends of a range
+
+
+def _how_far_off(errors: _Errors, law: str) -> str:
+    """Return how far the law in use is from the better law's ranges: "JKR is 17–23 % too low"."""
+    sides = [side for side, of_side in errors.items() if of_side]
+    percent = [100 * error for side in sides for pair in errors[side].values() for error in pair]
+    if not percent:
+        return "the better law"
+    if len(sides) > 1:
+        return f"{law} is up to {significant(max(percent), 2)} % off"
+    return f"{law} is {from_to(min(percent), max(percent))} % too {sides[0]}"
+
+
+def _errors(answer: Answer) -> _Errors:
+    """Return how far the law in use is above and below the better law's ranges; empty if that has no single answer."""
+    errors: _Errors = {"high": {}, "low": {}}
     if answer.described.uncertainties:
-        return vague
-    errors: dict[str, list[float]] = {"high": [], "low": []}  # in %, of both ends of each range
-    symbols: dict[str, list[str]] = {"high": [], "low": []}
+        return errors
     seen = set[float]()  # a result that repeats another one has no row
     for name, estimate in answer.estimates.items():
         value = answer.values.get(name, nan)
@@ -178,48 +194,49 @@ def _how_far_off(answer: Answer) -> str:
         seen.add(value)
         ratios = [value / end if end else nan for end in estimate[:2]]
         if not (min(ratios) >= 1 or 0 < max(ratios) <= 1) or any(map(isnan, ratios)):
-            return vague
-        side = "high" if max(ratios) > 1 else "low"
-        errors[side] += [100 * abs(ratio - 1) for ratio in ratios]
-        symbols[side].append(symbol_among(name, answer.inputs))
-    texts = []
-    for side, of_side in errors.items():
-        if of_side:
-            which = f" ({first_of(symbols[side], _MOST)})" if all(errors.values()) else ""
-            texts.append(f"{from_to(min(of_side), max(of_side))} % too {side}{which}")
-    return f"is {', '.join(texts)}" if texts else vague
+            return {"high": {}, "low": {}}
+        errors["high" if max(ratios) > 1 else "low"][name] = [abs(ratio - 1) for ratio in ratios]
+    return errors
 
 
-def _with_bars(answer: Answer) -> str:
-    if answer.described.unknowns and not answer.described.uncertainties:
-        return "; the error of what you measured is not in the range: write it as 300±20nN"
-    return "; your error bars are in the range" if answer.described.uncertainties else ""
+def _with_bars(answer: Answer) -> Iterator[str]:
+    if answer.described.uncertainties:
+        yield "your error bars are in the range"
+    elif answer.described.unknowns:
+        yield "the error of what you measured is not in the range: write it as 300±20nN"
 
 
 def _angstroms(low: float, high: float) -> str:
     return f"{from_to(low / 1e-10, high / 1e-10)} Å"
 
 
-def _bounds(answer: Answer) -> str:
+def _bounds(answer: Answer) -> Iterator[str]:
     ends, *_ = answer.ranges.of_laws("pull_off_force", BOUNDS)
     ratio = answer.frame["pull_off_force_dmt"] / answer.frame["pull_off_force"]
     jkr, dmt = (span("pull_off_force", *(factor * end for end in ends)) for factor in (1.0, ratio))
-    limits = f"JKR's ({jkr}) holds for soft spheres, DMT's ({dmt}) for hard ones"
-    text = f"{limits}; give --young and --poisson to narrow it{_with_bars(answer)}"
-    return text if answer.is_on_pull_off else f"{text}. {_OF_SMOOTH}"
+    yield f"{jkr} if soft, {dmt} if hard: give --young and --poisson"
+    yield from _with_bars(answer)
+    if not answer.is_on_pull_off:
+        yield _OF_SMOOTH
 
 
-def _measured(answer: Answer) -> str:
+def _measured(answer: Answer) -> Iterator[str]:
     stuck = what_stuck(answer.frame)
     if stuck is None or not stuck.has_size(answer.frame):
-        return f"{_SEEN} (silica, ices, silver), as adhesion is not their only loss"
-    pairs = (f"{significant(stuck.at(radius), 2)} m/s (R = {amount('radius', radius)})" for radius in stuck.radii)
-    bar = f"±{stuck.error:.0%}".replace("%", " %") + _above_law(answer)
-    seen = f"{solid_of_pair(answer.frame)} stuck to a plane up to {' and '.join(pairs)}"
+        yield f"{_SEEN} (silica, ices, silver)"
+        yield "adhesion is not their only loss"
+        return
+    pairs = (f"{significant(stuck.at(radius), 2)} m/s ({amount('radius', radius)})" for radius in stuck.radii)
+    seen, bar = f"{solid_of_pair(answer.frame)} stuck up to {' and '.join(pairs)}", f"±{100 * stuck.error:.0f} %"
     if stuck.is_near(answer.frame):
-        return f"{seen}, between them as R^{stuck.exponent}, {bar}"
-    scaled = f"scaled to this size like {answer.frame.law.short}'s speed, {bar}"
-    return f"{seen}; {scaled}. It is the same for every γ, whose effect was not measured"
+        yield f"{seen}, ∝ R^{stuck.exponent}, {bar}"
+        yield "on a plane"
+        yield _above_law(answer)
+        return
+    yield f"{seen}; scaled, {bar}"
+    yield f"they stuck to a plane; scaled to this size like {answer.frame.law.short}'s speed"
+    yield _above_law(answer)
+    yield "the effect of γ was not measured, so that the speed is the same for every γ"
 
 
 def _above_law(answer: Answer) -> str:
@@ -228,35 +245,36 @@ def _above_law(answer: Answer) -> str:
     if estimate is None or not estimate.low > speed:
         return ""
     times = from_to(estimate.low / speed, estimate.high / speed)
-    return f"; {times} times {answer.frame.law.short}'s, as adhesion is not the only loss"
+    return f"{times} times {answer.frame.law.short}'s speed, as adhesion is not the only loss"
 
 
-def _scaled(answer: Answer) -> str:
+def _scaled(answer: Answer) -> Iterator[str]:
     frame, rolled = answer.frame, what_rolled(answer.frame)
     if rolled is None:
-        return ""
+        return
     radius, solid = 2 * frame["reduced_radius"], solid_that_rolled(frame)
-    at = f"R = {amount('radius', rolled.radius)} ({rolled.source})"
-    what = f"ξ of {solid} was {span(rolled.name, rolled.low, rolled.high)}"
-    if rolled.name != XI:
-        what = f"{span(rolled.name, rolled.low, rolled.high)} rolled {solid}"
+    what = f"{'ξ = ' if rolled.name == XI else ''}{span(rolled.name, rolled.low, rolled.high)}"
+    measured = f"{what} measured on {solid} of R = {amount('radius', rolled.radius)}"
+    is_alike = abs(radius / rolled.radius - 1) < _ALIKE
+    yield measured if is_alike else f"from {measured}, by R^(2/3) to R"
+    yield f"source: {rolled.source}"
     if rolled.name != XI and answer.described.uncertainties:
-        what = f"your error bars do not change measured forces: {what}"
-    if abs(radius / rolled.radius - 1) < _ALIKE:
-        return f"{what} of {at}"
+        yield "your error bars do not change measured forces"
+    if is_alike:
+        return
     low, high = ("R", "R^(2/3)") if radius < rolled.radius else ("R^(2/3)", "R")
     ratio = significant(max(radius / rolled.radius, rolled.radius / radius), 3)
     to = f"{amount('radius', radius)}, {ratio} times {'smaller' if radius < rolled.radius else 'larger'}"
-    return (
-        f"{what} of {at}; to {to}, low end with {low}, high end with {high}{_as_displacement(answer)}{_ceiling(answer)}"
-    )
+    yield f"to {to}, low end with {low}, high end with {high}"
+    yield _as_displacement(answer)
+    yield _ceiling(answer)
 
 
 def _as_displacement(answer: Answer) -> str:
     """Return the displacement that measured forces imply by the law in use."""
     low, high = answer.ranges.of_laws(XI, SCALED)[0]
-    least = ", at least one atom" if low == answer.frame.values.get(XI) else ""
-    return f". In {answer.frame.law.short} that is ξ = {span(XI, low, high)}{least}" if low < high else ""
+    least = ", of at least one atom" if low == answer.frame.values.get(XI) else ""
+    return f"in {answer.frame.law.short} the range is that of ξ = {span(XI, low, high)}{least}" if low < high else ""
 
 
 def _ceiling(answer: Answer) -> str:
@@ -266,35 +284,35 @@ def _ceiling(answer: Answer) -> str:
     if found is None or not found.high > ceiling[1]:
         return ""
     most = span("yield_force", ceiling[1], ceiling[1])
-    return f". The most that adhesion alone can cause is {most}"
+    return f"the most that adhesion alone can cause is {most}"
 
 
-def _xi_unknown(answer: Answer) -> str:
+def _xi_unknown(answer: Answer) -> Iterator[str]:
     if answer.frame.missing(["hysteresis_ratio"]):
-        return f"the known end is at ξ = 2 Å, about one atom; {_of_silica(answer)}name your material"
-    by_law = "" if answer.frame.law.name == BETWEEN else ", by Maugis' law"
+        yield "from ξ = 2 Å (one atom) on; --xi or a material narrows it"
+        return
     most = answer.ranges.at_full_hysteresis(XI)[1]
-    at_most = "" if isnan(most) else f" (ξ = {span(XI, most, most)})"
-    ends = f"from one atom (ξ = 2 Å{by_law}) to where rolling loses all of the work of adhesion{at_most}"
-    text = f"how far the contact lags before it rolls was not measured for this pair: {ends}"
-    return f"{text}; --xi narrows it{_of_measured_solid(answer)}"
+    at_most = "where all of w is lost" if isnan(most) else f"{span(XI, most, most)} (all of w lost)"
+    yield f"from ξ = 2 Å (one atom) to {at_most}; --xi narrows it"
+    yield "how far the contact lags before it rolls was not measured for this pair"
+    if answer.frame.law.name != BETWEEN:
+        yield "one end is at 2 Å by Maugis' law"
+    yield _of_measured_solid(answer)
 
 
-def _of_silica(answer: Answer) -> str:
-    """Return the headline by rolling forces measured on SiO2, for comparison; empty if they give none."""
+def of_silica(answer: Answer) -> str:
+    """Return the headline by rolling forces measured on SiO2, for a question without a material; empty without any."""
     silica = Frame(answer.frame.stated, known_materials()["quartz"])
     if not isinstance(answer.frame.given.get("radius"), float):
         return ""
     ranges = Ranges.of(silica, *silica.possible(answer.question.headline))
     found = {name: ranges.estimate(name) for name in ranges.names}
     scaled = [
-        f"{symbol_among(name, answer.inputs)} is {range_in_words(name, estimate)}"
+        f"{symbol_among(name, answer.inputs)} = {range_in_words(name, estimate)}"
         for name, estimate in found.items()
         if estimate.by == SCALED
     ]
-    if not scaled:
-        return ""
-    return f"for SiO2 (quartz), which was measured, {first_of(scaled, _MOST)}; "
+    return f"for SiO2, which was measured, {first_of(scaled, _MOST)}; name your material" if scaled else ""
 
 
 def _of_measured_solid(answer: Answer) -> str:
@@ -305,24 +323,23 @@ def _of_measured_solid(answer: Answer) -> str:
     radius = 2 * answer.frame["reduced_radius"]
     if rolled.has_energy(answer.frame):
         at, here = (amount("radius", each) for each in (rolled.radius, radius))
-        return f". The forces that rolled {solid} at {at} are in it, too, scaled as far as to {here}"
+        return f"the forces that rolled {solid} at {at} are in it, too, scaled as far as to {here}"
     if not rolled.has_size(radius) or "yield_force" not in answer.estimates:
         return ""
     energies = span("surface_energy", *rolled.energies)
     forces = span(rolled.name, rolled.least(radius), rolled.most(radius))
-    return f". {solid} of {energies} rolled at {forces} (scaled)"
+    return f"{solid} of {energies} rolled at {forces} (scaled)"
 
 
-def _adhesion_only(answer: Answer) -> str:
-    if answer.described.unknowns:
-        return "it is an upper limit: other losses of the collision are taken for it"
+def _adhesion_only(answer: Answer) -> Iterator[str]:
     most = 2 if answer.frame.assumes_spacing else 1
-    if answer.frame.numbers("tabor_parameter").get("tabor_parameter", INFINITY) * most >= JUMP:
-        return "adhesion alone leaves the higher end; any other loss lowers it"
-    text = "at most JKR's loss, as so small and stiff they touch and part without a jump"
-    if "restitution" not in answer.values or answer.estimates["restitution"].by != ADHESION_ONLY:
-        return f"{text}; the solids dissipate the rest"
-    return f"{text}; any other loss lowers e, which is 0 if they stick"
+    if answer.described.unknowns:
+        yield "an upper limit: adhesion is held to cause all losses"
+    elif answer.frame.numbers("tabor_parameter").get("tabor_parameter", INFINITY) * most >= JUMP:
+        yield "adhesion alone leaves the higher end; any other loss lowers it"
+    else:
+        yield "JKR's loss at most: spheres so small and stiff part without a jump"
+        yield "the solids dissipate the rest; any other loss lowers e, which is 0 if they stick"
 
 
 def _by_dmt(answer: Answer) -> str:
@@ -334,13 +351,17 @@ def _by_dmt(answer: Answer) -> str:
     return f"; by DMT's, for hard spheres, {', '.join(texts)}" if texts else ""
 
 
-def _law_only(answer: Answer) -> str:
-    if answer.frame.missing(["tabor_parameter"]):
-        return f"which law holds needs Young's modulus and Poisson's ratio{_by_dmt(answer)}"
-    return _WORDS[LAW_ONLY]
+def _law_only(answer: Answer) -> Iterator[str]:
+    lack = lack_by_better_law(answer)
+    if lack:
+        yield lack
+    elif answer.frame.missing(["tabor_parameter"]):
+        yield f"which law holds needs Young's modulus and Poisson's ratio{_by_dmt(answer)}"
+    else:
+        yield _WORDS[LAW_ONLY]
 
 
-_OF_ANSWER: Mapping[int, Callable[[Answer], str]] = {
+_OF_ANSWER: Mapping[int, Callable[[Answer], Iterable[str]]] = {
     BETTER_LAW: _better_law,
     KELVIN: _kelvin,
     BOUNDS: _bounds,

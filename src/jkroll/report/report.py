@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 from math import erfc, hypot, sqrt
 
-from ..model.estimate import ADHESION_ONLY, FRICTION_ASSUMED, MEASURED, NONE, WORDS, Estimate
+from ..model.estimate import ADHESION_ONLY, FRICTION_ASSUMED, MEASURED, NONE, WORDS, Estimate, Ranges
 from ..model.frame import Frame
 from ..model.limits import LAW, ROUGH_MATTERS, STICKING_UNSURE, WIDE_CONTACT, Doubt, Limit, may_be_rough, touched
 from ..model.measured import on_surfaces
@@ -29,7 +29,7 @@ from .notes import (
     about_values,
     by_severity,
 )
-from .ranges import held_on_surfaces, range_in_words, why
+from .ranges import held_on_surfaces, range_in_words, reasons_for
 
 _MOST = 4  # results in a note
 _LOST = 0.01  # fraction of the uncertain values beyond pull-off from which a note reports it
@@ -39,15 +39,19 @@ class Report(Answer):
     """The answer to the question of a command, with its warnings and notes."""
 
     @cached_property
-    def whys(self) -> Mapping[int, str]:
-        """The reasons for best ranges, by rule."""
-        return {by: why(by, self) for by in self.rules}
+    def whys(self) -> Mapping[int, list[str]]:
+        """The reasons for best ranges, by rule; the first alone stands below a table."""
+        return {by: [*reasons_for(by, self)] for by in self.rules}
+
+    def why(self, by: int) -> str:
+        """Return all reasons for the best ranges by a rule; empty if there are none."""
+        return "; ".join(self.whys[by])
 
     def lines_on_ranges(self, names: Iterable[str]) -> Iterator[str]:
         """Iterate over a line for each rule that gives one of these results a range and has a reason."""
         for by in dict.fromkeys(self.estimates[name].by for name in names if name in self.estimates):
-            if self.whys[by]:
-                yield f"{WORDS[by]}: {self.whys[by]}"
+            for reason in self.whys[by][:1]:
+                yield f"{WORDS[by]}: {reason}"
 
     def notes_on_ranges(self) -> Iterator[Note]:
         """Iterate over a note for each rule that gives the headline a range, for reports without a table."""
@@ -56,8 +60,8 @@ class Report(Answer):
             text = f"{symbol_among(name, self.inputs)}: {range_in_words(name, estimate)}"
             texts.setdefault(estimate.by, []).append(text)
         for by, of_rule in texts.items():
-            if self.whys[by]:
-                yield Note("lead", f"best range of {first_of(of_rule, _MOST)} ({WORDS[by]}); {self.whys[by]}")
+            for reason in self.whys[by][:1]:
+                yield Note("lead", f"best range of {first_of(of_rule, _MOST)} ({WORDS[by]}); {reason}")
 
     @property
     def best_ranges(self) -> str:
@@ -79,8 +83,8 @@ class Report(Answer):
             return ()
         inputs, idle = self._entering
         every = (
-            *leads(self),
             *about_inferred(self),
+            *leads(self),
             *about_assumed(self.assumed),
             *about_missing({**self.lacking, **self.open_bars()}),
             *about_left_out(self.sources),
@@ -167,11 +171,21 @@ class Report(Answer):
         if "load" not in self.frame.stated:
             return
         pull = -self.frame.values["load"]
-        has_force = bool(self.frame.under(DEFAULT_LAW).numbers("pull_off_force"))
-        if pull > 0 and has_force and may_be_rough(self.frame):
-            forces = on_surfaces(self.frame).values()
-            if any(pull > low for low, _ in forces):
-                yield Note("lead", f"at this pull the spheres may have parted; {held_on_surfaces(self.frame)}")
+        has_force = not self.frame.missing(["pull_off_force_dmt"])
+        if not (pull > 0 and has_force and may_be_rough(self.frame)):
+            return
+        if not any(pull > low for low, _ in on_surfaces(self.frame).values()):
+            return
+        smooth = Ranges.of(self.frame, *self.frame.possible(["pull_off_force"]))
+        held = "rough spheres may have parted at this pull; "
+        for name in smooth.names:
+            force = smooth.estimate(name)
+            part = f"they part at {range_in_words(name, force)}"
+            if pull < force.low:
+                held = f"smooth spheres hold this pull ({part}); "
+            elif pull <= force.high:
+                held = f"even smooth spheres may have parted at this pull ({part}); "
+        yield Note("lead", f"{held}{held_on_surfaces(self.frame)}")
 
     @property
     def _valued(self) -> list[str]:

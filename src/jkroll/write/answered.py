@@ -102,7 +102,7 @@ def _result_object(result: Result, answer: Report, form: Format) -> dict[str, An
     best = answer.estimates.get(name)
     if best is not None and best.by != NONE:
         low, high = _number(name, best.low, form), _number(name, best.high, form)
-        entry["best"] = {"low": low, "high": high, "by": WORDS[best.by], "why": answer.whys[best.by]}
+        entry["best"] = {"low": low, "high": high, "by": WORDS[best.by], "why": answer.why(best.by)}
     further: dict[str, Any] = {"note": quantity.note}
     if not result.law:
         further |= {"definition": quantity.definition, "reference": quantity.reference}

@@ -4,7 +4,7 @@ LAMMPS has `granular` contacts. Its rolling friction is a spring F = kξ with th
 sliding and twisting have similar caps. Comments are ASCII, because LAMMPS warns about other characters.
 """
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from math import pi
 from typing import NamedTuple
 
@@ -40,7 +40,7 @@ pair_style granular
 {coefficients}
 timestep {step:.12g}
 # SI units. {law}: 2E* [Pa], damping, Poisson's ratio 0, as only E* enters, gamma per surface [J/m^2].
-# tangential mindlin_rescale: 8G* [Pa], damping, coefficient of friction [1]{friction}.
+# tangential mindlin_rescale: 8G* [Pa], damping, coefficient of friction [1].
 # rolling sds: stiffness [N/m], damping, coefficient M/(R(P + 2P_c)) [1], M the moment at which it rolls, R the \
 reduced radius.
 # Damping is left out; coeff_restitution gives nan with adhesion. timestep [s] and thresholds are for the P above: \
@@ -53,10 +53,8 @@ as fixed grips stretch it, so that adhesion takes only 49 percent of jkroll's en
 _REMARKS_ON = {  # by law
     "jkr": """\
 # twisting sds: stiffness [N m], damping, coefficient M_twist/(P + 2P_c) [m].
-# It slides at pi a^2 tau, twists at (2/3) pi a^3 tau, tau = {shear_strength:.6g} Pa{place}. If it may peel off before \
-it slides, write {peels:.6g} as the coefficient of friction, T_first/(P + 2P_c).
-# LAMMPS multiplies the coefficient of friction, adhesion's at the P above, with every load: for contacts that are \
-pushed harder write your solid's.
+# Friction is F_slide/(P + 2P_c), with tau = {shear_strength:.6g} Pa{place}; if a brittle contact peels off first, \
+write T_first/(P + 2P_c) = {peels:.6g}. Both are adhesion's at the P above: for harder pushes write your solid's.
 """,
     "dmt": """\
 # P_c is 4 pi gamma R here. The rolling moment is 4 pi gamma R xi at any load, the one in LAMMPS right at the P above.
@@ -105,7 +103,6 @@ def lammps_input(frame: Frame) -> str:
         skin=_skin(frame, pairs.values()),
         coefficients="\n".join(coefficients),
         step=min(steps),
-        friction=" F_slide/(P + 2P_c)" if is_jkr else "",
         peels=_peeling_coefficient(frame) if is_jkr else 0.0,
     )
 
@@ -325,3 +322,11 @@ def with_wrapped_comments(text: str) -> str:
 def comment_of(text: str) -> str:
     """Return a text as a comment in the input of a program, wrapped."""
     return "\n".join(f"# {line}" for line in wrapped(ascii_text(text), WIDTH, 2))
+
+
+def lines_at_centre(plain: str, at_centre: str) -> Iterator[str]:
+    """Iterate over the lines of input that differ at the centres of best ranges, each as a comment of one line."""
+    every = {*plain.splitlines()}
+    for line in at_centre.splitlines():
+        if line not in every and not line.startswith("#"):
+            yield f"# {line}"

@@ -120,7 +120,7 @@ def _facts(result: Result, answer: Report, form: Format) -> Iterator[tuple[str, 
     best = answer.estimates.get(result.name)
     if best is not None and best.by != NONE:
         yield "best", f"{range_in_words(result.name, best)} ({WORDS[best.by]})"
-        yield "why", answer.whys[best.by]
+        yield "why", answer.why(best.by)
         yield "made of", made_of(result.name, answer)
 
 

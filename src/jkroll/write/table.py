@@ -141,10 +141,7 @@ def frame_table(answer: "Report", out: TextIO, form: Format) -> None:
 
 
 def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextColumn]]:
-    """Iterate over lines and tables: the inputs of an answer, its results with best ranges, and their reasons.
-
-    The last table has the conventions of other codes.
-    """
+    """Iterate over lines and a table: the inputs of an answer, its results with best ranges, and their reasons."""
     stated = {name: value for name, value in answer.measures.items() if name not in answer.assumed}
     yield from _about_inputs("", stated, _assumptions(answer), form)
     yield from lines_above(answer.sentences)
@@ -153,27 +150,23 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
         yield from answer.lines_on_ranges(answer.estimates)
         return
     law = answer.frame.law.short
-    physics, conventions = _rows(answer, form)
+    rows = _rows(answer, form)
     if answer.shows_surfaces:
-        physics = _with_surfaces(physics, answer, form)
-    if physics:
-        columns = _of_results(_grouped(physics, answer.question), law)
+        rows = _with_surfaces(rows, answer, form)
+    if rows:
+        columns = _of_results(_grouped(rows, answer.question), law)
         yield columns
         if any(column.head == _BEST_RANGE for column in columns):
-            yield from answer.lines_on_ranges(physics)
+            yield from answer.lines_on_ranges(rows)
     if answer.shows_surfaces:
         yield f"{_AS_SILICA}: {about_surfaces(answer.frame)}"
-    if conventions:
-        yield "conventions of other codes and authors, to compare with them"
-        yield _of_results([*conventions.values()], law)
 
 
 def rows_in_words(answer: "Report", form: Format) -> dict[str, Row]:
     """Return the rows of the table of an answer, by the names of their quantities."""
     law, words = answer.frame.law.short, {}
-    for rows in _rows(answer, form):
-        for name, (quantity, symbol, best, by, value, _, unit) in rows.items():
-            words[name] = Row(quantity, symbol, _in_unit(best, unit), by, _in_unit(value, unit), law)
+    for name, (quantity, symbol, best, by, value, _, unit) in _rows(answer, form).items():
+        words[name] = Row(quantity, symbol, _in_unit(best, unit), by, _in_unit(value, unit), law)
     return words
 
 
@@ -204,14 +197,13 @@ _Rows = dict[str, list[str]]  # the cells of results, by name
 _ShownUnit = tuple[str, Unit]  # the unit of a row: its name, and the unit
 
 
-def _rows(answer: "Report", form: Format) -> tuple[_Rows, _Rows]:
-    """Return the rows of results, and those of conventions.
+def _rows(answer: "Report", form: Format) -> _Rows:
+    """Return the rows of results.
 
     Unless it was asked for by name, a result is left out if it repeats another one, or if it lacks an input, which a
     note reports.
     """
-    physics: _Rows = {}
-    conventions: _Rows = {}
+    rows: _Rows = {}
     names = answer.names_in_table
     shown: set[tuple[Any, str]] = set()
     units: dict[str, _ShownUnit] = {}  # the last unit used, by SI unit
@@ -232,11 +224,8 @@ def _rows(answer: "Report", form: Format) -> tuple[_Rows, _Rows]:
         row += [cell(result.value, unit, form), cell(result.measure, unit, form), unit[0]]
         if estimate and estimate.by in (KELVIN, GAP):  # no law of adhesion enters
             row[4] = "–"
-        if estimate and estimate.by == DEFINITION and f"{{{name}}}" not in answer.question.lead:
-            conventions[name] = row
-        else:
-            physics[name] = row
-    return physics, conventions
+        rows[name] = row
+    return rows
 
 
 def _sizes(measure: "float | Uncertain | None", estimate: "Estimate | None") -> list[float]:
@@ -253,33 +242,29 @@ def _suits(unit: _ShownUnit, sizes: Sequence[float]) -> bool:
 
 
 def _grouped(rows: _Rows, question: "Question") -> list[list[str]]:
-    """Return the rows of results, with a row for the title of each group."""
-    titles, title = {}, ""
-    for name in question.quantities:
-        titles[name] = title = question.groups.get(name, title)
-    grouped, shown = [], ""
-    for name, row in rows.items():
-        title = titles.get(name, shown)
-        if title != shown:
-            grouped.append([f"{title}:", *[""] * (len(row) - 1)])
-        grouped.append(row)
-        shown = title
+    """Return the rows of results; those of each group follow the others, below its title."""
+    of_group = {name: title for title, names in question.groups.items() for name in names}
+    grouped = [row for name, row in rows.items() if name not in of_group]
+    for title, names in question.groups.items():
+        below = [rows[name] for name in names if name in rows]
+        if below:
+            grouped += [[f"{title}:", *[""] * (len(below[0]) - 1)], *below]
     return grouped
 
 
 def _with_surfaces(rows: _Rows, answer: "Report", form: Format) -> _Rows:
-    """Return the rows of results; the pull-off force is followed by the forces measured on other surfaces."""
+    """Return the rows of results; the forces measured on other surfaces stand above the pull-off force, their limit."""
     extended: _Rows = {}
     for name, row in rows.items():
-        if name != "pull_off_force":
+        if name == "pull_off_force":
+            by_law_in_use, *_ = answer.ranges.of_laws(name, LAW_IN_USE)
+            unit = form.common_unit(name, by_law_in_use[1:])
+            for surface, ends in on_surfaces(answer.frame, by_law_in_use).items():
+                shown, _ = _range(Estimate(*ends, SCALED), unit, form)
+                extended[surface] = [surface, row[1], shown, _AS_SILICA, "–", "–", unit[0]]
+            extended[name] = ["upper limit, smooth", *row[1:]]
+        else:
             extended[name] = row
-            continue
-        extended[name] = [f"{row[0]}, smooth", *row[1:]]
-        by_law_in_use, *_ = answer.ranges.of_laws(name, LAW_IN_USE)
-        unit = form.common_unit(name, by_law_in_use[1:])
-        for surface, ends in on_surfaces(answer.frame, by_law_in_use).items():
-            shown, _ = _range(Estimate(*ends, SCALED), unit, form)
-            extended[surface] = [surface, "P_c", shown, _AS_SILICA, "–", "–", unit[0]]
     return extended
 
 
@@ -307,7 +292,7 @@ def _range(estimate: "Estimate | None", unit: _ShownUnit, form: Format) -> list[
         return ["–", "–"]
     low, high = _converted(estimate.low, unit), _converted(estimate.high, unit)
     digits = form.digits or 2
-    if estimate.by in (DEFINITION, LAW_ONLY, KELVIN) and form.digits is None:  # only approximate
+    if estimate.by in (LAW_ONLY, KELVIN) and form.digits is None:  # only approximate
         return [f"≈ {from_to(low, high)}", WORDS[int(estimate.by)]]
     if abs(high - low) <= _SAME * abs(high):
         text = significant(low, form.digits or RESULT_DIGITS, zeros=form.digits is None and low != 0)
@@ -404,15 +389,16 @@ def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str], 
         if name in form.typed or name not in following:
             leading += columns_of(name, {symbol_among(name, inputs): inputs[name]}, exact)
     results, rules, to_take = _result_columns(columns, form, has_models="model" in several)
+    upper_limit = ", an upper limit: of smooth, dry spheres" if "pull_off_force" in names and len(names) == 1 else ""
     shown = [codes(bits & columns.wanted.reported_doubts) for bits in as_list(columns.doubts)]
     if any(shown):
         results.append(TextColumn(DOUBT, shown, is_right=False))
     if lead:
         yield lead
     if to_take:
-        yield f"take {listed(to_take)}; the other columns are plain {LAWS[DEFAULT_LAW].short}"
+        yield f"take {listed(to_take)}{upper_limit}; the other columns are plain {LAWS[DEFAULT_LAW].short}"
     yield leading, results
-    yield from lines_on_rules([int(by) for by in rules if not isnan(by)], names)
+    yield from lines_on_rules([int(by) for by in rules if not isnan(by)])
     yield from lines_on_codes(" ".join(shown).split())
 
 
