@@ -101,8 +101,8 @@ def _what_it_means(answer: Answer) -> str:
     frame = answer.described
     is_of_both = "surface_energy" in frame.unknowns and frame.material2 is None and "surface_energy2" not in frame.given
     of_both = "; w = 2γ" if is_of_both else ""
-    error = "" if frame.uncertainties else "; its error is not in this: write it as 300±20nN"
-    return f"the measurement implies {listed(texts)}{of_both}{error}"
+    error = "" if frame.uncertainties else " (without its error: write it as 300±20nN)"
+    return f"the measurement implies {listed(texts)}{error}{of_both}"
 
 
 def _pulled_apart(answer: Answer) -> str:

@@ -155,9 +155,9 @@ QUESTIONS: Mapping[str, Question] = {
         "restructuring_energy restructuring_speed restructuring_energy_ormel restructuring_speed_ormel "
         "disruption_energy disruption_speed disruption_energy_dust_simulation disruption_speed_dust_simulation "
         "compressive_strength tensile_strength",
-        leads="two equal aggregates that collide begin to restructure at {restructuring_speed} (D&T 97; measured "
-        "rolling forces support it, and not Ormel's rule)\n"
-        "they begin to break up at {disruption_speed} (Wada 07)",
+        leads="two equal aggregates that collide begin to restructure at {restructuring_speed}, by D&T 97; measured "
+        "rolling forces support this rule, not Ormel's\n"
+        "they begin to break up at {disruption_speed}, by Wada 07",
         groups={
             "by other rules": "restructuring_energy_ormel restructuring_speed_ormel "
             "disruption_energy_dust_simulation disruption_speed_dust_simulation",

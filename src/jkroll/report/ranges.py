@@ -223,8 +223,8 @@ def _bounds(answer: Answer) -> Iterator[str]:
 def _measured(answer: Answer) -> Iterator[str]:
     stuck = what_stuck(answer.frame)
     if stuck is None or not stuck.has_size(answer.frame):
-        yield f"{_SEEN} (silica, ices, silver)"
-        yield "adhesion is not their only loss"
+        yield _SEEN
+        yield "silica, ices and silver were measured; adhesion is not their only loss"
         return
     pairs = (f"{significant(stuck.at(radius), 2)} m/s ({amount('radius', radius)})" for radius in stuck.radii)
     seen, bar = f"{solid_of_pair(answer.frame)} stuck up to {' and '.join(pairs)}", f"±{100 * stuck.error:.0f} %"
@@ -338,7 +338,7 @@ def _adhesion_only(answer: Answer) -> Iterator[str]:
     elif answer.frame.numbers("tabor_parameter").get("tabor_parameter", INFINITY) * most >= JUMP:
         yield "adhesion alone leaves the higher end; any other loss lowers it"
     else:
-        yield "JKR's loss at most: spheres so small and stiff part without a jump"
+        yield "JKR's loss at most, as such spheres part without a jump"
         yield "the solids dissipate the rest; any other loss lowers e, which is 0 if they stick"
 
 
