@@ -13,7 +13,7 @@ from .fit_result import Errors, Fit
 
 _UNDETERMINED = 0.5  # standard deviation of ln E* above which E* is undetermined
 _POOR = 0.1  # rms over the pull-off force above which the curve is not that of a contact
-_WIDEST = 0.9  # a/R above which no theory of a half-space holds
+_WIDEST = 0.9  # a/R above which no theory of a half-space applies
 
 
 def goodness_of(solution: Solution, pull_off: float | None) -> dict[str, float]:

@@ -11,7 +11,7 @@ from .fit_branches import RADIUS, LoadRange
 from .fit_laws import Array
 from .frame import DEFAULTS
 
-STRONG = 5.0  # Tabor parameter above which JKR holds for w and E*
+STRONG = 5.0  # Tabor parameter above which JKR gives w and E*
 
 # The name of each result, and the quantity of the nomenclature that gives its unit and meaning.
 RESULTS: Mapping[str, str] = {
