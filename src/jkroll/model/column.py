@@ -1,4 +1,4 @@
-"""Columns of a frame: values, and reasons for missing ones. Each is an array, or a number that holds for all rows."""
+"""Columns of a frame: values, and reasons for missing values; both are arrays, or numbers for all rows."""
 
 from collections.abc import Mapping
 from math import nan
@@ -10,7 +10,7 @@ from .reasons import HIDDEN, reason
 
 
 class Column(NamedTuple):
-    """The values of a quantity, nan where there is none, and the reasons. A number holds for all rows."""
+    """The values of a quantity, nan where missing, and the reasons for nan. A number applies to all rows."""
 
     values: Any
     reasons: Any = 0
@@ -26,24 +26,24 @@ class Column(NamedTuple):
         return self.reasons == reason(HIDDEN)
 
     def or_else(self, number: float) -> Any:
-        """Return the values, with a number where there is none, since nan does not compare."""
+        """Return the values, with a number in place of missing values, since every comparison with nan is False."""
         return where(self.reasons == 0, self.values, number)
 
     def without(self, is_out: Any, number: int) -> "Column":
-        """Return the column without the values of some cells; these get a reason unless they have one."""
+        """Return the column with the cells `is_out` emptied, for the reason `number` unless they have one already."""
         if not is_anywhere(is_out):
             return self
         return Column(where(is_out, nan, self.values), first_of(self.reasons, where(is_out, number, 0)))
 
     def hidden(self, is_shown: Any) -> "Column":
-        """Return the column with all other cells hidden, whatever their reasons."""
+        """Return the column with all cells hidden except those in `is_shown`, whatever their reasons."""
         if is_shown is True:
             return self
         return Column(where(is_shown, self.values, nan), where(is_shown, self.reasons, reason(HIDDEN)))
 
 
 def first_of(reasons: Any, others: Any) -> Any:
-    """Return the reason of each cell, or the other reason where it has none; numbers for all rows, or arrays."""
+    """Return the reasons, with others in cells that have no reason; all are arrays, or numbers for all rows."""
     if isinstance(reasons, int):
         return reasons or others
     if others is reasons or (isinstance(others, int) and not others):

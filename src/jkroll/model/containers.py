@@ -1,4 +1,4 @@
-"""Inputs from Python in SI units: numbers, texts, pint Quantities, uncertain values, and containers of them."""
+"""Read inputs from Python in SI units: numbers, texts, Quantities, uncertain values, and containers of these."""
 
 import warnings
 from collections.abc import Callable, Mapping
@@ -34,10 +34,10 @@ class Reader:
         self.quantity: Any = None  # the Quantity class of the last input with a unit
         self._formula = formula
         self._labelled: tuple[str, list[Axis]] | None = None  # the first input with labels
-        self._container: Any = None  # its array of pandas or xarray
-        self._outer: Any = None  # an array with the labels of the results, if inputs had others
+        self._container: Any = None  # the array of pandas or xarray of this input
+        self._outer: Any = None  # an array with the labels of the results; None if the inputs have them
         self._states_units = False  # True if an input has a unit among its attributes
-        self._owners: dict[Any, str] = {}  # the input that depends on each variable of the package uncertainties
+        self._owners: dict[Any, str] = {}  # by variable of the package uncertainties: its input
 
     def aligned(self, *groups: Mapping[str, Any]) -> list[dict[str, Any]]:
         """Return groups of inputs; arrays of pandas or xarray are aligned by their own library."""
@@ -66,12 +66,12 @@ class Reader:
         return values
 
     def number(self, name: str, value: Any) -> Any:
-        """Return a float, an uncertain value or an array of floats.
+        """Return an input in SI units: a float, an uncertain value or an array of floats.
 
-        The unit of a pint Quantity is read, also inside an array of xarray or dask: numpy would drop it. Any other unit
-        raises QuantityError.
+        Units of pint and astropy are read, also inside an array of xarray or dask, where numpy would drop them; so is
+        an array's attribute "units". Any other unit raises QuantityError.
         """
-        if type(value) is float:  # the usual case
+        if type(value) is float:  # as most inputs are
             return value
         if isinstance(value, Numeric):
             value = _of_result(name, value)
@@ -93,7 +93,7 @@ class Reader:
         return self._of_array(name, value)
 
     def _of_array(self, name: str, value: Any) -> Any:
-        """Return the floats of a number or a container of numbers, with the unit of the array if it has one."""
+        """Return the floats of a number or a container of numbers, in SI units if the array states a unit."""
         unit = unit_stated(value)
         if unit is not None and hasattr(value, "attrs"):
             return self._of_stated_unit(name, value, text_of_unit(unit))
@@ -105,7 +105,7 @@ class Reader:
         return self._floats(name, value)
 
     def _single(self, name: str, value: Any) -> Any:
-        """Return the SI value of a text or of an uncertain value. A formula takes neither."""
+        """Return the SI value of a text or an uncertain value. Raises QuantityError for a formula: it takes neither."""
         if self._formula is not None:
             raise QuantityError(name, str(value), "is not a number", _TAKEN_BY_FORMULAS)
         return value_of(value, name) if isinstance(value, str) else checked(value, name, str(value.value))
@@ -154,7 +154,7 @@ class Reader:
         return self.number(name, data.to_numpy() if hasattr(data, "to_numpy") else data) * unit[0] / unit[1]
 
     def _measured(self, name: str, number: Any) -> Measured:
-        """Return a number of the package uncertainties. Raises BadRequest if it is correlated with another input."""
+        """Return the value of a number of the package uncertainties; raise BadRequest if two inputs are correlated."""
         for variable, part in getattr(number, "error_components", dict)().items():
             owner = self._owners.setdefault(variable, name) if part else name
             if owner != name:
@@ -164,7 +164,7 @@ class Reader:
         return Measured(number.nominal_value, number.std_dev)
 
     def compare_labels(self, name: str, value: Any) -> None:
-        """Raise BadRequest if arrays of pandas or xarray have different labels: elements pair up by position."""
+        """Raise BadRequest if arrays of pandas or xarray have different labels, since elements pair up by position."""
         axes = axes_of(value)
         if not axes:
             return
@@ -233,7 +233,7 @@ def quantity_of(package: str) -> Any:
 
 
 def _of_result(name: str, result: Numeric) -> Any:
-    """Return the number of a result of jkroll. Raises QuantityError if its unit differs."""
+    """Return the number of a result of jkroll; raise QuantityError if the input `name` has another unit."""
     unit, wanted = NOMENCLATURE[result.name].unit, NOMENCLATURE[name].unit
     if unit != wanted:
         raise QuantityError(name, str(result), f"is a {result.name}, in {unit}", f"give a value in {wanted}")
@@ -241,7 +241,7 @@ def _of_result(name: str, result: Numeric) -> Any:
 
 
 def _refuse_unit(name: str, value: Any) -> None:
-    """Raise QuantityError for a value with a unit from another package."""
+    """Raise QuantityError for a value with a unit from a package other than pint and astropy."""
     remedy = "give SI numbers, or a Quantity of pint or astropy"
     for holder in (value, getattr(value, "dtype", None)):
         if hasattr(holder, "unit") or hasattr(holder, "units"):

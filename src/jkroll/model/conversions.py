@@ -8,15 +8,15 @@ from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, of_sphere
 from ..quantities.values import is_uncertain, middle
 
 _SHEAR, _MODULI2 = "shear_modulus", ("shear_modulus2", "youngs_modulus2")
-_CORRELATED = "correlated error bars"  # the phrase of a status
+_CORRELATED = "correlated error bars"  # the phrase in the status of a row
 
 
 def converted(given: Mapping[str, Any], of_solids: Mapping[str, Any], *, own_material2: bool) -> dict[str, Any]:
     """Return the inputs with diameters converted to R = D/2 and shear moduli to E = 2G(1 + ν).
 
     `of_solids`: the values of the materials, with their uncertainties. `own_material2`: True if sphere 2 has its own
-    material; if not, it takes the shear modulus and Poisson's ratio of sphere 1 unless its own are given. A shear
-    modulus is kept if Poisson's ratio is missing. Raises BadRequest if the uncertainties of two inputs would be
+    material; if not, sphere 2 takes the shear modulus and Poisson's ratio of sphere 1 unless others are given. A
+    shear modulus is kept if Poisson's ratio is missing. Raises BadRequest if the uncertainties of two inputs would be
     correlated.
     """
     known = {**of_solids, **given}
@@ -47,7 +47,7 @@ def converted(given: Mapping[str, Any], of_solids: Mapping[str, Any], *, own_mat
 
 
 def lacked(missing: frozenset[str], stated: Collection[str]) -> frozenset[str]:
-    """Return the missing inputs, with Poisson's ratio instead of E if a shear modulus was given without it."""
+    """Return the missing inputs; if a shear modulus was given, Poisson's ratio is missing instead of E."""
     for modulus in ("shear_modulus", "shear_modulus2"):
         if modulus in stated and CONVERTED[modulus] in missing:
             missing = missing - {CONVERTED[modulus]} | {of_sphere(NOMENCLATURE[modulus].sphere, "poisson_ratio")}

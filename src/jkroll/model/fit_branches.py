@@ -21,16 +21,16 @@ LEAST_POINTS = 5
 _NOISE = 5.0  # standard deviations of the noise above which a force is a signal
 _SMOOTH = 9  # points of a running median
 _END = 0.1  # fraction of a branch that counts as its end
-_FLATTER = 0.05  # largest rise over a free end, as a share of the range of forces; that of a straight line is 0.1
-_LOST = 0.5  # share of the depth of the minimum; the contact is lost above this force
+_FLATTER = 0.05  # largest rise over a free end, as a share of the range of forces; a straight line rises by 0.1
+_LOST = 0.5  # the contact is lost where less than this share of the largest tension is left
 _RISE = 0.05  # rise of the force where a lever lets go, as a share of the depth of the minimum
 _SHORT = 0.03  # least share of the points in a branch
-_STEEPER = 5.0  # ratio of the rises of force at both ends above which the flatter one is free
-_NEAR_ONCE = 1.5  # total path of z over the path of one approach and one retraction
-_PAUSED = 10.0  # least length of a gap in time, in usual steps
+_STEEPER = 5.0  # ratio of the rises of force at both ends above which the flatter end is free
+_NEAR_ONCE = 1.5  # largest ratio of the path of z to that of one approach and one retraction
+_PAUSED = 10.0  # least length of a gap in time, in median steps
 _LEAST_NOISE = 1e-9  # least noise of computed curves, as a share of the range of forces
 _FLAT = 5  # equal extreme readings in a row that show a saturated sensor
-_LONG = 0.2  # least length of a flat, free end if no force is below it, as a share of the travel
+_LONG = 0.2  # least length of the free end of a curve without a minimum, as a share of the travel
 _MOST_PHI = 0.99  # largest correlation of neighbours in the baseline
 _SETTLES = 0.1  # fraction of the free part in which the lever still swings after the jump
 
@@ -47,10 +47,10 @@ class BadCurve(JkrollError):
 
 
 class ForceCurve(NamedTuple):
-    """The columns of a curve in order of time, in SI units: z or a, the force, and optional columns.
+    """The columns of a curve in order of time, in SI units: z, the force, and optional columns.
 
     `z` is a contact radius, an approach or a travel, as `kind` states. Errors are standard deviations, None if unknown.
-    `branch` names the branch of each point, or PAUSE if it belongs to neither; it is None without such a column.
+    `branch` names the branch of each point, or is PAUSE for points between branches; None if no column states it.
     `time` has any unit. `is_deflection`: the force is a measured deflection times the stiffness of the lever.
     """
 
@@ -91,10 +91,10 @@ class Baseline(NamedTuple):
 
 
 class Branch(NamedTuple):
-    """A branch: its points with loads instead of forces, and the slice in contact, in order of time.
+    """A branch: its points in order of time, with loads instead of forces, and the slice in contact.
 
-    `reach` extends the contact beyond the least load, as far as it may still hold. Contact radii have no baseline; a
-    branch without a free part takes the baseline of the other branch.
+    `reach` is the slice that may be in contact, which extends beyond the least load. A curve of contact radii has no
+    baseline; a branch without a free part takes the baseline of the other branch.
     """
 
     name: str
@@ -125,13 +125,13 @@ class Branches(NamedTuple):
     by_name: Mapping[str, Branch]
     noise: float
     remarks: Mapping[str, str]
-    sign: float  # of z
+    sign: float  # the factor of z that makes z rise into the contact
 
 
 def branches_of(curve: ForceCurve, stiffness: float, *, tilt: bool = False, only: str = "") -> Branches:
-    """Return the branches of a curve. `stiffness`: of the lever, infinite without a lever. Raises BadCurve.
+    """Return the branches of a curve. `stiffness`: that of the lever, infinite without one. Raises BadCurve.
 
-    `only`: the name of the only branch to fit, which is also the name of the branch of a curve with one branch.
+    `only`: the name of the only branch to fit; a curve with a single branch is taken for this branch.
     """
     remarks: dict[str, str] = {}
     curve = _finite(_without_pause(curve, remarks), remarks)
@@ -193,7 +193,7 @@ def _check_time(parts: Mapping[str, ForceCurve], remarks: dict[str, str]) -> Non
 
 
 def _finite(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
-    """Return the points with finite numbers. Raises BadCurve if there are too few."""
+    """Return the points with finite numbers; raise BadCurve if there are too few, or if one column is constant."""
     is_known = numpy.isfinite(curve.z) & numpy.isfinite(curve.force)
     if curve.kind == RADIUS:
         is_known &= curve.z > 0
@@ -211,9 +211,9 @@ def _finite(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
 
 
 def _unsaturated(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
-    """Return a curve without the points where the sensor is saturated, which repeat the largest or the least reading.
+    """Return a curve without the points at which the sensor is saturated and repeats its largest or least reading.
 
-    Readings of exactly 0 are kept, since a computed curve has them out of contact.
+    Readings of exactly 0 are kept: they are the forces of a computed curve out of contact.
     """
     is_kept = numpy.ones(len(curve.force), bool)
     for end in (curve.force.max(), curve.force.min()):
@@ -229,10 +229,11 @@ def _unsaturated(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
 
 
 def _sign(curve: ForceCurve) -> float:
-    """Return the sign that makes z rise into the contact: the free end is flat, and its force is the smaller one.
+    """Return the sign that makes z rise into the contact.
 
-    If neither end of z is flat, but the first or the last points are, z turns in the contact. Else the force is convex,
-    because a contact that is pressed gets stiffer. Raises BadCurve if the two ends of z do not differ.
+    If the force is much flatter at one end of z, that end is free. Otherwise, if the force is flat over the first or
+    the last points, z turns in the contact. Otherwise the end with the larger force is in contact, unless the force is
+    concave there: a pressed contact gets stiffer. Raises BadCurve if the forces at both ends of z are the same.
     """
     order = numpy.argsort(curve.z, kind="stable")
     count = max(3, len(order) // 10)
@@ -258,7 +259,7 @@ def _sign(curve: ForceCurve) -> float:
 
 
 def _is_concave(z: Array, force: Array) -> bool:
-    """Return whether the force of the upper half of z is clearly concave."""
+    """Return whether the force over the upper half of z is clearly concave."""
     which = z >= numpy.median(z)
     if which.sum() <= LEAST_POINTS:
         return False
@@ -274,7 +275,7 @@ def _is_flat(end: Array, spread: float) -> bool:
 
 
 def _with_pull_negative(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
-    """Return a curve whose force rises into the contact, judged by its slope at that end as unloading begins."""
+    """Return the curve, with its force reversed if the force falls into the contact where unloading begins."""
     which = slice(int(numpy.argmax(curve.z)), None) if curve.branch is None else curve.branch == UNLOADING
     part = curve.chosen(which) if len(curve.z[which]) >= LEAST_POINTS else curve
     order = numpy.argsort(part.z, kind="stable")[-max(LEAST_POINTS, len(part.z) // 20) :]
@@ -314,7 +315,7 @@ def _split(curve: ForceCurve, only: str, remarks: dict[str, str]) -> dict[str, F
 
 
 def _in_time(part: ForceCurve, name: str) -> ForceCurve:
-    """Return the points of a branch in order of time: z rises during loading."""
+    """Return the points of a branch in order of time: z rises during loading, and falls during unloading."""
     if len(part.z) and (part.z[-1] < part.z[0]) == (name == LOADING):
         return part.chosen(slice(None, None, -1))
     return part
@@ -341,9 +342,9 @@ def running_median(values: Array, size: int = _SMOOTH) -> Array:
 
 
 def _white_noise(force: Array) -> float:
-    """Return the standard deviation of white noise, the least of those from differences of some orders.
+    """Return the standard deviation of white noise: the least of the estimates from differences of three orders.
 
-    If a curve has few points, differences of low order include its curvature.
+    If a curve has few points, its curvature enters the differences of low order.
     """
     sizes = []
     for order, square in ((2, 6), (3, 20), (4, 70)):
@@ -429,7 +430,7 @@ def _compare(baselines: Mapping[str, Baseline | None], remarks: dict[str, str]) 
 def _errors(part: ForceCurve, noise: float, give: float) -> tuple[Array, Array]:
     """Return standard deviations of the force and of z; only their ratio matters.
 
-    Without a column of its own, the deviation of z is that of the force times a compliance, `give`.
+    Without a column of errors of z, the deviation of z is that of the force times a compliance, `give`.
     """
     force_error = part.force_error if part.force_error is not None else numpy.full(len(part.z), noise)
     if part.z_error is not None:
@@ -440,7 +441,7 @@ def _errors(part: ForceCurve, noise: float, give: float) -> tuple[Array, Array]:
 def _in_contact(load: Array, name: str, noise: float) -> tuple[slice, slice]:
     """Return the slice of a branch from the largest to the least load, and the slice that may be in contact.
 
-    After the least load, a stiff lever still holds the contact, while a soft one is already snapping off.
+    After the least load, a stiff lever still holds the contact, while a soft lever is already snapping off.
     """
     forward = load if name == UNLOADING else load[::-1]
     smooth = running_median(forward, 5)
@@ -459,7 +460,7 @@ def _in_contact(load: Array, name: str, noise: float) -> tuple[slice, slice]:
 
 
 def _check(branches: dict[str, Branch], noise: float, remarks: dict[str, str]) -> None:
-    """Drop branches with too few points in contact, and add remarks on the others. Raises BadCurve if none is left."""
+    """Drop branches with too few points in contact, and add remarks. Raises BadCurve if no branch is left."""
     for name in [*branches]:
         if len(branches[name].in_contact.z) < LEAST_POINTS:
             problem = f"{name}: fewer than {LEAST_POINTS} points are in contact"
@@ -523,9 +524,9 @@ class LoadRange(NamedTuple):
         return end * (float(load.max()) if end > 0 else -float(load.min()))
 
     def within(self, branch: Branch) -> slice:
-        """Return the slice of a branch in contact with loads in the range, as one run of points.
+        """Return the slice of a branch that is in contact and has loads in the range, as one run of points.
 
-        The running median sets its ends, so that the noise of a single point does not.
+        The running median of the load decides where the slice ends, so a single noisy point cannot end it.
         """
         load = branch.in_contact.force
         low, high = map(self._load, (self.low, self.high), [load] * 2)

@@ -1,4 +1,4 @@
-"""Fit a measured curve: work of adhesion of each branch, contact modulus and contact point, with three errors.
+"""Fit a measured curve: work of adhesion of each branch, contact modulus and contact point, each with three errors.
 
 `fit_branches` divides the curve, `fit_problem` finds the minima of its branches, `fit_errors` computes the errors, and
 `fit_goodness` measures how well the fit describes the points.
@@ -27,7 +27,7 @@ from .fit_result import Fit, Known
 
 
 def fit_curve(curve: ForceCurve, known: Known) -> Fit:
-    """Return the fit of a curve. Raises BadCurve if there is none."""
+    """Return the fit of a curve. Raises BadCurve if the curve cannot be fitted."""
     if curve.kind == RADIUS and known.radius is None:
         raise BadCurve("contact radii give w with the radius of the sphere alone: give --radius", "no radius")
     try:
@@ -113,7 +113,7 @@ def _add(result: Fit, part: str, moves: list[Results]) -> None:
 
 
 def _pull_off(solution: Solution) -> float:
-    """Return the largest tension of the fitted curve, for a grip stiff enough to hold all of it."""
+    """Return the largest tension of the fitted curve: under a very soft grip, the contact is lost there."""
     setting, unknowns = solution.setting, solution.main.unknowns
     soft = Grip(1e-9 * float(exp(unknowns[MODULUS])) * solution.problem.radius)
     contact = setting.contact(unknowns)
@@ -147,7 +147,7 @@ def _points_of(solution: Solution) -> dict[str, Array]:
 
 
 def _columns_of(solution: Solution, part: Solved) -> dict[str, Array]:
-    """Return the points of one branch in contact."""
+    """Return the points of one branch in contact as columns, with fitted loads, residuals, G and a."""
     points, main = part.branch.in_contact, solution.main.unknowns
     loads = residuals(points, part.unknowns, solution.setting).loads
     rate, radius = release_rate(solution.problem, points, main)

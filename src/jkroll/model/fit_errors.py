@@ -1,8 +1,8 @@
 """The three errors of a fit: statistical (noise), calibration (the instrument) and model.
 
-Noise moves the points, and the baselines that are subtracted from them. The results also move if R or k changes by its
-error: that is the calibration error. The model error is their move with the range, the shape of the sphere, the law
-that holds and the atomic spacing.
+The statistical error comes from the noise of the points, and of the baselines that are subtracted from them. The
+calibration error is the change of a result if R or k changes by its error. The model error is the change of a result
+with the fitted range, the shape of the sphere, the law and the atomic spacing.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -19,7 +19,7 @@ from .fit_minimum import ADHESION, MODULUS, POINT, Minimum, Points, Setting, min
 from .fit_problem import NAMES, Problem, Solved
 from .fit_result import STRONG, Errors
 
-_FEW = 300  # points of a refit that shows the moves of the results
+_FEW = 300  # most points of a refit that computes moves of the results
 _ALIKE = 50.0  # Tabor parameter above which Maugis' law equals JKR's
 _WIDE = 0.1  # a/R above which the shape of the sphere matters
 
@@ -27,12 +27,12 @@ Results = Mapping[str, float]
 
 
 def _unchanged(part: Solved) -> Points:
-    """Return the fitted points of a branch."""
+    """Return the fitted points of a branch, unchanged."""
     return part.points
 
 
 class Solution(NamedTuple):
-    """The minima of a curve: of the main branch, and of the other branch with the E* and z_c of the main one."""
+    """The minima of a curve: of the main branch, and of the other branch with E* and z_c of the main branch."""
 
     problem: Problem
     setting: Setting
@@ -65,7 +65,7 @@ class Solution(NamedTuple):
         return values
 
     def refitted(self, setting: Setting, change: Callable[[Solved], Points] = _unchanged) -> Results:
-        """Return the results with another setting or changed points; fits start from the present minima and noise."""
+        """Return the results with another setting or changed points; fits start from the minima, and keep the noise."""
         main = minimum(change(self.main), setting, self.main.unknowns, self.main.free, self.main.minimum.noise)
         if self.other is None:
             return self.results(main, None)
@@ -103,7 +103,7 @@ def covariance_of(solution: Solution) -> tuple[tuple[str, ...], Array]:
     found = other.minimum
     rows = found.noise.whitened(found.residuals.derivatives)
     weighted = rows[:, ADHESION] * found.weights
-    pulls = -(weighted @ rows[:, [*main.free]]) / (weighted @ rows[:, ADHESION])  # pulls of the other unknowns on ln w
+    pulls = -(weighted @ rows[:, [*main.free]]) / (weighted @ rows[:, ADHESION])  # derivatives of ln w by main unknowns
     pulls[main.free.index(ADHESION)] = 0.0
     w = float(exp(found.unknowns[ADHESION]))
     variance = (float(found.covariance[0, 0]) + float(pulls @ matrix @ pulls)) * w * w
@@ -113,7 +113,7 @@ def covariance_of(solution: Solution) -> tuple[tuple[str, ...], Array]:
 
 
 def with_baselines(few: Solution, names: tuple[str, ...], covariance: Array) -> Array:
-    """Return the covariance with the errors of the baselines added, each as the moves that it causes."""
+    """Return the covariance with the errors of the baselines added, each through the moves that it causes."""
     for base, offset, slope in _baseline_changes(few):
         moves = few.moves(few.setting, partial(_shifted, base, offset, slope))
         column = numpy.array([moves[name] for name in names])
@@ -153,7 +153,7 @@ def by_calibration(few: Solution) -> dict[str, Results]:
 
 
 def _stronger(factor: float, part: Solved) -> Points:
-    """Return points with their forces multiplied."""
+    """Return the points of a branch with all forces multiplied by a factor."""
     points = part.points
     return points._replace(force=points.force * factor, force_error=points.force_error * factor)
 
@@ -210,7 +210,7 @@ def key_of(law: str, profile: str) -> str:
 def by_models(solution: Solution, few: Solution, width: float) -> Models:
     """Return the results by each law for a paraboloid, and for a sphere if the contact is wide (`width` is a/R).
 
-    Results by another law are the present ones plus their moves in a fit of fewer points.
+    Results by another law are those of the fit plus their moves in a refit of fewer points.
     """
     problem, known, values, here = solution.problem, solution.problem.known, solution.values, few.values
     has_adhesion = ADHESION in few.main.free
@@ -245,7 +245,7 @@ def by_models(solution: Solution, few: Solution, width: float) -> Models:
 
 
 def _refitted_anew(few: Solution, setting: Setting) -> Results:
-    """Return the results by a law whose z_c is very different, as it is between DMT and JKR."""
+    """Return the results of a fit that starts from a new z_c, since z_c by DMT differs much from z_c by other laws."""
     main = few.main
     start = with_point(main.points, setting, *exp(main.unknowns[:POINT]).tolist())
     found = minimum(main.points, setting, start, main.free, main.minimum.noise)

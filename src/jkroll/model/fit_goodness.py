@@ -13,11 +13,11 @@ from .fit_result import Errors, Fit
 
 _UNDETERMINED = 0.5  # standard deviation of ln E* above which E* is undetermined
 _POOR = 0.1  # rms over the pull-off force above which the curve is not that of a contact
-_WIDEST = 0.9  # a/R above which no theory of a half-space holds
+_WIDEST = 0.9  # a/R above which no theory of a half-space applies
 
 
 def goodness_of(solution: Solution, pull_off: float | None) -> dict[str, float]:
-    """Return the measures of goodness; points beyond the model's jump are compared with its last state."""
+    """Return the measures of goodness; points beyond the jump are compared with the last state of the model."""
     main, found = solution.main, solution.main.minimum
     misfit = main.points.force - found.residuals.loads
     rms, count = float(sqrt(numpy.mean(misfit**2))), len(main.points.z)
@@ -38,7 +38,7 @@ def _longest_run(misfit: numpy.ndarray) -> int:
 
 
 def remarks_on(solution: Solution, result: Fit, by_spring: Results | None) -> Iterator[tuple[str, str]]:
-    """Iterate over codes with their sentences. `by_spring`: the moves of the results by the error of the spring."""
+    """Iterate over codes with their sentences. `by_spring`: the moves of the results due to the spring's error."""
     main, good, errors = solution.main, result.goodness, result.errors
     has_adhesion = ADHESION in main.free
     if has_adhesion and main.branch.name == LOADING and result.kind != RADIUS:
@@ -76,13 +76,13 @@ def _on_noise(good: Mapping[str, float]) -> Iterator[tuple[str, str]]:
 
 
 def _on_spring(move: float, errors: Errors, modulus: float) -> Iterator[tuple[str, str]]:
-    """Iterate over one remark, or none: the spring is the largest source of error of E*."""
+    """Yield a remark if the spring is the largest source of error of E*."""
     if abs(move) * modulus > max(errors.statistical or 0.0, errors.model or 0.0):
         yield "lever-decides", f"the spring's error moves E* by {abs(move):.0%}, more than all else"
 
 
 def on_profile(values: Results, sphere: Results, errors: Mapping[str, Errors], width: float) -> Iterator[str]:
-    """Iterate over one sentence, or none: the results for a sphere differ by more than the other errors."""
+    """Yield a sentence if the results for a sphere differ by more than their other errors."""
     names = [name for name in (*NAMES.values(), "contact_modulus") if name in values]
     if not any(abs(sphere[name] - values[name]) > errors[name].total for name in names[:1] + names[-1:]):
         return
@@ -93,7 +93,7 @@ def on_profile(values: Results, sphere: Results, errors: Mapping[str, Errors], w
 
 
 def _on_resting_edge(solution: Solution, points: Mapping[str, numpy.ndarray]) -> Iterator[tuple[str, str]]:
-    """Iterate over one remark, or none: the edge is pinned, and G rises vertically over a by w/5 or more."""
+    """Yield a remark if the edge is pinned: G changes by more than w/5 while a hardly changes."""
     is_own = (points["branch"] == solution.main.branch.name) & numpy.isfinite(points["release_rate"])
     if is_own.sum() < LEAST_POINTS:
         return

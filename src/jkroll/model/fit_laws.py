@@ -18,7 +18,7 @@ from ..physics.contact import contact_radius, tabor_parameter
 
 Array = Any  # a float, or an array of floats
 
-_STEPS = 60  # most steps of Newton's method; it takes about 6
+_STEPS = 60  # most steps of Newton's method, which usually takes about 6
 _NEAR = 1e-10  # a smaller relative step is rounding
 _SECANTS = 60
 _STRETCH = 1e-5  # relative step of numerical derivatives
@@ -93,8 +93,8 @@ class CurveLaw(Protocol):
 def state_at(law: CurveLaw, x: Array, contact: Contact, grip: Grip) -> tuple[Array, float, float]:
     """Return q of the stable states at x, with q and x of the last state, which stands for all x beyond it.
 
-    Newton's method between bounds, with bisection where a step leaves the bounds. In JKR no step leaves them, since x
-    is convex in a.
+    Newton's method runs between bounds, and bisects where a step would leave the bounds. In JKR, no step leaves the
+    bounds, since x is convex in a.
     """
     last, most = law.last(contact, grip), law.most(contact)
     x_last = float(grip.x(law.values(last, contact)[0]))
@@ -118,7 +118,7 @@ def state_at(law: CurveLaw, x: Array, contact: Contact, grip: Grip) -> tuple[Arr
 
 
 def _root(excess: Callable[[float], float], low: float, high: float) -> float:
-    """Return the root of a rising function by the Illinois method; an end of the interval if there is none."""
+    """Return the root of a rising function by the Illinois method, or an end of the interval if there is no root."""
     below, above = excess(low), excess(high)
     if below >= 0 or above <= 0:
         return low if below >= 0 else high
@@ -189,7 +189,7 @@ class Jkr(NamedTuple):
         return values, Values(1 + 0 * a, slope - rise, stiffness * (slope - 3 * rise))
 
     def last(self, contact: Contact, grip: Grip) -> float:
-        """Return a where dx/da = 0: the fold for fixed grips, pull-off for a dead load; near 0 for a radius."""
+        """Return the a where dx/da = 0: fold for fixed grips, pull-off for a dead load; nearly 0 if x is a radius."""
         if grip.is_radius:
             return _LEAST_RATIO * contact.reduced_radius
         unloaded = contact_radius(**contact.without_spacing)
@@ -202,7 +202,7 @@ class Jkr(NamedTuple):
         return _root(slope, low, high)
 
     def start(self, x: Array, contact: Contact, grip: Grip, last: float, x_last: float) -> Array:
-        """Return an a that is too high at x, from the curvature at the last state; a measured radius itself."""
+        """Return an a that is too high at x, from the curvature at the last state; x itself if x is a radius."""
         if grip.is_radius:
             return x
         radius, modulus = contact.reduced_radius, contact.contact_modulus
@@ -247,7 +247,7 @@ class Dmt:
         return 0.0
 
     def start(self, x: Array, contact: Contact, grip: Grip, last: float, x_last: float) -> Array:  # noqa: ARG002
-        """Return a δ that is too high at x: it ignores the deflection of the lever."""
+        """Return a δ that is too high at x, since the deflection of the lever is ignored."""
         return x * x / contact.reduced_radius if grip.is_radius else numpy.maximum(x - x_last, 0)
 
     def most(self, contact: Contact) -> float:  # noqa: ARG002
@@ -285,7 +285,7 @@ class Maugis:
         return Values(q * span * length, approach * depth, load * force)
 
     def last(self, contact: Contact, grip: Grip) -> float:
-        """Return v where dx/dv = 0; a small v if a vanishes first, or for a measured radius."""
+        """Return the v where dx/dv = 0; a small v if a vanishes first, or if x is a contact radius."""
         if grip.is_radius:
             return _LEAST_RATIO
         transition, *_ = _scales(contact)

@@ -5,8 +5,8 @@ state at x, and the slopes X = dx/dq and T = dP/dq, a residual is
 
     r = X(F − P)/√(X²σ_F² + T²σ_x²)
 
-It stays finite where the contact is lost, although dP/dx = T/X diverges there. A point beyond the last state of the
-model has r = (x − x_last)/σ_x.
+This residual stays finite where the contact is lost, although dP/dx = T/X diverges there. A point beyond the last
+state of the model has r = (x − x_last)/σ_x.
 
 Noise is white, or autoregressive of first order, r_i = φr_(i−1) + e_i. Residuals are whitened, and φ is corrected for
 its bias by smooth unknowns (Kendall). The residuals themselves give the scale of e. If fewer than 20 points are
@@ -28,7 +28,7 @@ _HUBER = 3.0  # standard deviations
 _FEW = 30  # with fewer points, noise is taken as white
 _CUTS = 30  # most rounds of clipping at 3 standard deviations
 _MOST_PHI = 0.999
-_ROUNDS = 5  # most rounds of noise and minimum in turn
+_ROUNDS = 5  # most rounds, each with a minimum and its noise
 _SAME_PHI = 0.01
 FEW_INDEPENDENT = 20.0  # n/τ below which correlated noise looks like a misfit
 _STEPS = 100  # most steps of the minimiser
@@ -77,17 +77,17 @@ class Setting(NamedTuple):
 
 
 class Residuals(NamedTuple):
-    """Residuals, the derivatives of the model by ln w, ln E* and z_c in the same units, and the fitted loads."""
+    """Residuals, the derivatives of the model by ln w, ln E* and z_c in the same units, and the fitted states."""
 
     values: Array
     derivatives: Array
     loads: Array
-    radii: Array
-    is_beyond: Array
+    radii: Array  # fitted contact radii
+    is_beyond: Array  # True for points beyond the last state of the model
 
 
 def residuals(points: Points, unknowns: Array, setting: Setting) -> Residuals:
-    """Return the residuals of points. Derivatives are those of the model; those of residuals have the other sign.
+    """Return the residuals of points, with the derivatives of the model, which are minus those of the residuals.
 
     ∂P/∂θ at fixed x = P_θ − (T/X)x_θ
     """
@@ -168,7 +168,7 @@ def _spread(values: Array, unknowns: int) -> float:
 
 
 class Minimum(NamedTuple):
-    """A minimum: the unknowns, the covariance of the free ones, the noise, and the residuals."""
+    """A minimum: the unknowns, the covariance of the free unknowns, the noise, and the residuals."""
 
     unknowns: Array
     covariance: Array
@@ -176,7 +176,7 @@ class Minimum(NamedTuple):
     residuals: Residuals
     cost: float  # half the sum of Huber's loss of the whitened residuals
     weights: Array
-    correlation_time: float = 1.0  # correlation of the residuals, in points
+    correlation_time: float = 1.0  # of the residuals, in points
 
 
 def minimum(
@@ -188,10 +188,10 @@ def minimum(
     *,
     rounds: int = _ROUNDS,
 ) -> Minimum:
-    """Return the minimum that is reached from a start. Its residuals give the noise unless `noise` is given.
+    """Return the minimum that is reached from a start. The residuals give the noise unless `noise` is given.
 
-    `free`: the unknowns to move, by default all of the setting; `rounds`: most rounds of noise and minimum in turn, the
-    first with white noise.
+    `free`: the unknowns to move, by default all of the setting. `rounds`: most rounds, each of which finds the minimum
+    and then the noise; the first round assumes white noise.
     """
     chosen = [*(setting.names if free is None else free)]
     unknowns, found = numpy.array(start, float), noise
@@ -299,7 +299,7 @@ def with_point(points: Points, setting: Setting, w: float, modulus: float) -> Ar
 
 
 def best_of(starts: Sequence[Array], points: Points, setting: Setting, free: Sequence[int] | None = None) -> Minimum:
-    """Return the lowest of the minima from some starts. Raises ValueError if none is finite."""
+    """Return the best of the minima that are reached from some starts. Raises ValueError if no minimum is finite."""
     found = []
     for start in starts:
         reached = minimum(points, setting, start, free, rounds=1)

@@ -1,7 +1,7 @@
 """The problem of a fit: a measured curve with known data, its starts, minima and fitted range, and G of its points.
 
-The unloading branch gives w of opening, E* and z_c. With these E* and z_c, the loading branch gives w of closing; alone
-it hardly separates w from E*.
+The unloading branch gives w of opening, E* and z_c. With these E* and z_c, the loading branch gives w of closing;
+without them, a loading branch hardly separates w from E*.
 """
 
 from typing import NamedTuple, Self
@@ -32,7 +32,7 @@ _PLATEAU = 0.03  # relative variation of the energy release rate on its plateau
 _PLATEAUS = 4  # rounds of plateau and fit for contact radii
 _BINS = 24
 _LARGEST = 60.0  # ln w or ln E* beyond which a minimum is rejected
-_NO_ADHESION = 5.0  # a tension is at least this many standard deviations of the noise
+_NO_ADHESION = 5.0  # least tension that counts as adhesion, in standard deviations of the noise
 _NEXT_TO_NOTHING = 1e-12  # share of the upper limit of w; JKR with so little adhesion is Hertz' contact
 _ROOT_STEPS = 60  # steps of Newton's method for the contact radius of a point
 _ROOT = 1e-6  # largest error of the load at which a contact radius counts as a root
@@ -78,12 +78,12 @@ class Problem(NamedTuple):
         return _NO_ADHESION * self.branches.noise / (1.5 * pi * self.radius)
 
     def has_adhesion(self, branch: Branch) -> bool:
-        """Return whether the tension of a branch exceeds the noise; contact radii show w without tension."""
+        """Return whether the tension of a branch exceeds the noise; contact radii show w even without tension."""
         tension = -float(running_median(branch.in_contact.force, 3).min())
         return self.kind == RADIUS or tension >= _NO_ADHESION * self.branches.noise
 
     def range_of(self, branch: Branch, default: LoadRange) -> slice:
-        """Return the slice of the given range, or of a default range; the whole contact if this has too few points."""
+        """Return the slice of the given or a default range; the whole contact if the default has too few points."""
         if self.known.range is not None:
             return self.known.range.within(branch)
         try:
@@ -114,9 +114,10 @@ class Solved(NamedTuple):
 
 
 def solved(problem: Problem, branch: Branch) -> Solved:
-    """Return the minimum of a branch over all unknowns, in the given range or to the end of G's plateau.
+    """Return the minimum of a branch over all unknowns, in the given range or a default one. Raises BadCurve.
 
-    A first minimum shows how far the contact holds after the least load. Raises BadCurve.
+    The default is FIRST_RANGE for loading, and the plateau of G for unloading. A first minimum shows how far the
+    contact holds after the least load.
     """
     asked, free = problem.known.range, problem.setting.names
     if problem.kind == RADIUS and asked is None:
@@ -133,9 +134,9 @@ def solved(problem: Problem, branch: Branch) -> Solved:
 
 
 def _solved_by_radii(problem: Problem, branch: Branch) -> Solved:
-    """Return the minimum for contact radii. Of unloading, only the part in which the edge recedes counts.
+    """Return the minimum for contact radii. For unloading, only the part in which the edge recedes is fitted.
 
-    Iteration finds its start.
+    Iteration finds the start of this part.
     """
     points = branch.in_contact
     found = _first_minimum(problem, points)
@@ -146,7 +147,7 @@ def _solved_by_radii(problem: Problem, branch: Branch) -> Solved:
 
 
 def solved_with(problem: Problem, branch: Branch, main: Solved) -> Solved:
-    """Return the minimum of a branch over w alone, with E* and z_c of another branch. Raises BadCurve."""
+    """Return the minimum of a branch over w only, with E* and z_c of another branch. Raises BadCurve."""
     branch = extended(problem, branch, main.unknowns)
     points = branch.points.chosen(problem.range_of(branch, EVERYTHING))
     found = minimum(points, problem.setting, main.unknowns, free=[ADHESION])
@@ -207,7 +208,7 @@ def _starts(problem: Problem, points: Points) -> list[Array]:
 
 
 def extended(problem: Problem, branch: Branch, unknowns: Array) -> Branch:
-    """Return a branch whose contact extends as far as fixed grips hold it. `unknowns`: at a minimum."""
+    """Return a branch whose contact extends as far as fixed grips hold it. `unknowns`: those at a minimum."""
     if problem.kind != APPROACH:
         return branch  # a lever snaps off after the least load
     setting = problem.setting
@@ -243,7 +244,7 @@ def _median(values: Array) -> float:
 
 
 def release_rate(problem: Problem, points: Points, unknowns: Array) -> tuple[Array, Array]:
-    """Return the energy release rate G and contact radius of measured points, from E* and z_c, by JKR under any law.
+    """Return the energy release rate G and contact radius of measured points, from E* and z_c by JKR's formulas.
 
     Both are nan where no contact radius fits the approach and load of a point.
     """

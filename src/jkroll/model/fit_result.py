@@ -11,7 +11,7 @@ from .fit_branches import RADIUS, LoadRange
 from .fit_laws import Array
 from .frame import DEFAULTS
 
-STRONG = 5.0  # Tabor parameter above which JKR holds for w and E*
+STRONG = 5.0  # Tabor parameter above which JKR gives w and E*
 
 # The name of each result, and the quantity of the nomenclature that gives its unit and meaning.
 RESULTS: Mapping[str, str] = {
@@ -56,7 +56,7 @@ class Errors(NamedTuple):
 
     @property
     def total(self) -> float:
-        """The root of the sum of their squares."""
+        """The root of the sum of the squares of the three errors."""
         return float(sqrt(sum(each * each for each in self if each is not None)))
 
     def plus(self, part: str, moves: Sequence[float]) -> Self:
@@ -103,12 +103,12 @@ class Fit:
 
     @property
     def is_scaled(self) -> bool:
-        """True if no radius is known: w is wR, E* is E*√R."""
+        """True if no radius is known, so that w stands for wR, and E* for E*√R."""
         return self.known.radius is None
 
     @property
     def law_that_holds(self) -> str:
-        """The law that gives the best w and E*: Maugis' if the Tabor parameter is small."""
+        """The law that gives the best w and E*: Maugis' law if the Tabor parameter is small, otherwise JKR."""
         return "jkr" if self.goodness.get("tabor_parameter", inf) >= STRONG else "maugis"
 
     @property

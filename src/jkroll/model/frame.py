@@ -2,7 +2,8 @@
 
 A frame makes two assumptions: sphere 2 is like sphere 1 in every property that is not given for it, and the inputs in
 DEFAULTS have the values listed there unless they are given. A frame accepts numbers in the range of their quantity,
-from 1e-30 to 1e30 in SI units. Its results are doubles with all digits, and exactly 0 where the physics gives 0.
+from 1e-30 to 1e30 in SI units. Its results are doubles of full precision, never subnormal, and exactly 0 where the
+physics gives 0.
 """
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
@@ -81,7 +82,8 @@ EXCLUSIVE = (
 # Inputs that replace the yield displacement of a solid, or give sphere 2 another solid.
 _OTHER_DISPLACEMENT = frozenset((*IN_ITS_PLACE, *(of_sphere(2, name) for name in OF_A_SOLID)))
 
-# Quantities that have no value if both bodies are rigid: they need a contact area. JKR's others follow from these.
+# Quantities that have no value if both bodies are rigid: they need a contact area. All other such
+# quantities of JKR are computed from these.
 _ON_AREA = frozenset({"contact_modulus", "contact_shear_modulus", "shear_strength", "pull_off_force", "load_factor",
     "rolling_frequency_as_printed"})  # fmt: skip
 
@@ -94,8 +96,8 @@ class Frame:
 
     `described` are the inputs by name, and `stated` are the same inputs after conversion. `given` adds the properties
     of the materials, and drops uncertainties. `known` adds the names of defaults and of quantities that a single input
-    implies. `values` hold the known values and all results so far, nan where there is none; `reasons` explain the nan.
-    Both hold arrays, or numbers that apply to all rows.
+    implies. `values` holds the known values and all results so far, nan for a missing result; `reasons` explains each
+    nan. Both hold arrays, or numbers that apply to all rows.
 
     >>> frame = Frame({"surface_energy": 0.025, "radius": 1e-7})
     >>> f"{frame['pull_off_force']:.4e}"
@@ -104,7 +106,7 @@ class Frame:
     1e-07
     """
 
-    few = 300  # points of uncertain inputs up to which floats are faster than importing numpy: enough for two ranges
+    few = 300  # up to this many points, floats are faster than importing numpy; two ranges have 260
     unknowns: Sequence[str] = ()  # inputs that are inferred from measured quantities
     solution: Any = None  # the inferred values of the unknowns
 
@@ -118,19 +120,20 @@ class Frame:
         moved: Mapping[str, Any] = MappingProxyType({}),
         state: str = "",
     ) -> None:
-        """`given`: SI values by name, which override those of the materials; `material2`: only if sphere 2 has its own.
+        """`given`: SI values by name, which override those of the materials.
 
-        `model`: the name of a law in `LAWS`; None for JKR, the law of the paper. `moved`: values that override those of
-        a material without counting as stated; None removes an input. `state`: the name of a state of a force curve. The
-        frame computes with the middle of an uncertain value; `model.uncertainty` does the rest. Raises QuantityError,
-        or BadRequest for arrays that do not broadcast.
+        `material2`: None if sphere 2 has the material of sphere 1. `model`: the name of a law in `LAWS`; None for JKR,
+        the law of the paper. `moved`: values that override those of a material without counting as stated; None removes
+        an input. `state`: the name of a state of a force curve. The frame computes with the middle of an uncertain
+        value; `model.uncertainty` adds the uncertainties of results. Raises QuantityError, or BadRequest for arrays
+        that do not broadcast.
         """
         self.law = LAWS[DEFAULT_LAW if model is None else model]
         self.stated_model = None if model is None else self.law.name
         self.state = state
         check_exclusive(given)
         self.material, self.material2, self.moved = material, material2, moved
-        # Each material with the number of its sphere; sphere 2 is listed only if it has its own.
+        # Each material with the number of its sphere; sphere 2 is listed only if it has a material of its own.
         self.materials = [(solid, sphere) for solid, sphere in ((material, 1), (material2, 2)) if solid is not None]
         # By input: the material that provides it, and the name of the material's property.
         self.of_materials: dict[str, tuple[Material, str]] = {}
@@ -162,7 +165,7 @@ class Frame:
         self.plan_key = (self.known, material2 is not None, self.law.name)  # plans depend only on these
         self.reasons: dict[str, Any] = {}  # reasons of nan values, for results that have any
         self.steps: dict[str, Plan] = {}  # the steps that computed these results
-        # Computed arrays and reasons, by step and ids of its arguments; these are kept alive, so that no id is reused.
+        # Computed arrays and reasons, by step and ids of its arguments, which are kept alive so that no id is reused.
         self._shared: dict[tuple[object, ...], tuple[tuple[Any, Any], Any]] = {}
         self.derived: dict[Any, Any] = {}  # results of functions of the frame: see `once_a_frame`
 
@@ -174,8 +177,8 @@ class Frame:
         """Return the frame with other values of inputs; None removes an input.
 
         `model` sets the law of attraction, `state` the name of the state. New values of a material's properties count
-        as moved, all others as stated. A radius replaces a described diameter, and E replaces G. Arrays that follow
-        from the same values are reused, which saves a tenth of the time of a table with doubts.
+        as moved, new values of other inputs as stated. A radius replaces a described diameter, and E replaces G. Arrays
+        that follow from the same values are reused, which saves a tenth of the time of a table with doubts.
         """
         model, state = values.pop("model", self.stated_model), values.pop("state", self.state)
         of_materials = self.of_materials.keys() & values.keys() - self.stated.keys()
@@ -199,7 +202,7 @@ class Frame:
         return self
 
     def check(self) -> None:
-        """Raise the error of an `Inverse` frame whose search has no result for any measured value."""
+        """Do nothing; an `Inverse` frame raises an error here if no measured value can have a solution."""
 
     def judged(self, names: Iterable[str]) -> Sequence[str]:
         """Return the quantities whose limits apply to some results: here the results themselves."""
@@ -208,7 +211,7 @@ class Frame:
     def under(self, law: str) -> "Frame":
         """Return the frame under another law.
 
-        If the law lacks the state of a force curve, its load replaces it, unless only grips hold the state.
+        A state set by an input of one law is replaced by its load, unless only grips hold the state.
         """
         of_one_law = _OF_ONE_LAW & self.stated.keys()
         if self.state in HELD_BY_LOAD and of_one_law:
@@ -236,7 +239,10 @@ class Frame:
         return converted(self.described, known, own_material2=self.material2 is not None)
 
     def _displacement_of_solid(self) -> Interval | None:
-        """Return the yield displacement of the common solid at these radii; None without one, or if one is stated."""
+        """Return the solid's yield displacement scaled to these radii.
+
+        None if the spheres have no common solid with such a value, or if an input replaces it.
+        """
         material, radius = self.material, self.given.get("radius")
         if material is None or material.displacement is None or radius is None:
             return None
@@ -266,7 +272,7 @@ class Frame:
 
     @cached_property
     def is_rigid(self) -> Any:
-        """True if both bodies are rigid; an array if only some rows are."""
+        """True if both bodies are rigid; an array if they are rigid in some rows only."""
         modulus = self.given.get("youngs_modulus")
         modulus2 = self.given.get("youngs_modulus2", modulus if self.material2 is None else None)
         is_rigid = (modulus == INFINITY) & (modulus2 == INFINITY) & ("contact_modulus" not in self.given)
@@ -281,7 +287,7 @@ class Frame:
 
     @property
     def stated_of_1(self) -> dict[str, Any]:
-        """The stated inputs that hold for two spheres like sphere 1: none of sphere 2, nor w between two solids."""
+        """The stated inputs that apply to two spheres like sphere 1: not those of sphere 2, nor w between materials."""
         stated = {name: value for name, value in self.stated.items() if NOMENCLATURE[name].sphere != 2}
         if self.material2 is not None:
             stated.pop("work_of_adhesion", None)
@@ -304,7 +310,7 @@ class Frame:
     # --- Plans --------------------------------------------------------------------------------------------------------
 
     def plan(self, name: str) -> Plan:
-        """Return the plan of a quantity, without a formula if the inputs do not determine the quantity."""
+        """Return the plan of a quantity, with `is_possible` False if the inputs do not determine the quantity."""
         return plan_for(name, *self.plan_key)
 
     def plans(self, *names: str) -> list[Plan]:
@@ -344,7 +350,7 @@ class Frame:
     def echo(self, used: Collection[str]) -> dict[str, Any]:
         """Return the inputs that are used or stated, as understood: materials, law, SI values, state.
 
-        Even if they are not used, stated inputs may decide doubts and values by other laws, or identify rows of a list.
+        A stated input that is not used may still decide doubts and values by other laws, or identify rows of a list.
         """
         used = {*used, *(self.stated.keys() & self.given.keys())}
         echoed: dict[str, Any] = {of_sphere(sphere, "material"): solid.name for solid, sphere in self.materials}
@@ -434,7 +440,7 @@ class Frame:
     def _take(self, step: Plan) -> None:
         """Compute a step; arrays are reused if the step had the same arguments before."""
         given = {parameter: self.values[name] for parameter, name in step.arguments.items()}
-        reasons = self._inherited(step) if self.reasons or self.is_rigid is not False else 0  # the usual case
+        reasons = self._inherited(step) if self.reasons or self.is_rigid is not False else 0  # usually there are none
         if isinstance(reasons, int) and reasons:
             values: Any = nan
         elif not self.arrays:  # computing a number is faster than a look-up
@@ -473,7 +479,7 @@ class Frame:
         return column.values
 
     def numbers(self, *names: str) -> dict[str, Any]:
-        """Return the values of quantities by name, leaving out those without any."""
+        """Return the values of quantities by name, leaving out quantities without any value."""
         return {name: column.values for name, column in self.columns(names).items() if not column.is_empty}
 
     def error(self, name: str, number: int, row: int = 0) -> JkrollError:
@@ -527,7 +533,7 @@ def made_of(step: Plan, given: Mapping[str, Any], reasons: Any) -> tuple[Any, An
 
 
 def _are_usual(values: Any) -> bool:
-    """Return whether all values are ordinary results with all digits."""
+    """Return whether all values are finite, positive doubles of full precision."""
     if isinstance(values, NUMBER):
         return SMALLEST <= values < INFINITY
     return bool(values.size and values.min() >= SMALLEST and values.max() < INFINITY)
@@ -573,7 +579,7 @@ def _assumed(given: frozenset[str], has_displacement: bool) -> Mapping[str, floa
     for names in EXCLUSIVE:
         if not given.isdisjoint(names):
             replaced |= {*names}
-    if "hamaker" in given:  # it determines w and the atomic spacing
+    if "hamaker" in given:  # which determines w and the atomic spacing
         replaced.add("atomic_spacing")
     if has_displacement:
         replaced.add(XI)

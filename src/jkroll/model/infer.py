@@ -52,31 +52,31 @@ def infer(
     profile: str | None = None,
     **given: Any,
 ) -> Any:
-    """Return the value of an input at which a quantity has its measured value; or of two inputs, from two quantities.
+    """Return the value of an input from a measured quantity, or the values of two inputs from two quantities.
 
     Parameters
     ----------
     wanted
-        An input among `jkroll.model.unsolved.SIZES`, or the name of its option; or a list of one or two.
+        An input among `jkroll.model.unsolved.SIZES`, or the name of its option; or a list of one or two such names.
     measured
-        One quantity of the nomenclature with its value: a number, a list, a text and so on, as for `solve`. Two
-        quantities for two inputs.
+        A quantity of the nomenclature for each wanted input, with its value: a number, a list, a text and so on, as for
+        `solve`.
     material, material2, materials, model, profile, **given
         The rest of the scene, as for `solve`. A material's values of the wanted inputs are not used.
 
     Returns
     -------
-    A float in SI units; an array if any value is one; `Measured` or `Interval` if a given or measured value is
-    uncertain. For a list, a dict of these by name. Its attribute `condition` is the condition number of the logarithms
-    of the measured quantities as functions of the logarithms of the inputs.
+    A float in SI units; an array if any value is an array; `Measured` or `Interval` if a given or measured value is
+    uncertain. For a list, a dict of these values by name. The dict's attribute `condition` is the condition number of
+    the logarithms of the measured quantities as functions of the logarithms of the inputs.
 
     Raises
     ------
     BadRequest, MissingInput, QuantityError, UnknownMaterial, UnknownQuantity
         An input is wrong or missing.
-    NoDependence, NoSolution, SeveralSolutions; for two inputs Unseparated
-        No value gives the measured one, or several values do; or the condition number is above 1e8. Arrays have nan
-        there instead.
+    NoDependence, NoSolution, SeveralSolutions, Undetermined; for two inputs Unseparated
+        No value of the input gives the measured value, or several values do; for two inputs, the condition number may
+        also be above 1e8. Arrays have nan in such elements instead.
 
     >>> round(infer("gamma", measured={"pull_off_force": "300 nN"}, radius="2 um", radius2="plane"), 6)
     0.015915

@@ -25,7 +25,7 @@ class Inverse(Frame):
     is not used.
     """
 
-    few = 0  # points of uncertain inputs computed with floats: a search needs arrays
+    few = 0  # no points of uncertain inputs are computed with floats, as a search needs arrays
 
     def __init__(
         self, unknowns: Sequence[str], measured: Mapping[str, Any], known: Frame, near: "Inverse | None" = None
@@ -62,10 +62,10 @@ class Inverse(Frame):
         """The frame with placeholders for the unknowns."""
         return self.problem.filled
 
-    # --- Plans: the unknowns follow from the measured quantities, and these from the other inputs ---
+    # --- Plans: an unknown follows from the measured quantities, so it has their plans and inputs ---
 
     def judged(self, names: Iterable[str]) -> list[str]:
-        """Return quantities, with the measured ones instead of the unknowns."""
+        """Return the quantities, with the measured quantities in place of any unknown."""
         judged: dict[str, None] = {}
         for name in names:
             judged |= dict.fromkeys(self.measured if name in self.unknowns else (name,))
@@ -80,7 +80,7 @@ class Inverse(Frame):
         return [name for name in names if super(Inverse, self).missing(self.judged([name]))]
 
     def inputs_of(self, *wanted: str) -> tuple[str, ...]:
-        """Return the inputs that quantities depend on; an unknown depends on the measured quantities, too."""
+        """Return the inputs that quantities depend on; an unknown also depends on the measured quantities."""
         measured = self.measured.keys() if not {*self.unknowns}.isdisjoint(wanted) else ()
         return in_order({*super().inputs_of(*wanted), *measured} - self.problem.sought.keys())
 
@@ -108,7 +108,7 @@ class Inverse(Frame):
     def solution(self) -> Solution:
         """The values of the unknowns, with the reasons of rows without a solution.
 
-        Raises BadRequest if the solids vary by row and an unknown is a property: it may belong to one sphere or both.
+        Raises BadRequest if the solids vary by row and an unknown is a property, of one sphere or of both.
         """
         solids = [solid.name for solid, _ in self.materials]
         if solids[1:] and not all(solids) and not {*PROPERTIES}.isdisjoint(self.unknowns):

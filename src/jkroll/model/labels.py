@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from importlib import import_module
 from typing import Any
 
-Axis = tuple[Any, Any]  # the name of a dimension and its labels, or None
+Axis = tuple[Any, Any]  # the name of a dimension and its labels; either may be None
 
 
 def axes_of(value: Any) -> list[Axis]:
@@ -23,7 +23,7 @@ def have_same_dimensions(axes: Sequence[Axis], others: Sequence[Axis]) -> bool:
 
 
 def have_same_labels(axes: Sequence[Axis], others: Sequence[Axis]) -> bool:
-    """Return whether two arrays of the same dimensions have the same labels, or none."""
+    """Return whether two arrays of the same dimensions have the same labels, or no labels."""
     for (_, labels), (_, other) in zip(axes, others, strict=True):
         if labels is not other and (labels is None or not labels.equals(other)):
             return False
@@ -31,11 +31,11 @@ def have_same_labels(axes: Sequence[Axis], others: Sequence[Axis]) -> bool:
 
 
 def aligned(arrays: Sequence[Any]) -> tuple[Sequence[Any], Any]:
-    """Return arrays aligned as in arithmetic by their library, and an array with the labels of the results.
+    """Return arrays, aligned by their library as in arithmetic, and an array with the labels of the results.
 
-    The latter is None if the results have the labels of the arrays. In pandas, a label missing from one array is
-    dropped from the others, and has no value in the result. Arrays that the library cannot align are returned as they
-    are.
+    The array of labels is None if the results have the labels of the arrays. In pandas, a label missing from one array
+    is dropped from the others, and has no value in the result. Arrays that the library cannot align are returned
+    unchanged.
     """
     first, *others = map(axes_of, arrays)
     if all(have_same_dimensions(first, axes) and have_same_labels(first, axes) for axes in others):
@@ -47,7 +47,7 @@ def aligned(arrays: Sequence[Any]) -> tuple[Sequence[Any], Any]:
             xarray = import_module("xarray")
             joined = xarray.align(*arrays, join=xarray.get_options()["arithmetic_join"])
             return [*xarray.broadcast(*joined)], None
-    except Exception:  # duplicate labels or different sizes: a library has many errors for that
+    except Exception:  # for duplicate labels or different sizes, libraries raise many kinds of errors
         pass
     return arrays, None
 
@@ -76,7 +76,7 @@ def unit_stated(array: Any) -> Any:
 
 
 def text_of_unit(unit: Any) -> str:
-    """Return a library's unit as a text: symbols with powers for pint and astropy, "1" for none.
+    """Return a library's unit as a text: symbols with powers for pint and astropy, "1" for no unit.
 
     >>> text_of_unit("nm "), text_of_unit("")
     ('nm', '1')

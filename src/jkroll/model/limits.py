@@ -27,8 +27,8 @@ _COMPARISONS = {"<": lt, "<=": le, ">": gt, ">=": ge}
 class Limit:
     """A number that limits the model, the quantities that it touches, and the consequence beyond the limit.
 
-    `sign` is the comparison that puts a number in doubt: with "<", a number below a threshold is. A number may have
-    several thresholds, each with its code, in the order in which it crosses them.
+    `sign` is the comparison that puts a number in doubt: with "<", a number below a threshold is in doubt. A number
+    may have several thresholds, each with its code, in the order in which the number crosses them.
     """
 
     def __init__(
@@ -38,13 +38,13 @@ class Limit:
         sign: Literal["<", "<=", ">", ">="],
         codes: Mapping[float, str],  # by threshold
         consequence: str,  # in words: the meaning of a number beyond the threshold
-        applies: Callable[[Frame, Collection[str]], bool] | None = None,  # to some results of a frame; None: to all
+        applies: Callable[[Frame, Collection[str]], bool] | None = None,  # a test of a frame's results; None: always
         ends_meaning: bool = False,  # results beyond the limit have no meaning
         conclusion: str = "",  # the quantity that states the verdict, such as "has_jump", if not the number
         # Computes the number to judge in place of the named one, such as the ratio of two answers.
         factor: Callable[[Frame, Mapping[str, Column]], Any] | None = None,
-        where: Callable[[Frame], Any] | None = None,  # the rows in which it is judged
-        is_shown: bool = True,  # below an answer; otherwise only in explanations
+        where: Callable[[Frame], Any] | None = None,  # the rows in which the limit is judged
+        is_shown: bool = True,  # in answers; if False, only in explanations
         has_remedy: Callable[[Frame], bool] | None = None,  # True if the sentence names a remedy, and so comes first
     ) -> None:
         self.name, self.touches, self.sign, self.codes = name, touches, sign, codes
@@ -58,7 +58,7 @@ class Limit:
         return _COMPARISONS[self.sign](number, threshold)
 
     def excess(self, number: Any) -> Any:
-        """Return how far numbers are beyond the first threshold: ln(number/threshold), or the number if that is 0."""
+        """Return the distance beyond the first threshold: ln(number/threshold), or the number if the threshold is 0."""
         size = ln(number / self.threshold) if self.threshold else number
         return size if self.sign.startswith(">") else -size
 
@@ -76,7 +76,7 @@ class Limit:
 class Doubt:
     """A judged limit, the value of its quantity, and the number that was compared with the threshold.
 
-    Both may be arrays.
+    The value and the number may be arrays.
     """
 
     def __init__(
@@ -97,12 +97,12 @@ class Doubt:
 
     @property
     def code(self) -> str:
-        """The code of the last threshold that the number crosses; empty if the limit holds, UNCHECKED if not judged."""
+        """The code of the last threshold that the number crosses; empty within the limit, UNCHECKED if not judged."""
         return codes(self.bits)
 
     @property
     def factor(self) -> float | None:
-        """The ratio by which the number exceeds the first threshold, below 1 if the limit holds.
+        """The ratio by which the number exceeds the first threshold, below 1 within the limit.
 
         None if the ratio is infinite or undefined.
         """
@@ -121,7 +121,7 @@ class Doubt:
 
     @cached_property
     def is_beyond(self) -> Any:
-        """The rows beyond the first threshold; False if there are none, the usual case."""
+        """The rows beyond the first threshold, or False if there are no such rows, as usual."""
         is_beyond = self.limit.is_beyond(self.judged, self.limit.threshold)
         return is_beyond if is_anywhere(is_beyond) else False
 
@@ -144,7 +144,7 @@ class Doubt:
 
 
 def _bits_where(condition: Any, bits: int, otherwise: Any) -> Any:
-    """Return bits in the rows of a condition, as integers of 64 bits; in a browser numpy's default has 32."""
+    """Return bits in the rows of a condition, as integers of 64 bits; in a browser, numpy's default integer has 32."""
     if isinstance(condition, bool):
         return bits if condition else otherwise
     import numpy
@@ -282,7 +282,7 @@ INEXACT = (
     Limit(
         "yield_force_fixed_load", frozenset({"yield_force_fixed_load"}), ">", {1.0: "rolls-by-itself"},
         "a load of fixed direction is enough to roll sphere 1; Q_P is then the force that holds it back",
-        factor=lambda frame, _: 1 - frame["yield_force_fixed_load"] / frame["yield_force"],  # driving over resisting
+        factor=lambda frame, _: 1 - frame["yield_force_fixed_load"] / frame["yield_force"],  # driving/resisting force
     ),
     Limit(
         "peeling_over_sliding", frozenset({"sliding_force"}), "<", {1.0: "peels-before-sliding"},
@@ -296,7 +296,7 @@ INEXACT = (
         "speed_over_sticking", frozenset({"restitution", "sticking_speed"}), ">", {1.0: "bounces"},
         "free spheres that collide head-on bounce if adhesion is the only loss; others let them stick at higher speeds",
         _has_speed,
-        is_shown=False,  # e implies it
+        is_shown=False,  # the restitution already shows this
     ),
     Limit(
         "speed_over_sound", _IMPACT, ">", {0.1: "near-sound-speed"},
@@ -381,25 +381,27 @@ INEXACT = (
 )  # fmt: skip
 LIMITS = (*ENDING, *INEXACT)
 
-# In columns a doubt is a bit: one for each code in order, and a last one for limits that could not be judged.
+# In columns, doubts are the bits of an integer: one bit for each code, in order, and a last one for limits that could
+# not be judged.
 UNCHECKED = "unchecked"
 CODES = tuple(chain.from_iterable(limit.codes.values() for limit in LIMITS))
 BITS = {code: 1 << position for position, code in enumerate((*CODES, UNCHECKED))}
 ENDING_MEANING = sum(limit.bits for limit in ENDING)
 NOT_JUDGED = BITS[UNCHECKED]
 EVERY_DOUBT = sum(BITS.values())
-# The words of the codes that end the meaning of results (these are reasons, too) and of the code of unjudged limits.
+# In words: the codes of limits that end the meaning of results (also reasons for empty cells), and of unjudged limits.
 MEANINGS = {code: limit.consequence.partition(";")[0] for limit in ENDING for code in limit.codes.values()}
 ENDS = {code: register(EndOfMeaning(words, words, code=code)) for code, words in MEANINGS.items()}
 MEANINGS[UNCHECKED] = "a limit needs an input that is not given"
-# Numbers that keep their meaning beyond every limit: w, and the numbers that limits judge, unless they are results.
+# Numbers that keep their meaning beyond every limit: w, and the numbers that limits judge, unless a limit touches them
+# for a reason other than elasticity.
 NUMBERS_OF_LIMITS = {"work_of_adhesion", *(limit.name for limit in LIMITS)}.difference(
     *(limit.touches for limit in LIMITS if "work_of_adhesion" not in limit.touches)
 )
 
 
 def doubts(frame: Frame, columns: Mapping[str, Column], limits: Iterable[Limit] = LIMITS) -> list[Doubt]:
-    """Return the limits of the results in columns, each judged or with the reason why it is not.
+    """Return the limits of the results in columns, each judged, or with the reason why it was not judged.
 
     A limit is left out if its number does not exist for the law or the contact.
     """
@@ -438,7 +440,7 @@ def concerns(limit: Limit, frame: Frame, names: Collection[str]) -> bool:
 def bits_of(frame: Frame, judged: Sequence[tuple[Any, Sequence[str]]], every: Iterable[Doubt]) -> Any:
     """Return the codes of doubts as bits. A limit counts in the rows in which it concerns a judged quantity.
 
-    `judged`: rows, with the quantities that are judged in them.
+    `judged`: pairs of rows and the quantities that are judged in these rows.
     """
     bits: Any = 0
     is_same = all(rows is True for rows, _ in judged)

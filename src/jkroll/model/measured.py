@@ -13,7 +13,7 @@ from .plan import depends_on
 from .ranges import takes
 
 Make = Callable[[Frame], Frame]
-VISCOUS_TIME = "viscous_time"  # if given, it decides the losses
+VISCOUS_TIME = "viscous_time"  # an input that decides the losses if it is given
 SIO2, POLYSTYRENE, MICA = "SiO2", "polystyrene", "mica"
 
 
@@ -23,10 +23,10 @@ def is_smooth(material: Material | None) -> bool:
 
 
 def measured_solid(material: Material) -> str:
-    """Return the solid on which rolling was measured, if a material consists of it.
+    """Return the measured solid that a material consists of: SiO2, polystyrene, or an empty name.
 
-    The spheres of SiO2 had the surface energy of humid silica. The surface energy of ice was itself scaled from rolling
-    forces.
+    The measured spheres of SiO2 had the surface energy of humid silica. Ice is left out, since its surface energy was
+    itself scaled from rolling forces.
     """
     if SIO2 in material.aliases:
         return SIO2
@@ -34,9 +34,9 @@ def measured_solid(material: Material) -> str:
 
 
 def solid_of_pair(frame: Frame) -> str:
-    """Return the measured solid, if both spheres consist of it."""
+    """Return the measured solid that both spheres consist of, or an empty name."""
     solid = frame.material
-    measured = measured_solid(solid) if solid is not None else ""  # empty for several solids: arrays
+    measured = measured_solid(solid) if solid is not None else ""  # empty if the solids vary by row
     return measured if frame.material2 in (None, solid) else ""
 
 
@@ -44,7 +44,7 @@ def solid_of_pair(frame: Frame) -> str:
 
 
 class Rolled(NamedTuple):
-    """A measurement on identical pairs of one radius, and the pairs to which it is scaled: as R^(2/3) or as R."""
+    """A measurement on identical pairs of one radius, and the pairs to which it is scaled with R^(2/3) or R."""
 
     name: str  # the quantity: the force or the displacement that starts rolling
     source: str
@@ -118,7 +118,7 @@ ROLLED: Mapping[str, Rolled] = {
 
 
 def solid_that_rolled(frame: Frame) -> str:
-    """Return the solid on which rolling was measured, if both spheres consist of it."""
+    """Return the solid of both spheres if rolling on it was measured, otherwise an empty name."""
     solid = frame.material
     if solid is None or frame.material2 not in (None, solid):
         return ""
@@ -136,7 +136,7 @@ def what_rolled(frame: Frame) -> Rolled | None:
 class Stuck(NamedTuple):
     """The largest speed at which spheres of some radii stuck to a plane, as a power of the radius.
 
-    For other pairs, over a wider range of radii, it is scaled in proportion to the law's speed.
+    For other pairs, in the wider range of radii `carried`, this speed is scaled in proportion to the speed by a law.
     """
 
     speed: float
@@ -151,12 +151,12 @@ class Stuck(NamedTuple):
         return self.speed * (radius / self.radius) ** self.exponent
 
     def ends(self, frame: Frame) -> tuple[Any, Any]:
-        """Return the least and the largest speed for the spheres of a frame."""
+        """Return the least and the largest measured speed at the radius of a frame."""
         speed = self.at(frame["radius"])
         return speed * (1 - self.error), speed * (1 + self.error)
 
     def in_proportion(self, frame: Frame) -> tuple[Any, Any]:
-        """Return the least and the largest speed for a frame, in proportion to the speed by its law."""
+        """Return the least and the largest speed for a frame, in proportion to the sticking speed by its law."""
         speeds = [
             self.at(radius) / frame.replace(radius=radius, radius2=INFINITY)["sticking_speed"] * frame["sticking_speed"]
             for radius in self.radii
@@ -230,7 +230,7 @@ def rolling(names: Iterable[str]) -> list[str]:
 
 
 def assumes_displacement(frame: Frame) -> bool:
-    """Return whether the paper's displacement is assumed, under a law that relates it to forces."""
+    """Return whether the paper's displacement is assumed, under a law that relates displacements to forces."""
     return XI in frame.values and frame.given.keys().isdisjoint(IN_ITS_PLACE) and not frame.plan("yield_force").lacking
 
 

@@ -1,4 +1,4 @@
-"""The frame under another law of attraction, to compare with the one in use, and the difference between the two."""
+"""The frame under another law of attraction, to compare with the law in use, and the difference between both laws."""
 
 from collections.abc import Iterable, Mapping
 from functools import reduce
@@ -31,18 +31,18 @@ def by_law_at_spacing(frame: Frame, names: Iterable[str]) -> Frame:
 
 
 def has_other_formulas(frame: Frame, name: str, law: str = DEFAULT_LAW) -> bool:
-    """Return whether a law and the frame have different formulas for a quantity, or only one of them has any."""
+    """Return whether a law and the frame have different formulas for a quantity, or only one of them has a formula."""
     return frame.plan(name).steps.keys() != plan_for(name, *frame.plan_key[:2], law).steps.keys()
 
 
 def moved_by_law(frame: Frame, names: Iterable[str]) -> list[str]:
-    """Return the quantities for which the other law has different formulas, or is the only one to have any."""
+    """Return the quantities for which the other law has different formulas, or is the only law with a formula."""
     other = frame.by_law
     return [name for name in other.possible(names) if has_other_formulas(frame, name, other.law.name)]
 
 
 def factor_of_law(frame: Frame, columns: Mapping[str, Column]) -> Any:
-    """Return the largest factor between the results by the law in use and by the law that holds.
+    """Return the largest factor between the results by the law in use and by Maugis' law.
 
     A pull-off force is also compared with Lennard-Jones' law. The factor is infinite if only the law in use has a
     result, or if signs differ.
@@ -63,7 +63,7 @@ def factor_of_law(frame: Frame, columns: Mapping[str, Column]) -> Any:
 def farthest(answers: Iterable[tuple[Any, Any]]) -> Any:
     """Return the largest factor (or inverse factor) between two answers, over all pairs; 1 if there are none.
 
-    It is infinite if the first answer is 0 or signs differ, and 1 if the second is missing or 0.
+    The factor of a pair is infinite if its first answer is 0 or the signs differ, and 1 if the second is missing or 0.
     """
     ratios: list[Any] = [1.0]
     ratios += (quotient(theirs, ours, 1.0) for theirs, ours in answers)

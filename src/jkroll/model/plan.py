@@ -26,7 +26,7 @@ KEPT = 5_000  # plans kept in memory; a set of inputs has a few hundred
 
 
 class Plan:
-    """A quantity's formula with the names of its arguments. Without a formula it is an input, or cannot be computed."""
+    """A quantity's formula with the names of its arguments; without a formula, a value that is known or missing."""
 
     def __init__(
         self,
@@ -68,7 +68,7 @@ def plan_for(wanted: str, known: frozenset[str], own_material2: bool, model: str
 
 @lru_cache(maxsize=KEPT)
 def taken_by(names: tuple[str, ...], *plan_key: Any) -> frozenset[str]:
-    """Return the names of quantities and of the parameters of all their formulas; `plan_key`: see `plan_for`."""
+    """Return the names of quantities and of the arguments of all their formulas; `plan_key`: see `plan_for`."""
     plans = [plan_for(name, *plan_key) for name in names]
     return frozenset(names).union(*(step.arguments for plan in plans for step in plan.steps.values()))
 

@@ -10,7 +10,7 @@ from .plan import formula_of
 
 # --- Inputs -----------------------------------------------------------------------------------------------------------
 
-LEAST, MOST = 1e-30, 1e30  # size of an input in SI units; inputs that may be 0 may be smaller
+LEAST, MOST = 1e-30, 1e30  # magnitudes of inputs in SI units; inputs that may be 0 may be smaller
 
 
 def check_range(name: str, value: Any) -> None:
@@ -20,7 +20,7 @@ def check_range(name: str, value: Any) -> None:
     position: tuple[int, ...] = ()
     if not isinstance(value, NUMBER):
         if value.size and all(abs(end) <= MOST and takes(name, end) for end in (value.min(), value.max())):
-            return  # the usual case: a range that contains the least and the largest number contains all
+            return  # a range that contains the least and the largest number contains all numbers
         are_refused = ~takes(name, value)
         if not are_refused.any():
             return
@@ -35,7 +35,7 @@ def check_range(name: str, value: Any) -> None:
 def takes(name: str, value: Any) -> Any:
     """Return whether a frame accepts a number as the value of a quantity, element by element for arrays."""
     limits, size = NOMENCLATURE[name].range, abs(value)
-    if isinstance(value, NUMBER) and LEAST <= size <= MOST:  # the usual case
+    if isinstance(value, NUMBER) and LEAST <= size <= MOST:  # true of most inputs
         return limits.admits(value)
     is_large_enough = (size >= LEAST) | limits.admits(0.0)
     is_small_enough = (size <= MOST) | (value == INFINITY)
@@ -44,8 +44,8 @@ def takes(name: str, value: Any) -> Any:
 
 # --- Results ----------------------------------------------------------------------------------------------------------
 
-SMALLEST = 2.2250738585072014e-308  # the smallest double with all digits
-# Quantities of sphere 2 that are infinite if it is a plane, such as its mass.
+SMALLEST = 2.2250738585072014e-308  # the smallest double of full precision
+# Quantities of sphere 2 that are infinite for a plane, such as the mass.
 OF_A_PLANE = [
     name for name, quantity in NOMENCLATURE.items()
     if quantity.range is UP_TO_INFINITE and quantity.sphere == 2 and formula_of(name) is not None

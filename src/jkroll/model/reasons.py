@@ -1,9 +1,9 @@
 """Reasons for missing values: their causes, and the errors and sentences that state them.
 
 In columns a reason is an integer, 0 for none. It encodes a cause, and the step of the calculation that has no value.
-The numbers in its sentence are the arguments of this step in the same row.
+The numbers in the sentence of a reason are the arguments of this step in the same row.
 
-The end of this file states the arguments for which a formula has no result.
+The rules at the end of this file state for which arguments a formula has no result.
 """
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -26,7 +26,7 @@ from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE_
 from ..quantities.values import parse_quantity
 from ..text import listed
 
-MAX_DIGITS = 17  # so many distinguish any two doubles
+MAX_DIGITS = 17  # enough to distinguish any two doubles
 _FEWEST = 4  # fewest digits of the numbers in a reason
 
 
@@ -71,7 +71,7 @@ class MissingInput(JkrollError):
 
 
 class NotInLaw(MissingInput):
-    """Error raised if a law of attraction lacks a quantity, or another quantity that it depends on."""
+    """Error raised if a law of attraction lacks a quantity, or an argument of its formula."""
 
     def __init__(self, wanted: str, absent: Sequence[str], law: str) -> None:
         super().__init__(wanted, ())
@@ -113,7 +113,8 @@ class Cause:
         phrase: str,  # in the status of a row
         words: str,  # in full; {0} is the value of `name` that excludes a result, {1} and {2} are its limits
         name: str = "",  # the quantity whose value excludes a result
-        # The comparison with the limit. Loads and approaches at their limit are beyond it: rounding may put them there.
+        # The comparison with the limit. Loads and approaches at their limit count as beyond it, since rounding may put
+        # them there.
         is_beyond: Callable[[Any, Any], Any] = le,
         code: str = "",  # in JSON; the default is the phrase with hyphens
     ) -> None:
@@ -219,7 +220,7 @@ def register(cause: Cause) -> Cause:
 
 @cache
 def reason(cause: Cause, step: str = "") -> int:
-    """Return the integer that encodes a reason. `step`: the quantity whose formula has no value, if one is to blame."""
+    """Return the integer that encodes a reason. `step`: the quantity whose formula has no value, if there is one."""
     return _CAUSES.index(cause) * len(_STEPS) + _STEPS.index(step)
 
 
@@ -241,13 +242,13 @@ class Failure(NoResult):
 
     @property
     def code(self) -> str:
-        """The code of its cause."""
+        """The code of the cause."""
         return self.cause.code
 
     def explanation(self) -> str:
         """Return the cause in words with its numbers, with enough digits to distinguish a value from its limit.
 
-        The first limit can be typed as an input: its rounding keeps it within what the contact holds.
+        The first limit is rounded up, so that a contact still exists at the load or approach as shown.
         """
         if not self.numbers:
             return self.cause.words
@@ -267,7 +268,7 @@ def reason_of(error: JkrollError) -> int:
 
 
 class NoErrorBar(NoResult):
-    """Error raised for a value without an uncertainty, because no value exists at an end of an input."""
+    """Error raised for a result without an uncertainty: at some value of an input, the result does not exist."""
 
     phrase = "no error bar"
 
@@ -331,12 +332,12 @@ def _fold_sphere(given: Given) -> Any:
 
 Rule = tuple[Cause, Callable[[Given], Any]]
 
-# Only grips hold a contact between pull-off and the fold; its stiffness or its distance from pull-off is negative.
+# Only grips hold a contact between pull-off and the fold; there, its stiffness or its load margin is negative.
 _NOT_HELD: Rule = (NOT_HELD, lambda given: (given.get("stiffness", 0) < 0) | (given.get("load_margin", 0) < 0))
 _PARTED: Rule = (BEYOND_FOLD, lambda given: approach_at_fold(approach=given["approach"]))
 
 # By formula: the cause, and a function of the arguments that returns the limit of the quantity that the cause names. If
-# the cause names none, the function returns the condition itself.
+# the cause names no quantity, the function returns whether the cause applies.
 RULES: Mapping[str, Rule] = {
     "load_margin": (BEYOND_PULL_OFF, lambda given: -given["pull_off_force"]),
     "edge_ratio_at_load": (BEYOND_PULL_OFF, lambda given: -given["pull_off_force_maugis"]),

@@ -37,11 +37,11 @@ class Results:
         """`described`: the frame; `computed`: its columns; `keeps_all`: True to keep values without a meaning.
 
         Uncertainties are those of the frame as described. Limits are judged on the frame in which all inputs have
-        values. They are judged for the results or, if these are inferred, for the measured quantities.
+        values. They are judged for the results, or for the measured quantities in place of inferred results.
         """
         self.described, self.computed, self.keeps_all = described, computed, keeps_all
         self.frame = described.found
-        self._ends: dict[tuple[int, ...], Any] = {}  # reasons, by the limits that end a meaning
+        self._ends: dict[tuple[int, ...], Any] = {}  # reasons, by the indices of limits that end meaning
 
     # --- Columns ------------------------------------------------------------------------------------------------------
 
@@ -71,10 +71,7 @@ class Results:
         return meant
 
     def without_meaning(self, column: Column, touching: Iterable[str]) -> Column:
-        """Return a column with reasons instead of values where a limit ends the meaning of one of some quantities.
-
-        `touching`: these quantities.
-        """
+        """Return a column with reasons instead of values where a limit ends the meaning of a quantity in `touching`."""
         reasons: Any = 0
         if column.is_empty:
             return column
@@ -88,7 +85,7 @@ class Results:
         return Column(where(reasons == 0, column.values, nan), first_of(column.reasons, reasons))
 
     def _ends_of(self, name: str) -> Any:
-        """Return the reasons of rows in which limits end a meaning; quantities with the same limits share them."""
+        """Return the reasons of rows in which limits end meaning, shared by the quantities with the same limits."""
         ending = () if name in NUMBERS_OF_LIMITS else self.ending
         concerned = tuple(index for index, doubt in enumerate(ending) if concerns(doubt.limit, self.frame, [name]))
         if concerned not in self._ends:
@@ -97,7 +94,7 @@ class Results:
 
     @cached_property
     def values(self) -> dict[str, Any]:
-        """The values of columns that have any."""
+        """The values of columns, without columns that have no value."""
         return {name: column.values for name, column in self.columns.items() if not column.is_empty}
 
     @cached_property
@@ -200,7 +197,7 @@ class Results:
         return errors
 
     def open_bars(self, row: int = 0) -> dict[str, JkrollError]:
-        """Return the errors of values without an uncertainty in a row: there is no result at an end of an input."""
+        """Return the errors of a row's results without an uncertainty: at some value of an input, they do not exist."""
         errors: dict[str, JkrollError] = {}
         for name, bar in self.bars.items():
             if at_row(bar.open_at, row):

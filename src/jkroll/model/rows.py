@@ -1,6 +1,6 @@
 """The columns of rows: values, uncertainties, doubts as bits, and the reasons for empty cells.
 
-Rows for which the same inputs are given form one frame of arrays. In a short list, each row is a frame of numbers.
+Rows with the same given inputs form one frame of arrays. In a short list, each row is a frame of numbers.
 """
 
 from collections import Counter
@@ -48,7 +48,7 @@ _BY = f"{_BEST}by"
 _TEXTS = {DOUBT, STATUS, *(name for name, quantity in NOMENCLATURE.items() if quantity.is_word)}
 Reasons = Mapping[str, JkrollError]  # for the empty cells of a row, by column
 Gaps = tuple[int, int, str]  # rows with one status: their number, the first (from 1), and its reasons in full
-_NONE: Mapping[str, Any] = {}  # unlike a MappingProxyType, it can be pickled
+_NONE: Mapping[str, Any] = {}  # an empty mapping that can be pickled, unlike a MappingProxyType
 
 
 class Wanted:
@@ -90,7 +90,7 @@ class Wanted:
         return [f"{name}{_BEST}{part}" for part in ("low", "high", "by")] if name in self.best else []
 
     def heads(self, header: Callable[[str], str]) -> list[str]:
-        """Return the headers of all columns, such as "radius_minus [nm]"; `header` returns that of a quantity."""
+        """Return the headers of all columns, such as "radius_minus [nm]"; `header` returns the header of a quantity."""
         heads = []
         for name in self.names:
             for key in self.keys_of(name):
@@ -168,7 +168,7 @@ class Columns:
         if few:
             self.numbers: Any = [[nan] * size for _ in wanted.keys]  # one column for each key
             self.doubts: Any = [0] * size  # as bits
-            self._gap_of: Any = [0] * size  # the number of each row's gap, from 1; 0 if it has none
+            self._gap_of: Any = [0] * size  # the number of each row's gap, from 1; 0 for no gap
         else:
             import numpy
 
@@ -255,7 +255,7 @@ class Columns:
                 self._put_gap(indices, first, reasons, is_failed=is_failed)
 
     def _put_gap(self, rows: Any, first: int, reasons: Reasons, *, is_failed: bool) -> None:
-        """Store the reasons of rows. `is_failed`: True if they have no value."""
+        """Store the reasons of rows. `is_failed`: True if these rows have no value."""
         has_number = any(map(is_end_of_meaning, reasons.values()))  # even without a meaning, a number is an answer
         is_failed = lack(reasons) is not None or (is_failed and not has_number)
         gap = Gap(status_of(reasons), is_failed, first, reasons)
@@ -269,7 +269,7 @@ class Columns:
     # --- Counted gaps and doubts --------------------------------------------------------------------------------------
 
     def leave_out_bars(self, rows: Mapping[int, JkrollError]) -> None:
-        """Empty the uncertainties of some rows, unless they have no value. `rows`: the reason by row."""
+        """Empty the uncertainties of some rows, except rows without a contact. `rows`: the reason by row."""
         keys: list[str] = []
         for name in self.wanted.names:
             keys += self.wanted.sides_of(name).values()
@@ -364,7 +364,7 @@ def as_list(column: Any) -> list[Any]:
 
 
 class Numbers(NamedTuple):
-    """A column of SI values, nan where there is none.
+    """A column of SI values, nan for empty cells.
 
     `odd`: the rows of cells that are not numbers; `uncertain`: the uncertain values, by row.
     """
@@ -385,7 +385,7 @@ class Block(Protocol):
         """Return the frame of some rows of a group. Raises a JkrollError if a row does not fit into a frame."""
 
     def frame_of(self, row: int) -> Any:
-        """Return the frame of a single row. Raises its error."""
+        """Return the frame of a single row. Raises the error of the row."""
 
 
 def evaluated(wanted: Wanted, block: Block) -> Columns:
@@ -485,7 +485,7 @@ def _marks(name: str, column: Numbers) -> Indices:
 
 
 def _values(column: Numbers, rows: Indices, mark: int) -> Any:
-    """Return the values of cells with one mark: a number if it is special, else an array."""
+    """Return the values of cells with one mark: a number for special values, otherwise an array or uncertain value."""
     import numpy
 
     values = column.values if len(rows) == len(column.values) else column.values[rows]

@@ -35,7 +35,7 @@ Values = Mapping[str, Any]  # by name: numbers, or arrays with a value for each 
 Failures = Mapping[int, JkrollError]  # by row
 
 PER_DECADE = 8  # values in a scan
-_AS_SHOWN = 1e-3  # largest relative error of a measured quantity at a solution, or at the digits of it that are shown
+_AS_SHOWN = 1e-3  # largest relative error of a measured quantity at a solution, also if rounded to the digits shown
 _STEP = 1e-6  # step of a logarithm, for numerical derivatives
 _ROUNDS = 150  # of bisection or of Newton's method: enough to reach neighbouring doubles
 _ROUNDING = 1e-13  # relative change of a quantity that may come from rounding
@@ -48,12 +48,12 @@ _MANY = 64  # most intervals of a row; more come from rounding
 
 # For pairs, in the coordinates of their search.
 MAX_CONDITION = 1e8  # above it, rounding leaves the numerical derivatives too few digits
-_LOADS = numpy.linspace(-14.0, 46.0, 209)  # from 1e-6 P_c beyond pull-off to 1e20 P_c
+_LOADS = numpy.linspace(-14.0, 46.0, 209)  # from 1e-6 P_c above the load at pull-off, −P_c, to 1e20 P_c
 _LAST_STEP = 1e-14  # the search ends at this step
-_NEAR = 1e-9  # in logarithms of the measured values: largest residual of a solution
+_NEAR = 1e-9  # largest residual of a solution, in logarithms of the measured values
 _SAME = 1e-5  # pairs that differ by less are the same
-_LINEAR = 1e-6  # fraction of its measured value below which a quantity enters linearly; it enters by logarithm above
-_AT_ZERO = 1e-12  # in place of this fraction for a measured 0, in SI units: an approach of 1 pm
+_LINEAR = 1e-6  # below this fraction of its measured value a quantity enters linearly, above it by logarithm
+_AT_ZERO = 1e-12  # the same limit for a measured value of 0, in SI units: 1 pm for an approach
 _SAMPLED = 7  # cells of the grid between tests of whether the quantities separate the unknowns
 _TO_GAP = 20  # bisections towards the edge of a region without quantities
 _LEFT_OPEN = 1e-4  # smaller exponents count as 0
@@ -118,7 +118,7 @@ class Problem:
         return self.with_values({name: SIZES[name][1] for name in self.unknowns})
 
     def is_met(self, values: Mapping[str, float], digits: int) -> bool:
-        """Return whether rounded values of the unknowns reproduce the measured ones as shown."""
+        """Return whether rounded values of the unknowns reproduce the measured values as shown."""
         typed = {name: float(f"{value:.{digits}g}") for name, value in values.items()}
         forward = self.with_values(typed).numbers(*self.levels)
         for name, level in self.levels.items():
@@ -149,8 +149,8 @@ class Problem:
 def solved(problem: Problem, start: Any = None) -> Solution:
     """Return the solution of each row of a problem.
 
-    `start`: the positions of a similar problem, where Newton's method starts for two unknowns in arrays. Raises the
-    error if no row can have a solution.
+    `start`: the positions of a similar problem, where Newton's method starts for two unknowns in arrays. Raises an
+    error if no row can have a solution, or if the only row has no solution.
     """
     problem.check()
     count = len(problem.unknowns)
@@ -159,7 +159,7 @@ def solved(problem: Problem, start: Any = None) -> Solution:
         raise failures[0]
     measures, positions = table[: 2 * count + 1], table[2 * count + 1 :]
     for row in measures[count:]:
-        row[:] = [float(f"{number:.6g}") for number in row]  # digits that rounding does not reach
+        row[:] = [float(f"{number:.6g}") for number in row]  # keeps digits that rounding does not reach
     *columns, condition = measures.reshape(2 * count + 1, *problem.shape) if problem.shape else measures[:, 0].tolist()
     values, growths = (dict(zip(problem.unknowns, part, strict=True)) for part in (columns[:count], columns[count:]))
     reasons: Any = 0
@@ -297,7 +297,7 @@ class Points(NamedTuple):
 
     row: Any
     x: Any  # the value of the unknown
-    y: Any  # the measured quantity there, nan where it has no value
+    y: Any  # the measured quantity at x, nan where it has no value
     side: Any  # -1 below the level, 1 above it, 0 at it
     stays: Any  # True if the quantity stays at its level
     slope: Any  # the sign of the derivative by the unknown
@@ -325,8 +325,8 @@ class Points(NamedTuple):
 def _pairs(problem: Problem, start: Any = None) -> tuple[Any, Failures]:
     """Return an array with a column for each row (two unknowns, growths, condition and positions), and the errors.
 
-    For arrays, Newton's method starts from the positions of a similar problem, whose rows repeat. A row in which it
-    fails is solved on its own. Once one repeat of a row has no solution, the remaining ones are skipped.
+    For arrays, Newton's method starts from the positions of a similar problem, whose rows repeat here. A row in which
+    the method fails is solved on its own. Once one repeat of a row has no solution, its other repeats are skipped.
     """
     count = size = prod(problem.shape)
     table, failures, lost = numpy.full((7, size), nan), dict[int, JkrollError](), set[int]()
@@ -351,8 +351,8 @@ def _pairs(problem: Problem, start: Any = None) -> tuple[Any, Failures]:
 class Pairs:
     """A problem of two unknowns, in one row or many, in the coordinates of the search.
 
-    The coordinates are logarithms of the unknowns, and ln(1 + P/P_c) for a load, which continues past pull-off.
-    Quantities enter by logarithms, too, but linearly near zero. Positions are the columns of an array; those of all
+    The coordinates are logarithms of the unknowns, and ln(1 + P/P_c) for a load, which spreads the loads near pull-off.
+    Quantities also enter by logarithms, but linearly near zero. Positions are the columns of an array; those of all
     rows of a problem are concatenated, once or repeatedly.
     """
 
@@ -371,7 +371,7 @@ class Pairs:
         values = dict(zip(problem.unknowns, numpy.exp(positions), strict=True))
         if self.load is not None:
             unloaded = problem.with_values({**values, "load": 0.0}).numbers("pull_off_force")
-            force = unloaded.get("pull_off_force", SIZES["load"][0])  # if it has no value, the least load scanned
+            force = unloaded.get("pull_off_force", SIZES["load"][0])  # without a value, the least load scanned
             is_unloaded = abs(positions[self.load]) <= _NEAR
             load = numpy.clip(force * numpy.expm1(positions[self.load]), -MOST, MOST)
             values["load"] = numpy.where(is_unloaded, 0.0, load)
@@ -418,7 +418,7 @@ class Pairs:
         return best, numpy.where(distance <= _NEAR, distance, inf)
 
     def pair(self) -> Any:
-        """Return the table of the only pair. Raises the error if there is none."""
+        """Return the table of the only pair. Raises an error if there is no pair, or more than one."""
         problem, mesh = self.problem, numpy.array(numpy.meshgrid(*self.axes, indexing="ij"))
         matrices = self.slopes(mesh[:, ::_SAMPLED, ::_SAMPLED].reshape(2, -1))[1][:, 2:]
         known = matrices[numpy.isfinite(matrices).all(axis=(1, 2))]

@@ -1,4 +1,4 @@
-"""The Python interface: `solve` for frames and inverse problems, and the formulas for numbers and containers."""
+"""The Python interface: `solve` for the quantities of a scene, and the formulas for numbers and containers."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
@@ -26,14 +26,14 @@ if TYPE_CHECKING:
 
     Floats = NDArray[float64]
 
-Solids = str | Material | Sequence[str | Material] | None  # a single one, or one for each element
+Solids = str | Material | Sequence[str | Material] | None  # one material, or one for each element
 Words = str | Sequence[str] | None
 
 ELEMENTS_AT_ONCE = 1 << 14  # intermediate results then fit into the processor's cache
 
 
 @overload
-def solve(  # type: ignore[overload-overlap]  # one law and one material are the case of floats
+def solve(  # type: ignore[overload-overlap]  # with one law and one material, floats give a float
     wanted: str,
     /,
     *,
@@ -89,8 +89,8 @@ def solve(
 ) -> Any:
     """Compute quantities of the nomenclature from the known inputs of a scene.
 
-    The results are bare numbers: without assumptions, exceeded limits, notes of a material's source, or the
-    uncertainties of shipped materials. `jkroll.answer` has all of these, for one scene.
+    Only values are returned, without assumptions, exceeded limits, notes on a material's source, or the uncertainties
+    of shipped materials. `jkroll.answer` has all of these, for one scene.
 
     Parameters
     ----------
@@ -100,7 +100,7 @@ def solve(
     material, material2
         Materials, or their names or aliases; `material2` is for sphere 2, which otherwise is like sphere 1. A property
         given by name overrides the material's. A list or column has a material for each element; `model` and `profile`
-        may be lists, too.
+        may also be lists.
     materials
         A collection to look materials up: `Materials("mine.toml")` has your own and the shipped ones.
     model
@@ -108,7 +108,7 @@ def solve(
     profile
         The shape of body 1: "paraboloid" (the default) or "sphere", for a rigid sphere on a soft plane by JKR.
     units
-        "pint" or "astropy": results are quantities of that package. The default follows the inputs.
+        "pint" or "astropy": results are Quantities of that package. By default, they are Quantities if an input is.
     **given
         Inputs by name: a float, an array or a list in SI units, a text with a unit ("100 nm"), or a Quantity of pint or
         astropy, also inside an array of xarray or dask. Arrays broadcast by position. Arrays of pandas and xarray are
@@ -119,18 +119,19 @@ def solve(
 
     Returns
     -------
-    The value of a single name, or a dict of values by name. They are floats or arrays in SI units; Quantities if an
-    input was one; a Series of pandas or a DataArray of xarray, with its labels, if one was. A result has the shape of
-    the arrays that it depends on: `yield_force` is a float for many radii. If a given value is uncertain, so are the
-    results: `Measured` or `Interval` in SI units.
+    The value of a single name, or a dict of values by name. Values are floats or arrays in SI units; Quantities if an
+    input was a Quantity; a Series of pandas or a DataArray of xarray with the labels of the inputs, if an input was
+    such a container. A result has the shape of the arrays that it depends on: for a fixed ξ, `yield_force` is a float
+    even for an array of radii, since it does not depend on them. If a given value is uncertain, so are the results:
+    `Measured` or `Interval` in SI units.
 
     Raises
     ------
     MissingInput, UnknownMaterial, UnknownQuantity, QuantityError
-        An input is wrong or missing. Sizes range from 1e-30 to 1e30 in SI units.
+        An input is wrong or missing. Magnitudes must be between 1e-30 and 1e30 in SI units.
     NoResult
         The physics has no answer (a tension beyond pull-off, two rigid bodies), or a number exceeds the range of
-        doubles. Arrays have nan there instead.
+        doubles. Arrays have nan in such elements instead.
 
     Source: the equation of each quantity, see `jkroll.NOMENCLATURE`. Valid: see each formula.
 
@@ -168,7 +169,7 @@ def _one_or_all(wanted: Any, names: Sequence[str], results: dict[str, Any]) -> A
 
 
 def is_list(word: Any) -> bool:
-    """Return whether a word is given for each element: a list or column, as opposed to a name or a material."""
+    """Return whether an argument is a list or column with a name or material per element, rather than a single one."""
     is_one = isinstance(word, str | bytes | Material | Mapping) or hasattr(word, "m_as")
     return not is_one and hasattr(word, "__getitem__") and getattr(word, "ndim", 1) > 0
 
@@ -203,7 +204,7 @@ def _values_by_word(
 
 
 def _array_of(name: str, words: Any) -> Any:
-    """Return names or materials as an array of objects; numpy would convert a material, a tuple, to a row.
+    """Return names or materials as an array of objects; numpy would convert a material, which is a tuple, to a row.
 
     Raises QuantityError for other objects.
     """
@@ -222,7 +223,7 @@ def _array_of(name: str, words: Any) -> Any:
 
 
 def refuse_uncertain(described: Mapping[str, Any]) -> None:
-    """Raise QuantityError for an uncertain value if there are several scenes."""
+    """Raise QuantityError for an uncertain value, where there are several scenes."""
     for name, value in described.items():
         if is_uncertain(value):
             raise QuantityError(
@@ -234,7 +235,7 @@ def words_in(wanted: str | Iterable[str]) -> list[str]:
     """Return one word or several as a list; raise UnknownQuantity for anything else."""
     try:
         return [wanted] if isinstance(wanted, str) else [*map(str, wanted)]
-    except TypeError:  # a single number, also in an array
+    except TypeError:  # a number, or an array of dimension 0
         raise UnknownQuantity(str(wanted)) from None
 
 
@@ -286,14 +287,17 @@ def values_of(frame: Frame, names: Sequence[str]) -> dict[str, Any]:
 
 
 def refuse_arrays(described: Mapping[str, Any]) -> None:
-    """Raise QuantityError for an array, for a problem that allows a single scene only."""
+    """Raise QuantityError for an array where only a single scene is allowed."""
     for name, value in described.items():
         if not (isinstance(value, float) or is_uncertain(value)):
             raise QuantityError(name, "an array", "is more than one scene", "solve takes arrays without uncertainty")
 
 
 def with_uncertainties(frame: Frame, described: Mapping[str, Any], values: Mapping[str, float]) -> dict[str, Any]:
-    """Return the values of a frame with their uncertainties; raise an error if one of them has none."""
+    """Return the values of a frame with their uncertainties.
+
+    Raises an error if a quantity has no value at some point within the uncertainties.
+    """
     refuse_arrays(described)
     bars = error_bars(frame, values)
     for name, bar in bars.items():

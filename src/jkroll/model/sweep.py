@@ -74,7 +74,7 @@ class Sweep:
 
     @cached_property
     def starts(self) -> dict[str, list[int]]:
-        """By input: the index of the first value of each of its lists and ranges, and last the number of its values."""
+        """By input: the index of the first value in each of its lists and ranges, and finally the number of values."""
         return {name: [*accumulate(map(len, spreads), initial=0)] for name, spreads in self.spreads.items()}
 
     @property
@@ -120,9 +120,9 @@ class Sweep:
         return [self.frame(row, *pair, model=model) for pair, row, model in product(self.pairs, rows, self.models)]
 
     def wanted(self, quantities: Sequence[str], named: Sequence[str], *, keeps_all: bool = False) -> Wanted:
-        """Return the columns of the rows: the inputs that were stated or enter a row, and its quantities.
+        """Return the columns of the rows: the inputs that were stated or are used in some row, and the quantities.
 
-        `keeps_all`: True to keep numbers without a meaning. Raises a Failure if no quantity applies to a row.
+        `keeps_all`: True to keep numbers without a meaning. Raises a Failure if no quantity applies to any row.
         """
         shown = {*named, *chain.from_iterable(self.shown(frame, quantities, named) for frame in self.groups)}
         if not shown:
@@ -136,7 +136,7 @@ class Sweep:
         return Wanted(names, named=named, inputs=inputs_shown, sides=sides_in(groups), keeps_all=keeps_all)
 
     def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> Wanted:
-        """Return the columns of the headline alone, with all numbers.
+        """Return the columns of the headline only, which keep numbers without a meaning.
 
         Quantities of identical spheres are included only if they were asked for by name.
         """
@@ -228,7 +228,7 @@ class Lists:
     """A block of rows of a call; rows with the same materials and law are marked alike."""
 
     def __init__(self, sweep: Sweep, start: int, stop: int) -> None:
-        """`start`, `stop`: the indices of the first and the last row in the sweep (excluding the last)."""
+        """`start`, `stop`: the rows of the sweep, as in `range`."""
         import numpy
 
         pairs, *positions, laws = numpy.unravel_index(numpy.arange(start, stop), sweep.counts)

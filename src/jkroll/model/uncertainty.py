@@ -2,8 +2,8 @@
 
 Each source, an uncertain input, moves over its whole uncertainty, and the quantities are computed again at every point.
 There are no derivatives, so a result may respond differently on either side. Ranges span a box, and a result takes its
-least and its largest value from points along the edges. They are exact within 1 % of the range if the result turns
-smoothly.
+least and its largest value from points along the edges. These extremes are accurate to 1 % of the range if
+the result varies smoothly.
 """
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
@@ -86,7 +86,7 @@ def sources_of(frame: Frame, used: Collection[str]) -> Sources:
 def _sources(frame: Frame) -> list[Source]:
     """Return all sources of a frame.
 
-    A value that sphere 2 takes from sphere 1 moves with it, and so does a property that both take from one material.
+    A value that sphere 2 takes from sphere 1 is the same source, and so is a property of a material that both share.
     """
     names_of: dict[Any, list[str]] = {}  # by input, or by material and property
     for name in in_order(frame.uncertainties):
@@ -165,7 +165,7 @@ def number_of_points(frame: Frame, names: Sequence[str]) -> int:
     return len(sources) * ((STEPS + 1) << (len(sources) - 1))
 
 
-MadeOf = Callable[[Frame], Frame]  # a variant of a frame
+MadeOf = Callable[[Frame], Frame]  # a function that returns a variant of a frame
 
 
 def itself(frame: Frame) -> Frame:
@@ -178,8 +178,8 @@ def error_bars(
 ) -> dict[str, ErrorBar]:
     """Return the uncertainties of quantities of a frame, or of a variant of it.
 
-    Quantities without a finite value are left out, and so are those that no source changes. `sources`: the sources to
-    move, by default all that enter the quantities.
+    Quantities without a finite value are left out, and so are quantities that no source changes. `sources`: the sources
+    to move, by default all that enter the quantities.
     """
     middle, names = made_of(frame), [*names]
     columns = {name: column for name, column in middle.columns(names).items() if not column.is_empty}
@@ -200,11 +200,12 @@ def error_bars(
 def no_error_bar(
     frame: Frame, name: str, bar: ErrorBar, row: int = 0, made_of: MadeOf = itself, sources: Sources | None = None
 ) -> NoErrorBar:
-    """Return the error of a row without an uncertainty; it states why the quantity has no value at a point."""
+    """Return the error of a row without an uncertainty, which states why the quantity has no value at a point."""
     entering = (sources or sources_of_results(made_of(frame), [name])).entering
     points = [*chain.from_iterable(edges_of(entering))]
     place = at_row(bar.open_at, row) - 1
-    reasons = _at_points(frame, points, made_of, [name])[name].reasons  # rounding may leave the point alone a value
+    # Computed on its own, the point may have a value because of rounding.
+    reasons = _at_points(frame, points, made_of, [name])[name].reasons
     moved = made_of(frame.replace(**points[place]))
     moved.columns((name,))
     return NoErrorBar(name, explanation_of(name, moved.error(name, at_row(reasons[place], row), row)))
@@ -237,7 +238,7 @@ def _at_points(
 
 
 def _error_bar(column: Column, moved: Column, sources: Sequence[Source], edges: int) -> ErrorBar | None:
-    """Return the uncertainty of a column, from its values at all points on edges; None if there is none."""
+    """Return the uncertainty of a column, from its values at all points on edges; None if no row has an uncertainty."""
     of_type, value = type(sources[0].given), column.values
     on_edges = _divided(moved.values, len(moved.values) // edges)
     extents = [(_least(values), _most(values)) for values in on_edges]
@@ -276,8 +277,9 @@ def edges_of(sources: Sequence[Source]) -> list[list[dict[str, Any]]]:
     """Return the edges along which the sources move, as lists of points; each source has the same number of edges.
 
     A standard uncertainty moves to both of its ends, with the others at their middles. A range moves in steps, with the
-    others at each corner of their box. A quantity without a turning point is largest at a corner. A quantity of the
-    weaker body drops where the other body becomes weaker; it is largest at a corner, or where this ridge meets an edge.
+    others at each corner of their box. A quantity without a turning point is largest at a corner. A quantity set by
+    the weaker body has a ridge where the two bodies are equally weak; it is largest at a corner, or where the ridge
+    meets an edge.
     """
     edges = []
     for source in sources:
@@ -316,7 +318,7 @@ def _divided(values: Any, size: int) -> list[Any]:
 def _quadrature(value: Any, of_sources: Sequence[Sequence[Any]]) -> tuple[Mapping[str, Any], Sequence[Any]]:
     """Return the two sides of a standard uncertainty, and the size of the change that each source causes.
 
-    Changes to a side add in quadrature.
+    Changes in the same direction add in quadrature.
     """
     changes = [(at_least(value - low, 0.0), at_least(high - value, 0.0)) for ((low, high),) in of_sources]
     minus, plus = (hypot(*sizes) for sizes in zip(*changes, strict=True))

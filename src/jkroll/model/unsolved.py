@@ -86,7 +86,7 @@ class SeveralSolutions(Unsolved):
         self.values = tuple(values)
 
     def explanation(self) -> str:
-        """Return all values, with enough digits to type them again; near pull-off, these are many."""
+        """Return all values, with enough digits to type them again; near pull-off, many digits are needed."""
         digits = DIGITS
         while digits < MAX_DIGITS and not all(self.problem.is_met(values, digits) for values in self.values):
             digits += 1
