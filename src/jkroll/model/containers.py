@@ -61,7 +61,7 @@ class Reader:
             if name not in NOMENCLATURE:
                 raise UnknownQuantity(word)
             if words.setdefault(name, word) != word:
-                raise BadRequest(f"{words[name]} and {word} are one quantity; give it once")
+                raise BadRequest(f"{words[name]} and {word} name one quantity; give one of them")
             values[name] = self.number(name, value)
         return values
 
@@ -147,7 +147,9 @@ class Reader:
             raise QuantityError(name, text, "is of another dimension", f"give a value in {wanted}")
         data = array.data if hasattr(array, "dims") else array
         if hasattr(data, "m_as") or hasattr(data, "to_value"):
-            raise QuantityError(name, text, "is an attribute of numbers that have a unit", "leave one of them out")
+            raise QuantityError(
+                name, text, "is an attribute of an array whose numbers have a unit", "leave out one of the two units"
+            )
         self._states_units = True
         if hasattr(getattr(array, "dtype", None), "units"):  # a column of pint
             data = data.pint.magnitude
@@ -220,7 +222,7 @@ def warn_of_metres(described: Mapping[str, Any], given: Mapping[str, Any]) -> No
         words = [word for word, value in given.items() if as_input(str(word)) == name and isinstance(value, NUMBER)]
         if words and described[name] >= 1.0:
             text = f"{words[0]}={given[words[0]]} is a sphere of {described[name]:g} m: numbers are in SI units"
-            warnings.warn(f'{text}; write {words[0]}="{given[words[0]]} nm" for another', stacklevel=3)
+            warnings.warn(f'{text}; write {words[0]}="{given[words[0]]} nm" for nanometres', stacklevel=3)
 
 
 def quantity_of(package: str) -> Any:

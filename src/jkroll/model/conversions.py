@@ -23,7 +23,7 @@ def converted(given: Mapping[str, Any], of_solids: Mapping[str, Any], *, own_mat
     if not own_material2 and "poisson_ratio2" in given and given.keys().isdisjoint(_MODULI2) and _SHEAR in given:
         if is_uncertain(given[_SHEAR]):
             remedy = "give --shear-modulus2, or --shear-modulus without an error bar"
-            raise BadRequest(f"both spheres have this shear modulus, but not this E = 2G(1 + ν); {remedy}", _CORRELATED)
+            raise BadRequest(f"the spheres have one uncertain shear modulus, but different E; {remedy}", _CORRELATED)
         given = {**given, "shear_modulus2": given[_SHEAR]}
     factors = {"diameter": 0.5, "diameter2": 0.5}
     for sphere in (1, 2):

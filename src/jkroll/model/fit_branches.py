@@ -153,7 +153,7 @@ def branches_of(curve: ForceCurve, stiffness: float, *, tilt: bool = False, only
             known.append(baseline)
     if not known:
         known = [Baseline(0.0, 0.0, 0.0, noise)]
-        remarks["no-baseline"] = "no part away from contact: the force is taken as it is, its zero with it"
+        remarks["no-baseline"] = "no part is out of contact: forces are taken as measured, without a baseline"
     _compare(baselines, remarks)
     branches = {}
     for name, part in parts.items():
@@ -310,7 +310,7 @@ def _split(curve: ForceCurve, only: str, remarks: dict[str, str]) -> dict[str, F
         if only not in ("", name):
             return {only: _in_time(part, only)}
         other = "unload" if name == LOADING else "load"
-        remarks["one-branch"] = f"the curve has one branch, taken for that of {name}; --branch {other} says otherwise"
+        remarks["one-branch"] = f"the curve has one branch, taken as {name}; if it is not, give --branch {other}"
     return kept
 
 
@@ -422,8 +422,8 @@ def _compare(baselines: Mapping[str, Baseline | None], remarks: dict[str, str]) 
     size = 3 * max(numpy.hypot(both[0].error, both[1].error), 0.1 * both[0].noise)
     if abs(difference) > size:
         remarks["baseline-moves"] = (
-            f"the baseline moves by {difference * 1e9:.3g} nN from before the contact to behind it: each branch "
-            "has its own (--baseline tilt takes lines)"
+            f"the baseline moves by {difference * 1e9:.3g} nN between loading and unloading: each branch has "
+            "its own (--baseline tilt fits sloping lines)"
         )
 
 
@@ -493,7 +493,7 @@ def _of_radii(curve: ForceCurve, remarks: dict[str, str]) -> Branches:
         parts = {UNLOADING: curve}
     if curve.z_error is None or curve.force_error is None:
         remarks["equal-errors"] = (
-            "radii and loads are taken to have equal errors, each of its range (columns of errors say otherwise)"
+            "radii and loads are assumed to have equal errors, relative to their ranges (or columns of errors)"
         )
     ranges = [float(numpy.ptp(column)) / 200 for column in (curve.z, curve.force)]
     branches = {}

@@ -29,7 +29,7 @@ from .fit_result import Fit, Known
 def fit_curve(curve: ForceCurve, known: Known) -> Fit:
     """Return the fit of a curve. Raises BadCurve if the curve cannot be fitted."""
     if curve.kind == RADIUS and known.radius is None:
-        raise BadCurve("contact radii give w with the radius of the sphere alone: give --radius", "no radius")
+        raise BadCurve("w from contact radii needs the radius of the sphere: give --radius", "no radius")
     try:
         with numpy.errstate(all="ignore"):
             solution, remarks = _solution(curve, known)

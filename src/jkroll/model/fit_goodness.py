@@ -42,7 +42,7 @@ def remarks_on(solution: Solution, result: Fit, by_spring: Results | None) -> It
     main, good, errors = solution.main, result.goodness, result.errors
     has_adhesion = ADHESION in main.free
     if has_adhesion and main.branch.name == LOADING and result.kind != RADIUS:
-        yield "loading-only", "a loading branch alone hardly separates w from E*: their errors are correlated"
+        yield "loading-only", "without an unloading branch, w is hardly separated from E*: their errors are correlated"
     yield from _on_noise(good)
     if good.get("rms_over_pull_off", 0.0) > _POOR:
         share = f"{good['rms_over_pull_off']:.0%} of the pull-off force"
@@ -58,7 +58,7 @@ def remarks_on(solution: Solution, result: Fit, by_spring: Results | None) -> It
     if has_adhesion and result.kind != RADIUS and int((main.points.force < 0).sum()) < LEAST_POINTS:
         yield "few-below-zero", "fewer than 5 points are in tension: w is hardly determined"
     if not result.is_scaled and good["contact_over_radius"] > _WIDEST:
-        yield "wide-contact", "the contact is wider than 0.9 of the radius: no theory of a half-space holds"
+        yield "wide-contact", "the contact is wider than 0.9 of the radius: theories of a half-space do not apply"
     if has_adhesion:
         yield from _on_resting_edge(solution, result.points)
 
@@ -67,9 +67,9 @@ def _on_noise(good: Mapping[str, float]) -> Iterator[tuple[str, str]]:
     """Iterate over remarks on few or correlated points, and on a trend in the residuals."""
     count, tau = good["points"], good["correlation_time"]
     if good["independent_points"] < FEW_INDEPENDENT:
-        cause = "the misfit is one trend" if tau > count / 2 else f"neighbours are alike over {tau:.0f} points"
+        cause = "the misfit is one trend" if tau > count / 2 else f"residuals are correlated over {tau:.0f} points"
         few = f"{count:.0f} points are few" if tau < 2 else cause
-        yield "few-independent", f"{few}: the statistical error is not to be trusted"
+        yield "few-independent", f"{few}: the statistical error is unreliable"
     elif tau > 1 and good["longest_run"] > 0.1 * count + 10:
         run = f"residuals have one sign over {good['longest_run']:.0f} points in a row"
         yield "residual-trend", f"{run}: the model, not the noise, limits the fit"
@@ -78,7 +78,7 @@ def _on_noise(good: Mapping[str, float]) -> Iterator[tuple[str, str]]:
 def _on_spring(move: float, errors: Errors, modulus: float) -> Iterator[tuple[str, str]]:
     """Yield a remark if the spring is the largest source of error of E*."""
     if abs(move) * modulus > max(errors.statistical or 0.0, errors.model or 0.0):
-        yield "lever-decides", f"the spring's error moves E* by {abs(move):.0%}, more than all else"
+        yield "lever-decides", f"the spring's error moves E* by {abs(move):.0%}, more than any other error"
 
 
 def on_profile(values: Results, sphere: Results, errors: Mapping[str, Errors], width: float) -> Iterator[str]:
@@ -106,5 +106,5 @@ def _on_resting_edge(solution: Solution, points: Mapping[str, numpy.ndarray]) ->
         moved_radius = float(numpy.ptp(radius[start : start + size]))
         if moved_rate > max(0.2 * w, 10 * noise) and moved_radius < 0.01 * float(radius[start]):
             pinned = float(radius[start]) / solution.problem.radius
-            yield "edge-pinned", f"G has a vertical stretch at a/R = {pinned:.2f}: the edge is held there"
+            yield "edge-pinned", f"G changes at constant a/R = {pinned:.2f}: the edge is pinned there"
             return

@@ -294,7 +294,7 @@ INEXACT = (
     ),
     Limit(
         "speed_over_sticking", frozenset({"restitution", "sticking_speed"}), ">", {1.0: "bounces"},
-        "free spheres that collide head-on bounce if adhesion is the only loss; others let them stick at higher speeds",
+        "free spheres that collide head-on bounce by adhesion alone; other losses let them stick at higher speeds",
         _has_speed,
         is_shown=False,  # the restitution already shows this
     ),

@@ -142,7 +142,7 @@ HELD_BY_MAUGIS = Cause(BEYOND_PULL_OFF.phrase, f"{BEYOND_JKR.words}: --model mau
 NO_PROFILE = Cause(
     "no rigid sphere on a soft plane",
     "the profile of a sphere is for a rigid sphere (E1 ≥ 100 E2) on a plane of ν2 ≥ 0.45, such as a rubber or a gel; "
-    "else terms of order a/R come before its shape, which is of order (a/R)²",
+    "otherwise terms of order a/R exceed the effect of its shape, which is of order (a/R)²",
 )
 BEYOND_FOLD = Cause(
     "beyond the fold",
@@ -166,7 +166,7 @@ RIGID = Cause("sphere 1 is rigid", "sphere 1 is rigid, and no wave runs around i
 APART = Cause("no contact circle", "the spheres are bound without touching; there is no contact circle")
 TOO_MUCH_HYSTERESIS = Cause(
     "hysteresis above work of adhesion",
-    "{0} is above the work of adhesion, {1}, but it is a part of it",
+    "{0} is more than the work of adhesion, {1}, of which it is a part",
     "adhesion_hysteresis",
     gt,
 )
@@ -187,7 +187,7 @@ YIELDS_ON_TOUCH = Cause(
     "first_yield_pressure",
 )
 DRY_OR_SATURATED = Cause(
-    "dry or saturated air", "there is no meniscus in dry air, and none that ends in saturated air: 0 < RH < 100 %"
+    "dry or saturated air", "a meniscus needs air that is neither dry nor saturated: 0 < RH < 100 %"
 )
 NO_WETTING = Cause("no wetting", "water with a contact angle of 90 deg or more draws nothing together and fills no gap")
 WIDE_MENISCUS = Cause(

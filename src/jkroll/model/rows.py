@@ -124,7 +124,7 @@ class Wanted:
         """Return the error for results whose uncertainties have no columns; None for other results."""
         if self.sides is None or results.sources is None or self.has_bars(results):
             return None
-        problem = "the table has no columns for error bars, which are left out; --uncertainty adds them"
+        problem = "error bars are left out, as the table has no columns for them; --uncertainty adds these"
         return BadRequest(f"{listed(results.sources.given)}: {problem}", "error bars left out")
 
 

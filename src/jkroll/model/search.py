@@ -245,7 +245,7 @@ class Scan:
         if isnan(span[0]):
             return problem.failure()
         if not varies:
-            return NoDependence(problem, f"{next(iter(problem.levels))} does not depend on it here")
+            return NoDependence(problem, f"{next(iter(problem.levels))} does not depend on the unknown here")
         if stays:
             first, last = (amount(self.unknown, end) for end in stretch)
             return Undetermined(problem, f"every value from {first} to {last} gives {equal(problem.levels)}", stretch)
@@ -469,12 +469,12 @@ class Pairs:
         exponents = abs(matrix).max(axis=0).tolist()
         left_open = [symbol for symbol, exponent in zip(symbols, exponents, strict=True) if exponent <= _LEFT_OPEN]
         if left_open:
-            remark = f"they leave {listed(left_open)} open"
+            remark = f"they do not determine {listed(left_open)}"
         else:
             if self.load is not None:
                 symbols[self.load] = "(1 + P/P_c)"  # the coordinate of a load
             direction = numpy.linalg.svd(matrix)[2][-1]  # the direction of the least change
-            remark = f"both stay as they are along {symbols[0]} ∝ {symbols[1]}^{direction[0] / direction[1]:.3g}"
+            remark = f"both are constant along {symbols[0]} ∝ {symbols[1]}^{direction[0] / direction[1]:.3g}"
         remedy = "measure another quantity, or give one of the two"
         text = f"{listed(self.problem.levels)} cannot give both: {remark} (κ is above 1e8); {remedy}"
         return Unseparated(self.problem, text)

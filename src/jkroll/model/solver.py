@@ -227,7 +227,7 @@ def refuse_uncertain(described: Mapping[str, Any]) -> None:
     for name, value in described.items():
         if is_uncertain(value):
             raise QuantityError(
-                name, "an uncertain value", "is one of several scenes", "jkroll.table takes such columns"
+                name, "an uncertain value", "is allowed for a single scene only", "use jkroll.table for columns"
             )
 
 
@@ -259,7 +259,7 @@ def _material(argument: str, material: str | Material | None, materials: Materia
     properties = Reader().in_si(material.properties)
     for name, value in properties.items():
         if not NOMENCLATURE[name].twin or name in CONVERTED:
-            raise QuantityError(name, str(value), "is not a property of a material", "give it by its name")
+            raise QuantityError(name, str(value), "is not a property of a material", f"write solve(…, {name}=…)")
         if not isinstance(value, float):
             raise QuantityError(name, str(value), "is not a single number")
     return material._replace(properties=properties)
@@ -290,7 +290,7 @@ def refuse_arrays(described: Mapping[str, Any]) -> None:
     """Raise QuantityError for an array where only a single scene is allowed."""
     for name, value in described.items():
         if not (isinstance(value, float) or is_uncertain(value)):
-            raise QuantityError(name, "an array", "is more than one scene", "solve takes arrays without uncertainty")
+            raise QuantityError(name, "an array", "does not go together with an uncertain input", "use jkroll.table")
 
 
 def with_uncertainties(frame: Frame, described: Mapping[str, Any], values: Mapping[str, float]) -> dict[str, Any]:

@@ -103,7 +103,7 @@ def _sources(frame: Frame) -> list[Source]:
 def _check_ranges(frame: Frame, sources: Sequence[Source]) -> None:
     """Raise BadRequest for ranges that cannot be combined."""
     if len(sources) > MAX_RANGES:
-        problem = f"{len(sources)} ranges are more than {MAX_RANGES}; give some of these inputs one value"
+        problem = f"{len(sources)} inputs have ranges, but {MAX_RANGES} at most go together; give single values"
         raise BadRequest(problem, "too many ranges")
     names = Sources(sources).given.keys()
     if XI in names - frame.stated.keys() and not names.isdisjoint(("radius", "radius2")):

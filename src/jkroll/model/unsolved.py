@@ -117,7 +117,7 @@ def inputs_named(words: Sequence[str]) -> list[str]:
         if name not in SIZES:
             problem = f"{quoted(word)} cannot be inferred; {', '.join(SIZES)} can"
             if name in NOMENCLATURE and NOMENCLATURE[name].sphere == 2:
-                problem = f"{quoted(word)}: exchange the bodies, so that the unknown one is sphere 1; R and E* stay"
+                problem = f"{quoted(word)}: exchange the bodies, so that the unknown is of sphere 1; R and E* stay"
             raise BadRequest(problem)
     if len(names) not in (1, 2) or len({*names}) < len(names):
         raise BadRequest(f"{quoted(','.join(words))}: one input can be inferred, or two that differ")
@@ -126,7 +126,7 @@ def inputs_named(words: Sequence[str]) -> list[str]:
 
 def already_given(name: str) -> BadRequest:
     """Return the error for a name that is asked for or measured, and also given."""
-    return BadRequest(f"{name} is given and asked for; leave one of the two out")
+    return BadRequest(f"{name} is given and to be inferred; leave out one of the two")
 
 
 def sizes_in_words(unknowns: Iterable[str]) -> str:
