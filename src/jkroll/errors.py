@@ -1,4 +1,4 @@
-"""The errors that jkroll raises. The command line prints an error as a line and exits with its code."""
+"""The errors that jkroll raises. The command line prints an error as a line and exits with the error's code."""
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -46,7 +46,7 @@ class MissingExtra(JkrollError):
 
 @contextmanager
 def missing_extra(extra: str) -> Iterator[None]:
-    """Convert the error about a missing library into one that names the extra which installs it."""
+    """Convert the error about a missing library into an error that names the extra to install."""
     try:
         yield
     except ModuleNotFoundError as error:
@@ -58,7 +58,7 @@ class NoResult(JkrollError):
     """Error raised if a quantity has no value for the given inputs."""
 
     exit_code = 1
-    name = ""  # the quantity without a value, or whose value excludes a contact; empty if there are several
+    name = ""  # the quantity that has no value, or whose value rules out a contact; empty for several quantities
     cause: Any  # the cause as stored in a column of reasons
 
     def explanation(self) -> str:

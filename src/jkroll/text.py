@@ -40,7 +40,7 @@ def ascii_text(text: str) -> str:
 
 
 def composed(text: str) -> str:
-    """Return a text with accents combined with their letters and wide letters replaced; superscripts and ① stay.
+    """Return a text with combined accents and without wide letters; superscripts and circled digits are kept.
 
     >>> composed("1㎚"), composed("A\u030a"), composed("１（ｍ²）"), composed("5①")
     ('1nm', 'Å', '1(m²)', '5①')
@@ -66,7 +66,7 @@ def _replace(error: UnicodeError) -> tuple[str, int]:
         before = ""
     if not after.isascii():
         after = ""
-    replaced = ascii_text(before + text[start:end] + after)  # its neighbours decide the spaces around a Greek letter
+    replaced = ascii_text(before + text[start:end] + after)  # the neighbours decide the spaces around a Greek letter
     return replaced[len(before) : len(replaced) - len(after)], end
 
 
@@ -74,7 +74,7 @@ codecs.register_error("jkroll-ascii", _replace)
 
 
 def json_text(value: Any, out: TextIO) -> str:
-    """Return a value as JSON; other characters than ASCII are escaped unless the stream has UTF-8.
+    """Return a value as JSON; characters outside ASCII are escaped unless the stream is in UTF-8.
 
     Raises ValueError for a number that is not finite.
     """
@@ -85,7 +85,7 @@ def json_text(value: Any, out: TextIO) -> str:
 
 
 def spelled(number: float) -> str:
-    """Return the shortest text that reads back as a finite double, spelled as by orjson.
+    """Return the shortest text of a finite double that reads back exactly, spelled as by orjson.
 
     >>> spelled(1e-07), spelled(4.999999999999999e-05), spelled(100.0), spelled(1e22)
     ('1e-7', '0.00004999999999999999', '100.0', '1e22')
@@ -116,7 +116,7 @@ NO_BREAK_SPACE = "\N{NO-BREAK SPACE}"
 
 
 def wrapped(text: str, width: int, indent: int = 0) -> list[str]:
-    """Return the wrapped lines of a sentence, indented from the second; none breaks before a unit or at a sign = or ±.
+    """Return a sentence as wrapped lines, indented from the second on; no line breaks before a unit, or at = or ±.
 
     >>> wrapped("load 0 N", 5), wrapped("load P = 0 N", 9, 2)
     (['load', '0 N'], ['load', '  P = 0 N'])
@@ -215,9 +215,9 @@ def shown(text: str, limit: int = MAX_QUOTED) -> str:
 
 
 def for_terminal(text: str) -> str:
-    r"""Return lines of other authors for a terminal, with a question mark for each character that controls it.
+    r"""Return lines from a file for a terminal, with a question mark for each control character.
 
-    Tabs, line ends and blanks of any width stay.
+    Tabs, line ends and blanks of any width are kept.
 
     >>> for_terminal("a\tb\r\nc\u00a0\x1b[31m\u202e\n")
     'a\tb\nc\xa0?[31m?\n'
@@ -248,7 +248,7 @@ def capital(text: str) -> str:
 
 
 def listed(texts: Iterable[str], word: str = "and") -> str:
-    """Return texts as an enumeration: commas between them, but a word before the last one.
+    """Return texts as an enumeration: separated by commas, with a word before the last.
 
     >>> listed(["a"]), listed(["a", "b"]), listed(["a", "b", "c"], "or")
     ('a', 'a and b', 'a, b or c')
@@ -328,8 +328,8 @@ def write_table(
 ) -> None:
     """Write columns between leading and trailing ones, in as many tables as the width of the terminal requires.
 
-    Tables after the first leave out rows in which all cells are `silent`. If there are trailing columns, each table
-    repeats the first column where it has room, so that its values can be compared.
+    Tables after the first leave out rows in which all cells are `silent`. If there are trailing columns, each later
+    table with enough room repeats the first column, so that its values can be compared.
     """
     if not columns:
         say("\n".join(_lines(leading, _GAP if fit_terminal(leading) else 1)), out)
@@ -373,7 +373,7 @@ def write_texts(heads: Sequence[str], rows: Iterable[Sequence[str]], out: TextIO
 
 
 def text_columns(rows: Iterable[Sequence[str]], *, words: int) -> list[TextColumn]:
-    """Return the columns of rows; the first row has the heads. `words`: the number of first columns that hold words."""
+    """Return the columns of rows; the first row has the heads. `words`: the number of leading columns with words."""
     columns = []
     for position, (head, *cells) in enumerate(zip(*rows, strict=True)):
         columns.append(TextColumn(head, cells, is_right=position >= words))

@@ -81,7 +81,7 @@ class Equations:
         return self.radius(R1, R2, w, E) * self.stretch(P, P_c)
 
     def stiffness(self, R1: Any, R2: Any, w: Any, E: Any, P: Any, P_c: Any) -> Any:
-        """Return the slope dP/dδ: that of P(â), Eq 5, divided by that of δ(â), Eq 6."""
+        """Return dP/dδ: the slope of P(â), Eq 5, divided by the slope of δ(â), Eq 6."""
         a_ = self.stretch(P, P_c)
         slope = (12 * a_**2 - 6 * self.sqrt(a_)) / (6 * a_ - 1 / self.sqrt(a_))
         return self.pull_off_force(R1, R2, w) / self.approach(R1, R2, w, E) * slope
@@ -238,7 +238,7 @@ PROMISE, PROMISE_OF_MAUGIS = 15, 40  # ulp/(1 + κ), as the guide promises
 class Size(NamedTuple):
     """The size of a measurement."""
 
-    points: int  # points in each region: all measure errors, and the ordinary ones also time single numbers
+    points: int  # points in each region, to measure errors; the ordinary points also to time floats
     elements: int  # elements of the arrays that are timed
     repeats: int
 
@@ -282,7 +282,7 @@ def regions(count: int) -> Mapping[str, Arrays]:
     """Return points in each region: ordinary, near pull-off, near the fold, near δ = 0, and extreme.
 
     Ordinary points are grains of 10 nm to 100 µm under loads of −0.8 to 2 P_c, or at approaches of −0.8 to 3 δ0. The
-    other points have sizes and properties of any magnitude. The fold has approaches only.
+    other points have sizes and properties of any magnitude. Points near the fold have approaches, but no loads.
     """
     random = numpy.random.default_rng(1997)
 
@@ -376,7 +376,7 @@ def _by_symbols(way: Way, arrays: Arrays) -> Any:
 
 
 def _error(values: Any, exacts: Sequence[tuple[Decimal, float]]) -> Errors:
-    """Return the median and the largest error of values, in ulp/(1 + κ) of the exact ones; that of nan is infinite."""
+    """Return the median and the largest error of values, in ulp/(1 + κ) of the exact ones; nan has infinite error."""
     ulps = []
     for value, (exactly, condition) in zip(numpy.asarray(values).tolist(), exacts, strict=True):
         if math.isfinite(value):
@@ -434,7 +434,7 @@ def machine() -> str:
 
 
 def _in_full(row: Row) -> list[Cell]:
-    """Return the cells of a row with all digits; a cell without a number is None."""
+    """Return the cells of a row in full precision; a cell without a number is None."""
     cells: list[Cell] = []
     for region in REGIONS:
         for error in row.errors.get(region, (math.nan, math.nan)):
@@ -443,7 +443,7 @@ def _in_full(row: Row) -> list[Cell]:
 
 
 def _in_short(row: Row) -> list[Cell]:
-    """Return the cells of a row with two digits, since errors and times are not known to more."""
+    """Return the cells of a row with two digits, since errors and times are not known more precisely."""
     errors: list[Cell] = []
     for region in REGIONS:
         pair = row.errors.get(region)

@@ -1,4 +1,4 @@
-"""A call of a command, whose words and options are read on demand: as frames, and as a format of results."""
+"""A call of a command. Its words and options are read on demand, as frames and as a format of results."""
 
 import os
 import shlex
@@ -32,10 +32,10 @@ class Output(NamedTuple):
     """A form of output."""
 
     name: str
-    has_rows: bool = False  # it can have columns with a row for each frame
-    has_answers: bool = False  # it can have single answers with their notes
-    keeps_all: bool = False  # it has numbers without a meaning, as it cannot show the reason for an empty cell
-    for_readers: bool = False  # it shows inputs as typed, and lines around a table
+    has_rows: bool = False  # can hold columns with a row for each frame
+    has_answers: bool = False  # can hold single answers with their notes
+    keeps_all: bool = False  # has numbers without a meaning, since an empty cell could not show its reason
+    for_readers: bool = False  # shows inputs as typed, and lines around a table
 
 
 TABLE = Output("table", has_rows=True, has_answers=True, for_readers=True)
@@ -86,7 +86,7 @@ class Call(Options):
 
     @cached_property
     def materials(self) -> Materials:
-        """The known materials; a note on stderr names those that a user's file replaces."""
+        """The known materials; a note on stderr names materials that a user's file replaces."""
         known = materials_of_user(self.file)
         for text in known.overrides:
             say_wrapped(f"note: {text}", sys.stderr)
@@ -136,7 +136,7 @@ class Call(Options):
     def typed(self) -> dict[str, str]:
         """The given inputs and measured quantities, as typed.
 
-        The text is empty for several values, and for an input to which another one was converted.
+        The text is empty for several values, and for an input that was converted from another.
         """
         texts = {**self.values}
         for text in self.measured:
@@ -185,7 +185,7 @@ class Call(Options):
         return Sweep(self.pairs, self.spreads, self.models)
 
     def _named(self, text: str | None) -> list[Material | None]:
-        """Return the materials in a list, or a single None without one; "all" leaves out those with a mistake."""
+        """Return the materials in a list, or a single None for no list; "all" leaves out materials with a mistake."""
         if text is None:
             return [None]
         if text.casefold() == "all":
@@ -195,7 +195,7 @@ class Call(Options):
         return [*map(self._material, text.split(","))]
 
     def _material(self, word: str) -> Material:
-        """Return a material by name; raise BadRequest if the name is that of a file."""
+        """Return a material by name; raise BadRequest if there is a file of this name instead."""
         try:
             return self.materials[word]
         except UnknownMaterial:
@@ -212,7 +212,7 @@ class Call(Options):
 
     @cached_property
     def output(self) -> Output:
-        """The chosen form, or that of the output file, or a table on a terminal and unformatted lines in a pipe."""
+        """The form that an option chooses, or that of the output file; else a table, or unformatted lines in a pipe."""
         chosen = next((output for output in CHOSEN if output.name in self.given), None)
         if self.target is None:
             return chosen or (TABLE if sys.stdout.isatty() else PLAIN)

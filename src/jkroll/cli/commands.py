@@ -106,7 +106,7 @@ _FURTHER = ("diameter2", "shear_modulus", *_OF_SPHERE_2, "atomic_spacing", *OF_T
 
 @cache
 def input_options(quantities: tuple[str, ...] = ()) -> tuple[Option[Any], ...]:
-    """Return the options of the inputs on which quantities depend; without quantities, those of all inputs.
+    """Return the options of inputs on which quantities depend; without quantities, the options of all inputs.
 
     Every command accepts the properties of materials, but its help shows only the options that matter. Without
     quantities, the help shows the inputs of the report.
@@ -135,7 +135,7 @@ def input_options(quantities: tuple[str, ...] = ()) -> tuple[Option[Any], ...]:
 
 
 def _input(name: str, *, hidden: bool = False) -> Option[Any]:
-    """Return the option of an input; that of the radius, usually an argument, is --radius."""
+    """Return the option of an input; the radius, usually an argument, has the option --radius."""
     quantity = NOMENCLATURE[name]
     return Option(None, quantity.option or "--radius", metavar=quantity.example, name=name, hidden=hidden)
 
@@ -339,7 +339,7 @@ def _group(option: Option[Any]) -> str:
 def _rows(options: Sequence[Option[Any]]) -> list[Row]:
     """Return the rows of options with their meanings; options with the same meaning share a row.
 
-    An option that another meaning mentions has no row. The last row lists the hidden options without their meanings.
+    An option that another option's meaning mentions has no row. The last row lists hidden options without meanings.
     """
     rows: dict[str, list[str]] = {}
     for option in options:

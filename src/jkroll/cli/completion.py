@@ -163,8 +163,8 @@ def _options(given: Set[str], options: Iterable[Option[Any]]) -> Iterator[Candid
 def _placeholders(command: Command, words: Sequence[str], begun: str) -> Sequence[str]:
     """Return the placeholders that a partial word may fill.
 
-    For an empty word it is the first placeholder. Otherwise it is the first one that has a matching name and is not
-    filled by another word. If there is no such placeholder, the word may fill any of them.
+    An empty word fills the first placeholder. Any other word fills the first placeholder with a matching name that is
+    not filled yet; without such a placeholder, the word may fill any of them.
     """
     if not begun:
         return command.placeholders[:1]

@@ -31,11 +31,11 @@ from .call import CITE, CSV, JSON, MARKDOWN, TABLE, Call
 
 _SUMMARY = ("work_of_adhesion_opening", "work_of_adhesion_closing", "adhesion_hysteresis", "contact_modulus")
 _RADII = ("radius", "diameter", "reduced_radius")
-_LARGEST_ERROR = 0.45  # over the value; inputs with an error of half the value are refused
+_LARGEST_ERROR = 0.45  # largest relative error of a result to type; errors of half the value are refused
 
 
 class FileFit(NamedTuple):
-    """The fit of a file and a sentence on how it was read, or an error."""
+    """The fit of a file and a sentence on how the file was read, or an error."""
 
     fitted: Fit | None
     reading: str
@@ -43,7 +43,7 @@ class FileFit(NamedTuple):
 
 
 class FileFitter(NamedTuple):
-    """The known data and the options with which files are fitted; another process can receive them."""
+    """The known data and the options with which files are fitted; a fitter can be sent to another process."""
 
     known: Known
     materials: Materials
@@ -149,7 +149,7 @@ def _heading(call: Call, path: str, fitted: Fit) -> str:
 
 
 def following_command(call: Call, fitted: Fit) -> str:
-    """Return the command that continues from a fit to rolling; empty if w, E* or the radius is hardly known."""
+    """Return the command that continues from a fit to rolling; empty if w or E* is uncertain or no radius is given."""
     radii = [name for name in _RADII if name in call.inputs]
     are_known = all(_is_known(fitted, name) for name in ("work_of_adhesion_opening", "contact_modulus"))
     if not are_known or not radii or fitted.is_scaled:
@@ -172,7 +172,7 @@ def _as_typed(call: Call, names: Sequence[str]) -> list[str]:
 
 
 def _is_known(fitted: Fit, name: str) -> bool:
-    """Return whether a result is known so well that it can be typed with its error."""
+    """Return whether the error of a result is small enough to type the result with it."""
     return name in fitted.values and fitted.errors[name].total < _LARGEST_ERROR * fitted.values[name]
 
 

@@ -117,7 +117,7 @@ def draw_contact(call: Call) -> int:
     flag = "-o" if call.target else "--panel"
     if not call.curve:
         raise BadRequest(f"{flag} draws the curve: add --curve")
-    _ = call.output  # raises for a file name that excludes it
+    _ = call.output  # raises BadRequest if the file name conflicts with the form
     for_numbers = [*(output.name for output in CHOSEN), "quantities", "to", "digits", "no_doubt"]
     for name in for_numbers:
         if name in call.given:

@@ -27,9 +27,9 @@ _WITH = {
 class Option(Generic[Value]):
     """An option of a command: `Options.quiet` is the option, `call.quiet` its value in a call.
 
-    Without a `metavar` it is a switch. Its value is an integer from 1 to `most`, a text if `most` is 0, or a tuple of
-    texts if the option `repeats`. The help lists options by `group`, `hidden` options without their text. The option of
-    an input has no `help` of its own: its text is the sentence of the nomenclature.
+    An option without a `metavar` is a switch. Otherwise its value is an integer from 1 to `most`, a text if `most` is
+    0, or a tuple of texts if the option `repeats`. The help lists options by `group`, and `hidden` options without a
+    meaning. The option of an input has no `help`: its meaning is the sentence of the nomenclature.
     """
 
     def __init__(
@@ -37,7 +37,7 @@ class Option(Generic[Value]):
         short: str = "", hidden: bool = False, repeats: bool = False, group: str = "Output",
         needs: str = "", excludes: str = "",
     ) -> None:  # fmt: skip
-        """`needs`: names of options, one of which must be given, too; `excludes`: those of options that may not be."""
+        """`needs`: names of options of which one must be given; `excludes`: names of options that must not be given."""
         self.default, self.flag, self.help, self.metavar, self.most = default, flag, help, metavar, most
         self.name, self.short, self.hidden, self.repeats, self.group = name, short, hidden, repeats, group
         self.needs, self.excludes = needs.split(), excludes.split()

@@ -68,7 +68,7 @@ NAMED = {
     "MATERIAL": Option(None, "--material", metavar="quartz", name="material"),
     "RADIUS": Option(None, "--radius", metavar="100nm", name="radius"),
 }
-_DASHES = ("–", "—")  # word processors replace hyphens by them
+_DASHES = ("–", "—")  # dashes that word processors write for hyphens
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -111,7 +111,7 @@ def finished(run: Action, words: Sequence[str] = (), *, is_debugged: bool = Fals
 
 
 def _check(words: Iterable[str]) -> None:
-    """Raise BadRequest for words that no shell can pass, because they cannot be file names."""
+    """Raise BadRequest for words that cannot be file names, and that no shell can pass."""
     for word in words:
         if "\0" in word:
             raise BadRequest(f"{quoted(word)} contains a NUL character")
@@ -146,7 +146,7 @@ def report(error: Exception, words: Sequence[str]) -> int:
 
 
 def action_of(words: Sequence[str]) -> Action:
-    """Return the action of a command line; raise BadRequest for a command line without a meaning."""
+    """Return the action of a command line; raise BadRequest for an invalid command line."""
     first, *rest = words or (HELP.flag,)
     if rest and (first == "help" or first in HELP.flags):
         first, rest = rest[0], [HELP.flag]
@@ -247,7 +247,7 @@ def flag_and_value(word: str, flags: Mapping[str, Option[Any]]) -> tuple[str, st
 
 
 def _value(option: Option[Any], value: str | None, rest: deque[str]) -> str:
-    """Return the value of an option: the joined one, or the next word."""
+    """Return the value of an option: the joined value, or the next word."""
     if value is None:
         following = rest[0] if rest else HELP.flag
         if following.startswith("-") and following != "-" and not _is_negative(following):
@@ -273,7 +273,7 @@ def _is_negative(text: str) -> bool:
 
 
 def _option(flag: str, flags: Mapping[str, Option[Any]]) -> Option[Any] | None:
-    """Return the option that a flag means: its own, that of a synonym, or of a quantity's name or symbol; else None."""
+    """Return the option of a flag, of its synonym, or of an input with this name or symbol; None if there is none."""
     option = flags.get(flag) or flags.get(SYNONYMS.get(flag, ""))
     if option:
         return option
@@ -322,7 +322,7 @@ def _no_such_option(flag: str, command: str | None) -> BadRequest:
 
 
 def _meant(flag: str, flags: Mapping[str, Option[Any]]) -> str | None:
-    """Return the flag that a word probably means: a synonym, an abbreviation or a misspelling of it; else None."""
+    """Return the flag of which a word is probably a synonym, an abbreviation or a misspelling; None without one."""
     name = flag.lstrip("-").replace("-", "_").casefold()
     option = _option(f"--{flag.lstrip('-')}", flags)
     if option is not None:

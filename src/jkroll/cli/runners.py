@@ -63,7 +63,7 @@ def answer_rows(call: Call, sweep: Sweep, question: Question, form: Format) -> i
     """Write the answers to a question, as rows or one after the other; return the exit code."""
 
     def answer(row: Frame) -> "Report":
-        from ..report.report import Report  # imported here, since several rows of numbers do not need it
+        from ..report.report import Report  # imported here, since rows of numbers do not need this module
 
         return Report(question, row, keeps_all=call.output.keeps_all)
 
@@ -90,7 +90,7 @@ def check_format(call: Call) -> None:
 
 
 def question_of(call: Call, usual: Question) -> Question:
-    """Return the question made of `--quantities`, or the usual one; for bare output, the headline only."""
+    """Return the question made of `--quantities`, or the usual question; for bare output, only its headline."""
     question = usual if call.quantities is None else question_about(call.quantities)
     if call.output is BARE:
         return Question(question.headline, question.headline, question.named)
@@ -163,7 +163,7 @@ def _write_columns(
 
 
 def _notes_of(single: "Report", *, has_table: bool) -> "list[Note]":
-    """Return the notes on a single answer, without those that a table has above it."""
+    """Return the notes on a single answer; with a table, only the notes that follow it."""
     if has_table:
         return single.sentences_below
     return [*single.notes_on_ranges(), *single.sentences]

@@ -1,4 +1,4 @@
-"""The program as a typer application, to install completion, to document the commands, and for CliRunner.
+"""The program as a typer application, which installs completion, documents the commands and serves CliRunner.
 
 The words and options that typer has read are joined to a command line again, which `process` runs.
 """

@@ -29,7 +29,7 @@ class Format:
         self,
         units: Mapping[str, tuple[str, Unit]] | None = None,  # by quantity: the unit to convert to
         digits: int | None = None,
-        typed: Mapping[str, str] | None = None,  # inputs as typed; empty for several values
+        typed: Mapping[str, str] | None = None,  # inputs as typed; an empty text for several values
     ) -> None:
         self.units, self.digits, self.typed = units or {}, digits, typed or {}
 
@@ -61,7 +61,7 @@ class Format:
         return self.in_unit(value, unit), unit[0]
 
     def common_unit(self, name: str, values: Sequence[float | str | Uncertain | None]) -> tuple[str, Unit]:
-        """Return the unit that suits the median of values, which may include words and None, with its name."""
+        """Return the name and the factor of the unit that suits the median of values; words and None are ignored."""
         if name in self.units:
             return self.units[name]
         si = NOMENCLATURE[name].unit
@@ -93,7 +93,7 @@ def _sizes(values: Sequence[float | str | Uncertain | None]) -> list[float]:
 
 
 def _multiple(unit: str, power: int, known: range = _KNOWN) -> str:
-    """Return the multiple of a unit by a power of ten, with the power itself if its prefix is not well known."""
+    """Return a unit times a power of ten: with a prefix if it is well known, otherwise with the power itself."""
     return _PREFIXES[power] + unit.removeprefix("1") if power in known else f"1e{power} {unit}"
 
 
@@ -111,7 +111,7 @@ def engineering(value: float, unit: str, digits: int = DIGITS, known: range = _K
 
 
 def _power(value: float, unit: str, digits: int) -> int:
-    """Return the power of ten that suits a value, rounded to significant digits, as the prefix of its unit."""
+    """Return the power of ten of the prefix that suits a value after rounding to significant digits."""
     exponent = f"{value:.{digits - 1}e}".partition("e")[2]
     power = 3 * (int(exponent or 0) // 3)
     return power if unit in WITH_PREFIXES and power in _PREFIXES else 0
@@ -157,7 +157,7 @@ AS_USUAL = Format()
 
 
 def amount(name: str, value: float | str | Uncertain, form: Format = AS_USUAL) -> str:
-    """Return a value with its unit, and its uncertainty if it has one, for a sentence; an input as typed.
+    """Return a value for a sentence, with its unit and any uncertainty; a typed input is returned as typed.
 
     >>> amount("yield_displacement", 2e-10)
     '200 pm'
@@ -185,7 +185,7 @@ def span(name: str, low: float, high: float, digits: int | None = None) -> str:
 
 
 def from_to(low: float, high: float, digits: int | None = None) -> str:
-    """Return the text of a range; a single number if its ends do not differ even with another digit.
+    """Return the text of a range; a single number if its ends are equal even with one more digit.
 
     The ends have two digits, or three if the range is narrow, unless `digits` is given.
     >>> from_to(14.37, 15.0), from_to(-1.0, 2.0), from_to(3.0, 3.0), from_to(1.02e6, 1.31e6), from_to(397.0, 399.5)
@@ -244,10 +244,9 @@ def in_words(name: str, value: float | str) -> float | str:
 
 
 def in_units(unit: str, values: Sequence[float], digits: int = ROUND_DIGITS, *, is_log: bool) -> tuple[list[str], str]:
-    """Return the values of an axis as texts, and their common unit; it is empty if each text has its own unit.
+    """Return the values of an axis as texts, and their common unit, which is empty if each text has a unit.
 
-    On a logarithmic scale the texts have the same form: all have a unit with a prefix, all have an exponent, or none
-    has one.
+    On a logarithmic scale, all texts have the same form: numbers with prefixed units, with exponents, or with neither.
     >>> in_units("Hz", [1e9, 1e12], is_log=True), in_units("J", [1e-18, 1e-15], is_log=True)
     ((['1 GHz', '1 THz'], ''), (['1e-18', '1e-15'], 'J'))
     >>> in_units("1", [0.01, 1000.0], is_log=True), in_units("1", [1000.0, 2e6], is_log=True)
@@ -311,7 +310,7 @@ def symbol_of(name: str) -> str:
 
 
 def bar_digits(value: float, error: float) -> str:
-    """Return a value rounded to the second digit of its error, or to four digits without an error.
+    """Return a value rounded to the second digit of its error, or to four digits if the error is 0 or exceeds it.
 
     >>> bar_digits(61.7234, 0.24), bar_digits(1749.6, 190.0), bar_digits(0.21666, 0.0)
     ('61.72', '1750', '0.2167')

@@ -4,10 +4,10 @@ A law consists of tables of routes, from the name of a quantity to the formula t
 "pull_off_force_maugis" under Maugis' law. A plan follows the routes wherever a name occurs, so quantities that depend
 on others (`n_grav` on the moment, `vertical_frequency` on the stiffness) need no route of their own. None marks a
 quantity that the law does not have. A name without a route has the formula of the same name. A formula to which only
-one law has a route belongs to that law. Another law refuses it, since it would mix the two laws.
+one law has a route belongs to that law. Other laws refuse the formula, since it would mix two laws.
 
-The profile of body 1 is part of a law, too: JKR's law of a paraboloid and that of a true sphere are two `Law`s, between
-which the profile chooses.
+The profile of body 1 is also part of a law: JKR's law of a paraboloid and JKR's law of a true sphere are two `Law`s,
+and the profile selects one.
 
 A new law needs a `Law` here, its formulas in `physics`, its reference in `write/references.toml`, the states of its
 force curve in `report.curve`, and the reasons for missing results in `model.reasons`. The nomenclature takes the names
@@ -37,7 +37,7 @@ class Law:
         source: str,  # the reference of results without an equation in the paper
         tables: Mapping[str, Routes],
         omits: frozenset[str] = frozenset(),  # quantities not shown under this law
-        by_spacing: frozenset[str] = frozenset(),  # formulas that the atomic spacing decides if λ < 1
+        by_spacing: frozenset[str] = frozenset(),  # formulas whose values the atomic spacing sets if λ < 1
         profile: str = PARABOLOID,
     ) -> None:
         self.name, self.title, self.source, self.profile = name, title, source, profile
@@ -45,12 +45,12 @@ class Law:
 
     @property
     def short(self) -> str:
-        """The title without a second author: "Maugis" of Maugis–Dugdale."""
+        """The title without a second author: "Maugis" for Maugis–Dugdale."""
         return self.title.partition("–")[0]
 
     @property
     def words(self) -> Mapping[str, str]:
-        """The input that chooses the law."""
+        """The input that selects the law, by name."""
         return {"model": self.name} if self.profile == PARABOLOID else {"profile": self.profile}
 
     @property
@@ -80,7 +80,7 @@ _OF_EVERY_LAW: Mapping[str, Routes] = {
     "approach_at_load": {
         "edge_ratio": "edge_ratio_at_approach",
         "zone_span": "zone_span_at_approach",
-        "approach_maugis_at_load": "approach_maugis",  # under JKR, the load would be JKR's
+        "approach_maugis_at_load": "approach_maugis",  # the formula at a load would use JKR's load under JKR
     },
 }
 
@@ -102,10 +102,10 @@ _JKR = Law(
     omits=frozenset(_BY_LENNARD_JONES),
 )
 
-_PEAK_OF_JKR = ("impact_pressure", "touch_pressure", "yield_speed", "plastic_speed")  # they follow from JKR's energies
+_PEAK_OF_JKR = ("impact_pressure", "touch_pressure", "yield_speed", "plastic_speed")  # computed from JKR's energies
 
-# Routes of all laws but JKR: for quantities that follow from the law's own force and radius, and None for those that
-# only JKR has.
+# Routes of all laws but JKR: to formulas that use the law's own force and radius, and None for quantities that only
+# JKR has.
 _OUTSIDE_JKR: Routes = {
     "unloaded_moment": "unloaded_moment_of_radius",
     "yield_force": "yield_force_of_moment",
@@ -118,7 +118,8 @@ _OUTSIDE_JKR: Routes = {
     "displacement_limit": None,
     "viscosity_number": None,
     **dict.fromkeys(_PEAK_OF_JKR),
-    "sliding_force": None,  # over the contact or the zone of attraction? They differ 6 times for quartz of 100 nm
+    # the area may be the contact or the zone of attraction, which is 6 times as large for quartz of 100 nm
+    "sliding_force": None,
     "sliding_displacement": None,
     "sliding_energy": None,
     "twisting_moment": None,
@@ -155,7 +156,7 @@ _MAUGIS = Law(
             "sticking_energy": "sticking_energy_maugis",
             "fold_energy": "fold_energy_maugis",
         },
-        "viscous_time": {"sticking_speed": None},  # the damping was worked out on the JKR curve
+        "viscous_time": {"sticking_speed": None},  # the damping was computed for JKR's force curve
         "load": {"approach_at_load": "approach_maugis_at_load"},
         "edge_ratio": {"load": "load_maugis"},
         "approach_at_load": {"load": "load_maugis"},
@@ -195,8 +196,8 @@ _DMT = Law(
     omits=frozenset({"rolling_frequency_as_printed", *_BY_LENNARD_JONES, "pull_off_force_dmt", *_PEAK_OF_JKR}),
 )
 
-# JKR's law for a rigid sphere of true shape on a soft plane. It has the contact, but nothing that depends on JKR's
-# energies or adhesive force.
+# JKR's law for a rigid sphere of true shape on a soft plane. The law has the contact, but no quantity that depends on
+# JKR's energies or adhesive force.
 _OF_SPHERE = Law(
     name="jkr-sphere",
     title="JKR, sphere",
@@ -235,13 +236,13 @@ _OF_SPHERE = Law(
 
 LAWS: Mapping[str, Law] = {law.name: law for law in (_JKR, _MAUGIS, _DMT, _OF_SPHERE)}
 JKR_OF_SPHERE = _OF_SPHERE.name
-MODELS = tuple(name for name, law in LAWS.items() if law.profile == PARABOLOID)  # the words of --model
+MODELS = tuple(name for name, law in LAWS.items() if law.profile == PARABOLOID)  # the values of --model
 DEFAULT_LAW = _JKR.name
-BETWEEN = _MAUGIS.name  # the law that holds between JKR and DMT
+BETWEEN = _MAUGIS.name  # the law for contacts between JKR and DMT
 
 
 def other_law(name: str) -> str:
-    """Return the law to compare with: the one between JKR and DMT, or JKR if that is in use."""
+    """Return the law to compare with: Maugis' law or, if that is in use, JKR."""
     return DEFAULT_LAW if name == BETWEEN else BETWEEN
 
 
@@ -296,7 +297,7 @@ def routes_anywhere(models: tuple[str, ...] = tuple(LAWS)) -> Mapping[str, list[
 
 @cache
 def law_of(formula: str) -> str | None:
-    """Return the only law with a route to a formula; None if no law has one, or several have."""
+    """Return the law of a formula to which only one law has a route; None for other formulas."""
     laws = [model for model in LAWS if formula in {*chain.from_iterable(routes_anywhere((model,)).values())}]
     return laws[0] if len(laws) == 1 else None
 
@@ -309,5 +310,5 @@ def has_profile(name: str) -> bool:
 
 @cache
 def varies_by_law(name: str) -> bool:
-    """Return whether a law other than the default has its own formula for a quantity, or none."""
+    """Return whether some law has its own formula for a quantity, or does not have the quantity."""
     return any(name in law.tables[ALWAYS] for law in LAWS.values())

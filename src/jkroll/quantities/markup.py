@@ -1,6 +1,6 @@
 """Symbols and formulas in texts: unchanged on a terminal, typeset in pictures and in LaTeX.
 
-The marks ⟦ and ⟧ enclose them, in the notation of the nomenclature: "⟦P_c = 3πγR⟧ with ⟦R = R1/2⟧".
+The marks ⟦ and ⟧ enclose each symbol or formula, in the notation of the nomenclature: "⟦P_c = 3πγR⟧ with ⟦R = R1/2⟧".
 """
 
 import re
@@ -96,7 +96,7 @@ def _typeset_words(words: str) -> str:
 
 
 def as_latex(text: str) -> str:
-    r"""Return a text for LaTeX, with commands for formulas, Greek letters and exponents, and all else escaped.
+    r"""Return a text for LaTeX, with commands for formulas, Greek letters and exponents, and escaped signs.
 
     >>> as_latex("radius & ⟦R_c⟧ is 1 µm; ⟦γ⟧ is 2.5e-05 J/m²")
     'radius \\& $R_{\\mathrm{c}}$ is 1~${\\mu}$m; ${\\gamma}$ is 2.5${\\times}10^{-5}$~J/m$^{2}$'
@@ -127,7 +127,7 @@ def _converted(text: str, of_words: Callable[[str], str], of_formula: Callable[[
 
 
 def lines(text: str, letters: int) -> list[str]:
-    """Return a text as typeset lines of limited length; none breaks within a formula or before a unit."""
+    """Return a text as typeset lines of limited length, without breaks within a formula or before a unit."""
     joined = _FORMULA.sub(lambda match: match[0].replace(" ", NO_BREAK_SPACE), with_units_joined(text))
     joined = _JOINED.sub(NO_BREAK_SPACE, joined)
     return [*map(typeset, wrap(joined, letters, break_long_words=False, break_on_hyphens=False))]

@@ -408,7 +408,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
 
 
 def _variants() -> dict[str, Quantity]:
-    """Return a variant of a quantity for each law's own formula, by name; the paper has no equation for it."""
+    """Return a variant of a quantity for each law's own formula, by name; the paper has no equation for variants."""
     variants = {}
     for name, quantity in _QUANTITIES.items():
         symbol, unit, sentence, may_be_zero = quantity.symbol, quantity.unit, quantity.sentence, quantity.may_be_zero
@@ -423,12 +423,12 @@ def read_only(mapping: Mapping[str, Any]) -> MappingProxyType[str, Any]:
     return MappingProxyType(mapping)
 
 
-copyreg.pickle(MappingProxyType, lambda mapping: (read_only, (dict(mapping),)))  # it cannot be pickled without this
+copyreg.pickle(MappingProxyType, lambda mapping: (read_only, (dict(mapping),)))  # Python cannot pickle this type
 NOMENCLATURE: Mapping[str, Quantity] = read_only({**_QUANTITIES, **_variants()})
 
 
 def of_sphere(sphere: int, name: str) -> str:
-    """Return the same quantity of sphere 1 or 2; a quantity of no single sphere is returned unchanged.
+    """Return the same quantity of sphere 1 or 2; a quantity that belongs to neither sphere is returned unchanged.
 
     >>> of_sphere(2, "density"), of_sphere(1, "density2"), of_sphere(2, "load")
     ('density2', 'density', 'load')
@@ -444,7 +444,7 @@ OPTION_WORDS = {
 
 
 def as_input(word: str) -> str:
-    """Return the name of the input that a word means; "approach" is the option here, elsewhere it is a result.
+    """Return the name of the input that a word means; "approach" means `--approach`, not the result of that name.
 
     Raises BadRequest for R, which is the reduced radius here, but often the radius of a sphere.
     >>> as_input("approach"), as_input("radius")
@@ -457,7 +457,7 @@ def as_input(word: str) -> str:
     return OPTION_WORDS.get(name, name if name in NOMENCLATURE else word)
 
 
-XI = "yield_displacement"  # all rolling quantities depend on it
+XI = "yield_displacement"  # the input on which all rolling quantities depend
 
 # Inputs that are converted to others before formulas use them: R = D/2, E = 2G(1 + ν).
 CONVERTED = {

@@ -44,7 +44,7 @@ class Numeric:
 
     name: str
     reason: str  # the reason for a missing value
-    best: Any = None  # the best range; a result without a value may have one
+    best: Any = None  # the best range, which even a result without a value may have
 
     @property
     def measure(self) -> float | Uncertain | None:

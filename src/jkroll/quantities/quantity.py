@@ -35,12 +35,12 @@ class Quantity:
         option: str = "",  # on the command line
         example: str = "",  # a value as typed
         note: str = "",  # the difference from a similar quantity
-        definition: str = "",  # of a convention among several: its factor, in common units
+        definition: str = "",  # for one of several conventions: its formula, in the symbols of this project
         reference: str = "",  # the paper or code of a convention
         may_be_zero: bool = False,  # True if a result of exactly 0 is a value, not an underflow
         shown_with: Collection[str] = (),  # inputs; the quantity is shown only if one of them was given
-        of_identical: bool = False,  # True to show it for identical spheres only
-        variant_of: str = "",  # the quantity that this one gives by another formula
+        of_identical: bool = False,  # True to show the quantity for identical spheres only
+        variant_of: str = "",  # the quantity for which this is an alternative formula
         sphere: int = 0,  # 1 or 2 for a quantity of one sphere
         twin: str = "",  # the same quantity of the other sphere
     ) -> None:
@@ -49,7 +49,7 @@ class Quantity:
         self.note, self.definition, self.reference, self.may_be_zero = note, definition, reference, may_be_zero
         self.shown_with, self.of_identical = shown_with, of_identical
         self.variant_of, self.sphere, self.twin = variant_of, sphere, twin
-        self.is_word = not unit  # as a material, which has a name and no number
+        self.is_word = not unit  # True for a material, for example, which is given by name
 
     def __repr__(self) -> str:
         return f"Quantity({self.symbol!r}, {self.unit!r}, {self.sentence!r})"

@@ -93,7 +93,7 @@ def _tabular(columns: Sequence[TextColumn]) -> str:
 
 
 def cell(value: Value, unit: tuple[str, Unit], form: Format) -> str:
-    """Return a value as text in a unit; without an uncertainty it has four digits, with trailing zeros."""
+    """Return a value as text in a unit; a number without uncertainty has four digits, with trailing zeros."""
     if value is None or isinstance(value, str):
         return value or "–"
     if isinstance(value, Interval):

@@ -113,7 +113,7 @@ class BadUnit(Exception):
     """
 
     def __init__(self, words: str, instead: str = "", unknown: str = "") -> None:
-        """`instead`: what to type instead, if known; `unknown`: the text of the unit, if it is one unknown name."""
+        """`instead`: what to type instead, if known; `unknown`: the unit, if it is a single unknown name."""
         super().__init__(words)
         self._instead, self._unknown = instead, unknown
 
@@ -123,7 +123,7 @@ class BadUnit(Exception):
         return f"did you mean {guess}?" if guess else self._instead
 
 
-# Characters that mean the same as one of the grammar. Other characters outside the grammar are refused.
+# Characters with the same meaning as a character of the grammar. All others outside the grammar are refused.
 _SAME = str.maketrans(
     {"−": "-", "·": "*", "⋅": "*", "×": "*", "∕": "/", "⁄": "/", "μ": "u", "µ": "u"}
     | dict.fromkeys("\t\u00a0\u2009\u200a\u202f\u2002\u2003\u2007\u2008", " ")
@@ -136,7 +136,7 @@ _MICRO_INSIDE = r"[A-Za-zÅ][µμ]"  # mµm once meant the nanometre, but pint r
 
 
 def normalized(text: str) -> str:
-    """Return a text with uniform signs, spaces and letters; raise BadUnit if it is too long or has a µ in a unit."""
+    """Return a text with uniform signs, spaces and letters; raise BadUnit for a long text or a µ inside a unit."""
     if len(text) > MAX_TEXT:
         raise BadUnit(f"is longer than {MAX_TEXT} characters")
     if ("µ" in text or "μ" in text) and re.search(_MICRO_INSIDE, text):
@@ -206,7 +206,7 @@ def power_of_ten(exponent: int) -> tuple[int, int]:
 
 
 def exponent_of(unit: Unit) -> int | None:
-    """Return the exponent of a unit that is a power of ten times the SI unit; None for another unit.
+    """Return the exponent of a unit that is a power of ten times the SI unit; None for any other unit.
 
     >>> exponent_of(parse_unit("nm")), exponent_of(parse_unit("ft"))
     (-9, None)
@@ -221,7 +221,7 @@ def exponent_of(unit: Unit) -> int | None:
 
 @lru_cache(maxsize=1000)  # many cells of a table may have the same mistake
 def similar_unit(word: str, dimensions: frozenset[Dimension]) -> str | None:
-    """Return the unit of one of these dimensions that a mistyped word probably means; None if there is none.
+    """Return the unit of one of these dimensions that a mistyped word probably means; None if no unit is similar.
 
     >>> similar_unit("Gpa", frozenset([dimension_of("Pa")])), similar_unit("Nm", frozenset([dimension_of("N m")]))
     ('GPa', 'N m')
@@ -241,7 +241,7 @@ def similar_unit(word: str, dimensions: frozenset[Dimension]) -> str | None:
 
 def _terms(text: str) -> list[Term]:
     """Return the names and powers in the text of a unit."""
-    if text.isascii() and text.isalpha():  # the usual case
+    if text.isascii() and text.isalpha():  # most units are a single name
         return [(text, 1)]
     for mark in ("**", "^", "*", "/"):
         text = text.replace(f" {mark}", mark).replace(f"{mark} ", mark)
@@ -262,7 +262,7 @@ def _terms(text: str) -> list[Term]:
 
 
 def _term(text: str) -> Term:
-    """Return a name and its power, which is 1 if none follows: m2, m^2, m²."""
+    """Return a name and its power, which is 1 if not stated: m2, m^2, m²."""
     name = text.rstrip(_OF_POWERS).removesuffix("^")
     stated = text[len(name) :].removeprefix("^") if name != text else "1"
     power = stated.translate(SUPERSCRIPTS)
@@ -318,7 +318,7 @@ _UNLIKE = frozenset(
     proton_mass quarter rod rydberg rydberg_constant square_league square_rod thomson_cross_section
     unified_atomic_mass_unit unit_pole vacuum_permeability vacuum_permittivity x_unit_Cu x_unit_Mo""".split()
 )
-# Excluded names: the astronomical unit, the grain and the short ton; and lengths whose names are objects: rod, chain.
+# Excluded names: the astronomical unit, the grain and the short ton, and lengths named like objects: rod, chain.
 _OTHER_WORDS = frozenset(
     """au ch gr ton tons chain chains hand hands link links perch point points pole poles rod rods bp fur li pp rd sft
     smi th""".split()
@@ -342,7 +342,7 @@ def lookup(name: str) -> Unit | None:
     Temperatures with an offset, logarithmic units and units outside the SI (a bit, a dollar) have no such factor. Some
     meanings are excluded because nobody intends them: a prefix before a speed (kmph is not a kilo-mile per hour), the
     yarn count Nm, the px of a screen, and words with another meaning in this field or for most people. Units that
-    depend on the version of pint are excluded, too.
+    depend on the version of pint are also excluded.
     >>> lookup("nm")
     (1, 1000000000, (0, 1, 0, 0, 0, 0, 0, 0))
     """

@@ -1,8 +1,8 @@
 """Texts of users as SI numbers: a strict grammar and exact arithmetic.
 
-A text is one decimal number and a unit. A value is computed as a ratio of integers and rounded to a double once. It
-may have an uncertainty, as in 25±5 mJ/m2, 25(5) mJ/m2, 25 mJ/m2 ± 20% and 20 to 30 mJ/m2. A text may also be a list or
-a range of values, as in 1nm,1um and 1nm:1um:50.
+A text is one decimal number and a unit. Its value is computed as a ratio of integers and rounded to a double once. The
+text may state an uncertainty, as in 25±5 mJ/m2, 25(5) mJ/m2, 25 mJ/m2 ± 20% and 20 to 30 mJ/m2, or be a list or a range
+of values, as in 1nm,1um and 1nm:1um:50.
 """
 
 import re
@@ -77,7 +77,7 @@ def _expectation(name: str) -> str:
 
 
 class Uncertain:
-    """A value in SI units with an uncertainty. `sides`: the uncertainty by name: minus and plus, or low and high."""
+    """A value in SI units with an uncertainty. `sides`: the uncertainty, as minus and plus or as low and high."""
 
     kind = ""
     value: Any
@@ -103,7 +103,7 @@ class Uncertain:
     def changed(self, change: Callable[[Any], Any]) -> Self:
         """Return the value after a proportional change, such as another unit or a factor."""
         sides = {side: change(number) for side, number in self.sides.items()}
-        if change(1.0) < 0:  # the sides change places
+        if change(1.0) < 0:  # a negative factor swaps the sides
             first, second = sides.values()
             new = (second, first) if "low" in sides else (-second, -first)
             sides = dict(zip(sides, new, strict=True))
@@ -239,7 +239,7 @@ def ends_of(value: Any) -> tuple[Any, Any]:
 
 
 def with_sides(value: float, sides: Mapping[str, float]) -> float | Uncertain:
-    """Return a value with the uncertainty of some sides; a side that is nan is left out."""
+    """Return a value with its uncertainty on each side; a side that is nan is left out."""
     known = {side: number for side, number in sides.items() if not isnan(number)}
     if not known:
         return value
@@ -252,7 +252,7 @@ _Decimal = tuple[int, int]  # an integer and a power of ten
 _UnitIn = Callable[[str], Unit]  # returns the unit that a text means; an empty text means the default unit
 _NUMBER = re.compile(r"([+-]?)([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?")
 _LETTER_AND_DIGITS = re.compile(r"([^\W\d_])([+-]?[0-9]+)")  # as in 1.25d1, which is never a unit
-_SECOND = re.compile(r" ?(?:[-–—…] ?)+[0-9]| ?([^-–—…]+?) ?[-–—…] ?[0-9.]+ ?\1$")  # after the 5 of 5-6 nm, 5nm-6nm
+_SECOND = re.compile(r" ?(?:[-–—…] ?)+[0-9]| ?([^-–—…]+?) ?[-–—…] ?[0-9.]+ ?\1$")  # after the 5 in 5-6 nm or 5nm-6nm
 _MARKS = ("±", "(", "+-", "+−", "/-", "/−", "/ -", "/ −", " to ")  # /- occurs in +/- and in +6/-4
 
 
@@ -292,7 +292,7 @@ def value_of(text: str, name: str, unit: Unit | None = None) -> float | Uncertai
 
 
 def checked(value: float | Uncertain, name: str, text: str) -> float | Uncertain:
-    """Return a value if it is in the range of its quantity; an uncertainty of 0 is dropped."""
+    """Return a value without an uncertainty of 0; raise QuantityError for a value outside the range of its quantity."""
     limits = NOMENCLATURE[name].range
     if not limits.admits(middle(value)):
         raise QuantityError(name, text, limits.words)
@@ -538,7 +538,7 @@ class Spread:
         return map(self.value, range(self.size))
 
     def value(self, position: int) -> float:
-        """Return the value at an index, rounded to 15 digits: 1e-8 and 1e-7 lie on the way from 1e-9 to 1e-6."""
+        """Return the value at an index, rounded to 15 digits: four values from 1e-9 to 1e-6 include 1e-8 and 1e-7."""
         if position in (0, self.size - 1):
             return self.high if position else self.low
         share = position / (self.size - 1)
@@ -553,7 +553,7 @@ _LIST_OR_NUMBER = r"[+-]?[0-9]+,[0-9]+|[+-]?[0-9]{1,3}(?:,[0-9]{3})+"  # 1,5 and
 
 
 def spreads_of(text: str, name: str) -> list[Spread]:
-    """Return the items of a text, separated by commas: values, and ranges `FROM:TO:COUNT`, `:lin` or `:log` optional.
+    """Return the comma-separated items of a text: values, and ranges `FROM:TO:COUNT`, perhaps with `:lin` or `:log`.
 
     >>> [*spreads_of("1nm:1um:4", "radius")[0]]
     [1e-09, 1e-08, 1e-07, 1e-06]

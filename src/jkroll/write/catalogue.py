@@ -1,4 +1,4 @@
-"""Lists of materials and of quantities as text, and the sheet of a single one with all its facts."""
+"""Lists of materials and of quantities as text, and sheets with all facts about a single material or quantity."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cache
@@ -36,7 +36,7 @@ from .writers import Cell, write_records
 
 
 def write_materials(chosen: Sequence[Material], out: TextIO, output: str, *, named: bool) -> None:
-    """Write materials in a format. `named`: True if the user named them; a single named one is written in full."""
+    """Write materials in a format. `named`: True if the user named them; a single named material is in full."""
     is_single = named and len(chosen) == 1
     if output == "cite":
         _write_references(chosen, out)
@@ -187,7 +187,7 @@ def write_quantities(
     """Write a list of quantities in a format, or a single one in full.
 
     `commands_taking`: returns the commands that take a quantity as an input; `most`: the number of quantities that a
-    table describes, after which it only names them.
+    table describes; it only names further ones.
     """
     is_single = len(names) == 1
     if output == "json" and is_single:
@@ -207,7 +207,7 @@ def write_quantities(
 
 
 def _write_tables(names: Sequence[str], out: TextIO, most: int) -> None:
-    """Write the first quantities as a table and name the others; all quantities have a table for each group."""
+    """Write the first quantities as a table and name the others; the list of all has a table for each group."""
     groups: Mapping[str, Iterable[str]] = {"name": names[:most]}
     if len(names) >= len(NOMENCLATURE):
         groups = groups_of_quantities()
@@ -252,7 +252,7 @@ def quantity_as_object(name: str) -> dict[str, Any]:
 
 
 def _related(name: str) -> list[str]:
-    """Return the other quantities whose names have all words of a name, or words that begin with them."""
+    """Return the other quantities whose names have, for each word of a name, a word that begins with it."""
     prefixes = words_in(name)
     related = []
     for other, words in _words_of_names().items():
@@ -338,7 +338,7 @@ def _write_quantity(name: str, out: TextIO, taking: Sequence[str]) -> None:
 
 
 def _facts_of_use(name: str, commands: Iterable[str], taking: Sequence[str]) -> Iterator[tuple[str, str]]:
-    """Iterate over the default of a quantity, the commands that compute it, and those that take it as an input."""
+    """Iterate over the default of a quantity, the commands that show it, and the commands that take it as an input."""
     if name in DEFAULTS:
         yield "default", amount(name, DEFAULTS[name]) if DEFAULTS[name] else "0"
     computing = [command for command in commands if name in QUESTIONS[command].quantities]

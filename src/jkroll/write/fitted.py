@@ -30,7 +30,7 @@ FILE, LIMIT, REASON = "file", "largest_work_of_adhesion", "status"
 
 
 def write_fit(fitted: Fit, out: TextIO, *, heading: str, following: str) -> None:
-    """Write a fit as a table, with sentences below. `following`: the command to continue with, if there is one."""
+    """Write a fit as a table, with sentences below. `following`: the command to run next, or an empty text."""
     say_wrapped(heading, out)
     write_table(text_columns(rows_of_results(fitted), words=len(HEADS)), [], out)
     for line in sentences(fitted):
@@ -125,7 +125,7 @@ def _cell(cell: Any) -> Any:
 
 
 def write_json(answers: Sequence[Mapping[str, Any]], out: TextIO) -> None:
-    """Write the JSON object of a fit, or an array of several."""
+    """Write the JSON object of one fit, or an array of the objects of several fits."""
     if len(answers) == 1:
         say(json_text(answers[0], out), out)
     else:

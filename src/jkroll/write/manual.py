@@ -38,7 +38,7 @@ FIELD_TERMS: Mapping[tuple[str, str], str] = {
 SECTIONS = {"doubts": ("models", "Limits")}  # sections by a short name, to which notes refer
 HISTORY = "changes"  # the page of past changes, which a search finds only by this word
 MAX_TEXT = 100  # width of running text
-MAX_LINES = 12  # of two passages with more lines on a terminal, only the first is shown
+MAX_LINES = 12  # if two passages have more lines on a terminal, only the first is shown
 LEAST_SHOWN, LEAST_NAMED = 0.7, 0.5  # least score, relative to the best, of a passage shown and of a page named
 MAX_ELSEWHERE = 3  # number of pages, or of materials, named below a passage
 LIKELY = 0.75  # least similarity of a known word that is suggested for an unknown one
@@ -58,7 +58,7 @@ class Passage(NamedTuple):
     section: Section
     text: str  # Markdown
     head: str  # the header of its table
-    is_first: bool  # the first passage of a section answers its heading
+    is_first: bool  # True for the first passage of a section, which answers the heading
 
 
 def topics() -> tuple[str, ...]:
@@ -136,7 +136,7 @@ def passages() -> Iterator[Passage]:
 def section_meant(text: str) -> Section | None:
     """Return the section that a text names, by its short name or by its page and words of its heading.
 
-    None if no section fits, or more than one.
+    The result is None if no section fits, or several.
     """
     page, _, words = text.partition(" ")
     of_heading = {*words_in(words)}
@@ -199,7 +199,7 @@ def materials_with(text: str, materials: Iterable[Material]) -> list[Material]:
 
 
 def quantities_meant(words: Sequence[str]) -> list[str]:
-    """Return the quantities that words mean: a comma-separated list, or one by name or symbol; all without words."""
+    """Return the quantities of a comma-separated list, or those with a name or symbol; all without words."""
     if not words:
         return list(NOMENCLATURE)
     several = [named(word.strip()) for word in " ".join(words).split(",")]
@@ -210,7 +210,7 @@ def quantities_meant(words: Sequence[str]) -> list[str]:
 
 
 def _with_synonym(text: str, names: Sequence[str]) -> list[str]:
-    """Return the names found, preceded by the quantity that has this synonym.
+    """Return the names found, preceded by the quantity of which the text is a synonym.
 
     Variants come last, and are left out if their quantity is found.
     """

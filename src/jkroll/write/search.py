@@ -16,7 +16,7 @@ COMMON = frozenset(
     "means much must my need of on or please program should show so such tell than that the their them then there "
     "these they this those to use want was we what when where which who why will with would you your".split()
 )
-LONG = 60  # number of words in a text; in a longer one each word counts less
+LONG = 60  # number of words in a text; in a longer text each word counts less
 PREFIX = 0.5  # weight of a longer word that begins with the stem of the word sought
 
 Thing = TypeVar("Thing")
@@ -41,7 +41,7 @@ def words_in(text: str) -> list[str]:
 
 
 def words_sought(text: str) -> list[str]:
-    """Return the words of a question that are not common, or all if there are no others.
+    """Return the words of a question that are not common; if all are common, return all words.
 
     >>> words_sought("What does fixed grips mean?"), words_sought("why")
     (['fixed', 'grips'], ['why'])
@@ -127,7 +127,7 @@ class Search(Generic[Thing]):
 
 
 def _weight_of(words: Sequence[str], text: Sequence[Mapping[str, float]], rarity: Mapping[str, float]) -> float:
-    """Return the weight of words in a text; words that are adjacent in both count again.
+    """Return the weight of words in a text; words that are adjacent in the question and in the text count twice.
 
     `text`: for each word of the text the words sought that match it, with their nearness.
     """

@@ -1,6 +1,6 @@
 """The derivation of a number for `--explain`, from the docstrings of its formulas, and its sources for `--cite`.
 
-`--cite` writes BibTeX entries; with `--tex` it writes a paragraph for the Methods section of a paper, which cites them.
+`--cite` writes BibTeX entries; with `--tex`, a paragraph for the Methods section of a paper that cites the entries.
 """
 
 import os
@@ -29,7 +29,7 @@ from ..text import listed, say, say_wrapped
 
 _SECTIONS = ("Source", "Valid")
 _NO_POWER = 1e-4  # a smaller exponent is a rounding error
-_LESS = 1 - 1e-5  # factor of a moved input, which gives its power; at the lower end of a range the inverse
+_LESS = 1 - 1e-5  # factor by which an input is changed to find its power; its inverse at the lower end of a range
 _INDENT = 12  # indent of the text of a fact
 _STEP_INDENT = 27  # indent of the text beside the value of an input or a step
 
@@ -136,7 +136,7 @@ def _value_lines(name: str, frame: Frame, form: Format, remark: str) -> list[str
 def _power_law(name: str, frame: Frame) -> str:
     """Return the local power law of a quantity in its inputs: "R1^0.667 γ1^0.333 E1^-0.333".
 
-    It is empty if a moved input gives no value or changes its sign, since a power is then unknown.
+    The text is empty if the quantity loses its value or changes its sign with an input; the power is then unknown.
     """
     texts = []
     moduli = {name: frame.stated[name] for name in CONVERTED.values() if name in frame.stated}  # fixed while ν changes
@@ -309,7 +309,7 @@ def _values(answer: Report) -> str:
     """Return the sentence with the inputs, their sources, and the word "assumed" for those that were not given."""
     omitted = {"model"}
     if "energy_ratio" in answer.inputs:
-        omitted.add("energy")  # it follows from the ratio
+        omitted.add("energy")  # the energy follows from the ratio
     texts = []
     for name, value in answer.measures.items():
         if name in omitted:
@@ -327,6 +327,6 @@ def _values(answer: Report) -> str:
 
 
 def cite_command(entries: Iterable[Entry]) -> str:
-    """Return the command that cites entries; empty without any."""
+    """Return the command that cites entries; an empty text if there are no entries."""
     keys = ",".join(dict.fromkeys(entry["key"] for entry in entries))
     return f"~\\cite{{{keys}}}" if keys else ""

@@ -1,4 +1,4 @@
-"""Writers of columns as lines of text, one for each format; and the file that they write.
+"""Writers of columns as lines of text, one for each format, and the output file.
 
 A column is a list of texts, numbers and None, or an array of numbers; an array with two axes holds several columns. A
 single text, or None, is a column with this cell in every row. None and nan are empty cells.
@@ -76,11 +76,11 @@ class Lines:
         yield stream.write
 
     def _divided(self, columns: Sequence[Any]) -> Sequence[Any]:
-        """Return the columns to write one after another; an array with several of them stays whole."""
+        """Return the columns to write one after another; an array with several columns stays whole."""
         return columns
 
     def _leads(self, heads: Sequence[str], *, is_begun: bool) -> list[bytes]:
-        """Return the prefix of the cells of each column. `is_begun`: True if rows have a beginning."""
+        """Return the prefix of the cells of each column. `is_begun`: True if rows have a given beginning."""
         leads = [self.separator] * len(heads)
         if leads and not is_begun:
             leads[0] = b""
@@ -132,7 +132,7 @@ class Objects(Lines):
         return divided(columns)
 
     def _leads(self, heads: Sequence[str], *, is_begun: bool) -> list[bytes]:
-        """Return the names of the members as prefixes. The given beginning of a row ends with a comma."""
+        """Return the names of the members as prefixes. A given beginning of a row already ends with a comma."""
         first, *others = [self._text(head) + b":" for head in heads]
         if not is_begun:
             first = b"{" + first
@@ -150,7 +150,7 @@ class Markdown(Lines):
     digits = RESULT_DIGITS
 
     def __init__(self, are_right: Sequence[bool] = (), *, has_commas: bool = False) -> None:
-        """`are_right`: for each of the first columns, True to align it right; for the others the header decides."""
+        """`are_right`: True to align a column right, for each of the first columns; for others the header decides."""
         super().__init__(" | ", end=" |\n", has_commas=has_commas)
         self.are_right = are_right
 
@@ -272,7 +272,7 @@ def written(
 ) -> Iterator[Any]:
     """Iterate over the header, if the format has one, and the rows of each block.
 
-    `doubt`: True for a column of doubts, if they are judged.
+    `doubt`: True for a column of doubts, if doubts are judged.
     """
     remarks = () if writer.is_plain else wanted.remarks(doubt=doubt)
     heads = [*map(header, wanted.inputs), *wanted.heads(form.header), *remarks]
@@ -404,7 +404,7 @@ def whole_file(path: str, mark: str = "") -> Iterator[BinaryIO]:
                 os.chmod(temporary, os.stat(real).st_mode & 0o7777)
             os.replace(temporary, real)
     except OSError as error:
-        error.filename = path  # the error of a full disk has no name, others have the temporary name
+        error.filename = path  # the error of a full disk has no file name, other errors have the temporary name
         raise
 
 
@@ -438,7 +438,7 @@ def _removed_at_last(path: str) -> Iterator[BinaryIO]:
 
 
 class _Terminal(BufferedWriter):
-    """A terminal that shows the cells of a table, but is not controlled by their characters."""
+    """A stream to a terminal that replaces the control characters in the cells of a table."""
 
     def write(self, lines: Any) -> int:
         """Write whole lines; return their number of bytes."""
