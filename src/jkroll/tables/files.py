@@ -251,7 +251,7 @@ class Input:
             raise BadTable(f"{quoted(self.path)}: {error.strerror}") from None
 
     def share_read(self, rows: int) -> float:
-        """Return the fraction of the input that has been read after some rows; 0 for a pipe."""
+        """Return the fraction of the input that has been read; 0 for a pipe. `rows`: the rows read so far."""
         if self.rows:
             return rows / self.rows
         return self.file.tell() / max(self.begun.st_size, 1) if self.is_file else 0.0

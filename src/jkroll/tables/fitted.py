@@ -66,7 +66,7 @@ def fit_of_file(
 
 
 def _fitted(read: ReadCurve, known: Known) -> Fit:
-    """Return the fit of a curve. Raises BadCurve, also for values that no solid has or a sphere that is not rigid."""
+    """Return the fit of a curve. Raises BadCurve, also for values that no solid has, or for a soft sphere."""
     fitted = fit_curve(read.curve, known)
     if not fitted.is_scaled:
         _check_sizes(fitted, read.reading)

@@ -52,7 +52,7 @@ class Header(NamedTuple):
     texts: tuple[str, ...]
     inputs: tuple[Column, ...]
     materials: tuple[Column, ...]  # columns with names of materials
-    clauses: Mapping[int, str] = MappingProxyType({})  # on the value used instead of a passed column, by position
+    clauses: Mapping[int, str] = MappingProxyType({})  # on values used instead of passed columns, by position
 
     @property
     def names(self) -> frozenset[str]:
@@ -531,6 +531,6 @@ def is_law(text: str) -> bool:
 
 
 def is_input(text: str, measured: str = "") -> bool:
-    """Return whether a column with this header may be read as an input or a part of one."""
+    """Return whether a column with this header may be read as an input, or as part of an uncertainty."""
     reading = reading_of(text, measured)
     return reading.is_input or bool(reading.part)

@@ -217,7 +217,7 @@ def convert_one(path: str, job: Job) -> Tally:
             )
         header = header_of(source, asked)
         reading = header.reading(*source.remarks)
-        job.say([reading])  # first: an unread column may be the cause of a missing input
+        job.say([reading])  # printed first: an unread column may be why an input is missing
         table = Table(header, source.sample, asked)
         remarks = [*about(table)]
         job.say(remarks)

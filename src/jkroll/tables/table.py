@@ -247,7 +247,8 @@ def _material(given: str | Material, known: Materials) -> Material:
 def _labels(columns: Header, rows: Sequence[Sequence[str]], asked: Asked) -> dict[str, int]:
     """Return the names and positions of columns that may label rows of statistics.
 
-    Inputs and columns in `--column` are left out, and a column that labels all first rows as means, which are the data.
+    Inputs and columns in `--column` are left out. So is a column that labels all first rows as means, which are the
+    data.
     """
     inputs: set[int] = set()
     for column in columns.inputs:

@@ -447,7 +447,7 @@ def _joined(parts: _Parts) -> _Parts:
 def _units_by_parts() -> dict[_Parts, list[str]]:
     """Return the common and rare units by their parts.
 
-    A unit is also there without its last power and, if it has one, with all its letters together.
+    A unit is also listed without its last power and, if it has one, with all its letters joined.
     """
     units: dict[_Parts, list[str]] = {(("a", ""),): ["angstrom"]}
     for unit in (*_COMMON, *_RARE):

@@ -98,7 +98,7 @@ def answers(count: int, answer: Answer, questions: Iterable[Any]) -> Iterator[An
 
 
 def _answer(pipe: Any) -> Any:
-    """Return the next answer from a pipe. Raises its error."""
+    """Return the next answer from a pipe. Raises the answer if it is an error."""
     answer = pipe.recv()
     if isinstance(answer, Exception):
         raise answer
