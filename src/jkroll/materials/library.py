@@ -1,7 +1,7 @@
-"""Materials by name: those that are shipped, and those of the user's files, which take precedence.
+"""Materials by name: those that are shipped, and those of the user's files.
 
-A file is TOML of limited size, so that it loads fast. A mistake in one material does not affect the others: it is
-raised when that material is used.
+A file is TOML of limited size, so that it loads fast. A mistake in one material does not affect the others: the error
+is raised when that material is used.
 """
 
 import os
@@ -17,7 +17,7 @@ from ..quantities.nomenclature import PROPERTIES, XI, header, named, read_only
 from ..quantities.values import Interval, QuantityError, Uncertain, ends_of, is_uncertain, middle, value_of
 from ..text import closest, listed, quoted, shown
 
-MAX_BYTES = 64_000  # some 180 materials with all their references
+MAX_BYTES = 64_000  # enough for some 180 materials with all their references
 MAX_NAME = 60
 
 _HERE = os.path.dirname(os.path.abspath(__file__))
@@ -45,7 +45,7 @@ class UnclearMaterial(BadRequest):
 
 # --- Materials --------------------------------------------------------------------------------------------------------
 
-ORIGIN = ("method", "law", "reference")  # of a property: the method, the contact law and the reference that gave it
+ORIGIN = ("method", "law", "reference")  # keys for the method, the contact law and the reference of a property
 
 
 class Displacement(NamedTuple):
@@ -57,7 +57,7 @@ class Displacement(NamedTuple):
     def scaled(self, radius: Any) -> Interval:
         """Return the displacement of identical spheres of another radius.
 
-        Its range lies between growth with the contact radius, as R^(2/3), and growth with the sphere radius.
+        Its range extends from growth with the contact radius, as R^(2/3), to growth with the sphere radius.
         """
         scale = radius / self.radius
         least, most = smaller_and_larger(scale, cbrt(scale) * cbrt(scale))
@@ -79,12 +79,12 @@ class Material(NamedTuple):
     uncertainties: Mapping[str, Uncertain] = read_only({})  # by property
     origins: Mapping[str, Mapping[str, str]] = read_only({})  # by property: the fields of `ORIGIN` that the file states
     displacement: Displacement | None = None  # measured, to be scaled to the spheres of a contact
-    note_radii: Mapping[str, Interval] = read_only({})  # by property: the radii that its note concerns, if not all
-    problem: str = ""  # the mistake in its file, which makes it unusable
+    note_radii: Mapping[str, Interval] = read_only({})  # by property: the radii to which a note applies, if not to all
+    problem: str = ""  # the mistake in its file, which makes the material unusable
 
     @property
     def key(self) -> tuple[str, str]:
-        """The file and the name; they identify a material even if a frame changes its properties."""
+        """The file and the name, which identify a material even if a frame changes its properties."""
         return self.path, self.name
 
     def __hash__(self) -> int:
@@ -113,7 +113,7 @@ class Material(NamedTuple):
         return bundle(parts_of_material(self))
 
     def sources_of(self, name: str) -> list[Mapping[str, str]]:
-        """Return the references of a property: its own, or else those that no property has as its own."""
+        """Return the references of a property: its own, or else those that belong to no single property."""
         keys = {of: origin["reference"] for of, origin in self.origins.items() if "reference" in origin}
         if name in keys:
             return [entry for entry in self.references if entry["key"] == keys[name]]
@@ -196,7 +196,7 @@ def materials_in(path: str) -> list[Material]:
 
 
 def _check_names(materials: Sequence[Material]) -> None:
-    """Raise BadRequest for a word that cannot name a material, or that names two of them."""
+    """Raise BadRequest for a word that cannot name a material, or that names two materials."""
     names = {material.name.casefold(): material.name for material in reversed(materials)}
     for material in materials:
         for key, word in material.words.items():
@@ -212,7 +212,7 @@ _ABOUT: Mapping[str, type] = {"aliases": list, "references": list, "state": str,
 
 
 def _read(name: str, table: Any, title: str, path: str, references: Mapping[str, Any]) -> Material:
-    """Return a material from its table, or with the mistake in the table. `title`: the default title of its set."""
+    """Return a material from its table; a mistake there becomes its problem. `title`: the default title of its set."""
     material = Material(name, title, path)
     try:
         in_form(table, dict, f"materials.{name}")
@@ -242,7 +242,7 @@ def _read(name: str, table: Any, title: str, path: str, references: Mapping[str,
 
 
 def _values(name: str, table: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, dict[str, str]]]:
-    """Return the SI values of a material's properties and yield displacement, and the origins that it states."""
+    """Return the SI values of a material's properties and yield displacement, and their stated origins."""
     values, origins = {}, {}
     for key in (*PROPERTIES, XI):
         if key not in table:
@@ -261,7 +261,7 @@ def _values(name: str, table: Mapping[str, Any]) -> tuple[dict[str, Any], dict[s
 
 
 def _displacement(name: str, table: Mapping[str, Any], measured: Any) -> Displacement | None:
-    """Return the yield displacement of a material with the radius of its measurement; None without a measured one."""
+    """Return the measured yield displacement of a material with the radius of the spheres; None if there is none."""
     if measured is None:
         return None
     radius = _value("radius", table[XI]["radius"], name, f"{name}.{XI}.radius")
@@ -323,12 +323,12 @@ def shipped() -> Sequence[Material]:
 
 
 class Materials:
-    """All known materials, by name or alias in any case. A name that several share is refused when it is used."""
+    """All known materials, by name or alias in any case. The use of a name that several materials share is refused."""
 
     def __init__(self, paths: Path | Iterable[Path] = (), *, added: Path | Iterable[Path] = ()) -> None:
         """Read the shipped file, then `added`, and then the file or the files of `paths`.
 
-        A material takes over the names of earlier files. But in a file of `added`, it does not take over shipped names:
+        A material takes over its names from earlier files. But a material of `added` does not take over shipped names:
         such a name then means both materials.
         """
         self.overrides: list[str] = []  # sentences on the names taken over
@@ -339,7 +339,7 @@ class Materials:
             self._add(shipped() if path == SHIPPED else materials_in(path), takes=path in taking)
 
     def _add(self, materials: Sequence[Material], *, takes: bool) -> None:
-        """Add the materials of a file. They take over earlier names; `takes`: True to take over shipped names, too."""
+        """Add the materials of a file, which take over earlier names. `takes`: True to take over even shipped names."""
         meanings: dict[str, list[Material]] = {}
         named: dict[str, Material] = {}
         for material in materials:
@@ -464,7 +464,7 @@ def _unclear(word: str, materials: Sequence[Material]) -> UnclearMaterial:
 
 
 def _choice(material: Material, *, has_sets: bool) -> str:
-    """Return the name of a material with its surface energy and its state, or else what a note or its set says."""
+    """Return the name of a material with its surface energy and its state, or else with its note or its set."""
     from ..quantities.formatting import amount
 
     about = []
@@ -492,8 +492,8 @@ def known_materials() -> Materials:
 def materials_of_user(option: str | None) -> Materials:
     """Return the known materials, including those of the user's files.
 
-    In order of precedence, these are the file in the configuration directory, the file that the environment names, and
-    the file of the option. Only the last may replace shipped materials.
+    Each of these files overrides the earlier ones: the file in the configuration directory, the file that the
+    environment names, and the file of the option. Only the file of the option may replace shipped materials.
     """
     configuration = os.environ.get("XDG_CONFIG_HOME") or os.path.expanduser("~/.config")
     path = os.path.join(configuration, "jkroll", "materials.toml")

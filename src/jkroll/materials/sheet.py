@@ -1,4 +1,4 @@
-"""Materials for readers: the facts about a material, and a table of several."""
+"""Materials for readers: the facts about a material, and a table of several materials."""
 
 import re
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""Tables in files: the rows of a table come back with their results. `model.rows` gives rows their meaning."""
+"""Tables in files and in Python: each row comes back with its results, which `model.rows` computes."""
 
 import os
 

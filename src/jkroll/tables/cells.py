@@ -1,8 +1,8 @@
 """Columns of texts as SI numbers and as materials.
 
-orjson reads all numbers of a column at once. The power of ten of the unit is part of each text, so each number is
-rounded once, as in a one-liner. A cell that is not a bare number, or has a unit that is not a power of ten, is read by
-itself.
+orjson reads all numbers of a column at once. The power of ten of the unit is appended to the text of each number, so
+each number is rounded only once, as on the command line. A cell with other text, or with a unit that is not a power of
+ten of the SI unit, is read singly.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from ..text import quoted
 Floats = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.float64]]
 
 PLAIN = b"0123456789.eE+-, "
-MAX_KEPT = 10_000  # most cells whose values are cached
+MAX_KEPT = 10_000  # maximum number of cells whose values are cached
 _NUMBER = rb"[-+]?(?:0|[1-9][0-9]{0,19})(?:\.[0-9]{1,20})?(?:[eE][-+]?[0-9]{1,2})?"
 # A number and its unit; d1 in 1.25d1 is not a unit.
 _CELL = re.compile(rb"\s*(" + _NUMBER + rb")((?![A-Za-z][-+]?[0-9]) ?[^\s0-9.,][^,]*)?\s*")
@@ -42,7 +42,7 @@ _NO_VALUES = ("", "nan", "na", "n/a", "null", "none", "-", "--")  # cells withou
 class Column(NamedTuple):
     """The column of an input, with the unit of its bare numbers and the columns of its uncertainty.
 
-    A range has columns for its ends only, and `position` is that of the low end.
+    A range has columns only for its two ends; `position` is the position of the low end.
     """
 
     position: int
@@ -50,7 +50,7 @@ class Column(NamedTuple):
     unit_text: str
     unit: Unit | None
     sides: tuple[tuple[str, int], ...] = ()  # the part (see `Reading`) and the position of each column of uncertainty
-    error_unit: str = ""  # the unit of ± cells; empty if it is that of the values
+    error_unit: str = ""  # the unit of ± cells; empty if it is the unit of the values
     coverage: float = 1.0  # the coverage factor of the uncertainties, as in k = 2
 
     @property
@@ -65,7 +65,7 @@ class Column(NamedTuple):
         return "low" in dict(self.sides)
 
     def joined(self, *cells: str) -> str:
-        """Return the cells of one value as a single text: 25 and 5 as 25±5. Cells with units keep them."""
+        """Return the cells of one value as a single text, as in 25±5 for 25 and 5. Units in the cells are kept."""
         for cell in cells:
             if cell.strip() and has_no_value(cell):
                 return cell
@@ -106,13 +106,13 @@ class Column(NamedTuple):
 
     @property
     def exponent(self) -> int | None:
-        """The power of ten between the unit and the SI unit; None if there is no unit, or another factor."""
+        """The power of ten of the unit in SI units; 0 for a bare ratio; None for another factor or a missing unit."""
         if self.unit is None:
             return 0 if NOMENCLATURE[self.name].unit == "1" else None
         return exponent_of(self.unit)
 
     def numbers(self, columns: Mapping[str, Sequence[bytes]]) -> Numbers:
-        """Return the numbers of a block. `columns`: its cells, by the name of the column."""
+        """Return the numbers of a block. `columns`: the cells of the block, by the name of the column."""
         cells = columns[self.name] if not self.sides else self._with_sides(columns)
         if isinstance(cells, Doubles) and self.exponent is not None:
             return Numbers(scaled(cells.values, self.exponent))
@@ -128,7 +128,7 @@ class Column(NamedTuple):
         return joined
 
     def _of_mixed_cells(self, cells: Sequence[bytes]) -> Numbers:
-        """Return the numbers of a column in which some cells have other texts, or units of their own."""
+        """Return the numbers of a column in which some cells have their own units, or other text."""
         values = numpy.full(len(cells), numpy.nan)
         by_unit: dict[bytes | None, dict[int, bytes]] = {}
         others: list[int] = []
@@ -167,12 +167,12 @@ class Column(NamedTuple):
 
 
 def _in_unit(number: str, unit_text: str) -> str:
-    """Return the text of a number with a unit, unless it already has one."""
+    """Return the text of a number with a unit appended, unless the text already has a unit."""
     return f"{number} {unit_text}" if number and unit_text and not _HAS_UNIT.search(number) else number
 
 
 def has_no_value(text: str) -> bool:
-    """Return whether a cell has no value, in a notation of common programs."""
+    """Return whether a cell is empty, or is written as a missing value by common programs."""
     return text.strip().casefold() in _NO_VALUES
 
 
@@ -186,7 +186,7 @@ def is_number(text: str) -> bool:
 
 @lru_cache(maxsize=MAX_KEPT)
 def _meaning(column: Column, cell: bytes) -> float | Uncertain | JkrollError:
-    """Return the value of a cell, or its error. Equal cells share the result, since an error is slow to word."""
+    """Return the value of a cell, or its error. Equal cells share the result, since errors take long to make."""
     try:
         return column.value(cell.decode(errors="replace"))
     except JkrollError as error:
@@ -219,7 +219,7 @@ def cells_of(values: Any) -> list[bytes]:
     if not is_list or {*map(type, values)} <= {int, float, type(None)}:
         cells = orjson.dumps(values, option=orjson.OPT_SERIALIZE_NUMPY)[1:-1].split(b",")
         nulls = values.count(None) if is_list else 0
-        if cells.count(b"null") == nulls:  # orjson writes null for nan and infinity, too
+        if cells.count(b"null") == nulls:  # orjson also writes null for nan and infinity
             if not nulls:
                 return cells
             return [b"" if cell == b"null" else cell for cell in cells]
@@ -229,7 +229,7 @@ def cells_of(values: Any) -> list[bytes]:
 def plain_numbers(cells: Sequence[bytes], exponent: int) -> Floats | None:
     """Return the numbers of cells, times a power of ten; nan for an empty cell.
 
-    None if a cell has any other text, or if a 0 may stand for a number too small for a double.
+    Return None if a cell has any other text, or if a 0 may stand for a number too small for a double.
 
     >>> plain_numbers([b"1", b"2.5", b"+1E2", b"5.0e-1", b""], -9)
     array([1.0e-09, 2.5e-09, 1.0e-07, 5.0e-10,     nan])
@@ -246,7 +246,7 @@ def plain_numbers(cells: Sequence[bytes], exponent: int) -> Floats | None:
     values = _members(text)
     if len(values) != len(cells):  # some cells are empty or not numbers
         empty = b"," + end
-        while empty in text:  # each pass replaces every other one of a run of empty cells
+        while empty in text:  # in a run of empty cells, each pass replaces every other cell
             text = text.replace(empty, b",null,")
         values = _members(text)
     if len(values) != len(cells):
@@ -265,10 +265,10 @@ def _members(text: bytes) -> list[Any]:
 
 
 class Doubles(Sequence[bytes]):
-    """Cells that are doubles in memory, with nan for an empty one. A cell becomes text only when it is looked up.
+    """Cells that are doubles in memory, with nan for an empty cell. A cell becomes text only when it is looked up.
 
-    Reading numbers from texts would take twice as long as computing a contact. So a value may differ from that of a
-    file by the rounding of the unit's power of ten.
+    Reading numbers from texts would take twice as long as computing a contact. Unlike a number in a file, a double is
+    rounded once more when it is multiplied by the unit's power of ten.
     """
 
     def __init__(self, values: Floats) -> None:
@@ -290,7 +290,7 @@ class Doubles(Sequence[bytes]):
 
 
 def scaled(values: Floats, exponent: int) -> Floats:
-    """Return numbers times a power of ten. They are rounded once if a double holds that power exactly (up to 22).
+    """Return numbers times a power of ten. Each product is rounded once if a double holds the power exactly (up to 22).
 
     >>> scaled(numpy.array([100.0, numpy.nan]), -9)
     array([1.e-07,    nan])
@@ -312,11 +312,11 @@ class Lookup:
         """`otherwise`: the material for empty cells."""
         self.materials = materials
         self.known: list[Material | None] = [otherwise]
-        self.errors: dict[bytes, JkrollError] = {}  # of cells that name no material
+        self.errors: dict[bytes, JkrollError] = {}  # by cell, of cells that name no usable material
         self._indices: dict[bytes, int] = {}  # by cell
 
     def indices(self, cells: Sequence[bytes]) -> Indices:
-        """Return the index of the material of each cell; unknown names have that of LABEL."""
+        """Return the index of the material of each cell; unknown names have the index of LABEL."""
         if len(self._indices) > MAX_KEPT:
             self._indices.clear()
             self.errors.clear()
@@ -353,7 +353,7 @@ class Lookup:
     def together(self, indices: Indices) -> Material | None:
         """Return the materials of rows with the same mark as one material, whose properties are arrays.
 
-        If the rows have one material, it is returned itself.
+        A material that all of the rows share is returned unchanged.
         """
         first = self.known[int(indices[0])]
         if first is None or not first.properties or _is_special(first) or (indices == indices[0]).all():
@@ -366,7 +366,7 @@ class Lookup:
 
 
 def _mark(material: Material | None) -> Hashable:
-    """Return the mark of a material: the names of its properties, or for a special material its key."""
+    """Return the mark of a material: the names of its properties, or the key of a special material."""
     if material is None:
         return None
     return material.key if _is_special(material) else frozenset(material.properties)
@@ -375,7 +375,7 @@ def _mark(material: Material | None) -> Hashable:
 def _is_special(material: Material) -> bool:
     """Return whether the rows of a material need a frame of their own.
 
-    They do if it is uncertain, rigid or smooth, or if forces were measured on it.
+    They do if the material is uncertain, rigid or smooth, or if its rolling was measured.
     """
     if material.uncertainties or material.displacement is not None or INFINITY in material.properties.values():
         return True

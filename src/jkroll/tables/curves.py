@@ -20,7 +20,7 @@ from .reading import normalized, splits_of
 from .table import Asked, Records
 from .words import unit_for
 
-# The quantities that a curve reads: x, in order of preference, and forces.
+# The columns that a curve can have for x and for the force, each in order of preference.
 _X = {"contact_radius_at_load": RADIUS, "approach_at_load": APPROACH, "lever_travel": TRAVEL}
 _FORCES = ("load", "lever_force", "lever_deflection")
 MEASURED = "contact_radius_at_load,approach_at_load,lever_travel,lever_force,lever_deflection"
@@ -55,7 +55,7 @@ def read_curve(
 ) -> ReadCurve:
     """Return the curve in a file. Raises BadTable.
 
-    `stiffness`: that of the lever; `columns`, `form`, `mark`: the values of --column, --format and --delimiter.
+    `stiffness`: the lever stiffness; `columns`, `form`, `mark`: the values of --column, --format and --delimiter.
     """
     asked = Asked({}, known, columns=columns, measured=MEASURED, pass_rest=True)
     file = Input(path)
@@ -68,7 +68,7 @@ def read_curve(
 
 
 def curve_of_columns(columns: Any, known: Materials, stiffness: float | None) -> ReadCurve:
-    """Return the curve in a table of Python. Raises BadTable."""
+    """Return the curve in a Python table. Raises BadTable."""
     asked = Asked({}, known, measured=MEASURED, pass_rest=True)
     rows = Memory(data_of(columns), asked)
     table = _table(rows.names, rows.sample, {}, asked)
@@ -88,7 +88,7 @@ def _opened(file: Input, asked: Asked, stated: str, mark: str) -> tuple[Any, Ite
 def _table(
     names: Sequence[str], sample: Sequence[Sequence[str]], stated: Mapping[str, str], asked: Asked
 ) -> CurveTable:
-    """Return the columns of a curve in a table. Raises BadTable without a pair of x and force."""
+    """Return the columns of a curve in a table. Raises BadTable if x or the force is missing."""
     header = understood(names, sample, stated, (), asked.measured, pass_rest=True)
     found = {column.name: column for column in header.inputs}
     x_name = next((name for name in _X if name in found), "")
@@ -107,15 +107,15 @@ def _table(
     return CurveTable(columns, asked, {**columns.positions, **labels}, labels)
 
 
-def _lacking(what: str, header: Header) -> BadTable:
-    """Return the error for a table without a column of the force or of x, with options for columns that may have it."""
-    names = ("lever_force", "lever_deflection") if what == "force" else ("approach_at_load", "lever_travel")
+def _lacking(missing: str, header: Header) -> BadTable:
+    """Return the error for a table without a force or without x, with options that choose one of its columns."""
+    names = ("lever_force", "lever_deflection") if missing == "force" else ("approach_at_load", "lever_travel")
     used = {*header.positions.values()}
     options = []
     for position, text in enumerate(header.texts):
         if position not in used:
             options += [option_of(text, header_of(name, unit)) for name in names if (unit := _unit_in(text, name))]
-    problem = f"header: no column has the {what} of the curve"
+    problem = f"header: no column has the {missing} of the curve"
     if not options:
         problem += f" (the table has {first_of([*map(typed, header.texts)])})" if header.texts else ""
         options = [option_of("HEADER", header_of(name, "UNIT")) for name in names]
@@ -123,7 +123,7 @@ def _lacking(what: str, header: Header) -> BadTable:
 
 
 def _unit_in(text: str, name: str) -> str:
-    """Return the unit in a header that fits a quantity; "" without one."""
+    """Return the unit of a quantity in a header; "" if the header has no such unit."""
     for split in splits_of(normalized(text)):
         if split.unit and (unit := unit_for(split.unit, name, is_explicit=split.is_explicit)):
             return unit
@@ -150,7 +150,7 @@ def _curve(table: CurveTable, records: list[Records], stiffness: float | None) -
 
 
 def _numbers(column: Column, records: list[Records]) -> tuple[Any, Any]:
-    """Return the numbers of a column in SI units, nan for empty cells, and their errors, or None without errors."""
+    """Return the numbers of a column in SI units, nan if a cell has none, and their errors; None without errors."""
     values, errors = [], []
     for block in records:
         numbers = column.numbers(block.cells)

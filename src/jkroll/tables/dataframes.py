@@ -1,6 +1,6 @@
 """Tables of Python libraries: their columns with units, and tables of the same type with more columns.
 
-The methods of a table tell which library it comes from, so that only this library is imported.
+The methods of a table tell which library the table comes from, so only that library is imported.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -30,7 +30,7 @@ class Named(NamedTuple):
 
     name: Any
     head: str
-    values: Callable[[], Any]  # as an array of numbers, or as a list
+    values: Callable[[], Any]  # in an array of numbers, or in a list
 
 
 class Data:
@@ -60,7 +60,7 @@ class Data:
         return next(iter(sizes.values()), 1)
 
     def use(self, heads: Iterable[str]) -> None:
-        """Choose the rows by the headers of the columns to read. Only an xarray Dataset has a choice."""
+        """Take the headers of the columns to read. Only the rows of an xarray Dataset depend on them."""
 
     def with_columns(self, added: Added) -> Any:
         """Return a table of the same type, with the same labels and more columns."""
@@ -82,7 +82,7 @@ class _Pandas(Data):
         return self.data.items()
 
     def _filled(self, column: Any) -> Any:
-        if hasattr(column.dtype, "units"):  # of pint
+        if hasattr(column.dtype, "units"):  # a column of pint
             column = column.pint.magnitude
         if isinstance(column.dtype, numpy.dtype) and column.dtype.kind in "fiu":
             return cells_in(column.to_numpy())
@@ -159,7 +159,7 @@ class _Astropy(Data):
 
 
 class _Xarray(Data):
-    """A Dataset. Its rows are the points of the dimensions that the columns to read have."""
+    """An xarray Dataset. Its rows are the points of all dimensions of the columns to read."""
 
     dims: tuple[Any, ...] = ()
 
@@ -250,7 +250,7 @@ def name_and_unit(head: str) -> tuple[str, str]:
 
 
 def _unit_of(column: Any) -> Any:
-    """Return the unit of a column as its library states it; None without one."""
+    """Return the unit that a library states for a column; None if the column has no unit."""
     unit = unit_stated(column)
     if unit is not None:
         return unit
@@ -310,7 +310,7 @@ class Memory:
         read = [*filter(asked.is_read, self.names)]
         rows.use(read)
         self.size = rows.size
-        self._values: dict[int, Any] = {}  # of columns by position
+        self._values: dict[int, Any] = {}  # the values of columns, by position
         first: dict[int, Sequence[str]] = {}  # the first cells of columns to read, by position
         for position, name in enumerate(self.names):
             if name in read:
@@ -321,9 +321,9 @@ class Memory:
         self.sample: list[Sequence[str]] = [*zip(*columns, strict=True)]
 
     def _take_decimal_commas(self, first: dict[int, Sequence[str]]) -> set[int]:
-        """Return the positions of texts with decimal commas, and replace these commas in the first cells by points.
+        """Return the positions of text columns with decimal commas, and replace commas in the first cells by points.
 
-        Numbers among the texts get decimal commas, too.
+        Numbers in these columns are written with decimal commas as well.
         """
         texts = {position for position in first if _include_texts(self._of(position))}
         if decimal_mark([first[position] for position in texts], "") != ",":

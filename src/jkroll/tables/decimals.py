@@ -12,18 +12,18 @@ from .table import Records
 _NUMERIC = re.compile(r"\s*[-+(]?[\d.,]")  # the beginning of a number, possibly with an uncertainty
 _MARKED = re.compile(r"([\d.,]*)([.,])(\d+(?:[eE][-+]?\d+)?)")  # a number with a point or a comma
 _UNCLEAR = re.compile(r"[1-9]\d{0,2}[.,]\d{3}")  # a number whose mark may separate thousands
-_POINT = re.compile(rb"\.[\d.,]*\d")  # in a number
+_POINT = re.compile(rb"\.[\d.,]*\d")  # a point in a number
 _OF_THOUSANDS = re.compile(rb"(?<![\d.,])[1-9]\d{0,2}\.\d{3}(?![\d.,eE])")
 _WITH_COMMA = re.compile(r"[-+]?(?:\d{1,3}(?:\.\d{3})+|\d+),\d+")
 _WITH_POINT = re.compile(r"[-+]?\d*\.\d+")
 
 
 def decimal_mark(columns: Iterable[Iterable[str]], separator: str, *, points_may_group: bool = False) -> str:
-    """Return the decimal mark of the numbers in columns; "" if the numbers leave it open.
+    """Return the decimal mark of the numbers in columns; "" if the numbers do not decide.
 
     A mark that occurs twice in a number separates thousands or the members of a list; such a number is ignored.
-    `points_may_group`: True if a point may separate thousands where nothing else decides. Raises BadTable for a number
-    whose mark may separate thousands.
+    `points_may_group`: True if a point may separate thousands when no other number decides. Raises BadTable for a
+    number whose mark may separate thousands.
 
     >>> decimal_mark([["0,125", "1.234,5", "1,234,567", "1,200", "1,2,3"]], ";")
     ','
@@ -44,7 +44,7 @@ def decimal_mark(columns: Iterable[Iterable[str]], separator: str, *, points_may
 
 
 def have_decimal_commas(cells: Iterable[str]) -> bool:
-    """Return whether some cells are numbers with a decimal comma, and none is one with a decimal point."""
+    """Return whether some cells are numbers with a decimal comma, and no cell is a number with a decimal point."""
     numbers = [cell.strip() for cell in cells]
     return any(map(_WITH_COMMA.fullmatch, numbers)) and not any(map(_WITH_POINT.fullmatch, numbers))
 
@@ -56,7 +56,7 @@ def _two_readings(number: str) -> str:
 
 
 def without_unclear(records: Records) -> Records:
-    """Return records of a table whose decimal mark is unknown. A row is bad if a point may separate thousands."""
+    """Return records of a table with an unknown decimal mark. Rows in which a point may separate thousands are bad."""
     odd = dict(records.odd)
     for name, column in records.cells.items():
         if is_of_text(name) or b"." not in b"".join(column):
@@ -69,7 +69,7 @@ def without_unclear(records: Records) -> Records:
 
 
 def with_decimal_points(records: Records) -> Records:
-    """Return records with decimal points in place of commas. A row is bad if a number already has a point."""
+    """Return records with decimal points in place of commas. Rows in which a number already has a point are bad."""
     points = dict(records.cells)
     odd = dict(records.odd)
     for name, column in records.cells.items():

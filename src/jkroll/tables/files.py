@@ -1,10 +1,10 @@
 """Files of tables: their formats and compressions, and their content as blocks of whole records.
 
-`--format`, or else the extension of a file, gives its format. Blocks end at the same positions in every run.
+`--format`, or else the extension of the file, gives the format. Blocks end at the same positions in every run.
 
-The records of CSV, TSV and NDJSON are lines. Text that passes through keeps its bytes; blank lines are left out. A
-block of cells without quotes is split at its separators. In a block with quotes, the csv module reads the cells and
-finds the lines of each record. An unclosed quote, or a wrong number of cells, affects only its own line.
+The records of CSV, TSV and NDJSON are made of lines. Text that passes through keeps its bytes; blank lines are left
+out. A block of cells without quotes is split at its separators. In a block with quotes, the csv module reads the cells
+and finds the lines of each record. An unclosed quote, or a wrong number of cells, affects only its own line.
 """
 
 from __future__ import annotations
@@ -67,8 +67,8 @@ ROW_OF_UNITS, ROW_OF_COMMENTS = "row of units", "row of comments"  # phrases of 
 _OPEN = "a quote is not closed"
 _MISQUOTED = "a quote is not closed, or text follows it"
 _CARRIAGE_RETURN = "there is a carriage return outside quotes; lines end in line feeds"
-# A spreadsheet takes a cell for a formula if it begins with one of these signs, also of full width, or with a character
-# that the spreadsheet drops.
+# A spreadsheet takes a cell for a formula if the cell begins with one of these signs, which may have full width, or
+# with a character that the spreadsheet drops.
 _BEGIN_FORMULAS = (*"=+-@\t\r\n\0", *(letter.encode().decode(BYTES) for letter in "＝＋－＠"))
 _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)([eE][+-]?\d+)?")
 
@@ -86,7 +86,7 @@ class FileFormat(NamedTuple):
 def format_of_name(path: str, formats: Mapping[str, str] = FORMATS) -> FileFormat | None:
     """Return the format of a file name such as grains.csv.gz; None for an unknown extension.
 
-    `formats`: the formats by extension; by default those that can be read. Raises BadTable for x.parquet.gz.
+    `formats`: the formats by extension; by default the formats that can be read. Raises BadTable for x.parquet.gz.
 
     >>> format_of_name("grains.csv.gz"), format_of_name("a/grains")
     (FileFormat(name='csv', compression='gzip', separator=','), None)
@@ -100,11 +100,11 @@ def format_of_name(path: str, formats: Mapping[str, str] = FORMATS) -> FileForma
 
 
 def input_format(path: str, target: str, stated: str = "", delimiter: str = "") -> FileFormat:
-    """Return the format of the input: that of `--format` or `--delimiter`, or else that of the file's name.
+    """Return the format of the input from `--format` or `--delimiter`, or else from the file's name.
 
-    The first lines of a text, such as grains.txt, tell its separator.
+    In a text such as grains.txt, the first lines tell the separator.
 
-    `stated`, `delimiter`: the values of these options, of which a call gives at most one. Raises BadTable.
+    `stated`, `delimiter`: the values of the two options, at most one of which is given. Raises BadTable.
     """
     named, text = format_of_name(stated.lstrip(".") or path), format_of_name(path, {"txt": "csv"})
     if stated and named is None:
@@ -135,7 +135,7 @@ def input_format(path: str, target: str, stated: str = "", delimiter: str = "") 
 
 
 def _beginning(path: str, compression: str) -> bytes:
-    """Return the first whole lines of a file, without a byte order mark; an empty text if it cannot be read."""
+    """Return the first whole lines of a file, without a byte order mark; an empty text if the file cannot be read."""
     with suppress(BadTable), (file := Input(path)).file:
         text = _filled(b"", file.pieces(compression), CHUNK // 64)
         return text[: text.rfind(b"\n") + 1].removeprefix(BOM)
@@ -143,9 +143,9 @@ def _beginning(path: str, compression: str) -> bytes:
 
 
 def _separators_of(lines: Sequence[str]) -> list[str]:
-    """Return the words for the separators that divide the first two lines into as many cells each.
+    """Return the names of the separators that divide the first two lines into the same number of cells, at least two.
 
-    Comments and blank lines do not count. Blanks are a separator only if nothing else is.
+    Comments and blank lines do not count. Blanks are a separator only if no other mark is.
     """
     rows = [line.replace("\r", "").strip(" \n") for line in lines if line.strip() and not is_comment(line)][:2]
     found: list[str] = []
@@ -170,7 +170,7 @@ def _divided(mark: str, compression: str) -> FileFormat:
 
 
 def output_format(target: str, usual: str, *, quiet: bool) -> FileFormat:
-    """Return the format of the output: that of the file's name, or else the `usual` one, uncompressed and with a note.
+    """Return the format of the output from the file's name, or else the `usual` format, uncompressed and with a note.
 
     Raises BadRequest for a format that only other programs write.
     """
@@ -251,7 +251,7 @@ class Input:
             raise BadTable(f"{quoted(self.path)}: {error.strerror}") from None
 
     def share_read(self, rows: int) -> float:
-        """Return the fraction of the input that has been read after some rows; 0 for a pipe."""
+        """Return the fraction of the input that has been read; 0 for a pipe. `rows`: the rows read so far."""
         if self.rows:
             return rows / self.rows
         return self.file.tell() / max(self.begun.st_size, 1) if self.is_file else 0.0
@@ -315,7 +315,7 @@ def blocks(pieces: Iterator[bytes], cut: Callable[[bytes], int]) -> Iterator[byt
 
 
 def _filled(text: bytes, pieces: Iterator[bytes], size: int) -> bytes:
-    """Return a text that pieces extend to a size, or to the end of the input, where the last line gets a line feed."""
+    """Return a text that pieces extend to a size, or to the end of the input, with a line feed after the last line."""
     while len(text) < size:
         piece = next(pieces, b"")
         if not piece:
@@ -329,14 +329,14 @@ def _filled(text: bytes, pieces: Iterator[bytes], size: int) -> bytes:
 
 csv.field_size_limit(MAX_RECORD)  # the default is 128 KiB
 
-Record = tuple[int, int, list[str], str]  # its first line, the line after it, its cells, or else the error
+Record = tuple[int, int, list[str], str]  # the first line of a record, the line after its last, its cells, its error
 
 
 class Delimited:
-    """A table whose cells stand between separators."""
+    """A table whose cells are divided by separators."""
 
     def __init__(self, separator: str, *, excel_safe: bool = False, as_markdown: bool = False) -> None:
-        """`separator`: a blank for a table whose blanks have been replaced by tabs; the output has tabs.
+        """`separator`: the mark between cells; a blank if tabs already replace the blanks, as they do in the output.
 
         `excel_safe`: True to write text so that a spreadsheet does not take it for a formula.
         `as_markdown`: True to write Markdown.
@@ -349,7 +349,7 @@ class Delimited:
     def cut(self, text: bytes) -> int:
         """Return the number of bytes of whole records at the beginning of a text."""
         end = text.rfind(b"\n") + 1
-        if b'"' not in text or self.word == "blank":  # between blanks, a quote ends in its line
+        if b'"' not in text or self.word == "blank":  # between blanks, a cell in quotes ends in its line
             return end
         lines = as_lines(text[:end])
         last = len(lines)
@@ -360,7 +360,7 @@ class Delimited:
         return sum(map(len, lines[:last]))
 
     def records(self, lines: Sequence[str]) -> Iterator[Record]:
-        """Iterate over the records of lines, with a character for each byte of a cell. A bad line has no cells."""
+        """Iterate over the records in lines. A cell has a character for each byte; a bad line has no cells."""
         start = 0
         while start < len(lines):
             reader, begin = csv.reader(lines[start:], delimiter=self.separator, strict=True), start
@@ -439,7 +439,7 @@ class Delimited:
                 yield Row(cells, line, above + start + 1)
 
     def _with_unnamed(self, column: str, cells: list[str], line: str) -> tuple[list[str], str]:
-        """Return the cells and the line of the header, with an empty name for a column that has none.
+        """Return the cells and the line of the header, with an empty name for a column that has no name.
 
         `column`: see `unnamed_column`.
         """
@@ -499,7 +499,7 @@ class Delimited:
         return b"".join(lines)
 
     def _names(self, cells: Sequence[str], line: str, problem: str, is_read: Callable[[str], bool]) -> tuple[str, ...]:
-        """Return the names of the columns. `cells`, `line`, `problem`: those of the first record. Raises BadTable."""
+        """Return the names of the columns. `cells`, `line`, `problem`: from the first record. Raises BadTable."""
         if not line.strip(self.blanks):
             raise BadTable("the table has no header; begin with a line of the columns' names")
         text, *names = map(text_of, (line.strip(_BLANKS), *(cells or [line])))
@@ -513,7 +513,7 @@ class Delimited:
         return tuple(names)
 
     def _check_separator(self, line: str, count: int, is_read: Callable[[str], bool]) -> None:
-        """Raise BadTable if another separator divides the header into inputs; blanks must give two at least."""
+        """Raise BadTable if another separator finds an input in the header, or if blanks find at least two inputs."""
         for word, mark in DELIMITERS.items():
             is_blank = mark == " "
             cells = line.replace('"', "").split(None if is_blank else mark)
@@ -581,12 +581,12 @@ class Delimited:
 
 
 def as_lines(text: bytes) -> list[str]:
-    """Return the lines of a text with their ends, as characters for its bytes."""
+    """Return the lines of a text with their line ends, and a character for each byte."""
     return io.StringIO(text.decode(BYTES), newline="\n").readlines()
 
 
 def _problem(error: str) -> str:
-    """Return the problem that an error of the csv module reports, in our words."""
+    """Return the problem that an error of the csv module reports, in the words of this module."""
     if error.startswith(("unexpected end", "field larger")):
         return _OPEN
     return _CARRIAGE_RETURN if error.startswith("new-line") else _MISQUOTED

@@ -66,7 +66,7 @@ def fit_of_file(
 
 
 def _fitted(read: ReadCurve, known: Known) -> Fit:
-    """Return the fit of a curve. Raises BadCurve, also for values that no solid has or a sphere that is not rigid."""
+    """Return the fit of a curve. Raises BadCurve, also for values that no solid has, or for a soft sphere."""
     fitted = fit_curve(read.curve, known)
     if not fitted.is_scaled:
         _check_sizes(fitted, read.reading)
@@ -90,7 +90,7 @@ def _check_sizes(fitted: Fit, reading: str) -> None:
     modulus, width = values["contact_modulus"], fitted.goodness["contact_over_radius"]
     w = max((values[name] for name in NAMES.values() if name in values), default=0.0)
     force = values.get("pull_off_force_measured", 0.0)
-    # a contact stiffer than the lever has any E*, but the measured P_c
+    # a contact much stiffer than the lever fits with any E*, but then the fitted P_c agrees with the measured one
     is_too_stiff = modulus > stiffest and values.get("pull_off_force_fitted", inf) > 2 * force
     if w > SIZES["work_of_adhesion"][1]:
         problem = f"w = {amount('work_of_adhesion', w, _FORM)}, and no solid has that"
@@ -113,7 +113,7 @@ def _stiffness(known: Known) -> float | None:
 
 
 def known_of(words: Mapping[str, str | None], spring: Any, given: Mapping[str, Any]) -> Known:
-    """Return what is known about the contact and the instrument. Raises BadRequest, QuantityError.
+    """Return the known properties of the contact and the instrument. Raises BadRequest, QuantityError.
 
     `given`: inputs in SI units, some with uncertainties.
     """
@@ -155,7 +155,7 @@ def _stiffness_of(spring: Any) -> Any:
 
 
 def _radius(given: Mapping[str, Any]) -> Any:
-    """Return the reduced radius of the given radii; None without any."""
+    """Return the reduced radius of the given radii; None if no radius is given."""
     radii = {name: given[name] for name in _RADII if name in given}
     if not radii:
         return None
@@ -171,7 +171,10 @@ def _relative_error(value: Any) -> float:
 
 
 def _check_sphere(given: Mapping[str, Any]) -> None:
-    """Raise BadRequest if the error of half-space theory is larger than the correction by the profile of a sphere."""
+    """Raise BadRequest unless the inputs are those of a sphere of known radius on a nearly incompressible plane.
+
+    Otherwise the error of half-space theory is larger than the correction for the profile of a sphere.
+    """
     ratio = middle(given.get("poisson_ratio2", given.get("poisson_ratio", 0.0)))
     if not ratio >= INCOMPRESSIBLE:
         raise BadRequest(

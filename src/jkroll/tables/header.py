@@ -1,7 +1,7 @@
 """The header of a table: columns of inputs with their units, columns that pass through, and columns that are refused.
 
-`reading` reads each header by itself. This module compares the headers with each other: it finds the input of an
-uncertainty, the columns that repeat an input, and the columns that change the meaning of an input.
+`reading` reads each header by itself. This module compares the headers with each other: it finds the input to which
+an uncertainty belongs, the columns that repeat an input, and the columns that change the meaning of an input.
 """
 
 import re
@@ -42,7 +42,7 @@ _MARKS = {"both": "± ", "minus": "− ", "plus": "+ ", "low": "from ", "high": 
 _HEADER_AND_INPUT = r"(.*)(?<!\(k)(?<!\(k )=(.*)"  # the = of (k=2) is part of a header
 _ENDS = ("low", "high")
 _SHAPES = (("", "both"), ("", "minus", "plus"), ("",), _ENDS)  # the columns that together give one value
-_Parts = Mapping[str, Reading]  # the columns of an input: "" for the value, and the parts of its uncertainty
+_Parts = Mapping[str, Reading]  # the columns of an input: "" for the value, other keys for its uncertainty
 _VALUE, _UNIT, _NO_UNIT = "value", "unit", "neither has a unit"  # kinds of cells
 
 
@@ -52,7 +52,7 @@ class Header(NamedTuple):
     texts: tuple[str, ...]
     inputs: tuple[Column, ...]
     materials: tuple[Column, ...]  # columns with names of materials
-    clauses: Mapping[int, str] = MappingProxyType({})  # the value used instead of each passed column, by position
+    clauses: Mapping[int, str] = MappingProxyType({})  # on values used instead of passed columns, by position
 
     @property
     def names(self) -> frozenset[str]:
@@ -168,7 +168,7 @@ def understood(
         readings = _judged(readings, rows, supply)
     left = [reading for reading in readings if reading.problem and not _may_pass(reading, held, known)]
     refused = [] if pass_rest else [*left]
-    if refused and supply_of is not None:  # once these columns are read, their values may replace those of others
+    if refused and supply_of is not None:  # judge the others as if these columns were read
         meant = {reading.name for reading in refused if reading.name}
         readings = _judged(readings, rows, supply_of({*used, *meant}))
         refused = [reading for reading in readings if reading.problem and not _may_pass(reading, held, known)]
@@ -213,7 +213,7 @@ def _by_input(readings: Iterable[Reading]) -> dict[str, dict[str, Reading]]:
 
 
 def _used_inputs(inputs: Mapping[str, _Parts], rows: Sequence[Sequence[str]]) -> dict[str, _Parts]:
-    """Return the columns that give values of each input. Raises BadTable for half a range."""
+    """Return the columns that give the values of each input. Raises BadTable for half a range."""
     used = {}
     for name, columns in inputs.items():
         parts = _used(name, columns)
@@ -223,15 +223,16 @@ def _used_inputs(inputs: Mapping[str, _Parts], rows: Sequence[Sequence[str]]) ->
 
 
 def _unused(columns: _Parts, used: _Parts) -> list[Reading]:
-    """Return the columns that give an input but do not enter its values, each marked as not used."""
+    """Return the columns of an input that do not enter its values, each with the problem that it is not used."""
     unused = [reading for part, reading in columns.items() if part not in used]
     return [reading._replace(problem=_NOT_USED, meant=()) for reading in unused]
 
 
 def _is_doubled(name: str, used: Mapping[str, _Parts], rows: Sequence[Sequence[str]]) -> bool:
-    """Return whether an input repeats another one, as a diameter next to a radius or G next to E, and may pass through.
+    """Return whether an input repeats another, as a diameter next to a radius or G next to E, so that it may pass.
 
-    It may pass through if no first row has this input without the other. A column given by `--column` is always read.
+    Of the first rows, some must have the input, and these must also have the other. A column given by `--column` is
+    always read.
     """
     parts, others = used[name], used.get(CONVERTED.get(name, ""), {})
     if not others or any(reading.is_stated for reading in parts.values()):
@@ -248,7 +249,7 @@ def _are_empty(row: Sequence[str], positions: Iterable[int]) -> bool:
 
 
 def _with_suffix(reading: Reading, known: Mapping[str, str], measured: str) -> Reading:
-    """Return the reading, with a problem if the header is the name of a known input and an unread suffix.
+    """Return the reading, with a problem if the header is the name of a known input with an unread suffix.
 
     `known`: the header of each known input, "" for one given by an option.
     """
@@ -300,7 +301,7 @@ def _twice(first: Reading, second: Reading) -> BadTable:
 
 
 def meaning_of(text: str, cells: Sequence[str], stated: Mapping[str, str], measured: str) -> Reading:
-    """Return the meaning of a column: that given by `--column`, or else that of its header if the cells agree."""
+    """Return the meaning of a column from `--column`, or else from its header if the cells agree."""
     cells = [cell.strip() for cell in cells if not has_no_value(cell)]
     cell = cells[0] if cells else ""
     reading = reading_of(stated.get(typed(text), text), measured)._replace(is_stated=typed(text) in stated)
@@ -369,7 +370,7 @@ def _in_context(readings: Sequence[Reading], given: Collection[str]) -> Iterator
 
 
 def _values_in(readings: Sequence[Reading]) -> dict[str, Reading]:
-    """Return the column of each input's value, or that of the last end if the input is a range without a value."""
+    """Return the column of each input's value, or of its last end if the input is a range without a value."""
     values = {reading.name: reading for reading in readings if reading.is_input and not reading.part}
     ends: dict[str, Reading] = {}
     for reading in readings:
@@ -379,10 +380,10 @@ def _values_in(readings: Sequence[Reading]) -> dict[str, Reading]:
 
 
 def _of_value(reading: Reading, left: Reading, values: Mapping[str, Reading], given: Collection[str]) -> Reading:
-    """Return the reading of an uncertainty, with the input that it belongs to.
+    """Return the reading of an uncertainty, with the input to which it belongs.
 
-    An uncertainty without a name belongs to the column on its left. A symbol with several meanings has that of
-    the only column among them. The header may also be that of a column given by `--column`, with a suffix.
+    An uncertainty without a name belongs to the column on its left. A symbol that may mean several inputs means the
+    only one with a column. The header may also repeat a header given by `--column`, with a suffix.
     """
     name, part = reading.name, reading.part
     if not reading.of and not name:
@@ -412,7 +413,7 @@ def _error_column(name: str, values: Mapping[str, Reading]) -> str:
 
 
 def _uncertain_instead(reading: Reading, values: Mapping[str, Reading]) -> str:
-    """Return the input of which a header such as Δγ is the uncertainty, if it excludes the one first read; else ""."""
+    """Return the input whose uncertainty a header such as Δγ is, if that input excludes the one first read; else ""."""
     text = normalized(reading.text)
     rest = re.sub(words.DIFFERENCE, "", text)
     is_difference = rest != text and reading.is_input and not reading.is_stated
@@ -423,7 +424,7 @@ def _uncertain_instead(reading: Reading, values: Mapping[str, Reading]) -> str:
 
 
 def _used(name: str, columns: _Parts) -> _Parts:
-    """Return the columns of an input that together give its values; the other columns pass through.
+    """Return the columns of an input that together give its values; no columns if the value is missing.
 
     Raises BadTable for half a range, and for an unused column that `--column` gives.
     """
@@ -445,7 +446,7 @@ def _used(name: str, columns: _Parts) -> _Parts:
 def _column(name: str, parts: _Parts) -> Column:
     """Return the column of an input. Raises BadTable if its units or coverage factors differ.
 
-    Without a unit, each cell states its own, or the input is a ratio.
+    In a column without a unit, each cell states its own unit, or the input is a ratio.
     """
     of_ratio = ("1", "-") if NOMENCLATURE[name].unit == "1" else ()
     units: dict[str, str] = {}
@@ -525,11 +526,11 @@ def check_inputs(header: Header, measured: str = "") -> None:
 
 
 def is_law(text: str) -> bool:
-    """Return whether a header is that of a column of laws, which is refused."""
+    """Return whether a header names a column of laws."""
     return key(text) in ("model", "law")
 
 
 def is_input(text: str, measured: str = "") -> bool:
-    """Return whether a column with this header may be read as an input or a part of one."""
+    """Return whether a column with this header may be read as an input, or as part of an uncertainty."""
     reading = reading_of(text, measured)
     return reading.is_input or bool(reading.part)

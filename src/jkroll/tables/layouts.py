@@ -25,7 +25,7 @@ _MARK = re.compile(rb"^[ \t]*(#+)[ \t]+", re.MULTILINE)  # the mark of a comment
 # --- Blanks as separators ---------------------------------------------------------------------------------------------
 
 # Few tables need this pattern and others below, so they are compiled on first use.
-# A cell is in quotes, with \" (the default of R) or "" for a quote; or in quotes with other backslashes; or has none.
+# A cell is in quotes, with \" (the default of R) or "" for a quote, or in quotes with other backslashes, or bare.
 _CELL = rb'"(?:[^"\\]++|\\.|"")*+"(?!\S)|"[^"]*+"(?!\S)|[^\s"]\S*'
 
 
@@ -74,9 +74,9 @@ def is_dump(block: bytes) -> bool:
 
 
 def as_table(blocks: Iterable[bytes], path: str, compression: str) -> Iterator[bytes]:
-    """Iterate over the blocks of a dump as those of a table: its items are comments, and its columns the header.
+    """Iterate over the blocks of a dump as blocks of a table: the items become comments, and the columns the header.
 
-    `path`, `compression`: those of the file. Raises BadTable for several time steps, or a wrong number of rows.
+    `path`, `compression`: of the file, for messages. Raises BadTable for several time steps, or a wrong number of rows.
     """
     rows, above, line = 0, 0, 0  # rows so far, lines above the first row, lines above the block
     count, number = 0, 0  # the stated number of rows, and the line that states it
@@ -111,7 +111,7 @@ def _line_of_columns(lines: Sequence[bytes]) -> int:
 
 
 def _stated_rows(items: Sequence[bytes]) -> tuple[int, int]:
-    """Return the number of rows that the items of a dump state, and the number of its line; 0 and 0 without one."""
+    """Return the number of rows that the items of a dump state, and the line that states it; 0 and 0 if none does."""
     for position, line in enumerate(items[:-1], 1):
         if line.startswith(b"ITEM: NUMBER OF") and items[position].strip().isdigit():
             return int(items[position]), position + 1
@@ -136,9 +136,9 @@ def _several_steps(number: int, line: bytes, path: str, compression: str) -> str
 def header_position(lines: Sequence[str], separator: str, is_read: Callable[[str], bool]) -> int:
     """Return the number of lines above the header: comments, and a line sep=; in which a spreadsheet names a separator.
 
-    The first line below the comments is the header if it has a column to read, or else the last comment that has one.
-    If no line has one, the last comment is still the header if the line below it has as many numbers as it has cells,
-    between blanks or tabs.
+    The first line below the comments is the header if it has a column to read, or else the last comment that has such a
+    column. If no line has a column to read, the last comment can still be the header: there must be blanks or tabs
+    between the cells, and the line below must have a number for each cell of the comment.
     """
     count = len([*takewhile(_COMMENT.match, lines[:SAMPLE])])
     rows = []
@@ -154,7 +154,7 @@ def header_position(lines: Sequence[str], separator: str, is_read: Callable[[str
 
 
 def text_of(cell: str) -> str:
-    """Return a cell as text, from its characters for bytes."""
+    """Return the text of a cell that has a character for each byte."""
     return cell.encode(BYTES).decode("utf-8", "replace")
 
 
@@ -174,7 +174,7 @@ FIRST, LAST = "the first column has row names", "the last column has no header a
 
 
 class Row(NamedTuple):
-    """A row below the header: its cells and its line as characters for bytes, and the number of the line."""
+    """A row below the header: its cells and its text, with a character for each byte, and its first line number."""
 
     cells: Sequence[str]
     line: str
@@ -191,12 +191,12 @@ class Row(NamedTuple):
 
 
 def unnamed_column(names: Sequence[str], rows: Sequence[Row], word: str, is_read: Callable[[str], bool]) -> str:
-    """Return FIRST or LAST for a column without a name in the header; "" if all columns have one.
+    """Return FIRST or LAST for a column without a name in the header; "" in other cases.
 
     `rows`: the first rows, none with as many cells as there are names; `word`: the name of the separator.
 
-    R writes no name above row names, which it quotes, unlike numbers. Other programs end each line with a separator.
-    Raises BadTable if all rows have another number of cells than the header.
+    R writes no name above the row names, which are in quotes, unlike numbers. Other programs end each row with a
+    separator. Raises BadTable if all rows have the same wrong number of cells for another reason.
     """
     sizes, width = {len(row.cells) for row in rows}, len(names)
     if len(sizes) != 1:
@@ -229,12 +229,12 @@ def _are_row_names(rows: Sequence[Row]) -> bool:
 
 
 def in_cells(size: int) -> str:
-    """Return a number of cells in words."""
+    """Return a number of cells as a phrase: 1 cell, 2 cells."""
     return f"{size} {'cell' if size == 1 else 'cells'}"
 
 
 def remedy_of_size(size: int, width: int, word: str) -> str:
-    """Return what to write for a row of `size` cells below a header of `width`. `word`: the name of the separator."""
+    """Return the remedy for a row of `size` cells below a header of `width`. `word`: the name of the separator."""
     if size > width:
         return f"write text with a {word} in quotes"
     return 'write "" for an empty cell' if word == "blank" else f"write a {word} for each empty cell"
@@ -250,7 +250,7 @@ _REMARKS = {"comment", "comments", "f(x)", "long name", "parameters", "sampling 
 
 
 class Headers(NamedTuple):
-    """The headers of columns, and the meanings that `--column` gives some, both with the units of a row below."""
+    """The headers of columns and the meanings given by `--column`, both with the units from the row of units."""
 
     names: tuple[str, ...]
     stated: Mapping[str, str]
@@ -268,7 +268,7 @@ _A_UNIT, _ANOTHER_UNIT, _NEITHER, _NO_ROW_OF_UNITS = "unit", "another unit than 
 
 
 def with_units(names: Sequence[str], row: Row, stated: Mapping[str, str], measured: str) -> Headers | None:
-    """Return headers with the units in a row below; None if the row is not clearly one of units.
+    """Return headers with the units in a row below; None if the row is not clearly a row of units.
 
     A row of units has no numbers: its cells are units of columns to read, or empty. `stated`, `measured`: see
     `meaning_of`. Raises BadTable if a header has another unit.
@@ -347,7 +347,7 @@ def _without_brackets(cell: str) -> str:
 
 
 def is_remark(row: Row, names: Sequence[str]) -> bool:
-    """Return whether a row below the header is a comment: empty, or labelled as one and without numbers."""
+    """Return whether a row below the header is a comment: empty, or labelled as a comment and without numbers."""
     label, *others = (cell.strip() for cell in row.cells)
     is_labelled = label.casefold().rstrip(":=") in _REMARKS and not any(map(_NUMBER.match, others))
     return len(row.cells) == len(names) and (is_labelled or not any([label, *others]))

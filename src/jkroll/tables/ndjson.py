@@ -52,7 +52,7 @@ class Ndjson:
         return 0
 
     def head(self, added: Sequence[str]) -> bytes:
-        """Return the text above the rows: it is empty."""
+        """Return the text above the rows, which is empty."""
         return self.writer.header(added, [self.header])
 
     def read(self, text: bytes, table: Table) -> Records:
@@ -73,9 +73,9 @@ class Ndjson:
         return Records([*map(_beginning, lines, objects)], cells, odd, starts, len(all_lines) - 1)
 
     def _problem(self, line: bytes, members: Object | None, table: Table) -> str:
-        """Return the reason why a line is not a row; "" if it is one.
+        """Return the reason why a line is not a row; "" if there is none.
 
-        It is none without an object, with a member twice, or with an input or a result that the first line lacks.
+        A row is an object without a repeated member, and without an input or a result that the first line lacks.
         """
         if members is None:
             return "is not a JSON object"

@@ -20,9 +20,9 @@ from .words import MATERIALS, Meaning, fits, headed, key, spelt_out, squeezed, u
 
 
 class Reading(NamedTuple):
-    """The meaning of a header: an input and the text of its unit. A column without a name passes through."""
+    """The meaning of a header: an input and the text of its unit. If `name` is empty, the column passes through."""
 
-    name: str = ""  # the input, or with a problem the possible input; "" for ± alone
+    name: str = ""  # the input, or the possible input if there is a problem; "" for a lone ±
     unit_text: str = ""
     part: str = ""  # part of the uncertainty: "both" sides, "minus", "plus", "low" or "high" end, or UNREAD
     is_symbol: bool = False  # a symbol without a unit: an input only if its cells have units
@@ -30,7 +30,7 @@ class Reading(NamedTuple):
     meant: Sequence[str] = ()  # the headers to write instead, if they are certain
     names: Sequence[str] = ()  # the possible inputs
     of: str = ""  # the header without its words for a spread
-    otherwise: "Reading | None" = None  # the meaning of an UNREAD part in a table without the value
+    otherwise: "Reading | None" = None  # the meaning of an UNREAD part in a table without a column of the value
     is_relative: bool = False  # True for a part relative to the value, even if the value is in %
     coverage: float = 1.0  # the coverage factor of the uncertainty
     is_stated: bool = False  # True if `--column` gives the meaning
@@ -49,7 +49,7 @@ class Split(NamedTuple):
 
     word: str
     unit: str
-    mark: str = "["  # the bracket, mark or "in" between them; empty for a gap
+    mark: str = "["  # the bracket, mark or "in" between word and unit; empty for a gap
     is_mangled: bool = False  # True if signs, or letters such as µ, may have become _ or .
 
     @property
@@ -116,7 +116,7 @@ def reading_of(text: str, measured: str = "") -> Reading:
 
 
 def normalized(text: str) -> str:
-    """Return a header with the same marks, blanks and brackets as other headers."""
+    """Return a header without accents, and with a single form of its marks, blanks and brackets."""
     text = decoded(text)
     for mark, plain in _LATEX.items():
         text = re.sub(mark, plain, text)
@@ -138,7 +138,7 @@ def without_accents(text: str) -> str:
 
 
 def decoded(text: str) -> str:
-    r"""Return a header as it was in UTF-8, if a program has read its bytes as cp1252 or Latin-1; others unchanged.
+    r"""Return a header as it was before a program read its UTF-8 as cp1252 or Latin-1; other headers are unchanged.
 
     >>> decoded("Î³ (mJ/mÂ²)"), decoded("Ï\x81"), decoded("γ (eV/Å²)"), decoded("Å²")
     ('γ (mJ/m²)', 'ρ', 'γ (eV/Å²)', 'Å²')
@@ -193,7 +193,7 @@ def _exact(split: Split, known: Mapping[str, Meaning]) -> Reading | None:
     is_of_capitals = unit.istitle() or f"{word}{unit}".isupper()  # mm may have become Mm, and pN PN
     if is_of_capitals and not is_symbol and unit_text != unit_for(unit, name):
         return None
-    if unit == NOMENCLATURE[name].symbol and "[" not in split.mark:  # gravity (g) may have any unit
+    if unit == NOMENCLATURE[name].symbol and "[" not in split.mark:  # in gravity (g), g is the symbol, not the unit
         return None
     alike = [each for each in meaning.names if NOMENCLATURE[each].unit == NOMENCLATURE[name].unit]
     is_open = meaning.has_remedy and (meaning.problem or len(alike) > 1)
@@ -203,7 +203,7 @@ def _exact(split: Split, known: Mapping[str, Meaning]) -> Reading | None:
 
 
 def _of_part(text: str, measured: str) -> Reading:
-    """Return the meaning of a header about the spread of a value, without a name if the value is on its left.
+    """Return the meaning of a header about the spread of a value, without a name if the header names no value.
 
     A notation that is not clearly an uncertainty is UNREAD. The reading of any other header has no part.
     """
@@ -271,7 +271,7 @@ def _is_unit(text: str) -> bool:
 
 
 def _scaled(text: str, measured: str) -> Reading | None:
-    """Return the refusal of an input's header with a factor after it, as in radius (nm) x 10; None for others."""
+    """Return the refusal of an input's header with a factor at its end, as in radius (nm) x 10; None for others."""
     whole = re.sub(_FACTOR_BEHIND, "", text)
     reading = reading_of(whole, measured) if whole != text else Reading()
     is_input = reading.is_input and not reading.is_symbol
@@ -325,7 +325,7 @@ def _doubtful(
 ) -> Reading:
     """Return the refusal of a header in which a word for an input has a slip, or stands next to other words.
 
-    It suggests no header if the other words may mean another quantity.
+    The refusal suggests no header if the other words may mean another quantity.
     """
     name, others = names[0], _beside(split.word, word)
     if re.search(FACTOR_INSIDE, split.word):
@@ -349,7 +349,7 @@ def _doubtful(
 
 
 def _beside(text: str, word: str) -> set[str]:
-    """Return the words of a header other than a known word, or all but the first if that is its symbol."""
+    """Return the words of a header other than a known word, or all but the first if the first stands for it."""
     tokens = plain_words(text)
     for first, last in combinations(range(len(tokens) + 1), 2):
         if "".join(tokens[first:last]) == word:
@@ -364,9 +364,9 @@ def plain_words(text: str) -> list[str]:
 
 
 def _word_in(text: str, known: Mapping[str, Meaning], unit: str) -> tuple[str, bool]:
-    """Return the known word in a text, alone, among others or with a slip, and whether there is a slip.
+    """Return the known word in a text, which may stand among other words or have a slip, and whether it has a slip.
 
-    The longest of several words counts, if possible one that fits the unit.
+    Of several known words, the longest counts, preferably among those that fit the unit.
     """
     letters = key(text)
     if letters in known:
@@ -397,7 +397,7 @@ def words_in(text: str) -> list[str]:
 
 
 def symbol_of(word: str) -> str:
-    """Return the symbol of an input, without the 1 of sphere 1; "" if a word is no such symbol."""
+    """Return the symbol of an input, without the 1 of sphere 1; "" if the word is not a symbol of an input."""
     symbol = spelt_out(word).removesuffix("1")
     return symbol if symbol in words.symbols() else ""
 

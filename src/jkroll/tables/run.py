@@ -1,9 +1,9 @@
 """The `batch` command: from the options to the exit code, for one table or for many tables into a directory.
 
-This process reads the blocks of a table and writes them in order. Other processes convert them if there are many; the
-output does not depend on the number of processes. Each of many tables is a task for a process of this machine or for a
-worker of a Dask cluster. A file gets its name when it is complete, so `--resume` can continue an interrupted run: it
-keeps files that are newer than their tables.
+This process reads the blocks of a table and writes them in order. If there are many blocks, other processes convert
+them; the output does not depend on the number of processes. With many tables, each table is a task for a process on
+this machine or a worker of a Dask cluster. A file gets its name when it is complete, so `--resume` can continue an
+interrupted run: this option keeps files that are newer than their tables.
 """
 
 import glob
@@ -38,15 +38,15 @@ from .files import (
 from .ndjson import Ndjson
 from .table import Asked, Table, TableBlock, header_of
 
-MAX_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of them
+MAX_PROCESSES = 16  # unless --jobs asks for more, since one process reads for all others
 ALONE = 4  # blocks that this process converts before it starts other processes
 WAIT = 0.5  # seconds before progress is shown
 WIDTH = 60  # characters in the line of progress
 MAX_NOTES = 6  # maximum number of notes at the end, on rows or on many tables
 LITTLE = 1 << 19  # bytes that a process converts while another starts
 FOLDER_ENDS = ("/", os.sep)  # a directory ends in one of them; Windows has both
-DASK_WAIT = 20.0  # seconds for a Dask scheduler to answer, and as many for it to get a worker
-DASK_CHECK = 2.0  # seconds between checks that it still has a worker
+DASK_WAIT = 20.0  # seconds to wait for a Dask scheduler, and as many to wait for a worker
+DASK_CHECK = 2.0  # seconds between checks that the scheduler still has a worker
 DASK_STEP = 0.02  # seconds between checks for a converted table
 
 T = TypeVar("T")
@@ -69,7 +69,7 @@ class Job(NamedTuple):
 
     @property
     def processes(self) -> int:
-        """The number of processes: that of `--jobs`, or one for each available core."""
+        """The number of processes: that of `--jobs`, or one for each available core, up to MAX_PROCESSES."""
         cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
         return self.jobs or min(cores, MAX_PROCESSES)
 
@@ -130,7 +130,7 @@ def scatter_in_words(name: str, known: Any) -> str:
 def about(table: Table) -> Iterator[str]:
     """Iterate over lines about a table as a whole.
 
-    They name assumed inputs, labels that may be meant as materials, options without effect, and inputs that the
+    The lines name assumed inputs, labels that may be meant as materials, options without effect, and inputs that the
     uncertainties leave out.
     """
     from ..report.notes import about_idle, about_left_out, assumed_in, idle_in
@@ -217,7 +217,7 @@ def convert_one(path: str, job: Job) -> Tally:
             )
         header = header_of(source, asked)
         reading = header.reading(*source.remarks)
-        job.say([reading])  # first: an unread column may be the cause of a missing input
+        job.say([reading])  # printed first: an unread column may be why an input is missing
         table = Table(header, source.sample, asked)
         remarks = [*about(table)]
         job.say(remarks)
@@ -354,12 +354,12 @@ def _is_newer(pair: Pair) -> bool:
 
 
 def _outcome(job: Job, pair: Pair) -> Outcome:
-    """Return the outcome of a table converted in this process; an error is part of it."""
+    """Convert a table in this process; return the outcome, with the error if the table failed."""
     path, target = pair
     try:
         return convert_one(path, job._replace(target=target)), None
     except MissingExtra:
-        raise  # it concerns every table
+        raise  # every table lacks the same library
     except JkrollError as error:
         return Tally(), error
 
@@ -378,8 +378,8 @@ def _by_processes(count: int, task: Task, pairs: list[Pair]) -> Iterator[Outcome
 def _on_cluster(address: str, task: Task, pairs: list[Pair]) -> Iterator[Outcome]:
     """Iterate over the outcomes of tables converted by the workers of a Dask cluster.
 
-    The tables of a lost worker go to others. Raises BadTable if there is no cluster, and LostWorker if the scheduler or
-    all of its workers are lost.
+    The tables of a lost worker go to other workers. Raises BadTable if there is no cluster, and LostWorker if the
+    scheduler or all of its workers are lost.
     """
     import logging
 
@@ -389,7 +389,7 @@ def _on_cluster(address: str, task: Task, pairs: list[Pair]) -> Iterator[Outcome
         from concurrent.futures import CancelledError
 
         from distributed import Client, KilledWorker
-    logging.disable()  # we report its errors ourselves
+    logging.disable()  # errors of `distributed` are reported below
     scheduler = f"--dask: the scheduler at {quoted(address)}"
     try:
         client = Client(address, timeout=DASK_WAIT)
@@ -421,7 +421,7 @@ def _await(future: Any, client: Any) -> None:
     while not future.done():
         sleep(DASK_STEP)
         if monotonic() - checked > DASK_CHECK:
-            if client.status == "running":  # otherwise the future ends
+            if client.status == "running":  # without a connection, the client cancels the future
                 client.wait_for_workers(1, timeout=DASK_WAIT)
             checked = monotonic()
 
@@ -432,7 +432,7 @@ def _await(future: Any, client: Any) -> None:
 def write_file(
     wanted: Wanted, blocks: Iterable[Columns], units: Format, target: str, *, doubt: bool, quiet: bool
 ) -> None:
-    """Write columns to a file in the format of its name. Raises BadRequest for a format without columns."""
+    """Write columns to a file in the format of its extension, by default CSV. Raises BadRequest for .xlsx or .svg."""
     form = output_format(target, "csv", quiet=quiet)
     if form.name == "parquet":
         with missing_extra("parquet"):

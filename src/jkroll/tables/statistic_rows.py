@@ -6,7 +6,7 @@ from itertools import groupby
 
 from .words import MATERIALS
 
-LABEL_OF = "label of column "  # with the index of the column, this is the name of its cells
+LABEL_OF = "label of column "  # the name of the cells of a column; the index of the column follows
 MEANS = {*"mean average avg median meansd meanstd meanstdev meansem mittelwert moyenne".split()}
 SPREADS = {
     *"""sd stdev stddev standarddeviation stdeviation sem stderr stderror standarderror rsd variance
@@ -17,7 +17,7 @@ SPREADS = {
 _COMPANIONS = {*"n count number se std cv var ci iqr min max minimum maximum sum total range error".split()}
 _STATISTICS = MEANS | SPREADS | _COMPANIONS
 _PERCENTILE = re.compile(r"\d[\d.]*\s*%|q[1-3]")
-# The beginning of a cell that names a mean or a spread.
+# The beginning of a cell that may name a mean or a spread.
 _MAY_NAME = re.compile(rb"\n[^\na-z0-9]*(?:mean|average|avg|median|mittel|moyenne|rsd|s\W?d|st|s\W?e\W?m|var|cart)")
 
 
@@ -41,7 +41,7 @@ def statistic(cell: bytes) -> str:
 
 
 def _may_name(cells: Sequence[bytes]) -> bool:
-    """Return whether some cells may name a mean or a spread. This test is fast, since few columns have such cells."""
+    """Return whether some cells may name a mean or a spread: a fast test, since few columns have such cells."""
     return _MAY_NAME.search(b"\n" + b"\n".join(cells).lower()) is not None
 
 
@@ -52,9 +52,9 @@ def are_kinds_of_data(cells: Sequence[bytes]) -> bool:
 
 
 def rows_of_statistics(cells: Sequence[bytes], *, alone: bool) -> list[int]:
-    """Return the rows whose cells name statistics: a spread such as SD, or a mean with other statistics or `alone`.
+    """Return the rows of statistics: adjacent rows that name a spread such as SD, or a mean and another statistic.
 
-    Words that may be labels, such as N, count as statistics next to a spread or a mean.
+    `alone`: True if a mean is enough. A word that may be a label, such as N, counts only next to a spread or a mean.
     """
     if not _may_name(cells):
         return []

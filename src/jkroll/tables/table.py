@@ -1,6 +1,6 @@
-"""The rows of a table: what its header, first rows and options ask for, and its blocks of cells as rows.
+"""The rows of a table: the columns that its header, first rows and options request, and its blocks of cells as rows.
 
-This module opens no file: `batch` reads and writes.
+This module opens no file: `run` reads and writes.
 """
 
 from collections.abc import Collection, Mapping, Sequence
@@ -61,7 +61,7 @@ class Asked(NamedTuple):
 
 
 def header_of(source: Any, asked: Asked) -> Header:
-    """Return the meaning of the columns of a source that is converted. Raises BadTable, also if an input is missing."""
+    """Return the meaning of the columns of a table to convert. Raises BadTable, also for a table without an input."""
     header = understood(
         source.names,
         source.sample,
@@ -81,7 +81,7 @@ _OF_LAW = ("model", "profile")  # inputs whose values are words
 class Table:
     """The columns of a table to read, the inputs that options give to all rows, and the columns to add.
 
-    An input of a row takes precedence over an option.
+    An input in a row takes precedence over an option.
     """
 
     def __init__(self, columns: Header, rows: Sequence[Sequence[str]], asked: Asked) -> None:
@@ -112,15 +112,15 @@ class Table:
         self.wanted = wanted.with_best(self.names) if asked.best else wanted
         solids = chain.from_iterable(lookup.known for lookup in self.lookups.values())
         if any(solid and solid.displacement for solid in solids):
-            self.given |= {XI}  # the material states it
-        # A frame for each group of rows, with the quantities that it shows, or the measured one.
+            self.given |= {XI}  # the material states ξ
+        # A frame for each group of rows, with the quantities whose limits apply to the results.
         self.groups = [(frame.filled, frame.judged(self.names)) for frame in frames]
         for text in columns.texts:
             if text.strip() in self.added:
                 raise BadTable(f"header: the table already has a column {quoted(text)}; rename it")
 
     def _sides(self) -> set[str]:
-        """Return the sides of uncertainties that results need columns for."""
+        """Return the sides of uncertainties for which results need columns."""
         if self.asked.uncertainty:
             return {*SIDES}
         sides: set[str] = set()
@@ -139,7 +139,7 @@ class Table:
     def frame(self, given: Mapping[str, Any], solids: Mapping[str, Material | None]) -> Frame:
         """Return the frame of some inputs and of the materials in cells, completed by the options.
 
-        The inverse problem has an Inverse frame. Raises an error of the frame.
+        For the inverse problem, it is an Inverse frame. Raises the errors of a frame.
         """
         of_row, spheres = {*map(computed_as, given)}, {**self.spheres, **solids}.values()
         fixed = {name: value for name, value in self.fixed.items() if computed_as(name) not in of_row}
@@ -149,7 +149,7 @@ class Table:
             return Frame(given, *spheres, model=self.model)
         if measured not in given:
             raise BadRequest(f"{measured}: the row has no measured value", "no measured value")
-        from ..model.inverse import Inverse  # only a table with an unknown loads it
+        from ..model.inverse import Inverse  # only a table with an unknown input needs this module
 
         value = given.pop(measured)
         return Inverse([self.asked.infer], {measured: value}, Frame(given, *spheres, model=self.model))
@@ -157,11 +157,11 @@ class Table:
     # --- Added columns ------------------------------------------------------------------------------------------------
 
     def _frames(self, cells: Mapping[str, Sequence[bytes]]) -> list[Frame]:
-        """Return frames without rows, which together have all inputs.
+        """Return frames without rows that together have all inputs.
 
-        Of inputs that exclude each other, each frame has one. Only the names of inputs matter here, not their values.
-        A column of materials without a known name has labels, unless the table then has no work of adhesion or infers
-        an input.
+        Each frame has only one of several inputs that exclude each other. Only the names of inputs matter here, not
+        their values. If no name in a column of materials is known, the names are labels, unless the table then has no
+        work of adhesion or infers an input.
         """
         columns = self.columns
         names = [column.name for column in columns.inputs]
@@ -205,7 +205,7 @@ class Table:
             if name in shown and not (is_of_two and quantity.of_identical):
                 possible.append(name)
                 if quantity.shown_with and not quantity.of_identical:
-                    shown_in_all.append(name)  # some cells need its column, so every row shows it
+                    shown_in_all.append(name)  # some rows show the quantity, so all rows do
         names = [*dict.fromkeys((*explicit, *possible))]
         if not names:
             frames[0].plans(offered[0])
@@ -247,7 +247,8 @@ def _material(given: str | Material, known: Materials) -> Material:
 def _labels(columns: Header, rows: Sequence[Sequence[str]], asked: Asked) -> dict[str, int]:
     """Return the names and positions of columns that may label rows of statistics.
 
-    They are neither inputs nor in `--column`. If the first rows are all labelled as means, these are the data.
+    Inputs and columns in `--column` are left out. So is a column that labels all first rows as means, which are the
+    data.
     """
     inputs: set[int] = set()
     for column in columns.inputs:
@@ -261,7 +262,7 @@ def _labels(columns: Header, rows: Sequence[Sequence[str]], asked: Asked) -> dic
 
 
 def _without_exclusive(first: str, names: Sequence[str], measured: str) -> tuple[str, ...]:
-    """Return names without each one that `first`, or an earlier name, excludes."""
+    """Return the names that neither `first` nor an earlier name excludes."""
     chosen: set[str] = set()
     for name in (first, *names):
         others = chosen - {measured, name}
@@ -304,7 +305,7 @@ class TableBlock:
 
     @property
     def half_bars(self) -> dict[int, JkrollError]:
-        """The errors of rows with only one side of an uncertainty, by row; their results have no uncertainty."""
+        """The errors of rows with only one side of an uncertainty, by row. Results of such rows have no uncertainty."""
         errors: dict[int, JkrollError] = {}
         for column in self.table.columns.inputs:
             problem = f"{column.name}: one side of its error bar is missing, so the row has none"

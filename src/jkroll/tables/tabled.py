@@ -58,12 +58,13 @@ def table(
     ----------
     data
         A DataFrame of pandas or polars, a dict of arrays, a Dataset of xarray, a Table of astropy or of pyarrow. Each
-        input is a column with a unit, either in its name ("radius [nm]", "E_GPa") or stated by the library: the
-        attribute "units", or a column of pint or astropy. Columns "material" and "material2" have names of materials,
-        and a column "gamma_err [mJ/m2]" is an uncertainty. In a DataFrame nan is an empty cell.
+        input is a column with a unit, either in its name ("radius [nm]", "E_GPa") or stated by the library, as in the
+        attribute "units" or in a column of pint or astropy. Columns "material" and "material2" have names of materials,
+        and a column "gamma_err [mJ/m2]" is an uncertainty. In a DataFrame, nan is an empty cell.
         Columns of texts may have decimal commas.
     quantities
-        Names or symbols of quantities, or commands such as "pull-off"; by default, all that the columns allow.
+        Names or symbols of quantities, or commands such as "pull-off". By default, the table gets all quantities that
+        its columns allow.
     material, material2, materials, model, profile, **given
         Inputs for all rows, as for `solve`. They fill empty cells.
     columns
@@ -178,7 +179,7 @@ def _tabled(rows: Data, asked: Asked, say: Callable[[str], object] | None, *, st
 
 
 def _joined(parts: Sequence[Any]) -> Any:
-    """Return the parts of a column joined to one."""
+    """Return the parts of a column joined into one."""
     if all(isinstance(part, list) for part in parts):
         return [*chain.from_iterable(parts)]
     return numpy.concatenate(parts)

@@ -1,8 +1,9 @@
 """Columns that are not read, judged by their units: no column may pass if another value would silently replace it.
 
 The unit of a column tells which inputs it may be, and its words choose among them. If a material, an option, a default
-or sphere 1 supplies such an input, the column is refused until the user states its meaning. Lengths and forces often
-mean something else, so their words must point to an input. A text column may be an input if its cells are materials.
+or sphere 1 supplies such an input, the column is refused until the user states its meaning. Lengths and forces are
+often not inputs, so the words of such a column must point to an input. A text column may be an input if its cells are
+materials.
 """
 
 import re
@@ -43,14 +44,14 @@ _OF_PARTS = (
 _OF_EACH_UNIT = {NOMENCLATURE[name].unit: name for name in INPUTS}
 NOT_READ = "not read, and "  # before the clause that names the value used instead
 _POWERS = {"sq": "2", "cu": "3"}
-_MOST_MEANT = 3  # inputs that a message offers to choose from
+_MOST_MEANT = 3  # maximum number of inputs that a message offers
 
 
 class Supply(NamedTuple):
     """The inputs supplied without a column, each with a clause that names the source."""
 
-    clauses: Mapping[str, str]  # as in "E1 is quartz's 54 GPa"; an input that another replaces has the other's clause
-    direct: Collection[str]  # the inputs that are supplied themselves
+    clauses: Mapping[str, str]  # as in "E1 is quartz's 54 GPa"; a replaced input has the clause of its replacement
+    direct: Collection[str]  # the supplied inputs, without the replaced ones
     solids: Sequence[str]  # the columns of materials that could supply a property
     known: Materials
 
@@ -98,9 +99,9 @@ def _replaced(names: Sequence[str], columns: Set[str], clauses: Mapping[str, str
 
 
 def decided_by(columns: Collection[str]) -> set[str]:
-    """Return the inputs that the columns of other inputs decide.
+    """Return the inputs that columns determine.
 
-    A load decides the approach, and radii decide the reduced radius; but γ leaves w of two solids open.
+    A load determines the approach, and radii determine the reduced radius; but γ does not determine w of two solids.
     """
     decided: set[str] = set()
     for group in EXCLUSIVE:
@@ -110,7 +111,7 @@ def decided_by(columns: Collection[str]) -> set[str]:
 
 
 def _supplier(name: str, columns: Collection[str], options: Mapping[str, Any], known: Materials) -> str:
-    """Return the source of an input without a column, in words; "" if it has none, or if sphere 1 supplies it."""
+    """Return the source of an input without a column, in words; "" if there is no source, or if it is sphere 1."""
     if name in options:
         value = options[name] if isinstance(options[name], str) else amount(name, options[name])
         return f"{NOMENCLATURE[name].option or f'--{name}'} {shown(value)}"
@@ -130,9 +131,9 @@ def _supplier(name: str, columns: Collection[str], options: Mapping[str, Any], k
 
 
 def judged(reading: Reading, cells: Sequence[str], supply: Supply) -> Reading:
-    """Return the reading of a column, with a problem if it is unread and may be an input supplied otherwise.
+    """Return the reading of a column, with a problem if the column is unread and may be an input supplied otherwise.
 
-    `cells`: its cells in the first rows.
+    `cells`: the cells of the column in the first rows.
     """
     if reading.name or reading.problem or reading.part or reading.is_stated:
         return reading
@@ -163,7 +164,7 @@ def judged(reading: Reading, cells: Sequence[str], supply: Supply) -> Reading:
 
 
 def _candidates(text: str, cells: Sequence[str], supply: Supply) -> tuple[Split, Mapping[str, str]]:
-    """Return the word and the unit of a header, and the units of the supplied inputs that it may be."""
+    """Return the word and the unit of a header, and the supplied inputs that it may mean, with their units."""
     split = _with_unit(text)
     units = {unit: _unit(split, name) for unit, name in _OF_EACH_UNIT.items()}
     candidates: dict[str, str] = {}
@@ -204,7 +205,7 @@ def _unit(split: Split, name: str) -> str:
 
 
 def _without_unit(text: str, cells: Sequence[str], supply: Supply) -> list[str]:
-    """Return the supplied inputs that a header without a unit may be, by the unit of its first cell or its symbol."""
+    """Return the supplied inputs that a header without a unit may mean, by its first cell, its words or its symbol."""
     if not all(map(is_number, cells)):
         return [name for name in supply.clauses if _is_value(cells[0], name)]
     tokens = tokens_of(text)
@@ -227,9 +228,9 @@ def _with_unread_unit(text: str) -> tuple[Split, Sequence[str]]:
 
 @lru_cache(maxsize=5000)
 def _is_known(unit: str) -> bool:
-    """Return whether a text is a unit of any kind, or that of a ratio. A prefix alone is no unit."""
+    """Return whether a text is a unit of any quantity, also of a ratio. A lone prefix is not a unit."""
     if unit in ("µ", "μ", "u"):
-        return False  # it stands for µm
+        return False  # µ alone stands for µm
     try:
         return unit in ("", "-", "%") or bool(dimension_of(unit))
     except BadUnit:
@@ -287,7 +288,7 @@ def _with_powers(text: str) -> str:
 
 
 def _is_unit(split: Split) -> bool:
-    """Return whether the second part of a split is a unit that an input, or the table of units, knows."""
+    """Return whether the second part of a split is a unit of an input, or is in the table of units."""
     is_certain = split.is_explicit or split.is_mangled or not f"{split.word}{split.unit}".isascii()
     if not is_certain and len(split.unit) == 1 and len(split.word) < 3:
         return False  # an index
@@ -347,7 +348,7 @@ def _likeliest(tokens: Sequence[str], names: Sequence[str], supply: Supply) -> t
     sphere, is_of_pair = sphere_of(tokens), words.is_of_pair(tokens)
     if is_of_pair:
         names = [name for name in names if name in words.PAIRS.values()]
-    if not sphere and _index(tokens) in "psti":  # another letter may be of either sphere
+    if not sphere and _index(tokens) in "psti":  # any other index may be that of either sphere
         names = [name for name in names if NOMENCLATURE[name].sphere != 2 or of_sphere(1, name) not in supply.clauses]
     scored = tokens[:1] if _index(tokens) else tokens
     scores = {name: _score(scored, name) for name in names}
@@ -377,7 +378,7 @@ def _score(tokens: Sequence[str], name: str) -> int:
 
 
 def _bare(token: str) -> str:
-    """Return a word of a header without a number at its end: of a sphere (R2), a start (v0) or a percentile (d50)."""
+    """Return a word of a header without the number of a sphere (R2), a start (v0) or a percentile (d50) at its end."""
     return re.sub(r"(?<=[a-z])(?:[12]|\d?0)$", "", token)
 
 

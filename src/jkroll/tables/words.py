@@ -1,4 +1,4 @@
-"""The words of headers as data: words for an input, words that may mean one, and words for other quantities."""
+"""The words of headers as data: words for an input, words that may mean an input, and words for other quantities."""
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
@@ -39,11 +39,11 @@ RATIOS = ("poisson_ratio", "poisson_ratio2", "humidity")  # the only ratios whos
 
 
 class Meaning(NamedTuple):
-    """The inputs that a word or a symbol may mean, distinguished by unit; a word for another quantity has none."""
+    """The inputs that a word or a symbol may mean, distinguished by unit; `names` is empty for another quantity."""
 
     names: Sequence[str] = ()
     problem: str = ""  # the reason why the word is not read
-    has_remedy: bool = True  # True if the numbers of the column may be those of the input
+    has_remedy: bool = True  # True if the numbers of the column may be values of the input
 
 
 _SIZE = Meaning(["radius", "diameter"], "it may be a radius or a diameter")
@@ -81,12 +81,13 @@ _DISTANCE = {  # but r1 and r2 are radii
 # Symbols that mean another quantity if their case changes: δ becomes Δ, D0 is a diameter, and Rh is rhodium.
 _OTHER_IN_CASE = ("d0", "delta", "deltaw", "rh")
 
-# The symbol of a property with an index for the solid: E_s, rho_p, Es. A gap follows nu, and R has a body as index.
+# The symbol of a property with an index for the solid: E_s, rho_p, Es. After nu there must be a gap, and after R a gap
+# and the name of a body.
 _WITH_INDEX = re.compile(
     r"([EG]|rho|nu|R(?=[\s_](?:tip|probe|sphere|sample|wall)\Z))(?:[\s_]+([A-Za-z]\w*)|(?<!nu)[a-z])"
 )
 
-# Words that other quantities share, as in speed of sound and contact angle. They mean an input alone or with a unit.
+# Words that other quantities share, as in speed of sound and contact angle. Alone or with a unit, they mean an input.
 SHARED = (
     *"""energy speed velocity geschwindigkeit vitesse velocidad angle approach contacts monomers gravity cutoff xi z0
     surfacetension""".split(),
@@ -219,7 +220,7 @@ def symbols() -> dict[str, Meaning]:
 
 @cache
 def symbols_in_any_case() -> dict[str, Meaning]:
-    """Return the meanings of symbols in lower case, if all cases of the symbol mean the same: not those of R and r."""
+    """Return the meanings of symbols in lower case, except symbols such as R and r, whose meaning depends on case."""
     meanings: dict[str, list[Meaning]] = {}
     for symbol, meaning in symbols().items():
         meanings.setdefault(symbol.casefold(), []).append(meaning)
@@ -396,9 +397,9 @@ def fits(unit_text: str, name: str) -> bool:
 def unit_for(text: str, name: str, *, is_explicit: bool = False) -> str:
     """Return the unit of a quantity that a text means, also in the notation of programs; "" if it means none.
 
-    `is_explicit`: True if brackets or another mark show that the text is a unit. For any other text only the shipped
-    table is searched, since pint takes as long to load as many rows to read. Such a text may have lost its capitals,
-    so MN can mean mN.
+    `is_explicit`: True if brackets or another mark show that the text is a unit. For any other text, only the shipped
+    table is searched, since pint takes as long to load as many rows take to read. Such a text may have lost its
+    capitals, so MN can mean mN.
     """
     if text in _COMMON:
         return text if fits(text, name) else ""  # nm is not N/m
@@ -413,7 +414,7 @@ def unit_for(text: str, name: str, *, is_explicit: bool = False) -> str:
         units += [unit for unit in others if not (is_explicit and "/" in unit and text.isalnum())]  # Nm is not N/m
     parted = re.match(r"([^\W\d_])[\W_]+\w", text)
     if parted:
-        # m_j is mJ. But c_m is not cm, and P / N is not pN: a program that splits nN changes capitals, too.
+        # m_j is mJ. But c_m is not cm, and P / N is not pN: a program that splits nN also changes capitals.
         is_index = not is_of_one_case
         is_symbol = parted[1].casefold() == NOMENCLATURE[name].symbol.rstrip("12").casefold()
         units = [unit for unit in units if unit == text or not (is_index and unit[1:2].isalpha())]
@@ -446,7 +447,7 @@ def _joined(parts: _Parts) -> _Parts:
 def _units_by_parts() -> dict[_Parts, list[str]]:
     """Return the common and rare units by their parts.
 
-    A unit with a power is also there without it, and with all its letters together.
+    A unit is also listed without its last power and, if it has one, with all its letters joined.
     """
     units: dict[_Parts, list[str]] = {(("a", ""),): ["angstrom"]}
     for unit in (*_COMMON, *_RARE):
@@ -505,13 +506,13 @@ _MEANT_BY = {
     "mJ/qm": "mJ/m2",
     "sec": "s",
 }
-# Words that turn the quantity next to them into a multiple or a part of it.
+# Words that turn the quantity next to them into another: a multiple, a part, a power or a ratio.
 SENSES = {*"half double twice fwhm hwhm squared square inv times per ratio rel relative change rate".split()}
 # SI units so common that a unit alone does not point to an input: a word must.
 COMMON_UNITS = ("m", "N", "s", "1")
 _OF_BODIES = """size groess gross grain partic sphere bead kugel korn partikel colloid monomer indenter bille tamano
     taille tip probe ball""".split()
-# Symbols, and parts of words, that point to an input with a common unit, or to one of some other inputs.
+# Symbols, and parts of words, that point to an input with a common unit, or to some other inputs.
 POINTERS: Mapping[str, tuple[Sequence[str], Sequence[str]]] = {
     "poisson_ratio": ("nu pr".split(), "poiss querkontrak".split()),
     "hysteresis_fraction": ((), ["hyst"]),
@@ -564,7 +565,7 @@ NO_INPUTS: Mapping[str, frozenset[str]] = {
             rupture capillary drag electrostatic""",
     }.items()
 }
-# Words that are in use for an input, but do not always mean it.
+# Words that are used for an input, but may also mean another quantity.
 WORDS_BESIDES: Mapping[str, Sequence[str]] = {
     "radius": "radius radii rad raggio halbmesser roc".split(),
     "atomic_spacing": "minimum closest".split(),

@@ -21,7 +21,7 @@ Answer = Callable[[Any], Any]
 
 
 class LostWorker(JkrollError):
-    """Error raised when another program kills a worker."""
+    """Error raised when a worker is lost or cannot be started."""
 
     exit_code = 1
 
@@ -54,16 +54,16 @@ def _end_with_parent() -> None:
 
 
 def _mask(how: str, numbers: Iterable[int]) -> None:
-    """Block or unblock signals, also for processes started later. Blocked signals wait. Windows cannot do this."""
+    """Block or unblock signals, also for processes started later. A blocked signal waits. On Windows, do nothing."""
     if hasattr(signal, "pthread_sigmask"):
         resource_tracker.ensure_running()  # starting it unblocks some signals
         signal.pthread_sigmask(getattr(signal, how), numbers)
 
 
 def answers(count: int, answer: Answer, questions: Iterable[Any]) -> Iterator[Any]:
-    """Iterate over the answers of several workers in the order of the questions. Raises their errors, and LostWorker.
+    """Iterate over the answers of workers in the order of the questions. Raises LostWorker, or the error of a worker.
 
-    Workers ignore interrupts: they end with the iteration.
+    Workers ignore interrupts, and end with the iteration.
     """
     context = get_context("spawn")  # safe with threads, and the same on every system
     processes = dict[Any, Any]()  # by pipe
@@ -94,11 +94,11 @@ def answers(count: int, answer: Answer, questions: Iterable[Any]) -> Iterator[An
         for process in processes.values():
             process.terminate()
         for process in processes.values():
-            process.join()  # it removes its temporary files
+            process.join()  # a terminated process removes its temporary files
 
 
 def _answer(pipe: Any) -> Any:
-    """Return the next answer from a pipe. Raises its error."""
+    """Return the next answer from a pipe. Raises the answer if it is an error."""
     answer = pipe.recv()
     if isinstance(answer, Exception):
         raise answer
