@@ -50,9 +50,10 @@ if TYPE_CHECKING:
 class Exceeded:
     """A limit of the model that the answer exceeds; `str` gives its sentence.
 
-    `name` and `value` belong to the number that limits the model. `limit` is the first threshold: for a law the factor
-    between two answers, for radii the smaller one. `factor` is how many times the threshold is exceeded; None if that
-    is infinite, or if the threshold is 0. `ends` names the results that are meaningless because of it.
+    `name` and `value` are those of the quantity that the limit concerns. `limit` is the first threshold; that of a law
+    is for the factor between its answer and a better one, that of radii is for the smaller one. `factor` is the factor
+    by which the threshold is exceeded; None if it is infinite, or if the threshold is 0. `ends` names the results that
+    the exceeded limit makes meaningless.
     """
 
     def __init__(self, text: str, doubt: "Doubt", ends: tuple[str, ...]) -> None:
@@ -70,15 +71,15 @@ class Answered(Shown):
     """The answer to a question about one scene.
 
     `values` holds the results by name, `inputs` the inputs that were given or assumed, `doubts` the limits of the
-    model that are exceeded, `best` the best ranges of the values, and `notes` the other sentences. `as_dict()` returns
-    the object that `--json` prints. Iteration gives the names of the results, as in a dict.
+    model that are exceeded, `best` the best ranges of the values, and `notes` all other notes. `as_dict()` returns the
+    object that `--json` prints. Iteration gives the names of the results, as in a dict.
     """
 
     def __init__(self, answer: Report) -> None:
         self._answer = answer
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle the question and the frame; all else is computed again."""
+        """Pickle the question and the frame; everything else is computed again."""
         return _answered, (self._answer.question, self._answer.described)
 
     @cached_property
@@ -111,17 +112,17 @@ class Answered(Shown):
 
     @cached_property
     def why(self) -> Mapping[str, str]:
-        """The explanations of the best ranges, by the name of the rule: what a range includes and leaves out."""
+        """The explanation of each rule for best ranges, by its name: which effects a range includes and leaves out."""
         return {WORDS[by]: self._answer.why(by) for by, reasons in self._answer.whys.items() if reasons}
 
     @cached_property
     def rows(self) -> Mapping[str, Row]:
-        """The rows of the table in a terminal, by name, each with its best range as text and the rule behind it."""
+        """The rows of a terminal's table, by name, each with its best range as text and the rule for it."""
         return rows_in_words(self._answer, AS_USUAL)
 
     @cached_property
     def notes(self) -> tuple[str, ...]:
-        """The other sentences: assumptions, remarks on the material's source, contradictions of a result."""
+        """The other notes: assumptions, remarks on the source of material data, contradictions between results."""
         return tuple(note.text for note in self._answer.notes)
 
     def as_dict(self) -> dict[str, Any]:
@@ -204,7 +205,7 @@ class Answers(Shown):
         self._question, self._sweep = question, sweep
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle the question and the scenes; all else is computed again."""
+        """Pickle the question and the scenes; everything else is computed again."""
         return Answers, (self._question, self._sweep)
 
     def __len__(self) -> int:
@@ -250,9 +251,10 @@ class Answers(Shown):
 
     @property
     def drawn(self) -> "Drawn":
-        """The first quantity over the input with the most values, as in `jkroll map`; for laws alone, the contact.
+        """A picture of the first quantity over the input with the most values, as `jkroll map` draws it.
 
-        Raises BadRequest if no input has several values.
+        For one pair of materials without such an input, a picture of its force curves, by each law. Raises BadRequest
+        for several pairs without such an input.
         """
         from .answer_pictures import lines_over_input
 
@@ -311,7 +313,7 @@ class Answers(Shown):
 
 
 @overload
-def answer(  # type: ignore[overload-overlap]  # single values are the case of one scene
+def answer(  # type: ignore[overload-overlap]  # single values also match the next overload
     wanted: str | Iterable[str],
     /,
     *,

@@ -60,7 +60,7 @@ class Drawn:
 
     @property
     def points(self) -> dict[str, tuple[float | None, float | None]]:
-        """The x and y of each mark; one is None for a mark on an axis."""
+        """The x and y of each mark; a mark on one axis has None for the other."""
         points: dict[str, tuple[float | None, float | None]] = {}
         for panel in self._picture.panels:
             points |= {plain(mark.text): (mark.x, mark.y) for mark in panel.marks}
@@ -189,7 +189,7 @@ def map(
     x, y
         An input and its range, as "radius=1nm:1mm"; append ":lin" for equal steps, ":50" for the number of values.
     material, material2, materials, model, profile, **given
-        What stays the same everywhere, as in `solve`, but without arrays or lists.
+        The inputs that are the same everywhere, as in `solve`, but without arrays or lists.
     marks
         Grains to mark, as "quartz@100nm".
 
@@ -229,7 +229,7 @@ def figure(
     materials
         The library in which materials are looked up.
     as_printed
-        Draw the paper's curves, too, where they differ.
+        Also draw the curves as printed in the paper, where they differ.
 
     Returns
     -------

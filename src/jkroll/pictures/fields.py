@@ -1,7 +1,7 @@
 """Draw the field of a quantity over two inputs: bands, contours, the limits of the model, and the part without values.
 
-All lines are found on a fine mesh, in units of its steps, in which both axes of the picture are linear. The edge of the
-part without values is found by bisection between the points of the mesh.
+All lines are found on a fine mesh. Positions on the mesh are counted in steps, so that both axes are linear. The edge
+of the part without values is found by bisection between the points of the mesh.
 """
 
 from collections.abc import Callable, Sequence
@@ -34,7 +34,7 @@ _HALVINGS = 24  # bisections that find the edge of the part without values
 _BOUNDS = ((0, (4, 2)), (0, (7, 2, 1.5, 2)), (0, (10, 3)), (0, (5, 1.5, 1, 1.5, 1, 1.5)))  # dashes of named lines
 _PALE = 0.55  # share of paper in a band of best ranges
 _CERTAIN, _UNCERTAIN = 201, 41  # points along each side for best ranges, without and with uncertain inputs
-_FARTHEST = 20.0  # distance from the edge of a band
+_FARTHEST = 20.0  # an infinite end of a band is drawn farther than this from every contour
 
 
 # --- Lines on a mesh --------------------------------------------------------------------------------------------------
@@ -97,7 +97,7 @@ def _rings(values: Any, low: float, high: float) -> list[Any]:
 
 
 def simplified(points: Any) -> Any:
-    """Return a line of fewer points, from which no point of the given line is farther away than the tolerance."""
+    """Return a line with fewer points; each point of the given line is within the tolerance of the new one."""
     kept = numpy.zeros(len(points), dtype=bool)
     kept[[0, -1]] = True
     spans = [(0, len(points) - 1)]
@@ -142,7 +142,7 @@ class Edge:
         return self.mesh.path([*map(self._refined, _rings((~self.known).astype(float), 0.5, 2.0))])
 
     def _refined(self, line: Any) -> Any:
-        """Return a line with its points moved to the edge; each began half-way between two points of the mesh."""
+        """Return a line with each point moved onto the edge, from half-way between two points of the mesh."""
         low, high = numpy.floor(line), numpy.ceil(line)
         is_known = self.known[low[:, 1].astype(int), low[:, 0].astype(int)]
         for _ in range(_HALVINGS):
@@ -161,7 +161,7 @@ class Edge:
 
 
 class Drawn(NamedTuple):
-    """The rest of a drawing: the keys of its legend, and the texts inside the axes."""
+    """The keys of a drawing's legend, and two functions: one writes the texts inside the axes, one returns a colour."""
 
     keys: list[Any]
     label: Callable[[Labels], None]
@@ -169,7 +169,10 @@ class Drawn(NamedTuple):
 
 
 def draw_field(axes: Any, panel: Panel, levels: Sequence[float], style: Style, letters: int) -> Drawn:
-    """Draw a field without the texts inside. `levels`: its contours; `letters`: the number in a line of the legend."""
+    """Draw a field, except for the texts inside the axes.
+
+    `levels`: the values of its contours; `letters`: the number of letters in a line of the legend.
+    """
     drawing = _Drawing(axes, panel, levels, style, letters)
     drawing.draw_regions()
     drawing.draw_contours()
@@ -220,7 +223,7 @@ class _Drawing:
                 self.bounds.append(Bound(region.name, paths, partial(self._at, inside)))
 
     def draw_contours(self) -> None:
-        """Draw the contours of the quantity, the contours of the quantity as printed, and the bands of best ranges."""
+        """Draw the contours of the quantity, its contours as the paper prints them, and the bands of best ranges."""
         self.contours = [self.mesh.lines(self.around, height) for height in self.heights]
         step = self._draw_bands() if self.field.has_best and self.levels else 0
         for position, paths in enumerate(self.contours):
@@ -234,9 +237,9 @@ class _Drawing:
             self.keys.append(Line2D([], [], color=self.style.ink, label="as printed", **look))
 
     def _draw_bands(self) -> int:
-        """Draw bands in which the best range includes the value of a contour, for as many contours as there is room.
+        """Draw bands in which the best range includes the value of a contour, as far as there is room.
 
-        Return n if each n-th contour has a band; 0 if there are no best ranges.
+        Return n if every n-th contour has a band; 0 if there are no best ranges.
         """
         size = _UNCERTAIN if self.field.frame.uncertainties else _CERTAIN
         coarse = Mesh(self.panel.x, self.panel.y, size)

@@ -1,7 +1,7 @@
 """Pictures with fixed content: the curves of a contact, and the figures of the paper.
 
-The paper has data in its maps, and in Figs. 2 and 9 of the shifted contact; its other figures are sketches. One more
-figure shows the pull-off force by each law.
+The paper has data in its maps, and in Figs. 2 and 9 of the shifted contact; its other figures are sketches. A further
+figure, which is not in the paper, shows the pull-off force by each law.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -46,9 +46,9 @@ _BRANCHES = ("stable", "fixed grips", "unstable", "without contact")  # of force
 
 
 def _force(frames: Sequence[Frame], loads: Loads | None) -> Panel:
-    """Return the panel of force against approach up to a load; loads that were given are the ends of its axis.
+    """Return the panel of force against approach; if loads are given, they are the ends of the force axis.
 
-    For one law, each branch has its own colour; for several, each law.
+    With one law, each branch has its own colour; with several laws, each law has one.
     """
     most = max(0.0, loads.high) if loads else MAX_LOAD * max(frame["pull_off_force"] for frame in frames)
     is_one = len(frames) == 1
@@ -79,7 +79,7 @@ def _force(frames: Sequence[Frame], loads: Loads | None) -> Panel:
 def _branches(frame: Frame, most: float) -> Iterator[tuple[str, Any, Any]]:
     """Iterate over the branches and named states of a force curve up to a load, as name, approaches and loads.
 
-    A branch begins at the last state of the branch before it.
+    A branch begins at the last state of the previous branch.
     """
     path = states(frame, Loads(-inf, most), POINTS)
     groups = []
@@ -110,7 +110,7 @@ def _pressure(frames: Sequence[Frame], _: Loads | None) -> Panel:
 
 
 def _moment(frames: Sequence[Frame], _: Loads | None) -> Panel:
-    """Return the panel of moment without load against ξ, up to where JKR's leading edge would interpenetrate."""
+    """Return the panel of moment without load against ξ, up to where by JKR the leading edges would interpenetrate."""
     limit = frames[0].replace(model=DEFAULT_LAW)["displacement_limit"]
     points: list[Mark] = []
     if len(frames) == 1:
@@ -123,7 +123,7 @@ def _moment(frames: Sequence[Frame], _: Loads | None) -> Panel:
     else:
         lines = [(frame.law.title, frame, "yield_moment") for frame in frames]
     shifts = numpy.linspace(0, limit, POINTS)
-    first = 3 if len(frames) == 1 else 0  # a colour that no branch in the force panel has
+    first = 3 if len(frames) == 1 else 0  # a colour that no branch of JKR has in the force panel
     curves = []
     for number, (text, frame, name) in enumerate(lines, first):
         moments = values_of(frame.replace(yield_displacement=shifts[1:]), [name])[name]
@@ -152,8 +152,8 @@ class ContactPanel(NamedTuple):
     """A panel of a contact: the function that draws it, and the quantities in it."""
 
     draw: Callable[[Sequence[Frame], Loads | None], Panel]
-    needed: tuple[str, ...]  # for each law
-    further: tuple[str, ...] = ()  # for a single law, as far as it has them
+    needed: tuple[str, ...]  # each law must have them
+    further: tuple[str, ...] = ()  # also drawn for a single law, if it has them
 
     def missing(self, frames: Sequence[Frame]) -> list[NotInLaw]:
         """Return the errors for frames whose laws lack a quantity of the panel."""
@@ -212,7 +212,7 @@ def across(first: float, last: float) -> Any:
 
 
 def pressure_panel(curves: Sequence[Curve], highest: float, title: str) -> Panel:
-    """Return a panel of pressures; as these diverge at a rim, its axis ends at 2.5 times the highest Hertz pressure."""
+    """Return a panel of pressures, from −2.5 to 1.5 times the highest Hertz pressure, as they diverge at the rim."""
     x = axis_around("position_across", [curve.x for curve in curves])
     return Panel(x, Axis("pressure_across", -2.5 * highest, 1.5 * highest, is_log=False), tuple(curves), (), title)
 
@@ -221,7 +221,7 @@ def pressure_panel(curves: Sequence[Curve], highest: float, title: str) -> Panel
 
 RADII = Axis("radius", 5e-10, 1e-3)
 _ENERGIES = Axis("surface_energy", 1e-3, 1e1)
-# E1* = E1/(1 - ν1²) is 10 GPa in Fig. 6a; in the other maps it matters only where the model has no meaning.
+# E1* = E1/(1 - ν1²) is 10 GPa in Fig. 6a; in the other maps it affects only the limits of the model.
 _SOFT = {"youngs_modulus": 1e10, "poisson_ratio": 0.0}
 _LIGHT = {**_SOFT, "density": 2000.0}
 
@@ -274,7 +274,7 @@ PAPER_MAPS: Mapping[str, PaperMap] = {
         "The energy is ⟦W0 = P_cδ0⟧; for any other, the contours are ⟦n_roll/(W0/P_cδ0)⟧. An energy balance gives 7/2 "
         "of Eq (49). Spheres below 10 nm do not roll if ⟦E*/γ⟧ is above 9·10¹¹ m⁻¹; spheres below 100 nm roll a full "
         "turn only if it is below 1.5·10⁹ m⁻¹.",
-        x=Axis("modulus_over_energy", 1e9, 1e13, needs={"surface_energy": 1.0}),  # γ may be any
+        x=Axis("modulus_over_energy", 1e9, 1e13, needs={"surface_energy": 1.0}),  # only E*/γ affects the result
         given={},
     ),
 }
@@ -424,7 +424,7 @@ def figure_laws(materials: Materials, marks: Sequence[str]) -> Picture:
     return Picture("", (Panel(_TABOR, _RATIO, curves, points),), tuple(caption))
 
 
-# --- All of them ------------------------------------------------------------------------------------------------------
+# --- The names of all figures -----------------------------------------------------------------------------------------
 
 PROFILES: Mapping[str, Callable[[Materials], Picture]] = {"2": figure_2, "9": figure_9}  # without options
 FIGURE_NAMES = (*sorted({*PAPER_MAPS, *PROFILES}), "laws", "geometry")

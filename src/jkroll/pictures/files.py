@@ -1,4 +1,4 @@
-"""Write pages into files with their metadata; SVG files keep text as text and embed the letters of its font."""
+"""Write pages into files with their metadata; SVG files keep text as text, and embed the letters that it uses."""
 
 import re
 from base64 import b64encode
@@ -33,7 +33,7 @@ class About(NamedTuple):
 
     title: str
     description: str
-    command: str  # that drew it; empty if Python code did
+    command: str  # the command that drew the picture; empty if Python code drew it
 
     def fields(self, file_format: str) -> dict[str, Any]:
         """Return the metadata fields of a format, without a date: the same picture gives the same bytes."""

@@ -24,7 +24,7 @@ class FittedCurve(Shown, Fit):
 
     @property
     def drawn(self) -> Drawn:
-        """The curve, its residuals and G as a picture, which notebooks show."""
+        """The picture of the curve, its residuals and, with a known radius, G."""
         return Drawn(picture_of_fit(self, "", caption_of_fit(self)))
 
     def __repr__(self) -> str:
@@ -58,7 +58,7 @@ def fit(
         The path of a table, or a mapping of headers to columns, such as a DataFrame. The columns are contact radius and
         load, approach and load, or travel and the force or deflection of a lever, with units in the headers.
     spring
-        The stiffness of the lever in N/m, or a text such as "3.01±0.1N/m". Needed for a travel and a deflection.
+        The stiffness of the lever in N/m, or a text such as "3.01±0.1N/m"; required for a travel or a deflection.
     model
         The law: jkr, maugis or dmt.
     branch
@@ -70,8 +70,8 @@ def fit(
     baseline
         median, or tilt: lines through the parts out of contact.
     **given
-        The radii, as in `solve`; without one the fit gives wR and E*√R. Poisson's ratios, the Young's modulus of one
-        body, from which that of the other follows, and `atomic_spacing`.
+        The radii, as in `solve`; without a radius, the fit gives wR and E*√R. Also Poisson's ratios, `atomic_spacing`,
+        and the Young's modulus of one body, from which that of the other body is computed.
 
     Returns
     -------

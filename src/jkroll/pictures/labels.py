@@ -21,7 +21,7 @@ Ground = Callable[[Any], str]  # colour of the picture at a position in pixels
 
 
 class Bound(NamedTuple):
-    """A line that bounds a region, with the name that stands on the region's side."""
+    """A line that bounds a region, with a name on the side of the region."""
 
     text: str
     paths: Sequence[Any]  # in data coordinates
@@ -74,7 +74,7 @@ class Labels:
         """Write each label horizontally onto its contour, at the free position nearest to the middle of the axes.
 
         A label stands on a patch in the picture's colour at that point, so that no hatch runs through it and its minus
-        sign cannot be taken for the contour. A contour without room has no label.
+        sign cannot be taken for the contour. A contour without room for a label has none.
         """
         every = [_joined(self._dense(self._pixels(path)) for path in paths) for paths in contours]
         middle = (self.frame.min + self.frame.max) / 2
@@ -94,7 +94,7 @@ class Labels:
             self._put(text, box)
 
     def of_bounds(self, bounds: Iterable[Bound]) -> None:
-        """Write the name of each line next to it, in the region that it bounds; a line without room has none."""
+        """Write the name of each line next to it, in the region that it bounds, if there is room."""
         for bound in bounds:
             text, half = self._text(typeset(bound.text), zorder=3)
             boxes = []
@@ -106,7 +106,7 @@ class Labels:
             self._put(text, boxes[int(numpy.argmin(crossings))] if boxes else None)
 
     def _next_to(self, path: Any, half: Any, has: Callable[[Any], Any]) -> Iterable[Any]:
-        """Iterate over boxes next to a path, on the side of its region, within the frame; those in the middle first."""
+        """Iterate over boxes next to a path, on the side of its region, within the frame, beginning in its middle."""
         along = numpy.diff(path, axis=0)
         across = numpy.stack([-along[:, 1], along[:, 0]], axis=1)
         across /= numpy.maximum(numpy.hypot(*across.T), 1e-12)[:, None]
@@ -149,7 +149,7 @@ class Labels:
 
 
 def _paths_on(axes: Any) -> Iterable[Any]:
-    """Iterate over the lines on axes, in pixels; of collections, over those without a fill."""
+    """Iterate over the lines on axes, in pixels, including those in collections without a fill."""
     for line in axes.lines:
         yield line.get_transform().transform_path(line.get_path()).vertices
     for drawing in axes.collections:

@@ -27,9 +27,9 @@ from .labels import Labels
 from .picture import STYLES, Axis, Curve, Field, Panel, Picture, Style, described, extent, is_flat
 from .ranges import Band
 
-LETTER_SIZE = 8.6  # in points, at any width of the page; subscripts, 0.7 times as large, have 6
-_CONTOURS = 12  # at most
-_TICK_DIGITS = 6  # at most
+LETTER_SIZE = 8.6  # in points, at any width of the page; subscripts are 0.7 times as large, 6 points
+_CONTOURS = 12  # largest number of contours
+_TICK_DIGITS = 6  # largest number of digits at a tick
 _TICK_WIDTHS = {False: 0.45, True: 0.6}  # width of a number and a gap on the lower axis, in inches, by `is_log`
 LETTER_WIDTH = 0.42  # mean width of a letter over its size
 MARKERS = "os^Dv*"
@@ -37,8 +37,8 @@ DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
 _HEADS = ("-", "-|>", "<|-|>")  # by the number of an arrow's heads
 _OPAQUE = 0.22  # opacity of a band of best ranges
 _ONE_PANEL, _MORE_PANELS = 85 / 25.4, 180 / 25.4  # default widths in inches: one column of a journal, or two
-_NARROWEST = 2.0  # width of a panel in a row with others
-_ASPECT, _ASPECT_BESIDE = 0.75, 1.0  # height of axes over their width, alone in a row or with others
+_NARROWEST = 2.0  # least width of a panel in a row with others, in inches
+_ASPECT, _ASPECT_BESIDE = 0.75, 1.0  # height over width: of axes alone in a row, and of axes with others
 _HIGHEST = 5  # height per row of the sheet from which a page is cut, over the page's width
 _BESIDE = 0.04  # gap between panels of a row, over their width
 _GAP = 0.04  # around the parts of a page, in inches
@@ -49,7 +49,7 @@ def draw(
 ) -> bytes:
     """Return a picture as the content of an SVG, PDF or PNG file, with a width in inches or the default width.
 
-    `command`: the command that drew the picture; the file names it.
+    `command`: the command that drew the picture, which the metadata of the file names.
     """
     names = []
     for panel in drawn.panels:
@@ -67,7 +67,7 @@ def draw(
 
 
 def _check_letters(texts: Iterable[str]) -> None:
-    """Raise BadRequest for a letter that the font lacks; the name of a user's material may contain one."""
+    """Raise BadRequest for a letter that the font lacks, such as one in the name of a user's material."""
     font = font_manager.get_font(font_manager.findfont(FONT))
     for letter in dict.fromkeys("".join(texts)):
         if letter.isalpha() and not font.get_char_index(ord(letter)):
@@ -77,7 +77,7 @@ def _check_letters(texts: Iterable[str]) -> None:
 def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption: bool) -> Figure:
     """Return a picture as a matplotlib figure: a title, rows of axes with legends, and a caption.
 
-    They are on a sheet with room around them, which is cut to the page.
+    All parts are on a larger sheet, which `draw` cuts to the page.
     """
     count = len(drawn.panels)
     inches = inches or (_ONE_PANEL if count == 1 else _MORE_PANELS)
@@ -88,7 +88,7 @@ def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption
     every = [*figure.subplots(rows, columns, squeeze=False).flat]
     for empty in every[count:]:
         empty.remove()
-    letters = _letters(inches / columns - 0.4)  # in a line of a legend
+    letters = _letters(inches / columns - 0.4)  # number in a line of a legend
     drawings: list[Drawn] = []
     for panel, axes, letter in zip(drawn.panels, every, "abcdef", strict=False):
         _set_axes(axes, panel, inches / columns, _ASPECT if columns == 1 else _ASPECT_BESIDE)
@@ -108,7 +108,7 @@ def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption
 
 
 def draw_on(axes: Any, panel: Panel, style: Style) -> None:
-    """Draw a panel with a legend inside on axes of a user's figure, which keeps its shape and style."""
+    """Draw a panel, with its legend inside, on a user's axes; the user's figure keeps its shape and style."""
     inches = axes.get_window_extent().width / axes.figure.dpi
     letters = _letters(inches)
     _set_axes(axes, panel, inches, _ASPECT)
@@ -122,14 +122,14 @@ def draw_on(axes: Any, panel: Panel, style: Style) -> None:
 
 
 def _drawing_on(axes: Any, panel: Panel, style: Style, letters: int) -> Drawn:
-    """Draw a panel without the texts inside. `letters`: the number in a line of the legend."""
+    """Draw a panel, except for the texts inside the axes. `letters`: the number in a line of the legend."""
     if panel.field is not None:
         return draw_field(axes, panel, levels_of(panel.field), style, letters)
     return _draw_curves(axes, panel, style, letters)
 
 
 def _label(axes: Any, panel: Panel, drawing: Drawn, style: Style) -> None:
-    """Write the texts inside axes that have their final position."""
+    """Write the texts inside axes, whose position must be final."""
     labels = Labels(axes, style, drawing.ground)
     labels.of_marks(panel.marks)
     drawing.label(labels)
@@ -163,7 +163,7 @@ def _lay_out(figure: Figure, every: Sequence[Any], keys: Sequence[Sequence[Any]]
 
 @contextmanager
 def settings(style: Style) -> Iterator[None]:
-    """Replace the user's settings of matplotlib by its defaults and the settings of our pages."""
+    """Replace the user's settings of matplotlib by matplotlib's defaults and the settings of these pages."""
     ours: dict[Any, Any] = {
         "font.size": LETTER_SIZE, "font.family": FONT, "mathtext.fontset": "stix",
         "axes.linewidth": 0.6, "xtick.major.width": 0.6, "ytick.major.width": 0.6, "hatch.linewidth": 0.35,
@@ -193,7 +193,7 @@ def _set_axes(axes: Any, panel: Panel, inches: float, aspect: float) -> None:
         axes.set(xlim=(panel.x.low, panel.x.high), ylim=(panel.y.low, panel.y.high))
         axes.set_axis_off()
         return
-    letters = _letters(0.77 * inches)  # in a line of a title
+    letters = _letters(0.77 * inches)  # number in a line of a title
     _set_axis(axes, panel.x, "x", max(2, int(inches / _TICK_WIDTHS[panel.x.is_log])), letters)
     _set_axis(axes, panel.y, "y", 9, int(1.1 * aspect * letters))
     _mark_edge(axes, "x", [(mark.x, mark.text) for mark in panel.marks if mark.y is None])
@@ -201,7 +201,7 @@ def _set_axes(axes: Any, panel: Panel, inches: float, aspect: float) -> None:
 
 
 def _set_axis(axes: Any, axis: Axis, which: str, most: int, letters: int) -> None:
-    """Set one axis. On a logarithmic axis each tick has its unit; a linear one has a single unit, in its title."""
+    """Set one axis. On a logarithmic axis, each tick has its unit; a linear axis has one unit, in its title."""
     side = getattr(axes, f"{which}axis")
     axes.set(**{f"{which}scale": "log" if axis.is_log else "linear", f"{which}lim": (axis.low, axis.high)})
     if axis.is_log:
@@ -269,7 +269,7 @@ def _draw_curves(axes: Any, panel: Panel, style: Style, letters: int) -> Drawn:
 
 
 def _draw_band(axes: Any, panel: Panel, curve: Curve, band: Band, label: str, style: Style) -> Any:
-    """Draw the band of a curve's best ranges, up to the frame where it is open; return its key."""
+    """Draw the band of a curve's best ranges, whose open ends extend to the frame; return its key."""
     look = {"facecolor": line_of(curve, 0, style)["color"], "linewidth": 0, "alpha": _OPAQUE}
     ends = [numpy.clip(end, panel.y.low, panel.y.high) for end in (band.low, band.high)]
     axes.fill_between(curve.x, *ends, zorder=1, **look)
@@ -281,6 +281,6 @@ def line_of(curve: Curve, number: int, style: Style) -> dict[str, Any]:
     colour = style.lines[curve.colour % len(style.lines)]
     if len(curve.x) == 1:
         return {"color": colour, "linestyle": "", "marker": MARKERS[number % len(MARKERS)], "markersize": 4}
-    turn = number // len(DASHES)  # in each turn, a colour has other dashes
+    turn = number // len(DASHES)  # of all dashes; in each turn, a colour has other dashes
     dashes = "--" if curve.is_dashed else DASHES[(number + turn) % len(DASHES)]
     return {"color": colour, "linestyle": dashes, "linewidth": 1.1}

@@ -37,7 +37,7 @@ _OF_FIGURES: Mapping[str, Quantity] = {
 
 
 class Axis(NamedTuple):
-    """A quantity of the nomenclature, or one that only figures have, between two values."""
+    """The range of a quantity, which belongs to the nomenclature or only to figures."""
 
     name: str
     low: float
@@ -97,7 +97,7 @@ class Curve(NamedTuple):
     is_dashed: bool = False
     band: Band | None = None
     key: str = ""  # explains line and band in a legend
-    rows: Rows | None = None  # by default some of the points
+    rows: Rows | None = None  # None: some of the points
 
 
 class Arrow(NamedTuple):
@@ -112,9 +112,10 @@ class Arrow(NamedTuple):
 
 
 class Region(NamedTuple):
-    """The points with a positive excess, at which the model is not exact or has no meaning.
+    """The region beyond a limit of the model: the points with a positive excess.
 
-    A terminal adds the sign to its numbers; a page hatches it, or, without a hatch, bounds it by a line with the name.
+    A terminal adds the sign to the numbers in the region. A page fills the region with the hatch or, without a hatch,
+    bounds it by a line with the name.
     """
 
     text: str
@@ -169,7 +170,7 @@ class Picture(NamedTuple):
     panels: tuple[Panel, ...]
     caption: tuple[str, ...]
     doubts: tuple[str, ...] = ()  # below the caption, each on a new line
-    remarks: tuple[str, ...] = ()  # shown with the picture, but not on the page
+    remarks: tuple[str, ...] = ()  # shown in a terminal and in Python, but not on a page
 
 
 # --- Axes -------------------------------------------------------------------------------------------------------------
@@ -222,7 +223,7 @@ def evaluate(frame: Frame, quantity: str, x: Axis, y: Axis | None = None) -> Any
 def one_further(values: Any) -> Any:
     """Return values in which each missing value next to known ones is the mean of its known neighbours.
 
-    Lines then extend beyond the edge of the part with values, where they are cut off.
+    Lines then extend beyond the edge of the part with values; the picture cuts them off at the edge.
     """
     known = numpy.isfinite(values)
     total, count = numpy.zeros(values.shape), numpy.zeros(values.shape)
@@ -254,7 +255,7 @@ def is_wide(values: Any) -> bool:
 
 
 def clipped(curve: Curve, low: float, high: float) -> Curve:
-    """Return the part of a monotonic curve between two values of y, up to where it crosses them."""
+    """Return the part of a monotonic curve between two values of y, which ends where the curve crosses them."""
     x, y = (curve.x, curve.y) if curve.y[0] <= curve.y[-1] else (curve.x[::-1], curve.y[::-1])
     ends = [end for end in (low, high) if y[0] <= end <= y[-1]]
     inside = numpy.union1d(y[(low <= y) & (y <= high)], ends)
@@ -266,7 +267,7 @@ def clipped(curve: Curve, low: float, high: float) -> Curve:
 ROWS, COLUMNS = 13, 9  # largest size of the table of a field
 CURVE_ROWS = 11  # largest number of rows for a curve
 DIGITS = 3
-_DIGITS = ("1 2 5", "1 3", "1")  # in each decade; the first that has room is used
+_DIGITS = ("1 2 5", "1 3", "1")  # in each decade; the first set that fits is used
 _MORE = (" ".join(f"{digit / 10:g}" for digit in range(10, 100)), "1 1.2 1.5 2 2.5 3 4 5 6 8", "1 1.5 2 3 5 7")
 _FEW = 4  # number of values below which an axis takes more digits
 _NARROW = 1.5  # ratio of the ends below which the steps of a logarithmic axis are equal
@@ -292,7 +293,7 @@ def write_picture(drawn: Picture, out: TextIO) -> None:
 
 
 def shown_values(axis: Axis, most: int) -> Any:
-    """Return at most so many values of an axis: its own if there are few enough, else round or equally spaced ones."""
+    """Return at most `most` values of an axis: its own if these are few enough, else round or equally spaced values."""
     if 0 < axis.size <= most:
         return axis.values()
     if not axis.is_log or axis.high < _NARROW * axis.low:
@@ -318,7 +319,7 @@ def shown_values(axis: Axis, most: int) -> Any:
 
 
 def _write_field(panel: Panel, field: Field, out: TextIO) -> None:
-    """Write a row for each value of y, with the signs of regions at numbers, and the key of the signs below.
+    """Write a row for each value of y, with a sign after each number in a region, and a key of the signs below.
 
     The table has as many columns as fit the terminal.
     """
@@ -354,7 +355,7 @@ def _write_field(panel: Panel, field: Field, out: TextIO) -> None:
 
 
 def _cells(field: Field, frame: Frame, values: Any) -> tuple[list[list[str]], str]:
-    """Return the columns of the values of a field, with signs where they are in a region, and a text of all signs."""
+    """Return the values of a field as columns of texts with the signs of their regions, and a text of all signs."""
     known = numpy.isfinite(values)
     texts, signs = numpy.full((2, *values.shape), "", dtype=object)
     texts[~known] = NO_VALUE
@@ -413,7 +414,7 @@ def say_texts(texts: Iterable[str], out: TextIO) -> None:
         say_wrapped(plain(text), out, indent=0)
 
 
-# --- Looks of a page --------------------------------------------------------------------------------------------------
+# --- Styles of a page -------------------------------------------------------------------------------------------------
 
 
 class Style(NamedTuple):

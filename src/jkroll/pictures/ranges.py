@@ -1,4 +1,4 @@
-"""The best ranges of a quantity along a curve or over a map; each equals that of a single answer."""
+"""The best ranges of a quantity along a curve or over a map; each range equals that of a single answer."""
 
 from collections.abc import Callable, Iterator
 from contextlib import suppress
@@ -24,7 +24,7 @@ class Band(NamedTuple):
     by: Any  # the rule of each range, as an index into WORDS
 
     def rules(self, where: Callable[[Any], str] = lambda _: "") -> str:
-        """Return the names of the rules, in order, each with the place where it applies."""
+        """Return the names of the rules, each with the place where it applies, in the order in which they occur."""
         rules = [rule for rule in dict.fromkeys(self.by.ravel().tolist()) if rule != NONE]
         words: dict[str, int] = {WORDS[rule].replace("ξ", "⟦ξ⟧"): rule for rule in rules}
         texts = []
@@ -34,7 +34,7 @@ class Band(NamedTuple):
         return ", ".join(texts)
 
     def key(self, step: int, law: str) -> str:
-        """Return the legend's text for the bands of a map, of which each `step`-th contour, by a law, has one."""
+        """Return the legend's text for a map in which each `step`-th contour, by this law, has a band."""
         which = "contours" if step == 1 else "thick contours"
         return f"{which}: {law}; bands: where the best range includes their value, by {self.rules()}"
 
@@ -48,7 +48,7 @@ class Band(NamedTuple):
 def band_of(here: Frame, quantity: str, shape: tuple[int, ...]) -> Band | None:
     """Return the best ranges at the points of a frame of arrays; None if there are none, or all are single numbers."""
     best: Estimate | None = None
-    with suppress(JkrollError):  # some points have no error bars
+    with suppress(JkrollError):  # error bars cannot be computed at some points
         best = estimates(Results(here, here.columns([quantity])), [quantity]).get(quantity)
     if best is None:
         return None
@@ -61,7 +61,7 @@ def band_of(here: Frame, quantity: str, shape: tuple[int, ...]) -> Band | None:
 
 
 def spacing(inside: Any) -> int:
-    """Return the smallest n for which the bands of each n-th contour, from the one at n // 2 on, hardly overlap.
+    """Return the smallest n for which the bands of every n-th contour, beginning at index n // 2, hardly overlap.
 
     `inside`: for each contour of a map, an array that is positive within its band.
     """

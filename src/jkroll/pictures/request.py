@@ -51,8 +51,8 @@ from .picture import (
 from .ranges import band_of
 
 MAX_CURVES = 24  # more cannot be distinguished
-SIDE = 201  # points along each side of the grid of captions and limits; by default, that of the numbers
-MOST_BANDS = 4  # of best ranges; more cannot be distinguished
+SIDE = 201  # points along each side of the grid for captions and limits, and by default of a map's numbers
+MOST_BANDS = 4  # largest number of curves with bands of best ranges; more bands cannot be distinguished
 ALONG = 1001  # points of a curve, unless its axis has another number
 # The limits that can have a region on a map, each with its sign in a terminal and its hatch on a page. A pattern means
 # the same limit on every map. No two patterns together look like a third.
@@ -228,7 +228,7 @@ def _frame_at(text: str, materials: Materials, frame: Frame) -> Frame:
 
 
 def _material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[list[Mark], tuple[str, ...]]:
-    """Return marks for the materials with a position on an axis, and the sentence of a caption about the others.
+    """Return marks for the materials with a position on an axis, and the sentence of a caption about those without one.
 
     Materials with a state are left out: the states of one substance would crowd the edge.
     """
@@ -246,7 +246,7 @@ def _material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[list[Mark],
 
 
 def _about_marks(request: PlotRequest, panel: Panel) -> Iterator[str]:
-    """Iterate over the positions of marks on an axis, and the quantity of each marked grain with its own inputs."""
+    """Iterate over texts: for a mark on one axis its position, for a marked grain the quantity with its own inputs."""
     quantity, ((_, frame),) = request.quantity, request.frames
     typed = {_name_of(text): text for text in request.marks}
     for mark in panel.marks:
@@ -289,7 +289,7 @@ class Layer:
             if doubt.limit in DRAWN_LIMITS:
                 names.append(doubt.limit.name)
         inputs, used = self.frame.inputs_of(*names), self.frame.inputs_of(quantity)
-        # Limits are judged at an assumed load, which is no assumption if the quantity does not depend on the load.
+        # Limits may need an assumed load; it is not shown if the quantity does not depend on the load.
         shown = [name for name in inputs if name in used or name != "load" or name in self.frame.given]
         self.inputs = inputs_as_texts(self.frame, self._fixed(shown, drawn.keys()))
         self.unjudged: list[str] = []
@@ -314,7 +314,7 @@ class Layer:
     def _fixed(self, inputs: Iterable[str], drawn: Collection[str]) -> list[str]:
         """Return the inputs that are not drawn on an axis.
 
-        If Poisson's ratio is drawn, a given shear modulus replaces Young's modulus, which varies with the ratio.
+        If Poisson's ratio is on an axis, a given shear modulus replaces Young's modulus, which varies with the ratio.
         """
         moduli = {}
         if "poisson_ratio" in drawn or "poisson_ratio2" in drawn:
@@ -348,9 +348,9 @@ class Layer:
         return Curve(self.text, x.values(), self.values, colour, band=band, key=key, rows=rows)
 
     def regions(self) -> Iterator[Region]:
-        """Iterate over the regions beyond the last threshold of a limit, and beyond the first one.
+        """For each limit, iterate over the region beyond its last threshold, and the one beyond its first threshold.
 
-        If all points lie beyond the last threshold, there is no region beyond the first.
+        If all points lie beyond the last threshold, there is no region for the first one.
         """
         for doubt in self.doubts:
             limit = doubt.limit
@@ -369,7 +369,7 @@ class Layer:
                         break
 
     def _beyond(self, limit: Limit, threshold: float) -> str:
-        """Return the consequence beyond a threshold, with the threshold unless a factor is compared with it."""
+        """Return the text of a region: the consequence of the limit, and the threshold unless a factor is judged."""
         if limit is LAW:
             size = f"{100 * (threshold - 1):.0f} %" if threshold < 2 else f"a factor of {threshold:g}"
             return f"{self.given.law.title} is off by more than {size}"
@@ -442,9 +442,9 @@ def inputs_as_texts(frame: Frame, names: Iterable[str]) -> tuple[str, ...]:
 
 
 def notes_on(given: Frame, frame: Frame, inputs: Collection[str], names: Sequence[str]) -> list[str]:
-    """Return notes on uncertain inputs, whose middle a picture uses, and on the data behind quantities.
+    """Return notes on uncertain inputs, of which a picture uses the middle, on assumptions, and on material data.
 
-    `given`: the frame as the user gave it, or all points of a picture; `frame` is one of them.
+    `given`: the frame as the user gave it, or the frame of all points of a picture; `frame`: that of a single point.
     """
     uncertain = {name: value for name, value in given.uncertainties.items() if name in inputs}
     assumptions = assumed(frame, inputs, names, has_values=False)
