@@ -405,7 +405,7 @@ HEADS = (
       for which in ("median", "worst")),
 )  # fmt: skip
 LEGEND = f"""ns      nanoseconds a point
-× cbrt  the same in cube roots of an array by numpy, on this machine
+× cbrt  the same, in units of numpy's time for a cube root on this machine
 others  median and largest error in ulp/(1 + κ) in a region of points, κ the condition in load, approach or λ;
         the guide promises {PROMISE}, and {PROMISE_OF_MAUGIS} by Maugis
 """
@@ -461,8 +461,8 @@ def picture_of_bench(rows: Sequence[Row]) -> Picture:
     panels = tuple(_panel(name, [*ways]) for name, ways in groupby(rows, lambda row: row.quantity))
     caption = (
         "Each point is a way, with its largest error in all regions, in ulp/(1 + κ).",
-        "Dashed: the promise of the guide. Points at 10¹⁶: no number, or no digit.",
-        f"{machine()}. Arrays, but for floats.",
+        "Dashed: the promise of the guide. Points at 10¹⁶ have no value, or no correct digit.",
+        f"{machine()}. Times are for arrays, except those of floats.",
     )
     return Picture("Error against cost of the ways to six quantities", panels, caption)
 

@@ -155,7 +155,7 @@ class Call(Options):
         from ..report.curve import loads_of
 
         if "approach_at_load" in self.values:
-            raise BadRequest("--curve goes through all approaches; it takes none")
+            raise BadRequest("--curve goes through all approaches; leave --approach out")
         text = self.values.get("load")
         if text is not None and (text.startswith(":") or text.endswith(":")):
             lacking = "lower" if text.startswith(":") else "upper"

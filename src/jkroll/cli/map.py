@@ -31,7 +31,7 @@ def check_picture(call: Call, path: str | None, flag: str = "-o") -> None:
     inches_of(call.width)
     for option, word, known in (("style", call.style, STYLES), ("panel", call.panel, PANELS)):
         if word is not None and word not in known:
-            raise BadRequest(f"--{option}: {quoted(word)} is not a {option}; there are {listed(known)}")
+            raise BadRequest(f"--{option}: {quoted(word)} is not a {option}; choose one of {listed(known)}")
     if path is None:
         looks = {"--width": call.width, "--style": call.style, "--no-caption": call.uncaptioned}
         given = [option for option, value in looks.items() if value]
@@ -76,8 +76,8 @@ def run_figure(call: Call) -> int:
     check_picture(call, call.target)
     name = call.subject
     if name not in FIGURE_NAMES:
-        mistake = f"{quoted(name)} is not a figure with data" if name else "figure needs a name"
-        raise BadRequest(f"{mistake}; there are {', '.join(FIGURE_NAMES)}")
+        mistake = f"{quoted(name)} is not a figure" if name else "figure needs a name"
+        raise BadRequest(f"{mistake}; choose one of {', '.join(FIGURE_NAMES)}")
     declared, materials, marks = PAPER_MAPS.get(name), call.materials, [*filter(None, call.mark.split(","))]
     idle = {
         "--mark": call.mark and (name in PROFILES or name == "geometry"),
@@ -193,9 +193,9 @@ def map_request(call: Call) -> PlotRequest:
     check_axes(quantity, axes, call.values, tuple(model or DEFAULT_LAW for model in call.models))
     count = len(call.sweep)
     if len(axes) > 1 and count > 1:
-        raise BadRequest(f"{count} pairs are more than one map")
+        raise BadRequest(f"a map shows one pair, not {count}")
     if count > MAX_CURVES:
-        raise BadRequest(f"{count} pairs are more than the {MAX_CURVES} curves that can be distinguished; name fewer")
+        raise BadRequest(f"{count} pairs are more than the {MAX_CURVES} curves that can be told apart; name fewer")
     several = [name for name, text in call.values.items() if "," in text or ":" in text]
     frames = tuple((distinction(frame, several, call.models), frame) for frame in call.sweep.frames())
     limits = () if call.plain else LIMITS

@@ -55,7 +55,7 @@ def run_question(call: Call) -> int:
     form = call.form(shown or question.quantities)  # after `sweep`, which reports bad inputs
     for name in question.named:
         if name in frame.stated or (name in frame.values and formula_of(name) is None):
-            raise BadRequest(f"--quantities: {name} is an input here; leave it out: results show their inputs")
+            raise BadRequest(f"--quantities: {name} is an input here, which the table already shows; leave it out")
     return answer_rows(call, sweep, question, form)
 
 

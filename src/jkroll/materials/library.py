@@ -205,7 +205,7 @@ def _check_names(materials: Sequence[Material]) -> None:
             other = names.get(key, material.name)
             if other != material.name:
                 both = f"{quoted(other)} and {quoted(material.name)}"
-                raise BadRequest(f"{quoted(word)} names both {both}; case makes no difference")
+                raise BadRequest(f"{quoted(word)} names both {both}; upper and lower case are the same")
 
 
 _ABOUT: Mapping[str, type] = {"aliases": list, "references": list, "state": str, "source": str}

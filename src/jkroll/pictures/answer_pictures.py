@@ -55,7 +55,7 @@ def lines_over_input(quantity: str, sweep: Sweep) -> Drawn:
     check_axes(quantity, [x], others, tuple(model or DEFAULT_LAW for model in sweep.models))
     rest = Sweep(sweep.pairs, others, sweep.models)
     if len(rest) > MAX_CURVES:
-        raise BadRequest(f"{len(rest)} lines are more than the {MAX_CURVES} that can be distinguished")
+        raise BadRequest(f"{len(rest)} lines are more than the {MAX_CURVES} that can be told apart")
     several = [other for other in counts if other != name]
     frames = []
     for frame in rest.frames():

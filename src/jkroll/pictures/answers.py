@@ -401,7 +401,7 @@ def answer(
     seconds = [materials_of(None, each, materials)[1] for each in of_second]
     laws = [law_given(each, profile) for each in models]
     if len({*laws}) < len(laws):
-        raise BadRequest(f"model: {listed(models)} name a law more than once")
+        raise BadRequest(f"model: {listed(models)} are one law; give each law once")
     spreads = {name: _spreads(name, each) for name, each in values.items()}
     sweep = Sweep([*product(firsts, seconds)], spreads, laws)
     count = len(sweep)

@@ -16,6 +16,7 @@ from ..report.curve import Loads, loads_of
 from ..report.questions import quantity_named
 from ..text import as_arguments, listed, quoted
 from .figures import FIGURE_NAMES, PANELS, PAPER_MAPS, PROFILES, curves_of_contact, figure_laws, paper_map
+from .geometry import sketch
 from .picture import STYLES, Picture, evaluate
 from .request import SIDE, PlotRequest, axis_of, check_axes, picture_of
 
@@ -223,7 +224,7 @@ def figure(
     Parameters
     ----------
     name
-        "2", "3a" to "3d", "6a", "6b", "8", "9", or "laws".
+        "2", "3a" to "3d", "6a", "6b", "8", "9", "laws", or "geometry", a sketch without data.
     marks
         Grains to mark, as "quartz@100nm".
     materials
@@ -245,12 +246,14 @@ def figure(
     """
     known = materials or known_materials()
     if name not in FIGURE_NAMES:
-        raise BadRequest(f"{quoted(name)} is not a figure with data; there are {', '.join(FIGURE_NAMES)}")
+        raise BadRequest(f"{quoted(name)} is not a figure; choose one of {', '.join(FIGURE_NAMES)}")
     declared = PAPER_MAPS.get(name)
     if as_printed and not (declared and declared.printed):
-        raise BadRequest(f"figure {name} takes no as_printed")
-    if marks and name in PROFILES:
+        raise BadRequest(f"as_printed: no curve of figure {name} is printed differently")
+    if marks and (name in PROFILES or name == "geometry"):
         raise BadRequest(f"figure {name} takes no marks")
+    if name == "geometry":
+        return Drawn(sketch())
     if declared is not None:
         return Drawn(paper_map(name, known, marks, as_printed=as_printed))
     return Drawn(PROFILES[name](known) if name in PROFILES else figure_laws(known, marks))

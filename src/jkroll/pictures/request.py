@@ -188,9 +188,9 @@ def check_axes(quantity: str, axes: Sequence[Axis], given: Iterable[str], models
     within, fixed = depends_on((quantity,), models), {*map(computed_as, given)}
     for axis in axes:
         if computed_as(axis.name) in fixed:
-            raise BadRequest(f"{axis.name} is on an axis; it cannot have one value too")
+            raise BadRequest(f"{axis.name} is on an axis; leave out its single value")
         if axis.name == quantity:
-            raise BadRequest(f"{quantity} is the quantity that is drawn; it cannot be an axis too")
+            raise BadRequest(f"{quantity} is the quantity that is drawn, so it cannot be an axis")
         if axis.name not in within:
             raise BadRequest(f"{quantity} does not depend on {axis.name}")
     if len({computed_as(axis.name) for axis in axes}) < len(axes):

@@ -19,7 +19,7 @@ POSITIVE = Range(0.0, INFINITY, False, False, "must be positive")
 SIZE = Range(0.0, INFINITY, False, False, "must be positive: it is the size of a tension")
 UP_TO_INFINITE = Range(0.0, INFINITY, False, True, "must be positive")
 POISSON = Range(-1.0, 0.5, False, True, "must lie above -1, and be at most 0.5")
-LOOSE = Range(0.0, 0.74, False, False, "must lie between 0 and 0.74, that of the closest packing")
+LOOSE = Range(0.0, 0.74, False, False, "must lie between 0 and 0.74, the value of the closest packing")
 FRACTION = Range(0.0, 1.0, False, True, "must lie between 0 and 1, which is 100%")
 HUMIDITY = Range(0.0, 1.0, True, True, "must lie between 0 and 1, which is 100 %")
 WETTING = Range(0.0, 3.1415926535897936, True, True, "must lie between 0 and 180deg")
@@ -91,25 +91,25 @@ OF_DEM: Mapping[str, Quantity] = {
     # sliding and twisting
     "shear_strength": Quantity("τ", "Pa", "shear strength of the contact (friction)", range=POSITIVE,
         option="--shear-strength", example="12MPa"),
-    "sliding_force": Quantity("F_slide", "N", "shear force that slides it"),
+    "sliding_force": Quantity("F_slide", "N", "force that starts sliding"),
     "sliding_displacement": Quantity("s_slide", "m", "shear where sliding begins"),
     "sliding_energy": Quantity("E_slide", "J", "energy to begin sliding"),
-    "peeling_force": Quantity("T_peel", "N", "shear force that peels it", may_be_zero=True),
-    "peeling_radius": Quantity("a_peel", "m", "radius where it peels off"),
+    "peeling_force": Quantity("T_peel", "N", "force that starts peeling", may_be_zero=True),
+    "peeling_radius": Quantity("a_peel", "m", "contact radius at peeling"),
     "peeling_over_sliding": Quantity("T/F_slide", "1", "peeling force over the force to slide the contact as it peels",
         may_be_zero=True),
-    "sliding_or_peeling_force": Quantity("T_first", "N", "shear force that it bears", may_be_zero=True),
+    "sliding_or_peeling_force": Quantity("T_first", "N", "shear force at failure", may_be_zero=True),
     "rolling_over_sliding": Quantity("Q/T_first", "1", "yield force over the force that slides or peels"),
     "twisting_stiffness": Quantity("k_t", "N m/rad", "torsional stiffness", may_be_zero=True),
-    "twisting_moment": Quantity("M_twist", "N m", "moment that twists it"),
-    "twisting_angle": Quantity("φ_twist", "rad", "angle where it twists"),
+    "twisting_moment": Quantity("M_twist", "N m", "moment that starts twisting"),
+    "twisting_angle": Quantity("φ_twist", "rad", "angle where twisting begins"),
     "twisting_energy": Quantity("E_twist", "J", "energy to begin twisting"),
     "twisting_frequency": Quantity("f_twist", "Hz", "twisting vibration", may_be_zero=True),
     # of pair_style granular in LAMMPS
     "rolling_spring_constant": Quantity("k_roll", "N/m", "spring constant of rolling in LAMMPS"),
     "rolling_friction_coefficient": Quantity("μ_roll", "1", "coefficient of rolling friction in LAMMPS"),
     "rolling_resistance_coefficient": Quantity("μ_r", "1", "rolling moment over the load and R",
-        note="for codes that multiply the load by it, at this load alone"),
+        note="for codes that multiply it by the load; valid at this load only"),
     "sliding_friction_coefficient": Quantity("μ_slide", "1", "coefficient of sliding friction in LAMMPS"),
     "twisting_friction_coefficient": Quantity("μ_twist", "m", "coefficient of twisting friction in LAMMPS, a length"),
     # aggregates
@@ -156,7 +156,7 @@ OF_WATER: Mapping[str, Quantity] = {
     "roughness_gap": Quantity("D_gap", "m", "gap that roughness leaves", range=POSITIVE, option="--roughness",
         example="2nm"),
     "kelvin_radius": Quantity("r_K", "m", "Kelvin radius of water", shown_with=["humidity"]),
-    "meniscus_size": Quantity("q", "1", "part by which a meniscus of finite size pulls less"),
+    "meniscus_size": Quantity("q", "1", "relative loss of force by the finite size of the meniscus"),
     "meniscus_force": Quantity("F_men", "N", "force of a water meniscus", shown_with=["humidity"]),
     "threshold_humidity": Quantity("RH_gap", "1", "humidity that fills the gap", shown_with=["roughness_gap"]),
 }  # fmt: skip
@@ -245,15 +245,15 @@ _QUANTITIES: Mapping[str, Quantity] = {
     "rolling_mass": Quantity("m_eff", "kg", "effective mass of rolling without slip", "40"),
     # the contact
     "pull_off_force": Quantity("P_c", "N", "pull-off force", "1", range=SIZE),
-    "pull_off_force_dmt": Quantity("P_DMT", "N", "of small, hard spheres", "1"),
-    "pull_off_force_rough": Quantity("P_rough", "N", "with one asperity between",
+    "pull_off_force_dmt": Quantity("P_DMT", "N", "pull-off force, DMT", "1"),
+    "pull_off_force_rough": Quantity("P_rough", "N", "pull-off force, one asperity",
         note="P_DMT with one hard hemisphere on the line of centres, by Rumpf's pairwise sum; s is an asperity's own "
             "radius, no rms height", shown_with=["asperity_radius"]),
     "contact_radius": Quantity("a0", "m", "unloaded contact radius", "2", range=POSITIVE),
     "approach": Quantity("δ0", "m", "approach without load", "3", range=POSITIVE),
     "pull_off_force_lennard_jones": Quantity("P_LJ", "N", "by Lennard-Jones' 3-9 law", "",
         note="a fit to numerical solutions, within 0.3 % for 0.01 ≤ μ ≤ 2; beyond, it tends to DMT and JKR"),
-    "well_energy_lennard_jones": Quantity("U_LJ", "J", "well by Lennard-Jones", "",
+    "well_energy_lennard_jones": Quantity("U_LJ", "J", "energy well, Lennard-Jones", "",
         note="a fit to numerical solutions, within 0.2 % for μ ≤ 1; below 0.7 it is the work to part, too"),
     "dead_load_work_lennard_jones": Quantity("U_LJ(load)", "J", "dead load, Lennard-Jones", "",
         note="a fit to numerical solutions, within 0.5 % for μ ≤ 1"),
@@ -298,7 +298,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
     "fixed_approach_moment": Quantity("M_δ", "N m", "moment at a fixed approach", "25"),
     "rolling_stiffness": Quantity("k", "N m/rad", "rolling moment per angle", "39"),
     "yield_force": Quantity("Q", "N", "force that starts rolling", "26"),
-    "yield_force_fixed_load": Quantity("Q_P", "N", "same, load keeps direction", "26",
+    "yield_force_fixed_load": Quantity("Q_P", "N", "force, load keeps direction", "26",
         note="for a load that keeps its direction; that of Q turns with the line of centres", shown_with=STATE_OR_LOAD),
     "yield_force_ratio": Quantity("Q/P_c", "1", "force over pull-off force", "27"),
     "contact_displacement": Quantity("ξ_contact", "m", "displacement of the contact circle", may_be_zero=True),
@@ -310,13 +310,13 @@ _QUANTITIES: Mapping[str, Quantity] = {
     "gravity_moment": Quantity("M_grav", "N m", "moment of a level chain", "29", shown_with=["monomers"]),
     "n_grav": Quantity("N_grav", "1", "spheres in a level chain", "30"),
     "bond_number": Quantity("Bo", "1", "pull-off force over weight"),
-    "adhesion_hysteresis": Quantity("Δw", "J/m^2", "w of opening less of closing",
+    "adhesion_hysteresis": Quantity("Δw", "J/m^2", "w of opening minus closing",
         range=POSITIVE, option="--adhesion-hysteresis", example="5mJ/m2"),
     "hysteresis_fraction": Quantity("Δw/w", "1", "adhesion hysteresis as a part of the work of adhesion",
         range=FRACTION, option="--hysteresis-fraction", example="40%"),
     "adhesive_force": Quantity("F_a", "N", "Hertz' load at the contact radius less the load", "25"),
     "hysteresis_moment": Quantity("M_hyst", "N m", "moment by adhesion hysteresis"),
-    "hysteresis_ratio": Quantity("M/2cRw", "1", "moment over the largest that adhesion hysteresis supplies"),
+    "hysteresis_ratio": Quantity("M/2cRw", "1", "moment over the largest moment by adhesion hysteresis"),
     # vibrations
     "vertical_frequency": Quantity("f_z", "Hz", "normal vibration", "35", may_be_zero=True),
     "rolling_frequency": Quantity("f_roll", "Hz", "rolling vibration", "40"),
@@ -356,7 +356,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
     # collisions
     "adhesion_energy": Quantity("P_cδ0", "J", "characteristic energy of adhesion", "48"),
     "kinetic_energy": Quantity("m1v²/2", "J", "kinetic energy of sphere 1", "45"),
-    "n_roll": Quantity("n_roll", "1", "turns once it has slid", "48"),
+    "n_roll": Quantity("n_roll", "1", "turns after it has slid", "48"),
     "n_roll_energy_balance": Quantity("n_bal", "1", "turns, rolling from start", "48",
         note="7/2 of Eq (48), for rolling without slip from the start"),
     "n_roll_after_impact": Quantity("n_imp", "1", "turns, other body held", "48",
@@ -364,7 +364,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
     "restitution": Quantity("e", "1", "coefficient of restitution", may_be_zero=True,
         note="upper bound where the law is right: adhesion, and viscous damping if it is given, are the only losses"),
     "lost_energy": Quantity("W_lost", "J", "part that adhesion takes"),
-    "viscosity_number": Quantity("T*", "1", "viscous time over impact's", shown_with=["viscous_time"]),
+    "viscosity_number": Quantity("T*", "1", "viscous time over impact time", shown_with=["viscous_time"]),
     "impact_pressure": Quantity("p_max", "Pa", "peak pressure of the impact"),
     "touch_pressure": Quantity("p_touch", "Pa", "peak pressure of a touch at no speed"),
     "first_yield_pressure": Quantity("p_y", "Pa", "pressure of first yield",
@@ -376,7 +376,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
     # energies and speeds by convention
     "fold_energy": Quantity("F_cδ_c", "J", "unit of energy, Wada 2007", definition="0.82548 P_cδ0",
         reference="code Lumajord/DustSimulation, after Wada et al. 2007"),
-    "break_energy_dust_simulation": Quantity("E_break", "J", "energy to break it",
+    "break_energy_dust_simulation": Quantity("E_break", "J", "energy to break the contact",
         note="no path of JKR from P = 0 takes as much", definition="1.8 F_cδ_c = 1.4859 P_cδ0",
         reference="code Lumajord/DustSimulation"),
     "rolling_angle": Quantity("θ", "rad", "turn of sphere 1, body 2 held", range=POSITIVE, option="--angle",

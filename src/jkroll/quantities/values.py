@@ -460,7 +460,7 @@ def _read(text: str, unit_in: _UnitIn) -> float | Uncertain:
     if is_range:
         low, high = _value(_with_unit_of(right, left), unit_in), _value(right, unit_in)
         if low >= high:
-            raise BadUnit("does not rise from its first end to its second")
+            raise BadUnit("does not rise: write the smaller value first")
         return Interval(min(max(low, _to_15_digits(low / 2 + high / 2)), high), low, high)
     if re.search(r"[^\d\s]\s*\(", text):
         raise BadUnit("has brackets in its unit", "leave them out, as in mJ/m2")

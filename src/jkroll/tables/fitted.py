@@ -43,7 +43,7 @@ def fit_given(curve: Any, words: Mapping[str, str | None], spring: Any, given: M
     read = Reader().in_si(given)
     for name, value in read.items():
         if getattr(middle(value), "shape", ()):
-            raise BadRequest(f"{name}: a curve has one value, not an array")
+            raise BadRequest(f"{name}: a curve takes a single value, not an array")
         check_range(name, middle(value))
     known = known_of(words, spring, read)
     if isinstance(curve, str | os.PathLike):
@@ -162,7 +162,7 @@ def _radius(given: Mapping[str, Any]) -> Any:
     try:
         return solve("reduced_radius", **radii) if "reduced_radius" not in radii else radii["reduced_radius"]
     except MissingInput:
-        raise BadRequest("--radius2 alone is no contact: give --radius, too") from None
+        raise BadRequest("--radius2 needs --radius") from None
 
 
 def _relative_error(value: Any) -> float:
@@ -184,7 +184,7 @@ def _check_sphere(given: Mapping[str, Any]) -> None:
     if not any(name in given for name in _RADII):
         raise BadRequest("--profile sphere needs --radius")
     if "reduced_radius" not in given and middle(given.get("radius2", given.get("diameter2", 0.0))) != inf:
-        raise BadRequest("--profile sphere holds for a sphere on a plane: give --radius2 plane")
+        raise BadRequest("--profile sphere needs a sphere on a plane: give --radius2 plane")
 
 
 def _range(text: str | None) -> LoadRange | None:

@@ -484,7 +484,7 @@ def _refusal(readings: Sequence[Reading]) -> BadTable:
     problems = [f"{listed(each)}: {problem}" for problem, each in texts.items()]
     options = " ".join([option_of(reading.text, "") for reading in readings])
     if len(readings) > 1:
-        passing = f"{options} to pass them through (--pass-rest passes all that is not read)"
+        passing = f"{options} to pass them through (--pass-rest passes all unread columns)"
     else:
         passing = f"{options} to pass it through"
     can_be_joined = all(len(reading.meant) < 2 for reading in readings)  # all options can be given together

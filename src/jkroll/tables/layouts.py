@@ -125,8 +125,8 @@ def _several_steps(number: int, line: bytes, path: str, compression: str) -> str
     program = {"gzip": "zcat", "zstd": "zstdcat"}.get(compression, "")
     source = f"{program} {quoted(path)} | csplit -z -" if program else f"csplit -z {quoted(path)}"
     return (
-        f"line {number} begins a second time step, and a table has one. Write {source} '/{item}/' '{{*}}', and then "
-        "jkroll batch 'xx*' -o DIRECTORY/"
+        f"line {number} begins a second time step, but a table can have only one. Write {source} '/{item}/' '{{*}}', "
+        "and then jkroll batch 'xx*' -o DIRECTORY/"
     )
 
 

@@ -142,7 +142,7 @@ def about(table: Table) -> Iterator[str]:
     remarks = chain.from_iterable(lookup.remarks for lookup in table.lookups.values())
     notes = [*dict.fromkeys(remarks)]
     if table.given.isdisjoint(("radius", "diameter")) and not table.asked.explicit:
-        notes.append("no column and no option gives a radius; quantities that need one are left out")
+        notes.append("no column and no option gives a radius; quantities that need a radius are left out")
     read = {*map(computed_as, table.columns.names)}
     filled = sorted(NOMENCLATURE[name].option or f"--{name}" for name in table.fixed if computed_as(name) in read)
     notes += [f"{option} fills empty cells: the others keep their values" for option in filled]

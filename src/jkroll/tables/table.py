@@ -209,13 +209,13 @@ class Table:
         names = [*dict.fromkeys((*explicit, *possible))]
         if not names:
             frames[0].plans(offered[0])
-            raise BadRequest("--quantities: known for identical spheres only, but the table describes sphere 2")
+            raise BadRequest("--quantities: known only for identical spheres, but the table describes sphere 2")
         return names, shown_in_all
 
     def _check_explicit(self, name: str, frames: Sequence[Frame]) -> None:
         """Raise an error if a quantity requested by name is an input, or lacks inputs in all frames."""
         if name in self.given:
-            raise BadRequest(f"--quantities: {name} is an input here; leave it out: results show their inputs")
+            raise BadRequest(f"--quantities: {name} is an input here, which the table already shows; leave it out")
         if not all(frame.missing([name]) for frame in frames):
             return
         try:

@@ -78,7 +78,7 @@ def answers(count: int, answer: Answer, questions: Iterable[Any]) -> Iterator[An
                 end.close()
                 processes[pipe] = process
         except OSError as error:
-            raise LostWorker(f"processes cannot be started: {error.strerror}; --jobs 1 needs none") from None
+            raise LostWorker(f"processes cannot be started: {error.strerror}; --jobs 1 starts none") from None
         finally:
             _mask("SIG_UNBLOCK", SIGNALS)
         for pipe, question in zip(cycle([*processes]), questions, strict=False):

@@ -105,7 +105,7 @@ def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
             without.setdefault(material.title, []).append(material.name)
     for title, names in without.items():
         rows[title].append(("  no γ (--gamma)", "–", ", ".join(names)))
-    heads = ("material", head, "state, what to know of γ, or reference")
+    heads = ("material", head, "state, note on γ, or reference")
     write_texts(heads, [*chain.from_iterable(rows.values())], out)
     say(f"\n{_IN_FULL}; find some: jkroll materials WORD", out)
 

@@ -181,10 +181,11 @@ def _methods(fitted: Fit) -> Iterator[str]:
     first, *others = branches
     yield as_latex(f"Least squares gave all results from one branch ({first}).")
     if others:
-        yield as_latex(f"With its modulus and contact point the other gave its work of adhesion ({others[0]}).")
+        shared = "with the modulus and contact point of the first"
+        yield as_latex(f"The other branch gave a work of adhesion of its own ({others[0]}), {shared}.")
     if fitted.baselines:
         line = "a line" if known.tilt else "the median"
-        yield f"Out of contact {line} of the force is its zero."
+        yield f"The zero of the force is {line} of the force out of contact."
     else:
         yield "The force was not shifted."
     yield (

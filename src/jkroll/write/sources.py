@@ -110,10 +110,10 @@ def _facts(result: Result, answer: Report, form: Format) -> Iterator[tuple[str, 
     if result.error:
         yield "error", f"{100 * result.error:.2g} % off the exact moment of this contact"
     if result.growth is not None and answer.condition is None:
-        error = f"a relative error of it enters times κ = {result.growth:.3g}"
+        error = f"a relative error of the measured value is multiplied by κ = {result.growth:.3g}"
         yield "inferred", f"so that the formula below gives the measured value; {error}"
     elif result.growth is not None:
-        errors = f"relative errors of these enter times {result.growth:.3g} at most"
+        errors = f"relative errors of the measured values are multiplied by at most {result.growth:.3g}"
         yield "inferred", f"with the other input, so that both have their measured values; {errors}"
     values = [f"{amount(result.name, value, form)} ({law})" for law, value in result.by_law.items()]
     yield "by law", ", ".join(values)
