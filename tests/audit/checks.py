@@ -1,4 +1,4 @@
-"""Checks, which compare a claim of the paper with the number that follows from its premises.
+"""Checks: each compares a claim of the paper with the number that follows from the paper's premises.
 
 Integrals, derivatives and roots are computed by plain arithmetic, so that a check of one formula needs no other formula
 of the paper.
@@ -45,7 +45,7 @@ class Check(NamedTuple):
 
     @property
     def numbers(self) -> tuple[float, float]:
-        """Return the printed number and the one that follows; of several pairs, the pair that differs most."""
+        """The printed number and the number that follows; of several pairs, the pair that differs most."""
         pairs = zip(_terms(self.printed), _terms(self.follows), strict=True)
         return max(pairs, key=lambda pair: _difference(*pair))
 
@@ -85,12 +85,12 @@ def to_rim(function: Function, a: float) -> float:
 
 
 def across(function: Function, a: float) -> float:
-    """Return the integral from −a to a of a function that may have such a factor at both ends."""
+    """Return the integral from −a to a of a function that may have a factor √(a² − s²) or 1/√(a² − s²)."""
     return to_rim(lambda s: function(s) + function(-s), a)
 
 
 def over_disc(function: Callable[[float, float], float], a: float) -> float:
-    """Return the integral over a circle of a function of x and y that may have such a factor at the rim."""
+    """Return the integral over a circle of a function of x and y that may have a factor √(a − r) or 1/√(a − r)."""
     turn = 2 * pi / _DIRECTIONS
     angles = [(place + 0.5) * turn for place in range(_DIRECTIONS)]
     return to_rim(lambda r: turn * r * sum(function(r * cos(angle), r * sin(angle)) for angle in angles), a)

@@ -1,4 +1,4 @@
-"""All claims of the paper, in its order, and the table of the claims that do not hold, for `jkroll guide paper`.
+"""All claims of the paper, in the paper's order, and the table of those that do not hold, for `jkroll guide paper`.
 
     python tests/audit/claims.py
 
@@ -19,7 +19,7 @@ HEAD = "| Eq | claim | printed | follows | printed over follows | verdict | from
 
 
 def claims() -> tuple[Check, ...]:
-    """Return the checks of all claims of the paper, in its order."""
+    """Return the checks of all claims of the paper, in the paper's order."""
     return (*moment(), *statics(), *vibrations(), *collisions(), *cylinder())
 
 

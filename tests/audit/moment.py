@@ -107,7 +107,7 @@ def _pressure_at(x: float, y: float) -> float:
 
 
 def _sector_moment(start: float) -> float:
-    """Return the moment of the symmetric pressure over half of the circle, from an angle on."""
+    """Return the moment of the symmetric pressure over the half of the circle that begins at an angle."""
     around = integral(cos, start, start + pi)
     return around * to_rim(lambda r: r * r * pair.pressure(r, pair.a), pair.a)
 
@@ -121,7 +121,7 @@ def _half_disc(a: float, start: float) -> float:
 
 # --- A cylinder on a plane --------------------------------------------------------------------------------------------
 
-# A strip of arbitrary numbers: its half-width, its lag, the load as an area, the cylinder, and a position inside.
+# Arbitrary values of a strip: its half-width and lag, its load constant (an area), R and E, and a position inside.
 A: Final = 0.83
 XI: Final = 0.067
 C: Final = 0.211
@@ -232,7 +232,7 @@ def _transform(xi: float, x: float) -> float:
 
 
 def _dent_slope(xi: float, x: float) -> float:
-    """Return du/dx under that pressure: Boussinesq's 1/(πEr) at x − s, integrated along y = (x − s) tan(angle)."""
+    """Return du/dx under the pressure of a lagging strip: Boussinesq's 1/(πEr), along y = (x − s) tan(angle)."""
     return -integral(cos, -pi / 2, pi / 2) / (pi * E) * _transform(xi, x)
 
 

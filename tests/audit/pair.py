@@ -14,7 +14,7 @@ from audit.checks import Check, across, integral, lowest, nearest, over_disc, ro
 
 
 class Pair:
-    """Two spheres of arbitrary numbers; body 2 may be a plane (r2 infinite)."""
+    """Two spheres with arbitrary values; body 2 may be a plane (r2 infinite)."""
 
     def __init__(
         self,
@@ -38,8 +38,8 @@ class Pair:
         self.delta0 = self.p_c / (e * self.a0)  # Eq (3)
         self.a = stretch * self.a0  # contact radius under a load
         self.x = stretch * sqrt(stretch)  # the factor â^(3/2) of Eq (25)
-        self.p = 4 * self.p_c * (self.x**2 - self.x)  # that load, Eq (5)
-        self.delta = self.delta0 * (3 * stretch**2 - 2 * sqrt(stretch))  # its approach, Eq (6)
+        self.p = 4 * self.p_c * (self.x**2 - self.x)  # load at this contact radius, Eq (5)
+        self.delta = self.delta0 * (3 * stretch**2 - 2 * sqrt(stretch))  # approach at this load, Eq (6)
         self.m1, self.m2 = (4 / 3 * pi * radius**3 * rho for radius in (r1, r2))
         self.i1, self.i2 = 0.4 * self.m1 * r1**2, 0.4 * self.m2 * r2**2  # moments of inertia
         self.m = 1 / (1 / self.m1 + 1 / self.m2)  # reduced mass
@@ -128,13 +128,13 @@ class Pair:
 
     @cached_property
     def lever(self) -> float:
-        """Travel of the driven centre over the angle of rolling, with body 2 held: by virtual work, M = Q lever."""
+        """The travel of the driven centre per angle of rolling, with body 2 at rest: by virtual work, the lever M/Q."""
         travel, angle = 1 + self.r1 / self.r2, 1 / self.r  # per length that the contact point moves
         return travel / angle
 
     @cached_property
     def rolling_mass(self) -> float:
-        """Kinetic energy 2T/v² of two free spheres that roll over each other at v, without angular momentum."""
+        """2T/v², where T is the kinetic energy of two free spheres that roll at v without angular momentum."""
         orbit = self.m * (self.r1 + self.r2) ** 2
         turn = (self.i1 / self.r1 - self.i2 / self.r2) / (self.i1 + self.i2 + orbit)  # of the line of centres
         return self.i1 * (turn - 1 / self.r1) ** 2 + self.i2 * (turn + 1 / self.r2) ** 2 + orbit * turn**2
@@ -206,7 +206,7 @@ def _level_chain(of: Pair) -> float:
 
 
 def _single_grain(gamma: float) -> float:
-    """Return the radius at which that number is 1."""
+    """Return the radius at which a level chain has one sphere."""
     return root(lambda radius: _level_chain(reference(radius, gamma)) - 1, 1e-7, 1e-3)
 
 
@@ -283,7 +283,7 @@ def _free_rolling(of: Pair) -> float:
 
 # --- Collisions -------------------------------------------------------------------------------------------------------
 
-QUARTZ = (25.0, 5.4e10, 0.17, 2.6)  # its row of Table 1; the heading "ν" stands over the second
+QUARTZ = (25.0, 5.4e10, 0.17, 2.6)  # the row of quartz in Table 1; the heading "ν" stands over the second number
 
 
 def collisions() -> tuple[Check, ...]:

@@ -1,4 +1,4 @@
-"""The audit of the paper: every verdict is computed and the expected one, and would change with the paper's text."""
+"""The audit of the paper: every verdict is computed, is as expected, and would change with the paper's text."""
 
 import math
 import re
@@ -31,7 +31,7 @@ def test_the_verdict_is_the_expected_one(check: Check) -> None:
     assert check.verdict == check.expected
 
 
-def test_every_numbered_equation_is_there() -> None:
+def test_every_numbered_equation_has_a_check() -> None:
     found: set[int] = set()
     for check in CLAIMS:
         for first, last in re.findall(
@@ -58,7 +58,7 @@ def test_every_numbered_equation_is_there() -> None:
         ("27 text", "approximate", 1.25),
     ],
 )
-def test_how_far_off_it_is(equation: str, verdict: Verdict, ratio: float) -> None:
+def test_the_ratio_of_the_printed_number_to_the_one_that_follows(equation: str, verdict: Verdict, ratio: float) -> None:
     printed, follows = claim(equation, verdict).numbers
     assert printed / follows == approx(ratio, rel=1e-3)
 
@@ -76,13 +76,13 @@ def test_how_far_off_it_is(equation: str, verdict: Verdict, ratio: float) -> Non
         ("34", "sign", -6 / 5 * pair.e * pair.a0 / pair.m, "holds"),
     ],
 )
-def test_the_right_form_in_place_of_the_printed_one(
+def test_another_form_of_a_claim_changes_the_verdict(
     equation: str, verdict: Verdict, mended: Terms, becomes: Verdict
 ) -> None:
     assert claim(equation, verdict)._replace(printed=mended).verdict == becomes
 
 
-# --- What follows is what the program computes -----------------------------------------------------------------------
+# --- The same numbers from the program -------------------------------------------------------------------------------
 
 GIVEN: dict[str, Any] = {
     "radius": pair.r1,
@@ -113,7 +113,7 @@ GIVEN: dict[str, Any] = {
         ("n_roll", False, claim("48", "holds").numbers[1]),
     ],
 )
-def test_the_program_computes_what_follows(wanted: str, loaded: bool, follows: float) -> None:
+def test_the_program_computes_the_number_that_follows(wanted: str, loaded: bool, follows: float) -> None:
     assert solve(wanted, load=pair.p if loaded else 0.0, **GIVEN) == approx(follows, rel=1e-9)
 
 
@@ -134,15 +134,15 @@ STRIP = {
         ("half_strips_moment", "77", XI),
     ],
 )
-def test_the_program_computes_what_follows_for_a_strip(name: str, equation: str, shift: float) -> None:
+def test_the_program_computes_the_number_that_follows_for_a_strip(name: str, equation: str, shift: float) -> None:
     formula, given = getattr(cylinder, name), {**STRIP, "yield_displacement": shift}
     value = formula(**{parameter: given[parameter] for parameter in parameters_of(formula)})
     assert value == approx(claim(equation, "holds").numbers[1], rel=1e-9)
 
 
 @pytest.mark.parametrize("place", [-0.8, 0.0, 0.3])
-def test_the_pressure_that_is_drawn_dents_to_the_shifted_sphere(place: float) -> None:
-    """By the audit of Eq 25, `shifted_pressure` does so; an approach higher by ξ²/2R keeps its load."""
+def test_the_drawn_pressure_dents_the_half_space_to_the_shifted_sphere(place: float) -> None:
+    """By the audit of Eq 25, so does `shifted_pressure`; an approach larger by ξ²/(2R) keeps the load."""
     value = shifted.exact_pressure(
         position_in_circle=place * pair.a, contact_radius_at_load=pair.a, contact_modulus=pair.e,
         reduced_radius=pair.r, yield_displacement=pair.xi, hertz_pressure=pair.hertz(pair.a),
@@ -156,5 +156,5 @@ def test_the_pressure_that_is_drawn_dents_to_the_shifted_sphere(place: float) ->
 
 
 def test_the_manual_has_the_claims_that_do_not_hold() -> None:
-    """If it fails: `python tests/audit/claims.py` renews the table."""
+    """If this test fails, `python tests/audit/claims.py` renews the table."""
     assert table() in PAGE.read_text(encoding="utf-8")

@@ -58,14 +58,16 @@ def test_the_footnotes_and_references_of_the_paper_are_there() -> None:
     assert set(materials["gold"].properties) == {"surface_energy", "density"}
 
 
-def test_there_is_one_copy_of_the_file() -> None:
+def test_there_is_one_copy_of_the_shipped_file() -> None:
     root = Path(__file__).parents[2]
     copies = [path for path in root.rglob("materials.toml") if ".venv" not in path.parts[len(root.parts)]]
     assert copies == [root / "materials.toml"]
     assert Path(SHIPPED).samefile(root / "materials.toml") or "site-packages" in Path(SHIPPED).parts
 
 
-def test_option_environment_and_configuration_add_up(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_files_of_option_environment_and_configuration_are_combined(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     option = write(tmp_path / "option.toml", ICE)
     environment = write(tmp_path / "environment.toml", ICE.replace("ice", "frost").replace("H2O", "hoar"))
     write(tmp_path / "configuration/jkroll/materials.toml", ICE.replace("ice", "snow").replace("H2O", "firn"))
@@ -78,7 +80,9 @@ def test_option_environment_and_configuration_add_up(run: Run, tmp_path: Path, m
     assert "overrides" not in ran.err
 
 
-def test_the_file_of_a_call_overrides_with_a_note(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_file_of_an_option_overrides_shipped_materials_with_a_note(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     mine = write(tmp_path / "mine.toml", ICE.replace("[materials.ice]", "[materials.Quartz]").replace("H2O", "gold"))
     text = [f"{mine} overrides {word} of Table 1 of D&T" for word in ("gold", "Quartz")]
     said = "".join(f"note: {one}\n" for one in text)
@@ -109,7 +113,9 @@ def test_the_file_of_a_call_overrides_with_a_note(run: Run, tmp_path: Path, monk
 
 
 @pytest.mark.slow
-def test_the_environment_changes_no_number(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_files_of_the_environment_and_the_configuration_change_no_number(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """The file of the environment, or of the configuration, only adds materials.
 
     A name that is also shipped is refused when it is used.
@@ -256,19 +262,19 @@ def test_a_mistake_in_one_material_does_not_stop_the_others(run: Run, tmp_path: 
     ]
 
 
-def test_an_alias_may_take_over_a_name_but_leaves_the_material(tmp_path: Path) -> None:
+def test_an_alias_may_take_over_the_name_of_a_shipped_material_which_remains(tmp_path: Path) -> None:
     path = write(tmp_path / "mine.toml", "[materials.steel]\naliases = ['iron']\ndensity = '8 g/cm3'\n")
     materials = Materials([path])
     assert materials["iron"].name == "steel"
     assert materials.materials["iron"].properties["density"] == 7700.0
 
 
-def test_a_material_takes_over_the_aliases_with_a_name(tmp_path: Path) -> None:
+def test_a_material_that_takes_over_a_name_takes_over_its_aliases(tmp_path: Path) -> None:
     path = write(tmp_path / "mine.toml", "[materials.POLYSTYRENE]\ndensity = '1 g/cm3'\n")
     assert jkroll.Materials([path])["PS"].name == jkroll.Materials([path])["polystyrene"].name == "POLYSTYRENE"
 
 
-def test_a_shared_alias_means_the_material_that_took_over_a_name(tmp_path: Path) -> None:
+def test_a_shared_alias_includes_the_material_that_took_over_a_name(tmp_path: Path) -> None:
     path = write(tmp_path / "mine.toml", "title = 'mine'\n[materials.Silica-humid]\nsurface_energy = '30 mJ/m2'\n")
     materials = Materials([path])
     with pytest.raises(JkrollError, match=r"one of several; write quartz .* or Silica-humid \(30 mJ/m², mine\)"):
@@ -289,7 +295,7 @@ def test_a_mistake_is_reported_only_when_its_material_is_used(run: Run, tmp_path
 
 @settings(max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.binary(max_size=300) | st.text(alphabet="[]materials.a=\"'\n{}1 gcm/,", max_size=200).map(str.encode))
-def test_nothing_but_the_declared_error_escapes(tmp_path: Path, content: bytes) -> None:
+def test_any_content_is_read_or_raises_a_materials_file_error(tmp_path: Path, content: bytes) -> None:
     path = write(tmp_path / "any.toml", content)
     try:
         read(path)
@@ -304,7 +310,7 @@ def test_a_user_s_file_may_be_a_path_or_one_of_several(made: Callable[[Path], An
 
 
 @pytest.mark.parametrize("paths", [3, None, [3], [["mine.toml"]], {"mine.toml": 1}.values()])
-def test_what_is_not_a_path_is_refused(paths: Any) -> None:
+def test_objects_other_than_paths_are_refused(paths: Any) -> None:
     with pytest.raises(MaterialsFileError, match=r"is not a path; write Materials\(\"mine.toml\"\)"):
         Materials(paths)
 
@@ -318,7 +324,7 @@ def test_a_file_may_be_a_pipe(run: Run) -> None:
 
 
 @pytest.mark.parametrize("word", [3, None, b"quartz", ("quartz",)])
-def test_other_objects_are_unknown_materials(word: Any) -> None:
+def test_objects_other_than_names_are_unknown_materials(word: Any) -> None:
     with pytest.raises(JkrollError, match="no material"):
         Materials()[word]
 
@@ -352,14 +358,14 @@ def test_properties_set_by_hand_are_checked() -> None:
             jkroll.solve("work_of_adhesion", material=mine, material2=other)
 
 
-# --- The second set: materials by state -------------------------------------------------------------------------------
+# --- Shipped materials outside the paper ------------------------------------------------------------------------------
 
 # The note of a material without γ gives a similar value, or a measured one of another kind.
 NEAR = re.compile(r"[1-9][0-9.]* mJ/m2").search
 SECOND = [material for material in Materials().materials.values() if material.title != "Table 1 of D&T"]
 
 
-# --- A yield displacement of a material's own -------------------------------------------------------------------------
+# --- A material's own yield displacement ------------------------------------------------------------------------------
 
 OWN = """
 [materials.own]
@@ -427,7 +433,7 @@ def test_a_displacement_at_another_radius_lies_between_two_scalings(
     assert "assumed ξ" not in run(f"yield-force own {radii} {own} --explain").out
 
 
-def test_options_outrank_a_material_s_displacement(run: Run, own: str) -> None:
+def test_options_override_a_material_s_displacement(run: Run, own: str) -> None:
     for words in ("--xi 1nm", "--hysteresis-fraction 40%", "--adhesion-hysteresis 20mJ/m2"):
         assert run(f"yield-force own 100nm {words} {own}").out == run(f"yield-force quartz 100nm {words}").out
 
@@ -527,9 +533,9 @@ def test_the_sets() -> None:
 
 @pytest.mark.parametrize("material", SECOND, ids=lambda material: material.name)
 def test_each_value_of_the_other_sets_has_its_origin(material: Material) -> None:
-    """A material has a state.
+    """Each material states its state, and each property its origin.
 
-    Each property has a method, a reference, and an uncertainty or a statement that it has none. γ has a law.
+    A property has a method, a reference, and an uncertainty or a statement that it has none. γ also has a law.
     """
     assert material.state
     keys = {entry["key"] for entry in material.references}
@@ -596,7 +602,7 @@ def test_a_table_reports_a_shared_name_once(run: Run) -> None:
     assert "one of several" not in run("batch grains.csv --quantities pull_off_force -o out.csv --quiet").err
 
 
-def test_the_list_is_a_screen_of_sets_with_the_states(run: Run) -> None:
+def test_the_list_fits_a_screen_and_shows_the_sets_and_states(run: Run) -> None:
     out = run("materials", terminal=True).out
     lines = out.splitlines()
     assert max(map(len, lines)) <= 80
@@ -629,7 +635,7 @@ def test_materials_are_found_by_words(run: Run, words: str, names: set[str]) -> 
     assert {name for name in Materials().materials if f"  {name} " in table} == names
 
 
-def test_a_name_precedes_words(run: Run) -> None:
+def test_a_name_takes_precedence_over_a_search(run: Run) -> None:
     assert json.loads(run("materials silicone rubber --json").out)["name"] == "pdms"
     assert "did you mean quartz?" in run("materials quarz").err
     assert "'steel' is one of several; write steel-304 (30.5 mJ/m², stainless, " in run("materials steel").err
@@ -711,7 +717,7 @@ def test_each_interface_shows_a_note_on_some_radii(run: Run, tmp_path: Path) -> 
 
 
 def test_cold_ice_is_in_conflict_with_grains_of_a_micrometre(run: Run) -> None:
-    """The grains of Gundlach & Blum 2015 had 1.5 µm, and those of Musiolik & Wurm 2019, the source, a millimetre."""
+    """Grains had radii of 1.5 µm in Gundlach & Blum 2015, and of a millimetre in the source, Musiolik & Wurm 2019."""
     noted = {radius: "in conflict" in run(f"pull-off ice-cold {radius}").err for radius in ("10nm", "1.5um", "1.1mm")}
     assert noted == {"10nm": False, "1.5um": True, "1.1mm": False}
 
@@ -737,10 +743,7 @@ def stiffnesses(upper: str) -> Any:
     }.items(),
 )
 def test_moduli_of_crystals_are_their_reuss_and_voigt_averages(name: str, entries: str) -> None:
-    """The averages are those of Hill, Proc.
-
-    Phys. Soc. A 65, 349 (1952), of the stiffnesses that the sources print [GPa].
-    """
+    """Hill's averages (Proc Phys Soc A 65, 349, 1952) of the stiffnesses that the sources print [GPa]."""
     stiff = stiffnesses(entries)
     compliant = numpy.linalg.inv(stiff)
     bulk = {"high": stiff[:3, :3].sum() / 9, "low": 1 / compliant[:3, :3].sum()}

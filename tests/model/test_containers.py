@@ -21,7 +21,7 @@ FORCES = jkroll.solve("pull_off_force", material="quartz", radius=numpy.array([1
 
 
 class Labelled(SimpleNamespace):
-    """An array as xarray has it: `data`, names of dimensions, attributes; numpy drops the unit of the data."""
+    """An array like those of xarray: data, dimensions, attributes. Conversion to numpy drops the unit of the data."""
 
     data: Any
 
@@ -53,11 +53,11 @@ def test_unit_inside_a_labelled_array_is_read(radii: Any) -> None:
     assert numpy.allclose(in_newtons(forces(radii)), FORCES, rtol=1e-14)
 
 
-def test_scalar_inside_a_labelled_array() -> None:
+def test_scalar_inside_a_labelled_array_is_read() -> None:
     assert numpy.allclose(in_newtons(forces(Labelled(Quantity(numpy.array(100.0), "nm")))), FORCES[0], rtol=1e-14)
 
 
-def test_labelled_array_of_si_numbers() -> None:
+def test_labelled_array_of_si_numbers_is_read() -> None:
     assert numpy.array_equal(forces(Labelled(numpy.array([1e-7, 2e-7]), long_name="radius")), FORCES)
 
 
@@ -76,9 +76,9 @@ def test_unit_among_attributes_is_read(word: str, is_listed: bool) -> None:
 
 
 def test_unit_of_another_package_inside_a_labelled_array_is_refused() -> None:
-    of_astropy = SimpleNamespace(unit="nm", value=numpy.array([100.0]))
+    quantity = SimpleNamespace(unit="nm", value=numpy.array([100.0]))
     with pytest.raises(jkroll.JkrollError, match="only those of pint and astropy are read"):
-        forces(Labelled(of_astropy))
+        forces(Labelled(quantity))
 
 
 @pytest.mark.parametrize("words", [{"units": "nm"}, {"unit": "nm"}, {"dims": ()}])
@@ -97,7 +97,7 @@ def test_uncertain_value_with_a_unit_is_refused(words: dict[str, Any]) -> None:
 
 
 class Index:
-    """Labels of pandas."""
+    """Labels, like an Index of pandas."""
 
     def __init__(self, *labels: object) -> None:
         self.labels = labels
@@ -108,7 +108,7 @@ class Index:
 
 
 class Series:
-    """Numbers with labels, as a Series of pandas has them."""
+    """Numbers with labels, like a Series of pandas."""
 
     dtype = numpy.dtype(float)
 
@@ -121,7 +121,7 @@ class Series:
 
 
 def labelled(numbers: list[float], dimension: str, *labels: object) -> Labelled:
-    """Return numbers with labels, as an array of xarray has them."""
+    """Return numbers with labels, like an array of xarray."""
     found = Labelled(numpy.array(numbers))
     found.dims, found.indexes = (dimension,), {dimension: Index(*labels)} if labels else {}
     return found
@@ -139,22 +139,22 @@ UNLIKE = {
     "more labels": (Series([*ENERGIES, 1.0], "a", "b", "c"), Series(SIZES, "a", "b"), "indexes"),
     "other dimensions": (labelled(ENERGIES, "y"), labelled(SIZES, "x"), "dimensions"),
     "other coordinates": (labelled(ENERGIES, "x", 1, 2), labelled(SIZES, "x", 2, 3), "indexes"),
-    "with coordinates and without": (labelled(ENERGIES, "x", 1, 2), labelled(SIZES, "x"), "indexes"),
+    "coordinates on one side only": (labelled(ENERGIES, "x", 1, 2), labelled(SIZES, "x"), "indexes"),
     "in lists": ([Series(ENERGIES, "a", "b")], [Series(SIZES, "b", "a")], "indexes"),
 }
 
 
 @pytest.mark.parametrize("door", DOORS)
 @pytest.mark.parametrize("case", UNLIKE)
-def test_arrays_with_other_labels_are_refused(case: str, door: str) -> None:
-    """Taken by position, two of these would combine values of different grains."""
-    first, second, lack = UNLIKE[case]
-    words = rf"\w+ and \w+ have different {lack}: align them first, or give numpy arrays"
+def test_arrays_with_different_labels_are_refused(case: str, door: str) -> None:
+    """Combined by position, two such arrays would pair values of different grains."""
+    first, second, unlike = UNLIKE[case]
+    words = rf"\w+ and \w+ have different {unlike}: align them first, or give numpy arrays"
     with pytest.raises(jkroll.JkrollError, match=words):
         DOORS[door](first, second)
 
 
-def test_arrays_with_the_same_labels_are_taken_by_position() -> None:
+def test_arrays_with_equal_labels_or_none_are_combined_by_position() -> None:
     exact = [3 * math.pi * 0.025 * 50e-9, 3 * math.pi * 0.05 * 100e-9]
     for first, second in (
         (Series(ENERGIES, "a", "b"), Series(SIZES, "a", "b")),
@@ -167,8 +167,8 @@ def test_arrays_with_the_same_labels_are_taken_by_position() -> None:
 # --- Correlations -----------------------------------------------------------------------------------------------------
 
 
-def test_inputs_that_are_correlated_are_refused() -> None:
-    """If they counted as independent, P_c would have an error of 1.67e-9 N; it has 2.356e-9 N, a fifth of P_c."""
+def test_correlated_inputs_are_refused() -> None:
+    """The error of P_c is 2.356e-9 N, a fifth of P_c; independent inputs would give 1.67e-9 N."""
     uncertainties = pytest.importorskip("uncertainties")
     energy = uncertainties.ufloat(0.025, 0.005)
     words = (
@@ -184,7 +184,7 @@ def test_inputs_that_are_correlated_are_refused() -> None:
     assert math.isclose(advised.std_dev, 0.2 * 3 * math.pi * 0.025 * 50e-9, rel_tol=1e-6)
 
 
-def test_inputs_that_are_independent_are_taken() -> None:
+def test_independent_inputs_are_accepted() -> None:
     """A change of one γ by 20 % changes w by 10 %, and both changes add in quadrature."""
     uncertainties = pytest.importorskip("uncertainties")
     first, second = (uncertainties.ufloat(0.025, 0.0025) for _ in range(2))
@@ -196,7 +196,7 @@ def test_inputs_that_are_independent_are_taken() -> None:
 
 
 def test_formula_converts_quantities_and_numbers_in_si_units() -> None:
-    """(3/2)πwR for w = 50 mJ/m², R = 75 nm; once, 75 was taken for metres and the force came out in nm."""
+    """The force is (3/2)πwR for w = 50 mJ/m² and R = 75 nm; 75 was once taken for metres, with a force in nm."""
     exact = 3 * math.pi / 2 * 0.05 * 75e-9
     for energy, radius in (
         (0.05, Quantity(75, "nm")),
@@ -209,7 +209,7 @@ def test_formula_converts_quantities_and_numbers_in_si_units() -> None:
         assert str(force.units) == "newton"  # as in results of solve
 
 
-def test_formula_converts_quantities_that_the_nomenclature_does_not_have() -> None:
+def test_formula_converts_parameters_outside_the_nomenclature() -> None:
     lengths: dict[str, Any] = {"distance": Quantity(3, "nm"), "contact_radius_at_load": Quantity(0.005, "um")}
     found: Any = jkroll.formulas.pressure(**lengths, hertz_pressure=Quantity(1.0, "GPa"), boussinesq_pressure=-1e6)
     assert math.isclose(found.m_as("Pa"), 0.8e9 - 1e6 / 0.8, rel_tol=1e-14)  # √(1 − (r/a)²) = 0.8
@@ -230,13 +230,13 @@ def test_formula_converts_quantities_that_the_nomenclature_does_not_have() -> No
         ({}, "pull_off_force takes work_of_adhesion and reduced_radius, each by its name"),
     ],
 )
-def test_formula_refuses_in_words(given: dict[str, Any], words: str) -> None:
+def test_formula_refuses_wrong_arguments_with_a_reason(given: dict[str, Any], words: str) -> None:
     with pytest.raises(jkroll.JkrollError, match=words):
         jkroll.formulas.pull_off_force(**{"work_of_adhesion": 0.05, **given})
 
 
-def test_formula_outside_its_domain_says_why() -> None:
-    """The error is the ValueError that the formulas promise, too."""
+def test_formula_gives_the_reason_outside_its_domain() -> None:
+    """The error is also a ValueError, as the formulas promise."""
     wrong: list[tuple[Callable[..., Any], dict[str, Any], str]] = [
         (
             jkroll.formulas.load_margin,
@@ -268,20 +268,20 @@ class Raises:
         raise RuntimeError("not on this device")
 
 
-NUMBERS: dict[str, Any] = {  # of 100 nm each
-    "of 80 bits": numpy.longdouble(1e-7),
-    "of no dimension": numpy.array(1e-7),
+NUMBERS: dict[str, Any] = {  # each is 100 nm
+    "a number of 80 bits": numpy.longdouble(1e-7),
+    "an array without axes": numpy.array(1e-7),
     "in nested lists": [[1e-7]],
     "from the standard library": array.array("d", [1e-7]),
     "without a masked cell": numpy.ma.array([1e-7], mask=[False]),
     "in a Quantity of 16 bits": Quantity(numpy.array([100], numpy.float16), "nm"),
     "in a Quantity of bytes": Quantity(numpy.array([100], numpy.uint8), "nm"),
-    "in a Quantity of no dimension": Quantity(numpy.array(100.0), "nm"),
+    "in a Quantity without axes": Quantity(numpy.array(100.0), "nm"),
 }
 ODD: dict[str, Any] = {
     "none": None,
-    "a truth": numpy.bool_(True),
-    "truths": [True],
+    "a Boolean": numpy.bool_(True),
+    "Booleans": [True],
     "complex": 1e-7 + 0j,
     "Decimal": Decimal("1e-7"),
     "Fraction": Fraction(1, 10**7),
@@ -294,22 +294,22 @@ ODD: dict[str, Any] = {
     "ragged": [[1e-7], [1e-7, 2e-7]],
     "a huge integer": [10**400],
     "objects": numpy.array([1e-7], dtype=object),
-    "words": numpy.array(["100 nm"]),
+    "texts": numpy.array(["100 nm"]),
     "records": numpy.zeros(2, dtype=[("radius", float)]),
     "masked": numpy.ma.array([1e-7, 2e-7], mask=[False, True]),
     "a masked cell": numpy.ma.masked,
     "a date": datetime.date(2024, 1, 1),
     "dates": numpy.array(["2024-01-01"], dtype="M8[D]"),
     "a duration": numpy.timedelta64(5, "ns"),
-    "raises": Raises(),
+    "a container that raises an error": Raises(),
     "a type": float,
     "a unit": pint.application_registry.nm,
     "a Quantity without a dimension": Quantity(1e-7),
     "a temperature": Quantity(20, "degC"),
-    "a level": Quantity(3, "dB"),
+    "a level in decibels": Quantity(3, "dB"),
     "a masked Quantity": Quantity(numpy.ma.array([100.0, 200.0], mask=[False, True]), "nm"),
     "a Quantity of objects": Quantity(numpy.array([100.0], dtype=object), "nm"),
-    "a Quantity of words": Quantity(numpy.array(["a"]), "nm"),
+    "a Quantity of texts": Quantity(numpy.array(["a"]), "nm"),
     "a Quantity of a Decimal": Quantity(Decimal(100), "nm"),
     "a dtype with units": SimpleNamespace(dtype=SimpleNamespace(units="nm")),
 }
@@ -338,19 +338,19 @@ AT: dict[str, Callable[[Any], Any]] = {
     "path": jkroll.Materials,
     "value": lambda odd: jkroll.Measured(odd, 1e-9),
 }
-# Differences that a door has by intention: no material, no law, or float() of a number.
+# Values that an entry point accepts on purpose: no material, no law, or a number that float() converts.
 TAKEN = {("material", "none"), ("model", "none"), ("value", "Decimal"), ("value", "Fraction")}
 
 
 @pytest.mark.parametrize("number", NUMBERS)
-def test_number_of_any_kind_gives_the_right_number(number: str) -> None:
+def test_every_kind_of_number_is_read_as_100_nm(number: str) -> None:
     found = forces(NUMBERS[number])
     assert numpy.allclose(getattr(found, "magnitude", found), FORCES[0], rtol=1e-14)
 
 
 @pytest.mark.filterwarnings("ignore:Warning. converting a masked element:UserWarning")  # from numpy
 @pytest.mark.parametrize("door", AT)
-def test_odd_container_is_refused_in_words(door: str) -> None:
+def test_other_objects_are_refused_with_a_message(door: str) -> None:
     for name, odd in ODD.items():
         if (door, name) not in TAKEN:
             with pytest.raises(jkroll.JkrollError, match=r"\w{3}"):
@@ -361,8 +361,8 @@ def test_odd_container_is_refused_in_words(door: str) -> None:
 
 
 @pytest.mark.slow
-def test_xarray() -> None:
-    """An array with its unit is read, and so are a variable, one element, a list of elements, and pieces of dask."""
+def test_arrays_of_xarray_are_read_with_their_units() -> None:
+    """Arrays, variables, elements and lists of elements are read; a unit stated twice and a Dataset are refused."""
     xarray = pytest.importorskip("xarray")
     array = xarray.DataArray(RADII)
     for radii in (array, array.variable, [array[0], array[1]], [array.variable[0], RADII[1]]):
@@ -376,7 +376,7 @@ def test_xarray() -> None:
         forces(xarray.Dataset({"data": array}))
 
 
-def test_dask() -> None:
+def test_arrays_of_dask_are_read_with_their_units() -> None:
     array = pytest.importorskip("dask.array")
     inside = array.from_array(RADII, asarray=False)
     outside = Quantity(array.from_array(numpy.array([100.0, 200.0]), chunks=1), "nm")
@@ -384,7 +384,7 @@ def test_dask() -> None:
         assert numpy.allclose(in_newtons(forces(radii)), FORCES, rtol=1e-14)
 
 
-def test_pandas() -> None:
+def test_series_of_pandas_are_read_and_unlike_labels_refused() -> None:
     pandas = pytest.importorskip("pandas")
     radii = pandas.Series([1e-7, 2e-7])
     assert numpy.array_equal(forces(radii), FORCES)

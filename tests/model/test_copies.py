@@ -1,4 +1,4 @@
-"""Public names, answers and errors are copied, and sent to another process and back, without a loss."""
+"""Public names, answers and errors survive copying and the way to another process and back."""
 
 import copy
 import math
@@ -40,7 +40,7 @@ def test_public_name_is_copied(name: str) -> None:
             assert again is original
 
 
-def test_nomenclature_is_pickled_by_a_process_that_has_imported_nothing_else() -> None:
+def test_nomenclature_can_be_pickled_right_after_the_import() -> None:
     code = "import jkroll, pickle; print(pickle.loads(pickle.dumps(jkroll.NOMENCLATURE))['radius'].symbol)"
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout == "R1\n"
 
@@ -60,7 +60,7 @@ ANSWERS: dict[str, dict[str, Any]] = {
 
 @pytest.mark.parametrize("asked", ANSWERS)
 def test_answer_is_copied(asked: str) -> None:
-    """Before and after it was shown, since showing it computes its texts."""
+    """An answer is copied before and after it is shown, since showing it computes its texts."""
     answered = jkroll.answer(asked, **ANSWERS[asked])
     before = [pickle.loads(pickle.dumps(answered)), copy.deepcopy(answered)]
     print(answered, repr(answered), answered.doubts, answered.best)
@@ -128,7 +128,7 @@ EVERY_ERROR = [*every_error()]
 
 
 def kinds_of(kind: type[JkrollError]) -> Iterator[type[JkrollError]]:
-    """Iterate over the types of errors that jkroll raises."""
+    """Iterate over all subclasses of a type of error."""
     for each in kind.__subclasses__():
         yield each
         yield from kinds_of(each)
@@ -167,7 +167,7 @@ def test_another_process_computes_and_answers() -> None:
         assert error.cause == BEYOND_PULL_OFF
 
 
-def test_top_level_names_are_those_that_one_uses() -> None:
+def test_top_level_of_jkroll_has_few_names_and_errors_point_to_the_formulas() -> None:
     assert len(dir(jkroll)) < 25
     assert {"answer", "solve", "table", "fit", "infer", "formulas"} <= {*dir(jkroll)}
     with pytest.raises(AttributeError, match=r"it is jkroll\.formulas\.pull_off_force"):

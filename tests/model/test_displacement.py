@@ -1,4 +1,4 @@
-"""Measured forces instead of the assumed yield displacement, and adhesion hysteresis as a part of w."""
+"""Measured rolling forces in place of the assumed yield displacement, and adhesion hysteresis as a fraction of w."""
 
 from math import inf, sqrt
 from typing import Any
@@ -27,7 +27,7 @@ def best(scene: Frame, name: str) -> Estimate:
 
 
 @pytest.mark.parametrize(("solid", "solids"), [(SIO2, "SiO2"), ("ice-warm", "water ice")])
-def test_the_forces_are_those_that_are_compared_with_their_errors(solid: str, solids: str) -> None:
+def test_measured_rolling_forces_span_those_of_the_validation_table(solid: str, solids: str) -> None:
     rows = [row for row in MEASUREMENTS if row.quantity == "yield_force" and row.solids == solids]
     rolled = ROLLED[solid]
     assert [value_of(row.given["radius"], "radius") for row in rows] == [approx(rolled.radius)] * len(rows)
@@ -41,18 +41,18 @@ def test_the_forces_are_those_that_are_compared_with_their_errors(solid: str, so
 
 @pytest.mark.parametrize("gamma", ["20 mJ/m2", "25 mJ/m2", "22±2 mJ/m2"])
 @pytest.mark.parametrize("material", ["quartz", "silica-humid"])
-def test_at_the_spheres_that_were_rolled_stand_their_forces(material: str, gamma: str) -> None:
+def test_best_range_at_the_measured_radius_is_the_measured_force(material: str, gamma: str) -> None:
     """The displacement follows from the force and γ, so the force does not depend on γ, and has no error bar from γ."""
     scene = of(material, 0.95e-6, surface_energy=value_of(gamma, "surface_energy"))
     assert best(scene, "yield_force") == (approx(0.69e-9), approx(1.57e-9), "scaled")
 
 
-def test_ice_has_the_force_that_was_measured_and_not_its_scaled_surface_energy() -> None:
+def test_best_range_of_warm_ice_is_the_measured_force_at_any_surface_energy() -> None:
     assert best(of("ice-warm", 1.45e-6), "yield_force") == (approx(9.10e-9), approx(13.86e-9), "scaled")
     assert best(of("ice-warm", 1.45e-6, surface_energy=0.1), "yield_force")[:2] == (approx(9.10e-9), approx(13.86e-9))
 
 
-def test_what_follows_from_the_force_alone_has_a_power_of_it() -> None:
+def test_rolling_results_scale_with_a_power_of_the_measured_force() -> None:
     """The power is the same by every law, though the values at the same ξ differ."""
     scene = of("quartz", 3e-7, energy_ratio=10.0)  # enough energy for rolling to begin at both ends
     parts = [end / scene["yield_force"] for end in best(scene, "yield_force")[:2]]
@@ -63,21 +63,21 @@ def test_what_follows_from_the_force_alone_has_a_power_of_it() -> None:
     assert best(scene, "pull_off_force").by == "Maugis"
 
 
-def test_a_range_of_radii_has_the_ends_of_both() -> None:
+def test_a_range_of_radii_has_the_lower_end_of_the_least_and_the_upper_end_of_the_largest_radius() -> None:
     wide, small, large = (
         best(of("quartz", value_of(text, "radius")), "yield_force") for text in ("0.1 to 1 um", "0.1um", "1um")
     )
     assert wide == (approx(small.low), approx(large.high), "scaled")
 
 
-def test_a_sphere_on_a_plane_counts_by_the_reduced_radius() -> None:
+def test_a_sphere_on_a_plane_has_the_yield_angle_of_a_pair_with_its_reduced_radius() -> None:
     """The contact and ξ/R are the same."""
     on_plane, pair = of("quartz", 2e-7, radius2=inf), of("quartz", 4e-7)
     ours, theirs = best(on_plane, "yield_angle"), best(pair, "yield_angle")
     assert ours == (approx(theirs.low), approx(theirs.high), "scaled")
 
 
-def test_polystyrene_has_a_displacement_of_its_own() -> None:
+def test_polystyrene_has_its_own_measured_displacement() -> None:
     """The displacement is the same by each law, and the forces differ."""
     scene = of("polystyrene", 5e-6, radius2=inf)
     (row,) = [row for row in MEASUREMENTS if row.solids == "polystyrene on glass" and row.given["radius"] == "5 um"]
@@ -105,17 +105,17 @@ def test_polystyrene_has_a_displacement_of_its_own() -> None:
         ("quartz", 1e-6, {"model": "jkr"}, "JKR"),
     ],
 )
-def test_where_nothing_of_the_solid_was_measured_or_the_user_decides(
+def test_measured_forces_apply_neither_to_other_pairs_nor_with_given_inputs(
     material: str, radius: float, given: dict[str, Any], by: str
 ) -> None:
     assert best(of(material, radius).replace(**given), "yield_force").by == by
 
 
-# --- Hysteresis as a part ---------------------------------------------------------------------------------------------
+# --- Hysteresis as a fraction -----------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("model", ["jkr", "maugis"])
-def test_a_part_of_the_work_of_adhesion(model: str) -> None:
+def test_a_hysteresis_fraction_gives_the_same_moment_and_displacement_as_its_energy(model: str) -> None:
     scene = of("quartz", 1e-6).replace(model=model)
     names = ("yield_moment", "yield_displacement")
     of_part = scene.replace(hysteresis_fraction=0.4).numbers(*names)
@@ -123,7 +123,7 @@ def test_a_part_of_the_work_of_adhesion(model: str) -> None:
     assert scene.replace(yield_displacement=of_part["yield_displacement"])["hysteresis_ratio"] == approx(0.4)
 
 
-def test_hysteresis_is_an_energy_or_a_part_of_w_and_says_what_it_stands_for(run: Run) -> None:
+def test_hysteresis_is_an_energy_or_a_fraction_of_w_which_the_explanation_states(run: Run) -> None:
     energy = run("n-grav quartz 1um --adhesion-hysteresis 20mJ/m2")
     for text in ("--hysteresis-fraction 40%", "--hysteresis-fraction 0.4"):
         part = run(f"n-grav quartz 1um {text}")

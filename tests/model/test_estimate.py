@@ -1,4 +1,4 @@
-"""The best range of a number: each rule against values that anyone can compute."""
+"""The best range of each result: every rule against values by `solve` or by hand."""
 
 from collections.abc import Mapping
 from math import inf, isnan, nan, pi
@@ -19,7 +19,7 @@ SPACINGS = (4e-10, 2e-10)
 
 
 def best(names: str, material: str | None = None, model: str | None = None, **given: Any) -> dict[str, Estimate]:
-    """Return estimates, with the words of their rules."""
+    """Return estimates, with their rules in words."""
     solid = None if material is None else known_materials()[material]
     frame = Frame(given, solid, model=model)
     found = estimates(Results(frame, frame.columns(names.split())), names.split())
@@ -34,20 +34,23 @@ def by_maugis(name: str, **given: Any) -> list[float]:
 QUARTZ: Mapping[str, Any] = {"material": "quartz", "radius": 1e-7}
 
 
-def test_a_pull_off_force_is_from_maugis_to_lennard_jones() -> None:
+def test_pull_off_force_ranges_from_maugis_to_lennard_jones() -> None:
     force = best("pull_off_force", **QUARTZ)["pull_off_force"]
     least = min(by_maugis("pull_off_force", **QUARTZ))
     assert force == (approx(least), approx(solve("pull_off_force_lennard_jones", **QUARTZ)), "Maugis")
 
 
-def test_where_laws_are_within_5_percent_both_are_the_range() -> None:
+def test_range_spans_jkr_and_maugis_if_they_agree_within_5_percent() -> None:
     frequency = best("vertical_frequency", **QUARTZ)["vertical_frequency"]
     values = [solve("vertical_frequency", **QUARTZ), *by_maugis("vertical_frequency", **QUARTZ)]
     assert frequency == (approx(min(values)), approx(max(values)), "JKR")
 
 
-def test_an_error_bar_is_in_the_range_and_moves_no_law() -> None:
-    """At 1 mm of iron all laws agree within 5 %, however uncertain γ is; at 100 nm each end follows its own law."""
+def test_range_includes_uncertainty_which_does_not_change_the_rule() -> None:
+    """For iron spheres of radius 1 mm all laws agree within 5 %, however uncertain γ is.
+
+    For small spheres of radius 100 nm, each end follows a different law.
+    """
     gamma = value_of("20 to 30 mJ/m2", "surface_energy")
     small: dict[str, Any] = {"radius": 1e-7, "youngs_modulus": 54e9, "poisson_ratio": 0.17}
     low, high, by = best("pull_off_force", surface_energy=gamma, **small)["pull_off_force"]
@@ -56,22 +59,22 @@ def test_an_error_bar_is_in_the_range_and_moves_no_law() -> None:
     assert (low, high, by) == (approx(least), approx(most), "Maugis")
     of_iron = best("pull_off_force", "iron", radius=1e-3, surface_energy=value_of("1 to 2 J/m2", "surface_energy"))
     assert of_iron["pull_off_force"].by == "JKR"
-    # R_min = R1R2/ξ and δ_α = ξ/R do not depend on a law; a solid with a range of ξ may lack a modulus.
+    # R_min = R1R2/ξ and δ_α = ξ/R do not depend on a law, so these need no modulus, even if ξ has a range.
     for name in ("r_min", "yield_angle"):
         displacement = value_of("1 to 3 nm", "yield_displacement")
         assert best(name, radius=1e-7, surface_energy=0.025, yield_displacement=displacement)[name].by == "any law"
 
 
 @pytest.mark.parametrize("radius", [1e-7, 0.95e-6, 2e-6])
-def test_forces_that_rolled_are_scaled_as_the_radius_or_its_power(radius: float) -> None:
+def test_measured_rolling_forces_scale_with_r_or_r_to_the_two_thirds(radius: float) -> None:
     force = best("yield_force", "quartz", radius=radius)["yield_force"]
     scale = radius / 0.95e-6
     both = scale, scale ** (2 / 3)
     assert force == (approx(0.69e-9 * min(both), rel=1e-9), approx(1.57e-9 * max(both), rel=1e-9), "scaled")
 
 
-def test_what_follows_from_a_displacement_has_that_of_every_law() -> None:
-    """ξ is proportional to the force, with another factor for each law."""
+def test_r_min_covers_the_displacements_that_all_laws_derive_from_measured_forces() -> None:
+    """ξ is proportional to the force, with a different factor for each law."""
     low, high, by = best("r_min", **QUARTZ)["r_min"]
     every = {**QUARTZ, "yield_displacement": 2e-10}
     forces = [solve("yield_force", **every), *by_maugis("yield_force", **every)]
@@ -81,7 +84,7 @@ def test_what_follows_from_a_displacement_has_that_of_every_law() -> None:
     assert (low, high, by) == (approx(min(bends), rel=1e-9), approx(max(bends), rel=1e-9), "scaled")
 
 
-def test_an_unknown_displacement_is_from_an_atom_to_all_of_the_work() -> None:
+def test_unknown_xi_ranges_from_one_atom_to_loss_of_all_work_of_adhesion() -> None:
     given: dict[str, Any] = {"material": "silica-dry", "radius": 2.5e-7}
     force = best("yield_force", **given)["yield_force"]
     at_an_atom = by_maugis("yield_force", yield_displacement=2e-10, **given)
@@ -90,11 +93,11 @@ def test_an_unknown_displacement_is_from_an_atom_to_all_of_the_work() -> None:
     assert force == (approx(min(at_an_atom)), approx(max(at_most)), "ξ unknown")
 
 
-def test_without_a_contact_one_end_is_open() -> None:
+def test_r_min_has_only_an_upper_end_if_only_the_radius_is_given() -> None:
     assert best("r_min", radius=1e-7)["r_min"] == (approx(nan, nan_ok=True), approx(5e-5), "ξ unknown")
 
 
-def test_adhesion_alone_sets_one_end_or_none() -> None:
+def test_without_a_jump_lost_energy_has_only_an_upper_end_and_restitution_is_open() -> None:
     given: dict[str, Any] = {"material": "quartz", "radius": 1e-8, "speed": 20.0}
     found = best("restitution lost_energy", **given)
     assert {estimate.by for estimate in found.values()} == {"adhesion only"}
@@ -103,8 +106,8 @@ def test_adhesion_alone_sets_one_end_or_none() -> None:
     assert found["lost_energy"].high == approx(solve("lost_energy", **given))
 
 
-def test_small_hard_spheres_stick_at_1_to_10_times_the_speed_of_jkr_with_a_jump_or_without() -> None:
-    """Energies are proportional to the square of the speed. Below the least of these speeds no energy is left."""
+def test_small_hard_spheres_stick_at_1_to_10_times_the_speed_by_jkr_with_or_without_a_jump() -> None:
+    """Energies are proportional to the square of the speed. Below the least of these speeds the spheres stick."""
     for solid in ("quartz", "silica-dry"):
         given: dict[str, Any] = {"material": solid, "radius": 9e-8}
         found = best("sticking_speed sticking_energy restitution", **given, speed=0.5)
@@ -116,14 +119,14 @@ def test_small_hard_spheres_stick_at_1_to_10_times_the_speed_of_jkr_with_a_jump_
     assert of_rubber.by == "JKR"
 
 
-def test_other_losses_lower_what_a_jump_leaves() -> None:
+def test_other_losses_lower_the_restitution() -> None:
     found = best("restitution", "silica-dry", radius=1e-7, speed=5.0)["restitution"]
     given: dict[str, Any] = {"material": "silica-dry", "radius": 1e-7, "speed": 5.0}
     most = max(solve("restitution", **given), *by_maugis("restitution", **given))
     assert found == (0.0, approx(most), "adhesion only")
 
 
-def test_a_chain_that_a_displacement_ends_has_the_other_end() -> None:
+def test_n_grav_has_only_an_upper_end_if_the_least_xi_holds_no_sphere() -> None:
     """At ξ = 2 Å no sphere is held level (N < 1); at the largest ξ some are, as N² is proportional to ξ."""
     given: dict[str, Any] = {"material": "silica-dry", "radius": 3e-5, "yield_displacement": 2e-10}
     assert solve("n_grav", **given) < 1
@@ -142,7 +145,7 @@ def test_a_chain_that_a_displacement_ends_has_the_other_end() -> None:
         ("pull_off_work_at_dead_load", "dead_load_work_lennard_jones"),
     ],
 )
-def test_energies_to_separate_are_from_maugis_to_lennard_jones_in_smooth_contacts(
+def test_separation_energies_range_from_maugis_to_lennard_jones_without_a_jump(
     name: str, by_lennard_jones: str
 ) -> None:
     low, high, by = best(name, **QUARTZ)[name]
@@ -151,38 +154,38 @@ def test_energies_to_separate_are_from_maugis_to_lennard_jones_in_smooth_contact
     assert low > solve(name, **QUARTZ)
 
 
-def test_energies_with_a_jump_are_by_maugis_alone() -> None:
-    """The Tabor parameter of a millimetre of quartz is 2.9."""
+def test_separation_energies_with_a_jump_leave_out_lennard_jones() -> None:
+    """Quartz spheres of radius 1 mm have a Tabor parameter of 2.9."""
     big = {**QUARTZ, "radius": 1e-3}
     energy, ends = best("pull_off_work", **big)["pull_off_work"], by_maugis("pull_off_work", **big)
     own = solve("pull_off_work", **big)
     assert energy == (approx(min(own, *ends)), approx(max(own, *ends)), "JKR")
 
 
-def test_aggregates_break_up_as_their_contacts_do() -> None:
-    """The energy of Wada's fit is proportional to the work to part two spheres, and the speed to its root."""
+def test_disruption_of_aggregates_scales_with_the_work_to_part_two_spheres() -> None:
+    """The energy of Wada's fit is proportional to the work to part two spheres, the speed to the root of that work."""
     crowd = {**QUARTZ, "density": 2600.0, "monomers": 1000.0}
     parted = best("pull_off_work", **crowd)["pull_off_work"].high / solve("pull_off_work", **crowd)
     for name, power in (("disruption_energy", 1), ("disruption_speed", 0.5)):
         assert best(name, **crowd)[name].high / solve(name, **crowd) == approx(parted**power)
 
 
-def test_without_a_modulus_a_pull_off_force_is_from_jkr_to_dmt() -> None:
-    """3πγR and 4πγR, R = R1/2."""
+def test_without_a_modulus_the_pull_off_force_ranges_from_jkr_to_dmt() -> None:
+    """The ends are 3πγR and 4πγR, with R = R1/2."""
     force = best("pull_off_force", radius=1e-7, surface_energy=0.025)["pull_off_force"]
     assert force == (approx(3 * pi * 0.025 * 0.5e-7), approx(4 * pi * 0.025 * 0.5e-7), "JKR to DMT")
 
 
 @pytest.mark.parametrize(("radius", "speed"), [(0.25e-6, 1.909), (0.6e-6, 1.2)])
 @pytest.mark.parametrize("solid", ["quartz", "silica-dry", "silica-humid"])
-def test_silica_sticks_to_a_plane_as_it_was_measured(solid: str, radius: float, speed: float) -> None:
+def test_sticking_speed_of_silica_on_a_plane_is_the_measured_one(solid: str, radius: float, speed: float) -> None:
     found = best("sticking_speed", solid, radius=radius, radius2=inf)["sticking_speed"]
     assert found == (approx(0.7 * speed, rel=1e-3), approx(1.3 * speed, rel=1e-3), "measured")
 
 
 @pytest.mark.parametrize("other", [{"radius": 0.2e-6}, {"radius": 0.7e-6}, {"radius2": 0.5e-6}])
-def test_speeds_that_stuck_are_carried_in_proportion_to_the_law(other: dict[str, Any]) -> None:
-    """The speed by JKR has the same ratio to the speeds of spheres of 0.25 and 0.6 µm on a plane."""
+def test_measured_sticking_speeds_scale_with_the_speed_by_jkr(other: dict[str, Any]) -> None:
+    """The ratio of the estimate to JKR's speed is that measured for spheres of 0.25 and 0.6 µm on a plane."""
     given: dict[str, Any] = {"material": "quartz", "radius": 0.5e-6, "radius2": inf, **other}
     ratios = [
         measured / solve("sticking_speed", material="quartz", radius=radius, radius2=inf)
@@ -197,8 +200,8 @@ def test_speeds_that_stuck_are_carried_in_proportion_to_the_law(other: dict[str,
 
 
 @pytest.mark.parametrize("other", [{"radius": 4e-8}, {"viscous_time": 1e-12}, {"material": "polystyrene"}])
-def test_what_stuck_otherwise_was_not_measured(other: Mapping[str, Any]) -> None:
-    """Hard spheres were seen to stick at 1 to 10 times the speed by JKR, unless another loss is given."""
+def test_other_hard_spheres_stick_at_1_to_10_times_the_speed_by_jkr(other: Mapping[str, Any]) -> None:
+    """Hard spheres were seen to stick at these speeds. A given viscous time sets another rule."""
     given = {"material": "quartz", "radius": 0.5e-6, "radius2": inf, **other}
     speed, found = solve("sticking_speed", **given), best("sticking_speed", **given)["sticking_speed"]
     assert (found.by == "measured") == ("viscous_time" not in other)
@@ -210,41 +213,44 @@ def test_what_stuck_otherwise_was_not_measured(other: Mapping[str, Any]) -> None
     ("model", "spacing", "word"),
     [("jkr", {}, "JKR"), ("maugis", {"atomic_spacing": 3e-10}, "Maugis"), ("dmt", {}, "DMT")],
 )
-def test_a_law_that_is_given_decides(model: str, spacing: dict[str, Any], word: str) -> None:
+def test_a_given_law_alone_sets_the_estimate(model: str, spacing: dict[str, Any], word: str) -> None:
     force = solve("pull_off_force", model=model, **spacing, **QUARTZ)
     estimate = best("pull_off_force", model=model, **spacing, **QUARTZ)["pull_off_force"]
     assert estimate == (approx(force), approx(force), word)
 
 
-def test_a_law_that_is_given_leaves_the_atomic_spacing_open() -> None:
+def test_under_a_given_law_the_range_spans_the_likely_atomic_spacings() -> None:
     estimate = best("pull_off_force", model="maugis", **QUARTZ)["pull_off_force"]
     ends = by_maugis("pull_off_force", **QUARTZ)
     assert estimate == (approx(min(ends)), approx(max(ends)), "z0 assumed")
 
 
-def test_an_atomic_spacing_that_is_given_is_the_only_one() -> None:
+def test_with_a_given_atomic_spacing_the_range_has_no_other() -> None:
     estimate = best("pull_off_force", atomic_spacing=3e-10, **QUARTZ)["pull_off_force"]
     least = solve("pull_off_force", model="maugis", atomic_spacing=3e-10, **QUARTZ)
     most = solve("pull_off_force_lennard_jones", atomic_spacing=3e-10, **QUARTZ)
     assert estimate == (approx(least), approx(most), "Maugis")
 
 
-def test_what_every_law_computes_alike_is_of_any_law() -> None:
-    """The Rayleigh time has no law; the Tabor parameter has the atomic spacing, which is known to a factor of two."""
+def test_results_with_the_same_formula_in_every_law_have_the_rule_any_law() -> None:
+    """The Rayleigh time depends on no law of attraction.
+
+    The Tabor parameter depends on the atomic spacing, which is known to a factor of two.
+    """
     found = best("rayleigh_time tabor_parameter", **QUARTZ)
     assert found["rayleigh_time"] == (*2 * (approx(solve("rayleigh_time", **QUARTZ)),), "any law")
     tabor = solve("tabor_parameter", **QUARTZ)
     assert found["tabor_parameter"] == (approx(tabor), approx(2 * tabor), "z0 assumed")
 
 
-def test_conventions_are_exact_and_laws_have_none() -> None:
+def test_conventions_are_exact_and_quantities_of_another_law_have_no_range() -> None:
     found = best("fold_energy sticking_speed_pencil_code pull_off_force_dmt", **QUARTZ)
     assert found["fold_energy"] == (*2 * (approx(solve("fold_energy", **QUARTZ)),), "definition")
     assert found["sticking_speed_pencil_code"].by == "definition"
     assert found["pull_off_force_dmt"].by == "–"
 
 
-def test_many_rows_have_the_ranges_of_each() -> None:
+def test_arrays_have_the_ranges_of_single_rows() -> None:
     radii = numpy.geomspace(1e-9, 1e-3, 60)
     names = "pull_off_force yield_force r_min sticking_speed pull_off_work rolling_frequency contact_radius_at_load"
     solid = known_materials()["quartz"]
@@ -259,7 +265,7 @@ def test_many_rows_have_the_ranges_of_each() -> None:
             assert of_row == [approx(part, rel=1e-12, nan_ok=True) for part in expected], (name, radius)
 
 
-def test_friction_that_is_assumed_is_known_to_an_order_of_magnitude() -> None:
+def test_sliding_results_span_a_third_to_three_times_the_assumed_shear_strength() -> None:
     """Forces are proportional to τ, energies to τ². A contact that peels off before it slides does so at any τ."""
     names = ("sliding_force", "sliding_energy", "sliding_or_peeling_force", "peeling_force")
     found = best(" ".join(names), **QUARTZ)

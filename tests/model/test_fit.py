@@ -24,7 +24,7 @@ def pulls(fit: Any) -> Any:
 
 
 @pytest.mark.parametrize(("sign", "baseline"), [(1, 0.0), (-1, 1e-8), (1, -2e-7)])
-def test_a_clean_curve_gives_back_what_made_it(sign: Any, baseline: Any) -> None:
+def test_a_curve_without_noise_gives_back_its_inputs(sign: Any, baseline: Any) -> None:
     z, force = jkr_curve(baseline=baseline)
     fit = fit_curve(ForceCurve(TRAVEL, sign * z, force), PROBE)
     assert fit.values["work_of_adhesion_opening"] == approx(0.06, rel=1e-4)
@@ -35,7 +35,7 @@ def test_a_clean_curve_gives_back_what_made_it(sign: Any, baseline: Any) -> None
     assert fit.values["hysteresis_fraction"] == approx(0.013 / 0.06, rel=1e-3)
 
 
-def test_a_pull_may_be_positive() -> None:
+def test_a_curve_with_positive_tension_is_reversed() -> None:
     z, force = jkr_curve()
     fit = fit_curve(ForceCurve(TRAVEL, z, -force), PROBE)
     assert fit.values["work_of_adhesion_opening"] == approx(0.06, rel=1e-4)
@@ -46,13 +46,13 @@ def test_a_pull_may_be_positive() -> None:
 @pytest.mark.parametrize(
     ("low", "high", "stiffness", "branches"),
     [
-        (-0.7e-6, 1.2e-6, 3.01, (LOADING, UNLOADING)),  # it ends before the jump-off
+        (-0.7e-6, 1.2e-6, 3.01, (LOADING, UNLOADING)),  # the curve ends before the jump-off
         (-0.7e-6, 1.2e-6, 3.01, (UNLOADING,)),
         (-6e-6, 0.3e-6, 3.01, (LOADING, UNLOADING)),  # in tension throughout
         (-0.3e-6, 4e-6, 30.0, (UNLOADING,)),
     ],
 )
-def test_a_pull_may_be_positive_where_no_end_of_the_travel_is_free(
+def test_positive_tension_is_recognized_in_incomplete_curves(
     low: Any, high: Any, stiffness: Any, branches: Any, sign: Any
 ) -> None:
     z, force = jkr_curve(low=low, high=high, stiffness=stiffness, branches=branches, count=300, baseline=0.0)
@@ -65,7 +65,7 @@ def test_a_pull_may_be_positive_where_no_end_of_the_travel_is_free(
 
 
 @pytest.mark.parametrize("seed", [0, 1, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(2, 10))])
-def test_curves_of_other_sizes(seed: Any) -> None:
+def test_curves_of_random_sizes_and_stiffnesses_give_back_w_and_the_modulus(seed: Any) -> None:
     rng = numpy.random.default_rng(seed)
     radius, w = 10 ** rng.uniform(-7, -3), 10 ** rng.uniform(-2.3, -0.7)
     modulus = w / radius * 10 ** rng.uniform(2, 4)
@@ -79,7 +79,7 @@ def test_curves_of_other_sizes(seed: Any) -> None:
     assert fit.values["contact_modulus"] == approx(modulus, rel=3e-3)
 
 
-def test_an_approach_is_measured_without_a_lever() -> None:
+def test_a_curve_over_the_approach_needs_no_lever() -> None:
     x = numpy.geomspace(1 / 6, 3, 300)[::-1]
     approach, load = jkr_state(x, 0.06, 1.75e6, 7.5e-6)
     away = numpy.linspace(approach[-1] - 1e-8, 2 * approach[-1], 100)
@@ -100,7 +100,7 @@ def test_contact_radii_need_no_contact_point() -> None:
     assert "contact_point" not in fit.values
 
 
-def test_of_contact_radii_the_part_with_a_resting_edge_is_left_out() -> None:
+def test_contact_radii_with_a_resting_edge_are_left_out_of_the_fit() -> None:
     """Unloading begins at the largest radius, and the edge rests until G has risen to w of opening."""
     modulus, radius, first = 2e6, 1e-3, 1e-4
     scatter = numpy.random.default_rng(1).normal(0, 1e-7, 79)
@@ -119,7 +119,7 @@ def test_of_contact_radii_the_part_with_a_resting_edge_is_left_out() -> None:
 
 
 def test_contact_radii_give_w_without_tension() -> None:
-    """The loads are 5 to 90 times the pull-off force, and none is tensile."""
+    """All loads are compressive, 5 to 300 times the pull-off force."""
     a = numpy.linspace(3e-4, 1e-4, 40)
     load = 4 / 3 * 2e6 * a**3 / 1e-3 - numpy.sqrt(8 * pi * 0.045 * 2e6 * a**3)
     fit = fit_curve(ForceCurve(RADIUS, a, load), Known(radius=1e-3))
@@ -130,7 +130,7 @@ def test_contact_radii_give_w_without_tension() -> None:
         fit_curve(ForceCurve(RADIUS, a, load), Known())
 
 
-def test_a_branch_of_a_column_may_stand_in_the_order_of_travel() -> None:
+def test_a_named_branch_may_be_sorted_by_travel() -> None:
     z, force = jkr_curve()
     top = int(numpy.argmax(z))
     names = numpy.where(numpy.arange(len(z)) < top, LOADING, UNLOADING).astype(object)
@@ -140,7 +140,7 @@ def test_a_branch_of_a_column_may_stand_in_the_order_of_travel() -> None:
     assert fit.values["work_of_adhesion_closing"] == approx(0.047, rel=1e-4)
 
 
-def test_the_only_branch_is_the_one_that_is_asked_for() -> None:
+def test_a_single_branch_is_fitted_as_the_branch_that_the_user_names() -> None:
     z, force = jkr_curve()
     back = slice(int(numpy.argmax(z)) + 1, None)
     alone = ForceCurve(TRAVEL, z[back][::-1], force[back][::-1])
@@ -149,14 +149,14 @@ def test_the_only_branch_is_the_one_that_is_asked_for() -> None:
     assert fit.values["work_of_adhesion_opening"] == approx(0.06, rel=1e-4)
 
 
-def test_the_covariance_has_the_sign_of_the_contact_point() -> None:
+def test_covariances_with_the_contact_point_change_sign_with_the_travel() -> None:
     z, force = jkr_curve()
     force = force + numpy.random.default_rng(3).normal(0, 1e-9, len(z))
     one, other = (fit_curve(ForceCurve(TRAVEL, sign * z, force), PROBE).covariance for sign in (1, -1))
     assert one[1, 2] == approx(-other[1, 2], rel=1e-3)
 
 
-def test_without_a_radius_products_are_fitted() -> None:
+def test_without_a_radius_the_fit_gives_products_with_the_radius() -> None:
     z, force = jkr_curve(branches=(UNLOADING,))
     fit = fit_curve(ForceCurve(TRAVEL, z, force), Known(stiffness=3.01))
     assert fit.values["work_of_adhesion_opening"] == approx(0.06 * 7.5e-6, rel=1e-3)
@@ -164,7 +164,7 @@ def test_without_a_radius_products_are_fitted() -> None:
     assert "radius-free" in fit.remarks
 
 
-def test_dmt_has_no_fold() -> None:
+def test_a_curve_by_dmt_gives_back_its_inputs() -> None:
     z = ramp(-4e-9, 6e-9, 500, UNLOADING)
     force = dmt_force(z, 0.02, 1e10, 5e-8, 40.0)
     fit = fit_curve(ForceCurve(TRAVEL, z, force), Known(radius=5e-8, stiffness=40.0, law="dmt"))
@@ -173,7 +173,7 @@ def test_dmt_has_no_fold() -> None:
     assert fit.law_that_holds == "maugis"
 
 
-def test_maugis_tends_to_jkr() -> None:
+def test_maugis_law_gives_back_the_inputs_of_a_jkr_curve() -> None:
     z, force = jkr_curve(branches=(UNLOADING,), count=250)
     fit = fit_curve(ForceCurve(TRAVEL, z, force), PROBE._replace(law="maugis"))
     assert fit.values["work_of_adhesion_opening"] == approx(0.06, rel=1e-3)
@@ -182,7 +182,7 @@ def test_maugis_tends_to_jkr() -> None:
 
 @pytest.mark.parametrize("name", ["jkr", "dmt", "maugis"])
 @pytest.mark.parametrize("grip", [Grip(3.0), Grip(), Grip(is_radius=True)], ids=["lever", "grips", "radius"])
-def test_derivatives_are_those_of_differences(name: Any, grip: Any) -> None:
+def test_derivatives_agree_with_finite_differences(name: Any, grip: Any) -> None:
     setting = Setting(curve_law(name, "paraboloid"), 1e-6, 4e-10, grip)
     contact = Contact(0.03, 1e7, 1e-6, 4e-10)
     last = setting.law.last(contact, grip)
@@ -207,7 +207,7 @@ def test_derivatives_are_those_of_differences(name: Any, grip: Any) -> None:
 
 @pytest.mark.parametrize("factor", [0.1, 0.2, 5.0, 10.0])
 @pytest.mark.parametrize("wrong", ["w", "modulus"])
-def test_a_start_may_be_wrong_by_ten(factor: Any, wrong: Any) -> None:
+def test_the_minimum_is_found_from_a_start_that_is_off_by_a_factor_of_10(factor: Any, wrong: Any) -> None:
     from jkroll.model.fit_minimum import with_point
 
     z, force = jkr_curve(branches=(UNLOADING,), baseline=0.0, count=300)
@@ -241,7 +241,7 @@ def test_scipy_finds_the_same_minimum() -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("phi", [0.0, 0.8])
-def test_the_statistical_error_is_as_large_as_it_says(phi: Any) -> None:
+def test_about_two_thirds_of_the_fits_lie_within_the_statistical_error(phi: Any) -> None:
     known = PROBE._replace(range=LoadRange(-1.0, 0.3, True))
     z, force = jkr_curve()
     every = [
@@ -253,7 +253,7 @@ def test_the_statistical_error_is_as_large_as_it_says(phi: Any) -> None:
     assert (inside < 0.75).all()
 
 
-def test_calibration_is_what_a_wrong_radius_and_spring_do() -> None:
+def test_the_calibration_error_is_the_change_by_a_wrong_radius_or_spring() -> None:
     z, force = jkr_curve(branches=(UNLOADING,))
     curve = ForceCurve(TRAVEL, z, force)
     errors = fit_curve(curve, PROBE._replace(radius_error=0.01)).errors
@@ -265,7 +265,7 @@ def test_calibration_is_what_a_wrong_radius_and_spring_do() -> None:
     assert "lever-decides" in by_spring.remarks
 
 
-def test_errors_add_in_squares() -> None:
+def test_errors_add_in_quadrature() -> None:
     z, force = jkr_curve()
     fit = fit_curve(
         ForceCurve(TRAVEL, z, force + autoregression(3, len(z), 3e-9, 0.5)), PROBE._replace(radius_error=0.01)
@@ -278,7 +278,7 @@ def test_errors_add_in_squares() -> None:
     assert fit.errors["adhesion_hysteresis"].statistical == approx(variance**0.5)
 
 
-def test_without_adhesion_there_is_an_upper_limit() -> None:
+def test_a_curve_without_adhesion_gives_an_upper_limit_of_w() -> None:
     z = ramp(-1e-6, 1e-6, 500, LOADING)
     force = 4 / 3 * 1e6 * 5e-6**0.5 * numpy.maximum(z, 0) ** 1.5
     force = force + numpy.random.default_rng(2).normal(0, 1e-10, len(z))
@@ -299,13 +299,13 @@ def test_without_adhesion_there_is_an_upper_limit() -> None:
         ([1.0] * 50, numpy.linspace(0, 1, 50), "no curve"),
     ],
 )
-def test_a_curve_that_is_none_says_so(z: Any, force: Any, phrase: Any) -> None:
+def test_data_without_a_curve_are_refused(z: Any, force: Any, phrase: Any) -> None:
     with pytest.raises(BadCurve) as refused:
         fit_curve(ForceCurve(TRAVEL, numpy.array(z, float), numpy.array(force, float)), PROBE)
     assert refused.value.phrase == phrase
 
 
-def test_gaps_and_outliers_are_survived() -> None:
+def test_the_fit_withstands_gaps_and_outliers() -> None:
     z, force = jkr_curve()
     rng = numpy.random.default_rng(11)
     force = force + rng.normal(0, 3e-9, len(force))
@@ -327,13 +327,13 @@ def test_a_sphere_is_distinguished_from_a_paraboloid() -> None:
     assert by_sphere.values["work_of_adhesion_opening"] == approx(0.06, rel=1e-3)
     assert by_sphere.values["contact_modulus"] == approx(1.0e6, rel=3e-3)
     by_paraboloid = fit_curve(ForceCurve(TRAVEL, z, force), PROBE)
-    assert 0.01 < 1 - by_paraboloid.values["work_of_adhesion_opening"] / 0.06 < 0.05  # J.1: 1 to 4 % low
+    assert 0.01 < 1 - by_paraboloid.values["work_of_adhesion_opening"] / 0.06 < 0.05  # too low
     assert "profile-matters" in by_paraboloid.remarks
 
 
 @pytest.mark.parametrize("stiffness", [0.3, 3.0, 300.0, numpy.inf])
-def test_states_of_a_sphere_are_those_of_the_physics(stiffness: float) -> None:
-    """`physics.sneddon` computes them in dimensionless form, with another variable."""
+def test_states_of_a_sphere_agree_with_physics_sneddon(stiffness: float) -> None:
+    """`physics.sneddon` computes the states in dimensionless form, with another variable."""
     radius, w, modulus = 7.5e-6, 0.06, 1e6
     setting = Setting(curve_law("jkr", "sphere"), radius, 4e-10, Grip(stiffness))
     contact = Contact(w, modulus, radius, 4e-10)

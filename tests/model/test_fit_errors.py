@@ -1,4 +1,4 @@
-"""The errors of a fit: moves by the instrument and the model; an unknown error is absent."""
+"""The errors of a fit: changes by the calibration of the instrument and by the model. Unknown errors are absent."""
 
 from pathlib import Path
 from typing import Any
@@ -45,8 +45,8 @@ def maugis_curve(w: float, modulus: float, radius: float, stiffness: float) -> F
 # --- Calibration ------------------------------------------------------------------------------------------------------
 
 
-def test_w_and_modulus_go_with_the_spring_of_a_deflection() -> None:
-    """The force is kd, and d is also the part P/k of the travel: w and E* are proportional to k."""
+def test_w_and_modulus_from_a_deflection_are_proportional_to_the_stiffness() -> None:
+    """The force is kd, and the deflection d is a known part of the travel, so w and E* are proportional to k."""
     z, force = jkr_curve()
     known = PROBE._replace(stiffness_error=0.05)
     errors = fit_curve(ForceCurve(TRAVEL, z, force, is_deflection=True), known).errors
@@ -58,7 +58,7 @@ def test_w_and_modulus_go_with_the_spring_of_a_deflection() -> None:
     assert of_force < 0.3 * 0.05 * 0.06
 
 
-def test_an_error_without_a_cause_is_absent() -> None:
+def test_the_calibration_error_is_absent_if_radius_and_stiffness_have_no_errors() -> None:
     z, force = jkr_curve(branches=(UNLOADING,), baseline=0.0)
     held = force != 0
     errors = fit_curve(ForceCurve(TRAVEL, z[held], force[held]), PROBE).errors
@@ -66,7 +66,7 @@ def test_an_error_without_a_cause_is_absent() -> None:
     assert all(each.statistical is not None and each.model is not None for each in errors.values())
 
 
-def test_the_baseline_of_each_branch_moves_its_w() -> None:
+def test_w_of_a_noisier_branch_has_a_larger_error() -> None:
     """With E* and z_c of the other branch, an offset ε of the loads moves w of a branch in proportion."""
     z, force = jkr_curve()
     noise = numpy.random.default_rng(4).normal(0, 3e-9, len(z))
@@ -79,7 +79,7 @@ def test_the_baseline_of_each_branch_moves_its_w() -> None:
 
 
 @pytest.mark.parametrize("phi", [0.0, 0.7])
-def test_the_error_of_a_baseline_is_the_scatter_of_medians(phi: Any) -> None:
+def test_the_error_of_a_baseline_agrees_with_its_scatter(phi: Any) -> None:
     z, force = jkr_curve(count=400)
     found = [
         branch.baseline
@@ -93,7 +93,7 @@ def test_the_error_of_a_baseline_is_the_scatter_of_medians(phi: Any) -> None:
     assert stated == approx(scatter, rel=0.12)
 
 
-def test_the_slope_of_a_tilted_baseline_has_its_scatter() -> None:
+def test_the_error_of_a_baseline_s_slope_agrees_with_its_scatter() -> None:
     z, force = jkr_curve(count=400)
     found = [
         branches_of(ForceCurve(TRAVEL, z, force + autoregression(seed, len(z), 3e-9, 0.0)), 3.01, tilt=True)
@@ -109,7 +109,7 @@ def test_the_slope_of_a_tilted_baseline_has_its_scatter() -> None:
 
 
 @pytest.mark.parametrize(("w", "modulus", "radius", "stiffness"), [(0.02, 1e10, 5e-8, 40.0), (0.02, 1e9, 5e-8, 4.0)])
-def test_below_a_tabor_parameter_of_5_the_error_has_the_distance_to_maugis(
+def test_below_a_tabor_parameter_of_5_the_model_error_includes_the_difference_from_maugis(
     w: float, modulus: float, radius: float, stiffness: float
 ) -> None:
     curve = maugis_curve(w, modulus, radius, stiffness)
@@ -123,14 +123,14 @@ def test_below_a_tabor_parameter_of_5_the_error_has_the_distance_to_maugis(
     assert abs(fit.values[OPENING] - w) < fit.errors[OPENING].total
 
 
-def test_thinned_noise_is_that_of_thinned_residuals() -> None:
+def test_thinned_noise_agrees_with_the_noise_of_thinned_residuals() -> None:
     values = autoregression(8, 30_000, 2.0, 0.8)
     whole, thinned = noise_of(values, 0).thinned(3), noise_of(values[::3], 0)
     assert whole.phi == approx(thinned.phi, abs=0.02)
     assert whole.scale == approx(thinned.scale, rel=0.02)
 
 
-def test_under_a_sphere_other_laws_are_named_as_those_of_a_paraboloid() -> None:
+def test_a_fit_with_a_sphere_also_gives_the_laws_of_a_paraboloid() -> None:
     z, force = jkr_curve()
     fit = fit_curve(ForceCurve(TRAVEL, z, force), PROBE._replace(profile="sphere"))
     assert set(fit.by_law) == {"jkr, sphere", "jkr", "maugis", "dmt"}
@@ -144,8 +144,8 @@ def test_under_a_sphere_other_laws_are_named_as_those_of_a_paraboloid() -> None:
 
 
 @pytest.mark.parametrize("profile", ["paraboloid", "sphere"])
-def test_without_adhesion_the_profile_counts_and_so_does_the_radius(profile: str) -> None:
-    """E* ∝ R^(−1/2) for a paraboloid."""
+def test_without_adhesion_the_fit_uses_the_profile_and_the_error_of_the_radius(profile: str) -> None:
+    """For a paraboloid, E* is proportional to R^(−1/2)."""
     a = numpy.linspace(0, 2.5e-6, 4000)
     depth, _, _, load = PROFILES[profile].without_adhesion(a, 5e-6)
     z = ramp(-1e-6, 1.2e-6, 600, LOADING)
@@ -161,7 +161,7 @@ def test_without_adhesion_the_profile_counts_and_so_does_the_radius(profile: str
         assert by_paraboloid.values[MODULUS] < 0.98e6
 
 
-def test_exact_zeros_are_no_saturation() -> None:
+def test_exact_zeros_are_not_taken_for_saturation() -> None:
     z = ramp(-1e-6, 1e-6, 400, LOADING)
     force = 4 / 3 * 1e6 * 5e-6**0.5 * numpy.maximum(z, 0) ** 1.5
     fit = fit_curve(ForceCurve(APPROACH, z, force), Known(radius=5e-6))
@@ -189,7 +189,7 @@ def test_the_misfit_counts_points_past_the_jump() -> None:
     assert good["rms"] == approx(numpy.sqrt(numpy.mean((points.force - shifted) ** 2)), rel=0.02)
 
 
-def test_a_wide_contact_is_named_for_every_profile() -> None:
+def test_a_contact_almost_as_wide_as_the_sphere_has_a_remark() -> None:
     w, modulus, radius = 0.045, 2e4, 1e-4
     a = numpy.linspace(0.95, 0.3, 40) * radius
     load = 4 / 3 * modulus * a**3 / radius - numpy.sqrt(8 * pi * w * modulus * a**3)
@@ -198,7 +198,7 @@ def test_a_wide_contact_is_named_for_every_profile() -> None:
     assert "wide-contact" not in narrow.remarks
 
 
-def test_there_is_no_release_rate_where_there_is_no_contact_radius() -> None:
+def test_points_without_a_contact_radius_have_no_release_rate() -> None:
     """No contact with adhesion has a larger load than Hertz' contact at the same approach."""
     z, force = jkr_curve(branches=(UNLOADING,), baseline=0.0)
     curve = ForceCurve(TRAVEL, z, force)
@@ -212,7 +212,7 @@ def test_there_is_no_release_rate_where_there_is_no_contact_radius() -> None:
     assert release_rate(problem, points, unknowns)[0] == approx(0.06 + 0 * points.z, rel=1e-3)
 
 
-def test_points_of_a_pause_are_left_out_and_gaps_in_time_are_named() -> None:
+def test_points_of_a_pause_are_left_out_and_gaps_in_time_have_a_remark() -> None:
     z, force = jkr_curve()
     top = int(numpy.argmax(z)) + 1
     names = numpy.array([LOADING] * top + [PAUSE] * 50 + [UNLOADING] * (len(z) - top), dtype=object)
@@ -230,7 +230,7 @@ def test_points_of_a_pause_are_left_out_and_gaps_in_time_are_named() -> None:
 
 
 def jkr_of_lever(z: Any, adhesion: float, modulus: float, point: float, stiffness: float) -> tuple[Any, Any, float]:
-    """Return force, dF/dz and the travel of the jump of a lever for R = 1, by the formulas of JKR (1971)."""
+    """Return force, dF/dz and the travel at which a lever jumps off, for R = 1, by the formulas of JKR (1971)."""
     unloaded = (9 * pi * adhesion / (2 * modulus)) ** (1 / 3)
     a = numpy.geomspace(0.2 * unloaded, 30 * unloaded, 20_001)
     approach = a**2 - numpy.sqrt(2 * pi * adhesion * a / modulus)
@@ -242,8 +242,8 @@ def jkr_of_lever(z: Any, adhesion: float, modulus: float, point: float, stiffnes
     return numpy.interp(z, travel, load), numpy.interp(z, travel, slope), float(travel[0])
 
 
-def test_the_curve_of_an_afm_gives_what_another_code_finds() -> None:
-    """The same points, fitted by scipy; both errors of a point are equal as forces, σ_z = σ_F/k."""
+def test_scipy_finds_the_same_fit_of_a_measured_afm_curve() -> None:
+    """The points are the same for scipy. Both errors of a point are equal as forces: σ_z = σ_F/k."""
     optimize = pytest.importorskip("scipy.optimize")
     path = Path(__file__).parents[1] / "data" / "afm_retract.csv"
     fitted, stiffness = fit(str(path), spring="0.31451 N/m"), 0.31451

@@ -1,4 +1,4 @@
-"""The fit of a force curve in the manual, compared with the truth of a curve that the program did not make."""
+"""The fit of the manual's force curve, compared with the inputs of its generator, which is independent of jkroll."""
 
 from pathlib import Path
 from typing import Any
@@ -20,7 +20,7 @@ def fitted_by(law: str, **given: Any) -> Any:
 
 
 @pytest.mark.parametrize(("law", "spacing", "ratio"), [("jkr", 4, 1.11), ("maugis", 4, 1.06), ("maugis", 2, 1.10)])
-def test_what_was_put_in_is_found_as_well_as_the_page_says(law: str, spacing: float, ratio: float) -> None:
+def test_the_fit_recovers_the_inputs_as_accurately_as_the_page_says(law: str, spacing: float, ratio: float) -> None:
     fitted = fitted_by(law, atomic_spacing=1e-10 * spacing)
     assert fitted.values["work_of_adhesion_opening"] / 2 / made.GAMMA == approx(ratio, abs=0.008)
     assert fitted.other_modulus[1] == approx(made.YOUNGS_MODULUS, rel=0.01)
@@ -35,8 +35,8 @@ def test_what_was_put_in_is_found_as_well_as_the_page_says(law: str, spacing: fl
 
 
 @pytest.mark.parametrize("law", ["jkr", "maugis"])
-def test_scipy_and_solve_give_the_same(law: str) -> None:
-    """By loads at approaches, all with the same weight."""
+def test_scipy_fits_the_same_values_with_loads_by_solve(law: str) -> None:
+    """Loads at approaches are fitted, all with the same weight."""
     optimize = pytest.importorskip("scipy.optimize")
     approach, force = numpy.loadtxt(CURVE, delimiter=",", skiprows=1, unpack=True)
 
@@ -57,7 +57,7 @@ def test_scipy_and_solve_give_the_same(law: str) -> None:
 
 
 @pytest.mark.slow
-def test_the_curve_is_that_of_its_generator() -> None:
+def test_the_stored_curve_is_that_of_its_generator() -> None:
     approach, force = numpy.array([*made.force_curve()]).T
     stored = numpy.loadtxt(CURVE, delimiter=",", skiprows=1, unpack=True)
     assert approach == approx(stored[0], abs=1e-12)
@@ -65,8 +65,8 @@ def test_the_curve_is_that_of_its_generator() -> None:
 
 
 @pytest.mark.parametrize("law", ["jkr", "maugis", "dmt"])
-def test_a_curve_has_two_numbers_in_it(law: str) -> None:
-    """The numbers are γR and E²R, on which μ depends, too."""
+def test_a_curve_determines_only_two_numbers(law: str) -> None:
+    """The numbers are γR and E²R, which also determine μ."""
     sphere: dict[str, Any] = {"radius": 1e-6, "surface_energy": 0.04, "youngs_modulus": 6e9}
     other: dict[str, Any] = {"radius": 4e-6, "surface_energy": 0.01, "youngs_modulus": 3e9}
     approach = numpy.linspace(0, 5e-9, 50)

@@ -1,4 +1,4 @@
-"""The inverse problem: inputs come back, every solution is found, and a problem without a solution is refused."""
+"""The inverse problem: inputs are recovered, every solution is found, and a problem without a solution is refused."""
 
 import csv
 import json
@@ -26,7 +26,7 @@ from jkroll.quantities.values import parse_quantity
 from relative import approx
 from scenes import OTHER, QUARTZ, log_uniform
 
-# Inputs, and quantities that depend on each of them in one way only.
+# Inputs, and quantities that determine each of them uniquely.
 PAIRS = {
     "surface_energy": ("pull_off_force", "contact_radius", "approach", "well_energy", "yield_force", "stiffness"),
     "work_of_adhesion": ("pull_off_force", "contact_radius", "sticking_energy"),
@@ -44,7 +44,7 @@ def solution(name: str, quantity: str, measured: float, scene: Frame) -> Solutio
 
 
 @pytest.mark.parametrize(("name", "quantity"), [(name, each) for name, every in PAIRS.items() for each in every])
-def test_a_value_comes_back(name: str, quantity: str) -> None:
+def test_an_input_is_recovered_from_each_quantity(name: str, quantity: str) -> None:
     random = Random(f"{name} {quantity}")
     for other in ({}, OTHER):
         for _ in range(2):
@@ -70,14 +70,14 @@ def test_the_condition_of_a_power_law_is_its_inverse_exponent() -> None:
     assert solution("youngs_modulus", "contact_radius", 3e-8, scene).condition == approx(3, rel=1e-5)
 
 
-def test_an_example_by_hand() -> None:
+def test_surface_energy_from_a_pull_off_force_by_hand() -> None:
     found = infer("surface_energy", measured={"pull_off_force": 3e-7}, **PLANE)
     assert found == approx(3e-7 / (3 * math.pi * 2e-6), rel=1e-15)
 
 
 @pytest.mark.parametrize("word", ["approach", "delta0", "δ0"])
-def test_a_measured_approach_is_that_without_load_as_in_solve(word: str) -> None:
-    """Eq (6) without load, whatever the load is: δ0 = (3π²w²R/4E*²)^(1/3), with E* = E/2(1 − ν²) of equal spheres."""
+def test_a_measured_approach_means_the_approach_without_load_as_in_solve(word: str) -> None:
+    """Eq (6) without load applies at any load: δ0 = (3π²w²R/4E*²)^(1/3), with E* = E/2(1 − ν²) of equal spheres."""
     scene = {name: value for name, value in QUARTZ.items() if name != "youngs_modulus"}
     radius, work, ratio = scene["radius"], 2 * scene["surface_energy"], scene["poisson_ratio"]
     modulus = math.sqrt(3 * math.pi**2 * work**2 * radius / 2 / (4 * 1e-9**3)) * 2 * (1 - ratio**2)
@@ -88,13 +88,13 @@ def test_a_measured_approach_is_that_without_load_as_in_solve(word: str) -> None
 
 @pytest.mark.parametrize(("quantity", "given"), [("approach_at_load", 1e-9), ("pull_off_force", 5e-8)])
 @pytest.mark.parametrize("values", [2e-9, [2e-9, 3e-9]])
-def test_what_was_measured_is_not_given_besides(quantity: str, given: float, values: Any) -> None:
+def test_a_measured_quantity_cannot_also_be_an_input(quantity: str, given: float, values: Any) -> None:
     scene = {name: value for name, value in QUARTZ.items() if name != "surface_energy"}
     with pytest.raises(BadRequest, match=f"{quantity} is given and asked for"):
         infer("gamma", measured={quantity: values}, **{**scene, quantity: given})
 
 
-def test_all_solutions_are_named() -> None:
+def test_the_error_names_all_solutions() -> None:
     scene = Frame({"load": 5e-8}, known_materials()["quartz"])
     with pytest.raises(SeveralSolutions) as caught:
         solution("radius", "approach_at_load", 3e-10, scene)
@@ -105,8 +105,8 @@ def test_all_solutions_are_named() -> None:
 
 @pytest.mark.parametrize("model", ["jkr", "maugis"])
 @pytest.mark.parametrize("quantity", ["rolling_frequency", "n_grav", "sliding_frequency"])
-def test_two_solutions_between_pull_off_and_the_scan_are_found(quantity: str, model: str) -> None:
-    """A small sphere in tension: the quantity rises from pull-off to a maximum before the next value of the scan."""
+def test_two_solutions_between_pull_off_and_the_next_value_of_the_scan_are_found(quantity: str, model: str) -> None:
+    """In tension, the quantity of a small sphere rises from pull-off to a maximum before the next value of the scan."""
     scene = Frame({"load": -5e-9}, known_materials()["quartz"], model=model)
     least = 4e-8 if model == "jkr" else 3e-8
     radii = numpy.geomspace(least, 1.3 * least, 4000)
@@ -127,8 +127,8 @@ def test_a_load_of_fixed_direction_has_two_solutions_near_pull_off() -> None:
     assert [one["load"] for one in caught.value.values] == approx([-21.4058e-9, -20.7695e-9], rel=1e-5)
 
 
-def test_a_load_that_changes_the_last_digits_alone_is_no_jump() -> None:
-    """It lies between two doubles of the quantity, where the scan is as fine as rounding."""
+def test_a_load_that_changes_only_the_last_digits_is_found() -> None:
+    """Near such a load the quantity changes by single roundings, which are not jumps."""
     scene = Frame({**QUARTZ, **PLANE})
     radius = scene.replace(load=2e-15)["contact_radius_at_load"]
     for steps in range(-20, 21):
@@ -136,8 +136,8 @@ def test_a_load_that_changes_the_last_digits_alone_is_no_jump() -> None:
         assert scene.replace(**found.values)["contact_radius_at_load"] == approx(radius, rel=1e-14)
 
 
-def test_a_solution_at_a_value_of_the_scan_hides_no_other() -> None:
-    """δ is least at a radius that grows with the load: here 3 % above 1 µm, a value of the scan."""
+def test_a_solution_at_a_value_of_the_scan_hides_no_other_solution() -> None:
+    """δ is least at a radius that grows with the load, here at 1.03 µm; 1 µm is a value of the scan."""
     quartz = known_materials()["quartz"]
     radii = numpy.geomspace(4e-7, 7e-7, 10001)
     least = radii[Frame({"load": 5e-8, "radius": radii}, quartz)["approach_at_load"].argmin()]
@@ -150,8 +150,8 @@ def test_a_solution_at_a_value_of_the_scan_hides_no_other() -> None:
 
 
 @pytest.mark.parametrize("measured", ["31.4159pN", f"{2 * math.pi * 0.025 * 2e-10!r}N", "1e50N"])
-def test_rounding_is_no_dependence(run: Run, measured: str) -> None:
-    """In DMT, 2πγξ is computed from a pull-off force and a radius, and some of their digits do not cancel."""
+def test_a_change_by_rounding_is_not_taken_for_dependence(run: Run, measured: str) -> None:
+    """In DMT, 2πγξ is computed from a pull-off force and a radius, so its last digits vary with the radius."""
     forces = {solve("yield_force", material="quartz", radius=1e-9 * 1.1**step, model="dmt") for step in range(100)}
     assert len(forces) > 1
     ran = run(f"infer radius quartz --measured yield_force={measured} --model dmt")
@@ -159,8 +159,8 @@ def test_rounding_is_no_dependence(run: Run, measured: str) -> None:
 
 
 @pytest.mark.parametrize("quantity", ["load_maugis", "load_at_factor"])
-def test_a_search_in_rounding_alone_comes_to_an_end(quantity: str) -> None:
-    """A load that is computed from the state that it makes changes with γ in its last digits, up and down."""
+def test_the_search_ends_if_only_rounding_changes_the_quantity(quantity: str) -> None:
+    """A load computed back from the state that it causes changes with γ only in its last digits, up and down."""
     given = {**QUARTZ, "radius": 1e-4, "youngs_modulus": 8e7, "load": 1e-12}
     del given["surface_energy"]
     with pytest.raises(NoResult) as caught:
@@ -169,7 +169,7 @@ def test_a_search_in_rounding_alone_comes_to_an_end(quantity: str) -> None:
 
 
 @pytest.mark.parametrize("ulp", [-4, 0, 4])
-def test_a_stretch_without_dependence_is_reported(ulp: int) -> None:
+def test_a_range_of_radii_with_the_same_sticking_speed_is_reported(ulp: int) -> None:
     """By Maugis' law v_stick of quartz does not depend on the radius below some 7 µm."""
     given: dict[str, Any] = {"material": "quartz", "model": "maugis", "atomic_spacing": 4e-10}
     speed = solve("sticking_speed", radius=1e-6, **given) * (1 + ulp * 2.0**-52)
@@ -192,7 +192,9 @@ def test_a_stretch_without_dependence_is_reported(ulp: int) -> None:
         ("load", "stiffness", {"youngs_modulus2": math.inf, "youngs_modulus": math.inf}, jkroll.JkrollError, "rigid"),
     ],
 )
-def test_refusals(name: str, quantity: str, given: dict[str, float], error: type[Exception], words: str) -> None:
+def test_an_inverse_problem_is_refused_with_its_reason(
+    name: str, quantity: str, given: dict[str, float], error: type[Exception], words: str
+) -> None:
     with pytest.raises(error, match=words):
         solution(name, quantity, 1e-9, Frame({"radius": 1e-6, **given}, known_materials()["quartz"]))
 
@@ -205,19 +207,19 @@ def test_refusals(name: str, quantity: str, given: dict[str, float], error: type
         ("radius", "approach_at_load", 3e-10, {"load": 5e-8}),
     ],
 )
-def test_a_reason_goes_to_another_process(name: str, quantity: str, measured: float, given: dict[str, float]) -> None:
+def test_an_error_can_be_pickled(name: str, quantity: str, measured: float, given: dict[str, float]) -> None:
     with pytest.raises(NoResult) as caught:
         solution(name, quantity, measured, Frame(given, known_materials()["quartz"]))
     assert str(pickle.loads(pickle.dumps(caught.value))) == str(caught.value)
 
 
-def test_nothing_is_extrapolated() -> None:
+def test_no_solution_is_extrapolated() -> None:
     with pytest.raises(NoSolution, match=r"it lies between 18.8496 pN and 18.8496 mN for γ1 = 1 µJ/m² to 1 kJ/m²"):
         infer("gamma", measured={"pull_off_force": "1e26 N"}, **PLANE)
 
 
-def test_where_no_usual_value_is_found_all_that_a_scene_takes_are_scanned() -> None:
-    """P_c = 3πγR of a sphere on a plane, and w = 2γ; a few of many values are outside the usual sizes."""
+def test_without_a_usual_solution_all_allowed_values_are_scanned() -> None:
+    """P_c = 3πγR for a sphere on a plane, and w = 2γ. Two of the four forces need γ beyond the usual sizes."""
     given: dict[str, Any] = {"radius": 2.5e-6, "radius2": math.inf}
     gamma = 21e-12 / (3 * math.pi * 2.5e-6)
     assert infer("gamma", measured={"pull_off_force": 21e-12}, **given) == approx(gamma, rel=1e-14)
@@ -227,7 +229,7 @@ def test_where_no_usual_value_is_found_all_that_a_scene_takes_are_scanned() -> N
     assert found.tolist() == approx([force / (3 * math.pi * 2.5e-6) for force in forces], rel=1e-14)
 
 
-def test_a_value_beyond_the_usual_ones_is_reported(run: Run) -> None:
+def test_a_solution_beyond_the_usual_values_has_a_warning(run: Run) -> None:
     words = ("infer", "gamma", "2.5um", "--radius2", "plane", "--measured")
     said = "warning: γ1 = 891.268 nJ/m² is beyond usual values, γ1 = 1 µJ/m² to 1 kJ/m²\n"
     assert said in run(*words, "P_c=21pN").err
@@ -235,8 +237,8 @@ def test_a_value_beyond_the_usual_ones_is_reported(run: Run) -> None:
 
 
 @pytest.mark.parametrize("measured", [1.0, 1e-30])
-def test_both_ends_of_what_a_quantity_can_be_are_exact(measured: float) -> None:
-    """The quantity is that of the weaker body, and largest where E1 = E2, between two values of the scan."""
+def test_the_range_that_an_error_states_has_exact_ends(measured: float) -> None:
+    """The weaker body sets the quantity, which is largest where E1 = E2, between two values of the scan."""
     given: dict[str, Any] = {"radius": 1e-6, "surface_energy": 0.03, "poisson_ratio": 0.3, "youngs_modulus2": 2e9}
     ends = [solve("sliding_energy", **given, youngs_modulus=modulus) for modulus in (1.0, 2e9)]
     with pytest.raises(NoSolution) as error:
@@ -257,12 +259,12 @@ def test_both_ends_of_what_a_quantity_can_be_are_exact(measured: float) -> None:
         ("gamma", {"pull_off_force": 1e300}, "must lie between 1e-30 and 1e30"),
     ],
 )
-def test_wrong_arguments_are_refused_in_words(name: Any, measured: Any, words: str) -> None:
+def test_wrong_arguments_are_refused_with_a_reason(name: Any, measured: Any, words: str) -> None:
     with pytest.raises(jkroll.JkrollError, match=words):
         infer(name, measured=measured, **PLANE)
 
 
-def test_an_uncertain_measurement_gives_an_uncertain_answer() -> None:
+def test_an_uncertain_measurement_gives_an_uncertain_result() -> None:
     found = infer("gamma", measured={"pull_off_force": "300±20 nN"}, radius="2 um", radius2="plane")
     assert isinstance(found, Measured)
     assert found.plus == found.minus == approx(found.value / 15, rel=1e-12)
@@ -273,7 +275,7 @@ def test_an_uncertain_measurement_gives_an_uncertain_answer() -> None:
 
 
 @pytest.mark.parametrize("stiffness", [1e3, [1e3, 2e3]])
-def test_the_uncertainty_of_a_material_alone_gives_no_error_bars_as_in_solve(stiffness: Any) -> None:
+def test_uncertainties_of_a_material_alone_give_no_error_bars(stiffness: Any) -> None:
     """The γ of warm ice has error bars, which enter only together with those of a measured value."""
     values = infer("radius", measured={"stiffness": stiffness}, material="ice-warm")
     assert isinstance(values, float if isinstance(stiffness, float) else numpy.ndarray)
@@ -281,7 +283,7 @@ def test_the_uncertainty_of_a_material_alone_gives_no_error_bars_as_in_solve(sti
 
 
 def test_each_source_enters_an_inferred_value_once() -> None:
-    """An error of the radius of sphere 2, which is that of sphere 1, enters once; that of a density does not."""
+    """The radius of sphere 2 is that of sphere 1, so its error enters once; the error of the density does not enter."""
     given = {
         name: Interval(value, 0.9 * value, 1.1 * value) for name, value in {"radius": 1e-6, "density": 2e3}.items()
     }
@@ -305,7 +307,7 @@ def test_the_laws_of_attraction_stand_beside_each_other(run: Run) -> None:
     assert solve("yield_force", material="quartz", radius=1e-6, adhesion_hysteresis=hysteresis) == approx(8.5e-10)
 
 
-def test_the_command(run: Run) -> None:
+def test_infer_on_the_command_line(run: Run) -> None:
     words = ["infer", "gamma", "quartz", "2um", "--radius2", "plane", "--measured"]
     ran = run(*words, "pull-off-force=300±20 nN", "--to", "mJ/m2", "--digits", "4")
     assert (ran.code, ran.out) == (
@@ -342,7 +344,7 @@ def column(table: str, name: str) -> list[str]:
         ),
     ],
 )
-def test_what_is_inferred_is_no_input(run: Run, words: str, inferred: set[str]) -> None:
+def test_inferred_values_are_not_listed_as_inputs(run: Run, words: str, inferred: set[str]) -> None:
     header, *rows = csv.reader(run(f"infer {words} --csv").out.splitlines())
     assert inferred & {*header} == {header[-3]}
     assert all(row[-3] for row in rows)
@@ -350,7 +352,7 @@ def test_what_is_inferred_is_no_input(run: Run, words: str, inferred: set[str]) 
     assert inferred.isdisjoint(one)
 
 
-def test_the_uncertainty_of_sphere_2_enters_what_is_inferred_of_sphere_1() -> None:
+def test_the_uncertainty_of_sphere_2_enters_the_inferred_value_of_sphere_1() -> None:
     """P_c is proportional to √(γ1γ2), so γ1 is proportional to 1/γ2 at a measured force."""
     given: dict[str, Any] = {"radius": 1e-6, "surface_energy2": Measured(0.025, 0.001)}
     found = infer("gamma", measured={"pull_off_force": 2e-7}, **given)
@@ -358,8 +360,8 @@ def test_the_uncertainty_of_sphere_2_enters_what_is_inferred_of_sphere_1() -> No
     assert found.plus / found.value == approx(0.04, rel=0.05)
 
 
-def test_rows_have_the_doubts_of_what_was_measured(run: Run) -> None:
-    """The doubts are those of a scene with the inferred value."""
+def test_rows_have_the_doubts_of_the_inferred_value(run: Run) -> None:
+    """The doubts are those of `pull-off` at the inferred radii."""
     ran = run("infer radius quartz --measured pull_off_force=0.1nN,10nN,10mN --csv")
     radii = ",".join(column(ran.out, "radius [m]"))
     assert column(ran.out, "doubt") == column(
@@ -373,7 +375,7 @@ def test_rows_have_the_doubts_of_what_was_measured(run: Run) -> None:
     assert not any(column(run("infer gamma quartz 1um --measured pull_off_force=1e26N,2e26N --csv").out, "doubt"))
 
 
-def test_more_rows_than_are_explained(run: Run) -> None:
+def test_10001_rows_are_written_bare_but_refused_as_json(run: Run) -> None:
     words = "infer gamma quartz 2um --radius2 plane --measured pull_off_force=1nN:1uN:10001 --quiet"
     ran = run(f"{words} --bare")
     assert (ran.code, ran.err) == (0, "")
@@ -385,15 +387,15 @@ def test_more_rows_than_are_explained(run: Run) -> None:
     assert refused.err == "jkroll: --json writes at most 10000 pairs, not 10001; --csv writes any number\n"
 
 
-def test_rows_that_all_lack_an_input_say_so_one_by_one(run: Run) -> None:
-    """As in the rows of any question."""
+def test_each_row_states_the_missing_input_even_if_all_rows_lack_it(run: Run) -> None:
+    """Rows of other questions do the same."""
     ran = run("infer gamma 1um,2um --measured contact_radius=30nm --csv")
     assert ran.code == 1
     assert column(ran.out, "status") == ["needs youngs_modulus and poisson_ratio"] * 2
     assert "give --young 10GPa --poisson 0.3" in ran.err
 
 
-def test_an_inferred_value_is_explained_by_the_formula_of_what_was_measured(run: Run) -> None:
+def test_an_inferred_value_is_explained_by_the_formula_of_the_measured_quantity(run: Run) -> None:
     words = "infer gamma quartz 2um --radius2 plane --measured pull_off_force=300±20nN,1e26N"
     found, forward, failed = (part for part in run(f"{words} --explain").out.split("\n\n") if "—" in part)
     assert found.splitlines()[1:3] == ["  result    γ1 = 15.9 ± 1.1 mJ/m²", "  shares    P_c 100%"]
@@ -408,7 +410,7 @@ def test_an_inferred_value_is_explained_by_the_formula_of_what_was_measured(run:
     assert "{Eq. (1)}" in ran.out
 
 
-def test_steps_that_no_unknown_changes_are_explained(run: Run) -> None:
+def test_the_explanation_includes_steps_that_do_not_depend_on_the_unknown(run: Run) -> None:
     ran = run("infer gamma quartz 100nm --measured vertical_frequency=1GHz --explain")
     assert "    m1 = 1.08909e-17 kg    m1 = (4/3)πR1³ρ\n" in ran.out  # (4/3)π(100 nm)³ times 2600 kg/m³
 
@@ -431,7 +433,7 @@ def test_steps_that_no_unknown_changes_are_explained(run: Run) -> None:
         ("infer gamma quartz --measured pull_off_force=3nN", 2, "pull-off force needs radius of sphere 1; give"),
     ],
 )
-def test_one_line_says_what_is_wrong(run: Run, words: str, code: int, message: str) -> None:
+def test_a_mistake_is_reported_in_one_line(run: Run, words: str, code: int, message: str) -> None:
     ran = run(words)
     assert (ran.code, ran.out) == (code, "")
     assert ran.err.startswith(f"jkroll: {message}")
@@ -445,14 +447,14 @@ def test_one_line_says_what_is_wrong(run: Run, words: str, code: int, message: s
         ("gamma quartz 2um --measured yield_force=1e50N", "surface_energy: no value gives yield_force = 1e50 N"),
     ],
 )
-def test_the_reason_is_said_of_assumed_inputs_and_of_absurd_values_too(run: Run, words: str, message: str) -> None:
+def test_assumed_inputs_and_absurd_values_are_refused_with_a_reason(run: Run, words: str, message: str) -> None:
     ran = run(f"infer {words}")
     assert (ran.code, ran.out) == (1, "")
     assert ran.err.startswith(f"jkroll: {message}")
 
 
 @pytest.mark.parametrize("part", [1.0, 0.3, 0.1, 0.03])
-def test_the_values_that_an_error_names_can_be_typed(part: float) -> None:
+def test_the_solutions_that_an_error_names_have_enough_digits_to_be_inputs(part: float) -> None:
     """Near pull-off six digits are too few: the frequency falls to 0 there."""
     given: dict[str, Any] = {"material": "quartz", "model": "dmt", "load": -2.8e-8}
     frequency = part * solve("vertical_frequency", radius=2e-7, **given)
@@ -464,8 +466,8 @@ def test_the_values_that_an_error_names_can_be_typed(part: float) -> None:
 
 
 @pytest.mark.parametrize("measured", ["hysteresis_fraction=1", "adhesion_hysteresis=20mJ/m2"])
-def test_what_is_only_given_is_not_measured(run: Run, measured: str) -> None:
-    """The error does not ask for it as an input of itself."""
+def test_an_input_without_a_formula_cannot_be_measured(run: Run, measured: str) -> None:
+    """The error names the option by which to give the value."""
     ran = run(f"infer xi quartz 100nm --measured {measured}")
     name = measured.partition("=")[0]
     option = f"--{name.replace('_', '-')}"
@@ -477,14 +479,14 @@ def test_what_is_only_given_is_not_measured(run: Run, measured: str) -> None:
     assert run(f"report quartz 100nm --quantities xi {option} {measured.partition('=')[2]}").code == 0
 
 
-def test_what_was_measured_is_not_assumed(run: Run) -> None:
+def test_a_measured_displacement_replaces_the_assumed_one(run: Run) -> None:
     said = run("infer adhesion_hysteresis quartz 100nm --measured xi=300pm", terminal=True).out
     assert "ξ = 300 pm\nassumed: no load" in said
     assert "200 pm" not in said
 
 
-def test_what_follows_from_an_inferred_value_has_its_reason() -> None:
-    """Only the row of a force that no surface energy gives has this reason."""
+def test_results_of_a_failed_inference_have_its_reason() -> None:
+    """Only the row whose force no surface energy gives has this reason."""
     measured = {"pull_off_force": numpy.array([1e-7, -1.0, 2e-7])}
     inverse = Inverse(["surface_energy"], measured, Frame({**PLANE, "youngs_modulus": 5e10, "poisson_ratio": 0.2}))
     columns = inverse.columns(["surface_energy", "pull_off_force", "contact_radius"])
@@ -497,7 +499,7 @@ def test_what_follows_from_an_inferred_value_has_its_reason() -> None:
     assert columns["pull_off_force"].values[::2] == approx(measured["pull_off_force"][::2])
 
 
-def test_a_value_that_maugis_law_does_not_have_is_not_reported(run: Run) -> None:
+def test_the_best_range_is_by_jkr_only_if_maugis_law_gives_no_value(run: Run) -> None:
     words = "infer young quartz 1um --measured yield_force=100pN --hysteresis-fraction 40%"
     said = " ".join(run(words).err.split())
     assert "best range of E: 2.7e12 Pa (JKR only); by Maugis' law no value gives yield_force = 100 pN" in said
@@ -505,7 +507,7 @@ def test_a_value_that_maugis_law_does_not_have_is_not_reported(run: Run) -> None
 
 
 def test_rows_of_two_solids_are_inferred(run: Run) -> None:
-    """Two spheres of one solid share the surface energy; of two solids, that of sphere 1 is sought."""
+    """Two spheres of one solid share the surface energy; with two solids, infer gives the energy of sphere 1."""
     Path("in.csv").write_text("material,material2,radius,P_c\niron,iron,1um,300nN\niron,quartz,1um,300nN\n")
     assert run("batch in.csv -o out.csv --infer gamma --measured P_c").code == 0
     with open("out.csv", encoding="utf-8", newline="") as file:
@@ -521,12 +523,12 @@ def test_rows_that_fail_show_their_inputs(run: Run) -> None:
     assert (dmt["status"], float(dmt["youngs_modulus [Pa]"])) == ("not in DMT", 54e9)
 
 
-def test_without_a_load_no_contact_is_lost(run: Run) -> None:
+def test_without_a_load_no_uncertain_contact_is_beyond_pull_off(run: Run) -> None:
     assert "beyond pull-off" not in run("infer gamma quartz 1um --measured a=10±5nm").err
 
 
-def test_two_unknowns_of_uncertain_solids_in_rows_are_those_of_single_ones(run: Run) -> None:
-    """The error bars of many solids are at positions of arrays with two axes."""
+def test_two_unknowns_of_uncertain_solids_are_the_same_in_rows_and_single_calls(run: Run) -> None:
+    """The error bars of several solids are arrays with two axes."""
     words = "radius,gamma {} --measured pull_off_force={} --measured contact_radius=5nm --csv --quiet"
     rows = run("infer", *words.format("silica-humid,silica-dry,mica", "1nN:1uN:5").split()).out.splitlines()
     heads, rows = rows[0].split(","), rows[1:]

@@ -20,7 +20,7 @@ from jkroll.quantities.laws import MODELS
 from relative import approx
 from scenes import OTHER, QUARTZ, log_uniform
 
-# A value of every input, and quantities from which the input is inferred under any law.
+# A value of every input, and quantities from which the input is inferred, except under the laws in LACKING.
 TYPICAL = {
     "surface_energy": 0.03, "work_of_adhesion": 0.05, "yield_displacement": 2e-10, "adhesion_hysteresis": 5e-3,
     "youngs_modulus": 5e10, "radius": 1e-7, "load": 1e-7, "hamaker": 1e-19, "shear_strength": 1e8,
@@ -50,30 +50,30 @@ def solution(name: str, quantity: str, measured: float, scene: Frame) -> Solutio
     return solved((name,), {quantity: measured}, scene)
 
 
-def by_itself(name: str, quantity: str, measured: float, scene: Frame) -> Solution | NoResult:
-    """Return the solution for one measured value, or the reason for its absence."""
+def single(name: str, quantity: str, measured: float, scene: Frame) -> Solution | NoResult:
+    """Return the solution for one measured value, or the error if there is none."""
     try:
         return solution(name, quantity, measured, scene)
     except NoResult as error:
         return error
 
 
-def assert_as_each_by_itself(
+def assert_as_single_elements(
     name: str, quantity: str, measured: Sequence[float], arrays: dict[str, Any], scene: Frame
 ) -> list[Solution | NoResult]:
-    """Compare values and reasons with those of single elements; return the latter.
+    """Check that arrays have the values and reasons of single elements; return the outcomes of these elements.
 
-    Values may differ by rounding errors times their condition.
+    Values may differ by rounding errors times the condition number.
     """
     ulps = 40 if "maugis" in (scene.law.name, *quantity.split("_")) else 9  # as stated by the formulas
     rows = [scene.replace(**{each: float(one[row]) for each, one in arrays.items()}) for row in range(len(measured))]
     found = solved((name,), {quantity: numpy.array(measured)}, scene.replace(**arrays))
-    expected = [by_itself(name, quantity, level, row) for level, row in zip(measured, rows, strict=True)]
+    expected = [single(name, quantity, level, row) for level, row in zip(measured, rows, strict=True)]
     for place, other in enumerate(expected):
         if isinstance(other, Solution):
             value = float(found.values[name][place])
             assert value == approx(other.values[name], rel=ulps * 2**-52 * (1 + other.condition)), quantity
-        elif isinstance(other, NoSolution):  # the least value next to pull-off is a rounding error
+        elif isinstance(other, NoSolution):  # next to pull-off, the least value is a rounding error
             failure = found.failures[place]
             assert isinstance(failure, NoSolution)
             assert failure.span == approx(other.span, rel=1e-9, abs=1e-14 * max(map(abs, other.span)))
@@ -82,11 +82,11 @@ def assert_as_each_by_itself(
     return expected
 
 
-def test_every_input_is_here() -> None:
+def test_the_tables_of_this_file_have_every_input() -> None:
     assert TYPICAL.keys() == MEASURED.keys() == SIZES.keys()
 
 
-def test_what_a_law_does_not_have_is_said_for_arrays_too() -> None:
+def test_a_quantity_that_the_law_lacks_is_refused_for_arrays() -> None:
     scene = Frame({**QUARTZ, "radius": 1e-7}, model="dmt")
     with pytest.raises(NotInLaw, match="which DMT does not have"):
         solved(("adhesion_hysteresis",), {"yield_moment": numpy.array([1e-17])}, scene)
@@ -104,7 +104,7 @@ FAST = {("surface_energy", "jkr"), ("load", "jkr"), ("shear_strength", "jkr")}
     ],
 )
 def test_arrays_give_what_floats_give(name: str, model: str) -> None:
-    """Only the measured value varies, some inputs vary, or all do."""
+    """Only the measured value varies, or some inputs as well, or all inputs."""
     random = Random(f"{name} {model}")
     energies = {"surface_energy", "surface_energy2"} if name in ("work_of_adhesion", "hamaker") else set()
     given = {each: one for each, one in {**QUARTZ, **OTHER, "load": -1e-9}.items() if each not in {name, *energies}}
@@ -116,21 +116,21 @@ def test_arrays_give_what_floats_give(name: str, model: str) -> None:
             arrays = {each: spread[each] for each in varied if not each.startswith("poisson_ratio")}
             values = [TYPICAL[name] * log_uniform(random, 0.3, 3) for _ in range(COUNT)]
             levels = [float(scene.replace(**{name: value})[quantity]) for value in values]
-            found += assert_as_each_by_itself(
+            found += assert_as_single_elements(
                 name, quantity, [*levels[2:], 1e20 * levels[0], 1e-20 * levels[1]], arrays, scene
             )
     assert 2 * sum(isinstance(one, Solution) for one in found) > len(found)
 
 
-def test_all_solutions_of_arrays_are_named() -> None:
-    """The same holds for two solutions between two points of the scan, next to a turning point."""
+def test_arrays_name_all_solutions() -> None:
+    """One measured value has two solutions between two points of the scan, next to a turning point."""
     scene = Frame({"load": 5e-8}, known_materials()["quartz"])
     least = min(scene.replace(radius=1e-9 * radius)["approach_at_load"] for radius in range(400, 700))
     measured = [3e-10, 1.00001 * least, 0.9 * least, 1e-9]
-    expected = assert_as_each_by_itself("radius", "approach_at_load", measured, {}, scene)
+    expected = assert_as_single_elements("radius", "approach_at_load", measured, {}, scene)
     assert [type(one) for one in expected] == [SeveralSolutions, SeveralSolutions, NoSolution, SeveralSolutions]
     loads = {"load": numpy.array([5e-8, 5e-8, 5e-8, 6e-8])}
-    assert_as_each_by_itself("radius", "approach_at_load", measured, loads, scene)
+    assert_as_single_elements("radius", "approach_at_load", measured, loads, scene)
 
 
 def test_loads_are_found_up_to_pull_off() -> None:
@@ -138,14 +138,14 @@ def test_loads_are_found_up_to_pull_off() -> None:
     scene = Frame({"radius2": math.inf}, known_materials()["quartz"])
     force = scene.replace(radius=radii)["pull_off_force"]
     least = scene.replace(radius=radii, load=-force)["contact_radius_at_load"] * (1 + 1e-13)
-    found = assert_as_each_by_itself("load", "contact_radius_at_load", [*least], {"radius": radii}, scene)
+    found = assert_as_single_elements("load", "contact_radius_at_load", [*least], {"radius": radii}, scene)
     assert [one.values["load"] for one in found if isinstance(one, Solution)] == approx([*-force], rel=1e-9)
 
 
-def test_a_quantity_without_any_value_has_a_reason_in_each_element() -> None:
+def test_only_the_element_whose_contact_breaks_has_a_reason() -> None:
     loads = {"load": numpy.array([-1.0, 1e-9])}
     scene = Frame({"radius": 1e-7}, known_materials()["quartz"])
-    beyond, found = assert_as_each_by_itself("youngs_modulus", "contact_radius_at_load", [4e-9, 4e-9], loads, scene)
+    beyond, found = assert_as_single_elements("youngs_modulus", "contact_radius_at_load", [4e-9, 4e-9], loads, scene)
     assert "breaks this contact" in str(beyond)
     assert isinstance(found, Solution)
 
@@ -153,8 +153,8 @@ def test_a_quantity_without_any_value_has_a_reason_in_each_element() -> None:
 # --- jkroll.infer -----------------------------------------------------------------------------------------------------
 
 
-def test_infer_takes_arrays_with_special_values_among_others() -> None:
-    """A plane, a rigid body and no load imply more than other values do."""
+def test_infer_takes_arrays_with_planes_rigid_bodies_and_no_load_in_some_elements() -> None:
+    """A radius or a modulus may be infinite in some elements only, and a load may be 0."""
     given: dict[str, Any] = {
         "radius2": [math.inf, 1e-6, 2e-6],
         "youngs_modulus2": [[math.inf], [1e9]],
@@ -171,11 +171,11 @@ def test_infer_takes_arrays_with_special_values_among_others() -> None:
         assert found[place] == approx(expected, rel=1e-14)
 
 
-def test_no_values_are_no_values() -> None:
+def test_an_empty_array_gives_an_empty_array() -> None:
     found = infer("gamma", measured={"pull_off_force": numpy.zeros((0, 3))}, radius=2e-6)
     assert found.shape == (0, 3)
 
 
-def test_an_input_that_arrays_lack_is_named() -> None:
+def test_a_missing_input_is_named_for_arrays() -> None:
     with pytest.raises(MissingInput, match="unloaded contact radius needs Young's modulus"):
         infer("gamma", measured={"contact_radius": [1e-8, 2e-8]}, radius=2e-6)

@@ -29,7 +29,7 @@ def test_series_are_aligned_as_pandas_does() -> None:
     assert found.name == "pull_off_force"
 
 
-def test_columns_of_materials_are_aligned_too() -> None:
+def test_columns_of_materials_are_aligned() -> None:
     solids = pandas.Series(["iron", "quartz"], index=["b", "a"])
     found = jkroll.solve("P_c", material=solids, radius=RADII)
     assert found["a"] == jkroll.solve("P_c", material="quartz", radius=1e-7)
@@ -63,7 +63,7 @@ def test_arrays_are_aligned_as_xarray_does() -> None:
     assert grid.sel(energy=2)[1] == approx(force(0.2, 2e-7))
 
 
-def test_units_among_attributes_are_read_and_given() -> None:
+def test_units_among_attributes_are_read_and_written() -> None:
     radii = xarray.DataArray([100.0, 200.0], dims="grain", attrs={"units": "nm"})
     bare = jkroll.solve("P_c", material="quartz", radius=numpy.array([1e-7, 2e-7]))
     found = jkroll.solve(["P_c", "n_grav"], material="quartz", radius=radii)
@@ -81,7 +81,7 @@ def test_units_among_attributes_are_read_and_given() -> None:
     assert answers["P_c"].tolist() == forces.tolist()
 
 
-def test_a_column_of_pint_is_read() -> None:
+def test_a_column_of_pint_pandas_is_read() -> None:
     pytest.importorskip("pint_pandas")
     radii = pandas.Series([100.0, 200.0], dtype="pint[nm]", index=["a", "b"])
     found = jkroll.solve("P_c", material="quartz", radius=radii)
@@ -96,12 +96,12 @@ def test_a_column_of_pint_is_read() -> None:
         ("", "another dimension"),
     ],
 )
-def test_another_unit_is_refused(unit: str, words: str) -> None:
+def test_a_wrong_or_unknown_unit_is_refused(unit: str, words: str) -> None:
     with pytest.raises(jkroll.JkrollError, match=words):
         jkroll.solve("P_c", material="quartz", radius=xarray.DataArray([1.0], attrs={"units": unit}))
 
 
-def test_what_xarray_does_not_align_is_refused() -> None:
+def test_arrays_that_xarray_cannot_align_are_refused() -> None:
     energies, radii = xarray.DataArray([0.1, 0.2], dims="x"), xarray.DataArray([1e-7, 2e-7, 3e-7], dims="x")
     with pytest.raises(jkroll.JkrollError, match="do not broadcast"):
         jkroll.solve("P_c", gamma=energies, radius=radii)

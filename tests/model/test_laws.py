@@ -1,4 +1,4 @@
-"""Laws of attraction through the whole graph: Maugis' law against his equations in 120 digits, and its limits."""
+"""The laws of attraction in all results: Maugis' law against its limits and against his equations in 120 digits."""
 
 import json
 import math
@@ -37,7 +37,7 @@ from scenes import log_uniform
 QUARTZ: dict[str, Any] = {"material": "quartz", "radius": 1e-7}
 
 
-# --- What follows from the state --------------------------------------------------------------------------------------
+# --- Results of a state -----------------------------------------------------------------------------------------------
 
 
 @given(
@@ -46,7 +46,9 @@ QUARTZ: dict[str, Any] = {"material": "quartz", "radius": 1e-7}
     model=st.sampled_from(["jkr", "maugis", "dmt"]),
     of_plane=st.booleans(),
 )
-def test_the_moment_is_hertz_load_less_the_load(load: float, radius: float, model: str, of_plane: bool) -> None:
+def test_the_moment_is_xi_times_the_hertz_load_less_the_load(
+    load: float, radius: float, model: str, of_plane: bool
+) -> None:
     """M = (4E*a³/3R − P)ξ in every law."""
     scene = {**QUARTZ, "radius": 10**radius, "radius2": math.inf if of_plane else 10**radius}
     force = solve("pull_off_force", model=model, **scene)
@@ -77,13 +79,15 @@ def test_maugis_tends_to_jkr_and_to_dmt(model: str, radius: float, spacing: floa
     slow = ("sticking_", "restitution", "lost_energy", "energy_over_sticking", "speed_over_sticking")
     for name in shared:
         tolerance = 20 * error if name.startswith(slow) else error
-        smallest = error * 2e-10 if name == "contact_displacement" else 0.0  # of ξ: in DMT the displacement is 0
+        smallest = (
+            error * 2e-10 if name == "contact_displacement" else 0.0
+        )  # relative to ξ, as the displacement is 0 in DMT
         assert math.isclose(between[name], limits[name], rel_tol=tolerance, abs_tol=smallest), name
 
 
 @pytest.mark.parametrize(("model", "displacement"), [("jkr", 2e-10), ("maugis", 6.809966491779044e-12), ("dmt", 0.0)])
 def test_the_contact_circle_lags_by_xi_in_jkr_and_not_at_all_in_dmt(model: str, displacement: float) -> None:
-    """Under Maugis' law it lags by ξ/(1 + 3tĀ/2λ), where Ā and t solve his two equations without load."""
+    """Under Maugis' law the circle lags by ξ/(1 + 3tĀ/2λ), where Ā and t solve his two equations without load."""
     assert solve("contact_displacement", **QUARTZ, model=model) == approx(displacement, rel=1e-14)
     loads = numpy.array([-1.0, 0.0, 1e-8])
     found = solve("contact_displacement", **QUARTZ, model=model, load=loads)
@@ -96,7 +100,7 @@ def test_the_contact_circle_lags_by_xi_in_jkr_and_not_at_all_in_dmt(model: str, 
 
 
 def test_hysteresis_is_at_most_the_work_of_adhesion() -> None:
-    """The whole of it is a part, too."""
+    """A hysteresis of all the work of adhesion is allowed."""
     assert math.isclose(solve("hysteresis_ratio", **QUARTZ, adhesion_hysteresis=0.05), 1, rel_tol=1e-14)
     with pytest.raises(JkrollError, match=r"60 mJ/m² is above the work of adhesion, 50 mJ"):
         solve("yield_moment", **QUARTZ, adhesion_hysteresis=0.06)
@@ -107,7 +111,7 @@ def test_dmt_has_no_edge_that_a_hysteresis_could_act_on() -> None:
         solve("yield_moment", model="dmt", **QUARTZ, adhesion_hysteresis=0.01)
 
 
-# --- What there is not ------------------------------------------------------------------------------------------------
+# --- Missing results --------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])
@@ -122,7 +126,7 @@ def test_an_error_names_the_pull_off_force_of_the_law(model: str) -> None:
     assert all(math.isnan(value[0]) and value[1] > 0 for value in values.values())
 
 
-def test_a_load_that_only_maugis_holds_is_said() -> None:
+def test_a_load_that_breaks_a_jkr_but_not_a_maugis_contact_has_a_hint_to_maugis() -> None:
     found = Report(QUESTIONS["moment"], Frame({"radius": 1e-7, "load": -1.3e-8}, known_materials()["quartz"]))
     assert "--model maugis" in str(found.failure)
     assert solve("contact_radius_at_load", model="maugis", **QUARTZ, load=-1.3e-8) > 0
@@ -142,7 +146,7 @@ def test_spheres_can_be_bound_without_touching() -> None:
 
 
 @pytest.mark.parametrize("name", ["half_circles_moment", "boussinesq_pressure", "displacement_limit"])
-def test_what_a_law_lacks_is_said_as_a_missing_input_is(name: str) -> None:
+def test_a_quantity_that_a_law_lacks_is_refused_with_the_law_to_give(name: str) -> None:
     with pytest.raises(NotInLaw, match="not in Maugis–Dugdale; give --model jkr"):
         solve(name, model="maugis", **QUARTZ)
 
@@ -150,7 +154,7 @@ def test_what_a_law_lacks_is_said_as_a_missing_input_is(name: str) -> None:
 # --- Tables and arrays ------------------------------------------------------------------------------------------------
 
 
-# Formulas that hold for JKR only, besides the formulas whose docstring says so.
+# Formulas that hold for JKR only, in addition to those whose docstrings say so.
 OF_JKR = (
     *(name for name in vars(jkr) if name in FORMULAS and not name.startswith("contact_area")),
     "pull_off_force",
@@ -168,7 +172,7 @@ CONVENTIONS = ("paszun_dominik", "pencil_code")
 
 
 @pytest.mark.parametrize("model", [name for name in LAWS if name != DEFAULT_LAW])
-def test_no_result_of_a_law_comes_by_a_formula_of_jkr(model: str) -> None:
+def test_no_result_of_another_law_uses_a_formula_of_jkr(model: str) -> None:
     """A law must have its own formula, or lack the quantity (None); otherwise JKR's formula would be used."""
     inputs = {"radius", "surface_energy", "youngs_modulus", "poisson_ratio", "density", "load", "yield_displacement"}
     known = frozenset({*inputs, "speed", "monomers", "filling_factor", "rolling_angle", "atomic_spacing", "gravity"})
@@ -185,7 +189,7 @@ def test_no_result_of_a_law_comes_by_a_formula_of_jkr(model: str) -> None:
     assert by_jkr == {"adhesion_energy": "adhesion_energy"}  # P_cδ0 of JKR itself, a unit of energy
 
 
-# Quantities with their own names that are also another quantity under some law.
+# Quantities in their own right that are also the formula of another quantity under some law.
 SHARED = ("kinetic_energy", "contact_radius_at_load", "pull_off_force_dmt", "roll_energy_quarter_turn")
 
 
@@ -203,7 +207,7 @@ def test_every_route_leads_to_a_formula_of_the_nomenclature() -> None:
 
 
 @pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
-def test_a_law_has_what_its_answers_need(law: Law) -> None:
+def test_every_law_has_a_source_and_a_reference(law: Law) -> None:
     if not law.is_default:
         assert law.source, f"name the source of {law.title} in its Law: results show it instead of an equation"
     assert references()[law.name].keys() >= {"key", "type", "author", "year"}, (
@@ -212,7 +216,7 @@ def test_a_law_has_what_its_answers_need(law: Law) -> None:
 
 
 @pytest.mark.parametrize("size", [1, 7, 28, 29])
-def test_blocks_of_any_size_make_the_whole(size: int, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_arrays_in_blocks_of_any_size_give_the_same_results(size: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Some results depend on all arrays, some on a few, and some on none."""
     radii, energies = numpy.geomspace(1e-8, 1e-5, 29), numpy.linspace(0.02, 0.5, 29)
     given: dict[str, Any] = {**QUARTZ, "radius": radii, "surface_energy": energies}
@@ -237,7 +241,7 @@ def test_a_curve_rises_in_its_approach_and_has_its_largest_tension_at_pull_off(m
     assert math.isclose(-pull_off, solve("pull_off_force", model=model, material="quartz", radius=radius))
 
 
-def test_an_approach_that_sets_a_state_is_an_input_and_no_result(run: Run) -> None:
+def test_an_approach_that_sets_a_state_is_an_input_and_not_a_result(run: Run) -> None:
     states = json.loads(run("contact quartz 100nm --curve --model dmt --json").out)
     assert {result["name"] for state in states for result in state["results"]} == {
         "load",
@@ -262,10 +266,10 @@ def test_a_curve_has_the_quantities_and_the_units_that_are_asked_for(run: Run) -
     assert (refused.code, "which are in: m, N, N/m" in refused.err) == (2, True)
 
 
-# --- What an answer says ----------------------------------------------------------------------------------------------
+# --- Texts of answers -------------------------------------------------------------------------------------------------
 
 
-def test_before_a_headline_of_jkr_stands_what_maugis_says(run: Run) -> None:
+def test_an_answer_by_jkr_states_how_far_it_is_from_maugis_law(run: Run) -> None:
     found = Report(QUESTIONS["pull-off"], Frame({"radius": 1e-7}, known_materials()["quartz"]))
     (text,) = found.lines_on_ranges(found.values)
     assert text.startswith("Maugis: JKR is 17–23 % too low at this size and stiffness (Tabor parameter 0.14–0.27)")
@@ -282,7 +286,9 @@ def test_before_a_headline_of_jkr_stands_what_maugis_says(run: Run) -> None:
         ("iron", 1e-7, 0.82, 1.06),
     ],
 )
-def test_rolling_has_two_readings(material: str, radius: float, at_displacement: float, at_hysteresis: float) -> None:
+def test_maugis_law_lowers_the_rolling_moment_at_equal_displacement_and_raises_it_at_equal_hysteresis(
+    material: str, radius: float, at_displacement: float, at_hysteresis: float
+) -> None:
     given = {"material": material, "radius": radius, "energy": 1e-18}
     fraction = solve("hysteresis_ratio", **given)
     for name, power in (("yield_moment", 1), ("n_roll_energy_balance", -1)):
@@ -303,7 +309,7 @@ def test_a_verdict_says_whether_a_contact_jumps(run: Run) -> None:
     assert not any("verdict" in one for one in json.loads(run("pull-off quartz 100nm --json").out)["validity"])
 
 
-def test_a_result_of_another_law_says_so() -> None:
+def test_a_result_of_another_law_names_the_law() -> None:
     found = Report(QUESTIONS["yield-force"], Frame({"radius": 1e-7}, known_materials()["quartz"], model="maugis"))
     results = {result.name: result for result in found.results}
     assert (results["yield_force"].law, results["yield_force"].equation) == ("maugis", "Maugis 1992")
@@ -311,7 +317,7 @@ def test_a_result_of_another_law_says_so() -> None:
     assert found.inputs["model"] == "maugis"
 
 
-def test_a_sticking_energy_that_the_spacing_decides_has_no_value_at_the_prompt_either() -> None:
+def test_a_sticking_energy_that_the_spacing_decides_has_no_value_in_a_report() -> None:
     quartz = known_materials()["quartz"]
     found = Report(QUESTIONS["energies"], Frame({"radius": 1e-7}, quartz, model="maugis"))
     results = {result.name: result for result in found.results}
@@ -324,8 +330,8 @@ def test_a_sticking_energy_that_the_spacing_decides_has_no_value_at_the_prompt_e
 
 
 @pytest.mark.parametrize("radius", [20e-6, numpy.array([20e-6, 30e-6])])
-def test_what_the_spacing_decides_is_judged_with_the_spacing_that_is_assumed(radius: Any) -> None:
-    """Without a given spacing the quantity has no value. Its doubts are those with the assumed spacing stated."""
+def test_a_sticking_speed_that_the_spacing_decides_is_judged_at_the_assumed_spacing(radius: Any) -> None:
+    """Without a given spacing the speed has no value; its doubts and range are those at the assumed spacing."""
     quartz = known_materials()["quartz"]
     assumed, stated = (Frame({"radius": radius, **more}, quartz) for more in ({}, {"atomic_spacing": 4e-10}))
     factors = [factor_of_law(scene, ["sticking_speed"]) for scene in (assumed, stated)]
@@ -352,13 +358,13 @@ def test_a_quantity_that_the_spacing_decides_has_no_value_without_it() -> None:
 
 
 @pytest.mark.parametrize("model", ["", "jkr ", 3, ["jkr", "kjr"], math.nan])
-def test_a_law_that_is_none_of_them_is_refused(model: Any) -> None:
+def test_an_unknown_law_is_refused(model: Any) -> None:
     with pytest.raises(BadRequest, match="is not one of jkr, maugis, dmt"):
         solve("pull_off_force", **QUARTZ, model=model)
 
 
-def test_loads_far_above_pull_off_have_their_digits() -> None:
-    """A narrow ring around a wide contact at any λ; on the curve, the state at a load is the state at its approach."""
+def test_states_at_loads_far_above_pull_off_have_full_precision() -> None:
+    """The zone of attraction is a narrow ring around a wide contact; a load and its approach give the same state."""
     for spacing in (4e-10, 1e-8, 1e-6):
         for load in (1e-2, 1.0, 1e2, 1e6, 1e14):
             at_load = solve(["approach_at_load", "adhesive_force"], model="maugis", **QUARTZ, z0=spacing, load=load)
@@ -369,11 +375,11 @@ def test_loads_far_above_pull_off_have_their_digits() -> None:
 
 @pytest.mark.parametrize("load", [-5e-9, 0.0, 2e-8])
 @pytest.mark.parametrize("name", ["state_energy_maugis", "edge_ratio", "zone_span", "contact_displacement_maugis"])
-def test_what_maugis_alone_has_is_the_same_under_any_law(name: str, load: float) -> None:
+def test_quantities_of_maugis_law_are_the_same_under_every_law(name: str, load: float) -> None:
     assert len({solve(name, **QUARTZ, load=load, model=model) for model in MODELS}) == 1
 
 
-def test_the_energy_of_a_state_is_the_work_of_its_load() -> None:
+def test_the_load_is_the_derivative_of_the_energy_of_a_state() -> None:
     for approach in (-3.5e-10, -2e-10, 0.0, 2e-10):
         low, high = (
             solve("state_energy_maugis", **QUARTZ, approach_at_load=approach + side, model="maugis")
@@ -384,8 +390,8 @@ def test_the_energy_of_a_state_is_the_work_of_its_load() -> None:
 
 
 @pytest.mark.parametrize("law", ["jkr", "maugis", "dmt"])
-def test_a_contact_holds_its_own_pull_off_force(law: str) -> None:
-    """It does so whatever the last digit of the force is: for numbers, for arrays, and by any plan."""
+def test_a_contact_bears_its_own_pull_off_force(law: str) -> None:
+    """Rounding of the force does not break the contact, for numbers and for arrays."""
     source = random.Random(11)
     for _ in range(50):
         grain: dict[str, Any] = {
@@ -421,7 +427,7 @@ def test_where_a_law_is_within_5_per_cent_depends_on_the_quantity(model: str, na
 
 @pytest.mark.parametrize("given", [{}, {"load": 1e-9}, {"approach_at_load": 1e-10}, {"adhesion_hysteresis": 0.01}])
 @pytest.mark.parametrize("model", LAWS)
-def test_a_formula_of_another_law_has_no_contact_of_this_one(model: str, given: dict[str, float]) -> None:
+def test_a_formula_of_another_law_never_uses_the_contact_of_the_law_in_use(model: str, given: dict[str, float]) -> None:
     """The formulas of one law give the same under another law, or are refused. approach_dmt once took JKR's radius."""
     scene = Frame({"radius": 1e-7, **given}, known_materials()["quartz"], model=model)
     foreign = [name for name in NOMENCLATURE if NOMENCLATURE[name].variant_of and law_of(name) not in (None, model)]
@@ -432,7 +438,7 @@ def test_a_formula_of_another_law_has_no_contact_of_this_one(model: str, given: 
     assert model == "dmt" or "pull_off_force_dmt" in outcomes(scene, ["pull_off_force_dmt"])
 
 
-def test_what_another_law_has_is_refused_with_its_name(run: Run) -> None:
+def test_a_quantity_of_another_law_is_refused_with_the_name_of_that_law(run: Run) -> None:
     ran = run("contact quartz 100nm --quantities stiffness_dmt")
     assert "not in JKR; give --model dmt" in ran.err
     assert float(run("contact quartz 100nm --quantities stiffness_dmt --model dmt --bare").out) == approx(
@@ -440,8 +446,8 @@ def test_what_another_law_has_is_refused_with_its_name(run: Run) -> None:
     )
 
 
-def test_the_depth_of_the_fold_is_that_of_the_law_in_use() -> None:
-    """P_c times the depth of the fold by the reference. JKR's 27.03 aJ once stood for the 45.2 aJ of dry silica."""
+def test_the_fold_energy_is_that_of_the_law_in_use() -> None:
+    """The energy is P_c times the depth of the fold. For dry silica, JKR's 27.03 aJ once stood in place of 45.2 aJ."""
     grain: dict[str, Any] = {"material": "silica-dry", "radius": 1e-7}
     names = ["work_of_adhesion", "reduced_radius", "contact_modulus", "transition_parameter"]
     w, radius, modulus, transition = map(mpf, solve(names, model="maugis", **grain).values())

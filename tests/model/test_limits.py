@@ -1,4 +1,4 @@
-"""Limits of the model: the side of a threshold on which a number is in doubt, its scope, and its sentence."""
+"""Limits of the model: the side of a threshold where a number is in doubt, the results concerned, and the sentences."""
 
 import json
 import math
@@ -29,7 +29,7 @@ THRESHOLDS = [(limit, threshold) for limit in LIMITS for threshold in limit.code
 
 
 @pytest.mark.parametrize(("limit", "threshold"), THRESHOLDS)
-def test_either_side_of_a_threshold(limit: Limit, threshold: float) -> None:
+def test_the_code_changes_at_a_threshold(limit: Limit, threshold: float) -> None:
     below, above = (float(np.nextafter(threshold, end)) for end in (-np.inf, np.inf))
     beyond, before = (below, above) if limit.sign.startswith("<") else (above, below)
     code = limit.codes[threshold]
@@ -54,7 +54,7 @@ def test_an_excess_is_the_logarithm_of_a_factor() -> None:
     assert law.factor == approx(max(of_laws[1], fit) / of_laws[0] / 1.05)
 
 
-def test_a_limit_that_holds_has_its_number() -> None:
+def test_a_limit_that_is_not_exceeded_has_its_value() -> None:
     (few,) = [
         one for one in doubts(Frame(QUARTZ), ["pull_off_force"]) if one.limit.name == "contact_radius_in_spacings"
     ]
@@ -62,7 +62,7 @@ def test_a_limit_that_holds_has_its_number() -> None:
     assert few.value == approx(9.98, rel=1e-3)
 
 
-def test_every_limit_touches_what_a_command_shows() -> None:
+def test_every_limit_concerns_a_result_that_a_command_shows() -> None:
     shown = depends_on(tuple(name for question in QUESTIONS.values() for name in question.quantities))
     for limit in LIMITS:
         assert limit.name in NOMENCLATURE
@@ -98,12 +98,12 @@ def test_every_limit_touches_what_a_command_shows() -> None:
         ("contact_radius_at_load", {"approach_at_load": -6e-11}, "beyond-pull-off"),
     ],
 )
-def test_a_scene_in_doubt(name: str, given: dict[str, Any], code: str) -> None:
+def test_a_scene_beyond_a_limit_has_its_code(name: str, given: dict[str, Any], code: str) -> None:
     assert code in verdicts(name, **given).values()
     assert code in codes(bits(Frame({**QUARTZ, **given}), [name])).split()
 
 
-def test_the_order_of_two_spheres_decides_no_doubt_about_roughness() -> None:
+def test_doubts_about_roughness_do_not_depend_on_the_order_of_the_spheres() -> None:
     """The smaller sphere decides; a plane does not count."""
     for radius, radius2, is_in_doubt in (
         (1e-6, 1e-7, False),
@@ -117,8 +117,8 @@ def test_the_order_of_two_spheres_decides_no_doubt_about_roughness() -> None:
         assert ("rough-matters" in codes) is is_in_doubt
 
 
-def test_spheres_of_a_viscous_time_bounce_where_they_are_faster_than_it_lets_them_stick() -> None:
-    """At every time, e and the doubt agree, also in columns and above T* = 0.68, where all spheres stick."""
+def test_spheres_with_a_viscous_time_bounce_above_the_sticking_speed_with_damping() -> None:
+    """The doubt agrees with the sticking speed, in columns as well, and above T* = 0.68, where all spheres stick."""
     times, speeds = np.array([1e-13, 1e-12, 1e-11, 1e-10]), np.array([1.0, 30.0, 1.0, 1.0])
     bounces = []
     for time, speed in zip(times.tolist(), speeds.tolist(), strict=True):
@@ -131,10 +131,10 @@ def test_spheres_of_a_viscous_time_bounce_where_they_are_faster_than_it_lets_the
     assert [*(bits(scene, ["restitution"]) & BITS["bounces"] > 0)] == bounces
 
 
-def test_a_sphere_springs_back_where_what_is_left_of_its_energy_does_not_reach_the_yield_energy() -> None:
-    """The paper: "do not roll at all, if they are smaller than about 10 nm".
+def test_a_sphere_does_not_roll_if_its_energy_for_rolling_is_below_the_yield_energy() -> None:
+    """The paper says of spheres: "do not roll at all, if they are smaller than about 10 nm".
 
-    By Eqs (1) and (3), its (2/7)P_cδ0 is 6πγξ² at 11 nm of quartz.
+    By Eqs (1) and (3), (2/7)P_cδ0 is 6πγξ² for quartz spheres of radius 11 nm.
     """
     gamma, modulus, shift = 0.025, 54e9 / (2 * (1 - 0.17**2)), 2e-10
     for share, names in ((2 / 7, ["n_roll"]), (5 / 7, ["n_roll_after_impact"]), (1.0, ["n_roll_energy_balance"])):
@@ -146,16 +146,16 @@ def test_a_sphere_springs_back_where_what_is_left_of_its_energy_does_not_reach_t
             assert 2 * reduced == approx(11e-9, rel=0.01)
 
 
-def test_iron_of_100_nm_is_pressed_to_where_a_solid_yields() -> None:
-    """There p_H = 2aE*/πR is 17.8 GPa, 0.16 E*; for quartz it is 0.05 E*."""
+def test_iron_spheres_of_100_nm_may_yield() -> None:
+    """Their p_H = 2aE*/πR is 17.8 GPa or 0.16 E*; for quartz, p_H is 0.05 E*."""
     for material, ratio, is_in_doubt in (("iron", 0.16, True), ("quartz", 0.051, False)):
         scene = Frame({"radius": 1e-7}, known_materials()[material])
         assert scene["hertz_pressure"] / scene["contact_modulus"] == approx(ratio, rel=0.02)
         assert ("may-yield" in codes(bits(scene, ["contact_radius"])).split()) is is_in_doubt
 
 
-def test_what_is_not_judged() -> None:
-    for turns in ("n_roll", "n_roll_after_impact"):  # a speed along the surface, which is no speed of a head-on impact
+def test_limits_are_not_judged_for_results_that_they_do_not_concern() -> None:
+    for turns in ("n_roll", "n_roll_after_impact"):  # here the speed is along the surface
         assert "speed_over_sticking" not in verdicts(turns, speed=1.0)
     assert "load_margin" not in verdicts("yield_force")
     assert "profile_error" not in verdicts("r_min")
@@ -170,14 +170,14 @@ def test_a_load_of_exactly_the_pull_off_force_is_not_stable() -> None:
 
 
 def test_a_ratio_of_forces_has_the_doubts_of_its_contact() -> None:
-    """This also holds without load, although nothing of the contact enters 4ξ/R1."""
+    """The doubts are the same without load, although 4ξ/R1 does not depend on the contact."""
     soft = {"radius": 3e-10, "surface_energy": 0.025, "youngs_modulus": 5e9, "poisson_ratio": 0.2}
     of_loads = [codes(bits(Frame({**soft, "load": load}), ["yield_force_ratio"])).split() for load in (0.0, 1e-18)]
     assert {"few-atoms", "wide-contact"} <= {*of_loads[0]} == {*of_loads[1]}
 
 
-def test_the_paraboloid_is_off_by_what_the_next_term_gives() -> None:
-    """r²/2R + r⁴/8 (R1⁻³ + R2⁻³) compared with the sum of two circles; the error is 1 % at a = 0.2 R1."""
+def test_the_error_of_the_paraboloid_is_the_next_term_of_the_profile() -> None:
+    """r²/2R + r⁴/8 (R1⁻³ + R2⁻³) compared with two circles; for equal spheres the error is 1 % at a = 0.2 R1."""
     for radius2 in (1e-7, 4e-8, 1e-5):
         scene = {**QUARTZ, "radius2": radius2, "youngs_modulus": 54e10}
         error, a, reduced = solve(["profile_error", "contact_radius_at_load", "reduced_radius"], **scene).values()
@@ -204,7 +204,7 @@ def test_two_rigid_bodies_have_no_jkr_contact(given: dict[str, Any]) -> None:
             assert value.cause == TWO_RIGID_BODIES
 
 
-def test_one_rigid_body_or_an_unknown_modulus_is_no_reason() -> None:
+def test_one_rigid_body_or_an_unknown_modulus_is_not_refused() -> None:
     assert solve("pull_off_force", radius=1e-7, surface_energy=0.025) > 0
     assert solve("pull_off_force", **QUARTZ, youngs_modulus2=np.inf) > 0
     assert solve("pull_off_force", radius=1e-7, surface_energy=0.025, youngs_modulus2=np.inf) > 0
@@ -220,19 +220,19 @@ def test_no_wave_runs_around_a_rigid_sphere(run: Run) -> None:
     assert np.isnan(times).tolist() == [True, False]
 
 
-# --- What is said -----------------------------------------------------------------------------------------------------
+# --- Texts of answers -------------------------------------------------------------------------------------------------
 
 
-def test_what_could_not_be_judged_is_said(run: Run) -> None:
+def test_a_note_lists_the_limits_that_could_not_be_judged(run: Run) -> None:
     said = run("pull-off gold 100nm --explain").out
     lacking = "need Young's modulus and Poisson's ratio; gold has none in Table 1 of D&T"
     assert f"note: not checked: contact-exceeds-sphere, law-off-5%, few-atoms, may-yield and 1 more: {lacking}" in said
-    assert "z0 = " not in said  # no limit was judged by it
+    assert "z0 = " not in said  # no limit was judged with z0
     assert "not checked" not in run("pull-off quartz 100nm --explain").out
 
 
 def test_turns_after_an_impact_follow_from_angular_momentum() -> None:
-    """The angular momentum about the contact, mvR, is conserved: (I + mR²)ω = mvR; ⟨M⟩ then takes ½(I + mR²)ω²."""
+    """The angular momentum about the contact, mvR, is conserved: (I + mR²)ω = mvR; ⟨M⟩ dissipates ½(I + mR²)ω²."""
     names = ["mass", "moment_of_inertia", "mean_rolling_moment", "n_roll_after_impact"]
     mass, inertia, moment, turns = solve(names, speed=0.1, **QUARTZ).values()
     total = inertia + mass * 1e-14
@@ -240,8 +240,8 @@ def test_turns_after_an_impact_follow_from_angular_momentum() -> None:
     assert turns == approx(total * spin**2 / 2 / (2 * np.pi * moment), rel=1e-12)
 
 
-def test_a_load_of_fixed_direction(run: Run) -> None:
-    """It is M/R1 − Pξ/R2, and M/R1 on a plane. It is shown if a load or a state is given."""
+def test_the_rolling_force_under_a_load_of_fixed_direction(run: Run) -> None:
+    """The force is M/R1 − Pξ/R2, and M/R1 on a plane. It is shown if a load or a state is given."""
     names = ["yield_force", "yield_force_fixed_load"]
     turning, fixed = solve(names, load=-1e-9, **QUARTZ).values()
     assert fixed - turning == approx(1e-9 * 2e-10 / 1e-7, rel=1e-9)
@@ -265,7 +265,7 @@ def test_a_sphere_rolls_by_itself_beyond_eight_pull_off_forces(run: Run) -> None
     assert "a load of fixed direction is enough to roll sphere 1" in " ".join(ran.split())
 
 
-def test_the_tensile_strength_was_fitted_to_filling_factors_of_a_range(run: Run) -> None:
+def test_strengths_outside_the_fitted_filling_factors_are_doubtful(run: Run) -> None:
     for factor, code in ((0.0099, "filling-out-of-range"), (0.01, ""), (0.5, ""), (0.51, "filling-out-of-range")):
         assert verdicts("tensile_strength", filling_factor=factor)["filling_factor"] == code
     for factor, code in ((0.1, ""), (0.101, "slides-and-twists")):
@@ -274,7 +274,7 @@ def test_the_tensile_strength_was_fitted_to_filling_factors_of_a_range(run: Run)
     assert "fitted to filling factors of 0.01 to 0.5 (φ = 0.7)" in " ".join(ran.split())
 
 
-def test_a_chain_from_a_plane_yields_between_its_spheres(run: Run) -> None:
+def test_n_grav_on_another_body_notes_where_the_contact_between_the_spheres_yields(run: Run) -> None:
     said = "N_grav counts the spheres that the first contact, on body 2, carries"
     of_materials = "n-grav quartz 100nm --material2 iron --work-of-adhesion 1J/m2"
     for words in ("n-grav quartz 100nm --radius2 plane", "n-grav quartz 100nm --radius2 1nm", of_materials):
@@ -299,18 +299,20 @@ def test_a_chain_from_a_plane_yields_between_its_spheres(run: Run) -> None:
         ("pull_off_force", {"material": "quartz", "radius": 1e-4, "model": "dmt"}, "law-off-25%"),
         ("pull_off_force", {"material": "quartz", "radius": 1e-7, "model": "maugis"}, ""),
         ("yield_force", {"material": "quartz", "radius": 1e-7}, "law-off-2x"),  # 57 % smaller at equal ξ
-        ("r_min", {"material": "quartz", "radius": 1e-7}, ""),  # no law of adhesion enters it
+        ("r_min", {"material": "quartz", "radius": 1e-7}, ""),  # R_min depends on no law of adhesion
         ("n_grav", {"material": "polystyrene", "radius": 1e-4}, ""),
     ],
 )
-def test_the_law_of_adhesion_is_judged_by_its_effect(name: str, given: dict[str, Any], code: str) -> None:
+def test_the_law_of_adhesion_is_judged_by_its_effect_on_each_result(
+    name: str, given: dict[str, Any], code: str
+) -> None:
     model = given.pop("model", "jkr")
     scene = Frame({"radius": given["radius"]}, known_materials()[given["material"]], model=model)
     assert {one for one in codes(bits(scene, [name])).split() if one.startswith("law")} == ({code} if code else set())
 
 
-def test_a_contact_that_only_one_law_has_is_doubtful() -> None:
-    """DMT holds a load that Maugis' law does not. Where neither law holds it, there is no answer to doubt."""
+def test_a_contact_that_exists_only_by_dmt_is_doubtful() -> None:
+    """A DMT contact bears this load; a Maugis contact does not."""
     force = solve("pull_off_force", **QUARTZ, model="dmt")
     held = {**QUARTZ, "radius": 1e-4, "load": -0.9 * 1e3 * force}
     scene = Frame(held, model="dmt")
@@ -321,11 +323,11 @@ def test_a_contact_that_only_one_law_has_is_doubtful() -> None:
     ("model", "name", "value", "other", "names"),
     [
         ("jkr", "load", -3 * np.pi * 0.025 * 5e-8, 0.0, ("stiffness", "vertical_frequency")),  # at pull-off
-        ("dmt", "load", -2 * np.pi * 0.05 * 5e-8, 0.0, ("stiffness", "contact_radius_at_load")),  # likewise
+        ("dmt", "load", -2 * np.pi * 0.05 * 5e-8, 0.0, ("stiffness", "contact_radius_at_load")),  # at pull-off
         ("dmt", "approach_at_load", 0.0, 1e-10, ("stiffness", "contact_radius_at_load")),  # at first touch
     ],
 )
-def test_an_answer_of_zero_is_not_compared_with_that_of_another_law(
+def test_a_result_of_zero_is_not_compared_with_that_of_another_law(
     model: str, name: str, value: float, other: float, names: tuple[str, ...]
 ) -> None:
     zero, both = (Frame({**QUARTZ, name: given}, model=model) for given in (value, np.array([value, other])))
@@ -335,7 +337,7 @@ def test_an_answer_of_zero_is_not_compared_with_that_of_another_law(
         assert factor_of_law(both, [one])[1] != 1
 
 
-def test_a_dmt_contact_at_an_approach_is_doubtful_without_a_work_of_adhesion_too() -> None:
+def test_a_dmt_contact_at_an_approach_is_doubtful_although_it_does_not_depend_on_w() -> None:
     """Its radius √(Rδ) does not depend on the work of adhesion, and Maugis' contact is far wider."""
     scenes = [Frame({**QUARTZ, "approach_at_load": given}, model="dmt") for given in (1e-11, np.array([1e-11, 1e-12]))]
     for name, first in (("contact_radius_at_load", "law-off-2x few-atoms"), ("stiffness", "law-off-25% few-atoms")):
@@ -344,7 +346,7 @@ def test_a_dmt_contact_at_an_approach_is_doubtful_without_a_work_of_adhesion_too
         assert codes(int(both[1])) == "law-off-2x few-atoms"
 
 
-def test_the_other_law_has_the_spacing_that_follows_from_a_cutoff() -> None:
+def test_the_other_law_has_the_spacing_that_follows_from_the_cutoff() -> None:
     """The scene computes the spacing from the cutoff; the other law has the same spacing stated."""
     given: dict[str, Any] = {"radius": 1e-7, "hamaker": 6.5e-20, "cutoff": 2e-10}
     other = Frame(given, known_materials()["quartz"]).by_law

@@ -16,9 +16,9 @@ from jkroll.quantities.laws import MODELS
 from scenes import log_uniform
 
 PER_DECADE = 10  # values of the dense scan; its cells end at other values than those of the program
-PARTS = 5  # of each side of a cell that is divided
-ROUNDS = 12  # of division: a cell is then 1e-9 times as wide
-MANY = 3000  # cells that both quantities pass; more of them form a curve instead of points
+PARTS = 5  # into which each side of a cell is divided
+ROUNDS = 12  # of division, after which a cell is 4e-9 times as wide
+MANY = 3000  # most cells in which both quantities pass their values; more cells form a curve instead of points
 SPANS = {
     "surface_energy": (1e-3, 1.0), "youngs_modulus": (1e6, 1e12), "radius": (1e-8, 1e-3),
     "yield_displacement": (1e-11, 1e-8)
@@ -32,7 +32,7 @@ QUANTITIES = (
 
 
 def above(scene: Frame, names: tuple[str, ...], measured: dict[str, float], places: Any) -> Any:
-    """Return whether the quantities are above their measured values: 1 or −1, and nan where they have no value."""
+    """Return 1 where a quantity is above its measured value, −1 where it is below, and nan where it has no value."""
     found = outcomes(scene.replace(**dict(zip(names, places, strict=True))), [*measured])
     signs = [
         numpy.full(places.shape[1:], numpy.nan)

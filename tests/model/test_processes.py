@@ -16,7 +16,7 @@ def force(scene: dict[str, Any]) -> float:
     return float(jkroll.answer("P_c", **scene)["P_c"])
 
 
-def test_spawned_processes_take_tables_and_results() -> None:
+def test_spawned_processes_return_tables_answers_and_curves() -> None:
     with multiprocessing.get_context("spawn").Pool(1) as pool:
         found = pool.apply(jkroll.table, [{"radius [nm]": [100.0], "material": ["quartz"]}, "P_c"])
         assert found["pull_off_force [N]"].tolist() == EXPECTED[:1]
@@ -28,7 +28,7 @@ def test_spawned_processes_take_tables_and_results() -> None:
         assert forces.tolist() == EXPECTED[:2]
 
 
-def test_tasks_of_dask() -> None:
+def test_dask_runs_the_functions_of_jkroll() -> None:
     dask = pytest.importorskip("dask")
     tasks = [dask.delayed(jkroll.solve)("P_c", **scene) for scene in SCENES]
     assert [*dask.compute(*tasks, scheduler="processes", num_workers=1)] == EXPECTED
@@ -36,7 +36,7 @@ def test_tasks_of_dask() -> None:
 
 
 @pytest.mark.parametrize("backend", ["loky", "threading"])
-def test_tasks_of_joblib(backend: str) -> None:
+def test_joblib_runs_the_functions_of_jkroll(backend: str) -> None:
     joblib = pytest.importorskip("joblib")
     tasks = (joblib.delayed(jkroll.solve)("P_c", **scene) for scene in SCENES)
     assert joblib.Parallel(n_jobs=2, backend=backend)(tasks) == EXPECTED

@@ -44,20 +44,20 @@ def test_state_at_a_load_is_that_at_its_approach(load: float) -> None:
     assert stiffness == approx((steps[1] - steps[0]) / 2e-12, rel=1e-5)
 
 
-def test_work_of_adhesion_of_a_paraboloid_is_too_low() -> None:
+def test_work_of_adhesion_inferred_with_a_paraboloid_is_too_low() -> None:
     measured = {"pull_off_force": 0.95900 * PARABOLOID}
     known = {name: value for name, value in GEL.items() if name != "work_of_adhesion"}
     assert infer("w", measured=measured, **known, profile="sphere") == approx(0.02, rel=2e-5)
     assert infer("w", measured=measured, **known) == approx(0.9590 * 0.02, rel=1e-5)
 
 
-def test_arrays_have_a_row_for_each_element() -> None:
+def test_arrays_of_radii_give_the_pull_off_force_of_each_sphere() -> None:
     radii = np.array([1e-6, 1e-4, 1e-2])
     forces = solve("pull_off_force", **{**GEL, "radius": radii}, profile="sphere") / (1.5 * math.pi * 0.02 * radii)
     assert forces.tolist() == approx([0.95900, 0.99801, 0.99991], rel=1e-5)
 
 
-# --- Where it is refused ----------------------------------------------------------------------------------------------
+# --- Where a sphere is refused ----------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -68,7 +68,7 @@ def test_arrays_have_a_row_for_each_element() -> None:
         {"poisson_ratio2": 0.44},  # a plane that is compressible
     ],
 )
-def test_sphere_is_refused_where_other_terms_come_first(other: dict[str, float]) -> None:
+def test_sphere_is_refused_for_two_spheres_soft_spheres_and_compressible_planes(other: dict[str, float]) -> None:
     with pytest.raises(Failure, match=r"rigid sphere \(E1 ≥ 100 E2\) on a plane of ν2 ≥ 0.45"):
         solve("pull_off_force", **{**GEL, **other}, profile="sphere")
     assert solve("pull_off_force", **{**GEL, "poisson_ratio2": 0.45}, profile="sphere") > 0
@@ -82,7 +82,7 @@ def test_sphere_is_refused_under_other_laws(model: str, run: Run) -> None:
     assert (ran.code, "only JKR has a sphere" in ran.err) == (2, True)
 
 
-def test_sphere_needs_what_justifies_it() -> None:
+def test_sphere_needs_the_moduli_that_justify_it() -> None:
     given = {"reduced_radius": 1e-6, "contact_modulus": 2e6, "work_of_adhesion": 0.02}
     with pytest.raises(MissingInput, match="Young's modulus"):
         solve("pull_off_force", **given, profile="sphere")
@@ -94,21 +94,21 @@ def test_sphere_has_no_rolling_and_no_energies() -> None:
             solve(name, **GEL, density=1e3, profile="sphere")
 
 
-def test_load_beyond_pull_off_is_refused_with_that_of_the_sphere(run: Run) -> None:
+def test_load_beyond_pull_off_is_refused_with_the_pull_off_force_of_the_sphere(run: Run) -> None:
     ran = run(f"contact {WORDS} --work-of-adhesion 20mJ/m2 --profile sphere --load=-91nN")
     assert "the hardest pull that it holds is -90.38 nN" in ran.err
 
 
-def test_profile_is_one_of_two_words() -> None:
+def test_profile_is_paraboloid_or_sphere() -> None:
     with pytest.raises(BadRequest, match="'cone' is not one of paraboloid, sphere"):
         solve("pull_off_force", **GEL, profile="cone")
 
 
-# --- What is said -----------------------------------------------------------------------------------------------------
+# --- Texts of answers -------------------------------------------------------------------------------------------------
 
 
-def test_wide_contact_says_what_a_sphere_would_give(run: Run) -> None:
-    """The table at w/(E*R) = 0.001: P_c is 0.99082 of the value for a paraboloid."""
+def test_warning_of_a_wide_contact_states_the_results_of_a_sphere(run: Run) -> None:
+    """At w/(E*R) = 0.001, a sphere has 0.99082 of the P_c of a paraboloid."""
     said = "contact too wide for a paraboloid: of a sphere P_c is 0.92 % smaller, w from it 0.92 % too low"
     assert said in run(f"pull-off {WORDS} --work-of-adhesion 2mJ/m2").err
     assert "w from it 0.91 % too low" in run(f"infer w {WORDS} --measured P_c=9.338nN").err
@@ -118,8 +118,8 @@ def test_wide_contact_says_what_a_sphere_would_give(run: Run) -> None:
     assert "too low" not in two
 
 
-def test_sphere_softer_than_its_size_has_no_meaning() -> None:
-    """This begins at a0 = R of the paraboloid, w/(E*R) = 2/9π, as it does without the profile."""
+def test_results_of_a_sphere_have_no_meaning_where_the_contact_exceeds_it() -> None:
+    """For both profiles this begins where the paraboloid has a0 = R: at w/(E*R) = 2/(9π)."""
     for work, has_meaning in ((0.14, True), (0.142, False)):
         said = answer("pull-off", **{**GEL, "work_of_adhesion": work}, profile="sphere")
         assert ("contact-exceeds-sphere" not in {doubt.code for doubt in said.doubts}) is has_meaning
@@ -147,7 +147,7 @@ def test_table_takes_the_profile_for_all_rows(run: Run, tmp_path: Any) -> None:
     assert second.split(",")[3:] == ["sphere", "", "", "no rigid sphere on a soft plane"]
 
 
-def test_a_stated_sphere_decides_as_a_stated_law_does() -> None:
+def test_a_stated_sphere_sets_the_best_range_as_a_stated_law_does() -> None:
     said = answer("pull-off", **GEL, profile="sphere")
     low, high, by = said.best["pull_off_force"]
     assert low == high == said["pull_off_force"].value

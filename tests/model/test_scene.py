@@ -25,7 +25,7 @@ from scenes import QUARTZ
 LIMIT_NAMES = dict.fromkeys(limit.name for limit in LIMITS)
 
 
-def test_answers_and_their_limits_are_the_same_one_by_one() -> None:
+def test_quantities_computed_together_equal_those_computed_one_by_one() -> None:
     scene = Frame({**QUARTZ, "viscous_time": 1e-12, "speed": 1.0, "filling_factor": 0.1, "yield_strength": 1e10,
         "humidity": 0.5, "roughness_gap": 1e-9})  # fmt: skip
     values = outcomes(scene, ("pull_off_force", "n_roll", *LIMIT_NAMES))
@@ -33,7 +33,7 @@ def test_answers_and_their_limits_are_the_same_one_by_one() -> None:
     assert scene.inputs_of("pull_off_force") == ("radius", "surface_energy")
 
 
-def test_a_quantity_that_fails_leaves_the_others_alone() -> None:
+def test_a_quantity_that_fails_does_not_affect_the_others() -> None:
     scene = Frame({**QUARTZ, "radius2": float("inf"), "load": -1.0}).replace(density=1e-30)
     values = outcomes(scene, ("r_min", "pull_off_force", "yield_force", "n_grav", "mass", "speed"))
     kinds = {name: value.cause if isinstance(value, Failure) else type(value) for name, value in values.items()}
@@ -48,7 +48,7 @@ def test_a_quantity_that_fails_leaves_the_others_alone() -> None:
                 scene[name]
 
 
-def test_a_number_that_leaves_the_doubles_takes_what_follows_with_it() -> None:
+def test_results_that_need_a_number_beyond_the_range_of_doubles_have_no_value() -> None:
     tiny = {**QUARTZ, "radius": 1e-30, "youngs_modulus": 1e30, "atomic_spacing": 1e29}
     values = outcomes(Frame(tiny, model="maugis"), ("pull_off_force", "sticking_energy", "sticking_speed"))
     assert isinstance(values["pull_off_force"], float)
@@ -57,14 +57,14 @@ def test_a_number_that_leaves_the_doubles_takes_what_follows_with_it() -> None:
         assert "sticking_energy_maugis: no value that a double can hold" in str(values[name])
 
 
-def test_only_what_belongs_to_a_plane_may_be_infinite() -> None:
+def test_only_quantities_of_a_plane_may_be_infinite() -> None:
     radii = numpy.array([1e30, 1e-7, float("inf")])
     found = outcomes(Frame({**QUARTZ, "density": 1e3, "radius2": radii}), ("r_min", "moment_of_inertia2"))
     assert numpy.isnan(found["r_min"]).tolist() == [False, False, True]
     assert numpy.isinf(found["moment_of_inertia2"]).tolist() == [False, False, True]
 
 
-def test_a_scene_with_other_inputs_is_another_scene() -> None:
+def test_replacing_inputs_leaves_the_original_frame_unchanged() -> None:
     scene = Frame(QUARTZ)
     assert scene["pull_off_force"] > 0
     doubled = scene.replace(radius=2e-7)
@@ -76,7 +76,7 @@ def test_a_scene_with_other_inputs_is_another_scene() -> None:
     assert scene.replace(model="dmt", radius=2e-7)["pull_off_force"] == other["pull_off_force"]
 
 
-def test_arrays_of_which_sphere_2_loses_what_it_had_of_its_own_are_evaluated_anew() -> None:
+def test_arrays_are_evaluated_anew_if_sphere_2_loses_its_own_surface_energy() -> None:
     radii = numpy.array([1e-7, 2e-7])
     unlike = Frame({**QUARTZ, "radius": radii, "surface_energy2": 0.08})
     alike = Frame({**QUARTZ, "radius": radii})
@@ -85,15 +85,15 @@ def test_arrays_of_which_sphere_2_loses_what_it_had_of_its_own_are_evaluated_ane
 
 
 @pytest.mark.parametrize("name", ["youngs_modulus2", "radius2"])
-def test_arrays_that_do_not_broadcast_are_no_scene(name: str) -> None:
-    """The same holds if they decide what follows from the inputs: rigid bodies, or the displacement of a material."""
+def test_arrays_that_do_not_broadcast_are_refused(name: str) -> None:
+    """Moduli also decide which bodies are rigid, and radii a material's displacement; the shapes are checked first."""
     arrays = {name.removesuffix("2"): numpy.ones(2), name: numpy.ones(3)}
     with pytest.raises(BadRequest, match=rf"do not broadcast: {name.removesuffix('2')} \(2,\), {name} \(3,\)"):
         Frame(arrays, known_materials()["silica-dry"])
 
 
-def test_every_parameter_is_a_name_that_something_gives() -> None:
-    """The formulas of the nomenclature lead back to names that a user can give."""
+def test_every_parameter_leads_back_to_an_input() -> None:
+    """The formulas of the nomenclature lead back to inputs that a user can give, or to a name with routes."""
     wanted = [name for name in NOMENCLATURE if name in FORMULAS]
     ends = {name for name in depends_on(tuple(wanted)) if formula_of(name) is None}
     without_option = {name for name in ends if name not in NOMENCLATURE or not NOMENCLATURE[name].option}
@@ -105,7 +105,7 @@ def test_every_parameter_is_a_name_that_something_gives() -> None:
     }  # the last three have routes
 
 
-def test_the_margin_of_a_load_is_a_state_as_the_load_is() -> None:
+def test_a_load_margin_sets_the_same_state_as_its_load() -> None:
     pull_off = solve("pull_off_force", **QUARTZ)
     names = ("load", "approach_at_load", "contact_radius_at_load", "yield_moment", "yield_force_fixed_load")
     for margin in (0.0, 0.5, 2.0):
@@ -117,14 +117,14 @@ def test_the_margin_of_a_load_is_a_state_as_the_load_is() -> None:
 
 
 @pytest.mark.parametrize("name", ["tangential_stiffness", "twisting_stiffness", "hertz_pressure", "sliding_frequency"])
-def test_spheres_that_are_bound_without_touching_have_no_contact_that_is_stiff(name: str) -> None:
+def test_stiffnesses_of_spheres_bound_without_touching_are_zero(name: str) -> None:
     apart: dict[str, Any] = {"model": "maugis", "atomic_spacing": 4e-10, "approach_at_load": -3.89e-10}
     assert solve("contact_radius_at_load", **QUARTZ, **apart) == 0
     assert solve(name, **QUARTZ, **apart) == 0
 
 
-def test_a_scene_with_alternatives_is_gone_with_its_last_user() -> None:
-    """A search for cycles comes after 50 000 new objects, and a block of a long table leaves only a few."""
+def test_a_frame_is_freed_with_its_last_reference_although_other_laws_were_computed() -> None:
+    """Garbage is searched for cycles only after 50 000 new objects, and a block of a long table makes only a few."""
     gc.disable()
     try:
         scene = Frame({**QUARTZ, "radius": numpy.geomspace(1e-8, 1e-6, 5)})
@@ -137,7 +137,7 @@ def test_a_scene_with_alternatives_is_gone_with_its_last_user() -> None:
         gc.enable()
 
 
-def test_plans_are_not_remembered_for_ever() -> None:
+def test_the_cache_of_plans_is_bounded() -> None:
     results = [*filter(formula_of, NOMENCLATURE)]
     for known in islice(combinations(results, 3), 30):
         for name in results:

@@ -32,7 +32,7 @@ def test_lists_broadcast_with_arrays() -> None:
             assert found[row, column] == jkroll.solve("P_c", material=solid, radius=radius)
 
 
-def test_a_pair_of_columns_and_materials_made_by_hand() -> None:
+def test_lists_of_material_objects_and_of_names_form_pairs() -> None:
     solids = [jkroll.known_materials()[name] for name in SOLIDS]
     found = jkroll.solve(["P_c", "w"], material=solids, material2=[*SOLIDS[1:], SOLIDS[0]], radius=1e-7)
     others = one_by_one("P_c", material=SOLIDS, material2=[*SOLIDS[1:], SOLIDS[0]], radius=[1e-7] * 3)
@@ -45,7 +45,7 @@ def test_elements_without_a_result_are_nan() -> None:
     assert numpy.isnan(found).tolist() == [True, False]
 
 
-def test_what_does_not_go_together_is_refused() -> None:
+def test_lists_of_materials_are_refused_with_a_reason() -> None:
     with pytest.raises(jkroll.JkrollError, match="do not broadcast: material"):
         jkroll.solve("P_c", material=SOLIDS, radius=[1e-7, 2e-7])
     with pytest.raises(jkroll.JkrollError, match="table takes such columns"):
@@ -54,7 +54,7 @@ def test_what_does_not_go_together_is_refused() -> None:
         jkroll.solve("P_c", material=["iron", "quarz"], radius=1e-7)
 
 
-def test_columns_of_pandas_go_together_by_their_index() -> None:
+def test_columns_of_pandas_are_aligned_by_their_index() -> None:
     pandas = pytest.importorskip("pandas")
     data = pandas.DataFrame({"material": SOLIDS, "radius": RADII})
     assert jkroll.solve("P_c", **data).tolist() == one_by_one("P_c", material=SOLIDS, radius=RADII)
@@ -71,7 +71,9 @@ def test_results_have_the_labels_of_pandas() -> None:
         assert forces["a"] == jkroll.solve("P_c", material="quartz", radius=1e-7)
     again = jkroll.solve("contact_radius_at_load", material="quartz", radius=data["radius"], load=-forces / 2)
     assert again.index.equals(data.index)
-    assert isinstance(jkroll.solve("yield_force", material="quartz", radius=data["radius"]), float)  # of all radii
+    assert isinstance(
+        jkroll.solve("yield_force", material="quartz", radius=data["radius"]), float
+    )  # the same for all radii
 
 
 def test_results_have_the_dimensions_of_xarray() -> None:
@@ -83,7 +85,7 @@ def test_results_have_the_dimensions_of_xarray() -> None:
     assert jkroll.solve("a", material="quartz", radius=radii, load=-forces / 2).dims == ("row", "size")
 
 
-def test_results_as_quantities_of_pint() -> None:
+def test_results_are_returned_as_quantities_of_pint() -> None:
     bare = jkroll.solve("P_c", material="quartz", radius=1e-7)
     found = jkroll.solve("P_c", material="quartz", radius=1e-7, units="pint")
     assert found == Quantity(bare, "N")
@@ -92,7 +94,7 @@ def test_results_as_quantities_of_pint() -> None:
     assert both["n_grav"].dimensionless
 
 
-def test_quantities_of_astropy_go_in_and_out() -> None:
+def test_quantities_of_astropy_are_accepted_and_returned() -> None:
     units = pytest.importorskip("astropy.units")
     found = jkroll.solve("P_c", gamma=25 * units.mJ / units.m**2, radius=[100, 200] * units.nm)
     assert found.to_value("N").tolist() == approx(
@@ -112,15 +114,15 @@ def test_astropy_knows_every_unit() -> None:
         units.Unit(unit)
 
 
-def test_another_package_has_no_units() -> None:
+def test_units_of_another_package_are_refused() -> None:
     with pytest.raises(jkroll.JkrollError, match="'unyt' is not known; write pint or astropy"):
         jkroll.solve("P_c", material="quartz", radius=1e-7, units="unyt")
 
 
 @pytest.mark.parametrize(("word", "number"), [("radius", 100), ("diameter", 1.0)])
-def test_a_grain_of_a_metre_is_warned_of(word: str, number: float) -> None:
+def test_a_bare_radius_of_a_metre_has_a_warning(word: str, number: float) -> None:
     answer: Any = jkroll.answer
     with pytest.warns(UserWarning, match=f'{word}={number} is a sphere of {number:g} m.*write {word}="{number} nm"'):
         answer("P_c", gamma=0.025, **{word: number})
-    answer("P_c", gamma=0.025, **{word: f"{number} m"})  # is meant
-    jkroll.answer("P_c", gamma=0.025, radius=1e-7, radius2=1e3)  # a lens that is nearly flat
+    answer("P_c", gamma=0.025, **{word: f"{number} m"})  # meant in metres
+    jkroll.answer("P_c", gamma=0.025, radius=1e-7, radius2=1e3)  # sphere 2 may be a nearly flat lens

@@ -1,4 +1,4 @@
-"""Uncertainties compared with sampling and with power laws, at turning points, and of inputs that move together."""
+"""Uncertainties: compared with sampling and power laws, at turning points, and of inputs that vary together."""
 
 import csv
 import io
@@ -35,7 +35,7 @@ def found(
 
 
 def assert_spans(one: Uncertain, values: Any, *, inner: float = 0.01, outer: float = 0.0) -> None:
-    """Check that a range ends near the ends of some values, within parts of its width: inside and outside."""
+    """Check that a range ends at the least and the largest value, within parts of its width inside and outside."""
     width = one.high - one.low
     assert max(values) - inner * width <= one.high <= max(values) + (outer + 1e-12) * width
     assert min(values) - (outer + 1e-12) * width <= one.low <= min(values) + inner * width
@@ -70,7 +70,7 @@ def test_small_uncertainties_follow_the_power_law(name: str, exponents: dict[str
     assert sum(one.shares.values()) == approx(1, rel=1e-12)
 
 
-def test_sides_that_differ_are_given_one_by_one() -> None:
+def test_unequal_sides_of_an_uncertainty_are_given_separately() -> None:
     one = found("sticking_energy", QUARTZ, {"surface_energy": relative(0.025, 0.3)}).uncertainty
     assert isinstance(one, Measured)
     assert one.plus == approx((1.3 ** (5 / 3) - 1) * one.value, rel=1e-12)
@@ -89,7 +89,7 @@ def test_the_lower_side_may_be_the_longer_one() -> None:
 @pytest.mark.parametrize(
     ("name", "minus", "plus"), [("contact_modulus", 0, 1 / 0.99 - 1), ("approach", 1 - 0.99 ** (2 / 3), 0)]
 )
-def test_a_side_that_no_end_reaches_is_zero(name: str, minus: float, plus: float) -> None:
+def test_a_side_is_zero_if_both_ends_change_the_result_to_the_other_side(name: str, minus: float, plus: float) -> None:
     """1 − ν² is largest at ν = 0."""
     one = found(name, {**QUARTZ, "poisson_ratio": 0.0}, {"poisson_ratio": Measured(0.0, 0.1, 0.1)}).uncertainty
     assert isinstance(one, Measured)
@@ -117,7 +117,9 @@ def test_quadrature_agrees_with_sampling() -> None:
         ("contact_modulus", QUARTZ, {"poisson_ratio": Interval(0.05, -0.2, 0.3)}),
     ],
 )
-def test_turning_points_inside_a_range_count(name: str, given: dict[str, float], ranges: dict[str, Interval]) -> None:
+def test_turning_points_inside_a_range_are_included(
+    name: str, given: dict[str, float], ranges: dict[str, Interval]
+) -> None:
     one = found(name, given, ranges).uncertainty
     assert isinstance(one, Interval)
     random = Random(3)
@@ -126,8 +128,8 @@ def test_turning_points_inside_a_range_count(name: str, given: dict[str, float],
     assert_spans(one, solve(name, **scene), outer=0.02)
 
 
-def test_a_load_about_0_is_not_taken_for_none() -> None:
-    """Without load, rolling does not depend on the radius; in the rest of this range it does, by P_c. Eqs (5), (28)."""
+def test_a_range_of_loads_around_0_is_not_taken_for_no_load() -> None:
+    """Without load, the rolling force does not depend on the radius; under a load it does, by Eqs (5) and (26)."""
     ranges = {"load": Interval(0.0, -4e-9, 4e-9), "radius": Interval(1.2e-7, 8e-8, 1.6e-7)}
 
     def force(load: float, radius: float) -> float:
@@ -154,10 +156,10 @@ def test_a_load_about_0_is_not_taken_for_none() -> None:
         ("sliding_force", [(1e7, 1e12), (1e9, 1.1e9)], 1.1e9),
     ],
 )
-def test_the_ridge_of_a_quantity_of_the_weaker_body_is_found(
+def test_the_ridge_of_a_quantity_that_the_weaker_body_sets_is_found(
     name: str, spans: list[tuple[float, float]], extreme: float
 ) -> None:
-    """Beyond E1 = E2 the other body is the weaker one; the quantity is largest there."""
+    """The quantity is largest where E1 = E2; beyond, the other body is the weaker one."""
     given: dict[str, Any] = {"radius": 1e-6, "surface_energy": 0.05, "poisson_ratio": 0.2}
     moduli = ("youngs_modulus", "youngs_modulus2")
     ranges: dict[str, Any] = {each: Interval(sum(span) / 2, *span) for each, span in zip(moduli, spans, strict=True)}
@@ -168,8 +170,8 @@ def test_the_ridge_of_a_quantity_of_the_weaker_body_is_found(
 
 @pytest.mark.parametrize("name", ["twisting_energy", "sliding_displacement", "peeling_over_sliding", "sliding_force"])
 @pytest.mark.parametrize("count", [2, pytest.param(3, marks=pytest.mark.slow)])
-def test_the_ends_are_those_of_a_grid(name: str, count: int) -> None:
-    """E/(1 + ν) of both bodies decides which one is weaker, and this changes within these ranges."""
+def test_ranges_agree_with_those_of_a_dense_grid(name: str, count: int) -> None:
+    """The weaker body has the smaller E/(1 + ν); within these ranges, either body can be weaker."""
     given: dict[str, Any] = {"radius": 1e-6, "surface_energy": 0.05, "surface_energy2": 0.08, "poisson_ratio2": 0.2}
     given |= {"youngs_modulus2": 4e9}
     spans = {"youngs_modulus": (1.9e9, 4.8e9), "poisson_ratio": (0.03, 0.46), "youngs_modulus2": (2.2e9, 5e9)}
@@ -181,7 +183,7 @@ def test_the_ends_are_those_of_a_grid(name: str, count: int) -> None:
     assert_spans(one, values.ravel(), outer=0.03)
 
 
-def test_what_is_copied_moves_together() -> None:
+def test_an_input_copied_to_sphere_2_varies_with_that_of_sphere_1() -> None:
     surface = {"surface_energy": relative(0.025, 0.1)}
     assert found("pull_off_force", QUARTZ, surface).uncertainty.high == approx(1.1 * 1.1780972450961723e-8)
     both = {**surface, "surface_energy2": relative(0.025, 0.1)}
@@ -190,7 +192,7 @@ def test_what_is_copied_moves_together() -> None:
     assert one.plus / one.value == approx(0.1 / math.sqrt(2), rel=0.01)
 
 
-def test_a_material_named_twice_moves_together() -> None:
+def test_both_spheres_of_one_material_vary_together() -> None:
     material = known_materials()["quartz"]._replace(uncertainties={"surface_energy": relative(0.025, 0.1)})
     once = found("pull_off_force", {"radius": 1e-7}, {}, material)
     twice = found("pull_off_force", {"radius": 1e-7}, {}, material, material)
@@ -201,7 +203,7 @@ def test_a_material_named_twice_moves_together() -> None:
     assert error_bars(stated, ["pull_off_force"]) == {}
 
 
-def test_what_cannot_be_combined_is_refused() -> None:
+def test_mixed_or_too_many_uncertainties_are_refused() -> None:
     mixed: dict[str, Uncertain] = {"radius": Interval(1e-7, 5e-8, 2e-7), "surface_energy": relative(0.025, 0.1)}
     with pytest.raises(
         BadRequest, match=r"γ1 has a standard uncertainty .±. and R1 a range; give both as ± or both as ranges"
@@ -213,7 +215,7 @@ def test_what_cannot_be_combined_is_refused() -> None:
         found("vertical_frequency", {**QUARTZ, **more}, many)
 
 
-def test_of_materials_what_is_of_the_other_kind_is_left_out(run: Run) -> None:
+def test_a_material_s_uncertainty_of_the_other_kind_is_left_out(run: Run) -> None:
     both: dict[str, Uncertain] = {"surface_energy": relative(0.025, 0.1), "youngs_modulus": Interval(54e9, 50e9, 60e9)}
     material = known_materials()["quartz"]._replace(uncertainties=both)
     scene = Frame({"radius": 1e-7}, material)
@@ -229,7 +231,7 @@ def test_of_materials_what_is_of_the_other_kind_is_left_out(run: Run) -> None:
     assert "error bars leave out E1: ± and ranges do not go together" in json.loads(ran.out)["notes"]
 
 
-def test_a_quantity_without_a_value_at_an_end_says_so(run: Run) -> None:
+def test_a_note_explains_a_missing_uncertainty_where_an_end_has_no_value(run: Run) -> None:
     answer = json.loads(run("contact", "quartz", "100nm", "--load", "-10±2nN", "--json").out)
     results = {result["name"]: result for result in answer["results"]}
     assert "uncertainty" not in results["approach_at_load"]
@@ -239,8 +241,8 @@ def test_a_quantity_without_a_value_at_an_end_says_so(run: Run) -> None:
 
 
 @pytest.mark.parametrize(("load", "gamma"), [("-10±1nN", "25mJ/m2"), ("-9nN", "25±4mJ/m2"), ("-9±0.8nN", "25±3mJ/m2")])
-def test_draws_without_a_contact_are_reported(run: Run, load: str, gamma: str) -> None:
-    """The contact holds at both ends of each uncertainty, but not at a tenth or so of the values between and beyond."""
+def test_the_share_of_random_values_without_a_contact_is_reported(run: Run, load: str, gamma: str) -> None:
+    """At both ends of each uncertainty there is a contact, but for about a tenth of random values there is none."""
     words = ["contact", "quartz", "100nm", "--load", load, "--gamma", gamma]
     random = Random(f"{load} {gamma}")
 
@@ -259,7 +261,7 @@ def test_draws_without_a_contact_are_reported(run: Run, load: str, gamma: str) -
     assert not any("beyond pull-off" in note for note in json.loads(run(*farther).out)["notes"])
 
 
-def test_every_format_has_the_uncertainty(run: Run) -> None:
+def test_formats_other_than_bare_give_the_uncertainty_of_a_result(run: Run) -> None:
     words = ["pull-off", "quartz", "100nm", "--gamma", "25±5mJ/m2", "--quiet"]
     answer = json.loads(run(*words, "--json").out)
     result = answer["results"][0]
@@ -279,7 +281,7 @@ def test_every_format_has_the_uncertainty(run: Run) -> None:
     assert spans == ["pull_off_force 11.8 nN", "pull_off_force_low 9.42 nN", "pull_off_force_high 14.1 nN"]
 
 
-def test_the_face_of_python() -> None:
+def test_solve_and_infer_return_uncertain_values() -> None:
     assert isinstance(solve("pull_off_force", material="quartz", radius=Measured(1e-7, 5e-9, 5e-9)), Measured)
     spans = solve(["r_min", "n_grav"], material="quartz", radius="80 to 120 nm", yield_displacement=2e-10)
     assert spans["r_min"].high == approx(1.2e-7**2 / 2e-10)
@@ -312,7 +314,9 @@ def test_measurements_of_pint_are_read_in_any_unit() -> None:
     ("uncertainty", "unit", "reason"),
     [(5, "N", "is of another dimension"), (15, "mJ/m^2", "has an uncertainty of half the value or more")],
 )
-def test_measurements_of_pint_that_cannot_be(uncertainty: float, unit: str, reason: str) -> None:
+def test_measurements_of_pint_with_a_wrong_unit_or_a_large_error_are_refused(
+    uncertainty: float, unit: str, reason: str
+) -> None:
     pytest.importorskip("uncertainties")
     units: Any = pint.application_registry
     energy = units.Measurement(25, uncertainty, unit)
@@ -320,7 +324,7 @@ def test_measurements_of_pint_that_cannot_be(uncertainty: float, unit: str, reas
         solve("pull_off_force", surface_energy=energy, radius="100 nm")
 
 
-def test_a_list_holds_no_uncertain_values() -> None:
+def test_lists_of_uncertain_values_are_refused() -> None:
     for energies in (["25±5 mJ/m2", "30 mJ/m2"], [Measured(0.025, 0.005, 0.005)]):
         with pytest.raises(
             QuantityError, match="holds uncertain values, and arrays have no uncertainty; give them one by one"
@@ -330,18 +334,18 @@ def test_a_list_holds_no_uncertain_values() -> None:
 
 @pytest.mark.parametrize("low", [-0.3, -0.01, -0.002, -1e-4])
 def test_a_turning_point_next_to_an_end_of_a_range_is_found(low: float) -> None:
-    """E* is least at ν = 0, however near this is to an end of the range."""
+    """E* is least at ν = 0, however near 0 is to an end of the range."""
     given: dict[str, Any] = {"youngs_modulus": 1e9, "poisson_ratio": Interval((low + 0.4) / 2, low, 0.4)}
     assert_spans(solve("contact_modulus", **given), [0.5e9, 0.5e9 / (1 - 0.4**2)])
 
 
 @pytest.mark.parametrize("gamma", ["25±5 mJ/m2", "20 to 30 mJ/m2"])
-def test_rounding_is_no_uncertainty(gamma: str) -> None:
+def test_a_change_by_rounding_is_not_an_uncertainty(gamma: str) -> None:
     assert isinstance(solve("energy_over_sticking", **{**QUARTZ, "surface_energy": gamma}), float)
 
 
-def test_a_displacement_that_a_material_scales_with_the_radius_is_no_range_beside_one(tmp_path: Path) -> None:
-    """It has a range at each radius, which moves with the radius. Measured radii move it to first order."""
+def test_a_material_s_scaled_displacement_cannot_be_combined_with_a_range_of_radii(tmp_path: Path) -> None:
+    """The displacement has a range at each radius. An uncertainty ± of the radius changes it to first order."""
     path = tmp_path / "mine.toml"
     path.write_text(
         '[materials.bead]\nsurface_energy = "25 mJ/m2"\nyield_displacement = { value = "2 nm", radius = "1 um" }\n'
@@ -355,7 +359,7 @@ def test_a_displacement_that_a_material_scales_with_the_radius_is_no_range_besid
 
 
 @pytest.mark.parametrize("size", [1e29, 1e-29])
-def test_shares_are_those_of_changes_whose_squares_no_double_holds(size: float) -> None:
+def test_shares_are_right_even_if_squares_of_changes_are_beyond_the_range_of_doubles(size: float) -> None:
     scene = Frame({"radius": Measured(size, 0.1 * size), "density": Measured(size, 0.5 * size)})
     inertia = error_bars(scene, ["moment_of_inertia"])["moment_of_inertia"]
     assert inertia.shares == approx({"radius": 0.5, "density": 0.5}, rel=0.05)

@@ -1,4 +1,4 @@
-"""Two unknowns from two quantities: pairs come back, every pair of a scan is named, other problems are refused."""
+"""Two unknowns from two quantities: pairs are recovered, all pairs are named, and other problems are refused."""
 
 import csv
 import json
@@ -35,7 +35,7 @@ def found(
 # --- By hand ----------------------------------------------------------------------------------------------------------
 
 
-def test_an_example_by_hand() -> None:
+def test_a_pair_by_hand() -> None:
     """P_c = 3πγR, dP/dδ = 6/5 E*a0 and a0³ = 9πγR²/E* on a plane."""
     pair = found(NAMES, MEASURED, PLANE)
     gamma = 3e-7 / (3 * math.pi * 2e-6)
@@ -53,7 +53,10 @@ def test_the_condition_of_power_laws_is_that_of_the_matrix_of_exponents() -> Non
 
 
 def test_an_input_that_cancels_from_a_quantity_is_found_from_the_other() -> None:
-    """By DMT, the moment without load, 4E*a0³ξ/(3R), is 2πwRξ, as a0³ = 3πwR²/(2E*): it gives w, and a0 then E*."""
+    """By DMT, the moment without load, 4E*a0³ξ/(3R), is 2πwRξ, as a0³ = 3πwR²/(2E*).
+
+    So the moment gives w, and a0 then gives E*.
+    """
     given = {**PLANE, "yield_displacement": 2e-10}
     pair = found(NAMES[::-1], {"unloaded_moment": 1e-16, "contact_radius": 3e-8}, given, "dmt")
     work = 1e-16 / (2 * math.pi * 2e-6 * 2e-10)
@@ -67,7 +70,7 @@ def test_an_input_that_cancels_from_a_quantity_is_found_from_the_other() -> None
 
 @pytest.mark.parametrize("law", ["jkr", *(pytest.param(law, marks=pytest.mark.slow) for law in ("dmt", "maugis"))])
 @pytest.mark.parametrize("load", [0.0, *(pytest.param(load, marks=pytest.mark.slow) for load in (1e-12, -2e-7))])
-def test_a_load_comes_back_from_zero_too(law: str, load: float) -> None:
+def test_a_load_is_recovered_even_if_it_is_zero(law: str, load: float) -> None:
     given = {**PLANE, "surface_energy": 0.02}
     names = ("load", "youngs_modulus")
     full = Frame({**given, "load": load, "youngs_modulus": 3e10}, model=law)
@@ -79,7 +82,7 @@ def test_a_load_comes_back_from_zero_too(law: str, load: float) -> None:
 
 
 @pytest.mark.parametrize("radius", [1e-6, 7e-5])
-def test_a_measured_approach_of_0_is_as_good_as_another(radius: float) -> None:
+def test_a_pair_is_found_from_a_measured_approach_of_0(radius: float) -> None:
     given = {"radius2": math.inf, "poisson_ratio": 0.2, "youngs_modulus": 1e9}
     sphere = {"surface_energy": 0.03, "radius": radius}
     load = infer("load", measured={"approach_at_load": 0.0}, **given, **sphere)
@@ -103,7 +106,7 @@ def test_both_spheres_of_one_material_are_inferred_together() -> None:
 
 
 ENERGY_AND_RADIUS = ("surface_energy", "radius")
-FORCES = {"pull_off_force": 3e-7, "pull_off_force_dmt": 4e-7}  # every pair gives these
+FORCES = {"pull_off_force": 3e-7, "pull_off_force_dmt": 4e-7}  # every pair with one value of γR gives both
 STAY = "and pull_off_force_dmt cannot give both: both stay as they are along γ1 ∝ R1^-1 (κ is above 1e8)"
 # f = √(K/m)/2π, and under a large load K does not depend on γ
 PRESSED = {"stiffness": 1e3, "vertical_frequency": 1e6}, {**PLANE, "density": 2e3, "load": 1e3}
@@ -139,7 +142,7 @@ PULLED = {"surface_energy": 0.05, "radius2": math.inf, "poisson_ratio": 0.2, "lo
         (("surface_energy", "gravity"), MEASURED, PLANE, BadRequest, "'gravity' cannot be inferred"),
     ],
 )  # fmt: skip
-def test_refusals(
+def test_two_unknowns_are_refused_with_a_reason(
     names: tuple[str, ...], measured: dict[str, float], given: dict[str, float], error: type[JkrollError], words: str
 ) -> None:
     with pytest.raises(error) as caught:
@@ -147,8 +150,11 @@ def test_refusals(
     assert words in str(caught.value)
 
 
-def test_a_load_that_is_left_open_counts_by_its_distance_from_pull_off() -> None:
-    """F = τπa² and 8G*a only give a: a³ ∝ R²(1 + √(1 + P/P_c))², so R is a power of this, from −1/2 to 0."""
+def test_an_open_load_is_described_by_its_distance_from_pull_off() -> None:
+    """F = τπa² and 8G*a give only a, and a³ ∝ R²(1 + √(1 + P/P_c))².
+
+    So R is about a power of 1 + P/P_c, with an exponent between −1/2 and 0.
+    """
     given = {"radius2": math.inf, "surface_energy": 0.05, "youngs_modulus": 1e9, "poisson_ratio": 0.2}
     measured = {"sliding_force": 1e-9, "tangential_stiffness": 10.0}
     with pytest.raises(Unseparated, match=r"along R1 ∝ \(1 \+ P/P_c\)\^-") as caught:
@@ -157,15 +163,15 @@ def test_a_load_that_is_left_open_counts_by_its_distance_from_pull_off() -> None
 
 
 def test_two_unknowns_that_both_quantities_leave_open_are_named() -> None:
-    """By DMT, the moment is 2πwRξ, whatever the load and the modulus are, and its digits come from rounding."""
+    """By DMT, the moment is 2πwRξ whatever the load and the modulus are, so only rounding changes its last digits."""
     given = {**PLANE, "surface_energy": 0.05, "yield_displacement": 2e-10, "density": 2e3}
     measured = Frame({**given, "load": 1e-8, "youngs_modulus": 1e9}, model="dmt").numbers("yield_force", "n_grav")
     with pytest.raises(Unseparated, match=r"they leave E1 and P open"):
         found(("youngs_modulus", "load"), measured, given, "dmt")
 
 
-def test_what_is_barely_separated_is_refused() -> None:
-    """By Maugis' law, P_c/(2πwR) tends to 3/4 for soft spheres, and the only difference of two forces vanishes."""
+def test_barely_separated_unknowns_are_refused() -> None:
+    """By Maugis' law, P_c/(2πwR) tends to 3/4 for soft spheres, and the ratio of both forces to a constant."""
     given = {"radius2": math.inf, "poisson_ratio": 0.2, "youngs_modulus": 1e6, "atomic_spacing": 4e-10}
     names, condition = ("surface_energy", "radius"), 1e6
     for radius in (1e-8, 1e-7, 1e-6):
@@ -180,7 +186,7 @@ def test_what_is_barely_separated_is_refused() -> None:
 
 
 @pytest.mark.parametrize("radius", [1.1e-6, 1e-6], ids=["between two values of the scan", "at a value of the scan"])
-def test_all_pairs_are_named(radius: float) -> None:
+def test_the_error_names_all_pairs(radius: float) -> None:
     given = {"radius2": math.inf, "poisson_ratio": 0.2, "youngs_modulus": 1e9, "density": 2e3, "load": 1e-7}
     names = ("surface_energy", "radius")
     full = Frame({**given, "surface_energy": 0.01, "radius": radius}, model="dmt")
@@ -211,7 +217,7 @@ def test_pairs_are_found_next_to_pull_off(margin: float) -> None:
         assert pair.values == approx(unknowns, rel=1e-6)
 
 
-def test_a_pair_in_a_cell_without_contact_at_one_corner_hides_no_other() -> None:
+def test_a_pair_in_a_cell_without_contact_at_one_corner_hides_no_other_pair() -> None:
     values, given = {"surface_energy": 6e-3, "youngs_modulus": 3e11}, {**PLANE, "shear_strength": 1e7}
     given["load"] = -0.97 * Frame({**given, **values})["pull_off_force"]
     measured = Frame({**given, **values}).numbers("sliding_force", "well_energy")
@@ -221,8 +227,8 @@ def test_a_pair_in_a_cell_without_contact_at_one_corner_hides_no_other() -> None
         assert Frame({**given, **pair}).numbers(*measured) == approx(measured, rel=1e-9)
 
 
-def test_the_order_of_what_was_measured_hides_no_pair() -> None:
-    """Below some radius, v_stick by Maugis' law does not change with the radius, so two spheres have both values."""
+def test_the_order_of_the_measured_quantities_hides_no_pair() -> None:
+    """Below some radius, v_stick by Maugis' law does not depend on the radius, so two spheres fit both values."""
     measured = {"yield_force": 2.71151e-9, "sticking_speed": 4.24886}
     given = {"radius2": math.inf, "poisson_ratio": 0.17, "youngs_modulus": 54e9, "density": 2600.0}
     given |= {"load": 3.43e-7, "atomic_spacing": 4e-10, "yield_displacement": 2e-10}
@@ -257,7 +263,7 @@ def test_ranges_of_both_measurements_enter() -> None:
     assert ends[1] == approx((0.9**1.5 * (16 / 15) ** -0.5, 1.1**1.5 * (14 / 15) ** -0.5), rel=1e-12)
 
 
-def test_ranges_are_those_of_their_corners_where_the_middle_is_beyond_pull_off_at_one() -> None:
+def test_ranges_are_those_of_their_corners_even_if_the_middle_load_breaks_one_contact() -> None:
     """The load of the middle breaks the contact of the smallest sphere."""
     measured = {"contact_radius_at_load": (1.9e-9, 2.6e-9), "pull_off_force": (2e-8, 2.8e-8)}
     spans = {**measured, "radius": (1.1e-7, 1.6e-7)}
@@ -284,7 +290,9 @@ COMMAND = f"{WORDS} --measured pull_off_force=300nN --measured stiffness=1kN/m"
 def test_arrays_broadcast_and_hold_nan_where_there_is_no_pair() -> None:
     measured = {"pull_off_force": numpy.array([[3e-7], [4e-7]]), "stiffness": numpy.array([1e3, 1e12])}
     failures = solved(NAMES, measured, Frame(PLANE)).failures
-    assert {failures[row].__traceback__ for row in (1, 3)} == {None}  # a traceback would hold all that was computed
+    assert {failures[row].__traceback__ for row in (1, 3)} == {
+        None
+    }  # a traceback would keep all computed values in memory
     both = infer(["gamma", "young"], measured=measured, **PLANE)
     alone = infer(["gamma", "young"], measured={"pull_off_force": 4e-7, "stiffness": 1e3}, **PLANE)
     for name in NAMES:
@@ -308,18 +316,18 @@ def test_arrays_broadcast_and_hold_nan_where_there_is_no_pair() -> None:
         (["gamma", "young"], {"P_c": "300±20 nN", "stiffness": [1e3]}, "is more than one scene"),
     ],
 )
-def test_wrong_arguments_are_refused_in_words(wanted: Any, measured: dict[str, Any], words: str) -> None:
+def test_wrong_arguments_are_refused_with_a_reason(wanted: Any, measured: dict[str, Any], words: str) -> None:
     with pytest.raises(JkrollError, match=words):
         infer(wanted, measured=measured, **PLANE)
 
 
-def test_a_list_of_one_input_is_a_list() -> None:
+def test_a_list_of_one_input_gives_values_by_name() -> None:
     single = infer(["gamma"], measured={"pull_off_force": 3e-7}, **PLANE)
     assert single == {"surface_energy": infer("gamma", measured={"pull_off_force": 3e-7}, **PLANE)}
     assert single.condition == 1
 
 
-def test_the_command(run: Run) -> None:
+def test_two_inputs_on_the_command_line(run: Run) -> None:
     pair = infer(["gamma", "young"], measured=MEASURED, material="quartz", radius=2e-6, radius2="plane")
     gamma, modulus = pair["surface_energy"], pair["youngs_modulus"]
     assert run(COMMAND).out == f"surface_energy {gamma!r} J/m^2\nyoungs_modulus {modulus!r} Pa\n"
@@ -337,7 +345,7 @@ def test_the_command(run: Run) -> None:
             assert value == other[result["name"]]
 
 
-def test_rows_of_laws_and_lists(run: Run) -> None:
+def test_rows_for_several_laws_and_measured_values(run: Run) -> None:
     ran = run(f"{WORDS} --measured pull_off_force=300±20nN,3N --measured stiffness=1kN/m --model jkr,dmt --csv")
     rows = [*csv.DictReader(ran.out.splitlines())]
     assert [row["model"] for row in rows] == ["jkr", "dmt"] * 2
@@ -354,7 +362,7 @@ def test_rows_of_laws_and_lists(run: Run) -> None:
     assert (ran.code, ran.err.splitlines()[-1]) == (1, "jkroll: 2 of 4 rows failed")
 
 
-def test_a_material_that_lacks_an_input_fails_its_rows_alone(run: Run, tmp_path: Path) -> None:
+def test_a_material_that_lacks_an_input_fails_only_in_its_own_rows(run: Run, tmp_path: Path) -> None:
     (tmp_path / "own.toml").write_text(
         '[materials.soft]\ndensity = "1 g/cm3"\n[materials.stiff]\npoisson_ratio = 0.3\n'
     )
@@ -393,7 +401,7 @@ def test_the_explanation_derives_both_measured_quantities(run: Run) -> None:
         ("batch grains.csv --infer gamma --measured P_c --measured stiffness", 2, "batch infers one input"),
     ],
 )  # fmt: skip
-def test_one_line_says_what_is_wrong(run: Run, words: str, code: int, message: str) -> None:
+def test_a_mistake_is_reported_in_one_line(run: Run, words: str, code: int, message: str) -> None:
     Path("grains.csv").touch()
     ran = run(words)
     assert (ran.code, ran.out) == (code, "")

@@ -47,7 +47,7 @@ from scenes import (
     strip_contacts,
 )
 
-pytestmark = pytest.mark.filterwarnings("error")  # warnings of numpy, too
+pytestmark = pytest.mark.filterwarnings("error")  # including those of numpy
 
 FORMULAS = {
     **physics.FORMULAS,
@@ -68,13 +68,13 @@ HERE = Path(__file__).parent
 class Error(NamedTuple):
     """The error of a result, and the scene in which it occurs."""
 
-    ulp: float  # over 1 + κ: the larger error, of a number or of an element of an array
+    ulp: float  # divided by 1 + κ: the larger of the errors of the number and of the element of an array
     of_number: float
     scene: Frame
 
 
 def errors_of(scenes: Iterable[Frame]) -> dict[str, list[Error]]:
-    """Solve scenes as numbers and, with all scenes that have the same inputs, as arrays; return the errors."""
+    """Return the errors of results, with scenes solved as numbers and, if their inputs are the same, as arrays."""
     alike = defaultdict(list)
     for scene in scenes:
         exact = {name: value for name, value in exact_results(scene).items() if abs(value) < math.inf}
@@ -118,11 +118,11 @@ CASES = [*((name, "random") for name in RESULTS), *((name, "hard") for name in H
 @pytest.mark.parametrize(("name", "kind"), CASES)
 def test_result_is_within_the_bound(name: str, kind: str) -> None:
     errors = errors_of_kind(kind)
-    assert name in errors, f"no {kind} scene of tests/scenes.py leads to it: draw its inputs there"
+    assert name in errors, f"no {kind} scene of tests/scenes.py leads to {name}: draw its inputs there"
     assert worst(errors[name]).ulp <= BOUND, worst(errors[name])
 
 
-def test_a_symbol_of_the_equations_is_one_quantity() -> None:
+def test_a_symbol_means_the_same_quantity_in_all_equations() -> None:
     assert all(SYMBOLS[symbol] == name for symbol, name in law_reference.SYMBOLS.items())
 
 
@@ -140,7 +140,7 @@ def test_results_of_every_hard_scene_are_within_the_bound() -> None:
 
 @pytest.mark.slow
 def test_results_of_fresh_scenes_are_within_the_bounds() -> None:
-    """The head of the run states the seed; with ACCURACY_SEED set to it, the same scenes come again."""
+    """The header of the run states the seed; setting ACCURACY_SEED to this number repeats the scenes."""
     errors = errors_of(random_scenes(MANY, seed=int(os.environ["ACCURACY_SEED"])))
     for name in RESULTS:
         assert worst(errors[name]).ulp <= BOUND, (name, worst(errors[name]))
@@ -160,7 +160,7 @@ def parameter_values() -> list[Frame]:
 
 
 def test_values_are_the_same_in_every_process() -> None:
-    """The order of a set of texts differs between processes; the numbers drawn for each text must not."""
+    """The order of a set of names differs between processes; the numbers drawn for each name must not."""
     code = "import test_accuracy as test; print(dict(test._values(test.Random(1), *test.random_scenes(1, seed=1))))"
     paths = os.pathsep.join(filter(None, [*map(str, (HERE, HERE.parent)), os.environ.get("PYTHONPATH", "")]))
     environment = os.environ | {"PYTHONHASHSEED": "1", "PYTHONPATH": paths}
@@ -288,7 +288,7 @@ def _law_values(random: Random) -> Iterator[tuple[str, Any]]:
 
 
 def values_of(name: str) -> list[Frame]:
-    """Return values of a formula's parameters; inputs that no scene has are near their examples."""
+    """Return values of a formula's parameters, by scene; inputs that no scene has are drawn near their examples."""
     random = Random(1999)
     inputs = [each for each in parameters_of(FORMULAS[name]) if each in NOMENCLATURE and NOMENCLATURE[each].example]
     return [{each: near_example(each, random) for each in inputs} | values for values in _scenes_of(name)]
@@ -302,8 +302,8 @@ def _scenes_of(name: str) -> list[Frame]:
     return law_values()
 
 
-# The worst of thousands of arguments, each beyond the accuracy that was stated before. The force that slides or peels
-# was a square, which doubled a rounding.
+# The worst of thousands of arguments: each had an error beyond the accuracy that was then stated. The force that slides
+# or peels was a square, which doubled a rounding.
 WORST: list[tuple[str, Frame]] = [
     (
         "sliding_or_peeling_force",
@@ -341,7 +341,7 @@ WORST: list[tuple[str, Frame]] = [
 
 
 @pytest.mark.parametrize(("name", "given"), WORST)
-def test_formula_is_as_accurate_as_it_says_at_its_worst(name: str, given: Frame) -> None:
+def test_formula_is_as_accurate_as_stated_at_the_worst_arguments(name: str, given: Frame) -> None:
     assert formula_error(name, given, float(FORMULAS[name](**given))) <= float(accuracy_of(name).partition(" ulp")[0])
 
 
@@ -375,7 +375,7 @@ OUTSIDE: Mapping[str, Callable[[Frame], bool]] = {
 }
 
 
-# Formulas of states that are roots, whose references take the longest.
+# Formulas of states that are roots of equations; their references take the longest.
 OF_ROOTS = [
     name
     for name in LAW_FORMULAS
@@ -384,13 +384,13 @@ OF_ROOTS = [
 
 
 @pytest.mark.parametrize("name", FORMULAS)
-def test_formula_is_as_accurate_as_it_says(name: str) -> None:
+def test_formula_is_as_accurate_as_stated(name: str) -> None:
     is_accurate_in(name, values_of(name)[: FEW_ROOTS if name in OF_ROOTS else FEW])
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", FORMULAS)
-def test_formula_is_as_accurate_as_it_says_in_every_scene(name: str) -> None:
+def test_formula_is_as_accurate_as_stated_in_every_scene(name: str) -> None:
     is_accurate_in(name, values_of(name))
 
 
@@ -409,7 +409,7 @@ def is_accurate_in(name: str, values_of_scenes: Iterable[Frame]) -> None:
             assert error <= bound, f"{error} ulp, {bound} stated in physics/accuracy.py, at {given}"
 
 
-# --- One place to add a quantity --------------------------------------------------------------------------------------
+# --- Completeness -----------------------------------------------------------------------------------------------------
 
 
 def test_every_formula_has_its_independent_equation() -> None:

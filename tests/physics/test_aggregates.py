@@ -18,13 +18,13 @@ SPEEDS = [name for name in QUESTIONS["aggregates"].quantities if "speed" in name
 
 
 @pytest.mark.parametrize("name", SPEEDS)
-def test_two_aggregates_at_the_speed_have_the_energy(name: str) -> None:
+def test_two_aggregates_that_collide_at_a_speed_have_its_energy(name: str) -> None:
     """In the frame of their centre of mass, each aggregate has half the speed."""
     speed, energy, mass = solve([name, name.replace("speed", "energy"), "mass"], **AGGREGATE).values()
     assert math.isclose(2 * (1000 * mass / 2 * (speed / 2) ** 2), energy, rel_tol=1e-14)
 
 
-def test_without_contacts_there_are_as_many_as_grains() -> None:
+def test_the_number_of_contacts_is_that_of_the_grains_by_default() -> None:
     for name in ("disruption_energy", "disruption_speed_dust_simulation"):
         assert solve(name, **AGGREGATE) == solve(name, contacts=1000, **AGGREGATE)
     assert solve("disruption_energy", contacts=3, **QUARTZ) < solve("disruption_energy", monomers=4, **QUARTZ)
@@ -33,7 +33,7 @@ def test_without_contacts_there_are_as_many_as_grains() -> None:
 
 
 def test_compressive_strength_tends_to_the_cube_of_the_filling_factor() -> None:
-    """It tends to E_roll φ³/r0³ for loose aggregates, and diverges at the closest packing."""
+    """The strength tends to E_roll φ³/r0³ for loose aggregates, and diverges at the closest packing."""
     half_turn = solve("roll_energy_half_turn", **QUARTZ)
     loose = solve("compressive_strength", filling_factor=1e-6, **QUARTZ)
     assert math.isclose(loose, half_turn * 1e-18 / 1e-21, rel_tol=1e-5)
@@ -43,7 +43,7 @@ def test_compressive_strength_tends_to_the_cube_of_the_filling_factor() -> None:
             solve("compressive_strength", filling_factor=phi, **QUARTZ)
 
 
-def test_strengths_as_phantom_codes_them() -> None:
+def test_strengths_agree_with_the_code_phantom() -> None:
     """porosity.f90 has E_roll = 302.456 (γ⁵r0⁴/E²)^(1/3), and a packing of 0.74048 instead of 0.74."""
     gamma, radius, modulus, phi = 0.2, 1e-6, 72e9, 0.1
     eroll = 302.455974078 * (gamma**5 * radius**4 / modulus**2) ** (1 / 3)
@@ -62,8 +62,8 @@ def test_strengths_as_phantom_codes_them() -> None:
 
 
 @pytest.mark.parametrize("below", [1e-2, 1e-4, 1e-8, 1e-12])
-def test_next_to_the_closest_packing_the_strength_is_that_of_74_per_cent(below: float) -> None:
-    """0.74 is no double, and a small difference shows it."""
+def test_near_the_closest_packing_the_strength_has_full_precision(below: float) -> None:
+    """0.74 is not a double, and its rounding matters in a small difference 0.74 − φ."""
     phi = 0.74 - below
     values = solve(["compressive_strength", "roll_energy_half_turn"], **{**AGGREGATE, "filling_factor": phi})
     exact = mpf(values["roll_energy_half_turn"]) / mpf(1e-7) ** 3 / (1 / mpf(phi) - 1 / mpf("0.74")) ** 3

@@ -1,4 +1,4 @@
-"""Energies and speeds by convention: the factors printed next to them, computed from the curve of JKR itself."""
+"""Energies and speeds by convention: the factors that are printed with them, computed from JKR's curve."""
 
 import math
 import re
@@ -37,7 +37,7 @@ A0 = (9 * math.pi * 0.025 * RADIUS**2 / MODULUS) ** (1 / 3)
         ("roll_energy_half_turn", 6 * math.pi**2 * 0.025 * 1e-7 * 2e-10),
     ],
 )
-def test_an_energy_or_a_speed_is_as_its_authors_have_it(name: str, value: float) -> None:
+def test_an_energy_or_a_speed_is_that_of_its_authors(name: str, value: float) -> None:
     assert math.isclose(solve(name, **GRAIN), value, rel_tol=1e-14)
 
 
@@ -45,7 +45,7 @@ FACTOR = re.compile(r"(\d+\.\d+|6/5) (P_cδ0|F_cδ_c)")
 
 
 @pytest.mark.parametrize("name", [name for name in NOMENCLATURE if FACTOR.search(NOMENCLATURE[name].definition)])
-def test_factors_are_those_of_the_values(name: str) -> None:
+def test_factors_in_definitions_are_those_of_the_values(name: str) -> None:
     """Each factor in a definition is the value in that unit, within half a unit of its last place."""
     units = {"P_cδ0": solve("adhesion_energy", **PAIR), "F_cδ_c": solve("fold_energy", **PAIR)}
     value = solve(name, **PAIR)
@@ -82,7 +82,7 @@ def test_rolling_energy_is_the_moment_times_the_angle(scene: dict[str, Any]) -> 
 
 def test_every_row_has_a_definition_and_a_source() -> None:
     every = (*QUESTIONS["energies"].quantities, *QUESTIONS["aggregates"].quantities)
-    for name in (name for name in every if not name.endswith("lennard_jones")):  # a fit defines those
+    for name in (name for name in every if not name.endswith("lennard_jones")):  # defined by a fit
         quantity = NOMENCLATURE[name]
         fields = docstring_fields(FORMULAS[name]) if name in FORMULAS else {}
         assert quantity.definition or fields.get("Source"), name
@@ -94,7 +94,7 @@ def test_every_row_has_a_definition_and_a_source() -> None:
 
 @pytest.mark.parametrize("radius2", [1e-7, 3e-7, math.inf])
 def test_sliding_frequency_is_an_eigenvalue(radius2: float) -> None:
-    """Two spheres with the motions x1, x2, θ1, θ2 and the spring k_s (x1 − R1θ1 − x2 − R2θ2)²/2."""
+    """Two spheres have the motions x1, x2, θ1, θ2, and their spring has the energy k_s (x1 − R1θ1 − x2 − R2θ2)²/2."""
     scene = {**PAIR, "radius2": radius2}
     stiffness, mass, mass2 = solve(["tangential_stiffness", "mass", "mass2"], **scene).values()
     radii, masses = [1e-7, radius2], [mass, mass2]
@@ -134,13 +134,13 @@ def test_sliding_is_the_fastest_mode(poisson: float, ratio: float) -> None:
     ],
 )
 def test_the_time_step_is_the_shorter_of_two_rules(scene: dict[str, Any], step: float) -> None:
-    """The rules for quartz: a twentieth of the period of sliding with rotation, or a fifth of the Rayleigh time."""
+    """The rules are a twentieth of the period of sliding with rotation, and a fifth of the Rayleigh time."""
     assert solve("time_step", material="quartz", **scene) == approx(step, rel=1e-10)
     several = solve("time_step", material="quartz", **{**scene, "radius": np.array([scene["radius"], 1e-5])})
     assert several[0] == approx(step, rel=1e-10)
 
 
-def test_a_rigid_sphere_leaves_the_time_step_to_the_contact() -> None:
+def test_for_a_rigid_sphere_the_contact_sets_the_time_step() -> None:
     scene = {**GRAIN, "youngs_modulus": math.inf, "youngs_modulus2": 3e3, "poisson_ratio2": 0.5, "radius2": math.inf}
     frequency, step = solve(["sliding_frequency", "time_step"], **scene).values()
     assert step == approx(1 / (20 * frequency), rel=1e-14)
@@ -154,10 +154,10 @@ def test_the_time_step_is_stable_for_many_contacts() -> None:
             assert step < 2 / (math.sqrt(contacts) * 2 * math.pi * slide)
 
 
-def test_a_measured_energy_is_said_beside_the_convention(run: Run) -> None:
+def test_an_explanation_states_the_measured_energy_of_a_convention(run: Run) -> None:
     assert "E_break of SiO2: for spheres of 1.9 µm diameter" in run("energies quartz 100nm --explain").out
 
 
 @pytest.mark.parametrize("grain", ["iron 1um", "polystyrene 1um", "quartz 1um --material2 iron"])
-def test_what_was_measured_on_silica_is_not_said_of_other_solids(run: Run, grain: str) -> None:
+def test_measurements_on_silica_are_not_mentioned_for_other_solids(run: Run, grain: str) -> None:
     assert "SiO2" not in run(f"energies {grain} --explain --quantities v_stick,E_break").out

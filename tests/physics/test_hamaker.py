@@ -16,15 +16,15 @@ ELASTIC: dict[str, Any] = {name: value for name, value in QUARTZ.items() if name
 SILICA: dict[str, Any] = {**ELASTIC, "hamaker": 6.5e-20}
 
 
-def test_silica() -> None:
-    """The results are 63.3 mJ/m² and 0.143 nm; at 0.4 nm, w would be 10.8 mJ/m²."""
+def test_work_and_spacing_from_the_hamaker_constant_of_silica() -> None:
+    """The results are 63.3 mJ/m² and 0.143 nm; with a cutoff of 0.4 nm, w is 10.8 mJ/m²."""
     work, spacing = solve(["work_of_adhesion", "atomic_spacing"], **SILICA).values()
     assert round(1e3 * work, 1) == 63.3
     assert round(1e9 * spacing, 3) == 0.143
     assert round(1e3 * solve("work_of_adhesion", cutoff=4e-10, **SILICA), 1) == 10.8
 
 
-def test_the_3_9_law_has_this_constant_this_work_and_this_spacing() -> None:
+def test_the_3_9_law_with_this_work_and_spacing_has_the_hamaker_constant() -> None:
     """The integral of σ(h) = (8w/3z0)[(z0/h)³ − (z0/h)⁹] is w, and far away σ is A/(6πh³)."""
     work, spacing = solve(["work_of_adhesion", "atomic_spacing"], **SILICA).values()
     h = np.geomspace(spacing, 1e4 * spacing, 200_001)
@@ -33,7 +33,7 @@ def test_the_3_9_law_has_this_constant_this_work_and_this_spacing() -> None:
     assert math.isclose(traction[-1] * h[-1] ** 3 * 6 * math.pi, SILICA["hamaker"], rel_tol=1e-12)
 
 
-def test_everything_goes_on_with_them() -> None:
+def test_other_results_use_the_work_and_spacing_of_the_constant() -> None:
     work, spacing = solve(["work_of_adhesion", "atomic_spacing"], **SILICA).values()
     names = ["pull_off_force", "tabor_parameter", "sticking_energy"]
     for model in ("jkr", "maugis"):
@@ -42,7 +42,7 @@ def test_everything_goes_on_with_them() -> None:
     assert solve("tabor_parameter", atomic_spacing=4e-10, **SILICA) < solve("tabor_parameter", **SILICA)
 
 
-def test_two_solids() -> None:
+def test_the_constant_of_two_solids_is_the_geometric_mean() -> None:
     """A12 = √(A1A2); another material does not take the constant of the first."""
     both = solve("work_of_adhesion", hamaker2=4 * 6.5e-20, **SILICA)
     assert math.isclose(both, 2 * solve("work_of_adhesion", **SILICA), rel_tol=1e-15)
@@ -52,7 +52,7 @@ def test_two_solids() -> None:
         solve("pull_off_force", hamaker2=1e-19, **ELASTIC)
 
 
-def test_it_excludes_a_surface_energy_but_not_that_of_a_material() -> None:
+def test_a_hamaker_constant_excludes_a_given_surface_energy_but_not_a_material_s() -> None:
     for name, constant in product(("surface_energy", "surface_energy2", "work_of_adhesion"), ("hamaker", "hamaker2")):
         with pytest.raises(BadRequest, match=f"{name}.* and {constant} exclude each other"):
             solve("pull_off_force", **{**ELASTIC, name: 0.1, constant: 6.5e-20})

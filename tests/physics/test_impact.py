@@ -14,8 +14,8 @@ from jkroll.physics.motion import FITTED_UP_TO, STICKS_FROM, sticking_speed_visc
 from relative import approx
 
 QUARTZ: dict[str, Any] = {"material": "quartz", "radius": 1e-6}
-# The motion in units of δ0 and √(P_cδ0/m), with δ̂ = 3y⁴ − 2y, y = z/6^(1/3) and dt = 2·6^(-1/3)(z³ − 1)dσ, in which it
-# is polynomial.
+# The motion in units of δ0 and √(P_cδ0/m). With δ̂ = 3y⁴ − 2y, y = z/6^(1/3) and dt = 2·6^(-1/3)(z³ − 1)dσ, its
+# equation is polynomial.
 C = 6 ** (-1 / 3)
 
 
@@ -24,7 +24,7 @@ def acceleration(z: float, u: float, viscosity: float) -> float:
 
 
 def slowest_that_parts(viscosity: float) -> float:
-    """Return the speed at which grains meet that come to rest at the fold, from the motion backwards in time."""
+    """Return the impact speed of grains that come to rest at the fold, from the motion backwards in time."""
     from scipy.integrate import solve_ivp  # type: ignore[import-untyped]
 
     growth, start = math.sqrt(10 * C / 3), 1e-5
@@ -43,13 +43,13 @@ def slowest_that_parts(viscosity: float) -> float:
 
 
 @pytest.mark.parametrize("viscosity", [1e-6, 1e-3, 0.03, 0.1, 0.27, 0.45, 0.6, 0.66, 0.68, FITTED_UP_TO])
-def test_sticking_speed_with_damping_by_the_equation_of_motion(viscosity: float) -> None:
+def test_sticking_speed_with_damping_agrees_with_the_equation_of_motion(viscosity: float) -> None:
     unit = {"sticking_energy": 1.0, "reduced_mass": 2.0}
     ratio = slowest_that_parts(viscosity) / slowest_that_parts(0.0)
     assert sticking_speed_viscous(viscosity_number=viscosity, **unit) == approx(ratio, rel=1e-9)
 
 
-def test_sticking_speed_is_that_without_damping_in_the_limit() -> None:
+def test_sticking_speed_tends_to_that_without_damping() -> None:
     slow, damped = solve("sticking_speed", **QUARTZ), solve("sticking_speed", **QUARTZ, viscous_time=1e-25)
     assert damped == approx(slow, rel=1e-10)
     assert slow == approx(slowest_that_parts(0.0) * math.sqrt(_scale()), rel=1e-9)
@@ -90,7 +90,7 @@ def _with(viscosity: float) -> dict[str, Any]:
     return {"viscous_time": viscosity / solve("viscosity_number", **QUARTZ, viscous_time=1.0)} if viscosity else {}
 
 
-def test_spheres_that_stick_lose_all() -> None:
+def test_spheres_that_stick_lose_all_their_energy() -> None:
     speed = solve("sticking_speed", **QUARTZ)
     speeds = np.array([speed / 2, speed * (1 - 1e-12), 2 * speed])
     bounces, lost = solve(["restitution", "lost_energy"], **QUARTZ, speed=speeds).values()
@@ -125,8 +125,8 @@ def test_viscous_time_of_a_measured_sticking_speed(radius: float, speed: float, 
     assert solve("sticking_speed", **pair, viscous_time=found) == approx(speed, rel=1e-12)
 
 
-def test_viscous_time_that_a_public_code_was_fitted_with() -> None:
-    """By its comments, 31.6 ps for 105.869 cm/s at 0.76 µm: a power law for radii from 0.6 µm, not a measurement."""
+def test_viscous_time_agrees_with_that_of_a_public_code() -> None:
+    """Comments of the code give 31.6 ps for 105.869 cm/s at 0.76 µm: a power law from 0.6 µm on, not a measurement."""
     speed = 1.2 * (0.6 / 0.76) ** 0.53
     assert speed == approx(1.05869, abs=5e-6)
     pair: dict[str, Any] = {
@@ -144,7 +144,7 @@ def test_a_measured_restitution_bounds_the_surface_energy(run: Run) -> None:
     assert "upper limit" not in run("infer gamma quartz 1um --measured pull_off_force=100nN").err
 
 
-def test_what_an_impact_says(run: Run) -> None:
+def test_an_explanation_says_that_the_viscous_time_was_fitted_at_one_size(run: Run) -> None:
     ran = run("impact quartz 1um --speed 1m/s --viscous-time 12.5ps --explain").out
     assert "the viscous time was fitted at one size" in " ".join(ran.split())
     assert "elastic theory's" not in ran
@@ -171,7 +171,7 @@ def test_peak_pressure_of_a_touch_is_above_that_at_rest() -> None:
 @pytest.mark.parametrize(
     ("ratio", "over_hertz"), [(6.0, 0.600), (8.0, 0.846), (10.0, 0.923), (20.0, 0.991), (50.0, 0.9994)]
 )
-def test_yield_speed_over_that_without_adhesion(ratio: float, over_hertz: float) -> None:
+def test_yield_speed_relative_to_that_without_adhesion(ratio: float, over_hertz: float) -> None:
     """v_y = (πp_y/2E*)^(5/2) √(16E*R³/(15m)) without adhesion."""
     names = ["pull_off_force", "contact_radius", "contact_modulus", "reduced_mass"]
     force, radius, modulus, mass = solve(names, **QUARTZ).values()
@@ -191,7 +191,7 @@ def test_pressure_of_first_yield(poisson_ratio: float, times: float) -> None:
 
 
 def test_contact_that_yields_on_touching_has_no_yield_speed() -> None:
-    """Below 5.08 P_c/(πa0²), the root of the formula is a state under tension, and no impact."""
+    """Below 5.08 P_c/(πa0²), the root of the formula is a state under tension, not an impact."""
     with pytest.raises(Failure, match=r"first_yield_pressure: 788.7 MPa is below 15.055 GPa, the pressure of adhesion"):
         solve("yield_speed", material="iron", radius=1e-7, yield_strength=5e8)
     speeds = solve("yield_speed", material="quartz", radius=1e-6, yield_strength=np.array([1e8, 3e9]))
@@ -212,18 +212,18 @@ def test_contact_that_yields_on_touching_has_no_yield_speed() -> None:
         ("--speed 100m/s", "the impact pressure exceeds what even a flawless solid bears"),
     ],
 )
-def test_what_an_impact_says_of_yield(words: str, said: str, run: Run) -> None:
+def test_an_explanation_says_whether_an_impact_is_elastic_and_static(words: str, said: str, run: Run) -> None:
     ran = run(f"impact quartz 1um {words} --explain")
     assert said in " ".join(ran.out.split())
 
 
 @pytest.mark.parametrize("asperity", [0.2e-9, 1.5e-9, 5e-9])
-def test_rough_pull_off_by_the_pairwise_sum(asperity: float) -> None:
-    """A sphere on a plane, with a hemisphere of the solid between: van der Waals' force, summed over the volumes."""
+def test_rough_pull_off_is_slightly_above_the_pairwise_sum(asperity: float) -> None:
+    """Van der Waals' force of a sphere on a plane with a hemispherical asperity between, summed over the volumes."""
     radius, gap = 1e-6, 1.65e-10
 
     def on_point(across: float, height: float) -> float:
-        """Return the axial force of a sphere on the asperity on a point of the hemisphere, per Hamaker constant."""
+        """Return the axial force between the sphere and a ring of the hemisphere, per Hamaker constant."""
         up = asperity + gap + radius - height
         distance = math.hypot(across, up)
         field = 8 * radius**3 * distance / (distance**2 - radius**2) ** 4  # field of the sphere, 4π/3 R³/(d² − R²)³
@@ -239,7 +239,7 @@ def test_rough_pull_off_by_the_pairwise_sum(asperity: float) -> None:
     assert exact < form < 1.035 * exact
 
 
-def test_between_which_means_w_of_unlike_solids_is(run: Run) -> None:
+def test_a_warning_names_two_means_between_which_w_of_unlike_solids_lies(run: Run) -> None:
     said = run("pull-off 1um --gamma 20mJ/m2 --gamma2 400mJ/m2").err
     assert "w = 2√(γ1γ2) is an upper estimate for solids so unlike, 4/(1/γ1 + 1/γ2) a lower one" in said
     assert "lower one" not in run("pull-off 1um --gamma 20mJ/m2 --gamma2 50mJ/m2").err

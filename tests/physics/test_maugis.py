@@ -1,4 +1,4 @@
-"""Maugis' contact beyond the tests of test_accuracy.py: its energy by quadrature, near its ends, and in 3-D."""
+"""Maugis' contact beyond test_accuracy.py: energy by quadrature, states near pull-off and the fold, moment in 3-D."""
 
 import math
 from typing import Any
@@ -29,7 +29,7 @@ def state(transition: Any, edge_ratio: Any) -> dict[str, Any]:
 
 
 def ratio_at_load(transition: Any, load: Any) -> Any:
-    """Return v at a load."""
+    """Return the edge ratio at a load."""
     least = dugdale.pull_off_ratio(transition)
     return dugdale.ratio_at_load(transition, load, least, -state(transition, least)["load"])
 
@@ -48,7 +48,7 @@ def test_energy_is_the_integral_of_the_force(transition: float) -> None:
     assert math.isclose(state(transition, edge_ratio)["energy"], exact, rel_tol=1e-14)
 
 
-def test_constants() -> None:
+def test_constants_are_the_nearest_doubles() -> None:
     pi = reference.pi
     assert ulps(dugdale.FOLD_WITHOUT_CONTACT, reference.cbrt(9 * pi / (16 * (pi - 1)))) <= 0.5
     assert ulps(dugdale.JUMP_WITHOUT_CONTACT, reference.cbrt(mpf(9) / 32)) <= 0.5
@@ -58,8 +58,8 @@ def test_constants() -> None:
 
 
 @pytest.mark.parametrize("radius", [1.0559497443981639e-06, 2e-7, 1e-6, 1e-5])
-def test_no_stiffness_at_the_fold_is_that_of_a_stable_contact(radius: float) -> None:
-    """Within rounding of the fold, the slope has neither a limit nor a sign that doubles can tell."""
+def test_no_stiffness_near_the_fold_is_positive(radius: float) -> None:
+    """Within rounding of the fold, doubles determine neither the size nor the sign of the slope."""
     iron: dict[str, Any] = {"radius": radius, "atomic_spacing": 4e-10}
     fold = jkroll.solve("fold_approach_maugis", model="maugis", material="iron", **iron)
     near = fold + numpy.arange(-4, 40) * abs(math.ulp(fold))
@@ -69,7 +69,7 @@ def test_no_stiffness_at_the_fold_is_that_of_a_stable_contact(radius: float) -> 
 
 
 def test_states_a_few_ulp_from_pull_off_are_next_to_it() -> None:
-    """The curve is level there, and its rounded slope may have either sign."""
+    """The curve is level at pull-off, and its rounded slope may have either sign."""
     transitions = numpy.geomspace(1e-4, 1e4, 2000)
     least = dugdale.pull_off_ratio(transitions)
     tension = -state(transitions, least)["load"]
@@ -81,7 +81,7 @@ def test_states_a_few_ulp_from_pull_off_are_next_to_it() -> None:
 
 @pytest.mark.parametrize("transition", [0.1, 0.3, 1.0, 3.0])
 @pytest.mark.parametrize(("points", "bound"), [(96, 3e-3), pytest.param(256, 1e-3, marks=pytest.mark.slow)])
-def test_rolling_moment_of_a_three_dimensional_contact(transition: float, points: int, bound: float) -> None:
+def test_rolling_moment_agrees_with_a_three_dimensional_contact(transition: float, points: int, bound: float) -> None:
     values = state(transition, ratio_at_load(transition, 0.0))
     lag = 0.05 * values["radius"]
     found = rolling_moment(transition=transition, load=0.0, zone_radius=values["zone"], lag=lag, points=points)
@@ -91,7 +91,7 @@ def test_rolling_moment_of_a_three_dimensional_contact(transition: float, points
 @pytest.mark.parametrize(
     ("tabor", "ratio"), [(0.03, 1.99468), (0.1, 1.96896), (0.5, 1.78748), (1.0, 1.67068), (2.0, 1.58349)]
 )
-def test_pull_off_of_lennard_jones(tabor: float, ratio: float) -> None:
+def test_pull_off_force_by_lennard_jones(tabor: float, ratio: float) -> None:
     """The numbers are those of tests/tools/lennard_jones.py."""
     force = any_law.pull_off_force_lennard_jones(
         work_of_adhesion=1 / math.pi, reduced_radius=1.0, tabor_parameter=tabor
@@ -103,7 +103,7 @@ def test_pull_off_of_lennard_jones(tabor: float, ratio: float) -> None:
     ("tabor", "well", "at_dead_load"),
     [(0.03, 2.90929, 0.34858), (0.1, 3.03744, 0.52705), (0.3, 3.50893, 1.15878), (0.7, 4.58361, 2.31711)],
 )
-def test_energies_of_lennard_jones(tabor: float, well: float, at_dead_load: float) -> None:
+def test_energies_by_lennard_jones(tabor: float, well: float, at_dead_load: float) -> None:
     """The numbers are those of tests/tools/lennard_jones.py."""
     scene = {"work_of_adhesion": 1 / math.pi, "reduced_radius": 1.0, "atomic_spacing": 1.0, "tabor_parameter": tabor}
     assert math.isclose(any_law.well_energy_lennard_jones(**scene), well, rel_tol=2e-3)
@@ -113,7 +113,7 @@ def test_energies_of_lennard_jones(tabor: float, well: float, at_dead_load: floa
 def test_energies_of_rigid_spheres_by_lennard_jones() -> None:
     """The sphere rests where the energy of two half-spaces, (8/3)(1/2H² - 1/8H⁸), is 0, and pulls most at H = 1."""
 
-    def to_infinity(gap: float) -> float:  # the integral of that energy, twice, as a force is 2πR times the energy
+    def to_infinity(gap: float) -> float:  # twice the integral of that energy, as a force is 2πR times the energy
         return 16 / 3 * (1 / (2 * gap) - 1 / (56 * gap**7))
 
     scene = {"work_of_adhesion": 1 / math.pi, "reduced_radius": 1.0, "atomic_spacing": 1.0, "tabor_parameter": 1e-9}

@@ -15,11 +15,11 @@ GAS_CONSTANT, ROOM = 8.314462618, 298.15  # J/(mol K), K
 
 
 def nodoid(kelvin: float, contact_angle: float, *, is_pair: bool) -> tuple[float, float]:
-    """Return F/(4πRγ_L cosθ) of a meniscus of r_K = `kelvin` R, and the angle on the sphere up to which it reaches.
+    """Return F/(4πRγ_L cosθ) of a meniscus of r_K = `kelvin` R, and its half-filling angle on the sphere.
 
-    A sphere of radius 1 touches a plane, or one like it; R is the reduced radius. ψ is the slope of the water's surface
-    against the plane, and r sinψ + r²/(2r_K) = F/(2πγ_L) at every height. The height that it spans is that of the
-    sphere there.
+    A sphere of radius 1 touches a plane or an equal sphere; R is the reduced radius. ψ is the slope of the water's
+    surface against the plane, and r sinψ + r²/(2r_K) = F/(2πγ_L) at every height. The surface spans the gap between the
+    bodies at the half-filling angle.
     """
     from scipy.integrate import quad  # type: ignore[import-untyped]
     from scipy.optimize import brentq  # type: ignore[import-untyped]
@@ -49,7 +49,7 @@ def nodoid(kelvin: float, contact_angle: float, *, is_pair: bool) -> tuple[float
 
 
 def by_first_order(ratio: float, contact_angle: float) -> tuple[float, float]:
-    """Return F/(4πRγ_L cosθ) by the program for r_K/R, and q."""
+    """Return F/(4πRγ_L cosθ) by the program for a ratio r_K/R, and the size q of the meniscus."""
     size = float(meniscus_size(kelvin_radius=ratio, reduced_radius=1.0, contact_angle=contact_angle))
     force = meniscus_force(reduced_radius=1.0, contact_angle=contact_angle, meniscus_size=size)
     return float(force) / (4 * math.pi * WATER_TENSION * math.cos(contact_angle)), size
@@ -76,7 +76,7 @@ def test_the_exact_meniscus_is_in_the_stated_range(degrees: float, is_pair: bool
 
 
 def test_the_exact_meniscus_has_the_published_forces() -> None:
-    """A plane and an equal sphere, at half-filling angles of 0.02 to 0.4, by other integrals of the same shape."""
+    """The forces, at half-filling angles of 0.02 to 0.4, were computed by other integrals of the same shape."""
     from scipy.optimize import brentq
 
     for degrees, is_pair, forces in (
@@ -97,7 +97,7 @@ def test_the_exact_meniscus_has_the_published_forces() -> None:
 
 
 @pytest.mark.parametrize(("degrees", "kappa"), [(0, math.pi / 8), (20, 0.4235), (40, 0.509), (60, 0.676)])
-def test_the_first_order_by_contact_angle(degrees: float, kappa: float) -> None:
+def test_the_first_order_depends_on_the_contact_angle(degrees: float, kappa: float) -> None:
     size = meniscus_size(kelvin_radius=1.0, reduced_radius=1.0, contact_angle=math.radians(degrees))
     assert size == approx(kappa, rel=1e-3)
 
@@ -122,10 +122,10 @@ def test_water_fills_a_gap_of_twice_the_kelvin_radius() -> None:
 WET = {"material": "quartz", "radius": 1e-6, "radius2": math.inf}
 
 
-def test_a_small_meniscus_pulls_alike_at_every_humidity() -> None:
+def test_a_small_meniscus_has_the_same_force_at_every_humidity() -> None:
     forces = solve("meniscus_force", **{**WET, "radius": 1.0}, humidity=np.array([0.1, 0.5, 0.9]))
     assert forces == approx(4 * math.pi * WATER_TENSION, rel=1e-4)
-    assert solve("meniscus_force", radius=1e-6, humidity=0.5) == approx(  # two spheres have half of it, except for q
+    assert solve("meniscus_force", radius=1e-6, humidity=0.5) == approx(  # the same reduced radius
         solve("meniscus_force", radius=5e-7, radius2=math.inf, humidity=0.5), rel=1e-12
     )
 
@@ -142,13 +142,13 @@ def test_a_small_meniscus_pulls_alike_at_every_humidity() -> None:
         ),
     ],
 )
-def test_an_answer_says_which_of_the_two_decides(run: Run, words: str, lead: str) -> None:
+def test_an_answer_says_whether_water_or_the_dry_contact_decides(run: Run, words: str, lead: str) -> None:
     shown = " ".join(run(f"pull-off {words}", terminal=True).out.split())
     assert lead in shown
     assert "assumed: θ_c = 0, water that wets (--contact-angle)" in shown
 
 
-def test_no_meniscus_where_the_gap_stays_dry_or_the_meniscus_is_too_wide(run: Run) -> None:
+def test_no_meniscus_force_if_the_gap_stays_dry_or_the_meniscus_is_too_wide(run: Run) -> None:
     dry = run("pull-off quartz 1um --humidity 30% --roughness 2nm --csv").out.splitlines()
     assert "no meniscus" in dry[1]
     assert "warning: F_men: no meniscus" in run("pull-off quartz 1um --humidity 30% --roughness 2nm").err
@@ -166,7 +166,7 @@ def test_no_meniscus_where_the_gap_stays_dry_or_the_meniscus_is_too_wide(run: Ru
         ("--humidity 60% --contact-angle 90deg --roughness 2nm", "fills no gap"),
     ],
 )
-def test_where_water_makes_no_meniscus_the_dry_force_stands_alone(run: Run, option: str, words: str) -> None:
+def test_without_a_meniscus_only_the_dry_force_is_shown(run: Run, option: str, words: str) -> None:
     done = run(f"pull-off quartz 1um {option}", terminal=True)
     assert (done.code, "F_men  " in done.out, "decides" in done.out) == (0, False, False)
     assert words in done.err

@@ -1,4 +1,4 @@
-"""Inputs at the ends of the range: a result has all its digits, or there is none, but never a wrong number."""
+"""Inputs at the ends of their range: a result is accurate or has no value, but is never wrong."""
 
 import math
 import sys
@@ -30,7 +30,7 @@ NAMES = [name for name in (*GIVEN, *OTHER) if not name.startswith("poisson")]
 @pytest.mark.parametrize("value", [1e-31, 1e31, 1e-300, 1e300, 5e-324])
 @pytest.mark.parametrize("name", [*NAMES, *ENERGIES, *STATES, "mass", "pull_off_force"])
 def test_a_number_beyond_the_range_is_refused(name: str, value: float) -> None:
-    """A load or an approach may be 0, or as close to it as it likes."""
+    """A load or an approach may be 0, or as close to 0 as doubles allow."""
     for given in (value, np.array([1.0, value]), np.full(40_000, value)):
         scene = {**GIVEN, name: given}
         if name in STATES and value < 1:
@@ -41,7 +41,7 @@ def test_a_number_beyond_the_range_is_refused(name: str, value: float) -> None:
 
 
 @pytest.mark.parametrize("name", ["radius", "radius2", "load", "load_margin", "poisson_ratio", "youngs_modulus"])
-def test_an_array_takes_what_a_number_takes(name: str) -> None:
+def test_an_array_accepts_the_same_values_as_a_number(name: str) -> None:
     edges = [0.0, 0.5, -0.5, 0.7, LEAST, LEAST / 2, -LEAST / 2, MOST, 2 * MOST, math.inf, -math.inf, math.nan]
     refused = []
     for edge in edges:
@@ -53,7 +53,7 @@ def test_an_array_takes_what_a_number_takes(name: str) -> None:
     assert (~takes(name, np.array(edges))).tolist() == refused
 
 
-def test_zero_and_infinity_stay_where_they_mean_something() -> None:
+def test_zero_and_infinity_are_accepted_where_they_have_a_meaning() -> None:
     given: dict[str, Any] = {
         **GIVEN,
         "load": 0.0,
@@ -67,7 +67,7 @@ def test_zero_and_infinity_stay_where_they_mean_something() -> None:
         np.testing.assert_allclose(values, numbers[name], rtol=1e-15)
 
 
-def test_an_element_that_leaves_the_doubles_leaves_the_others_alone() -> None:
+def test_an_element_beyond_the_range_of_doubles_does_not_affect_the_others() -> None:
     radius = np.full(40_000, 1e-7)
     radius[[5, 20_000, 39_999]] = 1e-30
     given: dict[str, Any] = {**GIVEN, "youngs_modulus": 1e30, "atomic_spacing": 1e29, "radius": radius}
@@ -85,7 +85,7 @@ BOUND_OF_LAW = {"jkr": BOUND, "maugis": 25.0}  # in ulp, times 1 plus the condit
 
 
 def corner_scenes(low: float, high: float, count: int) -> Iterator[dict[str, float]]:
-    """Iterate over scenes in which some or all inputs have the smallest or the largest magnitude, or any in between."""
+    """Iterate over scenes in which some or all inputs have the smallest or the largest magnitude, or one in between."""
     random = Random(count)
     usual = {**GIVEN, **OTHER, "atomic_spacing": 4e-10}
 
@@ -116,7 +116,7 @@ class ExactScene:
         self.plans, steps = plans, _formulas_of(plans)
         self.given = {name: mpf(given[name]) for name in _inputs_of(plans)}
         self.values: dict[str, Exact | None] = dict(self.given)
-        self.in_doubles = set(self.given)  # values that doubles hold, with all values on the way
+        self.in_doubles = set(self.given)  # names of values that doubles hold, as they do all values on the way
         for name, step in steps.items():
             known = {parameter: self.values[argument] for parameter, argument in step.arguments.items()}
             value = self.values[name] = None if None in known.values() else _exact_or_none(step.formula.__name__, known)
@@ -125,7 +125,7 @@ class ExactScene:
                 self.in_doubles |= {name} if self.in_doubles.issuperset(step.arguments.values()) else set()
 
     def is_right(self, name: str, value: Any, bound: float) -> bool:
-        """Return whether a number is exact enough or, if there is none, whether doubles cannot hold it."""
+        """Return whether a number is accurate or, if it is missing, whether doubles cannot hold it."""
         source = self.plans[name].name
         exact_value = self.values[source]
         if not isinstance(value, float) or math.isnan(value):
@@ -144,7 +144,7 @@ class ExactScene:
 
 
 def _exact_or_none(formula: str, given: dict[str, Exact]) -> Exact | None:
-    """Return the exact value of a formula; None if its equation has none."""
+    """Return the exact value of a formula; None if its equation has no real value."""
     try:
         value = exact(formula, given)
     except (ValueError, ZeroDivisionError):
@@ -161,8 +161,8 @@ def _exact_or_none(formula: str, given: dict[str, Exact]) -> Exact | None:
         pytest.param("maugis", 1000, marks=pytest.mark.slow),
     ],
 )
-def test_scenes_at_the_corners_have_right_numbers(model: str, count: int) -> None:
-    """Every number is right, and there is a number wherever doubles hold it and all values on the way to it."""
+def test_scenes_at_the_corners_have_accurate_numbers(model: str, count: int) -> None:
+    """Every number is accurate, and none is missing if doubles can hold the number and all values on the way."""
     answered = 0
     for given in corner_scenes(LEAST, MOST, count):
         scene = Frame(given, model=model)
@@ -185,12 +185,12 @@ def _inputs_of(plans: Mapping[str, Plan]) -> set[str]:
 
 
 def _formulas_of(plans: Mapping[str, Plan]) -> dict[str, Plan]:
-    """Return the steps of plans that have a formula, by name, in an order in which to evaluate them."""
+    """Return the steps of plans that have a formula, by name, in an order in which they can be evaluated."""
     return {name: step for plan in plans.values() for name, step in plan.steps.items() if step.formula is not None}
 
 
 def _elements(given: Mapping[str, Any], plans: Mapping[str, Plan]) -> dict[str, float]:
-    """Return the results of the formulas of plans for arrays."""
+    """Return the results of the formulas of plans, computed with arrays."""
     values = {name: np.array([given[name]]) for name in _inputs_of(plans)}
     with np.errstate(all="ignore"):
         for name, step in _formulas_of(plans).items():

@@ -1,4 +1,4 @@
-"""Relations between the formulas: limits, exchange of the spheres, dimensions; and what Python accepts and returns."""
+"""Relations between the formulas: limits, exchange of the spheres, dimensions; and arguments and results in Python."""
 
 import inspect
 import math
@@ -27,11 +27,11 @@ QUARTZ: dict[str, Any] = {"surface_energy": 0.025, "youngs_modulus": 54e9, "pois
 
 
 def close(value: float, other: float, ulps: float = 20) -> bool:
-    """Return whether numbers are equal but for a few roundings."""
+    """Return whether numbers are equal up to a few roundings."""
     return abs(value - other) <= ulps * 2.2e-16 * max(abs(value), abs(other))
 
 
-def test_dmt_has_no_contact_where_it_breaks() -> None:
+def test_dmt_has_no_contact_radius_at_pull_off() -> None:
     with pytest.raises(MissingInput, match="contact_radius_at_pull_off: not in DMT; give --model jkr"):
         solve("contact_radius_at_pull_off", **QUARTZ, radius=1e-7, model="dmt")
 
@@ -71,7 +71,7 @@ def test_a_plane_is_the_limit_of_a_large_sphere() -> None:
         assert [name for name in names if not math.isclose(large[name], plane[name], rel_tol=tolerance)] == []
 
 
-def test_saying_that_sphere_2_is_like_sphere_1_changes_nothing() -> None:
+def test_stating_that_sphere_2_is_like_sphere_1_changes_nothing() -> None:
     same: dict[str, Any] = {**QUARTZ, "radius": 1e-7} | {
         name + "2": value for name, value in {**QUARTZ, "radius": 1e-7}.items()
     }
@@ -95,7 +95,7 @@ IN_DOMAIN = {
 
 
 @pytest.mark.parametrize("name", [*FORMULAS, *OF_A_STRIP])
-def test_dimensions(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_formula_returns_the_stated_dimension(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """A formula of pint Quantities returns the dimension that its annotation and the nomenclature state."""
     for constant, of_unit in (("WATER_TENSION", "N/m"), ("KELVIN_LENGTH", "m")):
         monkeypatch.setattr(meniscus, constant, UREG.Quantity(vars(meniscus)[constant], of_unit))
@@ -126,7 +126,7 @@ def test_every_formula_is_documented_and_takes_its_parameters_by_name() -> None:
 
 
 def test_a_docstring_is_read_with_and_without_its_indentation() -> None:
-    """The compiler removes it from Python 3.13 on."""
+    """The compiler removes the indentation from Python 3.13 on."""
     for name, formula in FORMULAS.items():
         text = inspect.cleandoc(formula.__doc__ or "")
         dedented, indented = (SimpleNamespace(__doc__=doc) for doc in (text, text.replace("\n", "\n    ")))
@@ -134,12 +134,12 @@ def test_a_docstring_is_read_with_and_without_its_indentation() -> None:
         assert docstring_fields(dedented) == docstring_fields(indented), name
 
 
-def test_every_unit_of_the_nomenclature_can_be_read_and_has_a_word() -> None:
+def test_every_unit_of_the_nomenclature_can_be_read_and_its_dimension_has_a_name() -> None:
     for quantity in NOMENCLATURE.values():
         assert kind_of(dimension_of(quantity.unit)) != "a quantity of another dimension", quantity.unit
 
 
-# --- What the Python face takes and gives -----------------------------------------------------------------------------
+# --- Arguments and results in Python ----------------------------------------------------------------------------------
 
 
 def test_arrays_broadcast() -> None:
@@ -150,7 +150,7 @@ def test_arrays_broadcast() -> None:
     assert close(moment[1, 2], solve("yield_moment", radius=1e-7, load=-1e-10, **QUARTZ), 2)
 
 
-def test_lists_and_odd_values() -> None:
+def test_lists_are_accepted_and_odd_values_refused() -> None:
     values = solve("pull_off_force", radius=["1 nm", 2e-9, 3e-9], **QUARTZ)
     assert values.tolist() == [solve("pull_off_force", radius=radius, **QUARTZ) for radius in (1e-9, 2e-9, 3e-9)]
     assert isinstance(solve("pull_off_force", radius=np.float64(1e-9), **QUARTZ), float)
@@ -161,7 +161,7 @@ def test_lists_and_odd_values() -> None:
             solve("pull_off_force", radius=odd, **QUARTZ)
 
 
-def test_integers_and_lists_are_floats() -> None:
+def test_integers_and_lists_are_read_as_floats() -> None:
     radius = np.array([1, 100, 255], dtype=np.uint8)
     others: dict[str, dict[str, Any]] = {
         "r_min": {"radius2": radius, "yield_displacement": 1},
@@ -177,7 +177,7 @@ def test_integers_and_lists_are_floats() -> None:
             FORMULAS["mass"](radius=odd, density=1.0)
 
 
-def test_names_that_are_none_are_refused() -> None:
+def test_unknown_names_are_refused() -> None:
     wrong: Any
     for wrong in (None, [None], ["pull_off_force", "pull_off"], 3):
         with pytest.raises(UnknownQuantity):
@@ -194,7 +194,7 @@ def test_names_that_are_none_are_refused() -> None:
     assert solve([], radius=1e-7) == {}
 
 
-def test_help_is_for_a_physicist() -> None:
+def test_help_shows_the_formula_and_readable_types() -> None:
     text = pydoc.render_doc(jkroll.formulas.pull_off_force, renderer=pydoc.TextDoc())
     assert "work_of_adhesion: 'SurfaceEnergy'" in text
     assert "P_c = 3πγR" in text
@@ -209,11 +209,11 @@ def test_an_approach_beyond_the_fold_is_refused() -> None:
 
 
 def test_a_type_checker_sees_a_number_or_an_array() -> None:
-    """Held by mypy."""
+    """The check is by mypy."""
     assert_type(jkroll.formulas.yield_angle(yield_displacement=2e-10, reduced_radius=5e-8), float | NDArray[np.float64])
 
 
-def test_pint_quantities_in_and_out() -> None:
+def test_pint_quantities_are_accepted_and_returned() -> None:
     force = solve("pull_off_force", radius=UREG.Quantity(100.0, "nm"), surface_energy=UREG.Quantity(25.0, "erg/cm^2"))
     assert math.isclose(force.m_as("nN"), 11.780972450961725, rel_tol=1e-14)
     direct = FORMULAS["pull_off_force"](
@@ -226,7 +226,7 @@ def test_pint_quantities_in_and_out() -> None:
     ("given", "words"),
     [({"youngs_modulus": INFINITY}, "both bodies are rigid"), ({"load": -1.2e-8}, "-12 nN breaks this contact")],
 )
-def test_what_the_physics_forbids_raises(given: dict[str, float], words: str) -> None:
+def test_impossible_contacts_raise_their_reason(given: dict[str, float], words: str) -> None:
     with pytest.raises(Failure, match=words):
         solve("vertical_frequency", **{**QUARTZ, "radius": 1e-7, **given})
 
@@ -239,7 +239,7 @@ def test_what_the_physics_forbids_raises(given: dict[str, float], words: str) ->
         ({"radius": np.array([1e-7, 1e300])}, "radius: 1e+300 at index 1 must lie between 1e-30 and 1e30 in SI units"),
     ],
 )
-def test_a_number_of_an_array_that_is_refused_is_named_with_its_index(scene: dict[str, Any], words: str) -> None:
+def test_a_refused_element_of_an_array_is_named_with_its_index(scene: dict[str, Any], words: str) -> None:
     with pytest.raises(QuantityError) as refused:
         solve("stiffness", **scene, **QUARTZ)
     assert str(refused.value) == words
@@ -257,13 +257,13 @@ def test_work_of_adhesion_needs_no_surface_energy_and_overrides_it() -> None:
     )
 
 
-def test_a_value_that_is_given_is_the_value() -> None:
+def test_a_given_value_replaces_its_formula() -> None:
     assert solve("load_margin", load_margin=0.5, radius=1e-7, **QUARTZ) == 0.5
     half = solve("yield_force", radius_ratio=3.0, **QUARTZ)
     assert close(half, solve("yield_force", **QUARTZ) / 2)
 
 
-def test_energy_ratio_and_energy_are_one_scene() -> None:
+def test_an_energy_ratio_gives_the_same_results_as_its_energy() -> None:
     scene: dict[str, Any] = {"radius": 1e-7, **QUARTZ}
     energy = solve("adhesion_energy", **scene)
     for name in ("n_roll", "n_roll_energy_balance", "energy_over_yield"):
@@ -289,7 +289,7 @@ def test_contradictions_and_mismatches_are_refused() -> None:
         solve("pull_off_force", radius=np.ma.masked_array([1e-7, 2e-7], [False, True]), **QUARTZ)
 
 
-def test_only_what_is_needed_is_asked_for() -> None:
+def test_only_needed_inputs_are_required() -> None:
     assert solve("yield_force", surface_energy=0.025) == solve("yield_force", surface_energy=0.025, radius=1e-7)
     assert solve("r_min", radius=1e-7) > 0
     assert solve(

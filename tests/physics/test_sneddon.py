@@ -1,4 +1,4 @@
-"""A rigid sphere of true shape on a half-space: the dimensionless functions against 50 digits, and their limits."""
+"""A true rigid sphere on a half-space: the dimensionless functions compared with 50-digit values and with limits."""
 
 import math
 from collections.abc import Callable
@@ -60,7 +60,7 @@ def test_profile_is_that_of_the_literature(function: Callable[..., Any]) -> None
 
 
 def test_load_and_approach_are_those_of_the_energy_release_rate() -> None:
-    """Griffith: (P_H − P)² = 8πwE*a³ and 2E*a(δ_H − δ) = P_H − P."""
+    """By Griffith, (P_H − P)² = 8πwE*a³ and 2E*a(δ_H − δ) = P_H − P."""
     for x in (0.01, 0.29, 0.31, 0.7, 0.999):
         artanh, ratio = sneddon.artanh_of_contact(x, 1.0), 0.02
         pulled = sneddon.hertz_load(artanh) - sneddon.load(ratio, artanh)
@@ -69,8 +69,8 @@ def test_load_and_approach_are_those_of_the_energy_release_rate() -> None:
 
 
 @pytest.mark.parametrize("machine", MACHINES)
-def test_last_state_is_the_extreme_of_what_the_machine_holds(machine: str) -> None:
-    """The least gδ + cP over all contacts, from its derivative in 50 digits."""
+def test_last_state_has_the_least_value_that_the_machine_can_hold(machine: str) -> None:
+    """The value is the least gδ + cP over all contacts, where its derivative is 0 in 50 digits."""
     random = Random(1971)
     for _ in range(20):
         ratio = log_uniform(random, 1e-12, 10)
@@ -84,7 +84,7 @@ def test_last_state_is_the_extreme_of_what_the_machine_holds(machine: str) -> No
 
 
 @pytest.mark.parametrize("machine", MACHINES)
-def test_state_holds_what_the_machine_holds(machine: str) -> None:
+def test_state_has_the_value_that_the_machine_holds(machine: str) -> None:
     random = Random(1985)
     for _ in range(20):
         ratio = log_uniform(random, 1e-12, 10)
@@ -109,7 +109,7 @@ def test_arrays_have_the_states_of_their_elements() -> None:
         assert state == approx(sneddon.state_at(0.0, ratio, at, 0.0, 1.0), rel=1e-15)
 
 
-def test_beyond_the_last_state_there_is_none() -> None:
+def test_there_is_no_state_beyond_the_last_one() -> None:
     last = sneddon.last_state(0.01, 0.0, 1.0)
     pull_off = -sneddon.load(0.01, last)
     with pytest.raises(ValueError, match="outside"):
@@ -142,7 +142,7 @@ def test_wide_contact_tends_to_the_radius_of_the_sphere() -> None:
         assert sneddon.indentation(artanh) == approx(artanh, rel=2 * y)
         assert sneddon.hertz_load(artanh) == approx(2 * artanh - 1, rel=2 * y)
         assert sneddon.indentation_slope(artanh) == approx(0.5 / y, rel=40 * y)
-    for ratio in (1e9, 1e15):  # no contact covers the sphere; a stronger one is lost nearer to its edge
+    for ratio in (1e9, 1e15):  # stronger adhesion widens the last contact, but no contact covers the sphere
         assert sneddon.last_state(ratio, 0.0, 1.0) == approx(math.log(72 * math.pi * ratio) / 4, rel=1e-3)
 
 
@@ -156,7 +156,7 @@ OVER_PARABOLOID = (
 
 
 @pytest.mark.parametrize(("ratio", "a0", "delta0", "force", "pull", "delta_fold", "force_fold"), OVER_PARABOLOID)
-def test_sphere_over_its_paraboloid(
+def test_ratios_of_a_sphere_to_its_paraboloid(
     ratio: float, a0: float, delta0: float, force: float, pull: float, delta_fold: float, force_fold: float
 ) -> None:
     paraboloid = (9 / 2 * math.pi * ratio) ** (1 / 3)

@@ -28,7 +28,7 @@ OF_ANY_LAW = ("twisting_stiffness", "twisting_frequency")  # they follow from th
 
 @pytest.mark.parametrize("radius2", [1e-7, 3e-7, math.inf])
 def test_twisting_frequency_is_an_eigenvalue(radius2: float) -> None:
-    """Two spheres turn about the line of centres with the spring k_t (θ1 − θ2)²/2; a plane is held."""
+    """Two spheres turn about the line of centres with the spring k_t (θ1 − θ2)²/2; a plane does not move."""
     scene = {**PAIR, "radius2": radius2}
     names = ["twisting_stiffness", "moment_of_inertia", "moment_of_inertia2", "twisting_frequency"]
     stiffness, *inertia, frequency = solve(names, **scene).values()
@@ -87,7 +87,7 @@ def test_the_contact_peels_where_no_radius_is_an_equilibrium(scene: dict[str, An
     load = ratio * solve("pull_off_force", **scene)
     found = solve(names, load=load, **scene)
     a = found["contact_radius_at_load"]
-    with np.errstate(invalid="ignore"):  # without an equilibrium at such a radius
+    with np.errstate(invalid="ignore"):  # nan at a radius without an equilibrium
         at, force = largest(lambda radius: force_at(radius, load, found), 0.3 * a, a)
     assert math.isclose(force, found["peeling_force"], rel_tol=1e-7)
     assert math.isclose(at, found["peeling_radius"], rel_tol=1e-4)
@@ -96,7 +96,7 @@ def test_the_contact_peels_where_no_radius_is_an_equilibrium(scene: dict[str, An
 @pytest.mark.parametrize("radius", [1e-9, 1e-7, 1.7e-7])
 @pytest.mark.parametrize("ratio", [-0.5, 0.0, 1.0])
 def test_a_brittle_contact_slides_where_the_force_reaches_the_strength_of_its_area(radius: float, ratio: float) -> None:
-    """The equilibria of the energies cross πa²τ there, by bisection in the radius."""
+    """Bisection finds the radius at which the force of the equilibria crosses πa²τ."""
     scene: dict[str, Any] = {**QUARTZ, "radius": radius}
     scene["load"] = ratio * solve("pull_off_force", **scene)
     names = [
@@ -116,7 +116,7 @@ def test_a_brittle_contact_slides_where_the_force_reaches_the_strength_of_its_ar
     assert math.isclose(math.pi * low**2 * found["shear_strength"], found["sliding_or_peeling_force"], rel_tol=1e-6)
 
 
-# --- Where there is none ----------------------------------------------------------------------------------------------
+# --- Missing results --------------------------------------------------------------------------------------------------
 
 
 def test_beyond_pull_off_nothing_peels_at_a_fixed_load() -> None:
@@ -131,12 +131,12 @@ def test_beyond_pull_off_nothing_peels_at_a_fixed_load() -> None:
 
 @pytest.mark.parametrize("model", ["maugis", "dmt"])
 @pytest.mark.parametrize("name", [name for name in NEW if name not in ("shear_strength", *OF_ANY_LAW)])
-def test_other_laws_do_not_have_them(model: str, name: str) -> None:
+def test_other_laws_have_no_sliding_twisting_or_peeling(model: str, name: str) -> None:
     with pytest.raises(NotInLaw, match="give --model jkr"):
         solve(name, model=model, **QUARTZ)
 
 
 @pytest.mark.parametrize("name", ["shear_strength", "sliding_force", "tangential_stiffness"])
-def test_two_rigid_bodies_have_none_of_them(name: str) -> None:
+def test_two_rigid_bodies_have_no_tangential_results(name: str) -> None:
     with pytest.raises(Failure, match="both bodies are rigid"):
         solve(name, **{**QUARTZ, "youngs_modulus": math.inf})

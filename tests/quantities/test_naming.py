@@ -43,7 +43,7 @@ def test_a_symbol_leads_to_its_quantity() -> None:
         ("quartz", "quartz"),
     ],
 )
-def test_words(word: str, name: str) -> None:
+def test_words_lead_to_the_names_of_quantities(word: str, name: str) -> None:
     assert named(word) == name
 
 
@@ -52,7 +52,7 @@ def test_a_symbol_of_several_quantities_is_not_guessed() -> None:
         jkroll.solve("v", material="quartz", radius=1e-7)
 
 
-def test_symbols_wherever_a_quantity_is_named(run: Run) -> None:
+def test_symbols_are_accepted_wherever_a_quantity_is_named(run: Run) -> None:
     assert jkroll.solve("P_c", material="quartz", radius=1e-7) == jkroll.solve(
         "pull_off_force", material="quartz", radius=1e-7
     )
@@ -64,15 +64,15 @@ def test_symbols_wherever_a_quantity_is_named(run: Run) -> None:
     assert by_symbols == run("map pull_off_force quartz --x radius=1nm:1um:3 --data -")
 
 
-def test_a_table_is_not_read_by_symbols(run: Run, tmp_path: Path) -> None:
-    """A column called v or P is not an input, since only names of quantities are read from headers."""
+def test_headers_of_a_table_are_not_read_as_symbols(run: Run, tmp_path: Path) -> None:
+    """A column called E is not an input, since only names of quantities are read from headers."""
     table, results = tmp_path / "grains.csv", tmp_path / "results.csv"
     table.write_text("E,radius\n5,100nm\n")
     assert run("batch", str(table), "-o", str(results), "--quantities", "R_min").code == 0
     assert results.read_text().startswith("E,radius,r_min [m],")
 
 
-def test_search_shows_the_quantity_before_what_mentions_it(run: Run) -> None:
+def test_search_lists_a_quantity_before_others_that_mention_it(run: Run) -> None:
     def names(words: str) -> list[str]:
         lines = run(f"quantities {words} --csv").out.splitlines()[1:]
         return [line.partition(",")[0] for line in lines]
@@ -90,19 +90,19 @@ def test_search_shows_the_quantity_before_what_mentions_it(run: Run) -> None:
     assert "'++' has no word to search for" in run("quantities ++").err
 
 
-def test_an_input_by_the_word_of_an_option_is_what_the_option_gives() -> None:
+def test_an_input_named_like_an_option_is_the_quantity_of_the_option() -> None:
     """The input `approach` is δ at the load; the result of this name is δ0."""
     contact: dict[str, Any] = {"material": "quartz", "radius": 1e-7}
     assert jkroll.solve("load", approach=-5e-11, **contact) == jkroll.solve("load", approach_at_load=-5e-11, **contact)
     assert jkroll.solve("approach", **contact) == approx(1.0618e-10, rel=1e-4)
 
 
-def test_a_list_of_quantities_is_a_list_and_not_their_quotient(run: Run) -> None:
+def test_quantities_separated_by_a_comma_are_listed(run: Run) -> None:
     names = [line.split()[0] for line in run("quantities P_c,Q").out.splitlines()]
     assert names[1:] == ["pull_off_force", "yield_force"]
 
 
-def test_a_quantity_of_a_sphere_is_the_twin_of_its_twin() -> None:
+def test_quantities_of_the_two_spheres_are_each_other_s_twins() -> None:
     of_spheres = {name: quantity for name, quantity in NOMENCLATURE.items() if quantity.sphere}
     assert {"material", "radius2", "mass2", "hamaker"} <= of_spheres.keys()
     for name, quantity in of_spheres.items():

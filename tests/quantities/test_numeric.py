@@ -45,14 +45,14 @@ def test_a_result_is_compared_rounded_and_formatted_as_its_number(force: Any) ->
     assert pickle.loads(pickle.dumps(force)) == force
 
 
-def test_functions_of_numpy_take_results(force: Any) -> None:
+def test_functions_of_numpy_accept_results(force: Any) -> None:
     assert numpy.sqrt(force) == approx(math.sqrt(BARE), rel=1e-14)
     assert (numpy.array([1.0, 2.0]) * force).tolist() == approx([BARE, 2 * BARE], rel=1e-14)
     assert (force * numpy.array([1.0, 2.0])).tolist() == approx([BARE, 2 * BARE], rel=1e-14)
     assert numpy.array([force, force]).dtype == float
 
 
-def test_a_result_in_another_unit(force: Any) -> None:
+def test_a_result_is_converted_to_another_unit(force: Any) -> None:
     assert force.to("nN") == approx(BARE * 1e9, rel=1e-15)
     assert force.to("dyn") == approx(BARE * 1e5, rel=1e-15)
     assert force.unit == "N"
@@ -60,7 +60,7 @@ def test_a_result_in_another_unit(force: Any) -> None:
         force.to("nm")
 
 
-def test_a_result_without_a_value_is_no_number_and_says_why() -> None:
+def test_using_a_result_without_a_value_raises_its_reason() -> None:
     found = jkroll.answer("report", gamma=0.025, radius=1e-7)
     radius = found["contact_radius_at_load"]
     for use in (
@@ -76,7 +76,7 @@ def test_a_result_without_a_value_is_no_number_and_says_why() -> None:
     assert radius != 0
 
 
-def test_a_result_that_has_no_meaning_names_its_best_range() -> None:
+def test_a_result_without_a_meaning_points_to_its_best_range() -> None:
     found = jkroll.answer("contact", gamma=0.05, young=1e4, poisson=0.49, radius=1e-5)
     ended = next(found[name] for name in found if found[name].value is None and name in found.best)
     with pytest.raises(jkroll.JkrollError, match=r"; \.best has its range"):
@@ -84,7 +84,7 @@ def test_a_result_that_has_no_meaning_names_its_best_range() -> None:
     assert ended.best == found.best[ended.name]
 
 
-def test_a_result_is_an_input_of_its_unit() -> None:
+def test_a_result_can_be_an_input_with_the_same_unit() -> None:
     found = jkroll.answer("contact", material="quartz", radius="100 nm")
     force = jkroll.solve("P_c", material="quartz", radius=found["contact_radius"])
     assert force == approx(BARE * float(found["contact_radius"]) / 1e-7, rel=1e-14)
@@ -92,7 +92,7 @@ def test_a_result_is_an_input_of_its_unit() -> None:
         jkroll.solve("contact_radius_at_load", material="quartz", radius=1e-7, load=found["contact_radius"])
 
 
-def test_an_uncertain_result_keeps_its_bar_through_numbers() -> None:
+def test_an_uncertain_result_keeps_its_uncertainty_in_arithmetic_with_numbers() -> None:
     force = jkroll.answer("P_c", radius="100 nm", gamma="25±5 mJ/m2")["P_c"]
     for changed, factor in ((force * 2, 2), (-3 * force, -3), (force / 4, 0.25), (-force, -1), (force.to("nN"), 1e9)):
         assert isinstance(changed, jkroll.Measured)
@@ -101,7 +101,7 @@ def test_an_uncertain_result_keeps_its_bar_through_numbers() -> None:
         force * force
 
 
-def test_arithmetic_of_uncertain_values() -> None:
+def test_arithmetic_with_numbers_carries_the_uncertainty_along() -> None:
     skew, span = jkroll.Measured(2.0, 0.25, 0.5), jkroll.Interval(2.0, 1.0, 4.0)
     assert skew * -2 == jkroll.Measured(-4.0, 1.0, 0.5)
     assert 1 - skew == jkroll.Measured(-1.0, 0.5, 0.25)
@@ -112,7 +112,7 @@ def test_arithmetic_of_uncertain_values() -> None:
         skew * "2"
 
 
-def test_a_measured_value_goes_to_uncertainties_and_back() -> None:
+def test_a_measured_value_is_converted_to_uncertainties_and_back() -> None:
     gamma = jkroll.Measured(0.025, 0.005)
     assert (gamma.ufloat() ** 2).std_dev == approx(2 * 0.025 * 0.005)
     assert jkroll.solve("P_c", radius=1e-7, gamma=gamma.ufloat()) == jkroll.solve("P_c", radius=1e-7, gamma=gamma)
@@ -139,7 +139,7 @@ def test_materials_are_a_mapping() -> None:
     assert every.to_dict()["quartz"]["surface_energy"] == 0.025
 
 
-def test_answers_and_materials_as_data_frames() -> None:
+def test_answers_and_materials_are_converted_to_data_frames() -> None:
     pytest.importorskip("pandas")
     found = jkroll.answer(["P_c", "n_grav"], material="quartz", radius="100 nm")
     frame = found.to_pandas()

@@ -57,7 +57,7 @@ def test_one_uncertainty_in_many_spellings(text: str) -> None:
         ("∞", "radius2", float("inf")),
     ],
 )
-def test_what_is_read(text: str, name: str, found: object) -> None:
+def test_texts_are_read_as_uncertain_values(text: str, name: str, found: object) -> None:
     assert value_of(text, name) == found
 
 
@@ -88,13 +88,13 @@ REFUSED = {
 
 
 @pytest.mark.parametrize("text", REFUSED)
-def test_what_is_refused_and_how(text: str) -> None:
+def test_wrong_texts_are_refused_with_a_message(text: str) -> None:
     with pytest.raises(QuantityError) as error:
         value_of(text, "surface_energy")
     assert str(error.value) == f"surface_energy: '{text}' {REFUSED[text]}"
 
 
-def test_the_ends_of_a_poisson_ratio_are_possible_ones() -> None:
+def test_an_uncertain_poisson_ratio_must_be_possible_at_both_ends() -> None:
     with pytest.raises(QuantityError, match="at both ends"):
         value_of("0.49±0.05", "poisson_ratio")
     with pytest.raises(QuantityError, match="% that can be read in two ways"):
@@ -102,7 +102,7 @@ def test_the_ends_of_a_poisson_ratio_are_possible_ones() -> None:
 
 
 @pytest.mark.parametrize("text", ["25±5 mJ/m2", "25(5) mJ/m2", "25+-5 mJ/m2", "25 mJ/m2 ± 20%", "20 to 30 mJ/m2"])
-def test_where_one_number_is_needed_the_value_alone_is_asked_for(text: str) -> None:
+def test_an_uncertainty_is_refused_where_a_single_number_is_needed(text: str) -> None:
     with pytest.raises(QuantityError, match="has an uncertainty: give the value alone"):
         parse_quantity(text, "surface_energy")
 
@@ -129,7 +129,7 @@ def test_every_number_is_rounded_once(value: Decimal, other: Decimal, unit: str)
     | st.text(max_size=90)
     | st.from_regex(r"[-+]?\d{1,5}(\.\d+)?(e-?\d{1,4})? ?([a-zA-Z]{1,8}[\^*/ ]{0,2}-?\d{0,3}){0,9}", fullmatch=True)
 )
-def test_nothing_but_the_declared_errors_escapes(text: str) -> None:
+def test_any_text_gives_a_value_or_a_quantity_error(text: str) -> None:
     try:
         found = value_of(text, "radius")
     except QuantityError as error:
@@ -148,7 +148,7 @@ class Ufloat(NamedTuple):
     std_dev: float
 
 
-def test_a_number_of_the_package_uncertainties() -> None:
+def test_a_number_of_the_package_uncertainties_is_read() -> None:
     assert Reader().in_si({"gamma": Ufloat(0.025, 0.005)}) == {"surface_energy": Measured(0.025, 0.005, 0.005)}
     assert Reader().in_si({"gamma": Ufloat(0.025, 0.0)}) == {"surface_energy": 0.025}
     with pytest.raises(QuantityError, match="half the value"):
@@ -156,7 +156,7 @@ def test_a_number_of_the_package_uncertainties() -> None:
 
 
 @pytest.mark.parametrize("sides", [{"minus": 0.005}, {"plus": 0.005}, {"minus": 0.005, "plus": 0.005}])
-def test_one_uncertainty_is_that_of_both_sides(sides: dict[str, float]) -> None:
+def test_a_single_uncertainty_applies_to_both_sides(sides: dict[str, float]) -> None:
     found = Measured(0.025, **sides)
     assert (found.minus, found.plus) == (0.005, 0.005)
     assert found == Measured(0.025, 0.005)
@@ -178,7 +178,7 @@ def test_one_uncertainty_is_that_of_both_sides(sides: dict[str, float]) -> None:
         (Interval, (10**400, 0, 1), "is not a number"),
     ],
 )
-def test_what_is_no_uncertain_value_is_refused(kind: type[Any], values: tuple[Any, ...], words: str) -> None:
+def test_invalid_uncertain_values_are_refused(kind: type[Any], values: tuple[Any, ...], words: str) -> None:
     with pytest.raises(JkrollError, match=words):
         kind(*values)
 
@@ -191,7 +191,7 @@ def test_an_uncertain_value_is_copied_and_pickled(found: Measured | Interval) ->
 
 
 @pytest.mark.parametrize("found", [Measured(0.025, 0.005, 0.005), Interval(0.025, 0.02, 0.03)])
-def test_no_array_is_made_of_an_uncertain_value_by_accident(found: tuple[object, ...]) -> None:
+def test_numpy_makes_no_array_of_numbers_of_an_uncertain_value(found: tuple[object, ...]) -> None:
     assert numpy.asarray(found).dtype.kind not in "fiu"
 
 
@@ -213,7 +213,7 @@ def test_no_array_is_made_of_an_uncertain_value_by_accident(found: tuple[object,
         ("(1±0.1)e-5 m/s2", "gravity", "(1.00 ± 0.10)e-5 m/s²"),
     ],
 )
-def test_what_is_written_and_read_again(text: str, name: str, written: str) -> None:
+def test_uncertain_values_are_written_and_read_back(text: str, name: str, written: str) -> None:
     found = value_of(text, name)
     assert isinstance(found, Measured | Interval)
     assert amount(name, found) == written
@@ -222,10 +222,10 @@ def test_what_is_written_and_read_again(text: str, name: str, written: str) -> N
     assert again.value == approx(found.value, rel=1e-3)
 
 
-def test_a_range_too_narrow_for_its_digits_is_a_number() -> None:
+def test_a_range_too_narrow_for_its_digits_is_written_as_a_number() -> None:
     assert amount("surface_energy", Interval(0.025, 0.025, 0.0250000001)) == "25 mJ/m²"
 
 
-def test_what_is_written_in_a_unit_that_was_asked_for() -> None:
+def test_an_uncertain_value_is_written_in_a_chosen_unit() -> None:
     form = Format({"radius": ("um", unit_of("um", "radius"))})
     assert amount("radius", Measured(1e-7, 1e-8, 1e-8), form) == "0.100 ± 0.010 um"

@@ -10,12 +10,12 @@ from jkroll.quantities.nomenclature import nearest
 from jkroll.quantities.units import PLAIN, PREFIXABLE, PREFIXES, dimension_of, kind_of, lookup
 from jkroll.quantities.values import QuantityError, parse_quantity, unit_of
 
-# Names of the table that versions of pint lack, or to which they give different values.
+# Names of the table that some versions of pint lack or give other values.
 UNLIKE = frozenset(
     """gf gram_force pond ponds kgf kilogram_force kilopond kiloponds Da dalton daltons u amu bohr bohrs hartree
     hartrees Eh E_h rydberg rydbergs Ry fathom fathoms furlong furlongs electronvolt cmHg mmHg""".split()
 )
-OTHER_NAMES = {"°": "deg", "%": "percent", "kmph": "kph", "kmh": "kph"}  # pint's names for them
+OTHER_NAMES = {"°": "deg", "%": "percent", "kmph": "kph", "kmh": "kph"}  # pint's names, by those of the table
 
 
 @pytest.mark.parametrize(
@@ -68,7 +68,7 @@ def test_one_length_in_many_spellings_is_one_double(text: str) -> None:
         ("36 cmps", "speed", 0.36),
     ],
 )
-def test_what_is_read(text: str, name: str, value: float) -> None:
+def test_texts_are_read_as_si_numbers(text: str, name: str, value: float) -> None:
     assert parse_quantity(text, name) == value
 
 
@@ -118,7 +118,7 @@ REFUSED = {
 
 
 @pytest.mark.parametrize("text", REFUSED)
-def test_what_is_refused_and_how(text: str) -> None:
+def test_wrong_texts_are_refused_with_a_message(text: str) -> None:
     with pytest.raises(QuantityError) as error:
         parse_quantity(text, "radius")
     assert str(error.value) == REFUSED[text]
@@ -155,8 +155,8 @@ def test_a_long_text_is_refused_and_not_repeated() -> None:
     assert len(str(error.value)) < 200
 
 
-def test_a_name_in_the_table_means_what_it_means_to_pint() -> None:
-    """The table agrees with pint for each name and each product of a prefix and a name, to some fifty digits.
+def test_units_of_the_table_agree_with_pint() -> None:
+    """The table agrees with pint for each name and each product of a prefix and a name, to 48 digits.
 
     Names that differ between versions of pint are read in the tests above.
     """
@@ -168,7 +168,7 @@ def test_a_name_in_the_table_means_what_it_means_to_pint() -> None:
         assert (error < Fraction(1, 10**48), dimension) == (True, ours[2]), (name, pint.__version__)
 
 
-def test_no_name_of_pint_means_another_number_in_another_version() -> None:
+def test_no_unit_of_pint_has_another_number_in_another_version() -> None:
     """Each version of pint has the number in the list, which was made with pint 0.25.3, or no number.
 
     If a new version fails here, add its names to `_UNLIKE` of units.py, and names that people type to the table.
@@ -193,7 +193,7 @@ def test_a_unit_that_depends_on_the_version_of_pint_is_refused(unit: str) -> Non
         parse_quantity(f"5 {unit}", "radius")
 
 
-def test_kinds_are_named() -> None:
+def test_dimensions_are_named() -> None:
     assert kind_of(dimension_of("J/m^2")) == "a surface energy"
     assert kind_of(dimension_of("N m")) == "an energy"
 
@@ -213,5 +213,5 @@ def test_kinds_are_named() -> None:
         ("xyzzy", None),
     ],
 )
-def test_the_quantity_that_a_word_is_likely_to_mean(word: str, meant: str | None) -> None:
+def test_a_word_leads_to_the_quantity_that_it_most_likely_means(word: str, meant: str | None) -> None:
     assert nearest(word) == meant
