@@ -358,8 +358,9 @@ def run_export(call: Call) -> int:
         return 0
     centre = centre_of(answer)
     if centre is not None:
-        best = f"for the centres of the best ranges of P_c and M ({centre.options}) take instead"
-        say(comment_of(f"The lines below are plain {frame.law.short}; {best}:"), sys.stdout)
+        plain = f"For the paper's model take the lines below, which are plain {frame.law.short}"
+        best = f"for P_c and M at the centres of their best ranges ({centre.options}) take this instead"
+        say(comment_of(f"{plain}; {best}:"), sys.stdout)
         for line in lines_at_centre(text, program.text(centre.frame)):
             say(line, sys.stdout)
     sys.stdout.write(text)

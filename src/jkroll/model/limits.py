@@ -46,11 +46,12 @@ class Limit:
         where: Callable[[Frame], Any] | None = None,  # the rows in which the limit is judged
         is_shown: bool = True,  # in answers; if False, only in explanations
         has_remedy: Callable[[Frame], bool] | None = None,  # True if the sentence names a remedy, and so comes first
+        gives_number: bool = True,  # whether the sentence ends with the judged number and its limit
     ) -> None:
         self.name, self.touches, self.sign, self.codes = name, touches, sign, codes
         self.consequence, self.applies, self.ends_meaning = consequence, applies, ends_meaning
         self.conclusion, self.factor, self.where, self.is_shown = conclusion, factor, where, is_shown
-        self.has_remedy = has_remedy
+        self.has_remedy, self.gives_number = has_remedy, gives_number
         self.threshold = next(iter(codes))  # the first threshold
 
     def is_beyond(self, number: Any, threshold: float) -> Any:
@@ -113,7 +114,8 @@ class Doubt:
         """The consequence with the number, for an answer: "contact radius below 3 atoms (a/z0 = 2.15)"."""
         if not self.is_exceeded:
             return "within the limit"
-        if self.limit.ends_meaning and self.limit.name in self.limit.touches:  # the number has no meaning
+        has_no_meaning = self.limit.ends_meaning and self.limit.name in self.limit.touches
+        if has_no_meaning or not self.limit.gives_number:
             return self.limit.consequence
         number = amount(self.limit.name, self.value, Format(digits=3))
         least = f", limit {self.limit.threshold:g}" if self.limit.needs_threshold else ""
@@ -208,7 +210,8 @@ def _has_speed(frame: Frame, names: Collection[str]) -> bool:  # noqa: ARG001
 def _too_slow(name: str, least: float, code: str, energy: str) -> Limit:
     """Return the limit of a rolling distance: the energy, in units of the yield energy, above which a sphere rolls."""
     consequence = f"{energy} is too little to start rolling"
-    return Limit("energy_over_yield", frozenset({name}), "<=", {least: code}, consequence, ends_meaning=True)
+    of_turns = frozenset({name})
+    return Limit("energy_over_yield", of_turns, "<=", {least: code}, consequence, ends_meaning=True, gives_number=False)
 
 
 # Limits that end the meaning of results come first, then the law of attraction, then causes of inexact results.
@@ -269,7 +272,7 @@ ENDING = (
 LAW = Limit(
     "tabor_parameter", _ELASTICITY, ">",
     {LAW_MATTERS: "law-off-5%", 1.25: "law-off-25%", 2.0: "law-off-2x"},
-    "differs from the better law, Maugis', by more",
+    "off Maugis' law, the better one, by more",
     factor=factor_of_law,
 )  # fmt: skip
 INEXACT = (

@@ -200,9 +200,9 @@ class Surface(NamedTuple):
 
 
 SURFACES: Mapping[str, Surface] = {
-    "glass in dry air": Surface(1 / 4, 1 / 2, "1/4–1/2", "smooth spheres of 5 and 20 µm"),
-    "glass in humid air": Surface(1 / 2, 4 / 5, "1/2–4/5", "the same at 67 % humidity"),
-    "rough grains in air": Surface(1 / 100, 1 / 10, "1/100–1/10", "grains of tens of µm"),
+    "smooth glass, dry air": Surface(1 / 4, 1 / 2, "1/4–1/2", "spheres of 5 and 20 µm"),
+    "smooth glass, humid air": Surface(1 / 2, 4 / 5, "1/2–4/5", "the same at 67 % humidity"),
+    "rough grains, air": Surface(1 / 100, 1 / 10, "1/100–1/10", "grains of tens of µm"),
 }
 SURFACES_FROM = 1e-6  # radius of the smallest spheres to which these fractions are scaled, in m
 ENERGY_ON_SURFACES = 0.025  # surface energy of the JKR force that these fractions refer to, in J/m²

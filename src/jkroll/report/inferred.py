@@ -18,8 +18,8 @@ from .notes import Note
 
 # The factor between an inferred value and the library's above which a note reports it, and the question of the note.
 _FAR = {
-    **dict.fromkeys(("surface_energy", "work_of_adhesion"), (5.0, "probably rough or wet surfaces;")),
-    "youngs_modulus": (2.0, "probably not the contact of one smooth sphere, so do not take it;"),
+    **dict.fromkeys(("surface_energy", "work_of_adhesion"), (5.0, "probably by rough or wet surfaces;")),
+    "youngs_modulus": (2.0, "probably not the contact of one smooth sphere;"),
 }
 
 
@@ -63,7 +63,7 @@ def library_values(frame: Frame) -> Mapping[str, float | Uncertain]:
     return {name: of_library.uncertainties.get(name, number) for name, number in numbers.items()}
 
 
-def _about_library(answer: Answer) -> Iterator[Note]:
+def about_library(answer: Answer) -> Iterator[Note]:
     """Iterate over notes on inferred values that are far from the library's."""
     by_maugis = BETWEEN in laws_of(answer)
     for name, usual in library_values(answer.described).items():
@@ -80,7 +80,7 @@ def _about_library(answer: Answer) -> Iterator[Note]:
         times = f"{sizes} times" if nearest > 1 else f"1/{sizes.replace('–', ' to 1/')} of"
         whose = f"{listed(solids_of(answer.described, name))}'s ({amount(name, usual, Format(digits=3))})"
         symbol = symbol_among(name, answer.inputs)
-        yield Note("lead", f"{symbol} would be {times} {whose}: {question} see jkroll guide measurements")
+        yield Note("lead", f"do not take {symbol}: it is {times} {whose}, {question} see jkroll guide measurements")
 
 
 def _distance(factor: float) -> float:
@@ -115,7 +115,7 @@ def about_inferred(answer: Answer) -> Iterator[Note]:
             if replaced in material.properties and (material, replaced) not in used:
                 symbol = NOMENCLATURE[replaced].symbol.rstrip("1")
                 yield Note("more", f"{symbol} of {material.name} is not used")
-    yield from _about_library(answer)
+    yield from about_library(answer)
     verb = "give" if answer.condition else "gives"
     check = f"{equal(values, symbol_of)} {verb} {equal(forward, symbol_of)}"
     if "surface_energy" in values and "radius2" in frame.stated and "surface_energy2" not in frame.given:

@@ -23,6 +23,7 @@ from ..quantities.formatting import Format, amount, from_to, significant, symbol
 from ..quantities.nomenclature import XI
 from ..text import listed
 from .answer import Answer
+from .inferred import about_library
 from .notes import Note
 from .ranges import held_on_surfaces, of_silica, range_in_words
 
@@ -102,14 +103,15 @@ def _what_it_means(answer: Answer) -> str:
     is_of_both = "surface_energy" in frame.unknowns and frame.material2 is None and "surface_energy2" not in frame.given
     of_both = "; w = 2γ" if is_of_both else ""
     error = "" if frame.uncertainties else " (without its error: write it as 300±20nN)"
-    return f"the measurement implies {listed(texts)}{error}{of_both}"
+    literally = "taken literally, " if [*about_library(answer)] else ""
+    return f"{literally}the measurement implies {listed(texts)}{error}{of_both}"
 
 
 def _pulled_apart(answer: Answer) -> str:
     force = range_in_words("pull_off_force", answer.estimates["pull_off_force"])
     held = held_on_surfaces(answer.frame)
     if answer.shows_surfaces:
-        return f"{held}; ideally smooth spheres are pulled apart by {force}, the upper limit"
+        return f"{held}; ideally smooth spheres hold {force}, the upper limit"
     return f"ideally smooth spheres are pulled apart by {force}; {held}"
 
 
@@ -132,12 +134,11 @@ def _filled(sentence: str, answer: Answer) -> str:
 
 
 def _spoken(name: str, estimate: Estimate) -> str:
-    """Return a best range in words; an open range starts with "about" if ξ is unknown."""
+    """Return a best range in words, an open one as "50 µm or less"."""
     text = range_in_words(name, estimate)
-    about = "about " if estimate.by == XI_UNKNOWN else ""
     if text.startswith("≥ "):
-        return f"{about}{text.removeprefix('≥ ')} or more"
-    return f"{about}{text.removeprefix('≤ ')} or less" if text.startswith("≤ ") else text
+        return f"{text.removeprefix('≥ ')} or more"
+    return f"{text.removeprefix('≤ ')} or less" if text.startswith("≤ ") else text
 
 
 def _middle(name: str, estimate: Estimate, *, is_short: bool) -> str:
@@ -152,7 +153,7 @@ def _middle(name: str, estimate: Estimate, *, is_short: bool) -> str:
 def _first_to_give_way(answer: Answer) -> str:
     rolling, sliding = (answer.estimates[name] for name in ("yield_force", "sliding_or_peeling_force"))
     force = range_in_words("yield_force", sliding)
-    gives = f"it {_slides_or_peels(answer)} at {force} (T_first)"
+    gives = f"it {_slides_or_peels(answer)} at {force} (T_first, which is below F_slide and T_peel)"
     rolls = range_in_words("yield_force", rolling)
     if rolling.high < sliding.low:
         return f"a pushed sphere rolls first ({rolls}); kept from rolling, {gives}"

@@ -124,8 +124,7 @@ QUESTIONS: Mapping[str, Question] = {
         "sticking_speed_pencil_code",
         leads="separating the spheres takes {pull_off_work} if they are free or held by stiff grips, "
         "{pull_off_work_at_dead_load} by a soft spring (most AFMs)\n"
-        "rolling by a quarter turn takes {roll_energy_quarter_turn}: M times π/2, as D&T 97; half with the mean "
-        "moment\n"
+        "rolling by a quarter turn takes {roll_energy_quarter_turn}, by D&T 97\n"
         "the sticking speed is {sticking_speed}",
         groups={
             "by other conventions": "fold_energy break_energy_dust_simulation "

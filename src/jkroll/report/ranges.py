@@ -152,8 +152,10 @@ def _better_law(answer: Answer) -> Iterator[str]:
     low, high = least_spacing(frame), frame["atomic_spacing"]
     spacing = f"z0 = {_angstroms(low, high)}{', --z0' if frame.assumes_spacing else ''}"
     errors = _errors(answer)
-    yield f"{_how_far_off(errors, frame.law.short)} at this size and stiffness ({spacing})"
-    yield from _with_bars(answer)
+    if answer.described.uncertainties:
+        yield f"the better law here, your error bars included ({spacing})"
+    else:
+        yield f"{_how_far_off(errors, frame.law.short)} at this size and stiffness ({spacing})"
     if all(errors.values()):
         for side, of_side in errors.items():
             percent = [100 * error for pair in of_side.values() for error in pair]
@@ -199,13 +201,6 @@ def _errors(answer: Answer) -> _Errors:
     return errors
 
 
-def _with_bars(answer: Answer) -> Iterator[str]:
-    if answer.described.uncertainties:
-        yield "your error bars are in the range"
-    elif answer.described.unknowns:
-        yield "the error of what you measured is not in the range: write it as 300±20nN"
-
-
 def _angstroms(low: float, high: float) -> str:
     return f"{from_to(low / 1e-10, high / 1e-10)} Å"
 
@@ -215,7 +210,8 @@ def _bounds(answer: Answer) -> Iterator[str]:
     ratio = answer.frame["pull_off_force_dmt"] / answer.frame["pull_off_force"]
     jkr, dmt = (span("pull_off_force", *(factor * end for end in ends)) for factor in (1.0, ratio))
     yield f"{jkr} if soft, {dmt} if hard: give --young and --poisson"
-    yield from _with_bars(answer)
+    if answer.described.uncertainties:
+        yield "your error bars are in the range"
     if not answer.is_on_pull_off:
         yield _OF_SMOOTH
 
@@ -226,17 +222,17 @@ def _measured(answer: Answer) -> Iterator[str]:
         yield _SEEN
         yield "silica, ices and silver were measured; adhesion is not their only loss"
         return
-    pairs = (f"{significant(stuck.at(radius), 2)} m/s ({amount('radius', radius)})" for radius in stuck.radii)
+    pairs = (f"{significant(stuck.at(radius), 2)} m/s (R = {amount('radius', radius)})" for radius in stuck.radii)
     seen, bar = f"{solid_of_pair(answer.frame)} stuck up to {' and '.join(pairs)}", f"±{100 * stuck.error:.0f} %"
     if stuck.is_near(answer.frame):
         yield f"{seen}, ∝ R^{stuck.exponent}, {bar}"
         yield "on a plane"
         yield _above_law(answer)
         return
-    yield f"{seen}; scaled, {bar}"
-    yield f"they stuck to a plane; scaled to this size like {answer.frame.law.short}'s speed"
+    yield f"{seen}, scaled"
+    yield f"{bar}; they stuck to a plane; scaled to this size like {answer.frame.law.short}'s speed"
     yield _above_law(answer)
-    yield "the effect of γ was not measured, so that the speed is the same for every γ"
+    yield "the effect of γ was not measured, so the speed is the same for every γ"
 
 
 def _above_law(answer: Answer) -> str:
@@ -256,10 +252,11 @@ def _scaled(answer: Answer) -> Iterator[str]:
     what = f"{'ξ = ' if rolled.name == XI else ''}{span(rolled.name, rolled.low, rolled.high)}"
     measured = f"{what} measured on {solid} of R = {amount('radius', rolled.radius)}"
     is_alike = abs(radius / rolled.radius - 1) < _ALIKE
-    yield measured if is_alike else f"from {measured}, by R^(2/3) to R"
+    if answer.described.uncertainties and rolled.name != XI:
+        yield f"from {measured}; your error bars do not enter"
+    else:
+        yield measured if is_alike else f"from {measured}, by R^(2/3) to R"
     yield f"source: {rolled.source}"
-    if rolled.name != XI and answer.described.uncertainties:
-        yield "your error bars do not change measured forces"
     if is_alike:
         return
     low, high = ("R", "R^(2/3)") if radius < rolled.radius else ("R^(2/3)", "R")
@@ -292,11 +289,10 @@ def _xi_unknown(answer: Answer) -> Iterator[str]:
         yield "from ξ = 2 Å (one atom) on; --xi or a material narrows it"
         return
     most = answer.ranges.at_full_hysteresis(XI)[1]
-    at_most = "where all of w is lost" if isnan(most) else f"{span(XI, most, most)} (all of w lost)"
-    yield f"from ξ = 2 Å (one atom) to {at_most}; --xi narrows it"
-    yield "how far the contact lags before it rolls was not measured for this pair"
-    if answer.frame.law.name != BETWEEN:
-        yield "one end is at 2 Å by Maugis' law"
+    by_law = "" if answer.frame.law.name == BETWEEN else " by Maugis' law"
+    at_most = "" if isnan(most) else f"{span(XI, most, most)}, "
+    yield f"from ξ = 2 Å{by_law} to {at_most}where all of w is lost (--xi)"
+    yield "2 Å is about one atom; how far the contact lags before it rolls was not measured for this pair"
     yield _of_measured_solid(answer)
 
 

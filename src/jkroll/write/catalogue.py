@@ -100,12 +100,12 @@ def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
         rows_of_set = rows.setdefault(material.title, [(material.title, "", "")])
         if "surface_energy" in material.properties:
             note, _, _ = material.notes.get("surface_energy", "").partition(";")
-            rows_of_set.append((f"  {material.name}", energy, material.state or note or _keys(material)))
+            rows_of_set.append((f"  {material.name}", energy, material.state or note))
         else:
             without.setdefault(material.title, []).append(material.name)
     for title, names in without.items():
-        rows[title].append(("  no γ (--gamma)", "–", ", ".join(names)))
-    heads = ("material", head, "state, note on γ, or reference")
+        rows[title].append(("  without γ", "–", ", ".join(names)))
+    heads = ("material", head, "state, or note on γ")
     write_texts(heads, [*chain.from_iterable(rows.values())], out)
     say(f"\n{_IN_FULL}; find some: jkroll materials WORD", out)
 

@@ -262,7 +262,7 @@ def _with_surfaces(rows: _Rows, answer: "Report", form: Format) -> _Rows:
             for surface, ends in on_surfaces(answer.frame, by_law_in_use).items():
                 shown, _ = _range(Estimate(*ends, SCALED), unit, form)
                 extended[surface] = [surface, row[1], shown, _AS_SILICA, "–", "–", unit[0]]
-            extended[name] = ["upper limit, smooth", *row[1:]]
+            extended[name] = ["limit, ideally smooth", *row[1:]]
         else:
             extended[name] = row
     return extended
@@ -389,14 +389,14 @@ def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str], 
         if name in form.typed or name not in following:
             leading += columns_of(name, {symbol_among(name, inputs): inputs[name]}, exact)
     results, rules, to_take = _result_columns(columns, form, has_models="model" in several)
-    upper_limit = ", an upper limit: of smooth, dry spheres" if "pull_off_force" in names and len(names) == 1 else ""
     shown = [codes(bits & columns.wanted.reported_doubts) for bits in as_list(columns.doubts)]
     if any(shown):
         results.append(TextColumn(DOUBT, shown, is_right=False))
     if lead:
         yield lead
     if to_take:
-        yield f"take {listed(to_take)}{upper_limit}; the other columns are plain {LAWS[DEFAULT_LAW].short}"
+        limit = ": an upper limit, of ideally smooth spheres" if names == ["pull_off_force"] else ""
+        yield f"take {listed(to_take)}, not the columns by {LAWS[DEFAULT_LAW].short}{limit}"
     yield leading, results
     yield from lines_on_rules([int(by) for by in rules if not isnan(by)])
     yield from lines_on_codes(" ".join(shown).split())
