@@ -78,7 +78,7 @@ class Browser:
         self.call("POST", f"{self.session}/url", {"url": address})
 
     def script(self, code: str, *arguments: Any) -> Any:
-        """Return what a script returns."""
+        """Run a script; return its value."""
         return self.call("POST", f"{self.session}/execute/sync", {"script": code, "args": list(arguments)})
 
     def wait(self, condition: str, seconds: float = 120) -> None:
@@ -107,19 +107,20 @@ class Browser:
         return str(self.script("return navigator.clipboard.readText()"))
 
     def save_downloads(self, folder: Path) -> None:
-        """Save what pages offer for download in a folder."""
+        """Save files that pages offer for download in a folder."""
         params = {"behavior": "allow", "downloadPath": str(folder)}
         self.call("POST", f"{self.session}/goog/cdp/execute", {"cmd": "Browser.setDownloadBehavior", "params": params})
 
     def picture(self, path: Path) -> None:
-        """Save what the window shows."""
+        """Save a screenshot of the window."""
         path.write_bytes(base64.b64decode(self.call("GET", f"{self.session}/screenshot")))
 
 
 def hosts_asked(profile: Path) -> set[str | None]:
     """Return the hosts to which pages and workers sent requests, from the log of a browser that has ended.
 
-    Requests by the browser itself, which leave no other trace, have no initiator or an internal page: chrome://newtab.
+    Requests by the browser itself, which leave no other trace, have no initiator, or an internal page
+    such as chrome://newtab as their initiator.
     """
     events = json.loads((profile / "requests.json").read_text(encoding="utf-8"))["events"]
     requests = [event["params"] for event in events if "initiator" in event.get("params", {})]

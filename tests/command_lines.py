@@ -11,8 +11,8 @@ from jkroll.report.questions import QUESTIONS
 
 KNOWN = ("quartz", "quartz", "SiO2", "iron", "FE", "gold", "polystyrene", "graphite", "all")
 MATERIALS = (*KNOWN, *KNOWN, "plane", "quarz", "lead")
-# Names of files that `isolate` has made, and of files that do not exist. None leads out of its directory, not even with
-# a typing error.
+# Names of files that `isolate` has made, and of files that do not exist. No name leads out of the
+# directory, even with a typing error.
 FILES = ("mine.toml", "mine.toml", ".", "null", "zero", "none.toml", "", "broken.toml", "../../none/passwd")
 TABLES = (
     *("grains.csv",) * 4, *("pairs.tsv", "grains.ndjson", "grains.csv.gz", "grains.parquet") * 2, "wrong.csv",

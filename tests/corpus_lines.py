@@ -117,7 +117,7 @@ def among_input_files() -> Iterator[None]:
 
 
 def _restore(name: str) -> None:
-    """Write an input file, always with the same time."""
+    """Write an input file, always with the same modification time."""
     Path(name).write_bytes(CONTENTS[name])
     os.utime(name, (0, 0))
 
@@ -193,9 +193,9 @@ def outputs() -> Mapping[str, str]:
 
 
 def write_outputs(count: int | None) -> int:
-    """Renew the outputs, of the same lines or of about so many others; return the number of lines.
+    """Renew the outputs of the same lines, or write those of about `count` lines; return the number of outputs.
 
-    Left out are outputs that are long, that differ between runs, or that are no text.
+    Outputs that are long, differ between runs or are not text are left out.
     """
     runnable = [line for line in lines() if line.can_run]
     chosen = [line for line in runnable if line.typed in outputs()] if count is None else spread(runnable, count)

@@ -37,10 +37,10 @@ from questions import Ask, Sheet
 from tuning import computed
 
 ULP = 2.0**-52
-STATED = 60.0  # largest difference of two evaluations in ulp times 1 + κ; an energy by Maugis' law states 30
+STATED = 60.0  # largest difference of two evaluations, in ulp·(1 + κ); for energies by Maugis' law, 30 is stated
 SURE = 2.0  # largest difference in ulp that is allowed without κ
-STEP = 2.0**-45  # relative, of an input: so small that κ is found next to pull-off, too
-AT_END = 2.0**-43  # relative, of a state: so close to the end of a contact that rounding decides whether it holds
+STEP = 2.0**-45  # relative step of an input, small enough to find κ close to pull-off
+AT_END = 2.0**-43  # relative distance from the end of a contact at which rounding decides whether there is a state
 FILES = ("csv", "tsv", "ndjson", "parquet")
 
 Scenes = Sequence[Frame | None]  # of rows; None for a row without a scene
@@ -81,7 +81,7 @@ def rows_of(every: Sequence[Columns]) -> Rows:
 
 
 def _by_key(reasons: Mapping[str, JkrollError]) -> Iterator[tuple[str, JkrollError]]:
-    """Iterate over reasons by key; for a value without an error bar, the key is that of a side."""
+    """Iterate over reasons by key; for a value without an uncertainty, the key is that of one side."""
     for name, error in reasons.items():
         yield f"{name}_{SIDES[0]}" if isinstance(error, NoErrorBar) else name, error
 
@@ -129,7 +129,7 @@ def of_list(ask: Ask, *, by_arrays: bool, best: bool = False) -> Rows:
 
 
 def printed(run: Run, ask: Ask, form: str, *more: str, by_arrays: bool) -> tuple[Ran, list[dict[str, Any]]]:
-    """Return the output of a call, and the cells that it wrote, by header, in a printed format or in a file."""
+    """Return the output of a call, and the written cells by header, from a printed format or from a file."""
     path = Path(f"out.{form}")
     path.unlink(missing_ok=True)
     with computed(by_arrays=by_arrays):
@@ -229,7 +229,7 @@ def agree(scene: Frame, name: str, one: float, other: float) -> bool:
 
 
 def _rounding(scene: Frame, name: str) -> float:
-    """Return the fraction of a load or an approach that remains where its terms cancel."""
+    """Return the rounding error of a load or an approach whose terms cancel; 0 for other quantities."""
     whole = {"N": "pull_off_force", "m": "approach"}.get(NOMENCLATURE[name].unit, "")
     return STATED * ULP * float(scene.numbers(whole).get(whole, 0.0)) if whole else 0.0
 
@@ -253,7 +253,7 @@ def _growth(scene: Frame, name: str, value: float, source: str, given: float) ->
 def sides_agree(scene: Frame, name: str, one: float | None, other: float | None) -> bool:
     """Return whether two numbers of an uncertainty agree.
 
-    None means no influence, and agrees with a number that comes from rounding.
+    None stands for an input without influence, and agrees with a number that is only rounding.
     """
     error = 4 * max((_error(each, name) for each in _ends(scene, name)), default=0.0) + _rounding(scene, name)
     value = outcomes(scene, (name,))[name]
@@ -314,7 +314,7 @@ def is_at_its_end(scene: Frame) -> bool:
 
 
 def differences(one: Rows, other: Rows, scenes: Scenes | None = None) -> Iterator[str]:
-    """Iterate over the differences of two doors in common columns: any or, given scenes, those beyond accuracy."""
+    """Iterate over the differences of two doors in common columns: all or, given scenes, those beyond accuracy."""
     if len(one.values) != len(other.values):
         yield f"{len(one.values)} and {len(other.values)} rows"
         return
@@ -355,6 +355,6 @@ def _same(scene: Frame | None, key: str, one: float | None, other: float | None)
 
 
 def _ends_of_best(scene: Frame) -> Iterator[Frame]:
-    """Iterate over the scene, and the same scene under the better law, at the ends of uncertain inputs."""
+    """Iterate over scenes at the ends of uncertain inputs, by the law in use and by the better law at two spacings."""
     for each in _ends(scene, *scene.possible(["pull_off_force", "yield_force"])):
         yield from (each, each.by_law_at_spacing, at_half_spacing(each.by_law_at_spacing))

@@ -1,6 +1,6 @@
 """Invariants for any input, as functions of bytes.
 
-A test replays tests/corpus on them, and tests/tools/fuzz.py searches for violations.
+A test checks the inputs of tests/corpus, and tests/tools/fuzz.py searches for violations.
 """
 
 import os
@@ -85,7 +85,7 @@ def materials(data: bytes) -> None:
 
 
 def words(data: bytes) -> None:
-    """Check that words separated by NUL end with a documented code, and that a usage error is one line."""
+    """Check that a command line, as words separated by NUL, ends with a documented code, and refuses in one line."""
     check_call([_text(word) for word in data.split(b"\0")][:12])
 
 
@@ -129,7 +129,7 @@ def kept(target: str) -> list[bytes]:
     return [file.encode() for file in files]
 
 
-# Names that command lines may use besides the small files.
+# Links to devices, which command lines may name besides the small files.
 DEVICES = {
     "null": "null",
     "null.csv": "null",
@@ -138,7 +138,7 @@ DEVICES = {
     "full.csv": "full",
     "full.svg": "full",
 }
-MOST_WRITTEN = 1_000_000  # bytes per file; beyond this the disk is full
+MOST_WRITTEN = 1_000_000  # bytes per file; beyond this, writing fails
 
 
 def isolate(directory: str) -> None:

@@ -70,7 +70,7 @@ def attraction(edge: Exact, T: Exact, sigma0: Exact) -> Exact:
 
 
 def work(edge: Exact, T: Exact, R: Exact, E: Exact, sigma0: Exact) -> Exact:
-    """Return the w for which Maugis' first equation has a state: the equation in SI units."""
+    """Return the w of a state by Maugis' first equation, in SI units."""
     ring = edge + (1 - edge**2) * angle(edge)
     both = angle(edge) - sqrt(1 + edge**2) + edge
     return sigma0 * T**2 / (pi * R) * ring + 4 * sigma0**2 * T / (pi * E) * both
@@ -131,7 +131,7 @@ def slowed(T_star: Exact) -> Exact:
 
 
 def _rigid_on_soft_plane(R1: Exact, R2: Exact, E1: Exact, E2: Exact, nu2: Exact) -> Exact:
-    """Return the radius of a sphere if the true shape is valid for it."""
+    """Return the radius of a sphere; raise ValueError if the theory of its true shape is not valid for the pair."""
     if digits.inf != R2 or E1 < 100 * E2 or nu2 < mpf(0.45):
         raise ValueError
     return R1

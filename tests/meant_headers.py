@@ -4,9 +4,9 @@
 
 prints for each seed how headers are read next to a column `material`. The words come from papers on dust, decks and
 tables of DEM codes, exports of AFM software, data sheets of powders, and lists of materials. They were collected
-independently of the program, which does not know some of them. About half of the headers mean no input but have the
-dimension of one: a hardness is not a modulus. The program may refuse them or pass them through, but must never read
-them.
+independently of the program, which does not know some of them. About half of the headers mean a quantity that is no
+input but has the dimension of one, such as a hardness. The program may refuse such a header or pass it through, but
+must never read it as an input.
 """
 
 import re
@@ -59,7 +59,7 @@ class Term(NamedTuple):
 
 # --- Words ------------------------------------------------------------------------------------------------------------
 
-# By the inputs that they may mean and the SI unit; "1" for a number. A share follows *.
+# Words by the inputs that they may mean and the SI unit ("1" for a number). A share follows *.
 _WORDS = """
 radius m: radius | particle radius | tip radius | sphere radius | grain radius | bead radius | monomer radius | \
 tip radius of curvature | radius of curvature | apex radius | end radius | probe radius | colloid radius | \
@@ -302,7 +302,7 @@ _OF_1_OR_2 = (
 )
 _OF_2 = "substrate wall target plate counterbody plane boundary geometry".split()
 _INDEX_OF = {"p": "", "s": "", "t": "", "i": "", "1": "1", "2": "2", "j": "2", "w": "2", "B": "2", "sub": "2", "A": "1"}
-# Indices with another sense: polar, of water; and bodies without a radius.
+# Excluded indices: those with another meaning (polar, of water), and those of bodies without a radius.
 _NOT_OF: Mapping[str, Sequence[str]] = {"surface_energy": "pstAw", "density": "w", "radius": ("w", "sub", "A", "B")}
 _WITH_BODY = ("youngs_modulus", "poisson_ratio", "density", "surface_energy", "hamaker", "radius")
 _OF_BODIES = ("{b} {w}", "{b} {w}", "{w} {b}", "{w} of {b}", "{w} of the {b}", "{w} ({b})", "{w}, {b}", "{w} - {b}")
@@ -391,7 +391,7 @@ def _by_janitor(text: str) -> str:
 
 
 def _mistaken(text: str) -> str:
-    """Return a text in UTF-8 as a program shows it that takes it for cp1252, decoded as browsers do."""
+    """Return a text in UTF-8 as shown by a program that decodes it as cp1252, like a browser."""
     pieces = (bytes([code]) for code in text.encode())
     return "".join(piece.decode("latin-1" if piece in b"\x81\x8d\x8f\x90\x9d" else "cp1252") for piece in pieces)
 
@@ -533,7 +533,7 @@ def outcome(header: Header) -> str:
         return IDLE if header.name and supplied.keys().isdisjoint({header.name, *header.others}) else PASSED
     (column,) = found.inputs
     if not header.name and column.name.startswith("shear_modulus"):
-        return PASSED  # an input, but not one of those meant
+        return PASSED  # an input, although the list above counts its words as none
     is_meant = computed_as(column.name) in {header.name, *header.others} - {""}
     factor = column.unit[0] / column.unit[1] if column.unit else 1.0
     factor *= 0.5 if column.name.startswith("diameter") else 1.0

@@ -120,7 +120,7 @@ def mixed_sheet(random: Random, asks: Iterable[Ask]) -> Sheet:
 
 
 def any_ask(random: Random, command: str = "", model: str | None = "") -> Ask:
-    """Return a random question, for a given command and law if there are any."""
+    """Return a random question, with the given command and the given law if there are any."""
     command = command or random.choice([*QUESTIONS, "contact", "moment", "report"])
     taken = {option.name for option in COMMANDS[command].options()} | {"material", "radius"}
     model = random.choice([None, None, *MODELS]) if model == "" else model
@@ -193,7 +193,7 @@ class _Values:
             self._add("youngs_modulus", lambda: "rigid", beside=self.found["youngs_modulus"])
 
     def _state(self) -> None:
-        """Add loads or approaches, many of them at or beyond the end of what the contact holds."""
+        """Add loads or approaches, many of them near or beyond the end of the contact."""
         kind = self.random.choice(["", "", "load", "load", "approach_at_load"])
         if not kind:
             return
@@ -213,7 +213,7 @@ class _Values:
         self._add(kind, text)
 
     def _held(self, kind: str) -> tuple[float, float]:
-        """Return the size of loads or approaches of the first row, and the part of it that the contact holds."""
+        """Return a unit for loads or approaches, and the farthest pull that the contact of the first row withstands."""
         texts: dict[str, Any] = {name: own[0] for name, own in self.found.items() if not has_uncertainty(own[0])}
         name, fold = ("pull_off_force", "") if kind == "load" else ("approach", "fold_approach_maugis")
         try:

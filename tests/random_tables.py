@@ -40,7 +40,7 @@ def read_rows(name: str) -> list[dict[str, Any]]:
 
 
 def random_table(size: int, seed: int) -> str:
-    """Return a table of grains of every kind that a table may mix, as CSV."""
+    """Return a table as CSV, with grains of every kind mixed."""
     import random
 
     draw = random.Random(seed)
@@ -64,7 +64,7 @@ def random_table(size: int, seed: int) -> str:
     return "\n".join(lines) + "\n"
 
 
-# Small blocks, all but the first in other processes: a kill during a short run then meets each of its states.
+# Small blocks, all but the first in other processes, so that kills during a short run meet every state of a run.
 IN_SMALL_BLOCKS = """
 import signal
 import jkroll.__main__
@@ -72,6 +72,6 @@ from jkroll.tables import files, run
 from jkroll.model import rows as columns
 run.ALONE, files.CHUNK, columns.BLOCK = 2, 1 << 14, 1 << 9
 if __name__ == "__main__":
-    signal.signal(signal.SIGHUP, signal.SIG_DFL)  # a closed terminal ends the run, under nohup, too
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)  # a closed terminal ends the run even under nohup
     jkroll.__main__.run()
 """

@@ -1,8 +1,7 @@
 """The exact value of each result: the paper's equations in 120-digit arithmetic, in their plainest form.
 
-Inputs are doubles and count as exact. Nothing is rearranged to save digits; there are enough of them. The worst
-cancellation, in the rolling of spheres whose radii differ by a factor of 1e15, leaves 76 digits. This module shares
-nothing with `jkroll`.
+Inputs are doubles and count as exact. No equation is rearranged to save digits. The worst cancellation, in the rolling
+of spheres whose radii differ by a factor of 1e15, leaves 76 digits. This module shares nothing with `jkroll`.
 """
 
 # ruff: noqa: N803  (the paper's symbols)
@@ -139,7 +138,7 @@ def _ratio(value: Exact, other: Exact) -> float:
 
 
 def exact(formula: str, arguments: Mapping[str, float]) -> Exact:
-    """Return the exact value of a formula at arguments that count as exact; its equation evaluates the rest."""
+    """Return the exact value of a formula at exact arguments; other quantities follow from their equations."""
     return _evaluate(EQUATIONS[formula], arguments)
 
 
@@ -252,14 +251,14 @@ def _pressing(P: Exact) -> Exact:
 
 
 def _held(s: Exact) -> Exact:
-    """Return the distance from pull-off of a contact that holds by itself; other contacts have no equation."""
+    """Return the load margin √(1 + P/P_c) if it is not negative; raise ValueError for states beyond pull-off."""
     if s < 0:
         raise ValueError
     return s
 
 
 def _given_way(T_peel: Exact, T_over_slide: Exact, s: Exact) -> Exact:
-    """Return the force that reaches the strength of the remaining area, at T = T_peel sin φ; T_peel if none does."""
+    """Return the force T = T_peel sin φ that reaches the strength of the remaining area; T_peel if no force does."""
     if T_over_slide <= 1:
         return T_peel
 
@@ -300,7 +299,7 @@ def _at_peak(energy: Exact) -> Exact:
 
 
 def _speed_to(over_touch: Exact, m: Exact, W_adhesion: Exact) -> Exact:
-    """Return the speed at which the peak pressure is a multiple of the pressure of a touch; not real below 1."""
+    """Return the speed at which the peak pressure is a multiple, above 1, of the pressure of a touch."""
     if over_touch <= 1:
         raise ValueError
     ratio = over_touch * _pressure_in_units(_at_peak(mpf(0)))

@@ -12,6 +12,6 @@ import pytest
 def approx(expected: Any, rel: float = 1e-6, abs: float = 0.0, *, nan_ok: bool = False) -> Any:
     """Return an object that equals a number, or numbers, up to a relative difference.
 
-    `abs`: an absolute difference that is allowed, too.
+    `abs`: an absolute difference that is also allowed.
     """
     return pytest.approx(expected, rel=rel, abs=abs, nan_ok=nan_ok)  # noqa: TID251

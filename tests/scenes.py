@@ -1,4 +1,4 @@
-"""Scenes for the tests: random ones of any size and material, and hard ones, in which careless formulas lose digits."""
+"""Scenes for the tests: random scenes of any size and material, and scenes in which careless formulas lose digits."""
 
 import math
 from collections.abc import Iterator
@@ -78,7 +78,7 @@ def any_scene(random: Random) -> Frame:
 
 
 def _any_ratio(random: Random) -> float:
-    """Return a load in pull-off forces, or an approach in δ0."""
+    """Return a random load in units of P_c, or a random approach in units of δ0."""
     return random.choice([random.uniform(-0.8, 1), log_uniform(random, 1e-18, 1e6), -log_uniform(random, 1e-18, 0.8)])
 
 

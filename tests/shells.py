@@ -56,7 +56,7 @@ class Shell:
         os.write(self.terminal, keys.encode())
 
     def words_of(self, keys: str) -> list[str]:
-        """Return the words of the command that is called by the keys and a return."""
+        """Type keys and Return; return the words of the command that this calls."""
         self.words.unlink(missing_ok=True)
         self.type(keys + "\n")  # a shell continues to read after a completion
         self._wait_for(self.words)

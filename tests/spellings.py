@@ -30,11 +30,11 @@ NOTATIONS = (
     "{word}_({unit})", "{word} - {unit}",
 )  # fmt: skip
 _MARKS = re.compile(r"[\[(<,/:;|]|\{\{|\sin\s")  # marks by which a notation separates a unit
-_LOSSY = ("R", "MATLAB", "MATLAB, joined", "SQL, small", "SQL, capital", "janitor")  # notations that lose these marks
+_LOSSY = ("R", "MATLAB", "MATLAB, joined", "SQL, small", "SQL, capital", "janitor")  # manglings that lose these marks
 
 
 def _plain(text: str) -> str:
-    """Return a text with µ, superscripts and Å as a program spells them that knows only plain letters."""
+    """Return a text with µ, superscripts and Å as spelled by a program that knows only plain letters."""
     return normalize("NFKC", text.replace("µ", "u").replace("Å", "angstrom")).replace("−", "-")
 
 
@@ -72,7 +72,7 @@ MANGLINGS: Mapping[str, Callable[[str], str]] = {
 
 
 class Spelling(NamedTuple):
-    """A header: its input, the unit in SI units, whether it is a symbol without a mark, and how it is mangled."""
+    """A header, its input, its unit in SI units, whether it may pass as a bare symbol, and how it is mangled."""
 
     text: str
     name: str
@@ -82,7 +82,7 @@ class Spelling(NamedTuple):
 
 
 def words_of(name: str) -> Iterator[tuple[str, bool]]:
-    """Iterate over the words and symbols of an input, and whether each is a symbol."""
+    """Iterate over the words and symbols of an input, each with whether it is a symbol."""
     option = next((word for word, meant in OPTION_WORDS.items() if meant == name and word not in NO_HEADERS), name)
     first, *others = name.split("_")
     camel = first + "".join(map(str.title, others))

@@ -31,7 +31,7 @@ def _read(terminal: int) -> bytes:
 
 
 def script(line: str, columns: int = 80) -> tuple[str, int]:
-    """Return what jkroll prints on a terminal, and its exit code."""
+    """Return the output of jkroll on a terminal, and its exit code."""
     settings = {**TERMINAL, "COLUMNS": str(columns)}
     code, shown = on_terminal([sys.executable, "-m", "jkroll", *shlex.split(line)], **settings)
     return shown.replace("\r\n", "\n"), code

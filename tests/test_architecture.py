@@ -23,9 +23,9 @@ from tools.make_stub import stubs
 SOURCE = Path(jkroll.__file__).parent
 MODULES = sorted(SOURCE.rglob("*.py"))
 
-# From the top down: a folder imports from those below it. Files outside of folders are the ground.
+# From the top down: a folder imports only from folders below it. Files outside of folders are the ground.
 FOLDERS = "cli bench pictures tables write report model materials quantities physics ground".split()
-# The package and its script pass on names of all folders; the build of the wheel adds the module of shipped materials.
+# Files of the ground that pass on names from all folders.
 PUBLIC = {"__init__", "__main__", "formulas"}
 ONLY = {
     "typer": {"cli"},
@@ -87,13 +87,13 @@ def test_imports_point_downwards(path: Path) -> None:
             assert FOLDERS.index(folder) >= depth, f"{path.relative_to(SOURCE)} imports {target}"
 
 
-def test_the_core_knows_nothing_but_mathematics() -> None:
+def test_physics_imports_only_mathematics() -> None:
     for path in (SOURCE / "physics").glob("*.py"):
         foreign = {target.split(".")[0] for target, folder in imports(path).items() if not folder}
         assert foreign <= {"__future__", "math", "numpy", "collections", "typing"}, path.name
 
 
-def test_no_file_is_in_a_circle_of_imports() -> None:
+def test_there_is_no_circle_of_imports() -> None:
     names = {".".join(["jkroll", *path.relative_to(SOURCE).with_suffix("").parts]): path for path in MODULES}
     names |= {name.removesuffix(".__init__"): path for name, path in names.items() if name.endswith(".__init__")}
     below: dict[Path, set[Path]] = {}
@@ -108,25 +108,25 @@ def test_no_file_is_in_a_circle_of_imports() -> None:
 
 
 @pytest.mark.parametrize("library", ONLY)
-def test_one_module_knows_each_library(library: str) -> None:
+def test_each_library_is_imported_only_in_its_folders(library: str) -> None:
     pattern = re.compile(rf"^\s*(import|from) {library}\b", re.MULTILINE)
     users = {part(path) for path in MODULES if pattern.search(path.read_text(encoding="utf-8"))}
     assert users == ONLY[library]
 
 
-def test_no_part_of_a_library_is_private() -> None:
+def test_no_private_name_of_a_library_is_imported() -> None:
     """A name that begins with an underscore may be gone in the next version."""
     for path in MODULES:
         parts = {part for target, folder in imports(path).items() if not folder for part in target.split(".")}
         assert [part for part in parts if part.startswith("_") and not part.startswith("__")] == [], path.name
 
 
-def test_every_file_is_short_enough_to_read() -> None:
+def test_no_file_has_more_than_600_lines() -> None:
     lengths = {str(path.relative_to(SOURCE)): len(path.read_text(encoding="utf-8").splitlines()) for path in MODULES}
     assert {path: length for path, length in lengths.items() if length > 600} == {}
 
 
-def test_no_formula_has_a_default() -> None:
+def test_no_parameter_of_a_formula_has_a_default() -> None:
     for formula in FORMULAS.values():
         assert all(parameter.default is parameter.empty for parameter in inspect.signature(formula).parameters.values())
 
@@ -137,11 +137,11 @@ def test_a_formula_is_a_quantity_or_a_step_of_the_derivation() -> None:
     assert [name for name in DERIVATION if f"`{name}`" not in page] == []
 
 
-def test_defaults_are_named_inputs_with_an_option() -> None:
+def test_every_default_is_that_of_an_input_with_an_option() -> None:
     assert all(NOMENCLATURE[name].option for name in DEFAULTS)
 
 
-def test_the_top_level_holds_what_it_may() -> None:
+def test_the_top_level_has_only_the_allowed_files_and_folders() -> None:
     root = Path(__file__).parents[1]
     allowed = {"pyproject.toml", "src", "tests", "materials.toml", "README.md", "LICENSE"}
     assert {path.name for path in root.iterdir() if not path.name.startswith(".")} <= allowed
@@ -213,7 +213,7 @@ def test_the_stub_is_up_to_date() -> None:
 
 
 @pytest.mark.slow
-def test_a_type_checker_knows_what_a_user_writes(tmp_path: Path) -> None:
+def test_mypy_infers_the_types_in_the_code_of_a_user(tmp_path: Path) -> None:
     (tmp_path / "user.py").write_text(USER, encoding="utf-8")
     out, _, _ = mypy.api.run(
         [str(tmp_path / "user.py"), "--strict", "--config-file=", "--follow-imports=silent", f"--cache-dir={tmp_path}"]
@@ -227,7 +227,7 @@ def test_a_type_checker_knows_what_a_user_writes(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.skipif(find_spec("pyright") is None or shutil.which("node") is None, reason="needs pyright and node")
-def test_the_checker_of_editors_knows_the_same(tmp_path: Path) -> None:
+def test_pyright_infers_the_same_types_as_mypy(tmp_path: Path) -> None:
     """Without its own node, pyright would download one."""
     (tmp_path / "user.py").write_text(USER, encoding="utf-8")
     settings = {"extraPaths": [str(SOURCE.parent)], "typeCheckingMode": "strict"}
@@ -244,7 +244,7 @@ def test_the_checker_of_editors_knows_the_same(tmp_path: Path) -> None:
     assert wrong == {*range(last - 4, last)}, ran.stdout
 
 
-# --- What tests know --------------------------------------------------------------------------------------------------
+# --- Imports of the tests ---------------------------------------------------------------------------------------------
 
 
 def modules_of_tests(path: Path) -> set[str]:
@@ -258,8 +258,8 @@ def modules_of_tests(path: Path) -> set[str]:
     return {name.removeprefix("jkroll.") for name in found}
 
 
-def test_a_test_knows_the_inside_of_one_folder_at_most() -> None:
-    """Its other imports are public, or names that another folder of the program imports, too."""
+def test_a_test_imports_internal_names_of_one_folder_at_most() -> None:
+    """The other names that a test imports are public, or imported by another folder of the program."""
     names = {".".join(path.relative_to(SOURCE).with_suffix("").parts) for path in MODULES if part(path) != "ground"}
     fronts = {
         ".".join(target.split(".")[1:3]) for path in MODULES for target, folder in imports(path).items()

@@ -1,4 +1,4 @@
-"""Numbers, warnings and signs, each with a value computed by hand, which an error in the evaluator would change."""
+"""Numbers, warnings and signs, each compared with a value computed by hand."""
 
 import csv
 import json
@@ -15,7 +15,6 @@ from relative import approx
 from tuning import read_in_chunks
 
 QUARTZ = "--gamma 25mJ/m2 --young 54GPa --poisson 0.17 --density 2.6g/cm3"
-ONE_UM = 0.85e-9 / 0.471239, 1.21e-9 / 0.471239  # the ξ of F = 6πγξ for 0.85 and 1.21 nN, γ = 25 mJ/m²
 
 
 def rows(text: str) -> list[dict[str, str]]:
@@ -39,11 +38,11 @@ def batch(run: Run, text: str, words: str) -> list[dict[str, str]]:
 
 
 @pytest.mark.parametrize(("program", "word"), [("lammps", "\ntimestep "), ("liggghts", "\n# timestep ")])
-def test_a_time_step_is_the_least_of_those_of_all_pairs(run: Run, program: str, word: str) -> None:
-    """Iron of 300 nm, quartz of 100 nm: 50.05 ps for two of iron, 27.62 ps for two of quartz, 19.57 ps for both.
+def test_the_exported_time_step_is_the_shortest_over_all_pairs(run: Run, program: str, word: str) -> None:
+    """Steps are 50.05 ps for two spheres of iron (300 nm), 27.62 ps for two of quartz (100 nm), 19.57 ps for one each.
 
-    It is 1/20 of 2π/√(8G*a(7/2)(1/m1 + 1/m2)) with w = 2√(γ1γ2), a = (9πwR²/2E*)^(1/3); a fifth of Rayleigh's time is
-    23.3 ps.
+    The step is 1/20 of 2π/√(8G*a(7/2)(1/m1 + 1/m2)) with w = 2√(γ1γ2) and a = (9πwR²/2E*)^(1/3); a fifth of Rayleigh's
+    time is 23.3 ps.
     """
     iron = "--gamma 3J/m2 --young 210GPa --poisson 0.27 --density 7.7g/cm3"
     quartz = "--gamma2 25mJ/m2 --young2 54GPa --poisson2 0.17 --density2 2.6g/cm3"
@@ -63,7 +62,7 @@ LIKE = approx(2.0938217872665e7, rel=1e-12)
         ("100nm --radius2 200nm,300nm", [None, None]),
     ],
 )
-def test_a_row_of_two_like_spheres_shows_what_is_known_of_these_alone(run: Run, words: str, cells: list[Any]) -> None:
+def test_only_rows_of_identical_spheres_have_eq_41(run: Run, words: str, cells: list[Any]) -> None:
     """Eq (41): f = √(6πwR²/((5/4)m R1²))/2π = 20.938218 MHz for two quartz spheres of 100 nm."""
     found = rows(run(f"frequencies {words} {QUARTZ} --csv").out)
     texts = [row.get("rolling_frequency_as_printed [Hz]") for row in found]
@@ -71,12 +70,12 @@ def test_a_row_of_two_like_spheres_shows_what_is_known_of_these_alone(run: Run, 
     assert all(row["rolling_frequency [Hz]"] and not row["status"] for row in found)
 
 
-def test_a_reduced_radius_excludes_that_of_a_sphere() -> None:
+def test_a_reduced_radius_excludes_the_radius_of_sphere_2() -> None:
     with pytest.raises(BadRequest, match="radius2 and reduced_radius exclude each other"):
         solve("pull_off_force", surface_energy=0.025, reduced_radius=5e-8, radius2=1e-7)
 
 
-def test_a_mean_surface_energy_of_unlike_solids_is_in_doubt_from_a_ratio_of_3_on(run: Run) -> None:
+def test_the_mean_of_two_surface_energies_is_in_doubt_above_a_ratio_of_3(run: Run) -> None:
     said = "w = 2√(γ1γ2) is an upper estimate for solids so unlike"
     for gamma2, is_unlike in {"74mJ/m2": False, "76mJ/m2": True, "8.4mJ/m2": False, "8.3mJ/m2": True}.items():
         assert (said in run(f"pull-off 100nm --gamma 25mJ/m2 --gamma2 {gamma2}").err) is is_unlike
@@ -88,8 +87,8 @@ def test_a_mean_surface_energy_of_unlike_solids_is_in_doubt_from_a_ratio_of_3_on
 @pytest.mark.parametrize(
     ("words", "said"), [("r-min 0.1nm", True), ("r-min 0.3nm", False), ("pull-off quartz 1nm", False)]
 )
-def test_what_ends_the_meaning_of_a_number_is_a_warning_and_no_note(run: Run, words: str, *, said: bool) -> None:
-    """R_min = R1R2/ξ = 50 pm is below R1 at 0.1 nm; at 0.3 nm it is not, but the angle 1.3 is large."""
+def test_a_limit_that_leaves_a_number_without_a_meaning_is_a_warning(run: Run, words: str, *, said: bool) -> None:
+    """At R1 = 0.1 nm, R_min = R1R2/ξ = 50 pm is below R1. At 0.3 nm, R_min is above R1, and only ξ/R = 1.3 is large."""
     err = run(f"{words} --quiet").err
     assert (err.startswith("warning: "), "no chain bends within one of its spheres" in err) == (said, said)
 
@@ -111,24 +110,27 @@ def test_a_doubt_begins_where_its_number_passes_the_threshold(run: Run, words: s
     assert [" ".join(code for code in codes if code[:3] in ("law", "pee")) for codes in found] == CODES[words]
 
 
-def test_rough_spheres_have_less_and_a_sticking_speed_gives_an_upper_limit(run: Run) -> None:
-    """P_c = (3/2)πγR1 = 117.8 nN: 1/4 to 1/2, 1/100 to 1/10. Losses other than adhesion count as γ, but not in P_c."""
+def test_a_note_has_the_forces_of_rough_spheres_and_a_sticking_speed_gives_an_upper_limit_of_gamma(run: Run) -> None:
+    """P_c = (3/2)πγR1 = 117.8 nN; 1/4 to 1/2 and 1/100 to 1/10 of P_c were measured on rough spheres.
+
+    Losses other than adhesion raise the γ inferred from a sticking speed, but not the γ inferred from P_c.
+    """
     said = run("pull-off quartz 1um").err
     assert ("29–59 nN" in said, "1.2–12 nN" in said) == (True, True)
     for measured, is_limit in {"sticking_speed=10cm/s": True, "pull_off_force=100nN": False}.items():
         assert ("is an upper limit" in run(f"infer gamma quartz 1um --measured {measured}").err) is is_limit
 
 
-def test_an_empty_cell_is_in_no_doubt(run: Run) -> None:
-    """T* = (T_vis/ν²)√(E*a0/m), m of the pair, is 156 at 1 ns, beyond 0.68: no v_stick is there to judge."""
+def test_an_empty_cell_has_no_doubts(run: Run) -> None:
+    """At 1 ns, T* = (T_vis/ν²)√(E*a0/m) with the reduced mass m is 156. Above 0.68 there is no v_stick to judge."""
     words = f"{QUARTZ} --quantities pull_off_force,sticking_speed"
     found = batch(run, "R1 (nm),viscous_time [ps]\n100,1000\n100,1\n", words)
     assert [row["doubt"] for row in found] == ["law-off-25%", "law-off-25% sticking-unsure fitted-elsewhere"]
 
 
 @pytest.mark.parametrize("loads", ["-15.5nN,-15.6nN", "-15.5nN:-15.6nN:400:lin"])
-def test_a_contact_that_the_better_law_does_not_hold_is_off_by_more_than_any_factor(run: Run, loads: str) -> None:
-    """For 100 nm of quartz, Maugis' law holds 15.004 nN (maugis_reference), and DMT's 2πwR is 15.71 nN."""
+def test_a_load_beyond_pull_off_by_the_better_law_is_off_by_more_than_any_factor(run: Run, loads: str) -> None:
+    """For quartz of 100 nm, P_c is 15.004 nN by Maugis' law (maugis_reference), and 2πwR = 15.71 nN in DMT."""
     found = rows(run(f"contact 100nm {QUARTZ} --model dmt --load={loads} --csv").out)
     assert {row["doubt"].split()[0] for row in found} == {"law-off-2x"}
     assert all(row["contact_radius_at_load [m]"] for row in found)
@@ -143,11 +145,11 @@ def test_a_contact_that_the_better_law_does_not_hold_is_off_by_more_than_any_fac
         ("--xi 2nm", "any law"),
     ],
 )
-def test_measured_forces_mean_a_displacement_by_law_for_their_solid_alone(run: Run, words: str, by: str) -> None:
-    """R_min = R1²/ξ, from 0.69 to 1.57 nN at R1 = 0.95 µm.
+def test_measured_rolling_forces_give_a_range_of_xi_for_their_solid_only(run: Run, words: str, by: str) -> None:
+    """R_min = R1²/ξ, with ξ from measured forces of 0.69 to 1.57 nN at R1 = 0.95 µm.
 
-    In JKR Q = 6πγξ: ξ = 1.4642 to 3.3317 nm. By Maugis' law at z0 = 2 Å, F = 4E*a³ξ/(3RR1) of maugis_reference: 2.8180
-    nm for 0.85 nN, so 2.2875 to 5.2050 nm; at 1 Å it is less.
+    By JKR, Q = 6πγξ gives ξ = 1.4642 to 3.3317 nm. By Maugis' law at z0 = 2 Å, F = 4E*a³ξ/(3RR1) gives ξ = 2.8180 nm
+    for 0.85 nN (maugis_reference), and so 2.2875 to 5.2050 nm; at 1 Å, ξ is smaller.
     """
     (result,) = json.loads(run(f"r-min quartz 0.95um --z0 2angstrom {words} --json").out)["results"]
     best = result["best"]
@@ -157,8 +159,8 @@ def test_measured_forces_mean_a_displacement_by_law_for_their_solid_alone(run: R
         assert [best["low"], best["high"]] == approx(ends, rel=1e-4)
 
 
-def test_a_displacement_of_a_solid_is_scaled_to_the_reduced_radius(run: Run) -> None:
-    """On a plane, 2R is 2R1: 2 nm at 1 µm becomes 2 nm·2^(2/3) to 2 nm·2, and Q = 6πwξ."""
+def test_the_displacement_of_a_solid_is_scaled_to_the_reduced_radius(run: Run) -> None:
+    """On a plane, 2R is 2R1 instead of R1: ξ = 2 nm at 1 µm becomes 2 nm·2^(2/3) to 2 nm·2, and Q = 6πwξ."""
     text = '[materials.bead]\nsurface_energy = "25 mJ/m2"\nyield_displacement = { value = "2 nm", radius = "1 um" }\n'
     Path("own.toml").write_text(text, encoding="utf-8")
     (row,) = rows(run("yield-force bead 1um --radius2 plane --materials own.toml --csv").out)
@@ -166,16 +168,17 @@ def test_a_displacement_of_a_solid_is_scaled_to_the_reduced_radius(run: Run) -> 
     assert ends == approx([2.9921805e-9, 3.7699112e-9], rel=1e-7)
 
 
-def test_shares_of_ranges_are_those_of_their_widths(run: Run) -> None:
+def test_shares_of_ranges_are_proportional_to_their_widths(run: Run) -> None:
     """F = (3/2)πγR1 at γ = 20 to 30, R1 = 90 to 110: the widths are 10·100 and 20·25, so the shares are 2/3 and 1/3."""
     found = results(run("pull-off", "90 to 110 nm", "--gamma", "20 to 30 mJ/m2", "--json").out)["pull_off_force"]
     assert found["shares"] == approx({"surface_energy": 2 / 3, "radius": 1 / 3}, rel=1e-9)
 
 
-def test_the_error_of_a_moment_is_that_of_its_own_state(run: Run) -> None:
-    """At a fixed load M = 6πwRξ is exact; at a fixed approach (δ0 = a0²/3R) it is M(1 + x), x = E*a0ξ²/(6πwR²).
+def test_the_error_of_a_moment_is_that_at_the_given_load_or_approach(run: Run) -> None:
+    """At a fixed load, M = 6πwRξ is exact; at a fixed approach (δ0 = a0²/3R), the moment is M(1 + x).
 
-    Two half-circles give M(1 + 2x). For 100 nm of quartz, x = 0.0018837, and x/(1 + x) = 0.0018801.
+    Here x = E*a0ξ²/(6πwR²), and two half-circles give M(1 + 2x). For quartz of 100 nm, x = 0.0018837, and
+    x/(1 + x) = 0.0018801.
     """
     errors = []
     for state in ("--approach 1.0617537427261e-10m", "--load 0nN"):
@@ -185,7 +188,7 @@ def test_the_error_of_a_moment_is_that_of_its_own_state(run: Run) -> None:
     assert errors == approx([0.001880134, 0.001880134, 0.0, 0.0, 0.003767352, 0.001883676], rel=1e-6)
 
 
-def test_a_cell_with_an_error_bar_is_no_plain_number(run: Run) -> None:
+def test_a_column_may_mix_cells_with_and_without_uncertainties(run: Run) -> None:
     """F = (3/2)πγR1 = 11.781 nN, within 1 % for 100 ± 1 nm, 5 % for 100 ± 5 nm, and exactly for 100 nm."""
     cells = ["100±1", "100", "100±5", "100(5)"] * 100
     found = batch(run, "\n".join(["R1 (nm)", *cells, ""]), f"{QUARTZ} --quantities pull_off_force --no-doubt")
@@ -196,8 +199,8 @@ def test_a_cell_with_an_error_bar_is_no_plain_number(run: Run) -> None:
 # --- Tables and pictures ----------------------------------------------------------------------------------------------
 
 
-def test_rows_of_several_processes_stand_in_their_order(run: Run) -> None:
-    """F = (3/2)πγR1. The first block of another process takes the longest: its cells have error bars."""
+def test_rows_computed_by_several_processes_keep_their_order(run: Run) -> None:
+    """F = (3/2)πγR1. The first block in another process takes longest, as its cells have uncertainties."""
     cells = [f"{radius}±1" if 12 <= radius < 30 else f"{radius}" for radius in range(1, 120)]
     Path("in.csv").write_text("\n".join(["R1 (nm)", *cells, ""]), encoding="utf-8")
     with read_in_chunks(64):
@@ -209,7 +212,7 @@ def test_rows_of_several_processes_stand_in_their_order(run: Run) -> None:
 
 
 @pytest.mark.parametrize(("later", "is_kept"), [(1, True), (0, True), (-1, False)])
-def test_a_result_as_old_as_its_table_is_kept(run: Run, later: int, *, is_kept: bool) -> None:
+def test_resume_keeps_a_result_that_is_not_older_than_its_table(run: Run, later: int, *, is_kept: bool) -> None:
     for name, text, time in (("in", "radius [nm]\n100\n", 10**18), ("out", "kept", 10**18 + later)):
         Path(name).mkdir()
         Path(f"{name}/a.csv").write_text(text, encoding="utf-8")
@@ -219,7 +222,10 @@ def test_a_result_as_old_as_its_table_is_kept(run: Run, later: int, *, is_kept: 
 
 
 def test_quartiles_and_scatter_of_inferred_values_are_those_of_a_sample(run: Run) -> None:
-    """γ = F/3πR for 2 µm on a plane, 18.85 µm: 200, 300, 400, 600, 1000 nN have mean 500, √(Σ(F − F̄)²/4) = 316.23."""
+    """γ = F/3πR, with 3πR = 18.85 µm for 2 µm on a plane.
+
+    Forces of 200, 300, 400, 600 and 1000 nN have the mean 500 nN and the scatter √(Σ(F − F̄)²/4) = 316.23 nN.
+    """
     Path("in.csv").write_text("R1 (um),P_c (nN)\n2,200\n2,300\n2,400\n2,600\n2,1000\n", encoding="utf-8")
     said = run("batch in.csv -o out.csv --infer gamma --measured pull_off_force --radius2 plane").err
     quartiles = "median 21.2207 mJ/m², quartiles 15.9155 mJ/m² and 31.831 mJ/m²"
@@ -234,11 +240,11 @@ def test_a_strict_run_names_the_first_bad_row_and_ends_with_the_worst_code(run: 
     assert (ran.code, "'in/a.csv': line 3: radius: '0' must be positive" in ran.err) == (2, True)
 
 
-def test_signs_of_a_map_stand_where_its_limit_is_exceeded(run: Run) -> None:
-    """An x where a0 = (9πγR²/E*)^(1/3) is below 3 z0 = 1.2 nm: γ below 2.7 mJ/m² at 50 nm, below 17 mJ/m² at 20 nm.
+def test_signs_of_a_map_stand_where_a_limit_is_exceeded(run: Run) -> None:
+    """An x marks a0 = (9πγR²/E*)^(1/3) below 3 z0 = 1.2 nm: γ below 2.7 mJ/m² at 50 nm, and below 17 mJ/m² at 20 nm.
 
-    A ' where the law is off by 5 %: at 1 J/m², JKR's over Maugis' is 1.036 at 200 nm, 1.052 at 100 nm
-    (maugis_reference).
+    A ' marks a law that is off by more than 5 %: at 1 J/m², a0 by JKR over a0 by Maugis' law is 1.036 at 200 nm and
+    1.052 at 100 nm (maugis_reference).
     """
     out = run("map contact-radius --young 54GPa --poisson 0.17 --x gamma=1mJ/m2:1J/m2 --y radius=20nm:200nm").out
     assert out.splitlines()[2:7] == [
@@ -250,10 +256,10 @@ def test_signs_of_a_map_stand_where_its_limit_is_exceeded(run: Run) -> None:
     ]
 
 
-def test_the_axis_of_pressures_ends_at_2_5_of_hertz(run: Run) -> None:
+def test_the_axis_of_pressures_ends_at_2_5_times_the_hertz_pressure(run: Run) -> None:
     """Fig. 9, a = (32wR²/πE′)^(1/3) = 1.5416 nm: E′a/2R = 2.143 GPa, so the axis ends at 5.358 GPa.
 
-    Of the points of the curve, at −a cos(πk/400), the outermost has −5.317 GPa (k = 24); the next would have −5.579
-    GPa.
+    Of the points of the curve, at −a cos(πk/400), the outermost one within the axis has −5.317 GPa (k = 24); the next
+    has −5.579 GPa.
     """
     assert run("figure 9").out.splitlines()[4] == "exact, Eq (56)   -1.514   -5.317"

@@ -71,7 +71,7 @@ def transcript(copy: Path, block: str) -> str:
 
 
 @pytest.mark.parametrize("title", SECTIONS)
-def test_the_shown_change_is_all_that_it_takes(tmp_path: Path, title: str) -> None:
+def test_the_shown_changes_give_the_shown_output(tmp_path: Path, title: str) -> None:
     copy = copy_with(tmp_path, title)
     places = {path for path, _, _ in changes(SECTIONS[title]) if not path.startswith("tests/")}
     assert title.endswith(f": {COUNTED[len(places)]}")
@@ -79,7 +79,7 @@ def test_the_shown_change_is_all_that_it_takes(tmp_path: Path, title: str) -> No
         assert block == transcript(copy, block)
 
 
-def test_what_a_new_quantity_lacks_is_named(tmp_path: Path) -> None:
+def test_the_page_has_the_list_of_missing_parts_of_a_new_quantity(tmp_path: Path) -> None:
     title = "A quantity: three places"
     copy = copy_with(tmp_path, title, only="src/")
     words = ["tests/tools/missing.py", "contact_circumference"]
@@ -88,12 +88,12 @@ def test_what_a_new_quantity_lacks_is_named(tmp_path: Path) -> None:
     assert f"```\n{ran.stdout}```\n" in SECTIONS[title]
 
 
-def test_there_is_a_change_of_each_kind() -> None:
+def test_the_page_adds_a_material_a_quantity_an_option_and_a_law() -> None:
     assert [title.partition(":")[0] for title in SECTIONS] == ["A material", "A quantity", "An option", "A law"]
 
 
 @pytest.mark.slow
-def test_the_tests_are_content_with_all_changes_at_once(tmp_path: Path) -> None:
+def test_the_tests_pass_with_all_changes_at_once(tmp_path: Path) -> None:
     copy = copy_with(tmp_path, *SECTIONS)
     others = " and ".join(f"not {name}" for name in LIST_ALL)
     for words in (["tests/tools/make_stub.py"], ["-m", "pytest", "-q", "-n", "0", "-k", others, *ASK]):

@@ -46,7 +46,7 @@ def test_a_diameter_is_twice_the_radius(diameter: Any) -> None:
     assert on_plane == approx(2 * FORCE, rel=1e-14)
 
 
-def test_a_shear_modulus_takes_the_place_of_that_of_a_material() -> None:
+def test_a_given_shear_modulus_replaces_youngs_modulus_of_the_material() -> None:
     given: dict[str, Any] = {"material": "quartz", "diameter": "200 nm", "shear_modulus": "30 GPa"}
     assert solve("contact_radius", **given) == approx(CIRCLE, rel=1e-14)
     assert dict(answer("contact", **given).inputs) == {
@@ -57,8 +57,8 @@ def test_a_shear_modulus_takes_the_place_of_that_of_a_material() -> None:
     assert found == {"diameter": 2e-7, "shear_modulus": approx(54e9 / 2.34, rel=1e-15)}
 
 
-def test_poissons_ratio_of_sphere_2() -> None:
-    """It is its own, that of its material, or that of sphere 1."""
+def test_the_shear_modulus_of_sphere_2_is_converted_with_its_poissons_ratio() -> None:
+    """Poisson's ratio of sphere 2 is the given one, that of its material, or that of sphere 1."""
     quartz = {"material": "quartz", "diameter": 2e-7}
     of_1 = (1 - RATIO**2) / 54e9
     for given, ratio in (
@@ -80,7 +80,7 @@ def test_sphere_2_has_the_shear_modulus_of_sphere_1_and_its_own_poissons_ratio()
         scene.replace(shear_modulus=Measured(30e9, 1e9))
 
 
-def test_arrays_of_diameters_and_moduli() -> None:
+def test_arrays_of_diameters_and_shear_moduli_broadcast() -> None:
     diameters, moduli = numpy.array([[1e-7], [2e-7]]), numpy.array([10e9, 30e9, 50e9])
     found = solve("contact_radius", material="quartz", diameter=diameters, shear_modulus=moduli.tolist())
     for row, (diameter,) in zip(found, diameters, strict=True):
@@ -89,7 +89,7 @@ def test_arrays_of_diameters_and_moduli() -> None:
         solve("contact_radius", material="quartz", radius=1e-7, shear_modulus=moduli, poisson_ratio=[0.1, 0.2])
 
 
-def test_a_scene_with_other_values_is_converted_anew() -> None:
+def test_a_scene_with_replaced_inputs_is_converted_again() -> None:
     scene = Frame(SHEAR)
     assert scene.replace(poisson_ratio=0.3)["contact_modulus"] == approx(30e9 / 0.7)
     quartz = Frame({"shear_modulus": 30e9, "diameter": 2e-7}, known_materials()["quartz"])
@@ -100,7 +100,7 @@ def test_a_scene_with_other_values_is_converted_anew() -> None:
     assert pickle.loads(pickle.dumps(quartz)).replace(poisson_ratio=0.3)["contact_modulus"] == approx(30e9 / 0.7)
 
 
-# --- What is refused --------------------------------------------------------------------------------------------------
+# --- Refusals ---------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -114,12 +114,12 @@ def test_a_scene_with_other_values_is_converted_anew() -> None:
         ("youngs_modulus2", "shear_modulus2"),
     ],
 )
-def test_two_inputs_of_one_value_exclude_each_other(first: str, second: str) -> None:
+def test_two_inputs_that_follow_from_each_other_exclude_each_other(first: str, second: str) -> None:
     with pytest.raises(BadRequest, match=f"{first} and {second} exclude each other: one follows from the other"):
         solve("pull_off_force", material="quartz", **{first: 1e-7, second: 2e-7})
 
 
-def test_a_shear_modulus_without_poissons_ratio_says_that_it_is_needed() -> None:
+def test_a_shear_modulus_needs_poissons_ratio() -> None:
     known: list[dict[str, Any]] = [{"material": "gold"}, {"surface_energy": GAMMA}]
     for given in known:
         with pytest.raises(MissingInput, match=r"unloaded contact radius needs Poisson's ratio; .*--poisson 0.3"):
@@ -129,7 +129,7 @@ def test_a_shear_modulus_without_poissons_ratio_says_that_it_is_needed() -> None
     assert solve("pull_off_force", radius=1e-7, surface_energy=GAMMA, shear_modulus=30e9) == approx(FORCE)
 
 
-def test_that_a_material_has_a_modulus_is_no_excuse() -> None:
+def test_youngs_modulus_of_a_material_does_not_replace_a_given_shear_modulus() -> None:
     """Without Poisson's ratio, E of the material must not replace the given shear modulus."""
     quartz = known_materials()["quartz"]
     bare = quartz._replace(properties={"surface_energy": GAMMA, "youngs_modulus": 54e9})
@@ -141,7 +141,7 @@ def test_that_a_material_has_a_modulus_is_no_excuse() -> None:
         solve("contact_radius", material=made, radius=1e-7)
 
 
-def test_values_that_they_cannot_have() -> None:
+def test_invalid_diameters_and_shear_moduli_are_refused() -> None:
     for given, said in (
         ({"diameter": -1e-7}, "diameter: -1e-07 must be positive"),
         ({"diameter": "1 N"}, "diameter: '1 N' is a force; expected a length such as 200nm"),
@@ -156,7 +156,7 @@ def test_values_that_they_cannot_have() -> None:
 # --- Uncertain values -------------------------------------------------------------------------------------------------
 
 
-def test_uncertainties_scale() -> None:
+def test_uncertainties_of_diameters_and_shear_moduli_propagate() -> None:
     """P_c is proportional to D, and a0 to G^(-1/3)."""
     force = solve("pull_off_force", material="quartz", diameter="200±10 nm")
     assert (force.value, force.minus, force.plus) == approx((FORCE, FORCE / 20, FORCE / 20), rel=1e-12)
@@ -168,7 +168,7 @@ def test_uncertainties_scale() -> None:
     assert (one_side.minus, one_side.plus) == approx((FORCE / 10, FORCE / 5), rel=1e-12)
 
 
-def test_a_range_of_a_material_goes_through_both_the_modulus_and_poissons_ratio() -> None:
+def test_a_range_of_poissons_ratio_also_enters_the_converted_modulus() -> None:
     """For soda-lime glass ν is 0.20 to 0.23, and E* = G/(1 − ν)."""
     glass = "glass-soda-lime-air"
     found = answer("contact", material=glass, radius=1e-6, surface_energy=GAMMA, shear_modulus=30e9)["contact_radius"]
@@ -177,7 +177,7 @@ def test_a_range_of_a_material_goes_through_both_the_modulus_and_poissons_ratio(
     assert (found.uncertain.low, found.uncertain.high) == approx(ends, rel=1e-12)
 
 
-def test_correlated_error_bars_are_refused_with_what_to_type() -> None:
+def test_correlated_uncertainties_are_refused_with_a_remedy() -> None:
     remedy = "E = 2G(1 + ν) is correlated with ν, which is uncertain; give --young with its error bar, or --poisson"
     glass = known_materials()["glass-soda-lime-air"]
     for given, material in (
@@ -199,11 +199,11 @@ def rows(text: str) -> list[dict[str, str]]:
 
 
 @pytest.mark.parametrize("words", ["--diameter 200nm", "--D 200nm", "diameter=200nm", "--diameter=0.2um"])
-def test_words_for_a_diameter(run: Run, words: str) -> None:
+def test_a_diameter_may_be_given_in_several_forms(run: Run, words: str) -> None:
     assert float(run(f"pull-off quartz {words} --bare --quiet").out) == approx(FORCE, rel=1e-14)
 
 
-def test_lists_and_ranges_have_a_column_of_radii(run: Run) -> None:
+def test_lists_and_sweeps_of_diameters_have_a_column_of_radii(run: Run) -> None:
     found = rows(run("pull-off quartz --diameter 100nm:10um:3 --diameter2 200nm,plane,2um --csv --quiet").out)
     radii = [(float(row["radius [m]"]), row["radius2 [m]"]) for row in found]
     assert [first for first, _ in radii] == approx([each for each in (5e-8, 5e-7, 5e-6) for _ in range(3)], rel=1e-14)
@@ -216,7 +216,7 @@ def test_lists_and_ranges_have_a_column_of_radii(run: Run) -> None:
     assert [float(row["contact_radius [m]"]) for row in found] == approx([CIRCLE, CIRCLE / 2 ** (1 / 3)], rel=1e-14)
 
 
-def test_lists_that_are_arrays(run: Run) -> None:
+def test_long_lists_of_diameters_are_computed_as_arrays(run: Run) -> None:
     ran = run(
         "pull-off quartz --diameter 100nm:10um:400 --diameter2 plane,1um --csv --quiet --quantities pull_off_force"
     )
@@ -227,8 +227,8 @@ def test_lists_that_are_arrays(run: Run) -> None:
 
 
 @pytest.mark.parametrize("others", ["--diameter2 300nm,200nm", "--radius2 150nm,100nm"])
-def test_a_sphere_2_of_a_list_may_be_alike(run: Run, others: str) -> None:
-    """Eq (41) as printed is for identical spheres only; a row of such spheres has it."""
+def test_only_the_row_of_identical_spheres_in_a_list_has_eq_41(run: Run, others: str) -> None:
+    """Eq (41) as printed is for identical spheres only."""
     for first in ("100nm", "--diameter 200nm"):
         found = rows(run(f"frequencies quartz {first} {others} --csv --quiet").out)
         assert [bool(row["rolling_frequency_as_printed [Hz]"]) for row in found] == [False, True]
@@ -244,7 +244,7 @@ def test_a_table_on_a_terminal_has_the_radii(run: Run) -> None:
     assert "R1 = R2 = 100.0 ± 5.0 nm, E = 70.2 GPa" in " ".join(out.split())
 
 
-def test_an_answer_has_the_inputs_of_its_formulas(run: Run) -> None:
+def test_an_answer_has_the_converted_inputs(run: Run) -> None:
     found = json.loads(run("contact quartz --diameter 200±10nm --shear-modulus 30GPa --json --quiet").out)
     assert found["inputs"] | {"radius": 1e-7, "youngs_modulus": approx(70.2e9)} == found["inputs"]
     assert {"diameter", "shear_modulus"}.isdisjoint(found["inputs"])
@@ -260,13 +260,13 @@ def test_an_input_that_changes_nothing_is_named_as_it_was_typed(run: Run) -> Non
 
 
 @pytest.mark.parametrize("line", ["pull-off", "impact", "export lammps", "infer gamma", "map pull-off", "batch -"])
-def test_every_command_with_a_radius_takes_them(run: Run, line: str) -> None:
+def test_every_command_with_a_radius_takes_diameters_and_shear_moduli(run: Run, line: str) -> None:
     said = run(f"{line} --help").out
     for option in ("--diameter", "--diameter2", "--shear-modulus", "--shear-modulus2"):
         assert re.search(rf"{option}(?![\w-])", said), option
 
 
-def test_inferred_from_spheres_of_a_diameter(run: Run) -> None:
+def test_a_surface_energy_is_inferred_for_spheres_of_a_diameter(run: Run) -> None:
     """γ = P_c/3πR on a plane, for smooth spheres."""
     gamma = 300e-9 / (3 * math.pi * 2e-6)
     ran = run("infer gamma quartz --diameter 4um --diameter2 plane --measured pull_off_force=300nN --bare --quiet")
@@ -283,7 +283,7 @@ def test_inferred_from_spheres_of_a_diameter(run: Run) -> None:
 # --- Pictures ---------------------------------------------------------------------------------------------------------
 
 
-def test_they_are_axes_of_maps(run: Run) -> None:
+def test_maps_take_diameters_as_axes_and_a_fixed_shear_modulus(run: Run) -> None:
     words = "--x diameter=100nm:10um:3 --data - --quiet"
     found = rows(run(f"map pull-off --gamma 25mJ/m2 --diameter2 plane {words}").out)
     assert forces(found) == approx([3 * math.pi * GAMMA * d / 2 for d in (1e-7, 1e-6, 1e-5)], rel=1e-12)
@@ -309,7 +309,7 @@ def test_they_are_axes_of_maps(run: Run) -> None:
         ("--x radius=1nm:1um --y diameter=1nm:1um", "both axes are radius"),
     ],
 )
-def test_an_axis_is_no_other_input(run: Run, words: str, said: str) -> None:
+def test_an_axis_excludes_the_input_that_follows_from_it(run: Run, words: str, said: str) -> None:
     assert run(f"map pull-off {words}") == (2, "", f"jkroll: {said}\n")
 
 
@@ -330,7 +330,7 @@ def forces(found: list[dict[str, str]]) -> list[float | None]:
 ONLY_FORCE = ("--gamma", "25mJ/m2", "--quantities", "pull_off_force")
 
 
-def test_a_column_of_diameters(run: Run) -> None:
+def test_a_column_of_diameters_is_read(run: Run) -> None:
     err, found = results(run, "diameter [nm],diameter2 [um]\n200,\n200,plane\n200,inf\n200,0.2\n,1\n-1,\n", *ONLY_FORCE)
     assert err.splitlines()[0] == "read: diameter [nm], diameter2 [um]"
     assert forces(found)[:4] == approx([FORCE, 2 * FORCE, 2 * FORCE, FORCE], rel=1e-14)
@@ -338,12 +338,12 @@ def test_a_column_of_diameters(run: Run) -> None:
     assert "no column and no option gives a radius" not in err
 
 
-def test_a_column_that_an_option_reads_as_a_diameter(run: Run) -> None:
+def test_the_option_column_reads_a_column_as_a_diameter(run: Run) -> None:
     _, found = results(run, "d50 (um)\n0.2\n0.4\n", *ONLY_FORCE, "--column", "d50 (um)=diameter [um]")
     assert forces(found) == approx([FORCE, 2 * FORCE], rel=1e-14)
 
 
-def test_rows_with_radii_and_rows_with_diameters(run: Run) -> None:
+def test_a_table_may_mix_rows_with_radii_and_rows_with_diameters(run: Run) -> None:
     table = "radius [nm],diameter [nm]\n100,\n,200\n,400\n100,200\n,\n"
     err, found = results(run, table, *ONLY_FORCE)
     assert forces(found)[:3] == approx([FORCE, FORCE, 2 * FORCE], rel=1e-14)
@@ -352,13 +352,13 @@ def test_rows_with_radii_and_rows_with_diameters(run: Run) -> None:
     assert err.splitlines()[0] == "read: radius [nm], diameter [nm]"
 
 
-def test_a_diameter_that_always_stands_beside_a_radius_passes_through(run: Run) -> None:
+def test_a_column_of_diameters_is_passed_through_if_every_diameter_has_a_radius(run: Run) -> None:
     err, found = results(run, "radius [nm],diameter [nm],diameter_err [nm]\n100,200,5\n200,400,5\n,,\n", *ONLY_FORCE)
     assert err.splitlines()[0] == "read: radius [nm]; passed through: diameter [nm], diameter_err [nm]"
     assert forces(found)[:2] == approx([FORCE, 2 * FORCE], rel=1e-14)
 
 
-def test_an_option_fills_rows_without_a_diameter(run: Run) -> None:
+def test_an_option_fills_empty_cells_of_diameters_and_radii(run: Run) -> None:
     err, found = results(run, "name,diameter [nm]\na,200\nb,\n", *ONLY_FORCE, "--radius", "200nm")
     assert "note: --radius fills empty cells: the others keep their values" in err.splitlines()
     assert forces(found) == approx([FORCE, 2 * FORCE], rel=1e-14)
@@ -366,7 +366,7 @@ def test_an_option_fills_rows_without_a_diameter(run: Run) -> None:
     assert forces(found) == approx([FORCE, 2 * FORCE], rel=1e-14)
 
 
-def test_error_bars_of_diameters_in_tables(run: Run) -> None:
+def test_uncertainties_of_diameters_in_tables_propagate(run: Run) -> None:
     table = "diameter [nm],diameter_err [nm]\n200,10\n400,40\n200,\n"
     _, found = results(run, table, *ONLY_FORCE)
     bars = [row["pull_off_force_plus [N]"] for row in found]
@@ -377,7 +377,7 @@ def test_error_bars_of_diameters_in_tables(run: Run) -> None:
     assert ends == approx([0.9 * FORCE, 1.1 * FORCE], rel=1e-12)
 
 
-def test_a_column_of_shear_moduli(run: Run) -> None:
+def test_a_column_of_shear_moduli_is_read(run: Run) -> None:
     words = ("--gamma", "25mJ/m2", "--radius", "100nm", "--quantities", "contact_radius")
     table = "material,G [GPa],nu\nquartz,30,\n,30,0.17\n,30,\ngold,30,\n,30±3,0.17±0.01\n"
     _, found = results(run, table, *words)
@@ -391,7 +391,7 @@ def test_a_column_of_shear_moduli(run: Run) -> None:
     assert [float(row["contact_radius [m]"]) for row in found] == approx([CIRCLE, unlike], rel=1e-14)
 
 
-def test_inferred_in_a_table_of_diameters(run: Run) -> None:
+def test_a_surface_energy_is_inferred_in_a_table_of_diameters(run: Run) -> None:
     table = "diameter [um],pull_off_force [nN]\n4,300\n2,150\n"
     words = ("--diameter2", "plane", "--infer", "gamma", "--measured", "pull_off_force")
     _, found = results(run, table, *words)

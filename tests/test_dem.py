@@ -34,12 +34,12 @@ from scenes import QUARTZ
         ("quartz 100nm --shear-strength 584.5MPa", "at 22 nN"),  # the whole area slides at 29.2 nN
     ],
 )
-def test_what_comes_first(run: Run, words: str, said: str) -> None:
+def test_resistances_say_whether_a_contact_rolls_slides_or_peels_first(run: Run, words: str, said: str) -> None:
     assert said in " ".join(run(f"resistances {words}", terminal=True).out.split())
 
 
-def test_turns_of_a_sphere_that_arrives(run: Run) -> None:
-    """A sphere with a speed does not spin yet. Its number of turns comes first, and each row names its sphere."""
+def test_the_turns_after_an_impact_are_the_first_row_for_a_given_speed(run: Run) -> None:
+    """A sphere with a given speed does not spin yet, and each row names the motion that it assumes."""
     ran = run("n-roll quartz 1um --speed 5cm/s")
     names = [line.split()[0] for line in ran.out.splitlines()]
     assert names == ["n_roll_after_impact", "n_roll", "n_roll_energy_balance"]
@@ -50,7 +50,7 @@ def test_turns_of_a_sphere_that_arrives(run: Run) -> None:
     assert "body held" not in run("n-roll quartz 1um --energy 1aJ", terminal=True).out
 
 
-def test_moment_of_a_chain(run: Run) -> None:
+def test_the_gravity_moment_of_n_grav_spheres_is_the_yield_moment(run: Run) -> None:
     """Eq 29 at the number of Eq 30 is the moment at which the first contact rolls."""
     spheres, moment = solve(["n_grav", "yield_moment"], **QUARTZ, radius2=3e-7).values()
     assert solve("gravity_moment", monomers=spheres, **QUARTZ, radius2=3e-7) == approx(moment, rel=1e-14)
@@ -76,8 +76,8 @@ def test_the_load_that_a_message_gives_can_be_typed(run: Run, radius: int, model
 
 
 @pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])
-def test_ratios_of_a_state(run: Run, model: str) -> None:
-    """Eq 4: -1 at pull-off by every law, and 1 without load; by Eqs 5 and 6, radius and approach at pull-off in JKR."""
+def test_ratios_of_a_state_without_load_and_at_pull_off(run: Run, model: str) -> None:
+    """Without load, the ratios are 0, 1 and 1. At pull-off the load ratio is -1; Eqs 5 and 6 give the others in JKR."""
     least = -solve("pull_off_force", model=model, **QUARTZ)
     names = ["load_ratio", "contact_radius_ratio", "approach_ratio"]
     assert [*solve(names, model=model, **QUARTZ).values()] == approx([0, 1, 1], rel=1e-12)
@@ -90,14 +90,14 @@ def test_ratios_of_a_state(run: Run, model: str) -> None:
     assert "load_ratio" not in run(f"contact quartz 100nm --model {model}").out
 
 
-def test_rolling_is_reported_once(run: Run) -> None:
-    """A contact that slides at 25 pN and rolls at 94 pN does not break first: it slides."""
+def test_a_contact_that_slides_before_it_rolls_is_not_said_to_break_first(run: Run) -> None:
+    """The contact slides at 25 pN, and would roll at 94 pN."""
     said = run("resistances quartz 0.5nm --explain").out
     assert "slides or peels off before it rolls" in said
     assert "breaks before it rolls" not in said
 
 
-def test_what_an_aggregate_lacks_is_said(run: Run) -> None:
+def test_explanations_name_missing_inputs_of_an_aggregate_and_invalid_inputs_are_refused(run: Run) -> None:
     ran = run("aggregates quartz 100nm")
     assert ran.code == 0
     explained = run("aggregates quartz 100nm --explain").out
@@ -129,8 +129,10 @@ def test_sources_of_aggregates_are_cited(run: Run) -> None:
         (1.0, -1 / 2, 1.0, 0.0, "tabor_parameter"),
     ],
 )
-def test_softer_grains(power: float, step: float, slide: float, slide_at_strength: float, kept: str) -> None:
-    """The recipe of `guide dem`: γ q^power and ξ q^-power keep a quantity and the moment, not the step."""
+def test_softer_grains_keep_a_quantity_and_the_yield_moment(
+    power: float, step: float, slide: float, slide_at_strength: float, kept: str
+) -> None:
+    """The recipes of `guide dem`: γ q^power and ξ q^-power keep one quantity and the moment, not the time step."""
     q, xi = 0.01, 2e-10
     names = [kept, "yield_moment", "sliding_frequency", "sliding_force"]
     before = solve(names, **QUARTZ, xi=xi)
@@ -146,8 +148,8 @@ def test_softer_grains(power: float, step: float, slide: float, slide_at_strengt
     assert f"× {factor} |" in page("dem")
 
 
-def test_which_time_step_governs() -> None:
-    """For quartz below the radius of the page, it is a twentieth of the period of sliding; above, a fifth of t_R."""
+def test_the_time_step_is_that_of_sliding_below_36_nm_and_that_of_rayleigh_above() -> None:
+    """For quartz, the step is 1/20 of the period of sliding below the radius on the page, and a fifth of t_R above."""
     assert "the shorter below R1 = 36 nm" in page("dem")
     for radius, is_by_sliding in ((35e-9, True), (37e-9, False)):
         scene = {**QUARTZ, "radius": radius}
@@ -156,8 +158,8 @@ def test_which_time_step_governs() -> None:
 
 
 @pytest.mark.parametrize("model", ["jkr", "dmt"])
-def test_coefficient_of_rolling_for_codes_that_multiply_the_load(model: str) -> None:
-    """Times the load, it gives the moment M; in JKR it is 2ξ/(R(s - 1)), and it needs a load that presses."""
+def test_the_rolling_resistance_coefficient_times_load_and_radius_is_the_moment(model: str) -> None:
+    """In JKR the coefficient is 2ξ/(R(s - 1)); only a load that presses has a coefficient."""
     name = "rolling_resistance_coefficient"
     for load in (1e-12, 1e-8, 1e-4):
         coefficient, moment, radius = solve(
@@ -172,8 +174,8 @@ def test_coefficient_of_rolling_for_codes_that_multiply_the_load(model: str) -> 
             solve(name, load=load, model=model, **QUARTZ)
 
 
-def test_loss_of_a_collision_in_lammps() -> None:
-    """On the JKR curve from the touch to the largest tension, in P_cδ0; z³ = 6â^1.5 changes from 4 to 3."""
+def test_the_manual_has_the_energy_that_a_collision_loses_in_lammps() -> None:
+    """The loss is the work from touch to the largest tension in JKR, in P_cδ0; z³ = 6â^1.5 goes from 4 to 3."""
     from scipy.integrate import quad  # type: ignore[import-untyped]
 
     lost = -quad(lambda z: z**3 * (z**3 - 6) / 9 * 2 * 6 ** (-1 / 3) * (z**3 - 1), 3 ** (1 / 3), 4 ** (1 / 3))[0]
@@ -182,7 +184,7 @@ def test_loss_of_a_collision_in_lammps() -> None:
         assert f"{number:.4f}" in page("dem")
 
 
-def test_mixing_of_lethe() -> None:
+def test_the_manual_has_the_work_of_adhesion_of_two_solids_in_lethe() -> None:
     """Instead of w = 2√(γ1γ2), the manual has γ1 + γ2 − 2(√γ1 − √γ2)²."""
     one, other = 0.02, 0.4
     assert round(1e3 * (one + other - 2 * (math.sqrt(one) - math.sqrt(other)) ** 2)) == -62

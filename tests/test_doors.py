@@ -1,8 +1,8 @@
 """The same rows at every door: the prompt, lists, files, tables and Python give the same answers.
 
-Floats define a row. Arrays may differ from it within the stated accuracy; everything else is equal. The prompt adds two
-known things: the values at two atomic spacings of a quantity that depends on z0, and how far a contact would hold by
-Maugis' law.
+Rows computed with floats are the reference. Arrays may differ from these within the stated accuracy; all other doors
+agree exactly. The prompt has two additions: the values at two atomic spacings of a quantity that depends on z0, and
+the pull-off force by Maugis' law in the reason for a load beyond pull-off.
 """
 
 import math
@@ -68,7 +68,7 @@ FORMS = FILES  # output forms for rows, besides --csv
 
 
 def disagreements(run: Run, ask: Ask, unit: str = "", forms: Sequence[str] = FORMS) -> Iterator[str]:
-    """Iterate over the differences of the doors on a question; `unit`: that of results, if some have its dimension."""
+    """Iterate over the differences of the doors on a question; `unit`: the unit of results that have its dimension."""
     try:
         floats = of_list(ask, by_arrays=False)
     except JkrollError as error:
@@ -87,9 +87,9 @@ def disagreements(run: Run, ask: Ask, unit: str = "", forms: Sequence[str] = FOR
 
 
 def _in_refusals(run: Run, ask: Ask, error: JkrollError) -> Iterator[str]:
-    """Iterate over the doors that do not refuse a question that cannot be rows.
+    """Iterate over the doors that do not refuse an invalid question.
 
-    A table refuses each row by itself. So do arrays if a value is out of range only after its conversion.
+    A table refuses it row by row. So do arrays if a value is out of range only after its conversion.
     """
     said = str(error).partition(": ")[2] or str(error)  # after the name of an input, which the prompt has as typed
     refusals: set[str] = set()
@@ -123,24 +123,24 @@ def _lacks(text: str) -> bool:
 # --- Tests ------------------------------------------------------------------------------------------------------------
 
 PLAIN = "'1e-7 m' --gamma '0.025 J/m^2' --young '54e9 Pa' --poisson 0.17 --density '2600 kg/m^3'"
-# Failures of random questions, each reduced as far as it still fails.
+# Random questions on which doors disagreed once, each reduced as far as the disagreement allowed.
 FOUND: Mapping[str, str] = {
-    "a row that is computed again, of an uncertain input": "contact quartz '1e-7±1e-8 m,1e-7 m' --load '-1.17e-8 N'",
-    "a load about 0, beside what the pull-off force follows from": (
+    "an uncertain input in one of two rows": "contact quartz '1e-7±1e-8 m,1e-7 m' --load '-1.17e-8 N'",
+    "loads about 0 and uncertain radii": (
         "report quartz '8e-8 to 1.6e-7 m,1e-8 to 3e-7 m' --load '-4e-9 to 4e-9 N,(0±1e-9) N' --quantities "
         "yield_force,load_margin"
     ),
-    "kinds of rows, and one law without any value": (
+    "groups of rows by a law without any value": (
         "n-grav ice-warm,iron '1e-7 m' --adhesion-hysteresis '0.006 J/m^2' --model dmt"
     ),
     "rigid grains of a micrometre, which JKR lacks": "n-grav silica-dry '1e-6 m,2e-6 m' --young rigid --model dmt",
     "a headline that does not concern the scene": "yield-force quartz '1e-7 m' --quantities yield_force,contact",
-    "an infinite result of JKR, too": (
+    "an infinite result under another law": (
         "report quartz '1e-7 m' --radius2 plane --model dmt --quantities mass2,pull_off_force"
     ),
     "an infinite result": "report quartz '1e-7 m' --radius2 'plane,1 um' --quantities mass2,reduced_mass",
     "ranges beside standard uncertainties": "contact quartz '1e-7 m,1e-7±1e-8 m' --load '-1e-9 to 1e-9 N'",
-    "ranges about a value at which a quantity turns": (
+    "ranges about an extremum of a quantity": (
         f"contact {PLAIN} --poisson '-0.1 to 0.1,-0.2 to 0.2' --quantities contact_modulus,contact_radius"
     ),
     "five ranges": (
@@ -164,21 +164,21 @@ FOUND: Mapping[str, str] = {
         "contact '1.0601e-6 m' --gamma '0.07226 J/m^2' --young '1e9 Pa' --poisson '-0.49 to 0.3,-0.49 to 0.2' "
         "--approach '-1.3e-9 m' --quantities stiffness"
     ),
-    "numbers alone, whose meaning ends": "yield-force quartz '1e-9 m' --load '0 N,1e-12 N'",
-    "meanings that end in some rows, by several limits": f"n-roll {PLAIN} '1e-8 m,1e-6 m' --speed '0.1 m/s,10 m/s'",
-    "a contact of no radius": f"contact {PLAIN} --approach '0 m,1e-10 m' --model dmt",
-    "doubts of what rests on no contact": "report quartz '1e-9 m,1e-8 m' --load '-1 N,0 N' --xi '1e-9 m'",
-    "two holds of one row": (
+    "numbers without a meaning": "yield-force quartz '1e-9 m' --load '0 N,1e-12 N'",
+    "numbers without a meaning by several limits": f"n-roll {PLAIN} '1e-8 m,1e-6 m' --speed '0.1 m/s,10 m/s'",
+    "a contact of zero radius": f"contact {PLAIN} --approach '0 m,1e-10 m' --model dmt",
+    "doubts about quantities that need no contact": "report quartz '1e-9 m,1e-8 m' --load '-1 N,0 N' --xi '1e-9 m'",
+    "two reasons for the gaps of one row": (
         "report quartz '3e-11 m,1e-12 m' --load '-3.56e-10 N' --quantities "
         "zone_radius,reduced_moment_of_inertia,zone_span_at_approach"
     ),
-    "a hold of all rows": "contact quartz '1e-7 m,2e-7 m' --approach '-1e-10 m' --model dmt",
+    "a reason for the gaps of all rows": "contact quartz '1e-7 m,2e-7 m' --approach '-1e-10 m' --model dmt",
     "a quantity of identical spheres that lacks an input": (
         "report '1e-7 m' --gamma '0.025 J/m^2' --young '54e9 Pa' --poisson 0.17 --radius2 '1e-7 m,2e-7 m'"
     ),
     "a result that is echoed as an input": "n-roll quartz '1e-7 m' --quantities energy,n_roll",
-    "an input that follows in some rows": f"n-roll {PLAIN} --young 'rigid,54e9 Pa' --young2 rigid",
-    "a zero of a quantity that has no value": (
+    "an input that follows from another one in some rows": f"n-roll {PLAIN} --young 'rigid,54e9 Pa' --young2 rigid",
+    "a quantity without a value instead of 0": (
         "report graphite '1e-7 m,1e-8 m' --young rigid --model dmt --quantities edge_ratio_at_fold"
     ),
     "a state beyond the fold": (
@@ -187,11 +187,11 @@ FOUND: Mapping[str, str] = {
     "a state without contact": (
         "moment quartz '1e-8 m' --approach '-3.8e-10 m,0 m' --model maugis --quantities contact_displacement,zone_span"
     ),
-    "two rigid bodies beyond pull-off, among others": (
+    "two rigid bodies beyond pull-off among other rows": (
         f"report {PLAIN} --young '1e9 Pa,rigid' --load '-1 N' --adhesion-hysteresis '0.003 J/m^2' --model dmt"
     ),
-    "nothing that concerns the scene": "aggregates quartz '1e-7 m' --radius2 '1e-6 m,2e-6 m'",
-    "nothing that concerns some rows": "aggregates quartz '1e-7 m' --radius2 '1e-6 m,1e-7 m'",
+    "no quantity that concerns the scene": "aggregates quartz '1e-7 m' --radius2 '1e-6 m,2e-6 m'",
+    "no quantity that concerns some rows": "aggregates quartz '1e-7 m' --radius2 '1e-6 m,1e-7 m'",
     "a quantity that concerns one row, by the radius of sphere 1": (
         "frequencies quartz '3e-9 m,4e-9 m' --radius2 '4e-9 m' --load '-1 N'"
     ),
@@ -204,10 +204,10 @@ FOUND: Mapping[str, str] = {
     "a law of rigid bodies, which have no Tabor parameter": (
         "moment quartz '1e-6 m' --young '2e9 Pa,rigid' --quantities pull_off_work_maugis,cohesive_stress"
     ),
-    "a shear strength with a multiple beyond what a frame takes": (
+    "a shear strength with a multiple beyond the range of a frame": (
         "resistances '1e-7 m,1e-6 m' --gamma '0.025 J/m^2' --young '9e29 Pa,54e9 Pa' --poisson -0.97"
     ),
-    "two reasons that are not those of all rows": (
+    "two reasons that apply only to some rows": (
         "contact quartz,gold '1e-7 m' --load '-1 N,0 N' --material2 graphite,gold"
     ),
 }
@@ -219,27 +219,27 @@ LONG = ("five ranges", "ranges with a part in which the spheres do not touch")
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=pytest.mark.slow) if name in LONG else name for name in FOUND]
 )
-def test_doors_agree_on_what_was_found(run: Run, name: str) -> None:
+def test_doors_agree_on_questions_that_failed_once(run: Run, name: str) -> None:
     assert [*disagreements(run, ask_of(FOUND[name]))] == []
 
 
 def test_an_error_bar_that_no_double_holds_in_a_unit(run: Run) -> None:
-    assert [*disagreements(run, ask_of("moment ice-warm '1e-7 m,1e-6 m'"), UNITS[-1])] == []
+    assert [*disagreements(run, ask_of("moment ice-warm '1e-7 m,1e-6 m'"), "J Ym-1")] == []
 
 
-def test_doors_agree(run: Run) -> None:
+def test_doors_agree_on_a_few_random_questions(run: Run) -> None:
     check(run, seed=23, numbers=FEW)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("numbers", PARTS, ids=str)
 def test_doors_agree_on_fresh_questions(run: Run, numbers: range) -> None:
-    """The head of the run states the seed; with ACCURACY_SEED set to it, the same questions come again."""
+    """The header of the run states the seed; ACCURACY_SEED set to this seed repeats the questions."""
     check(run, seed=int(os.environ["ACCURACY_SEED"]), numbers=numbers)
 
 
 def check(run: Run, seed: int, numbers: range) -> None:
-    """Ask random questions at all doors, and the questions under one law in one table, too."""
+    """Ask random questions at all doors, and several questions under one law in one table."""
     for number in numbers:
         random = Random(f"{seed} {number}")
         ask = any_ask(random)
@@ -254,7 +254,7 @@ def check(run: Run, seed: int, numbers: range) -> None:
 # --- Best ranges ------------------------------------------------------------------------------------------------------
 
 
-def test_doors_agree_on_best_ranges(run: Run) -> None:
+def test_doors_agree_on_best_ranges_of_a_few_random_questions(run: Run) -> None:
     check_best(run, seed=7, numbers=FEW)
 
 
@@ -270,32 +270,32 @@ GEL = (
 BEST: Mapping[str, str] = {
     "one pair": "yield-force quartz '3e-7 m'",
     "one pair with an error bar": "yield-force quartz '3e-7 m' --gamma '0.022±0.002 J/m^2'",
-    "sizes about those that were measured": "report quartz '9e-8 m,1e-6 m,4e-6 m'",
+    "sizes around the measured ones": "report quartz '9e-8 m,1e-6 m,4e-6 m'",
     "several solids": "n-grav iron,quartz,silica-dry,PS '1e-7 m,5e-6 m'",
-    "the size that was measured": "yield-force PS '1e-5 m,5e-6 m'",
+    "a measured size": "yield-force PS '1e-5 m,5e-6 m'",
     "standard uncertainties": "yield-force quartz '1e-7 m,1e-6 m' --gamma '0.022±0.002 J/m^2,0.024 J/m^2'",
     "ranges": "r-min quartz '2e-7 to 3e-7 m,1e-6 m'",
-    "of identical spheres alone": "aggregates quartz '1e-6 m' --radius2 '1e-7 m,1e-6 m' --young2 rigid",
+    "quantities of identical spheres only": "aggregates quartz '1e-6 m' --radius2 '1e-7 m,1e-6 m' --young2 rigid",
     "an uncertain load": "n-roll quartz '1e-7 m,1e-6 m' --load '1e-9±1e-10 N,1e-8±1e-10 N' --model maugis",
     "an uncertain atomic spacing": "pull-off quartz '1e-7 m,1e-6 m' --z0 '3e-10±1e-10 m,2e-10 to 4e-10 m'",
     "sources of two kinds": "pull-off quartz '1e-7 m,1e-6 m' --gamma '0.022±0.002 J/m^2' --z0 '2e-10 to 4e-10 m'",
-    "a range of what has no value": "report ice-warm '4e-6 m' --load '-5.4e-6 N' --gravity '1 to 4 m/s^2'",
+    "uncertain inputs of missing results": "report ice-warm '4e-6 m' --load '-5.4e-6 N' --gravity '1 to 4 m/s^2'",
     "another law": "yield-force quartz '1e-7 m,1e-6 m' --model dmt",
     "a displacement that was given": "yield-force quartz '1e-7 m,1e-6 m' --xi '1e-10 m'",
     "one pair with an open end": "r-min '1e-7 m'",
     "open ends": "r-min '1e-7 m,1e-5 m'",
     "energies with and without a jump": "energies quartz,iron '1e-7 m,1e-5 m'",
     "a displacement beyond its limit": "yield-force quartz '2e-9 m,1e-7 m'",
-    "turns that do not begin": "n-roll quartz '1e-7 m' --speed '0.12 m/s,0.1 m/s'",
+    "a sphere that does not begin to roll": "n-roll quartz '1e-7 m' --speed '0.12 m/s,0.1 m/s'",
     "a sphere that flies off": "n-roll quartz '1e-6 m' --speed '4.65 m/s,4.66 m/s'",
     "a contact wider than its sphere": f"contact {GEL}",
-    "a pull-off force of it": f"pull-off {GEL}",
-    "a chain without a sphere": "n-grav quartz '1e-6 m,1e-3 m'",
-    "a state that another law has in some rows": (
+    "the pull-off force of a contact wider than its sphere": f"pull-off {GEL}",
+    "a chain that does not hold even one sphere": "n-grav quartz '1e-6 m,1e-3 m'",
+    "a state that exists by another law in some rows": (
         "report '4.4e-8 m' --radius2 '2e-9 m,plane' --gamma '0.043 J/m^2' --young '4.2e10 Pa' --poisson '-0.455' "
         "--approach '-2.4e-11 m' --adhesion-hysteresis '0.0005 J/m^2' --quantities displacement_over_contact_radius"
     ),
-    "no modulus": "pull-off '1e-7 m,1e-6 m' --gamma '0.025 J/m^2'",
+    "no Young's modulus": "pull-off '1e-7 m,1e-6 m' --gamma '0.025 J/m^2'",
     "a value that only the other law has": (
         "yield-force PS '4.336710516205178e-8 m,5e-10 m' --approach "
         "'-4.5806076760230903e-10 m,-2.1629905358096817e-10 m,0.0 m' --adhesion-hysteresis '0.02 J/m^2' "
@@ -310,7 +310,7 @@ BEST: Mapping[str, str] = {
 
 
 @pytest.mark.parametrize("name", BEST)
-def test_doors_agree_on_the_best_ranges_of(run: Run, name: str) -> None:
+def test_doors_agree_on_best_ranges_of_a_given_question(run: Run, name: str) -> None:
     assert [*best_disagreements(run, ask_of(BEST[name]))] == []
 
 
@@ -400,7 +400,7 @@ LENNARD_JONES = {
     "pull_off_work": "well_energy_lennard_jones",
     "pull_off_work_at_dead_load": "dead_load_work_lennard_jones",
 }
-IN_PROPORTION = ("bond_number", "disruption_energy", "disruption_speed")  # proportional to one of these
+IN_PROPORTION = ("bond_number", "disruption_energy", "disruption_speed")  # these follow from a quantity above
 
 
 def _in_scene(scene: Frame, values: Mapping[str, float]) -> Iterator[str]:
@@ -423,7 +423,7 @@ def _in_scene(scene: Frame, values: Mapping[str, float]) -> Iterator[str]:
         most = [*numbers]
         if name in LENNARD_JONES and (name == "pull_off_force" or scene["tabor_parameter"] < 0.7):  # an upper end
             most.append(outcomes(scene, (LENNARD_JONES[name],))[LENNARD_JONES[name]])
-        if WORDS[int(values[key])] == "JKR":  # the value may have no meaning, too
+        if WORDS[int(values[key])] == "JKR":  # the value itself may have no meaning
             scenes.append(scene)
         is_open = any(name in Results(each, each.columns([name])).ended for each in scenes)
         for end, expected in zip(("low", "high"), (min(numbers), max(most)), strict=True):
@@ -446,7 +446,7 @@ def _in_lines(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
 
 
 @pytest.mark.parametrize("quantity", ["pull_off_force", "yield_force", "n_roll"])
-def test_a_map_doubts_where_its_points_are_doubted(quantity: str) -> None:
+def test_a_map_marks_doubts_exactly_where_its_points_have_them(quantity: str) -> None:
     given = {name: value_of(text, name) for name, (text,) in ask_of(f"report {PLAIN}").inputs.items()}
     scene, x, y = Frame(given), Axis("radius", 1e-9, 1e-5, size=9), Axis("surface_energy", 1e-3, 1e0, size=7)
     request = PlotRequest(quantity, x, y, (("", scene),), (), known_materials())
@@ -467,7 +467,7 @@ def test_a_map_doubts_where_its_points_are_doubted(quantity: str) -> None:
                 assert is_beyond[up, across] == (code in here), (code, here)
 
 
-# --- What is written --------------------------------------------------------------------------------------------------
+# --- Outputs ----------------------------------------------------------------------------------------------------------
 
 
 def _reason(error: JkrollError, scene: Frame) -> str:
@@ -478,7 +478,7 @@ def _reason(error: JkrollError, scene: Frame) -> str:
 
 
 def _in_outputs(run: Run, ask: Ask, rows: Rows, unit: str, forms: Sequence[str], *, by_arrays: bool) -> Iterator[str]:
-    """Iterate over the differences between rows and their output, computed in one way."""
+    """Iterate over the differences between rows and their output, both by floats or both by arrays."""
     options = ["--to", unit] if unit else []
     try:
         ran, cells = printed(run, ask, "--csv", *options, by_arrays=by_arrays)
@@ -515,7 +515,7 @@ def _in_outputs(run: Run, ask: Ask, rows: Rows, unit: str, forms: Sequence[str],
 def _in_bare(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
     """Iterate over the bare numbers that differ from those of rows.
 
-    Inputs, which are no columns of rows, are among them.
+    Bare numbers of inputs are left out, as rows have no columns of inputs.
     """
     call = call_of(ask.words())
     names = question_of(call, QUESTIONS[call.command]).headline
@@ -525,7 +525,7 @@ def _in_bare(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
             value = None if cell == "-" else float(cell)
             expected = floats.values[row].get(name)
             if name in floats.reasons[row] and is_end_of_meaning(floats.reasons[row][name]):
-                expected = scenes[row][name]  # unformatted output keeps it
+                expected = scenes[row][name]  # unformatted output keeps the number
             if name in floats.keys and value != expected:
                 yield f"row {row}: {name} = {expected!r} and {cell}"
 
@@ -571,7 +571,7 @@ def _read(cell: Any, head: str) -> Any:
 
 
 def _in_object(floats: Rows, row: int, found: Mapping[str, Any], options: Sequence[str]) -> Iterator[str]:
-    """Iterate over the differences between a row and its object."""
+    """Iterate over the differences between a row and its object of JSON."""
     values, reasons = floats.values[row], floats.reasons[row]
     results = {each["name"]: each for each in found["results"]}
     for key in floats.keys:
@@ -638,7 +638,7 @@ def mixed_disagreements(run: Run, sheet: Sheet, sample: int) -> Iterator[str]:
 
 
 def _in_solve(ask: Ask, floats: Rows) -> Iterator[str]:
-    """Iterate over the differences between rows and calls with their values."""
+    """Iterate over the differences between rows and calls of `solve` with the same values."""
     for row, texts in enumerate(ask.rows()):
         values, reasons = floats.values[row], floats.reasons[row]
         given: dict[str, Any] = {
@@ -718,7 +718,7 @@ def _in_arrays_of_solve(ask: Ask, floats: Rows) -> Iterator[str]:
 
 
 def _is_of_another(outcome: Any, name: str) -> bool:
-    """Return whether a quantity fails like one on which it depends: for all rows, it may fail for another reason."""
+    """Return whether an error is that of a quantity on which this one depends: arrays may raise another error."""
     return isinstance(outcome, Failure) and outcome.name != name
 
 

@@ -46,7 +46,7 @@ def without_posix(program: str, *words: str) -> None:
     assert (ran.returncode, ran.stderr) == (0, ""), ran.stderr
 
 
-def test_every_module_is_imported_without_posix() -> None:
+def test_every_module_can_be_imported_without_posix() -> None:
     without_posix(IMPORT)
 
 
@@ -54,7 +54,7 @@ def test_answers_need_no_posix() -> None:
     without_posix(ANSWER, *(f"{line} --quiet" if "guide" not in line else line for line in LINES))
 
 
-def test_the_page_for_contributors_names_the_tests_of_linux_alone() -> None:
+def test_the_page_for_contributors_lists_the_tests_that_need_linux() -> None:
     text = (ROOT / ".github" / "CONTRIBUTING.md").read_text(encoding="utf-8")
     assert dict(re.findall(r"^\| `tests/(\S+)` \| (.*) \|$", text, re.MULTILINE)) == ON_LINUX
     assert all((ROOT / "tests" / name).exists() for name in ON_LINUX)

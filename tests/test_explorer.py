@@ -59,7 +59,7 @@ def texts(window: Browser) -> dict[str, tuple[str, str, str]]:
         "?radius=1nm&xi=2nm",
     ],
 )
-def test_its_numbers_are_those_of_the_command_below(site: tuple[Browser, str], query: str) -> None:
+def test_the_numbers_of_the_explorer_are_those_of_the_command_below(site: tuple[Browser, str], query: str) -> None:
     window = opened(site, query)
     command, found = window.script("return document.querySelector('#shell').textContent"), texts(window)
     printed, code = script(command.removeprefix("jkroll "), columns=100)
@@ -88,7 +88,7 @@ def test_the_page_has_numbers_before_any_script_runs() -> None:
         assert best.split(" n")[0].split(" p")[0].split(" µ")[0].split(" M")[0] in line
 
 
-def test_the_keyboard_moves_a_slider_and_back_undoes_it(site: tuple[Browser, str]) -> None:
+def test_the_keyboard_moves_a_slider_and_the_back_button_undoes_this(site: tuple[Browser, str]) -> None:
     window = opened(site)
     before = texts(window)
     window.script("document.querySelector('#speed').focus()")
@@ -106,7 +106,7 @@ def test_the_keyboard_moves_a_slider_and_back_undoes_it(site: tuple[Browser, str
     assert texts(window) == before
 
 
-def test_a_mistake_is_said_in_words_beside_its_box(site: tuple[Browser, str]) -> None:
+def test_an_invalid_input_is_explained_and_its_box_is_marked(site: tuple[Browser, str]) -> None:
     window = opened(site, "?radius=3")
     window.wait("document.querySelector('#wrong').textContent")
     wrong = window.script("return document.querySelector('#wrong').textContent")
@@ -114,7 +114,7 @@ def test_a_mistake_is_said_in_words_beside_its_box(site: tuple[Browser, str]) ->
     assert window.script("return document.querySelector('[aria-invalid]').id") == "radius"
 
 
-def test_copies_are_of_the_command_the_call_and_the_link(site: tuple[Browser, str]) -> None:
+def test_buttons_copy_the_command_the_call_and_the_link(site: tuple[Browser, str]) -> None:
     window = opened(site, "?radius=1um")
     for what, text in {
         "shell": "jkroll report quartz 1um --speed=20cm/s",
@@ -126,7 +126,7 @@ def test_copies_are_of_the_command_the_call_and_the_link(site: tuple[Browser, st
         assert window.clipboard() == text
 
 
-def test_a_narrow_screen_shows_all_of_the_page(site: tuple[Browser, str]) -> None:
+def test_the_page_fits_a_narrow_screen(site: tuple[Browser, str]) -> None:
     window = opened(site, width=390, height=844)
     assert window.script("return document.documentElement.scrollWidth <= document.documentElement.clientWidth")
 

@@ -24,7 +24,7 @@ PAGES = {topic: page(topic) for topic in topics()}
     [(topic, block) for topic, text in PAGES.items() for block in transcripts(text)],
     ids=lambda text: text.splitlines()[0],
 )
-def test_transcript(topic: str, block: str) -> None:
+def test_a_transcript_has_the_output_of_its_commands(topic: str, block: str) -> None:
     assert rounded(block) == rounded(printed(block)), topic
 
 
@@ -33,12 +33,12 @@ def test_a_command_in_the_text_works(command: str) -> None:
     assert exit_code(command) == 0
 
 
-def test_python_examples() -> None:
+def test_python_examples_have_the_shown_output() -> None:
     shutil.copy(FORCE_CURVE, "curve.csv")
     assert failures("\n".join(PAGES.values())) == ""
 
 
-def test_every_command_is_shown() -> None:
+def test_the_page_commands_has_a_section_for_every_command() -> None:
     assert re.findall(r"^## (\S+)$", PAGES["commands"], re.MULTILINE) == [*COMMANDS]
 
 
@@ -58,7 +58,7 @@ def test_topics_are_listed_and_guessed(run: Run) -> None:
     assert "did you mean units?" in refused.err
 
 
-def test_the_terms_of_the_field_belong_to_sections() -> None:
+def test_terms_of_the_field_lead_to_existing_sections() -> None:
     assert {(section.page, section.heading) for section in sections()} >= FIELD_TERMS.keys()
 
 
@@ -75,7 +75,7 @@ ROUGH = "from the page measurements, Rough and humid: jkroll guide measurements\
         ("guide menisci", "The **meniscus** pulls"),
         ("guide water", "Roughness and water are often"),
         ("guide capillary", "capillary forces usually dominate"),
-        ("quantities capillary", "capillary forces usually dominate"),  # after the line that no quantity is meant
+        ("quantities capillary", "capillary forces usually dominate"),  # below the line that no quantity matches
     ],
 )
 def test_words_find_passages_of_their_section(run: Run, words: str, said: str) -> None:
@@ -118,7 +118,7 @@ QUESTIONS = ("humidity", "fixed grips", "error bars", "sticking", "ice", "which 
 
 
 @pytest.mark.parametrize("question", QUESTIONS)
-def test_an_answer_of_the_manual_is_short_and_stands_there(run: Run, question: str) -> None:
+def test_an_answer_of_the_manual_is_short_and_is_text_of_its_pages(run: Run, question: str) -> None:
     shown = run("guide", *question.split(), terminal=True).out.splitlines()
     assert max(map(len, shown)) <= 80
     assert len(shown) <= 24  # two passages, with the heads and blank lines of tables
@@ -130,7 +130,7 @@ def test_an_answer_of_the_manual_is_short_and_stands_there(run: Run, question: s
     assert all(any(line.removesuffix(":") in text for text in PAGES.values()) for line in passages)
 
 
-def test_pages_sections_and_what_else_has_the_words(run: Run) -> None:
+def test_words_lead_to_pages_sections_quantities_and_materials(run: Run) -> None:
     assert run("guide changes 0.3.0").out.startswith("## 0.3.0\n")
     assert run("guide dem Damping").out.startswith("## Other programs, and damping\n")
     assert run("guide doubts").out.startswith("## Limits\n")
@@ -142,7 +142,7 @@ def test_pages_sections_and_what_else_has_the_words(run: Run) -> None:
     assert "jkroll materials silica-humid" in run("quantities silica humid").out
 
 
-def test_a_word_that_nothing_has_is_refused_with_what_to_type(run: Run) -> None:
+def test_an_unknown_word_is_refused_with_a_remedy(run: Run) -> None:
     for command in ("guide", "quantities"):
         refused = run(f"{command} quartz xyzzy")
         assert refused.code == 2
@@ -151,7 +151,7 @@ def test_a_word_that_nothing_has_is_refused_with_what_to_type(run: Run) -> None:
     assert run("quantities capillary --json").code == run("quantities capillary --csv").code == 2
 
 
-def test_rows_of_quantities_are_ranked_and_at_most_a_dozen(run: Run) -> None:
+def test_matching_quantities_are_ranked_and_at_most_a_dozen_have_rows(run: Run) -> None:
     names = [row["name"] for row in csv.DictReader(io.StringIO(run("quantities force --csv").out))]
     lines = run("quantities force", terminal=True).out.splitlines()
     shown = [line.split()[0] for line in lines[2 : lines.index("")] if not line.startswith(" ")]
@@ -194,7 +194,7 @@ def test_a_list_of_quantities_has_every_name_in_every_format(run: Run) -> None:
 
 
 @pytest.mark.parametrize("word", ["gamma", "surface_energy", "surface-energy"])
-def test_the_word_of_an_option_is_the_name(run: Run, word: str) -> None:
+def test_a_quantity_may_be_named_by_its_option_or_with_hyphens(run: Run, word: str) -> None:
     axis = f"{word}=1mJ/m2:1J/m2:3"
     assert run("map", "pull-off", "100nm", "--x", axis, "--data", "-").out.startswith("curve,surface_energy ")
     assert run("pull-off", "quartz", "100nm", "--quantities", "contact-modulus").out.startswith("contact_modulus ")
@@ -202,7 +202,7 @@ def test_the_word_of_an_option_is_the_name(run: Run, word: str) -> None:
     assert refused.err.startswith("jkroll: --quantities: surface_energy is an input here; leave it out")
 
 
-def test_claims_of_the_text() -> None:
+def test_the_claims_of_the_page_paper_follow_from_the_formulas() -> None:
     """At the radii in `guide paper`, the formulas give the values of the claims, within their last digit."""
     text = PAGES["paper"]
 
@@ -236,8 +236,8 @@ def test_claims_of_the_text() -> None:
     assert round(ten / hundred) == 15
 
 
-def test_claims_about_contact_angles_and_rolling_in_other_codes() -> None:
-    """Solids with bases, by van Oss, Chaudhury & Good and by Owens & Wendt; and the moment of Lethe's DMT contact."""
+def test_claims_about_contact_angles_and_rolling_in_lethe_follow_from_the_formulas() -> None:
+    """Basic solids by van Oss, Chaudhury & Good and by Owens & Wendt, and the rolling moment of Lethe's DMT contact."""
 
     def both(dispersive: float, acid: float, base: float) -> tuple[float, float]:
         of_diiodomethane, of_water = (dispersive * 50.8) ** 0.5, (dispersive * 21.8) ** 0.5

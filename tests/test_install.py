@@ -1,4 +1,4 @@
-"""A release: it is built twice with identical bytes, and answers in an empty environment."""
+"""A release is built twice with identical bytes, and its wheel answers in an empty environment."""
 
 import json
 import os
@@ -77,7 +77,7 @@ def test_the_files_of_a_release_are_valid(tools: Path, built: Built) -> None:
     subprocess.run([str(tools / "twine"), "check", "--strict", *map(str, built)], check=True, capture_output=True)
 
 
-def test_a_release_builds_itself_again_alike_to_the_byte(tools: Path, built: Built, tmp_path: Path) -> None:
+def test_a_release_built_from_its_own_source_has_identical_bytes(tools: Path, built: Built, tmp_path: Path) -> None:
     with tarfile.open(built.source) as archive:
         archive.extractall(tmp_path, filter="data")
     (unpacked,) = tmp_path.iterdir()

@@ -33,13 +33,13 @@ def exported(run: Run, lammps: Any, pair: str, *options: str) -> Spheres:
 
 
 def load_of(ratio: float, pair: str) -> float:
-    """Return a load in pull-off forces of a pair."""
+    """Return a multiple of the pull-off force of a pair."""
     return ratio * float(jkroll.solve("pull_off_force", **both(*PAIRS[pair])))
 
 
 @pytest.mark.parametrize(("model", "wanted"), [("jkr", "pull_off_force"), ("dmt", "pull_off_force_dmt")])
-def test_a_wall_holds_and_rolls_as_a_plane(run: Run, lammps: Any, model: str, wanted: str) -> None:
-    """The sphere is pulled off a plane of iron; in DMT it lets go where the touch ends."""
+def test_a_wall_pulls_off_and_rolls_like_a_plane(run: Run, lammps: Any, model: str, wanted: str) -> None:
+    """The sphere is pulled off a plane of iron; in DMT the contact ends at zero overlap."""
     printed = run(*f"export lammps quartz 1um --radius2 plane --material2 iron --model {model}".split()).out
     scene = both(GRAIN, {**IRON, "radius": math.inf})
     force, approach = jkroll.solve((wanted, "approach"), **scene).values()
@@ -68,7 +68,7 @@ def test_a_wall_holds_and_rolls_as_a_plane(run: Run, lammps: Any, model: str, wa
 
 
 @pytest.mark.parametrize("pair", PAIRS)
-def test_dmt_force(run: Run, lammps: Any, pair: str) -> None:
+def test_lammps_has_the_dmt_force(run: Run, lammps: Any, pair: str) -> None:
     spheres = exported(run, lammps, pair, "--model", "dmt")
     names = ("pull_off_force_dmt", "contact_modulus", "reduced_radius", "approach")
     pull_off, modulus, radius, approach = jkroll.solve(names, **both(*PAIRS[pair])).values()
@@ -78,7 +78,7 @@ def test_dmt_force(run: Run, lammps: Any, pair: str) -> None:
 
 
 @pytest.mark.parametrize("pair", PAIRS)
-def test_vertical_frequency(run: Run, lammps: Any, pair: str) -> None:
+def test_lammps_has_the_vertical_frequency(run: Run, lammps: Any, pair: str) -> None:
     spheres = exported(run, lammps, pair)
     approach, expected = jkroll.solve(("approach", "vertical_frequency"), **both(*PAIRS[pair])).values()
     spheres.force(1.001 * approach)
@@ -91,7 +91,7 @@ def test_vertical_frequency(run: Run, lammps: Any, pair: str) -> None:
 
 
 @pytest.mark.parametrize("ratio", [0.0, 1.0, -0.5])
-def test_rolling_frequency(run: Run, lammps: Any, ratio: float) -> None:
+def test_lammps_has_the_rolling_frequency(run: Run, lammps: Any, ratio: float) -> None:
     """Identical spheres that turn against each other do not slide."""
     load = load_of(ratio, "quartz 1um")
     spheres = exported(run, lammps, "quartz 1um", f"--load={load}N")
@@ -110,7 +110,7 @@ def test_rolling_frequency(run: Run, lammps: Any, ratio: float) -> None:
 @pytest.mark.parametrize("model", ["jkr", "dmt"])
 @pytest.mark.parametrize("ratio", [0.0, 1.0, -0.5])
 @pytest.mark.parametrize("pair", PAIRS)
-def test_rolling_moment(run: Run, lammps: Any, pair: str, ratio: float, model: str) -> None:
+def test_lammps_has_the_rolling_moment(run: Run, lammps: Any, pair: str, ratio: float, model: str) -> None:
     """Sphere 1 turns by an angle over body 2: the moment is linear in ξ, up to that of the yield displacement.
 
     The spins move both surfaces alike, so that nothing slides.
@@ -141,8 +141,8 @@ def test_rolling_moment(run: Run, lammps: Any, pair: str, ratio: float, model: s
 
 @pytest.mark.parametrize("ratio", [0.0, 1.0, -0.5])
 @pytest.mark.parametrize("pair", PAIRS)
-def test_sliding_and_twisting(run: Run, lammps: Any, pair: str, ratio: float) -> None:
-    """Sphere 1 moves past body 2, or turns about the line of centres: linear up to the threshold, not beyond."""
+def test_lammps_has_the_resistances_to_sliding_and_twisting(run: Run, lammps: Any, pair: str, ratio: float) -> None:
+    """The force past body 2, or the moment about the line of centres, is linear up to a threshold, then constant."""
     scene, load = both(*PAIRS[pair]), load_of(ratio, pair)
     names = (
         "approach_at_load", "tangential_stiffness", "sliding_displacement", "sliding_force", "twisting_stiffness",
@@ -170,7 +170,7 @@ def test_sliding_and_twisting(run: Run, lammps: Any, pair: str, ratio: float) ->
 
 
 def test_the_fastest_mode_is_resolved_by_the_time_step(run: Run, lammps: Any) -> None:
-    """Two spheres slide against each other, and turn alike: R is δ0/2 shorter in LAMMPS."""
+    """Two spheres slide against each other and turn in the same sense. In LAMMPS, their lever arm is δ0/2 shorter."""
     pair = "quartz 1um"
     printed = run(*f"export lammps {pair}".split()).out
     step = float(next(line for line in printed.splitlines() if line.startswith("timestep")).split()[1])
@@ -225,11 +225,11 @@ def test_collisions_create_no_energy(run: Run, lammps: Any, model: str) -> None:
     code.close()
 
 
-# --- What is printed, as it is ----------------------------------------------------------------------------------------
+# --- The printed lines, unchanged -------------------------------------------------------------------------------------
 
 
 class Grains:
-    """A sphere that touches z = 0 from above, and perhaps one from below. They receive a printed input unchanged."""
+    """A sphere that touches z = 0 from above, and perhaps a second one from below, with a printed input."""
 
     def __init__(self, lammps: Any, printed: str, radii: list[float], overlap: float, density: float = 2600.0) -> None:
         size = 5 * max(radii)
@@ -276,11 +276,13 @@ class Grains:
         ("quartz 1mm", [1e-3, 1e-3]),
         ("quartz 100nm --radius2 1um", [1e-7, 1e-6]),
         ("quartz 100nm --radius2 plane", [1e-7]),
-        ("quartz 100nm --young 1MPa", [1e-7, 1e-7]),  # a0 is 1.5 R1, and δ0 is larger than a radius, too
+        ("quartz 100nm --young 1MPa", [1e-7, 1e-7]),  # a0 and δ0 are both 1.5 R1
     ],
 )
-def test_printed_lines_run_unchanged(run: Run, lammps: Any, words: str, radii: list[float]) -> None:
-    """Grains in a box hold with the pull-off force."""
+def test_printed_lines_run_unchanged_with_the_right_pull_off_force(
+    run: Run, lammps: Any, words: str, radii: list[float]
+) -> None:
+    """The largest tension on a grain that is pulled away is the pull-off force."""
     printed = run(*f"export lammps {words}".split()).out
     values = run(*f"report {words} --quantities pull_off_force,approach --bare".split()).out
     pull_off, approach = map(float, values.split())
@@ -290,8 +292,13 @@ def test_printed_lines_run_unchanged(run: Run, lammps: Any, words: str, radii: l
 
 
 @pytest.mark.parametrize(("speed", "restitution"), [(0.69, 0.0), (0.8, None), (2.0, None)])
-def test_collision_loses_what_the_manual_says(run: Run, lammps: Any, speed: float, restitution: float | None) -> None:
-    """LAMMPS lets go at the largest tension, where a collision has lost less than at the fold. In v_stick."""
+def test_a_collision_loses_the_energy_that_the_manual_states(
+    run: Run, lammps: Any, speed: float, restitution: float | None
+) -> None:
+    """LAMMPS lets go at the largest tension, where a collision has lost less than at the fold.
+
+    The speeds are multiples of v_stick.
+    """
     printed = run(*"export lammps quartz 1um".split()).out
     names = ("sticking_speed", "sticking_energy", "adhesion_energy", "sliding_frequency")
     sticking, energy, unit, fastest = jkroll.solve(names, **GRAIN).values()

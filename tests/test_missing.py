@@ -1,4 +1,4 @@
-"""tests/tools/missing.py names nothing that is there, and everything that is removed."""
+"""tests/tools/missing.py names nothing that exists, and every part that a test removes."""
 
 import copy
 from collections.abc import Iterator, Mapping
@@ -28,21 +28,21 @@ def without(mapping: Mapping[str, Any], *names: str) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("name", EVERY[::20])
-def test_nothing_is_missing_of_some_names(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_nothing_is_missing_for_a_sample_of_names(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tool, "PAGES", [])
     assert missing(name) == []
 
 
 @pytest.mark.slow
-def test_nothing_is_missing_of_any_name() -> None:
+def test_nothing_is_missing_for_any_name() -> None:
     assert {name: lacks for name in EVERY if (lacks := missing(name))} == {}
 
 
-def test_a_new_name_has_no_row_and_no_formula() -> None:
+def test_a_new_name_lacks_a_row_and_a_formula() -> None:
     assert [lack.file for lack in missing("contact_circumference")] == [NOMENCLATURE_FILE, "src/jkroll/physics"]
 
 
-def test_an_equation_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_missing_reference_equation_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     equations = without(reference.EQUATIONS, "contact_area", "well_energy_lennard_jones")
     monkeypatch.setattr(reference, "EQUATIONS", equations)
     assert missing("contact_area") == [Lack(REFERENCE, 'EQUATIONS: "contact_area": lambda a: …,')]
@@ -50,14 +50,14 @@ def test_an_equation_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
     assert missing("well_energy_lennard_jones") == [Lack("tests/law_reference.py", line)]
 
 
-def test_a_row_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_missing_row_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tool, "NOMENCLATURE", without(NOMENCLATURE, "contact_area"))
     assert missing("contact_area") == [
         Lack(NOMENCLATURE_FILE, '"contact_area": Quantity("SYMBOL", "m^2", "SENTENCE"),')
     ]
 
 
-def test_the_row_of_a_parameter_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_missing_row_of_a_parameter_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tool, "NOMENCLATURE", without(NOMENCLATURE, "yield_displacement"))
     line = '"yield_displacement": Quantity("SYMBOL", "m", "SENTENCE", option=…),'
     assert missing("r_min") == [Lack(NOMENCLATURE_FILE, line)]
@@ -76,72 +76,72 @@ def test_the_row_of_a_parameter_is_missing(monkeypatch: pytest.MonkeyPatch) -> N
         ),
     ],
 )
-def test_a_row_is_not_right(name: str, change: dict[str, str], line: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_faulty_row_is_named(name: str, change: dict[str, str], line: str, monkeypatch: pytest.MonkeyPatch) -> None:
     row = copy.copy(NOMENCLATURE[name])
     vars(row).update(change)
     monkeypatch.setattr(tool, "NOMENCLATURE", {**NOMENCLATURE, name: row})
     assert missing(name) == [Lack(NOMENCLATURE_FILE, line)]
 
 
-def test_a_formula_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_missing_formula_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tool, "FORMULAS", without(FORMULAS, "contact_area"))
     monkeypatch.setattr(tool, "formula_of", lambda _: None)
     monkeypatch.setattr(tool, "routes_anywhere", dict)
     assert [lack.file for lack in missing("contact_area")] == ["src/jkroll/physics"]
 
 
-def test_an_equation_in_the_docstring_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_missing_equation_in_a_docstring_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tool, "docstring_fields", lambda _: {"summary": "Return it.", "formula": ""})
     assert [lack.file for lack in missing("contact_area")] == ["src/jkroll/physics/contact.py"]
 
 
-def test_a_draw_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_missing_input_of_random_scenes_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tool, "any_scene", lambda random: without(any_scene(random), "filling_factor"))
     line = 'any_scene: scene["filling_factor"] = log_uniform(random, LOW, HIGH)'
     assert missing("tensile_strength") == [Lack("tests/scenes.py", line)]
 
 
-def test_a_default_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_missing_default_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(reference, "DEFAULTS", without(reference.DEFAULTS, "gravity"))
     assert missing("gravity") == [Lack(REFERENCE, 'DEFAULTS: "gravity": 9.80665,')]
 
 
-def test_an_accuracy_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_missing_accuracy_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tool, "accuracy_of", lambda _: "0.001 ulp")
     assert [lack.file for lack in missing("contact_area")] == ["src/jkroll/physics/accuracy.py"]
 
 
-def test_a_line_of_the_stub_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_missing_line_of_the_stub_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     path = tool.TESTS.parent / "src/jkroll/formulas.pyi"
     monkeypatch.setattr(tool, "stubs", lambda: {path: "from .physics.other import contact_area as contact_area"})
     assert missing("contact_area") == [Lack("src/jkroll/formulas.pyi", "run python tests/tools/make_stub.py")]
 
 
-def test_a_page_is_old(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_outdated_page_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tool, "transcript", lambda command: f"$ {command}\nanother row\n")
     page = "src/jkroll/guide/energies.md"
     assert Lack(page, f"run python tests/transcripts.py {page}") in missing("well_energy")
 
 
-def test_a_help_is_too_long(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_help_that_is_too_long_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tool, "HELP_LINES", 10)
     assert [lack.file for lack in missing("gravity")] == ["src/jkroll/cli/commands.py"]
 
 
-def test_a_found_table_is_read_otherwise(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_found_table_that_a_new_input_reads_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     record = {"table": "material,Yield Strength (MPa)\n", "reads": {"material": ["iron"]}}
     monkeypatch.setattr(tool, "found_tables", lambda: [("someone/tables", record)])
     line = "yield_strength in `reads` of [[someone/tables]]"
     assert missing("yield_strength") == [Lack("tests/tables/found_tables.toml", line)]
 
 
-def test_an_option_is_a_word_for_another_quantity(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_synonym_that_has_become_an_option_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tool, "SYNONYMS", {"pull_off_force": ["adhesion", "gravity"]})
     line = "pull_off_force without gravity, which is an option now"
     assert missing("gravity") == [Lack("src/jkroll/quantities/synonyms.py", line)]
 
 
-def test_words_on_a_format_are_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_missing_mentions_of_a_format_are_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tool, "FORMATS", {"ods": "ods"})
     files = ["src/jkroll/cli/options.py", "tests/corpus/command_lines.txt", "src/jkroll/guide/tables.md"]
     assert [lack.file for lack in missing("ods")] == files

@@ -135,7 +135,7 @@ EMPTY_CELLS = [record for _, record in RECORDS if record.printed == EMPTY_CELL]
 
 
 def disagreement(record: Record) -> list[pytest.MarkDecorator]:
-    """Return the mark of a number that the program must not reproduce. An error does not count."""
+    """Return the mark of a wrong number, which the program must not reproduce. Only a failed comparison counts."""
     return [pytest.mark.xfail(strict=True, raises=AssertionError, reason=record.disagrees)] if record.disagrees else []
 
 
@@ -147,19 +147,19 @@ def disagreement(record: Record) -> list[pytest.MarkDecorator]:
         if record not in EMPTY_CELLS
     ],
 )
-def test_printed_number(record: Record) -> None:
+def test_a_printed_number_is_reproduced(record: Record) -> None:
     low, high = record.admitted()
     assert low <= record.computed() <= high
 
 
 @pytest.mark.parametrize("record", [pytest.param(record, id=record.where) for record in EMPTY_CELLS])
-def test_empty_cell(record: Record) -> None:
+def test_an_empty_cell_lacks_an_input(record: Record) -> None:
     with pytest.raises(MissingInput):
         record.computed()
 
 
 @pytest.mark.parametrize("material", REFERENCES)
-def test_references(material: str) -> None:
+def test_references_are_those_of_the_paper(material: str) -> None:
     for reference, line in zip(known_materials()[material].references, REFERENCES[material], strict=True):
         if reference["type"] == "article":
             assert line.startswith(reference["author"].partition(",")[0])
@@ -168,13 +168,13 @@ def test_references(material: str) -> None:
             assert line == reference["title"]
 
 
-# --- The test itself -------------------------------------------------------------------------------------------------
+# --- The records themselves ------------------------------------------------------------------------------------------
 
 
-def test_every_input_is_one_that_something_takes() -> None:
+def test_every_given_name_is_an_input() -> None:
     assert {name for _, record in RECORDS for name in record.given} <= INPUTS
 
 
-def test_every_place_is_named_once() -> None:
+def test_every_record_has_its_own_place() -> None:
     places = [(section, record.where) for section, record in RECORDS]
     assert len(places) == len(set(places))

@@ -1,6 +1,6 @@
 """The prompt of the manual's site, in headless Chromium and without a network: its answers are those of the program.
 
-From the sdist, which has no `.docs`, these tests are left out. Where CI is set, a missing browser is a failure.
+In the sdist, which has no `.docs`, these tests are skipped. Where CI is set, a missing browser is a failure.
 """
 
 import os
@@ -80,7 +80,7 @@ def answer(window: Browser, line: str) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("line", LINES)
-def test_an_answer_is_that_of_the_script(page: tuple[Browser, str], line: str) -> None:
+def test_an_answer_is_that_of_the_program_on_a_terminal(page: tuple[Browser, str], line: str) -> None:
     window = page[0] if page[0].script("return Boolean(document.body?.dataset.ready)") else opened(page)
     found, (printed, code) = answer(window, line), script(line)
     assert without_colours(found["text"]) == without_colours(printed)
@@ -89,7 +89,7 @@ def test_an_answer_is_that_of_the_script(page: tuple[Browser, str], line: str) -
 
 
 @pytest.mark.parametrize("line", ["pull-off quartz 1nm:1um:5000 --csv", "map r-min --x radius=1nm:1um"])
-def test_what_needs_numpy_is_that_of_the_script(page: tuple[Browser, str], line: str) -> None:
+def test_an_answer_that_needs_numpy_is_that_of_the_program(page: tuple[Browser, str], line: str) -> None:
     """The address has a new port, so nothing of numpy is in the browser's cache."""
     found, (printed, code) = answer(opened(page), line), script(line)
     assert rounded(found["shown"]) == rounded(without_colours(printed))
@@ -113,7 +113,9 @@ def test_numbers_of_a_large_sweep_are_spelled_as_by_orjson() -> None:
         ("pull-off quartz 1parsec", "this line needs pint"),
     ],
 )
-def test_what_is_not_here_says_where_to_read_how_to_install(page: tuple[Browser, str], line: str, reason: str) -> None:
+def test_a_line_that_needs_a_missing_library_points_to_the_manual(
+    page: tuple[Browser, str], line: str, reason: str
+) -> None:
     found = answer(opened(page), line)
     said = "which this page lacks;\nthe manual, linked below, says how to install jkroll"
     assert (found["code"], found["shown"]) == (1, f"jkroll: {reason}, {said}\n")
@@ -154,7 +156,7 @@ def test_a_dropped_table_is_read_and_the_results_can_be_saved(
     assert (saved / "forces.csv").read_bytes() == Path("forces.csv").read_bytes()
 
 
-def test_a_table_stays_where_a_line_is_stopped(page: tuple[Browser, str]) -> None:
+def test_a_dropped_table_remains_after_a_line_is_stopped(page: tuple[Browser, str]) -> None:
     window = opened(page)
     drop_table(window)
     window.script("document.getElementById('line').value = 'pull-off quartz 1nm:1um:9000000 --csv'")
@@ -251,7 +253,7 @@ def test_no_text_of_the_prompt_says_that_jkroll_is_on_a_package_index() -> None:
     assert not [text for text in texts if "pip install" in text]
 
 
-def test_history_and_completion_by_the_keyboard(page: tuple[Browser, str]) -> None:
+def test_the_keyboard_completes_words_and_recalls_lines(page: tuple[Browser, str]) -> None:
     window = opened(page)
     window.script("const line = document.getElementById('line'); line.value = ''; line.focus()")
     window.type("r-m")
@@ -276,7 +278,7 @@ def test_history_and_completion_by_the_keyboard(page: tuple[Browser, str]) -> No
     assert window.script("return document.getElementById('line').value") == "r-min 100nm"
 
 
-def test_a_link_carries_the_line_which_waits_for_a_press(page: tuple[Browser, str]) -> None:
+def test_a_link_carries_a_line_that_waits_for_a_click(page: tuple[Browser, str]) -> None:
     window = opened(page, "?c=r-min%20200nm")
     assert window.script("return document.getElementById('line').value") == "r-min 200nm"
     assert window.script("return document.getElementById('answer').textContent") == ""
@@ -286,7 +288,7 @@ def test_a_link_carries_the_line_which_waits_for_a_press(page: tuple[Browser, st
     assert window.script("return location.search") == "?c=r-min%20300nm"
 
 
-def test_a_narrow_screen_shows_all_of_the_page(page: tuple[Browser, str]) -> None:
+def test_the_page_fits_a_narrow_screen(page: tuple[Browser, str]) -> None:
     """The answer scrolls within the page; the page does not scroll."""
     window = opened(page, "?c=contact%20quartz%20100nm", width=390, height=800)
     answer(window, "contact quartz 100nm")
@@ -295,6 +297,6 @@ def test_a_narrow_screen_shows_all_of_the_page(page: tuple[Browser, str]) -> Non
 
 
 def test_the_page_is_small() -> None:
-    """It has at most 450 lines of HTML, CSS and JavaScript, and no framework."""
+    """The page has at most 450 lines of HTML, CSS and JavaScript, and no framework."""
     files = [path for path in (DOCS / "prompt").iterdir() if path.suffix in (".html", ".css", ".js")]
     assert sum(len(path.read_text(encoding="utf-8").splitlines()) for path in files) <= 450

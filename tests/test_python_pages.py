@@ -25,7 +25,7 @@ def maker() -> Any:
 
 
 def page() -> str:
-    """Return the page."""
+    """Return the page `guide python`."""
     return (Path(jkroll.__file__).parent / "guide" / "python.md").read_text(encoding="utf-8")
 
 
@@ -38,7 +38,7 @@ def test_a_cell_ends_where_the_page_shows_a_value() -> None:
     assert cells[3:] == [("End.", None)]
 
 
-def test_the_notebook_has_all_of_the_page() -> None:
+def test_the_notebook_has_all_headings_of_the_page_and_cells_of_code() -> None:
     cells = maker().notebook(page())["cells"]
     texts = "\n".join(cell["source"] for cell in cells if cell["cell_type"] == "markdown")
     headings = [line for line in page().splitlines() if line.startswith("#")]
@@ -49,7 +49,7 @@ def test_the_notebook_has_all_of_the_page() -> None:
 
 @pytest.mark.slow
 @pytest.mark.filterwarnings("ignore")  # from Jupyter
-def test_jupyter_shows_what_the_page_shows(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_jupyter_shows_the_outputs_of_the_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     nbclient, nbformat = pytest.importorskip("nbclient"), pytest.importorskip("nbformat")
     pytest.importorskip("ipykernel")
     monkeypatch.setenv("PYTHONPATH", str(Path(jkroll.__file__).parents[1]))

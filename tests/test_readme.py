@@ -12,7 +12,7 @@ MOST = 7_000  # bytes
 
 
 @pytest.mark.parametrize("block", transcripts(README), ids=lambda block: commands(block)[0])
-def test_transcript(block: str) -> None:
+def test_a_transcript_has_the_output_of_its_commands(block: str) -> None:
     assert rounded(block) == rounded(printed(block))
 
 
@@ -21,15 +21,15 @@ def test_a_command_in_the_text_works(command: str) -> None:
     assert exit_code(command) == 0
 
 
-def test_python_examples() -> None:
+def test_python_examples_have_the_shown_output() -> None:
     assert failures(README) == ""
 
 
-def test_two_commands_are_all_the_set_up_there_is() -> None:
+def test_the_readme_has_two_shell_blocks_of_one_line() -> None:
     shell = re.findall(r"```sh\n(.*?)```", README, re.DOTALL)
     assert len(shell) == 2
     assert all(len(block.splitlines()) == 1 for block in shell)
 
 
-def test_it_is_a_page() -> None:
+def test_the_readme_has_at_most_7000_bytes() -> None:
     assert len(README.encode()) <= MOST

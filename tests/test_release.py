@@ -27,7 +27,7 @@ def test_a_tag_has_the_name_of_the_version() -> None:
     assert {*ran.stdout.split()} <= {f"v{__version__}"}
 
 
-def test_authors_title_year_and_licence_are_the_same_wherever_they_stand() -> None:
+def test_authors_title_year_and_licence_are_the_same_in_all_files() -> None:
     text = (ROOT / "LICENSE").read_text(encoding="utf-8")
     assert re.findall(r"^Copyright \(c\) (\d+) (.*)$", text, re.MULTILINE) == [
         (PROGRAM["year"], PROGRAM["author"].strip("{}"))
@@ -38,7 +38,7 @@ def test_authors_title_year_and_licence_are_the_same_wherever_they_stand() -> No
     assert PROJECT["keywords"] == ZENODO["keywords"]
 
 
-def test_the_classifiers_name_the_pythons_on_which_it_was_tried() -> None:
+def test_the_classifiers_name_the_pythons_of_the_page_promises() -> None:
     listed = re.findall(r"Python :: (3\.\d+)", " ".join(PROJECT["classifiers"]))
     tried = re.findall(r"^\| CPython ([^|]*?) *\|", page("promises"), re.MULTILINE)
     assert listed == sorted({*re.findall(r"3\.\d+", " ".join(tried))})

@@ -1,7 +1,7 @@
 """The built site in headless Chromium, without a network: pictures, links, the copy button, and every run button.
 
-Build the site first (see CONTRIBUTING): a site that is older than its sources is refused. From the sdist, which has no
-`.docs`, these tests are left out. Where CI is set, a missing browser or site is a failure.
+Build the site first (see CONTRIBUTING): a site that is older than its sources is refused. In the sdist, which has no
+`.docs`, these tests are skipped. Where CI is set, a missing browser or site is a failure.
 """
 
 import re
@@ -75,7 +75,7 @@ def runnable(topic: str) -> list[tuple[str, str]]:
     ]
 
 
-def test_every_picture_is_shown_and_every_link_leads_to_a_place(site: tuple[Browser, str]) -> None:
+def test_every_picture_is_shown_and_every_link_has_a_target(site: tuple[Browser, str]) -> None:
     window, address = site
     pictures, broken, places, links = 0, [], {}, {}
     for path in sorted(SITE.rglob("*.html")):
@@ -218,7 +218,7 @@ def test_the_search_leads_first_to_a_definition(site: tuple[Browser, str], words
     assert window.script("return location.href.split('?')[0] + location.hash") == address + place
 
 
-def test_every_page_has_a_policy_and_says_what_it_is() -> None:
+def test_every_page_has_a_content_policy_and_a_description() -> None:
     for path in SITE.rglob("*.html"):
         html = path.read_text(encoding="utf-8")
         assert '<meta http-equiv="Content-Security-Policy" content="default-src \'self\';' in html, path
@@ -302,7 +302,7 @@ def test_the_equations_have_the_numbers_of_the_paper(site: tuple[Browser, str]) 
     assert fraction > 1.5 * letter > 0
 
 
-def test_the_site_says_how_to_install_what_it_carries() -> None:
+def test_the_page_get_offers_the_wheel_of_this_version() -> None:
     wheel = f"jkroll-{__version__}-py3-none-any.whl"
     html = (SITE / "get" / "index.html").read_text(encoding="utf-8")
     assert f'href="../prompt/python/{wheel}"' in html
@@ -310,7 +310,8 @@ def test_the_site_says_how_to_install_what_it_carries() -> None:
         assert f"Version: {__version__}" in content.read(f"jkroll-{__version__}.dist-info/METADATA").decode()
     for words in ("jkroll: adhesive contact of two elastic spheres", "MIT License", "source code"):
         assert words in html
-    for path in SITE.rglob("*.html"):  # no index has it, but an installed version takes its extras
+    # No package index has jkroll, but an installed version can take its extras.
+    for path in SITE.rglob("*.html"):
         assert not re.search(r"pip install '?jkroll(?![-[])", path.read_text(encoding="utf-8")), path
 
 

@@ -13,7 +13,7 @@ def test_a_stated_width_of_the_terminal_is_bounded(monkeypatch: pytest.MonkeyPat
 
 
 @pytest.mark.parametrize("stated", ["", "0", "-5", "1e3", "x", "9" * 5000])
-def test_a_width_that_is_no_number_is_ignored(monkeypatch: pytest.MonkeyPatch, stated: str) -> None:
+def test_an_invalid_width_is_ignored(monkeypatch: pytest.MonkeyPatch, stated: str) -> None:
     monkeypatch.delenv("COLUMNS")
     own = terminal_width()
     monkeypatch.setenv("COLUMNS", stated)
@@ -29,7 +29,7 @@ def test_a_width_that_is_no_number_is_ignored(monkeypatch: pytest.MonkeyPatch, s
         ("koi8-r", "P_c = 3 pi gamma R, 50 um"),
     ],
 )
-def test_a_stream_gets_in_ascii_what_it_cannot_encode(encoding: str, written: str) -> None:
+def test_characters_that_a_stream_cannot_encode_are_written_in_ascii(encoding: str, written: str) -> None:
     out = Stream(encoding=encoding)
     out.reconfigure(errors="jkroll-ascii")
     say("P_c = 3πγR, 50 µm", out)

@@ -1,8 +1,8 @@
 """The numbers of jkroll compared with programs of other authors: LAMMPS, tamaas and Adhesion.
 
 LAMMPS moves two spheres by Newton's laws, time step after time step; tamaas finds the pressure that deforms an elastic
-surface in a prescribed way; Adhesion has its own formulas of JKR. A program that is not installed is a skip, in CI an
-error.
+surface in a prescribed way; Adhesion has its own formulas of JKR. Tests of a program that is not installed are
+skipped, and fail in CI.
 """
 
 import math
@@ -35,7 +35,7 @@ pytestmark = pytest.mark.slow
 FORCE_CURVE = 4e-12  # relative to P_c, or to the load if it is larger
 CONTACT_RADIUS = 7e-13
 STIFFNESS = 4e-8
-NO_SLIP = 1e-5  # in LAMMPS, the contact lies δ/2 below the surface: about δ0/R; and there is some slip, 1e-6
+NO_SLIP = 1e-5  # about δ0/R, as the contact of LAMMPS lies δ/2 below the surface, and 1e-6 of slip
 ROLLING_TO_REST = 2e-4
 MOMENT_OF_CIRCLE = 4e-4
 MOMENT_OF_STRIP = 1e-3
@@ -81,7 +81,7 @@ def test_lammps_force_curve(spheres: Spheres, scene: Mapping[str, Any], ratio: f
 
 @pytest.mark.parametrize("ratio", [1.0, 0.0, -0.5, -0.9])
 def test_lammps_contact_radius(lammps: Any, pair: tuple[Body, Body], scene: Mapping[str, Any], ratio: float) -> None:
-    """A viscoelastic contact is damped by (1/s)amv/m; here the speed makes this far larger than P_c."""
+    """The force of viscoelastic damping is amv times 1/(m s); at this speed, the force is far larger than P_c."""
     spheres = Spheres(lammps, *pair, damping=(1.0, "viscoelastic"))
     load = ratio * jkroll.solve("pull_off_force", **scene)
     names = ("approach_at_load", "contact_radius_at_load", "reduced_mass")
@@ -93,7 +93,7 @@ def test_lammps_contact_radius(lammps: Any, pair: tuple[Body, Body], scene: Mapp
 
 @pytest.mark.parametrize("ratio", [1.0, 0.0, -0.5])
 def test_lammps_stiffness(spheres: Spheres, scene: Mapping[str, Any], ratio: float) -> None:
-    """From four forces around the load; the error is of fourth order."""
+    """The stiffness is found from four forces around the load, with an error of fourth order."""
     load = ratio * jkroll.solve("pull_off_force", **scene)
     approach, stiffness, step = jkroll.solve(("approach_at_load", "stiffness", "approach"), load=load, **scene).values()
     step *= 1e-3
@@ -117,7 +117,7 @@ OTHERS: Mapping[str, Body] = {
 @pytest.mark.parametrize("held", [False, True], ids=["free", "held"])
 @pytest.mark.parametrize("other", OTHERS)
 def test_lammps_rolling_frequency_without_slip(lammps: Any, other: str, held: bool) -> None:
-    """Where the centres move, too, Eq (40) does not hold."""
+    """Eq (40) does not hold if the centres move."""
     measured, eq_40, _, no_slip = rolling_frequencies(lammps, LARGE, OTHERS[other], held=held)
     assert math.isclose(measured, no_slip, rel_tol=NO_SLIP)
     assert not math.isclose(measured, eq_40, rel_tol=0.1)
@@ -125,7 +125,7 @@ def test_lammps_rolling_frequency_without_slip(lammps: Any, other: str, held: bo
 
 @pytest.mark.parametrize("slips", [False, True], ids=["no slip", "free to slide"])
 def test_lammps_rolling_to_rest(lammps: Any, slips: bool) -> None:
-    """Without slip the energy balance holds; Eq (48) is for a sphere that spins as it slides on, with 2/7 of W0.
+    """Eq (48) is for a sphere that is free to slide and spins with 2/7 of W0; without slip, the energy balance holds.
 
     The friction is the mean rolling moment: μ·2P_c·R = ⟨M⟩. The springs are stiff, so that the contact yields at once,
     and 20 time steps per vertical vibration resolve them. Sphere 2 is held.
@@ -160,7 +160,7 @@ def test_lammps_rolling_to_rest(lammps: Any, slips: bool) -> None:
 
 
 def disc(a: float, cells: int) -> tuple[Any, Any, Any, float]:
-    """Return the positions of cells, the cells that form a circle of the area of one of radius a, and their size."""
+    """Return the positions of cells, whether each is in a circle of the area πa², and the size of a cell."""
     centres = np.arange(cells) + 0.5 - cells / 2
     x, y = np.meshgrid(centres, centres, indexing="ij")
     inside = x**2 + y**2 <= (cells / 2.2) ** 2
@@ -231,9 +231,9 @@ def test_tamaas_moment_of_a_shifted_strip(tamaas: Any, load_constant: float) -> 
 
 
 def test_tamaas_pull_off(tamaas: Any) -> None:
-    """Largest tension on a sphere that attracts over a distance of 0.8 and 0.4 δ0, extrapolated to none; not DMT's 4/3.
+    """P_c of JKR is the largest tension at ranges of attraction of 0.8 and 0.4 δ0, extrapolated to a range of 0.
 
-    In units of a0 and E*, at R = 10, where w = 2/(9πR²).
+    By DMT, P_c is 4/3 as large. Units are a0 and E*, so that w = 2/(9πR²), and R is 10.
     """
     radius, size, cells = 10.0, 5.0, 96
     work = 2 / (9 * math.pi * radius**2)
@@ -271,7 +271,7 @@ def test_adhesion_without_load(jkr: Any, scene: Mapping[str, Any]) -> None:
 
 @pytest.mark.parametrize("ratio", [100.0, 1.0, 0.0, -0.5, -8 / 9, -0.99, -1.0])
 def test_adhesion_under_load(jkr: Any, scene: Mapping[str, Any], ratio: float) -> None:
-    """Eqs (5) and (6) at the contact radius; they are differences, and may have the errors of P_c and δ0."""
+    """Eqs (5) and (6) at the contact radius; as differences, these may have the rounding errors of P_c and δ0."""
     pull_off, unloaded = jkroll.solve(("pull_off_force", "approach"), **scene).values()
     names = ("contact_radius_at_load", "approach_at_load")
     radius, approach = jkroll.solve(names, load=ratio * pull_off, **scene).values()

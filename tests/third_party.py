@@ -138,8 +138,9 @@ def rolling_frequencies(lammps: Any, sphere: Body, sphere2: Body, *, held: bool 
 
     A held body 2 has a nearly infinite density.
 
-    The rolling spring, M/R per displacement ξ of the contact, is 4P_c/R. The tangential one prevents slip; it makes
-    the contact vibrate sideways, with 2/7 of the masses, 1000 times as fast. Sphere 1 starts to roll by 1e-5.
+    The rolling spring, M/R per displacement ξ of the contact, is 4P_c/R. The tangential spring prevents slip: it makes
+    the contact vibrate sideways, with 2/7 of the reduced mass, 1000 times as fast. Sphere 1 starts to roll with 1e-5 of
+    the angular frequency.
     """
     scene = both(sphere, {**sphere2, "density": 1e30} if held else sphere2)
     names = ("pull_off_force", "reduced_radius", "approach", "reduced_mass", "rolling_mass")
@@ -175,7 +176,7 @@ def import_tamaas() -> Any:
 
 
 def surface(tamaas: Any, modulus: float, size: float, shape: tuple[int, ...]) -> Callable[[Array], Array]:
-    """Return the displacement by a pressure on a half-space (a square of cells) or a half-plane (a repeated row)."""
+    """Return a function from pressure to displacement: of a half-space (a square of cells) or a half-plane (a row)."""
     square = len(shape) == 2
     kind = tamaas.model_type.basic_2d if square else tamaas.model_type.basic_1d
     model = tamaas.ModelFactory.createModel(kind, [size] * len(shape), list(shape))
@@ -210,7 +211,7 @@ def pressure(displacement: Callable[[Array], Array], inside: Array, wanted: Arra
 
 
 def pressure_at_load(displacement: Callable[[Array], Array], inside: Array, wanted: Array, total: float) -> Array:
-    """Return the same pressure for a given total instead of a given approach, by adding part of a flat punch."""
+    """Return this pressure for a given total instead of a given approach, by adding a multiple of a flat punch's."""
     shaped, punch = (pressure(displacement, inside, field) for field in (wanted, np.ones(inside.shape)))
     return shaped + (total - shaped.sum()) / punch.sum() * punch
 
@@ -219,7 +220,7 @@ def pressure_at_load(displacement: Callable[[Array], Array], inside: Array, want
 
 
 def import_jkr() -> Any:
-    """Return the one module that we need, from its file: the whole package imports 40 modules, this one only two."""
+    """Return the one module that we need, from its file: the whole package imports 40 modules, this module only two."""
     for name in ("Adhesion", "scipy"):
         if find_spec(name) is None:
             third_party(name, "Adhesion==0.93 and scipy")

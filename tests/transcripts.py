@@ -29,7 +29,7 @@ CONSOLE = re.compile(r"```console\n(.*?)```", re.DOTALL)
 _COPIED = re.compile(r"```sh-session\n(.*?)```", re.DOTALL)
 _BLOCK = re.compile(r"```.*?```", re.DOTALL)
 _IN_TEXT = re.compile(r"`(jkroll [^`]+)`")
-_ALL_DIGITS = re.compile(r"(?=[\d.]{15,})\d+\.\d+")  # of a number written for programs
+_ALL_DIGITS = re.compile(r"(?=[\d.]{15,})\d+\.\d+")  # of a number in full precision
 _NOT_RUN = ("jkroll bench", "jkroll --install-completion", "jkroll COMMAND", "jkroll --show-completion")
 TABLE = "grain,material,radius [nm]\na,quartz,100\nb,iron,1000\n"  # for commands that read grains.csv
 TERMINAL = {"COLUMNS": "80", "LINES": "24", "TERM": "dumb", "XDG_CONFIG_HOME": "/nonexistent"}  # for renewing a page
@@ -43,7 +43,7 @@ def commands(block: str) -> list[str]:
 
 
 def with_file(block: str) -> str:
-    """Return the command of a block, after writing the file whose text begins the block."""
+    """Return a block; first write the file whose text begins the block, if there is one."""
     if match := re.match(r"\$ cat (\S+)\n((?:(?!\$ ).*\n)*)", block):
         Path(match[1]).write_text(match[2], encoding="utf-8")
     return block
@@ -65,7 +65,7 @@ def transcript(command: str) -> str:
 
 
 def rounded(text: str) -> str:
-    """Return a text in which numbers with all digits have 13: the last ones depend on the machine's numpy."""
+    """Return a text with numbers of full precision rounded to 13 digits: the others depend on the machine's numpy."""
     return _ALL_DIGITS.sub(lambda number: f"{float(number[0]):.13g}", text)
 
 

@@ -17,7 +17,7 @@ from relative import approx
 SOLIDS, RADII = ["quartz", "iron"], ["100 nm", "1 um"]
 
 
-def test_lists_are_combined_as_the_command_does() -> None:
+def test_lists_are_combined_as_by_the_command() -> None:
     answers = jkroll.answer("pull-off", material=SOLIDS, radius=RADII)
     assert len(answers) == 4
     each = [jkroll.answer("pull-off", material=solid, radius=radius) for solid in SOLIDS for radius in RADII]
@@ -49,13 +49,13 @@ def as_csv(head: str, cell: Any) -> str:
     return cell or ""
 
 
-def test_a_list_of_one_is_a_list() -> None:
+def test_a_list_of_one_material_gives_a_list_of_one_answer() -> None:
     answers = jkroll.answer("pull-off", material=["quartz"], radius="100 nm")
     assert [*answers[0]] == [*jkroll.answer("pull-off", material="quartz", radius="100 nm")]
     assert len(answers) == 1
 
 
-def test_arrays_and_materials_made_by_hand() -> None:
+def test_answer_takes_arrays_and_materials_made_by_hand() -> None:
     solid = jkroll.known_materials()["quartz"]._replace(name="mine", properties={"surface_energy": 0.05})
     answers = jkroll.answer(
         "P_c", material=[solid, "iron"], material2=["quartz"], radius=numpy.geomspace(1e-8, 1e-6, 3)
@@ -64,7 +64,8 @@ def test_arrays_and_materials_made_by_hand() -> None:
         "P_c", material=[[solid], ["iron"]], material2="quartz", radius=numpy.geomspace(1e-8, 1e-6, 3)
     )
     assert answers["P_c"].tolist() == forces.reshape(-1).tolist()
-    many = jkroll.answer("P_c", material=SOLIDS, radius=numpy.geomspace(1e-8, 1e-6, 400))  # too many for row by row
+    # So many scenes are computed as arrays.
+    many = jkroll.answer("P_c", material=SOLIDS, radius=numpy.geomspace(1e-8, 1e-6, 400))
     assert many["P_c"].tolist() == [float(answer["P_c"]) for answer in many]
 
 
@@ -77,7 +78,7 @@ def test_a_data_frame_has_a_row_for_each_answer() -> None:
     assert again["pull_off_force [N]"].tolist() == found["pull_off_force [N]"].tolist()
 
 
-def test_rows_of_a_table_are_not_combined() -> None:
+def test_columns_of_a_data_frame_are_not_combined() -> None:
     pandas = pytest.importorskip("pandas")
     data = pandas.DataFrame({"material": SOLIDS, "radius": [1e-7, 1e-6]})
     with pytest.raises(jkroll.JkrollError, match="material and radius are columns, whose rows belong"):
@@ -85,7 +86,7 @@ def test_rows_of_a_table_are_not_combined() -> None:
     assert len(jkroll.answer("pull-off", material=SOLIDS, radius=data["radius"])) == 4
 
 
-def test_one_answer_without_a_result_has_a_reason_among_others() -> None:
+def test_one_contact_beyond_pull_off_among_others_has_a_gap_and_a_reason() -> None:
     answers = jkroll.answer("contact", material=SOLIDS, radius="100 nm", load="-100 nN")
     assert numpy.isnan(answers["a"]).tolist() == [True, False]
     assert answers.to_dict()["status"] == ["beyond pull-off", None]
@@ -107,17 +108,17 @@ def test_one_answer_without_a_result_has_a_reason_among_others() -> None:
         ({"gamma": 0.025, "radius": [1e-7], "surface_energy": [1.0]}, "one quantity; give it once"),
     ],
 )
-def test_what_is_wrong_is_refused(scene: dict[str, Any], words: str) -> None:
+def test_invalid_scenes_are_refused(scene: dict[str, Any], words: str) -> None:
     with pytest.raises(jkroll.JkrollError, match=words):
         jkroll.answer("pull-off", **scene)
 
 
-def test_a_grain_of_a_metre_is_warned_of_in_a_list() -> None:
+def test_a_radius_of_100_m_in_a_list_gives_a_warning() -> None:
     with pytest.warns(UserWarning, match="100 is a sphere of 100 m"):
         jkroll.answer("P_c", gamma=0.025, radius=[100, 200])
 
 
-def test_a_list_is_pickled_as_its_scenes() -> None:
+def test_answers_can_be_pickled() -> None:
     answers = jkroll.answer("pull-off", material=SOLIDS, radius=RADII)
     assert str(pickle.loads(pickle.dumps(answers))) == str(answers)
 
@@ -131,7 +132,7 @@ def same_lines(drawn: Any, other: Any) -> bool:
     return all(name == same and numpy.array_equal(line, like, equal_nan=True) for (name, line), (same, like) in pairs)
 
 
-def test_an_answer_is_drawn_as_the_curve_of_its_contact() -> None:
+def test_an_answer_is_drawn_as_the_force_curve_of_its_contact() -> None:
     scene: dict[str, Any] = {"material": "quartz", "radius": "100 nm", "model": "maugis"}
     drawn, curve = jkroll.answer("contact", **scene, load="5nN").drawn, jkroll.curve(**scene)
     assert same_lines(drawn, curve)
@@ -140,13 +141,13 @@ def test_an_answer_is_drawn_as_the_curve_of_its_contact() -> None:
     assert jkroll.answer("pull-off", **scene).drawn.points == curve.points
 
 
-def test_laws_are_compared_by_their_curves() -> None:
+def test_answers_by_several_laws_are_drawn_as_force_curves() -> None:
     laws = ["jkr", "dmt"]
     drawn = jkroll.answer("pull-off", material="quartz", radius=1e-7, model=laws).drawn
     assert same_lines(drawn, jkroll.curve(material="quartz", radius=1e-7, model=laws))
 
 
-def test_answers_are_drawn_over_their_input() -> None:
+def test_answers_are_drawn_over_an_input_with_several_values() -> None:
     drawn = jkroll.answer("pull-off", material="quartz", radius=["1 um", "10 nm", "100 nm"]).drawn
     (line,) = jkroll.map("P_c", material="quartz", x="radius=10nm:1um").lines.values()
     assert numpy.array_equal(drawn.lines["quartz"], line)
@@ -157,7 +158,7 @@ def test_answers_are_drawn_over_their_input() -> None:
     assert [*jkroll.answer("P_c", material=SOLIDS, radius=["1 um", "10 nm"]).drawn.lines] == SOLIDS
 
 
-def test_axes_are_taken_and_returned() -> None:
+def test_plot_draws_on_given_axes_and_returns_them() -> None:
     pytest.importorskip("matplotlib")
     from matplotlib.figure import Figure
 
@@ -169,7 +170,7 @@ def test_axes_are_taken_and_returned() -> None:
     assert len(axes[1].lines) > 1
 
 
-def test_what_cannot_be_drawn_says_why() -> None:
+def test_an_error_says_why_answers_cannot_be_drawn() -> None:
     with pytest.raises(jkroll.JkrollError, match="no input has several values to draw over: give several values"):
         _ = jkroll.answer("pull-off", material=SOLIDS, radius="100 nm").drawn
     many = jkroll.answer("P_c", radius=numpy.geomspace(1e-8, 1e-6, 31), gamma=numpy.geomspace(0.01, 0.1, 30))

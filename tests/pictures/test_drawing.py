@@ -48,7 +48,7 @@ _TEXT = re.compile(r"<text[^>]*>(.*?)</text>", re.DOTALL)
 
 
 # The figures of the paper; the fast run draws one of them.
-OF_EACH_KIND = [pytest.param(name, marks=pytest.mark.slow) if name != "8" else name for name in PAPER_MAPS]
+PAPER_FIGURES = [pytest.param(name, marks=pytest.mark.slow) if name != "8" else name for name in PAPER_MAPS]
 
 
 def texts_of(svg: str) -> list[str]:
@@ -103,7 +103,7 @@ def lines_of(page: Figure, name: str) -> list[Any]:
 
 
 def contours(field: Field, page: Figure) -> list[tuple[float, Any]]:
-    """Return the levels of a drawn map, with points in SI units on their lines, also between the vertices.
+    """Return each level of a drawn map with points on its lines, in SI units, at and between the vertices.
 
     The lines are straight on the page, so the points are computed in its pixels.
     """
@@ -120,8 +120,8 @@ def contours(field: Field, page: Figure) -> list[tuple[float, Any]]:
     return found
 
 
-@pytest.mark.parametrize("name", OF_EACH_KIND)
-def test_a_contour_of_the_paper_is_its_formula(name: str) -> None:
+@pytest.mark.parametrize("name", PAPER_FIGURES)
+def test_contours_of_the_figures_of_the_paper_follow_the_formula(name: str) -> None:
     drawn, page = in_a_column(name)
     declared, (panel, field) = PAPER_MAPS[name], field_of(drawn)
     sampled = 0
@@ -144,7 +144,7 @@ def test_a_contour_of_the_paper_is_its_formula(name: str) -> None:
         (["n-roll", "quartz"], ("radius=10nm:1um", "speed=1cm/s:1m/s"), {"material": "quartz"}),
     ],
 )
-def test_a_contour_of_a_users_map_is_its_formula(
+def test_contours_of_a_users_map_follow_the_formula(
     words: list[str], axes: tuple[str, str], given: dict[str, Any]
 ) -> None:
     drawn, page = map_in_a_column(*words, "--x", axes[0], "--y", axes[1])
@@ -156,7 +156,7 @@ def test_a_contour_of_a_users_map_is_its_formula(
 
 
 @pytest.mark.parametrize("kind", [pytest.param(kind, marks=pytest.mark.slow) for kind in ("svg", "pdf", "png")])
-def test_the_same_bytes_every_time(run: Run, tmp_path: Path, kind: str) -> None:
+def test_a_command_always_writes_the_same_bytes(run: Run, tmp_path: Path, kind: str) -> None:
     """The bytes do not depend on the process, the time, or the user's settings of matplotlib."""
     words = ["figure", "3a", "--mark", "quartz@100nm", "-o"]
     assert run(*words, f"one.{kind}").code == 0
@@ -170,7 +170,7 @@ def test_the_same_bytes_every_time(run: Run, tmp_path: Path, kind: str) -> None:
     "name",
     ["laws", *(pytest.param(name, marks=pytest.mark.slow) for name in (*PAPER_MAPS, "2", "9"))],
 )
-def test_every_figure_is_drawn_and_says_what_it_is(run: Run, tmp_path: Path, name: str) -> None:
+def test_every_figure_is_drawn_with_its_printed_description(run: Run, tmp_path: Path, name: str) -> None:
     ran = run("figure", name, "-o", "figure.svg", "--width", "85mm", "--style", "dark")
     assert (ran.code, ran.err) == (0, "")
     text = (tmp_path / "figure.svg").read_text(encoding="utf-8")
@@ -182,7 +182,7 @@ def test_every_figure_is_drawn_and_says_what_it_is(run: Run, tmp_path: Path, nam
 
 
 @pytest.mark.parametrize("kind", ["svg", "pdf", "png"])
-def test_a_file_says_what_drew_it(run: Run, tmp_path: Path, kind: str) -> None:
+def test_a_file_names_the_program_and_the_command_that_drew_it(run: Run, tmp_path: Path, kind: str) -> None:
     run(f"map pull-off quartz --x radius=10nm:1um --style dark -o out.{kind} --quiet")
     content = (tmp_path / f"out.{kind}").read_bytes()
     call = "jkroll map pull-off quartz --x=radius=10nm:1um --style=dark"
@@ -191,7 +191,7 @@ def test_a_file_says_what_drew_it(run: Run, tmp_path: Path, kind: str) -> None:
     assert b"out." not in content
 
 
-def test_the_text_of_an_svg_is_text_in_a_font_of_its_own(run: Run, tmp_path: Path) -> None:
+def test_an_svg_has_its_texts_as_text_in_embedded_fonts(run: Run, tmp_path: Path) -> None:
     """Words are whole, the letters of each text are in order, and straight lines take few bytes."""
     run("figure 3a -o out.svg --quiet")
     svg = (tmp_path / "out.svg").read_text(encoding="utf-8")
@@ -206,8 +206,8 @@ def test_the_text_of_an_svg_is_text_in_a_font_of_its_own(run: Run, tmp_path: Pat
     ("words", "data"),
     [("pull-off ice-warm", ()), ("yield-force quartz", ()), ("restitution quartz --speed 1m/s", ("speed",))],
 )
-def test_the_band_of_a_curve_is_the_best_range_of_each_answer(words: str, data: tuple[str, ...]) -> None:
-    """Its rule and its name are those of single answers, with the error bars of the material."""
+def test_the_band_of_a_curve_is_the_best_range_at_each_point(words: str, data: tuple[str, ...]) -> None:
+    """The rule and its name in the key are those of single answers, with the uncertainties of the material."""
     drawn, _ = picture_of(map_request(call_of(["map", *words.split(), "--x", "radius=10nm:10um:7"])))
     ((curve,),) = (panel.curves for panel in drawn.panels)
     assert curve.band is not None
@@ -222,7 +222,7 @@ def test_the_band_of_a_curve_is_the_best_range_of_each_answer(words: str, data: 
         assert WORDS[best.by].replace("ξ", "⟦ξ⟧") in curve.key
 
 
-def test_a_band_of_a_map_has_the_value_of_its_contour() -> None:
+def test_at_the_edge_of_a_band_a_best_range_ends_at_the_value_of_a_contour() -> None:
     """At an edge of a band, an end of the best range equals the value of the contour."""
     drawn, _, field = map_drawn("contact-radius-at-load quartz --x radius=50nm:1um --y load=0nN:50nN:lin".split())
     with settings(PAPER):
@@ -238,7 +238,7 @@ def test_a_band_of_a_map_has_the_value_of_its_contour() -> None:
     assert any("best range" in text.get_text().replace("\n", " ") for text in legend.get_texts())
 
 
-def test_the_figures_of_the_paper_have_no_best_ranges() -> None:
+def test_a_figure_of_the_paper_has_no_best_ranges() -> None:
     _, page = in_a_column("8")
     assert not lines_of(page, "band")
 
@@ -252,11 +252,11 @@ def test_the_sketch_of_the_manual_is_current_and_has_all_symbols(run: Run, tmp_p
     np.testing.assert_allclose(drawing_of(new), drawing_of(kept), atol=0.1)
 
 
-def test_a_sketch_has_no_numbers(run: Run) -> None:
+def test_data_of_a_sketch_are_refused(run: Run) -> None:
     assert run("figure geometry --data -").code == 2
 
 
-def test_a_caption_ends_with_what_to_cite(run: Run) -> None:
+def test_a_caption_ends_with_its_sources_with_the_option_cite(run: Run) -> None:
     out = run("map contact-radius quartz --x radius=10nm:1um --cite").out.splitlines()[-1]
     assert "Dominik & Tielens 1995" in out
     assert "Kendall et al. 1987" in out
@@ -264,7 +264,7 @@ def test_a_caption_ends_with_what_to_cite(run: Run) -> None:
     assert "Tielens" not in run("map contact-radius quartz --x radius=10nm:1um").out
 
 
-def test_a_picture_without_a_caption(run: Run, tmp_path: Path) -> None:
+def test_the_option_no_caption_leaves_the_caption_out(run: Run, tmp_path: Path) -> None:
     run("contact quartz 100nm --curve --panel force --no-caption -o force.svg --quiet")
     shown = " ".join(texts_of((tmp_path / "force.svg").read_text(encoding="utf-8")))
     assert "Eqs" not in shown
@@ -296,7 +296,9 @@ def test_a_picture_without_a_caption(run: Run, tmp_path: Path) -> None:
         ),
     ],
 )
-def test_a_caption_has_the_inputs_of_what_is_drawn(run: Run, tmp_path: Path, options: str, held: str) -> None:
+def test_a_caption_has_the_inputs_of_the_drawn_panels_and_laws(
+    run: Run, tmp_path: Path, options: str, held: str
+) -> None:
     ran = run(f"contact quartz 100nm --xi 1angstrom --curve -o contact.svg {options}")
     assert ran.out.splitlines()[-1] == f"Fixed: quartz, {held}"
     assert ("assumed: z0" in ran.err) is ("z0" in held)
@@ -309,7 +311,7 @@ def test_a_caption_has_the_inputs_of_what_is_drawn(run: Run, tmp_path: Path, opt
 
 
 @pytest.mark.slow
-def test_a_hatch_belongs_to_one_limit_and_shows_beneath_any_other() -> None:
+def test_each_limit_has_its_own_strokes_of_hatching() -> None:
     """A limit shares no stroke of its hatch with another limit, so no two hatches together look like a third."""
     hatch_of: dict[str, set[str]] = {}
     for name in ("3b", "8"):
@@ -331,7 +333,7 @@ def test_a_hatch_belongs_to_one_limit_and_shows_beneath_any_other() -> None:
 
 
 @pytest.mark.parametrize("style", [PAPER, DARK])
-def test_bands_can_be_differ_in_grey_and_read_on(style: Style) -> None:
+def test_coloured_bands_differ_in_grey_and_text_on_them_is_legible(style: Style) -> None:
     greys = [0.299 * red + 0.587 * green + 0.114 * blue for red, green, blue in map(to_rgb, style.bands)]
     steps = np.diff(greys)
     assert (steps < -0.01).all() or (steps > 0.01).all()
@@ -371,7 +373,7 @@ def test_every_symbol_is_typeset_whole_and_can_be_drawn() -> None:
             assert plain(described(name)) == f"{quantity.sentence}, {quantity.symbol}"
 
 
-def test_a_mark_of_a_user_is_never_refused_as_mathematics() -> None:
+def test_malformed_mathematics_in_the_text_of_a_user_is_typeset() -> None:
     for text in ("⟦\\frac{⟧", "a$b$c", "⟦^⟧ ⟦", "{⟦_⟧}"):
         MathTextParser("path").parse(typeset(text))
 
@@ -391,7 +393,7 @@ def test_a_unit_stays_on_the_line_of_its_number(text: str, kept: str) -> None:
             assert any(kept in line for line in wrapped(text, width)), width
 
 
-def test_labels_without_a_unit_have_it_in_the_title() -> None:
+def test_the_title_has_the_unit_if_the_labels_have_none() -> None:
     """A mass takes no prefix, so the numbers on the contours have no unit."""
     drawn, _, field = map_drawn("mass --x radius=10cm:1m --y density=1g/cm3:10g/cm3".split())
     assert {*field.in_words(levels_of(field))[0]} >= {"10", "1000"}
@@ -399,8 +401,8 @@ def test_labels_without_a_unit_have_it_in_the_title() -> None:
 
 
 @pytest.mark.parametrize("model", ["jkr", pytest.param("maugis", marks=pytest.mark.slow)])
-def test_the_edge_of_a_gap_is_where_the_contact_breaks(model: str) -> None:
-    """The border of the part without a value, as drawn, is P = -P_c: it is no staircase along points of a mesh."""
+def test_the_edge_of_a_gap_lies_where_the_contact_breaks(model: str) -> None:
+    """The drawn border of the part without a value is P = -P_c, not a staircase along the points of a mesh."""
     words = f"contact-radius-at-load quartz --x radius=10nm:1um --y load=-20nN:50nN:lin --model {model}"
     drawn, panel, field = map_drawn(words.split())
     (edge,) = lines_of(figure_of(drawn, 4.0, PAPER, has_caption=False), "edge")
@@ -411,7 +413,7 @@ def test_the_edge_of_a_gap_is_where_the_contact_breaks(model: str) -> None:
     assert field.gaps == ("beyond pull-off",)
 
 
-def test_a_limit_that_holds_in_part_of_a_map_has_its_name_at_its_line() -> None:
+def test_a_limit_exceeded_in_part_of_a_map_has_its_name_at_its_line() -> None:
     drawn, page = map_in_a_column(*"n-roll quartz --x radius=10nm:1um --y speed=1cm/s:1m/s".split())
     _, field = field_of(drawn)
     (axes,) = page.axes
@@ -428,14 +430,14 @@ def test_a_limit_that_holds_in_part_of_a_map_has_its_name_at_its_line() -> None:
 
 
 @pytest.mark.slow
-def test_regions_may_have_gaps(run: Run, tmp_path: Path) -> None:
-    """The margins of bounds, like the quantity, have no value beyond the fold."""
+def test_a_map_with_a_part_without_values_is_drawn(run: Run, tmp_path: Path) -> None:
+    """Beyond the fold, neither the quantity nor the distances from its limits have a value."""
     run("map load_at_factor quartz --x radius=10nm:1um --y approach_at_load=-0.3nm:1nm:lin -o load.svg --quiet")
     shown = texts_of((tmp_path / "load.svg").read_text(encoding="utf-8"))
     assert any(text.startswith("no value") for text in shown)
 
 
-def test_many_curves_have_a_legend_clear_of_the_caption() -> None:
+def test_the_legend_of_many_curves_overlaps_neither_caption_nor_frame() -> None:
     drawn, _ = picture_of(map_request(call_of("map pull-off 1nm:1um:24 --x gamma=1mJ/m2:1J/m2".split())))
     with settings(PAPER):
         page = figure_of(drawn, 85 / 25.4, PAPER, has_caption=True)
@@ -445,7 +447,7 @@ def test_many_curves_have_a_legend_clear_of_the_caption() -> None:
     assert not legend.get_window_extent().overlaps(page.axes[0].get_window_extent())
 
 
-@pytest.mark.parametrize("name", OF_EACH_KIND)
+@pytest.mark.parametrize("name", PAPER_FIGURES)
 @pytest.mark.parametrize("width", [85, pytest.param(180, marks=pytest.mark.slow)])
 def test_each_contour_has_its_label_on_its_line_and_on_no_other(name: str, width: int) -> None:
     """A label is horizontal and within the frame, on a patch that hides everything beneath it."""
@@ -456,7 +458,7 @@ def test_each_contour_has_its_label_on_its_line_and_on_no_other(name: str, width
     labels = [text for text in axes.texts if text.get_text() in {*map(typeset, shown)}]
     boxes = [text.get_window_extent() for text in labels]
     assert {text.get_rotation() for text in labels} == {0.0}
-    frame = axes.get_window_extent().padded(-3 * page.dpi / 72)  # the ticks are outside of it
+    frame = axes.get_window_extent().padded(-3 * page.dpi / 72)  # without the margin that the ticks take
     assert all(frame.count_contains(box.corners()) == 4 for box in boxes)
     assert not any(one.overlaps(other) for one, other in itertools.combinations(boxes, 2))
     paths = [
@@ -475,7 +477,7 @@ def test_each_contour_has_its_label_on_its_line_and_on_no_other(name: str, width
     "name",
     ["8", *(pytest.param(name, marks=pytest.mark.slow) for name in ("contact", *PAPER_MAPS, *PROFILES) if name != "8")],
 )
-def test_a_caption_has_three_lines_in_a_column(name: str) -> None:
+def test_a_caption_has_at_most_three_lines_in_a_column(name: str) -> None:
     if name in PAPER_MAPS:
         _, page = in_a_column(name)
     else:
@@ -497,7 +499,7 @@ def test_a_mark_on_the_edge_is_a_whole_dot() -> None:
 
 
 @pytest.mark.parametrize("name", ["8", pytest.param("3a", marks=pytest.mark.slow)])
-def test_letters_and_their_subscripts_have_six_points(name: str) -> None:
+def test_letters_and_their_subscripts_have_at_least_six_points(name: str) -> None:
     _, page = in_a_column(name)
     parser = MathTextParser("path")
     sizes = [
@@ -512,7 +514,7 @@ def test_letters_and_their_subscripts_have_six_points(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ["8", pytest.param("6b", marks=pytest.mark.slow)])
-def test_no_letter_stands_outside_of_a_narrow_page(name: str) -> None:
+def test_no_letter_lies_outside_a_narrow_page(name: str) -> None:
     """Everything lies within the page at the width of a journal's column."""
     _, page = in_a_column(name)
     page.draw_without_rendering()
@@ -522,14 +524,14 @@ def test_no_letter_stands_outside_of_a_narrow_page(name: str) -> None:
     assert box.y0 > -0.01
 
 
-def test_as_many_curves_as_there_may_be_differ() -> None:
+def test_the_largest_number_of_curves_differ_in_colour_or_line_style() -> None:
     looks = [line_of(Curve("", (0, 1), (0, 1), number), number, PAPER) for number in range(MAX_CURVES)]
     assert len({(look["color"], look["linestyle"]) for look in looks}) == MAX_CURVES
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("width", [85, 180])
-def test_a_page_of_curves_has_short_legends_and_titles_that_stay_together(width: int) -> None:
+def test_a_page_of_curves_has_short_legends_and_well_broken_axis_titles(width: int) -> None:
     """No legend is half as high as its panel, no line of an axis title ends with a comma, and texts avoid the frame."""
     picture = contact_of_quartz()
     with settings(PAPER):
@@ -545,7 +547,7 @@ def test_a_page_of_curves_has_short_legends_and_titles_that_stay_together(width:
         )
 
 
-def test_a_colour_has_one_meaning_over_the_panels_of_a_contact() -> None:
+def test_a_colour_has_one_meaning_in_all_panels_of_a_contact() -> None:
     """The contact without load is on the stable branch; at pull-off it is on the branch of fixed grips."""
     picture = contact_of_quartz()
     force, pressure, moment = ({curve.text: curve.colour for curve in panel.curves} for panel in picture.panels)
@@ -553,8 +555,8 @@ def test_a_colour_has_one_meaning_over_the_panels_of_a_contact() -> None:
     assert not {*moment.values()} & {*force.values()}
 
 
-def test_a_law_has_one_colour_over_the_panels_of_a_contact() -> None:
-    """JKR alone has the pressure, so its panel cannot compare laws."""
+def test_a_law_has_one_colour_in_all_panels_of_a_contact() -> None:
+    """Only JKR has the pressure, so the panel of the pressure cannot compare laws."""
     scenes = [Frame({"radius": 1e-7}, known_materials()["quartz"], model=model) for model in ("maugis", "jkr")]
     picture, notes = curves_of_contact(scenes, None, None)
     force, moment = ({curve.text: curve.colour for curve in panel.curves} for panel in picture.panels)
@@ -563,7 +565,7 @@ def test_a_law_has_one_colour_over_the_panels_of_a_contact() -> None:
 
 
 @pytest.mark.slow
-def test_the_curves_of_several_laws_are_over_one_another(run: Run, tmp_path: Path) -> None:
+def test_the_curves_of_several_laws_share_the_panels(run: Run, tmp_path: Path) -> None:
     ran = run("contact quartz 100nm --curve --model jkr,maugis,dmt -o laws.svg")
     assert ran.code == 0
     assert ran.err.count("not in DMT") == 1
@@ -598,7 +600,7 @@ def test_the_force_curve_of_one_law_has_its_branches_and_states(
 
 
 @pytest.mark.parametrize("loads", ["-5nN:10nN", "-5nN:-4.99nN", "1nN:1.001nN"])
-def test_curves_of_several_laws_end_at_the_loads_and_have_no_chords(loads: str) -> None:
+def test_curves_of_several_laws_end_at_the_given_loads_and_have_no_chords(loads: str) -> None:
     """Between the unstable and the stable branch the force is beyond the loads, and no curve is drawn there."""
     low, high = loads_of(loads)
     scenes = [Frame({"radius": 1e-7}, known_materials()["quartz"], model=model) for model in ("jkr", "maugis")]
@@ -614,7 +616,7 @@ def test_curves_of_several_laws_end_at_the_loads_and_have_no_chords(loads: str) 
             assert max(steps, default=0.0) < 0.1
 
 
-def test_loads_that_no_law_holds(run: Run) -> None:
+def test_loads_beyond_pull_off_by_every_law_are_refused(run: Run) -> None:
     ran = run("contact quartz 100nm --curve --model jkr,dmt --panel force --load=-30nN:-20nN")
     assert (ran.code, ran.out) == (1, "")
     assert ran.err == "jkroll: --load: -20 nN breaks this contact: the hardest pull that it holds is -15.70796 nN\n"
@@ -627,7 +629,7 @@ def test_a_branch_beyond_the_loads_is_not_in_the_key(run: Run) -> None:
 
 
 @pytest.mark.slow
-def test_the_pull_off_force_by_law_tends_to_its_limits(run: Run, tmp_path: Path) -> None:
+def test_the_curves_of_the_figure_laws_end_at_dmt_and_jkr(run: Run, tmp_path: Path) -> None:
     ran = run("figure laws --mark quartz@100nm,ice-warm@1um -o laws.svg --data -")
     rows = list(csv.DictReader(ran.out.splitlines()))
     found = {
@@ -646,8 +648,8 @@ def test_the_pull_off_force_by_law_tends_to_its_limits(run: Run, tmp_path: Path)
 
 @pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])
 @pytest.mark.parametrize(("first", "last"), [("1nN", "2nN"), ("0nN", "5nN"), ("-1nN", "1nN"), ("-1uN", "1uN")])
-def test_rows_of_a_curve_fill_its_loads(run: Run, model: str, first: str, last: str) -> None:
-    """The stable branch has as many rows in any range, from its first load (or pull-off) to its last."""
+def test_rows_of_a_curve_cover_the_given_loads(run: Run, model: str, first: str, last: str) -> None:
+    """The stable branch has 41 to 44 rows in any range of loads, from the first load (or pull-off) to the last."""
     ran = run(f"contact quartz 100nm --curve --model {model} --load={first}:{last} --csv")
     rows = [*csv.DictReader(ran.out.splitlines())]
     ends = [max(parse_quantity(first, "load"), -solve("pull_off_force", material="quartz", radius=1e-7, model=model))]
@@ -692,7 +694,7 @@ def test_rows_of_a_curve_fill_its_loads(run: Run, model: str, first: str, last: 
         ("contact quartz 100nm --curve --panel tides -o contact.svg", "there are force, pressure and moment"),
     ],
 )
-def test_what_cannot_be_drawn(run: Run, tmp_path: Path, line: str, message: str) -> None:
+def test_invalid_calls_for_pictures_are_refused_in_one_line(run: Run, tmp_path: Path, line: str, message: str) -> None:
     ran = run(line)
     assert ran.code == (1 if "cannot write" in message else 2)
     assert message in ran.err
@@ -706,9 +708,7 @@ def test_a_letter_that_the_font_lacks_is_reported(run: Run) -> None:
     assert run("map pull-off 石英 --materials own.toml --x radius=1nm:1um -o own.svg") == (2, "", message)
 
 
-def test_a_picture_that_cannot_be_written_leaves_the_old_one(
-    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_failure_to_draw_keeps_the_old_file(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     file = tmp_path / "figure.svg"
     file.write_text("old", encoding="utf-8")
     monkeypatch.setattr("jkroll.pictures.page.draw", lambda *_, **__: 1 / 0)
@@ -717,7 +717,7 @@ def test_a_picture_that_cannot_be_written_leaves_the_old_one(
     assert [path.name for path in tmp_path.iterdir()] == ["figure.svg"]
 
 
-def test_the_absence_of_the_extra_is_one_line(tmp_path: Path) -> None:
+def test_without_matplotlib_a_picture_file_is_refused_in_one_line(tmp_path: Path) -> None:
     """Without matplotlib, the terminal shows its picture; a file is refused before anything is computed."""
     code = (
         "import sys; sys.modules['matplotlib'] = None; from jkroll.cli.process import main; "
@@ -736,7 +736,7 @@ def test_the_absence_of_the_extra_is_one_line(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_a_million_points_take_less_than_importing_matplotlib() -> None:
-    """It compares CPU times, each of its own process, in turns."""
+    """The CPU times are those of separate processes, run in turns."""
     words = ["contact-radius-at-load", "quartz", "--x", "radius=10nm:1mm:1000", "--y", "load=0nN:1uN:1000:lin"]
     ways = {
         "map": f"from jkroll.cli.process import main; main({['map', *words]!r})",
@@ -775,7 +775,7 @@ def drawing_of(svg: str) -> list[float]:
 @pytest.mark.parametrize(("words", "file", "rest"), SHOWN, ids=[file for _, file, _ in SHOWN])
 @pytest.mark.slow
 def test_the_pictures_of_the_readme_are_current(words: str, file: str, rest: str, tmp_path: Path) -> None:
-    """Texts are the same, and lines within a tenth of a point, for every version of matplotlib."""
+    """With every version of matplotlib, texts are the same, and lines agree within a tenth of a point."""
     assert f"](tests/data/{file})" in README.read_text(encoding="utf-8")
     kept, new = (KEPT / file).read_text(encoding="utf-8"), written(words, rest, tmp_path / file)
     assert texts_of(kept) == texts_of(new)
@@ -783,7 +783,7 @@ def test_the_pictures_of_the_readme_are_current(words: str, file: str, rest: str
     assert len(kept) < 160_000
 
 
-def test_the_readme_shows_the_pictures_that_are_kept() -> None:
+def test_the_manual_has_a_command_for_every_kept_picture() -> None:
     assert [file for _, file, _ in SHOWN] == [path.name for path in KEPT.glob("*.svg")]
 
 
@@ -794,8 +794,8 @@ if __name__ == "__main__":
 
 
 @pytest.mark.slow
-def test_texts_of_marks_keep_apart() -> None:
-    """From each other, from contours and from the frame; a line leads to the dot if another dot is nearer."""
+def test_labels_of_marks_overlap_neither_each_other_nor_contours_nor_the_frame() -> None:
+    """A line leads from a label to its dot if another dot is nearer."""
     marks = "quartz@100nm,silica-dry@100nm,iron@1um,gold@10nm,graphite@10um,ice-warm@1um,polystyrene@1um"
     names = re.findall(r"[^,]+, \d+ .m", re.sub(r"@(\d+)(.)m", r", \1 \2m", marks).replace("um", "µm"))
     drawn, panel, _ = map_drawn(f"pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 --mark {marks}".split())

@@ -1,4 +1,4 @@
-"""`jkroll.curve` and `jkroll.figure`: the numbers of the commands' pictures, and pictures on axes of the user."""
+"""`jkroll.map`, `curve` and `figure`: the numbers of the commands' pictures, and pictures on a user's axes."""
 
 import csv
 from pathlib import Path
@@ -48,7 +48,7 @@ def test_a_figure_has_the_numbers_of_the_command(run: Run) -> None:
 
 
 @pytest.mark.parametrize("model", ["jkr", "dmt"])
-def test_loads_of_a_curve_have_their_approaches(model: str) -> None:
+def test_approaches_of_a_curve_are_those_of_solve_at_its_loads(model: str) -> None:
     drawn = jkroll.curve(material="quartz", radius="100 nm", model=model, load=(-5e-9, 20e-9))
     approaches, loads = drawn.lines["stable"]
     assert [loads.min(), loads.max()] == approx([-5e-9, 20e-9], rel=1e-12)
@@ -56,7 +56,7 @@ def test_loads_of_a_curve_have_their_approaches(model: str) -> None:
     assert found.tolist() == approx(approaches[1:-1].tolist(), rel=1e-9)  # the ends are interpolated
 
 
-def test_several_laws_are_a_line_each_with_gaps_between_branches() -> None:
+def test_each_of_several_laws_is_one_line_with_gaps_between_branches() -> None:
     lines = jkroll.curve(material="quartz", radius="100 nm", model=["jkr", "maugis"]).lines
     single = jkroll.curve(material="quartz", radius="100 nm").lines.values()
     x, y = lines["JKR"]
@@ -66,7 +66,7 @@ def test_several_laws_are_a_line_each_with_gaps_between_branches() -> None:
     assert "Maugis–Dugdale" in lines
 
 
-def test_the_pull_off_force_is_the_end_of_the_curve() -> None:
+def test_the_stable_branch_ends_at_the_pull_off_force() -> None:
     drawn = jkroll.curve(material="quartz", radius="100 nm")
     force = jkroll.solve("P_c", material="quartz", radius=1e-7)
     assert drawn.lines["stable"][1].min() == approx(-force, rel=1e-12)
@@ -93,7 +93,7 @@ def test_a_notebook_shows_a_picture() -> None:
     assert 300 < shown["width"] < 1200
 
 
-def test_without_axes_there_is_a_new_figure() -> None:
+def test_without_axes_plot_makes_a_new_figure() -> None:
     axes = jkroll.curve(material="quartz", radius="100 nm").plot()
     assert len(axes.lines) >= 3
     assert len(jkroll.curve(material="quartz", radius="100 nm", panel=None).plot()) == 3
@@ -115,7 +115,7 @@ def test_without_axes_there_is_a_new_figure() -> None:
         (lambda: PLOT([1, 2]), "has 1 panels, and 2 axes were given"),
     ],
 )
-def test_what_cannot_be_drawn_is_refused(call: Any, words: str) -> None:
+def test_invalid_calls_for_pictures_are_refused(call: Any, words: str) -> None:
     with pytest.raises(jkroll.JkrollError) as caught:
         call()
     assert words in str(caught.value)

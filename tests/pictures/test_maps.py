@@ -1,4 +1,4 @@
-"""Maps and curves as data and in a terminal: they follow the formulas, and show what the paper reads from them."""
+"""Maps and curves as data and in a terminal: they follow the formulas, and show what the paper says of its figures."""
 
 import csv
 import io
@@ -53,29 +53,29 @@ def field_of(name: str) -> Field:
         ("8", lambda ratio, radius: 3 / (14 * np.cbrt(9 * math.pi)) * ratio ** (-2 / 3) * np.cbrt(radius / 2) / 2e-10),
     ],
 )
-def test_a_figure_is_its_equation(name: str, formula: object) -> None:
+def test_the_values_of_a_figure_follow_its_equation(name: str, formula: object) -> None:
     panel, values = panel_of(name), field_of(name).values
     assert callable(formula)
     wanted = formula(panel.x.values()[None, :], panel.y.values()[:, None])
     np.testing.assert_allclose(values, np.broadcast_to(wanted, values.shape), rtol=1e-4)
 
 
-def test_the_printed_rolling_frequency_is_below_by_2_5() -> None:
+def test_the_printed_rolling_frequency_is_too_low_by_a_factor_of_2_5() -> None:
     panel, field = panel_of("6b"), field_of("6b")
     np.testing.assert_allclose(field.values / evaluate(field.frame, field.printed, panel.x, panel.y), 2.5, rtol=1e-12)
 
 
-# --- What the paper's text says one sees ------------------------------------------------------------------------------
+# --- The text of the paper about its figures --------------------------------------------------------------------------
 
 
-def test_fig_3b_the_forces_cross_at_0_8_nm_within_the_map() -> None:
+def test_fig_3b_includes_0_8_nm_where_the_yield_force_equals_the_pull_off_force() -> None:
     crossing = solve("yield_force_ratio", radius=0.8e-9)
     assert crossing == approx(1, rel=1e-12)
     assert panel_of("3b").y.low < 0.8e-9
     assert "0.8 nm; the paper has 1 nm" in paper("3b").remarks[-1]
 
 
-def test_fig_8_what_does_not_roll_at_10_nm_and_what_turns_at_100_nm() -> None:
+def test_fig_8_shades_the_ratios_that_do_not_roll_at_10_nm_and_none_at_its_largest_radius() -> None:
     def turns(ratio: float, radius: float) -> float:
         return float(solve("n_roll", contact_modulus=ratio, surface_energy=1.0, radius=radius))
 
@@ -93,7 +93,7 @@ def test_fig_8_what_does_not_roll_at_10_nm_and_what_turns_at_100_nm() -> None:
 
 
 def apart(quantity: str, given: dict[str, Any]) -> Any:
-    """Return the factor between JKR and Maugis' law, by the comparison in which they are farthest apart."""
+    """Return the factor between JKR and Maugis' law, by the comparison in which the two laws are farthest apart."""
     own = solve(quantity, **given)
     between = {**given, "model": "maugis", "atomic_spacing": 4e-10}
     ratios = [solve(quantity, **between) / own]
@@ -108,7 +108,7 @@ def apart(quantity: str, given: dict[str, Any]) -> Any:
     return np.exp(np.max(np.abs(np.log(ratios)), axis=0))
 
 
-def test_materials_are_where_table_1_has_them() -> None:
+def test_marks_are_the_materials_of_table_1_at_their_values() -> None:
     marks = {mark.text: mark.x for mark in panel_of("3a").marks}
     assert marks == {
         name: material.properties["surface_energy"]
@@ -137,7 +137,9 @@ def test_materials_are_where_table_1_has_them() -> None:
         (Axis("radius", 1e-9, 4e-9, size=3), 5, [1e-9, 2e-9, 4e-9]),
     ],
 )
-def test_a_table_has_rounded_values_or_those_that_were_asked(axis: Axis, most: int, wanted: list[float]) -> None:
+def test_a_table_has_rounded_values_or_the_requested_number_of_points(
+    axis: Axis, most: int, wanted: list[float]
+) -> None:
     np.testing.assert_allclose(shown_values(axis, most), wanted, rtol=1e-3, atol=1e-20)
 
 
@@ -175,7 +177,9 @@ def test_a_picture_fits_the_terminal(run: Run, monkeypatch: pytest.MonkeyPatch, 
 
 
 @pytest.mark.parametrize("line", PICTURES)
-def test_colour_says_the_same_as_ascii(run: Run, monkeypatch: pytest.MonkeyPatch, line: str) -> None:
+def test_pictures_are_ascii_or_coloured_as_the_terminal_allows(
+    run: Run, monkeypatch: pytest.MonkeyPatch, line: str
+) -> None:
     plain = run(line, terminal=True, encoding="ascii")
     assert plain.out.isascii()
     monkeypatch.setenv("TERM", "xterm-256color")
@@ -236,8 +240,8 @@ def test_a_sign_stands_for_one_limit_on_every_map(run: Run) -> None:
     assert len(texts) == len(set.union(*texts.values()))
 
 
-def test_the_key_names_what_is_on_the_map(run: Run) -> None:
-    """Grains with a below 3 z0 do not hold 5 nN, so they are not on the map."""
+def test_the_key_names_only_limits_and_gaps_on_the_map(run: Run) -> None:
+    """Grains with a below 3 z0 do not withstand a pull of 5 nN, so a map of larger pulls has none."""
     line = "map contact-radius-at-load quartz --x radius=10nm:1um --y load=-50nN:{}:lin --quiet"
     beyond, within = (run(line.format(load)).out for load in ("-5nN", "5nN"))
     assert "no value: beyond pull-off" in [text for _, text in KEY.findall(beyond)]
@@ -245,16 +249,16 @@ def test_the_key_names_what_is_on_the_map(run: Run) -> None:
     assert "a/z0" not in beyond
 
 
-def test_a_limit_that_holds_all_over_hatches_nothing(run: Run) -> None:
+def test_a_limit_exceeded_everywhere_is_a_sentence_without_a_sign(run: Run) -> None:
     out = run("map contact-radius-at-load quartz --x radius=1nm:10nm --y load=-2nN:0nN:lin --quiet").out
     assert "\nEverywhere a/z0 < 3: contact radius below 3 atoms.\n" in out
     assert "x a/z0" not in out
 
 
-# --- The numbers, and what is refused ---------------------------------------------------------------------------------
+# --- Numbers and refusals ---------------------------------------------------------------------------------------------
 
 
-def test_the_numbers_go_where_no_value_is(run: Run, tmp_path: Path) -> None:
+def test_data_have_an_empty_cell_for_each_missing_value(run: Run, tmp_path: Path) -> None:
     line = "map approach_at_load quartz --x radius=1nm:1um:4 --y load=-1nN:1nN:3:lin --data"
     file = tmp_path / "out.csv"
     shown = run(f"{line} {file}")
@@ -274,7 +278,7 @@ def test_the_numbers_go_where_no_value_is(run: Run, tmp_path: Path) -> None:
             assert math.isclose(float(cell), solve("approach_at_load", material="quartz", **scene), rel_tol=1e-15)
 
 
-def test_the_numbers_are_as_many_as_were_asked(run: Run) -> None:
+def test_data_have_the_requested_number_of_points(run: Run) -> None:
     """Contours and limits need fewer points than the output has."""
     out = run("map r_min --x radius=1nm:1um:300 --y xi=1angstrom:1nm:3 --data -").out
     rows = [tuple(map(float, row.values())) for row in csv.DictReader(io.StringIO(out))]
@@ -293,7 +297,7 @@ def test_several_materials_are_several_curves(run: Run) -> None:
     assert float(rows[5][2]) == solve("pull_off_force", material="iron", radius=float(rows[5][1]))
 
 
-def test_a_material_that_lacks_a_property_leaves_the_others(run: Run) -> None:
+def test_a_material_that_lacks_a_property_is_left_out_and_the_others_are_drawn(run: Run) -> None:
     ran = run("map frequencies polystyrene,quartz,graphite,gold,iron --x radius=10nm:1um:3 --data -")
     assert ran.code == 0
     assert {row[0] for row in csv.reader(io.StringIO(ran.out))} == {
@@ -307,7 +311,7 @@ def test_a_material_that_lacks_a_property_leaves_the_others(run: Run) -> None:
     assert f"no curve: gold: {needs}; gold has none" in ran.err
 
 
-def test_where_a_curve_is_doubtful_is_said(run: Run) -> None:
+def test_a_caption_states_the_radii_at_which_a_curve_is_doubtful(run: Run) -> None:
     """The radius up to which the law is inexact agrees with single answers."""
     said = run("map contact_radius quartz --x radius=10nm:1mm").out
     radius = re.search(r"JKR is off by more than 5 % \(quartz, R1 = 10 nm to (\d+) (nm|µm)\)", said)
@@ -316,8 +320,8 @@ def test_where_a_curve_is_doubtful_is_said(run: Run) -> None:
     assert apart("contact_radius", given) == approx(1.05, abs=0.002)
 
 
-def test_where_a_law_is_farthest_off_has_a_value(run: Run) -> None:
-    """The value is by the law that holds, from half the atomic spacing on, as in the note on such a pair."""
+def test_a_caption_has_the_values_of_both_laws_where_they_differ_most(run: Run) -> None:
+    """The range by Maugis' law is from half the atomic spacing to the full one, as in the note on a single pair."""
     out = " ".join(run("map contact_radius quartz --x radius=10nm:50nm").out.split())
     given: dict[str, Any] = {"material": "quartz", "radius": 1e-8, "model": "maugis"}
     ends = sorted(solve("contact_radius", **given, atomic_spacing=spacing) * 1e12 for spacing in (2e-10, 4e-10))
@@ -331,14 +335,14 @@ def test_where_a_law_is_farthest_off_has_a_value(run: Run) -> None:
     assert "farthest" not in run(is_far_everywhere).out
 
 
-def test_a_doubt_of_a_whole_curve_has_no_range(run: Run) -> None:
+def test_a_doubt_about_a_whole_curve_applies_everywhere(run: Run) -> None:
     out = " ".join(run("map contact_radius quartz,iron --x radius=10nm:1um").out.split())
     assert re.search(r" JKR is off by more than 5 % \(quartz, everywhere; iron, R1 = 10 nm to \S+ (nm|µm)\)\.", out)
     assert "Everywhere JKR is off by more than 5 %." in run("map contact_radius quartz,iron --x radius=10nm:50nm").out
 
 
-def test_the_stretches_of_a_doubt_have_the_gap_between_them(run: Run) -> None:
-    """JKR's approach at pull-off crosses Maugis': it is not off between the stretches in which it is."""
+def test_a_doubt_may_apply_to_two_separate_ranges_of_a_curve(run: Run) -> None:
+    """The approach at pull-off by JKR crosses that by Maugis' law, so JKR holds near the crossing."""
     out = " ".join(run("map approach_at_pull_off quartz --x radius=1nm:1mm").out.split())
     said = re.search(r"than 5 % \(quartz, R1 = 1 nm to (\d+) (nm|µm), (\d+) (nm|µm) to (\d+) (nm|µm)\)", out)
     assert said is not None, out
@@ -351,15 +355,15 @@ def test_the_stretches_of_a_doubt_have_the_gap_between_them(run: Run) -> None:
     assert [factor > math.log(1.05) for factor in factors] == [True, False, True]
 
 
-def test_a_curve_is_doubtful_only_where_it_is(run: Run) -> None:
-    """Grains with a below 3 z0 do not hold 5 nN."""
+def test_a_doubt_is_stated_only_for_the_part_of_a_curve_that_is_drawn(run: Run) -> None:
+    """Grains with a below 3 z0 do not withstand a pull of 5 nN."""
     assert "a/z0" not in run("map contact-radius-at-load quartz --x radius=10nm:1um --load=-5nN").out
     for count, radii in (("", "10 nm to 16 nm"), (":3", "10 nm")):  # a single value is written without a range
         assert f"3 atoms (quartz, R1 = {radii})" in run(f"map contact-radius quartz --x R1=10nm:1um{count}").out
 
 
 def test_a_material_that_is_left_out_is_named_in_the_caption(run: Run) -> None:
-    """The material has no Young's modulus, or another surface energy than the axis."""
+    """The material has no Young's modulus, or its surface energy is beyond the axis."""
     assert run("figure 8").out.count("\nNot shown: gold.\n") == 1
     out = run("map pull-off --x gamma=1mJ/m2:1J/m2 --y radius=1nm:1um").out
     assert "\nNot shown: iron.\n" in out
@@ -381,7 +385,7 @@ def test_a_curve_without_values_is_not_drawn_and_gaps_have_their_reason(run: Run
     assert "No value" not in run(f"{drawn} --z0 4angstrom").out
 
 
-def test_a_marked_grain_of_another_material_says_its_own_value(run: Run) -> None:
+def test_the_caption_has_the_own_value_of_a_marked_grain_of_another_material(run: Run) -> None:
     """The fixed inputs of the map are the surface energy and Poisson's ratio of quartz."""
     words = "map contact_radius quartz --x radius=10nm:10um --y young=1GPa:1TPa --mark iron@100nm,quartz@1um"
     own = run("contact iron 100nm --bare --quiet --quantities contact_radius").out
@@ -394,8 +398,8 @@ def test_a_marked_grain_of_another_material_says_its_own_value(run: Run) -> None
     assert "quartz, 1 µm has" not in said
 
 
-def test_an_axis_may_be_the_word_of_an_option(run: Run) -> None:
-    """The approach of the option is δ at the load; among results, it is δ0."""
+def test_an_axis_may_be_named_by_the_word_of_an_option(run: Run) -> None:
+    """`approach` as an option means δ at the load; as a result, it means δ0."""
     words = "quartz 100nm --data - --x"
     by_name = run(f"map load {words} approach_at_load=-0.05nm:1nm:5").out
     assert run(f"map load {words} approach=-0.05nm:1nm:5").out == by_name
@@ -439,7 +443,7 @@ def test_an_axis_may_be_the_word_of_an_option(run: Run) -> None:
         ("figure 1", "is not a figure with data"),
     ],
 )
-def test_what_is_refused_is_said_in_a_line(run: Run, line: str, message: str) -> None:
+def test_invalid_maps_are_refused_in_one_line(run: Run, line: str, message: str) -> None:
     ran = run(line)
     assert ran.code == 2
     assert ran.out == ""
@@ -452,7 +456,7 @@ def test_a_note_on_the_quantity_begins_with_its_symbol(run: Run) -> None:
     assert "note: n_bal: 7/2 of Eq (48)" in ran.err
 
 
-def test_no_value_anywhere_is_a_failure(run: Run) -> None:
+def test_a_map_without_any_value_fails(run: Run) -> None:
     for axes in ("--x load=-1uN:-0.5uN:lin", "--x load=-1uN:-0.5uN:lin --y xi=1angstrom:2angstrom"):
         ran = run(f"map yield-force quartz 10nm {axes}")
         assert (ran.code, ran.out) == (1, "")
@@ -508,13 +512,15 @@ def test_a_map_names_its_law_and_is_judged_by_it(run: Run, model: str, sentence:
         ("map contact_radius_at_load quartz --x radius=1nm:1mm", True),
     ],
 )
-def test_a_load_that_is_assumed_is_named_where_the_quantity_depends_on_it(run: Run, line: str, has_load: bool) -> None:
+def test_the_caption_has_the_load_if_it_is_given_or_the_quantity_depends_on_it(
+    run: Run, line: str, has_load: bool
+) -> None:
     ran = run(line)
     assert ("P = " in " ".join(ran.out.split()).partition("Fixed: ")[2].partition(". ")[0]) is has_load
     assert ("assumed: no load" in ran.err) is (has_load and "--load" not in line)
 
 
-def test_curves_of_several_laws_have_no_equation_of_one(run: Run) -> None:
+def test_the_caption_of_curves_by_several_laws_has_no_equation(run: Run) -> None:
     ran = run("map pull-off quartz --x radius=1nm:1mm --model maugis,dmt")
     assert "Pull-off force, P_c." in ran.out
     assert re.search(r"DMT is off by more than 5 % \(quartz, DMT, R1 = \S+ nm to 1 mm\)\.", " ".join(ran.out.split()))
@@ -524,7 +530,7 @@ def test_curves_of_several_laws_have_no_equation_of_one(run: Run) -> None:
     ("width", "marks"), [("80", "quartz@100nm,quartz@120nm,quartz@130nm"), ("40", "silica-humid@100nm")]
 )
 def test_every_mark_is_on_the_screen(run: Run, monkeypatch: pytest.MonkeyPatch, width: str, marks: str) -> None:
-    """Curves show it as a row, and a map as the value there."""
+    """Below curves, a mark is a row; below a map, it is a value in the caption."""
     monkeypatch.setenv("COLUMNS", width)
     curves = run(f"map pull-off quartz --x radius=10nm:1um --mark {marks}", terminal=True).out
     of_map = run(f"map pull-off quartz --x radius=10nm:1um --y gamma=1mJ/m2:1J/m2 --mark {marks}", terminal=True).out
@@ -545,7 +551,7 @@ def test_every_mark_is_on_the_screen(run: Run, monkeypatch: pytest.MonkeyPatch, 
     ],
 )
 def test_a_caption_has_every_doubt_of_the_rows(run: Run, words: str, axis: str) -> None:
-    """This holds for doubts without a region or line on a map, too; `--plain` leaves all of them out."""
+    """Doubts without a region or line on a map are included; `--plain` leaves out all doubts."""
     quantity, *scene = words.split()
     name, ends = axis.split("=")
     option = f"--{name} {ends}:41" if name != "radius" else f"{ends}:41"
@@ -582,7 +588,7 @@ def test_limits_that_are_not_judged_are_reported(run: Run, words: str) -> None:
     assert "not judged" not in run("map pull-off quartz --x radius=100nm:1um", terminal=True).out
 
 
-def test_a_limit_of_another_number_than_its_name_says_what_follows_alone(run: Run) -> None:
+def test_a_limit_judged_by_the_smaller_sphere_is_stated_by_its_consequence_only(run: Run) -> None:
     """Roughness is judged by the smaller sphere, which is the second one here."""
     out = run("map pull-off quartz 10um --x radius2=100nm:1mm").out
     assert re.search(
@@ -592,7 +598,7 @@ def test_a_limit_of_another_number_than_its_name_says_what_follows_alone(run: Ru
     assert "R1 > " not in out
 
 
-def test_a_caption_has_no_names_of_columns(run: Run) -> None:
+def test_a_caption_has_no_names_of_table_columns(run: Run) -> None:
     out = run("map n-roll quartz 10nm --x energy=1e-21J:1e-17J").out
     assert "W0/W_yield < 3.5: the 2/7 of its energy after sliding cannot make it roll (" in " ".join(out.split())
     assert "of n_roll" not in out

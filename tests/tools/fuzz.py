@@ -2,10 +2,11 @@
 
     python tests/tools/fuzz.py quantity -max_total_time=600
 
-The targets are quantity, unit, materials and words. The options after the target are libFuzzer's, which writes a
+The targets are quantity, unit, materials and words. Options after the target are passed to libFuzzer, which writes a
 violation to the current directory as crash-*. Inputs that reach new code go to a temporary folder, jkroll-fuzz/TARGET;
-`python tests/tools/fuzz.py TARGET --keep` copies the small ones to tests/corpus, which a test replays. Those of
-materials are printed, to be copied to an entry of tests/corpus/material_files.toml. Needs `pip install jkroll[fuzz]`.
+`python tests/tools/fuzz.py TARGET --keep` copies the small ones to tests/corpus, which a test replays. Inputs of
+the target materials are printed, to be copied into an entry of tests/corpus/material_files.toml. Fuzzing needs
+`pip install jkroll[fuzz]`.
 """
 
 import json
@@ -43,7 +44,7 @@ def main() -> None:
             else:
                 shutil.copy(path, CORPUS / target)
         return
-    values.unit_of("nautical_mile", "radius")  # starts pint now, so that no input is blamed for the time
+    values.unit_of("nautical_mile", "radius")  # starts pint now, so that no input seems slow
     with tempfile.TemporaryDirectory() as directory:
         seeds = Path(directory, "seeds")
         seeds.mkdir()

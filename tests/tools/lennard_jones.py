@@ -49,7 +49,7 @@ def disc(r: Any, radius: Any) -> Any:
 
 
 def states(tabor: float, rings: int, gaps: Iterable[float]) -> Iterator[tuple[float, float]]:
-    """Iterate over states, as approach over z0 and tension over πwR, at gaps at the centre; the first is at rest."""
+    """Iterate over the states at given gaps at the centre: the approach over z0 and the tension over πwR."""
     if tabor > 2:
         raise ValueError("the curve cannot be followed by the gap at the centre above μ = 2")
     scale = max(1.0, tabor**0.5)

@@ -1,4 +1,4 @@
-"""Write the stubs, from which editors and mypy know public names and formulas: python tests/tools/make_stub.py."""
+"""Write the stubs that tell editors and mypy the public names and formulas: python tests/tools/make_stub.py."""
 
 from collections.abc import Mapping
 from inspect import unwrap

@@ -1,9 +1,9 @@
-"""Measurements and the values of this program: the data, and the table in `jkroll guide validation`.
+"""Measurements compared with values of this program: the data of the table in `jkroll guide validation`.
 
     python tests/tools/measurements.py
 
-renews the table in the page. A row has only numbers that were read in the source itself or in a text that cites it, and
-states which. The remark names what was not stated there, such as the shape of the other body.
+renews the table in the page. A row has only numbers that were read in the source itself or in a text that cites the
+source; `read` states which of the two. The remark names assumptions, such as the shape of the other body.
 """
 
 from collections.abc import Iterator, Mapping
@@ -33,7 +33,7 @@ class Measurement(NamedTuple):
 
     solids: str
     quantity: str
-    measured: str  # with ± or as a range where one is stated
+    measured: str  # with ± or as a range if the source states one
     material: str
     given: Mapping[str, str]  # the other inputs
     source: str
@@ -49,7 +49,7 @@ class Compared(NamedTuple):
     row: Measurement
     measured: float
     computed: float
-    scene: str  # for which it was computed, as understood
+    scene: str  # the inputs of the computation, in words
 
     @property
     def ratio(self) -> float:

@@ -45,8 +45,8 @@ CONTRIBUTING = TESTS.parent / ".github/CONTRIBUTING.md"
 NOMENCLATURE_FILE, REFERENCE = "src/jkroll/quantities/nomenclature.py", "tests/reference.py"
 HELP_LINES = 31  # most lines of a command's help, not counting lines that only list further options
 OPTIONS_ALONE = re.compile(r" +(--[\w-]+(, |,|$))+")
-SCENES = 8  # scenes that are drawn
-IN_SOME_SCENES = {"load", "approach_at_load", "energy", "speed", "energy_ratio", "radius2"}  # one of several inputs
+SCENES = 8  # number of random scenes
+IN_SOME_SCENES = {"load", "approach_at_load", "energy", "speed", "energy_ratio", "radius2"}  # a scene has some of them
 
 
 class Lack(NamedTuple):
@@ -141,7 +141,7 @@ def _of_input(name: str) -> Iterator[Lack]:
 
 
 def _is_in_formulas(name: str) -> bool:
-    """Return whether a formula takes an input. Those of other laws do not count: their tests draw all values."""
+    """Return whether a formula takes an input. Formulas of other laws do not count: their tests draw all values."""
     takers = [formula for formula in FORMULAS.values() if name in parameters_of(formula)]
     return any(_reference_of(formula.__module__) == REFERENCE for formula in takers)
 
@@ -166,7 +166,7 @@ def is_too_long(text: str) -> bool:
 def tables_read_as(name: str) -> list[str]:
     """Return the repositories of found tables in which a column is read as an input, but the test does not say so.
 
-    An input that is converted to another, such as a shear modulus, is not read where the other is given.
+    Inputs that are converted to another input, such as a shear modulus, are not read in a table with this other input.
     """
     if name in CONVERTED:
         return []
@@ -241,7 +241,7 @@ def stub_lacks(name: str) -> bool:
 def _of_values(name: str) -> Iterator[Lack]:
     """Iterate over what the tests of a formula's accuracy lack: scenes that lead to the formula, or its accuracy.
 
-    The formulas of other laws have their own scenes, in which more is drawn than here.
+    The formulas of other laws have their own scenes, with more random inputs than here.
     """
     if name in law_reference.EQUATIONS:
         return

@@ -2,8 +2,9 @@
 
     python tests/tools/other_pythons.py
 
-Further CPythons have another version than the one that runs this script; they are on PATH or in ~/.pyenv/versions. Each
-gets its own environment outside of the checkout. Prints the versions that ran, and ends with 1 at the first failure.
+Further CPythons are those on PATH or in ~/.pyenv/versions whose version differs from the one that runs this script.
+Each gets its own environment outside of the checkout. Prints the versions that ran, and ends with 1 at the first
+failure.
 """
 
 import os

@@ -8,9 +8,9 @@
 `random` checks the invariants of generated lines: see `check_call` of tests/invariants.py. `check` runs the corpus, or
 COUNT lines spread over it, and checks that each line ends with its exit code and without a traceback, and that `--json`
 prints JSON. `compare` runs the corpus in two checkouts, each in its own process, and prints the differences in exit
-codes, streams and written files; the second checkout is this one unless it is named. Each of them ends with 1 if a line
-is wrong or differs. `outputs` renews tests/corpus/outputs.txt for the lines in it, or for about COUNT lines spread
-over the corpus; read it before you commit it.
+codes, streams and written files; the second checkout defaults to this one. These three modes end with exit code 1 if a
+line is wrong or differs. `outputs` renews tests/corpus/outputs.txt for the lines in it, or for about COUNT lines spread
+over the corpus; read the file before you commit it.
 """
 
 import os
@@ -31,7 +31,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 from corpus_lines import Outcome, among_input_files, faults, lines, run, spread, write_outputs
 
 CHECKOUT = Path(__file__).resolve().parents[2]
-LONGEST = 40  # lines of a difference that are printed
+LONGEST = 40  # most printed lines of a difference
 WIDEST = 1000  # characters of a line
 
 
@@ -139,7 +139,7 @@ def _texts(name: str, before: str, after: str) -> Iterator[str]:
 
 
 def main() -> int:
-    """Run what the command line asks for."""
+    """Run the mode that the command line names."""
     parser = ArgumentParser(description=__doc__, formatter_class=RawDescriptionHelpFormatter)
     modes = parser.add_subparsers(dest="mode", required=True)
     mode = modes.add_parser("random")

@@ -28,7 +28,9 @@ SCENES: list[tuple[str, str | list[str], dict[str, Any]]] = [
 
 
 @pytest.mark.parametrize(("words", "wanted", "scene"), SCENES, ids=lambda each: str(each)[:30])
-def test_as_dict_is_the_object_of_json(run: Run, words: str, wanted: str | list[str], scene: dict[str, Any]) -> None:
+def test_as_dict_equals_the_json_object_of_the_command(
+    run: Run, words: str, wanted: str | list[str], scene: dict[str, Any]
+) -> None:
     printed = json.loads(run(*words.split(), "--json").out)
     found = jkroll.answer(wanted, **scene)
     assert json.loads(json.dumps(found.as_dict())) == printed
@@ -47,7 +49,7 @@ def test_as_dict_is_the_object_of_json(run: Run, words: str, wanted: str | list[
         assert each["text"] in texts[each["code"]] or each["text"].partition(": ")[2] in texts[each["code"]]
 
 
-def test_error_bars_and_units() -> None:
+def test_an_answer_has_uncertainties_and_units() -> None:
     found = jkroll.answer("pull_off_force", radius="100 nm", gamma="25±5 mJ/m2")
     value = found["pull_off_force"]
     assert value.uncertain == jkroll.solve("pull_off_force", radius=1e-7, gamma="25±5 mJ/m2")
@@ -55,7 +57,7 @@ def test_error_bars_and_units() -> None:
     assert found.inputs["surface_energy"] == jkroll.Measured(0.025, 0.005)
 
 
-def test_rows_are_those_of_the_table(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_rows_have_the_cells_of_the_table_on_a_terminal(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     found = jkroll.answer("report", material="quartz", radius="100nm", speed="20cm/s")
     monkeypatch.setenv("COLUMNS", "100")  # wide enough for two blanks between columns
     printed = run("report", "quartz", "100nm", "--speed", "20cm/s", terminal=True).out.splitlines()
@@ -74,7 +76,7 @@ def test_rows_are_those_of_the_table(run: Run, monkeypatch: pytest.MonkeyPatch) 
     assert found.inputs_in_words["youngs_modulus"] == "54 GPa"
 
 
-def test_a_doubt_names_the_results_whose_meaning_it_ends() -> None:
+def test_a_doubt_names_the_results_that_it_leaves_without_a_meaning() -> None:
     found = jkroll.answer(["P_c", "yield_force", "r_min"], material="quartz", radius="1 nm", xi="2 nm")
     without = {name for name, result in found.items() if result.value is None}
     assert without == {"yield_force", "r_min"}
@@ -87,7 +89,7 @@ def test_a_doubt_names_the_results_whose_meaning_it_ends() -> None:
     ]
 
 
-def test_an_answer_is_shown_in_a_line() -> None:
+def test_the_reprs_of_an_answer_and_its_parts_are_one_line() -> None:
     found = jkroll.answer("pull-off", material="quartz", radius="100 nm")
     assert repr(found) == "<Answered: P_c = 11.781 nN, P_DMT = 15.708 nN>"
     assert repr(found["pull_off_force"]) == "<pull_off_force: 11.781 nN>"
@@ -104,7 +106,7 @@ def test_a_result_without_a_value_has_a_reason() -> None:
     assert "Young's modulus" in str(found["contact_radius_at_load"])
 
 
-def test_what_has_no_answer_is_an_error() -> None:
+def test_answer_refuses_a_missing_radius_a_load_beyond_pull_off_and_an_unknown_question() -> None:
     with pytest.raises(jkroll.JkrollError, match="radius"):
         jkroll.answer("pull-off", material="quartz")
     with pytest.raises(jkroll.JkrollError, match="hardest pull"):
@@ -120,8 +122,8 @@ KINDS = [kind for kind in (*vars(reasons).values(), *ENDS.values()) if isinstanc
 UNSOLVED = unsolved.Unsolved.__subclasses__()
 
 
-def test_kinds_of_reasons_have_codes_of_their_own() -> None:
-    """Two causes may share a phrase if one of them only adds words to it."""
+def test_each_kind_of_reason_has_its_own_code() -> None:
+    """Causes that differ only in their explanation share a phrase and a code."""
     phrases = {(kind.phrase or kind.words): kind.code for kind in KINDS} | {
         kind.phrase: code_of(kind.phrase) for kind in UNSOLVED
     }
@@ -146,14 +148,14 @@ def test_kinds_of_reasons_have_codes_of_their_own() -> None:
     ],
 )
 def test_a_result_without_a_value_has_the_code_of_its_reason(run: Run, words: str, name: str, code: str) -> None:
-    several = words.replace("100nm", "100nm,200nm").replace("10um", "10um,20um")  # rows fail one by one
+    several = words.replace("100nm", "100nm,200nm").replace("10um", "10um,20um")  # each row has its own reason
     for answer in json.loads(run(f"{several} --json").out):
         (result,) = [result for result in answer["results"] if result["name"] == name]
         assert (result["value"], result["reason_code"]) == (None, code)
         assert result["reason"]
 
 
-def test_a_code_is_there_in_python_and_with_a_reason_alone() -> None:
+def test_only_results_without_a_value_have_a_reason_and_its_code() -> None:
     found = jkroll.answer("contact", material="quartz", radius=1e-7, model="dmt")
     assert (found["well_energy"].code, found["contact_radius"].code) == ("not-in-law", "")
     for result in found.as_dict()["results"]:

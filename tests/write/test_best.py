@@ -1,4 +1,4 @@
-"""Best ranges on a terminal, in lists, lines, files and explanations: their positions, and where they are left out."""
+"""Best ranges in tables, lists, lines, files and explanations: where they stand, and when they are left out."""
 
 import csv
 import re
@@ -20,8 +20,8 @@ def cells(run: Run, words: str, symbol: str) -> list[str]:
     return re.split(r"\s{2,}", line[line.index(f"{symbol} ") :].strip())
 
 
-def test_a_table_has_the_range_first_and_the_law_last(run: Run) -> None:
-    """SiO2 spheres of 0.95 µm rolled at 0.69 to 1.57 nN. Scaled to 100 nm as R and R^(2/3), that is 73 and 350 pN.
+def test_a_table_has_the_best_range_before_the_value_by_jkr(run: Run) -> None:
+    """SiO2 spheres of 0.95 µm rolled at 0.69 to 1.57 nN. Scaled to 100 nm as R and R^(2/3), this gives 73 and 350 pN.
 
     The angle ξ/R is 4 mrad at 2 Å by every law.
     """
@@ -36,12 +36,12 @@ def test_a_table_has_the_range_first_and_the_law_last(run: Run) -> None:
     "words",
     ["frequencies iron {}", "yield-force quartz {} --model dmt", "report quartz {} --quantities F_cδ_c"],
 )
-def test_a_range_that_is_the_law_in_use_or_a_definition_is_left_out(run: Run, words: str) -> None:
+def test_best_ranges_given_by_the_law_in_use_or_a_definition_are_left_out(run: Run, words: str) -> None:
     for sizes in ("1mm", "1mm,2mm"):
         assert "best" not in run(words.format(sizes), terminal=True).out
 
 
-def test_lists_have_it_beside_the_headline(run: Run) -> None:
+def test_lists_have_the_best_range_of_the_headline_unless_they_compare_laws(run: Run) -> None:
     least, most = (solve(name, model=model, **QUARTZ, atomic_spacing=spacing) for name, model, spacing in (
         ("pull_off_force", "maugis", 2e-10), ("pull_off_force_lennard_jones", None, 4e-10),
     ))  # fmt: skip
@@ -54,7 +54,7 @@ def test_lists_have_it_beside_the_headline(run: Run) -> None:
     assert re.search(r"^by +– +scaled$", out, re.MULTILINE)
 
 
-def test_files_and_lines_have_it_where_it_is_asked_for(run: Run) -> None:
+def test_files_and_lines_have_best_ranges_only_with_the_option_best(run: Run) -> None:
     best = answer("pull-off", **QUARTZ).best["pull_off_force"]
     heads = ["pull_off_force_best_low [N]", "pull_off_force_best_high [N]", "pull_off_force_best_by"]
     assert not any(head in run("pull-off quartz 100nm --csv").out for head in heads)
@@ -70,16 +70,16 @@ def test_files_and_lines_have_it_where_it_is_asked_for(run: Run) -> None:
 
 
 @pytest.mark.parametrize("option", ["", "--best"])
-def test_a_row_that_only_another_law_can_answer_fails_whatever_is_written(run: Run, option: str) -> None:
-    """In DMT a hysteresis of adhesion gives no displacement ξ; by Maugis' law it gives one."""
+def test_a_row_without_a_value_by_the_law_in_use_fails_with_and_without_best(run: Run, option: str) -> None:
+    """A hysteresis of adhesion determines ξ by Maugis' law, but not in DMT."""
     words = "yield-force quartz 100nm,200nm --hysteresis-fraction 0.9 --model dmt --csv"
     ran = run(f"{words} {option}")
     assert (ran.code, ran.out.count("not in DMT")) == (1, 2)
     assert "2 of 2 rows failed" in ran.err
 
 
-def test_a_range_has_error_bars_in_lists(run: Run) -> None:
-    """Each end of the range is the value of its law at an end of the input."""
+def test_a_best_range_in_a_list_includes_the_range_of_an_input(run: Run) -> None:
+    """Each end of the range is the value by one law at an end of the input."""
     (row, _) = csv.DictReader(
         run("pull-off", "quartz", "100nm,1um", "--gamma", "20 to 30 mJ/m2", "--csv", "--best").out.splitlines()
     )
@@ -89,8 +89,8 @@ def test_a_range_has_error_bars_in_lists(run: Run) -> None:
     assert float(row["pull_off_force_best_high [N]"]) == approx(solve("pull_off_force_lennard_jones", **given))
 
 
-def test_explanations_have_what_a_range_is_made_of(run: Run) -> None:
-    """The line names the forces of JKR, and of Maugis' law at two atomic spacings."""
+def test_explanations_have_the_values_that_make_up_a_best_range(run: Run) -> None:
+    """The line has the forces by JKR, and by Maugis' law at two atomic spacings."""
     said = run("pull-off quartz 100nm --explain").out
     forces = [
         solve("pull_off_force", model=model, **QUARTZ, atomic_spacing=spacing) * 1e9
@@ -101,8 +101,8 @@ def test_explanations_have_what_a_range_is_made_of(run: Run) -> None:
         assert f"{law} {significant(force, 2)} nN" in line
 
 
-def test_explanations_have_the_powers_of_inputs(run: Run) -> None:
-    """f_z goes as γ^(1/6) E^(1/3) R^(-7/6) ρ^(-1/2). The powers of δ under a load are no simple fractions."""
+def test_explanations_have_the_power_law_of_a_result(run: Run) -> None:
+    """f_z goes as γ^(1/6) E^(1/3) R^(-7/6) ρ^(-1/2). The powers of δ under a load are not simple fractions."""
     said = run("frequencies quartz 100nm --quantities f_z --explain").out
     assert "  power law R1^-1.17 γ1^0.167 E1^0.333 ν1^0.0198 ρ1^-0.5\n" in said
     assert " N^-0.5\n" in run("aggregates quartz 100nm --monomers 2 --filling-factor 0.2 --explain").out  # N ≥ 2

@@ -1,4 +1,4 @@
-"""Inferred values on a terminal, in JSON and in rows, by the law that holds and by the law in use; library values."""
+"""Inferred values by the law that holds and by the law in use, compared with those of the material."""
 
 import csv
 import json
@@ -30,7 +30,7 @@ def bisected(forward: Callable[[float], float], level: float, low: float, high: 
 
 
 def by_maugis(force: float, spacing: float) -> float:
-    """Return the surface energy with which a force pulls quartz off a plane, by Maugis' law at a spacing."""
+    """Return the surface energy that gives quartz on a plane a pull-off force, by Maugis' law at an atomic spacing."""
 
     def pulled(energy: float) -> float:
         return float(solve("pull_off_force", surface_energy=energy, atomic_spacing=spacing, **QUARTZ))
@@ -46,7 +46,7 @@ def rows(run: Run, words: str) -> list[list[str]]:
     return [cells[1:] for cells in found if len(cells) > 3]
 
 
-def test_the_law_that_holds_stands_first_over_both_spacings(run: Run) -> None:
+def test_the_first_row_is_the_range_by_the_law_that_holds_at_both_atomic_spacings(run: Run) -> None:
     energies = sorted(1e3 * by_maugis(FORCE, spacing) for spacing in SPACINGS)
     assert 1e3 * BY_DMT < energies[0] < energies[1] < 1e3 * BY_JKR
     range_of_both = "–".join(f"{energy:.0f}" for energy in energies)
@@ -56,7 +56,7 @@ def test_the_law_that_holds_stands_first_over_both_spacings(run: Run) -> None:
     ]
 
 
-def test_error_bars_widen_the_range_of_the_law_that_holds(run: Run) -> None:
+def test_an_uncertain_force_widens_the_range_by_the_law_that_holds(run: Run) -> None:
     ends = by_maugis(FORCE, SPACINGS[0]), by_maugis(FORCE, SPACINGS[1])
     (result,) = json.loads(run(f"{ON_PLANE} P_c=300±20nN --json").out)["results"]
     best = result["best"]
@@ -68,14 +68,14 @@ def test_error_bars_widen_the_range_of_the_law_that_holds(run: Run) -> None:
     assert result["value"] == approx(BY_JKR)
 
 
-def test_a_law_that_holds_has_one_row(run: Run) -> None:
+def test_there_is_one_row_if_the_law_in_use_holds(run: Run) -> None:
     """γ follows from P_c = 3πγR with the reduced radius of two equal spheres, 50 µm."""
     energy = 1e3 * 20e-6 / (3 * math.pi * 50e-6)
     assert rows(run, "infer gamma pdms 100um --measured P_c=20uN") == [["γ", "JKR", f"{energy:.2f}", "20.1", "mJ/m²"]]
 
 
 @pytest.mark.parametrize(("model", "head", "energy"), [("jkr", "JKR", BY_JKR), ("dmt", "DMT", BY_DMT)])
-def test_a_law_that_is_stated_stands_alone(run: Run, model: str, head: str, energy: float) -> None:
+def test_a_given_law_is_the_only_law_of_the_table(run: Run, model: str, head: str, energy: float) -> None:
     found = rows(run, f"{ON_PLANE} P_c=300nN --model {model}")
     assert found == [["γ", head, f"{1e3 * energy:.2f}", "25", "mJ/m²"]]
 
@@ -87,7 +87,7 @@ def test_two_unknowns_have_a_block_of_rows_for_each_law(run: Run) -> None:
     assert found[2][2] == f"{1e3 * BY_JKR:.2f}"  # the pull-off force of JKR does not depend on a modulus
 
 
-def test_a_law_without_a_solution_says_why(run: Run) -> None:
+def test_a_note_says_why_a_law_has_no_solution(run: Run) -> None:
     words = "infer young quartz 1um --measured yield_force=100pN --hysteresis-fraction 40%"
     assert [row[:-2] for row in rows(run, words)] == [["E", "Maugis (best)", "–"], ["E", "JKR", "2746"]]
     said = " ".join(run(words, terminal=True).out.split())
@@ -95,7 +95,7 @@ def test_a_law_without_a_solution_says_why(run: Run) -> None:
     assert "E is 51 times quartz's (54 GPa)" in " ".join(run(f"{words} --explain").out.split())  # 2746/54
 
 
-def test_what_no_material_has_stands_alone(run: Run) -> None:
+def test_without_a_material_no_column_has_its_values(run: Run) -> None:
     words = "infer w --young 54GPa --poisson 0.17 2um --radius2 plane --measured P_c=300nN"
     assert all("has" not in line.split() for line in run(words, terminal=True).out.splitlines())
     assert [row[-1] for row in rows(run, words)] == ["mJ/m²"] * 2
@@ -126,8 +126,10 @@ def test_what_no_material_has_stands_alone(run: Run) -> None:
         ("young quartz", 1 / 32, ""),
     ],
 )
-def test_energies_far_from_the_materials_are_reported(run: Run, words: str, factor: float, note: str) -> None:
-    """P_c = 3/2 πwR by JKR, up to 2πwR by other laws; w = 2√(γ1γ2), mica has 0.15 J/m²."""
+def test_a_note_reports_energies_far_from_those_of_the_materials(
+    run: Run, words: str, factor: float, note: str
+) -> None:
+    """P_c = 3/2 πwR by JKR, up to 2πwR by other laws; w = 2√(γ1γ2), and γ of mica is 0.15 J/m²."""
     work = 2 * math.sqrt(0.025 * (0.15 if "mica" in words else 0.025))
     measured = f"P_c={1.5 * math.pi * factor * work * RADIUS}N"
     if "young" in words:  # a0³ = 9πwR²/(2E*), and E* = E/(2(1 - ν²))
@@ -143,7 +145,7 @@ def test_energies_far_from_the_materials_are_reported(run: Run, words: str, fact
     assert 0.74 * factor <= times <= 1.01 * factor
 
 
-def test_a_table_has_the_best_range(run: Run) -> None:
+def test_a_table_has_the_best_range_of_an_inferred_value(run: Run) -> None:
     Path("in.csv").write_text("radius,P_c\n2um,300nN\n1um,-1nN\n")
     run("batch in.csv -o out.csv --infer gamma --measured P_c --radius2 plane --material quartz --best --quiet")
     first, last = csv.DictReader(Path("out.csv").read_text(encoding="utf-8").splitlines())
@@ -154,7 +156,7 @@ def test_a_table_has_the_best_range(run: Run) -> None:
 
 
 @pytest.mark.parametrize("radii", ["2um", "2um,3um", "2um:3um:12"])
-def test_rows_have_the_best_range(run: Run, radii: str) -> None:
+def test_lists_and_sweeps_have_the_best_range_of_an_inferred_value(run: Run, radii: str) -> None:
     ran = run(f"infer gamma quartz {radii} --radius2 plane --measured P_c=300nN --csv --best --quiet")
     first = next(iter(csv.DictReader(ran.out.splitlines())))
     energies = sorted(by_maugis(FORCE, spacing) for spacing in SPACINGS)
@@ -174,7 +176,7 @@ def test_rows_have_the_best_range(run: Run, radii: str) -> None:
         ("pull-off quartz 100nm --material2 mica,gold", "R1 = 100 nm on a plane"),
     ],
 )
-def test_a_plane_is_of_a_solid(run: Run, words: str, solid: str) -> None:
+def test_the_head_names_the_solid_of_the_plane_if_there_is_only_one(run: Run, words: str, solid: str) -> None:
     head = " ".join(run(f"{words} --radius2 plane", terminal=True).out.split())
     assert solid in head
     assert ("plane of" in head) == ("plane of" in solid)

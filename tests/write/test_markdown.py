@@ -1,4 +1,4 @@
-"""Tables in Markdown: GitHub shows the cells of CSV, or those of the table on a terminal."""
+"""Tables in Markdown: GitHub shows the cells of the CSV output, or of the table on a terminal."""
 
 import csv
 import gzip
@@ -61,7 +61,7 @@ LISTS = (
 
 
 @pytest.mark.parametrize("words", LISTS)
-def test_lists_have_the_cells_of_csv(run: Run, words: str) -> None:
+def test_lists_in_markdown_have_the_cells_of_csv(run: Run, words: str) -> None:
     exact, (heads, *rows) = read(run(f"{words} --md --digits 17").out), read_csv(run(f"{words} --csv").out)
     table = read(run(f"{words} --md").out)
     assert table.heads == exact.heads == heads
@@ -75,7 +75,7 @@ def test_lists_have_the_cells_of_csv(run: Run, words: str) -> None:
                 assert cell == digits == plain, head
 
 
-def test_numbers_stand_on_the_right_with_four_digits(run: Run) -> None:
+def test_numbers_are_aligned_on_the_right_and_results_have_four_digits(run: Run) -> None:
     table = read(run("pull-off quartz 100nm,1um --quantities P_c --md").out)
     sides = dict(zip(table.heads, table.are_right, strict=True))
     assert sides == {
@@ -88,14 +88,14 @@ def test_numbers_stand_on_the_right_with_four_digits(run: Run) -> None:
     assert read(run("pull-off quartz 100nm,1um --best --md").out).are_right[5:8] == [True, True, False]
 
 
-def test_an_input_has_six_digits_and_a_whole_number_no_point(run: Run) -> None:
+def test_an_input_has_six_digits_and_a_whole_number_has_no_decimal_point(run: Run) -> None:
     row = read(run("pull-off quartz 10nm:1um:7 --quantities P_c --md").out).rows[1]
     assert row[1] == f"{1e-8 * 10 ** (1 / 3):.5e}".replace("e-0", "e-")
     row = read(run("yield-force quartz 100nm,1um --young 123456789123Pa --digits 2 --md").out).rows[0]
     assert "120000000000" in row
 
 
-def test_a_number_that_is_missing_is_an_empty_cell_with_its_reason(run: Run) -> None:
+def test_a_missing_result_is_an_empty_cell_with_its_reason_in_the_status(run: Run) -> None:
     heads, _, (_, gap) = read(run("contact quartz 100nm --load 1nN,-50nN --quantities a --md").out)
     row = dict(zip(heads, gap, strict=True))
     assert row["contact_radius_at_load [m]"] == ""
@@ -115,7 +115,9 @@ def test_a_number_that_is_missing_is_an_empty_cell_with_its_reason(run: Run) -> 
         "infer gamma quartz 2um --radius2 plane --measured P_c=300nN",
     ],
 )
-def test_one_answer_is_the_table_of_a_terminal(run: Run, monkeypatch: pytest.MonkeyPatch, words: str) -> None:
+def test_a_single_answer_has_the_texts_of_the_table_on_a_terminal(
+    run: Run, monkeypatch: pytest.MonkeyPatch, words: str
+) -> None:
     monkeypatch.setenv("COLUMNS", "999")
     ran, shown = run(f"{words} --md"), run(words, terminal=True)
     lines = [line for line in shown.out.splitlines() if not line.startswith("─")]
@@ -127,14 +129,14 @@ def test_one_answer_is_the_table_of_a_terminal(run: Run, monkeypatch: pytest.Mon
     assert ran.err == shown.err
 
 
-def test_paragraphs_stand_apart_from_tables(run: Run) -> None:
+def test_blank_lines_separate_paragraphs_and_tables(run: Run) -> None:
     out = run("energies quartz 100nm --md").out
     for before, after in zip(out.splitlines(), out.splitlines()[1:], strict=False):
         assert not (before and after) or (before.startswith("|") and after.startswith("|"))
     assert not out.endswith("\n\n")
 
 
-def test_the_unit_and_the_inputs_are_those_that_were_typed(run: Run) -> None:
+def test_the_unit_and_the_inputs_are_shown_as_typed(run: Run) -> None:
     out = run("pull-off quartz .1um --to uN --digits 2 --md").out
     assert out.startswith("quartz (γ = 25 mJ/m² per surface), R1 = R2 = .1 µm\n\n")
     assert read(out).rows[0][-2:] == ["0.012", "uN"]
@@ -143,7 +145,7 @@ def test_the_unit_and_the_inputs_are_those_that_were_typed(run: Run) -> None:
 # --- Texts ------------------------------------------------------------------------------------------------------------
 
 
-def test_texts_of_a_table_come_back(run: Run) -> None:
+def test_texts_with_markup_are_shown_unchanged(run: Run) -> None:
     with Path("in.csv").open("w", encoding="utf-8", newline="") as file:
         csv.writer(file).writerows([["id|`x`", "radius [nm]", "n"], *([text, 100, 7.5] for text in HOSTILE)])
     ran = run("batch in.csv -o out.md --gamma 25mJ/m2 --quantities P_c")
@@ -154,13 +156,13 @@ def test_texts_of_a_table_come_back(run: Run) -> None:
     assert [row[:4] for row in table.rows] == [[text, "100", "7.5", "1.178e-8"] for text in HOSTILE]
 
 
-def test_cells_have_no_line_breaks(run: Run) -> None:
+def test_line_breaks_in_cells_become_blanks(run: Run) -> None:
     Path("in.csv").write_text('id,radius [nm]\r\n"a\r\nb\nc\rd",100\r\n', encoding="utf-8", newline="")
     run("batch in.csv -o out.md --gamma 25mJ/m2 --quantities P_c")
     assert read(Path("out.md").read_bytes().decode()).rows[0][:2] == ["a b c d", "100"]
 
 
-def test_the_name_of_a_material_comes_back(run: Run) -> None:
+def test_a_material_name_with_markup_is_shown_unchanged(run: Run) -> None:
     name, options = "q|`*\\z", ("--materials", "mine.toml", "--md")
     Path("mine.toml").write_text(f"[materials.'{name}']\nsurface_energy = '25 mJ/m2'\n", encoding="utf-8")
     assert [row[0] for row in read(run("pull-off", name, "100nm,1um", *options).out).rows] == [name, name]
@@ -169,7 +171,7 @@ def test_the_name_of_a_material_comes_back(run: Run) -> None:
     assert single.startswith("q\\|\\`\\*\\\\z (γ = 25 mJ/m² per surface), R1 = R2 = 100 nm\n\n")
 
 
-def test_another_reader_of_markdown_sees_the_same_texts() -> None:
+def test_a_parser_of_commonmark_reads_the_same_texts() -> None:
     markdown_it = pytest.importorskip("markdown_it")
     reader = markdown_it.MarkdownIt("commonmark").enable(["table", "strikethrough"])
     source = Random(1)
@@ -195,7 +197,7 @@ def test_catalogues_have_the_cells_of_csv(run: Run) -> None:
 
 
 @pytest.mark.parametrize("words", ["pull-off quartz 100nm", "pull-off quartz 100nm,1um", "contact quartz 1um --curve"])
-def test_a_file_has_what_is_printed(run: Run, words: str) -> None:
+def test_a_markdown_file_has_the_printed_text(run: Run, words: str) -> None:
     printed = run(f"{words} --md").out
     for options in ("-o x.md", "--md -o x.MD"):
         assert run(f"{words} {options}").out == ""
@@ -205,7 +207,7 @@ def test_a_file_has_what_is_printed(run: Run, words: str) -> None:
         assert gzip.decompress(Path("x.md.gz").read_bytes()).decode() == printed
 
 
-def test_a_file_of_the_input_keeps_decimal_commas_and_loses_its_mark(run: Run) -> None:
+def test_decimal_commas_of_the_input_are_kept_and_its_byte_order_mark_is_not(run: Run) -> None:
     Path("in.csv").write_text("\ufeffid;R1 (nm);R2\nx;99,5;plane\ny;1e2;plane\n", encoding="utf-8")
     assert run("batch in.csv --delimiter semicolon --gamma 25mJ/m2 --quantities P_c -o out.md").code == 0
     text = Path("out.md").read_text(encoding="utf-8")
@@ -213,7 +215,7 @@ def test_a_file_of_the_input_keeps_decimal_commas_and_loses_its_mark(run: Run) -
     assert [row[1:4] for row in read(text).rows] == [["99,5", "plane", "2,344e-8"], ["1e2", "plane", "2,356e-8"]]
 
 
-def test_rows_of_units_and_rows_that_fail_are_rows(run: Run) -> None:
+def test_the_row_of_units_and_failed_rows_are_rows_of_the_output(run: Run) -> None:
     Path("in.csv").write_text("id,radius\n,nm\na,100\nb,c,d\nc,x\n", encoding="utf-8")
     assert run("batch in.csv -o out.md --gamma 25mJ/m2 --quantities P_c").code == 1
     rows = read(Path("out.md").read_text(encoding="utf-8")).rows
@@ -221,7 +223,7 @@ def test_rows_of_units_and_rows_that_fail_are_rows(run: Run) -> None:
     assert [row[-1] for row in rows] == ["row of units", "", "row is long: 3 cells for 2", "bad radius"]
 
 
-def test_tables_of_many_blocks_are_one_table(run: Run) -> None:
+def test_a_table_computed_in_many_blocks_is_one_markdown_table(run: Run) -> None:
     size = 12_000
     Path("in.csv").write_text("radius [nm]\n" + "".join(f"{100 + row}\n" for row in range(size)), encoding="utf-8")
     for jobs in (1, 2):
@@ -248,7 +250,7 @@ def test_tables_of_many_blocks_are_one_table(run: Run) -> None:
         ("contact quartz 1um --curve --density 1mµm -o x.md", "has a µ that is not the first letter of a unit"),
     ],
 )  # fmt: skip
-def test_what_does_not_go_with_markdown_is_refused(run: Run, words: str, problem: str) -> None:
+def test_invalid_calls_for_markdown_are_refused_and_write_no_file(run: Run, words: str, problem: str) -> None:
     Path("grains.csv").write_text("material,radius [nm]\nquartz,100\n", encoding="utf-8")
     Path("grains.ndjson").write_text('{"material": "quartz", "radius [nm]": 100}\n', encoding="utf-8")
     ran = run(words)

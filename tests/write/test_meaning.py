@@ -1,4 +1,4 @@
-"""Numbers without a meaning: only `solve` and outputs without a place for a reason show them."""
+"""Numbers without a meaning: only `solve` and outputs without room for a reason show them."""
 
 import csv
 import json
@@ -21,10 +21,10 @@ SLOW, SHORT = (
 )
 SONIC = "faster than sound in the solid: no static contact describes that"
 XI = "ξ is too large for the formula"
-# Calls with two values; the results without a meaning at the second value, or None for all results; the code and the
-# phrase of their reason.
+# Each entry has a call with two values of an input, the results without a meaning at the second value (None for all
+# results), and the code and the phrase of their reason.
 CALLS: dict[str, tuple[tuple[str, str, str], set[str] | None, str, str]] = {
-    "turns that do not begin": (
+    "a sphere that does not begin to roll": (
         ("n-roll quartz 100nm", "--speed", "12cm/s,10cm/s"), {"n_roll"}, "does-not-roll-sliding", SLOW,
     ),
     "a sphere that flies off": (("n-roll quartz 1um", "--speed", "4.65m/s,4.66m/s"), None, "flies-off", FLIES),
@@ -37,13 +37,13 @@ CALLS: dict[str, tuple[tuple[str, str, str], set[str] | None, str, str]] = {
     "a contact wider than its sphere": (
         (f"contact {GEL}".replace("--young2 3kPa ", ""), "--young2", "1MPa,3kPa"), None, "contact-exceeds-sphere", WIDE,
     ),
-    "a pull-off force of it": (
+    "the pull-off force of a contact wider than its sphere": (
         (f"pull-off {GEL}".replace("--young2 3kPa ", ""), "--young2", "1MPa,3kPa"),
         None,
         "contact-exceeds-sphere",
         WIDE,
     ),
-    "a chain without a sphere": (("n-grav quartz", "", "1um,1mm"), {"n_grav"}, "no-chain", SHORT),
+    "a chain that does not hold even one sphere": (("n-grav quartz", "", "1um,1mm"), {"n_grav"}, "no-chain", SHORT),
     "a displacement beyond its limit": (("yield-force quartz", "", "100nm,2nm"), None, "xi-over-limit", XI),
 }  # fmt: skip
 
@@ -55,7 +55,7 @@ def words_of(call: tuple[str, str, str], *, last: bool = False) -> str:
 
 
 @pytest.mark.parametrize("name", CALLS)
-def test_no_door_shows_a_number_without_a_meaning(run: Run, name: str) -> None:
+def test_only_bare_numbers_and_plain_lines_show_a_number_without_a_meaning(run: Run, name: str) -> None:
     call, ended, code, phrase = CALLS[name]
     rows = [*csv.DictReader(run(f"{words_of(call)} --csv").out.splitlines())]
     heads = {head.partition(" ")[0]: head for head in rows[0] if head.partition(" ")[0] in NOMENCLATURE}
@@ -81,7 +81,7 @@ def test_no_door_shows_a_number_without_a_meaning(run: Run, name: str) -> None:
         assert all(results[each]["reason"] == phrase for each in ended)
         for each in ended:  # by another law or displacement, an end of a best range may have a meaning
             ends = {results[each].get("best", {}).get(end) for end in ("low", "high")}
-            assert ends == {None} or name in {"turns that do not begin", "a sphere that flies off"}
+            assert ends == {None} or name in {"a sphere that does not begin to roll", "a sphere that flies off"}
         # A terminal
         table = run(words, terminal=True)
         assert table.code == 0
@@ -105,8 +105,7 @@ def test_no_door_shows_a_number_without_a_meaning(run: Run, name: str) -> None:
 
 
 @pytest.mark.parametrize("name", CALLS)
-def test_a_table_ends_the_same_meanings_with_doubts_and_without(run: Run, name: str) -> None:
-    """A table and a list have the same empty cells."""
+def test_a_table_has_the_same_empty_cells_as_a_list_with_and_without_doubts(run: Run, name: str) -> None:
     (words, option, values), ended, _, phrase = CALLS[name]
     command, *inputs = words.split()
     *_, of_list = csv.DictReader(run(f"{words} {option} {values} --csv").out.splitlines())
@@ -135,7 +134,7 @@ def shown_by(run: Run, command: str) -> set[str]:
     return {one["name"] for one in json.loads(run(f"{command} quartz 1um {given} --json").out)["results"]}
 
 
-def test_a_sphere_of_quartz_of_one_micron_flies_off_at_4_65_metres_a_second() -> None:
+def test_a_quartz_sphere_of_1_um_flies_off_at_4_65_m_per_s() -> None:
     """With m v²/(R1 + R2) = P_c, v² = 1.1781e-7 N · 2 µm/1.0891e-14 kg = 21.635 m²/s²."""
     speed = math.sqrt(1.5 * math.pi * 0.05 * 0.5e-6 * 2e-6 / (4 / 3 * math.pi * 1e-18 * 2600))
     assert round(speed, 2) == 4.65
@@ -147,8 +146,11 @@ def test_a_sphere_of_quartz_of_one_micron_flies_off_at_4_65_metres_a_second() ->
         assert math.isclose(found, 1 / more, rel_tol=1e-12)
 
 
-def test_a_speed_along_the_surface_is_not_judged_as_one_of_a_head_on_impact(run: Run) -> None:
-    """Quartz spheres of 1 µm stick up to 0.087 m/s. At 1 m/s they bounce head-on, but roll along the surface."""
+def test_a_speed_along_the_surface_is_not_judged_like_a_head_on_impact(run: Run) -> None:
+    """Quartz spheres of 1 µm stick up to 0.087 m/s.
+
+    At 1 m/s they bounce in a head-on impact, but roll along a surface.
+    """
     rolled = json.loads(run("n-roll quartz 1um --speed 1m/s --json").out)
     assert [round(one["value"], 2) for one in rolled["results"]] == [13.14, 5.25, 18.39]
     assert not {"bounces", "flies-off"} & {one["code"] for one in rolled["validity"]}
@@ -168,8 +170,8 @@ def test_a_speed_along_the_surface_is_not_judged_as_one_of_a_head_on_impact(run:
         assert (found["results"][0]["value"] > 0) is is_above
 
 
-def test_what_rests_on_the_atomic_spacing_is_not_judged_without_it(run: Run) -> None:
-    """By Maugis' law U_stick of small, hard spheres depends on z0, and so does each limit of a speed."""
+def test_limits_that_depend_on_the_atomic_spacing_are_not_judged_without_it(run: Run) -> None:
+    """By Maugis' law U_stick of small, hard spheres depends on z0, and so does each limit on a speed."""
     row = run("impact quartz 100nm,1m --speed 1m/s --model maugis --csv")
     small, large = csv.DictReader(row.out.splitlines())
     assert ("unchecked" in small["doubt"].split(), small["status"]) == (True, "needs atomic_spacing")
@@ -181,18 +183,18 @@ def test_what_rests_on_the_atomic_spacing_is_not_judged_without_it(run: Run) -> 
             jkroll.solve(name, material="quartz", radius=1e-7, speed=1.0, model="maugis")
 
 
-def test_python_has_the_reason_and_solve_the_number() -> None:
+def test_answer_has_the_reason_and_solve_the_number_without_a_meaning() -> None:
     """n_roll = W0/(14πP_cξ), with W0 = ½ · 1.0891e-17 kg · 0.01 m²/s² and P_c = 11.781 nN."""
     given: dict[str, Any] = {"material": "quartz", "radius": 1e-7, "speed": 0.1}
     found = jkroll.answer("n-roll", **given)
     assert (found["n_roll"].value, found["n_roll"].reason) == (None, SLOW)
     assert str(found["n_roll"]) == f"no value: {SLOW}"
     assert f"{found['n_imp'].value:.4g}" == "0.001314"
-    assert found.best["n_roll"].by == "–"  # it does not roll with any measured force either
+    assert found.best["n_roll"].by == "–"  # nor does the sphere roll with any measured rolling force
     assert f"{jkroll.solve('n_roll', **given):.5g}" == "0.00052546"
 
 
-def test_a_contact_wider_than_its_sphere_stands_first_and_ends_all(run: Run) -> None:
+def test_a_contact_wider_than_its_sphere_is_the_first_warning_and_leaves_no_result(run: Run) -> None:
     """By hand a0 = (9π · 0.071 · 15e-6²/(2 · 4000))^(1/3) = 38.36 µm, 2.5575 radii."""
     said = run(f"report {GEL} --density 1g/cm3").err
     warning, *others = [line for line in said.splitlines() if line.startswith(("warning: ", "note: "))]
@@ -209,7 +211,7 @@ def test_a_contact_wider_than_its_sphere_stands_first_and_ends_all(run: Run) -> 
 
 
 def test_a_load_widens_a_contact_beyond_its_sphere(run: Run) -> None:
-    """Without load a0 is 11.7 µm. Even without adhesion 1.2 µN presses a sphere of 15 µm to a = R (Hertz)."""
+    """Without load a0 is 11.7 µm. Even without adhesion, 1.2 µN presses a sphere of 15 µm to a = R (Hertz)."""
     soft = "15um --radius2 plane --work-of-adhesion 2mJ/m2 --young rigid --young2 3kPa --poisson2 0.5"
     few, many = csv.DictReader(run(f"contact {soft} --load 0N,2uN --csv").out.splitlines())
     assert math.isclose(float(few["contact_radius_at_load [m]"]), 11.67e-6, rel_tol=1e-3)
@@ -223,7 +225,7 @@ def test_a_load_widens_a_contact_beyond_its_sphere(run: Run) -> None:
     assert WIDE in " ".join(curve.err.split())
 
 
-def test_an_inferred_value_ends_with_the_meaning_of_what_was_measured(run: Run) -> None:
+def test_a_value_inferred_from_a_contact_wider_than_its_sphere_is_left_out(run: Run) -> None:
     """A pull-off force of 5 µN gives w = 71 mJ/m² for a sphere of 15 µm, and a contact wider than the sphere."""
     measured = "--measured pull_off_force=5.0187uN"
     words = f"infer work_of_adhesion 15um --radius2 plane --young rigid --young2 3kPa --poisson2 0.5 {measured}"
@@ -240,7 +242,7 @@ def test_an_inferred_value_ends_with_the_meaning_of_what_was_measured(run: Run) 
     assert math.isclose(float(second["work_of_adhesion [J/m^2]"]), 5e-9 / (1.5 * math.pi * 15e-6), rel_tol=1e-6)
 
 
-def test_a_result_of_identical_spheres_has_no_number_for_others(run: Run) -> None:
+def test_a_result_for_identical_spheres_has_no_value_for_unequal_ones(run: Run) -> None:
     words = "frequencies quartz 100nm --radius2 200nm --quantities rolling_frequency_as_printed,vertical_frequency"
     printed, vertical = json.loads(run(f"{words} --json").out)["results"]
     assert (printed["value"], printed["reason"]) == (None, "defined for identical spheres only")
@@ -250,11 +252,11 @@ def test_a_result_of_identical_spheres_has_no_number_for_others(run: Run) -> Non
     assert run(f"{words} --csv").code == 0
 
 
-# --- Doubts that end nothing ------------------------------------------------------------------------------------------
+# --- Doubts that leave numbers their meaning --------------------------------------------------------------------------
 
 
-def test_a_state_beyond_pull_off_that_grips_hold_has_its_numbers(run: Run) -> None:
-    """At δ = −0.5δ0 the force curve has 3y⁴ − 2y = −0.5, so y = √â is 0.6916… or 0.2641…."""
+def test_a_state_beyond_pull_off_has_results_if_fixed_grips_hold_it(run: Run) -> None:
+    """At δ = −0.5δ0, 3y⁴ − 2y = −0.5 has the roots y = √â = 0.7657… and 0.2564…; at pull-off, y is 0.7937…."""
     found = json.loads(run("contact quartz 100nm --approach -53.1pm --quantities contact_radius_at_load --json").out)
     assert found["results"][0]["value"] > 0
     said = run("contact quartz 100nm --approach -60pm").err
@@ -273,7 +275,7 @@ def test_a_state_beyond_pull_off_that_grips_hold_has_its_numbers(run: Run) -> No
         ("contact iron 100nm", "may-yield"),
     ],
 )  # fmt: skip
-def test_rubber_is_strained_and_does_not_yield(run: Run, words: str, code: str) -> None:
+def test_rubber_may_strain_beyond_linear_elasticity_and_other_solids_may_yield(run: Run, words: str, code: str) -> None:
     codes = [
         one["code"] for one in json.loads(run(f"{words} --json").out)["validity"] if one["name"].startswith("hertz")
     ]
@@ -283,7 +285,7 @@ def test_rubber_is_strained_and_does_not_yield(run: Run, words: str, code: str) 
     assert ("a flawless solid" in explained) is (code == "may-yield")
 
 
-def test_what_touches_the_headline_is_said_before_what_does_not(run: Run) -> None:
+def test_doubts_about_the_headline_precede_other_doubts(run: Run) -> None:
     """2a/(πR) = 2 · 16.61/(π · 50) = 0.2115 exceeds 0.1: the load strains the solid.
 
     The other doubts exceed their limits by more, but concern no quantity of the headline.
@@ -311,14 +313,16 @@ def test_what_touches_the_headline_is_said_before_what_does_not(run: Run) -> Non
         ("pull-off 10um --gamma 30mJ/m2", True),  # nothing is known of the solid
     ],
 )
-def test_what_was_measured_on_rough_glass_is_said_of_hard_solids(run: Run, words: str, *, is_rough: bool) -> None:
+def test_forces_measured_on_rough_glass_are_reported_for_hard_rough_solids(
+    run: Run, words: str, *, is_rough: bool
+) -> None:
     ran = run(f"{words} --explain").out
     assert ("on glass in dry air" in ran) is is_rough
     [row] = csv.DictReader(run(f"{words} --csv").out.splitlines())
     assert ("rough-matters" in row["doubt"].split()) is is_rough
 
 
-def test_rows_of_several_solids_are_rough_as_each_by_itself(run: Run) -> None:
+def test_each_row_is_judged_rough_by_its_own_solid(run: Run) -> None:
     Path("in.csv").write_text("material,radius\nquartz,10um\nmica,10um\npdms,10um\n", encoding="utf-8")
     assert run("batch in.csv -o out.csv --quantities pull_off_force").code == 0
     rows = list(csv.DictReader(Path("out.csv").read_text(encoding="utf-8").splitlines()))

@@ -60,7 +60,7 @@ class Cells(HTMLParser):
 
 
 def words_of(text: str) -> list[str]:
-    """Return the words of a text without rules; arguments replace options."""
+    """Return the words of a text without its rules, and with options written as arguments."""
     text = text.replace("more: --explain", "more: .notes and .doubts").replace(".doubts of each answer", ".doubts")
     text = re.sub(r"--([a-z0-9-]+)", lambda option: option[1].replace("-", "_"), text)
     return re.sub("─+", " ", text).split()
@@ -82,7 +82,7 @@ def test_lists_have_the_words_of_the_terminal(run: Run, words: str, wanted: str,
     assert words_of(str(found)) == words_of(ran.out + notes)
 
 
-def test_a_list_is_one_table_of_html_however_wide() -> None:
+def test_a_list_is_one_html_table_however_wide() -> None:
     found = jkroll.answer("contact", material=["quartz", "iron"], radius=["100nm", "1um"])
     html = found._repr_html_()
     assert html.count("<table>") == 1
@@ -94,7 +94,7 @@ def test_a_list_is_one_table_of_html_however_wide() -> None:
     assert bundle["text/latex"].count(r"\hline") == 1
 
 
-def test_a_notebook_gets_every_form() -> None:
+def test_a_notebook_gets_text_html_and_latex() -> None:
     found = jkroll.answer("pull-off", material="quartz", radius=1e-7)
     bundle = found._repr_mimebundle_(include=None, exclude=None)
     assert bundle["text/plain"] == str(found)
@@ -102,7 +102,7 @@ def test_a_notebook_gets_every_form() -> None:
     assert r"pull-off force & $P_{\mathrm{c}}$ & 14–15 & Maugis & 11.78 & nN \\" in bundle["text/latex"]
 
 
-def test_texts_of_users_are_escaped() -> None:
+def test_material_names_of_users_are_escaped_in_html() -> None:
     solid = jkroll.known_materials()["quartz"]._replace(name="<b>&")
     html = jkroll.answer("pull-off", material=solid, radius=1e-7)._repr_html_()
     assert "&lt;b&gt;&amp;" in html
@@ -111,14 +111,14 @@ def test_texts_of_users_are_escaped() -> None:
 
 @pytest.mark.slow
 @pytest.mark.skipif(shutil.which("pdflatex") is None, reason="needs LaTeX")
-def test_latex_sets_an_answer(tmp_path: Path) -> None:
+def test_latex_typesets_an_answer(tmp_path: Path) -> None:
     body = jkroll.answer("report", material="quartz", radius=1e-7)._repr_mimebundle_()["text/latex"]
     page = rf"\documentclass{{article}}\begin{{document}}{body}\end{{document}}"
     (tmp_path / "a.tex").write_text(page, encoding="utf-8")
     subprocess.run(["pdflatex", "-halt-on-error", "a.tex"], cwd=tmp_path, check=True, capture_output=True)
 
 
-def test_materials_are_a_table(run: Run) -> None:
+def test_materials_are_an_html_table(run: Run) -> None:
     known = jkroll.known_materials()
     shown = Cells(known._repr_html_())
     assert shown.texts[:4] == ["material", "γ [mJ/m²]", "E [GPa]", "ν"]

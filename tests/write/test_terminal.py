@@ -20,7 +20,7 @@ from tuning import computed, tables_on_a_terminal
     ("columns", "first", "rows"),
     [("400", "material", 2), ("100", "material", 14), ("72", "material", 14), ("30", "material", 2)],
 )
-def test_scenes_are_rows_or_columns_or_several_tables(
+def test_scenes_are_rows_columns_or_several_tables_by_the_width_of_the_terminal(
     run: Run, monkeypatch: pytest.MonkeyPatch, columns: str, first: str, rows: int
 ) -> None:
     """The table has thirteen results and the doubts; it has no best ranges, because the law is given."""
@@ -33,7 +33,7 @@ def test_scenes_are_rows_or_columns_or_several_tables(
     if len(heads) == 1:
         table = [
             line for line in lines if not line.startswith(("rough-matters: ", "law-off", "  "))
-        ]  # the meaning of codes
+        ]  # without the lines that explain codes
         assert len(table) - table.index(heads[0]) - 2 == rows
         assert all(len(line) <= int(columns) for line in lines)
 
@@ -47,7 +47,7 @@ def test_scenes_as_columns_have_a_line_for_each_input_that_differs(run: Run, mon
 
 
 @pytest.mark.parametrize("by_arrays", [False, True])
-def test_rows_that_are_too_many_for_a_table_are_lines(run: Run, *, by_arrays: bool) -> None:
+def test_too_many_rows_for_a_table_are_printed_as_lines(run: Run, *, by_arrays: bool) -> None:
     with tables_on_a_terminal(99), computed(by_arrays=by_arrays, block=40):
         assert "─" in run("pull-off quartz 1nm:1um:99 --quiet", terminal=True).out
         lines = run("pull-off quartz 1nm:1um:100 --quiet", terminal=True).out.splitlines()
@@ -69,7 +69,7 @@ def test_the_unit_of_a_column_suits_the_middle_of_its_values(values: tuple[float
     assert text == unit
 
 
-def test_notes_are_broken_on_a_terminal_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_notes_are_wrapped_only_on_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COLUMNS", "30")
     text = "note: assumed ξ = 200 pm (--xi), g = 9.80665 m/s² (--gravity)"
     terminal, pipe = Stream(terminal=True), Stream()
@@ -84,16 +84,15 @@ def test_notes_are_broken_on_a_terminal_alone(monkeypatch: pytest.MonkeyPatch) -
 
 
 @pytest.mark.parametrize("law", ["maugis", "dmt"])
-def test_a_definition_of_jkr_stands_beside_values_of_jkr_alone(
-    run: Run, monkeypatch: pytest.MonkeyPatch, law: str
-) -> None:
+def test_only_values_by_jkr_have_its_definition(run: Run, monkeypatch: pytest.MonkeyPatch, law: str) -> None:
     monkeypatch.setenv("COLUMNS", "250")
     words = "energies quartz 100nm --quiet"
     of_law = run(f"{words} --model {law}", terminal=True).out
     explained = run(f"{words} --explain").out
     energies = json.loads(run(f"{words} --json").out)["results"]
     others = json.loads(run(f"{words} --model {law} --json").out)["results"]
-    others = [one for one in others if not one["name"].endswith("lennard_jones")]  # `energies` shows none of them
+    # Without `--model`, `energies` shows no energies by Lennard-Jones.
+    others = [one for one in others if not one["name"].endswith("lennard_jones")]
     assert {one["value"] for one in others if "jkr" in one} >= {None}
     for one, other in zip(energies, others, strict=True):
         assert one["definition"] in re.sub(r"\s+", " ", explained)
@@ -103,7 +102,7 @@ def test_a_definition_of_jkr_stands_beside_values_of_jkr_alone(
     assert " U_stick " not in of_law
 
 
-def test_a_warning_names_all_that_has_no_meaning_and_stands_under_quiet(run: Run) -> None:
+def test_one_warning_has_all_reasons_for_a_lack_of_meaning_even_with_quiet(run: Run) -> None:
     found = {one["code"] for one in json.loads(run("report quartz 0.3nm --json").out)["validity"]}
     ending = [limit for limit in LIMITS if limit.ends_meaning and not found.isdisjoint(limit.codes.values())]
     assert len(ending) > 3
@@ -121,15 +120,15 @@ def test_a_warning_names_all_that_has_no_meaning_and_stands_under_quiet(run: Run
         assert f"({symbol} = " in explained or code.startswith("law"), symbol
 
 
-def test_doubts_stand_by_size(run: Run) -> None:
-    """The doubts exceed their limits by less and less: M/2cRw = 3.1 of 1, a/z0 = 1.5 of 3, and p_H/E* = 0.13 of 0.1."""
+def test_doubts_are_sorted_by_the_factor_beyond_their_limit(run: Run) -> None:
+    """The factors decrease: M/2cRw = 3.1 is above 1, a/z0 = 1.5 below 3, and p_H/E* = 0.13 above 0.1."""
     said = run("yield-force quartz 6nm --explain").out
     places = [said.index(f"({symbol} = ") for symbol in ("M/2cRw", "a/z0", "p_H/E*")]
     assert places == sorted(places)
 
 
 @pytest.mark.parametrize("command", ["yield-force", "n-grav", "report"])
-def test_a_solid_that_was_never_rolled_is_said_to_have_an_unknown_displacement(run: Run, command: str) -> None:
+def test_the_best_range_calls_xi_unknown_for_a_solid_that_was_never_rolled(run: Run, command: str) -> None:
     name = "n_grav" if command == "n-grav" else "yield_force"
     for solid, by in (("silica-dry", "ξ unknown"), ("silica-humid", "scaled")):
         (best,) = (
@@ -141,7 +140,7 @@ def test_a_solid_that_was_never_rolled_is_said_to_have_an_unknown_displacement(r
         assert "assumed: ξ = 200 pm (--xi)" in run(f"{command} {solid} 100nm").err
 
 
-def test_two_codes_of_doubt_are_both_named_where_they_fit(run: Run) -> None:
+def test_a_row_has_two_codes_of_doubt_and_the_number_of_others(run: Run) -> None:
     lines = run("pull-off quartz 1nm,10nm --quiet", terminal=True).out.splitlines()
     rows = [line for line in lines if re.match(r" *10? ", line)]
     assert [line.split()[-2:] for line in rows] == [["few-atoms", "may-yield"]] * 2
@@ -158,15 +157,15 @@ def test_powers_of_ten_have_one_form(run: Run) -> None:
     assert "δ [pm]   P [nN]" in re.sub(" {2,}", "   ", curve)
 
 
-def test_a_list_of_laws_says_which_of_them_holds(run: Run) -> None:
-    """Without a column of the other law, the doubts show which laws do not hold."""
+def test_a_list_of_laws_has_doubts_in_the_rows_of_laws_that_do_not_hold(run: Run) -> None:
+    """A list under one law has no such doubts: its best ranges show how far off the law is."""
     ran = run("pull-off quartz 100nm --model jkr,maugis,dmt --quantities P_c", terminal=True)
     rows = [line.split() for line in ran.out.splitlines() if line.startswith(("jkr", "maugis", "dmt"))]
     assert rows == [["jkr", "11.78", "law-off-25%"], ["maugis", "14–15"], ["dmt", "15.71"]]
     assert "law-off" not in run("pull-off quartz 100nm,1um --quantities P_c", terminal=True).out
 
 
-def test_lists_and_curves_begin_with_what_to_take(run: Run) -> None:
+def test_lists_and_curves_name_the_values_to_take(run: Run) -> None:
     ran = run("report quartz 100nm,1um --quantities P_c,a0", terminal=True)
     assert "\ntake best P_c and best a0; the other columns are plain JKR\n" in ran.out
     curve = run("contact quartz 100nm --curve", terminal=True)
@@ -183,7 +182,7 @@ def test_a_list_counts_the_doubts_and_warns_of_numbers_without_a_meaning(run: Ru
 
 
 @pytest.mark.parametrize("topic", ["dem", "energies", "tables"])
-def test_the_manual_leaves_what_a_program_prints_in_its_own_lines(run: Run, topic: str) -> None:
+def test_code_blocks_of_the_manual_keep_their_lines(run: Run, topic: str) -> None:
     shown = [line.rstrip() for line in run(f"guide {topic}", terminal=True).out.splitlines()]
     blocks = re.findall(r"^```\S*\n(.*?)^```$", run(f"guide {topic}").out, re.DOTALL | re.MULTILINE)
     assert blocks
@@ -191,7 +190,7 @@ def test_the_manual_leaves_what_a_program_prints_in_its_own_lines(run: Run, topi
         assert line.rstrip() in shown
 
 
-def test_units_are_spelt_one_way_on_a_terminal(run: Run) -> None:
+def test_units_on_a_terminal_have_superscripts(run: Run) -> None:
     for command in (
         "n-grav quartz 100nm",
         "infer gamma quartz 2um --radius2 plane --measured pull_off_force=300nN",
@@ -212,7 +211,7 @@ def test_units_are_spelt_one_way_on_a_terminal(run: Run) -> None:
         "infer radius quartz --measured P_c=300nN,400nN",
     ],
 )
-def test_a_plane_stands_above_radii_that_differ_or_are_sought(run: Run, words: str) -> None:
+def test_the_head_names_the_plane_above_a_list_of_radii_or_inferred_radii(run: Run, words: str) -> None:
     ran = run(f"{words} --radius2 plane", terminal=True)
     assert ran.code == 0
     assert "quartz (γ = 25 mJ/m² per surface), R2 = plane" in ran.out
@@ -229,7 +228,7 @@ def test_uncertain_columns_have_one_unit_and_two_digits_of_the_uncertainty(run: 
     )
 
 
-def test_the_list_of_quantities_fits_and_names_no_variants(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_list_of_quantities_fits_the_terminal_and_leaves_out_variants(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COLUMNS", "80")
     terminal = Stream(terminal=True)
     write_quantities([*NOMENCLATURE], terminal, "table", commands_taking)
@@ -240,7 +239,7 @@ def test_the_list_of_quantities_fits_and_names_no_variants(monkeypatch: pytest.M
     assert min(group[0].index("meaning") for group in groups) < max(group[0].index("meaning") for group in groups) <= 56
 
 
-def test_a_list_with_long_names_fits_and_nothing_of_it_is_cut(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_list_with_long_names_fits_the_terminal_and_is_complete(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COLUMNS", "80")
     lines = run("quantities stif", terminal=True).out.splitlines()
     assert max(map(len, lines)) <= 80
@@ -248,7 +247,7 @@ def test_a_list_with_long_names_fits_and_nothing_of_it_is_cut(run: Run, monkeypa
     assert "variantofrolling_frequency_no_slip" in "".join(line[left:].replace(" ", "") for line in lines)
 
 
-def test_what_is_against_the_data_comes_first_and_roughness_from_a_micrometre_on(run: Run) -> None:
+def test_a_conflict_with_data_is_the_first_note_and_roughness_is_noted_from_1_um_on(run: Run) -> None:
     of_ice = run("pull-off ice-cold 1um").err.splitlines()
     assert of_ice[1].startswith("note: γ of ice-cold (R = 0.5 to 5 µm): in conflict with µm grains")
     assert of_ice[-1] == "more: --explain"
@@ -263,7 +262,7 @@ def test_what_is_against_the_data_comes_first_and_roughness_from_a_micrometre_on
     assert smooth not in run("r-min 20um").err
 
 
-def test_eq_41_has_a_note_with_its_value_in_place_of_a_row(run: Run) -> None:
+def test_eq_41_has_a_note_instead_of_a_row_unless_it_is_named(run: Run) -> None:
     call = "frequencies quartz 1um"
     assert "f_roll(41)" not in run(call, terminal=True, together=True).out
     found = re.search(r"^  note +([\d.]+) times too low", run(f"{call} --explain").out, re.MULTILINE)

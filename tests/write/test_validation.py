@@ -9,12 +9,12 @@ from tools.measurements import PAGE, comparisons, measurements_table
 COMPARED = comparisons()
 
 
-def test_the_page_has_the_table() -> None:
-    """The page has the table of the measurements; `python tests/tools/measurements.py` renews it."""
+def test_the_page_has_the_table_of_the_measurements() -> None:
+    """`python tests/tools/measurements.py` renews the table in the page."""
     assert measurements_table() in PAGE.read_text(encoding="utf-8")
 
 
-def test_those_that_disagree_most_come_first() -> None:
+def test_measurements_that_disagree_most_come_first() -> None:
     sizes = [abs(math.log(each.measured / each.computed)) for each in COMPARED]
     assert sizes == sorted(sizes, reverse=True)
 
@@ -38,7 +38,7 @@ def test_computed_numbers_are_those_of_the_formulas() -> None:
     assert found["water ice, below 210 K", "1 um", "sticking_speed"].computed == approx(speed)
 
 
-def test_sticking_speeds_of_silica_are_of_the_two_sizes_that_were_measured() -> None:
+def test_silica_has_sticking_speeds_at_the_two_measured_sizes() -> None:
     """The JKR speed is √(2U/m) with U = 0.7722405 P_cδ0."""
     speeds = {each.row.given["radius"]: each for each in COMPARED if each.row.solids == "silica"}
     assert {radius: each.measured for radius, each in speeds.items()} == {"0.6 um": 1.2, "0.25 um": 1.9}
@@ -47,7 +47,7 @@ def test_sticking_speeds_of_silica_are_of_the_two_sizes_that_were_measured() -> 
     assert speeds["0.6 um"].ratio == approx(7.98898, rel=1e-5)
 
 
-def test_the_first_answer_of_the_readme_leads_to_it() -> None:
+def test_the_readme_names_the_page_before_the_section_install() -> None:
     from pathlib import Path
 
     text = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
