@@ -253,7 +253,7 @@ def _scaled(answer: Answer) -> Iterator[str]:
     measured = f"{what} measured on {solid} of R = {amount('radius', rolled.radius)}"
     is_alike = abs(radius / rolled.radius - 1) < _ALIKE
     if answer.described.uncertainties and rolled.name != XI:
-        yield f"from {measured}; your error bars do not enter"
+        yield f"from {measured}, without your error bars"
     else:
         yield measured if is_alike else f"from {measured}, by R^(2/3) to R"
     yield f"source: {rolled.source}"
