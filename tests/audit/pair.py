@@ -308,7 +308,7 @@ def collisions() -> tuple[Check, ...]:
               printed=eq_48, follows=4 / 7 * pair.energy / (2 * mean) / (2 * pi)),
         Check("48", "the same, by the energy balance", "wrong", "2πn⟨M⟩ = W0 gives 7/2 of it",
               printed=eq_48, follows=pair.energy / (2 * pi * mean)),
-        Check("48 text", "P_c δ0 is about what sticks", "approximate", "loss, jump-in to fold",
+        Check("48 text", "grains stick below about P_c δ0", "approximate", "loss, jump-in to fold",
               printed=1.0, follows=lost, hedge=3),
         Check("49", "n = 3(γ/E*)^(2/3)∛R/(14∛(9π)ξ)", "holds", "(48) at W0 = P_c δ0",
               printed=eq_49, follows=pair.p_c * pair.delta0 / (14 * pi * pair.p_c * pair.xi)),
@@ -316,10 +316,10 @@ def collisions() -> tuple[Check, ...]:
               printed=eq_49, follows=pair.p_c * pair.delta0 / (2 * pi * mean)),
         Check("Fig. 7", "until all energy is dissipated", "wrong", "n of (48) dissipates 2/7",
               printed=1.0, follows=2 * pi * mean / (14 * pi * pair.p_c * pair.xi)),
-        Check("Sect. 6", "loaded, M varies weakly with E", "wrong", "at fixed δ only; E doubled",
+        Check("Sect. 6", "under a load, M depends weakly on E", "wrong", "at fixed δ only; E doubled",
               printed=_factor_at_approach(pair.delta / stiffer.delta0) / pair.x,
               follows=factor_at(pair.p / stiffer.p_c) / pair.x),
-        Check("Table 1", "quartz: ν = 5.4(10) by its head", "misprint", "scrambled in the copy",
+        Check("Table 1", "quartz: ν = 5.4(10) by the column heading", "misprint", "scrambled in the copy",
               printed=QUARTZ[1], restated=QUARTZ[2],
               follows=sum(value for value in QUARTZ if -1 <= value <= 0.5)),  # only one can be a Poisson's ratio
     )  # fmt: skip

@@ -490,7 +490,7 @@ def test_the_error_bar_of_a_radius_includes_the_displacement(run: Run, own: str)
     low, high = (one["value"] for one in found)
     assert middle["uncertainty"]["plus"] + middle["uncertainty"]["minus"] == approx(high - low)
     assert (
-        "error bars leave out ξ: ± and ranges do not go together"
+        "error bars leave out ξ: ± and ranges cannot be combined"
         in run(f"yield-force own 100±10nm {own} --explain").out
     )
     inferred = run(f"infer radius own --measured yield_force={high!r}N {own} --bare --quiet").out

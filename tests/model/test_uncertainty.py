@@ -228,7 +228,7 @@ def test_a_material_s_uncertainty_of_the_other_kind_is_left_out(run: Run) -> Non
     ranges = {"radius": Interval(1e-7, 9e-8, 1.1e-7)}
     assert list(found("contact_radius", {}, ranges, material).shares) == ["radius", "youngs_modulus"]
     ran = run("contact", "polystyrene-glassy", "1um", "--json")
-    assert "error bars leave out E1: ± and ranges do not go together" in json.loads(ran.out)["notes"]
+    assert "error bars leave out E1: ± and ranges cannot be combined" in json.loads(ran.out)["notes"]
 
 
 def test_a_note_explains_a_missing_uncertainty_where_an_end_has_no_value(run: Run) -> None:
@@ -312,7 +312,7 @@ def test_measurements_of_pint_are_read_in_any_unit() -> None:
 @pytest.mark.filterwarnings("ignore:This function will be removed:DeprecationWarning")  # from pint, in its texts
 @pytest.mark.parametrize(
     ("uncertainty", "unit", "reason"),
-    [(5, "N", "is of another dimension"), (15, "mJ/m^2", "has an uncertainty of half the value or more")],
+    [(5, "N", "has the wrong dimension"), (15, "mJ/m^2", "has an uncertainty of half the value or more")],
 )
 def test_measurements_of_pint_with_a_wrong_unit_or_a_large_error_are_refused(
     uncertainty: float, unit: str, reason: str
@@ -326,9 +326,7 @@ def test_measurements_of_pint_with_a_wrong_unit_or_a_large_error_are_refused(
 
 def test_lists_of_uncertain_values_are_refused() -> None:
     for energies in (["25±5 mJ/m2", "30 mJ/m2"], [Measured(0.025, 0.005, 0.005)]):
-        with pytest.raises(
-            QuantityError, match="holds uncertain values, and arrays have no uncertainty; give them one by one"
-        ):
+        with pytest.raises(QuantityError, match="has uncertain elements, which arrays cannot have; give one value"):
             solve("pull_off_force", surface_energy=energies, radius="100 nm")
 
 

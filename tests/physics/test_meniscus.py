@@ -175,7 +175,7 @@ def test_without_a_meniscus_only_the_dry_force_is_shown(run: Run, option: str, w
 
 def test_a_humidity_without_percent_is_refused(run: Run) -> None:
     done = run("pull-off quartz 1um --humidity 60")
-    assert (done.code, "'60' must lie between 0 and 1, which is 100 %; expected a number such as 60%" in done.err) == (
+    assert (done.code, "'60' must lie between 0 and 1 (100 %); expected a number such as 60%" in done.err) == (
         2,
         True,
     )

@@ -230,7 +230,7 @@ def test_a_range_left_out_of_error_bars_is_reported(run: Run) -> None:
     )
     Path("x.csv").write_text("material,radius [nm]\nown,950\nquartz,100\n", encoding="utf-8")
     words = "batch x.csv -o out.csv --materials own.toml --quantities"
-    assert "note: error bars leave out ξ: ± and ranges do not go together\n" in run(f"{words} yield_force").err
+    assert "note: error bars leave out ξ: ± and ranges cannot be combined\n" in run(f"{words} yield_force").err
     assert "leave out" not in run(f"{words} pull_off_force").err
     assert "error bars leave out ξ: ± and ranges" in run("yield-force own 950nm --materials own.toml").err
 

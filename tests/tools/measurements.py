@@ -139,8 +139,8 @@ MEASUREMENTS = (
     Measurement(
         "silver on aluminium", "sticking_speed", "636", "iron", {"radius": "10 nm", **_PLANE},
         "Arffman et al. 2015, J. Aerosol Sci. 86, 32", "abstract",
-        "14 m/s at 20 nm over 0.022 m/s at 1 µm, presumably diameters: the speed is proportional to R^−1.6, and by an "
-            "elastic contact of any solids to R^(−5/6); plastic loss",
+        "14 m/s at 20 nm over 0.022 m/s at 1 µm, presumably diameters: the measured speed is proportional to R^−1.6, "
+            "that of an elastic contact of any solids to R^(−5/6); plastic losses probably explain the difference",
         beside="500 nm",
     ),
     Measurement(
@@ -167,7 +167,7 @@ MEASUREMENTS = (
     Measurement(
         "mica on mica, dry", "pull_off_force", "12 to 16 mN", "mica", {"radius": "1 cm", **_PLANE},
         "Christenson 1993, J. Phys. Chem. 97, 12034", "abstract",
-        "No independent test: γ of mica is from this, but cleavage of sheets agrees with it; the source has 1.2 to "
+        "No independent test: γ of mica was taken from this; cleavage of sheets gives the same; the source has 1.2 to "
             "1.6 N/m for crossed cylinders of any radius, which are equivalent to a sphere on a plane",
     ),
     *(
@@ -209,7 +209,7 @@ MEASUREMENTS = (
     Measurement(
         "SiO2, 67 % humidity", "meniscus_force", "1.2 to 1.9 uN", "quartz",
         {"radius": "10 um", "humidity": "67%", **_PLANE}, _MOUTINHO, "second hand",
-        "Roughness, presumably: the formula is for smooth bodies that touch; the sizes are presumably diameters",
+        "Roughness probably lowers the force: the formula is for smooth bodies; the sizes are presumably diameters",
     ),
 )  # fmt: skip
 

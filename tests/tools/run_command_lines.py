@@ -67,7 +67,7 @@ def check(count: int | None) -> int:
             if found := faults(line, run(line)):
                 wrong += 1
                 print(f"{line.code} {line.typed}\n  " + "\n  ".join(found), flush=True)
-    left_out = f", {len(chosen) - len(runnable)} left out whose library is not installed" if runnable != chosen else ""
+    left_out = f", {len(chosen) - len(runnable)} skipped, without their library" if runnable != chosen else ""
     print(f"{len(runnable)} command lines of the corpus, {wrong} wrong{left_out}")
     return int(wrong > 0)
 
@@ -105,7 +105,7 @@ def _recording(checkout: Path, path: Path) -> "subprocess.Popen[bytes]":
     """Start a process that runs the corpus in a checkout."""
     source = checkout.resolve() / "src"
     if not (source / "jkroll").is_dir():
-        sys.exit(f"{checkout} is no checkout of jkroll")
+        sys.exit(f"{checkout} is not a checkout of jkroll")
     command = [sys.executable, __file__, "record", str(path)]
     return subprocess.Popen(command, env=os.environ | {"PYTHONPATH": str(source), "PYTHONHASHSEED": "0"})
 
@@ -119,7 +119,7 @@ def _differences(before: Outcome, after: Outcome) -> Iterator[str]:
     for name in sorted({*before.files, *after.files}):
         contents = [one.files.get(name) for one in (before, after)]
         if None in contents and contents[0] != contents[1]:
-            yield f"{name} is {'new' if contents[0] is None else 'not written any more'}"
+            yield f"{name} is {'new' if contents[0] is None else 'no longer written'}"
             continue
         old, new = (content or b"" for content in contents)
         try:

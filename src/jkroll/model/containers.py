@@ -119,7 +119,7 @@ class Reader:
             magnitude = self.number(name, magnitude)  # floats of 16 bits cannot hold 1e-7
         try:
             if not quantity.is_compatible_with(unit):
-                raise QuantityError(name, str(quantity), "is of another dimension", f"give a value in {unit}")
+                raise QuantityError(name, str(quantity), "has the wrong dimension", f"give a value in {unit}")
             return registry.Quantity(magnitude, quantity.units).m_as(unit)
         except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:  # raised by pint
             raise QuantityError(name, str(quantity), f"has a unit that cannot be converted: {error}") from None
@@ -134,7 +134,7 @@ class Reader:
         try:
             return self.quantity(quantity, dtype=float).to_value(unit)
         except (TypeError, ValueError) as error:  # UnitConversionError is both
-            raise QuantityError(name, str(quantity), "is of another dimension", f"give a value in {unit}") from error
+            raise QuantityError(name, str(quantity), "has the wrong dimension", f"give a value in {unit}") from error
 
     def _of_stated_unit(self, name: str, array: Any, text: str) -> Any:
         """Return the SI numbers of an array whose unit is an attribute or belongs to a pint column."""
@@ -144,7 +144,7 @@ class Reader:
         except BadUnit as error:
             raise QuantityError(name, text, str(error), error.remedy([dimension_of(wanted)])) from None
         if unit[2] != dimension_of(wanted):
-            raise QuantityError(name, text, "is of another dimension", f"give a value in {wanted}")
+            raise QuantityError(name, text, "has the wrong dimension", f"give a value in {wanted}")
         data = array.data if hasattr(array, "dims") else array
         if hasattr(data, "m_as") or hasattr(data, "to_value"):
             raise QuantityError(

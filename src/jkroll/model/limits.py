@@ -308,7 +308,7 @@ INEXACT = (
     ),
     Limit(
         "impact_pressure_over_modulus", _IMPACT, ">", {0.1: "impact-may-yield"},
-        "the impact pressure exceeds what even a flawless solid bears; e is an upper bound",
+        "the impact pressure exceeds the strength even of a flawless solid; e is an upper bound",
         _has_speed,
         where=_is_not_rubbery,
     ),
@@ -368,7 +368,7 @@ INEXACT = (
     ),
     Limit(
         "hertz_pressure_over_modulus", _ELASTICITY, ">", {0.1: "may-yield"},
-        "the pressure is more than even flawless solids bear: take values as a rough guide; no plasticity is modelled",
+        "the pressure exceeds the strength even of a flawless solid: a rough guide; no plasticity is modelled",
         where=_is_not_rubbery,
     ),
     Limit(

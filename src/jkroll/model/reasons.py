@@ -178,7 +178,7 @@ STICKS_ALWAYS = Cause(
 )
 NO_POISSON_RATIO = Cause(
     "Poisson's ratio not positive",
-    "the damping goes as 1/(ν1ν2), which needs Poisson's ratios other than 0 and of one sign",
+    "the damping goes as 1/(ν1ν2), which needs nonzero Poisson's ratios of the same sign",
     code="poisson-ratio-not-positive",
 )
 YIELDS_ON_TOUCH = Cause(

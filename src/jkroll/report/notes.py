@@ -226,7 +226,7 @@ def about_left_out(*every: Sources | None) -> Iterator[Note]:
         if sources is not None:
             symbols |= dict.fromkeys(symbol_of(source.names[0]) for source in sources.left_out)
     if symbols:
-        yield Note("caveat", f"error bars leave out {', '.join(symbols)}: ± and ranges do not go together")
+        yield Note("caveat", f"error bars leave out {', '.join(symbols)}: ± and ranges cannot be combined")
 
 
 # --- Rows -------------------------------------------------------------------------------------------------------------
