@@ -1,4 +1,4 @@
-"""The benchmark reproduces known errors of the ways to each quantity; its times are not checked."""
+"""The benchmark reproduces the known errors of each way to compute a quantity; the times are not checked."""
 
 import csv
 import io
@@ -50,19 +50,19 @@ def test_every_quantity_has_other_ways() -> None:
 
 @pytest.mark.parametrize("quantity", QUANTITIES)
 @pytest.mark.parametrize("way", [DEFAULT, "jkroll, floats"])
-def test_the_default_keeps_the_promise_in_every_region(quantity: str, way: str) -> None:
+def test_jkroll_keeps_the_promised_accuracy_in_every_region(quantity: str, way: str) -> None:
     row = rows()[quantity, way]
     assert row.worst <= (PROMISE_OF_MAUGIS if quantity == OF_MAUGIS else PROMISE)
 
 
-def test_the_promise_is_that_of_the_guide() -> None:
+def test_the_promised_accuracy_is_that_in_the_guide() -> None:
     guide = " ".join((Path(physics.__file__).parents[1] / "guide" / "accuracy.md").read_text(encoding="utf-8").split())
     assert f"within {PROMISE} ulp times 1 + κ" in guide
     assert f"Maugis' law it is within {PROMISE_OF_MAUGIS} ulp times 1 + κ" in guide
     assert PROMISE == BOUND
 
 
-def test_no_load_reaches_the_fold() -> None:
+def test_quantities_that_depend_on_the_load_are_not_computed_at_the_fold() -> None:
     for (quantity, _), row in rows().items():
         is_of_load = {"P", "P_c"} & {*getattr(DECIMALS, quantity).__code__.co_varnames}
         assert set(row.errors) == {region for region in REGIONS if region != "fold" or not is_of_load}
@@ -80,14 +80,14 @@ def test_a_table_of_states_has_its_known_error() -> None:
 
 
 def test_the_closed_form_of_other_programs_fails_for_large_approaches() -> None:
-    """Parteli et al. solve the quartic exactly, but a difference in it is lost to rounding."""
+    """Parteli et al. solve the quartic exactly, but their solution has a difference that is lost to rounding."""
     errors = rows()["load_factor_at_approach", "Parteli et al. 2014"].errors
     assert max(errors[region][1] for region in REGIONS if region != "extreme") < PROMISE
     assert errors["extreme"][1] == math.inf
 
 
-def test_conditions_agree_with_those_of_mpmath() -> None:
-    """The condition κ with respect to the load is that of the package's decimals, or of mpmath in the tests."""
+def test_conditions_computed_with_decimals_and_with_mpmath_agree() -> None:
+    """The package computes the condition κ with respect to the load with decimals, and the tests with mpmath."""
     names = ("contact_radius_at_load", "stiffness", "yield_moment")
     for point in as_rows(regions(10)["ordinary"]):
         given = {
@@ -144,7 +144,7 @@ def test_a_plot_has_a_point_and_the_name_of_every_way() -> None:
 
 @pytest.mark.slow
 @pytest.mark.usefixtures("_small")
-def test_a_plot(run: Run, tmp_path: Path) -> None:
+def test_an_old_plot_is_replaced_only_by_a_complete_plot(run: Run, tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     file = tmp_path / "bench.svg"
     file.write_bytes(b"before")
@@ -168,5 +168,5 @@ def test_a_plot_with_an_unknown_extension_is_refused_before_the_measurement(run:
         ("--plot b.svg --width 1mm", "--width: '1mm' is not between 70mm and 1m"),
     ],
 )
-def test_bad_options_of_a_page_are_refused_before_the_measurement(run: Run, words: str, problem: str) -> None:
+def test_wrong_options_of_a_plot_are_refused_before_the_measurement(run: Run, words: str, problem: str) -> None:
     assert run(f"bench {words}").err == f"jkroll: {problem}\n"

@@ -1,11 +1,11 @@
-"""`jkroll batch` against other ways: C++, polars, duckdb, pyarrow, pandas; Parquet.
+"""Compare the speed of `jkroll batch` with that of C++, polars, duckdb, pyarrow, pandas and Python's csv module.
 
-    python tests/benchmarks/rivals.py [ROWS] [NAME...]          QUANTITIES=12 for the first twelve quantities alone
+    python tests/benchmarks/rivals.py [ROWS] [NAME...]          QUANTITIES=12 for only the first twelve quantities
 
-Every rival reads the same table and writes the same columns, by the formulas of formulas.txt. They run in turns, ROUNDS
-(3) times; of each the best rate counts, by the clock. polars, duckdb and pyarrow have a thread for each core, `jkroll`
-a process, the others one thread. Memory is the proportional set size of all processes, at its highest. Needs g++, and
-whichever of the rivals is to be compared: `pip install 'jkroll[rivals]'`.
+Every rival reads the same table and writes the same columns, by the formulas in formulas.txt. The rivals run in turn,
+ROUNDS times (3 by default), and the shortest time by the clock counts for each. polars, duckdb and pyarrow use a thread
+for each core, `jkroll` a process for each core, and the other rivals one thread. Memory is the largest proportional set
+size of all processes of a run. The comparison needs g++ and the libraries: `pip install 'jkroll[rivals]'`.
 """
 
 import contextlib
@@ -31,13 +31,13 @@ SCALES = dict(zip(NAMES, ("1e-9", "1e-9", "1e-3", "1e9", "1", "1e3", "1e-9", "1e
 
 
 def formulas() -> list[tuple[str, str]]:
-    """Name and expression of every line of formulas.txt."""
+    """Return the name and the expression of each line of formulas.txt."""
     lines = (HERE / "formulas.txt").read_text(encoding="utf-8").splitlines()
     return [(name.strip(), expression.strip()) for name, _, expression in (line.partition("=") for line in lines)]
 
 
 def results() -> list[str]:
-    """The quantities that `jkroll batch` writes of this table."""
+    """Return the quantities that `jkroll batch` writes for the table."""
     from jkroll.report.questions import EVERYTHING
 
     known = {name for name, _ in formulas()}
@@ -46,7 +46,7 @@ def results() -> list[str]:
 
 
 def write_table(path: Path, rows: int) -> None:
-    """A table of random grains: unequal pairs, some of them under tension."""
+    """Write a table of random grains: unequal pairs, some of them under tension."""
     import numpy
 
     draw = numpy.random.default_rng(1)
@@ -62,7 +62,7 @@ def write_table(path: Path, rows: int) -> None:
 
 
 def write_parquet(path: Path, table: Path) -> None:
-    """The same table as Parquet, as pyarrow writes it if nothing else is said."""
+    """Write a table as Parquet, with the default settings of pyarrow."""
     import pyarrow.csv
     import pyarrow.parquet
 
@@ -70,7 +70,7 @@ def write_parquet(path: Path, table: Path) -> None:
 
 
 def write_cpp(folder: Path) -> Path:
-    """Build the C++ program."""
+    """Build the C++ program, and return its path."""
     lines = [f"const double {name} = {expression};" for name, expression in formulas()]
     lines.append(f"#define RESULTS {', '.join(results())}")
     (folder / "formulas.h").write_text("\n".join(lines) + "\n", encoding="utf-8")
@@ -82,7 +82,7 @@ def write_cpp(folder: Path) -> Path:
 
 
 def python_source() -> str:
-    """The formulas as a Python function of floats or arrays."""
+    """Return the source of a Python function that computes the formulas from floats or arrays."""
     steps = "".join(f"    {name} = {expression}\n" for name, expression in formulas())
     return f"def function({', '.join(NAMES)}):\n{steps}    return {', '.join(results())}\n"
 
@@ -157,7 +157,7 @@ duckdb.sql(f"COPY ({query}) TO '{{sys.argv[2]}}' (HEADER)".replace("FROM input",
 
 
 def duckdb_query() -> str:
-    """The formulas in SQL: a table after another, each with one more column."""
+    """Return the formulas as SQL: nested queries, each with one more column."""
     given = ", ".join(
         f'"{text}" * {SCALES[name]} AS {name}' for text, name in zip(HEADER.split(",")[1:], NAMES, strict=True)
     )
@@ -175,21 +175,21 @@ def duckdb_query() -> str:
 
 
 class Rival(NamedTuple):
-    """A way to do the work: its command, which reads the table and writes it to stdout or to a file of its own."""
+    """A program to compare; its command reads the table and writes the results to stdout or to a file."""
 
     name: str
     command: Sequence[str]
 
 
 def rivals(folder: Path, table: Path) -> list[Rival]:
-    """Those that this machine has."""
+    """Return the rivals that this machine has."""
     scripts = {"csv module": CSV_MODULE, "pandas": PANDAS, "polars": POLARS, "pyarrow": PYARROW, "duckdb": DUCKDB}
     batch = [sys.executable, "-m", "jkroll", "batch", "--quantities", ",".join(results())]
     found = [
         Rival("jkroll", [*batch, str(table), "-o", str(folder / "jkroll.csv")]),
         Rival("jkroll, 1 process", [*batch, str(table), "-o", str(folder / "one.csv"), "--jobs", "1"]),
         Rival("the same, --no-doubt", [*batch, str(table), "-o", str(folder / "one.csv"), "--jobs", "1", "--no-doubt"]),
-    ]  # the rivals judge no limits
+    ]  # the other rivals check no limits
     if importlib.util.find_spec("pyarrow"):
         write_parquet(folder / "grains.parquet", table)
         words = [str(folder / "grains.parquet"), "-o", str(folder / "jkroll.parquet")]
@@ -209,7 +209,7 @@ def rivals(folder: Path, table: Path) -> list[Rival]:
 
 
 class Taken(NamedTuple):
-    """The cost of a run: seconds by the clock and of all processors, and the most megabytes of all processes."""
+    """The cost of a run: elapsed seconds, CPU seconds, and the largest memory of all processes in MB."""
 
     clock: float
     processor: float
@@ -217,7 +217,7 @@ class Taken(NamedTuple):
 
 
 def run(rival: Rival, folder: Path, table: Path) -> Taken:
-    """Run a rival once."""
+    """Run a rival once, and return the cost."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     began = time.monotonic()
     memory = 0.0
@@ -238,7 +238,7 @@ def run(rival: Rival, folder: Path, table: Path) -> Taken:
 
 
 def megabytes(process: int) -> float:
-    """The proportional set size of a process and of all that it started; 0 where the kernel does not count it."""
+    """Return the proportional set size of a process and its descendants in MB; 0 if the kernel does not report one."""
     total = 0.0
     with contextlib.suppress(OSError, StopIteration):
         lines = Path(f"/proc/{process}/smaps_rollup").read_text().splitlines()
@@ -249,7 +249,7 @@ def megabytes(process: int) -> float:
 
 
 def main(words: Sequence[str]) -> None:
-    """Measure, and print a table."""
+    """Measure the rivals, and print a table."""
     rows = int(float(words[0])) if words else 1_000_000
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)

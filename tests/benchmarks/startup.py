@@ -2,10 +2,10 @@
 
 python tests/benchmarks/startup.py [ROUNDS]
 
-The rival is a typer program with eight empty commands, run by the same interpreter in the same environment and by the
-same three-line script as the installer makes. Every program is run once, which fills the caches of disk and bytecode,
-then ROUNDS times (30) in turn, so that a slow spell of the machine meets all of them; medians are compared. The
-milliseconds are of the machine; the ratios are what lasts. qalc is left out where it is not installed.
+The typer program has eight empty commands. It and jkroll run with the same interpreter in the same environment, each by
+a short script as an installer writes it. Every program runs once, which fills the caches of disk and bytecode, and then
+ROUNDS times (30 by default), in turn, so that a slow spell of the machine affects all programs. Medians are compared.
+The milliseconds depend on the machine, the ratios hardly. qalc is left out if it is not installed.
 """
 
 import os
@@ -48,7 +48,7 @@ class Program(NamedTuple):
 
 
 def programs(folder: Path) -> list[Program]:
-    """Return the programs that are compared; their files are written to a folder."""
+    """Return the programs to compare, and write their files to a folder."""
     (folder / "hello_app.py").write_text(HELLO, encoding="utf-8")
     (folder / "hello").write_text(SCRIPT.format(module="hello_app", function="app"), encoding="utf-8")
     (folder / "jkroll").write_text(SCRIPT.format(module="jkroll.__main__", function="run"), encoding="utf-8")

@@ -1,4 +1,4 @@
-"""The command line: its output on each stream, its exit codes, and its whole messages."""
+"""The command line: output on each stream, exit codes, and complete messages."""
 
 import csv
 import io
@@ -23,7 +23,7 @@ from jkroll.report.questions import QUESTIONS
 from relative import approx
 from tools.missing import is_too_long
 
-# --- Messages, whole ------------------------------------------------------------------------------------------------
+# --- Complete messages ----------------------------------------------------------------------------------------------
 
 GOLD = "gold has none in Table 1 of D&T; give, for example, --young 10GPa --poisson 0.3"
 OR_OF_THE_PAIR = "; --work-of-adhesion 50mJ/m2 may replace --gamma"
@@ -142,7 +142,7 @@ FAILED = {
 
 
 @pytest.mark.parametrize("line", [*REFUSED, *FAILED])
-def test_message(run: Run, line: str) -> None:
+def test_a_refused_or_failed_line_has_its_message(run: Run, line: str) -> None:
     code, message = (2, REFUSED[line]) if line in REFUSED else (1, FAILED[line])
     assert run(line) == (code, "", f"jkroll: {message}\n")
 
@@ -150,7 +150,7 @@ def test_message(run: Run, line: str) -> None:
 # --- Formats --------------------------------------------------------------------------------------------------------
 
 
-def test_plain_lines_have_name_value_unit(run: Run) -> None:
+def test_plain_lines_have_a_name_a_value_and_a_unit(run: Run) -> None:
     ran = run("yield-force quartz 100nm")
     lines = [line.split(" ", 2) for line in ran.out.splitlines()]
     assert [line[0] for line in lines] == ["yield_force", "yield_force_ratio", "yield_moment", "yield_angle"]
@@ -159,7 +159,7 @@ def test_plain_lines_have_name_value_unit(run: Run) -> None:
     assert ran.err.startswith("assumed: ξ = 200 pm (--xi), no load (--load)\n")
 
 
-def test_quiet(run: Run) -> None:
+def test_option_quiet_leaves_out_notes(run: Run) -> None:
     assert run("yield-force quartz 100nm --quiet").err == ""
 
 
@@ -171,7 +171,7 @@ NEEDED = {
 
 
 @pytest.mark.parametrize("name", QUESTIONS)
-def test_json_of_every_command(run: Run, name: str) -> None:
+def test_json_of_every_command_has_inputs_and_finite_results(run: Run, name: str) -> None:
     ran = run(name, "quartz", "100nm", "--json", *NEEDED.get(name, ()))
     data = json.loads(ran.out)
     assert ran.code == 0
@@ -192,10 +192,10 @@ def test_json_has_best_ranges_in_the_unit_that_is_asked_for(run: Run) -> None:
     assert [in_dyn[end] for end in ("low", "high")] == approx([force["best"][end] * 1e5 for end in ("low", "high")])
     assert (in_dyn["by"], in_dyn["why"]) == (force["best"]["by"], force["best"]["why"])
     assert in_dyn["why"]
-    assert "best" not in limit  # the force of a law has no better range
+    assert "best" not in limit  # the force by a limiting law has no best range
 
 
-def test_an_open_end_is_null(run: Run) -> None:
+def test_an_open_end_of_a_best_range_is_null(run: Run) -> None:
     (bend,) = json.loads(run("r-min 100nm --json").out)["results"]
     assert (bend["best"]["low"], bend["best"]["high"]) == (None, bend["value"])
     results = {one["name"]: one for one in json.loads(run("energies quartz 50nm --json").out)["results"]}
@@ -206,26 +206,26 @@ def test_an_open_end_is_null(run: Run) -> None:
     assert ends["sticking_speed"] == (speed, 10 * speed)
 
 
-def test_several_scenes_are_a_json_array(run: Run) -> None:
+def test_several_pairs_are_a_json_array(run: Run) -> None:
     data = json.loads(run("pull-off quartz,iron 100nm 1um --json").out)
     assert [(one["inputs"]["material"], one["inputs"]["radius"]) for one in data] == [
         ("quartz", 1e-7), ("quartz", 1e-6), ("iron", 1e-7), ("iron", 1e-6),
     ]  # fmt: skip
 
 
-def test_json_of_a_plane_is_json(run: Run) -> None:
+def test_json_gives_the_radius_of_a_plane_as_a_word(run: Run) -> None:
     data = json.loads(run("pull-off quartz 100nm --radius2 plane --json").out)
     assert data["inputs"]["radius2"] == "plane"
 
 
-def test_bare_is_the_headline_alone(run: Run) -> None:
+def test_option_bare_prints_only_the_headline(run: Run) -> None:
     assert run("n-roll quartz 100nm --bare").out == run("n-roll quartz 100nm").out.split()[1] + "\n"
     assert run("frequencies gold 100nm --bare --digits 3").out == "-\t108000000.0\n"
     assert run("contact quartz 100nm --bare --to nN").code == 2
     assert len(run("pull-off quartz 1nm:1um:50 --bare").out.splitlines()) == 50
 
 
-def test_bare_fails_where_the_headline_has_no_value(run: Run) -> None:
+def test_option_bare_fails_where_the_headline_has_no_value(run: Run) -> None:
     reason = "jkroll: both bodies are rigid and have no contact area; --model dmt has their pull-off force\n"
     assert run("pull-off quartz 100nm --young rigid --bare --quiet") == (1, "", reason)
     assert run("pull-off quartz 100nm --young rigid,54GPa --bare --quiet") == (
@@ -235,7 +235,7 @@ def test_bare_fails_where_the_headline_has_no_value(run: Run) -> None:
     )
 
 
-def test_to_and_digits(run: Run) -> None:
+def test_options_to_and_digits_set_the_units_and_the_digits(run: Run) -> None:
     assert run("pull-off quartz 100nm --to nN --digits 4 --bare").out == "11.78\n"
     newton, dyn = (float(run(f"pull-off quartz 100nm --to {unit} --bare").out) for unit in ("N", "dyn"))
     assert dyn == float(Fraction(newton) * 100_000)
@@ -243,12 +243,12 @@ def test_to_and_digits(run: Run) -> None:
     assert run("yield-force quartz 100nm --to deg").out.splitlines()[3].endswith(" deg")
 
 
-def test_spellings_of_a_radius_give_the_same_bytes(run: Run) -> None:
+def test_spellings_of_a_radius_give_the_same_output(run: Run) -> None:
     outputs = {run("pull-off", "quartz", text, "--bare").out for text in ("100nm", "0.1 µm", "1e-7m", "1000Å")}
     assert outputs | {run("pull-off quartz --R1 100nm --bare").out} == {"1.1780972450961723e-8\n"}
 
 
-def test_tension_beyond_pull_off_takes_what_depends_on_the_load(run: Run) -> None:
+def test_beyond_pull_off_results_that_depend_on_the_load_have_no_value(run: Run) -> None:
     ran = run("report quartz 10nm --load -5nN --json")
     data = json.loads(ran.out)
     assert ran.code == 1
@@ -262,7 +262,7 @@ def test_tension_beyond_pull_off_takes_what_depends_on_the_load(run: Run) -> Non
     assert data["inputs"]["load"] == -5e-9
 
 
-def test_explain_names_formula_steps_and_value(run: Run) -> None:
+def test_option_explain_shows_formula_steps_and_value(run: Run) -> None:
     text = run("n-roll quartz 100nm --explain").out
     for piece in (
         "n = W0/(7π⟨M⟩) = W0/(14π P_c â^(3/2) ξ)",
@@ -278,7 +278,7 @@ def test_explain_names_formula_steps_and_value(run: Run) -> None:
     assert f" N m/rad\n{' ' * 27}k = M/δ_α = F_aR, which" in on_terminal  # below a long value
 
 
-def test_what_rests_on_no_equation_of_the_paper_cites_none(run: Run) -> None:
+def test_a_quantity_without_an_equation_in_the_paper_cites_no_equation(run: Run) -> None:
     words = "report 100nm --young 10GPa --poisson 0.3 --cite --quantities"
     assert "(2), (3)}\n}\n@article{johnson" in run(f"{words} contact_radius,approach --gamma 25mJ/m2").out
     assert run(f"{words} contact_shear_modulus").out.endswith("  doi     = {10.1080/01418619508243800}\n}\n")
@@ -295,12 +295,12 @@ def test_what_rests_on_no_equation_of_the_paper_cites_none(run: Run) -> None:
         ("infer gamma silica-humid 2um --measured P_c=300nN --model maugis", "maugis-1992 fused-silica"),
     ],
 )
-def test_what_was_used_is_cited_and_nothing_else(run: Run, words: str, keys: str) -> None:
+def test_only_the_sources_of_a_result_are_cited(run: Run, words: str, keys: str) -> None:
     cited = re.findall(r"@\w+\{(.*),", run(f"{words} --cite").out)
     assert cited == ["jkroll", "dominik-tielens-1995", *keys.split()]
 
 
-def test_the_program_is_cited_as_its_licence_has_it(run: Run) -> None:
+def test_the_citation_of_the_program_agrees_with_its_licence(run: Run) -> None:
     licence = (Path(__file__).parents[2] / "LICENSE").read_text(encoding="utf-8")
     title, _, rights = licence.split("\n")[:3]
     year, holder = rights.removeprefix("Copyright (c) ").split(" ", 1)
@@ -327,7 +327,7 @@ def test_the_program_is_cited_as_its_licence_has_it(run: Run) -> None:
         "pull-off quartz,iron 100nm,1um",
     ],
 )
-def test_a_paragraph_for_methods_cites_what_is_cited(run: Run, words: str) -> None:
+def test_a_paragraph_for_methods_cites_the_same_sources_as_option_cite(run: Run, words: str) -> None:
     text = run(f"{words} --cite --tex").out
     keys = {key for keys in re.findall(r"~\\cite\{([^}]*)\}", text) for key in keys.split(",")}
     assert keys == set(re.findall(r"@\w+\{(.*),", run(f"{words} --cite").out))
@@ -347,7 +347,7 @@ def test_a_paragraph_for_methods_has_the_values_used(run: Run, tmp_path: Path) -
     assert r"a\_b \& 5\% (material of sphere 1)" in text
 
 
-def test_tex_goes_with_cite(run: Run) -> None:
+def test_option_tex_is_refused_without_option_cite(run: Run) -> None:
     assert run("pull-off quartz 100nm --tex").err == "jkroll: --tex goes with --cite\n"
 
 
@@ -363,7 +363,7 @@ def test_every_quantity_is_explained_and_cited(run: Run, name: str) -> None:
     assert ("kendall-1987" in run(name, "quartz", "100nm", "--cite").out) is (name != "r-min")
 
 
-def test_materials_in_every_format(run: Run) -> None:
+def test_materials_are_listed_in_every_format(run: Run) -> None:
     data = json.loads(run("materials --json").out)
     assert [one["name"] for one in data[:5]] == ["polystyrene", "quartz", "graphite", "gold", "iron"]
     assert data[3]["youngs_modulus"] is None
@@ -394,7 +394,7 @@ def test_help_fits_a_screen_and_its_example_works(run: Run) -> None:
     assert run("--version").out == f"jkroll {__version__}\n"
 
 
-def test_no_word_asks_for_help(run: Run) -> None:
+def test_a_call_without_words_shows_the_help(run: Run) -> None:
     assert run("").out.startswith("Usage: jkroll")
 
 
@@ -413,22 +413,22 @@ def jkroll(*words: str, **options: object) -> "subprocess.CompletedProcess[str]"
     )
 
 
-def test_debug_shows_where_an_error_comes_from() -> None:
+def test_option_debug_shows_where_an_error_comes_from() -> None:
     assert "Traceback" in jkroll("pull-off", "quartz", "100", "--debug").stderr
     assert "Traceback" not in jkroll("pull-off", "quartz", "100").stderr
 
 
-# --- What an adversary found ----------------------------------------------------------------------------------------
+# --- Extreme and hostile input --------------------------------------------------------------------------------------
 
 
-def test_ranges_over_many_orders(run: Run) -> None:
+def test_ranges_over_many_orders_of_magnitude_have_exact_values(run: Run) -> None:
     middle = json.loads(run("yield-force quartz 1m --load 1e30N:1e-30N:3 --json").out)[1]
     assert middle["inputs"]["load"] == 1.0
     middle = json.loads(run("pull-off quartz 100nm --radius2 1e-20m:1e30m:3 --json").out)[1]
     assert middle["inputs"]["radius2"] == 1e5
     loads = [one["inputs"]["load"] for one in json.loads(run("yield-force quartz 1um --load -3nN:1nN:5 --json").out)]
     assert loads == [-3e-9, -2e-9, -1e-9, 0.0, 1e-9]
-    assert run("pull-off quartz 100nm --z0 1e-30m --json").code == 0  # results are compared at half this z0, too
+    assert run("pull-off quartz 100nm --z0 1e-30m --json").code == 0  # results are also compared at half this z0
 
 
 def test_a_unit_that_a_double_cannot_express_is_refused(run: Run) -> None:
@@ -454,13 +454,13 @@ def test_a_plane_is_infinitely_heavy_without_an_uncertainty(run: Run, grain: str
 
 
 @pytest.mark.parametrize("unit", ["dB", "m°C", "Np", "dBm", "oct", "GPas", "degF"])
-def test_units_that_are_no_plain_factor(run: Run, unit: str) -> None:
+def test_units_that_are_not_a_plain_factor_are_refused(run: Run, unit: str) -> None:
     ran = run("pull-off", "quartz", f"5{unit}")
     assert ran.code == 2
     assert f"unknown unit '{unit}'" in ran.err
 
 
-def test_control_characters_of_a_file_and_of_arguments_stay_out(run: Run, tmp_path: Path) -> None:
+def test_control_characters_in_files_and_arguments_are_not_printed(run: Run, tmp_path: Path) -> None:
     path = tmp_path / "mine.toml"
     path.write_text('title = "my\\u001b[31m\\u202e title\\nsecond"\n[materials.ice]\nsurface_energy = "1 J/m2"\n')
     for words in (["contact", "ice", "1um"], ["pull-off", "ice", "1um", "--explain"], ["materials"]):
@@ -475,7 +475,7 @@ def test_control_characters_of_a_file_and_of_arguments_stay_out(run: Run, tmp_pa
 @pytest.mark.parametrize(
     "line", ["--help", "quantities", "pull-off quartz 1nm:1um:3 --csv --to µN", "report ice-warm 1um --explain"]
 )
-def test_streams_of_other_encodings(run: Run, line: str, encoding: str) -> None:
+def test_no_character_is_lost_in_streams_of_other_encodings(run: Run, line: str, encoding: str) -> None:
     ran = run(line, terminal="report" in line, encoding=encoding)
     assert ran.code == 0
     assert "?" not in ran.out + ran.err
@@ -494,21 +494,21 @@ def test_rows_are_not_held_in_memory() -> None:
     assert peaks[1] < 1.1 * peaks[0]
 
 
-def test_docstrings_may_be_missing() -> None:
+def test_option_explain_is_refused_if_python_drops_docstrings() -> None:
     words = [sys.executable, "-OO", "-m", "jkroll", "r-min", "100nm", "--explain"]
     ran = subprocess.run(words, capture_output=True, text=True, check=False)
     assert (ran.returncode, ran.stderr) == (2, "jkroll: --explain is worded from docstrings, which python -OO drops\n")
 
 
-def test_completion_survives_its_environment() -> None:
+def test_an_empty_request_for_completion_is_ignored() -> None:
     environment = {**os.environ, "_JKROLL_COMPLETE": ""}
     assert jkroll("r-min", "100nm", env=environment).returncode == 0
 
 
-# --- The contact at any state, and the ladder of models ---------------------------------------------------------------
+# --- States of a contact, and limits of the laws ----------------------------------------------------------------------
 
 
-def test_beyond_the_fold(run: Run) -> None:
+def test_an_approach_beyond_the_fold_is_refused(run: Run) -> None:
     ran = run("contact quartz 100nm --approach -0.1nm --bare")
     assert ran.code == 1
     assert ran.err.startswith(
@@ -516,7 +516,7 @@ def test_beyond_the_fold(run: Run) -> None:
     )
 
 
-def test_the_curve_has_its_states(run: Run) -> None:
+def test_a_curve_has_its_named_states(run: Run) -> None:
     rows = list(csv.DictReader(io.StringIO(run("contact quartz 100nm --curve --csv").out)))
     named = {row["state"]: row for row in rows}
     force = float(run("pull-off quartz 100nm --bare").out)
@@ -538,7 +538,9 @@ def test_the_curve_has_its_states(run: Run) -> None:
 
 
 @pytest.mark.parametrize(("model", "given"), [("jkr", "load_factor"), ("dmt", "approach_at_load [m]")])
-def test_the_rows_of_a_curve_differ_by_what_sets_their_states(run: Run, model: str, given: str) -> None:
+def test_each_row_of_a_curve_has_its_own_value_of_the_input_that_sets_the_state(
+    run: Run, model: str, given: str
+) -> None:
     words = f"contact quartz 100nm --curve --model {model} --quantities pull_off_force"
     values = [row[given] for row in csv.DictReader(io.StringIO(run(f"{words} --csv").out))]
     assert len({*values}) == len(values) > 40
@@ -547,8 +549,8 @@ def test_the_rows_of_a_curve_differ_by_what_sets_their_states(run: Run, model: s
 
 
 @pytest.mark.parametrize("form", ["--csv", "--json", "--bare"])
-def test_a_curve_of_states_without_any_value_but_their_load_is_refused(run: Run, form: str) -> None:
-    """The load of each state is an input, not a result, so no state has a value."""
+def test_a_curve_whose_states_have_no_result_is_refused(run: Run, form: str) -> None:
+    """The load of each state is an input, so no state has a result."""
     ran = run("contact", "gold", "1um", "--curve", "--model", "dmt", form)
     assert (ran.code, ran.out) == (2, "")
     assert "contact needs Young's modulus and Poisson's ratio" in ran.err
@@ -571,7 +573,7 @@ def test_a_curve_of_states_without_any_value_but_their_load_is_refused(run: Run,
         ("gold", "1um"),
     ],
 )
-def test_a_curve_has_the_same_numbers_and_doubts_as_columns_and_as_objects(run: Run, words: tuple[str, ...]) -> None:
+def test_a_curve_has_the_same_numbers_and_doubts_in_csv_and_in_json(run: Run, words: tuple[str, ...]) -> None:
     rows = list(csv.DictReader(io.StringIO(run("contact", *words, "--curve", "--csv").out)))
     objects = json.loads(run("contact", *words, "--curve", "--json").out)
     assert len(rows) == len(objects)
@@ -616,8 +618,8 @@ def test_every_answer_says_how_far_it_can_be_trusted(run: Run) -> None:
     assert any(note.startswith(not_checked) for note in r_min["notes"])
 
 
-def test_every_answer_says_by_what_its_range_is(run: Run) -> None:
-    """Each rule occurs: laws that differ, laws within 5 % of each other, measured rolling forces, and no such force."""
+def test_every_best_range_names_its_rule(run: Run) -> None:
+    """The rules are laws that differ, laws within 5 % of each other, scaled measured rolling forces, and unknown ξ."""
     results = json.loads(run("report quartz 100nm --json").out)["results"]
     by = {one["name"]: one["best"]["by"] for one in results if "best" in one}
     expected = {"pull_off_force": "Maugis", "yield_force": "scaled", "r_min": "scaled", "vertical_frequency": "JKR"}
@@ -636,10 +638,10 @@ def test_an_explanation_has_an_empty_line_before_each_pair(run: Run) -> None:
     assert not text.endswith("\n\n")
 
 
-# --- What a review found ----------------------------------------------------------------------------------------------
+# --- Notes, lists and inputs as the user sees them --------------------------------------------------------------------
 
 
-def test_states_beyond_pull_off_are_said_to_need_grips(run: Run) -> None:
+def test_a_note_says_that_only_fixed_grips_hold_a_state_beyond_pull_off(run: Run) -> None:
     assert "only fixed grips hold this state" in run("n-grav quartz 100nm --approach -0.06nm").err
 
 
@@ -649,7 +651,7 @@ def test_two_spheres_of_one_material_are_identical(run: Run) -> None:
     assert "mixing rule" not in run("pull-off iron 100nm --material2 FE").err
 
 
-def test_notes_are_few_and_say_their_rows(run: Run) -> None:
+def test_notes_are_few_and_count_their_rows(run: Run) -> None:
     for name in QUESTIONS:
         lines = run(f"{name} quartz 0.5nm").err.splitlines()
         assert len(lines) <= 5, name
@@ -661,7 +663,7 @@ def test_notes_are_few_and_say_their_rows(run: Run) -> None:
     assert last == "more: --explain"
 
 
-def test_a_sweep_is_one_table_with_units_in_its_head(run: Run) -> None:
+def test_a_sweep_is_one_table_with_units_in_its_header(run: Run) -> None:
     lines = run("yield-force quartz,iron 100nm", terminal=True).out.splitlines()
     assert lines[0].startswith("2 pairs, ")
     table = next(place for place, line in enumerate(lines) if "quartz" in line)
@@ -673,7 +675,7 @@ def test_a_sweep_is_one_table_with_units_in_its_head(run: Run) -> None:
     assert re.search(r"^R1 \[nm\] .*^ *1 .* 14\.14 .*^ *1e9 .* 1\.414e10 ", wide, re.MULTILINE | re.DOTALL)
 
 
-def test_inputs_stand_as_they_were_typed(run: Run) -> None:
+def test_inputs_are_shown_as_typed(run: Run) -> None:
     typed = "yield-force 0.1um --gamma 0.025J/m2 --xi 2angstrom --young 5e10Pa --poisson .17 --load=-500pN"
     head = " ".join(run(typed, terminal=True).out.partition("\nquantity ")[0].split())
     assert head.startswith("R1 = R2 = 0.1 µm, γ = 0.025 J/m² per surface, E = 5e10 Pa, ν = .17, ξ = 2 Å, P = -500 pN ")
@@ -684,13 +686,13 @@ def test_inputs_stand_as_they_were_typed(run: Run) -> None:
     assert "γ = 0.025 J/m²" in run("pull-off 100nm 1um --gamma 0.025J/m2", terminal=True).out
 
 
-def test_a_list_says_what_was_assumed_above_it_and_no_value_that_differs_by_the_row(run: Run) -> None:
+def test_the_assumptions_above_a_list_give_no_value_that_differs_between_rows(run: Run) -> None:
     of_two = run("pull-off quartz,iron 100nm --material2 gold", terminal=True, together=True).out
     assert "sphere 2: gold (γ2 = 790 mJ/m²), R1 = R2 = 100 nm\nassumed: w = 2√(γ1γ2) (--work-of-adhesion)\n" in of_two
     assert of_two.count("assumed") == 1
 
 
-def test_few_digits_have_no_exponent(run: Run) -> None:
+def test_a_number_with_few_digits_has_no_exponent(run: Run) -> None:
     assert "ρ = 2600 kg/m³" in run("n-grav quartz 100nm --digits 2", terminal=True).out
 
 
@@ -703,7 +705,7 @@ def test_a_rigid_body_needs_no_poisson_ratio(run: Run) -> None:
     assert run("contact 100nm --gamma 25mJ/m2 --young rigid --young2 1GPa").code == 2
 
 
-def test_the_quantities_of_a_command_leave_out_its_inputs(run: Run) -> None:
+def test_a_command_in_option_quantities_adds_no_inputs(run: Run) -> None:
     shown = json.loads(run("report quartz 100nm --load 1nN --quantities pull-off,contact --json").out)["results"]
     names = [result["name"] for result in shown]
     assert names[0] == "pull_off_force"
@@ -711,7 +713,7 @@ def test_the_quantities_of_a_command_leave_out_its_inputs(run: Run) -> None:
     assert "load" not in names
 
 
-def test_what_a_note_tells_to_give_can_be_given(run: Run) -> None:
+def test_report_map_and_infer_take_every_input_for_which_a_note_may_ask(run: Run) -> None:
     """`report`, `map` and `infer` take the inputs of every quantity."""
     ran = run("report quartz 100nm --quantities E_roll --angle 90deg --bare --quiet")
     assert float(ran.out) == solve("roll_energy", material="quartz", radius=1e-7, rolling_angle=math.pi / 2)
@@ -728,7 +730,7 @@ def test_what_a_note_tells_to_give_can_be_given(run: Run) -> None:
 @pytest.mark.parametrize(
     ("model", "sets", "result"), [("jkr", "load", "δ"), ("maugis", "load", "δ"), ("dmt", "approach", "P")]
 )
-def test_a_stable_state_is_doubted_as_the_contact_there(
+def test_a_stable_state_of_a_curve_has_the_doubts_of_a_single_contact(
     run: Run, model: str, sets: str, result: str, radius: str
 ) -> None:
     """A state has the doubts of the contact at its load; a state of DMT has those at its approach."""
@@ -766,7 +768,7 @@ def test_the_notes_on_a_curve_are_those_on_its_pull_off_force(run: Run) -> None:
 @pytest.mark.parametrize(
     "line", ["pull-off gold 100nm", "pull-off gold,iron 100nm --material2 gold", "r-min 100nm gold"]
 )
-def test_a_known_material_outranks_a_file_of_its_name(run: Run, line: str) -> None:
+def test_a_known_material_outranks_a_file_of_the_same_name(run: Run, line: str) -> None:
     expected = run(line)
     for name in ("gold", "iron", "100nm"):
         Path(name).touch()
@@ -777,7 +779,7 @@ def test_a_known_material_outranks_a_file_of_its_name(run: Run, line: str) -> No
 
 
 @pytest.mark.parametrize("name", ["grains.csv", "./grains.csv", "x\x1b[31m.csv"])
-def test_a_file_is_said_to_be_one(run: Run, name: str) -> None:
+def test_a_file_in_place_of_a_material_is_reported_as_a_file(run: Run, name: str) -> None:
     """The message names the file with its control characters replaced."""
     Path(name).touch()
     safe = name.replace("\x1b", "?")
@@ -786,6 +788,6 @@ def test_a_file_is_said_to_be_one(run: Run, name: str) -> None:
 
 
 @pytest.mark.parametrize("gap", ["\x0b", "\x1c", "\x85", "\u2028", "\u00a0"])
-def test_blanks_in_a_value_are_shown_as_one(run: Run, gap: str) -> None:
+def test_an_unusual_blank_in_a_value_is_shown_as_a_space(run: Run, gap: str) -> None:
     head = run("pull-off", "quartz", f"100{gap}nm", terminal=True).out.partition("\n")[0]
     assert head == "quartz (γ = 25 mJ/m² per surface), R1 = R2 = 100 nm"

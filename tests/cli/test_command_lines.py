@@ -1,4 +1,4 @@
-"""Thousands of command lines: random lines end with a documented code, lines of the corpus with the code listed."""
+"""Thousands of command lines: random lines have a documented exit code, and lines of the corpus the code listed."""
 
 import resource
 from collections import Counter
@@ -28,7 +28,7 @@ def run_many(count: int, seed: int) -> Counter[int]:
 def _isolated(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     for name in ("XDG_CONFIG_HOME", "COLUMNS", "TERM", "JKROLL_MATERIALS", "_JKROLL_COMPLETE", "FORCE_COLOR"):
-        monkeypatch.setenv(name, "")  # monkeypatch restores it
+        monkeypatch.setenv(name, "")  # monkeypatch restores the variable
     monkeypatch.chdir(tmp_path)
     isolate(str(tmp_path))
     yield
@@ -36,7 +36,7 @@ def _isolated(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]
 
 
 @pytest.mark.usefixtures("_isolated")
-def test_generated_command_lines() -> None:
+def test_generated_command_lines_have_documented_exit_codes() -> None:
     codes = run_many(150, seed=1)
     assert min(codes[code] for code in (0, 1, 2)) > 5
 
@@ -44,27 +44,27 @@ def test_generated_command_lines() -> None:
 @pytest.mark.slow
 @pytest.mark.usefixtures("_isolated")
 @pytest.mark.parametrize("seed", range(5))
-def test_very_many_generated_command_lines(seed: int) -> None:
+def test_very_many_generated_command_lines_have_documented_exit_codes(seed: int) -> None:
     run_many(10_000, seed=100 + seed)
 
 
 def wrong(count: int) -> dict[str, list[str]]:
-    """Return the faults of some lines of the corpus, by the line."""
+    """Return the faults of some lines of the corpus, by line."""
     with among_input_files():
         found = {line.typed: faults(line, run(line)) for line in spread(lines(), count) if line.can_run}
     return {typed: what for typed, what in found.items() if what}
 
 
-def test_some_lines_of_the_corpus() -> None:
+def test_some_lines_of_the_corpus_have_no_faults() -> None:
     assert wrong(60) == {}
 
 
 @pytest.mark.slow
-def test_the_corpus() -> None:
+def test_no_line_of_the_corpus_has_a_fault() -> None:
     assert wrong(len(lines())) == {}
 
 
-def test_lines_of_the_corpus_print_what_a_person_has_read() -> None:
+def test_lines_of_the_corpus_print_the_outputs_that_were_checked_by_reading() -> None:
     kept = outputs()
     assert kept.keys() <= {line.typed for line in lines()}
     with among_input_files():
@@ -73,7 +73,7 @@ def test_lines_of_the_corpus_print_what_a_person_has_read() -> None:
 
 
 def wrong_with_inputs(name: str | None, inputs: Iterable[str]) -> dict[str, list[str]]:
-    """Return the faults of lines with the example of a command and one more input each, by the line.
+    """Return the faults, by line, of the example of a command with one more input in each line.
 
     Each line must have the exit code of the example.
     """
@@ -100,5 +100,5 @@ def test_the_corpus_has_every_command_option_and_law() -> None:
     assert {*MODELS} <= {*models}
 
 
-def test_every_command_is_drawn() -> None:
+def test_every_command_is_among_the_generated_lines() -> None:
     assert {*WEIGHTS} == {*COMMANDS}

@@ -28,7 +28,7 @@ TYPED = {
     "a file": ("materials --materials mine.to\t", ["materials", "--materials", "mine.toml"]),
     "nothing that is known": ("pull-off zz\t", ["pull-off", "zz"]),
 }
-# Names that a shell would not read as one word, except the last one.
+# Only the last of these names is one word to a shell.
 NAMES = [
     "za$(touch hacked)",
     "zb`touch hacked`",
@@ -48,7 +48,7 @@ NAMED = "".join(f"[materials.{json.dumps(name, ensure_ascii=False)}]\n" for name
     params=["bash", pytest.param("zsh", marks=pytest.mark.slow), pytest.param("fish", marks=pytest.mark.slow)],
 )
 def shell(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Shell]:
-    """A shell whose user has a materials file. A missing shell is an error in CI, and skipped elsewhere."""
+    """A shell whose user has a materials file. If the shell is missing, tests fail in CI and are skipped elsewhere."""
     program = shutil.which(request.param)
     if program is None:
         message = f"{request.param} is not installed: its completion is not tested"
@@ -94,7 +94,7 @@ def test_only_names_that_are_one_word_are_offered(tmp_path: Path, monkeypatch: p
         ("jkroll guide wo", ["words"]),
         ("jkroll contact --model dmt,j", ["dmt,jkr"]),
         ("jkroll contact --gamma 5mJ", ["5mJ/m2"]),
-        ("jkroll contact --material2 = ir", ["iron"]),  # bash divides --material2=ir so
+        ("jkroll contact --material2 = ir", ["iron"]),  # bash splits --material2=ir like this
         ("jkroll contact --radius2 = 100n", ["100nm"]),
         ("jkroll contact --model = ma", ["maugis"]),
         ("jkroll contact --material2=ir", ["iron"]),
@@ -107,7 +107,7 @@ def test_only_names_that_are_one_word_are_offered(tmp_path: Path, monkeypatch: p
         ("jkroll --v", ["--version"]),
     ],
 )
-def test_candidates(line: str, candidates: list[str]) -> None:
+def test_the_last_word_of_a_line_has_these_candidates(line: str, candidates: list[str]) -> None:
     assert offered(line) == candidates
 
 
@@ -125,13 +125,13 @@ def test_no_name_in_a_file_becomes_a_command(shell: Shell) -> None:
 
 
 @pytest.mark.parametrize("word", ["$(touch hacked),qu", r"\$(touch hacked),qu", "`touch hacked`,qu"])
-def test_nothing_that_is_typed_is_run(shell: Shell, word: str) -> None:
+def test_completion_runs_nothing_in_the_typed_words(shell: Shell, word: str) -> None:
     typed = "".join(character if character.isalnum() or character == "," else f"\\{character}" for character in word)
     assert shell.words_of(f"jkroll pull-off {typed}\t") == ["pull-off", word]
     assert not (shell.words.parent / "hacked").exists()
 
 
-def test_a_broken_file_takes_nothing_from_completion(shell: Shell) -> None:
+def test_a_broken_materials_file_does_not_disturb_completion(shell: Shell) -> None:
     path = shell.words.parent / "mine.toml"
     content = path.read_bytes()
     path.write_text("[materials", encoding="utf-8")

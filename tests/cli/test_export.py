@@ -25,7 +25,7 @@ def coefficients(text: str) -> dict[str, tuple[float, ...]]:
     return {types: tuple(map(float, numbers)) for types, _, *numbers in COEFFICIENTS.findall(text)}
 
 
-def test_numbers_are_those_of_the_formulas(run: Run) -> None:
+def test_coefficients_for_lammps_follow_the_formulas(run: Run) -> None:
     """The numbers are 2E*, γ, 8G*, F_slide/2P_c, k_roll = 4P_c/R and μ_roll = 2ξ/R."""
     [(modulus, gamma, tangential, slip, rolling, cap)] = coefficients(run("export lammps quartz 100nm").out).values()
     assert modulus == approx(54e9 / (1 - 0.17**2), rel=1e-11)
@@ -38,8 +38,8 @@ def test_numbers_are_those_of_the_formulas(run: Run) -> None:
 
 
 @pytest.mark.parametrize("load", [0.0, 5e-9, -1e-8])
-def test_thresholds_of_sliding_and_twisting_at_the_load(run: Run, load: float) -> None:
-    """Each cap is μ(P + 2P_c): a force of sliding, and a moment of twisting, whose μ is in metres."""
+def test_thresholds_of_sliding_and_twisting_are_those_at_the_load(run: Run, load: float) -> None:
+    """Each cap is μ(P + 2P_c): the sliding force, and the twisting moment, for which μ is in metres."""
     text = run(f"export lammps quartz 100nm --load={load}N --shear-strength 12MPa").out
     scene: dict[str, Any] = {"material": "quartz", "radius": 1e-7, "load": load, "shear_strength": 12e6}
     names = ("pull_off_force", "sliding_force", "twisting_stiffness", "twisting_moment")
@@ -54,7 +54,7 @@ def test_thresholds_of_sliding_and_twisting_at_the_load(run: Run, load: float) -
     assert "marshall" not in text
 
 
-def test_dmt(run: Run) -> None:
+def test_coefficients_by_dmt_follow_the_formulas(run: Run) -> None:
     """The moment is P_DMT ξ at any load, and the yield force of LAMMPS is μ(P + 2P_DMT)."""
     pull_off = solve("pull_off_force_dmt", material="quartz", radius=1e-7)
     for load in (0.0, 5e-9):
@@ -101,8 +101,8 @@ def test_unequal_spheres_have_three_pairs_of_types(run: Run) -> None:
         ("quartz 100nm --young 1MPa", (1e-7, 1e-7)),
     ],
 )
-def test_skin_of_lammps_reaches_all_contacts(run: Run, words: str, radii: tuple[float, float]) -> None:
-    """LAMMPS refuses its default of 1 mm for small grains. Spheres in contact are at most 0.397 δ0 apart."""
+def test_the_skin_for_lammps_reaches_all_contacts(run: Run, words: str, radii: tuple[float, float]) -> None:
+    """LAMMPS refuses its default skin of 1 mm for small grains. Spheres in contact are at most 0.397 δ0 apart."""
     text = run(f"export lammps {words}").out
     [skin] = map(float, re.findall(r"^neighbor (\S+) bin$", text, re.MULTILINE))
     young = {"youngs_modulus": 1e6} if "1MPa" in words else {}
@@ -113,7 +113,7 @@ def test_skin_of_lammps_reaches_all_contacts(run: Run, words: str, radii: tuple[
     assert skin <= max(radii)
 
 
-def test_a_work_of_adhesion_is_that_of_the_two_materials(run: Run) -> None:
+def test_a_work_of_adhesion_applies_to_all_contacts_between_the_two_given_materials(run: Run) -> None:
     text = run("export lammps quartz 100nm --material2 iron --work-of-adhesion 50mJ/m2").out
     assert [numbers[1] for numbers in coefficients(text).values()] == [0.025, 3.0, 0.025]
     text = run("export lammps quartz 100nm --radius2 1um --work-of-adhesion 80mJ/m2").out
@@ -138,17 +138,17 @@ def test_a_plane_is_a_wall(run: Run) -> None:
     held = 1e-8 + 2 * solve("pull_off_force", **scene)
     assert cap == approx(solve("yield_moment", **scene) / (1e-6 * held), rel=1e-11)
     alone = run("export lammps quartz 1um").out
-    assert coefficients(text) == coefficients(alone)  # of two grains
+    assert coefficients(text) == coefficients(alone)  # coefficients of two grains
 
 
-def test_a_program_goes_by_the_name_that_its_authors_write(run: Run) -> None:
+def test_a_program_may_be_given_by_the_name_that_its_authors_use(run: Run) -> None:
     for name, program in PROGRAMS.items():
         assert run(f"export {program.title} quartz 100nm --quiet").out == run(f"export {name} quartz 100nm --quiet").out
 
 
 @pytest.mark.parametrize("program", ["lammps", "liggghts", "dust-collider", "dust-simulation"])
-def test_best_ranges_and_the_caveat_are_in_the_file_or_beside_it(run: Run, program: str) -> None:
-    """Notes are comments in ASCII. --quiet leaves them out and changes no number."""
+def test_best_ranges_and_the_caveat_are_in_the_file_or_among_the_notes(run: Run, program: str) -> None:
+    """Notes in a file are comments in ASCII. --quiet leaves out notes and changes no number."""
     ran = run(f"export {program} quartz 100nm")
     quiet = run(f"export {program} quartz 100nm --quiet")
     assert (quiet.code, quiet.err) == (0, "")
@@ -176,7 +176,7 @@ def test_each_word_of_lammps_is_explained(run: Run) -> None:
 
 
 def test_a_pair_that_lacks_an_input_is_left_out(run: Run) -> None:
-    """The work of adhesion does not give γ of the first solid, so its pair of like spheres has no coefficients."""
+    """The work of adhesion does not give γ of the first solid, so two spheres of this solid have no coefficients."""
     words = (
         "export lammps 100nm --young 54GPa --poisson 0.17 --density 2g/cm3 --material2 iron --work-of-adhesion 50mJ/m2"
     )
@@ -235,12 +235,12 @@ WHICH = (
         ),
     ],
 )
-def test_mistakes(run: Run, words: str, message: str) -> None:
+def test_a_wrong_export_is_refused_with_a_reason(run: Run, words: str, message: str) -> None:
     ran = run(*"export".split(), *words.split())
     assert (ran.code, ran.out, ran.err) == (2, "", f"jkroll: {message}\n")
 
 
-# --- LIGGGHTS: Hertz less kA, with A as cohesion_model_sjkr2.h and _sjkr.h have it ------------------------------------
+# --- LIGGGHTS: Hertz minus kA, with the area A of cohesion_model_sjkr2.h and _sjkr.h ----------------------------------
 
 
 def liggghts_force(
@@ -271,8 +271,10 @@ def liggghts_force(
         ("quartz 1um --radius2 plane --material2 iron", 1, (1e-6, math.inf)),
     ],
 )
-def test_pull_off_of_liggghts(run: Run, words: str, place: int, radii: tuple[float, float]) -> None:
-    """The least force by sjkr2 is JKR's pull-off force. With sjkr two spheres need twice k, up to terms in δ/R."""
+def test_the_exported_cohesion_gives_liggghts_the_pull_off_force_of_jkr(
+    run: Run, words: str, place: int, radii: tuple[float, float]
+) -> None:
+    """The least force by sjkr2 is JKR's pull-off force. With sjkr, two spheres need twice k, up to terms in δ/R."""
     text = run(f"export liggghts {words}").out
     solids = [[*map(float, re.findall(rf"{name} peratomtype (.*)", text)[0].split())] for name in ("Modulus", "Ratio")]
     count, *densities = re.findall(r"peratomtypepair (.*)", text)[0].split()
@@ -297,7 +299,7 @@ def test_pull_off_of_liggghts(run: Run, words: str, place: int, radii: tuple[flo
 @pytest.mark.parametrize(
     "words", ["quartz 0.6um --xi 2nm", "100nm --gamma 20mJ/m2 --young 54GPa --poisson 0.3 --density 2g/cm3"]
 )
-def test_dust_simulation(run: Run, words: str) -> None:
+def test_constants_that_dust_simulation_derives_equal_results_of_jkroll(run: Run, words: str) -> None:
     ran = run(f"export dust-simulation {words}")
     version, name, *numbers = ran.out.splitlines()
     assert (version, name) == ("MATERIAL_FILE_VERSION_1_4", "quartz" if "quartz" in words else "jkroll")
@@ -324,7 +326,7 @@ def test_dust_simulation(run: Run, words: str) -> None:
 # --- DustCollider: the line of a material as pipeline.cuh reads it ----------------------------------------------------
 
 
-def test_material_of_dust_collider(run: Run) -> None:
+def test_dust_collider_gets_a_line_with_the_numbers_of_a_material(run: Run) -> None:
     """A line has `<material id = "ID"> "name"` and six numbers; DustCollider ignores text after #."""
     ran = run("export dust-collider quartz 0.6um --xi 2nm")
     [line] = [line for line in ran.out.splitlines() if not line.startswith("#")]
@@ -339,9 +341,9 @@ def test_material_of_dust_collider(run: Run) -> None:
 
 @pytest.mark.parametrize("program", ["lammps", "liggghts"])
 def test_the_time_step_is_the_shorter_of_two_rules(run: Run, program: str) -> None:
-    """The step is the shortest of those of the pair and of each two like spheres.
+    """The step is the shortest of the steps of the pair and of both pairs of like spheres.
 
-    The speed of a Rayleigh wave is a root of its equation.
+    The speed of a Rayleigh wave is a root of Rayleigh's equation.
     """
     from scipy.optimize import brentq  # type: ignore[import-untyped]
 
@@ -360,7 +362,7 @@ def test_the_time_step_is_the_shorter_of_two_rules(run: Run, program: str) -> No
     assert step("quartz 10nm") == approx(1.8816680e-12, rel=1e-7)  # the period of sliding decides
 
 
-def test_the_middle_of_a_range_is_said_to_be_that(run: Run) -> None:
+def test_a_note_says_that_the_middle_of_a_range_was_used(run: Run) -> None:
     assert "# note: computed with the middle of gamma1 = 20 to 25 mJ/m^2\n" in run("export lammps silica-humid 5um").out
     assert "middle" not in run("export lammps quartz 5um").out
     drawn = run("map pull-off --gamma 25±5mJ/m2 --x radius=1um:10um --data out.csv")

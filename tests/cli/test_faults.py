@@ -1,4 +1,4 @@
-"""Faults around the process: each ends with the documented code and at most a line, without half-written files."""
+"""Faults outside the process: a call ends with the documented exit code, one line at most, and no partial file."""
 
 import os
 import pty
@@ -41,7 +41,7 @@ SWEEPS = {
 }
 ONE_OF_EACH_KIND = ("bare", "rows", "help")
 ALL_KINDS = [name if name in ONE_OF_EACH_KIND else pytest.param(name, marks=pytest.mark.slow) for name in WRITERS]
-# A program that writes a dot when jkroll has begun; Python itself handles an earlier interrupt.
+# A program that writes a dot when jkroll handles interrupts; before this, Python itself handles an interrupt.
 STARTING = """
 import signal, sys
 from jkroll.__main__ import run
@@ -76,7 +76,7 @@ def in_shell(line: str) -> tuple[int, str]:
 
 @pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs /dev/full")
 @pytest.mark.parametrize("what", ALL_KINDS)
-def test_a_full_disk_is_said_in_a_line(what: str) -> None:
+def test_a_full_disk_is_reported_in_a_line(what: str) -> None:
     with open("/dev/full", "wb") as full:
         ran = run(WRITERS[what], stdout=full)
         assert (ran.returncode, ran.stderr) == (1, b"jkroll: cannot write: No space left on device\n")
@@ -86,7 +86,7 @@ def test_a_full_disk_is_said_in_a_line(what: str) -> None:
 @pytest.mark.parametrize(
     "line", ["pull-off quartz 100nm,200nm -o", "batch grains.csv -o", "figure 3a --data", "batch grains.ndjson -o"]
 )
-def test_a_full_disk_is_said_with_the_name_of_the_file(line: str) -> None:
+def test_a_full_disk_is_reported_with_the_name_of_the_file(line: str) -> None:
     Path("grains.csv").write_text("radius [nm],material\n100,quartz\n", encoding="utf-8")
     Path("grains.ndjson").write_text('{"radius [nm]": 100, "material": "quartz"}\n', encoding="utf-8")
     ran = run(f"{line} /dev/full")
@@ -95,7 +95,7 @@ def test_a_full_disk_is_said_with_the_name_of_the_file(line: str) -> None:
 
 
 @pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs /dev/full")
-def test_notes_that_cannot_be_written_are_an_error_and_the_result_stands() -> None:
+def test_a_call_whose_notes_cannot_be_written_fails_but_prints_its_result() -> None:
     with open("/dev/full", "wb") as full:
         ran = run("pull-off quartz 100nm --bare", stderr=full)
         assert (ran.returncode, ran.stdout) == (1, b"1.1780972450961723e-8\n")
@@ -104,7 +104,7 @@ def test_notes_that_cannot_be_written_are_an_error_and_the_result_stands() -> No
 
 
 @pytest.mark.parametrize("what", ONE_OF_EACH_KIND)
-def test_a_closed_stdout_is_said_in_a_line(what: str) -> None:
+def test_a_closed_stdout_is_reported_in_a_line(what: str) -> None:
     assert in_shell(f"{WRITERS[what]} >&-") == (1, "jkroll: cannot write: Bad file descriptor\n")
 
 
@@ -115,12 +115,12 @@ def test_closed_streams_that_are_not_needed_do_not_matter(line: str, code: int) 
 
 
 @pytest.mark.parametrize("what", SWEEPS)
-def test_a_reader_that_goes_away_is_141(what: str) -> None:
+def test_the_exit_code_is_141_if_the_reader_of_the_output_goes_away(what: str) -> None:
     assert in_shell(f"{SWEEPS[what]} | head -1 >/dev/null") == (141, "")
 
 
 @pytest.mark.parametrize("what", ONE_OF_EACH_KIND)
-def test_a_reader_that_was_never_there_is_141(what: str) -> None:
+def test_the_exit_code_is_141_if_the_reader_of_the_output_is_gone_from_the_start(what: str) -> None:
     reader, writer = os.pipe()
     os.close(reader)
     ran = run(WRITERS[what], stdout=writer)
@@ -128,7 +128,7 @@ def test_a_reader_that_was_never_there_is_141(what: str) -> None:
     assert (ran.returncode, ran.stderr) == (141, b"")
 
 
-def test_a_listener_to_notes_that_goes_away_is_141() -> None:
+def test_the_exit_code_is_141_if_the_reader_of_the_notes_is_gone() -> None:
     reader, writer = os.pipe()
     os.close(reader)
     ran = run("pull-off quartz 100nm --bare", stderr=writer)
@@ -137,7 +137,7 @@ def test_a_listener_to_notes_that_goes_away_is_141() -> None:
 
 
 def run_limited(line: str, **options: object) -> "subprocess.CompletedProcess[bytes]":
-    """Run jkroll with a limit of 20 kB for each file. Python would leave incomplete bytecode, so it writes none."""
+    """Run jkroll with a limit of 20 kB for each file. Bytecode is not written: it could be cut short."""
 
     def limit() -> None:
         resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, 20_000))
@@ -162,13 +162,13 @@ def test_a_file_that_may_not_grow_is_named(line: str, name: str) -> None:
     assert ran.stderr.decode().splitlines()[-1] == f"jkroll: cannot write '{name}': File too large"
 
 
-def test_a_file_that_may_not_grow(tmp_path: Path) -> None:
+def test_output_redirected_to_a_file_that_may_not_grow_is_reported(tmp_path: Path) -> None:
     with (tmp_path / "rows.csv").open("wb") as file:
         ran = run_limited(SWEEPS["csv"], stdout=file)
     assert (ran.returncode, ran.stderr) == (1, b"jkroll: cannot write: File too large\n")
 
 
-def test_a_directory_that_is_gone(tmp_path: Path) -> None:
+def test_a_call_works_in_a_directory_that_was_removed(tmp_path: Path) -> None:
     (tmp_path / "gone").mkdir()
     command = f"cd gone; rmdir ../gone; {' '.join(JKROLL)} pull-off quartz 100nm --bare --quiet"
     environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2] / "src")}
@@ -182,12 +182,12 @@ BUSY = {
     "a sweep": SWEEPS["bare"],
     "objects": SWEEPS["json"],
     "a unit that pint knows": "pull-off quartz 1nautical_mile:2nautical_mile:1000000 --bare --quiet",
-    "what typer reads": "contact quartz 100nm --laod 5nN",
+    "a wrong option": "contact quartz 100nm --laod 5nN",
 }
 
 
 def signalled(line: str, number: int, delay: float, stdout: int = subprocess.DEVNULL) -> tuple[int, bytes]:
-    """Return the exit code and the errors of jkroll if a signal comes some time after it has begun."""
+    """Return the exit code and the errors of jkroll if a signal comes some time after the beginning."""
     words = [sys.executable, "-c", STARTING, *line.split()]
     with subprocess.Popen(words, stdout=stdout, stderr=subprocess.PIPE) as process:
         assert process.stderr is not None
@@ -222,7 +222,7 @@ def test_an_interrupt_at_very_many_moments_is_silent(what: str) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGKILL])
-def test_it_dies_by_other_signals_silently(number: int, tmp_path: Path) -> None:
+def test_other_signals_end_a_call_silently(number: int, tmp_path: Path) -> None:
     """All lines but the last are whole; the system may cut the write that a signal interrupts."""
     source = random.Random(number)
     for _ in range(2):
@@ -249,7 +249,7 @@ BROKEN: dict[str, tuple[Callable[[Path], object], str]] = {
 
 
 @pytest.mark.parametrize("what", BROKEN)
-def test_a_broken_configuration_is_named_where_a_material_is_asked_for(
+def test_a_broken_configuration_is_reported_only_by_a_call_that_names_a_material(
     what: str, run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     make, problem = BROKEN[what]
@@ -318,27 +318,27 @@ def test_a_long_list_on_a_terminal_begins_at_once() -> None:
         ({"TERM": "nonsense", "PYTHONIOENCODING": "cp1252"}, True),
     ],
 )
-def test_a_dumb_terminal_gets_no_escapes(settings: dict[str, str], styled: bool) -> None:
+def test_a_dumb_terminal_gets_no_escape_sequences(settings: dict[str, str], styled: bool) -> None:
     code, screen = on_terminal([*JKROLL, "guide", "promises"], **settings)
     assert code == 0
     assert ("\x1b[" in screen) is styled
 
 
-def test_no_colour_is_none() -> None:
+def test_the_variable_no_color_turns_off_colours() -> None:
     _, screen = on_terminal([*JKROLL, "guide", "promises"], TERM="xterm-256color", NO_COLOR="1")
     codes = {code for piece in screen.split("\x1b[")[1:] for code in piece.split("m")[0].split(";")}
     assert codes <= {"0", "1", "2", "3", "4"}  # normal, bold, dim, italic and underlined
 
 
 @pytest.mark.parametrize("instruction", ["x", "complete_tcsh"])
-def test_an_unknown_request_for_completions_is_a_wrong_usage(instruction: str) -> None:
+def test_an_unknown_request_for_completion_is_refused(instruction: str) -> None:
     ran = run("r-min 100nm", env={**os.environ, "_JKROLL_COMPLETE": instruction})
     assert ran.returncode == 2
     assert ran.stdout == b""
     assert len(ran.stderr.splitlines()) == 1
 
 
-def test_an_error_is_broken_on_a_terminal_alone() -> None:
+def test_an_error_is_broken_into_lines_only_on_a_terminal() -> None:
     """A message to a pipe is one line, since programs read it."""
     words = [*JKROLL, "pull-off", "quarz", "100nm"]
     code, screen = on_terminal(words, COLUMNS="60", TERM="xterm")

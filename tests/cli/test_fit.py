@@ -41,7 +41,7 @@ def check(found: dict[str, float]) -> None:
     assert found["contact_modulus"] == approx(1.75e6, rel=2e-2)
 
 
-def test_a_curve_in_every_form_of_file(run: Run, curve: str) -> None:
+def test_a_curve_is_read_from_every_format_of_file(run: Run, curve: str) -> None:
     check(values(run(f"fit curve.csv {KNOWN} --json").out))
     Path("curve.csv.gz").write_bytes(gzip.compress(curve.encode()))
     check(values(run(f"fit curve.csv.gz {KNOWN} --json").out))
@@ -68,9 +68,9 @@ def test_a_deflection_becomes_a_force(run: Run, curve: str) -> None:
 
 
 def of_fixed_grips() -> tuple[Any, Any]:
-    """Return travel and force of PDMS, 2 MPa and 50 mJ/m², on a lever of 3 N/m without adhesion hysteresis.
+    """Return travel and force for PDMS (2 MPa, 50 mJ/m²) on a lever of 3 N/m, without adhesion hysteresis.
 
-    The travel goes farther out in contact than at its free ends, since it is that of fixed grips.
+    As with fixed grips, the approach is prescribed, so the travel goes farther out in contact than at the free ends.
     """
     way = numpy.linspace(-6e-7, 6e-7, 500)
     approach, modulus, stiffness = numpy.concatenate([way, way[::-1]]), 2e6 / 0.75, 3.0
@@ -101,7 +101,7 @@ SWAPPED = "are columns or units swapped"
     ("head", "factors", "said"),
     [
         (
-            "z [nm],F [nN]",  # an approach
+            "z [nm],F [nN]",  # z is an approach
             (1.0, 1.0),
             (
                 f"and no solid has that: {SWAPPED}, is the spring wrong or is the travel an approach (--column "
@@ -121,7 +121,9 @@ SWAPPED = "are columns or units swapped"
         ("F [nN],approach [nm]", (1.0, 1.0), "jkroll: the fit gives E* = 1.25e-15 Pa, and no solid has that: "),
     ],
 )
-def test_results_of_no_solid_are_refused(run: Run, head: str, factors: tuple[float, float], said: str) -> None:
+def test_results_that_no_solid_can_have_are_refused(
+    run: Run, head: str, factors: tuple[float, float], said: str
+) -> None:
     z, force = of_fixed_grips()
     columns = (1e9 * (z - force / 3) * factors[0], 1e9 * force * factors[1])
     text = "".join(f"{a:.6g},{b:.6g}\n" for a, b in zip(*columns, strict=True))
@@ -142,7 +144,7 @@ def test_results_of_no_solid_are_refused(run: Run, head: str, factors: tuple[flo
         ("Tip-Sample Separation (nm)", '"Tip-Sample Separation (nm)"'),
     ],
 )
-def test_an_indentation_is_an_approach_in_a_curve(run: Run, head: str, shown: str) -> None:
+def test_an_indentation_or_a_separation_is_read_as_an_approach_in_a_curve(run: Run, head: str, shown: str) -> None:
     z, force = jkr_curve(stiffness=numpy.inf, low=-1e-6, count=250)
     force += autoregression(1, len(z), 3e-9, 0.0)
     for sign in (1, -1):
@@ -171,8 +173,8 @@ def test_a_wide_table_fits_80_columns_and_a_hysteresis_within_its_error_is_left_
     ]
 
 
-def test_the_command_that_goes_on_has_a_hysteresis_only_if_it_is_known(run: Run) -> None:
-    """An error of 0.21 mJ/m² is half of 0.4 mJ/m²."""
+def test_the_suggested_command_has_a_hysteresis_only_if_its_error_is_small(run: Run) -> None:
+    """The error must be less than 45 % of the hysteresis."""
     known = "yield-force 7.5um --radius2 plane --work-of-adhesion 60.0±1.6mJ/m2 --contact-modulus 1.745±0.011MPa"
     for closing, said in ((0.0598, known), (0.0594, f"{known} --adhesion-hysteresis 780±230uJ/m2")):
         z, force = jkr_curve(closing=closing, count=250)
@@ -183,7 +185,7 @@ def test_the_command_that_goes_on_has_a_hysteresis_only_if_it_is_known(run: Run)
         assert run(*command.split()).code == 0
 
 
-def test_a_column_of_branches_divides_them(run: Run, curve: str) -> None:
+def test_a_column_of_branches_divides_a_curve(run: Run, curve: str) -> None:
     rows = curve.splitlines()
     names = ["approach"] * 250 + ["retract"] * 250
     text = "\n".join([f"{rows[0]},branch", *(f"{row},{name}" for row, name in zip(rows[1:], names, strict=True))])
@@ -191,7 +193,7 @@ def test_a_column_of_branches_divides_them(run: Run, curve: str) -> None:
     check(values(run(f"fit curve.csv {KNOWN} --json").out))
 
 
-def test_the_curve_of_another_law_and_program(run: Run) -> None:
+def test_a_fit_by_either_law_agrees_with_an_independent_fit(run: Run) -> None:
     """A fit of `jkroll.solve` by scipy gave γ = 27.84 ± 0.11 (JKR) and 26.41 ± 0.11 mJ/m² (Maugis), E = 5.95 GPa."""
     for law, gamma in (("jkr", 27.84e-3), ("maugis", 26.41e-3)):
         found = values(run("fit", str(OF_NINES), *"--radius 1um --radius2 plane --json --model".split(), law).out)
@@ -199,7 +201,7 @@ def test_the_curve_of_another_law_and_program(run: Run) -> None:
         assert found["contact_modulus"] == approx(5.96e9 / (1 - 0.09), rel=0.008)
 
 
-def test_the_answer_ends_with_the_command_that_goes_on(run: Run, curve: str) -> None:
+def test_the_output_ends_with_a_command_for_the_next_step_that_works(run: Run, curve: str) -> None:
     assert curve
     out = run(f"fit curve.csv {KNOWN} --young rigid --poisson2 0.5").out
     assert "E2 = 1.31 MPa of the other body" in out
@@ -234,7 +236,7 @@ def test_a_fit_in_python_has_its_points_and_a_picture(curve: str) -> None:
     assert len(fitted.plot()) == 3
 
 
-def test_json_has_what_was_known_and_the_range(run: Run, curve: str) -> None:
+def test_json_has_the_given_inputs_and_the_range_of_the_fit(run: Run, curve: str) -> None:
     assert curve
     words = "--radius 7.5±0.1um --radius2 plane --spring 3.01±0.1N/m --branch unload --range -100%:30% --json"
     answer = json.loads(run(f"fit curve.csv {words}").out)
@@ -252,7 +254,7 @@ def test_json_has_what_was_known_and_the_range(run: Run, curve: str) -> None:
     assert answer["goodness"]["unloaded_contact_over_radius"] == approx(unloaded, rel=0.01)
 
 
-def test_columns_that_are_used_are_named_alone(run: Run, curve: str) -> None:
+def test_only_columns_that_are_used_are_named_as_read(run: Run, curve: str) -> None:
     rows = [line.split(",") for line in curve.splitlines()[1:]]
     text = "travel [um],approach [um],force [nN],segment\n" + "".join(
         f"{z},{float(z) - float(force) / 3.01e3},{force},{'extend' if number < 250 else 'retract'}\n"
@@ -309,7 +311,7 @@ def test_an_error_that_was_not_computed_is_a_dash(run: Run, curve: str) -> None:
     assert parts["calibration"] is None
 
 
-def test_python_takes_files_and_columns(run: Run, curve: str) -> None:
+def test_fit_in_python_takes_files_and_columns(run: Run, curve: str) -> None:
     known = {"radius": "7.5 um", "radius2": "plane", "spring": "3.01 N/m"}
     fitted = jkroll.fit("curve.csv", **known)
     z, force = numpy.loadtxt(io.StringIO(curve), delimiter=",", skiprows=1).T
@@ -322,7 +324,7 @@ def test_python_takes_files_and_columns(run: Run, curve: str) -> None:
     assert fitted.covariance[place, place] ** 0.5 == approx(fitted.errors["contact_modulus"].statistical)
 
 
-def test_many_files_give_a_row_each(run: Run) -> None:
+def test_each_of_many_files_gets_a_row(run: Run) -> None:
     for seed in range(3):
         z, force = jkr_curve(count=200, opening=0.06 + 0.002 * seed)
         Path(f"{seed}.csv").write_text(table(z, force + autoregression(seed, 400, 3e-9, 0.0)), encoding="utf-8")
@@ -365,7 +367,7 @@ def test_a_curve_is_written_point_by_point(run: Run, curve: str) -> None:
         ("--spring 3N/m --radius2 plane", "give --radius, too"),
     ],
 )
-def test_what_is_refused_says_what_to_type(run: Run, curve: str, words: str, said: str) -> None:
+def test_wrong_options_of_fit_are_refused_with_a_reason(run: Run, curve: str, words: str, said: str) -> None:
     assert curve
     ran = run(f"fit curve.csv {words}")
     assert ran.code == 2
@@ -396,7 +398,7 @@ def test_what_is_refused_says_what_to_type(run: Run, curve: str, words: str, sai
         ("travel (um);force (nN)\n1,0;2,0\n3,0;4,0\n", "write --delimiter semicolon"),
     ],
 )
-def test_a_table_that_is_no_curve_says_so(run: Run, text: str, said: str) -> None:
+def test_a_table_without_a_curve_is_refused_with_a_reason(run: Run, text: str, said: str) -> None:
     Path("curve.csv").write_text(text, encoding="utf-8")
     ran = run(f"fit curve.csv {KNOWN}")
     assert ran.code == 2
@@ -436,7 +438,7 @@ def broken(text: str, seed: int) -> bytes:
 
 
 @pytest.mark.parametrize(("first", "last"), [(0, 15), (85, 86), pytest.param(15, 200, marks=pytest.mark.slow)])
-def test_broken_files_give_words_and_no_bug(run: Run, curve: str, first: int, last: int) -> None:
+def test_a_broken_file_is_fitted_or_refused_with_a_message(run: Run, curve: str, first: int, last: int) -> None:
     for seed in range(first, last):
         Path("broken.csv").write_bytes(broken(curve, seed))
         ran = run(f"fit broken.csv {KNOWN}")
@@ -444,7 +446,7 @@ def test_broken_files_give_words_and_no_bug(run: Run, curve: str, first: int, la
         assert ran.code == 0 or ran.err, seed
 
 
-def test_the_following_command_has_the_law_and_two_spheres_are_named(run: Run, curve: str) -> None:
+def test_the_suggested_command_has_the_law_and_the_output_names_two_spheres(run: Run, curve: str) -> None:
     assert curve
     said = " ".join(run(f"fit curve.csv {KNOWN} --model maugis --z0 3angstrom", terminal=True).out.split())
     assert "--model maugis --z0 3angstrom" in said.partition("then: ")[2]
@@ -462,6 +464,8 @@ def test_the_following_command_has_the_law_and_two_spheres_are_named(run: Run, c
         ({"z [m]": [1]}, {"reduced_radius": 0.0}, "reduced_radius"),
     ],
 )
-def test_in_python_what_is_refused_is_named(columns: Any, given: dict[str, Any], said: str) -> None:
+def test_wrong_arguments_of_fit_in_python_are_refused_with_a_reason(
+    columns: Any, given: dict[str, Any], said: str
+) -> None:
     with pytest.raises(jkroll.JkrollError, match=said):
         jkroll.fit(columns, **given)

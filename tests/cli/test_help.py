@@ -34,7 +34,7 @@ def listed(name: str | None) -> list[str]:
 
 
 @pytest.mark.parametrize("name", [*COMMANDS])
-def test_the_help_names_what_is_taken_and_nothing_else(name: str) -> None:
+def test_the_help_of_a_command_names_exactly_the_options_of_the_command(name: str) -> None:
     assert sorted({*listed(name)}) == sorted(taken(name)) == sorted(flags_of(name))
 
 
@@ -46,21 +46,21 @@ def test_the_help_of_the_program_names_every_command_once_and_every_option() -> 
     assert sorted(names) == sorted(COMMANDS)
 
 
-def test_a_question_has_three_groups_of_options() -> None:
+def test_the_help_of_a_question_has_three_groups_of_options() -> None:
     for name in QUESTIONS:
         groups = re.findall(r"^([A-Z][a-z]+)  ", help_of(name), re.MULTILINE)
         assert groups == ["Pair", "Assumed", "Output"], name
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_every_way_to_ask_for_help(run: Run, name: str | None) -> None:
+def test_every_way_to_ask_for_help_gives_the_same_text(run: Run, name: str | None) -> None:
     words = [name] if name else []
     text = run(*words, "--help").out
     assert text == run(*words, "-h").out == run("help", *words).out == help_of(name) + "\n"
 
 
 @pytest.mark.parametrize("width", [1, 60, 200])
-def test_lines_fit_and_nothing_is_lost(monkeypatch: pytest.MonkeyPatch, width: int) -> None:
+def test_help_fits_the_width_of_the_terminal_and_keeps_all_words(monkeypatch: pytest.MonkeyPatch, width: int) -> None:
     words = {name: help_of(name).split() for name in NAMES}
     monkeypatch.setenv("COLUMNS", str(width))
     for name in NAMES:

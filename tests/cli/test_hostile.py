@@ -1,4 +1,4 @@
-"""Hostile input costs no more memory per byte than ordinary input, and it is refused."""
+"""Hostile input is read or refused, and takes little memory."""
 
 import math
 import re
@@ -45,7 +45,7 @@ def peak_memory(work: Callable[[], object]) -> int:
 
 
 @pytest.mark.parametrize("target", TARGETS)
-def test_what_fuzzing_found_stays_mended(target: str) -> None:
+def test_inputs_kept_from_fuzzing_pass_the_checks_of_their_target(target: str) -> None:
     inputs = kept(target)
     assert inputs
     for data in inputs:
@@ -53,7 +53,7 @@ def test_what_fuzzing_found_stays_mended(target: str) -> None:
 
 
 @pytest.mark.parametrize("entry", MATERIALS["refused"], ids=lambda entry: entry["reason"])
-def test_a_materials_file_is_refused(entry: dict[str, Any], tmp_path: Path) -> None:
+def test_a_wrong_materials_file_is_refused(entry: dict[str, Any], tmp_path: Path) -> None:
     path = tmp_path / "mine.toml"
     for file in entry["files"]:
         path.write_bytes(file.encode())
@@ -64,7 +64,7 @@ def test_a_materials_file_is_refused(entry: dict[str, Any], tmp_path: Path) -> N
 
 
 @pytest.mark.parametrize("entry", MATERIALS["read"], ids=lambda entry: entry["reason"])
-def test_a_materials_file_is_read(entry: dict[str, Any], tmp_path: Path) -> None:
+def test_an_unusual_materials_file_is_read(entry: dict[str, Any], tmp_path: Path) -> None:
     path = tmp_path / "mine.toml"
     path.write_bytes(entry["file"].encode())
     assert {material.name: material.properties for material in read(path)} == entry["materials"]
@@ -103,7 +103,7 @@ def ordinary(size: int) -> bytes:
     )
 
 
-# Functions that return the most expensive files for a TOML parser, for a size.
+# Functions that return a file of a given size that is expensive for a TOML parser.
 SHAPES: dict[str, Callable[[int], bytes]] = {
     "very long dotted keys": lambda size: _filled(size, lambda name: name + ".a" * 98 + "=1\n"),
     "tables": lambda size: _filled(size, lambda name: f"[{name}]\n"),
@@ -131,7 +131,7 @@ def test_no_shape_of_a_file_takes_much_memory(shape: str, share: float, tmp_path
     assert peak_memory(lambda: read(path)) < share * LARGEST_FILE
 
 
-def test_of_a_file_that_is_too_large_no_more_is_read_than_is_allowed(tmp_path: Path) -> None:
+def test_a_file_above_the_size_limit_is_read_only_up_to_the_limit(tmp_path: Path) -> None:
     path = tmp_path / "any.toml"
     path.write_bytes(ordinary(MEGABYTE))
     with pytest.raises(MaterialsFileError, match="is larger than 64 kB"):
@@ -139,7 +139,7 @@ def test_of_a_file_that_is_too_large_no_more_is_read_than_is_allowed(tmp_path: P
     assert peak_memory(lambda: read(path)) < 4 * MAX_BYTES
 
 
-def test_a_file_of_all_that_is_allowed_is_read(tmp_path: Path) -> None:
+def test_a_file_of_the_largest_size_is_read(tmp_path: Path) -> None:
     path = tmp_path / "many.toml"
     path.write_bytes(ordinary(MAX_BYTES))
     assert len(read(path)) > 150
@@ -164,7 +164,7 @@ LONG = {
 
 
 @pytest.mark.parametrize("piece", LONG)
-def test_a_long_text_costs_nothing(piece: str) -> None:
+def test_a_long_text_takes_little_memory(piece: str) -> None:
     for head in ("", "5", "5 m"):
         text = head + LONG[piece] * (MEGABYTE // len(LONG[piece]))
         for work in (lambda: parse_quantity(text, "radius"), lambda: unit_of(text, "radius")):  # noqa: B023
@@ -174,7 +174,7 @@ def test_a_long_text_costs_nothing(piece: str) -> None:
             assert peak_memory(work) < 5 * MEGABYTE
 
 
-def test_names_that_pint_was_asked_for_are_not_kept_for_ever() -> None:
+def test_names_of_unknown_units_are_not_kept_in_memory() -> None:
     with pytest.raises(QuantityError):
         unit_of("zzzzz", "radius")  # this starts pint
 
@@ -187,7 +187,7 @@ def test_names_that_pint_was_asked_for_are_not_kept_for_ever() -> None:
     assert peak_memory(ask) < MEGABYTE
 
 
-def test_a_word_of_any_length_is_compared_with_what_is_known_at_once() -> None:
+def test_a_very_long_word_is_compared_with_known_words_at_once() -> None:
     assert closest("quartz" * 100_000, ["quartz"]) is None
 
 
@@ -202,8 +202,8 @@ PREFIXED = [
 @given(st.floats(allow_nan=False, allow_infinity=False), st.sampled_from(PREFIXED))
 @example(5e-324, "N")
 @example(-1.7976931348623157e308, "YN")
-def test_what_is_written_reads_back(value: float, unit: str) -> None:
-    """Every finite double in the SI unit reads back exactly; in another unit it is rounded twice."""
+def test_a_written_number_reads_back(value: float, unit: str) -> None:
+    """Every finite double in the SI unit reads back exactly; in another unit, the number is rounded twice."""
     as_usual, in_unit = Format(), Format({"load": (unit, unit_of(unit, "load"))})
     assert parse_quantity(f"{spelled(as_usual.number('load', value))} {as_usual.unit('load')}", "load") == value
     try:
@@ -215,7 +215,7 @@ def test_what_is_written_reads_back(value: float, unit: str) -> None:
 
 
 @given(st.floats(allow_nan=False, allow_infinity=False), st.sampled_from(PREFIXED))
-def test_what_is_typed_in_any_unit_is_rounded_once(value: float, unit: str) -> None:
+def test_a_number_typed_in_any_unit_is_rounded_once(value: float, unit: str) -> None:
     numerator, denominator, _ = unit_of(unit, "load")
     exact = Decimal(value)
     try:

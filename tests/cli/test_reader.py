@@ -91,14 +91,14 @@ def meaning(words: list[str]) -> Any:
 
 
 @pytest.mark.parametrize("lines", ALIKE, ids=lambda lines: lines[0])
-def test_lines_that_ask_for_the_same(lines: list[str]) -> None:
+def test_lines_of_a_group_have_the_same_meaning(lines: list[str]) -> None:
     first, *others = [meaning(line.split()) for line in lines]
     assert not isinstance(first, tuple) or not isinstance(first[0], type)
     assert others == [first] * len(others)
 
 
 @pytest.mark.parametrize("line", REFUSED)
-def test_what_is_refused(run: Run, line: str) -> None:
+def test_a_line_without_a_meaning_is_refused(run: Run, line: str) -> None:
     assert run(line) == (2, "", f"jkroll: {REFUSED[line]}\n")
     assert [*Path().iterdir()] == []
 
@@ -120,7 +120,7 @@ def test_a_unit_may_be_a_word_of_its_own(line: str) -> None:
     "pull-off 1um --young 5 "
     "plane"
 ), "batch --jobs 2 in.csv"])  # fmt: skip
-def test_a_number_that_needs_no_unit_takes_no_word(line: str) -> None:
+def test_the_word_after_a_number_that_needs_no_unit_is_not_its_unit(line: str) -> None:
     _, (call,) = meaning(line.split())
     assert all(" " not in text for text in (*call.words, *call.inputs.values()))
 
@@ -133,7 +133,7 @@ def options_with_values() -> list[tuple[str, Option[Any]]]:
 
 
 @given(st.sampled_from(options_with_values()), st.text(max_size=8))
-def test_a_value_may_be_joined_or_not(taken: tuple[str, Option[Any]], text: str) -> None:
+def test_a_value_may_be_joined_to_its_option_or_be_the_next_word(taken: tuple[str, Option[Any]], text: str) -> None:
     command, option = taken
     joined = meaning([command, f"{option.flag}={text}"])
     if not text.startswith("-"):
@@ -154,18 +154,18 @@ def test_any_words_are_read_or_refused_in_one_line(words: list[str]) -> None:
 
 
 @pytest.mark.parametrize("typed", SYNONYMS)
-def test_a_synonym_stands_for_what_there_is(typed: str) -> None:
+def test_a_synonym_stands_for_a_command_or_an_option(typed: str) -> None:
     known = {*COMMANDS, *flags_of(None), *(flag for command in COMMANDS.values() for flag in command.flags())}
     assert SYNONYMS[typed].split()[0] in known
 
 
 @pytest.mark.parametrize("name", COMMANDS)
-def test_every_option_has_a_place_for_its_value(name: str) -> None:
+def test_every_option_is_a_quantity_or_one_of_the_listed_options(name: str) -> None:
     for option in COMMANDS[name].options():
         assert option.name in {*NOMENCLATURE, *(known.name for known in EVERY)}, option.flag
 
 
-def test_every_question_has_a_command_that_takes_the_ways_to_write() -> None:
+def test_the_command_of_every_question_takes_all_options_for_output() -> None:
     for name in QUESTIONS:
         assert {*OUTPUT} <= {*COMMANDS[name].options()}
 
@@ -174,14 +174,14 @@ def test_every_question_has_a_command_that_takes_the_ways_to_write() -> None:
 
 
 @pytest.mark.parametrize("flag", ["--load -3nN", "--load=-3nN"])
-def test_a_negative_value_is_one_where_an_option_takes_it(run: Run, flag: str) -> None:
+def test_a_negative_value_after_an_option_is_read_as_its_value(run: Run, flag: str) -> None:
     assert json.loads(run(f"contact quartz 100nm {flag} --json").out)["inputs"]["load"] == -3e-9
 
 
 @pytest.mark.parametrize(
     ("word", "problem"), [("a\0.csv", "contains a NUL character"), ("a\ud83d.csv", "contains half a character")]
 )
-def test_what_is_in_no_word_is_refused(run: Run, word: str, problem: str) -> None:
+def test_a_word_with_a_nul_or_half_a_character_is_refused(run: Run, word: str, problem: str) -> None:
     ran = run("pull-off", "quartz", "1um", "-o", word)
     assert (ran.code, ran.out) == (2, "")
     assert ran.err.startswith(f"jkroll: 'a?.csv' {problem}")
@@ -193,7 +193,7 @@ def test_a_law_is_known_in_any_case(run: Run) -> None:
 
 
 @pytest.mark.parametrize(("word", "name"), [("friction", "yield_force"), ("torque", "yield_moment")])
-def test_a_quantity_is_found_by_the_words_of_others(run: Run, word: str, name: str) -> None:
+def test_a_quantity_is_found_by_a_common_word_for_it(run: Run, word: str, name: str) -> None:
     listed = run(f"quantities {word} --json").out
     assert listed.index(f'"{name}"') == listed.index('"name": ') + 8
 
@@ -238,7 +238,7 @@ def test_an_option_that_changes_nothing_is_named(run: Run, line: str, idle: str)
         "contact quartz 100nm --approach 0.05nm --radius2 plane --model maugis",
     ],
 )
-def test_what_enters_a_result_or_a_limit_is_not_said_to_change_nothing(run: Run, line: str) -> None:
+def test_an_input_of_a_result_or_a_limit_is_not_said_to_change_nothing(run: Run, line: str) -> None:
     assert "no result here" not in run(line).err
 
 

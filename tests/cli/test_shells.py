@@ -72,7 +72,7 @@ def test_completion_is_installed_and_shown(tmp_path: Path, option: str) -> None:
 
 
 @pytest.mark.skipif(shutil.which("bash") is None, reason="there is no bash")
-def test_completion_that_cannot_be_written_is_said_in_a_line(tmp_path: Path) -> None:
+def test_completion_that_cannot_be_written_is_reported_in_a_line(tmp_path: Path) -> None:
     home = tmp_path / "file"
     home.touch()
     words = ["bash", "--norc", "-c", f'"{sys.executable}" -m jkroll --install-completion; exit $?']
@@ -80,7 +80,7 @@ def test_completion_that_cannot_be_written_is_said_in_a_line(tmp_path: Path) -> 
     assert (ran.returncode, ran.stdout, ran.stderr) == (1, "", f"jkroll: cannot write '{home}': File exists\n")
 
 
-def test_a_shell_that_reads_no_candidates_gets_none() -> None:
+def test_completion_has_the_exit_code_141_if_the_shell_reads_no_candidates() -> None:
     reader, writer = os.pipe()
     os.close(reader)
     words = {"_JKROLL_COMPLETE": "complete_bash", "COMP_WORDS": "jkroll pull-off ", "COMP_CWORD": "2"}

@@ -1,4 +1,4 @@
-"""A call imports only the modules that it uses. benchmarks/startup.py measures the time that this saves."""
+"""A call imports only the modules that it uses. benchmarks/startup.py measures the time of a call."""
 
 import os
 import subprocess
@@ -89,7 +89,7 @@ def test_calls_import_no_more_than_they_use(
     assert imported(*calls, folder=tmp_path) & kinds == expected
 
 
-def test_a_table_adds_nothing(tmp_path: Path) -> None:
+def test_a_table_on_a_terminal_imports_no_library(tmp_path: Path) -> None:
     calls = ["pull-off quartz 100nm --quiet", "yield-force quartz,iron 1nm:1um:3 --quiet", "materials"]
     assert not imported(*calls, folder=tmp_path, terminal=True) & LIBRARIES
 
@@ -102,7 +102,7 @@ def test_a_mistake_imports_no_library(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("line", ["jkroll pul", "jkroll pull-off iron,qu", "jkroll pull-off --"])
-def test_a_completion_adds_no_library(line: str, tmp_path: Path) -> None:
+def test_completion_imports_no_library(line: str, tmp_path: Path) -> None:
     program = "import sys; from jkroll.cli.completion import main; main(); print(*sys.modules, file=sys.stderr)"
     variables = {
         "_JKROLL_COMPLETE": "complete_bash",
@@ -117,7 +117,7 @@ def test_a_completion_adds_no_library(line: str, tmp_path: Path) -> None:
     assert LIBRARIES & set(ran.stderr.split()) <= {"tomllib"}
 
 
-def test_a_call_imports_its_own_command_only() -> None:
+def test_a_call_imports_only_the_runner_of_its_command() -> None:
     runners = {f"jkroll.cli.{command.runner.partition(':')[0]}" for command in COMMANDS.values()}
     program = "import sys; from jkroll.cli.process import main; main(sys.argv[1:]); print(*sys.modules)"
     for words, own in (
@@ -136,7 +136,7 @@ def test_every_command_has_a_runner(name: str) -> None:
     assert isinstance(action_of([name]), partial)
 
 
-def test_the_package_alone_imports_nothing() -> None:
+def test_the_package_imports_no_other_module_before_use() -> None:
     program = "import sys; before = set(sys.modules); import jkroll; print(*sorted(set(sys.modules) - before))"
     source = {"PYTHONPATH": str(Path(__file__).parents[2] / "src")}
     words = [sys.executable, "-S", "-c", program]

@@ -1,4 +1,4 @@
-"""Tables of contacts: each row has the numbers of the one-liner, whatever the table around it."""
+"""Tables of contacts: each row gets the numbers of a single calculation, whatever the other rows hold."""
 
 import csv
 import io
@@ -24,18 +24,18 @@ from jkroll.write.manual import page
 from random_tables import ENDS, IN_SMALL_BLOCKS, random_table, read_rows, write_rows
 from relative import approx
 
-csv.field_size_limit(1 << 20)  # some cells read here are longer than the usual limit of 128 KiB
+csv.field_size_limit(1 << 20)  # some cells read here are longer than the default limit of 128 KiB
 GRAINS = "name,material,radius [nm],load [nN]\na,quartz,100,0\nb,iron,50,-2e-3\n"
 
 
 @pytest.fixture
 def small_chunks(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Make blocks of a line or two."""
+    """Let each block of a table hold only a line or two."""
     monkeypatch.setattr(files, "CHUNK", 64)
 
 
 def table(text: str, name: str = "grains.csv") -> str:
-    """Write a table into a file, and return its name."""
+    """Write a table to a file, and return the file's name."""
     Path(name).write_text(text, encoding="utf-8", newline="")
     return name
 
@@ -57,7 +57,7 @@ def batch(run: Run, *words: str) -> list[dict[str, str]]:
 
 @pytest.mark.parametrize("end", ENDS)
 def test_doubts_have_a_column(run: Run, end: str) -> None:
-    """A row has the codes of the limits that it exceeds; a failed row has none."""
+    """The column lists the codes of the limits that a row exceeds; a failed row has no code."""
     write_rows(
         [
             {"radius [nm]": 100.0, "material": "quartz", "gamma [mJ/m2]": 25.0},
@@ -100,7 +100,7 @@ def test_the_guide_explains_the_codes_of_doubts() -> None:
 @pytest.mark.parametrize("unit", ["nm", "ft"])
 @settings(deadline=None, max_examples=50)
 @given(number=st.from_regex(r"\A-?[0-9]{1,18}(\.[0-9]{1,17})?([eE][-+]?[0-9]{1,2})?\Z"))
-def test_a_column_gives_the_numbers_of_a_one_liner(unit: str, number: str) -> None:
+def test_cells_read_together_give_the_same_numbers_as_single_cells(unit: str, number: str) -> None:
     column = Column(0, "radius", unit, unit_of(unit, "radius"))
     try:
         expected = column.value(number)
@@ -116,7 +116,7 @@ def test_a_column_gives_the_numbers_of_a_one_liner(unit: str, number: str) -> No
 @settings(deadline=None)
 @given(cells=st.lists(st.sampled_from([b"50 nm", b"7 nm", b" nm", b"nm", b"60", b"", b" ", b"2 um", b"1 nm nm"])))
 def test_cells_with_their_own_units_are_read_cell_by_cell(cells: list[bytes]) -> None:
-    """A unit alone is not a number; nor is a number alone, if the column has no unit."""
+    """In a column without a unit, a cell needs both a number and a unit."""
     radii = {b"50 nm": 50e-9, b"7 nm": 7e-9, b"2 um": 2e-6}
     found = Column(0, "radius", "", None).numbers({"radius": cells})
     assert [None if math.isnan(value) else value for value in found.values] == [*map(radii.get, cells)]
@@ -127,7 +127,7 @@ def test_cells_with_their_own_units_are_read_cell_by_cell(cells: list[bytes]) ->
     "text",
     ["true", "1 2", "[1]", "1e", "nan", "inf", "--1", "1e+-3", "null", '"1"', "0x1", "1_0", "1 nm2", "1 nm nm", "1 m"],
 )
-def test_other_text_gives_no_number(text: str) -> None:
+def test_malformed_numbers_and_wrong_units_have_no_value(text: str) -> None:
     for column, others in (
         (Column(0, "poisson_ratio", "", None), b"0.1"),
         (Column(0, "load", "nN", unit_of("nN", "load")), b"1"),
@@ -203,7 +203,7 @@ def test_a_bad_row_has_a_reason_and_spoils_no_other_row(run: Run, line: str) -> 
     assert good["status"] == last["status"] == ""
 
 
-def test_strict_stops_and_names_the_line(run: Run) -> None:
+def test_option_strict_stops_at_a_bad_row_and_names_its_line(run: Run) -> None:
     name = table('name,material,radius [nm]\na,quartz,100\n"two\nlines",quartz,100\n\nb,quartz,0\n')
     ran = run("batch", name, "--strict", "-o", "out.csv", "--jobs", "1", "--quiet")
     assert (ran.code, ran.err) == (
@@ -217,7 +217,7 @@ def test_strict_stops_and_names_the_line(run: Run) -> None:
     assert [*Path("out").iterdir()] == []
 
 
-def test_an_impossible_target_is_named(run: Run) -> None:
+def test_a_missing_directory_and_a_directory_instead_of_a_file_are_refused(run: Run) -> None:
     name = table(GRAINS)
     Path("forces").mkdir()
     assert run("batch", name, "-o", "nowhere/out.csv", "--quiet").err == (
@@ -229,8 +229,8 @@ def test_an_impossible_target_is_named(run: Run) -> None:
     assert run("batch", "forces", "-o", "out.csv").err == message
 
 
-def test_any_cell_leaves_the_rows_apart(run: Run) -> None:
-    """Quoted cells of many lines or bytes, and stray quotes, stand between other rows."""
+def test_no_cell_joins_or_splits_rows(run: Run) -> None:
+    """The cells are quoted text of many lines or bytes, and text with stray or unclosed quotes."""
     cells = ["x\ny" * 300, "long " * 60_000, 'said ""so""', "a\r\nb", "a,b"]
     lines = [f'"{cell}",quartz,100,0\n' for cell in cells] + ['5" d,quartz,100,0\n', '"open,quartz,100,0\n']
     name = table(GRAINS + "plain,quartz,100,0\n".join(["", *lines, ""]))
@@ -248,7 +248,7 @@ def test_two_carriage_returns_at_the_end_of_a_line_split_no_row(run: Run) -> Non
     assert b"\r" not in Path("out.csv").read_bytes()
 
 
-def test_other_separators_and_line_ends_are_named(run: Run) -> None:
+def test_a_refusal_names_carriage_returns_at_line_ends_and_semicolons_between_columns(run: Run) -> None:
     run("batch", table(GRAINS.replace("\n", "\r")), "-o", "out.csv")
     assert run("batch", table(GRAINS.replace("\n", "\r")), "-o", "out.csv").err == (
         "jkroll: header: there is a carriage return outside quotes; lines end in line feeds\n"
@@ -260,7 +260,7 @@ def test_other_separators_and_line_ends_are_named(run: Run) -> None:
 
 
 def test_each_line_of_an_unclosed_record_is_a_failed_row(run: Run) -> None:
-    """The quotes are around the separators, so each quote is closed in the next line; the last one is not."""
+    """The last quote of a line is closed only in the next line; the last quote of the table is never closed."""
     name = table(GRAINS + 'a","quartz","100","0\n' * 3)
     found = batch(run, name, "--quantities", "r_min")
     assert [row["name"] for row in found] == ["a", "b", *['a","quartz","100","0'] * 3]
@@ -268,7 +268,7 @@ def test_each_line_of_an_unclosed_record_is_a_failed_row(run: Run) -> None:
 
 
 @pytest.mark.parametrize(("cells", "kept"), [("a,quartz", "a,quartz,,"), ('"a",quartz,1,2,"3"', 'a,quartz,1,"2,3"')])
-def test_a_row_of_another_size_keeps_its_cells(run: Run, cells: str, kept: str) -> None:
+def test_a_row_with_too_few_or_too_many_cells_keeps_its_cells(run: Run, cells: str, kept: str) -> None:
     assert run("batch", table(f"{GRAINS}{cells}\n"), "--quantities", "r_min", "-o", "out.csv").code == 1
     assert Path("out.csv").read_text(encoding="utf-8").splitlines()[-1].startswith(f"{kept},,,")
 
@@ -309,12 +309,12 @@ HEADERS = {
 }
 
 
-def test_a_long_header_is_not_searched_for_inputs() -> None:
+def test_a_long_header_is_not_searched_at_each_underscore() -> None:
     name = "radius_" * 100_000
     with patch("jkroll.tables.reading.key", side_effect=str) as plain, patch("jkroll.tables.header.key", plain):
         assert understood([name]).inputs == ()
         assert understood([name, "radius [nm]"]).names == {"radius"}
-    assert plain.call_count < 200  # not once for every _
+    assert plain.call_count < 200  # far fewer calls than underscores
 
 
 @pytest.mark.parametrize("text", HEADERS)
@@ -328,7 +328,7 @@ def test_a_header_is_checked_before_the_first_row(run: Run, text: str) -> None:
     assert not [path.name for path in Path().iterdir() if path.name.startswith("out.csv")]
 
 
-def test_an_empty_file_and_utf_16(run: Run) -> None:
+def test_an_empty_file_and_utf_16_are_refused(run: Run) -> None:
     Path("empty.csv").write_bytes(b"")
     assert run("batch empty.csv").err == "jkroll: the table has no header; begin with a line of the columns' names\n"
     for encoding in ("utf-16", "utf-16-le", "utf-16-be"):
@@ -339,13 +339,13 @@ def test_an_empty_file_and_utf_16(run: Run) -> None:
 
 @pytest.mark.parametrize("kind", ["csv", "tsv"])
 @pytest.mark.parametrize("text", [b"\x1f\x8b\x08\0", b"\x28\xb5\x2f\xfd"])
-def test_a_compressed_table_without_its_extension_is_recognized(run: Run, kind: str, text: bytes) -> None:
+def test_a_compressed_table_with_the_extension_of_plain_text_is_refused(run: Run, kind: str, text: bytes) -> None:
     Path(f"grains.{kind}").write_bytes(text)
     ran = run("batch", f"grains.{kind}")
     assert (ran.code, "a compressed one has a name such as x.csv.gz, or --format csv.gz" in ran.err) == (2, True)
 
 
-def test_quantities_are_names_or_commands(run: Run) -> None:
+def test_option_quantities_takes_names_and_commands(run: Run) -> None:
     found = batch(run, table(GRAINS), "--quantities", "r-min,pull_off_force,mass")
     assert [*found[0]][4:] == ["pull_off_force [N]", "mass [kg]", "r_min [m]", "doubt", "status"]
     assert (
@@ -356,7 +356,7 @@ def test_quantities_are_names_or_commands(run: Run) -> None:
     assert run("batch", table(GRAINS), "--quantities", "load", "--quiet").err == said
 
 
-# --- What passes through ----------------------------------------------------------------------------------------------
+# --- Cells that pass through ------------------------------------------------------------------------------------------
 
 ODD_TABLES = {
     "crlf": GRAINS.replace("\n", "\r\n"),
@@ -409,7 +409,7 @@ def test_any_number_of_processes_writes_the_same_bytes(run: Run) -> None:
 
 
 @pytest.mark.parametrize("compression", ["gz", "zst"])
-def test_compressed_tables(run: Run, compression: str) -> None:
+def test_compressed_tables_are_read_and_written_and_truncated_tables_are_refused(run: Run, compression: str) -> None:
     from jkroll.tables.files import compressed, decompressed
 
     if compression == "zst":
@@ -429,7 +429,7 @@ def test_compressed_tables(run: Run, compression: str) -> None:
 
 @pytest.mark.parametrize("compression", ["gz", "zst"])
 def test_a_decompressor_may_return_nothing_before_the_end(run: Run, compression: str) -> None:
-    """It keeps bytes until a block of up to 128 KiB is complete. A file may also end in zeros."""
+    """A decompressor keeps bytes until a block of up to 128 KiB is complete. A file may also end in zeros."""
     from jkroll.tables.files import compressed
 
     if compression == "zst":
@@ -451,7 +451,7 @@ def test_a_missing_library_is_named(run: Run, monkeypatch: pytest.MonkeyPatch, w
     assert not [*Path().glob("*out*")]
 
 
-def test_tabs_and_formulas(run: Run) -> None:
+def test_option_excel_safe_puts_an_apostrophe_before_formulas_between_tabs(run: Run) -> None:
     names = ["=1+1", "'-x", "-2+3", "+x", "@x"]
     rows = "".join(f"{name}\tquartz\t100\t-2\n" for name in names)
     name = table(GRAINS.replace(",", "\t") + rows, "grains.tsv")
@@ -462,7 +462,7 @@ def test_tabs_and_formulas(run: Run) -> None:
     assert [line[3] for line in lines[1:]] == ["0", "-2e-3", *["-2"] * 5]
 
 
-def test_empty_cells_are_no_formulas(run: Run) -> None:
+def test_option_excel_safe_leaves_empty_cells_empty(run: Run) -> None:
     name = table('radius\tname\tlast\r\n1 um\t\t\r\n1 um\t"=1+1"\t\r\n', "grains.tsv")
     words = f"batch {name} --material quartz --quantities r_min -o out.tsv"
     assert run(f"{words} --excel-safe").code == 0
@@ -472,7 +472,7 @@ def test_empty_cells_are_no_formulas(run: Run) -> None:
 
 
 def test_a_formula_may_follow_characters_that_a_spreadsheet_drops(run: Run) -> None:
-    """These are a line feed, a NUL or blanks; a sign may be of full width. Numbers stay."""
+    """A line feed, a NUL or blanks may come first, and a sign may have full width. Numbers are kept."""
     names = ["\n=1+1", "\nx", "\0=1", " =1+1", "  @x", "＝1+1", "＋x", "－x", "＠x"]
     kept = [" -5", "-5", "+1e3", "x=1", "", " x"]
     cells = [{"name": name, "radius": "1 um"} for name in [*names, *kept]]
@@ -489,8 +489,8 @@ HOSTILE = "\x1b[31m\x07\x08\x7f\x9b\u202e"
 
 @pytest.mark.parametrize("end", ["csv", "tsv", "ndjson"])
 def test_cells_cannot_control_a_terminal(end: str) -> None:
-    """A pipe or a file gets the bytes unchanged."""
-    hostile = "\x7f\x9b\u202e" if end == "ndjson" else HOSTILE  # JSON may not contain the others
+    """A pipe gets the bytes unchanged."""
+    hostile = "\x7f\x9b\u202e" if end == "ndjson" else HOSTILE  # JSON text cannot contain the other characters
     text = "radius [nm]{0}name\n100{0}{1}\n" if end != "ndjson" else '{{"radius [nm]":100,"name":"{1}"}}\n'
     mark = "\t" if end == "tsv" else ","
     name = table(text.format(mark, f"a{hostile}\u00a0石"), f"grains.{end}")
@@ -503,7 +503,7 @@ def test_cells_cannot_control_a_terminal(end: str) -> None:
 
 
 @pytest.mark.parametrize("end", ENDS)
-def test_the_law_has_a_column(run: Run, end: str) -> None:
+def test_option_model_adds_a_column_that_names_the_law(run: Run, end: str) -> None:
     rows: list[dict[str, Any]] = [
         {"radius [nm]": 100.0, "material": "quartz"},
         {"radius [nm]": 50.0, "material": "iron"},
@@ -556,7 +556,7 @@ def test_a_closed_pipe_ends_the_run() -> None:
     assert ran.stdout.startswith("material,radius [nm],")
 
 
-def test_one_liners_need_no_module_of_posix() -> None:
+def test_commands_need_no_posix_module() -> None:
     script = "import sys; sys.modules.update(dict.fromkeys(['fcntl', 'resource', 'termios', 'pwd', 'grp', 'pty']));"
     script += "import jkroll; from jkroll.cli.process import main; sys.exit(main(sys.argv[1:]))"
     for words in ("pull-off quartz 100nm --bare", "report quartz 1nm:1um:3 --csv", "materials quartz", "batch --help"):
@@ -571,7 +571,7 @@ def test_one_liners_need_no_module_of_posix() -> None:
     )
 
 
-def test_a_table_without_a_radius_says_so(run: Run, tmp_path: Path) -> None:
+def test_a_table_without_a_radius_gets_a_note(run: Run, tmp_path: Path) -> None:
     (tmp_path / "sizes.csv").write_text("height_um,xi [nm]\n1,0.2\n", encoding="utf-8")
     ran = run("batch sizes.csv --material quartz -o out.csv")
     assert ran.err.splitlines() == [
@@ -586,7 +586,7 @@ def test_a_table_without_a_radius_says_so(run: Run, tmp_path: Path) -> None:
     assert "no column" not in run("batch sizes.csv --material quartz --quantities yield_force -o out.csv").err
 
 
-def test_several_tables_make_no_directory_with_the_name_of_a_file(run: Run) -> None:
+def test_an_output_for_several_tables_must_not_have_the_name_of_a_file(run: Run) -> None:
     table(GRAINS)
     ran = run("batch *.csv -o all.csv")
     assert (ran.code, "need a directory" in ran.err, Path("all.csv").exists()) == (2, True, False)
@@ -600,7 +600,7 @@ def test_an_empty_option_is_refused(run: Run, option: str) -> None:
 
 
 @pytest.mark.parametrize("name", ["/dev/stdout", "/dev/fd/1"])
-def test_an_open_file_is_not_replaced(name: str) -> None:
+def test_output_to_the_path_of_standard_output_keeps_the_lines_of_its_file(name: str) -> None:
     table(GRAINS)
     Path("log.csv").write_text("kept\n", encoding="utf-8")
     jkroll = f"{sys.executable} -m jkroll batch grains.csv --quiet --quantities pull_off_force -o {name}"
@@ -613,7 +613,7 @@ def test_an_open_file_is_not_replaced(name: str) -> None:
 # --- The rows that decide how a table is read -------------------------------------------------------------------------
 
 
-def test_the_first_block_has_the_rows_that_decide_for_any_pieces() -> None:
+def test_the_first_block_holds_the_whole_sample_even_if_each_piece_holds_one_row() -> None:
     from jkroll.tables.layouts import SAMPLE
 
     rows = [b"%d," % place + b"x" * 1000 + b"\n" for place in range(500)]

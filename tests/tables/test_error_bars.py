@@ -1,4 +1,4 @@
-"""Error bars in the cells of tables, and of the materials that rows name."""
+"""Error bars in the cells of tables, and error bars of the materials that rows name."""
 
 import math
 from functools import partial
@@ -37,7 +37,7 @@ def _read(cell: Any) -> Any:
 
 
 @pytest.mark.parametrize("end", ["csv", "tsv", "ndjson", "parquet"])
-def test_error_bars_in_any_form_and_format(run: Run, end: str) -> None:
+def test_error_bars_are_read_in_every_form_and_file_format(run: Run, end: str) -> None:
     rows = [{"radius [nm]": 100.0, "gamma [mJ/m2]": cell} for cell in [*CELLS, "25", "20 to 30", "25±20"]]
     ran = run(f"batch {written(rows, end)} -o out.{end} --quantities pull_off_force,r_min --quiet")
     assert (ran.code, ran.err) == (1, "jkroll: 1 of 10 rows failed; column status has the reasons\n")
@@ -52,8 +52,8 @@ def test_error_bars_in_any_form_and_format(run: Run, end: str) -> None:
     assert refused["status"] == "bad surface_energy"
 
 
-def test_a_table_without_error_bars_has_no_columns_for_them(run: Run) -> None:
-    """A row that has an error bar reports that it is left out; an option adds the columns."""
+def test_a_table_without_error_bars_in_its_first_rows_has_no_columns_for_error_bars(run: Run) -> None:
+    """A later error bar is left out with a note; --uncertainty adds the columns."""
     rows = [{"radius [nm]": "100", "gamma [mJ/m2]": "25"}] * 200 + [{"radius [nm]": "100", "gamma [mJ/m2]": "25±5"}]
     words = f"batch {written(rows)} -o out.csv --quantities pull_off_force"
     ran = run(words)
@@ -66,7 +66,7 @@ def test_a_table_without_error_bars_has_no_columns_for_them(run: Run) -> None:
     assert run("batch grains.csv -o out.csv --quantities r_min").code == 0  # r_min does not depend on γ
 
 
-def test_the_error_bar_of_an_option_fills_rows(run: Run) -> None:
+def test_the_error_bar_of_an_option_applies_to_rows_with_an_empty_cell(run: Run) -> None:
     rows = [{"radius [nm]": "100", "gamma [mJ/m2]": cell} for cell in ("25", "")]
     assert (
         run("batch", written(rows), "-o", "out.csv", "--gamma", "25±5mJ/m2", "--quantities", "pull_off_force").code == 0
@@ -74,7 +74,7 @@ def test_the_error_bar_of_an_option_fills_rows(run: Run) -> None:
     assert [row["pull_off_force_plus [N]"] for row in found()] == [None, close(FORCE / 5)]
 
 
-def test_uncertain_materials(run: Run) -> None:
+def test_error_bars_of_materials_have_columns_only_if_the_first_rows_name_such_a_material(run: Run) -> None:
     rows = [{"radius [nm]": 100.0 + row, "material": "quartz"} for row in range(200)]
     rows += [{"radius [nm]": 100.0, "material": "ice-warm"}]
     words = "batch grains.csv -o out.csv --quantities pull_off_force"
@@ -87,11 +87,11 @@ def test_uncertain_materials(run: Run) -> None:
     assert run(words).code == 0
     assert found()[0]["pull_off_force_minus [N]"] == close(FORCE * 69 / 25)
     assert found()[1]["pull_off_force_minus [N]"] is None
-    assert run("batch grains.csv -o out.csv --quantities contact_modulus").code == 0  # it follows from ranges only
+    assert run("batch grains.csv -o out.csv --quantities contact_modulus").code == 0  # uncertain by ranges only
     assert [*found()[0]][2:5] == ["contact_modulus [Pa]", "contact_modulus_low [Pa]", "contact_modulus_high [Pa]"]
 
 
-def test_a_result_without_a_value_at_an_end_is_reported(run: Run) -> None:
+def test_a_result_has_no_error_bar_if_an_end_of_an_input_gives_no_value(run: Run) -> None:
     rows = [{"radius [nm]": "100", "load [nN]": "-11±1"}, {"radius [nm]": "100", "load [nN]": "-5±1"}]
     ran = run("batch", written(rows), "-o", "out.csv", "--material", "quartz", "--quantities", "stiffness")
     assert ran.code == 0
@@ -119,14 +119,14 @@ def test_a_result_without_a_value_at_an_end_is_reported(run: Run) -> None:
         ("gamma [mJ/m2],gamma_minus,gamma_plus", "25,5,5"),
     ],
 )
-def test_the_unit_of_a_cell_does_not_change_that_of_the_next_cell(run: Run, head: str, cells: str) -> None:
+def test_a_unit_in_a_cell_does_not_apply_to_the_next_cell(run: Run, head: str, cells: str) -> None:
     Path("x.csv").write_text(f"radius [nm],{head}\n100,{cells}\n", encoding="utf-8")
     assert run("batch x.csv --quantities pull_off_force -o out.csv").code == 0
     (row,) = found()
     assert [row[side] for side in SIDES] == [close(FORCE), close(FORCE / 5), close(FORCE / 5)]
 
 
-def test_ends_with_units_and_equal_ends(run: Run) -> None:
+def test_the_ends_of_a_range_may_have_units_of_their_own_or_be_equal(run: Run) -> None:
     rows = ["20,0.03 J/m2", "25,25.0", "0.02 J/m2,30"]
     Path("x.csv").write_text(
         "\n".join(["radius [nm],gamma_min [mJ/m2],gamma_max [mJ/m2]", *("100," + row for row in rows), ""])
@@ -145,8 +145,10 @@ def test_a_unit_on_only_one_of_two_sides_is_refused(run: Run) -> None:
 
 @pytest.mark.parametrize("end", ["csv", "ndjson", "parquet"])
 @pytest.mark.parametrize("others", [{}, {"radius_err [nm]": "10"}])
-def test_a_row_with_half_an_error_bar_has_none(run: Run, others: dict[str, str], end: str) -> None:
-    """The missing side is not 0. The error bars of other inputs alone would pass for that of the result."""
+def test_a_result_has_no_error_bar_if_an_input_lacks_one_side_of_its_error_bar(
+    run: Run, others: dict[str, str], end: str
+) -> None:
+    """A missing side does not count as 0, and error bars of the other inputs alone would be too small."""
     bars = [("4", "6"), ("", "6"), ("4", " "), ("", ""), ("0", "6")]
     rows = [
         {"radius [nm]": "100", **others, "gamma [mJ/m2]": "25", "gamma_minus": minus, "gamma_plus": plus}
@@ -171,7 +173,7 @@ def test_a_row_with_half_an_error_bar_has_none(run: Run, others: dict[str, str],
 
 
 @pytest.mark.parametrize("cells", ["25,nan", "25,N/A", "nan,5", "NaN,nan"])
-def test_an_error_bar_that_is_not_a_number_is_reported(run: Run, cells: str) -> None:
+def test_a_value_or_an_error_bar_that_is_not_a_number_is_reported(run: Run, cells: str) -> None:
     Path("x.csv").write_text(f"radius [nm],gamma [mJ/m2],gamma_err\n100,25,5\n100,{cells}\n", encoding="utf-8")
     ran = run("batch x.csv --quantities pull_off_force -o out.csv")
     text = next(cell for cell in cells.split(",") if not cell.isdigit())
@@ -188,15 +190,15 @@ def test_an_error_bar_that_is_not_a_number_is_reported(run: Run, cells: str) -> 
     ],
 )
 def test_a_cell_of_blanks_is_empty(run: Run, head: str, cells: str, force: float | None) -> None:
-    """The value stays, and the material does not replace half a value."""
+    """A value with a blank error bar is kept. A blank value or end fails, and no material replaces the value."""
     Path("x.csv").write_text(f"radius [nm],{head}\n100,25,25\n100,{cells}\n", encoding="utf-8")
     run("batch x.csv --material iron --quantities pull_off_force -o out.csv")
     assert found()[1]["pull_off_force [N]"] == (force and close(force))
     assert found()[1]["status"] == (None if force else "bad surface_energy")
 
 
-def test_per_cent_in_a_header_holds_for_all_forms_of_cells(run: Run) -> None:
-    """Three ways of reading apply to a padded cell, a cell with an error bar, and a column of error bars."""
+def test_per_cent_in_a_header_applies_to_all_forms_of_cells(run: Run) -> None:
+    """Padded cells, cells with an error bar, and columns of error bars are read in three ways."""
     cells = ["40", "40 ", "40±5", "40+-5", "(40±5)", "40(5)", "35 to 45", "40 %", "0.4 "]
     head = "material,radius [nm],filling_factor [%]"
     Path("x.csv").write_text("\n".join([head, *(f"quartz,100,{cell}" for cell in cells), ""]), encoding="utf-8")
@@ -210,8 +212,8 @@ def test_per_cent_in_a_header_holds_for_all_forms_of_cells(run: Run) -> None:
     assert found()[0]["tensile_strength [Pa]"] == close(expected)
 
 
-def test_a_hamaker_constant_replaces_the_error_bar_of_the_surface_energy(run: Run) -> None:
-    """Only results that follow from the surface energy itself have its error bar."""
+def test_a_hamaker_constant_replaces_the_surface_energy_and_its_error_bar(run: Run) -> None:
+    """Only results that depend on the surface energy itself have its error bar."""
     ran = run("pull-off ice-warm 1um --hamaker 6.5e-20J --quantities surface_energy2,pull_off_force --quiet")
     assert [line.split()[0] for line in ran.out.splitlines()] == [
         "surface_energy2",
@@ -222,7 +224,7 @@ def test_a_hamaker_constant_replaces_the_error_bar_of_the_surface_energy(run: Ru
 
 
 def test_a_range_left_out_of_error_bars_is_reported(run: Run) -> None:
-    """The material also has a ± value. The prompt reports the same."""
+    """The material has a range and a ± value. A command for one contact reports the same."""
     Path("own.toml").write_text(
         '[materials.own]\nsurface_energy = { value = "25±5 mJ/m2" }\n'
         'yield_displacement = { value = "1.8 to 2.6 nm", radius = "0.95 um" }\n',
@@ -236,7 +238,7 @@ def test_a_range_left_out_of_error_bars_is_reported(run: Run) -> None:
 
 
 def test_the_displacement_of_a_material_is_not_assumed(run: Run) -> None:
-    """No option gives the material: only the first rows name it."""
+    """The rows name the material, and no option does."""
     Path("own.toml").write_text(
         '[materials.own]\nsurface_energy = { value = "25 mJ/m2" }\n'
         'yield_displacement = { value = "2 nm", radius = "0.95 um" }\n',
@@ -249,7 +251,7 @@ def test_the_displacement_of_a_material_is_not_assumed(run: Run) -> None:
 
 
 def test_a_list_has_only_the_error_bar_columns_that_its_rows_need(run: Run) -> None:
-    """The γ of warm ice is ±, so the range of its E is left out. Mixed sources are refused before any row."""
+    """Warm ice has a γ with ±, so the range of its E is left out. A list with ± and ranges is refused as a whole."""
     asked = ["--quantities", "contact_modulus,pull_off_force", "--csv"]
     head = run("report", "ice-warm", "100nm,1um", *asked).out.partition("\n")[0]
     assert "pull_off_force_minus [N],pull_off_force_plus [N]" in head

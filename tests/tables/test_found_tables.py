@@ -1,6 +1,6 @@
 """Public tables as instruments, simulation codes and lists of materials write them.
 
-Each is read as found_tables.toml says, or refused with the remedy that the record names.
+Each table is read as its record in found_tables.toml says, or refused with the remedy that the record names.
 """
 
 import re
@@ -43,7 +43,7 @@ class Found(NamedTuple):
 
     @property
     def text(self) -> bytes:
-        """The content of its file."""
+        """The content of the table's file."""
         return self.table.replace("\n", "\r\n" if self.crlf else "\n").encode()
 
 
@@ -54,19 +54,19 @@ _OTHER = re.compile(r"write (--(?:delimiter|format) \w+)")
 
 
 def named(message: str) -> list[str]:
-    """Return the values of options that a message tells to write."""
+    """Return the option values that a message advises."""
     advice, _, passing = message.partition(", or --column")
     chosen = _COLUMN.findall(advice) or _COLUMN.findall(f"--column{passing}")
     return [shlex.split(value)[0] for value in chosen] + _OTHER.findall(message)
 
 
 def words(choice: str) -> list[str]:
-    """Return the words of a command that give a choice."""
+    """Return a choice as words of a command."""
     return choice.split() if choice.startswith("--") else ["--column", choice]
 
 
 def advised(run: Run, found: Found) -> Iterator[tuple[Ran, list[str]]]:
-    """Iterate over runs, each with the choices of the earlier messages, and the choices that its message names."""
+    """Iterate over runs with the choices advised so far; yield each run and the choices that its message advises."""
     written: Sequence[str] = ()
     while True:
         options = [word for choice in written for word in words(choice)]
@@ -81,7 +81,9 @@ def advised(run: Run, found: Found) -> Iterator[tuple[Ran, list[str]]]:
 
 
 @pytest.mark.parametrize("source", TABLES)
-def test_a_found_table_is_read_or_refused(run: Run, source: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_found_table_is_read_or_refused_as_its_record_says(
+    run: Run, source: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setenv("COLUMNS", "2000")
     found = TABLES[source]
     Path(Path(found.path).name).write_bytes(found.text)
@@ -100,12 +102,12 @@ def test_a_found_table_is_read_or_refused(run: Run, source: str, monkeypatch: py
 
 
 def of_cell(value: Any) -> Any:
-    """Return a value to compare with that of a cell."""
+    """Return the expected value of a cell, with a tolerance if it is a number."""
     return approx(value, rel=1e-12) if isinstance(value, float | list) else value
 
 
 def values(found: Found) -> dict[str, list[Any]]:
-    """Return the values that rows give each input, by its name."""
+    """Return the values of each input in all rows, by the name of the input."""
     chosen = found.written or found.named
     options = dict(choice.removeprefix("--").split() for choice in chosen if choice.startswith("--"))
     mark = DELIMITERS[options.get("delimiter", "comma")]
@@ -119,7 +121,7 @@ def values(found: Found) -> dict[str, list[Any]]:
 
 
 def value(column: Column, row: Sequence[str]) -> Any:
-    """Return the value of an input in a row; "" if its cells have none."""
+    """Return the value of an input in a row, or "" if the row gives no value."""
     text = column.joined(*(row[place] for place in column.positions.values()))
     try:
         found = column.value(text) if text else ""
@@ -131,7 +133,7 @@ def value(column: Column, row: Sequence[str]) -> Any:
 ASKED = Asked({"radius": "1um", "surface_energy": "25mJ/m2"}, known_materials(), offered=EVERYTHING)
 
 
-def test_many_tables_are_read_at_once() -> None:
+def test_many_found_tables_are_read_without_option_column() -> None:
     """The other tables are refused for a column or for a missing input."""
     at_once = 0
     for found in TABLES.values():
@@ -141,7 +143,7 @@ def test_many_tables_are_read_at_once() -> None:
             header = understood(lines.names, lines.sample, given=ASKED.inputs, supply_of=ASKED.supply)
             check_inputs(header)
             at_once += 1
-    assert at_once >= 16  # three more have a material, whose numbers would replace their E or ρ without a unit
+    assert at_once >= 16  # three more name materials, whose E or ρ would replace a column without a unit
     assert all(len(found.text) < 1000 for found in TABLES.values())
 
 
@@ -149,7 +151,7 @@ HEADERS = tomllib.loads(Path(__file__).with_name("found_headers.toml").read_text
 
 
 def refusal(table: str, columns: Sequence[str]) -> str:
-    """Return the reason why a table is refused with some values of `--column`; "" if it is read."""
+    """Return the reason why a table is refused with these values of `--column`, or "" if it is read."""
     mark = "\t" if "\t" in table else ";" if ";" in table.splitlines()[0] else ","
     lines = Delimited(mark)
     try:
@@ -161,7 +163,7 @@ def refusal(table: str, columns: Sequence[str]) -> str:
 
 
 def test_few_tables_are_refused_for_a_column_of_another_quantity() -> None:
-    """The columns of inputs are given with their units, or pass through."""
+    """Option --column gives each column of an input its unit, or passes the column through."""
     why = {
         f"{each['repository']} {each['path']}": refusal(each["table"], [f"{text}=" for text in each["inputs"]])
         for each in HEADERS
@@ -173,4 +175,4 @@ def test_few_tables_are_refused_for_a_column_of_another_quantity() -> None:
             why[source] = refusal(found.table, columns)
     refused = {source: problem for source, problem in why.items() if problem}
     assert len(HEADERS) > 20
-    assert len(refused) <= 0.065 * len(why), refused  # one has moduli of wood along three directions
+    assert len(refused) <= 0.065 * len(why), refused  # one table has moduli of wood along three directions

@@ -1,4 +1,4 @@
-"""Headers of tables as people write them: each is read rightly, refused with a remedy, or passed and named."""
+"""Headers as people write them: each is read correctly, refused with a remedy, or passed through and named."""
 
 import csv
 import re
@@ -20,7 +20,7 @@ from jkroll.tables.reading import reading_of
 from random_tables import read_rows, write_rows
 from relative import approx
 
-# Headers by the input that they mean and its unit in SI units. The cells are bare numbers. R needs a column of R2.
+# Headers, grouped by input and unit (in SI units). Their cells are bare numbers. R needs a column of R2.
 _READ = r"""
 radius 1e-9: radius [nm] | Radius [nm] | R1 (nm) | R_1 [nm] | radius1 [nm] | R1_nm | radius in nm | radius, nm
 radius 1e-9: r1 [nm] | radius/nm | radius / (nm) | R (nm) | R_nm | rad_nm | radii [nm]
@@ -76,7 +76,7 @@ hamaker 1e-21: Hamaker constant A (zJ) | a_zj
 
 
 def meanings(line: str) -> dict[str, tuple[str, float]]:
-    """Return each header of a line, with the input that it means and the unit of the input."""
+    """Return, for each header of a line, the input and its unit in SI units."""
     meaning, _, texts = line.partition(": ")
     name, unit = meaning.split()
     return {text: (name, float(unit)) for text in texts.split(" | ")}
@@ -86,7 +86,7 @@ READ = {text: meaning for line in _READ.strip().splitlines() for text, meaning i
 READ |= dict.fromkeys((' "gamma [mJ/m2]"', "\u200fsurface energy [mJ∙m⁻²]\u200e"), ("surface_energy", 1e-3))
 _LACKING = "(first cell '100'): neither has a unit. Write --column"
 _FACTOR = "a sign or a factor is next to the word or its unit"
-# Programs without µ and capitals may have written m for µm, and m for M.
+# A program without µ may have written m for µm, and a program without capitals m for M.
 LOSSY = ("radius__m_", "Load___N_", "hamakerZj", "load_MN", "speed__m_s_")
 REFUSED = {
     **{
@@ -128,10 +128,10 @@ REFUSED = {
     **dict.fromkeys(("radius [?m]", "LOAD [PN]", "Radius (Mm)", "load [-nN]", *LOSSY), "is not its unit. Write"),
     "asperity tip radius [nm]": "Write a column asperity_radius [UNIT] instead of",
     "rho_w [kg/m3]": "Write a column density [UNIT] or density2 [UNIT] instead of",
-    "loadpN": "'loadpN=load [UNIT]'",  # not in N
-    # These may be maxLoad (µN) or load P (N).
+    "loadpN": "'loadpN=load [UNIT]'",  # not read as newtons
+    # The text before N may be a prefix of the unit or a part of the name.
     **dict.fromkeys(("load_p_n", "Load.P..N.", "load_micro_N"), "=load [UNIT]'"),
-    # These may be another quantity or a spread.
+    # These columns may hold another quantity or a spread.
     "maxLoad___N_": "Write a column load [UNIT] instead of 'maxLoad___N_', or",
     "load_uncertanty [nN]": "Write a column load [UNIT] instead of 'load_uncertanty [nN]', or",
     **dict.fromkeys(("Hamaker.A.J.", "hamaker_a_j"), "=hamaker [UNIT]'"),
@@ -150,7 +150,7 @@ REFUSED = {
         for word in ("Equivalent radius", "harmonic mean radius", "combined radius")
     },
     "Reduced Young Modulus": "'Reduced Young Modulus=contact_modulus [UNIT]', or",
-    "gravity (g)": "the text after gravity is not its unit",  # g may be the symbol
+    "gravity (g)": "the text after gravity is not its unit",  # g may be the symbol for gravity
     "DMT modulus (MPa)": "it may be Young's modulus, or E* of the contact",
     **dict.fromkeys(("radius*1e9", "radius (×10⁻⁶ m)", "E [1e9 Pa]", "A (10^-20 J)", "density¹ [kg/m³]"), _FACTOR),
     "work_of_adhesion_mJ": "the text after work_of_adhesion is not its unit",
@@ -158,7 +158,7 @@ REFUSED = {
     "normal force [nN]": "it may be a load, or a force that was measured",
     "F_n [nN]": "--column 'F_n [nN]=load [nN]'",
     "hysteresis (mJ/m2)": "it may be another hysteresis",
-    "gamma [nm]": "the text after surface_energy is not its unit",  # not in N/m
+    "gamma [nm]": "the text after surface_energy is not its unit",  # nm is not read as N/m
     "R_p [nm]": "--column 'R_p [nm]=radius [nm]'",
     "E_avg (GPa)": "=youngs_modulus [UNIT]' or --column 'E_avg (GPa)=youngs_modulus2 [UNIT]'",
     **dict.fromkeys(("rho_p [kg/m3]", "ρs (g/cm³)"), "it may be density"),
@@ -185,13 +185,13 @@ PASSING = (
 ).split(" | ")
 
 
-def test_a_spelling_is_read() -> None:
+def test_each_spelling_of_a_header_is_read() -> None:
     for text, (name, unit) in READ.items():
         (column,) = understood([text], [["0.5"]], given=["radius2"] if text.startswith("R") else []).inputs
         assert (column.name, column.value("0.5")) == (name, approx(0.5 * unit, rel=1e-15)), text
 
 
-def test_a_spelling_in_misread_utf_8_is_read() -> None:
+def test_a_header_in_wrongly_decoded_utf_8_is_read() -> None:
     mistaken = {text.encode().decode("latin-1"): text for text in READ if not text.isascii()}
     mistaken |= {"Î³ (mJ/mÂ²)": "γ1 (mJ/m²)", "Râ‚‚ (nm)": "R₂ [nm]", "Î¾ (Ã…)": "ξ (Å)", "Poissonâ€™s ratio": "ν"}
     for text, meant in mistaken.items():
@@ -200,7 +200,7 @@ def test_a_spelling_in_misread_utf_8_is_read() -> None:
 
 
 @pytest.mark.parametrize("text", REFUSED)
-def test_a_spelling_is_refused_with_a_remedy(run: Run, text: str) -> None:
+def test_a_wrong_or_ambiguous_header_is_refused_with_a_remedy(run: Run, text: str) -> None:
     Path("x.csv").write_text(f'name,"{text}"\na,100\n', encoding="utf-8")
     ran = run("batch", "x.csv", "--material", "quartz", "-o", "out.csv")
     assert (ran.code, REFUSED[text] in ran.err) == (2, True), ran.err
@@ -208,11 +208,11 @@ def test_a_spelling_is_refused_with_a_remedy(run: Run, text: str) -> None:
         typed = shlex.split(advice.replace("UNIT", "m").replace("\\$", "$"))  # shlex keeps the \ before $
         assert "the table has no column" not in run("batch", "x.csv", "--material", "quartz", *typed).err
     if REFUSED[text] == _FACTOR:
-        assert ran.err.count("--column") == 1  # to pass it through: no other advice would be certain
+        assert ran.err.count("--column") == 1  # only the advice to pass the column through is certain
 
 
 @pytest.mark.parametrize("text", PASSING)
-def test_a_spelling_that_passes_is_named(run: Run, text: str) -> None:
+def test_a_header_that_passes_through_is_named(run: Run, text: str) -> None:
     others = ",".join(f"x{place}" for place in range(20))
     Path("x.csv").write_text(f"{others},{text},radius [um]\n{','.join('1' * 22)}\n", encoding="utf-8")
     ran = run("batch", "x.csv", "--material", "quartz", "--quantities", "pull_off_force_dmt", "-o", "out.csv")
@@ -245,13 +245,13 @@ _OF_2 = "D2 [um] | radius [nm].1"
 
 @pytest.mark.parametrize("other", [*_OF_2.split(" | "), "E_sample [GPa]", "surface gamma (J/m2)", "γ12 [mJ/m2]"])
 def test_a_column_that_may_be_of_sphere_2_or_the_pair_is_refused(other: str) -> None:
-    """If it passed through, sphere 2 would get the values of sphere 1."""
+    """If the column passed through, sphere 2 would get the values of sphere 1."""
     with pytest.raises(BadTable, match=re.escape(f"'{other}': ")):
         understood(["radius_um", "E [GPa]", "gamma_mJ_m2", other])
 
 
 @pytest.mark.parametrize("other", ["G12 [GPa]", "nu12", "ν_xy", "E3 [GPa]", "E_3_GPa"])
-def test_moduli_along_directions_are_not_those_of_two_spheres(other: str) -> None:
+def test_moduli_along_directions_are_not_read_as_moduli_of_two_spheres(other: str) -> None:
     with pytest.raises(BadTable, match="may be a modulus along one direction"):
         understood(["E1 [GPa]", "E2 [GPa]", other])
     stated = stated_meanings(["E1 [GPa]=youngs_modulus", "E2 [GPa]="])
@@ -259,7 +259,7 @@ def test_moduli_along_directions_are_not_those_of_two_spheres(other: str) -> Non
 
 
 @pytest.mark.parametrize("parts", [("radius", "radius_err"), ("radius", "radius_minus", "radius_plus")])
-def test_advice_for_values_without_a_unit_includes_their_uncertainty(parts: tuple[str, ...]) -> None:
+def test_a_unit_given_by_option_column_applies_to_a_value_and_its_uncertainty(parts: tuple[str, ...]) -> None:
     with pytest.raises(BadTable, match=r"Write --column 'radius=radius \[UNIT\]', or --column 'radius='"):
         understood(parts, [["100", "5", "6"][: len(parts)]])
     (column,) = understood(parts, [["100", "5", "6"][: len(parts)]], stated_meanings(["radius=radius [nm]"])).inputs
@@ -268,8 +268,8 @@ def test_advice_for_values_without_a_unit_includes_their_uncertainty(parts: tupl
 
 @pytest.mark.parametrize("nothing", ["", "NaN", "NA", "n/a", "--"])
 @pytest.mark.parametrize("text", ["gama [mJ/m2]", "gamma", "D [nm]"])
-def test_a_cell_without_a_value_does_not_hide_its_header(text: str, nothing: str) -> None:
-    """The next cell counts. If the column passed through, another number would replace its values."""
+def test_a_column_is_refused_even_if_its_first_cell_has_no_value(text: str, nothing: str) -> None:
+    """The next cell decides. If the column passed through, another number would replace its values."""
     with pytest.raises(BadTable, match=r"first cell '25'"):
         understood([text], [[nothing], ["25"]])
 
@@ -281,7 +281,7 @@ UNITS_TO_WRITE = "--column 'Radius=radius [nm]' --column 'Surface energy=surface
 @pytest.mark.parametrize(
     ("text", "words", "said"),
     [
-        # A spreadsheet writes the separator.
+        # A spreadsheet writes the line sep=;.
         ("sep=;\nradius [nm];load [nN]\n100;1\n", "x.csv", "write --delimiter semicolon"),
         ("PK", "x.xlsx", "'x.xlsx': its name has no known extension; save it as CSV"),
         ('name radius_nm\n"a b 1\n', "x.txt --delimiter blank", """line 2: a quote is not closed in '"a b 1'"""),
@@ -293,7 +293,7 @@ UNITS_TO_WRITE = "--column 'Radius=radius [nm]' --column 'Surface energy=surface
          "the law is an option: --model maugis. Write --column 'law=' to pass it through"),
     ],
 )  # fmt: skip
-def test_a_table_is_refused_with_what_to_write(run: Run, text: str, words: str, said: str) -> None:
+def test_the_refusal_of_a_table_names_the_remedy(run: Run, text: str, words: str, said: str) -> None:
     Path(words.split(maxsplit=1)[0]).write_text(text, encoding="utf-8")
     ran = run(f"batch {words} --material quartz")
     assert (ran.code, said in ran.err) == (2, True), ran.err
@@ -308,7 +308,7 @@ def test_a_line_with_the_separator_for_a_spreadsheet_is_skipped(run: Run, name: 
     assert (header.split(mark)[:2], row.split(mark)[:2]) == (["radius [nm]", "load [nN]"], ["100", "1"])
 
 
-# --- Columns that are chosen ------------------------------------------------------------------------------------------
+# --- Meanings given by option --column --------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("end", ["csv", "ndjson", "parquet"])
@@ -327,7 +327,7 @@ def test_a_chosen_meaning_outranks_the_header(run: Run, end: str) -> None:
     assert (ran.code, float(written["contact_radius [m]"])) == (0, approx(float(wanted), rel=1e-12))
 
 
-def test_columns_may_be_chosen_for_many_files_and_resumed(run: Run) -> None:
+def test_option_column_applies_to_many_files_and_to_a_resumed_run(run: Run) -> None:
     Path("in").mkdir()
     for name in "ab":
         Path(f"in/{name}.csv").write_text("size,material\n100,quartz\n", encoding="utf-8")
@@ -346,23 +346,23 @@ def test_columns_may_be_chosen_for_many_files_and_resumed(run: Run) -> None:
         ("R=radiuss [nm]", "it may be radius; write one, as in radius [nm]"),
     ],
 )
-def test_a_bad_choice_is_refused(column: str, problem: str) -> None:
+def test_a_bad_value_of_option_column_is_refused(column: str, problem: str) -> None:
     with pytest.raises(BadRequest, match=problem.replace("[", r"\[")):
         stated_meanings([column])
 
 
-def test_a_choice_needs_a_column_of_the_table_and_a_unit_that_fits() -> None:
+def test_option_column_needs_a_column_of_the_table_and_a_unit_of_the_input() -> None:
     with pytest.raises(BadTable, match="no column 'radius'; it has Radius"):
         understood(["Radius"], [], stated_meanings(["radius=radius [nm]"]))
     with pytest.raises(BadRequest, match="is not its unit"):
         understood(["size"], [], stated_meanings(["size=radius [kg]"]))
-    with pytest.raises(BadTable, match="Write --column 'A 1e-20 J=hamaker "):  # no other unit is guessed
+    with pytest.raises(BadTable, match="Write --column 'A 1e-20 J=hamaker "):  # the unit is not guessed
         understood(["A 1e-20 J"], [["6.5"]], stated_meanings(["A 1e-20 J=hamaker"]))
     with pytest.raises(BadRequest, match="more than once"):
         stated_meanings(["size=radius [nm]", "size="])
 
 
-def test_a_symbol_in_a_later_object_is_refused_only_with_a_unit(run: Run) -> None:
+def test_a_symbol_that_appears_in_a_later_json_object_fails_only_with_a_unit(run: Run) -> None:
     lines = ['{"radius [nm]": 100}', '{"radius [nm]": 100, "E": 3}', '{"radius [nm]": 100, "E": "3 GPa"}']
     Path("x.ndjson").write_text("\n".join(lines), encoding="utf-8")
     run("batch x.ndjson --material quartz --quantities pull_off_force -o out.ndjson")
@@ -370,8 +370,8 @@ def test_a_symbol_in_a_later_object_is_refused_only_with_a_unit(run: Run) -> Non
     assert status == [None, None, "has 'E', which the first line does not have"]
 
 
-def test_plain_headers_need_no_unit_of_pint() -> None:
-    """Nor does the search for their separator. Pint takes as long to load as many rows to convert."""
+def test_common_headers_are_read_without_pint() -> None:
+    """The search for a separator needs no Pint either. Loading Pint takes as long as converting many rows."""
     with patch("jkroll.quantities.units._registry", side_effect=AssertionError):
         reading_of.cache_clear()
         understood(["id", "radius [m]", "surface_energy [J/m^2]", "sample_id", "poisson_ratio"])
@@ -380,7 +380,7 @@ def test_plain_headers_need_no_unit_of_pint() -> None:
 
 # --- Uncertainties ----------------------------------------------------------------------------------------------------
 
-# The columns of a value with its uncertainty, and an equivalent cell.
+# Columns of a value and its uncertainty, each with the equivalent cell.
 PARTS = {
     ("gamma [mJ/m2]=25", "gamma_err [mJ/m2]=5"): "25±5 mJ/m2",
     ("gamma_mJ_m2=25", "gamma_mJ_m2_std=5"): "25±5 mJ/m2",
@@ -441,7 +441,9 @@ def test_the_name_of_the_measured_quantity_matches_no_other_column() -> None:
         *((columns, ending) for ending in ("ndjson", "parquet") for columns in [*PARTS][::7]),
     ],
 )
-def test_columns_of_an_uncertainty_equal_a_cell_with_it(run: Run, columns: tuple[str, ...], ending: str) -> None:
+def test_columns_of_a_value_and_its_uncertainty_equal_a_cell_with_both(
+    run: Run, columns: tuple[str, ...], ending: str
+) -> None:
     texts = dict(column.rsplit("=", 1) for column in columns)
     results = []
     for cells in (texts, {"gamma": PARTS[columns]}):
@@ -462,13 +464,13 @@ def test_columns_of_an_uncertainty_equal_a_cell_with_it(run: Run, columns: tuple
         ("nu_min,nu_max [-]", ("0.1", "0.3"), Interval(0.2, 0.1, 0.3)),
     ],
 )
-def test_a_ratio_has_no_unit(header: str, cells: tuple[str, str], value: Any) -> None:
+def test_a_ratio_and_its_uncertainty_need_no_unit(header: str, cells: tuple[str, str], value: Any) -> None:
     (column,) = understood(header.split(",")).inputs
     assert column.value(column.joined(*cells)) == value
 
 
 def converted(run: Run, rows: list[dict[str, str]], ending: str) -> list[str]:
-    """Return the columns of a converted table as texts."""
+    """Return the columns that a batch writes, each as a text."""
     out = f"out.{ending}"
     ran = run("batch", write_rows(rows, f"x.{ending}"), "--quantities", "pull_off_force", "-o", out)
     assert ran.code == 1, ran.err  # the second row has no value
@@ -479,7 +481,7 @@ def converted(run: Run, rows: list[dict[str, str]], ending: str) -> list[str]:
 @pytest.mark.parametrize(
     "other", ["gamma_err [mJ/m2]", "load_minus [nN]", "gamma_cv [%]", "U(γ) [mJ/m2]", "E_std [GPa]"]
 )
-def test_an_uncertainty_without_its_value_passes_or_is_refused(other: str) -> None:
+def test_an_uncertainty_without_its_value_passes_through_or_is_refused(other: str) -> None:
     try:
         assert understood(["radius [nm]", other]).reading() == f"read: radius [nm]; passed through: {other}"
     except BadTable as error:
@@ -495,7 +497,7 @@ def test_the_reading_names_the_columns_of_an_uncertainty() -> None:
     assert "load [nN] from P [nN] − P_minus [nN] + P_plus [nN]" in said
 
 
-# Unread columns that may be an uncertainty of γ, or qualify it: if one passed, the result would lack that uncertainty.
+# Columns that may be an uncertainty of γ, or qualify γ. If they passed through, results would lack an uncertainty.
 _UNREAD = """
 gamma_err_low | gamma_err_high [mJ/m2] | gamma_var | gamma_variance | gamma_cv | gamma_ci | gamma 95% CI | gamma_95ci |
 gamma_sigma | gamma_iqr | gamma_q1 | gamma_mad [mJ/m2] | gamma_rel_err | relative error of gamma |
@@ -511,7 +513,7 @@ stderr(γ), mJ/m2 | deviation of gamma | errors_gamma | range of gamma | accurac
 
 
 @pytest.mark.parametrize("other", " ".join(_UNREAD.split()).split(" | "))
-def test_a_column_that_qualifies_a_read_input_does_not_pass_unread(other: str) -> None:
+def test_a_column_that_qualifies_an_input_passes_through_only_by_option_column(other: str) -> None:
     for heads in (["radius [nm]", "gamma [mJ/m2]", other], ["gamma [mJ/m2]", other, "radius [nm]", "radius_err"]):
         with pytest.raises(BadTable, match=re.escape(f"--column '{other}=' to pass it through")):
             understood(heads, [["25"] * len(heads)])
@@ -532,14 +534,14 @@ def test_a_column_that_qualifies_a_read_input_does_not_pass_unread(other: str) -
         (["tip [um]"], "tip_95ci"),
     ],
 )
-def test_a_second_uncertainty_does_not_pass_unread(heads: list[str], other: str) -> None:
+def test_an_uncertainty_that_is_not_read_does_not_pass_through(heads: list[str], other: str) -> None:
     stated = stated_meanings(["tip [um]=radius [um]"] if "tip [um]" in heads else [])
     understood(heads, [], stated)
     with pytest.raises(BadTable, match=re.escape(f"--column '{other}='")):
         understood([*heads, other], [], stated)
 
 
-def test_the_uncertainty_of_a_symbol_belongs_to_the_input_with_a_column() -> None:
+def test_the_uncertainty_of_an_ambiguous_symbol_belongs_to_the_input_in_the_table() -> None:
     (column,) = understood(["E [J]", "E_err"]).inputs
     assert (column.name, column.sides) == ("energy", (("both", 1),))
 
@@ -560,7 +562,7 @@ def test_a_coverage_factor_is_asked_for_and_read() -> None:
 
 
 def test_a_relative_error_of_a_percentage_in_per_cent_is_refused() -> None:
-    """It may be 5 % of 40 %, or 40 ± 5 %."""
+    """A value of 40 % with an error of 5 % may be 40 ± 2 % or 40 ± 5 %."""
     for other in ("filling_factor_rsd [%]", "relative error (%)", "CV of filling_factor [%]"):
         with pytest.raises(BadTable, match=re.escape(f"--column '{other}='")):
             understood(["filling_factor [%]", other])
@@ -569,7 +571,7 @@ def test_a_relative_error_of_a_percentage_in_per_cent_is_refused() -> None:
 
 
 def test_per_cent_is_no_unit_of_a_length() -> None:
-    """A range in % is not one of a radius, but it is one of a ratio."""
+    """A radius cannot have a range in %, but a ratio can."""
     for given in ([], ["radius"]):
         with pytest.raises(BadTable, match=re.escape("'radius_min [%]' and 'radius_max [%]': ")):
             understood(["radius_min [%]", "radius_max [%]", "gamma [mJ/m2]"], given=given)
@@ -577,7 +579,7 @@ def test_per_cent_is_no_unit_of_a_length() -> None:
     assert column.value(column.joined("10", "20")) == Interval(0.15, 0.1, 0.2)
 
 
-def test_two_columns_of_a_name_may_pass_but_two_of_an_input_may_not() -> None:
+def test_two_columns_of_the_same_name_may_pass_through_but_two_of_the_same_input_are_refused() -> None:
     assert understood(["a", "radius [nm]", "a"]).reading() == "read: radius [nm]; passed through: a"
     with pytest.raises(
         BadTable, match=re.escape("mean the same. Write --column 'R1 (um)=' or --column 'radius [nm]=' to")
@@ -602,7 +604,7 @@ def test_an_uncertainty_in_another_unit_or_without_a_value_is_refused() -> None:
 
 
 def test_an_unknown_material_is_a_label_if_the_row_has_all_inputs(run: Run) -> None:
-    """No other material replaces it: neither that of an option nor, for sphere 2, that of sphere 1."""
+    """Neither the material of an option nor, for sphere 2, the material of sphere 1 replaces an unknown material."""
     lines = [
         "Material,E_GPa,nu,R1 (um),gamma [mJ/m2]",
         "AISI 1020,200,0.29,1,50",
@@ -628,7 +630,7 @@ def test_an_unknown_material_is_a_label_if_the_row_has_all_inputs(run: Run) -> N
     assert "no material 'PTFE'" in ran.err
 
 
-def test_a_table_with_labels_has_the_quantities_of_its_other_columns(run: Run) -> None:
+def test_a_table_with_unknown_materials_has_the_quantities_that_follow_from_its_other_columns(run: Run) -> None:
     Path("x.csv").write_text("material,R1 (um),gamma [mJ/m2]\nA,1,25\nB,2,25\n", encoding="utf-8")
     assert run("batch x.csv -o out.csv").code == 0
     head, first, _ = Path("out.csv").read_text(encoding="utf-8").splitlines()
@@ -637,7 +639,7 @@ def test_a_table_with_labels_has_the_quantities_of_its_other_columns(run: Run) -
     assert first.startswith("A,1,25,1.178097245096172")
 
 
-# --- What divides columns ---------------------------------------------------------------------------------------------
+# --- Delimiters and decimal marks -------------------------------------------------------------------------------------
 
 PLAIN = ["name,R1 (um),gamma [mJ/m2],E [GPa],nu", "a,1.5,25.0,54,0.17", "b,2,3e1,70.5,0.2", "c,x,25,70,0.2"]
 DIVIDED = [
@@ -671,8 +673,8 @@ def test_the_delimiter_option_divides_columns(run: Run, word: str, mark: str, en
     assert point in found[0][5]
 
 
-def test_a_row_with_the_mark_of_a_comment_fails(run: Run) -> None:
-    """Only lines above the header, and the header itself, may have the mark."""
+def test_a_row_that_begins_with_a_comment_mark_fails(run: Run) -> None:
+    """Only the header and the lines above it may begin with #."""
     Path("x.txt").write_text("# R1_nm name\n#100 a\n200 b\n", encoding="utf-8")
     assert run("batch x.txt --delimiter blank --material quartz -o out.tsv --quantities pull_off_force").code == 1
     _, marked, row = Path("out.tsv").read_text(encoding="utf-8").splitlines()
@@ -680,8 +682,8 @@ def test_a_row_with_the_mark_of_a_comment_fails(run: Run) -> None:
     assert row.startswith("200\tb\t2.35")
 
 
-def test_decimal_commas_are_those_of_columns_of_numbers(run: Run) -> None:
-    """Labels do not decide, but error bars do. A negative number is not a formula."""
+def test_numbers_and_error_bars_but_not_labels_decide_if_commas_are_decimal(run: Run) -> None:
+    """With --excel-safe, a negative number with a decimal comma is not taken for a formula."""
     Path("labels.tsv").write_text("label\tradius [nm]\tgamma [mJ/m2]\n0,5\t100.5\t25\nB\t200\t25\n", encoding="utf-8")
     assert run("batch labels.tsv --quantities pull_off_force -o out.tsv --no-doubt").code == 0
     _, *rows = Path("out.tsv").read_text(encoding="utf-8").splitlines()
@@ -702,21 +704,21 @@ def test_decimal_commas_are_those_of_columns_of_numbers(run: Run) -> None:
 @pytest.mark.parametrize(
     ("rows", "forces"),
     [
-        # Forces in units of πw·1 nm. Points are decimal points, and a cell with a mark of thousands fails.
+        # Forces are in units of 1.5 πγ·1 nm. Points are decimal points, and a cell with a thousands separator fails.
         (["1,200\t25.5", "800\t25.5"], ["", "800"]),
         (["800\t25\t12,31", "900\t25\t14,7"], ["800", "900"]),
         (["800\t25\t1,200", "900\t25\t12,345"], ["800", "900"]),
         (["1.200\t25", "1.300\t25"], ["1.2", "1.3"]),
         (["800\t25\t1.234,5", "1.20\t25\t3"], ["800", "1.2"]),
         (["1,234,567\t25", "800\t25"], ["", "800"]),
-        # Commas are decimal commas, and a cell with a mark of thousands fails.
+        # Commas are decimal commas, and a cell with a thousands separator fails.
         (["850,5\t25", "1.200\t25"], ["850,5", ""]),
         (["0,125\t25", "1,200\t25"], ["0,125", "1,2"]),
         (["1,234E2\t25", "2,345E2\t25"], ["123,4", "234,5"]),
     ],
 )
-def test_marks_of_thousands_are_no_decimal_marks(run: Run, rows: list[str], forces: list[str]) -> None:
-    """A column that passes through does not decide if the columns read have no marks."""
+def test_thousands_separators_are_not_read_as_decimal_marks(run: Run, rows: list[str], forces: list[str]) -> None:
+    """Even if the inputs have no decimal mark, a column that passes through does not decide which mark is decimal."""
     width = 1 + rows[0].count("\t")
     lines = ["\t".join(["R1 (nm)", "gamma (mJ/m2)", "n"][:width]), *rows, ""]
     Path("x.tsv").write_text("\n".join(lines), encoding="utf-8")
@@ -734,7 +736,7 @@ def test_marks_of_thousands_are_no_decimal_marks(run: Run, rows: list[str], forc
 
 
 @pytest.mark.parametrize("label", ["1234,5", "1,200", "1.5"])
-def test_marks_in_an_unread_column_do_not_decide(run: Run, label: str) -> None:
+def test_marks_in_an_unread_column_do_not_decide_which_mark_is_decimal(run: Run, label: str) -> None:
     Path("x.csv").write_text(f"R1 (nm);gamma (mJ/m2);n\n100;25;{label}\n", encoding="utf-8")
     words = "batch x.csv -o out.csv --delimiter semicolon --quantities pull_off_force --no-doubt"
     assert run(words).code == 0
@@ -745,8 +747,10 @@ def test_marks_in_an_unread_column_do_not_decide(run: Run, label: str) -> None:
 
 
 @pytest.mark.parametrize(("word", "mark", "end"), [("semicolon", ";", "csv"), ("tab", "\t", "tsv")])
-def test_a_point_below_the_first_rows_may_separate_thousands(run: Run, word: str, mark: str, end: str) -> None:
-    """Radii rise from 800 to 999 nm, then to 1.000. A column that passes through has decimal commas."""
+def test_a_point_that_may_separate_thousands_is_refused_even_below_the_first_rows(
+    run: Run, word: str, mark: str, end: str
+) -> None:
+    """The radii rise from 800 to 999 nm, and the next one is 1.000. A column that passes through has decimal commas."""
     rows = [f"{800 + place};25;0,5" for place in range(200)] + ["1.000;25;0,5", "1.000 nm;25;0,5", "1000.5;25;0,5"]
     text = "\n".join(["R1 (nm);gamma (mJ/m2);n", *rows, ""]).replace(";", mark)
     Path("x.tsv").write_text(text, encoding="utf-8")
@@ -764,7 +768,7 @@ def test_a_point_below_the_first_rows_may_separate_thousands(run: Run, word: str
 @pytest.mark.parametrize("header", ["radius / Å", "radius / Å,à", "à,radius / Å", "radius / Å,x\xa0"])
 @pytest.mark.parametrize("end", ["\n", "\r\n"])
 def test_a_header_may_end_in_any_letter(run: Run, header: str, end: str) -> None:
-    """In UTF-8, Å, à and a hard blank end in the bytes 85 or A0, which are blanks in other encodings."""
+    """In UTF-8, Å, à and a no-break space end in the byte 85 or A0, which is a blank in other encodings."""
     cells = ",".join("1000" for _ in header.split(","))
     Path("x.csv").write_text(f"{header}{end}{cells}{end}", encoding="utf-8", newline="")
     assert run("batch x.csv -o out.csv --gamma 25mJ/m2 --quantities pull_off_force --no-doubt").code == 0
@@ -772,8 +776,8 @@ def test_a_header_may_end_in_any_letter(run: Run, header: str, end: str) -> None
     assert lines[1].split(",")[-2] == "1.1780972450961723e-8"
 
 
-def test_commas_in_an_unread_column_between_tabs_do_not_decide(run: Run) -> None:
-    """They may be those of a list. A number below the first rows keeps its point."""
+def test_commas_in_an_unread_column_between_tabs_are_not_taken_for_decimal_commas(run: Run) -> None:
+    """Such commas may separate the items of a list. A number below the first rows keeps its point."""
     rows = ["R1 (nm)\tgamma (mJ/m2)\tplace", *["100\t25\t1,5"] * 200, "100.5\t25\t2,5", ""]
     Path("x.tsv").write_text("\n".join(rows), encoding="utf-8")
     assert run("batch x.tsv -o out.tsv --quantities pull_off_force --no-doubt").code == 0
@@ -792,7 +796,7 @@ def test_a_table_whose_commas_may_separate_thousands_is_refused(run: Run, words:
 
 @pytest.mark.parametrize("quote", ["", '"'])
 def test_a_point_among_decimal_commas_is_refused(run: Run, quote: str) -> None:
-    """It may separate thousands."""
+    """The point may separate thousands."""
     cells = ["2,5;1200,5", "2,5;1.200", "2.5;1200", "2,5;1.200,5", "2,5;1200"]
     rows = [f"{quote}{row}{quote}".replace(";", f"{quote};{quote}") for row in cells]
     Path("x.csv").write_text("\n".join(["radius [um];gamma [mJ/m2]", *rows, ""]), encoding="utf-8")
@@ -855,7 +859,7 @@ def test_assumptions_are_reported_for_one_table_and_for_many(run: Run, words: st
         assert [line for line in lines if "assumed" in line] == ([said] if said else [])
 
 
-def test_an_option_for_a_sphere_goes_with_a_column_for_the_other(run: Run) -> None:
+def test_an_option_for_one_sphere_goes_with_a_column_for_the_other_sphere(run: Run) -> None:
     Path("a.csv").write_text("R1 (um),gamma2 (mJ/m2)\n1,30\n", encoding="utf-8")
     ran = run("batch a.csv -o out.csv --gamma 25mJ/m2 --quantities pull_off_force")
     assert (ran.code, "assumed: w = " in ran.err) == (0, True), ran.err
@@ -877,8 +881,8 @@ def test_the_reading_of_a_header_is_reported(run: Run, text: str, said: str) -> 
     assert said in run("batch x.csv -o out.csv --quantities pull_off_force").err.replace("\n  ", " ")
 
 
-def test_empty_columns_without_a_name_pass(run: Run) -> None:
-    """A spreadsheet leaves them on the right."""
+def test_empty_columns_without_a_name_pass_through(run: Run) -> None:
+    """A spreadsheet leaves such columns on the right."""
     Path("x.csv").write_text("R1 (nm);gamma (mJ/m2);;;\n100;25;;;\n", encoding="utf-8")
     ran = run("batch x.csv -o out.csv --delimiter semicolon --quantities pull_off_force --no-doubt")
     assert (ran.code, "passed through" in ran.err) == (0, False)
@@ -886,7 +890,7 @@ def test_empty_columns_without_a_name_pass(run: Run) -> None:
 
 
 def test_a_number_too_small_for_a_double_is_not_zero(run: Run) -> None:
-    """It fails next to any number. The load may be 0, so a tiny load that a double holds is read."""
+    """A row with such a number fails. A load of 0 and a tiny load that fits a double are read."""
     Path("x.csv").write_text("radius [nm],load [nN]\n100,1\n100,1e-400\n100,0\n100,1e-290\n", encoding="utf-8")
     assert run("batch x.csv -o out.csv --material quartz --quantities contact_radius_at_load --no-doubt").code == 1
     statuses = [line.partition(",,")[2] for line in Path("out.csv").read_text(encoding="utf-8").splitlines()[1:]]
@@ -913,14 +917,14 @@ def test_a_label_that_is_an_alias_of_a_material_is_reported(run: Run) -> None:
 
 
 def test_a_header_between_rows_is_a_failed_row(run: Run) -> None:
-    """It may stand there if two tables were joined."""
+    """A header stands between rows if two tables were joined."""
     Path("x.csv").write_text("n,R1 (nm),gamma (mJ/m2)\n1,100,25\nn,R1 (nm),gamma (mJ/m2)\n1,200,25\n", encoding="utf-8")
     assert run("batch x.csv -o out.csv --quantities pull_off_force --no-doubt").code == 1
     assert Path("out.csv").read_text(encoding="utf-8").splitlines()[2].endswith(",,bad radius")
 
 
 def test_an_option_for_an_input_with_a_column_is_reported(run: Run) -> None:
-    """At the prompt, a given property overrides that of the material. In a table, a cell precedes an option."""
+    """In a command for one contact, an option overrides the material. In a table, a cell overrides an option."""
     Path("x.csv").write_text("radius [nm],gamma [mJ/m2]\n100,25\n100,\n", encoding="utf-8")
     words = "batch x.csv -o out.csv --quantities pull_off_force --no-doubt --gamma 50mJ/m2"
     assert "note: --gamma fills empty cells: the others keep their values\n" in run(words).err
@@ -952,21 +956,21 @@ def test_an_option_that_changes_nothing_is_reported(run: Run, words: str, said: 
 
 
 @pytest.mark.parametrize("kind", ["csv", "ndjson"])
-def test_a_pipe_is_not_compressed_like_its_output(kind: str) -> None:
+def test_piped_input_is_not_taken_for_compressed_if_the_output_is_compressed(kind: str) -> None:
     target = f"out.{kind}.gz"
     assert input_format("-", target) == format_of_name(f"x.{kind}")
     assert output_format(target, kind, quiet=True) == format_of_name(target)
     assert input_format("-", target, f"{kind}.gz") == format_of_name(target)
 
 
-def test_the_mark_of_a_header_may_follow_a_byte_order_mark(run: Run) -> None:
+def test_the_comment_mark_of_a_header_may_follow_a_byte_order_mark(run: Run) -> None:
     Path("x.txt").write_bytes(b"\xef\xbb\xbf# R1_nm gamma_mJ_m2\n100 25\n")
     assert run("batch x.txt --delimiter blank -o out.tsv --quantities pull_off_force --no-doubt").code == 0
     assert Path("out.tsv").read_text(encoding="utf-8").splitlines()[1].startswith("100\t25\t1.178")
 
 
 @pytest.mark.parametrize(("head", "cell"), [("RH", "0.6"), ("RH", "60%"), ("RH [%]", "60"), ("RH_percent", "60")])
-def test_rh_is_the_humidity(run: Run, head: str, cell: str) -> None:
+def test_a_column_rh_is_the_relative_humidity(run: Run, head: str, cell: str) -> None:
     Path("x.csv").write_text(f"material,radius [nm],{head}\nquartz,100,{cell}\n", encoding="utf-8")
     assert run("batch x.csv -o out.csv --quantities F_men --no-doubt").code == 0
     assert Path("out.csv").read_text().splitlines()[1] == f"quartz,100,{cell},4.2692409913092435e-8,"
@@ -980,6 +984,8 @@ def test_rh_is_the_humidity(run: Run, head: str, cell: str) -> None:
         ("Rh [%]", "passed through: Rh [%]"),  # rhodium
     ],
 )
-def test_a_percentage_needs_its_unit_and_other_cases_are_no_humidity(run: Run, head: str, said: str) -> None:
+def test_rh_as_a_percentage_needs_its_unit_and_rh_with_a_small_h_is_not_the_humidity(
+    run: Run, head: str, said: str
+) -> None:
     Path("x.csv").write_text(f"material,radius [nm],{head}\nquartz,100,60\n", encoding="utf-8")
     assert said in " ".join(run("batch x.csv -o out.csv --quantities P_c").err.split())

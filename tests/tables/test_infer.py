@@ -18,7 +18,7 @@ WORDS = "--infer gamma --measured pull_off_force --radius2 plane --material quar
 
 
 def table(rows: list[list[str]]) -> str:
-    """Write a table, and return its name."""
+    """Write a table, and return the name of its file."""
     return write_rows([dict(zip(HEAD, row, strict=True)) for row in rows], "forces.csv")
 
 
@@ -27,7 +27,7 @@ def results(name: str) -> list[dict[str, str]]:
     return [{key: "" if cell is None else str(cell) for key, cell in row.items()} for row in read_rows(name)]
 
 
-def test_a_row_without_a_value_has_a_reason(run: Run) -> None:
+def test_a_row_without_an_inferred_value_has_a_reason(run: Run) -> None:
     rows = [
         ["a", "2", "300", ""],
         ["b", "", "300", ""],
@@ -46,7 +46,7 @@ def test_a_row_without_a_value_has_a_reason(run: Run) -> None:
 
 
 MATERIALS = ["quartz", "iron", "ice-warm", "polystyrene", "silica-dry", "gold"]
-# The input to infer and the measured quantity, with the unit and the decades of the measured values.
+# The input to infer and the measured quantity: the unit, and the powers of ten between which the values lie.
 PROBLEMS = {
     ("surface_energy", "pull_off_force"): ("nN", 0, 4), ("surface_energy", "contact_radius"): ("nm", 0, 2),
     ("surface_energy", "yield_force"): ("pN", 0, 4), ("youngs_modulus", "stiffness"): ("N/m", 1, 3),
@@ -59,8 +59,8 @@ OPTIONS = {"material2": "--material2 {}", "radius2 [nm]": "--radius2 {}", "load 
 
 
 @pytest.mark.slow
-def test_random_tables_equal_infer_row_by_row(run: Run) -> None:
-    """Values, sides and doubts are the same for materials of either sphere, planes, loads, laws and error bars."""
+def test_each_row_of_a_random_table_gets_the_results_of_infer(run: Run) -> None:
+    """Values, uncertainties and doubts agree for materials of either sphere, planes, loads, laws and error bars."""
     count = 150
     random = Random(count)
     compared = 0
@@ -105,7 +105,7 @@ def test_random_tables_equal_infer_row_by_row(run: Run) -> None:
     assert compared > 2 * count
 
 
-def test_the_measured_column_may_be_chosen_for_many_files(run: Run) -> None:
+def test_option_column_gives_the_measured_column_of_many_files(run: Run) -> None:
     Path("runs").mkdir()
     for name, force in (("a", 200), ("b", 300), ("c", 400)):
         Path(f"runs/{name}.csv").write_text(f"R1 (um),F [nN]\n2,{force}\n", encoding="utf-8")
@@ -150,7 +150,7 @@ def test_a_measured_approach_goes_with_a_load(run: Run, order: tuple[str, ...]) 
 
 @pytest.mark.parametrize("names", [["A", "B"], ["ice", "B"], ["quartz", "B"]])
 def test_names_of_samples_are_labels_if_no_property_is_needed(run: Run, names: list[str]) -> None:
-    """Some of them may be materials. γ of a sphere on a plane does not depend on the other properties."""
+    """Some names are also materials. γ of two equal spheres depends on no other property."""
     rows = "".join(f"{name},1,200\n" for name in names)
     Path("named.csv").write_text(f"material,R1 (um),P_c (nN)\n{rows}", encoding="utf-8")
     ran = run("batch named.csv -o out.csv --infer gamma --measured pull_off_force")
@@ -162,7 +162,7 @@ def test_names_of_samples_are_labels_if_no_property_is_needed(run: Run, names: l
 # --- Rows of statistics -----------------------------------------------------------------------------------------------
 
 DATA = [["a", "2", "300", ""], ["b", "2", "310", ""], ["c", "2", "320", ""]]
-# γ = P_c/3πR of spheres of 2 µm on a plane, from the median and the standard deviation, 10 nN, of the three forces.
+# γ = P_c/(3πR) of spheres of 2 µm on a plane, from three forces with a median of 310 nN and a scatter of 10 nN.
 SUMMARY = "surface_energy: 3 of {} rows; median 16.446 mJ/m², "
 SCATTER = "; mean 16.446 mJ/m², scatter 530.516 µJ/m²"
 
@@ -180,7 +180,7 @@ SCATTER = "; mean 16.446 mJ/m², scatter 530.516 µJ/m²"
     ],
 )
 def test_rows_of_statistics_are_not_data(run: Run, end: str, labels: list[str]) -> None:
-    """Their status is that of statistics, and the summary leaves them out."""
+    """Such rows have the status "row of statistics", and the summary leaves them out."""
     rows = [*DATA, *([label, "2", "50", ""] for label in labels if label)]
     path = write_rows([dict(zip(HEAD, row, strict=True)) for row in rows], f"forces.{end}")
     ran = run(f"batch {path} -o out.{end} {WORDS}")
@@ -193,8 +193,8 @@ def test_rows_of_statistics_are_not_data(run: Run, end: str, labels: list[str]) 
     assert cells[3:] == [("", "row of statistics")] * (len(rows) - 3)
 
 
-def test_a_label_that_may_be_a_statistic_is_a_row(run: Run) -> None:
-    """N is a statistic only next to others. If all rows are means, or with an option, they are data."""
+def test_a_row_whose_label_need_not_be_a_statistic_is_data(run: Run) -> None:
+    """N is a statistic only next to other statistics. Rows are data if all are means, or with `--column probe=`."""
     force, other = 300e-9 / (3 * math.pi * 2e-6), 320e-9 / (3 * math.pi * 2e-6)
     cases = {
         ("Y", "N"): "",
@@ -209,8 +209,8 @@ def test_a_label_that_may_be_a_statistic_is_a_row(run: Run) -> None:
         assert [float(row["surface_energy [J/m^2]"]) for row in results("out.csv")] == approx([force, other])
 
 
-def test_a_spread_is_no_contact_in_any_table(run: Run) -> None:
-    """A mean alone is a row, such as the mean radius of a size class."""
+def test_a_standard_deviation_is_not_a_contact_in_a_table_without_measured_values(run: Run) -> None:
+    """A row labelled Mean is data if no SD follows: it may be the mean radius of a size class."""
     for labels, status in ((["Mean"], [""]), (["Mean", "SD", "N"], ["row of statistics"] * 3)):
         rows = [{"grain": name, "radius [nm]": "100"} for name in ["a", "b", *labels]]
         write_rows(rows, "grains.csv")
@@ -219,15 +219,15 @@ def test_a_spread_is_no_contact_in_any_table(run: Run) -> None:
         assert [bool(row["pull_off_force [N]"]) for row in results("out.csv")][2:] == [not text for text in status]
 
 
-def test_an_unknown_material_may_be_a_statistic(run: Run) -> None:
+def test_a_column_of_materials_may_have_labels_of_statistics(run: Run) -> None:
     write_rows([{"material": name, "radius [nm]": "100"} for name in ("quartz", "Mean", "SD")], "grains.csv")
     assert run("batch grains.csv -o out.csv --gamma 25mJ/m2 --quantities pull_off_force --no-doubt").code == 1
     assert [row["status"] for row in results("out.csv")] == ["", *["row of statistics"] * 2]
 
 
 @pytest.mark.parametrize(("mark", "radius"), [(",", "900,0"), (".", "900.0"), ("", "900")])
-def test_the_marks_in_labels_do_not_decide(run: Run, mark: str, radius: str) -> None:
-    """A column that passes through is searched for statistics, not for numbers."""
+def test_marks_in_labels_do_not_decide_which_mark_is_decimal(run: Run, mark: str, radius: str) -> None:
+    """A column that passes through is searched for statistics, not for decimal marks."""
     text = f"probe;R1 (um);note\n1.234;{radius};1,2.3\nb.2;{radius};\nSD;{radius};\n"
     Path("grains.csv").write_text(text, encoding="utf-8")
     run("batch grains.csv -o out.csv --delimiter semicolon --material quartz --quantities pull_off_force --no-doubt")

@@ -1,4 +1,4 @@
-"""Interrupted runs: whatever ends a run, a file is complete or absent."""
+"""Interrupted runs: however a run ends, its file is complete, unchanged or absent."""
 
 import contextlib
 import json
@@ -24,14 +24,14 @@ BATCH = [sys.executable, "-m", "jkroll", "batch"]
 
 
 def grains(rows: int) -> str:
-    """Return a table with rows that are quickly computed, and some bad ones."""
+    """Return a table of rows that are quick to compute, with some bad rows."""
     lines = ["radius [nm],load [nN],text"]
     lines += [f"{100 + row % 977},{row % 13 / 10},row {row}" if row % 997 else "0,0,bad" for row in range(rows)]
     return "\n".join(lines) + "\n"
 
 
 def wait_until(condition: Callable[[], Any], process: "subprocess.Popen[Any]") -> None:
-    """Wait until a condition holds, or a process has ended."""
+    """Wait until a condition is met or a process has ended."""
     while process.poll() is None and not condition():
         with contextlib.suppress(subprocess.TimeoutExpired):
             process.wait(0.002)
@@ -41,7 +41,7 @@ SWEEP = "yield-force quartz 100nm --load -20nN:20nN:20000:lin"
 
 
 def tables() -> None:
-    """Write tables, and a script that converts them in small blocks."""
+    """Write tables, and a script that runs jkroll with small blocks."""
     Path("small.py").write_text(IN_SMALL_BLOCKS)
     Path("grains.csv").write_text(grains(4_000), encoding="utf-8")
     lines = [{"radius [nm]": 100 + row % 977 if row % 997 else 0, "text": f"row {row}"} for row in range(4_000)]
@@ -49,7 +49,7 @@ def tables() -> None:
 
 
 def begun(target: str) -> list[Path]:
-    """Return the temporary files of a target that runs have begun."""
+    """Return the temporary files that runs have begun for a target."""
     return [*Path().glob(f".{target}.*")]
 
 
@@ -65,7 +65,7 @@ def begun(target: str) -> list[Path]:
     ],
 )
 def test_a_kill_leaves_no_partial_file(words: str, end: str, kills: int, *, whole_group: bool) -> None:
-    """The target is absent or unchanged, and no later run reads the temporary file."""
+    """The target is complete, unchanged or absent, and a later run leaves the temporary file alone."""
     tables()
     command = [sys.executable, "small.py", *words.split(), "-o"]
     whole, out = Path(f"whole.{end}"), Path(f"out.{end}")
@@ -107,7 +107,7 @@ def test_a_kill_leaves_no_partial_file(words: str, end: str, kills: int, *, whol
         (SWEEP, signal.SIGHUP),
     ],
 )
-def test_an_interrupt_leaves_nothing(words: str, number: int) -> None:
+def test_an_interrupted_run_leaves_no_file(words: str, number: int) -> None:
     tables()
     before = {*os.listdir(), "__pycache__"}
     while True:
@@ -125,7 +125,7 @@ def test_an_interrupt_leaves_nothing(words: str, number: int) -> None:
 
 
 def started_by(process: "subprocess.Popen[Any]") -> list[str]:
-    """Return the processes that a run has started to convert blocks."""
+    """Return the ids of the processes that a run has started to convert blocks."""
     children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
     found: list[str] = []
 
@@ -139,7 +139,7 @@ def started_by(process: "subprocess.Popen[Any]") -> list[str]:
     return found
 
 
-# A process that gets a signal when it has started another. It has one thread, as in `run`, so that signals can wait.
+# This process gets a signal right after starting another process. With one thread, as in `run`, signals can wait.
 STRUCK = """
 import os
 from multiprocessing import util
@@ -153,14 +153,14 @@ util.spawnv_passfds = struck
 
 
 def in_two_processes(path: str, target: str, begin: str = "") -> "subprocess.Popen[str]":
-    """Start a run that takes longer than its test, with some lines of Python before it."""
+    """Start a run in two processes; `begin` is Python code to execute first."""
     Path("small.py").write_text(begin + IN_SMALL_BLOCKS)
     command = [sys.executable, "small.py", "batch", path, "-o", target, "--material", "quartz", "--jobs", "2"]
     return subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="processes are found in /proc")
-def test_a_lost_process_is_noticed() -> None:
+def test_the_loss_of_a_worker_process_is_reported() -> None:
     Path("grains.csv").write_text(grains(100_000), encoding="utf-8")
     process = in_two_processes("grains.csv", "out.csv")
     workers = started_by(process)
@@ -220,7 +220,7 @@ def test_a_signal_while_processes_start_ends_the_run_silently(number: int) -> No
 
 @pytest.mark.skipif(sys.platform != "linux", reason="processes are found in /proc")
 def test_no_process_outlives_its_parent() -> None:
-    """The processes are in the middle of large files when their parent is killed. They do not affect a resumed run."""
+    """The processes are in the middle of large files when their parent is killed. A resumed run is not affected."""
     Path("grains").mkdir()
     small, large = grains(3), random_table(5_000, 7)
     for place in range(12):
@@ -238,7 +238,7 @@ def test_no_process_outlives_its_parent() -> None:
 
 
 def _state_of(process: str) -> str:
-    """Return the state of a process as `ps` shows it: Z for one that has ended."""
+    """Return the state of a process as `ps` shows it: Z for a process that has ended."""
     try:
         return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0]
     except OSError:
@@ -247,7 +247,7 @@ def _state_of(process: str) -> str:
 
 @pytest.mark.slow
 def test_two_runs_replace_a_file_one_after_the_other(run: Run) -> None:
-    """Each run writes its own temporary file until it is done."""
+    """Each run writes its own temporary file until the run is done."""
     Path("grains.csv").write_text("radius [nm],material\n100,quartz\n", encoding="utf-8")
     command = [*BATCH, "-", "-o", "out.csv"]
     process = subprocess.Popen(command, stdin=subprocess.PIPE, stderr=subprocess.PIPE)
@@ -284,8 +284,8 @@ def test_a_replaced_file_keeps_its_link_and_permissions(run: Run) -> None:
     assert Path("real.csv").read_text(encoding="utf-8").startswith("radius [nm],material,")
 
 
-def test_a_temporary_file_is_always_a_new_one() -> None:
-    """Processes on other machines may have the same number, and a file of that name may be a link to anything."""
+def test_a_temporary_file_never_replaces_an_existing_file() -> None:
+    """Two runs may draw the same name, and an existing file of this name may be a link to any other file."""
     with whole_file("out.csv") as first, whole_file("out.csv") as second:
         first.write(b"first\n")
         second.write(b"second\n")

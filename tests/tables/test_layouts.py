@@ -27,7 +27,7 @@ def _wide(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def batch(run: Run, text: str, words: str = "", name: str = "x.csv", target: str = "") -> Ran:
-    """Convert a table into out.csv or out.tsv."""
+    """Run `batch` on a table, by default to out.csv or out.tsv."""
     Path(name).write_text(text, encoding="utf-8", newline="")
     target = target or ("out.csv" if name.endswith("csv") else "out.tsv")
     return run("batch", name, *FORCE.split(), *shlex.split(words), "-o", target)
@@ -62,7 +62,7 @@ ASKED = "--gamma 25mJ/m2"
 IN_M = f"{ASKED} --column 'radius=radius [m]'"
 
 
-def test_a_dump_is_a_table(run: Run) -> None:
+def test_a_dump_is_read_as_a_table(run: Run) -> None:
     ran = batch(run, DUMP, IN_M, "dump0.liggghts")
     assert (ran.code, ran.err) == (
         0,
@@ -76,19 +76,19 @@ def test_a_dump_is_a_table(run: Run) -> None:
 
 
 def test_the_advice_for_a_radius_without_a_unit_can_be_typed(run: Run) -> None:
-    """A dump is in the units of the simulation, which it does not name."""
+    """A dump does not name the units of its simulation."""
     ran = batch(run, DUMP, ASKED, "dump0.liggghts")
     said = "header: 'radius' (first cell '1e-07'): neither has a unit. Write --column 'radius=radius [UNIT]', or "
     assert (ran.code, said in ran.err) == (2, True)
     words = COLUMN.search(ran.err)
     assert words is not None
-    for unit, force in (("m", OF_25), ("cm", OF_25 / 100), ("um", OF_25 * 1e-6)):  # the units si, cgs and micro
+    for unit, force in (("m", OF_25), ("cm", OF_25 / 100), ("um", OF_25 * 1e-6)):  # LAMMPS units si, cgs, micro
         assert batch(run, DUMP, f"{ASKED} {words[0].replace('UNIT', unit)}", "dump0.liggghts").code == 0
         assert float(written("out.tsv")[1].split("\t")[12]) == approx(force)
 
 
 @pytest.mark.parametrize("name", ["dump.csv", "dump.tsv", "-"])
-def test_a_dump_read_as_csv_is_refused_with_its_separator(run: Run, name: str) -> None:
+def test_the_refusal_of_a_dump_read_as_csv_names_its_separator(run: Run, name: str) -> None:
     said = "jkroll: this is a dump of LAMMPS, with blanks between its columns; write --delimiter blank\n"
     if name != "-":
         assert batch(run, DUMP, IN_M, name).err == said
@@ -128,14 +128,14 @@ def test_a_dump_read_as_csv_is_refused_with_its_separator(run: Run, name: str) -
         (DUMP.replace(" id type type x y z fx fy fz radius c_1[3] v_f", ""), "the table has no header"),
     ],
 )
-def test_other_dumps_are_read_or_refused(run: Run, text: str, said: str) -> None:
+def test_dumps_of_other_forms_are_read_and_incomplete_dumps_are_refused(run: Run, text: str, said: str) -> None:
     ran = batch(run, text, IN_M if "ATOMS id" in text else ASKED, "dump0.lammpstrj")
     assert (said in ran.err, ran.code) == (True, 0 if said.startswith("read") else 2), ran.err
     assert Path("out.tsv").exists() == (not ran.code)
 
 
-def test_a_dump_of_contacts_has_entries(run: Run) -> None:
-    """This is a dump of `compute pair/gran/local`, whose columns get their meanings by options."""
+def test_a_dump_of_contacts_is_read_with_option_column(run: Run) -> None:
+    """In a dump of `compute pair/gran/local`, options give the columns their meanings."""
     text = (
         "ITEM: TIMESTEP\n100\nITEM: NUMBER OF ENTRIES\n2\nITEM: BOX BOUNDS mm mm mm\n0 1\n0 1\n0 1\n"
         "ITEM: ENTRIES c_cpl[1] c_cpl[2] \n1e-7 3.5 \n5e-8 4.5 \n"
@@ -159,7 +159,7 @@ def test_the_incomplete_last_row_of_a_dump_fails(run: Run) -> None:
 
 
 @pytest.mark.parametrize("size", [1, 30_000])
-def test_a_second_step_is_refused_with_a_command_that_divides_the_dump(run: Run, size: int) -> None:
+def test_a_second_step_is_refused_with_a_command_that_splits_the_dump(run: Run, size: int) -> None:
     """The second step may begin in a later block."""
     step = DUMP.replace("\n3\n", f"\n{3 * size}\n").replace(ATOMS, ATOMS * size)
     ran = batch(run, step + step, IN_M, "two.dump")
@@ -183,7 +183,7 @@ def test_a_second_step_begins_with_the_first_of_its_items(run: Run) -> None:
     assert "Write zcat 'x.dump.gz' | csplit -z - '/ITEM: TIME$/' '{*}', and then" in run(f"batch x.dump.gz {FORCE}").err
 
 
-def test_a_compressed_dump_and_many(run: Run) -> None:
+def test_compressed_dumps_are_read_one_at_a_time_and_many_at_once(run: Run) -> None:
     assert batch(run, DUMP, IN_M, "dump0.liggghts").code == 0
     expected = written("out.tsv")
     Path("in").mkdir()
@@ -201,7 +201,7 @@ AVERAGES = "# Time-averaged data for fix 1\n# TimeStep v_f c_1[3]\n100 1.0 2.0\n
 
 
 def test_averages_of_a_simulation_have_their_header_in_a_comment(run: Run) -> None:
-    """`fix ave/time` writes such a file. Its names mean nothing without an option."""
+    """`fix ave/time` writes such a file. Without an option, no column is an input."""
     words = f"--delimiter blank {ASKED} --radius 100nm"
     ran = batch(run, AVERAGES, words, "ave.txt")
     assert (ran.code, "no column is an input" in ran.err, "HEADER=INPUT [UNIT]" in ran.err) == (2, True, True)
@@ -211,15 +211,15 @@ def test_averages_of_a_simulation_have_their_header_in_a_comment(run: Run) -> No
         "read: load [nN] from v_f; lines skipped before the header: 1; passed through: TimeStep, c_1[3]",
     )
     assert [line.split("\t")[:3] for line in written("out.tsv")[1:]] == [["100", "1.0", "2.0"], ["200", "1.5", "2.0"]]
-    # `fix print` writes its own title or a given one.
+    # The default title of `fix print` is not a header, but a given title may be one.
     said = batch(run, "# Fix print output for fix 1\n100 1e-7\n", words, "print.txt").err
     assert "header: '100' is a number; begin with a line of the columns' names" in said
     assert batch(run, "# step radius_m\n100 1e-7\n", f"--delimiter blank {ASKED}", "print.txt").code == 0
     assert written("out.tsv")[0].startswith("step\tradius_m\tpull_off_force [N]")
 
 
-def test_rows_of_another_size_between_rows_fail(run: Run) -> None:
-    """`fix ave/chunk` writes each step above its chunks."""
+def test_rows_with_another_number_of_cells_than_the_header_fail(run: Run) -> None:
+    """`fix ave/chunk` writes a line for each step above the rows of its chunks."""
     chunks = "200.0 2 400\n  1 0.5 200 1e-7\n  2 1.5 200 1e-7\n"
     text = "# Chunk-averaged data for fix 1 and group all\n# Timestep Number-of-chunks Total-count\n"
     text += f"# Chunk Coord1 Ncount v_r\n{chunks}{chunks}"
@@ -238,7 +238,7 @@ R_ROWS = [['"1"', "100", "25", '"a b"'], ['"2"', "50", "25", "NA"], ['"3"', "100
 @pytest.mark.parametrize(("mark", "words"), [(" ", "--delimiter blank"), ("\t", "--format tsv"), (",", "--format csv")])
 @pytest.mark.parametrize("names", [['"1"', '"2"', '"3"'], ['"Mazda RX4"', '"Datsun 710"', '"a ""b"""']])
 def test_row_names_of_r_are_a_column(run: Run, mark: str, words: str, names: list[str]) -> None:
-    """`write.table(df)` writes no header above them, and `write.csv(df)` an empty one."""
+    """Above the row names, `write.table(df)` writes no header, and `write.csv(df)` an empty header."""
     rows = [mark.join([name, *row[1:]]) for name, row in zip(names, R_ROWS, strict=True)]
     text = "\n".join([mark.join(['"radius [nm]"', '"gamma..mJ.m2."', '"note"']), *rows, ""])
     target = "out.csv" if mark == "," else "out.tsv"
@@ -273,7 +273,7 @@ def test_rows_with_row_names_keep_their_line_numbers(run: Run) -> None:
 @pytest.mark.parametrize(
     ("text", "words", "said"),
     [
-        # R writes unique row names in quotes, and numbers without.
+        # R writes different row names in quotes, and numbers without quotes.
         ("radius_nm gamma_mJ_m2\n1 100 25\n2 50 25\n", "--delimiter blank", "name each column in the header"),
         ('radius_nm,gamma_mJ_m2\n"100","25","3"\n', "", "name each column in the header"),
         ('radius_nm,gamma_mJ_m2\n"a",25,3\n"a",50,3\n', "", "name each column in the header"),
@@ -289,7 +289,9 @@ def test_rows_with_row_names_keep_their_line_numbers(run: Run) -> None:
         ),
     ],
 )
-def test_rows_of_another_size_are_refused_together(run: Run, text: str, words: str, said: str) -> None:
+def test_a_table_is_refused_if_its_header_has_another_number_of_cells_than_its_rows(
+    run: Run, text: str, words: str, said: str
+) -> None:
     ran = batch(run, text, words, "x.csv", "out.tsv" if "blank" in words else "out.csv")
     assert (ran.code, ran.err.count("\n")) == (2, 1), ran.err
     assert said in ran.err
@@ -306,8 +308,8 @@ def test_a_separator_at_the_end_of_each_row_makes_an_empty_column(run: Run, end:
     ]
 
 
-def test_quotes_between_blanks() -> None:
-    r"""R writes a quote as \", which is "" here; a backslash before the end of a cell is one."""
+def test_quotes_are_read_in_a_table_with_blanks_between_columns() -> None:
+    r"""R writes a quote in a cell as \", which becomes "". A backslash at the end of a cell stays a backslash."""
     text = b'# "a" comment\'s "quote\n"x y" 5" "" "a\t""b"""\r\n"say \\"hi\\" now" "C:\\"  "\\n"\n'
     assert tabbed(text).split(b"\n") == [
         b'#"a"\tcomment\'s\t"quote',
@@ -388,7 +390,7 @@ def test_a_row_of_units_equals_units_in_the_header(run: Run, head: str, units: s
         ('"radius"\t"gamma"\r\n"nm"\t"mJ/m2"\r\n"100.5"\t25\r\n', "--delimiter tab"),
     ],
 )
-def test_any_table_may_have_a_row_of_units(run: Run, text: str, words: str) -> None:
+def test_a_row_of_units_is_read_in_every_layout(run: Run, text: str, words: str) -> None:
     target = "out.csv" if "semicolon" in words else "out.tsv"
     ran = batch(run, text, words, "x.txt", target)
     assert (ran.code, "read: radius [nm], surface_energy [mJ/m2] from gamma [mJ/m2]; " in ran.err) == (0, True), ran.err
@@ -401,7 +403,7 @@ def test_any_table_may_have_a_row_of_units(run: Run, text: str, words: str) -> N
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        # The row is not clearly one of units.
+        # It is not clear that the row is a row of units.
         ("radius,gamma,n\nnm,mJ/m2,5\n100,25,3\n", "the first row has units. Delete it, and write --column 'radius="),
         ("n,radius,gamma\n1,nm,mJ/m2\n2,100,25\n", "the first row has units. Delete it"),
         ("radius,gamma\nnm,25\n100,25\n", "the first row has units. Delete it"),
@@ -419,18 +421,18 @@ def test_any_table_may_have_a_row_of_units(run: Run, text: str, words: str) -> N
         ),
         ("# a\nradius,gamma_J_m2\nnm,mJ/m2\n100,25\n", "'gamma_J_m2' is above 'mJ/m2' in the row of units, line 3"),
         ("radius,gamma,nu [-]\nnm,mJ/m2,%\n100,25,20\n", "header: 'nu [-]' is above '%'"),
-        # The unit leaves the meaning open, as in the header.
+        # The meaning is open even with the unit, as it is with a unit in the header.
         ("r,gamma\nnm,mJ/m2\n100,25\n", "'r [nm]' (first cell '100'): r may be a distance. Write --column 'r [nm]="),
         ("radius,gamma,gamma_var\nnm,mJ/m2,mJ/m2\n100,25,2\n", "'gamma_var [mJ/m2]' (first cell '2'): it may be"),
     ],
 )
-def test_other_rows_of_units_are_refused(run: Run, text: str, said: str) -> None:
+def test_unclear_or_contradictory_rows_of_units_are_refused(run: Run, text: str, said: str) -> None:
     ran = batch(run, text)
     assert (ran.code, said in ran.err, Path("out.csv").exists()) == (2, True, False), ran.err
 
 
-def test_a_column_option_goes_with_a_row_of_units(run: Run) -> None:
-    """It names the column with or without the unit. The option outranks the row, as it outranks the header."""
+def test_option_column_goes_with_a_row_of_units(run: Run) -> None:
+    """Option --column names a column with or without its unit. It outranks the row of units and the header."""
     for column in ("r [nm]=radius [nm]", "r=radius", "r=radius [nm]", "r [nm]=radius"):
         ran = batch(run, "r,gamma\nnm,mJ/m2\n100,25\n", f"--column '{column}'")
         assert (ran.code, float(written()[2].split(",")[2])) == (0, approx(OF_25)), ran.err
@@ -440,7 +442,7 @@ def test_a_column_option_goes_with_a_row_of_units(run: Run) -> None:
     assert (ran.code, float(written()[2].split(",")[3])) == (0, approx(OF_25))
 
 
-def test_a_table_with_a_row_of_units_only(run: Run) -> None:
+def test_a_table_that_has_only_a_row_of_units_has_no_contacts(run: Run) -> None:
     ran = batch(run, "radius,gamma\nnm,mJ/m2\n")
     assert (ran.code, written()) == (
         0,
@@ -449,8 +451,8 @@ def test_a_table_with_a_row_of_units_only(run: Run) -> None:
     assert ran.err == "read: radius [nm], surface_energy [mJ/m2] from gamma [mJ/m2]; units: line 2\n"
 
 
-def test_a_row_of_units_is_no_contact(run: Run) -> None:
-    """It counts in line numbers, but not in row numbers."""
+def test_a_row_of_units_is_not_a_contact(run: Run) -> None:
+    """A row of units counts in line numbers, but not in row numbers."""
     text = 'radius,gamma,"a\nb"\nnm,mJ/m2,\n100,25,1\nx,25,2\n'
     ran = batch(run, text, "--material quartz")
     assert ran.err.splitlines()[-2:] == [
@@ -467,7 +469,7 @@ def test_a_row_of_units_is_no_contact(run: Run) -> None:
 
 
 @pytest.mark.parametrize("form", ["csv.gz", "tsv.gz", "csv.zst"])
-def test_a_row_of_units_in_compressed_tables_and_pipes(run: Run, form: str) -> None:
+def test_a_row_of_units_is_read_in_compressed_tables_and_pipes(run: Run, form: str) -> None:
     from jkroll.tables.files import COMPRESSIONS, compressed, decompressed
 
     kind = COMPRESSIONS[form.partition(".")[2]]
@@ -501,7 +503,7 @@ def test_a_row_of_units_is_the_same_for_any_number_of_processes(run: Run) -> Non
     assert subprocess.run(command, capture_output=True).stdout == Path("out.csv").read_bytes()
 
 
-def test_a_formula_in_a_row_of_units(run: Run) -> None:
+def test_option_excel_safe_puts_an_apostrophe_before_a_formula_in_a_row_of_units(run: Run) -> None:
     assert batch(run, "radius,gamma,n\nnm,mJ/m2,=1+1\n100,25,2\n", "--excel-safe").code == 0
     assert written()[1] == "nm,mJ/m2,'=1+1,,row of units"
 
@@ -511,7 +513,7 @@ OF_ORIGIN = {"units": "Units\tnm\tmJ/m2\r\n", "comments": "Comments\tby AFM\t\r\
 
 
 @pytest.mark.parametrize("rows", [["units"], ["units", "comments"], ["comments", "units"], ["units", "none"]])
-def test_rows_of_origin_above_the_numbers(run: Run, rows: list[str]) -> None:
+def test_rows_of_units_and_comments_written_by_origin_are_not_contacts(run: Run, rows: list[str]) -> None:
     ran = batch(run, ORIGIN.format("".join(OF_ORIGIN[row] for row in rows)), "", "x.tsv")
     assert (ran.code, f'; units: line {2 + rows.index("units")}; passed through: "Long Name"' in ran.err) == (0, True)
     found = [line.split("\t") for line in written("out.tsv")[1:]]
@@ -522,7 +524,7 @@ def test_rows_of_origin_above_the_numbers(run: Run, rows: list[str]) -> None:
     assert [float(row[3]) for row in found[-2:]] == [approx(OF_25), approx(OF_25 / 2)]
 
 
-def test_a_row_of_comments_without_a_label_is_a_row(run: Run) -> None:
+def test_a_row_of_comments_without_a_label_is_a_failed_row(run: Run) -> None:
     ran = batch(run, "Radius\tSurface energy\nnm\tmJ/m2\nFig. 1\tby AFM\n100\t25\n", "", "x.tsv")
     assert (ran.code, "radius: 'Fig. 1' does not begin with a number" in ran.err) == (1, True)
     assert ran.err.endswith("1 of 2 rows failed; column status has the reasons\n")
@@ -534,7 +536,7 @@ def test_a_table_in_json_has_no_row_of_units(run: Run) -> None:
     assert (ran.code, "the first row has units. Delete it" in ran.err) == (2, True)
 
 
-# --- Texts ------------------------------------------------------------------------------------------------------------
+# --- Files with the extension .txt ------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -549,13 +551,13 @@ def test_a_table_in_json_has_no_row_of_units(run: Run) -> None:
         ("R1 [nm]\n100\n", ["R1 [nm],pull_off_force [N],status", "100,1.1780972450961723e-8,"]),
     ],
 )  # fmt: skip
-def test_the_first_lines_of_a_text_tell_its_separator(run: Run, text: str, lines: list[str]) -> None:
+def test_the_first_lines_of_a_txt_file_tell_its_separator(run: Run, text: str, lines: list[str]) -> None:
     ran = batch(run, text, "--gamma 25mJ/m2 --quiet", "x.txt", "out.txt")
     assert (ran.code, ran.err) == (0, "")
     assert written("out.txt") == lines
 
 
-def test_a_text_that_two_marks_may_divide_is_refused(run: Run) -> None:
+def test_a_txt_file_that_may_have_either_of_two_separators_is_refused(run: Run) -> None:
     ran = batch(run, "R1, nm;gamma, mJ/m2\n100,5;25,2\n", "", "x.txt")
     said = "jkroll: 'x.txt' may be divided by commas or by semicolons; write --delimiter comma or semicolon\n"
     assert (ran.code, ran.err) == (2, said)

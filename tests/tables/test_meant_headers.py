@@ -1,4 +1,4 @@
-"""Headers in words that the program may not know: none is read with a wrong meaning."""
+"""Headers in words that the program may not know: no header is read with a wrong meaning."""
 
 import pytest
 

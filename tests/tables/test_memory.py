@@ -1,4 +1,4 @@
-"""The memory of long runs, of all processes; a shared page is divided among them, as the kernel counts it."""
+"""The memory of all processes of a long run; the kernel divides a shared page among the processes that use it."""
 
 import sys
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""NDJSON: the same rows as in CSV, and lines that are not objects."""
+"""NDJSON: rows that are objects, and lines that are not objects."""
 
 import json
 from pathlib import Path
@@ -18,7 +18,7 @@ def converted(run: Run, text: str, *options: str) -> list[dict[str, object]]:
     return [json.loads(line) for line in Path("out.ndjson").read_text(encoding="utf-8").splitlines() if line.strip()]
 
 
-def test_lines_that_are_not_objects(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_lines_that_are_not_objects_are_failed_rows(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(files, "CHUNK", 64)
     lines = ['{"radius [nm]": 100}', "[1, 2]", "", '{"radius [nm]": 1', '{"radius [nm]": 100, "load [nN]": 1}', "{}"]
     found = converted(run, "\n".join(lines), "--quantities", "r_min")

@@ -45,7 +45,7 @@ def test_rows_are_the_same_as_in_csv(run: Run) -> None:
     assert [row["material"] for row in found] == columns["material"]
 
 
-def test_best_ranges_are_columns_of_numbers_and_of_words(run: Run) -> None:
+def test_best_ranges_have_columns_of_numbers_and_a_column_of_text(run: Run) -> None:
     assert run("pull-off quartz 100nm,1um --quantities P_c --best -o best.parquet").code == 0
     (row, _), columns = parquet.read_table("best.parquet").to_pylist(), parquet.read_table("best.parquet").schema
     assert row["pull_off_force_best_by"] == "Maugis"
@@ -70,8 +70,8 @@ def test_a_plane_in_a_written_list_is_read_as_a_plane(run: Run) -> None:
 
 
 @pytest.mark.parametrize("kind", ["float64", "float32", "float16", "int64", "int16", "uint8"])
-def test_numbers_of_any_kind_and_nulls(run: Run, monkeypatch: pytest.MonkeyPatch, kind: str) -> None:
-    """There are several blocks, so columns are also read from a later row on."""
+def test_numbers_of_any_type_and_nulls_are_read_as_in_csv(run: Run, monkeypatch: pytest.MonkeyPatch, kind: str) -> None:
+    """The file is read in several blocks, so columns are also read from a later row on."""
     from jkroll.tables import parquet as batch
 
     values = [None if row % 5 == 3 else row % 50 + 50 for row in range(100)]
@@ -98,7 +98,7 @@ def test_numbers_of_any_kind_and_nulls(run: Run, monkeypatch: pytest.MonkeyPatch
             assert bool(row["status"]) == bool(line["status"])
 
 
-def test_other_files_are_refused(run: Run) -> None:
+def test_files_that_are_not_parquet_and_outputs_in_another_format_are_refused(run: Run) -> None:
     for text in (b"PAR1 no", b"radius [nm]\n100\n", b""):
         Path("x.parquet").write_bytes(text)
         ran = run("batch x.parquet -o y.parquet")
@@ -127,7 +127,7 @@ def test_parquet_is_not_compressed_again(run: Run) -> None:
     assert [path.name for path in Path().iterdir()] == ["grains.parquet"]
 
 
-def test_a_broken_file_is_an_error_in_one_line(run: Run) -> None:
+def test_a_broken_file_gives_an_error_of_one_line(run: Run) -> None:
     name = write({"radius [nm]": [100.0 + row for row in range(1000)], "material": ["iron"] * 1000})
     text = bytearray(Path(name).read_bytes())
     for place in range(4, len(text), 291):
@@ -151,7 +151,7 @@ def test_a_broken_file_is_an_error_in_one_line(run: Run) -> None:
 
 
 @pytest.mark.parametrize("unit", ["nm", "m", "ft"])
-def test_an_infinite_radius_is_a_bad_one(run: Run, unit: str) -> None:
+def test_an_infinite_radius_is_a_bad_radius(run: Run, unit: str) -> None:
     values: list[object] = [1.0, math.inf, -math.inf, 1e308, 2.0]
     assert run("batch", write({f"radius [{unit}]": values}), "-o", "out.parquet", "--quantities", "r_min").code == 1
     rows = parquet.read_table("out.parquet").to_pylist()
@@ -168,7 +168,7 @@ def test_lines_are_counted_from_the_beginning_of_the_file(run: Run, monkeypatch:
     assert (ran.code, ran.err.partition(" must")[0]) == (1, "jkroll: line 235: radius: '0.0'")
 
 
-def test_the_metadata_of_a_file_stays(run: Run) -> None:
+def test_the_metadata_of_a_file_is_kept(run: Run) -> None:
     schema = pyarrow.schema([("radius [nm]", pyarrow.float64())], metadata={"source": "a cloud"})
     parquet.write_table(pyarrow.table({"radius [nm]": [1.0]}, schema=schema), "grains.parquet")
     assert run("batch grains.parquet -o out.parquet").code == 0
@@ -197,7 +197,7 @@ def test_an_interrupted_run_leaves_no_file(run: Run, monkeypatch: pytest.MonkeyP
     assert [path.name for path in Path().iterdir()] == [name]
 
 
-def test_strict_writes_nothing(run: Run) -> None:
+def test_option_strict_writes_no_file_if_a_row_is_bad(run: Run) -> None:
     name = write({"radius [nm]": [100.0, 0.0]})
     ran = run("batch", name, "-o", "y.parquet", "--strict", "--quiet")
     assert (ran.code, ran.err) == (
@@ -213,7 +213,7 @@ def test_strict_writes_nothing(run: Run) -> None:
 def test_a_run_of_several_pieces_has_all_rows(
     run: Run, monkeypatch: pytest.MonkeyPatch, rows: int, group: int, jobs: int
 ) -> None:
-    """About 300 rows are written together and 20 are computed together, for any groups of rows in the file."""
+    """About 300 rows are written together and 20 are computed together, however the rows in the file are grouped."""
     from jkroll.tables import parquet as batch
 
     table = pyarrow.table({"radius [nm]": [100.0 + row for row in range(rows)], "id": pyarrow.array(range(rows))})
@@ -244,8 +244,8 @@ def test_a_table_without_columns_is_refused(run: Run) -> None:
     assert (ran.code, "no column is an input" in ran.err) == (2, True)
 
 
-def test_each_batch_is_measured_once() -> None:
-    """Otherwise the time would grow as the square of the number of batches in a group; small groups make many."""
+def test_the_size_of_each_batch_is_taken_once() -> None:
+    """Otherwise the time would grow as the square of the number of batches, and small groups of rows give many."""
     batches, sizes = [Mock() for _ in range(500)], [PropertyMock(return_value=1) for _ in range(500)]
     for batch, size in zip(batches, sizes, strict=True):
         type(batch).nbytes = size
@@ -262,7 +262,7 @@ def test_each_batch_is_measured_once() -> None:
     assert written.call_count == 50
 
 
-def test_a_column_with_a_dictionary_in_small_groups(run: Run) -> None:
+def test_a_column_with_a_dictionary_is_kept_in_small_groups_of_rows(run: Run) -> None:
     kinds = [f"kind {row % 500}" for row in range(2000)]
     columns = {"radius [nm]": [100.0 + row for row in range(2000)], "kind": pyarrow.array(kinds).dictionary_encode()}
     name = write(columns)

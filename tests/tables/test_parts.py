@@ -1,4 +1,4 @@
-"""Many tables, converted in this process, by other processes, or by workers that may be killed."""
+"""Many tables, converted in this process, by other processes, or by Dask workers that may be killed."""
 
 import errno
 import gzip
@@ -36,7 +36,7 @@ def whole(directory: str) -> dict[str, bytes]:
     return {path.name: path.read_bytes() for path in Path(directory).iterdir()}
 
 
-def test_a_file_for_each_table(run: Run, grains: list[str]) -> None:
+def test_each_table_gets_a_file_with_the_results_of_a_single_run(run: Run, grains: list[str]) -> None:
     words = ("--quantities", "pull_off_force,contact_radius_at_load", "--jobs", "1")
     assert run("batch", "grains/*.csv", "-o", "forces/", *words).code == 1
     written = whole("forces")
@@ -47,7 +47,7 @@ def test_a_file_for_each_table(run: Run, grains: list[str]) -> None:
 
 
 def test_no_table_keeps_a_file_open(run: Run, grains: list[str]) -> None:
-    """Otherwise the number of tables in a run would be limited: a process may often open 1024 files."""
+    """Otherwise the number of tables in a run would be limited: many systems let a process open only 1024 files."""
     Path("bad.csv").write_text("radius [nm],radus\n1,2\n", encoding="utf-8")
     Path("grains.csv.gz").write_bytes(gzip.compress(Path(grains[0]).read_bytes()))
     calls = [[grains[0], "-o", "out.csv"], [grains[0], "-o", "out.csv", "--strict"], ["bad.csv", "-o", "out.csv"]]
@@ -68,7 +68,7 @@ def times(directory: str) -> dict[str, int]:
     return {path.name: path.stat().st_mtime_ns for path in Path(directory).glob("*.csv")}
 
 
-def test_a_table_that_fails_is_named_and_resumed(run: Run, grains: list[str]) -> None:
+def test_a_table_that_cannot_be_read_is_named_and_a_resumed_run_converts_it(run: Run, grains: list[str]) -> None:
     words = ("batch", "grains/*.csv", "--jobs", "1")
     assert run(*words, "-o", "whole/").code == 1
     Path(grains[3]).rename("away.csv")
@@ -95,7 +95,7 @@ def test_a_table_that_fails_is_named_and_resumed(run: Run, grains: list[str]) ->
     assert whole("forces") == whole("whole")
 
 
-def test_a_row_is_named_with_its_table(run: Run) -> None:
+def test_a_note_on_a_row_names_the_table_of_the_row(run: Run) -> None:
     Path("in").mkdir()
     for name, cells in (("a", "1 2"), ("b", "1 x"), ("c", "y 2")):
         Path(f"in/{name}.csv").write_text("\n".join(["radius [nm]", *cells.split()]), encoding="utf-8")
@@ -106,7 +106,7 @@ def test_a_row_is_named_with_its_table(run: Run) -> None:
 
 
 def test_a_name_without_a_file_stops_no_other_table(run: Run, grains: list[str]) -> None:
-    """It may be a link to a missing file, or a file that was removed during the run."""
+    """Such a name may be a link to a missing file, or that of a file removed during the run."""
     Path("grains/away.csv").symlink_to("nowhere.csv")
     words = ("batch", "grains/*.csv", "-o", "forces/", "--quantities", "r_min")
     for resume in ([], ["--resume"]):
@@ -140,7 +140,7 @@ def test_resume_and_dask_are_refused_for_a_single_table(run: Run, grains: list[s
 
 
 @pytest.mark.usefixtures("grains")
-def test_other_hidden_files_stay(run: Run) -> None:
+def test_hidden_files_that_are_not_from_batch_are_kept(run: Run) -> None:
     Path("forces").mkdir()
     Path("forces/.mine.part-0.csv").write_text("mine")
     assert run("batch", "grains/*.csv", "-o", "forces/", "--jobs", "1", "--quantities", "r_min").code == 1
@@ -262,7 +262,7 @@ def test_a_lost_cluster_is_reported_in_a_line(run: Run, grains: list[str], lost:
 
 
 def test_an_unreachable_scheduler_is_reported_in_a_line(run: Run, grains: list[str]) -> None:
-    """TLS has no certificates here."""
+    """The address asks for TLS, and there are no certificates."""
     pytest.importorskip("distributed")
     ran = run("batch", "grains/*.csv", "-o", "forces/", "--dask", "tls://127.0.0.1:1")
     said = "jkroll: --dask: the scheduler at 'tls://127.0.0.1:1' cannot be reached: TLS expects a `ssl_context` "

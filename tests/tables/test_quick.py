@@ -1,4 +1,4 @@
-"""The quick and the careful reading of a table write the same bytes."""
+"""Quick and careful reading of a table lead to the same output, byte for byte."""
 
 import csv
 import io
@@ -48,7 +48,7 @@ ANY = rows(NUMBERS | ODD, NAMES) | st.lists(NUMBERS | ODD, max_size=8)
 
 
 def converter(dialect: str, end: str, *, excel_safe: bool) -> Converter:
-    """Return the converter of a table with this header."""
+    """Return the converter of a table with the columns of HEADER."""
     lines = Delimited(SEPARATORS[dialect], excel_safe=excel_safe)
     lines.read_header((lines.separator.join(HEADER) + end).encode())
     table = Table(understood(lines.names), [], Asked({}, known_materials(), offered=quantities_named("report")[1]))
@@ -100,8 +100,8 @@ def test_a_converter_may_be_sent_to_another_process() -> None:
 
 @settings(deadline=None)
 @given(text=st.text(st.sampled_from('a,"\n\r'), max_size=24).map(str.encode))
-def test_records_are_those_of_csv(text: bytes) -> None:
-    """If Python's csv module accepts the whole text, its records are the same, and so are their lines."""
+def test_records_equal_those_of_the_csv_module(text: bytes) -> None:
+    """The records contain the whole text. If Python's csv module accepts the text, it gives the same records."""
     lines = as_lines(text)
     records = [*Delimited(",").records(lines)]
     assert "".join("".join(lines[start:stop]) for start, stop, *_ in records).encode() == text
@@ -128,7 +128,7 @@ def test_no_record_is_cut(text: bytes, rest: bytes) -> None:
     assert records(text[:size]) + records(text[size:] + rest) == records(text + rest)
 
 
-def test_an_open_quote_does_not_make_one_block_of_the_rest() -> None:
+def test_an_open_quote_does_not_make_one_block_of_the_rest_of_a_table() -> None:
     from jkroll.tables.files import CHUNK, blocks
 
     lines = [b'"open,quartz\n', *(b"row %d,quartz\n" % row for row in range(CHUNK // 10))]

@@ -1,4 +1,4 @@
-"""Each spelling of each input in a header is read rightly or refused; only a symbol without a mark may pass."""
+"""Each spelling of an input in a header is read correctly or refused; only some bare symbols may pass through."""
 
 from collections import Counter
 from collections.abc import Iterable
@@ -13,7 +13,7 @@ from spellings import MANGLINGS, Spelling, spellings
 
 
 def outcome(spelling: Spelling) -> str:
-    """Return how a spelling is read: rightly or wrongly, refused or passed."""
+    """Return what happens to a spelling: it is read correctly, misread, refused or passed through."""
     given = ("radius2",) if spelling.name != "reduced_radius" else ()  # R is then the radius of sphere 1
     try:
         header = understood([spelling.text], [["3"]], given=given)
@@ -27,7 +27,7 @@ def outcome(spelling: Spelling) -> str:
 
 
 def are_read_rightly_or_refused(some: Iterable[Spelling]) -> None:
-    """Check that no spelling is read wrongly or wrongly passed, and that a third of each kind is read."""
+    """Check that no spelling is misread or wrongly passed, and that more than 30 % of each kind are read."""
     outcomes = {spelling: outcome(spelling) for spelling in some}
     wrong = {each.text: found for each, found in outcomes.items() if found not in ("read", "refused", "passed")}
     assert not wrong
@@ -36,7 +36,7 @@ def are_read_rightly_or_refused(some: Iterable[Spelling]) -> None:
         assert counts[how, "read"] > 0.3 * sum(counts[how, found] for found in ("read", "refused", "passed")), how
 
 
-def test_a_spelling_is_read_rightly_or_refused() -> None:
+def test_a_sample_of_spellings_is_read_rightly_or_refused() -> None:
     are_read_rightly_or_refused(Random(1).sample([*spellings()], 4000))
 
 

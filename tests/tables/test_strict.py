@@ -1,4 +1,4 @@
-"""Half-understood text is refused in each format: preambles, members, and cells that are not numbers."""
+"""Comment lines above a header are counted, and ambiguous text is refused: duplicate members, and unclear cells."""
 
 from pathlib import Path
 
@@ -64,7 +64,9 @@ def test_a_duplicate_member_is_refused(run: Run) -> None:
         ("load [nN]", [float("nan"), float("inf"), 0.0, None]),
     ],
 )
-def test_no_other_number_replaces_a_missing_one(run: Run, column: str, values: list[float | None]) -> None:
+def test_a_default_replaces_an_empty_cell_but_not_nan_or_infinity(
+    run: Run, column: str, values: list[float | None]
+) -> None:
     pyarrow = pytest.importorskip("pyarrow")
     parquet = pytest.importorskip("pyarrow.parquet")
     table = pyarrow.table({"radius [nm]": [100.0] * 4, column: pyarrow.array(values, pyarrow.float64())})
@@ -102,7 +104,7 @@ CELLS = {
     "1 000": None,
     "1e-7²": None,
     "1₀e-7": None,
-    **dict.fromkeys(("5①nm", "5⒈nm", "5⑴nm", "5ᵐ", "1\u202e2nm")),  # marks of notes
+    **dict.fromkeys(("5①nm", "5⒈nm", "5⑴nm", "5ᵐ", "1\u202e2nm")),  # marks of footnotes
     "1×10⁻¹µm": 1e-7,
 }  # fmt: skip
 
@@ -134,7 +136,7 @@ def test_a_cell_is_read_or_refused_with_the_true_reason(cell: str) -> None:
 def test_a_letter_and_digits_directly_after_a_number_are_no_unit(
     head: str, cells: list[str], values: list[float | None]
 ) -> None:
-    """This holds for a single cell, and for cells read together."""
+    """Cells that are read together give the same numbers as single cells."""
     (column,) = understood([head]).inputs
     numbers = column.numbers({column.name: [cell.encode() for cell in cells]})
     assert [*numbers.odd] == [place for place, value in enumerate(values) if value is None]
@@ -144,15 +146,15 @@ def test_a_letter_and_digits_directly_after_a_number_are_no_unit(
 
 
 def test_per_cent_after_an_error_bar_in_a_column_of_per_cent_is_refused() -> None:
-    """It may be a percentage of the value, or the unit of both."""
+    """In 40±5 %, the error may be 5 % of the value, or % may be the unit of both numbers."""
     (column,) = understood(["filling_factor [%]"]).inputs
     with pytest.raises(QuantityError, match="has a % that can be read in two ways"):
         column.value("40±5 %")
 
 
 @pytest.mark.parametrize("cell", ["1e-7", "1E−07", "1×10⁻⁷", "１e-7", "1.0 x 10^-7"])
-def test_a_value_keeps_the_unit_of_its_column_next_to_another(cell: str) -> None:
-    """The notation of its power of ten makes no difference."""
+def test_a_value_keeps_the_unit_of_its_column_next_to_an_error_in_another_unit(cell: str) -> None:
+    """The notation of the power of ten makes no difference."""
     (column,) = understood(["load [N]", "load_err [nN]"]).inputs
     load = column.value(column.joined(cell, "5"))
     assert isinstance(load, Measured)
@@ -162,7 +164,9 @@ def test_a_value_keeps_the_unit_of_its_column_next_to_another(cell: str) -> None
 @pytest.mark.parametrize(
     ("rows", "is_refused"), [(["1.200;25"], True), (["1.200;25.5"], False), (["1.200;25", "2.5;25"], False)]
 )
-def test_a_point_between_semicolons_may_separate_thousands(run: Run, rows: list[str], is_refused: bool) -> None:
+def test_a_point_between_semicolons_is_refused_unless_a_point_in_the_table_is_clearly_decimal(
+    run: Run, rows: list[str], is_refused: bool
+) -> None:
     Path("x.csv").write_text("\n".join(["radius [nm];gamma [mJ/m2]", *rows, ""]), encoding="utf-8")
     ran = run(f"batch x.csv -o out.csv --delimiter semicolon {FORCE}")
     assert (ran.code, "'1.200' may be 1.200 or 1200" in ran.err) == ((2, True) if is_refused else (0, False))

@@ -1,4 +1,4 @@
-"""Sweeps of any length: their rows are those of a short sweep, in each format."""
+"""Sweeps of any length have the rows of a short sweep, in each format."""
 
 import csv
 import gzip
@@ -61,7 +61,7 @@ def in_both_ways(run: Run, monkeypatch: pytest.MonkeyPatch, *words: str) -> list
 
 
 @pytest.mark.parametrize("sweep", INFERENCES)
-def test_inferred_rows_are_the_same_as_floats_and_as_arrays(
+def test_inferred_rows_computed_as_floats_and_as_arrays_are_the_same(
     run: Run, monkeypatch: pytest.MonkeyPatch, sweep: str
 ) -> None:
     """Numbers agree to within rounding; gaps, doubts, reasons and notes are equal."""
@@ -84,7 +84,9 @@ def test_inferred_rows_are_the_same_as_floats_and_as_arrays(
 
 
 @pytest.mark.parametrize(("form", "way"), [("", "floats"), ("", "arrays"), ("--to nN --digits 4 --no-doubt", "arrays")])
-def test_a_file_has_the_bytes_of_the_stream(run: Run, monkeypatch: pytest.MonkeyPatch, form: str, way: str) -> None:
+def test_a_written_file_has_the_same_bytes_as_the_printed_rows(
+    run: Run, monkeypatch: pytest.MonkeyPatch, form: str, way: str
+) -> None:
     by(way, monkeypatch)
     words = f"yield-force quartz,ice-warm 1nm:1um:7 --load -2nN:2nN:3:lin {form}".split()
     shown = run(*words, "--csv")
@@ -97,7 +99,7 @@ def test_a_file_has_the_bytes_of_the_stream(run: Run, monkeypatch: pytest.Monkey
 
 @pytest.mark.parametrize("options", [[], ["--bare"], ["--digits", "5", "--to", "pN"]])
 def test_a_number_has_one_spelling(run: Run, monkeypatch: pytest.MonkeyPatch, options: list[str]) -> None:
-    """It is the same in each format and by either way, and is read back as the same double."""
+    """Floats and arrays give the same text, which is read back as the same double."""
     words = ["pull-off", "quartz", "1e-15m,1e-9m,20nm,50nm,1e5m,3e15m", "--quiet", *options]
     out = {ran.out for ran in in_both_ways(run, monkeypatch, *words)}
     cells = {cell for text in out for line in text.splitlines()[1:] for cell in re.split("[\t,]", line)}
@@ -140,7 +142,7 @@ def test_a_file_of_json_equals_the_printed_json(run: Run, line: str) -> None:
     assert Path("x.json").read_bytes().decode() == Path("X.JSON").read_bytes().decode() == printed.out
 
 
-def test_options_that_exclude_a_file_of_json(run: Run) -> None:
+def test_options_of_other_outputs_are_refused_with_a_file_of_json(run: Run) -> None:
     for option in ("--csv", "--bare", "--cite"):
         assert (
             run(f"pull-off quartz 100nm -o x.json {option}").err
@@ -160,7 +162,7 @@ def test_rows_are_not_written_under_the_name_of_a_picture(run: Run, end: str) ->
         assert not Path(f"rows.{end}").exists()
 
 
-def test_options_that_exclude_a_file_of_rows(run: Run) -> None:
+def test_options_of_other_outputs_are_refused_with_a_file_of_rows(run: Run) -> None:
     for form in ("json", "bare", "explain", "cite"):
         message = f"jkroll: -o 'x.csv' and --{form} exclude each other; redirect the output: > FILE\n"
         assert run(f"pull-off quartz 1nm:1um:3 -o x.csv --{form}") == (2, "", message)
@@ -180,7 +182,7 @@ def test_options_that_exclude_a_file_of_rows(run: Run) -> None:
     ],
 )
 def test_rows_without_a_result_are_still_a_table(run: Run, line: str, head: str) -> None:
-    """They need no inputs of quantities that they do not show."""
+    """Rows need no inputs of quantities that are not shown."""
     ran = run(line, terminal=True)
     assert ran.code == 1
     assert ran.out.startswith(head)
@@ -204,8 +206,8 @@ def listed(run: Run, way: str, line: str) -> list[dict[str, str]]:
 
 @pytest.mark.parametrize("way", ["", "--csv", "tsv", "ndjson", "parquet", "json"])
 @pytest.mark.parametrize("command", COMMANDS)
-def test_each_row_has_the_listed_values(run: Run, command: str, way: str) -> None:
-    """Q of JKR, 6πγξ, depends on no radius. But Q of Maugis, the measured quantities and the doubts do."""
+def test_each_row_of_a_list_shows_its_radius(run: Run, command: str, way: str) -> None:
+    """Q by JKR, 6πγξ, depends on no radius, but Q by Maugis, the measured quantities and the doubts do."""
     if way == "parquet":
         pytest.importorskip("pyarrow")
     rows = listed(run, way, f"{command} quartz,iron 10nm,100nm,1um --quantities Q")

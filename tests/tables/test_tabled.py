@@ -1,4 +1,4 @@
-"""`jkroll.table` returns the same type of table, with the columns that `batch` adds to a file."""
+"""`jkroll.table` returns a table of the type given, with the columns that `batch` adds to a file."""
 
 import csv
 import importlib
@@ -87,7 +87,7 @@ KINDS = [
 
 
 def values(found: Any, head: str) -> list[Any]:
-    """Return a column as a list, by its header, or by its name if the unit is an attribute. None is an empty cell."""
+    """Return the cells of a column, by its header or, if the unit is an attribute, its name; None for an empty cell."""
     try:
         column = found[head]
     except KeyError:
@@ -101,7 +101,7 @@ def values(found: Any, head: str) -> list[Any]:
 
 
 @pytest.mark.parametrize("make", KINDS)
-def test_adds_the_columns_of_batch(make: Callable[[], Any], run: Run) -> None:
+def test_table_adds_the_columns_of_batch(make: Callable[[], Any], run: Run) -> None:
     data = make()
     Path("grains.csv").write_text(
         "\n".join(
@@ -124,21 +124,21 @@ def test_adds_the_columns_of_batch(make: Callable[[], Any], run: Run) -> None:
 
 
 @pytest.mark.parametrize("make", KINDS)
-def test_leaves_its_argument_unchanged(make: Callable[[], Any]) -> None:
+def test_table_leaves_its_argument_unchanged(make: Callable[[], Any]) -> None:
     data, other = make(), make()
     jkroll.table(data, WANTED)
     names = (getattr(each, "column_names", None) or getattr(each, "columns", each) for each in (data, other))
     assert [*next(names)] == [*next(names)]
 
 
-def test_keeps_the_index_of_a_data_frame() -> None:
+def test_table_keeps_the_index_of_a_data_frame() -> None:
     data = of_pandas()
     found = jkroll.table(data, WANTED)
     assert found.index.equals(data.index)
     assert [*found.columns] == [*data.columns, *ADDED]
 
 
-def test_a_dataset_gets_the_dimensions_of_its_inputs() -> None:
+def test_results_in_a_dataset_have_the_dimensions_of_their_inputs() -> None:
     xarray = pytest.importorskip("xarray")
     data = xarray.Dataset(
         {
@@ -156,7 +156,7 @@ def test_a_dataset_gets_the_dimensions_of_its_inputs() -> None:
             assert float(forces.sel(size=size)[solid]) == approx(force, rel=1e-15)
 
 
-def test_cells_without_a_value_are_empty() -> None:
+def test_a_result_is_nan_if_an_input_is_nan() -> None:
     found = jkroll.table({"radius [nm]": numpy.array([100.0, numpy.nan]), "gamma [mJ/m2]": 25.0}, "P_c")
     assert numpy.isnan(found["pull_off_force [N]"]).tolist() == [False, True]
     assert found["status"].tolist() == [None, "needs radius"]
@@ -193,7 +193,7 @@ def test_infinite_radii_are_planes() -> None:
     assert plane == approx(2 * sphere)
 
 
-def test_columns_gives_meanings_to_names() -> None:
+def test_argument_columns_gives_meanings_to_names() -> None:
     data = {"a": [100.0, 200.0], "solid": ["quartz", "iron"], "r": [1.0, 2.0]}
     columns = {"a": "radius [nm]", "solid": "material", "r": ""}
     found = jkroll.table(data, "P_c", columns=columns)
@@ -217,7 +217,7 @@ def test_uncertainties_and_best_ranges_have_columns() -> None:
     assert found["pull_off_force_best_by"].tolist() == [answered.best["pull_off_force"].by]
 
 
-def test_given_values_hold_for_all_rows_and_infer_takes_a_measured_column() -> None:
+def test_given_values_apply_to_all_rows_and_infer_takes_a_measured_column() -> None:
     forces = jkroll.table({"radius [nm]": [100.0, 200.0]}, "P_c", gamma=jkroll.Measured(0.025, 0.005))
     assert forces["pull_off_force_plus [N]"] == approx([0.2 * force for force in forces["pull_off_force [N]"]])
     measured = {"radius [nm]": [100.0, 200.0], "pull_off_force [N]": forces["pull_off_force [N]"]}
@@ -225,7 +225,7 @@ def test_given_values_hold_for_all_rows_and_infer_takes_a_measured_column() -> N
     assert found["surface_energy [J/m^2]"] == approx([0.025, 0.025])
 
 
-def test_says_how_the_table_is_read() -> None:
+def test_table_says_how_it_reads_the_columns() -> None:
     lines: list[str] = []
     jkroll.table({"R2 (nm)": [100.0], "radius [nm]": [50.0], "note": ["x"]}, "P_c", material="quartz", say=lines.append)
     assert lines[0] == 'read: radius2 [nm] from "R2 (nm)", radius [nm]; passed through: note'
@@ -257,14 +257,14 @@ def test_bad_tables_and_arguments_are_refused(data: Any, arguments: Any, words: 
     assert "--" not in str(caught.value)
 
 
-def test_strict_raises_the_error_of_the_first_bad_row() -> None:
+def test_argument_strict_raises_the_error_of_the_first_bad_row() -> None:
     data = {"radius [nm]": [100.0] * 6000 + [-1.0], "material": "quartz"}
     assert jkroll.table(data, "P_c")["status"][6000] is not None
     with pytest.raises(jkroll.JkrollError, match="row 6000, counted from 0: radius"):
         jkroll.table(data, "P_c", strict=True)
 
 
-def test_imports_only_the_library_of_the_table() -> None:
+def test_table_imports_only_the_library_of_its_argument() -> None:
     code = "import jkroll, sys; jkroll.table({'radius [nm]': [1.0]}, 'P_c', material='quartz'); print(*sys.modules)"
     environment = {**os.environ, "PYTHONPATH": str(Path(jkroll.__file__).parents[1])}
     ran = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)
@@ -272,7 +272,7 @@ def test_imports_only_the_library_of_the_table() -> None:
 
 
 def test_texts_may_have_decimal_commas() -> None:
-    """Numbers have none, in a column of their own or among texts."""
+    """Numbers have decimal points, in a column of numbers and among texts."""
     diameters = numpy.array(["4,91", 10.5, "1.234,5"], dtype=object)
     columns = {"diameter [um]": diameters, "gamma [mJ/m2]": [35.9, 30.0, 30.0]}
     found = jkroll.table(columns, "P_c")

@@ -1,4 +1,4 @@
-"""Columns that are not read: none passes if another number would silently replace it, and all advice works."""
+"""Unread columns do not pass through if another number would silently replace their values; all advice works."""
 
 import re
 import shlex
@@ -11,7 +11,7 @@ from meant_headers import ADVISED as ADVISED_OTHERS
 from meant_headers import IDLE, MISREAD, PASSED, REFUSED, Header, advice_for, groups_of, meant_headers, outcome
 from relative import approx
 
-BESIDE = "material,radius [nm]"  # the other columns, of quartz
+BESIDE = "material,radius [nm]"  # the other columns; the material is quartz
 ADVISED = {
     "Interface Energy (J/m^2)": "work_of_adhesion [J/m^2]",
     "dens. of solid (g/cm3)": "density [g/cm3]",
@@ -29,7 +29,7 @@ PASSING = (
 
 
 def ran(run: Run, heads: str, cells: str, options: str = "", path: str = "x.csv") -> str:
-    """Return the exit code of a table's conversion, with its messages."""
+    """Return the exit code and the messages of `batch` for a table."""
     Path(path).write_text(f"{heads}\n{cells}\n", encoding="utf-8")
     found = run("batch", path, *shlex.split(options), "-o", "out.csv")
     return f"{found.code}: {found.err}"
@@ -52,7 +52,7 @@ def test_a_possible_input_is_refused_with_advice_that_works(run: Run, head: str)
 
 
 @pytest.mark.parametrize("head", PASSING)
-def test_a_column_of_another_quantity_passes(run: Run, head: str) -> None:
+def test_a_column_of_another_quantity_passes_through(run: Run, head: str) -> None:
     assert f"passed through: {head}" in ran(run, f"{BESIDE},{head}", "quartz,100,3").replace('"', "")
 
 
@@ -65,8 +65,8 @@ def test_messages_name_the_value_used_instead(run: Run) -> None:
     assert '"foo (GPa)", "bar (g/cm3)" (ρ is --density 2g/cm3)' in said  # no result depends on E
 
 
-def test_all_columns_of_a_kind_are_refused_together(run: Run) -> None:
-    """Once d1 is read, its value would replace that of d2, whose unit is unknown."""
+def test_all_possible_diameters_are_refused_together(run: Run) -> None:
+    """If only d1 were read, its value would replace that of d2, whose unit is unknown."""
     said = ran(run, "d1 [um],d2 [mikrometer],gamma [mJ/m2]", "4.91,10.98,35.9", "--quantities pull_off_force")
     assert said == (
         "2: jkroll: header: 'd1 [um]' (first cell '4.91'): it may be a diameter; 'd2 [mikrometer]' "
@@ -89,29 +89,29 @@ def test_a_symbol_with_an_unknown_unit_is_refused(run: Run, head: str, meant: st
 
 
 @pytest.mark.parametrize("head", ["R2", "R2 [-]", "rho [ohm m]", "A [mm^2]", "P [mbar]", "E [kcal/mol]"])
-def test_a_symbol_with_another_unit_passes(run: Run, head: str) -> None:
+def test_a_symbol_without_a_unit_or_with_that_of_another_quantity_passes_through(run: Run, head: str) -> None:
     assert f"passed through: {head}" in ran(run, f"material,radius [um],{head}", "quartz,1,3").replace('"', "")
 
 
-def test_a_column_that_no_result_depends_on_passes(run: Run) -> None:
+def test_a_column_on_which_no_result_depends_passes_through(run: Run) -> None:
     """A pull-off force depends on the reduced radius and w only."""
     said = ran(run, f"{BESIDE},bar (g/cm3),foo (m/s)", "quartz,100,2,3", "--quantities pull_off_force")
     assert said.startswith("0: ")
 
 
 @pytest.mark.parametrize("columns", ["youngs_modulus [GPa],youngs_modulus2 [GPa]", "contact_modulus [GPa]"])
-def test_an_input_with_a_column_replaces_no_unread_one(run: Run, columns: str) -> None:
+def test_an_unread_modulus_passes_through_if_other_columns_give_all_moduli(run: Run, columns: str) -> None:
     cells = ",".join(["5"] * len(columns.split(",")))
     assert "'foo" not in ran(run, f"{BESIDE},{columns},foo (GPa)", f"quartz,100,{cells},3")
 
 
-def test_cells_may_give_the_unit(run: Run) -> None:
+def test_an_unread_column_with_units_of_an_input_in_its_cells_is_refused(run: Run) -> None:
     said = ran(run, f"{BESIDE},adhesive", "quartz,100,25 mJ/m2")
     assert "'adhesive' (first cell '25 mJ/m2'): not read" in said
 
 
 @pytest.mark.parametrize(("head", "name"), [("Werkstoff", "material2"), ("wall", "material2"), ("what", "material2")])
-def test_a_column_of_materials_is_refused(run: Run, head: str, name: str) -> None:
+def test_an_unread_column_of_materials_is_refused(run: Run, head: str, name: str) -> None:
     said = ran(run, f"{BESIDE},{head}", "quartz,100,iron")
     assert f"Write --column '{head}={name}', or --column '{head}='" in said
     assert ran(run, f"radius [nm],{head}", "100,iron").startswith("2: ")
@@ -122,14 +122,14 @@ def test_labels_and_letters_are_not_materials(run: Run) -> None:
     assert ran(run, f"{BESIDE},lab", "quartz,100,Zurich").startswith("0: ")
 
 
-def test_properties_that_columns_give_need_no_material(run: Run) -> None:
+def test_a_column_of_materials_passes_through_only_if_columns_give_the_properties_of_both_spheres(run: Run) -> None:
     heads = "radius [nm],gamma [mJ/m2],E [GPa],nu,rho [kg/m3]"
     both = f"{heads},radius2 [nm],gamma2 [mJ/m2],E2 [GPa],nu2,rho2 [kg/m3]"
     assert ran(run, f"{both},name", f"{','.join(['100,25,54,0.2,2600'] * 2)},quartz").startswith("0: ")
     assert "its cells are materials" in ran(run, f"{heads},name", "100,25,54,0.2,2600,quartz")
 
 
-def test_columns_that_batch_has_added_pass(run: Run) -> None:
+def test_columns_that_batch_has_added_pass_through(run: Run) -> None:
     """The output of batch is read again."""
     Path("first.csv").write_text("material,radius [nm],speed [m/s]\nquartz,100,1\n")
     assert run("batch first.csv -o second.csv").code == 0
@@ -141,8 +141,8 @@ MOST = {"inputs": 0.03, "plain": 0.04, "sphere 2": 0.07}  # the largest fraction
 
 
 @pytest.mark.parametrize(("seed", "count"), [(4, 600), pytest.param(5, 12_000, marks=pytest.mark.slow)])
-def test_few_headers_that_mean_an_input_pass(seed: int, count: int) -> None:
-    """Very few plain words with a unit in brackets pass; none is misread, and little advice is wrong."""
+def test_few_headers_that_mean_an_input_pass_through(seed: int, count: int) -> None:
+    """No header is misread, few headers of each group pass through, and little advice is wrong."""
     headers = meant_headers(seed, count)
     outcomes = {header.text: outcome(header) for header in headers}
     assert MISREAD not in outcomes.values()
@@ -202,7 +202,7 @@ def test_the_unit_alone_decides_for_a_word_in_another_script(head: str) -> None:
     ["fx [N]", "fz (nN)", "F [N]", "x (m)", "z [um]", "dx [nm]", "time (s)", "torque_x [N m]", "sp_A", "area (nm2)",
      "current [A]", "viscosity (Pa s)", "100 um", "T (K)", "D (m2/s)"],
 )  # fmt: skip
-def test_a_column_of_a_simulation_passes(head: str) -> None:
+def test_a_column_of_a_simulation_passes_through(head: str) -> None:
     assert outcome(Header(head, "", 1.0, is_plain=False, is_of_2=False)) == PASSED
 
 
@@ -227,7 +227,7 @@ ADVICE = {
 
 
 @pytest.mark.parametrize("head", ADVICE)
-def test_advice_keeps_the_meaning(head: str) -> None:
+def test_advice_names_only_inputs_that_a_header_may_mean(head: str) -> None:
     assert advice_for(head) <= ADVICE[head]
     assert bool(advice_for(head)) == bool(ADVICE[head])
 
@@ -239,8 +239,8 @@ def test_the_index_of_a_symbol_is_no_prefix_of_its_unit(head: str) -> None:
 
 
 @pytest.mark.parametrize("head", ["IMPACT_ENERGY_PJ", "impact energy pj"])
-def test_a_prefix_of_unclear_case_is_refused(head: str) -> None:
-    """It may be pico or peta."""
+def test_a_prefix_of_unclear_case_is_not_misread(head: str) -> None:
+    """The prefix P may be pico or peta."""
     assert outcome(Header(head, "energy", 1e-12, is_plain=False, is_of_2=False)) != MISREAD
 
 
