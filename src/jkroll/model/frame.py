@@ -2,8 +2,7 @@
 
 A frame makes two assumptions: sphere 2 is like sphere 1 in every property that is not given for it, and the inputs in
 DEFAULTS have the values listed there unless they are given. A frame accepts numbers in the range of their quantity,
-from 1e-30 to 1e30 in SI units. Its results are doubles of full precision, never subnormal, and exactly 0 where the
-physics gives 0.
+from 1e-30 to 1e30 in SI units. Its results are doubles of full precision, and exactly 0 where the physics gives 0.
 """
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
@@ -82,8 +81,7 @@ EXCLUSIVE = (
 # Inputs that replace the yield displacement of a solid, or give sphere 2 another solid.
 _OTHER_DISPLACEMENT = frozenset((*IN_ITS_PLACE, *(of_sphere(2, name) for name in OF_A_SOLID)))
 
-# Quantities that have no value if both bodies are rigid: they need a contact area. All other such
-# quantities of JKR are computed from these.
+# Quantities without a value if both bodies are rigid, as they need a contact area; JKR computes others from these.
 _ON_AREA = frozenset({"contact_modulus", "contact_shear_modulus", "shear_strength", "pull_off_force", "load_factor",
     "rolling_frequency_as_printed"})  # fmt: skip
 
@@ -239,10 +237,7 @@ class Frame:
         return converted(self.described, known, own_material2=self.material2 is not None)
 
     def _displacement_of_solid(self) -> Interval | None:
-        """Return the solid's yield displacement scaled to these radii.
-
-        None if the spheres have no common solid with such a value, or if an input replaces it.
-        """
+        """Return ξ of a common solid, scaled to these radii; None if there is none, or if an input replaces it."""
         material, radius = self.material, self.given.get("radius")
         if material is None or material.displacement is None or radius is None:
             return None

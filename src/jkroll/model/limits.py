@@ -339,7 +339,7 @@ INEXACT = (
     ),
     Limit(
         "radius", _PULLED, ">=", {SURFACES_FROM: ROUGH_MATTERS},
-        "rough spheres held 1/2 to 1/100 of this; below R = 1 µm nothing was measured",
+        "rough spheres held 1/2 to 1/100 of this (below R = 1 µm they were not measured)",
         lambda _, names: not _PULLED.isdisjoint(names),
         factor=lambda frame, _: at_most(frame["radius"], frame["radius2"]),
         where=may_be_rough,
