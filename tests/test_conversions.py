@@ -277,7 +277,7 @@ def test_a_surface_energy_is_inferred_for_spheres_of_a_diameter(run: Run) -> Non
     assert (bar.plus, bar.minus) == approx((gamma / 9, gamma / 11), rel=1e-12)
     for given, name in (("--diameter 4um", "radius"), ("2um --shear-modulus 3GPa", "youngs_modulus")):
         ran = run(f"infer {name} quartz {given} --measured stiffness=1kN/m")
-        assert ran == (2, "", f"jkroll: {name} is given and asked for; leave one of the two out\n")
+        assert ran == (2, "", f"jkroll: {name} is given and to be inferred; leave out one of the two\n")
 
 
 # --- Pictures ---------------------------------------------------------------------------------------------------------
@@ -304,8 +304,8 @@ def test_maps_take_diameters_as_axes_and_a_fixed_shear_modulus(run: Run) -> None
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ("quartz 100nm --x diameter=1nm:1um", "diameter is on an axis; it cannot have one value too"),
-        ("quartz --diameter 1um --x radius=1nm:1um", "radius is on an axis; it cannot have one value too"),
+        ("quartz 100nm --x diameter=1nm:1um", "diameter is on an axis; leave out its single value"),
+        ("quartz --diameter 1um --x radius=1nm:1um", "radius is on an axis; leave out its single value"),
         ("--x radius=1nm:1um --y diameter=1nm:1um", "both axes are radius"),
     ],
 )

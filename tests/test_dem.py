@@ -18,18 +18,18 @@ from scenes import QUARTZ
     [
         (
             "quartz 100nm",
-            "slides or peels off at 9.4–22 nN (T_first, below F_slide and T_peel, as shear",
+            "slides or peels off at 9.4–22 nN",
         ),
         (
             "quartz 1um",
-            "slides or peels off at 180–220 nN (T_first, below F_slide and T_peel, as shear",
+            "slides or peels off at 180–220 nN",
         ),
-        ("quartz 1um --shear-strength 10MPa", "held from rolling, it slides at"),
-        ("quartz 100nm --xi 1nm", "pushed, it rolls first"),
+        ("quartz 1um --shear-strength 10MPa", "kept from rolling, it slides at"),
+        ("quartz 100nm --xi 1nm", "a pushed sphere rolls first"),
         # πa0²τ, a0 = 3.991 nm · 10^(2/3), which is less than the 0.7 nN at which SiO2 rolled
         (
             "quartz 1um --shear-strength 0.4MPa",
-            "pushed, it slides at 430 pN",
+            "before that, it slides at 430 pN",
         ),
         ("quartz 100nm --shear-strength 584.5MPa", "at 22 nN"),  # the whole area slides at 29.2 nN
     ],
@@ -44,7 +44,7 @@ def test_the_turns_after_an_impact_are_the_first_row_for_a_given_speed(run: Run)
     names = [line.split()[0] for line in ran.out.splitlines()]
     assert names == ["n_roll_after_impact", "n_roll", "n_roll_energy_balance"]
     shown = run("n-roll quartz 1um --speed 5cm/s", terminal=True).out
-    rows = ("turns, other body held", "turns once it has slid", "turns, rolling from start")
+    rows = ("turns, other body held", "turns after it has slid", "turns, rolling from start")
     places = [shown.index(f"\n{row} ") for row in rows]
     assert places == sorted(places)
     assert "body held" not in run("n-roll quartz 1um --energy 1aJ", terminal=True).out

@@ -164,7 +164,7 @@ def test_a_plot_with_an_unknown_extension_is_refused_before_the_measurement(run:
     ("words", "problem"),
     [
         ("--style dark --width 85mm", "--width and --style apply to files; add --plot FILE"),
-        ("--plot b.svg --style pink", "--style: 'pink' is not a style; there are paper and dark"),
+        ("--plot b.svg --style pink", "--style: 'pink' is not a style; choose one of paper and dark"),
         ("--plot b.svg --width 1mm", "--width: '1mm' is not between 70mm and 1m"),
     ],
 )

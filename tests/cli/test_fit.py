@@ -364,7 +364,7 @@ def test_a_curve_is_written_point_by_point(run: Run, curve: str) -> None:
         ("--spring 3N/m --range 30%:10%", "does not rise"),
         ("--spring 3N/m --model hertz", "hertz"),
         ("--spring 3N/m --model maugis", "needs --radius"),
-        ("--spring 3N/m --radius2 plane", "give --radius, too"),
+        ("--spring 3N/m --radius2 plane", "--radius2 needs --radius"),
     ],
 )
 def test_wrong_options_of_fit_are_refused_with_a_reason(run: Run, curve: str, words: str, said: str) -> None:
@@ -459,7 +459,7 @@ def test_the_suggested_command_has_the_law_and_the_output_names_two_spheres(run:
     [
         ({}, {}, "header: no column has the contact radius, approach or travel of the curve"),
         ([1, 2], {}, "list is not a table; give a DataFrame"),
-        ({"z [m]": [1]}, {"radius": [1e-6, 2e-6]}, "radius: a curve has one value, not an array"),
+        ({"z [m]": [1]}, {"radius": [1e-6, 2e-6]}, "radius: a curve takes a single value, not an array"),
         ({"z [m]": [1]}, {"load": 1.0}, "fit takes no 'load'"),
         ({"z [m]": [1]}, {"reduced_radius": 0.0}, "reduced_radius"),
     ],

@@ -220,7 +220,7 @@ def test_formula_converts_parameters_outside_the_nomenclature() -> None:
     [
         (
             {"reduced_radius": Quantity(75, "kg")},
-            "reduced_radius: '75 kilogram' is of another dimension; give a value in m",
+            "reduced_radius: '75 kilogram' has the wrong dimension; give a value in m",
         ),
         ({"reduced_radius": Quantity(75)}, "has the wrong dimension"),
         ({"reduced_radius": Quantity(20, "degC")}, "has the wrong dimension"),

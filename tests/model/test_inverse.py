@@ -90,7 +90,7 @@ def test_a_measured_approach_means_the_approach_without_load_as_in_solve(word: s
 @pytest.mark.parametrize("values", [2e-9, [2e-9, 3e-9]])
 def test_a_measured_quantity_cannot_also_be_an_input(quantity: str, given: float, values: Any) -> None:
     scene = {name: value for name, value in QUARTZ.items() if name != "surface_energy"}
-    with pytest.raises(BadRequest, match=f"{quantity} is given and asked for"):
+    with pytest.raises(BadRequest, match=f"{quantity} is given and to be inferred"):
         infer("gamma", measured={quantity: values}, **{**scene, quantity: given})
 
 
@@ -155,7 +155,7 @@ def test_a_change_by_rounding_is_not_taken_for_dependence(run: Run, measured: st
     forces = {solve("yield_force", material="quartz", radius=1e-9 * 1.1**step, model="dmt") for step in range(100)}
     assert len(forces) > 1
     ran = run(f"infer radius quartz --measured yield_force={measured} --model dmt")
-    assert (ran.code, ran.err) == (1, "jkroll: radius: yield_force does not depend on it here\n")
+    assert (ran.code, ran.err) == (1, "jkroll: radius: yield_force does not depend on the unknown here\n")
 
 
 @pytest.mark.parametrize("quantity", ["load_maugis", "load_at_factor"])
@@ -183,10 +183,10 @@ def test_a_range_of_radii_with_the_same_sticking_speed_is_reported(ulp: int) -> 
 @pytest.mark.parametrize(
     ("name", "quantity", "given", "error", "words"),
     [
-        ("youngs_modulus", "pull_off_force", {}, NoDependence, "pull_off_force does not depend on it here"),
-        ("load", "load", {}, BadRequest, "load is given and asked for"),
+        ("youngs_modulus", "pull_off_force", {}, NoDependence, "pull_off_force does not depend on the unknown here"),
+        ("load", "load", {}, BadRequest, "load is given and to be inferred"),
         ("gravity", "n_grav", {}, BadRequest, "'gravity' cannot be inferred; surface_energy,"),
-        ("surface_energy", "pull_off_force", {"surface_energy": 1.0}, BadRequest, "is given and asked for"),
+        ("surface_energy", "pull_off_force", {"surface_energy": 1.0}, BadRequest, "is given and to be inferred"),
         ("surface_energy", "pull_off_force", {"work_of_adhesion": 1.0}, BadRequest, "one follows from the other"),
         ("load", "contact_radius_at_load", {"approach_at_load": 1e-9}, BadRequest, "one follows from the other"),
         ("load", "stiffness", {"youngs_modulus2": math.inf, "youngs_modulus": math.inf}, jkroll.JkrollError, "rigid"),
@@ -316,7 +316,7 @@ def test_infer_on_the_command_line(run: Run) -> None:
     )
     explained = run(*words, "pull-off-force=300±20 nN", "--explain").out
     assert "note: γ of quartz is not used\n" in explained
-    assert "gives P_c = 300 nN if γ2 = γ1, so w = 31.831 mJ/m²\n" in explained.partition(" enters times κ = 1\n")[2]
+    assert "gives P_c = 300 nN if γ2 = γ1, so w = 31.831 mJ/m²\n" in explained.partition(" is multiplied by κ = 1\n")[2]
     table = run(*words, "pull_off_force=300nN,1e26N", "--csv")
     assert table.out.splitlines() == [
         "material,radius [m],radius2 [m],pull_off_force [N],surface_energy [J/m^2],doubt,status",
@@ -399,7 +399,7 @@ def test_an_inferred_value_is_explained_by_the_formula_of_the_measured_quantity(
     words = "infer gamma quartz 2um --radius2 plane --measured pull_off_force=300±20nN,1e26N"
     found, forward, failed = (part for part in run(f"{words} --explain").out.split("\n\n") if "—" in part)
     assert found.splitlines()[1:3] == ["  result    γ1 = 15.9 ± 1.1 mJ/m²", "  shares    P_c 100%"]
-    assert "times κ = 1\n" in found
+    assert "multiplied by κ = 1\n" in found
     assert "  by law    13.3793 mJ/m² (maugis), 11.9366 mJ/m² (dmt)" in found
     assert forward.startswith("pull_off_force — pull-off force, Eq 1\n  P_c = 3πγR")
     assert "    γ1 = 15.9155 mJ/m²     surface energy per surface\n" in forward
@@ -427,8 +427,12 @@ def test_the_explanation_includes_steps_that_do_not_depend_on_the_unknown(run: R
             2,
             "'gama' cannot be inferred; surface_energy, work_of_adhesion, hamaker,",
         ),
-        ("infer load quartz 2um --measured load=3nN", 2, "load is given and asked for; leave one of the two out"),
-        ("infer gamma quartz 2um --measured gamma=3mJ/m2", 2, "surface_energy is given and asked for; leave one"),
+        ("infer load quartz 2um --measured load=3nN", 2, "load is given and to be inferred; leave out one of the two"),
+        (
+            "infer gamma quartz 2um --measured gamma=3mJ/m2",
+            2,
+            "surface_energy is given and to be inferred; leave out one",
+        ),
         ("infer young quartz 1um --measured pull_off_force=3nN", 1, "youngs_modulus: pull_off_force does not depend"),
         ("infer gamma quartz --measured pull_off_force=3nN", 2, "pull-off force needs radius of sphere 1; give"),
     ],
@@ -443,7 +447,7 @@ def test_a_mistake_is_reported_in_one_line(run: Run, words: str, code: int, mess
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        ("gamma quartz 2um --measured energy_ratio=3", "surface_energy: energy_ratio does not depend on it here"),
+        ("gamma quartz 2um --measured energy_ratio=3", "energy_ratio does not depend on the unknown here"),
         ("gamma quartz 2um --measured yield_force=1e50N", "surface_energy: no value gives yield_force = 1e50 N"),
     ],
 )

@@ -91,9 +91,9 @@ def test_a_column_of_pint_pandas_is_read() -> None:
 @pytest.mark.parametrize(
     ("unit", "words"),
     [
-        ("kg", "radius: 'kg' is of another dimension; give a value in m"),
+        ("kg", "radius: 'kg' has the wrong dimension; give a value in m"),
         ("nmm", "radius: 'nmm'"),
-        ("", "another dimension"),
+        ("", "the wrong dimension"),
     ],
 )
 def test_a_wrong_or_unknown_unit_is_refused(unit: str, words: str) -> None:

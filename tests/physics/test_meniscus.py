@@ -133,12 +133,15 @@ def test_a_small_meniscus_has_the_same_force_at_every_humidity() -> None:
 @pytest.mark.parametrize(
     ("words", "lead"),
     [
-        ("quartz 1um --humidity 60%", "water decides: a meniscus pulls with 440 nN, the dry contact with 130–150 nN"),
-        ("silica-dry 1um --humidity 60%", "the dry contact decides: a meniscus pulls with 440 nN"),
-        ("quartz 1um --humidity 30% --roughness 2nm", "the dry contact decides: water fills the gap of 2 nm from 59 %"),
+        (
+            "quartz 1um --humidity 60%",
+            "water pulls harder: take that force, not the sum: a meniscus pulls with 440 nN",
+        ),
+        ("silica-dry 1um --humidity 60%", "the dry contact pulls harder: take that force, not the sum"),
+        ("quartz 1um --humidity 30% --roughness 2nm", "the dry contact alone pulls: water fills the gap of 2 nm only"),
         (
             "quartz 1um --humidity 90% --roughness 2nm",
-            "either may decide: water fills the gap of 2 nm from 59 % humidity on; a meniscus pulls with at most 430",
+            "water fills the gap of 2 nm only above 59 % humidity; a meniscus pulls with at most 430",
         ),
     ],
 )
@@ -160,8 +163,8 @@ def test_no_meniscus_force_if_the_gap_stays_dry_or_the_meniscus_is_too_wide(run:
 @pytest.mark.parametrize(
     ("option", "words"),
     [
-        ("--humidity 0", "no meniscus in dry air"),
-        ("--humidity 100%", "none that ends in saturated air"),
+        ("--humidity 0", "neither dry nor saturated"),
+        ("--humidity 100%", "neither dry nor saturated"),
         ("--humidity 60% --contact-angle 120deg", "90 deg or more draws nothing together"),
         ("--humidity 60% --contact-angle 90deg --roughness 2nm", "fills no gap"),
     ],

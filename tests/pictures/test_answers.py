@@ -101,11 +101,11 @@ def test_one_contact_beyond_pull_off_among_others_has_a_gap_and_a_reason() -> No
         ({"material": [], "radius": 1e-7}, "is an empty list"),
         ({"material": ["quarz", "iron"], "radius": 1e-7}, "no material 'quarz'"),
         ({"material": SOLIDS, "radius": [1e-7, -1e-7]}, "must be positive"),
-        ({"material": SOLIDS, "radius": 1e-7, "model": ["jkr", "jkr"]}, "more than once"),
+        ({"material": SOLIDS, "radius": 1e-7, "model": ["jkr", "jkr"]}, "are one law"),
         ({"material": SOLIDS, "radius": [[1e-7], [1e-6]]}, "is a list of lists"),
         ({"material": SOLIDS, "radius": numpy.ones((2, 2))}, "more than one dimension"),
         ({"gamma": 0.025, "radius": numpy.ones(20000) * 1e-7}, "20000 scenes are more than 10000"),
-        ({"gamma": 0.025, "radius": [1e-7], "surface_energy": [1.0]}, "one quantity; give it once"),
+        ({"gamma": 0.025, "radius": [1e-7], "surface_energy": [1.0]}, "name one quantity; give one of them"),
     ],
 )
 def test_invalid_scenes_are_refused(scene: dict[str, Any], words: str) -> None:

@@ -102,14 +102,14 @@ def test_without_axes_plot_makes_a_new_figure() -> None:
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (lambda: jkroll.figure("4"), "is not a figure with data; there are 2, 3a"),
+        (lambda: jkroll.figure("4"), "is not a figure; choose one of 2, 3a"),
         (lambda: jkroll.figure("2", marks=["quartz"]), "figure 2 takes no marks"),
-        (lambda: jkroll.figure("3a", as_printed=True), "figure 3a takes no as_printed"),
+        (lambda: jkroll.figure("3a", as_printed=True), "no curve of figure 3a is printed differently"),
         (lambda: jkroll.curve(material="quartz", radius=1e-7, panel="forces"), "there are force, pressure"),
         (lambda: jkroll.curve(material="quartz", radius=1e-7, load=(1e-9, -1e-9)), "the lower end first"),
-        (lambda: jkroll.curve(material="quartz", radius=[1e-7, 2e-7]), "is more than one scene"),
+        (lambda: jkroll.curve(material="quartz", radius=[1e-7, 2e-7]), "does not go together with an uncertain input"),
         (lambda: jkroll.curve(material="quartz", radius=1e-7).plot(style="pink"), "is not a style"),
-        (lambda: jkroll.map("P_c", x="radius=1nm:1um", radius=1e-7), "it cannot have one value too"),
+        (lambda: jkroll.map("P_c", x="radius=1nm:1um", radius=1e-7), "leave out its single value"),
         (lambda: jkroll.map("P_c", x="density=1g/cm3:2g/cm3"), "pull_off_force does not depend on density"),
         (lambda: jkroll.map("P_c", x="radius"), "x: write a quantity and its range"),
         (lambda: PLOT([1, 2]), "has 1 panels, and 2 axes were given"),

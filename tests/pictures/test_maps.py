@@ -421,7 +421,7 @@ def test_an_axis_may_be_named_by_the_word_of_an_option(run: Run) -> None:
         ("map pull-off --x radius=1nm:1um --y radius=1nm:1um", "both axes"),
         ("map pull-off quartz --x density=1g/cm3:2g/cm3", "does not depend on density"),
         ("map pull-off quartz,iron --x radius=1nm:1um --y load=0N:1nN:lin", "does not depend on load"),
-        ("map yield-force quartz,iron --x xi=1nm:2nm --y load=0N:1nN:lin", "more than one map"),
+        ("map yield-force quartz,iron --x xi=1nm:2nm --y load=0N:1nN:lin", "a map shows one pair"),
         ("map frequencies gold --x radius=1nm:1um", "gold has none"),
         ("map pull-off quartz --x radius=1nm:1um --mark quarz@1nm", "did you mean quartz?"),
         (
@@ -439,8 +439,8 @@ def test_an_axis_may_be_named_by_the_word_of_an_option(run: Run) -> None:
         ("map pull-off quartz --x radius=1nm:1um --style gaudy", "is not a style"),
         ("figure 3a --style dark", "add -o FILE"),
         ("contact quartz 100nm --curve --width 85mm", "add -o FILE"),
-        ("figure", "there are 2, 3a"),
-        ("figure 1", "is not a figure with data"),
+        ("figure", "choose one of 2, 3a"),
+        ("figure 1", "is not a figure"),
     ],
 )
 def test_invalid_maps_are_refused_in_one_line(run: Run, line: str, message: str) -> None:
@@ -592,7 +592,7 @@ def test_a_limit_judged_by_the_smaller_sphere_is_stated_by_its_consequence_only(
     """Roughness is judged by the smaller sphere, which is the second one here."""
     out = run("map pull-off quartz 10um --x radius2=100nm:1mm").out
     assert re.search(
-        r"Forces measured on rough, hard spheres were 1/2 to 1/100 of this \(quartz, R2 = \S+ µm to 1 mm\)",
+        r"Rough spheres held 1/2 to 1/100 of this \(quartz, R2 = \S+ µm to 1 mm\)",
         " ".join(out.split()),
     )
     assert "R1 > " not in out
@@ -600,5 +600,5 @@ def test_a_limit_judged_by_the_smaller_sphere_is_stated_by_its_consequence_only(
 
 def test_a_caption_has_no_names_of_table_columns(run: Run) -> None:
     out = run("map n-roll quartz 10nm --x energy=1e-21J:1e-17J").out
-    assert "W0/W_yield < 3.5: the 2/7 of its energy after sliding cannot make it roll (" in " ".join(out.split())
+    assert "W0/W_yield < 3.5: after sliding 2/7 of the energy is left, too little to start" in " ".join(out.split())
     assert "of n_roll" not in out

@@ -56,7 +56,7 @@ def test_a_result_is_converted_to_another_unit(force: Any) -> None:
     assert force.to("nN") == approx(BARE * 1e9, rel=1e-15)
     assert force.to("dyn") == approx(BARE * 1e5, rel=1e-15)
     assert force.unit == "N"
-    with pytest.raises(jkroll.JkrollError, match="pull_off_force: 'nm' is a unit of another dimension; it is in N"):
+    with pytest.raises(jkroll.JkrollError, match="pull_off_force: 'nm' is a unit of the wrong dimension; it is in N"):
         force.to("nm")
 
 

@@ -79,7 +79,7 @@ REFUSED = {
     "25±5 mj/m2": "has an unknown unit 'mj'; expected a surface energy such as 25mJ/m2",
     "25±-5 mJ/m2": "has a negative uncertainty; expected a surface energy such as 25mJ/m2",
     "-25±5 mJ/m2": "must be positive; expected a surface energy such as 25mJ/m2",
-    "30 to 20 mJ/m2": "does not rise from its first end to its second; expected a surface energy such as 25mJ/m2",
+    "30 to 20 mJ/m2": "does not rise: write the smaller value first; expected a surface energy such as 25mJ/m2",
     "0 to 20 mJ/m2": "must be positive at both ends; expected a surface energy such as 25mJ/m2",
     "1e900 to 2e900 J/m2": "is too large for a double; expected a surface energy such as 25mJ/m2",
     "20 to 30": "has no unit; expected a surface energy such as 25mJ/m2",

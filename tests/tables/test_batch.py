@@ -352,7 +352,7 @@ def test_option_quantities_takes_names_and_commands(run: Run) -> None:
         run("batch", table(GRAINS), "--quantities", "pulloff").err
         == "jkroll: 'pulloff' is not a quantity; did you mean pull_off_force? jkroll quantities lists them\n"
     )
-    said = "jkroll: --quantities: load is an input here; leave it out: results show their inputs\n"
+    said = "jkroll: --quantities: load is an input here, which the table already shows; leave it out\n"
     assert run("batch", table(GRAINS), "--quantities", "load", "--quiet").err == said
 
 
@@ -577,7 +577,7 @@ def test_a_table_without_a_radius_gets_a_note(run: Run, tmp_path: Path) -> None:
     assert ran.err.splitlines() == [
         "read: yield_displacement [nm] from xi [nm]; passed through: height_um",
         "assumed: no load (--load)",
-        "note: no column and no option gives a radius; quantities that need one are left out",
+        "note: no column and no option gives a radius; quantities that need a radius are left out",
         "note: doubts in 1 of 1 rows (column doubt): unchecked 1 (a limit needs an input that is not given)",
     ]
     assert (tmp_path / "out.csv").read_text(encoding="utf-8").splitlines()[

@@ -16,7 +16,7 @@ CELLS = ["25±5", "25+-5", "25(5)", "25±20%", "25+/-5 mJ/m2", "0.025 J/m2 ± 5 
 SIDES = ["pull_off_force [N]", "pull_off_force_minus [N]", "pull_off_force_plus [N]"]
 FORCE = 3 * math.pi * 0.025 * 50e-9  # Eq (1) for two spheres of 100 nm and 25 mJ/m²
 close = partial(approx, rel=1e-12)
-LEFT_OUT = "surface_energy: the table has no columns for error bars, which are left out; --uncertainty adds them"
+LEFT_OUT = "surface_energy: error bars are left out, as the table has no columns for them; --uncertainty adds these"
 
 
 def written(rows: list[dict[str, Any]], end: str = "csv") -> str:

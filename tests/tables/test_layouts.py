@@ -164,7 +164,7 @@ def test_a_second_step_is_refused_with_a_command_that_splits_the_dump(run: Run, 
     step = DUMP.replace("\n3\n", f"\n{3 * size}\n").replace(ATOMS, ATOMS * size)
     ran = batch(run, step + step, IN_M, "two.dump")
     last, split = ran.err.splitlines()[-1], "csplit -z 'two.dump' '/ITEM: TIMESTEP/' '{*}'"
-    problem = f"jkroll: line {10 + 3 * size} begins a second time step, and a table has one"
+    problem = f"jkroll: line {10 + 3 * size} begins a second time step, but a table can have only one"
     assert (ran.code, last) == (2, f"{problem}. Write {split}, and then jkroll batch 'xx*' -o DIRECTORY/")
     assert not Path("out.tsv").exists()
     if shutil.which("csplit") and size == 1:
@@ -176,8 +176,9 @@ def test_a_second_step_is_refused_with_a_command_that_splits_the_dump(run: Run, 
 
 def test_a_second_step_begins_with_the_first_of_its_items(run: Run) -> None:
     text = "ITEM: TIME\n0\n" + DUMP + "ITEM: TIME\n1\n" + DUMP
-    assert "line 15 begins a second time step, and a table has one. Write csplit -z 'x.dump' '/ITEM: TIME$/'" in (
-        batch(run, text, IN_M, "x.dump").err
+    assert (
+        "line 15 begins a second time step, but a table can have only one. Write csplit -z 'x.dump' '/ITEM: TIME$/'"
+        in (batch(run, text, IN_M, "x.dump").err)
     )
     Path("x.dump.gz").write_bytes(gzip.compress(text.encode()))
     assert "Write zcat 'x.dump.gz' | csplit -z - '/ITEM: TIME$/' '{*}', and then" in run(f"batch x.dump.gz {FORCE}").err

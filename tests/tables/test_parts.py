@@ -287,6 +287,6 @@ def test_processes_that_do_not_start_are_reported_in_a_line(
     problem = OSError(errno.EAGAIN, os.strerror(errno.EAGAIN))
     with patch("multiprocessing.context.SpawnProcess.start", side_effect=problem):
         ran = run("batch", "grains/*.csv", "-o", "forces/", "--jobs", "2")
-    said = "jkroll: processes cannot be started: Resource temporarily unavailable; --jobs 1 needs none\n"
+    said = "jkroll: processes cannot be started: Resource temporarily unavailable; --jobs 1 starts none\n"
     assert (ran.code, ran.err) == (1, said)
     assert len(grains) == PARTS

@@ -72,7 +72,7 @@ def test_all_possible_diameters_are_refused_together(run: Run) -> None:
         "2: jkroll: header: 'd1 [um]' (first cell '4.91'): it may be a diameter; 'd2 [mikrometer]' "
         "(first cell '10.98'): not read, and D2 is that of sphere 1. Write --column 'd1 [um]=diameter [um]' "
         "--column 'd2 [mikrometer]=diameter2 [UNIT]', or --column 'd1 [um]=' --column 'd2 [mikrometer]=' to pass them "
-        "through (--pass-rest passes all that is not read)\n"
+        "through (--pass-rest passes all unread columns)\n"
     )
 
 

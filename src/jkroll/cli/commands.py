@@ -267,14 +267,14 @@ def flags_of(name: str | None) -> dict[str, Option[Any]]:
 
 # --- The help: of the program by task, of a command by groups of options ----------------------------------------------
 
-TITLE = "Two elastic spheres touch and stick: forces, rolling, vibrations, and the limits of the formulas."
+TITLE = "Two elastic spheres touch and stick: forces, rolling, vibrations, and their limits."
 EXAMPLES = (
     ("jkroll pull-off quartz 100nm", "two equal spheres"),
     ("jkroll pull-off quartz 2um --radius2 plane", "a sphere on a plane"),
     ("jkroll pull-off quartz,iron 10nm,1um", "a row for each pair"),
     ("jkroll pull-off 100nm --gamma 30mJ/m2", "your own solid"),
 )
-LISTS = "Each value of a list 1nm,1um or a range 1nm:1um:50 (:lin: equal steps) gives a row."
+LISTS = "Each value of a list 1nm,1um or range 1nm:1um:50 (:lin: equal steps) is a row."
 MAX_WIDTH = 98
 MIN_WIDTH = 48
 MIN_TEXT = 20

@@ -323,10 +323,10 @@ def _failure_of_all(answers: "Iterable[Report]") -> JkrollError | None:
 
 def run_export(call: Call) -> int:
     """Write the contact of a pair as input for a program; return the exit code."""
-    from ..report.leads import centre_of
+    from ..report.leads import options_for_centre
     from ..report.notes import Note, about_middles, by_severity
     from ..report.report import Report
-    from ..write.exports import PROGRAMS, comment_of, lines_at_centre, with_wrapped_comments
+    from ..write.exports import PROGRAMS, comment_of, with_wrapped_comments
 
     word = call.subject.casefold()
     programs = [known for name, known in PROGRAMS.items() if word in (name, known.title.casefold())]
@@ -356,13 +356,10 @@ def run_export(call: Call) -> int:
         for line in (*(f"note: {note}" for note in program.about(frame)), *lines):
             say_wrapped(line, sys.stderr)
         return 0
-    centre = centre_of(answer)
-    if centre is not None:
-        plain = f"For the paper's model take the lines below, which are plain {frame.law.short}"
-        best = f"for P_c and M at the centres of their best ranges ({centre.options}) take this instead"
-        say(comment_of(f"{plain}; {best}:"), sys.stdout)
-        for line in lines_at_centre(text, program.text(centre.frame)):
-            say(line, sys.stdout)
+    options = options_for_centre(answer)
+    if options:
+        best = f"for the centres of the best ranges of P_c and M add {options}"
+        say(comment_of(f"Plain {frame.law.short}, the paper's model; {best}; real grains hold less"), sys.stdout)
     sys.stdout.write(text)
     for line in lines:
         say(comment_of(line), sys.stdout)

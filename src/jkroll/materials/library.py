@@ -469,7 +469,7 @@ def _choice(material: Material, *, has_sets: bool) -> str:
 
     about = []
     if "surface_energy" in material.properties:
-        about.append(amount("surface_energy", material.properties["surface_energy"]))
+        about.append(amount("surface_energy", material.measures["surface_energy"]))
     if material.state:
         about.append(material.state)
     elif "surface_energy" in material.notes:

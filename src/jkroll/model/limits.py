@@ -209,7 +209,7 @@ def _has_speed(frame: Frame, names: Collection[str]) -> bool:  # noqa: ARG001
 
 def _too_slow(name: str, least: float, code: str, energy: str) -> Limit:
     """Return the limit of a rolling distance: the energy, in units of the yield energy, above which a sphere rolls."""
-    consequence = f"{energy} is too little to start rolling"
+    consequence = f"{energy} too little to start rolling"
     of_turns = frozenset({name})
     return Limit("energy_over_yield", of_turns, "<=", {least: code}, consequence, ends_meaning=True, gives_number=False)
 
@@ -247,9 +247,9 @@ ENDING = (
         "not even one sphere can be held out level: it rolls down, or falls off if Bo is below 1",
         ends_meaning=True,
     ),
-    _too_slow("n_roll", 7 / 2, "does-not-roll-sliding", "the 2/7 of its energy left after sliding"),
-    _too_slow("n_roll_after_impact", 7 / 5, "does-not-roll-after-impact", "the 5/7 of its energy left after impact"),
-    _too_slow("n_roll_energy_balance", 1.0, "does-not-roll", "its energy"),
+    _too_slow("n_roll", 7 / 2, "does-not-roll-sliding", "after sliding 2/7 of the energy is left,"),
+    _too_slow("n_roll_after_impact", 7 / 5, "does-not-roll-after-impact", "after impact 5/7 of the energy is left,"),
+    _too_slow("n_roll_energy_balance", 1.0, "does-not-roll", "its energy is"),
     Limit(
         "flight_ratio", _TURNS, ">", {1.0: "flies-off"},
         "too fast to roll around body 2: it flies off",
@@ -272,7 +272,7 @@ ENDING = (
 LAW = Limit(
     "tabor_parameter", _ELASTICITY, ">",
     {LAW_MATTERS: "law-off-5%", 1.25: "law-off-25%", 2.0: "law-off-2x"},
-    "off Maugis' law, the better one, by more",
+    "farther off Maugis' law, the better one, than that",
     factor=factor_of_law,
 )  # fmt: skip
 INEXACT = (
@@ -339,7 +339,7 @@ INEXACT = (
     ),
     Limit(
         "radius", _PULLED, ">=", {SURFACES_FROM: ROUGH_MATTERS},
-        "rough spheres held 1/2 to 1/100 of this (below R = 1 µm they were not measured)",
+        "rough spheres held 1/2 to 1/100 of this",
         lambda _, names: not _PULLED.isdisjoint(names),
         factor=lambda frame, _: at_most(frame["radius"], frame["radius2"]),
         where=may_be_rough,

@@ -288,8 +288,7 @@ def write_picture(drawn: Picture, out: TextIO) -> None:
         else:
             names, *columns = _columns(panel)
             write_table([names], columns, out)
-    caption = drawn.caption[1:] if drawn.title else drawn.caption  # its first sentence says what the title says
-    say_texts([*caption, *drawn.doubts, *drawn.remarks], out)
+    say_texts([*drawn.caption, *drawn.doubts, *drawn.remarks], out)
 
 
 def shown_values(axis: Axis, most: int) -> Any:

@@ -66,7 +66,7 @@ class Numeric:
         read = unit_of(unit, self.name)
         if read[2] != dimension_of(NOMENCLATURE[self.name].unit):
             raise QuantityError(
-                self.name, unit, "is a unit of another dimension", f"it is in {NOMENCLATURE[self.name].unit}"
+                self.name, unit, "is a unit of the wrong dimension", f"it is in {NOMENCLATURE[self.name].unit}"
             )
         number = self.number
         if isinstance(number, Uncertain):

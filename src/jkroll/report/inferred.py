@@ -18,8 +18,11 @@ from .notes import Note
 
 # The factor between an inferred value and the library's above which a note reports it, and the question of the note.
 _FAR = {
-    **dict.fromkeys(("surface_energy", "work_of_adhesion"), (5.0, "probably by rough or wet surfaces;")),
-    "youngs_modulus": (2.0, "probably not the contact of one smooth sphere;"),
+    **dict.fromkeys(
+        ("surface_energy", "work_of_adhesion"),
+        (5.0, "probably rough or wet surfaces, for which it is an effective value;"),
+    ),
+    "youngs_modulus": (2.0, "probably not the contact of one smooth sphere, so take none of these;"),
 }
 
 
@@ -80,7 +83,7 @@ def about_library(answer: Answer) -> Iterator[Note]:
         times = f"{sizes} times" if nearest > 1 else f"1/{sizes.replace('–', ' to 1/')} of"
         whose = f"{listed(solids_of(answer.described, name))}'s ({amount(name, usual, Format(digits=3))})"
         symbol = symbol_among(name, answer.inputs)
-        yield Note("lead", f"do not take {symbol}: it is {times} {whose}, {question} see jkroll guide measurements")
+        yield Note("lead", f"{symbol} is {times} {whose}: {question} see jkroll guide measurements")
 
 
 def _distance(factor: float) -> float:

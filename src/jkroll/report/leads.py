@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from math import isnan, sqrt
-from typing import NamedTuple
 
 from ..model.estimate import (
     ADHESION_ONLY,
@@ -61,15 +60,8 @@ def leads(answer: Answer) -> Iterator[Note]:
         yield Note("lead", _law_that_holds(answer))
 
 
-class Centre(NamedTuple):
-    """A frame at the centres of the best ranges of P_c and M, and the options that give it."""
-
-    frame: Frame
-    options: str
-
-
-def centre_of(answer: Answer) -> Centre | None:
-    """Return the frame whose law gives the centres of the best ranges of P_c and M; None if there is none.
+def options_for_centre(answer: Answer) -> str:
+    """Return the options that make the law give the centres of the best ranges of P_c and M; empty if none do.
 
     For identical spheres P_c is proportional to γ, and the moment M that starts rolling is proportional to ξ.
     """
@@ -78,13 +70,12 @@ def centre_of(answer: Answer) -> Centre | None:
     centres = [sqrt(estimate.low * estimate.high) for estimate in found]  # nan where an end is open
     is_chosen = frame.stated_model or not frame.given.keys().isdisjoint({"work_of_adhesion", *IN_ITS_PLACE})
     if len(centres) < len(names) or any(map(isnan, centres)) or is_chosen or not frame.is_identical or frame["load"]:
-        return None
+        return ""
     force, moment = centres
-    energy = float(f"{frame['work_of_adhesion'] / 2 * force / frame['pull_off_force']:.3g}")
-    lag = float(f"{frame[XI] * moment / frame.replace(surface_energy=energy)['yield_moment']:.3g}")
+    energy = frame["work_of_adhesion"] / 2 * force / frame["pull_off_force"]
+    lag = frame[XI] * moment / frame.replace(surface_energy=energy)["yield_moment"]
     options = (("--gamma", "surface_energy", energy), ("--xi", XI, lag))
-    words = (f"{option} {amount(name, value, _THREE).replace(' ', '')}" for option, name, value in options)
-    return Centre(frame.replace(**{"surface_energy": energy, XI: lag}), " ".join(words))
+    return " ".join(f"{option} {amount(name, value, _THREE).replace(' ', '')}" for option, name, value in options)
 
 
 def _what_it_means(answer: Answer) -> str:
@@ -153,7 +144,7 @@ def _middle(name: str, estimate: Estimate, *, is_short: bool) -> str:
 def _first_to_give_way(answer: Answer) -> str:
     rolling, sliding = (answer.estimates[name] for name in ("yield_force", "sliding_or_peeling_force"))
     force = range_in_words("yield_force", sliding)
-    gives = f"it {_slides_or_peels(answer)} at {force} (T_first, which is below F_slide and T_peel)"
+    gives = f"it {_slides_or_peels(answer)} at {force} "
     rolls = range_in_words("yield_force", rolling)
     if rolling.high < sliding.low:
         return f"a pushed sphere rolls first ({rolls}); kept from rolling, {gives}"
@@ -214,7 +205,7 @@ def _stick_or_bounce(answer: Answer) -> str:
     text = f"at {amount('speed', speed)} the spheres {verdict}: the sticking speed is {sides} ({source})"
     left, alone = answer.estimates["restitution"], answer.values.get("restitution", 0.0)
     if is_below and alone > 0:
-        return f"{text}; by adhesion alone they would bounce, e = {significant(alone, 2)}"
+        return f"{text}; adhesion alone would not hold them (e = {significant(alone, 2)})"
     if is_below or isnan(left.high) or left.by != ADHESION_ONLY:
         return text
     if_needed = "" if is_above else "if they bounce, "

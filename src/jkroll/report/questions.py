@@ -94,8 +94,8 @@ _QUESTIONS = {
         "yield_moment yield_displacement unloaded_moment half_circles_moment fixed_approach_moment rolling_stiffness "
         "mean_rolling_moment mean_rolling_force",
         without_row="half_circles_moment fixed_approach_moment",  # approximations of the first
-        leads="rolling starts at {yield_moment}, the threshold for a simulation; the mean while it rolls is half of "
-        "that, {mean_rolling_moment}",
+        leads="rolling starts at {yield_moment}, the threshold for a simulation\n"
+        "once it rolls, the mean moment is half of that, {mean_rolling_moment}",
     ),
 }
 # Values that contradict a headline are in the report, too; Eq (41) as printed is in `frequencies` alone.
@@ -124,7 +124,7 @@ QUESTIONS: Mapping[str, Question] = {
         "sticking_speed_pencil_code",
         leads="separating the spheres takes {pull_off_work} if they are free or held by stiff grips, "
         "{pull_off_work_at_dead_load} by a soft spring (most AFMs)\n"
-        "rolling by a quarter turn takes {roll_energy_quarter_turn}, by D&T 97\n"
+        "rolling by a quarter turn takes {roll_energy_quarter_turn} with the full moment, as D&T 97\n"
         "the sticking speed is {sticking_speed}",
         groups={
             "by other conventions": "fold_energy break_energy_dust_simulation "

@@ -98,7 +98,7 @@ def held_on_surfaces(frame: Frame) -> str:
     """Return the pull-off force of real surfaces: for SiO2 as measured, for other solids as a fraction of JKR's."""
     radii = frame.numbers("radius", "radius2").values()
     if min(radii, default=2 * frame["reduced_radius"]) < SURFACES_FROM:
-        return "rough ones hold less: 1/2 to 1/100 from R = 1 µm on, not measured below"
+        return "rough ones hold less (from R = 1 µm on, 1/2 to 1/100 was measured)"
     if solid_of_pair(frame) != SIO2:
         return "rough spheres hold less: SiO2, which alone was measured, held 1/2 to 1/100 of JKR's force"
     forces = (f"{span('pull_off_force', *ends)} ({surface})" for surface, ends in on_surfaces(frame).items())
@@ -117,16 +117,16 @@ _SEEN = f"hard spheres were seen to stick at 1–{MOST_SEEN} times JKR's speed"
 _WORDS: Mapping[int, str] = {
     MEASURED: f"{_SEEN}; SiO2 of 0.1–3 µm: as measured, scaled",
     SCALED: "from forces that were measured on this solid, by R^(2/3) to R",
-    XI_UNKNOWN: "from ξ = 2 Å (one atom) to where all of w is lost; --xi narrows it",
+    XI_UNKNOWN: "not measured; from 2 Å (one atom) to where all of w is lost (--xi)",
     ADHESION_ONLY: "adhesion alone loses at most this; any other loss comes on top",
-    FRICTION_ASSUMED: "known to an order of magnitude, from τ/3 to 3τ (--shear-strength)",
+    FRICTION_ASSUMED: "an order of magnitude, τ/3 to 3τ (--shear-strength), on JKR's area",
     SPACING_ASSUMED: "from z0 = 2 Å to 4 Å; --z0 narrows it",
     BOUNDS: "JKR's holds for soft spheres, DMT's for hard ones; E and ν decide",
     LAW_ONLY: "no better law gives it",
     KELVIN: "condensed water at 25 °C, smooth bodies: compare with P_c, do not add",
     GAP: "a gap lowers the force of a meniscus, to none where it just fills",
-    BETTER_LAW: "the better law here; z0 = 2–4 Å (--z0)",
-    LAW_IN_USE: "Maugis' law is within 5 % here; the range covers both",
+    BETTER_LAW: "the better law here, over z0 = 2–4 Å (--z0)",
+    LAW_IN_USE: "Maugis' law is within 5 % of it; the range covers both",
 }
 
 
@@ -150,12 +150,12 @@ def _kelvin(answer: Answer) -> Iterator[str]:
 def _better_law(answer: Answer) -> Iterator[str]:
     frame = answer.frame
     low, high = least_spacing(frame), frame["atomic_spacing"]
-    spacing = f"z0 = {_angstroms(low, high)}{', --z0' if frame.assumes_spacing else ''}"
+    spacing = f"z0 = {_angstroms(low, high)}{' (--z0)' if frame.assumes_spacing else ''}"
+    with_bars = ", with your error bars" if answer.described.uncertainties else ""
+    yield f"the better law at this size and stiffness, over {spacing}{with_bars}"
     errors = _errors(answer)
-    if answer.described.uncertainties:
-        yield f"the better law here, your error bars included ({spacing})"
-    else:
-        yield f"{_how_far_off(errors, frame.law.short)} at this size and stiffness ({spacing})"
+    if any(errors.values()):
+        yield _how_far_off(errors, frame.law.short)
     if all(errors.values()):
         for side, of_side in errors.items():
             percent = [100 * error for pair in of_side.values() for error in pair]
@@ -176,8 +176,6 @@ def _how_far_off(errors: _Errors, law: str) -> str:
     """Return how far the law in use is from the better law's ranges: "JKR is 17–23 % too low"."""
     sides = [side for side, of_side in errors.items() if of_side]
     percent = [100 * error for side in sides for pair in errors[side].values() for error in pair]
-    if not percent:
-        return "the better law"
     if len(sides) > 1:
         return f"{law} is up to {significant(max(percent), 2)} % off"
     return f"{law} is {from_to(min(percent), max(percent))} % too {sides[0]}"
@@ -222,17 +220,17 @@ def _measured(answer: Answer) -> Iterator[str]:
         yield _SEEN
         yield "silica, ices and silver were measured; adhesion is not their only loss"
         return
-    pairs = (f"{significant(stuck.at(radius), 2)} m/s (R = {amount('radius', radius)})" for radius in stuck.radii)
-    seen, bar = f"{solid_of_pair(answer.frame)} stuck up to {' and '.join(pairs)}", f"±{100 * stuck.error:.0f} %"
+    first, last = (f"{significant(stuck.at(radius), 2)} m/s (R = {amount('radius', radius)})" for radius in stuck.radii)
+    seen, bar = f"from {first}, {last} of {solid_of_pair(answer.frame)}", f"±{100 * stuck.error:.0f} %"
     if stuck.is_near(answer.frame):
-        yield f"{seen}, ∝ R^{stuck.exponent}, {bar}"
-        yield "on a plane"
+        yield f"{seen}, {bar}"
+        yield f"they stuck to a plane; the speed is proportional to R^{stuck.exponent}"
         yield _above_law(answer)
         return
-    yield f"{seen}, scaled"
+    yield f"{seen}, whatever γ"
     yield f"{bar}; they stuck to a plane; scaled to this size like {answer.frame.law.short}'s speed"
     yield _above_law(answer)
-    yield "the effect of γ was not measured, so the speed is the same for every γ"
+    yield "the effect of γ was not measured"
 
 
 def _above_law(answer: Answer) -> str:
@@ -252,8 +250,8 @@ def _scaled(answer: Answer) -> Iterator[str]:
     what = f"{'ξ = ' if rolled.name == XI else ''}{span(rolled.name, rolled.low, rolled.high)}"
     measured = f"{what} measured on {solid} of R = {amount('radius', rolled.radius)}"
     is_alike = abs(radius / rolled.radius - 1) < _ALIKE
-    if answer.described.uncertainties and rolled.name != XI:
-        yield f"from {measured}, without your error bars"
+    if rolled.name != XI and not {"surface_energy", "work_of_adhesion"}.isdisjoint(frame.stated):
+        yield f"from {measured}, not from your γ"
     else:
         yield measured if is_alike else f"from {measured}, by R^(2/3) to R"
     yield f"source: {rolled.source}"
@@ -286,13 +284,15 @@ def _ceiling(answer: Answer) -> str:
 
 def _xi_unknown(answer: Answer) -> Iterator[str]:
     if answer.frame.missing(["hysteresis_ratio"]):
-        yield "from ξ = 2 Å (one atom) on; --xi or a material narrows it"
+        yield "not measured; 2 Å (one atom) or more; --xi or a material narrows it"
         return
+    rolled = what_rolled(answer.frame)
+    at = "on this solid" if rolled is None else "at this size" if rolled.has_energy(answer.frame) else "at this γ"
     most = answer.ranges.at_full_hysteresis(XI)[1]
-    by_law = "" if answer.frame.law.name == BETWEEN else " by Maugis' law"
-    at_most = "" if isnan(most) else f"{span(XI, most, most)}, "
-    yield f"from ξ = 2 Å{by_law} to {at_most}where all of w is lost (--xi)"
-    yield "2 Å is about one atom; how far the contact lags before it rolls was not measured for this pair"
+    by_law = "" if answer.frame.law.name == BETWEEN else ", by Maugis"
+    at_most = "its limit" if isnan(most) else span(XI, most, most)
+    yield f"not measured {at}; from 2 Å (one atom) to {at_most}{by_law}"
+    yield "ξ is how far the contact shifts before it rolls; at its upper end all of w is lost"
     yield _of_measured_solid(answer)
 
 

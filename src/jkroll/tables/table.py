@@ -209,7 +209,7 @@ class Table:
         names = [*dict.fromkeys((*explicit, *possible))]
         if not names:
             frames[0].plans(offered[0])
-            raise BadRequest("--quantities: known only for identical spheres, but the table describes sphere 2")
+            raise BadRequest("--quantities: known for identical spheres only, but the table describes sphere 2")
         return names, shown_in_all
 
     def _check_explicit(self, name: str, frames: Sequence[Frame]) -> None:

@@ -4,7 +4,7 @@ LAMMPS has `granular` contacts. Its rolling friction is a spring F = kξ with th
 sliding and twisting have similar caps. Comments are ASCII, because LAMMPS warns about other characters.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from math import pi
 from typing import NamedTuple
 
@@ -322,11 +322,3 @@ def with_wrapped_comments(text: str) -> str:
 def comment_of(text: str) -> str:
     """Return a text as a comment in the input of a program, wrapped."""
     return "\n".join(f"# {line}" for line in wrapped(ascii_text(text), WIDTH, 2))
-
-
-def lines_at_centre(plain: str, at_centre: str) -> Iterator[str]:
-    """Iterate over the lines of input that differ at the centres of best ranges, each as a comment of one line."""
-    every = {*plain.splitlines()}
-    for line in at_centre.splitlines():
-        if line not in every and not line.startswith("#"):
-            yield f"# {line}"
