@@ -612,9 +612,9 @@ def test_the_list_fits_a_screen_and_shows_the_sets_and_states(run: Run) -> None:
     ]
     assert places == sorted(places)
     assert re.search(r"ice-warm +190 ± 69 +water ice above about 200 K\s", out)
-    assert re.search(r"no γ \(--gamma\) +– +glass-borosilicate, alumina, calcite,\s", out)
+    assert re.search(r"without γ +– +glass-borosilicate, alumina, calcite,\s", out)
     listed = {material.name for material in Materials().materials.values() if "surface_energy" in material.properties}
-    assert {*re.findall(r"^  (\S+) ", out, re.MULTILINE)} == {*listed, "no"}
+    assert {*re.findall(r"^  (\S+) ", out, re.MULTILINE)} == {*listed, "without"}
     rows = {row["material"]: row for row in csv.DictReader(io.StringIO(run("materials --csv").out))}
     assert (rows["quartz"]["source"], rows["quartz"]["state"]) == ("Table 1 of D&T", "")
     assert rows["ice-warm"]["source"] == "ices"

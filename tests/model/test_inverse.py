@@ -447,7 +447,7 @@ def test_a_mistake_is_reported_in_one_line(run: Run, words: str, code: int, mess
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        ("gamma quartz 2um --measured energy_ratio=3", "energy_ratio does not depend on the unknown here"),
+        ("gamma quartz 2um --measured energy_ratio=3", "surface_energy: energy_ratio does not depend on the"),
         ("gamma quartz 2um --measured yield_force=1e50N", "surface_energy: no value gives yield_force = 1e50 N"),
     ],
 )

@@ -119,7 +119,7 @@ PULLED = {"surface_energy": 0.05, "radius2": math.inf, "poisson_ratio": 0.2, "lo
         (ENERGY_AND_RADIUS, FORCES, {"radius2": math.inf}, Unseparated, STAY),
         (ENERGY_AND_RADIUS, {**FORCES, "pull_off_force_dmt": 5e-7}, {"radius2": math.inf}, Unseparated, STAY),
         (NAMES, FORCES, PLANE, Unseparated, "they do not determine E1 (κ is above 1e8)"),
-        (NAMES, {"pull_off_force": 3e-7, "r_min": 1e-5}, PLANE, NoDependence, "r_min does not depend on either here"),
+        (NAMES, {"pull_off_force": 3e-7, "r_min": 1e-5}, PLANE, NoDependence, "r_min does not depend on either"),
         (NAMES, *PRESSED, Unseparated, "they do not determine γ1 (κ is above 1e8)"),
         (NAMES[::-1], *PRESSED, Unseparated, "they do not determine γ1 (κ is above 1e8)"),
         (NAMES, {**MEASURED, "stiffness": 1e12}, PLANE, NoSolution,

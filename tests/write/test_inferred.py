@@ -108,19 +108,19 @@ def test_without_a_material_no_column_has_its_values(run: Run) -> None:
         (
             "gamma quartz",
             1 / 32,
-            r"γ is 1/([\d.]+) to 1/([\d.]+) of quartz's \(25 mJ/m²\): probably rough or wet surfaces; jkroll guide",
+            r"γ is 1/([\d.]+) to 1/([\d.]+) of quartz's \(25 mJ/m²\): probably rough or wet surfaces, for",
         ),
         (
             "w quartz",
             1 / 32,
-            r"w is 1/([\d.]+) to 1/([\d.]+) of quartz's \(50 mJ/m²\): probably rough or wet surfaces; jkroll guide",
+            r"w is 1/([\d.]+) to 1/([\d.]+) of quartz's \(50 mJ/m²\): probably rough or wet surfaces, for",
         ),
         (
             "w quartz --material2 mica",
             1 / 6,
             r"w is 1/([\d.]+) to 1/([\d.]+) of quartz and mica's \(122 mJ/m²\): probably rough or wet",
         ),
-        ("gamma quartz", 8.0, r"γ is ([\d.]+) times quartz's \(25 mJ/m²\): probably rough or wet surfaces;"),
+        ("gamma quartz", 8.0, r"γ is ([\d.]+) times quartz's \(25 mJ/m²\): probably rough or wet surfaces,"),
         ("gamma quartz", 1 / 4, ""),
         ("gamma quartz", 4.9, ""),
         ("young quartz", 1 / 32, ""),

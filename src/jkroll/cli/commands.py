@@ -267,7 +267,7 @@ def flags_of(name: str | None) -> dict[str, Option[Any]]:
 
 # --- The help: of the program by task, of a command by groups of options ----------------------------------------------
 
-TITLE = "Two elastic spheres touch and stick: forces, rolling, vibrations, and their limits."
+TITLE = "Two elastic spheres touch and stick: forces, rolling, vibrations, limits."
 EXAMPLES = (
     ("jkroll pull-off quartz 100nm", "two equal spheres"),
     ("jkroll pull-off quartz 2um --radius2 plane", "a sphere on a plane"),

@@ -137,7 +137,7 @@ class Problem:
         """Raise MissingInput or NoDependence if no measured value can have a solution."""
         for quantity in self.levels:
             if {*self.unknowns}.isdisjoint(self.filled.inputs_of(quantity)):
-                unknowns = "it" if len(self.unknowns) == 1 else "either"
+                unknowns = "the unknown" if len(self.unknowns) == 1 else "either unknown"
                 raise NoDependence(self, f"{quantity} does not depend on {unknowns} here")
 
     def failure(self) -> JkrollError:
