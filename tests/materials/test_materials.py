@@ -596,7 +596,7 @@ def test_a_table_reports_a_shared_name_once(run: Run) -> None:
     *early, last = [line for line in ran.err.splitlines() if "SiO2" in line or "'ice'" in line]
     assert len(early) == 2
     assert last.startswith(early[0])
-    assert last.endswith("row 1, likewise 97 more")
+    assert last.endswith("row 1 and 97 others")
     assert ran.err.splitlines()[-1] == "jkroll: 98 of 147 rows failed; column status has the reasons"
     assert Path("out.csv").read_text(encoding="utf-8").count("unclear material") == 98
     assert "one of several" not in run("batch grains.csv --quantities pull_off_force -o out.csv --quiet").err

@@ -97,7 +97,7 @@ def test_r_min_has_only_an_upper_end_if_only_the_radius_is_given() -> None:
     assert best("r_min", radius=1e-7)["r_min"] == (approx(nan, nan_ok=True), approx(5e-5), "ξ unknown")
 
 
-def test_without_a_jump_lost_energy_has_only_an_upper_end_and_restitution_is_open() -> None:
+def test_without_a_jump_lost_energy_has_only_an_upper_end_and_restitution_ranges_from_0_to_1() -> None:
     given: dict[str, Any] = {"material": "quartz", "radius": 1e-8, "speed": 20.0}
     found = best("restitution lost_energy", **given)
     assert {estimate.by for estimate in found.values()} == {"adhesion only"}
@@ -219,13 +219,13 @@ def test_a_given_law_alone_sets_the_estimate(model: str, spacing: dict[str, Any]
     assert estimate == (approx(force), approx(force), word)
 
 
-def test_under_a_given_law_the_range_spans_the_likely_atomic_spacings() -> None:
+def test_under_maugis_law_without_z0_the_range_spans_the_likely_atomic_spacings() -> None:
     estimate = best("pull_off_force", model="maugis", **QUARTZ)["pull_off_force"]
     ends = by_maugis("pull_off_force", **QUARTZ)
     assert estimate == (approx(min(ends)), approx(max(ends)), "z0 assumed")
 
 
-def test_with_a_given_atomic_spacing_the_range_has_no_other() -> None:
+def test_a_given_atomic_spacing_is_the_only_one_in_the_range() -> None:
     estimate = best("pull_off_force", atomic_spacing=3e-10, **QUARTZ)["pull_off_force"]
     least = solve("pull_off_force", model="maugis", atomic_spacing=3e-10, **QUARTZ)
     most = solve("pull_off_force_lennard_jones", atomic_spacing=3e-10, **QUARTZ)

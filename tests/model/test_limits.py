@@ -275,10 +275,10 @@ def test_strengths_outside_the_fitted_filling_factors_are_doubtful(run: Run) -> 
 
 
 def test_n_grav_on_another_body_notes_where_the_contact_between_the_spheres_yields(run: Run) -> None:
-    said = "N_grav counts the spheres that the first contact, on body 2, carries"
+    said = "N_grav counts the spheres held by the first contact, which is with body 2"
     of_materials = "n-grav quartz 100nm --material2 iron --work-of-adhesion 1J/m2"
     for words in ("n-grav quartz 100nm --radius2 plane", "n-grav quartz 100nm --radius2 1nm", of_materials):
-        assert f"{said}; the next, between spheres 1, yields at 940.4" in run(words).err
+        assert f"{said}; the next contact, of two spheres 1, yields in a chain of 940.4 spheres" in run(words).err
     of_pair = "--work-of-adhesion 50mJ/m2 --density 2g/cm3 --radius2 1um"
     assert f"{said}; the next" in run(f"n-grav 100nm {of_pair}").err
 

@@ -140,7 +140,7 @@ def test_viscous_time_agrees_with_that_of_a_public_code() -> None:
 
 def test_a_measured_restitution_bounds_the_surface_energy(run: Run) -> None:
     ran = run("infer gamma quartz 1um --speed 1m/s --measured restitution=0.9")
-    assert "an upper limit: adhesion is held to cause all losses" in " ".join(ran.err.split())
+    assert "an upper limit: adhesion is assumed to cause all losses" in " ".join(ran.err.split())
     assert "upper limit" not in run("infer gamma quartz 1um --measured pull_off_force=100nN").err
 
 

@@ -116,7 +116,7 @@ def test_a_measured_value_is_converted_to_uncertainties_and_back() -> None:
     gamma = jkroll.Measured(0.025, 0.005)
     assert (gamma.ufloat() ** 2).std_dev == approx(2 * 0.025 * 0.005)
     assert jkroll.solve("P_c", radius=1e-7, gamma=gamma.ufloat()) == jkroll.solve("P_c", radius=1e-7, gamma=gamma)
-    with pytest.raises(jkroll.JkrollError, match="differ; a ufloat has a single side"):
+    with pytest.raises(jkroll.JkrollError, match="differ; a ufloat has one uncertainty"):
         jkroll.Measured(1.0, 0.1, 0.2).ufloat()
 
 

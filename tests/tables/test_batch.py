@@ -279,7 +279,7 @@ def test_a_row_with_too_few_or_too_many_cells_keeps_its_cells(run: Run, cells: s
 def mistaken(text: str, name: str, unit: str = " [UNIT]") -> str:
     columns = " or ".join(f"--column '{text}={name}{sphere}{unit}'" for sphere in ("", "2"))
     remedy = f"Write {columns}, or --column '{text}=' to pass it through"
-    return f"header: '{text}' (first cell '100'): the text after {name} is not its unit. {remedy}"
+    return f"header: '{text}' (first cell '100'): the text after '{text.partition(' ')[0]}' is not its unit. {remedy}"
 
 
 HEADERS = {
@@ -289,8 +289,8 @@ HEADERS = {
     "material [m]": mistaken("material [m]", "material", unit=""),
     "material\tradius": "header: 'material?radius' has tabs between its columns; write --delimiter tab",
     "radius,x": (
-        "header: 'radius' (first cell '100'): neither has a unit. Write --column 'radius=radius [UNIT]', "
-        "or --column 'radius=' to pass it through"
+        "header: 'radius' (first cell '100'): no unit in the header or in the first cell. Write "
+        "--column 'radius=radius [UNIT]', or --column 'radius=' to pass it through"
     ),
     "radius [nm],status": "header: the table already has a column 'status'; rename it",
     "radius [nm],doubt": "header: the table already has a column 'doubt'; rename it",

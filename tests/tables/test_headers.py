@@ -84,7 +84,7 @@ def meanings(line: str) -> dict[str, tuple[str, float]]:
 
 READ = {text: meaning for line in _READ.strip().splitlines() for text, meaning in meanings(line).items()}
 READ |= dict.fromkeys((' "gamma [mJ/m2]"', "\u200fsurface energy [mJ∙m⁻²]\u200e"), ("surface_energy", 1e-3))
-_LACKING = "(first cell '100'): neither has a unit. Write --column"
+_LACKING = "(first cell '100'): no unit in the header or in the first cell. Write --column"
 _FACTOR = "a sign or a factor is next to the word or its unit"
 # A program without µ may have written m for µm, and a program without capitals m for M.
 LOSSY = ("radius__m_", "Load___N_", "hamakerZj", "load_MN", "speed__m_s_")
@@ -121,9 +121,9 @@ REFUSED = {
         word: f"{word}' {_LACKING} '{word}={name} [UNIT]', or --column '{word}=' to pass it through"
         for word, name in {"radius": "radius", "density": "density", "Radius": "radius"}.items()
     },
-    "radius ()": "neither has a unit",
-    "radius [kg]": "the text after radius is not its unit",
-    "Energy (old)": "the text after energy is not its unit",
+    "radius ()": "no unit in the header or in the first cell",
+    "radius [kg]": "the text after 'radius' is not its unit",
+    "Energy (old)": "the text after 'Energy' is not its unit",
     "radiuss [nm]": "=radius [nm]'",
     **dict.fromkeys(("radius [?m]", "LOAD [PN]", "Radius (Mm)", "load [-nN]", *LOSSY), "is not its unit. Write"),
     "asperity tip radius [nm]": "Write a column asperity_radius [UNIT] instead of",
@@ -142,7 +142,7 @@ REFUSED = {
     "surface energy (polar) [mJ/m2]": "a column surface_energy [UNIT] or surface_energy2 [UNIT] instead of",
     "gama [mJ/m2]": "=surface_energy [mJ/m2]'",
     "gama": "=surface_energy [UNIT]'",
-    "surface_energy in GPa": "the text after surface_energy is not its unit",
+    "surface_energy in GPa": "the text after 'surface_energy' is not its unit",
     "log radius [nm]": "Write a column radius [UNIT] instead of 'log radius [nm]', or --column",
     "radius_cv [nm]": "Write a column radius [UNIT] or radius2 [UNIT] instead of 'radius_cv [nm]', or --column",
     **{
@@ -150,21 +150,21 @@ REFUSED = {
         for word in ("Equivalent radius", "harmonic mean radius", "combined radius")
     },
     "Reduced Young Modulus": "'Reduced Young Modulus=contact_modulus [UNIT]', or",
-    "gravity (g)": "the text after gravity is not its unit",  # g may be the symbol for gravity
+    "gravity (g)": "the text after 'gravity' is not its unit",  # g may be the symbol for gravity
     "DMT modulus (MPa)": "it may be Young's modulus, or E* of the contact",
     **dict.fromkeys(("radius*1e9", "radius (×10⁻⁶ m)", "E [1e9 Pa]", "A (10^-20 J)", "density¹ [kg/m³]"), _FACTOR),
-    "work_of_adhesion_mJ": "the text after work_of_adhesion is not its unit",
+    "work_of_adhesion_mJ": "the text after 'work_of_adhesion' is not its unit",
     **dict.fromkeys(("modulus (GPa)", "modulus1 [GPa]"), "it may be Young's modulus"),
     "normal force [nN]": "it may be a load, or a force that was measured",
     "F_n [nN]": "--column 'F_n [nN]=load [nN]'",
     "hysteresis (mJ/m2)": "it may be another hysteresis",
-    "gamma [nm]": "the text after surface_energy is not its unit",  # nm is not read as N/m
+    "gamma [nm]": "the text after 'gamma' is not its unit",  # nm is not read as N/m
     "R_p [nm]": "--column 'R_p [nm]=radius [nm]'",
     "E_avg (GPa)": "=youngs_modulus [UNIT]' or --column 'E_avg (GPa)=youngs_modulus2 [UNIT]'",
     **dict.fromkeys(("rho_p [kg/m3]", "ρs (g/cm³)"), "it may be density"),
     "second radius (nm)": "Write --column 'second radius (nm)=radius2 [nm]', or",
     **dict.fromkeys(("applied tip load [nN]", "laod [nN]", "Indentation load (nN)"), "=load [nN]'"),
-    "radius_max [nm]": "alone is not an uncertainty of radius",
+    "radius_max [nm]": "does not complete an uncertainty of radius",
     **dict.fromkeys(
         ("-load [nN]", "2gamma [mJ/m2]", "radius/2 [nm]", "w=2γ [mJ/m2]", "2γ", "radius (nm) x 10"), _FACTOR
     ),
@@ -288,7 +288,7 @@ UNITS_TO_WRITE = "--column 'Radius=radius [nm]' --column 'Surface energy=surface
         # All mistakes are reported together.
         (MISTAKEN, "x.csv", "--column 'Surface energy mJ=surface_energy [UNIT]'"),
         (MISTAKEN, "x.csv", "--column 'Young modulus GP=youngs_modulus [UNIT]'"),
-        ("Radius,Surface energy,n\nnm,mJ/m2,1\n100,25,2\n", "x.csv", f"Delete it, and write {UNITS_TO_WRITE}"),
+        ("Radius,Surface energy,n\nnm,mJ/m2,1\n100,25,2\n", "x.csv", f"Delete that row, and write {UNITS_TO_WRITE}"),
         ("material,radius_nm,law\nquartz,100,Maugis\n", "x.csv",
          "the law is an option: --model maugis. Write --column 'law=' to pass it through"),
     ],
@@ -594,7 +594,7 @@ def test_an_uncertainty_in_another_unit_or_without_a_value_is_refused() -> None:
         understood(["P [nN]", "P_plus [nN]", "P_minus [uN]"])
     with pytest.raises(BadRequest, match="is not its unit"):
         understood(["P [nN]", "P_err [nm]"], stated=stated_meanings(["P_err [nm]=load_err [nm]"]))
-    with pytest.raises(BadTable, match="is not an uncertainty of surface_energy"):
+    with pytest.raises(BadTable, match="does not complete an uncertainty of surface_energy"):
         understood(["dG", "R1 (nm)"], stated=stated_meanings(["dG=surface_energy_err [mJ/m2]"]))
     header = understood(["gamma [mJ/m2]", "dG"], stated=stated_meanings(["dG=surface_energy_err [mJ/m2]"]))
     assert header.inputs[0].joined("25", "5") == "(25±5)"
@@ -870,7 +870,7 @@ def test_an_option_for_one_sphere_goes_with_a_column_for_the_other_sphere(run: R
     [
         ("radius R1 (nm),gamma (mJ/m2)\n100,25\n", 'read: radius [nm] from "radius R1 (nm)", surface'),
         ("radius [nm],gamma_sv (mJ/m2)\n100,25\n", "may be surface_energy"),
-        ("Radius,Surface energy,n\n(nm),(mJ/m2),1\n100,25,2\n", "the first row has units"),
+        ("Radius,Surface energy,n\n(nm),(mJ/m2),1\n100,25,2\n", "the row below holds units, not values"),
         ("R1 (nm),gamma (mJ/m2),gamma_sem (mJ/m2)\n100,25,2\n", '± "gamma_sem (mJ/m2)"'),
         ("R1 (nm),SEM,gamma (mJ/m2)\n100,image1.tif,25\n", "passed through: SEM"),
         ("R1 (nm),SEM,gamma (mJ/m2)\n100,5,25\n", "± SEM"),
@@ -979,7 +979,10 @@ def test_a_column_rh_is_the_relative_humidity(run: Run, head: str, cell: str) ->
 @pytest.mark.parametrize(
     ("head", "said"),
     [
-        ("RH", "header: 'RH' (first cell '60'): neither has a unit. Write --column 'RH=humidity [%]'"),
+        (
+            "RH",
+            "'RH' (first cell '60'): no unit in the header or in the first cell. Write --column 'RH=humidity [%]'",
+        ),
         ("Rh [nm]", "passed through: Rh [nm]"),  # a hydrodynamic radius
         ("Rh [%]", "passed through: Rh [%]"),  # rhodium
     ],

@@ -78,7 +78,7 @@ def test_a_dump_is_read_as_a_table(run: Run) -> None:
 def test_the_advice_for_a_radius_without_a_unit_can_be_typed(run: Run) -> None:
     """A dump does not name the units of its simulation."""
     ran = batch(run, DUMP, ASKED, "dump0.liggghts")
-    said = "header: 'radius' (first cell '1e-07'): neither has a unit. Write --column 'radius=radius [UNIT]', or "
+    said = "'radius' (first cell '1e-07'): no unit in the header or in the first cell. Write --column 'radius=radius"
     assert (ran.code, said in ran.err) == (2, True)
     words = COLUMN.search(ran.err)
     assert words is not None
@@ -226,7 +226,7 @@ def test_rows_with_another_number_of_cells_than_the_header_fail(run: Run) -> Non
     text += f"# Chunk Coord1 Ncount v_r\n{chunks}{chunks}"
     ran = batch(run, text, f"--delimiter blank {ASKED} --column 'v_r=radius [m]'", "chunks.txt")
     assert ran.err.splitlines()[1:] == [
-        "note: '200.0 2 400' has 3 cells, and the header 4: write \"\" for an empty cell: row 1, likewise 1 more",
+        "note: '200.0 2 400' has 3 cells, and the header 4: write \"\" for an empty cell: row 1 and 1 other",
         "jkroll: 2 of 6 rows failed; column status has the reasons",
     ]
 
@@ -405,16 +405,22 @@ def test_a_row_of_units_is_read_in_every_layout(run: Run, text: str, words: str)
     ("text", "said"),
     [
         # It is not clear that the row is a row of units.
-        ("radius,gamma,n\nnm,mJ/m2,5\n100,25,3\n", "the first row has units. Delete it, and write --column 'radius="),
-        ("n,radius,gamma\n1,nm,mJ/m2\n2,100,25\n", "the first row has units. Delete it"),
-        ("radius,gamma\nnm,25\n100,25\n", "the first row has units. Delete it"),
-        ("radius,gamma\nnm,kg\n100,25\n", "the first row has units. Delete it"),
-        ("radius,gamma\nnm,10^-3 J/m2\n100,25\n", "the first row has units. Delete it"),
+        (
+            "radius,gamma,n\nnm,mJ/m2,5\n100,25,3\n",
+            "the row below holds units, not values. Delete that row, and write --column 'radius=",
+        ),
+        ("n,radius,gamma\n1,nm,mJ/m2\n2,100,25\n", "the row below holds units, not values"),
+        ("radius,gamma\nnm,25\n100,25\n", "the row below holds units, not values"),
+        ("radius,gamma\nnm,kg\n100,25\n", "the row below holds units, not values"),
+        ("radius,gamma\nnm,10^-3 J/m2\n100,25\n", "the row below holds units, not values"),
         (
             "radius,gamma\n-,-\n100,25\n",
-            "'radius' (first cell '100') and 'gamma' (first cell '25'): neither has a unit",
+            "'radius' (first cell '100') and 'gamma' (first cell '25'): no unit in the header or in the first cell",
         ),
-        ("radius,gamma\nnm,-\n100,25\n", "'gamma' (first cell '25'): neither has a unit. Write --column 'gamma="),
+        (
+            "radius,gamma\nnm,-\n100,25\n",
+            "'gamma' (first cell '25'): no unit in the header or in the first cell. Write --column 'gamma=",
+        ),
         # The header has another unit.
         (
             "radius [nm],gamma\num,mJ/m2\n100,25\n",
@@ -534,7 +540,7 @@ def test_a_row_of_comments_without_a_label_is_a_failed_row(run: Run) -> None:
 def test_a_table_in_json_has_no_row_of_units(run: Run) -> None:
     Path("x.ndjson").write_text('{"radius":"nm","gamma":"mJ/m2"}\n{"radius":100,"gamma":25}\n', encoding="utf-8")
     ran = run(f"batch x.ndjson {FORCE} -o out.ndjson")
-    assert (ran.code, "the first row has units. Delete it" in ran.err) == (2, True)
+    assert (ran.code, "the row below holds units, not values" in ran.err) == (2, True)
 
 
 # --- Files with the extension .txt ------------------------------------------------------------------------------------

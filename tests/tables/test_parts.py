@@ -102,7 +102,7 @@ def test_a_note_on_a_row_names_the_table_of_the_row(run: Run) -> None:
     ran = run("batch in/*.csv -o out/ --gamma 25mJ/m2 --quantities pull_off_force")
     (note,) = (line for line in ran.err.splitlines() if "length such as" in line)
     assert note.startswith("note: 'in/b.csv': radius: 'x' ")
-    assert note.endswith(": row 2, likewise 1 more")
+    assert note.endswith(": row 2 and 1 other")
 
 
 def test_a_name_without_a_file_stops_no_other_table(run: Run, grains: list[str]) -> None:

@@ -29,7 +29,7 @@ def test_a_table_has_the_best_range_before_the_value_by_jkr(run: Run) -> None:
     assert cells(run, "yield-force quartz 100nm", "Q") == ["Q", "73–350", "scaled", "94.25", "pN"]
     assert cells(run, "yield-force quartz 100nm --xi 2angstrom", "δ_α") == ["δ_α", "4.000", "any law", "4.000", "mrad"]
     heads = re.split(r"\s{2,}", run("yield-force quartz 100nm", terminal=True).out.partition("\n─")[0].splitlines()[-1])
-    assert heads == ["quantity", "symbol", "best range", "by", "plain JKR", "unit"]
+    assert heads == ["quantity", "symbol", "best range", "by", "JKR", "unit"]
 
 
 @pytest.mark.parametrize(

@@ -358,8 +358,9 @@ def run_export(call: Call) -> int:
         return 0
     options = options_for_centre(answer)
     if options:
-        best = f"for the centres of the best ranges of P_c and M add {options}"
-        say(comment_of(f"Plain {frame.law.short}, the paper's model; {best}; real grains hold less"), sys.stdout)
+        plain = f"Take these lines for the paper's model, plain {frame.law.short}."
+        best = f"For the likely P_c and M of smooth spheres run again with {options}."
+        say(comment_of(f"{plain} {best} Rough grains hold 1/2 to 1/100 of P_c: lower gamma as much."), sys.stdout)
     sys.stdout.write(text)
     for line in lines:
         say(comment_of(line), sys.stdout)

@@ -272,7 +272,7 @@ ENDING = (
 LAW = Limit(
     "tabor_parameter", _ELASTICITY, ">",
     {LAW_MATTERS: "law-off-5%", 1.25: "law-off-25%", 2.0: "law-off-2x"},
-    "farther off Maugis' law, the better one, than that",
+    "differs from Maugis' law, the better one, by more than that",
     factor=factor_of_law,
 )  # fmt: skip
 INEXACT = (

@@ -256,7 +256,7 @@ class Columns:
 
     def _put_gap(self, rows: Any, first: int, reasons: Reasons, *, is_failed: bool) -> None:
         """Store the reasons of rows. `is_failed`: True if these rows have no value."""
-        has_number = any(map(is_end_of_meaning, reasons.values()))  # even without a meaning, a number is an answer
+        has_number = any(map(is_end_of_meaning, reasons.values()))  # a row of numbers without a meaning has not failed
         is_failed = lack(reasons) is not None or (is_failed and not has_number)
         gap = Gap(status_of(reasons), is_failed, first, reasons)
         number = self._gap_numbers.setdefault(gap[:2], len(self.gaps) + 1)

@@ -10,10 +10,8 @@ from typing import Any, NamedTuple, TextIO
 import numpy
 
 from ..model.frame import Frame
-from ..model.other_law import has_other_formulas
 from ..model.solver import values_of
 from ..quantities.formatting import in_units
-from ..quantities.laws import BETWEEN
 from ..quantities.markup import marked, plain
 from ..quantities.nomenclature import NOMENCLATURE, bracketed, header
 from ..quantities.quantity import Quantity
@@ -339,8 +337,7 @@ def _write_field(panel: Panel, field: Field, out: TextIO) -> None:
             break
     axes = f"Down: {described(panel.y.name, unit_of_y)}. Across: {described(panel.x.name, unit_of_x)}."
     of_like = " R2 = R1." if {"radius", "radius2"} & frame.given.keys() == {"radius"} else ""
-    by_law = f" By {field.frame.law.short}." if has_other_formulas(field.frame, field.quantity, BETWEEN) else ""
-    say_texts([axes + of_like + by_law], out)
+    say_texts([axes + of_like], out)
     say(_GAP.join(head).rstrip(), out)
     has_colours = out.isatty() and "NO_COLOR" not in os.environ and os.environ.get("TERM", "dumb") != "dumb"
     for (head_of_row, *texts), numbers in zip(rows, values, strict=True):

@@ -356,10 +356,10 @@ _QUANTITIES: Mapping[str, Quantity] = {
     # collisions
     "adhesion_energy": Quantity("P_cδ0", "J", "characteristic energy of adhesion", "48"),
     "kinetic_energy": Quantity("m1v²/2", "J", "kinetic energy of sphere 1", "45"),
-    "n_roll": Quantity("n_roll", "1", "turns after it has slid", "48"),
-    "n_roll_energy_balance": Quantity("n_bal", "1", "turns, rolling from start", "48",
+    "n_roll": Quantity("n_roll", "1", "turns after sliding", "48"),
+    "n_roll_energy_balance": Quantity("n_bal", "1", "turns without slip", "48",
         note="7/2 of Eq (48), for rolling without slip from the start"),
-    "n_roll_after_impact": Quantity("n_imp", "1", "turns, other body held", "48",
+    "n_roll_after_impact": Quantity("n_imp", "1", "turns after hitting a body", "48",
         note="5/2 of Eq (48), for an arrival without spin that then rolls without slip", shown_with=["speed"]),
     "restitution": Quantity("e", "1", "coefficient of restitution", may_be_zero=True,
         note="upper bound where the law is right: adhesion, and viscous damping if it is given, are the only losses"),

@@ -287,7 +287,7 @@ def _product(terms: Sequence[Term]) -> Unit:
         numerator, denominator = numerator * up ** abs(power), denominator * down ** abs(power)
         dimension = tuple(map(add, dimension, [power * exponent for exponent in powers]))
     if max(numerator, denominator) > MAX_FACTOR * min(numerator, denominator):
-        raise BadUnit("has a unit beyond 1e-100 to 1e100 of that of the SI")
+        raise BadUnit("has a unit outside 1e-100 to 1e100 times the SI unit")
     return numerator, denominator, dimension
 
 

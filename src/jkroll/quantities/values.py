@@ -1,4 +1,4 @@
-"""Texts of users as SI numbers: a strict grammar and exact arithmetic.
+"""Conversion of texts that users type to SI numbers: a strict grammar and exact arithmetic.
 
 A text is one decimal number and a unit. Its value is computed as a ratio of integers and rounded to a double once. The
 text may state an uncertainty, as in 25±5 mJ/m2, 25(5) mJ/m2, 25 mJ/m2 ± 20% and 20 to 30 mJ/m2, or be a list or a range
@@ -169,7 +169,7 @@ class Measured(Uncertain):
     def ufloat(self) -> Any:
         """Return the number as a `ufloat` of the package `uncertainties`. Raises BadRequest if the two sides differ."""
         if self.minus != self.plus:
-            raise BadRequest(f"Measured: {self.minus!r} and {self.plus!r} differ; a ufloat has a single side")
+            raise BadRequest(f"Measured: {self.minus!r} and {self.plus!r} differ; a ufloat has one uncertainty")
         return import_module("uncertainties").ufloat(self.value, self.plus)
 
     @property
@@ -292,7 +292,7 @@ def value_of(text: str, name: str, unit: Unit | None = None) -> float | Uncertai
 
 
 def checked(value: float | Uncertain, name: str, text: str) -> float | Uncertain:
-    """Return a value without an uncertainty of 0; raise QuantityError for a value outside the range of its quantity."""
+    """Check a value and return it without an uncertainty of 0. Raises QuantityError beyond the quantity's range."""
     limits = NOMENCLATURE[name].range
     if not limits.admits(middle(value)):
         raise QuantityError(name, text, limits.words)
@@ -566,7 +566,7 @@ def spreads_of(text: str, name: str) -> list[Spread]:
         return [_spread(item, name) for item in items]
     except QuantityError as error:
         if error.mistake == NO_UNIT and len(items) > 1:
-            mistake = f"has a number without a unit, {error.value}; a decimal mark is a point"
+            mistake = f"has a number without a unit, {error.value}; the decimal mark is a point"
             raise QuantityError(name, text, mistake) from None
         if error.mistake == NO_UNIT and ":" in text:
             raise QuantityError(name, text, "needs a unit at both ends") from None

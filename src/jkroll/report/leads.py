@@ -93,9 +93,9 @@ def _what_it_means(answer: Answer) -> str:
     frame = answer.described
     is_of_both = "surface_energy" in frame.unknowns and frame.material2 is None and "surface_energy2" not in frame.given
     of_both = "; w = 2γ" if is_of_both else ""
-    error = "" if frame.uncertainties else " (without its error: write it as 300±20nN)"
+    error = "" if frame.uncertainties else "; give what you measured with its error, as 300±20nN"
     literally = "taken literally, " if [*about_library(answer)] else ""
-    return f"{literally}the measurement implies {listed(texts)}{error}{of_both}"
+    return f"{literally}the measurement implies {listed(texts)}{of_both}{error}"
 
 
 def _pulled_apart(answer: Answer) -> str:
@@ -144,7 +144,7 @@ def _middle(name: str, estimate: Estimate, *, is_short: bool) -> str:
 def _first_to_give_way(answer: Answer) -> str:
     rolling, sliding = (answer.estimates[name] for name in ("yield_force", "sliding_or_peeling_force"))
     force = range_in_words("yield_force", sliding)
-    gives = f"it {_slides_or_peels(answer)} at {force} "
+    gives = f"it {_slides_or_peels(answer)} at {force}, as shear shrinks the contact"
     rolls = range_in_words("yield_force", rolling)
     if rolling.high < sliding.low:
         return f"a pushed sphere rolls first ({rolls}); kept from rolling, {gives}"

@@ -50,7 +50,7 @@ class Note(NamedTuple):
 
 
 _RULES = {  # assumed formulas, by the input that each replaces
-    "contacts": "each has as many contacts as grains, n_c = N",
+    "contacts": "an aggregate has as many contacts as grains, n_c = N",
     "shear_strength": "τ = G/4π²",
     "work_of_adhesion": "w = 2√(γ1γ2)",
 }
@@ -176,15 +176,19 @@ def about_middles(uncertain: "Mapping[str, Uncertain]") -> Iterator[Note]:
 
 
 def about_values(frame: Frame, names: Collection[str]) -> Iterator[Note]:
-    """Iterate over notes on values: a measured breaking energy, chains of unlike spheres, no contact, the assumed ξ."""
+    """Iterate over notes on values.
+
+    They are on a measured breaking energy, chains of unlike spheres, spheres bound without touching, and the loss that
+    ξ requires.
+    """
     if "break_energy_dust_simulation" in names and solid_of_pair(frame) == SIO2:
         measured = "for spheres of 1.9 µm diameter, Blum & Wurm 2000 (Icarus 143, 138) use a measured 1.3e-15 J"
         yield Note("more", f"E_break of {SIO2}: {measured}")
     if "n_grav" in names and not frame.is_identical:
-        text = "N_grav counts the spheres that the first contact, on body 2, carries"
+        text = "N_grav counts the spheres held by the first contact, which is with body 2"
         of_sphere_1 = Frame(frame.stated_of_1, frame.material, model=frame.stated_model)
         for carried in of_sphere_1.numbers("n_grav").values():
-            text += f"; the next, between spheres 1, yields at {carried + 1:.4g}"
+            text += f"; the next contact, of two spheres 1, yields in a chain of {carried + 1:.4g} spheres"
         yield Note("caveat", text)
     if frame.law.name == BETWEEN and "contact_radius_at_load" in names and frame["contact_radius_at_load"] == 0:
         yield Note("remark", "a = 0: the spheres are bound without touching")
@@ -236,7 +240,7 @@ Group = tuple[Frame, Sequence[str]]  # rows with the same inputs: their frame, a
 
 
 def about_rows(tally: "Tally", reported: int, where: str) -> Iterator[Note]:
-    """Iterate over notes on rows: the numbers of rows without a meaning or in doubt, and reasons for empty cells.
+    """Iterate over notes on rows: how many have results without a meaning or in doubt, and why cells are empty.
 
     `reported`: the bits of the doubts to report; `where`: the page of the guide to refer to.
     """
@@ -253,7 +257,7 @@ def about_rows(tally: "Tally", reported: int, where: str) -> Iterator[Note]:
             fraction = f"{tally.with_doubts(bits)} of {tally.rows} rows"
             yield Note(severity, f"{subject} in {fraction} ({where}): {first_of(texts, most)}")
     for number, first, words in tally.gaps.values():
-        others = f", likewise {number - 1} more" if number > 1 else ""
+        others = f" and {number - 1} other{'s' * (number > 2)}" if number > 1 else ""
         yield Note("caveat", f"{words}: row {first}{others}")
 
 
@@ -302,9 +306,10 @@ def notes_on_rows(groups: Sequence[Group], tally: "Tally", reported: int) -> lis
 
 
 def notes_below(groups: Sequence[Group], tally: "Tally", reported: int, *, is_table: bool) -> list[Note]:
-    """Return the notes below counted rows; other lines explain the codes in a table.
+    """Return the notes to print below rows.
 
-    `reported`: the bits of the doubts to report.
+    `reported`: the bits of the doubts to report; `is_table`: True to report only those that end the meaning of a
+    result, as other lines explain the codes in a table.
     """
     return notes_on_rows(groups, tally, reported & ENDING_MEANING if is_table else reported)
 
@@ -323,7 +328,7 @@ def lines_of(notes: Sequence[Note], *, has_head: bool = False, quiet: bool = Fal
     """Return the lines below an answer or rows, ending with a hint if there is more; the warning alone if `quiet`.
 
     They are the assumptions, the warning, the first answering sentence and the first of the other notes. `has_head`:
-    True below a table whose header has the assumptions; then all notes of materials follow.
+    True below a table whose header has the assumptions; then all notes of severity "data" follow.
     """
     texts = _texts_by_severity(notes)
     warning = _warning(texts["warning"])

@@ -58,7 +58,7 @@ _QUESTIONS = {
         "yield_force yield_force_fixed_load yield_force_ratio yield_moment yield_angle yield_displacement",
         leads="pushed at its centre, a sphere starts to roll at {yield_force}",
     ),
-    "r-min": _question("r_min", leads="a chain bends down to a radius of {r_min} before one of its contacts rolls"),
+    "r-min": _question("r_min", leads="the tightest bend of a chain, before one of its contacts rolls, is {r_min}"),
     "n-grav": _question(
         "n_grav",
         "n_grav gravity_moment bond_number",
@@ -76,8 +76,8 @@ _QUESTIONS = {
     "n-roll": _question(
         "n_roll",
         "n_roll_after_impact n_roll n_roll_energy_balance",
-        leads="turns against the other sphere: {n_roll_energy_balance} if it rolls from the start{after_impact}, "
-        "{n_roll} once it has slid{or_none}",
+        leads="turns against the other sphere, if it rolls: {n_roll_energy_balance} without slip{after_impact}, "
+        "{n_roll} after sliding{or_none}",
     ),
     "contact": _question(
         "contact_radius_at_load approach_at_load",
@@ -124,7 +124,7 @@ QUESTIONS: Mapping[str, Question] = {
         "sticking_speed_pencil_code",
         leads="separating the spheres takes {pull_off_work} if they are free or held by stiff grips, "
         "{pull_off_work_at_dead_load} by a soft spring (most AFMs)\n"
-        "rolling by a quarter turn takes {roll_energy_quarter_turn} with the full moment, as D&T 97\n"
+        "rolling by a quarter turn takes up to {roll_energy_quarter_turn}, as D&T 97: the full moment all the way\n"
         "the sticking speed is {sticking_speed}",
         groups={
             "by other conventions": "fold_energy break_energy_dust_simulation "

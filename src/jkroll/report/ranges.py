@@ -98,9 +98,9 @@ def held_on_surfaces(frame: Frame) -> str:
     """Return the pull-off force of real surfaces: for SiO2 as measured, for other solids as a fraction of JKR's."""
     radii = frame.numbers("radius", "radius2").values()
     if min(radii, default=2 * frame["reduced_radius"]) < SURFACES_FROM:
-        return "rough ones hold less (from R = 1 µm on, 1/2 to 1/100 was measured)"
+        return "rough ones hold less (1/2 to 1/100 at R ≥ 1 µm, not measured at this size)"
     if solid_of_pair(frame) != SIO2:
-        return "rough spheres hold less: SiO2, which alone was measured, held 1/2 to 1/100 of JKR's force"
+        return "rough spheres hold less: SiO2, the only solid measured, held 1/2 to 1/100 of JKR's force"
     forces = (f"{span('pull_off_force', *ends)} ({surface})" for surface, ends in on_surfaces(frame).items())
     return f"real surfaces hold {', '.join(forces)}"
 
@@ -109,24 +109,24 @@ def about_surfaces(frame: Frame) -> str:
     """Return the fractions of JKR's pull-off force that were measured, and the surfaces they belong to."""
     parts = ", ".join(f"{surface.fraction} ({surface.spheres})" for surface in SURFACES.values())
     energy, radius = amount("surface_energy", ENERGY_ON_SURFACES), amount("radius", frame["radius"])
-    return f"parts of JKR's force at γ = {energy}, scaled to {radius}: {parts}"
+    return f"fractions of JKR's force at γ = {energy}, scaled to {radius}: {parts}"
 
 
 _OF_SMOOTH = "P_c is that of smooth, dry spheres: rough ones hold less"
 _SEEN = f"hard spheres were seen to stick at 1–{MOST_SEEN} times JKR's speed"
 _WORDS: Mapping[int, str] = {
-    MEASURED: f"{_SEEN}; SiO2 of 0.1–3 µm: as measured, scaled",
-    SCALED: "from forces that were measured on this solid, by R^(2/3) to R",
+    MEASURED: f"{_SEEN}; for SiO2 of 0.1–3 µm, the measured speeds, scaled",
+    SCALED: "from forces measured on this solid, scaled with R^(2/3) or R",
     XI_UNKNOWN: "not measured; from 2 Å (one atom) to where all of w is lost (--xi)",
-    ADHESION_ONLY: "adhesion alone loses at most this; any other loss comes on top",
-    FRICTION_ASSUMED: "an order of magnitude, τ/3 to 3τ (--shear-strength), on JKR's area",
+    ADHESION_ONLY: "the most that adhesion alone can dissipate; any other loss adds to it",
+    FRICTION_ASSUMED: "from τ/3 to 3τ, as τ is uncertain (--shear-strength); JKR's area",
     SPACING_ASSUMED: "from z0 = 2 Å to 4 Å; --z0 narrows it",
-    BOUNDS: "JKR's holds for soft spheres, DMT's for hard ones; E and ν decide",
+    BOUNDS: "JKR's force for soft spheres, DMT's for hard ones; E and ν decide",
     LAW_ONLY: "no better law gives it",
-    KELVIN: "condensed water at 25 °C, smooth bodies: compare with P_c, do not add",
-    GAP: "a gap lowers the force of a meniscus, to none where it just fills",
+    KELVIN: "water condensed at 25 °C between smooth bodies; F_men does not add to P_c",
+    GAP: "a gap lowers the meniscus force, to zero when water only just fills it",
     BETTER_LAW: "the better law here, over z0 = 2–4 Å (--z0)",
-    LAW_IN_USE: "Maugis' law is within 5 % of it; the range covers both",
+    LAW_IN_USE: "in these rows within 5 % of Maugis' law; the range covers both",
 }
 
 
@@ -135,15 +135,15 @@ _WORDS: Mapping[int, str] = {
 
 def _kelvin(answer: Answer) -> Iterator[str]:
     if "roughness_gap" in answer.frame.given:
-        yield "condensed water at 25 °C; adsorbed water may bridge a gap before"
+        yield "water condensed at 25 °C; adsorbed water may bridge a gap at a lower humidity"
         yield "forces of menisci were measured from 2 % humidity on"
         return
     if "meniscus_force" not in answer.values:
-        yield "condensed water at 25 °C"
+        yield "water condensed at 25 °C"
         return
     yield _WORDS[KELVIN]
     yield "water changes γ, too"
-    yield "roughness lowers both: SiO2 of 10 µm on smooth glass had 1/8–1/5 of F_men at 67 %"
+    yield "roughness lowers P_c and F_men: SiO2 of 10 µm on smooth glass had 1/8–1/5 of F_men at 67 % humidity"
     yield "--roughness 2nm says when a gap fills"
 
 
@@ -151,8 +151,10 @@ def _better_law(answer: Answer) -> Iterator[str]:
     frame = answer.frame
     low, high = least_spacing(frame), frame["atomic_spacing"]
     spacing = f"z0 = {_angstroms(low, high)}{' (--z0)' if frame.assumes_spacing else ''}"
-    with_bars = ", with your error bars" if answer.described.uncertainties else ""
-    yield f"the better law at this size and stiffness, over {spacing}{with_bars}"
+    if answer.described.uncertainties:
+        yield f"the better law here, over {spacing}, with your error bars"
+    else:
+        yield f"the better law at this size and stiffness, over {spacing}"
     errors = _errors(answer)
     if any(errors.values()):
         yield _how_far_off(errors, frame.law.short)
@@ -182,7 +184,10 @@ def _how_far_off(errors: _Errors, law: str) -> str:
 
 
 def _errors(answer: Answer) -> _Errors:
-    """Return how far the law in use is above and below the better law's ranges; empty if that has no single answer."""
+    """Return how far the law in use is above and below the better law's ranges.
+
+    It is empty if a value lies inside its range, or if inputs are uncertain.
+    """
     errors: _Errors = {"high": {}, "low": {}}
     if answer.described.uncertainties:
         return errors
@@ -221,14 +226,14 @@ def _measured(answer: Answer) -> Iterator[str]:
         yield "silica, ices and silver were measured; adhesion is not their only loss"
         return
     first, last = (f"{significant(stuck.at(radius), 2)} m/s (R = {amount('radius', radius)})" for radius in stuck.radii)
-    seen, bar = f"from {first}, {last} of {solid_of_pair(answer.frame)}", f"±{100 * stuck.error:.0f} %"
+    seen, bar = f"from {first} and {last} of {solid_of_pair(answer.frame)}", f"±{100 * stuck.error:.0f} %"
     if stuck.is_near(answer.frame):
         yield f"{seen}, {bar}"
-        yield f"they stuck to a plane; the speed is proportional to R^{stuck.exponent}"
+        yield f"the spheres stuck to a plane; the speed is proportional to R^{stuck.exponent}"
         yield _above_law(answer)
         return
-    yield f"{seen}, whatever γ"
-    yield f"{bar}; they stuck to a plane; scaled to this size like {answer.frame.law.short}'s speed"
+    yield f"{seen}, any γ"
+    yield f"{bar}; the spheres stuck to a plane; scaled to this size like {answer.frame.law.short}'s speed"
     yield _above_law(answer)
     yield "the effect of γ was not measured"
 
@@ -253,14 +258,14 @@ def _scaled(answer: Answer) -> Iterator[str]:
     if rolled.name != XI and not {"surface_energy", "work_of_adhesion"}.isdisjoint(frame.stated):
         yield f"from {measured}, not from your γ"
     else:
-        yield measured if is_alike else f"from {measured}, by R^(2/3) to R"
+        yield measured if is_alike else f"from {measured}, with R^(2/3) or R"
     yield f"source: {rolled.source}"
     if is_alike:
         return
     low, high = ("R", "R^(2/3)") if radius < rolled.radius else ("R^(2/3)", "R")
     ratio = significant(max(radius / rolled.radius, rolled.radius / radius), 3)
-    to = f"{amount('radius', radius)}, {ratio} times {'smaller' if radius < rolled.radius else 'larger'}"
-    yield f"to {to}, low end with {low}, high end with {high}"
+    to = f"{amount('radius', radius)}, which is {ratio} times {'smaller' if radius < rolled.radius else 'larger'}"
+    yield f"scaled to {to}: the low end with {low}, the high end with {high}"
     yield _as_displacement(answer)
     yield _ceiling(answer)
 
@@ -268,8 +273,8 @@ def _scaled(answer: Answer) -> Iterator[str]:
 def _as_displacement(answer: Answer) -> str:
     """Return the displacement that measured forces imply by the law in use."""
     low, high = answer.ranges.of_laws(XI, SCALED)[0]
-    least = ", of at least one atom" if low == answer.frame.values.get(XI) else ""
-    return f"in {answer.frame.law.short} the range is that of ξ = {span(XI, low, high)}{least}" if low < high else ""
+    least = ", with one atom as the least ξ" if low == answer.frame.values.get(XI) else ""
+    return f"by {answer.frame.law.short} the range is that of ξ = {span(XI, low, high)}{least}" if low < high else ""
 
 
 def _ceiling(answer: Answer) -> str:
@@ -289,15 +294,15 @@ def _xi_unknown(answer: Answer) -> Iterator[str]:
     rolled = what_rolled(answer.frame)
     at = "on this solid" if rolled is None else "at this size" if rolled.has_energy(answer.frame) else "at this γ"
     most = answer.ranges.at_full_hysteresis(XI)[1]
-    by_law = "" if answer.frame.law.name == BETWEEN else ", by Maugis"
-    at_most = "its limit" if isnan(most) else span(XI, most, most)
-    yield f"not measured {at}; from 2 Å (one atom) to {at_most}{by_law}"
-    yield "ξ is how far the contact shifts before it rolls; at its upper end all of w is lost"
+    by_law = "" if answer.frame.law.name == BETWEEN else "by Maugis, "
+    at_most = "where all of w is lost" if isnan(most) else f"{span(XI, most, most)} (all of w lost)"
+    yield f"not measured {at}; {by_law}from 2 Å to {at_most}"
+    yield "ξ is how far the contact shifts before it rolls, 2 Å about one atom"
     yield _of_measured_solid(answer)
 
 
 def of_silica(answer: Answer) -> str:
-    """Return the headline by rolling forces measured on SiO2, for a question without a material; empty without any."""
+    """Return the ranges of the headline if the spheres are of SiO2, on which rolling was measured; empty if none."""
     silica = Frame(answer.frame.stated, known_materials()["quartz"])
     if not isinstance(answer.frame.given.get("radius"), float):
         return ""
@@ -319,7 +324,7 @@ def _of_measured_solid(answer: Answer) -> str:
     radius = 2 * answer.frame["reduced_radius"]
     if rolled.has_energy(answer.frame):
         at, here = (amount("radius", each) for each in (rolled.radius, radius))
-        return f"the forces that rolled {solid} at {at} are in it, too, scaled as far as to {here}"
+        return f"the range also includes the forces that rolled {solid} at {at}, scaled to {here}"
     if not rolled.has_size(radius) or "yield_force" not in answer.estimates:
         return ""
     energies = span("surface_energy", *rolled.energies)
@@ -330,12 +335,12 @@ def _of_measured_solid(answer: Answer) -> str:
 def _adhesion_only(answer: Answer) -> Iterator[str]:
     most = 2 if answer.frame.assumes_spacing else 1
     if answer.described.unknowns:
-        yield "an upper limit: adhesion is held to cause all losses"
+        yield "an upper limit: adhesion is assumed to cause all losses"
     elif answer.frame.numbers("tabor_parameter").get("tabor_parameter", INFINITY) * most >= JUMP:
-        yield "adhesion alone leaves the higher end; any other loss lowers it"
+        yield "the upper end has adhesion as the only loss; any other loss lowers it"
     else:
-        yield "JKR's loss at most, as such spheres part without a jump"
-        yield "the solids dissipate the rest; any other loss lowers e, which is 0 if they stick"
+        yield "at most JKR's loss, as spheres so small part without a jump"
+        yield "losses in the solids add to it, and lower e, which is 0 if the spheres stick"
 
 
 def _by_dmt(answer: Answer) -> str:
@@ -344,7 +349,7 @@ def _by_dmt(answer: Answer) -> str:
     texts = [
         f"{symbol_among(name, answer.inputs)} = {span(name, *2 * (middle(value),))}" for name, value in found.items()
     ]
-    return f"; by DMT's, for hard spheres, {', '.join(texts)}" if texts else ""
+    return f"; by DMT's law, for hard spheres, {', '.join(texts)}" if texts else ""
 
 
 def _law_only(answer: Answer) -> Iterator[str]:
@@ -352,7 +357,7 @@ def _law_only(answer: Answer) -> Iterator[str]:
     if lack:
         yield lack
     elif answer.frame.missing(["tabor_parameter"]):
-        yield f"which law holds needs Young's modulus and Poisson's ratio{_by_dmt(answer)}"
+        yield f"Young's modulus and Poisson's ratio decide which law holds{_by_dmt(answer)}"
     else:
         yield _WORDS[LAW_ONLY]
 

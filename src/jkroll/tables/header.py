@@ -35,7 +35,7 @@ from .reading import (
 from .unread import NOT_READ, Supply, decided_by, judged
 from .words import MATERIALS, fits, headed, key, unit_for
 
-_NOT_USED = "a value takes one ± column, or one of minus and one of plus; a range takes a low and a high column only"
+_NOT_USED = "a value takes one ± column, or a minus and a plus column; a range takes only a low and a high column"
 _MAX_LISTED = 60  # maximum number of columns that a message names
 _OF_DIRECTIONS = r"(?i)\s*((G|nu|ν)_?(12|13|23|xy|xz|yz)|E_?3)(?![^\W_])"
 _MARKS = {"both": "± ", "minus": "− ", "plus": "+ ", "low": "from ", "high": "to "}
@@ -43,7 +43,7 @@ _HEADER_AND_INPUT = r"(.*)(?<!\(k)(?<!\(k )=(.*)"  # the = of (k=2) is part of a
 _ENDS = ("low", "high")
 _SHAPES = (("", "both"), ("", "minus", "plus"), ("",), _ENDS)  # the columns that together give one value
 _Parts = Mapping[str, Reading]  # the columns of an input: "" for the value, other keys for its uncertainty
-_VALUE, _UNIT, _NO_UNIT = "value", "unit", "neither has a unit"  # kinds of cells
+_VALUE, _UNIT, _NO_UNIT = "value", "unit", "no unit in the header or in the first cell"  # kinds of cells
 
 
 class Header(NamedTuple):
@@ -231,8 +231,8 @@ def _unused(columns: _Parts, used: _Parts) -> list[Reading]:
 def _is_doubled(name: str, used: Mapping[str, _Parts], rows: Sequence[Sequence[str]]) -> bool:
     """Return whether an input repeats another, as a diameter next to a radius or G next to E, so that it may pass.
 
-    Of the first rows, some must have the input, and these must also have the other. A column given by `--column` is
-    always read.
+    That holds if at least one of the first rows has the input, and every such row also has the other input. A column
+    given by `--column` is always read.
     """
     parts, others = used[name], used.get(CONVERTED.get(name, ""), {})
     if not others or any(reading.is_stated for reading in parts.values()):
@@ -266,7 +266,8 @@ def _with_suffix(reading: Reading, known: Mapping[str, str], measured: str) -> R
             symbol = "" if split.is_explicit else symbol_of(split.word)
             names = _with_symbol(symbol, known) if symbol else []
         if names and split.unit and not means_other(split, names[0]):
-            problem = reading.problem if reading.name == names[0] else f"the text after {names[0]} is not read"
+            of_word = f"the text after {quoted(split.word)} is not read"
+            problem = reading.problem if reading.name == names[0] else of_word
             return reading._replace(name=names[0], part=UNREAD, problem=problem, meant=())
     return reading
 
@@ -301,7 +302,7 @@ def _twice(first: Reading, second: Reading) -> BadTable:
 
 
 def meaning_of(text: str, cells: Sequence[str], stated: Mapping[str, str], measured: str) -> Reading:
-    """Return the meaning of a column from `--column`, or else from its header if the cells agree."""
+    """Return the meaning of a column from `--column`, or else from its header, unless the cells contradict it."""
     cells = [cell.strip() for cell in cells if not has_no_value(cell)]
     cell = cells[0] if cells else ""
     reading = reading_of(stated.get(typed(text), text), measured)._replace(is_stated=typed(text) in stated)
@@ -345,7 +346,7 @@ def _with_problem(reading: Reading) -> Reading:
 
 
 def _in_context(readings: Sequence[Reading], given: Collection[str]) -> Iterator[Reading]:
-    """Iterate over readings, each corrected for the other headers of the table."""
+    """Iterate over readings, each revised in view of the other headers of the table."""
     names = {*given, *(reading.name for reading in readings if reading.is_input)}
     is_of_two = not names.isdisjoint(("radius2", "diameter2"))
     moduli = [reading for reading in readings if of_sphere(1, reading.name) in ("youngs_modulus", "shear_modulus")]
@@ -370,7 +371,7 @@ def _in_context(readings: Sequence[Reading], given: Collection[str]) -> Iterator
 
 
 def _values_in(readings: Sequence[Reading]) -> dict[str, Reading]:
-    """Return the column of each input's value, or of its last end if the input is a range without a value."""
+    """Return the column of each input's value; for a range without a value, the last of its two end columns."""
     values = {reading.name: reading for reading in readings if reading.is_input and not reading.part}
     ends: dict[str, Reading] = {}
     for reading in readings:
@@ -382,8 +383,8 @@ def _values_in(readings: Sequence[Reading]) -> dict[str, Reading]:
 def _of_value(reading: Reading, left: Reading, values: Mapping[str, Reading], given: Collection[str]) -> Reading:
     """Return the reading of an uncertainty, with the input to which it belongs.
 
-    An uncertainty without a name belongs to the column on its left. A symbol that may mean several inputs means the
-    only one with a column. The header may also repeat a header given by `--column`, with a suffix.
+    An uncertainty without a name belongs to the column on its left. If a symbol may mean several inputs and only one of
+    them has a column, it means that one. The header may also repeat a header given by `--column`, with a suffix.
     """
     name, part = reading.name, reading.part
     if not reading.of and not name:
@@ -413,7 +414,10 @@ def _error_column(name: str, values: Mapping[str, Reading]) -> str:
 
 
 def _uncertain_instead(reading: Reading, values: Mapping[str, Reading]) -> str:
-    """Return the input whose uncertainty a header such as Δγ is, if that input excludes the one first read; else ""."""
+    """Return γ for a header such as Δγ that was first read as another input, if the two exclude each other; else "".
+
+    The header is then the uncertainty of γ.
+    """
     text = normalized(reading.text)
     rest = re.sub(words.DIFFERENCE, "", text)
     is_difference = rest != text and reading.is_input and not reading.is_stated
@@ -436,10 +440,7 @@ def _used(name: str, columns: _Parts) -> _Parts:
     others = [reading for part, reading in columns.items() if part not in shape]
     is_end = "" not in columns and not columns.keys().isdisjoint(_ENDS)
     if others and ((is_end and not shape) or any(reading.is_stated for reading in others)):
-        raise BadTable(
-            f"header: {quoted(others[0].text)} alone is not an uncertainty of {name}: a value takes one ± column, or "
-            "one of minus and one of plus; a range takes a low and a high column only"
-        )
+        raise BadTable(f"header: {quoted(others[0].text)} does not complete an uncertainty of {name}: {_NOT_USED}")
     return {part: columns[part] for part in shape}
 
 
@@ -476,7 +477,8 @@ def _refusal(readings: Sequence[Reading]) -> BadTable:
     """Return the error for columns that may be inputs but cannot be read."""
     ways = [*filter(None, map(_way, readings))]
     if any(reading.problem == _UNIT for reading in readings):
-        return BadTable(f"header: the first row has units. Delete it, and write {' '.join(ways)}")
+        problem = "header: the row below holds units, not values"
+        return BadTable(f"{problem}. Delete that row, and write {' '.join(ways)}")
     texts: dict[str, list[str]] = {}  # by problem
     for reading in readings:
         cell = f" (first cell {quoted(reading.cell)})" if reading.cell else ""

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from ..quantities.nomenclature import NOMENCLATURE, of_sphere
 from ..quantities.units import PREFIXES, is_in_table
-from ..text import ascii_text, composed
+from ..text import ascii_text, composed, quoted
 from . import words
 from .words import MATERIALS, Meaning, fits, headed, key, spelt_out, squeezed, unit_for
 
@@ -311,7 +311,7 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
                 return None
             of_body = names if split.is_explicit else names[:1]
             meant = [*map(headed, of_body)] if split.unit[0].isalpha() and all(map(words.is_like_unit, tail)) else []
-            problem = f"the text after {name} is not its unit"
+            problem = f"the text after {quoted(split.word)} is not its unit"
             return Reading(name, problem=problem, meant=meant, names=of_body)
         unit_text = unit_for(split.unit, name, is_explicit=split.is_explicit and is_in_table(split.unit))
         is_telling = is_slip and len(word) > 4 and name not in MATERIALS and not split.unit

@@ -20,7 +20,7 @@ from ..text import ascii_text, wrapped
 
 SKIN = 0.2  # skin of the neighbor lists, in units of the smaller radius
 LEAST_SKIN = 0.4  # least skin in units of δ0: before the gap is this wide, a contact breaks
-WIDTH = 80  # of comments
+WIDTH = 78  # of comments, after "# "
 NO_SLIP = 1e9  # a coefficient of friction that prevents slip, for laws without a sliding force
 
 USUAL = ("yield_moment", "pull_off_force", "rolling_stiffness", "tangential_stiffness", "time_step")

@@ -242,7 +242,7 @@ def _suits(unit: _ShownUnit, sizes: Sequence[float]) -> bool:
 
 
 def _grouped(rows: _Rows, question: "Question") -> list[list[str]]:
-    """Return the rows of results; those of each group follow the others, below its title."""
+    """Return the rows of results: first the rows without a group, then each group below its title."""
     of_group = {name: title for title, names in question.groups.items() for name in names}
     grouped = [row for name, row in rows.items() if name not in of_group]
     for title, names in question.groups.items():
@@ -277,13 +277,10 @@ def _of_results(rows: Sequence[Sequence[str]], law: str) -> list[TextColumn]:
     if {row[3] for row in rows} <= {law, WORDS[DEFINITION], WORDS[ANY_LAW], "–", ""}:
         heads, rows = ["quantity", "symbol", law, "unit"], [[*row[:2], *row[5:]] for row in rows]
     else:
-        heads = ["quantity", "symbol", _BEST_RANGE, "by", f"plain {law}", "unit"]
+        heads = ["quantity", "symbol", _BEST_RANGE, "by", law, "unit"]
         rows = [[*row[:5], row[6]] for row in rows]
     columns = text_columns([heads, *rows], words=2)
-    columns = [column._replace(is_right=column.head not in (*heads[:2], "by", "unit")) for column in columns]
-    if not fit_terminal(columns):
-        columns = [column._replace(head=column.head.removeprefix("plain ")) for column in columns]
-    return columns
+    return [column._replace(is_right=column.head not in (*heads[:2], "by", "unit")) for column in columns]
 
 
 def _range(estimate: "Estimate | None", unit: _ShownUnit, form: Format) -> list[str]:
@@ -395,8 +392,8 @@ def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str], 
     if lead:
         yield lead
     if to_take:
-        limit = ": an upper limit, of ideally smooth spheres" if names == ["pull_off_force"] else ""
-        yield f"take {listed(to_take)}, not the columns by {LAWS[DEFAULT_LAW].short}{limit}"
+        hold = ": what ideally smooth spheres hold; rough ones hold less" if names == ["pull_off_force"] else ""
+        yield f"take {listed(to_take)}{hold or f', not the columns by {LAWS[DEFAULT_LAW].short}'}"
     yield leading, results
     yield from lines_on_rules([int(by) for by in rules if not isnan(by)])
     yield from lines_on_codes(" ".join(shown).split())
