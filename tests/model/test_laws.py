@@ -275,7 +275,7 @@ def test_an_answer_by_jkr_states_how_far_it_is_from_maugis_law(run: Run) -> None
     assert text == "Maugis: the better law at this size and stiffness, over z0 = 2–4 Å (--z0)"
     (best,) = (one["best"] for one in json.loads(run("pull-off quartz 100nm --json").out)["results"][:1])
     assert best["by"] == "Maugis"
-    assert best["why"].startswith(f"{text.partition(': ')[2]}; JKR is 17–23 % too low; Tabor parameter 0.14–0.27")
+    assert best["why"].startswith(f"{text.partition(': ')[2]}; JKR is 17–23 % too low (P_c); Tabor parameter 0.14–0.27")
 
 
 @pytest.mark.parametrize(

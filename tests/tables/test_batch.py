@@ -352,7 +352,7 @@ def test_option_quantities_takes_names_and_commands(run: Run) -> None:
         run("batch", table(GRAINS), "--quantities", "pulloff").err
         == "jkroll: 'pulloff' is not a quantity; did you mean pull_off_force? jkroll quantities lists them\n"
     )
-    said = "jkroll: --quantities: load is an input here, which the table already shows; leave it out\n"
+    said = "jkroll: --quantities: load is an input here, which results do not repeat; leave it out\n"
     assert run("batch", table(GRAINS), "--quantities", "load", "--quiet").err == said
 
 

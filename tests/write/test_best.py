@@ -2,13 +2,16 @@
 
 import csv
 import re
+from itertools import product
 from typing import Any
 
 import pytest
 
 from harness import Run
 from jkroll import answer, solve
+from jkroll.model.estimate import WORDS
 from jkroll.quantities.formatting import significant
+from jkroll.report.ranges import lines_on_rules
 from relative import approx
 
 QUARTZ: dict[str, Any] = {"material": "quartz", "radius": 1e-7}
@@ -110,3 +113,26 @@ def test_explanations_have_the_power_law_of_a_result(run: Run) -> None:
     powers = dict(word.split("^") for word in re.findall(r"power law (.*)", under_load)[0].split())
     ends = [solve("approach_at_load", **QUARTZ, load=load) for load in (-5.001e-9, -4.999e-9)]
     assert float(powers["P"]) == approx(2500 * (ends[0] - ends[1]) / ends[0], rel=0.01)
+
+
+REASONED = [
+    "report {} {}", "impact {} {} --speed 1m/s", "energies {} {}", "resistances {} {}", "pull-off {} {} --humidity 60%",
+    "pull-off {} {} --humidity 60% --roughness 2nm", "infer gamma {} {} --measured v_stick=1m/s",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("words", REASONED)
+def test_each_rule_has_a_reason_of_one_line(run: Run, words: str) -> None:
+    """The rows of surfaces are an exception: they have fractions and spheres of three sorts."""
+    for material, size in product(("quartz", "silica-dry", "iron", "ice-warm", "PS", "mica"), ("2nm", "100nm", "20um")):
+        ran = run(words.format(material, size), terminal=True)
+        table = ran.out.partition("───\n")[2].splitlines()
+        below = [line for line in table if re.match(rf"({'|'.join(map(re.escape, WORDS[1:]))}): ", line)]
+        follows = [table[table.index(line) + 1] for line in below if table.index(line) + 1 < len(table)]
+        assert not [line for line in follows if line.startswith("  ")], (material, size)
+
+
+def test_reasons_of_a_list_have_one_line() -> None:
+    texts = [*lines_on_rules(range(len(WORDS)))]
+    assert len(texts) > 10
+    assert [text for text in texts if len(text) > 80] == []

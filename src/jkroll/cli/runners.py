@@ -55,7 +55,7 @@ def run_question(call: Call) -> int:
     form = call.form(shown or question.quantities)  # after `sweep`, which reports bad inputs
     for name in question.named:
         if name in frame.stated or (name in frame.values and formula_of(name) is None):
-            raise BadRequest(f"--quantities: {name} is an input here, which the table already shows; leave it out")
+            raise BadRequest(f"--quantities: {name} is an input here, which results do not repeat; leave it out")
     return answer_rows(call, sweep, question, form)
 
 
@@ -137,10 +137,11 @@ def _write_columns(
         write_file(wanted, every, form, call.target, doubt=not call.no_doubt, quiet=call.quiet)
     elif is_table:
         from ..report.curve import lead_of_curve
+        from ..report.leads import lead_of_rows
         from ..write.table import sweep_table
 
         for columns in every:
-            lead = "" if single is None else lead_of_curve(single)
+            lead = lead_of_rows(groups, wanted.names) if single is None else lead_of_curve(single)
             sweep_table(columns, sys.stdout, form, assumed_in(groups), lead)
     else:
         from ..write.writers import WRITERS, written
@@ -227,7 +228,8 @@ def _write_answers(
             write_plain(next(watched()), out, form, best=call.best)
         out.flush()
     if single is not None and call.output.has_rows:
-        for line in lines_of(_notes_of(single, has_table=call.output.for_readers), quiet=call.quiet):
+        notes = _notes_of(single, has_table=call.output.for_readers)
+        for line in lines_of(notes, has_more=single.has_more_reasons, quiet=call.quiet):
             say_wrapped(line, sys.stderr)
     return _exit_code(call, len(failures), count, failures[0] if failures else None)
 
@@ -323,6 +325,7 @@ def _failure_of_all(answers: "Iterable[Report]") -> JkrollError | None:
 
 def run_export(call: Call) -> int:
     """Write the contact of a pair as input for a program; return the exit code."""
+    from ..model.limits import ROUGH_MATTERS
     from ..report.leads import options_for_centre
     from ..report.notes import Note, about_middles, by_severity
     from ..report.report import Report
@@ -348,7 +351,7 @@ def run_export(call: Call) -> int:
     lacking = frame.missing(program.quantities)
     names = tuple(name for name in program.quantities if name not in lacking)
     answer = Report(Question(names, names), frame)
-    ranges = Note("lead", f"best ranges (jkroll report says why): {answer.best_ranges}")
+    ranges = Note("lead", f"best ranges (jkroll report and resistances explain them): {answer.best_ranges}")
     lines = [note.line for note in (ranges, *about_middles(answer.uncertain))]
     lines += [note.line for note in by_severity(answer.sentences) if note.severity != "more"]
     if program.about:
@@ -358,9 +361,11 @@ def run_export(call: Call) -> int:
         return 0
     options = options_for_centre(answer)
     if options:
-        plain = f"Take these lines for the paper's model, plain {frame.law.short}."
-        best = f"For the likely P_c and M of smooth spheres run again with {options}."
-        say(comment_of(f"{plain} {best} Rough grains hold 1/2 to 1/100 of P_c: lower gamma as much."), sys.stdout)
+        text_of = (
+            f"Plain {frame.law.short}, the paper's model. For the likely P_c and M of smooth spheres add {options}"
+        )
+        real = "; for real grains lower gamma in proportion to P_c (note below)"
+        say(comment_of(f"{text_of}{real if answer.is_in_doubt(ROUGH_MATTERS) else ''}."), sys.stdout)
     sys.stdout.write(text)
     for line in lines:
         say(comment_of(line), sys.stdout)

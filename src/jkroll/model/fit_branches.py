@@ -493,7 +493,7 @@ def _of_radii(curve: ForceCurve, remarks: dict[str, str]) -> Branches:
         parts = {UNLOADING: curve}
     if curve.z_error is None or curve.force_error is None:
         remarks["equal-errors"] = (
-            "radii and loads are assumed to have equal errors, relative to their ranges (or columns of errors)"
+            "radii and loads are assumed to have equal errors, relative to their ranges, unless columns give errors"
         )
     ranges = [float(numpy.ptp(column)) / 200 for column in (curve.z, curve.force)]
     branches = {}

@@ -112,7 +112,7 @@ class Inverse(Frame):
         """
         solids = [solid.name for solid, _ in self.materials]
         if solids[1:] and not all(solids) and not {*PROPERTIES}.isdisjoint(self.unknowns):
-            raise BadRequest("an unknown property needs one material in all rows; otherwise its sphere is not known")
+            raise BadRequest("an unknown property needs a material in every row; otherwise its sphere is not known")
         start = self.near.solution.positions if self.near is not None and self.unknowns[1:] else None
         try:
             return solved(self.problem, start)

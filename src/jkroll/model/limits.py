@@ -162,6 +162,7 @@ JUMP = 0.7  # Tabor parameter below which contacts by Lennard-Jones' 3-9 law hav
 STICKING_UNSURE = "sticking-unsure"
 ROUGH_MATTERS = "rough-matters"
 GAP_STAYS_DRY = "gap-stays-dry"
+FLIES_OFF = "flies-off"
 WIDE_CONTACT = "wide-contact"
 _PUSHED = frozenset({"yield_force", "yield_force_fixed_load", "yield_force_ratio"})
 _TURNS = frozenset({"n_roll", "n_roll_energy_balance", "n_roll_after_impact"})
@@ -251,7 +252,7 @@ ENDING = (
     _too_slow("n_roll_after_impact", 7 / 5, "does-not-roll-after-impact", "after impact 5/7 of the energy is left,"),
     _too_slow("n_roll_energy_balance", 1.0, "does-not-roll", "its energy is"),
     Limit(
-        "flight_ratio", _TURNS, ">", {1.0: "flies-off"},
+        "flight_ratio", _TURNS, ">", {1.0: FLIES_OFF},
         "too fast to roll around body 2: it flies off",
         ends_meaning=True,
     ),
@@ -272,7 +273,7 @@ ENDING = (
 LAW = Limit(
     "tabor_parameter", _ELASTICITY, ">",
     {LAW_MATTERS: "law-off-5%", 1.25: "law-off-25%", 2.0: "law-off-2x"},
-    "differs from Maugis' law, the better one, by more than that",
+    "differs from Maugis' law, the better one",
     factor=factor_of_law,
 )  # fmt: skip
 INEXACT = (
@@ -297,7 +298,7 @@ INEXACT = (
     ),
     Limit(
         "speed_over_sticking", frozenset({"restitution", "sticking_speed"}), ">", {1.0: "bounces"},
-        "free spheres that collide head-on bounce by adhesion alone; other losses let them stick at higher speeds",
+        "free spheres that collide head-on bounce if adhesion is the only loss; others let them stick at higher speeds",
         _has_speed,
         is_shown=False,  # the restitution already shows this
     ),
@@ -339,7 +340,7 @@ INEXACT = (
     ),
     Limit(
         "radius", _PULLED, ">=", {SURFACES_FROM: ROUGH_MATTERS},
-        "rough spheres held 1/2 to 1/100 of this",
+        "real spheres held 1/100 to 4/5 of this",
         lambda _, names: not _PULLED.isdisjoint(names),
         factor=lambda frame, _: at_most(frame["radius"], frame["radius2"]),
         where=may_be_rough,
@@ -368,7 +369,7 @@ INEXACT = (
     ),
     Limit(
         "hertz_pressure_over_modulus", _ELASTICITY, ">", {0.1: "may-yield"},
-        "the pressure exceeds the strength even of a flawless solid: a rough guide; no plasticity is modelled",
+        "the pressure exceeds even the strength of a flawless solid: take numbers as rough; no plasticity is modelled",
         where=_is_not_rubbery,
     ),
     Limit(

@@ -286,11 +286,11 @@ def values_of(frame: Frame, names: Sequence[str]) -> dict[str, Any]:
     }
 
 
-def refuse_arrays(described: Mapping[str, Any]) -> None:
-    """Raise QuantityError for an array where only a single scene is allowed."""
+def refuse_arrays(described: Mapping[str, Any], mistake: str, remedy: str) -> None:
+    """Raise QuantityError for an array where only a single scene is allowed. `mistake`, `remedy`: its words."""
     for name, value in described.items():
         if not (isinstance(value, float) or is_uncertain(value)):
-            raise QuantityError(name, "an array", "does not go together with an uncertain input", "use jkroll.table")
+            raise QuantityError(name, "an array", mistake, remedy)
 
 
 def with_uncertainties(frame: Frame, described: Mapping[str, Any], values: Mapping[str, float]) -> dict[str, Any]:
@@ -298,7 +298,7 @@ def with_uncertainties(frame: Frame, described: Mapping[str, Any], values: Mappi
 
     Raises an error if a quantity has no value at some point within the uncertainties.
     """
-    refuse_arrays(described)
+    refuse_arrays(described, "does not go together with an uncertain input", "use jkroll.table")
     bars = error_bars(frame, values)
     for name, bar in bars.items():
         if bar.open_at:

@@ -113,7 +113,7 @@ class Drawn:
 
 def _check(style: str) -> None:
     if style not in STYLES:
-        raise BadRequest(f"style: {quoted(style)} is not a style; there are {listed(STYLES)}")
+        raise BadRequest(f"style: {quoted(style)} is not a style; choose one of {listed(STYLES)}")
 
 
 def curve(
@@ -155,9 +155,9 @@ def curve(
     '-1.178e-08 N'
     """
     if panel is not None and panel not in PANELS:
-        raise BadRequest(f"panel: {quoted(panel)} is not a panel; there are {listed(PANELS)}")
+        raise BadRequest(f"panel: {quoted(panel)} is not a panel; choose one of {listed(PANELS)}")
     described = Reader().in_si(given)
-    refuse_arrays(described)
+    refuse_arrays(described, "is more than one contact", "a picture has single values")
     solids = materials_of(material, material2, materials)
     models = [model] if model is None or isinstance(model, str) else [*model]
     frames = [Frame(described, *solids, model=law_given(each, profile)) for each in models]
@@ -208,7 +208,7 @@ def map(
     ((2, 3), '4.712e-10 N')
     """
     described = Reader().in_si(given)
-    refuse_arrays(described)
+    refuse_arrays(described, "is more than one contact", "a picture has single values")
     known, law, name = materials or known_materials(), law_given(model, profile), quantity_named(quantity)
     across, up = axis_of(x, "x"), axis_of(y, "y") if y is not None else None
     check_axes(name, [axis for axis in (across, up) if axis is not None], described, (law or DEFAULT_LAW,))

@@ -113,6 +113,8 @@ def draw_on(axes: Any, panel: Panel, style: Style) -> None:
     letters = _letters(inches)
     _set_axes(axes, panel, inches, _ASPECT)
     axes.set_box_aspect(None)
+    if panel.is_true_to_scale:
+        axes.set_aspect("equal")
     drawing = _drawing_on(axes, panel, style, letters)
     axes.figure.draw_without_rendering()
     _label(axes, panel, drawing, style)

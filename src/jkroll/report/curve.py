@@ -136,7 +136,7 @@ def lead_of_curve(report: Report) -> str:
     text = f"best ranges: {report.best_ranges}"
     by_maugis = [name for name, estimate in report.estimates.items() if estimate.by == BETTER_LAW]
     if by_maugis == ["pull_off_force"]:
-        return f"{text}; the curve is within 5 % of Maugis' law, except near P_c"
+        return f"{text}; the curve is within about 5 % of Maugis' law, except near P_c"
     return f"{text}; take the curve by Maugis' law: --model maugis" if by_maugis else text
 
 

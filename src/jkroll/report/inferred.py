@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from math import log
 
-from ..model.estimate import BETTER_LAW, LAW_ONLY
+from ..model.estimate import ADHESION_ONLY, BETTER_LAW, LAW_ONLY
 from ..model.frame import Frame
 from ..model.limits import ROUGH_MATTERS, Doubt
 from ..model.reasons import explanation_of
@@ -68,6 +68,8 @@ def library_values(frame: Frame) -> Mapping[str, float | Uncertain]:
 
 def about_library(answer: Answer) -> Iterator[Note]:
     """Iterate over notes on inferred values that are far from the library's."""
+    if ADHESION_ONLY in answer.rules:  # other losses are the probable cause
+        return
     by_maugis = BETWEEN in laws_of(answer)
     for name, usual in library_values(answer.described).items():
         ends = [answer.values[name]]

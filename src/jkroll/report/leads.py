@@ -1,6 +1,6 @@
 """The sentences that answer a question, with best ranges; they come before the results."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Sequence
 from math import isnan, sqrt
 
 from ..model.estimate import (
@@ -10,20 +10,22 @@ from ..model.estimate import (
     FRICTION_FACTOR,
     MEASURED,
     NONE,
+    SCALED,
     WORDS,
     XI_UNKNOWN,
     Estimate,
     Ranges,
 )
 from ..model.frame import IN_ITS_PLACE, Frame
-from ..model.limits import GAP_STAYS_DRY
+from ..model.limits import FLIES_OFF, GAP_STAYS_DRY, may_be_rough
 from ..model.measured import what_stuck
+from ..physics.elementary import is_anywhere
 from ..quantities.formatting import Format, amount, from_to, significant, symbol_among
 from ..quantities.nomenclature import XI
 from ..text import listed
 from .answer import Answer
 from .inferred import about_library
-from .notes import Note
+from .notes import Group, Note
 from .ranges import held_on_surfaces, of_silica, range_in_words
 
 _TWO, _THREE, _FOUR = Format(digits=2), Format(digits=3), Format(digits=4)
@@ -43,7 +45,7 @@ def leads(answer: Answer) -> Iterator[Note]:
         yield Note("lead", _first_to_give_way(answer))
     if answer.is_of_impact and answer.estimates["sticking_speed"].by != NONE:
         yield Note("lead", _stick_or_bounce(answer))
-    if answer.question.headline == ("n_roll",):
+    if answer.question.headline == ("n_roll",) and not answer.is_in_doubt(FLIES_OFF):
         yield from _enough_to_roll(answer.frame)
     if "impact_pressure" in answer.values:
         is_known = not answer.frame.missing(["first_yield_pressure"])
@@ -58,6 +60,17 @@ def leads(answer: Answer) -> Iterator[Note]:
             yield Note("lead", silica)
     if "tabor_parameter" in answer.question.named and "tabor_parameter" in answer.values:
         yield Note("lead", _law_that_holds(answer))
+
+
+def lead_of_rows(groups: Sequence[Group], names: Collection[str]) -> str:
+    """Return the sentence above a list of these quantities: what a pull-off force leaves out; empty if nothing."""
+    if "pull_off_force" not in names:
+        return ""
+    if "meniscus_force" in names:
+        return "of best P_c and F_men the larger counts, not the sum"
+    if [*names] == ["pull_off_force"] and any(is_anywhere(may_be_rough(frame)) for frame, _ in groups):
+        return "best P_c is that of ideally smooth spheres; real ones hold less"
+    return ""
 
 
 def options_for_centre(answer: Answer) -> str:
@@ -93,7 +106,8 @@ def _what_it_means(answer: Answer) -> str:
     frame = answer.described
     is_of_both = "surface_energy" in frame.unknowns and frame.material2 is None and "surface_energy2" not in frame.given
     of_both = "; w = 2γ" if is_of_both else ""
-    error = "" if frame.uncertainties else "; give what you measured with its error, as 300±20nN"
+    has_error = not frame.uncertain.keys().isdisjoint(frame.judged(frame.unknowns))
+    error = "" if has_error else "; write what you measured with its error, as 3.0±0.2"
     literally = "taken literally, " if [*about_library(answer)] else ""
     return f"{literally}the measurement implies {listed(texts)}{of_both}{error}"
 
@@ -144,13 +158,14 @@ def _middle(name: str, estimate: Estimate, *, is_short: bool) -> str:
 def _first_to_give_way(answer: Answer) -> str:
     rolling, sliding = (answer.estimates[name] for name in ("yield_force", "sliding_or_peeling_force"))
     force = range_in_words("yield_force", sliding)
-    gives = f"it {_slides_or_peels(answer)} at {force}, as shear shrinks the contact"
+    gives = f"it {_slides_or_peels(answer)} at {force} (T_first)"
     rolls = range_in_words("yield_force", rolling)
     if rolling.high < sliding.low:
         return f"a pushed sphere rolls first ({rolls}); kept from rolling, {gives}"
     if rolling.low > sliding.high:
         return f"pushed, a sphere does not roll, which takes {rolls}: before that, {gives}"
-    return f"a pushed sphere rolls first if ξ is small ({rolls}); otherwise {gives}"
+    decides = "ξ" if rolling.by in (XI_UNKNOWN, SCALED) else "τ"
+    return f"whether a pushed sphere rolls first ({rolls}) depends on {decides}; otherwise {gives}"
 
 
 def _water_or_dry(answer: Answer) -> Iterator[Note]:
@@ -167,8 +182,8 @@ def _water_or_dry(answer: Answer) -> Iterator[Note]:
         meniscus = range_in_words("meniscus_force", wet).replace("≤", "at most")
         is_wet, is_dry = wet.low > dry.high, wet.high < dry.low
         which = "water pulls" if is_wet else "the dry contact pulls" if is_dry else "either may pull"
-        verdict = f"{which} harder: take that force, not the sum"
-        less = "; roughness weakens both" if answer.is_on_pull_off else ""
+        verdict = f"{which} harder: take the larger force, not the sum"
+        less = "; roughness weakens both" if answer.is_on_pull_off and not fills else ""
         yield Note("lead", f"{verdict}: {fills and fills + '; '}a meniscus pulls with {meniscus}, {force}{less}")
 
 
@@ -244,7 +259,7 @@ def _elastic_or_not(frame: Frame) -> str:
         rest = _pressure(frame, "hertz_pressure")
         return f"the impact is elastic if the solids bear {peak}, its peak pressure (at rest: {rest}): --yield-strength"
     first, full = _pressure(frame, "first_yield_pressure"), _pressure(frame, "plastic_pressure")
-    limits = f"the peak pressure is {peak}; below the surface, yield starts at {first} and is complete at {full}"
+    limits = f"the peak pressure is {peak}; yield starts below the surface at {first}, and is full at {full}"
     if frame["impact_pressure"] < frame["first_yield_pressure"]:
         return f"the impact stays elastic: {limits}"
     how = "fully" if frame["impact_pressure"] >= frame["plastic_pressure"] else "below the surface"

@@ -324,11 +324,14 @@ def lines_above(notes: Sequence[Note]) -> list[str]:
     return [*_warning(texts["warning"]), *texts["lead"], *of_materials]
 
 
-def lines_of(notes: Sequence[Note], *, has_head: bool = False, quiet: bool = False) -> list[str]:
+def lines_of(
+    notes: Sequence[Note], *, has_head: bool = False, has_more: bool = False, quiet: bool = False
+) -> list[str]:
     """Return the lines below an answer or rows, ending with a hint if there is more; the warning alone if `quiet`.
 
     They are the assumptions, the warning, the first answering sentence and the first of the other notes. `has_head`:
-    True below a table whose header has the assumptions; then all notes of severity "data" follow.
+    True below a table whose header has the assumptions; then all notes of severity "data" follow. `has_more`: True if
+    there is more to explain than notes.
     """
     texts = _texts_by_severity(notes)
     warning = _warning(texts["warning"])
@@ -343,7 +346,7 @@ def lines_of(notes: Sequence[Note], *, has_head: bool = False, quiet: bool = Fal
     every = [f"note: {text}" for text in (*answers, *others, *data)]
     shown = [_first_clauses(f"note: {text}") for text in (*answers[:_MAX_NOTES], *others_shown)]
     lines = [*assumptions, *warning, *shown]
-    if shown != every or texts["more"]:
+    if shown != every or texts["more"] or has_more:
         lines.append("more: --explain")
     return lines
 

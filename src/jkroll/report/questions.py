@@ -1,6 +1,6 @@
 """The questions that commands ask of a frame: the headline quantities, and all that are shown."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
@@ -20,13 +20,12 @@ class Question:
         quantities: tuple[str, ...],  # all quantities shown, in this order
         named: tuple[str, ...] = (),  # asked for by name: always shown
         without_row: tuple[str, ...] = (),  # for programs only: not in the table of an answer
-        leads: str = "",  # the answering sentences, one a line; a name in braces stands for a best range
-        groups: Mapping[str, str] = MappingProxyType({}),  # by title: the quantities below it, at the end of the table
+        leads: Sequence[str] = (),  # the answering sentences; a name in braces stands for a best range
+        groups: Mapping[str, Sequence[str]] = MappingProxyType({}),  # at the end of a table: quantities by title
         if_stated: Mapping[str, tuple[str, ...]] = MappingProxyType({}),  # in the table only if one of these is stated
     ) -> None:
         self.headline, self.quantities, self.named, self.without_row = headline, quantities, named, without_row
-        self.leads, self.if_stated = leads.splitlines(), if_stated
-        self.groups = {title: (*names.split(),) for title, names in groups.items()}
+        self.leads, self.groups, self.if_stated = leads, groups, if_stated
 
     @property
     def with_row(self) -> list[str]:
@@ -41,9 +40,11 @@ def _question(
     leads: str = "",
     groups: Mapping[str, str] = MappingProxyType({}),
 ) -> Question:
-    """Return the question of a command; quantities are separated by blanks."""
+    """Return the question of a command; quantities are separated by blanks, sentences by line breaks."""
     every = (*(quantities or headline).split(),)
-    return Question((*headline.split(),), every, without_row=(*without_row.split(),), leads=leads, groups=groups)
+    of_titles = {title: names.split() for title, names in groups.items()}
+    hidden = (*without_row.split(),)
+    return Question((*headline.split(),), every, without_row=hidden, leads=leads.splitlines(), groups=of_titles)
 
 
 _QUESTIONS = {
@@ -58,7 +59,7 @@ _QUESTIONS = {
         "yield_force yield_force_fixed_load yield_force_ratio yield_moment yield_angle yield_displacement",
         leads="pushed at its centre, a sphere starts to roll at {yield_force}",
     ),
-    "r-min": _question("r_min", leads="the tightest bend of a chain, before one of its contacts rolls, is {r_min}"),
+    "r-min": _question("r_min", leads="before one of its contacts rolls, a chain bends down to a radius of {r_min}"),
     "n-grav": _question(
         "n_grav",
         "n_grav gravity_moment bond_number",
@@ -107,8 +108,12 @@ _REPORT = Question(
         *(name for asked in _QUESTIONS.values() for name in asked.quantities if name in (*asked.headline, *_CONTRARY)),
         *("roll_energy_quarter_turn", "sticking_speed"),
     ),
-    leads="a push of {yield_force} starts rolling; the sticking speed is {sticking_speed}; ideally smooth spheres are "
-    "pulled apart by {pull_off_force}",
+    leads=[
+        (
+            "a push of {yield_force} starts rolling; the sticking speed is {sticking_speed}; ideally smooth spheres "
+            "are pulled apart by {pull_off_force}, real ones by less"
+        )
+    ],
     if_stated=dict.fromkeys(_TURNS, ("energy", "energy_ratio", "speed")),
 )
 QUESTIONS: Mapping[str, Question] = {
@@ -122,15 +127,14 @@ QUESTIONS: Mapping[str, Question] = {
         "sticking_energy sticking_energy_paszun_dominik sticking_energy_pencil_code roll_energy "
         "roll_energy_quarter_turn roll_energy_half_turn sticking_speed sticking_speed_paszun_dominik "
         "sticking_speed_pencil_code",
+        without_row="fold_energy break_energy_dust_simulation sticking_energy_paszun_dominik "
+        "sticking_energy_pencil_code sticking_speed_paszun_dominik sticking_speed_pencil_code",
         leads="separating the spheres takes {pull_off_work} if they are free or held by stiff grips, "
         "{pull_off_work_at_dead_load} by a soft spring (most AFMs)\n"
-        "rolling by a quarter turn takes up to {roll_energy_quarter_turn}, as D&T 97: the full moment all the way\n"
-        "the sticking speed is {sticking_speed}",
-        groups={
-            "by other conventions": "fold_energy break_energy_dust_simulation "
-            "sticking_energy_paszun_dominik sticking_energy_pencil_code sticking_speed_paszun_dominik "
-            "sticking_speed_pencil_code",
-        },
+        "rolling by a quarter turn takes {roll_energy_quarter_turn} by D&T 97, with the full moment; the mean moment "
+        "gives half\n"
+        "the sticking speed is {sticking_speed}\n"
+        "by conventions of other authors (Wada, Paszun, the Pencil Code): --explain",
     ),
     "impact": _question(
         "restitution",
@@ -142,6 +146,7 @@ QUESTIONS: Mapping[str, Question] = {
         "rolling_stiffness yield_displacement yield_angle yield_force yield_moment yield_energy "
         "sliding_or_peeling_force tangential_stiffness sliding_displacement sliding_force sliding_energy "
         "peeling_force peeling_radius twisting_stiffness twisting_angle twisting_moment twisting_energy",
+        without_row="sliding_displacement sliding_energy peeling_radius twisting_energy",
         groups={
             "to roll": "rolling_stiffness yield_displacement yield_angle yield_force yield_moment yield_energy",
             "to slide or peel off": "sliding_or_peeling_force tangential_stiffness sliding_displacement sliding_force "
@@ -154,13 +159,11 @@ QUESTIONS: Mapping[str, Question] = {
         "restructuring_energy restructuring_speed restructuring_energy_ormel restructuring_speed_ormel "
         "disruption_energy disruption_speed disruption_energy_dust_simulation disruption_speed_dust_simulation "
         "compressive_strength tensile_strength",
-        leads="two equal aggregates that collide begin to restructure at {restructuring_speed}, by D&T 97; measured "
-        "rolling forces support this rule, not Ormel's\n"
-        "they begin to break up at {disruption_speed}, by Wada 07",
-        groups={
-            "by other rules": "restructuring_energy_ormel restructuring_speed_ormel "
-            "disruption_energy_dust_simulation disruption_speed_dust_simulation",
-        },
+        without_row="restructuring_energy_ormel restructuring_speed_ormel disruption_energy_dust_simulation "
+        "disruption_speed_dust_simulation",
+        leads="two equal aggregates that collide begin to restructure at {restructuring_speed}, by D&T 97\n"
+        "they begin to break up at {disruption_speed}, by Wada 07\n"
+        "by other rules (Ormel's, which measured rolling forces do not support; E_break): --explain",
     ),
 }
 EVERYTHING = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities))

@@ -37,7 +37,6 @@ from ..model.measured import (
 )
 from ..model.other_law import least_spacing
 from ..quantities.formatting import amount, from_to, significant, span, symbol_among
-from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import INFINITY, XI
 from ..quantities.values import middle
 from ..text import first_of
@@ -98,9 +97,9 @@ def held_on_surfaces(frame: Frame) -> str:
     """Return the pull-off force of real surfaces: for SiO2 as measured, for other solids as a fraction of JKR's."""
     radii = frame.numbers("radius", "radius2").values()
     if min(radii, default=2 * frame["reduced_radius"]) < SURFACES_FROM:
-        return "rough ones hold less (1/2 to 1/100 at R ≥ 1 µm, not measured at this size)"
+        return "real ones hold less (1/100 to 4/5 at R ≥ 1 µm, not measured at this size)"
     if solid_of_pair(frame) != SIO2:
-        return "rough spheres hold less: SiO2, the only solid measured, held 1/2 to 1/100 of JKR's force"
+        return "real ones hold less: SiO2, the only solid measured, held 1/100 to 4/5 of JKR's force"
     forces = (f"{span('pull_off_force', *ends)} ({surface})" for surface, ends in on_surfaces(frame).items())
     return f"real surfaces hold {', '.join(forces)}"
 
@@ -115,18 +114,18 @@ def about_surfaces(frame: Frame) -> str:
 _OF_SMOOTH = "P_c is that of smooth, dry spheres: rough ones hold less"
 _SEEN = f"hard spheres were seen to stick at 1–{MOST_SEEN} times JKR's speed"
 _WORDS: Mapping[int, str] = {
-    MEASURED: f"{_SEEN}; for SiO2 of 0.1–3 µm, the measured speeds, scaled",
-    SCALED: "from forces measured on this solid, scaled with R^(2/3) or R",
-    XI_UNKNOWN: "not measured; from 2 Å (one atom) to where all of w is lost (--xi)",
-    ADHESION_ONLY: "the most that adhesion alone can dissipate; any other loss adds to it",
-    FRICTION_ASSUMED: "from τ/3 to 3τ, as τ is uncertain (--shear-strength); JKR's area",
+    MEASURED: "1 to 10 times JKR's speed was measured; SiO2 by its own speeds",
+    SCALED: "from forces measured on this solid, scaled as R^(2/3) or as R",
+    XI_UNKNOWN: "not measured; from ξ = 2 Å (one atom) on (--xi)",
+    ADHESION_ONLY: "adhesion as the only loss; any other loss adds to it",
+    FRICTION_ASSUMED: "from τ/3 to 3τ (--shear-strength); the contact area is JKR's",
     SPACING_ASSUMED: "from z0 = 2 Å to 4 Å; --z0 narrows it",
     BOUNDS: "JKR's force for soft spheres, DMT's for hard ones; E and ν decide",
     LAW_ONLY: "no better law gives it",
-    KELVIN: "water condensed at 25 °C between smooth bodies; F_men does not add to P_c",
-    GAP: "a gap lowers the meniscus force, to zero when water only just fills it",
+    KELVIN: "water condensed at 25 °C between smooth bodies; not to be added to P_c",
+    GAP: "a gap lowers the force, to zero where water only just fills it",
     BETTER_LAW: "the better law here, over z0 = 2–4 Å (--z0)",
-    LAW_IN_USE: "in these rows within 5 % of Maugis' law; the range covers both",
+    LAW_IN_USE: "within 5 % of Maugis' law; the range covers both",
 }
 
 
@@ -135,8 +134,8 @@ _WORDS: Mapping[int, str] = {
 
 def _kelvin(answer: Answer) -> Iterator[str]:
     if "roughness_gap" in answer.frame.given:
-        yield "water condensed at 25 °C; adsorbed water may bridge a gap at a lower humidity"
-        yield "forces of menisci were measured from 2 % humidity on"
+        yield "water condensed at 25 °C; adsorbed water may bridge a gap before"
+        yield "meniscus forces were measured at humidities as low as 2 %"
         return
     if "meniscus_force" not in answer.values:
         yield "water condensed at 25 °C"
@@ -144,7 +143,7 @@ def _kelvin(answer: Answer) -> Iterator[str]:
     yield _WORDS[KELVIN]
     yield "water changes γ, too"
     yield "roughness lowers P_c and F_men: SiO2 of 10 µm on smooth glass had 1/8–1/5 of F_men at 67 % humidity"
-    yield "--roughness 2nm says when a gap fills"
+    yield "with --roughness 2nm, the answer has the humidity at which the gap fills"
 
 
 def _better_law(answer: Answer) -> Iterator[str]:
@@ -152,20 +151,16 @@ def _better_law(answer: Answer) -> Iterator[str]:
     low, high = least_spacing(frame), frame["atomic_spacing"]
     spacing = f"z0 = {_angstroms(low, high)}{' (--z0)' if frame.assumes_spacing else ''}"
     if answer.described.uncertainties:
-        yield f"the better law here, over {spacing}, with your error bars"
+        yield f"the better law here, over {spacing}, with the error bars"
     else:
         yield f"the better law at this size and stiffness, over {spacing}"
-    errors = _errors(answer)
-    if any(errors.values()):
-        yield _how_far_off(errors, frame.law.short)
-    if all(errors.values()):
-        for side, of_side in errors.items():
-            percent = [100 * error for pair in of_side.values() for error in pair]
-            symbols = [symbol_among(name, answer.inputs) for name in of_side]
-            yield f"{frame.law.short} is {from_to(min(percent), max(percent))} % too {side}: {', '.join(symbols)}"
+    for side, of_side in _errors(answer).items():
+        percent = [100 * error for pair in of_side.values() for error in pair]
+        symbols = ", ".join(symbol_among(name, answer.inputs) for name in of_side)
+        if percent:
+            yield f"{frame.law.short} is {from_to(min(percent), max(percent))} % too {side} ({symbols})"
     for parameter in frame.numbers("tabor_parameter").values():  # rigid bodies have none
-        yield f"Tabor parameter {from_to(parameter, high / low * parameter)}; JKR needs 5"
-    yield f"the attraction reaches z0 = {_angstroms(low, high)}"
+        yield f"Tabor parameter {from_to(parameter, high / low * parameter)}"
     is_told = answer.is_in_doubt(ROUGH_MATTERS) or answer.is_on_pull_off
     if "pull_off_force" in answer.estimates and may_be_rough(frame) and not is_told:
         yield f"P_c is that of smooth, dry spheres; {held_on_surfaces(frame)}"
@@ -174,32 +169,22 @@ def _better_law(answer: Answer) -> Iterator[str]:
 _Errors = Mapping[str, dict[str, list[float]]]  # by side and name: relative errors at both ends of a range
 
 
-def _how_far_off(errors: _Errors, law: str) -> str:
-    """Return how far the law in use is from the better law's ranges: "JKR is 17–23 % too low"."""
-    sides = [side for side, of_side in errors.items() if of_side]
-    percent = [100 * error for side in sides for pair in errors[side].values() for error in pair]
-    if len(sides) > 1:
-        return f"{law} is up to {significant(max(percent), 2)} % off"
-    return f"{law} is {from_to(min(percent), max(percent))} % too {sides[0]}"
-
-
 def _errors(answer: Answer) -> _Errors:
     """Return how far the law in use is above and below the better law's ranges.
 
-    It is empty if a value lies inside its range, or if inputs are uncertain.
+    It is empty if a value lies inside its range, or if an input is uncertain.
     """
     errors: _Errors = {"high": {}, "low": {}}
-    if answer.described.uncertainties:
-        return errors
-    seen = set[float]()  # a result that repeats another one has no row
+    seen = set[float]()  # the table does not repeat a value
     for name, estimate in answer.estimates.items():
         value = answer.values.get(name, nan)
         if estimate.by != BETTER_LAW or name in answer.question.without_row or value in seen:
             continue
         seen.add(value)
         ratios = [value / end if end else nan for end in estimate[:2]]
-        if not (min(ratios) >= 1 or 0 < max(ratios) <= 1) or any(map(isnan, ratios)):
-            return {"high": {}, "low": {}}
+        is_outside = min(ratios) >= 1 or 0 < max(ratios) <= 1
+        if not is_outside or any(map(isnan, ratios)) or answer.described.uncertainties:
+            return {}
         errors["high" if max(ratios) > 1 else "low"][name] = [abs(ratio - 1) for ratio in ratios]
     return errors
 
@@ -214,7 +199,7 @@ def _bounds(answer: Answer) -> Iterator[str]:
     jkr, dmt = (span("pull_off_force", *(factor * end for end in ends)) for factor in (1.0, ratio))
     yield f"{jkr} if soft, {dmt} if hard: give --young and --poisson"
     if answer.described.uncertainties:
-        yield "your error bars are in the range"
+        yield "the range includes the error bars"
     if not answer.is_on_pull_off:
         yield _OF_SMOOTH
 
@@ -226,13 +211,13 @@ def _measured(answer: Answer) -> Iterator[str]:
         yield "silica, ices and silver were measured; adhesion is not their only loss"
         return
     first, last = (f"{significant(stuck.at(radius), 2)} m/s (R = {amount('radius', radius)})" for radius in stuck.radii)
-    seen, bar = f"from {first} and {last} of {solid_of_pair(answer.frame)}", f"±{100 * stuck.error:.0f} %"
+    seen, bar = f"{first}, {last} on {solid_of_pair(answer.frame)}", f"±{100 * stuck.error:.0f} %"
     if stuck.is_near(answer.frame):
         yield f"{seen}, {bar}"
         yield f"the spheres stuck to a plane; the speed is proportional to R^{stuck.exponent}"
         yield _above_law(answer)
         return
-    yield f"{seen}, any γ"
+    yield f"{seen}, for every γ"
     yield f"{bar}; the spheres stuck to a plane; scaled to this size like {answer.frame.law.short}'s speed"
     yield _above_law(answer)
     yield "the effect of γ was not measured"
@@ -258,7 +243,7 @@ def _scaled(answer: Answer) -> Iterator[str]:
     if rolled.name != XI and not {"surface_energy", "work_of_adhesion"}.isdisjoint(frame.stated):
         yield f"from {measured}, not from your γ"
     else:
-        yield measured if is_alike else f"from {measured}, with R^(2/3) or R"
+        yield measured if is_alike else f"from {measured}, as R^(2/3) or as R"
     yield f"source: {rolled.source}"
     if is_alike:
         return
@@ -274,7 +259,7 @@ def _as_displacement(answer: Answer) -> str:
     """Return the displacement that measured forces imply by the law in use."""
     low, high = answer.ranges.of_laws(XI, SCALED)[0]
     least = ", with one atom as the least ξ" if low == answer.frame.values.get(XI) else ""
-    return f"by {answer.frame.law.short} the range is that of ξ = {span(XI, low, high)}{least}" if low < high else ""
+    return f"by {answer.frame.law.short} this corresponds to ξ = {span(XI, low, high)}{least}" if low < high else ""
 
 
 def _ceiling(answer: Answer) -> str:
@@ -288,21 +273,27 @@ def _ceiling(answer: Answer) -> str:
 
 
 def _xi_unknown(answer: Answer) -> Iterator[str]:
-    if answer.frame.missing(["hysteresis_ratio"]):
+    frame, rolled = answer.frame, what_rolled(answer.frame)
+    if frame.missing(["hysteresis_ratio"]):
         yield "not measured; 2 Å (one atom) or more; --xi or a material narrows it"
         return
-    rolled = what_rolled(answer.frame)
-    at = "on this solid" if rolled is None else "at this size" if rolled.has_energy(answer.frame) else "at this γ"
     most = answer.ranges.at_full_hysteresis(XI)[1]
-    by_law = "" if answer.frame.law.name == BETWEEN else "by Maugis, "
     at_most = "where all of w is lost" if isnan(most) else f"{span(XI, most, most)} (all of w lost)"
-    yield f"not measured {at}; {by_law}from 2 Å to {at_most}"
-    yield "ξ is how far the contact shifts before it rolls, 2 Å about one atom"
+    ends = f"by Maugis 2 Å to {at_most}"
+    if rolled is None:
+        yield f"not measured for this pair; {ends}"
+    elif not rolled.has_energy(frame):
+        yield f"not measured at this γ; {ends}"
+    elif any(high > most for _, high in answer.ranges.of_laws(XI, SCALED)):
+        yield f"not measured at this size; from 2 Å to forces of {amount('radius', rolled.radius)}, scaled"
+    else:
+        yield f"not measured at this size; {ends}"
+    yield "ξ is how far the contact shifts before it rolls; 2 Å is about one atom"
     yield _of_measured_solid(answer)
 
 
 def of_silica(answer: Answer) -> str:
-    """Return the ranges of the headline if the spheres are of SiO2, on which rolling was measured; empty if none."""
+    """Return the headline's ranges as they would be for SiO2, on which rolling was measured; empty without any."""
     silica = Frame(answer.frame.stated, known_materials()["quartz"])
     if not isinstance(answer.frame.given.get("radius"), float):
         return ""
@@ -333,14 +324,17 @@ def _of_measured_solid(answer: Answer) -> str:
 
 
 def _adhesion_only(answer: Answer) -> Iterator[str]:
-    most = 2 if answer.frame.assumes_spacing else 1
     if answer.described.unknowns:
         yield "an upper limit: adhesion is assumed to cause all losses"
-    elif answer.frame.numbers("tabor_parameter").get("tabor_parameter", INFINITY) * most >= JUMP:
-        yield "the upper end has adhesion as the only loss; any other loss lowers it"
+        return
+    restitution = answer.estimates.get("restitution")
+    if restitution is not None and restitution.by == ADHESION_ONLY:
+        yield "other losses lower e, to 0 if the spheres stick"
     else:
-        yield "at most JKR's loss, as spheres so small part without a jump"
-        yield "losses in the solids add to it, and lower e, which is 0 if the spheres stick"
+        yield "at most JKR's loss to adhesion; losses in the solids add to it"
+    most = 2 if answer.frame.assumes_spacing else 1
+    if answer.frame.numbers("tabor_parameter").get("tabor_parameter", INFINITY) * most < JUMP:
+        yield "spheres with so small a Tabor parameter separate without a jump, and adhesion alone may lose nothing"
 
 
 def _by_dmt(answer: Answer) -> str:

@@ -47,6 +47,11 @@ class Report(Answer):
         """Return all reasons for the best ranges by a rule; empty if there are none."""
         return "; ".join(self.whys[by])
 
+    @property
+    def has_more_reasons(self) -> bool:
+        """True if a rule has more reasons than the one below a table."""
+        return any(len(reasons) > 1 for reasons in self.whys.values())
+
     def lines_on_ranges(self, names: Iterable[str]) -> Iterator[str]:
         """Iterate over a line for each rule that gives one of these results a range and has a reason."""
         for by in dict.fromkeys(self.estimates[name].by for name in names if name in self.estimates):
@@ -180,11 +185,11 @@ class Report(Answer):
         held = "rough spheres may have parted at this pull; "
         for name in smooth.names:
             force = smooth.estimate(name)
-            part = f"they part at {range_in_words(name, force)}"
+            part = "" if name in self.question.headline else f" (they part at {range_in_words(name, force)})"
             if pull < force.low:
-                held = f"smooth spheres hold this pull ({part}); "
+                held = f"smooth spheres hold this pull{part}; "
             elif pull <= force.high:
-                held = f"even smooth spheres may have parted at this pull ({part}); "
+                held = f"even smooth spheres may have parted at this pull{part}; "
         yield Note("lead", f"{held}{held_on_surfaces(self.frame)}")
 
     @property

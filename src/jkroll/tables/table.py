@@ -215,7 +215,7 @@ class Table:
     def _check_explicit(self, name: str, frames: Sequence[Frame]) -> None:
         """Raise an error if a quantity requested by name is an input, or lacks inputs in all frames."""
         if name in self.given:
-            raise BadRequest(f"--quantities: {name} is an input here, which the table already shows; leave it out")
+            raise BadRequest(f"--quantities: {name} is an input here, which results do not repeat; leave it out")
         if not all(frame.missing([name]) for frame in frames):
             return
         try:

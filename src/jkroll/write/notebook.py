@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from ..quantities.formatting import AS_USUAL, Format
 from ..quantities.shown import Part
+from ..report.leads import lead_of_rows
 from ..report.notes import Group, assumed_in, lines_of, notes_below
 from ..text import as_arguments
 from .table import parts_of_frame, parts_of_rows
@@ -21,7 +22,9 @@ def parts_of_answer(answer: "Report") -> Iterator[Part]:
     parts: list[Part] = []
     for part in parts_of_frame(answer, AS_USUAL):
         parts.append(part if isinstance(part, str) else (part, []))
-    return _in_python((*parts, *lines_of(answer.sentences_below)), ".notes and .doubts")
+    return _in_python(
+        (*parts, *lines_of(answer.sentences_below, has_more=answer.has_more_reasons)), ".notes and .doubts"
+    )
 
 
 def parts_of_answers(
@@ -31,7 +34,7 @@ def parts_of_answers(
     assumed = assumed_in(groups)
     parts: list[Part] = []
     for columns in blocks:
-        parts += parts_of_rows(columns, form, assumed)
+        parts += parts_of_rows(columns, form, assumed, lead_of_rows(groups, wanted.names))
     notes = notes_below(groups, tally, wanted.reported_doubts, is_table=True)
     return _in_python((*parts, *lines_of(notes, has_head=True)), ".notes and .doubts of each answer")
 

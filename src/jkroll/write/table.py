@@ -13,7 +13,6 @@ from ..model.estimate import (
     KELVIN,
     LAW_IN_USE,
     LAW_ONLY,
-    MEASURED,
     NONE,
     SCALED,
     SPACING_ASSUMED,
@@ -56,7 +55,7 @@ if TYPE_CHECKING:
 _LEAST, _MOST, _LARGEST = 0.25, 2000, 10000
 _SAME = 1e-12  # a range with a smaller relative width is shown as one number
 _BEST_RANGE = "best range"
-_AS_SILICA = WORDS[MEASURED]  # the rule for a pull-off force on a surface
+_ON_SURFACE = "surface"  # the rule for a pull-off force on a surface
 _CODES = 24  # codes with more characters are shortened in a narrow table
 _OF_MATERIALS = {"material": [*PROPERTIES], "material2": [of_sphere(2, name) for name in PROPERTIES]}
 # Inputs that follow from others have no column unless they were typed. γ of a material keeps its column.
@@ -159,7 +158,7 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
         if any(column.head == _BEST_RANGE for column in columns):
             yield from answer.lines_on_ranges(rows)
     if answer.shows_surfaces:
-        yield f"{_AS_SILICA}: {about_surfaces(answer.frame)}"
+        yield f"{_ON_SURFACE}: {about_surfaces(answer.frame)}"
 
 
 def rows_in_words(answer: "Report", form: Format) -> dict[str, Row]:
@@ -261,8 +260,8 @@ def _with_surfaces(rows: _Rows, answer: "Report", form: Format) -> _Rows:
             unit = form.common_unit(name, by_law_in_use[1:])
             for surface, ends in on_surfaces(answer.frame, by_law_in_use).items():
                 shown, _ = _range(Estimate(*ends, SCALED), unit, form)
-                extended[surface] = [surface, row[1], shown, _AS_SILICA, "–", "–", unit[0]]
-            extended[name] = ["limit, ideally smooth", *row[1:]]
+                extended[surface] = [surface, row[1], shown, _ON_SURFACE, "–", "–", unit[0]]
+            extended[name] = [f"{row[0]}, limit", *row[1:]]
         else:
             extended[name] = row
     return extended
@@ -389,11 +388,10 @@ def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str], 
     shown = [codes(bits & columns.wanted.reported_doubts) for bits in as_list(columns.doubts)]
     if any(shown):
         results.append(TextColumn(DOUBT, shown, is_right=False))
+    if to_take:
+        yield f"take {listed(to_take)}; other results are by {LAWS[DEFAULT_LAW].short} alone"
     if lead:
         yield lead
-    if to_take:
-        hold = ": what ideally smooth spheres hold; rough ones hold less" if names == ["pull_off_force"] else ""
-        yield f"take {listed(to_take)}{hold or f', not the columns by {LAWS[DEFAULT_LAW].short}'}"
     yield leading, results
     yield from lines_on_rules([int(by) for by in rules if not isnan(by)])
     yield from lines_on_codes(" ".join(shown).split())
