@@ -24,7 +24,7 @@ SECTIONS = {
 COUNTED = {1: "one place", 2: "two places", 3: "three places"}
 # The tests that require something of a new entry, without those that list all laws or all materials.
 ASK = ("tests/physics/test_accuracy.py", "tests/model/test_laws.py", "tests/materials", "tests/test_architecture.py")
-LIST_ALL = ("test_the_laws_of_attraction_stand_beside_each_other", "test_the_sets")
+LIST_ALL = ("test_an_inferred_value_is_also_given_by_the_other_laws", "test_shipped_materials_form_five_sets")
 TRANSCRIBE = "import sys; from transcripts import transcript; print(''.join(map(transcript, sys.argv[1:])), end='')"
 
 

@@ -277,7 +277,7 @@ def test_a_surface_energy_is_inferred_for_spheres_of_a_diameter(run: Run) -> Non
     assert (bar.plus, bar.minus) == approx((gamma / 9, gamma / 11), rel=1e-12)
     for given, name in (("--diameter 4um", "radius"), ("2um --shear-modulus 3GPa", "youngs_modulus")):
         ran = run(f"infer {name} quartz {given} --measured stiffness=1kN/m")
-        assert ran == (2, "", f"jkroll: {name} is given and to be inferred; leave out one of the two\n")
+        assert ran == (2, "", f"jkroll: {name} is given, and also measured or to be inferred; leave out one\n")
 
 
 # --- Pictures ---------------------------------------------------------------------------------------------------------

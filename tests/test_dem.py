@@ -150,7 +150,7 @@ def test_softer_grains_keep_a_quantity_and_the_yield_moment(
 
 def test_the_time_step_is_that_of_sliding_below_36_nm_and_that_of_rayleigh_above() -> None:
     """For quartz, the step is 1/20 of the period of sliding below the radius on the page, and a fifth of t_R above."""
-    assert "the shorter below R1 = 36 nm" in page("dem")
+    assert "the shorter of the two below R1 = 36 nm" in page("dem")
     for radius, is_by_sliding in ((35e-9, True), (37e-9, False)):
         scene = {**QUARTZ, "radius": radius}
         step, slide, rayleigh = solve(["time_step", "sliding_frequency", "rayleigh_time"], **scene).values()

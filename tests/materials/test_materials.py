@@ -524,7 +524,7 @@ def test_a_mistake_in_a_displacement_is_reported(run: Run, tmp_path: Path, text:
     assert problem in ran.err
 
 
-def test_the_sets() -> None:
+def test_shipped_materials_form_five_sets() -> None:
     first = [material.name for material in Materials().materials.values() if material.title == "Table 1 of D&T"]
     assert first == ["polystyrene", "quartz", "graphite", "gold", "iron"]
     sets = {material.title for material in SECOND}

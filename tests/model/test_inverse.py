@@ -90,7 +90,7 @@ def test_a_measured_approach_means_the_approach_without_load_as_in_solve(word: s
 @pytest.mark.parametrize("values", [2e-9, [2e-9, 3e-9]])
 def test_a_measured_quantity_cannot_also_be_an_input(quantity: str, given: float, values: Any) -> None:
     scene = {name: value for name, value in QUARTZ.items() if name != "surface_energy"}
-    with pytest.raises(BadRequest, match=f"{quantity} is given and to be inferred"):
+    with pytest.raises(BadRequest, match=f"{quantity} is given, and also measured or to be inferred"):
         infer("gamma", measured={quantity: values}, **{**scene, quantity: given})
 
 
@@ -184,9 +184,9 @@ def test_a_range_of_radii_with_the_same_sticking_speed_is_reported(ulp: int) -> 
     ("name", "quantity", "given", "error", "words"),
     [
         ("youngs_modulus", "pull_off_force", {}, NoDependence, "pull_off_force does not depend on the unknown here"),
-        ("load", "load", {}, BadRequest, "load is given and to be inferred"),
+        ("load", "load", {}, BadRequest, "load is given, and also measured or to be inferred"),
         ("gravity", "n_grav", {}, BadRequest, "'gravity' cannot be inferred; surface_energy,"),
-        ("surface_energy", "pull_off_force", {"surface_energy": 1.0}, BadRequest, "is given and to be inferred"),
+        ("surface_energy", "pull_off_force", {"surface_energy": 1.0}, BadRequest, "is given, and also measured or"),
         ("surface_energy", "pull_off_force", {"work_of_adhesion": 1.0}, BadRequest, "one follows from the other"),
         ("load", "contact_radius_at_load", {"approach_at_load": 1e-9}, BadRequest, "one follows from the other"),
         ("load", "stiffness", {"youngs_modulus2": math.inf, "youngs_modulus": math.inf}, jkroll.JkrollError, "rigid"),
@@ -251,8 +251,8 @@ def test_the_range_that_an_error_states_has_exact_ends(measured: float) -> None:
     [
         (None, {"pull_off_force": 3e-9}, "'None' cannot be inferred"),
         (["gravity"], {"pull_off_force": 3e-9}, "'gravity' cannot be inferred"),
-        ("gamma", None, "'None' is not a quantity and its value for each input"),
-        ("gamma", "pull_off_force=3nN", "is not a quantity and its value for each input"),
+        ("gamma", None, "'None' does not give a quantity and its value"),
+        ("gamma", "pull_off_force=3nN", "does not give a quantity and its value"),
         ("gamma", {3: 3e-9}, "'3' is not a quantity"),
         ("gamma", {"pull_off_force": math.nan}, "pull_off_force: nan must be finite"),
         ("gamma", {"pull_off_force": [3e-9, -3e-9]}, "pull_off_force: -3e-09 at index 1 must be positive"),
@@ -292,7 +292,7 @@ def test_each_source_enters_an_inferred_value_once() -> None:
     assert [source.names for source in sources] == [("radius", "radius2"), ("pull_off_force",)]
 
 
-def test_the_laws_of_attraction_stand_beside_each_other(run: Run) -> None:
+def test_an_inferred_value_is_also_given_by_the_other_laws(run: Run) -> None:
     ran = run("infer", "gamma", "quartz", "100nm", "--measured", "pull_off_force=15.00375nN", "--json")
     (result,) = json.loads(ran.out)["results"]
     assert result["value"] == approx(31.84e-3, abs=5e-6)
@@ -388,7 +388,7 @@ def test_10001_rows_are_written_bare_but_refused_as_json(run: Run) -> None:
 
 
 def test_each_row_states_the_missing_input_even_if_all_rows_lack_it(run: Run) -> None:
-    """Rows of other questions do the same."""
+    """Tables of other commands do the same."""
     ran = run("infer gamma 1um,2um --measured contact_radius=30nm --csv")
     assert ran.code == 1
     assert column(ran.out, "status") == ["needs youngs_modulus and poisson_ratio"] * 2
@@ -427,11 +427,11 @@ def test_the_explanation_includes_steps_that_do_not_depend_on_the_unknown(run: R
             2,
             "'gama' cannot be inferred; surface_energy, work_of_adhesion, hamaker,",
         ),
-        ("infer load quartz 2um --measured load=3nN", 2, "load is given and to be inferred; leave out one of the two"),
+        ("infer load quartz 2um --measured load=3nN", 2, "load is given, and also measured or to be inferred"),
         (
             "infer gamma quartz 2um --measured gamma=3mJ/m2",
             2,
-            "surface_energy is given and to be inferred; leave out one",
+            "surface_energy is given, and also measured or to be inferred",
         ),
         ("infer young quartz 1um --measured pull_off_force=3nN", 1, "youngs_modulus: pull_off_force does not depend"),
         ("infer gamma quartz --measured pull_off_force=3nN", 2, "pull-off force needs radius of sphere 1; give"),
@@ -490,7 +490,7 @@ def test_a_measured_displacement_replaces_the_assumed_one(run: Run) -> None:
 
 
 def test_results_of_a_failed_inference_have_its_reason() -> None:
-    """Only the row whose force no surface energy gives has this reason."""
+    """The reason appears only in the row with a force that no surface energy can produce."""
     measured = {"pull_off_force": numpy.array([1e-7, -1.0, 2e-7])}
     inverse = Inverse(["surface_energy"], measured, Frame({**PLANE, "youngs_modulus": 5e10, "poisson_ratio": 0.2}))
     columns = inverse.columns(["surface_energy", "pull_off_force", "contact_radius"])

@@ -373,7 +373,7 @@ def test_a_material_that_is_left_out_is_named_in_the_caption(run: Run) -> None:
 def test_a_curve_without_values_is_not_drawn_and_gaps_have_their_reason(run: Run) -> None:
     """By Maugis' law, the atomic spacing decides whether small, hard spheres stick."""
     curves = " ".join(run("map v_stick silica-dry --x radius=10nm:10um --model jkr,maugis").out.split())
-    assert "No value where it depends on z0; give --z0 4angstrom." in curves
+    assert "No value where v_stick depends on z0; give --z0 4angstrom." in curves
     small = run("map v_stick quartz --x radius=1nm:2nm --model jkr,maugis").err
     nowhere = "sticking_speed: no value anywhere on these axes"
     assert f"no curve: quartz, Maugis–Dugdale: {nowhere}: depends on z0; give --z0 4angstrom\n" in small
@@ -426,9 +426,9 @@ def test_an_axis_may_be_named_by_the_word_of_an_option(run: Run) -> None:
         ("map pull-off quartz --x radius=1nm:1um --mark quarz@1nm", "did you mean quartz?"),
         (
             "map pull-off quartz --x radius=1nm:1um --mark quartz@1m",
-            "nowhere on radius and pull_off_force as they are drawn",
+            "is outside the axes of radius and pull_off_force",
         ),
-        ("figure 3a --mark iron@5m", "--mark 'iron@5m' is nowhere on surface_energy and radius as they are drawn"),
+        ("figure 3a --mark iron@5m", "--mark 'iron@5m' is outside the axes of surface_energy and radius"),
         ("map pull-off --x radius=1nm:1um:2001 --y gamma=1mJ/m2:1J/m2", "too many values; an axis takes 2000"),
         ("map pull-off 1nm:1um:25 --x gamma=1mJ/m2:1J/m2", "25 pairs are more than the 24 curves"),
         ("map pull-off quartz --x radius=1nm:1um -o picture.gif", "does not end in .svg, .pdf or .png"),

@@ -85,7 +85,7 @@ def meanings(line: str) -> dict[str, tuple[str, float]]:
 READ = {text: meaning for line in _READ.strip().splitlines() for text, meaning in meanings(line).items()}
 READ |= dict.fromkeys((' "gamma [mJ/m2]"', "\u200fsurface energy [mJ∙m⁻²]\u200e"), ("surface_energy", 1e-3))
 _LACKING = "(first cell '100'): no unit in the header or in the first cell. Write --column"
-_FACTOR = "a sign or a factor is next to the word or its unit"
+_FACTOR = "the name of the quantity or its unit has a sign or a factor"
 # A program without µ may have written m for µm, and a program without capitals m for M.
 LOSSY = ("radius__m_", "Load___N_", "hamakerZj", "load_MN", "speed__m_s_")
 REFUSED = {
@@ -114,7 +114,7 @@ REFUSED = {
     "R* [nm]": "'R* [nm]=reduced_radius [nm]'",
     "W_12 (mJ/m²)": "'W_12 (mJ/m²)=work_of_adhesion [mJ/m²]'",
     "γ12 (mJ/m²)": "a column work_of_adhesion [UNIT] instead of",
-    "adhesion [mJ/m2]": "it may be that of a pair",
+    "adhesion [mJ/m2]": "it may be the work of adhesion of the pair",
     "R [nm]": "--column 'R [nm]=radius [nm]' or --column 'R [nm]=reduced_radius [nm]'",
     "R_um": "=reduced_radius [um]'",
     **{
@@ -362,7 +362,7 @@ def test_option_column_needs_a_column_of_the_table_and_a_unit_of_the_input() -> 
         stated_meanings(["size=radius [nm]", "size="])
 
 
-def test_a_symbol_that_appears_in_a_later_json_object_fails_only_with_a_unit(run: Run) -> None:
+def test_a_row_with_a_new_symbol_fails_only_if_its_value_has_a_unit(run: Run) -> None:
     lines = ['{"radius [nm]": 100}', '{"radius [nm]": 100, "E": 3}', '{"radius [nm]": 100, "E": "3 GPa"}']
     Path("x.ndjson").write_text("\n".join(lines), encoding="utf-8")
     run("batch x.ndjson --material quartz --quantities pull_off_force -o out.ndjson")
@@ -570,7 +570,7 @@ def test_a_relative_error_of_a_percentage_in_per_cent_is_refused() -> None:
     assert column.value(column.joined("0.4", "5")) == Measured(0.4, 0.02)
 
 
-def test_per_cent_is_no_unit_of_a_length() -> None:
+def test_per_cent_is_not_a_unit_of_length() -> None:
     """A radius cannot have a range in %, but a ratio can."""
     for given in ([], ["radius"]):
         with pytest.raises(BadTable, match=re.escape("'radius_min [%]' and 'radius_max [%]': ")):
@@ -898,7 +898,7 @@ def test_a_number_too_small_for_a_double_is_not_zero(run: Run) -> None:
 
 
 @pytest.mark.parametrize("blank", ["\xa0", "\u202f", "\u2009", "  "])
-def test_a_blank_after_a_number_is_no_unit(blank: str) -> None:
+def test_a_blank_after_a_number_is_not_a_unit(blank: str) -> None:
     (column,) = understood(["nu [%]"]).inputs
     for cells in ([f"0.3{blank}"], ["0.2", f"0.3{blank}"], [f"0.3{blank}"] * 2):
         assert column.numbers({column.name: [cell.encode() for cell in cells]}).values[-1] == 0.003

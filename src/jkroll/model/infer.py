@@ -88,7 +88,7 @@ def infer(
     is_list = isinstance(wanted, list | tuple)
     names = inputs_named([*map(str, wanted)] if is_list else [str(wanted)])
     if not isinstance(measured, Mapping) or len(measured) != len(names):
-        lack, example = "is not a quantity and its value for each input", 'write {"pull_off_force": "300 nN"}'
+        lack, example = "does not give a quantity and its value for each input", 'write {"pull_off_force": "300 nN"}'
         raise QuantityError("measured", str(measured), lack, example)
     reader = Reader()
     measured, given = reader.aligned(measured, given)

@@ -30,14 +30,14 @@ ROW = ""  # the key of a reason that concerns the whole row
 class Results:
     """The columns of quantities of a frame, with inputs, uncertainties and limits.
 
-    Where a limit ends the meaning of a result, the result has no value, except in unformatted output.
+    Where a limit makes a result meaningless, the result has no value, except in unformatted output.
     """
 
     def __init__(self, described: Frame, computed: Mapping[str, Column], *, keeps_all: bool = False) -> None:
         """`described`: the frame; `computed`: its columns; `keeps_all`: True to keep values without a meaning.
 
-        Uncertainties are those of the frame as described. Limits are judged on the frame in which all inputs have
-        values. They are judged for the results, or for the measured quantities in place of inferred results.
+        Uncertainties come from `described`. Limits are judged on `frame`, where every input has a value: for the
+        results or, if inputs were inferred, for the measured quantities.
         """
         self.described, self.computed, self.keeps_all = described, computed, keeps_all
         self.frame = described.found
@@ -144,7 +144,7 @@ class Results:
 
     @cached_property
     def validity(self) -> Sequence[Doubt]:
-        """The limits of the model, judged for values with a meaning, or with the reason why they are not judged."""
+        """The limits of the model: each is judged for values with a meaning, or has the reason why it was not."""
         known = {name: column for name, column in self.judged_meant.items() if not column.is_empty}
         unjudged = [doubt for doubt in self._of_resting if doubt.error is not None]
         return [*self.ending, *self.inexact(known), *unjudged]
@@ -187,7 +187,7 @@ class Results:
     # --- Reasons ------------------------------------------------------------------------------------------------------
 
     def errors(self, row: int = 0) -> dict[str, JkrollError]:
-        """Return the errors of quantities without a value in a row, by name, with the numbers of this row.
+        """Return the errors of a row's quantities without a value, by name; they quote values of this row.
 
         If no quantity applies to the row, the only key is ROW.
         """
@@ -197,7 +197,7 @@ class Results:
         return errors
 
     def open_bars(self, row: int = 0) -> dict[str, JkrollError]:
-        """Return the errors of a row's results without an uncertainty: at some value of an input, they do not exist."""
+        """Return an error for each result of a row without an uncertainty, as it has no value at an end of an input."""
         errors: dict[str, JkrollError] = {}
         for name, bar in self.bars.items():
             if at_row(bar.open_at, row):
@@ -225,5 +225,5 @@ def is_end_of_meaning(error: JkrollError) -> bool:
 
 
 def has_code(error: JkrollError) -> bool:
-    """Return whether the code of a doubt already states an error."""
+    """Return whether the code of a doubt already reports an error."""
     return is_end_of_meaning(error) and error.args[0] != OF_ANOTHER_PAIR

@@ -125,8 +125,8 @@ def inputs_named(words: Sequence[str]) -> list[str]:
 
 
 def already_given(name: str) -> BadRequest:
-    """Return the error for a name that is asked for or measured, and also given."""
-    return BadRequest(f"{name} is given and to be inferred; leave out one of the two")
+    """Return the error for a name that is given, and also measured or to be inferred."""
+    return BadRequest(f"{name} is given, and also measured or to be inferred; leave out one")
 
 
 def sizes_in_words(unknowns: Iterable[str]) -> str:

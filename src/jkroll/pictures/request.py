@@ -51,7 +51,7 @@ from .picture import (
 from .ranges import band_of
 
 MAX_CURVES = 24  # more cannot be distinguished
-SIDE = 201  # points along each side of the grid for captions and limits, and by default of a map's numbers
+SIDE = 201  # points along each side of the grid of captions and limits; also the default for a map's numbers
 MOST_BANDS = 4  # largest number of curves with bands of best ranges; more bands cannot be distinguished
 ALONG = 1001  # points of a curve, unless its axis has another number
 # The limits that can have a region on a map, each with its sign in a terminal and its hatch on a page. A pattern means
@@ -204,7 +204,7 @@ def mark_at(text: str, materials: Materials, frame: Frame, x: Axis, y: Axis) -> 
     """Return the mark for `MATERIAL@RADIUS`, `MATERIAL` or `@RADIUS` between two axes."""
     numbers = _frame_at(text, materials, frame).numbers(x.name, y.name)
     if not numbers or not all(axis.has(numbers.get(axis.name, axis.low)) for axis in (x, y)):
-        raise BadRequest(f"--mark {quoted(text)} is nowhere on {x.name} and {y.name} as they are drawn")
+        raise BadRequest(f"--mark {quoted(text)} is outside the axes of {x.name} and {y.name}")
     return Mark(_name_of(text), numbers.get(x.name), numbers.get(y.name))
 
 
@@ -246,7 +246,7 @@ def _material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[list[Mark],
 
 
 def _about_marks(request: PlotRequest, panel: Panel) -> Iterator[str]:
-    """Iterate over texts: for a mark on one axis its position, for a marked grain the quantity with its own inputs."""
+    """Iterate over texts: the position of a mark on one axis, or the value for a marked grain with its own inputs."""
     quantity, ((_, frame),) = request.quantity, request.frames
     typed = {_name_of(text): text for text in request.marks}
     for mark in panel.marks:
@@ -369,7 +369,7 @@ class Layer:
                         break
 
     def _beyond(self, limit: Limit, threshold: float) -> str:
-        """Return the text of a region: the consequence of the limit, and the threshold unless a factor is judged."""
+        """Return the text of a region: the consequence of the limit, with the threshold of a limit without a factor."""
         if limit is LAW:
             size = f"{100 * (threshold - 1):.0f} %" if threshold < 2 else f"a factor of {threshold:g}"
             return f"{self.given.law.title} is off by more than {size}"
@@ -442,7 +442,7 @@ def inputs_as_texts(frame: Frame, names: Iterable[str]) -> tuple[str, ...]:
 
 
 def notes_on(given: Frame, frame: Frame, inputs: Collection[str], names: Sequence[str]) -> list[str]:
-    """Return notes on uncertain inputs, of which a picture uses the middle, on assumptions, and on material data.
+    """Return notes on uncertain inputs, on assumptions and on material data; a picture uses middle values.
 
     `given`: the frame as the user gave it, or the frame of all points of a picture; `frame`: that of a single point.
     """
@@ -479,7 +479,7 @@ def _opening(quantity: str, layers: Sequence[Layer]) -> Iterator[str]:
             label = f"{layer.text}, the" if layer.text else "The"
             yield f"{label} same everywhere: {symbol(quantity)} = {amount(quantity, extent(layer.values)[0])}."
     if any(layer.frame.may_rest_on_spacing(quantity) and not layer.known.all() for layer in layers):
-        yield f"No value where it {RESTS_ON_SPACING.words}."
+        yield f"No value where {symbol(quantity)} {RESTS_ON_SPACING.words}."
     unjudged: list[str] = []
     for layer in layers:
         unjudged += layer.unjudged

@@ -65,7 +65,7 @@ class Result(Numeric):
         by_law: Mapping[str, float] = MappingProxyType({}),  # an inferred value by each other law
         bar: ErrorBar | None = None,  # the uncertainty, if an input has one
         law: str = "",  # the law of attraction, unless it is JKR or has the same formula as JKR
-        equation: str = "",  # by that law: its number in the paper, or the source of the law
+        equation: str = "",  # the number in the paper of this law's equation, or its source
     ) -> None:
         self.name, self.value, self.reason, self.code, self.error = name, value, reason, code, error
         self.growth, self.by_law, self.bar, self.law = growth, by_law, bar, law
@@ -280,7 +280,7 @@ class Answer(Results):
 
     @property
     def exceeded(self) -> list[Doubt]:
-        """The limits of the model that do not hold, the most important first.
+        """The limits of the model that are exceeded, the most important first.
 
         Limits that end a meaning come first, led by a contact wider than its sphere; then limits of the headline; then
         the others. In each group, limits on a state (with threshold 0) come first, then limits with a remedy, then the
@@ -309,8 +309,8 @@ class Answer(Results):
     def _is_of_headline(self, limit: Limit) -> bool:
         """Return whether a limit concerns the headline.
 
-        The limit of the law does if another law gives the headline another value. So does a limit on a result itself,
-        such as a negative force.
+        The limit of the law does if another law gives the headline another value. A limit on a result itself, such as
+        a negative force, always does.
         """
         if limit.name in limit.touches and limit.name in self.values:
             return True
@@ -363,6 +363,6 @@ class Answer(Results):
         for error in self.reasons.values():
             if isinstance(error, Failure) and not error.cause.has_contact:
                 return with_force_by_maugis(error, self.frame) if error.cause == BEYOND_PULL_OFF else error
-        if self.values or self.ended:  # a value without meaning still answers
+        if self.values or self.ended:  # a value without a meaning counts as an answer
             return None
         return next(iter(self.reasons.values()), Failure(OF_IDENTICAL_SPHERES))

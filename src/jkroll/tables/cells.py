@@ -1,4 +1,4 @@
-"""Columns of texts as SI numbers and as materials.
+"""Conversion of columns of texts to SI numbers and to materials.
 
 orjson reads all numbers of a column at once. The power of ten of the unit is appended to the text of each number, so
 each number is rounded only once, as on the command line. A cell with other text, or with a unit that is not a power of
@@ -106,7 +106,7 @@ class Column(NamedTuple):
 
     @property
     def exponent(self) -> int | None:
-        """The power of ten of the unit in SI units; 0 for a bare ratio; None for another factor or a missing unit."""
+        """The power of ten of the unit in SI units; 0 for a bare ratio; None without a unit or for any other factor."""
         if self.unit is None:
             return 0 if NOMENCLATURE[self.name].unit == "1" else None
         return exponent_of(self.unit)
@@ -177,7 +177,7 @@ def has_no_value(text: str) -> bool:
 
 
 def is_number(text: str) -> bool:
-    """Return whether a text is a finite number in the notation of programs."""
+    """Return whether a text is a finite number as Python's `float` reads it."""
     try:
         return isfinite(float(text))
     except ValueError:

@@ -79,7 +79,7 @@ _EDGES = " _.,:;/|-·"
 _FACTORS = r"^[\d\s.*/^+()−-]+|\s*[*/^+(−-][\d\s.()]*(?:(?<=\d)[eE][+-]?\d+)?$|[⁰¹²³]+$"
 _FACTOR_BEHIND = r"\s*(?:(?<![^\W\d_])x|[×*·/^+−-])\s*\(?\d[\d.,eE^+⁰¹²³⁴⁵⁶⁷⁸⁹⁻−-]*\)?$"  # as in radius (nm) x 10
 FACTOR_INSIDE = r"(?<![\w.^])\d[\d.]*[*·×]?(?=[^\W\d_])"  # as in w=2γ
-FACTOR = "a sign or a factor is next to the word or its unit"
+FACTOR = "the name of the quantity or its unit has a sign or a factor"
 _LEFT_OVER = r"[\[(][\s_.,;%-]*[\])]|[\s_.,-]{2,}"  # brackets and blanks around removed words
 SPREAD = "it may be an uncertainty of {0}; its columns are {0}_err, or {0}_minus and {0}_plus"
 NO_FACTOR = "it is an expanded uncertainty, and its coverage factor k is missing"

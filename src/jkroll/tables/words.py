@@ -49,7 +49,7 @@ class Meaning(NamedTuple):
 _SIZE = Meaning(["radius", "diameter"], "it may be a radius or a diameter")
 _DIAMETER = Meaning(["diameter"], "it may be a diameter")
 _FORCE = Meaning(["load"], "it may be a load, or a force that was measured")
-_OF_PAIR = Meaning(["work_of_adhesion", "surface_energy"], "it may be that of a pair")
+_OF_PAIR = Meaning(["work_of_adhesion", "surface_energy"], "it may be the work of adhesion of the pair")
 _MODULUS = Meaning(["youngs_modulus", "contact_modulus"], "it may be Young's modulus, or E* of the contact")
 _DOUBTFUL_WORDS = {
     "size": _SIZE,

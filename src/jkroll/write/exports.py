@@ -39,7 +39,7 @@ neighbor {skin:.12g} bin
 pair_style granular
 {coefficients}
 timestep {step:.12g}
-# SI units. {law}: 2E* [Pa], damping, Poisson's ratio 0, as only E* enters, gamma per surface [J/m^2].
+# SI units. {law}: 2E* [Pa], damping, Poisson's ratio (0, as only E* enters), gamma per surface [J/m^2].
 # tangential mindlin_rescale: 8G* [Pa], damping, coefficient of friction [1].
 # rolling sds: stiffness [N/m], damping, coefficient M/(R(P + 2P_c)) [1], M the moment at which it rolls, R the \
 reduced radius.
@@ -47,14 +47,15 @@ reduced radius.
 where collisions press harder, give their largest force as --load. What is behind each line: jkroll guide dem
 """
 _OF_COLLISIONS = """\
-# In LAMMPS grains stick only below 0.7028 v_stick: it lets go at 3 pi gamma R, before the neck has stretched as far \
-as fixed grips stretch it, so that adhesion takes only 49 percent of jkroll's energy from a collision.
+# In LAMMPS grains stick only below 0.7028 v_stick. LAMMPS breaks a contact at 3 pi gamma R, before the neck has \
+stretched as far as fixed grips stretch it, so that adhesion takes only 49 percent of jkroll's energy from a collision.
 """
 _REMARKS_ON = {  # by law
     "jkr": """\
 # twisting sds: stiffness [N m], damping, coefficient M_twist/(P + 2P_c) [m].
 # Friction is F_slide/(P + 2P_c), with tau = {shear_strength:.6g} Pa{place}; if a brittle contact peels off first, \
-write T_first/(P + 2P_c) = {peels:.6g}. Both are adhesion's at the P above: for harder pushes write your solid's.
+write T_first/(P + 2P_c) = {peels:.6g}. Both are due to adhesion at the P above: for harder pushes write the \
+coefficient of your solid.
 """,
     "dmt": """\
 # P_c is 4 pi gamma R here. The rolling moment is 4 pi gamma R xi at any load, the one in LAMMPS right at the P above.
