@@ -24,7 +24,7 @@ from scenes import QUARTZ
             "quartz 1um",
             "slides or peels off at 180–220 nN",
         ),
-        ("quartz 1um --shear-strength 10MPa", "kept from rolling, it slides at"),
+        ("quartz 1um --shear-strength 10MPa", "if it cannot roll, it slides at"),
         ("quartz 100nm --xi 1nm", "a pushed sphere rolls first"),
         # πa0²τ, a0 = 3.991 nm · 10^(2/3), which is less than the 0.7 nN at which SiO2 rolled
         (

@@ -68,9 +68,9 @@ ROUGH = "from the page measurements, Rough and humid: jkroll guide measurements\
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ("guide humidity", "**Humid**: take 55 to 90 nN for a real pair"),
-        ("guide humid", "**Humid**: take 55 to 90 nN for a real pair"),
-        ("guide how humid is it?", "**Humid**: take 55 to 90 nN for a real pair"),
+        ("guide humidity", "**Humid**: `--humidity 60%` gives the force"),
+        ("guide humid", "**Humid**: `--humidity 60%` gives the force"),
+        ("guide how humid is it?", "**Humid**: `--humidity 60%` gives the force"),
         ("guide meniscus", "The **meniscus** pulls"),
         ("guide menisci", "The **meniscus** pulls"),
         ("guide water", "Roughness and water are often"),

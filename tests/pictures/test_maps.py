@@ -381,7 +381,7 @@ def test_a_curve_without_values_is_not_drawn_and_gaps_have_their_reason(run: Run
         "map v_stick --x R1=10nm:10um --y gamma=1mJ/m2:1J/m2 --young 7GPa --poisson 0.25 --density 1g/cm3 --model "
         "maugis"
     )
-    assert "No value where it depends on z0" in run(drawn).out
+    assert "No value where v_stick depends on z0" in run(drawn).out
     assert "No value" not in run(f"{drawn} --z0 4angstrom").out
 
 

@@ -35,7 +35,7 @@ _WIDE = 2  # ranges whose ends differ by at least this factor are followed by a 
 
 def leads(answer: Answer) -> Iterator[Note]:
     """Iterate over the sentences that answer the question of a command."""
-    if answer.described.unknowns and answer.values:
+    if answer.described.unknowns and answer.values and not [*about_library(answer)]:
         yield Note("lead", _what_it_means(answer))
     water = [*_water_or_dry(answer)]
     yield from water
@@ -68,9 +68,8 @@ def lead_of_rows(groups: Sequence[Group], names: Collection[str]) -> str:
         return ""
     if "meniscus_force" in names:
         return "of best P_c and F_men the larger counts, not the sum"
-    if [*names] == ["pull_off_force"] and any(is_anywhere(may_be_rough(frame)) for frame, _ in groups):
-        return "best P_c is that of ideally smooth spheres; real ones hold less"
-    return ""
+    is_rough = any(is_anywhere(may_be_rough(frame)) for frame, _ in groups)
+    return "P_c is that of ideally smooth spheres, an upper limit; real ones hold less" if is_rough else ""
 
 
 def options_for_centre(answer: Answer) -> str:
@@ -108,8 +107,7 @@ def _what_it_means(answer: Answer) -> str:
     of_both = "; w = 2γ" if is_of_both else ""
     has_error = not frame.uncertain.keys().isdisjoint(frame.judged(frame.unknowns))
     error = "" if has_error else "; write what you measured with its error, as 3.0±0.2"
-    literally = "taken literally, " if [*about_library(answer)] else ""
-    return f"{literally}the measurement implies {listed(texts)}{of_both}{error}"
+    return f"the measurement implies {listed(texts)}{of_both}{error}"
 
 
 def _pulled_apart(answer: Answer) -> str:
@@ -139,11 +137,8 @@ def _filled(sentence: str, answer: Answer) -> str:
 
 
 def _spoken(name: str, estimate: Estimate) -> str:
-    """Return a best range in words, an open one as "50 µm or less"."""
-    text = range_in_words(name, estimate)
-    if text.startswith("≥ "):
-        return f"{text.removeprefix('≥ ')} or more"
-    return f"{text.removeprefix('≤ ')} or less" if text.startswith("≤ ") else text
+    """Return a best range in words, an open one as "at most 50 µm"."""
+    return range_in_words(name, estimate).replace("≥", "at least").replace("≤", "at most")
 
 
 def _middle(name: str, estimate: Estimate, *, is_short: bool) -> str:
@@ -158,10 +153,11 @@ def _middle(name: str, estimate: Estimate, *, is_short: bool) -> str:
 def _first_to_give_way(answer: Answer) -> str:
     rolling, sliding = (answer.estimates[name] for name in ("yield_force", "sliding_or_peeling_force"))
     force = range_in_words("yield_force", sliding)
-    gives = f"it {_slides_or_peels(answer)} at {force} (T_first)"
+    gives = f"it {_slides_or_peels(answer)} at {force}"
     rolls = range_in_words("yield_force", rolling)
     if rolling.high < sliding.low:
-        return f"a pushed sphere rolls first ({rolls}); kept from rolling, {gives}"
+        rolls += _middle("yield_force", rolling, is_short=True)
+        return f"a pushed sphere rolls first, at {rolls}; if it cannot roll, {gives}"
     if rolling.low > sliding.high:
         return f"pushed, a sphere does not roll, which takes {rolls}: before that, {gives}"
     decides = "ξ" if rolling.by in (XI_UNKNOWN, SCALED) else "τ"

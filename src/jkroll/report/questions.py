@@ -59,7 +59,7 @@ _QUESTIONS = {
         "yield_force yield_force_fixed_load yield_force_ratio yield_moment yield_angle yield_displacement",
         leads="pushed at its centre, a sphere starts to roll at {yield_force}",
     ),
-    "r-min": _question("r_min", leads="before one of its contacts rolls, a chain bends down to a radius of {r_min}"),
+    "r-min": _question("r_min", leads="the smallest radius to which a chain bends before a contact rolls is {r_min}"),
     "n-grav": _question(
         "n_grav",
         "n_grav gravity_moment bond_number",
@@ -129,12 +129,10 @@ QUESTIONS: Mapping[str, Question] = {
         "sticking_speed_pencil_code",
         without_row="fold_energy break_energy_dust_simulation sticking_energy_paszun_dominik "
         "sticking_energy_pencil_code sticking_speed_paszun_dominik sticking_speed_pencil_code",
-        leads="separating the spheres takes {pull_off_work} if they are free or held by stiff grips, "
-        "{pull_off_work_at_dead_load} by a soft spring (most AFMs)\n"
-        "rolling by a quarter turn takes {roll_energy_quarter_turn} by D&T 97, with the full moment; the mean moment "
-        "gives half\n"
-        "the sticking speed is {sticking_speed}\n"
-        "by conventions of other authors (Wada, Paszun, the Pencil Code): --explain",
+        leads="separating the spheres takes {pull_off_work}; with a soft spring, as of most AFMs, "
+        "{pull_off_work_at_dead_load}\n"
+        "rolling by a quarter turn takes {roll_energy_quarter_turn}, by D&T 97\n"
+        "the sticking speed is {sticking_speed}",
     ),
     "impact": _question(
         "restitution",
@@ -162,8 +160,7 @@ QUESTIONS: Mapping[str, Question] = {
         without_row="restructuring_energy_ormel restructuring_speed_ormel disruption_energy_dust_simulation "
         "disruption_speed_dust_simulation",
         leads="two equal aggregates that collide begin to restructure at {restructuring_speed}, by D&T 97\n"
-        "they begin to break up at {disruption_speed}, by Wada 07\n"
-        "by other rules (Ormel's, which measured rolling forces do not support; E_break): --explain",
+        "they begin to break up at {disruption_speed}, by Wada 07",
     ),
 }
 EVERYTHING = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities))

@@ -97,7 +97,7 @@ def held_on_surfaces(frame: Frame) -> str:
     """Return the pull-off force of real surfaces: for SiO2 as measured, for other solids as a fraction of JKR's."""
     radii = frame.numbers("radius", "radius2").values()
     if min(radii, default=2 * frame["reduced_radius"]) < SURFACES_FROM:
-        return "real ones hold less (1/100 to 4/5 at R ≥ 1 µm, not measured at this size)"
+        return "real ones hold less (at R ≥ 1 µm 1/100 to 4/5; smaller ones were not measured)"
     if solid_of_pair(frame) != SIO2:
         return "real ones hold less: SiO2, the only solid measured, held 1/100 to 4/5 of JKR's force"
     forces = (f"{span('pull_off_force', *ends)} ({surface})" for surface, ends in on_surfaces(frame).items())
@@ -144,6 +144,14 @@ def _kelvin(answer: Answer) -> Iterator[str]:
     yield "water changes γ, too"
     yield "roughness lowers P_c and F_men: SiO2 of 10 µm on smooth glass had 1/8–1/5 of F_men at 67 % humidity"
     yield "with --roughness 2nm, the answer has the humidity at which the gap fills"
+
+
+def _friction(answer: Answer) -> Iterator[str]:
+    yield _WORDS[FRICTION_ASSUMED]
+    radius = answer.frame.numbers("contact_radius_at_load").get("contact_radius_at_load", 0.0)
+    if radius:
+        better = Ranges.of(answer.frame, "contact_radius_at_load").by_better_law("contact_radius_at_load")
+        yield f"Maugis' contact area is {from_to(*((end / radius) ** 2 for end in better))} of JKR's"
 
 
 def _better_law(answer: Answer) -> Iterator[str]:
@@ -278,17 +286,16 @@ def _xi_unknown(answer: Answer) -> Iterator[str]:
         yield "not measured; 2 Å (one atom) or more; --xi or a material narrows it"
         return
     most = answer.ranges.at_full_hysteresis(XI)[1]
-    at_most = "where all of w is lost" if isnan(most) else f"{span(XI, most, most)} (all of w lost)"
-    ends = f"by Maugis 2 Å to {at_most}"
+    ends = "from 2 Å to adhesion's limit" if isnan(most) else f"from 2 Å to {span(XI, most, most)} (adhesion's limit)"
     if rolled is None:
-        yield f"not measured for this pair; {ends}"
+        yield f"not measured; {ends}"
     elif not rolled.has_energy(frame):
         yield f"not measured at this γ; {ends}"
     elif any(high > most for _, high in answer.ranges.of_laws(XI, SCALED)):
         yield f"not measured at this size; from 2 Å to forces of {amount('radius', rolled.radius)}, scaled"
     else:
         yield f"not measured at this size; {ends}"
-    yield "ξ is how far the contact shifts before it rolls; 2 Å is about one atom"
+    yield "ξ is how far the contact shifts before it rolls; 2 Å is about one atom; both ends are by Maugis' law"
     yield _of_measured_solid(answer)
 
 
@@ -363,6 +370,7 @@ _OF_ANSWER: Mapping[int, Callable[[Answer], Iterable[str]]] = {
     MEASURED: _measured,
     SCALED: _scaled,
     XI_UNKNOWN: _xi_unknown,
+    FRICTION_ASSUMED: _friction,
     ADHESION_ONLY: _adhesion_only,
     LAW_ONLY: _law_only,
 }

@@ -47,8 +47,7 @@ reduced radius.
 where collisions press harder, give their largest force as --load. What is behind each line: jkroll guide dem
 """
 _OF_COLLISIONS = """\
-# In LAMMPS grains stick only below 0.7028 v_stick. LAMMPS breaks a contact at 3 pi gamma R, before the neck has \
-stretched as far as fixed grips stretch it, so that adhesion takes only 49 percent of jkroll's energy from a collision.
+# LAMMPS breaks a contact early, at 3 pi gamma R: its grains stick only below 0.7028 v_stick.
 """
 _REMARKS_ON = {  # by law
     "jkr": """\
