@@ -1,4 +1,4 @@
-"""A call of a command. Its words and options are read on demand, as frames and as a format of results."""
+"""A call of a command, whose words and options are turned into frames and a format of results on demand."""
 
 import os
 import shlex
@@ -34,14 +34,14 @@ class Output(NamedTuple):
     name: str
     has_rows: bool = False  # can hold columns with a row for each frame
     has_answers: bool = False  # can hold single answers with their notes
-    keeps_all: bool = False  # has numbers without a meaning, since an empty cell could not show its reason
+    keeps_all: bool = False  # includes meaningless numbers, since an empty cell could not show its reason
     for_readers: bool = False  # shows inputs as typed, and lines around a table
 
 
 TABLE = Output("table", has_rows=True, has_answers=True, for_readers=True)
 PLAIN = Output("plain", has_rows=True, has_answers=True, keeps_all=True)
 FILE = Output("file", has_rows=True)
-CHOSEN = (  # the forms that options of the same names choose
+CHOSEN = (  # the forms chosen by options of the same names
     BARE := Output("bare", has_rows=True, keeps_all=True),
     JSON := Output("json", has_answers=True),
     CSV := Output("csv", has_rows=True),
@@ -212,7 +212,10 @@ class Call(Options):
 
     @cached_property
     def output(self) -> Output:
-        """The form that an option chooses, or that of the output file; else a table, or unformatted lines in a pipe."""
+        """The form of the output file; without a file, the form that an option chooses.
+
+        By default the form is a table on a terminal, and unformatted lines in a pipe.
+        """
         chosen = next((output for output in CHOSEN if output.name in self.given), None)
         if self.target is None:
             return chosen or (TABLE if sys.stdout.isatty() else PLAIN)

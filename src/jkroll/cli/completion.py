@@ -163,8 +163,8 @@ def _options(given: Set[str], options: Iterable[Option[Any]]) -> Iterator[Candid
 def _placeholders(command: Command, words: Sequence[str], begun: str) -> Sequence[str]:
     """Return the placeholders that a partial word may fill.
 
-    An empty word fills the first placeholder. Any other word fills the first placeholder with a matching name that is
-    not filled yet; without such a placeholder, the word may fill any of them.
+    An empty word fills the first placeholder. Any other word fills the first placeholder that is still free and has a
+    matching name; without such a placeholder, the word may fill any of them.
     """
     if not begun:
         return command.placeholders[:1]
@@ -190,7 +190,7 @@ def _values(placeholder: str, begun: str) -> list[Candidate]:
 
 
 def _units(unit: str) -> Iterable[str]:
-    """Return the units, each once, in the examples of inputs with the same SI unit."""
+    """Return the units that occur in the examples of inputs with this SI unit, each once."""
     units: dict[str, None] = {}
     for quantity in NOMENCLATURE.values():
         if quantity.example and quantity.unit == unit and not quantity.is_word:
@@ -199,7 +199,7 @@ def _units(unit: str) -> Iterable[str]:
 
 
 def _materials(begun: str) -> list[str]:
-    """Return matching materials, or aliases if none matches; only shipped ones while a user's file has errors."""
+    """Return matching materials, or aliases if none matches; only shipped ones if the user's file has errors."""
     from ..materials.library import known_materials, materials_of_user
 
     try:

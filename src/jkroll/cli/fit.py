@@ -31,7 +31,7 @@ from .call import CITE, CSV, JSON, MARKDOWN, TABLE, Call
 
 _SUMMARY = ("work_of_adhesion_opening", "work_of_adhesion_closing", "adhesion_hysteresis", "contact_modulus")
 _RADII = ("radius", "diameter", "reduced_radius")
-_LARGEST_ERROR = 0.45  # largest relative error of a result to type; errors of half the value are refused
+_LARGEST_ERROR = 0.45  # largest relative error of a result offered as an input; 0.5 or more is refused
 
 
 class FileFit(NamedTuple):

@@ -37,7 +37,7 @@ class Option(Generic[Value]):
         short: str = "", hidden: bool = False, repeats: bool = False, group: str = "Output",
         needs: str = "", excludes: str = "",
     ) -> None:  # fmt: skip
-        """`needs`: names of options of which one must be given; `excludes`: names of options that must not be given."""
+        """`needs`: names of options, one of which must be given; `excludes`: options that must not be given."""
         self.default, self.flag, self.help, self.metavar, self.most = default, flag, help, metavar, most
         self.name, self.short, self.hidden, self.repeats, self.group = name, short, hidden, repeats, group
         self.needs, self.excludes = needs.split(), excludes.split()

@@ -322,7 +322,7 @@ def _no_such_option(flag: str, command: str | None) -> BadRequest:
 
 
 def _meant(flag: str, flags: Mapping[str, Option[Any]]) -> str | None:
-    """Return the flag of which a word is probably a synonym, an abbreviation or a misspelling; None without one."""
+    """Return the flag that a word probably means, as a synonym, an abbreviation or a misspelling; None without one."""
     name = flag.lstrip("-").replace("-", "_").casefold()
     option = _option(f"--{flag.lstrip('-')}", flags)
     if option is not None:

@@ -60,7 +60,7 @@ def run_question(call: Call) -> int:
 
 
 def answer_rows(call: Call, sweep: Sweep, question: Question, form: Format) -> int:
-    """Write the answers to a question, as rows or one after the other; return the exit code."""
+    """Write the answers to a question, as rows or one after another; return the exit code."""
 
     def answer(row: Frame) -> "Report":
         from ..report.report import Report  # imported here, since rows of numbers do not need this module
@@ -151,7 +151,7 @@ def _write_columns(
             sys.stdout.write(text.decode())
         sys.stdout.flush()
     tally = reduce(Tally.plus, tallies, Tally())
-    # Some states of a curve may have numbers without a meaning even if the curve as a whole has a meaning.
+    # Some states of a curve may have meaningless numbers even if the curve as a whole is meaningful.
     if single is None or (tally.with_doubts(ENDING_MEANING) and not single.ended):
         notes = notes_below(groups, tally, wanted.reported_doubts, is_table=is_table)
     elif is_table:
@@ -188,7 +188,7 @@ def _exit_code(call: Call, failed: int, count: int, first: JkrollError | None = 
 def _write_answers(
     call: Call, answers: "Iterable[Report]", count: int, form: Format, single: "Report | None" = None
 ) -> int:
-    """Write answers one after the other; return the exit code.
+    """Write answers one after another; return the exit code.
 
     `single`: the answer if there is only one. Its notes follow on stderr unless the output includes them.
     """

@@ -1,6 +1,6 @@
 """The program as a typer application, which installs completion, documents the commands and serves CliRunner.
 
-The words and options that typer has read are joined to a command line again, which `process` runs.
+The words and options that typer has read are joined into a command line again, which `process` runs.
 """
 
 from collections.abc import Callable, Iterable

@@ -11,8 +11,8 @@ from .values import Measured, Uncertain, ends_of, middle
 DIGITS = 6  # significant digits of a rounded value
 RESULT_DIGITS = 4  # digits of a result in a table for readers
 ROUND_DIGITS = 12  # digits that show a round value in full, but not its rounding error
-_PLAIN = 10**DIGITS  # smaller numbers are written without an exponent
-_ERRORS = 1e-14  # on a linear scale, a number below this fraction of the largest one is 0
+_PLAIN = 10**DIGITS  # numbers from 1 to below this are written without an exponent
+_ERRORS = 1e-14  # on a linear scale, a number below this fraction of the largest is written as 0
 _NARROW = 0.05  # relative width; the ends of a narrower range have three digits
 _PREFIXES = dict(
     zip(range(-24, 18, 3), ("y", "z", "a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T", "P"), strict=True)
@@ -38,7 +38,7 @@ class Format:
         return self.units[name][0] if name in self.units else NOMENCLATURE[name].unit
 
     def changes(self, name: str) -> bool:
-        """Return whether the numbers of a quantity are rounded, or are written in another unit than the SI unit."""
+        """Return whether the numbers of a quantity are rounded, or are written in a unit other than the SI unit."""
         return name in self.units or self.digits is not None
 
     def number(self, name: str, value: float) -> float:
@@ -222,7 +222,8 @@ def _shift(size: float) -> int:
 def _plus_minus(value: float, minus: float, plus: float) -> str:
     """Return a value with its standard uncertainty.
 
-    The uncertainty has two digits, and the value ends with the same decimal. If the two sides differ, both are shown.
+    The smaller side of the uncertainty has two digits, and all numbers end at the same decimal place. If the two sides
+    differ, both are shown.
     """
     shift = _shift(abs(value))
     numbers = [number * 10.0**-shift for number in (value, minus, plus)]
@@ -244,7 +245,7 @@ def in_words(name: str, value: float | str) -> float | str:
 
 
 def in_units(unit: str, values: Sequence[float], digits: int = ROUND_DIGITS, *, is_log: bool) -> tuple[list[str], str]:
-    """Return the values of an axis as texts, and their common unit, which is empty if each text has a unit.
+    """Return the values of an axis as texts, and their common unit; empty if each text has a unit, or needs none.
 
     On a logarithmic scale, all texts have the same form: numbers with prefixed units, with exponents, or with neither.
     >>> in_units("Hz", [1e9, 1e12], is_log=True), in_units("J", [1e-18, 1e-15], is_log=True)
@@ -310,7 +311,7 @@ def symbol_of(name: str) -> str:
 
 
 def bar_digits(value: float, error: float) -> str:
-    """Return a value rounded to the second digit of its error, or to four digits if the error is 0 or exceeds it.
+    """Return a value rounded to the second digit of its error; to four digits if the error is 0 or exceeds the value.
 
     >>> bar_digits(61.7234, 0.24), bar_digits(1749.6, 190.0), bar_digits(0.21666, 0.0)
     ('61.72', '1750', '0.2167')

@@ -37,7 +37,7 @@ class Law:
         source: str,  # the reference of results without an equation in the paper
         tables: Mapping[str, Routes],
         omits: frozenset[str] = frozenset(),  # quantities not shown under this law
-        by_spacing: frozenset[str] = frozenset(),  # formulas whose values the atomic spacing sets if λ < 1
+        by_spacing: frozenset[str] = frozenset(),  # formulas whose values the atomic spacing determines if λ < 1
         profile: str = PARABOLOID,
     ) -> None:
         self.name, self.title, self.source, self.profile = name, title, source, profile
@@ -50,7 +50,7 @@ class Law:
 
     @property
     def words(self) -> Mapping[str, str]:
-        """The input that selects the law, by name."""
+        """The name and the value of the input that selects the law."""
         return {"model": self.name} if self.profile == PARABOLOID else {"profile": self.profile}
 
     @property
@@ -104,8 +104,8 @@ _JKR = Law(
 
 _PEAK_OF_JKR = ("impact_pressure", "touch_pressure", "yield_speed", "plastic_speed")  # computed from JKR's energies
 
-# Routes of all laws but JKR: to formulas that use the law's own force and radius, and None for quantities that only
-# JKR has.
+# Routes of Maugis' law and of DMT: to formulas that use the law's own force and radius, and None for quantities that
+# only JKR has.
 _OUTSIDE_JKR: Routes = {
     "unloaded_moment": "unloaded_moment_of_radius",
     "yield_force": "yield_force_of_moment",
@@ -118,7 +118,7 @@ _OUTSIDE_JKR: Routes = {
     "displacement_limit": None,
     "viscosity_number": None,
     **dict.fromkeys(_PEAK_OF_JKR),
-    # the area may be the contact or the zone of attraction, which is 6 times as large for quartz of 100 nm
+    # the area that slides may be the contact, or the zone of attraction: 6 times as large for quartz spheres of 100 nm
     "sliding_force": None,
     "sliding_displacement": None,
     "sliding_energy": None,
@@ -196,7 +196,7 @@ _DMT = Law(
     omits=frozenset({"rolling_frequency_as_printed", *_BY_LENNARD_JONES, "pull_off_force_dmt", *_PEAK_OF_JKR}),
 )
 
-# JKR's law for a rigid sphere of true shape on a soft plane. The law has the contact, but no quantity that depends on
+# JKR's law for a rigid sphere of true shape on a soft plane. It gives the contact, but no quantity that depends on
 # JKR's energies or adhesive force.
 _OF_SPHERE = Law(
     name="jkr-sphere",
@@ -304,7 +304,7 @@ def law_of(formula: str) -> str | None:
 
 @cache
 def has_profile(name: str) -> bool:
-    """Return whether a quantity exists for a sphere of true shape."""
+    """Return whether the law of a sphere of true shape has its own formula for a quantity."""
     return _OF_SPHERE.tables[ALWAYS].get(name) is not None
 
 

@@ -34,7 +34,7 @@ _SIGNS = {
 _LETTERS = {"â": r"\hat{a}", "π": r"\mathrm{π}"}
 _COMMANDS = {"√": r"{\surd}", "±": r"{\pm}", "µ": r"{\mu}"}  # of mathematics in LaTeX, by sign
 _COMMANDS |= {letter: rf"{{\{name}}}" for name, letter in LETTERS.items() if "Α" <= letter <= "ω"}
-_ESCAPED = {  # signs in words of LaTeX
+_ESCAPED = {  # signs outside formulas, in LaTeX
     **{sign: f"${command}$" for sign, command in _COMMANDS.items()},
     **{sign: f"$^{{{sign.translate(SUPERSCRIPTS)}}}$" for sign in _SUPERSCRIPTS},
     **{sign: rf"\{sign}" for sign in "&%$#_{}"},
@@ -48,7 +48,7 @@ _ESCAPED = {  # signs in words of LaTeX
 }
 _IN_LATEX_FORMULAS, _IN_LATEX_WORDS = str.maketrans(_COMMANDS), str.maketrans(_ESCAPED)
 _POWER_OF_TEN = re.compile(r"(?<=\d)e([+-]?\d+)")
-_JOINED = re.compile(r" (?=[=<>\[])|(?<=[=<>]) ")  # spaces at which no line breaks, as in "P = 0 N" and "P [nN]"
+_JOINED = re.compile(r" (?=[=<>\[])|(?<=[=<>]) ")  # spaces at which no line is broken, as in "P = 0 N" and "P [nN]"
 
 
 def symbol(name: str) -> str:
@@ -64,8 +64,8 @@ def symbol(name: str) -> str:
 def marked(sentence: str) -> str:
     """Return a sentence of the nomenclature with marks around its formulas.
 
-    >>> marked("pull-off force over πwR"), marked("w of opening less of closing"), marked("√(1 + P/P_c) at the load")
-    ('pull-off force over ⟦πwR⟧', '⟦w⟧ of opening less of closing', '⟦√(1 + P/P_c)⟧ at the load')
+    >>> marked("pull-off force over πwR"), marked("w of opening minus closing"), marked("√(1 + P/P_c) at the load")
+    ('pull-off force over ⟦πwR⟧', '⟦w⟧ of opening minus closing', '⟦√(1 + P/P_c)⟧ at the load')
     """
     return _IN_SENTENCE.sub(r"⟦\g<0>⟧", sentence)
 

@@ -408,7 +408,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
 
 
 def _variants() -> dict[str, Quantity]:
-    """Return a variant of a quantity for each law's own formula, by name; the paper has no equation for variants."""
+    """Return a variant for each formula of a law without an entry above, by name; none has an equation in the paper."""
     variants = {}
     for name, quantity in _QUANTITIES.items():
         symbol, unit, sentence, may_be_zero = quantity.symbol, quantity.unit, quantity.sentence, quantity.may_be_zero
@@ -457,7 +457,7 @@ def as_input(word: str) -> str:
     return OPTION_WORDS.get(name, name if name in NOMENCLATURE else word)
 
 
-XI = "yield_displacement"  # the input on which all rolling quantities depend
+XI = "yield_displacement"  # the input on which the moment and the force of rolling depend
 
 # Inputs that are converted to others before formulas use them: R = D/2, E = 2G(1 + ν).
 CONVERTED = {
@@ -544,7 +544,7 @@ def nearest(word: str) -> str | None:
     """Return the quantity that a word probably means; None if no quantity is similar.
 
     The first rule that gives a quantity decides: the word is its symbol, with or without the index of sphere 1; the
-    word is its synonym; its name begins with the word; its name or its option is most similar to the word.
+    word is its name, option or synonym; its name begins with the word; its name, option or synonym is the most similar.
     """
     meanings = {**OPTION_WORDS, **QUANTITY_SYNONYMS, **{name: name for name in NOMENCLATURE}}
     name = word.strip().lstrip("-").replace("-", "_").replace(" ", "_").casefold()

@@ -93,7 +93,7 @@ def _tabular(columns: Sequence[TextColumn]) -> str:
 
 
 def cell(value: Value, unit: tuple[str, Unit], form: Format) -> str:
-    """Return a value as text in a unit; a number without uncertainty has four digits, with trailing zeros."""
+    """Return a value as text in a unit; by default, a number without uncertainty has exactly four digits."""
     if value is None or isinstance(value, str):
         return value or "–"
     if isinstance(value, Interval):
@@ -105,7 +105,7 @@ def cell(value: Value, unit: tuple[str, Unit], form: Format) -> str:
 
 
 def columns_of(name: str, values: Mapping[str, Sequence[Value]], form: Format) -> list[TextColumn]:
-    """Return columns of values of a quantity in a common unit. `values`: by the head of the column."""
+    """Return columns of values of a quantity in a common unit. `values`: the values of each column, by its head."""
     unit = form.common_unit(name, [*chain.from_iterable(values.values())])
     in_unit = f" [{unit[0]}]" if unit[0] else ""
     columns = []

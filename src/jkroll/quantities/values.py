@@ -292,7 +292,7 @@ def value_of(text: str, name: str, unit: Unit | None = None) -> float | Uncertai
 
 
 def checked(value: float | Uncertain, name: str, text: str) -> float | Uncertain:
-    """Check a value and return it without an uncertainty of 0. Raises QuantityError beyond the quantity's range."""
+    """Check a value and return it; an uncertainty of 0 is dropped. Raises QuantityError outside the range."""
     limits = NOMENCLATURE[name].range
     if not limits.admits(middle(value)):
         raise QuantityError(name, text, limits.words)

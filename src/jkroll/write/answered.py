@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def write_plain(answer: Report, out: TextIO, form: Format, *, best: bool = False) -> None:
-    """Write a line `name value unit` for each result, for each side of its uncertainty, and for its best range."""
+    """Write a line `name value unit` for each result and each side of its uncertainty; `best`: also for best ranges."""
     for word in ("model", "profile"):
         if word in answer.inputs:
             say(f"{word} {answer.inputs[word]}", out)
@@ -38,7 +38,10 @@ def _write_best(name: str, best: Estimate, out: TextIO, form: Format) -> None:
 
 
 def write_measure(quantity: str, measures: Mapping[str, float | Uncertain | None], out: TextIO, form: Format) -> None:
-    """Write a line `name value unit` for each number of measures of a quantity. `measures`: by the name to write."""
+    """Write a line `name value unit` for each value of a quantity and each side of its uncertainty.
+
+    `measures`: the values, by the name to write.
+    """
     for name, number in numbers_of(measures).items():
         value = in_words(quantity, number)
         if not isinstance(value, str):

@@ -36,7 +36,7 @@ from .writers import Cell, write_records
 
 
 def write_materials(chosen: Sequence[Material], out: TextIO, output: str, *, named: bool) -> None:
-    """Write materials in a format. `named`: True if the user named them; a single named material is in full."""
+    """Write materials in a format. `named`: True if the user named them; a single one is written in full."""
     is_single = named and len(chosen) == 1
     if output == "cite":
         _write_references(chosen, out)
@@ -252,7 +252,7 @@ def quantity_as_object(name: str) -> dict[str, Any]:
 
 
 def _related(name: str) -> list[str]:
-    """Return the other quantities whose names have, for each word of a name, a word that begins with it."""
+    """Return the other quantities whose names contain each word of a name, or a longer word that begins with it."""
     prefixes = words_in(name)
     related = []
     for other, words in _words_of_names().items():

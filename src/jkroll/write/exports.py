@@ -1,7 +1,8 @@
 """Contacts as input for other programs: LAMMPS, LIGGGHTS, DustCollider and DustSimulation, in SI or cgs units.
 
-LAMMPS has `granular` contacts. Its rolling friction is a spring F = kξ with the cap μ|P + 2P_po| and the torque FR;
-sliding and twisting have similar caps. Comments are ASCII, because LAMMPS warns about other characters.
+In LAMMPS they are contacts of pair_style `granular`. Its rolling friction is a spring F = kξ with the cap μ|P + 2P_po|
+and the torque FR; sliding and twisting have similar caps. Comments are ASCII, because LAMMPS warns about other
+characters.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -19,7 +20,7 @@ from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE,
 from ..text import ascii_text, wrapped
 
 SKIN = 0.2  # skin of the neighbor lists, in units of the smaller radius
-LEAST_SKIN = 0.4  # least skin in units of δ0: before the gap is this wide, a contact breaks
+LEAST_SKIN = 0.4  # least skin in units of δ0: LAMMPS breaks a contact before its gap is this wide
 WIDTH = 78  # of comments, after "# "
 NO_SLIP = 1e9  # a coefficient of friction that prevents slip, for laws without a sliding force
 
@@ -64,7 +65,7 @@ coefficient of your solid.
 
 
 def lammps_input(frame: Frame) -> str:
-    """Return input for LAMMPS: the coefficients of each pair of types, or of a wall, the time step, and comments."""
+    """Return input for LAMMPS: the coefficients of each pair of types and of any wall, the time step, and comments."""
     is_jkr = frame.law.is_default
     names = [*USUAL]
     if is_jkr:
@@ -85,7 +86,7 @@ def lammps_input(frame: Frame) -> str:
         try:
             coefficients.append(command.format(_coefficients(pair)))
             steps.append(pair["time_step"])
-        except JkrollError as error:  # like spheres may be rigid, or lack an input
+        except JkrollError as error:  # a pair of like spheres may be rigid, or lack an input
             coefficients.append(f"# {command.partition(' {')[0]}: {explanation_of(command, error)}")
     at_rest = "Like spheres touch without load. " if values["load"] else ""
     types = []

@@ -205,7 +205,7 @@ def _with_error(value: float, relative: float) -> float | Measured:
 
 
 def heads_of(*, is_scaled: bool) -> list[str]:
-    """Return the header of the table with a row for each file. `is_scaled`: True for units without the radius."""
+    """Return the header of the table with a row for each file. `is_scaled`: True if no radius is given."""
     units = {}
     for name, quantity in RESULTS.items():
         units[name] = bracketed(unit_without_radius(name) if is_scaled else NOMENCLATURE[quantity].unit)

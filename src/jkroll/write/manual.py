@@ -17,7 +17,7 @@ _FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 _ENDING = ".md"
 _IMAGE = re.compile(r"!\[[^]]*\]\([^)]*\)\n\n")  # images are shown on the site only
 
-# Terms of the field that lead to a section although its heading does not have them; by page and heading.
+# Further terms of the field by which a search finds a section, by page and heading.
 FIELD_TERMS: Mapping[tuple[str, str], str] = {
     ("contact-angle", "γ from contact angles"): "wetting wettability contact angle owens wendt surface tension",
     ("contact-angle", "An example by Owens and Wendt"): "contact angle wetting",
@@ -136,7 +136,7 @@ def passages() -> Iterator[Passage]:
 def section_meant(text: str) -> Section | None:
     """Return the section that a text names, by its short name or by its page and words of its heading.
 
-    The result is None if no section fits, or several.
+    The result is None if no section fits, or if several do.
     """
     page, _, words = text.partition(" ")
     of_heading = {*words_in(words)}
@@ -199,7 +199,10 @@ def materials_with(text: str, materials: Iterable[Material]) -> list[Material]:
 
 
 def quantities_meant(words: Sequence[str]) -> list[str]:
-    """Return the quantities of a comma-separated list, or those with a name or symbol; all without words."""
+    """Return the quantities of a comma-separated list, or those with the words as their name or symbol.
+
+    Without words, all quantities are returned.
+    """
     if not words:
         return list(NOMENCLATURE)
     several = [named(word.strip()) for word in " ".join(words).split(",")]

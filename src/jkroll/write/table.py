@@ -177,7 +177,7 @@ def _in_unit(text: str, unit: str) -> str:
 def _assumptions(answer: "Report") -> dict[str, str]:
     """Return the assumptions of an answer by name, as its table needs them.
 
-    If ranges use other values of ξ, the text says that the assumed one holds for the column of the law. The atomic
+    If ranges use other values of ξ, the text says that the assumed one applies to the column of the law. The atomic
     spacing is left out if ranges vary it.
     """
     texts, rules = {**answer.assumed}, {*answer.rules}
@@ -252,7 +252,7 @@ def _grouped(rows: _Rows, question: "Question") -> list[list[str]]:
 
 
 def _with_surfaces(rows: _Rows, answer: "Report", form: Format) -> _Rows:
-    """Return the rows of results; the forces measured on other surfaces stand above the pull-off force, their limit."""
+    """Return the rows of results, with the forces on measured surfaces above the pull-off force, which limits them."""
     extended: _Rows = {}
     for name, row in rows.items():
         if name == "pull_off_force":

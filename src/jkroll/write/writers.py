@@ -71,7 +71,7 @@ class Lines:
 
     @contextmanager
     def sink(self, stream: BinaryIO, header: bytes) -> Iterator[Callable[[bytes], object]]:
-        """Return the function that writes rows after the header."""
+        """Write the header, and yield the function that writes rows."""
         stream.write(header)
         yield stream.write
 
@@ -453,7 +453,7 @@ def _opened(file: str | int, *, is_terminal: bool = False) -> BufferedWriter:
 
 
 def remove_begun(paths: Iterable[str], mark: str) -> None:
-    """Remove the temporary files with a mark that `whole_file` opened for some paths, in processes that were lost."""
+    """Remove the temporary files of `whole_file` with a mark that lost processes left in the folders of some paths."""
     for folder in {os.path.dirname(os.path.realpath(path)) for path in paths}:
         with suppress(OSError):
             for name in os.listdir(folder):
