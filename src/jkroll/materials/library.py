@@ -1,4 +1,4 @@
-"""Materials by name: those that are shipped, and those of the user's files.
+"""Materials by name: the shipped materials, and the materials in the user's files.
 
 A file is TOML of limited size, so that it loads fast. A mistake in one material does not affect the others: the error
 is raised when that material is used.
@@ -151,7 +151,7 @@ _FORMS: Mapping[type, str] = {dict: "a table", list: "a list", str: "a text in q
 
 
 def in_form(value: object, form: type, where: str) -> Any:
-    """Return a value that is a table, a list or a text as required. `where`: its key. Raises BadRequest for others."""
+    """Return a value in the required form: table, list or text. `where`: the key. Raises BadRequest for others."""
     if not isinstance(value, form):
         raise BadRequest(f"{shown(where)} is not {_FORMS[form]}")
     return value
@@ -181,7 +181,7 @@ def is_material_name(word: str) -> bool:
 
 
 def materials_in(path: str) -> list[Material]:
-    """Return the materials of a file, including those with a mistake. Raises MaterialsFileError for other files."""
+    """Return the materials of a file, including those with a mistake. Raises MaterialsFileError for other mistakes."""
     try:
         data = data_of(path)
         _refuse_unknown_keys("", data, ("title", "materials", "references"))

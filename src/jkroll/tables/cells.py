@@ -172,7 +172,7 @@ def _in_unit(number: str, unit_text: str) -> str:
 
 
 def has_no_value(text: str) -> bool:
-    """Return whether a cell is empty, or is written as a missing value by common programs."""
+    """Return whether a cell is empty, or has a mark for a missing value, such as nan or --."""
     return text.strip().casefold() in _NO_VALUES
 
 
@@ -195,7 +195,7 @@ def _meaning(column: Column, cell: bytes) -> float | Uncertain | JkrollError:
 
 @lru_cache(maxsize=MAX_KEPT)
 def _exponent(unit_text: bytes, name: str) -> int | None:
-    """Return the power of ten between a unit and the SI unit of a quantity; None for any other text."""
+    """Return n for a unit of 10^n SI units of a quantity; None for any other unit or text."""
     try:
         text = unit_text.decode().strip()
         unit = None if not text or has_uncertainty(text) else unit_of(text, name)
@@ -312,7 +312,7 @@ class Lookup:
         """`otherwise`: the material for empty cells."""
         self.materials = materials
         self.known: list[Material | None] = [otherwise]
-        self.errors: dict[bytes, JkrollError] = {}  # by cell, of cells that name no usable material
+        self.errors: dict[bytes, JkrollError] = {}  # by cell, for cells that do not name a usable material
         self._indices: dict[bytes, int] = {}  # by cell
 
     def indices(self, cells: Sequence[bytes]) -> Indices:

@@ -150,7 +150,10 @@ def _curve(table: CurveTable, records: list[Records], stiffness: float | None) -
 
 
 def _numbers(column: Column, records: list[Records]) -> tuple[Any, Any]:
-    """Return the numbers of a column in SI units, nan if a cell has none, and their errors; None without errors."""
+    """Return the SI numbers of a column, nan for other cells, and their errors, or None if no number has an error.
+
+    A missing error is replaced by the median error.
+    """
     values, errors = [], []
     for block in records:
         numbers = column.numbers(block.cells)
@@ -170,7 +173,7 @@ def _numbers(column: Column, records: list[Records]) -> tuple[Any, Any]:
 
 
 def _branch_of(records: list[Records]) -> Any:
-    """Return the branch of each row, from its word. Raises BadTable for an unknown word."""
+    """Return the branch of each row, from the word in its cell. Raises BadTable for an unknown word."""
     cells = []
     for block in records:
         cells += [cell.decode(errors="replace").strip() for cell in block.cells[_BRANCH]]
@@ -182,7 +185,7 @@ def _branch_of(records: list[Records]) -> Any:
 
 
 def _time_of(records: list[Records]) -> Any:
-    """Return the time of each row in any unit; None if a cell is not a number."""
+    """Return the time of each row, in the unit of the column; None if a cell is not a number."""
     try:
         return numpy.array([float(cell) for cell in chain.from_iterable(block.cells[_TIME] for block in records)])
     except ValueError:

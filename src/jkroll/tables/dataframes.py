@@ -30,11 +30,11 @@ class Named(NamedTuple):
 
     name: Any
     head: str
-    values: Callable[[], Any]  # in an array of numbers, or in a list
+    values: Callable[[], Any]  # as an array of numbers, or as a list
 
 
 class Data:
-    """The columns of a dict of arrays, lists or single values. Its subclasses are for the tables of libraries."""
+    """The columns of a dict of arrays, lists or single values. Subclasses are for the tables of libraries."""
 
     def __init__(self, data: Any) -> None:
         self.data = data
@@ -159,7 +159,7 @@ class _Astropy(Data):
 
 
 class _Xarray(Data):
-    """An xarray Dataset. Its rows are the points of all dimensions of the columns to read."""
+    """An xarray Dataset. Its rows are the grid points over all dimensions of the columns to read."""
 
     dims: tuple[Any, ...] = ()
 
@@ -187,7 +187,7 @@ class _Xarray(Data):
 
     def _filled(self, column: Any) -> Any:
         if not {*column.dims} <= {*self.dims}:
-            return [None] * self.size  # the column belongs to other points
+            return [None] * self.size  # the column has dimensions that the rows lack
         own = [dimension for dimension in self.dims if dimension in column.dims]
         column = column.transpose(*own)
         data = numpy.asarray(_magnitude(column.data) if hasattr(column.data, "magnitude") else column.values)
@@ -323,7 +323,7 @@ class Memory:
     def _take_decimal_commas(self, first: dict[int, Sequence[str]]) -> set[int]:
         """Return the positions of text columns with decimal commas, and replace commas in the first cells by points.
 
-        Numbers in these columns are written with decimal commas as well.
+        Numbers among these texts become texts with decimal commas as well.
         """
         texts = {position for position in first if _include_texts(self._of(position))}
         if decimal_mark([first[position] for position in texts], "") != ",":

@@ -19,11 +19,11 @@ _WITH_POINT = re.compile(r"[-+]?\d*\.\d+")
 
 
 def decimal_mark(columns: Iterable[Iterable[str]], separator: str, *, points_may_group: bool = False) -> str:
-    """Return the decimal mark of the numbers in columns; "" if the numbers do not decide.
+    """Return the decimal mark of the numbers in columns; "" if the numbers do not settle it.
 
     A mark that occurs twice in a number separates thousands or the members of a list; such a number is ignored.
-    `points_may_group`: True if a point may separate thousands when no other number decides. Raises BadTable for a
-    number whose mark may separate thousands.
+    `points_may_group`: True if a point may separate thousands. Raises BadTable for a number whose mark may separate
+    thousands, if no other number settles it.
 
     >>> decimal_mark([["0,125", "1.234,5", "1,234,567", "1,200", "1,2,3"]], ";")
     ','
@@ -56,7 +56,7 @@ def _two_readings(number: str) -> str:
 
 
 def without_unclear(records: Records) -> Records:
-    """Return records of a table with an unknown decimal mark. Rows in which a point may separate thousands are bad."""
+    """Return records whose decimal mark is unknown, with errors for rows in which a point may separate thousands."""
     odd = dict(records.odd)
     for name, column in records.cells.items():
         if is_of_text(name) or b"." not in b"".join(column):
@@ -69,7 +69,7 @@ def without_unclear(records: Records) -> Records:
 
 
 def with_decimal_points(records: Records) -> Records:
-    """Return records with decimal points in place of commas. Rows in which a number already has a point are bad."""
+    """Return records with points in place of decimal commas, with errors for rows in which a number has a point."""
     points = dict(records.cells)
     odd = dict(records.odd)
     for name, column in records.cells.items():

@@ -102,7 +102,7 @@ def format_of_name(path: str, formats: Mapping[str, str] = FORMATS) -> FileForma
 def input_format(path: str, target: str, stated: str = "", delimiter: str = "") -> FileFormat:
     """Return the format of the input from `--format` or `--delimiter`, or else from the file's name.
 
-    In a text such as grains.txt, the first lines tell the separator.
+    The first lines reveal a dump of LAMMPS, or the separator of a text file such as grains.txt.
 
     `stated`, `delimiter`: the values of the two options, at most one of which is given. Raises BadTable.
     """
@@ -157,7 +157,7 @@ def _separators_of(lines: Sequence[str]) -> list[str]:
 
 
 def _with_separator(text: FileFormat, words: Sequence[str], path: str) -> FileFormat:
-    """Return the format of a text that these separators may divide. Raises BadTable if there are several."""
+    """Return the format of a text from the names of its possible separators. Raises BadTable if there are several."""
     if len(words) > 1:
         divided = " or by ".join(f"{word}s" for word in words)
         raise BadTable(f"{quoted(path)} may be divided by {divided}; write --delimiter {' or '.join(words)}")
@@ -243,7 +243,7 @@ class Input:
         self.is_file = stat.S_ISREG(self.begun.st_mode)
 
     def pieces(self, compression: str) -> Iterator[bytes]:
-        """Iterate over the decompressed bytes, at most CHUNK at a time; a pipe gives what is available."""
+        """Iterate over the decompressed bytes in pieces; a pipe gives what is available."""
         raw = iter(partial(self.file.read1, CHUNK), b"")
         try:
             yield from decompressed(self.file, compression, self.path) if compression else raw
@@ -315,7 +315,7 @@ def blocks(pieces: Iterator[bytes], cut: Callable[[bytes], int]) -> Iterator[byt
 
 
 def _filled(text: bytes, pieces: Iterator[bytes], size: int) -> bytes:
-    """Return a text that pieces extend to a size, or to the end of the input, with a line feed after the last line."""
+    """Return a text extended by pieces to at least `size` bytes, or to the end of the input, which gets a line feed."""
     while len(text) < size:
         piece = next(pieces, b"")
         if not piece:
@@ -336,7 +336,7 @@ class Delimited:
     """A table whose cells are divided by separators."""
 
     def __init__(self, separator: str, *, excel_safe: bool = False, as_markdown: bool = False) -> None:
-        """`separator`: the mark between cells; a blank if tabs already replace the blanks, as they do in the output.
+        """`separator`: the mark between cells; a blank if tabs have replaced the blanks, as in the output.
 
         `excel_safe`: True to write text so that a spreadsheet does not take it for a formula.
         `as_markdown`: True to write Markdown.
@@ -513,7 +513,7 @@ class Delimited:
         return tuple(names)
 
     def _check_separator(self, line: str, count: int, is_read: Callable[[str], bool]) -> None:
-        """Raise BadTable if another separator finds an input in the header, or if blanks find at least two inputs."""
+        """Raise BadTable if the header has an input between other separators, or at least two between blanks."""
         for word, mark in DELIMITERS.items():
             is_blank = mark == " "
             cells = line.replace('"', "").split(None if is_blank else mark)

@@ -66,7 +66,10 @@ def fit_of_file(
 
 
 def _fitted(read: ReadCurve, known: Known) -> Fit:
-    """Return the fit of a curve. Raises BadCurve, also for values that no solid has, or for a soft sphere."""
+    """Return the fit of a curve. Raises BadCurve, also for values that no solid has.
+
+    A soft sphere is refused if the curve is fitted with the profile of a sphere.
+    """
     fitted = fit_curve(read.curve, known)
     if not fitted.is_scaled:
         _check_sizes(fitted, read.reading)
@@ -90,7 +93,7 @@ def _check_sizes(fitted: Fit, reading: str) -> None:
     modulus, width = values["contact_modulus"], fitted.goodness["contact_over_radius"]
     w = max((values[name] for name in NAMES.values() if name in values), default=0.0)
     force = values.get("pull_off_force_measured", 0.0)
-    # a contact much stiffer than the lever fits with any E*, but then the fitted P_c agrees with the measured one
+    # for a contact much stiffer than the lever, any E* fits, but then the fitted P_c agrees with the measured one
     is_too_stiff = modulus > stiffest and values.get("pull_off_force_fitted", inf) > 2 * force
     if w > SIZES["work_of_adhesion"][1]:
         problem = f"w = {amount('work_of_adhesion', w, _FORM)}, and no solid has that"
@@ -173,7 +176,7 @@ def _relative_error(value: Any) -> float:
 def _check_sphere(given: Mapping[str, Any]) -> None:
     """Raise BadRequest unless the inputs are those of a sphere of known radius on a nearly incompressible plane.
 
-    Otherwise the error of half-space theory is larger than the correction for the profile of a sphere.
+    On any other plane, the error of half-space theory is larger than the correction for the profile of a sphere.
     """
     ratio = middle(given.get("poisson_ratio2", given.get("poisson_ratio", 0.0)))
     if not ratio >= INCOMPRESSIBLE:

@@ -168,7 +168,7 @@ def understood(
         readings = _judged(readings, rows, supply)
     left = [reading for reading in readings if reading.problem and not _may_pass(reading, held, known)]
     refused = [] if pass_rest else [*left]
-    if refused and supply_of is not None:  # judge the others as if these columns were read
+    if refused and supply_of is not None:  # judge the other columns as if the refused ones were read
         meant = {reading.name for reading in refused if reading.name}
         readings = _judged(readings, rows, supply_of({*used, *meant}))
         refused = [reading for reading in readings if reading.problem and not _may_pass(reading, held, known)]
@@ -213,7 +213,7 @@ def _by_input(readings: Iterable[Reading]) -> dict[str, dict[str, Reading]]:
 
 
 def _used_inputs(inputs: Mapping[str, _Parts], rows: Sequence[Sequence[str]]) -> dict[str, _Parts]:
-    """Return the columns that give the values of each input. Raises BadTable for half a range."""
+    """Return the columns of values of each input that does not repeat another. Raises BadTable for half a range."""
     used = {}
     for name, columns in inputs.items():
         parts = _used(name, columns)
@@ -229,10 +229,10 @@ def _unused(columns: _Parts, used: _Parts) -> list[Reading]:
 
 
 def _is_doubled(name: str, used: Mapping[str, _Parts], rows: Sequence[Sequence[str]]) -> bool:
-    """Return whether an input repeats another, as a diameter next to a radius or G next to E, so that it may pass.
+    """Return whether an input may pass because it repeats another, as a diameter repeats a radius or G repeats E.
 
-    That holds if at least one of the first rows has the input, and every such row also has the other input. A column
-    given by `--column` is always read.
+    An input repeats another if at least one of the first rows has it, and every such row also has the other input. A
+    column given by `--column` is always read.
     """
     parts, others = used[name], used.get(CONVERTED.get(name, ""), {})
     if not others or any(reading.is_stated for reading in parts.values()):

@@ -1,7 +1,7 @@
 """Layouts of tables made of lines: comments above the header, dumps of LAMMPS, row names of R, and rows of units.
 
-A dump has several items above its columns, and states no units. Other programs write comments, of which the last may be
-the header. R writes no name above its row names.
+A dump has several items above the names of its columns, which have no units. Other programs write comments, of which
+the last may be the header. R writes no name above its row names.
 """
 
 import re
@@ -136,8 +136,8 @@ def _several_steps(number: int, line: bytes, path: str, compression: str) -> str
 def header_position(lines: Sequence[str], separator: str, is_read: Callable[[str], bool]) -> int:
     """Return the number of lines above the header: comments, and a line sep=; in which a spreadsheet names a separator.
 
-    The first line below the comments is the header if it has a column to read, or else the last comment that has such a
-    column. If no line has a column to read, the last comment can still be the header: there must be blanks or tabs
+    The first line below the comments is the header if it has a column to read; otherwise, the last comment with such a
+    column is. If no line has a column to read, the last comment can still be the header: there must be blanks or tabs
     between the cells, and the line below must have a number for each cell of the comment.
     """
     count = len([*takewhile(_COMMENT.match, lines[:SAMPLE])])
@@ -174,7 +174,7 @@ FIRST, LAST = "the first column has row names", "the last column has no header a
 
 
 class Row(NamedTuple):
-    """A row below the header: its cells and its text, with a character for each byte, and its first line number."""
+    """A row below the header, with a character for each byte: its cells, its text, and the number of its first line."""
 
     cells: Sequence[str]
     line: str
@@ -270,8 +270,8 @@ _A_UNIT, _ANOTHER_UNIT, _NEITHER, _NO_ROW_OF_UNITS = "unit", "another unit than 
 def with_units(names: Sequence[str], row: Row, stated: Mapping[str, str], measured: str) -> Headers | None:
     """Return headers with the units in a row below; None if the row is not clearly a row of units.
 
-    A row of units has no numbers: its cells are units of columns to read, or empty. `stated`, `measured`: see
-    `meaning_of`. Raises BadTable if a header has another unit.
+    A row of units has no numbers, and its cells in columns to read are units or empty. `stated`, `measured`: see
+    `meaning_of`. Raises BadTable if a header states another unit than the row.
     """
     below = [*map(text_of, row.cells)]
     if len(below) != len(names) or any(map(_is_number, below)):  # as in most tables
@@ -315,7 +315,7 @@ def _below(name: str, text: str, stated: Mapping[str, str], measured: str) -> _C
 
 
 def _is_number(cell: str) -> bool:
-    """Return whether a cell begins with a number; a lone 1 may be the unit of a ratio."""
+    """Return whether a cell begins with a number, other than a lone 1, which may be the unit of a ratio."""
     unit = _without_brackets(cell)
     return unit != "1" and unit not in _NO_UNIT and _NUMBER.match(unit) is not None
 

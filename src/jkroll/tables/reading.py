@@ -249,7 +249,7 @@ def _of_spread(text: str, measured: str) -> Reading:
 def _unread(text: str, measured: str, whole: str = "") -> Reading:
     """Return the reading of a header with words for a spread: UNREAD, for the input that its other words mean.
 
-    `whole`: the whole header, which is not searched for an input.
+    `whole`: the whole header, which is not read again.
     """
     rest = text
     for pattern in (words.SPREAD, words.SPREAD_BESIDE, words.FILLER, words.SHARE):
@@ -271,7 +271,7 @@ def _is_unit(text: str) -> bool:
 
 
 def _scaled(text: str, measured: str) -> Reading | None:
-    """Return the refusal of an input's header with a factor at its end, as in radius (nm) x 10; None for others."""
+    """Return the refusal of an input's header with a factor at its end, as in radius (nm) x 10; else None."""
     whole = re.sub(_FACTOR_BEHIND, "", text)
     reading = reading_of(whole, measured) if whole != text else Reading()
     is_input = reading.is_input and not reading.is_symbol
@@ -340,7 +340,7 @@ def _doubtful(
     if of_pair and (is_difference or words.is_of_pair(others)):
         names, problem, is_neutral = [name, of_pair], f"it may be {name} or {of_pair}", True
     elif words.is_of_pair(others):
-        names = names[:1]  # as an equivalent diameter, not one of sphere 2
+        names = names[:1]  # an equivalent diameter is not one of sphere 2
     if not meaning.has_remedy or not words.FUNCTIONS.isdisjoint(others):
         names = []
     is_whole = split.is_explicit if is_slip else key(split.word).endswith(word) and not split.is_mangled
@@ -349,7 +349,7 @@ def _doubtful(
 
 
 def _beside(text: str, word: str) -> set[str]:
-    """Return the words of a header other than a known word, or all but the first if the first stands for it."""
+    """Return the words of a header other than a known word, or other than the first if the known word is not there."""
     tokens = plain_words(text)
     for first, last in combinations(range(len(tokens) + 1), 2):
         if "".join(tokens[first:last]) == word:

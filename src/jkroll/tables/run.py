@@ -69,7 +69,7 @@ class Job(NamedTuple):
 
     @property
     def processes(self) -> int:
-        """The number of processes: that of `--jobs`, or one for each available core, up to MAX_PROCESSES."""
+        """The number of processes: the value of `--jobs`, or one for each available core, up to MAX_PROCESSES."""
         cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
         return self.jobs or min(cores, MAX_PROCESSES)
 
@@ -250,7 +250,7 @@ def _convert(file: Input, blocks: Iterator[Any], convert: Converter, output: Bin
 def _converted(blocks: Iterator[Any], convert: Converter, processes: int) -> Generator[Converted]:
     """Iterate over converted blocks in their order.
 
-    Formats that a library reads are converted in the threads of the library, not in processes.
+    Parquet is converted in this process only, since its library uses threads of its own.
     """
     is_alone = processes < 2 or not isinstance(convert.source, Delimited | Ndjson)
     yield from map(convert.converted, blocks if is_alone else islice(blocks, ALONE))

@@ -157,7 +157,7 @@ class Table:
     # --- Added columns ------------------------------------------------------------------------------------------------
 
     def _frames(self, cells: Mapping[str, Sequence[bytes]]) -> list[Frame]:
-        """Return frames without rows that together have all inputs.
+        """Return empty frames that together have all inputs.
 
         Each frame has only one of several inputs that exclude each other. Only the names of inputs matter here, not
         their values. If no name in a column of materials is known, the names are labels, unless the table then has no
@@ -181,7 +181,7 @@ class Table:
 
         frames = frames_of(solids | labels)
         if labels and (self.asked.infer or frames[0].missing(["work_of_adhesion"])):
-            return frames_of(solids)  # their rows report unknown materials
+            return frames_of(solids)  # the rows then report unknown materials
         return frames
 
     def _names(self, frames: Sequence[Frame]) -> tuple[Sequence[str], Sequence[str]]:
@@ -247,8 +247,8 @@ def _material(given: str | Material, known: Materials) -> Material:
 def _labels(columns: Header, rows: Sequence[Sequence[str]], asked: Asked) -> dict[str, int]:
     """Return the names and positions of columns that may label rows of statistics.
 
-    Inputs and columns in `--column` are left out. So is a column that labels all first rows as means, which are the
-    data.
+    Inputs and columns in `--column` are left out. So is a column that labels all first rows as means or extremes, since
+    those rows are the data.
     """
     inputs: set[int] = set()
     for column in columns.inputs:

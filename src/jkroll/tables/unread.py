@@ -88,7 +88,7 @@ class Supply(NamedTuple):
 
 
 def _replaced(names: Sequence[str], columns: Set[str], clauses: Mapping[str, str]) -> dict[str, str]:
-    """Return the inputs that a supplied input replaces, each with the clause of that input."""
+    """Return the inputs that a supplied input replaces, each with the clause of the supplied input."""
     replaced: dict[str, str] = {}
     for group in (*EXCLUSIVE, *_OF_MODULI):
         if columns.isdisjoint(group):
@@ -348,7 +348,7 @@ def _likeliest(tokens: Sequence[str], names: Sequence[str], supply: Supply) -> t
     sphere, is_of_pair = sphere_of(tokens), words.is_of_pair(tokens)
     if is_of_pair:
         names = [name for name in names if name in words.PAIRS.values()]
-    if not sphere and _index(tokens) in "psti":  # any other index may be that of either sphere
+    if not sphere and _index(tokens) in "psti":  # any other index may mean either sphere
         names = [name for name in names if NOMENCLATURE[name].sphere != 2 or of_sphere(1, name) not in supply.clauses]
     scored = tokens[:1] if _index(tokens) else tokens
     scores = {name: _score(scored, name) for name in names}
@@ -378,7 +378,7 @@ def _score(tokens: Sequence[str], name: str) -> int:
 
 
 def _bare(token: str) -> str:
-    """Return a word of a header without the number of a sphere (R2), a start (v0) or a percentile (d50) at its end."""
+    """Return a word of a header without the number at its end: of a sphere (R2), a start (v0) or a percentile (d50)."""
     return re.sub(r"(?<=[a-z])(?:[12]|\d?0)$", "", token)
 
 

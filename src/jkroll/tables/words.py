@@ -14,7 +14,7 @@ from ..text import ascii_text
 
 MATERIALS = ("material", "material2")
 INPUTS = ("radius", *(name for name, quantity in NOMENCLATURE.items() if quantity.option and quantity.unit))
-SYMBOLS_TOO = {"E": "energy", "Er": "contact_modulus", "W": "work_of_adhesion"}  # more symbols, or more meanings of one
+SYMBOLS_TOO = {"E": "energy", "Er": "contact_modulus", "W": "work_of_adhesion"}  # more symbols, or meanings of a symbol
 SYMBOLS_TOO |= {
     "SFE": "surface_energy",
     "rad": "radius",
@@ -120,7 +120,7 @@ LABELS = {*"""id ids no nr num number name names type types class classes case c
     family label tag index step count counts cell rank source ref reference url doi note notes comment comments desc
     description quality flag status unit units method model formula cost price date color colour grade out
     ratio lit dft calc""".split()}  # fmt: skip
-INDICES = ("in", "bar")  # units in brackets; elsewhere they may mean inside and mean
+INDICES = ("in", "bar")  # units in brackets; elsewhere, "in" may be inside, and "bar" a mean
 # Words for a side of an uncertainty, or for an end of a range.
 PARTS = {
     "minus": "minus",
@@ -144,7 +144,7 @@ PART = (
     rf"(?i)^(?:u|σ|sigma)\s*\(([^()]+)\)|^(?:±|\+/?-)|^(?:σ|sigma|{RELATIVE}|{_ERROR})(?:\s+of)?(?=$|[\s_(\[])"
     rf"|[\s_.]*(?:±|\+/?-)(?=$|[\s_.,/(\[])|[\s_.]+(?:{RELATIVE}|{_ERROR}|{'|'.join(PARTS)})(?=$|[\s_.,/(\[])"
 )
-# Other words for a spread; words that mean a spread only next to a value; and words that accompany these.
+# Other words for a spread; words that mean a spread only next to a value; and words that accompany words for a spread.
 _SPREADS = "errors errm errp errorbar plusminus stdv dev deviation uncert sigma var variance ci iqr mad rmse".split()
 _SPREADS_BESIDE = """change difference lo hi minimum maximum neg pos confidence limit limits bound bounds range spread
     scatter tolerance tol accuracy precision resolution residual rms quartile quantile percentile noise
@@ -308,7 +308,7 @@ _WITH_BODY = (
 
 
 def without_body(word: str) -> str:
-    """Return a word with a number in place of the body of a sphere; a word without a body unchanged.
+    """Return a word with a number in place of the body of a sphere; a word without a body is returned unchanged.
 
     >>> without_body("E wall"), without_body("tip radius"), without_body("radius of sphere 2"), without_body("wall")
     ('E2', 'radius1', 'radius2', 'wall')
@@ -322,7 +322,7 @@ def without_body(word: str) -> str:
 
 
 def _of_spheres(known: Mapping[str, Meaning]) -> dict[str, Meaning]:
-    """Return the meanings of words, and those of the same words with 1 or 2 if they mean an input of one sphere."""
+    """Return the meanings of words, and of each word with 1 or 2 appended if it means an input of one sphere."""
     of_spheres = dict(known)
     for word, meaning in known.items():
         of_first = [name for name in meaning.names if NOMENCLATURE[name].sphere == 1]
@@ -344,7 +344,7 @@ def slips() -> dict[str, str]:
         if meaning.names and not meaning.problem and len(word) > 3 and not is_like_diag:
             known.append(word)
     spellings: dict[str, str] = {}
-    for word in sorted(known, key=len, reverse=True):  # the longest first: gamma is not a slip in gamma2
+    for word in sorted(known, key=len, reverse=True):  # the longest first, since gamma is not a slip of gamma2
         spellings |= dict.fromkeys(lacking_a_letter(word), word)
     return spellings
 
@@ -395,11 +395,11 @@ def fits(unit_text: str, name: str) -> bool:
 
 
 def unit_for(text: str, name: str, *, is_explicit: bool = False) -> str:
-    """Return the unit of a quantity that a text means, also in the notation of programs; "" if it means none.
+    """Return the unit of a quantity that a text means, also in the spellings of other programs; "" if it means none.
 
     `is_explicit`: True if brackets or another mark show that the text is a unit. For any other text, only the shipped
-    table is searched, since pint takes as long to load as many rows take to read. Such a text may have lost its
-    capitals, so MN can mean mN.
+    table is searched, since pint takes as long to load as many rows take to read. Such a text may have other
+    capitals than the unit, so MN can mean mN.
     """
     if text in _COMMON:
         return text if fits(text, name) else ""  # nm is not N/m
@@ -426,7 +426,7 @@ def unit_for(text: str, name: str, *, is_explicit: bool = False) -> str:
 
 
 _IN_ANY_CASE = str.maketrans("µμΜÅå", "uuuaa")
-_Parts = tuple[tuple[str, str], ...]  # the parts of a unit: letters with powers, "" for 1
+_Parts = tuple[tuple[str, str], ...]  # the parts of a unit: letters with powers, "" for the power 1
 
 
 def _in_small_letters(unit: str) -> str:
@@ -461,7 +461,7 @@ def _units_by_parts() -> dict[_Parts, list[str]]:
 
 
 def may_be_unit(text: str, name: str) -> bool:
-    """Return whether a text may be a unit of a quantity that a program wrote with other capitals or without signs.
+    """Return whether a text may be a unit of a quantity, written with other capitals or without signs.
 
     >>> [may_be_unit(text, "density") for text in ("kg?m??", "g_cm_", "KgM3", "kg", "kgm")]
     [True, True, True, False, False]

@@ -69,7 +69,7 @@ def answers(count: int, answer: Answer, questions: Iterable[Any]) -> Iterator[An
     processes = dict[Any, Any]()  # by pipe
     asked = deque[Any]()  # pipes with an open question
     try:
-        _mask("SIG_BLOCK", SIGNALS)  # a starting process would print a traceback
+        _mask("SIG_BLOCK", SIGNALS)  # a process interrupted while it starts would print a traceback
         try:
             for _ in range(count):
                 pipe, end = context.Pipe()
