@@ -227,7 +227,7 @@ def halves_moment(xi: float) -> float:
 
 
 def _transform(xi: float, x: float) -> float:
-    """Return the left side of Eq (51), divided by the root, for the pressure of a strip that lags by ξ."""
+    """Return the left side of Eq (51) for the pressure of a strip that lags by ξ."""
     return principal_value(lambda s: E / (2 * R) * (A**2 - s**2 + C - A**2 / 2 + xi * s), x, A)
 
 

@@ -76,7 +76,7 @@ class Pair:
         return self.hertz(self.a) * depth + (punch + tilt * x / self.a) / depth
 
     def load_of(self, a: float) -> float:
-        """Return the integral of a pressure over a circle."""
+        """Return the load of a circle: the integral of its pressure."""
         return 2 * pi * to_rim(lambda r: r * self.pressure(r, a), a)
 
     def approach_of(self, a: float) -> float:
@@ -277,7 +277,7 @@ def _restoring(of: Pair) -> float:
 
 
 def _free_rolling(of: Pair) -> float:
-    """Return the frequency of ½ m v² + ½ (4P_c/R)ξ², where v is the rate of ξ."""
+    """Return the frequency of an oscillator of energy ½ m v² + ½ (4P_c/R)ξ², where v is the rate of ξ."""
     return sqrt(4 * of.p_c / of.r / of.rolling_mass) / (2 * pi)
 
 

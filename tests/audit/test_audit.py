@@ -142,7 +142,7 @@ def test_the_program_computes_the_number_that_follows_for_a_strip(name: str, equ
 
 @pytest.mark.parametrize("place", [-0.8, 0.0, 0.3])
 def test_the_drawn_pressure_dents_the_half_space_to_the_shifted_sphere(place: float) -> None:
-    """By the audit of Eq 25, so does `shifted_pressure`; an approach larger by ξ²/(2R) keeps the load."""
+    """The audit of Eq 25 shows the same for `shifted_pressure`; an approach larger by ξ²/(2R) keeps the load."""
     value = shifted.exact_pressure(
         position_in_circle=place * pair.a, contact_radius_at_load=pair.a, contact_modulus=pair.e,
         reduced_radius=pair.r, yield_displacement=pair.xi, hertz_pressure=pair.hertz(pair.a),

@@ -403,7 +403,7 @@ def forces_of(run: Run, words: str) -> tuple[float, float, float]:
     return result["value"], uncertainty["low"], uncertainty["high"]
 
 
-def test_a_displacement_is_unchanged_at_its_own_radius(run: Run, own: str) -> None:
+def test_a_displacement_is_unchanged_at_the_radius_of_its_measurement(run: Run, own: str) -> None:
     for displacement in ("1.8nm", "2.6nm"):
         assert json.loads(run(f"yield-force quartz 0.95um --xi {displacement} --json").out)["results"][0]["value"] == (
             approx(forces_of(run, f"own 0.95um {own}")[1 if displacement == "1.8nm" else 2])
@@ -533,9 +533,9 @@ def test_shipped_materials_form_five_sets() -> None:
 
 @pytest.mark.parametrize("material", SECOND, ids=lambda material: material.name)
 def test_each_value_of_the_other_sets_has_its_origin(material: Material) -> None:
-    """Each material states its state, and each property its origin.
+    """Each material has a state, and each property an origin.
 
-    A property has a method, a reference, and an uncertainty or a statement that it has none. γ also has a law.
+    An origin has a method and a reference; without an uncertainty, the method says so. The origin of γ has a law.
     """
     assert material.state
     keys = {entry["key"] for entry in material.references}
@@ -716,7 +716,7 @@ def test_each_interface_shows_a_note_on_some_radii(run: Run, tmp_path: Path) -> 
         assert any(note in each for each in found.notes) is is_noted
 
 
-def test_cold_ice_is_in_conflict_with_grains_of_a_micrometre(run: Run) -> None:
+def test_a_note_says_that_grains_of_a_micrometre_conflict_with_the_value_of_cold_ice(run: Run) -> None:
     """Grains had radii of 1.5 µm in Gundlach & Blum 2015, and of a millimetre in the source, Musiolik & Wurm 2019."""
     noted = {radius: "in conflict" in run(f"pull-off ice-cold {radius}").err for radius in ("10nm", "1.5um", "1.1mm")}
     assert noted == {"10nm": False, "1.5um": True, "1.1mm": False}
@@ -793,7 +793,7 @@ def test_a_rigid_material_is_rigid_in_every_form(run: Run, tmp_path: Path) -> No
     assert ",rigid," in run(f"{words} --csv").out
 
 
-def test_a_pipe_gets_the_sides_and_the_origin_of_each_property(run: Run) -> None:
+def test_output_to_a_pipe_has_the_sides_and_the_origin_of_each_property(run: Run) -> None:
     lines = dict(line.split(" ", 1) for line in run("materials", "ice-warm").out.splitlines())
     material = Materials().materials["ice-warm"]
     for name, origin in material.origins.items():

@@ -1,4 +1,4 @@
-"""Containers from Python as inputs: their units, labels and correlations are read, or refused with a reason."""
+"""Python containers as inputs: units are read; unlike labels, correlated values and odd objects are refused."""
 
 import array
 import datetime
@@ -139,7 +139,7 @@ UNLIKE = {
     "more labels": (Series([*ENERGIES, 1.0], "a", "b", "c"), Series(SIZES, "a", "b"), "indexes"),
     "other dimensions": (labelled(ENERGIES, "y"), labelled(SIZES, "x"), "dimensions"),
     "other coordinates": (labelled(ENERGIES, "x", 1, 2), labelled(SIZES, "x", 2, 3), "indexes"),
-    "coordinates on one side only": (labelled(ENERGIES, "x", 1, 2), labelled(SIZES, "x"), "indexes"),
+    "coordinates of one array only": (labelled(ENERGIES, "x", 1, 2), labelled(SIZES, "x"), "indexes"),
     "in lists": ([Series(ENERGIES, "a", "b")], [Series(SIZES, "b", "a")], "indexes"),
 }
 
@@ -185,7 +185,7 @@ def test_correlated_inputs_are_refused() -> None:
 
 
 def test_independent_inputs_are_accepted() -> None:
-    """A change of one γ by 20 % changes w by 10 %, and both changes add in quadrature."""
+    """A change of one γ by 10 % changes w by 5 %, and both changes add in quadrature."""
     uncertainties = pytest.importorskip("uncertainties")
     first, second = (uncertainties.ufloat(0.025, 0.0025) for _ in range(2))
     force = jkroll.solve("pull_off_force", gamma=first + second - second, gamma2=second, radius=1e-7)
@@ -196,7 +196,7 @@ def test_independent_inputs_are_accepted() -> None:
 
 
 def test_formula_converts_quantities_and_numbers_in_si_units() -> None:
-    """The force is (3/2)πwR for w = 50 mJ/m² and R = 75 nm; 75 was once taken for metres, with a force in nm."""
+    """The force is (3/2)πwR for w = 50 mJ/m² and R = 75 nm; 75 was once read as metres, and the force was in nm."""
     exact = 3 * math.pi / 2 * 0.05 * 75e-9
     for energy, radius in (
         (0.05, Quantity(75, "nm")),
@@ -350,7 +350,7 @@ def test_every_kind_of_number_is_read_as_100_nm(number: str) -> None:
 
 @pytest.mark.filterwarnings("ignore:Warning. converting a masked element:UserWarning")  # from numpy
 @pytest.mark.parametrize("door", AT)
-def test_other_objects_are_refused_with_a_message(door: str) -> None:
+def test_odd_objects_are_refused_with_a_message(door: str) -> None:
     for name, odd in ODD.items():
         if (door, name) not in TAKEN:
             with pytest.raises(jkroll.JkrollError, match=r"\w{3}"):
@@ -384,7 +384,7 @@ def test_arrays_of_dask_are_read_with_their_units() -> None:
         assert numpy.allclose(in_newtons(forces(radii)), FORCES, rtol=1e-14)
 
 
-def test_series_of_pandas_are_read_and_unlike_labels_refused() -> None:
+def test_series_of_pandas_are_read_and_unlike_labels_are_refused() -> None:
     pandas = pytest.importorskip("pandas")
     radii = pandas.Series([1e-7, 2e-7])
     assert numpy.array_equal(forces(radii), FORCES)

@@ -1,4 +1,4 @@
-"""Public names, answers and errors survive copying and the way to another process and back."""
+"""Public names, answers and errors survive copying and a round trip to another process."""
 
 import copy
 import math
@@ -94,7 +94,7 @@ def raised(call: Any, *arguments: Any, **scene: Any) -> Any:
 
 
 def every_error() -> Iterator[JkrollError]:
-    """Iterate over one error of each type."""
+    """Iterate over at least one error of each type."""
     solve, scene = jkroll.solve, {"material": "quartz", "radius": 1e-7}
     yield raised(solve, "pull_off_force", gamma=0.1)
     yield raised(solve, "contact_radius_at_pull_off", **scene, model="dmt")
@@ -146,7 +146,7 @@ def test_error_is_copied_with_its_attributes(error: JkrollError) -> None:
 
 
 def test_errors_of_all_types_are_copied() -> None:
-    families = {NoResult, of_problems.Unsolved}  # each error has a narrower type
+    families = {NoResult, of_problems.Unsolved}  # base classes: every raised error has a narrower type
     assert {*kinds_of(JkrollError)} - families <= {type(error) for error in EVERY_ERROR}
 
 
@@ -167,7 +167,7 @@ def test_another_process_computes_and_answers() -> None:
         assert error.cause == BEYOND_PULL_OFF
 
 
-def test_top_level_of_jkroll_has_few_names_and_errors_point_to_the_formulas() -> None:
+def test_top_level_of_jkroll_has_few_names() -> None:
     assert len(dir(jkroll)) < 25
     assert {"answer", "solve", "table", "fit", "infer", "formulas"} <= {*dir(jkroll)}
     with pytest.raises(AttributeError, match=r"it is jkroll\.formulas\.pull_off_force"):

@@ -27,7 +27,7 @@ def best(scene: Frame, name: str) -> Estimate:
 
 
 @pytest.mark.parametrize(("solid", "solids"), [(SIO2, "SiO2"), ("ice-warm", "water ice")])
-def test_measured_rolling_forces_span_those_of_the_validation_table(solid: str, solids: str) -> None:
+def test_the_stored_rolling_forces_span_the_rows_of_the_validation_table(solid: str, solids: str) -> None:
     rows = [row for row in MEASUREMENTS if row.quantity == "yield_force" and row.solids == solids]
     rolled = ROLLED[solid]
     assert [value_of(row.given["radius"], "radius") for row in rows] == [approx(rolled.radius)] * len(rows)
@@ -63,7 +63,7 @@ def test_rolling_results_scale_with_a_power_of_the_measured_force() -> None:
     assert best(scene, "pull_off_force").by == "Maugis"
 
 
-def test_a_range_of_radii_has_the_lower_end_of_the_least_and_the_upper_end_of_the_largest_radius() -> None:
+def test_for_a_range_of_radii_the_ends_are_those_of_the_least_and_the_largest_radius() -> None:
     wide, small, large = (
         best(of("quartz", value_of(text, "radius")), "yield_force") for text in ("0.1 to 1 um", "0.1um", "1um")
     )
@@ -123,7 +123,7 @@ def test_a_hysteresis_fraction_gives_the_same_moment_and_displacement_as_its_ene
     assert scene.replace(yield_displacement=of_part["yield_displacement"])["hysteresis_ratio"] == approx(0.4)
 
 
-def test_hysteresis_is_an_energy_or_a_fraction_of_w_which_the_explanation_states(run: Run) -> None:
+def test_hysteresis_is_given_as_an_energy_or_a_fraction_of_w_and_explained_as_a_fraction(run: Run) -> None:
     energy = run("n-grav quartz 1um --adhesion-hysteresis 20mJ/m2")
     for text in ("--hysteresis-fraction 40%", "--hysteresis-fraction 0.4"):
         part = run(f"n-grav quartz 1um {text}")

@@ -1,4 +1,4 @@
-"""The best range of each result: every rule against values by `solve` or by hand."""
+"""The best range of each result: every rule is checked against values by `solve` or by hand."""
 
 from collections.abc import Mapping
 from math import inf, isnan, nan, pi
@@ -49,7 +49,7 @@ def test_range_spans_jkr_and_maugis_if_they_agree_within_5_percent() -> None:
 def test_range_includes_uncertainty_which_does_not_change_the_rule() -> None:
     """For iron spheres of radius 1 mm all laws agree within 5 %, however uncertain γ is.
 
-    For small spheres of radius 100 nm, each end follows a different law.
+    For small spheres of radius 100 nm, each end comes from a different law.
     """
     gamma = value_of("20 to 30 mJ/m2", "surface_energy")
     small: dict[str, Any] = {"radius": 1e-7, "youngs_modulus": 54e9, "poisson_ratio": 0.17}
@@ -107,7 +107,7 @@ def test_without_a_jump_lost_energy_has_only_an_upper_end_and_restitution_ranges
 
 
 def test_small_hard_spheres_stick_at_1_to_10_times_the_speed_by_jkr_with_or_without_a_jump() -> None:
-    """Energies are proportional to the square of the speed. Below the least of these speeds the spheres stick."""
+    """Energies are proportional to the square of the speed. Spheres slower than the least of these speeds stick."""
     for solid in ("quartz", "silica-dry"):
         given: dict[str, Any] = {"material": solid, "radius": 9e-8}
         found = best("sticking_speed sticking_energy restitution", **given, speed=0.5)
@@ -119,7 +119,7 @@ def test_small_hard_spheres_stick_at_1_to_10_times_the_speed_by_jkr_with_or_with
     assert of_rubber.by == "JKR"
 
 
-def test_other_losses_lower_the_restitution() -> None:
+def test_losses_other_than_by_adhesion_may_lower_the_restitution_to_0() -> None:
     found = best("restitution", "silica-dry", radius=1e-7, speed=5.0)["restitution"]
     given: dict[str, Any] = {"material": "silica-dry", "radius": 1e-7, "speed": 5.0}
     most = max(solve("restitution", **given), *by_maugis("restitution", **given))

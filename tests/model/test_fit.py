@@ -101,7 +101,7 @@ def test_contact_radii_need_no_contact_point() -> None:
 
 
 def test_contact_radii_with_a_resting_edge_are_left_out_of_the_fit() -> None:
-    """Unloading begins at the largest radius, and the edge rests until G has risen to w of opening."""
+    """Unloading begins at the largest radius, and the edge rests until G has risen to the w of opening."""
     modulus, radius, first = 2e6, 1e-3, 1e-4
     scatter = numpy.random.default_rng(1).normal(0, 1e-7, 79)
 
@@ -207,7 +207,7 @@ def test_derivatives_agree_with_finite_differences(name: Any, grip: Any) -> None
 
 @pytest.mark.parametrize("factor", [0.1, 0.2, 5.0, 10.0])
 @pytest.mark.parametrize("wrong", ["w", "modulus"])
-def test_the_minimum_is_found_from_a_start_that_is_off_by_a_factor_of_10(factor: Any, wrong: Any) -> None:
+def test_the_minimum_is_found_from_a_start_that_is_off_by_a_factor_of_up_to_10(factor: Any, wrong: Any) -> None:
     from jkroll.model.fit_minimum import with_point
 
     z, force = jkr_curve(branches=(UNLOADING,), baseline=0.0, count=300)
@@ -253,7 +253,7 @@ def test_about_two_thirds_of_the_fits_lie_within_the_statistical_error(phi: Any)
     assert (inside < 0.75).all()
 
 
-def test_the_calibration_error_is_the_change_by_a_wrong_radius_or_spring() -> None:
+def test_the_calibration_error_is_the_change_that_a_wrong_radius_or_spring_causes() -> None:
     z, force = jkr_curve(branches=(UNLOADING,))
     curve = ForceCurve(TRAVEL, z, force)
     errors = fit_curve(curve, PROBE._replace(radius_error=0.01)).errors

@@ -1,4 +1,4 @@
-"""The errors of a fit: changes by the calibration of the instrument and by the model. Unknown errors are absent."""
+"""The errors of a fit: by scatter, by the calibration of the instrument and by the model. Unknown ones are absent."""
 
 from pathlib import Path
 from typing import Any
@@ -67,7 +67,7 @@ def test_the_calibration_error_is_absent_if_radius_and_stiffness_have_no_errors(
 
 
 def test_w_of_a_noisier_branch_has_a_larger_error() -> None:
-    """With E* and z_c of the other branch, an offset ε of the loads moves w of a branch in proportion."""
+    """With E* and z_c from the other branch, an offset of the loads of a branch changes its w in proportion."""
     z, force = jkr_curve()
     noise = numpy.random.default_rng(4).normal(0, 3e-9, len(z))
     quiet = numpy.where(numpy.arange(len(z)) < len(z) // 2, 10 * noise, noise)  # loading is ten times as noisy
@@ -93,7 +93,7 @@ def test_the_error_of_a_baseline_agrees_with_its_scatter(phi: Any) -> None:
     assert stated == approx(scatter, rel=0.12)
 
 
-def test_the_error_of_a_baseline_s_slope_agrees_with_its_scatter() -> None:
+def test_the_error_of_the_slope_of_a_baseline_agrees_with_its_scatter() -> None:
     z, force = jkr_curve(count=400)
     found = [
         branches_of(ForceCurve(TRAVEL, z, force + autoregression(seed, len(z), 3e-9, 0.0)), 3.01, tilt=True)
@@ -243,7 +243,7 @@ def jkr_of_lever(z: Any, adhesion: float, modulus: float, point: float, stiffnes
 
 
 def test_scipy_finds_the_same_fit_of_a_measured_afm_curve() -> None:
-    """The points are the same for scipy. Both errors of a point are equal as forces: σ_z = σ_F/k."""
+    """Both fits use the same points. Expressed as forces, the two errors of a point are equal: σ_z = σ_F/k."""
     optimize = pytest.importorskip("scipy.optimize")
     path = Path(__file__).parents[1] / "data" / "afm_retract.csv"
     fitted, stiffness = fit(str(path), spring="0.31451 N/m"), 0.31451

@@ -36,7 +36,7 @@ def test_the_fit_recovers_the_inputs_as_accurately_as_the_page_says(law: str, sp
 
 @pytest.mark.parametrize("law", ["jkr", "maugis"])
 def test_scipy_fits_the_same_values_with_loads_by_solve(law: str) -> None:
-    """Loads at approaches are fitted, all with the same weight."""
+    """The loads at the measured approaches are fitted, all with the same weight."""
     optimize = pytest.importorskip("scipy.optimize")
     approach, force = numpy.loadtxt(CURVE, delimiter=",", skiprows=1, unpack=True)
 

@@ -1,4 +1,4 @@
-"""The inverse problem for arrays gives the values and the reasons of single elements."""
+"""The inverse problem for arrays gives the same values and reasons as for single elements."""
 
 import math
 from collections.abc import Sequence
@@ -122,7 +122,7 @@ def test_arrays_give_what_floats_give(name: str, model: str) -> None:
     assert 2 * sum(isinstance(one, Solution) for one in found) > len(found)
 
 
-def test_arrays_name_all_solutions() -> None:
+def test_the_errors_of_arrays_name_all_solutions() -> None:
     """One measured value has two solutions between two points of the scan, next to a turning point."""
     scene = Frame({"load": 5e-8}, known_materials()["quartz"])
     least = min(scene.replace(radius=1e-9 * radius)["approach_at_load"] for radius in range(400, 700))

@@ -21,7 +21,7 @@ def force(energy: float, radius: float) -> float:
     return 1.5 * math.pi * energy * radius
 
 
-def test_series_are_aligned_as_pandas_does() -> None:
+def test_series_are_aligned_as_in_pandas() -> None:
     """The product by pandas itself shows the labels of the result and their order."""
     found = jkroll.solve("P_c", gamma=ENERGIES, radius=RADII)
     pandas.testing.assert_series_equal(found, 1.5 * math.pi * ENERGIES * RADII, check_names=False)
@@ -53,7 +53,7 @@ def test_frames_are_aligned_by_both_axes() -> None:
     pandas.testing.assert_frame_equal(found, 1.5 * math.pi * energies * radii)
 
 
-def test_arrays_are_aligned_as_xarray_does() -> None:
+def test_arrays_are_aligned_as_in_xarray() -> None:
     energies = xarray.DataArray([0.1, 0.2, 0.3], dims="energy", coords={"energy": [1, 2, 3]})
     radii = xarray.DataArray([[1e-7, 2e-7], [3e-7, 4e-7]], dims=("size", "energy"), coords={"energy": [3, 1]})
     found = jkroll.solve("P_c", gamma=energies, radius=radii)

@@ -1,4 +1,4 @@
-"""The laws of attraction in all results: Maugis' law against its limits and against his equations in 120 digits."""
+"""The laws of attraction in all results: Maugis' law compared with its limits and with his equations in 120 digits."""
 
 import json
 import math
@@ -46,7 +46,7 @@ QUARTZ: dict[str, Any] = {"material": "quartz", "radius": 1e-7}
     model=st.sampled_from(["jkr", "maugis", "dmt"]),
     of_plane=st.booleans(),
 )
-def test_the_moment_is_xi_times_the_hertz_load_less_the_load(
+def test_the_moment_is_xi_times_the_hertz_load_minus_the_load(
     load: float, radius: float, model: str, of_plane: bool
 ) -> None:
     """M = (4E*a³/3R − P)ξ in every law."""
@@ -100,7 +100,7 @@ def test_the_contact_circle_lags_by_xi_in_jkr_and_not_at_all_in_dmt(model: str, 
 
 
 def test_hysteresis_is_at_most_the_work_of_adhesion() -> None:
-    """A hysteresis of all the work of adhesion is allowed."""
+    """A hysteresis equal to the work of adhesion is allowed."""
     assert math.isclose(solve("hysteresis_ratio", **QUARTZ, adhesion_hysteresis=0.05), 1, rel_tol=1e-14)
     with pytest.raises(JkrollError, match=r"60 mJ/m² is more than the work of adhesion, 50 mJ"):
         solve("yield_moment", **QUARTZ, adhesion_hysteresis=0.06)
@@ -126,7 +126,7 @@ def test_an_error_names_the_pull_off_force_of_the_law(model: str) -> None:
     assert all(math.isnan(value[0]) and value[1] > 0 for value in values.values())
 
 
-def test_a_load_that_breaks_a_jkr_but_not_a_maugis_contact_has_a_hint_to_maugis() -> None:
+def test_the_error_points_to_maugis_if_a_load_breaks_a_jkr_but_not_a_maugis_contact() -> None:
     found = Report(QUESTIONS["moment"], Frame({"radius": 1e-7, "load": -1.3e-8}, known_materials()["quartz"]))
     assert "--model maugis" in str(found.failure)
     assert solve("contact_radius_at_load", model="maugis", **QUARTZ, load=-1.3e-8) > 0
@@ -154,7 +154,7 @@ def test_a_quantity_that_a_law_lacks_is_refused_with_the_law_to_give(name: str) 
 # --- Tables and arrays ------------------------------------------------------------------------------------------------
 
 
-# Formulas that hold for JKR only, in addition to those whose docstrings say so.
+# Formulas that apply to JKR only, in addition to those whose docstrings say so.
 OF_JKR = (
     *(name for name in vars(jkr) if name in FORMULAS and not name.startswith("contact_area")),
     "pull_off_force",
@@ -217,7 +217,7 @@ def test_every_law_has_a_source_and_a_reference(law: Law) -> None:
 
 @pytest.mark.parametrize("size", [1, 7, 28, 29])
 def test_arrays_in_blocks_of_any_size_give_the_same_results(size: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Some results depend on all arrays, some on a few, and some on none."""
+    """Some results depend on both arrays, some on one, and some on none."""
     radii, energies = numpy.geomspace(1e-8, 1e-5, 29), numpy.linspace(0.02, 0.5, 29)
     given: dict[str, Any] = {**QUARTZ, "radius": radii, "surface_energy": energies}
     names = ["pull_off_force", "r_min", "work_of_adhesion", "contact_modulus"]
@@ -318,7 +318,7 @@ def test_a_result_of_another_law_names_the_law() -> None:
     assert found.inputs["model"] == "maugis"
 
 
-def test_a_sticking_energy_that_the_spacing_decides_has_no_value_in_a_report() -> None:
+def test_a_sticking_energy_that_depends_on_an_unknown_spacing_has_no_value_in_a_report() -> None:
     quartz = known_materials()["quartz"]
     found = Report(QUESTIONS["energies"], Frame({"radius": 1e-7}, quartz, model="maugis"))
     results = {result.name: result for result in found.results}
@@ -331,7 +331,7 @@ def test_a_sticking_energy_that_the_spacing_decides_has_no_value_in_a_report() -
 
 
 @pytest.mark.parametrize("radius", [20e-6, numpy.array([20e-6, 30e-6])])
-def test_a_sticking_speed_that_the_spacing_decides_is_judged_at_the_assumed_spacing(radius: Any) -> None:
+def test_a_sticking_speed_that_depends_on_the_spacing_is_judged_at_the_assumed_spacing(radius: Any) -> None:
     """Without a given spacing the speed has no value; its doubts and range are those at the assumed spacing."""
     quartz = known_materials()["quartz"]
     assumed, stated = (Frame({"radius": radius, **more}, quartz) for more in ({}, {"atomic_spacing": 4e-10}))
@@ -344,7 +344,7 @@ def test_a_sticking_speed_that_the_spacing_decides_is_judged_at_the_assumed_spac
     assert numpy.all(shown_range.low < shown_range.high)
 
 
-def test_a_quantity_that_the_spacing_decides_has_no_value_without_it() -> None:
+def test_a_quantity_that_depends_on_the_spacing_has_no_value_without_it() -> None:
     """In Python this is an error for numbers, and nan in arrays where the transition parameter is below 1."""
     with pytest.raises(Failure, match="depends on z0; give --z0 4angstrom"):
         solve("sticking_energy", model="maugis", **QUARTZ)
@@ -429,7 +429,7 @@ def test_where_a_law_is_within_5_per_cent_depends_on_the_quantity(model: str, na
 @pytest.mark.parametrize("given", [{}, {"load": 1e-9}, {"approach_at_load": 1e-10}, {"adhesion_hysteresis": 0.01}])
 @pytest.mark.parametrize("model", LAWS)
 def test_a_formula_of_another_law_never_uses_the_contact_of_the_law_in_use(model: str, given: dict[str, float]) -> None:
-    """The formulas of one law give the same under another law, or are refused. approach_dmt once took JKR's radius."""
+    """A formula of one law gives the same value under another, or is refused. approach_dmt once used JKR's radius."""
     scene = Frame({"radius": 1e-7, **given}, known_materials()["quartz"], model=model)
     foreign = [name for name in NOMENCLATURE if NOMENCLATURE[name].variant_of and law_of(name) not in (None, model)]
     found = {name: value for name, value in outcomes(scene, foreign).items() if not isinstance(value, JkrollError)}
@@ -448,7 +448,7 @@ def test_a_quantity_of_another_law_is_refused_with_the_name_of_that_law(run: Run
 
 
 def test_the_fold_energy_is_that_of_the_law_in_use() -> None:
-    """The energy is P_c times the depth of the fold. For dry silica, JKR's 27.03 aJ once stood in place of 45.2 aJ."""
+    """The energy is P_c times the depth of the fold. For dry silica, it was once JKR's 27.03 aJ instead of 45.2 aJ."""
     grain: dict[str, Any] = {"material": "silica-dry", "radius": 1e-7}
     names = ["work_of_adhesion", "reduced_radius", "contact_modulus", "transition_parameter"]
     w, radius, modulus, transition = map(mpf, solve(names, model="maugis", **grain).values())

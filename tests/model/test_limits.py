@@ -54,7 +54,7 @@ def test_an_excess_is_the_logarithm_of_a_factor() -> None:
     assert law.factor == approx(max(of_laws[1], fit) / of_laws[0] / 1.05)
 
 
-def test_a_limit_that_is_not_exceeded_has_its_value() -> None:
+def test_a_limit_that_is_not_exceeded_has_a_value_too() -> None:
     (few,) = [
         one for one in doubts(Frame(QUARTZ), ["pull_off_force"]) if one.limit.name == "contact_radius_in_spacings"
     ]
@@ -170,7 +170,7 @@ def test_a_load_of_exactly_the_pull_off_force_is_not_stable() -> None:
 
 
 def test_a_ratio_of_forces_has_the_doubts_of_its_contact() -> None:
-    """The doubts are the same without load, although 4ξ/R1 does not depend on the contact."""
+    """The doubts are the same without load, although the ratio is then 4ξ/R1 whatever the contact is."""
     soft = {"radius": 3e-10, "surface_energy": 0.025, "youngs_modulus": 5e9, "poisson_ratio": 0.2}
     of_loads = [codes(bits(Frame({**soft, "load": load}), ["yield_force_ratio"])).split() for load in (0.0, 1e-18)]
     assert {"few-atoms", "wide-contact"} <= {*of_loads[0]} == {*of_loads[1]}
@@ -347,7 +347,7 @@ def test_a_dmt_contact_at_an_approach_is_doubtful_although_it_does_not_depend_on
 
 
 def test_the_other_law_has_the_spacing_that_follows_from_the_cutoff() -> None:
-    """The scene computes the spacing from the cutoff; the other law has the same spacing stated."""
+    """The scene computes the spacing from the cutoff, and the other law uses this spacing."""
     given: dict[str, Any] = {"radius": 1e-7, "hamaker": 6.5e-20, "cutoff": 2e-10}
     other = Frame(given, known_materials()["quartz"]).by_law
     assert other["pull_off_force"] == solve("pull_off_force", material="quartz", model="maugis", **given)

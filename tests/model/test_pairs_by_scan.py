@@ -1,4 +1,4 @@
-"""Two unknowns compared with a dense scan of both, which is refined where both quantities pass their values."""
+"""Pairs of unknowns compared with a dense scan, which is refined where both quantities cross their measured values."""
 
 import math
 from random import Random
@@ -16,9 +16,9 @@ from jkroll.quantities.laws import MODELS
 from scenes import log_uniform
 
 PER_DECADE = 10  # values of the dense scan; its cells end at other values than those of the program
-PARTS = 5  # into which each side of a cell is divided
-ROUNDS = 12  # of division, after which a cell is 4e-9 times as wide
-MANY = 3000  # most cells in which both quantities pass their values; more cells form a curve instead of points
+PARTS = 5  # number of parts into which each side of a cell is divided
+ROUNDS = 12  # number of divisions, after which a cell is 4e-9 times as wide
+MANY = 3000  # most cells in which both quantities cross their values; more cells form a curve, not points
 SPANS = {
     "surface_energy": (1e-3, 1.0), "youngs_modulus": (1e6, 1e12), "radius": (1e-8, 1e-3),
     "yield_displacement": (1e-11, 1e-8)
@@ -91,7 +91,7 @@ def solved(names: tuple[str, ...], measured: dict[str, float], scene: Frame) -> 
 def compared(random: Random) -> str:
     """Return the outcome of a random problem.
 
-    Fails if the program does not name a pair that the scan finds, or names a pair that is no solution.
+    Fails if the program does not name a pair that the scan finds, or names a pair that is not a solution.
     """
     given: dict[str, Any] = {name: log_uniform(random, *span) for name, span in SPANS.items()}
     given |= {"radius2": math.inf, "poisson_ratio": 0.2, "density": 2e3, "shear_strength": 1e7, "atomic_spacing": 4e-10}
@@ -127,7 +127,7 @@ def compared(random: Random) -> str:
 
 
 @pytest.mark.parametrize(("count", "seed"), [(10, "few"), pytest.param(800, "many", marks=pytest.mark.slow)])
-def test_pairs_are_those_of_a_dense_scan_in_either_order(count: int, seed: str) -> None:
+def test_pairs_are_those_of_a_dense_scan_whichever_quantity_comes_first(count: int, seed: str) -> None:
     random = Random(seed)
     results = [compared(random) for _ in range(count)]
     assert results.count("one") > count / 3

@@ -1,4 +1,4 @@
-"""The profile of a true sphere: its numbers, its refusals, and the notes on a wide contact."""
+"""The profile of a true sphere: its results, where it is refused, and the notes on a wide contact."""
 
 import json
 import math
@@ -26,7 +26,7 @@ PARABOLOID = 1.5 * math.pi * 0.02 * 1e-6  # its pull-off force
 
 
 def test_pull_off_and_contact_of_a_sphere() -> None:
-    """At w/(E*R) = 0.01 a sphere has 0.95900 of the pull-off force, and 0.4855 R instead of 0.5209 R."""
+    """At w/(E*R) = 0.01 a sphere has 0.95900 of a paraboloid's pull-off force, and a0 is 0.4855 R, not 0.5209 R."""
     assert solve("pull_off_force", **GEL, profile="sphere") == approx(0.95900 * PARABOLOID, rel=1e-5)
     assert solve("contact_radius", **GEL, profile="sphere") == approx(0.4855e-6, rel=1e-4)
     assert solve("pull_off_force", **GEL) == approx(PARABOLOID, rel=1e-12)

@@ -35,7 +35,7 @@ def found(
 
 
 def assert_spans(one: Uncertain, values: Any, *, inner: float = 0.01, outer: float = 0.0) -> None:
-    """Check that a range ends at the least and the largest value, within parts of its width inside and outside."""
+    """Check the ends of a range: short of the extreme values by `inner` of its width at most, or beyond by `outer`."""
     width = one.high - one.low
     assert max(values) - inner * width <= one.high <= max(values) + (outer + 1e-12) * width
     assert min(values) - (outer + 1e-12) * width <= one.low <= min(values) + inner * width
@@ -89,7 +89,7 @@ def test_the_lower_side_may_be_the_longer_one() -> None:
 @pytest.mark.parametrize(
     ("name", "minus", "plus"), [("contact_modulus", 0, 1 / 0.99 - 1), ("approach", 1 - 0.99 ** (2 / 3), 0)]
 )
-def test_a_side_is_zero_if_both_ends_change_the_result_to_the_other_side(name: str, minus: float, plus: float) -> None:
+def test_a_side_is_zero_if_both_ends_change_the_result_in_one_direction(name: str, minus: float, plus: float) -> None:
     """1 − ν² is largest at ν = 0."""
     one = found(name, {**QUARTZ, "poisson_ratio": 0.0}, {"poisson_ratio": Measured(0.0, 0.1, 0.1)}).uncertainty
     assert isinstance(one, Measured)
@@ -271,7 +271,7 @@ def test_formats_other_than_bare_give_the_uncertainty_of_a_result(run: Run) -> N
     assert row["pull_off_force_plus [N]"] == row["pull_off_force_minus [N]"] == "2.356194490192344e-9"
     assert run(*words, "--bare").out == "1.1780972450961723e-8\n"
     table = run(*words, terminal=True).out
-    # Maugis' 14.2 nN at half the atomic spacing less 18 %; Lennard-Jones' 15.3 nN, proportional to γ, plus 20 %.
+    # Maugis' 14.2 nN at half the atomic spacing minus 18 %; Lennard-Jones' 15.3 nN, proportional to γ, plus 20 %.
     assert re.search(r" 12–18 +Maugis +11\.78 +nN", table)
     assert "γ = 25 ± 5 mJ/m²" in table
     assert "  shares    γ1 100%\n" in run(*words, "--explain").out

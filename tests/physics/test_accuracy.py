@@ -74,7 +74,7 @@ class Error(NamedTuple):
 
 
 def errors_of(scenes: Iterable[Frame]) -> dict[str, list[Error]]:
-    """Return the errors of results, with scenes solved as numbers and, if their inputs are the same, as arrays."""
+    """Return the errors of results, computed scene by scene, and as arrays of all scenes with the same inputs."""
     alike = defaultdict(list)
     for scene in scenes:
         exact = {name: value for name, value in exact_results(scene).items() if abs(value) < math.inf}
@@ -126,7 +126,7 @@ def test_a_symbol_means_the_same_quantity_in_all_equations() -> None:
     assert all(SYMBOLS[symbol] == name for symbol, name in law_reference.SYMBOLS.items())
 
 
-def test_half_of_all_results_are_within_the_median() -> None:
+def test_the_median_error_of_all_results_is_within_its_bound() -> None:
     errors = errors_of_kind("random")
     assert median(error.of_number for name in RESULTS for error in errors[name]) <= MEDIAN
 
@@ -215,7 +215,7 @@ def _damped(random: Random) -> Iterator[tuple[str, Any]]:
 
 
 def _wet(random: Random) -> Iterator[tuple[str, Any]]:
-    """Iterate over values of a meniscus of water, near dry and saturated air, and near the end of wetting."""
+    """Iterate over values of a meniscus of water, also near dry and saturated air, and near a contact angle of 90°."""
     yield "humidity", random.choice([random.random(), log_uniform(random, 1e-30, 1), 1 - log_uniform(random, 1e-15, 1)])
     yield "contact_angle", random.choice([0.0, random.uniform(0, 1.57), math.pi / 2 - log_uniform(random, 1e-9, 1)])
     yield "kelvin_radius", log_uniform(random, 1e-11, 1e-5)
@@ -303,7 +303,7 @@ def _scenes_of(name: str) -> list[Frame]:
 
 
 # The worst of thousands of arguments: each had an error beyond the accuracy that was then stated. The force that slides
-# or peels was a square, which doubled a rounding.
+# or peels was computed as a square, which doubles a rounding error.
 WORST: list[tuple[str, Frame]] = [
     (
         "sliding_or_peeling_force",

@@ -1,4 +1,4 @@
-"""Aggregates: energies as speeds, strengths in their limits, and the constants of public codes."""
+"""Aggregates: energies and their speeds, limits of strengths, and the constants of public codes."""
 
 import math
 from typing import Any
@@ -18,13 +18,13 @@ SPEEDS = [name for name in QUESTIONS["aggregates"].quantities if "speed" in name
 
 
 @pytest.mark.parametrize("name", SPEEDS)
-def test_two_aggregates_that_collide_at_a_speed_have_its_energy(name: str) -> None:
+def test_two_aggregates_that_collide_at_a_speed_have_the_corresponding_energy(name: str) -> None:
     """In the frame of their centre of mass, each aggregate has half the speed."""
     speed, energy, mass = solve([name, name.replace("speed", "energy"), "mass"], **AGGREGATE).values()
     assert math.isclose(2 * (1000 * mass / 2 * (speed / 2) ** 2), energy, rel_tol=1e-14)
 
 
-def test_the_number_of_contacts_is_that_of_the_grains_by_default() -> None:
+def test_the_number_of_contacts_is_the_number_of_grains_by_default() -> None:
     for name in ("disruption_energy", "disruption_speed_dust_simulation"):
         assert solve(name, **AGGREGATE) == solve(name, contacts=1000, **AGGREGATE)
     assert solve("disruption_energy", contacts=3, **QUARTZ) < solve("disruption_energy", monomers=4, **QUARTZ)
@@ -32,7 +32,7 @@ def test_the_number_of_contacts_is_that_of_the_grains_by_default() -> None:
         solve("disruption_energy", **QUARTZ)
 
 
-def test_compressive_strength_tends_to_the_cube_of_the_filling_factor() -> None:
+def test_compressive_strength_grows_as_the_cube_of_a_small_filling_factor() -> None:
     """The strength tends to E_roll φ³/r0³ for loose aggregates, and diverges at the closest packing."""
     half_turn = solve("roll_energy_half_turn", **QUARTZ)
     loose = solve("compressive_strength", filling_factor=1e-6, **QUARTZ)

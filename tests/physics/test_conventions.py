@@ -30,7 +30,7 @@ A0 = (9 * math.pi * 0.025 * RADIUS**2 / MODULUS) ** (1 / 3)
         # 3πγR times a0²/(2·6^(1/3)R), as in Lumajord/DustSimulation
         ("fold_energy", 3 * math.pi * 0.025 * RADIUS * 0.5 * A0**2 / (RADIUS * 6 ** (1 / 3))),
         ("sticking_speed_paszun_dominik", 1.07 * (0.025 / RADIUS) ** (5 / 6) / (MODULUS ** (1 / 3) * 2600.0**0.5)),
-        # twice 9.6: with only one of the two factors 2 in √(2·2·9.6 …), the speed would have 1.0705 instead of 1.07
+        # twice 9.6: the 1.07 of the speed above, 1.0705, has only one of the two factors 2 in √(2·2·9.6 …)
         ("sticking_energy_pencil_code", 2 * 9.6 * 0.025 ** (5 / 3) * RADIUS ** (4 / 3) / MODULUS ** (2 / 3)),
         # with the reduced radius, and with the radius of a grain
         ("roll_energy_quarter_turn", 6 * math.pi**2 * 0.025 * RADIUS * 2e-10),
@@ -147,7 +147,7 @@ def test_for_a_rigid_sphere_the_contact_sets_the_time_step() -> None:
 
 
 def test_the_time_step_is_stable_for_many_contacts() -> None:
-    """In a close-packed lattice a grain has 12 contacts; its fastest mode stays below Verlet's limit of 2/ω."""
+    """In a close-packed lattice a grain has 12 contacts; the step is below Verlet's limit, 2/ω of the fastest mode."""
     for radius in (1e-9, 1e-7, 1e-5):
         slide, step = solve(["sliding_frequency", "time_step"], **{**GRAIN, "radius": radius}).values()
         for contacts in (12, 40):

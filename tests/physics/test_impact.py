@@ -126,7 +126,7 @@ def test_viscous_time_of_a_measured_sticking_speed(radius: float, speed: float, 
 
 
 def test_viscous_time_agrees_with_that_of_a_public_code() -> None:
-    """Comments of the code give 31.6 ps for 105.869 cm/s at 0.76 µm: a power law from 0.6 µm on, not a measurement."""
+    """Comments of the code give 31.6 ps for 105.869 cm/s at 0.76 µm: extrapolated by a power law, not measured."""
     speed = 1.2 * (0.6 / 0.76) ** 0.53
     assert speed == approx(1.05869, abs=5e-6)
     pair: dict[str, Any] = {
@@ -231,14 +231,14 @@ def test_an_explanation_says_whether_an_impact_is_elastic_and_static(words: str,
 
 @pytest.mark.parametrize("asperity", [0.2e-9, 1.5e-9, 5e-9])
 def test_rough_pull_off_is_slightly_above_the_pairwise_sum(asperity: float) -> None:
-    """Van der Waals' force of a sphere on a plane with a hemispherical asperity between, summed over the volumes."""
+    """Van der Waals' force of a sphere on a plane, with a hemispherical asperity between them, summed over volumes."""
     radius, gap = 1e-6, 1.65e-10
 
     def on_point(across: float, height: float) -> float:
         """Return the axial force between the sphere and a ring of the hemisphere, per Hamaker constant."""
         up = asperity + gap + radius - height
         distance = math.hypot(across, up)
-        field = 8 * radius**3 * distance / (distance**2 - radius**2) ** 4  # field of the sphere, 4π/3 R³/(d² − R²)³
+        field = 8 * radius**3 * distance / (distance**2 - radius**2) ** 4  # slope of 4/3 R³/(d² − R²)³, its potential
         return field * up / distance * 2 * math.pi * across
 
     from scipy.integrate import dblquad

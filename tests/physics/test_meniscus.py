@@ -15,7 +15,7 @@ GAS_CONSTANT, ROOM = 8.314462618, 298.15  # J/(mol K), K
 
 
 def nodoid(kelvin: float, contact_angle: float, *, is_pair: bool) -> tuple[float, float]:
-    """Return F/(4πRγ_L cosθ) of a meniscus of r_K = `kelvin` R, and its half-filling angle on the sphere.
+    """Return F/(4πRγ_L cosθ) of a meniscus with r_K = `kelvin` R, and its half-filling angle on the sphere.
 
     A sphere of radius 1 touches a plane or an equal sphere; R is the reduced radius. ψ is the slope of the water's
     surface against the plane, and r sinψ + r²/(2r_K) = F/(2πγ_L) at every height. The surface spans the gap between the

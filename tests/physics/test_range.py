@@ -116,7 +116,7 @@ class ExactScene:
         self.plans, steps = plans, _formulas_of(plans)
         self.given = {name: mpf(given[name]) for name in _inputs_of(plans)}
         self.values: dict[str, Exact | None] = dict(self.given)
-        self.in_doubles = set(self.given)  # names of values that doubles hold, as they do all values on the way
+        self.in_doubles = set(self.given)  # names of values that doubles hold, with all intermediate values
         for name, step in steps.items():
             known = {parameter: self.values[argument] for parameter, argument in step.arguments.items()}
             value = self.values[name] = None if None in known.values() else _exact_or_none(step.formula.__name__, known)
@@ -125,7 +125,7 @@ class ExactScene:
                 self.in_doubles |= {name} if self.in_doubles.issuperset(step.arguments.values()) else set()
 
     def is_right(self, name: str, value: Any, bound: float) -> bool:
-        """Return whether a number is accurate or, if it is missing, whether doubles cannot hold it."""
+        """Return whether a number is accurate, or is missing because doubles cannot hold it."""
         source = self.plans[name].name
         exact_value = self.values[source]
         if not isinstance(value, float) or math.isnan(value):
@@ -162,7 +162,7 @@ def _exact_or_none(formula: str, given: dict[str, Exact]) -> Exact | None:
     ],
 )
 def test_scenes_at_the_corners_have_accurate_numbers(model: str, count: int) -> None:
-    """Every number is accurate, and none is missing if doubles can hold the number and all values on the way."""
+    """Every number is accurate, and none is missing if doubles can hold it and all intermediate values."""
     answered = 0
     for given in corner_scenes(LEAST, MOST, count):
         scene = Frame(given, model=model)

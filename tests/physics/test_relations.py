@@ -96,7 +96,7 @@ IN_DOMAIN = {
 
 @pytest.mark.parametrize("name", [*FORMULAS, *OF_A_STRIP])
 def test_a_formula_returns_the_stated_dimension(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A formula of pint Quantities returns the dimension that its annotation and the nomenclature state."""
+    """Applied to pint Quantities, a formula returns the dimension that its annotation and the nomenclature state."""
     for constant, of_unit in (("WATER_TENSION", "N/m"), ("KELVIN_LENGTH", "m")):
         monkeypatch.setattr(meniscus, constant, UREG.Quantity(vars(meniscus)[constant], of_unit))
     formula = {**PLAIN_FORMULAS, **OF_A_STRIP}[name]
@@ -126,7 +126,7 @@ def test_every_formula_is_documented_and_takes_its_parameters_by_name() -> None:
 
 
 def test_a_docstring_is_read_with_and_without_its_indentation() -> None:
-    """The compiler removes the indentation from Python 3.13 on."""
+    """Since Python 3.13, the compiler removes the indentation."""
     for name, formula in FORMULAS.items():
         text = inspect.cleandoc(formula.__doc__ or "")
         dedented, indented = (SimpleNamespace(__doc__=doc) for doc in (text, text.replace("\n", "\n    ")))
@@ -209,7 +209,7 @@ def test_an_approach_beyond_the_fold_is_refused() -> None:
 
 
 def test_a_type_checker_sees_a_number_or_an_array() -> None:
-    """The check is by mypy."""
+    """The check is made by mypy."""
     assert_type(jkroll.formulas.yield_angle(yield_displacement=2e-10, reduced_radius=5e-8), float | NDArray[np.float64])
 
 

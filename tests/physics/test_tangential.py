@@ -1,4 +1,4 @@
-"""Sliding, twisting and peeling: one strength for both thresholds, and Griffith's criterion by energy differences."""
+"""Sliding, twisting and peeling: the frequency of twisting, and Griffith's criterion by energy differences."""
 
 import math
 from collections.abc import Callable
@@ -23,7 +23,7 @@ NEW = [
 OF_ANY_LAW = ("twisting_stiffness", "twisting_frequency")  # they follow from the contact radius by any law
 
 
-# --- Stiffness of torsion, two ways -----------------------------------------------------------------------------------
+# --- Twisting ---------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("radius2", [1e-7, 3e-7, math.inf])

@@ -64,8 +64,8 @@ def test_symbols_are_accepted_wherever_a_quantity_is_named(run: Run) -> None:
     assert by_symbols == run("map pull_off_force quartz --x radius=1nm:1um:3 --data -")
 
 
-def test_headers_of_a_table_are_not_read_as_symbols(run: Run, tmp_path: Path) -> None:
-    """A column called E is not an input, since only names of quantities are read from headers."""
+def test_a_symbol_without_a_unit_is_not_read_in_a_header(run: Run, tmp_path: Path) -> None:
+    """A symbol in a header is an input only with a unit, in the header or in the cells."""
     table, results = tmp_path / "grains.csv", tmp_path / "results.csv"
     table.write_text("E,radius\n5,100nm\n")
     assert run("batch", str(table), "-o", str(results), "--quantities", "R_min").code == 0

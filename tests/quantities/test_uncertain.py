@@ -191,7 +191,7 @@ def test_an_uncertain_value_is_copied_and_pickled(found: Measured | Interval) ->
 
 
 @pytest.mark.parametrize("found", [Measured(0.025, 0.005, 0.005), Interval(0.025, 0.02, 0.03)])
-def test_numpy_makes_no_array_of_numbers_of_an_uncertain_value(found: tuple[object, ...]) -> None:
+def test_numpy_makes_no_array_of_numbers_from_an_uncertain_value(found: tuple[object, ...]) -> None:
     assert numpy.asarray(found).dtype.kind not in "fiu"
 
 

@@ -10,7 +10,7 @@ from jkroll.quantities.nomenclature import nearest
 from jkroll.quantities.units import PLAIN, PREFIXABLE, PREFIXES, dimension_of, kind_of, lookup
 from jkroll.quantities.values import QuantityError, parse_quantity, unit_of
 
-# Names of the table that some versions of pint lack or give other values.
+# Names of the table that some versions of pint lack, or define with other values.
 UNLIKE = frozenset(
     """gf gram_force pond ponds kgf kilogram_force kilopond kiloponds Da dalton daltons u amu bohr bohrs hartree
     hartrees Eh E_h rydberg rydbergs Ry fathom fathoms furlong furlongs electronvolt cmHg mmHg""".split()
@@ -169,7 +169,7 @@ def test_units_of_the_table_agree_with_pint() -> None:
 
 
 def test_no_unit_of_pint_has_another_number_in_another_version() -> None:
-    """Each version of pint has the number in the list, which was made with pint 0.25.3, or no number.
+    """Each version of pint gives a unit its number in the list, which was made with pint 0.25.3, or none.
 
     If a new version fails here, add its names to `_UNLIKE` of units.py, and names that people type to the table.
     """

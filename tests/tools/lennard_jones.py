@@ -1,16 +1,16 @@
 """Make the tables of an elastic sphere that attracts by the 3-9 law, and compare them with the program's fits.
 
     python tests/tools/lennard_jones.py [μ ...]          # the pull-off force
-    python tests/tools/lennard_jones.py energies [μ ...] # the work to part, and that up to pull-off under a dead load
+    python tests/tools/lennard_jones.py energies [μ ...] # the work to part, and up to pull-off under a dead load
     python tests/tools/lennard_jones.py curve > tests/data/force_curve.csv
 
 The last command makes a force curve as an instrument measures it, with noise and an unknown zero of the approach.
 
 The gap is h/z0 = H = ρ²/2 − D + μ^(3/2) u(ρ), with ρ = r/√(Rz0) and a traction (8/3)(H^-3 − H^-9) w/z0 on an elastic
-half-space. Traction is constant on rings; the displacement by a ring is the difference of those by two discs (elliptic
-integrals). Newton's method follows the curve by the gap at the centre, through the turning points of D; a parabola
-through the three largest tensions gives the pull-off force. The far traction is added in closed form. Above μ = 2 the
-gap at the centre no longer falls along the whole curve, so that the table ends there.
+half-space. Traction is constant on rings; the displacement by a ring is that by a disc minus that by a smaller disc
+(elliptic integrals). Newton's method follows the curve by the gap at the centre, through the turning points of D; a
+parabola through the three largest tensions gives the pull-off force. The far traction is added in closed form. Above
+μ = 2 the gap at the centre no longer falls along the whole curve, so that the table ends there.
 """
 
 import sys
@@ -103,7 +103,7 @@ def pull_off(tabor: float, rings: int) -> float:
 def energies(tabor: float, rings: int) -> tuple[float, float]:
     """Return the depth of the well and the work up to the largest tension over πwRz0, with a number of rings.
 
-    The tension is that of a rigid sphere beyond 30 z0, and is integrated there in closed form.
+    Beyond 30 z0 the tension is that of a rigid sphere, integrated in closed form.
     """
     gaps = [*numpy.geomspace(30, 3, 60)[:-1], *numpy.linspace(3, 1.2, 80)[:-1], *numpy.linspace(1.2, 0.7, 400)]
     found: list[tuple[float, float]] = []

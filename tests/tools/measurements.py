@@ -37,7 +37,7 @@ class Measurement(NamedTuple):
     material: str
     given: Mapping[str, str]  # the other inputs
     source: str
-    read: str  # "abstract": the authors' own; "second hand": in a text that cites them
+    read: str  # "abstract": in the authors' own; "second hand": in a text that cites them
     remark: str
     beside: str = ""  # another radius: the numbers are then ratios, of the value at `radius` to the value there
     material2: str = ""  # the material of the other body, if it differs

@@ -103,7 +103,7 @@ def _is_made_by_a_law(name: str) -> bool:
 
 
 def _units(name: str) -> dict[str, str]:
-    """Return the units of a formula's parameters and of its value, which is `return`."""
+    """Return the units of a formula's parameters, and of its value under `return`."""
     hints = get_type_hints(_plain(name), localns=vars(dimensions), include_extras=True)
     return {parameter: hint.__metadata__[0] for parameter, hint in hints.items()}
 
@@ -164,7 +164,7 @@ def is_too_long(text: str) -> bool:
 
 
 def tables_read_as(name: str) -> list[str]:
-    """Return the repositories of found tables in which a column is read as an input, but the test does not say so.
+    """Return the repositories of found tables with a column that is read as an input, although their record omits it.
 
     Inputs that are converted to another input, such as a shear modulus, are not read in a table with this other input.
     """

@@ -1,8 +1,8 @@
-"""Run tests under every further CPython of this machine, and command lines with the lowest permitted versions.
+"""Run tests under every other CPython of this machine, and command lines with the lowest permitted versions.
 
     python tests/tools/other_pythons.py
 
-Further CPythons are those on PATH or in ~/.pyenv/versions whose version differs from the one that runs this script.
+Other CPythons are those on PATH or in ~/.pyenv/versions whose version differs from the one that runs this script.
 Each gets its own environment outside of the checkout. Prints the versions that ran, and ends with 1 at the first
 failure.
 """
