@@ -251,7 +251,7 @@ def test_a_lost_cluster_is_reported_in_a_line(run: Run, grains: list[str], lost:
                 each.kill()
                 each.wait()
     said = {
-        "scheduler": "was lost; --resume makes the files that are missing",
+        "scheduler": "was lost; --resume converts the remaining tables",
         "workers": "has no worker left; each needs this version of jkroll",
     }
     assert message == f"jkroll: --dask: the scheduler at '{address}' {said[lost]}\n"

@@ -67,7 +67,7 @@ TABLE = (
     Options.jobs,
     Options.dask,
     Options.excel_safe,
-    Option(None, "--material", "Material of rows whose cell is empty; the inputs below work likewise", "NAME",
+    Option(None, "--material", "Material of rows with an empty cell; the inputs below fill such cells, too", "NAME",
         name="material"),
 )  # fmt: skip
 _OF_CURVES = (

@@ -412,7 +412,7 @@ def _on_cluster(address: str, task: Task, pairs: list[Pair]) -> Iterator[Outcome
             except KilledWorker as error:
                 yield Tally(), LostWorker(f"its worker ended {error.allowed_failures + 1} times")
             except CancelledError:
-                raise LostWorker(f"{scheduler} was lost; --resume makes the files that are missing") from None
+                raise LostWorker(f"{scheduler} was lost; --resume converts the remaining tables") from None
 
 
 def _await(future: Any, client: Any) -> None:

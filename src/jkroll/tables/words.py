@@ -67,7 +67,7 @@ _DOUBTFUL_WORDS = {
 _DOUBTFUL_SYMBOLS = {
     **dict.fromkeys("d D dp Dp".split(), _DIAMETER),
     **dict.fromkeys("Fn FN".split(), _FORCE),
-    "gamma12": Meaning(["work_of_adhesion"], "w = γ1 + γ2 - γ12, if it is of the interface", has_remedy=False),
+    "gamma12": Meaning(["work_of_adhesion"], "it may be of the interface: w = γ1 + γ2 - γ12", has_remedy=False),
     **dict.fromkeys("R* Reff".split(), Meaning(["reduced_radius"], "it may be the reduced radius")),
     **dict.fromkeys("w12 W12 wa Wa".split(), Meaning(["work_of_adhesion"], "it may be the work of adhesion")),
     "Rp": Meaning(["radius"], "it may be the radius of a particle"),

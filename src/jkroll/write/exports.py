@@ -162,7 +162,7 @@ def _coefficients(pair: Frame) -> str:
 # --- LIGGGHTS ---------------------------------------------------------------------------------------------------------
 
 _LIGGGHTS = """\
-# Contact by jkroll: Hertz less k A, with the pull-off force of JKR, {force:.12g} N
+# Contact by jkroll: Hertz minus k A, with the pull-off force of JKR, {force:.12g} N
 # units si{wall}
 fix m1 all property/global youngsModulus peratomtype{moduli}
 fix m2 all property/global poissonsRatio peratomtype{ratios}
@@ -173,7 +173,7 @@ pair_coeff * *
 # m1: Pa, of each type; m2: 1; m3: k in J/m^3, of the types 1 1, or 1 1, 1 2, 2 1, 2 2. Lengths in m, forces in N.
 # coefficientRestitution and coefficientFriction are yours to give; there is no resistance to rolling or twisting.
 # k holds for these radii: it goes as R^(-1/3). With cohesion sjkr, two spheres take twice this k, and a wall this.
-# Only the pull-off is JKR's: without overlap there is no force; contact radius, stiffness and overlap are others.
+# Only the pull-off is JKR's: without overlap there is no force; contact radius, stiffness and overlap differ from it.
 """
 _TWO_RULES = """\
 # timestep {:.12g}: in s, the shorter of a twentieth of the period of sliding with rotation of a JKR contact \
