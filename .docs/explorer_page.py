@@ -13,7 +13,7 @@ FIRST = {"material": "quartz", "radius": "100nm", "speed": "20cm/s"}
 
 
 class Slider(NamedTuple):
-    """An input with a box and a slider, whose ends and step are powers of ten of a unit."""
+    """An input with a box and a slider, whose ends and step are exponents of ten, except for the load."""
 
     word: str
     label: str
@@ -28,7 +28,7 @@ SLIDERS = (
     Slider("radius2", "radius <i>R</i><sub>2</sub>", -9, -3, 0.02, "m"),
     Slider("gamma", "surface energy <i>γ</i>", -3, 1, 0.02, "J/m2"),
     Slider("young", "Young’s modulus <i>E</i>", 5, 12.2, 0.02, "Pa"),
-    Slider("load", "load <i>P</i>", -1.1, 1.7, 0.01, "N"),  # in units of the pull-off force, linear
+    Slider("load", "load <i>P</i>", -1.1, 1.7, 0.01, "N"),  # linear, in units of the pull-off force
     Slider("xi", "rolling lag <i>ξ</i>", -11, -7.5, 0.02, "m"),
     Slider("speed", "impact speed <i>v</i>", -3, 2, 0.02, "m/s"),
 )

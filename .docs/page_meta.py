@@ -1,4 +1,4 @@
-"""What the site's pages have in their heads: a description, and a policy that lets no page ask another host."""
+"""The heads of the site's pages: a description, and a policy that forbids requests to other hosts."""
 
 import re
 from base64 import b64encode
@@ -10,7 +10,7 @@ _INLINE = re.compile(r"<script(?![^>]*(?:\bsrc=|application/json))[^>]*>(.*?)</s
 
 
 def with_policy(html: str) -> str:
-    """Return a page with a content security policy: its own files, and its inline scripts by their hashes."""
+    """Return a page with a content security policy that allows its own files and, by their hashes, inline scripts."""
     hashes = {b64encode(sha256(script.encode()).digest()).decode() for script in _INLINE.findall(html)}
     scripts = " ".join(["'self'", "'wasm-unsafe-eval'", *(f"'sha256-{each}'" for each in sorted(hashes))])
     policy = (
@@ -22,7 +22,7 @@ def with_policy(html: str) -> str:
 
 
 def with_card(html: str, page: Any) -> str:
-    """Return a page with the title and the description that a link to it shows elsewhere."""
+    """Return a page with the title and the description that other sites show with a link to it."""
     title = escape(f"{page.title} – jkroll")
     texts = {"og:title": title, "og:description": page.meta["description"], "og:type": "article"}
     tags = "".join(f'<meta property="{name}" content="{text}">' for name, text in texts.items())

@@ -1,4 +1,4 @@
-"""Write the prompt into a folder: the page, Pyodide with numpy, the wheels of this program and of what a table needs.
+"""Write the prompt into a folder: the page, Pyodide with numpy, and wheels of this program and of packages for tables.
 
     python .docs/prompt_files.py FOLDER
 
@@ -17,10 +17,10 @@ import zipfile
 from pathlib import Path
 
 HERE = Path(__file__).parent
-# Python for the browser, and what a table needs. Pinned: a page that runs what nobody has read is no manual.
+# Python for the browser, pinned: a page that runs code that nobody has read is not a manual.
 PYODIDE, PYODIDE_SHA256 = "314.0.3", "d7f7d24f8db486c7eda7280f3b0f7517524c8e43e8b086c6ee6ae8016658b484"
 PYODIDE_FILES = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json")
-# The release of Pyodide has the wheel of numpy. Where it cannot be reached, a package that carries the same file does.
+# Pyodide's release has the wheel of numpy; if it cannot be reached, the file is taken from a package that carries it.
 RELEASE = f"https://cdn.jsdelivr.net/pyodide/v{PYODIDE}/full"
 CARRIER, CARRIER_FOLDER = "open-webui==0.12.4", "open_webui/frontend/pyodide"
 
@@ -52,7 +52,7 @@ def put_prompt(folder: Path) -> None:
 
 
 def put_list(folder: Path) -> None:
-    """Write which wheels there are, and how many bytes come before the first answer: all but those of tables."""
+    """Write the list of the wheels, and the bytes that the first answer needs, without numpy and tables."""
     wheels = folder / "python"
     own, *tables = sorted((path.name for path in wheels.glob("*.whl")), key=lambda name: not name.startswith("jkroll"))
     first = [wheels / own, *folder.glob("*.py"), *(folder / "pyodide" / name for name in PYODIDE_FILES)]
@@ -61,7 +61,7 @@ def put_list(folder: Path) -> None:
 
 
 def put_numpy(python: Path) -> None:
-    """Write the wheel of numpy that Pyodide's own list of packages names into the folder of Pyodide."""
+    """Write the wheel of numpy, as named in Pyodide's list of packages, into Pyodide's folder."""
     packages = json.loads((python / "pyodide-lock.json").read_text(encoding="utf-8"))["packages"]
     name, sha256 = packages["numpy"]["file_name"], packages["numpy"]["sha256"]
     try:
@@ -83,7 +83,7 @@ def carried(name: str) -> bytes:
 
 
 def check(name: str, content: bytes, sha256: str) -> None:
-    """Stop unless a file is the one that was pinned."""
+    """Stop unless a file has the pinned hash."""
     if hashlib.sha256(content).hexdigest() != sha256:
         raise SystemExit(f"{name} is not the file that was pinned")
 

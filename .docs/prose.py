@@ -1,7 +1,8 @@
-"""Formulas in the sentences of the manual, found by their signs and by the symbols of the nomenclature.
+"""Typeset formulas in the sentences of the manual, found by their signs and by the symbols of the nomenclature.
 
-The pages are plain text, for terminals, too: nothing marks a formula in them. A term is one if all of it can be read as
-a formula, and if it has a sign that no word has (`P_c`, `πa²τ`, `E*`) or consists of symbols (`R1`, `w`, `a/R`).
+The pages are also shown in terminals, as plain text, so nothing in them marks a formula. A term is a formula if all of
+it can be read as one, and if it has a sign that no word has (`P_c`, `πa²τ`, `E*`) or consists of symbols (`R1`, `w`,
+`a/R`).
 """
 
 import re
@@ -11,28 +12,28 @@ from typeset import is_formula, mathml
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.units import is_in_table
 
-# No prose: code, links, HTML, attributes and addresses.
+# Not prose: code, links, HTML, attributes and addresses.
 _OTHER = re.compile(r"(`[^`]*`|\[(?:`[^`]*`|[^]`])*\]\([^)]*\)|<math.*?</math>|<[^>]+>|\{#[^}]*\}|https?://\S+)")
-_CODED = re.compile(r"`(.*(?:√|d\w/d).*)`")  # a formula that is code, so that its stars are not those of Markdown
-# A term: letters, numbers, signs without a space, and brackets, three deep, with all that is in them.
+_CODED = re.compile(r"`(.*(?:√|d\w/d).*)`")  # a formula written as code, so that Markdown leaves its stars alone
+# A term: letters, numbers, signs without a space, and brackets, up to three deep, with their content.
 _IN = r"[^(){}\[\]]"
 _BRACKETS = rf"[({{\[](?:{_IN}|[({{\[](?:{_IN}|[({{\[]{_IN}*[)}}\]])*[)}}\]])*[)}}\]]"
 _TERM = re.compile(rf"(?<![\w*-])(?:[\w^√·/.½⟨⟩⁺⁻′−]|\*(?!\*)|\\[|_*]|{_BRACKETS})+(?![\w-])")
-_GREEK = re.compile("[α-ωΔΦΩ]")  # the sign of micro is another letter
+_GREEK = re.compile("[α-ωΔΦΩ]")  # without the micro sign, which is a different character
 _MARK = re.compile(rf"{_GREEK.pattern}|[_*√]|\w\^|[A-Za-z][²³⁵]")
 _WORD = re.compile(r"(?<![\w^])(?!d[tv])[a-z]{2,}(?![\w(])")
 _COMPOSED = re.compile(r"[A-Za-z][\d(/|]|[/|][A-Za-z]")
-_NAME = re.compile(r"[A-Za-z]\d\d|\d[a-z]+\d|\d[a-z]{2}|\d [A-Za-z]")  # of a commit; a number with a unit
+_NAME = re.compile(r"[A-Za-z]\d\d|\d[a-z]+\d|\d[a-z]{2}|\d [A-Za-z]")  # the name of a commit, or a number with a unit
 _SYMBOLS = {quantity.symbol for quantity in NOMENCLATURE.values() if not quantity.is_word}
 _SYMBOLS |= {symbol.rstrip("12") for symbol in _SYMBOLS}
 _LETTERS = {symbol[0] for symbol in _SYMBOLS}
-# Terms and signs between them; other sides than a term are a number or a letter.
+# Terms with signs between them; a side that is not a term is a number or a letter.
 _SIDE = r"(?:⟦[^⟧]*⟧|(?<![^\s(])−?(?:[\d.]*\d(?:/\d+)?|[A-Za-z])(?![^\s(),;:.]|\.\d))"
 _CHAIN = re.compile(rf"{_SIDE}(?: [=≈<>≤≥≪≫+−×] {_SIDE})+|⟦[^⟧]*⟧")
 
 
 def with_formulas(line: str) -> str:
-    """Return a line of Markdown with the formulas in its sentences as MathML; headings and HTML stay."""
+    """Return a line of Markdown with the formulas in its sentences as MathML; headings and HTML stay unchanged."""
     if line.startswith(("#", "<")):
         return line
     pieces = _OTHER.split(line)
@@ -42,7 +43,7 @@ def with_formulas(line: str) -> str:
 
 
 def _marked(match: re.Match[str]) -> str:
-    """Return a term between marks if it is a formula; of a bracket in the prose, with the terms in it marked."""
+    """Return a term between marks if it is a formula; mark the terms within a bracket of the prose."""
     term = match[0].rstrip(".")
     if _is_formula(term.replace("\\", "")):
         return f"⟦{term}⟧{match[0][len(term) :]}"

@@ -1,4 +1,4 @@
-"""What the site has for Python: a page of the manual as a notebook of Jupyter, and a reference of the public names.
+"""The site's pages for Python: a page of the manual as a Jupyter notebook, and a reference of the public names.
 
 python .docs/python_pages.py python.ipynb reference.md
 """
@@ -31,14 +31,14 @@ from jkroll.write.sources import docstring_fields
 from jkroll.write.writers import in_markdown, in_row
 
 _EXAMPLES = re.compile(r"^```python\n(.*?)^```\n", re.DOTALL | re.MULTILINE)
-_PRINTED = re.compile(r"print\(([\w.]+)\)\n")  # of which a notebook shows more than the text
+_PRINTED = re.compile(r"print\(([\w.]+)\)\n")  # an object of which a notebook shows more than the text
 
 
 class Cell(NamedTuple):
-    """A cell: code with what the page shows below it, or a text."""
+    """A cell: code with the output that the page shows below it, or a text."""
 
     source: str
-    shown: str | None = None  # None: of a text
+    shown: str | None = None  # None: the cell is a text
 
 
 def cells_of(page: str) -> Iterator[Cell]:
@@ -59,7 +59,7 @@ def cells_of(page: str) -> Iterator[Cell]:
 
 
 def notebook(page: str) -> dict[str, Any]:
-    """Return a page as the object of a notebook, in which nothing was run yet."""
+    """Return a page as the object of a notebook in which no cell was run."""
     kernel = {"name": "python3", "display_name": "Python 3", "language": "python"}
     cells: list[dict[str, Any]] = []
     for number, cell in enumerate(cells_of(page)):
@@ -84,7 +84,7 @@ _ENTRY = re.compile(r"(\S.*)\n((?: .*(?:\n|$))+)")
 
 
 def reference() -> str:
-    """Return the page of the public names, made of their docstrings: shapes, units, errors and sources."""
+    """Return the page of the public names, made from their docstrings: shapes, units, errors and sources."""
     public = {f"jkroll.{name}": getattr(jkroll, name) for name in dir(jkroll)}
     functions = {name: each for name, each in public.items() if inspect.isroutine(inspect.unwrap(each))}
     classes = {name: each for name, each in public.items() if inspect.isclass(each)}
@@ -126,7 +126,7 @@ def _parameters(function: Any) -> Iterator[str]:
 
 
 def _class(name: str, kind: type) -> Iterator[str]:
-    """Iterate over the paragraphs of a class, and over its public attributes and methods."""
+    """Iterate over the paragraphs of a class, the last of them a table of its public attributes and methods."""
     yield f"### `{name}`"
     if name.startswith("jkroll.") and not issubclass(kind, Exception):
         yield f"```python\n{name}({', '.join(_parameters(kind))})\n```"
@@ -172,7 +172,7 @@ def _prose(text: str) -> str:
 
 
 def _formulas() -> Iterator[str]:
-    """Iterate over the table of the formulas, with the units of what they take and give."""
+    """Iterate over the table of the formulas, with the units of their parameters and of their values."""
     yield _prose(
         "`jkroll.formulas` has these functions, and `jkroll.FORMULAS` has them by name. Each takes SI numbers, arrays "
         "of them or Quantities by the names of its parameters, and gives a value of their shape."
@@ -188,10 +188,10 @@ def _formulas() -> Iterator[str]:
 
 
 def _errors() -> Iterator[str]:
-    """Iterate over the list of the errors, each indented below the one that it is a kind of."""
+    """Iterate over one text, the list of the errors, each indented below its base class."""
     for module in walk_packages(jkroll.__path__, "jkroll."):
         if not module.name.endswith("__main__"):
-            with suppress(ModuleNotFoundError):  # of an extra, whose module declares no error
+            with suppress(ModuleNotFoundError):  # without an extra; modules that need one declare no errors
                 import_module(module.name)
     lines: list[str] = []
 

@@ -1,4 +1,4 @@
-"""The quantities on the site: a page with the definition of each, and links to it from the words of other pages."""
+"""The quantities on the site: a page with the definition of each, and links to it from other pages."""
 
 import re
 from collections.abc import Iterator
@@ -18,14 +18,14 @@ _OF_OPTIONS = {quantity.option: name for name, quantity in NOMENCLATURE.items() 
 
 
 def quantities() -> str:
-    """Return the page of all quantities: a table of those of each kind, and a section with what is known of each."""
+    """Return the page of all quantities: a table for each group, and a section with the facts on each quantity."""
     head = "# All quantities\n"
     words = "The symbols, names, units, options and formulas of all quantities, first as tables, then one by one.\n"
     return "\n".join([head, words, *_tables(), *_sections()])
 
 
 def equations() -> str:
-    """Return the page of the equations that the paper numbers, each as the program has it."""
+    """Return the page of the paper's numbered equations, each as the program has it."""
     rows = []
     for name, quantity in NOMENCLATURE.items():
         formula = quantity_as_object(name)["formula"]
@@ -41,7 +41,7 @@ def equations() -> str:
 
 
 def shown_equation(formula: str, number: str) -> str:
-    """Return a formula in a line of its own, with the number that it has in the paper."""
+    """Return a formula in a line of its own, with its number in the paper."""
     return f'<div class="equation">{mathml(formula, is_block=True)}<span>{f"({number})" if number else ""}</span></div>'
 
 
@@ -70,7 +70,7 @@ def _tables() -> Iterator[str]:
 
 
 def _sections() -> Iterator[str]:
-    """Iterate over the sections. That of sphere 1 has sphere 2, too, so that who looks for γ finds one place."""
+    """Iterate over the sections; a quantity of both spheres has one section, so that a search for γ finds one place."""
     for names in groups_of_quantities().values():
         for name in names:
             if NOMENCLATURE[name].sphere != 2:
@@ -103,5 +103,5 @@ def _fact(fact: str, known: Any) -> str:
 
 
 def _escaped(text: str) -> str:
-    """Return a text in which Markdown finds no marks."""
+    """Return a text with the signs escaped that Markdown would take for marks."""
     return re.sub(r"([\\`*_\[\]|])", r"\\\1", text).replace("<", "&lt;")

@@ -1,4 +1,4 @@
-"""What the site has beside the pages of the manual: generated pages, a gallery, and the prompt."""
+"""The parts of the site besides the pages of the manual: generated pages, a gallery, and the prompt."""
 
 import io
 import json
@@ -37,7 +37,7 @@ MAPS = {
     "Frequencies": "map frequencies quartz,iron --x radius=10nm:1um --mark quartz@100nm",
     "A contact under load": "contact quartz 100nm --curve",
 }
-# How far up the search puts the sections of a page; by itself it prefers beginnings of pages.
+# The weights of pages in the search, which by default prefers the beginnings of pages.
 BOOSTS = {
     "words": 4,
     "all-quantities": 3,
@@ -47,14 +47,14 @@ BOOSTS = {
     "reference": 0.3,
     "changes": 0.1,
 }
-GALLERY = {f"Figure {number}": f"figure {number}" for number in FIGURES} | MAPS  # the line that draws each picture
+GALLERY = {f"Figure {number}": f"figure {number}" for number in FIGURES} | MAPS  # command lines by title
 
 
 class InLines(Extension):
-    """MathML in lines of text: for Python-Markdown it would be a block of its own."""
+    """Keep MathML in lines of text; Python-Markdown would make each formula a block."""
 
     def extendMarkdown(self, md: Markdown) -> None:  # noqa: N802
-        """Take MathML from the elements that are blocks."""
+        """Remove MathML from the elements that are blocks."""
         md.block_level_elements.remove("math")
 
 
@@ -89,7 +89,7 @@ def on_files(files: Files, config: Any) -> Files:
 
 
 def explore() -> str:
-    """Return the first page: a line of words, and the explorer."""
+    """Return the first page: a line of introduction, and the explorer."""
     head = "---\nhide: [navigation, toc]\n---\n\n# Two elastic spheres touch and stick\n\n"
     words = (
         "What pulls them apart, rolls them and shakes them, each with the range in which it lies and what says so. "
@@ -100,7 +100,7 @@ def explore() -> str:
 
 
 def start() -> str:
-    """Return the README, with links that hold on the site."""
+    """Return the README, with its links adapted to the site."""
     text = (CHECKOUT / "README.md").read_text(encoding="utf-8")
     text = text.replace("](tests/data/contact.svg)", "](gallery/contact.svg)")
     text = re.sub(r"\]\(src/jkroll/guide/?([^)]*)\)", lambda match: f"]({match[1] or 'commands.md'})", text)
@@ -138,7 +138,7 @@ def materials() -> str:
 
 
 def on_page_markdown(markdown: str, page: Any, config: Any, files: Files) -> str:  # noqa: ARG001
-    """Describe a page by its first paragraph; make links of `jkroll guide X` and of quantities; typeset formulas."""
+    """Describe a page by its first paragraph; turn `jkroll guide X` and quantities into links; typeset formulas."""
     page.meta.setdefault("description", escape(described(markdown)))
     name = Path(page.file.src_uri).stem
     page.meta["search"] = {"boost": BOOSTS.get(name, 1)}
@@ -148,7 +148,7 @@ def on_page_markdown(markdown: str, page: Any, config: Any, files: Files) -> str
     def linked(match: re.Match[str]) -> str:
         return f"[{match[0]}]({match[1]}.md)" if match[1] in known else match[0]
 
-    parts = re.split(r"(^```.*?^```\s*?$)", markdown, flags=re.MULTILINE | re.DOTALL)  # blocks of code stay
+    parts = re.split(r"(^```.*?^```\s*?$)", markdown, flags=re.MULTILINE | re.DOTALL)  # blocks of code stay unchanged
     for place, part in enumerate(parts):
         if not part.startswith("```"):
             prose = re.sub(r"(?<!\[)`jkroll guide ([a-z-]+)`(?!\])", linked, with_links(part))
@@ -157,12 +157,12 @@ def on_page_markdown(markdown: str, page: Any, config: Any, files: Files) -> str
 
 
 def on_page_content(html: str, page: Any, config: Any, files: Files) -> str:  # noqa: ARG001
-    """Keep each option on one line, which would else end after its hyphens."""
+    """Keep each option on one line, which could otherwise break after a hyphen."""
     return re.sub(r"<code>(--[^<]{1,28})</code>", r'<code class="option">\1</code>', html)
 
 
 def with_headings(markdown: str) -> str:
-    """Return the page of words with a heading for each, so that the search finds it and a link leads to it."""
+    """Return the page of words with a heading for each word, so that the search finds it and links can lead to it."""
 
     def headed(item: re.Match[str]) -> str:
         return f"### {item[1].replace('**', '')}\n\n{capital(item[2])}\n"
@@ -172,17 +172,17 @@ def with_headings(markdown: str) -> str:
 
 
 def on_post_page(output: str, page: Any, config: Any) -> str:  # noqa: ARG001
-    """Put what a page says of itself, and its policy, into its head."""
+    """Put the title, the description and the policy of a page into its head."""
     return with_policy(with_card(output, page))
 
 
 def on_post_template(output_content: str, template_name: str, config: Any) -> str:  # noqa: ARG001
-    """Give the page of what is not found the policy, too."""
+    """Put the policy into the page for missing addresses, too."""
     return with_policy(output_content) if template_name.endswith(".html") else output_content
 
 
 def gallery() -> str:
-    """Return a page of the figures of the paper and some maps, each below the line that draws it."""
+    """Return a page of the figures of the paper and some maps, each below the command that draws it."""
     shown = (
         f"## {title}\n\n```console\n$ jkroll {line}\n```\n\n[![{title}](gallery/{number}.svg)](gallery/{number}.svg)\n"
         for number, (title, line) in enumerate(GALLERY.items())
@@ -191,7 +191,7 @@ def gallery() -> str:
 
 
 def pictures() -> Iterator[tuple[str, bytes]]:
-    """Draw the pictures of the gallery; give the path and the content of each."""
+    """Draw the pictures of the gallery; iterate over the path and the content of each."""
     with tempfile.TemporaryDirectory() as folder:
         picture = Path(folder, "picture.svg")
         for number, line in enumerate(GALLERY.values()):
@@ -200,7 +200,7 @@ def pictures() -> Iterator[tuple[str, bytes]]:
 
 
 def printed(line: str) -> str:
-    """Return what a command prints in a pipe."""
+    """Return the output of a command in a pipe."""
     stream = io.StringIO()
     with redirect_stdout(stream):
         if main(line.split()):
@@ -209,7 +209,7 @@ def printed(line: str) -> str:
 
 
 def on_post_build(config: Any) -> None:
-    """Put the prompt beside the pages, and the pages as Markdown with a list of them for language models."""
+    """Add the prompt to the site, and for language models the manual as Markdown with a list of its pages."""
     site = Path(config["site_dir"])
     put_prompt(site / "prompt")
     lines = ["# jkroll", "", f"> {config['site_description']}", "", "## Manual", ""]

@@ -1,7 +1,7 @@
-"""Formulas of the nomenclature as MathML, which browsers draw by themselves: `P_c = 3πγR` with its index and fractions.
+"""Formulas of the nomenclature, such as `P_c = 3πγR`, as MathML with indices and fractions, which browsers draw.
 
-As in the nomenclature, letters beside each other are a product, and a slash divides all before it in this product by
-what follows up to a space: `M/2cRw` is M/(2cRw), `(1/2π)√(k/m)` a fraction times a root.
+As in the nomenclature, adjacent letters are a product, and a slash divides the part of the product before it by the
+part after it, up to a space: `M/2cRw` is M/(2cRw), and `(1/2π)√(k/m)` is a fraction times a root.
 """
 
 import re
@@ -15,14 +15,14 @@ _TOKEN = re.compile(
     r"|(?P<letter>[A-Za-zΑ-Ωα-ωâÛδ∞])(?:_(?P<foot>[a-z]+|[A-Z]+\d?|\d+|[α-ω])|(?P<index>\d+))?(?P<star>\*?′?)"
     r"|(?P<number>[\d.]*\d|[½⅔¼])|\^(?P<power>[-−]?[\d.]+|[A-Z]+|[a-z])|(?P<raised>[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]+)|(?P<sign>.)"
 )
-_OF_MARKDOWN = str.maketrans({"*": "&#42;", "|": "&#124;"})  # it would take them for marks of its own
+_OF_MARKDOWN = str.maketrans({"*": "&#42;", "|": "&#124;"})  # Markdown would take them for its own marks
 _CLOSING = {"(": ")", "[": "]", "{": "}", "⟨": "⟩"}
 _BETWEEN = "+−-=≈<>≤≥≪≫±,;:∫"
 _SIGNS = {*"√/·|×⟨⟩()[]{}", *_BETWEEN}
 
 
 def mathml(formula: str, *, is_block: bool = False, is_inline: bool = False) -> str:
-    """Return a formula, with the words in it, as an element of MathML; in a line of prose, fractions keep the slash."""
+    """Return a formula, with the words in it, as a MathML element; in a line of prose, fractions keep the slash."""
     row = _Reader([*_TOKEN.finditer(formula)], has_slashes=is_inline).row("").translate(_OF_MARKDOWN)
     look = " display=block" if is_block else ""
     return f'<math displaystyle="{str(not is_inline).lower()}"{look}>{row}</math>'
@@ -35,7 +35,7 @@ def is_formula(text: str) -> bool:
 
 
 class _Reader:
-    """The tokens of a formula that are not yet read."""
+    """A reader of the tokens of a formula."""
 
     def __init__(self, tokens: list[re.Match[str]], *, has_slashes: bool) -> None:
         self.tokens, self.place, self.has_slashes = tokens, 0, has_slashes
@@ -45,7 +45,7 @@ class _Reader:
         return self.tokens[self.place][0] if self.place < len(self.tokens) else ""
 
     def row(self, end: str) -> str:
-        """Return what comes up to a closing bracket, as terms and the signs between them."""
+        """Return the part up to a closing bracket, as terms and the signs between them."""
         parts = []
         while (text := self.next()) and text != end:
             token = self.tokens[self.place]
@@ -64,7 +64,7 @@ class _Reader:
         return _grouped(parts)
 
     def product(self, end: str) -> str:
-        """Return factors beside each other, and the fractions of them."""
+        """Return a product of adjacent factors, with its fractions."""
         factors: list[str] = []
         while (text := self.next()) and text != end and text not in _BETWEEN and not self.tokens[self.place]["word"]:
             if text == "/" and self.has_slashes:
@@ -113,14 +113,14 @@ class _Reader:
         return self._raised(letter, "".join(f"<mo>{sign}</mo>" for sign in token["star"]))
 
     def _raised(self, base: str, star: str) -> str:
-        """Return a factor with the star and the exponent behind it."""
+        """Return a factor with the star and the exponent that follow it."""
         power = ""
         if self.place < len(self.tokens):
             token = self.tokens[self.place]
             if token["power"] or token["raised"]:
                 power = f"<mn>{token['power'] or token['raised'].translate(_SUPERSCRIPTS)}</mn>"
                 self.place += 1
-            elif token[0] == "^":  # (1/3), which stays in one line: a fraction would be too small
+            elif token[0] == "^":  # as in ^(1/3), which stays on one line: a fraction would be too small
                 last = next(n for n in range(self.place, len(self.tokens)) if self.tokens[n][0] == ")")
                 power = f"<mn>{''.join(each[0] for each in self.tokens[self.place + 2 : last])}</mn>"
                 self.place = last + 1
@@ -137,7 +137,7 @@ def _grouped(parts: list[str]) -> str:
 
 
 def _bare(factors: list[str]) -> str:
-    """Return factors as a group, without the brackets of a single one, which a bar or a root makes superfluous."""
+    """Return factors as a group; a single factor loses its brackets, which a fraction or a root makes superfluous."""
     if len(factors) == 1 and (match := re.fullmatch(r"<mrow><mo>[(\[]</mo>(.*)<mo>[)\]]</mo></mrow>", factors[0])):
         return match[1]
     return _grouped(factors)

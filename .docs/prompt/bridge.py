@@ -1,4 +1,4 @@
-"""The program in a browser: a line that was typed in, what it prints and its exit code out. Runs in Pyodide."""
+"""Run typed lines in a browser, in Pyodide, and return their output and exit codes."""
 
 import importlib
 import io
@@ -11,12 +11,12 @@ from typing import Any
 
 WIDTH = "80"
 LIBRARIES = {"numpy", "pint", "matplotlib", "pyarrow", "typer"}
-WITH_PYODIDE = {"numpy"}  # beside Pyodide on this site; it comes when a line needs it
+WITH_PYODIDE = {"numpy"}  # on this site next to Pyodide; loaded when a line needs it
 INSTALL = "the manual, linked below, says how to install jkroll"
 
 
 class Terminal(io.StringIO):
-    """What a command prints, as on a terminal."""
+    """The output of a command, as on a terminal."""
 
     encoding = "utf-8"
 
@@ -57,7 +57,7 @@ def run(line: str) -> dict[str, Any]:
     from jkroll.cli.process import main
 
     _absent.names.clear()
-    importlib.invalidate_caches()  # a library may have come since
+    importlib.invalidate_caches()  # a library may have been loaded since the last line
     kept, terminal, before = (sys.stdout, sys.stderr), Terminal(), files()
     sys.stdout = sys.stderr = terminal
     try:
@@ -73,13 +73,13 @@ def run(line: str) -> dict[str, Any]:
 
 
 def files() -> dict[str, tuple[int, int]]:
-    """Return the files in the folder of the prompt by name, with time and size: those given, and those written."""
+    """Return the files in the folder of the prompt by name, with times and sizes: the user's, and those written."""
     found = ((path.name, path.stat()) for path in Path().iterdir() if path.is_file())
     return {name: (state.st_mtime_ns, state.st_size) for name, state in sorted(found)}
 
 
 def candidates(line: str) -> list[str]:
-    """Return the words that may stand in place of the last one of a line, as a shell completes words and files."""
+    """Return the completions of the last word of a line, as in a shell: words or, if there are none, files."""
     from jkroll.cli.completion import candidates as candidates_for
 
     *before, begun = line.split(" ")

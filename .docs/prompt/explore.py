@@ -1,4 +1,4 @@
-"""What the explorer shows of a contact, as JSON: the numbers, why, the curve, and the calls that give the same."""
+"""What the explorer shows of a contact, as JSON: numbers, reasons, the curve, and calls that give the same numbers."""
 
 import json
 import shlex
@@ -26,11 +26,11 @@ INPUTS = {
     for word in ("radius", "radius2", "gamma", "young", "poisson", "density", "load", "xi", "speed")
 }
 OF_CURVE = ("material", "material2", "model", "radius", "radius2", "gamma", "young", "poisson")
-CURVE_ENDS_AT = 16 / 9  # of the pull-off force, if nothing says otherwise
+CURVE_ENDS_AT = 16 / 9  # in units of the pull-off force, if no loads are given
 
 
 def explore(text: str) -> str:
-    """Return what is shown of a contact, given the texts of its inputs; of a mistake, the input and what is wrong."""
+    """Return what is shown of a contact, given the texts of its inputs; for a mistake, the input and the error."""
     given = _given(text)
     try:
         found = _shown(given)
@@ -41,7 +41,7 @@ def explore(text: str) -> str:
 
 
 def curve(text: str) -> str:
-    """Return the force curve of a contact: its lines, each a list of points of approach and load, and its labels."""
+    """Return the force curve of a contact: its lines by label, each a list of points of approach and load."""
     given = _given(text)
     contact = {name: given[name] for name in OF_CURVE if name in given}
     try:
@@ -87,14 +87,14 @@ def _shown(given: Mapping[str, str]) -> dict[str, Any]:
 
 
 def _result(answered: Any, name: str) -> dict[str, Any]:
-    """Return a result: its texts as a terminal has them, and its number for what is drawn."""
+    """Return a result: its texts as on a terminal, its number for the drawings, and the reason if it has no value."""
     result, row = answered[name], answered.rows.get(name)
     texts = row._asdict() if row else {"symbol": jkroll.NOMENCLATURE[name].symbol, "best": "–", "by": "–", "value": "–"}
     return {**texts, "number": result.value, "reason": result.reason}
 
 
 def _number(value: Any) -> float | None:
-    """Return a finite input as a number; the middle of an uncertain one, and None for a plane."""
+    """Return an input as a number: the middle of an uncertain one; None for a word, such as a plane."""
     return None if isinstance(value, str) else float(getattr(value, "value", value))
 
 

@@ -1,4 +1,4 @@
-"""Stand in for orjson in the prompt: no build of it for the browser can be had. Only what sweeps ask of it is here."""
+"""Replace orjson, which has no build for browsers, in the prompt. Only the functions that sweeps need are here."""
 
 import json
 from json import JSONDecodeError, loads

@@ -1,7 +1,7 @@
-"""Draw pictures as SVG, in place of the program's module of this name: matplotlib, which it needs, is not in the page.
+"""Draw pictures as SVG, in place of the program's module of this name, which needs matplotlib: the prompt lacks it.
 
 It draws axes, curves with their bands, contours, limits and best ranges of maps, marks and sketches; the names of lines
-stand in the legend alone.
+are in the legend only.
 """
 
 from collections.abc import Iterator, Sequence
@@ -41,17 +41,17 @@ LEFT, RIGHT, TOP, BOTTOM = 88, 22, 30, 44  # around them
 LINE = 15  # height of a line of text
 LETTER = 6.0  # width of a letter, on average
 SLOPE = 0.87  # height of a sloping text above the axes, over its length
-COLUMNS = 2  # panels beside each other
+COLUMNS = 2  # panels in a row, at most
 DASHES = ("", "7 3", "7 3 2 3", "2 3", "7 3 2 3 2 3", "12 4")
 TICKS, CONTOURS = 5, 9  # at most
 THIN, THICK = 0.9, 1.5  # contours
-MESH, FINE = 121, 401  # points on each side of a map; where it has parts without values, to find their edge
-COARSE = 41  # the same for best ranges where inputs have error bars
-FARTHEST = 20.0  # of an infinite end of a best range from the contours
-# The lines of a hatch in a square of size 1; the more often its sign is repeated, the smaller is the square.
+MESH, FINE = 121, 401  # points along each side of a map: for its values, and to find the edge of a part without values
+COARSE = 41  # points along each side for best ranges, if inputs have error bars
+FARTHEST = 20.0  # least distance of an infinite end of a best range from every contour
+# The lines of a hatch in a square of size 1; the more often its sign is repeated, the smaller the square is drawn.
 HATCHES = {"|": "M.5,0v1", "-": "M0,.5h1", "/": "M-.5,.5l1,-1M0,1l1,-1M.5,1.5l1,-1", ".": "M.5,.5h0"}
 ASIDE = 20  # cost of a distance of a text from its contour, over that of one from the middle of the axes
-HATCH = 20  # the square of a sign that stands alone
+HATCH = 20  # size of the square of a sign that is not repeated
 
 _Point = tuple[float, float]
 
@@ -59,7 +59,7 @@ _Point = tuple[float, float]
 def draw(
     drawn: Picture, file_format: str, _: float | None, style: str, *, has_caption: bool = True, command: str = ""
 ) -> bytes:
-    """Return a picture as the content of an SVG file, which a page scales to its width; others need matplotlib."""
+    """Return a picture as the content of an SVG file, which a page scales to its width; PDF and PNG need matplotlib."""
     if file_format != "svg":
         with missing_extra("plot"):
             import matplotlib  # type: ignore[import-not-found,unused-ignore]  # noqa: F401
@@ -88,14 +88,14 @@ def draw(
 
 
 class _Key(NamedTuple):
-    """A text of a legend, and what stands before it: a box, a line or a line on a box, each by its look."""
+    """A text of a legend, and the attributes of the line, the box or the line on a box before it."""
 
     text: str
     line: str = ""
     box: str = ""
 
     def drawn(self, y: float) -> str:
-        """Return what stands before the text, at a height."""
+        """Return the line and the box before the text, at a height."""
         box = f'<rect y="{y - 9:g}" width="26" height="10" {self.box}/>' if self.box else ""
         return box + (f'<path d="M0,{y - 4:g}h26" fill="none" {self.line}/>' if self.line else "")
 
@@ -118,7 +118,7 @@ class _Axes:
         self.height = self.high + BOTTOM + LINE * len(self.lines)
 
     def parts(self) -> Iterator[str]:
-        """Iterate over the parts of the panel: what is inside of the axes, ticks, marks, legend."""
+        """Iterate over the parts of the panel: the content of the axes, ticks, marks, legend."""
         yield f'<clipPath id="{self.name}"><rect width="{WIDTH}" height="{self.high}"/></clipPath>'
         yield f'<g clip-path="url(#{self.name})">{"".join(self.inner)}</g>'
         yield _text(WIDTH / 2, TOP - 10 - self.top, self.panel.title, "middle")
@@ -131,7 +131,7 @@ class _Axes:
             yield (key.drawn(y) if position == 0 else "") + _text(32, y, line)
 
     def place(self, x: Any, y: Any) -> tuple[Any, Any]:
-        """Return the positions of values of both axes."""
+        """Return the positions on the picture of values on both axes."""
         return WIDTH * _share(self.panel.x, x), self.high * (1 - _share(self.panel.y, y))
 
     def _path(self, x: Any, y: Any) -> str:
@@ -230,7 +230,7 @@ class _Axes:
                 yield self._contour(excess, 0.0, look)
 
     def _best(self, field: Field, heights: list[float], scaled: Any) -> tuple[int, list[str]]:
-        """Return n if each n-th contour has a band, in which the best range has its value, and these bands drawn."""
+        """Return n if every n-th contour has a band, where the best range includes its value; and the bands as SVG."""
         size = COARSE if field.frame.uncertainties else MESH
         here = over(field.frame, *(axis._replace(size=size) for axis in (self.panel.x, self.panel.y)))
         best = band_of(here, field.quantity, (size, size))
@@ -266,7 +266,7 @@ class _Axes:
         return f'<path d="M{"M".join(lines)}" fill="none" {look}/>' if lines else ""
 
     def _lines(self, values: Any, level: float) -> list[Any]:
-        """Return the positions of the points of each of these lines."""
+        """Return the lines along which values on a mesh are at a level, as positions of points."""
         steps = numpy.array([WIDTH / (values.shape[1] - 1), -self.high / (values.shape[0] - 1)])
         return [points * steps + (0, self.high) for points in _lines(values, level)]
 
@@ -284,7 +284,7 @@ class _Axes:
                 return
 
     def _is_free(self, x: float, y: float, half: float) -> bool:
-        """Return whether a text, of some width on both sides of a point, is clear of the others."""
+        """Return whether a text is clear of the others; `half`: its width on each side of the point."""
         return all(abs(x - other[0]) > half + other[2] + 2 or abs(y - other[1]) > LINE for other in self.taken)
 
     def _ticks(self) -> Iterator[str]:
@@ -306,7 +306,7 @@ class _Axes:
             yield f'<g transform="{place}">{_text(0, 0, title, "middle")}</g>'
 
     def _marks(self) -> Iterator[str]:
-        """Draw the marks with their texts: above the axes, or beside a point, clear of other points and texts."""
+        """Draw the marks with their texts: above the axes, or next to a point, clear of other points and texts."""
         ends = self.panel.x.low, self.panel.y.high
         points = [
             self.place(*((end if at is None else at) for at, end in zip((mark.x, mark.y), ends, strict=True)))
@@ -339,7 +339,7 @@ def _share(axis: Axis, values: Any) -> Any:
 
 
 def _round_values(axis: Axis, most: int) -> list[float]:
-    """Return at most so many round values of an axis, of a long logarithmic one some of the powers of ten."""
+    """Return at most `most` round values of an axis; for a long logarithmic axis, some of the powers of ten."""
     decades = numpy.arange(ceil(log10(axis.low) - SAME), floor(log10(axis.high) + SAME) + 1) if axis.is_log else ()
     if len(decades) > most:
         return [float(f"1e{decade}") for decade in decades[:: ceil(len(decades) / most)]]
@@ -352,7 +352,7 @@ class _Squares(NamedTuple):
     values: Any
     level: float
     above: Any
-    count: Any  # for each square, of its corners that are above the level; -1 if one has no value
+    count: Any  # for each square, the number of corners above the level; -1 if a corner has no value
 
     def cut(self) -> Iterator[tuple[list[_Point], list[_Point]]]:
         """Iterate over the squares that the level cuts: the outline of the part above it, and the points of the cut."""
@@ -368,7 +368,7 @@ class _Squares(NamedTuple):
             yield outline, points
 
     def _between(self, first: tuple[int, int], second: tuple[int, int]) -> _Point:
-        """Return where values are at the level between two corners, as if they were linear."""
+        """Return the point between two corners at which linearly interpolated values are at the level."""
         share = (self.level - self.values[first]) / (self.values[second] - self.values[first])
         y, x = (round(float(a + share * (b - a)), 6) for a, b in zip(first, second, strict=True))
         return x, y
@@ -384,7 +384,7 @@ def _squares(values: Any, level: float) -> _Squares:
 
 
 def _areas(values: Any) -> Iterator[list[_Point]]:
-    """Iterate over the outlines of the parts, in steps of the mesh, in which values are positive."""
+    """Iterate over the outlines, in steps of the mesh, of the parts in which values are positive."""
     squares = _squares(values, 0.0)
     for row, inside in enumerate(squares.count == 4):
         (turns,) = numpy.nonzero(numpy.diff(numpy.concatenate([[0], inside.astype(int), [0]])))
@@ -421,7 +421,7 @@ def _between(colours: Sequence[str], count: int) -> list[str]:
 
 
 def _pattern(name: str, hatch: str, colour: str) -> str:
-    """Return the pattern of a hatch: a sign, as often as it is dense."""
+    """Return the pattern of a hatch: its sign, the denser the more often it is repeated."""
     size = HATCH / len(hatch)
     look = f'stroke="{colour}" stroke-width="{(1.4 if hatch[0] == "." else 0.6) / size:.3g}" stroke-linecap="round"'
     place = f'width="1" height="1" patternUnits="userSpaceOnUse" patternTransform="scale({size:.3g})"'
@@ -433,7 +433,7 @@ def _stroke(colour: str, dashes: str, width: float) -> str:
 
 
 def _head(x: float, y: float, from_x: float, from_y: float, ink: str) -> str:
-    """Return the head of an arrow at a point, away from another."""
+    """Return the head of an arrow at a point, pointing away from another point."""
     length = max(float(numpy.hypot(x - from_x, y - from_y)), 1e-9)
     along_x, along_y = 7 * (x - from_x) / length, 7 * (y - from_y) / length
     sides = [(x - along_x + sign * along_y / 3, y - along_y - sign * along_x / 3) for sign in (1, -1)]
@@ -449,7 +449,7 @@ def _text(x: float, y: float, text: str, anchor: str = "start", look: str = "") 
 
 
 def _formula(text: str) -> str:
-    """Return a formula, in which signs are escaped, with its letters in italics and its indices below the line."""
+    """Return an escaped formula with its letters in italics and its indices below the line."""
     return sub(
         r"&\w+;|([^\W\d_])(?:_([A-Za-z]+|[α-ω])|(\d+))?",
         lambda match: (

@@ -50,10 +50,10 @@ if TYPE_CHECKING:
 class Exceeded:
     """A limit of the model that the answer exceeds; `str` gives its sentence.
 
-    `name` and `value` are those of the quantity that the limit concerns. `limit` is the first threshold; that of a law
-    is for the factor between its answer and a better one, that of radii is for the smaller one. `factor` is the factor
-    by which the threshold is exceeded; None if it is infinite, or if the threshold is 0. `ends` names the results that
-    the exceeded limit makes meaningless.
+    `name` and `value` are those of the quantity that the limit concerns. `limit` is the first threshold: for a law, of
+    the factor between its answer and a better one; for radii, of the smaller radius. `factor` is the factor by which
+    the threshold is exceeded; None if it is infinite, or if the threshold is 0. `ends` names the results that the
+    exceeded limit makes meaningless.
     """
 
     def __init__(self, text: str, doubt: "Doubt", ends: tuple[str, ...]) -> None:
@@ -101,7 +101,7 @@ class Answered(Shown):
 
     @cached_property
     def doubts(self) -> tuple[Exceeded, ...]:
-        """The limits of the model that are exceeded, the one exceeded most first."""
+        """The limits of the model that are exceeded, the most important first."""
         answer = self._answer
         return tuple(Exceeded(answer.about(doubt), doubt, answer.ended_by(doubt)) for doubt in answer.exceeded)
 
@@ -112,7 +112,7 @@ class Answered(Shown):
 
     @cached_property
     def why(self) -> Mapping[str, str]:
-        """The explanation of each rule for best ranges, by its name: which effects a range includes and leaves out."""
+        """The explanation of each rule for best ranges, by name: which effects its ranges include and leave out."""
         return {WORDS[by]: self._answer.why(by) for by, reasons in self._answer.whys.items() if reasons}
 
     @cached_property
@@ -219,7 +219,7 @@ class Answers(Shown):
     @overload
     def __getitem__(self, item: str) -> "NDArray[float64]": ...
     def __getitem__(self, item: int | str) -> "Answered | NDArray[float64]":
-        """Return the answer at a position, or the values of a quantity in SI units, nan where there is none."""
+        """Return the answer at a position, or the values of a quantity in SI units, with nan for a missing value."""
         if isinstance(item, str):
             import numpy
 
@@ -253,8 +253,8 @@ class Answers(Shown):
     def drawn(self) -> "Drawn":
         """A picture of the first quantity over the input with the most values, as `jkroll map` draws it.
 
-        For one pair of materials without such an input, a picture of its force curves, by each law. Raises BadRequest
-        for several pairs without such an input.
+        If no input has several values, the picture has the force curves by each law for a single pair of materials; for
+        several pairs, BadRequest is raised.
         """
         from .answer_pictures import lines_over_input
 
@@ -278,7 +278,7 @@ class Answers(Shown):
 
     @cached_property
     def _tally(self) -> Tally:
-        """The number of rows, and of rows without a result."""
+        """The counts of rows, and of those without a result, with empty cells or with doubts."""
         tally = Tally()
         for columns in self._blocks:
             tally = tally.plus(Tally.of(columns, symbol_of))
@@ -359,20 +359,20 @@ def answer(
         The scene, as in `solve`. Lists of materials, laws and values stand for several scenes: all their combinations,
         as in the command, not element by element. `jkroll.table` answers a table row by row.
 
-    A plain number of a metre or more for a radius gives a warning: 100 means 100 m.
+    A bare number of a metre or more for a radius gives a warning: 100 means 100 m.
 
     Returns
     -------
     For one scene, an object with `values` by name, `inputs`, `doubts`, `notes` and `as_dict()`. For lists, `Answers`:
-    iteration gives such objects, and `print` a table; it has `to_pandas()` and `to_dict()`. All numbers are in SI
-    units.
+    iteration gives one such object for each scene, and `print` shows a table; it has `to_pandas()` and `to_dict()`. All
+    numbers are in SI units.
 
     Raises
     ------
     MissingInput, UnknownMaterial, UnknownQuantity, QuantityError
         An input is wrong, or a necessary one is missing.
     NoResult
-        There is no contact, or no result at all. If only some results lack a value, each of these has a reason.
+        There is no contact, or no result at all. If only some results lack a value, each of them has a `reason`.
 
     >>> answered = answer("pull-off", material="quartz", radius="100 nm")
     >>> str(answered["pull_off_force"]), answered["P_c"].unit

@@ -239,7 +239,7 @@ def figure(
     Raises
     ------
     BadRequest, UnknownMaterial
-        There is no such figure, or the figure does not take this argument.
+        There is no such figure, or an argument is wrong or does not apply to the figure.
 
     >>> figure("laws").lines["JKR"][1].tolist()
     [1.5, 1.5]

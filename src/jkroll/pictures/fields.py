@@ -31,8 +31,8 @@ FINE = 401  # points along each side of a field
 _THIN, _THICK = 0.7, 1.1  # contours, in points
 _TOLERANCE = 0.005  # largest error of a line, in steps of the mesh
 _HALVINGS = 24  # bisections that find the edge of the part without values
-_BOUNDS = ((0, (4, 2)), (0, (7, 2, 1.5, 2)), (0, (10, 3)), (0, (5, 1.5, 1, 1.5, 1, 1.5)))  # dashes of named lines
-_PALE = 0.55  # share of paper in a band of best ranges
+_BOUNDS = ((0, (4, 2)), (0, (7, 2, 1.5, 2)), (0, (10, 3)), (0, (5, 1.5, 1, 1.5, 1, 1.5)))  # dashes of lines with names
+_PALE = 0.55  # opacity of the paper's colour in a band of best ranges
 _CERTAIN, _UNCERTAIN = 201, 41  # points along each side for best ranges, without and with uncertain inputs
 _FARTHEST = 20.0  # an infinite end of a band is drawn farther than this from every contour
 

@@ -30,12 +30,12 @@ from ..report.report import Report
 from .picture import Axis, Curve, Mark, Panel, Picture, axis_around, clipped
 from .request import DRAWN_LIMITS, PlotRequest, fixed_inputs, inputs_as_texts, mark_at, notes_on, picture_of
 
-# --- The curves of a contact: force, pressure and moment, in JKR or by several laws -----------------------------------
+# --- The curves of a contact: force, pressure and moment, by one law or several --------------------------------------
 
 POINTS = 401
 AREA_AND_PRESSURES = ("contact_radius_at_load", "hertz_pressure", "boussinesq_pressure")
 _FORCE = ("approach_at_load", "load")
-# The models of the moment without load, short enough for a legend below a panel.
+# The names of the models of the moment without load, short enough for a legend below a panel.
 _OF_MOMENTS = {
     "yield_moment": "exact",
     "half_circles_moment": "two half-circles",
@@ -110,7 +110,7 @@ def _pressure(frames: Sequence[Frame], _: Loads | None) -> Panel:
 
 
 def _moment(frames: Sequence[Frame], _: Loads | None) -> Panel:
-    """Return the panel of moment without load against ξ, up to where by JKR the leading edges would interpenetrate."""
+    """Return the panel of moment without load against ξ, up to the ξ at which JKR's leading edges interpenetrate."""
     limit = frames[0].replace(model=DEFAULT_LAW)["displacement_limit"]
     points: list[Mark] = []
     if len(frames) == 1:
@@ -135,7 +135,7 @@ def _moment(frames: Sequence[Frame], _: Loads | None) -> Panel:
 
 
 def _of_law(frames: Sequence[Frame]) -> str:
-    """Return the end of a panel's title that names the law, if a single one was chosen."""
+    """Return the suffix of a panel's title that names the law; empty unless a single law was chosen."""
     return f", {frames[0].law.title}" if len(frames) == 1 and frames[0].stated_model is not None else ""
 
 
@@ -212,7 +212,7 @@ def across(first: float, last: float) -> Any:
 
 
 def pressure_panel(curves: Sequence[Curve], highest: float, title: str) -> Panel:
-    """Return a panel of pressures, from −2.5 to 1.5 times the highest Hertz pressure, as they diverge at the rim."""
+    """Return a panel of pressures, which diverge at the rim, from −2.5 to 1.5 times the highest Hertz pressure."""
     x = axis_around("position_across", [curve.x for curve in curves])
     return Panel(x, Axis("pressure_across", -2.5 * highest, 1.5 * highest, is_log=False), tuple(curves), (), title)
 
@@ -283,7 +283,7 @@ PAPER_MAPS: Mapping[str, PaperMap] = {
 def paper_map(
     name: str, materials: Materials, marks: Sequence[str] = (), *, as_printed: bool = False, is_plain: bool = False
 ) -> Picture:
-    """Return a map of the paper with marked grains. `is_plain`: leave out the limits of the model."""
+    """Return a map of the paper with marked grains. `is_plain`: True to leave out the limits of the model."""
     declared = PAPER_MAPS[name]
     frames, printed = (("", Frame(declared.given)),), declared.printed if as_printed else ""
     limits = () if is_plain else DRAWN_LIMITS

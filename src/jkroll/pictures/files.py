@@ -1,4 +1,4 @@
-"""Write pages into files with their metadata; SVG files keep text as text, and embed the letters that it uses."""
+"""Write pages into files with their metadata; SVG files keep text as text, and embed the letters they use."""
 
 import re
 from base64 import b64encode
@@ -87,7 +87,7 @@ def _in_lines(spans: str) -> str:
 
 
 def _advance(text: str, style: str, size: float) -> float:
-    """Return the width of letters of some size."""
+    """Return the width of a text in letters of a style and a size."""
     font: Any = font_manager.get_font(_path_of(style))
     font.set_size(size, 72)
     return float(sum(font.load_char(ord(letter)).linearHoriAdvance / 65536 for letter in text))

@@ -102,7 +102,7 @@ def caption_of_fit(fitted: Fit) -> list[str]:
 
 
 def picture_of_fit(fitted: Fit, title: str, caption: Sequence[str]) -> Picture:
-    """Return the picture of a fit. Without a radius, lengths and energies are scaled, and G has no panel."""
+    """Return the picture of a fit. Without a radius, G is scaled and has no panel."""
     points = {name: column[:: max(1, len(column) // _MOST)] for name, column in fitted.points.items()}
     branches = [*dict.fromkeys(points["branch"].tolist())]
     forces, residuals, rates = list[Curve](), list[Curve](), list[Curve]()

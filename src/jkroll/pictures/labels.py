@@ -1,4 +1,4 @@
-"""Place texts inside axes: for marked points, contours, and lines that bound a region. All sizes are in pixels."""
+"""Place texts inside axes: for marked points, contours, and bounds of regions. Sizes without a unit are in pixels."""
 
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple

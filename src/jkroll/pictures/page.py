@@ -38,8 +38,8 @@ _HEADS = ("-", "-|>", "<|-|>")  # by the number of an arrow's heads
 _OPAQUE = 0.22  # opacity of a band of best ranges
 _ONE_PANEL, _MORE_PANELS = 85 / 25.4, 180 / 25.4  # default widths in inches: one column of a journal, or two
 _NARROWEST = 2.0  # least width of a panel in a row with others, in inches
-_ASPECT, _ASPECT_BESIDE = 0.75, 1.0  # height over width: of axes alone in a row, and of axes with others
-_HIGHEST = 5  # height per row of the sheet from which a page is cut, over the page's width
+_ASPECT, _ASPECT_BESIDE = 0.75, 1.0  # height over width: of axes alone in a row, and of several in a row
+_HIGHEST = 5  # height of the sheet from which a page is cut, per row of panels, over the page's width
 _BESIDE = 0.04  # gap between panels of a row, over their width
 _GAP = 0.04  # around the parts of a page, in inches
 
@@ -88,7 +88,7 @@ def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption
     every = [*figure.subplots(rows, columns, squeeze=False).flat]
     for empty in every[count:]:
         empty.remove()
-    letters = _letters(inches / columns - 0.4)  # number in a line of a legend
+    letters = _letters(inches / columns - 0.4)  # number of letters in a line of a legend
     drawings: list[Drawn] = []
     for panel, axes, letter in zip(drawn.panels, every, "abcdef", strict=False):
         _set_axes(axes, panel, inches / columns, _ASPECT if columns == 1 else _ASPECT_BESIDE)
@@ -124,7 +124,7 @@ def draw_on(axes: Any, panel: Panel, style: Style) -> None:
 
 
 def _drawing_on(axes: Any, panel: Panel, style: Style, letters: int) -> Drawn:
-    """Draw a panel, except for the texts inside the axes. `letters`: the number in a line of the legend."""
+    """Draw a panel, except for the texts inside the axes. `letters`: their number in a line of the legend."""
     if panel.field is not None:
         return draw_field(axes, panel, levels_of(panel.field), style, letters)
     return _draw_curves(axes, panel, style, letters)
@@ -195,7 +195,7 @@ def _set_axes(axes: Any, panel: Panel, inches: float, aspect: float) -> None:
         axes.set(xlim=(panel.x.low, panel.x.high), ylim=(panel.y.low, panel.y.high))
         axes.set_axis_off()
         return
-    letters = _letters(0.77 * inches)  # number in a line of a title
+    letters = _letters(0.77 * inches)  # number of letters in a line of a title
     _set_axis(axes, panel.x, "x", max(2, int(inches / _TICK_WIDTHS[panel.x.is_log])), letters)
     _set_axis(axes, panel.y, "y", 9, int(1.1 * aspect * letters))
     _mark_edge(axes, "x", [(mark.x, mark.text) for mark in panel.marks if mark.y is None])
@@ -249,7 +249,7 @@ def levels_of(field: Field) -> list[float]:
 
 
 def _draw_curves(axes: Any, panel: Panel, style: Style, letters: int) -> Drawn:
-    """Draw curves, which differ in colour and dashes; return the keys of a legend."""
+    """Draw curves, which differ in colour and dashes; return the drawing."""
     handles: dict[str, Any] = {}
     numbers: dict[str, int] = {}  # curves with the same label look the same
     has_bands = any(curve.band is not None for curve in panel.curves)
@@ -279,10 +279,10 @@ def _draw_band(axes: Any, panel: Panel, curve: Curve, band: Band, label: str, st
 
 
 def line_of(curve: Curve, number: int, style: Style) -> dict[str, Any]:
-    """Return the style of the curve with a number, as matplotlib options. A curve of one point is a marker."""
+    """Return the style of a curve, given its number, as matplotlib options. A curve of one point is a marker."""
     colour = style.lines[curve.colour % len(style.lines)]
     if len(curve.x) == 1:
         return {"color": colour, "linestyle": "", "marker": MARKERS[number % len(MARKERS)], "markersize": 4}
-    turn = number // len(DASHES)  # of all dashes; in each turn, a colour has other dashes
+    turn = number // len(DASHES)  # of the cycle of dashes; each turn gives a colour different dashes
     dashes = "--" if curve.is_dashed else DASHES[(number + turn) % len(DASHES)]
     return {"color": colour, "linestyle": dashes, "linewidth": 1.1}

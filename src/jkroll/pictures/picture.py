@@ -1,4 +1,4 @@
-"""Pictures as data: panels with curves, or with a field over two inputs; and their numbers in a terminal."""
+"""Pictures as data: panels with curves, or with a field over two inputs; and how a terminal shows their numbers."""
 
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -21,7 +21,7 @@ from .ranges import Band
 _WIDE = 30.0  # ratio of the ends above which contours are logarithmic
 SAME = 1e-9  # relative difference below which values differ only by rounding
 
-# The axes of figures that are not quantities of a frame.
+# Quantities on the axes of figures that a frame does not have.
 _OF_FIGURES: Mapping[str, Quantity] = {
     "position_across": Quantity("x", "m", "position from the contact point"),
     "position_beside": Quantity("y", "m", "position perpendicular to the rolling direction"),
@@ -35,7 +35,7 @@ _OF_FIGURES: Mapping[str, Quantity] = {
 
 
 class Axis(NamedTuple):
-    """The range of a quantity, which belongs to the nomenclature or only to figures."""
+    """The range of a quantity that belongs to the nomenclature or only to figures."""
 
     name: str
     low: float
@@ -271,7 +271,7 @@ _FEW = 4  # number of values below which an axis takes more digits
 _NARROW = 1.5  # ratio of the ends below which the steps of a logarithmic axis are equal
 NO_VALUE = "—"
 _GAP = "  "  # between columns
-_PAPERS = (230, 194, 152, 116, 74)  # backgrounds of low to high numbers: the page's colours, among the 256 of terminals
+_PAPERS = (230, 194, 152, 116, 74)  # backgrounds of low to high numbers: the terminal colours nearest to the page's
 
 
 def write_picture(drawn: Picture, out: TextIO) -> None:
@@ -290,7 +290,7 @@ def write_picture(drawn: Picture, out: TextIO) -> None:
 
 
 def shown_values(axis: Axis, most: int) -> Any:
-    """Return at most `most` values of an axis: its own if these are few enough, else round or equally spaced values."""
+    """Return at most `most` values of an axis: its own if they are few enough, else round or equally spaced values."""
     if 0 < axis.size <= most:
         return axis.values()
     if not axis.is_log or axis.high < _NARROW * axis.low:
@@ -398,7 +398,7 @@ def _columns(panel: Panel) -> list[TextColumn]:
 
 
 def _some_of(curve: Curve, panel: Panel) -> Rows:
-    """Return points of a curve within the axes, at equal distances."""
+    """Return points of a curve within the axes, at equal steps along its arrays."""
     x, y = (values[panel.x.has(curve.x) & panel.y.has(curve.y)] for values in (curve.x, curve.y))
     some = numpy.linspace(0, len(x) - 1, min(CURVE_ROWS, len(x))).round().astype(int)
     return Rows(x[some], y[some])

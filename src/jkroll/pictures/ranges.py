@@ -34,7 +34,7 @@ class Band(NamedTuple):
         return ", ".join(texts)
 
     def key(self, step: int, law: str) -> str:
-        """Return the legend's text for a map in which each `step`-th contour, by this law, has a band."""
+        """Return the legend's text for a map by this law in which every `step`-th contour has a band."""
         which = "contours" if step == 1 else "thick contours"
         return f"{which}: {law}; bands: where the best range includes their value, by {self.rules()}"
 

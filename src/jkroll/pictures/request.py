@@ -51,7 +51,7 @@ from .picture import (
 from .ranges import band_of
 
 MAX_CURVES = 24  # more cannot be distinguished
-SIDE = 201  # points along each side of the grid of captions and limits; also the default for a map's numbers
+SIDE = 201  # points along each side of the grid for captions and limits; also the default for a map's numbers
 MOST_BANDS = 4  # largest number of curves with bands of best ranges; more bands cannot be distinguished
 ALONG = 1001  # points of a curve, unless its axis has another number
 # The limits that can have a region on a map, each with its sign in a terminal and its hatch on a page. A pattern means
@@ -201,7 +201,7 @@ def check_axes(quantity: str, axes: Sequence[Axis], given: Iterable[str], models
 
 
 def mark_at(text: str, materials: Materials, frame: Frame, x: Axis, y: Axis) -> Mark:
-    """Return the mark for `MATERIAL@RADIUS`, `MATERIAL` or `@RADIUS` between two axes."""
+    """Return the mark for `MATERIAL@RADIUS`, `MATERIAL` or `@RADIUS` within the axes."""
     numbers = _frame_at(text, materials, frame).numbers(x.name, y.name)
     if not numbers or not all(axis.has(numbers.get(axis.name, axis.low)) for axis in (x, y)):
         raise BadRequest(f"--mark {quoted(text)} is outside the axes of {x.name} and {y.name}")
@@ -228,7 +228,7 @@ def _frame_at(text: str, materials: Materials, frame: Frame) -> Frame:
 
 
 def _material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[list[Mark], tuple[str, ...]]:
-    """Return marks for the materials with a position on an axis, and the sentence of a caption about those without one.
+    """Return marks for the materials with a position on an axis, and the sentence of a caption about all others.
 
     Materials with a state are left out: the states of one substance would crowd the edge.
     """
@@ -369,7 +369,7 @@ class Layer:
                         break
 
     def _beyond(self, limit: Limit, threshold: float) -> str:
-        """Return the text of a region: the consequence of the limit, with the threshold of a limit without a factor."""
+        """Return the text of a region: the consequence of the limit, with the threshold if the limit has no factor."""
         if limit is LAW:
             size = f"{100 * (threshold - 1):.0f} %" if threshold < 2 else f"a factor of {threshold:g}"
             return f"{self.given.law.title} is off by more than {size}"
@@ -442,9 +442,9 @@ def inputs_as_texts(frame: Frame, names: Iterable[str]) -> tuple[str, ...]:
 
 
 def notes_on(given: Frame, frame: Frame, inputs: Collection[str], names: Sequence[str]) -> list[str]:
-    """Return notes on uncertain inputs, on assumptions and on material data; a picture uses middle values.
+    """Return notes on uncertain inputs (a picture uses their middle values), on assumptions and on material data.
 
-    `given`: the frame as the user gave it, or the frame of all points of a picture; `frame`: that of a single point.
+    `given`: the frame as the user gave it, or the frame of all points of a picture; `frame`: the frame of one point.
     """
     uncertain = {name: value for name, value in given.uncertainties.items() if name in inputs}
     assumptions = assumed(frame, inputs, names, has_values=False)

@@ -65,7 +65,7 @@ class Result(Numeric):
         by_law: Mapping[str, float] = MappingProxyType({}),  # an inferred value by each other law
         bar: ErrorBar | None = None,  # the uncertainty, if an input has one
         law: str = "",  # the law of attraction, unless it is JKR or has the same formula as JKR
-        equation: str = "",  # the number in the paper of this law's equation, or its source
+        equation: str = "",  # the number of the law's equation in the paper, or its source
     ) -> None:
         self.name, self.value, self.reason, self.code, self.error = name, value, reason, code, error
         self.growth, self.by_law, self.bar, self.law = growth, by_law, bar, law
@@ -115,7 +115,7 @@ _MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_app
 def model_error(name: str, frame: Frame) -> float | None:
     """Return the relative error of an approximate moment; None for other quantities and for an exact moment.
 
-    Eq (25) is exact at a fixed load. At a fixed approach the moment has another term in ξ³.
+    Eq (25) is exact at a fixed load. At a fixed approach the exact moment has a further term in ξ³.
     """
     exact_model = "fixed_approach_moment" if "approach_at_load" in frame.stated else "yield_moment"
     if name not in _MOMENTS or name == exact_model:
@@ -178,7 +178,7 @@ class Answer(Results):
 
     @property
     def lacking(self) -> Mapping[str, JkrollError]:
-        """The errors of quantities without a value, except limits that end a meaning: a warning reports those."""
+        """The errors of quantities without a value, except meaningless results, which a warning reports."""
         return {name: error for name, error in self.reasons.items() if not has_code(error)}
 
     @property
@@ -282,9 +282,9 @@ class Answer(Results):
     def exceeded(self) -> list[Doubt]:
         """The limits of the model that are exceeded, the most important first.
 
-        Limits that end a meaning come first, led by a contact wider than its sphere; then limits of the headline; then
-        the others. In each group, limits on a state (with threshold 0) come first, then limits with a remedy, then the
-        largest excess.
+        Limits that make results meaningless come first, led by a contact wider than its sphere; then limits of the
+        headline; then the others. In each group, limits on a state (with threshold 0) come first, then limits with a
+        remedy, then the others, each by falling excess.
         """
         return sorted((doubt for doubt in self.validity if doubt.is_exceeded), key=self._rank)
 
@@ -309,8 +309,8 @@ class Answer(Results):
     def _is_of_headline(self, limit: Limit) -> bool:
         """Return whether a limit concerns the headline.
 
-        The limit of the law does if another law gives the headline another value. A limit on a result itself, such as
-        a negative force, always does.
+        The limit of the law concerns it if a better law gives it a different value. A limit on a result itself, such as
+        a negative force, always concerns it.
         """
         if limit.name in limit.touches and limit.name in self.values:
             return True

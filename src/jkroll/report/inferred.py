@@ -16,7 +16,7 @@ from ..text import listed
 from .answer import Answer
 from .notes import Note
 
-# The factor between an inferred value and the library's above which a note reports it, and the question of the note.
+# The factor between an inferred value and the library's above which a note reports it, and the text of the note.
 _FAR = {
     **dict.fromkeys(
         ("surface_energy", "work_of_adhesion"),
@@ -30,7 +30,7 @@ _FAR = {
 
 
 def laws_of(answer: Answer) -> list[str]:
-    """Return the laws whose inferred values are shown: Maugis', if it holds or has no value, then the law in use."""
+    """Return the laws whose inferred values are shown: Maugis', if it holds or gives no value, then the law in use."""
     in_use = answer.frame.law.name
     if BETTER_LAW in answer.rules or lack_by_better_law(answer):
         return [BETWEEN, in_use]
@@ -51,7 +51,7 @@ def lack_by_better_law(answer: Answer) -> str:
 
 
 def solids_of(frame: Frame, name: str) -> list[str]:
-    """Return the names of the solids that an inferred value describes: of sphere 1, or of both for a pair's value."""
+    """Return the names of the solids that an inferred value describes: that of sphere 1, or both for a pair's value."""
     solids = [solid.name for solid, _ in frame.materials]
     if name in PROPERTIES:
         return solids[:1]
@@ -106,7 +106,7 @@ def about_limit(doubt: Doubt, answer: Answer) -> str:
 
 
 def about_inferred(answer: Answer) -> Iterator[Note]:
-    """Iterate over notes on inferred values: unusual sizes, unused data of materials, and a check forwards."""
+    """Iterate over notes on inferred values: unusual sizes, unused data of materials, and a forward check."""
     if not answer.described.unknowns or not answer.values:
         return
     frame, values = answer.frame, answer.values

@@ -63,7 +63,7 @@ def leads(answer: Answer) -> Iterator[Note]:
 
 
 def lead_of_rows(groups: Sequence[Group], names: Collection[str]) -> str:
-    """Return the sentence above a list of these quantities: what a pull-off force leaves out; empty if nothing."""
+    """Return the sentence above a list of quantities on what its pull-off force leaves out; it may be empty."""
     if "pull_off_force" not in names:
         return ""
     if "meniscus_force" in names:
@@ -142,7 +142,7 @@ def _spoken(name: str, estimate: Estimate) -> str:
 
 
 def _middle(name: str, estimate: Estimate, *, is_short: bool) -> str:
-    """Return a single number for a wide range, with its largest error; empty for a narrow range."""
+    """Return a single number for a wide range, with its largest error unless `is_short`; empty for a narrow range."""
     low, high = estimate.low, estimate.high
     if not low > 0 or not high >= _WIDE * low:
         return ""
@@ -184,7 +184,7 @@ def _water_or_dry(answer: Answer) -> Iterator[Note]:
 
 
 def _filled_gap(frame: Frame) -> str:
-    """Return the sentence on the humidity from which water fills the gap of roughness; empty if no gap is given."""
+    """Return the sentence on the humidity above which water fills the gap of rough surfaces; empty without a gap."""
     known = frame.numbers("roughness_gap", "threshold_humidity")
     if len(known) < 2:
         return ""

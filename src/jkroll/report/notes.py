@@ -69,7 +69,7 @@ def entering(frame: Frame, names: Sequence[str], *, judges: bool = True) -> tupl
     """Return the inputs of some quantities, and the given inputs that change neither a quantity nor a limit.
 
     A load that changes only limits counts as idle, because the user expected it to change a result.
-    `judges`: True for all limits, False for only those that end the meaning of a result.
+    `judges`: True to count all limits, False to count only those that make a result meaningless.
     """
     limits = touched(frame, frame.possible(names), LIMITS if judges else ENDING)
     judged = [*names, *(limit.name for limit in limits)]
@@ -178,7 +178,7 @@ def about_middles(uncertain: "Mapping[str, Uncertain]") -> Iterator[Note]:
 def about_values(frame: Frame, names: Collection[str]) -> Iterator[Note]:
     """Iterate over notes on values.
 
-    They are on a measured breaking energy, chains of unlike spheres, spheres bound without touching, and the loss that
+    They concern a measured breaking energy, chains of unlike spheres, spheres bound without touching, and the loss that
     ξ requires.
     """
     if "break_energy_dust_simulation" in names and solid_of_pair(frame) == SIO2:
@@ -264,7 +264,7 @@ def about_rows(tally: "Tally", reported: int, where: str) -> Iterator[Note]:
 def lines_on_codes(codes: Iterable[str]) -> Iterator[str]:
     """Iterate over lines that explain the codes in a table, one for each limit.
 
-    Codes that end the meaning of results are left out, because a warning explains them.
+    Codes of limits that make results meaningless are left out, because a warning explains them.
     """
     in_table = {*codes}
     for limit in LIMITS:
@@ -290,7 +290,7 @@ def idle_in(groups: Iterable[Group], *, judges: bool = True) -> list[str]:
 
 
 def notes_on_rows(groups: Sequence[Group], tally: "Tally", reported: int) -> list[Note]:
-    """Return the notes on counted rows and on the inputs of their groups.
+    """Return the notes on the counts of rows and on the inputs of their groups.
 
     `reported`: the bits of the doubts to report.
     """
@@ -308,8 +308,8 @@ def notes_on_rows(groups: Sequence[Group], tally: "Tally", reported: int) -> lis
 def notes_below(groups: Sequence[Group], tally: "Tally", reported: int, *, is_table: bool) -> list[Note]:
     """Return the notes to print below rows.
 
-    `reported`: the bits of the doubts to report; `is_table`: True to report only those that end the meaning of a
-    result, as other lines explain the codes in a table.
+    `reported`: the bits of the doubts to report; `is_table`: True to report only those that make a result meaningless,
+    because other lines explain the codes in a table.
     """
     return notes_on_rows(groups, tally, reported & ENDING_MEANING if is_table else reported)
 
@@ -331,7 +331,7 @@ def lines_of(
 
     They are the assumptions, the warning, the first answering sentence and the first of the other notes. `has_head`:
     True below a table whose header has the assumptions; then all notes of severity "data" follow. `has_more`: True if
-    there is more to explain than notes.
+    there is more to explain than the notes.
     """
     texts = _texts_by_severity(notes)
     warning = _warning(texts["warning"])

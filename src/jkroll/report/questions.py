@@ -186,7 +186,7 @@ def _has_values(name: str) -> bool:
 
 
 def quantities_named(text: str) -> tuple[list[str], list[str]]:
-    """Return the quantities given by name in a list, and those of its commands, which may lack inputs."""
+    """Return the quantities named in a list, and the quantities of the commands in it, which may lack inputs."""
     wanted: list[str] = []
     offered: list[str] = []
     for word in map(str.strip, text.split(",")):

@@ -300,7 +300,7 @@ def _xi_unknown(answer: Answer) -> Iterator[str]:
 
 
 def of_silica(answer: Answer) -> str:
-    """Return the headline's ranges as they would be for SiO2, on which rolling was measured; empty without any."""
+    """Return the headline's ranges as they would be for SiO2, on which rolling was measured; empty if it has none."""
     silica = Frame(answer.frame.stated, known_materials()["quartz"])
     if not isinstance(answer.frame.given.get("radius"), float):
         return ""

@@ -32,7 +32,7 @@ from .notes import (
 from .ranges import held_on_surfaces, range_in_words, reasons_for
 
 _MOST = 4  # results in a note
-_LOST = 0.01  # fraction of the uncertain values beyond pull-off from which a note reports it
+_LOST = 0.01  # least fraction of uncertain values beyond pull-off that a note reports
 
 
 class Report(Answer):
@@ -132,7 +132,7 @@ class Report(Answer):
         return doubt.code == STICKING_UNSURE and not {ADHESION_ONLY, MEASURED}.isdisjoint(self.rules)
 
     def _subject_of(self, limit: Limit) -> str:
-        """Return the prefix of a limit's sentence: the symbol of the only result whose meaning the limit ends.
+        """Return the prefix of a limit's sentence: the symbol of a meaningless result, if the limit touches no other.
 
         It is empty if the sentence names the result itself.
         """
@@ -144,7 +144,7 @@ class Report(Answer):
         return f"{symbol_among(name, self.inputs)}: "
 
     def ended_by(self, doubt: Doubt) -> tuple[str, ...]:
-        """Return the names of the results whose meaning a limit ends."""
+        """Return the names of the results that a limit makes meaningless."""
         if not (doubt.is_exceeded and doubt.limit.ends_meaning):
             return ()
         judged = self.described.judged
@@ -194,7 +194,7 @@ class Report(Answer):
 
     @property
     def _valued(self) -> list[str]:
-        """The judged quantities that have a value; one without a meaning counts among bare numbers only."""
+        """The judged quantities that have a value; a meaningless one counts only if all values are kept."""
         columns = self.judged if self.keeps_all else self.judged_meant
         return [name for name, column in columns.items() if not column.is_empty]
 
@@ -214,7 +214,7 @@ def _of_a_sphere(frame: Frame) -> str:
 
 
 def _about_lost_contacts(answer: Answer) -> Iterator[Note]:
-    """Iterate over at most one note: some of the uncertain values are beyond pull-off, if normally distributed."""
+    """Iterate over at most one note: some uncertain values, if normally distributed, are beyond pull-off."""
     if answer.sources is None or "load" not in answer.described.inputs_used([*answer.computed]):
         return
     forces = answer.frame.numbers("load", "pull_off_force")
