@@ -97,7 +97,10 @@ def reference() -> str:
         "Formulas": _formulas(),
         "Errors": _errors(),
     }
-    lines = ["# Reference of Python", "`import jkroll` has these names; `jkroll guide python` tells them as a story."]
+    lines = [
+        "# Reference of Python",
+        "`import jkroll` gives these names; `jkroll guide python` introduces them step by step.",
+    ]
     for title, parts in groups.items():
         lines += [f"## {title}", *parts]
     return "\n\n".join(lines) + "\n"

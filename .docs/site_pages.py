@@ -92,7 +92,7 @@ def explore() -> str:
     """Return the first page: a line of introduction, and the explorer."""
     head = "---\nhide: [navigation, toc]\n---\n\n# Two elastic spheres touch and stick\n\n"
     words = (
-        "What pulls them apart, rolls them and shakes them, each with the range in which it lies and what says so. "
+        "What pulls them apart, rolls them and shakes them, each number with its best range and the reason for it. "
         "Drag a slider, or [read how to start](start.md).\n\n"
     )
     files = '<link rel="stylesheet" href="explorer.css"><script type="module" src="explorer.js"></script>\n\n'

@@ -29,7 +29,7 @@ _OF_FIGURES: Mapping[str, Quantity] = {
     "pressure_across": Quantity("p", "Pa", "pressure, tension negative"),
     "time_of_a_point": Quantity("t", "s", "time of a point"),
     "error": Quantity("", "1", "error in ulp/(1+κ)"),
-    "residual_load": Quantity("F − P", "N", "measured load less the fitted one"),
+    "residual_load": Quantity("F − P", "N", "measured load minus the fitted load"),
     "energy_release_rate": Quantity("G", "J/m^2", "energy release rate by JKR"),
 }
 

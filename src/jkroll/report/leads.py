@@ -67,7 +67,7 @@ def lead_of_rows(groups: Sequence[Group], names: Collection[str]) -> str:
     if "pull_off_force" not in names:
         return ""
     if "meniscus_force" in names:
-        return "of best P_c and F_men the larger counts, not the sum"
+        return "take the larger of best P_c and F_men, not their sum"
     is_rough = any(is_anywhere(may_be_rough(frame)) for frame, _ in groups)
     return "P_c is that of ideally smooth spheres, an upper limit; real ones hold less" if is_rough else ""
 

@@ -116,7 +116,7 @@ _SEEN = f"hard spheres were seen to stick at 1–{MOST_SEEN} times JKR's speed"
 _WORDS: Mapping[int, str] = {
     MEASURED: "1 to 10 times JKR's speed was measured; SiO2 by its own speeds",
     SCALED: "from forces measured on this solid, scaled as R^(2/3) or as R",
-    XI_UNKNOWN: "not measured; from ξ = 2 Å (one atom) on (--xi)",
+    XI_UNKNOWN: "not measured; ξ of 2 Å (one atom) or more (--xi)",
     ADHESION_ONLY: "adhesion as the only loss; any other loss adds to it",
     FRICTION_ASSUMED: "from τ/3 to 3τ (--shear-strength); the contact area is JKR's",
     SPACING_ASSUMED: "from z0 = 2 Å to 4 Å; --z0 narrows it",
@@ -134,7 +134,7 @@ _WORDS: Mapping[int, str] = {
 
 def _kelvin(answer: Answer) -> Iterator[str]:
     if "roughness_gap" in answer.frame.given:
-        yield "water condensed at 25 °C; adsorbed water may bridge a gap before"
+        yield "water condensed at 25 °C; adsorbed water may bridge a gap earlier"
         yield "meniscus forces were measured at humidities as low as 2 %"
         return
     if "meniscus_force" not in answer.values:

@@ -228,7 +228,7 @@ def _about_lost_contacts(answer: Answer) -> Iterator[Note]:
     lost = erfc(margin / (sqrt(2) * spread)) / 2
     if lost >= _LOST:
         text = f"at {100 * lost:.2g} % of the uncertain values the load is beyond pull-off"
-        yield Note("caveat", f"error bars are of contacts that hold: {text}")
+        yield Note("caveat", f"error bars are only for contacts that hold: {text}")
 
 
 def every_line(report: Report) -> list[str]:
