@@ -26,7 +26,7 @@ AXE, AXE_SHA256 = "axe-core@4.14.1", "e6b0ce02b84d892e2e33e403485e7f3d6c29e2be6d
 
 
 def axe(folder: Path) -> str:
-    """Return the script of axe-core, a checker of accessibility; npm installs it into a folder."""
+    """Return the script of axe-core, a checker of accessibility; npm downloads it into a folder."""
     packed = subprocess.run(["npm", "pack", "--silent", AXE], cwd=folder, check=True, capture_output=True, text=True)
     archive = folder / packed.stdout.strip()
     assert hashlib.sha256(archive.read_bytes()).hexdigest() == AXE_SHA256

@@ -44,9 +44,9 @@ settings.load_profile("same")
 
 
 def pytest_configure() -> None:
-    """Choose one seed for the slow accuracy test in all processes, and let processes compile the program once.
+    """Choose one seed for the slow accuracy test in all processes, and let processes keep compiled modules.
 
-    Garbage is collected thirty times less often, since each collection goes through all objects of pytest.
+    Garbage is collected far less often, since each collection goes through all objects of pytest.
     """
     gc.set_threshold(20_000)
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
@@ -60,7 +60,7 @@ def pytest_report_header() -> str:
 
 @pytest.fixture
 def tmp_path(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Make a new folder. Pytest's own lists thousands of earlier ones first, to number it."""
+    """Make a new folder. Pytest's own fixture first lists thousands of earlier folders, to number the new one."""
     return Path(tempfile.mkdtemp(dir=tmp_path_factory.getbasetemp()))
 
 

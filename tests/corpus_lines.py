@@ -1,9 +1,9 @@
 """The command lines of tests/corpus/command_lines.txt: read, run and judge them.
 
-A line holds an exit code and a typed command, such as `0 jkroll pull-off quartz 100nm`. Some lines have their output
-in tests/corpus/outputs.txt, where a person has read it. Below `$` and the line stands its output, after `!` the output
-on standard error, and after `>` each file that it writes. A line runs next to the files of tests/input_files.py, on a
-terminal of 80 columns without colour. As in a shell, `| cat` makes standard output a pipe, `< FILE` sets standard
+A line holds an exit code and a typed command, such as `0 jkroll pull-off quartz 100nm`. The outputs of some lines
+are in tests/corpus/outputs.txt; a person has read them. The output stands below `$` and the line, the text on standard
+error after `!`, and each file that the line writes after `>`. A line runs next to the files of tests/input_files.py,
+on a terminal of 80 columns without colour. As in a shell, `| cat` makes standard output a pipe, `< FILE` sets standard
 input, `NAME=VALUE` before the program sets an environment variable, and `;` precedes another command, which then
 decides the exit code. Standard error is a file, because progress bars depend on time. Lines below `# needs MODULE`, up
 to the next line that begins with #, need a library that some installations lack.
@@ -31,7 +31,7 @@ from transcripts import rounded
 
 PATH = Path(__file__).parent / "corpus" / "command_lines.txt"
 OUTPUTS = PATH.with_name("outputs.txt")
-LONGEST = 40  # most lines of an output that a person reads
+LONGEST = 40  # the largest number of lines of a kept output
 _ENVIRONMENT = {"XDG_CONFIG_HOME": "/nonexistent", "COLUMNS": "80", "LINES": "24", "TERM": "dumb"}
 _FOREIGN = ("JKROLL_MATERIALS", "_JKROLL_COMPLETE", "FORCE_COLOR", "NO_COLOR", "COLORTERM")
 _directories: set[Path] = set()  # directories in which lines may be run
@@ -193,7 +193,7 @@ def outputs() -> Mapping[str, str]:
 
 
 def write_outputs(count: int | None) -> int:
-    """Renew the outputs of the same lines, or write those of about `count` lines; return the number of outputs.
+    """Renew the kept outputs, or replace them by those of about `count` lines; return their number.
 
     Outputs that are long, differ between runs or are not text are left out.
     """

@@ -65,7 +65,7 @@ def jkr_curve(
 
 
 def autoregression(seed: Any, count: Any, scale: Any, phi: Any) -> Any:
-    """Return noise of standard deviation scale/√(1 − φ²) whose neighbours are correlated by φ."""
+    """Return noise of standard deviation scale/√(1 − φ²) whose neighbours have the correlation φ."""
     steps = numpy.random.default_rng(seed).normal(0, scale, count)
     noise = numpy.empty(count)
     noise[0] = steps[0] / sqrt(1 - phi * phi)

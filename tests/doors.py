@@ -166,7 +166,7 @@ def strict_json(text: str) -> Any:
 
 
 class Converted(NamedTuple):
-    """The rows of a table as computed and written, the rows as defined by floats, and the scenes."""
+    """The rows of a table as computed and as written, the same rows computed as floats, and the scenes."""
 
     rows: Rows
     cells: list[dict[str, str]]
@@ -280,7 +280,7 @@ def _ends(scene: Frame, *names: str) -> Iterator[Frame]:
 
 
 def bits_agree(scene: Frame, names: Sequence[str], one: int, other: int) -> bool:
-    """Return whether doubts agree, except for limits with a number at a threshold within its accuracy."""
+    """Return whether doubts agree, except for limits whose number is at a threshold within its accuracy."""
     unlike = one ^ other
     return not unlike & NOT_JUDGED and all(
         _is_at_threshold(limit, scene, names) for limit in LIMITS if unlike & limit.bits
@@ -301,7 +301,7 @@ def _is_at_threshold(limit: Limit, scene: Frame, names: Sequence[str]) -> bool:
 
 
 def is_at_its_end(scene: Frame) -> bool:
-    """Return whether the state is so close to the end of the contact that either answer is right."""
+    """Return whether the state is so close to the end of the contact that rounding may decide whether it exists."""
     states = {name: middle(scene.stated[name]) for name in ("load", "approach_at_load") if name in scene.stated}
     for name, value in states.items():
         step = AT_END * abs(value) or LEAST
@@ -314,7 +314,7 @@ def is_at_its_end(scene: Frame) -> bool:
 
 
 def differences(one: Rows, other: Rows, scenes: Scenes | None = None) -> Iterator[str]:
-    """Iterate over the differences of two doors in common columns: all or, given scenes, those beyond accuracy."""
+    """Iterate over the differences of two doors in common columns; given scenes, only those beyond accuracy."""
     if len(one.values) != len(other.values):
         yield f"{len(one.values)} and {len(other.values)} rows"
         return

@@ -303,7 +303,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "sticking_energy_maugis": lambda U_M, lambda_: sticking(lambda_) * U_M,
 }  # fmt: skip
 
-# The larger of two terms that may cancel.
+# The largest of the terms that may cancel.
 TERMS: Mapping[str, Callable[..., Exact]] = {
     "load_sphere": lambda L, kappa, R_i, E: max(map(abs, sphere_load(L, kappa))) * E * R_i**2,
     "approach_sphere": lambda L, kappa, R_i: max(map(abs, sphere_approach(L, kappa))) * R_i,

@@ -4,7 +4,7 @@
 
 prints for each seed how headers are read next to a column `material`. The words come from papers on dust, decks and
 tables of DEM codes, exports of AFM software, data sheets of powders, and lists of materials. They were collected
-independently of the program, which does not know some of them. About half of the headers mean a quantity that is no
+independently of the program, which does not know some of them. About half of the headers mean a quantity that is not an
 input but has the dimension of one, such as a hardness. The program may refuse such a header or pass it through, but
 must never read it as an input.
 """
@@ -533,7 +533,7 @@ def outcome(header: Header) -> str:
         return IDLE if header.name and supplied.keys().isdisjoint({header.name, *header.others}) else PASSED
     (column,) = found.inputs
     if not header.name and column.name.startswith("shear_modulus"):
-        return PASSED  # an input, although the list above counts its words as none
+        return PASSED  # an input, although its words are in _NONE
     is_meant = computed_as(column.name) in {header.name, *header.others} - {""}
     factor = column.unit[0] / column.unit[1] if column.unit else 1.0
     factor *= 0.5 if column.name.startswith("diameter") else 1.0

@@ -213,7 +213,7 @@ class _Values:
         self._add(kind, text)
 
     def _held(self, kind: str) -> tuple[float, float]:
-        """Return a unit for loads or approaches, and the farthest pull that the contact of the first row withstands."""
+        """Return a unit for loads or approaches, and in it the farthest pull that the first row's contact bears."""
         texts: dict[str, Any] = {name: own[0] for name, own in self.found.items() if not has_uncertainty(own[0])}
         name, fold = ("pull_off_force", "") if kind == "load" else ("approach", "fold_approach_maugis")
         try:

@@ -143,7 +143,7 @@ def exact(formula: str, arguments: Mapping[str, float]) -> Exact:
 
 
 def scale(formula: str, arguments: Mapping[str, float]) -> Exact:
-    """Return the reference for a formula's relative error: its value or, if two terms may cancel, the larger term."""
+    """Return the reference for a formula's relative error: its value or, if terms may cancel, the largest term."""
     return abs(_evaluate(TERMS[formula], arguments) if formula in TERMS else exact(formula, arguments))
 
 
@@ -534,7 +534,7 @@ OF_A_RATIO = ("load_factor_at_approach", "load_margin_at_approach")
 # The root x of x³ for formulas whose accuracy is stated in x.
 MEASURED: Mapping[str, Callable[[Exact], Exact]] = {"load_factor_at_approach": cbrt}
 
-# The larger of two terms that may cancel.
+# The largest of the terms that may cancel.
 TERMS: Mapping[str, Callable[..., Exact]] = {
     "approach_at_load": lambda delta0, x: delta0 * cbrt(x) * max(3 * x, 2),
     "load_margin_of_factor": lambda x: 2 * x,

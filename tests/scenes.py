@@ -26,7 +26,7 @@ def log_uniform(random: Random, low: float, high: float) -> float:
 
 
 def near_example(name: str, random: Random) -> float:
-    """Return a value of an input in its range: its example times a hundredth to a hundred."""
+    """Return a value of an input in its range: its example times a factor from 0.01 to 100."""
     quantity = NOMENCLATURE[name]
     example = parse_quantity(quantity.example, name)
     value = example * log_uniform(random, 0.01, 100)
@@ -45,7 +45,7 @@ def any_sphere(random: Random) -> Frame:
 
 
 def any_scene(random: Random) -> Frame:
-    """Return two spheres or a sphere on a plane, perhaps with a rigid one, in any state, with any energy."""
+    """Return two spheres or a sphere on a plane, where body 2 may be rigid, in any state, with any energy."""
     scene = any_sphere(random)
     kind = random.choice(["identical", "unequal", "unequal", "similar", "plane", "rigid", "rigid plane"])
     if kind != "identical":

@@ -7,7 +7,7 @@ import sys
 import time
 from pathlib import Path
 
-PATIENCE = 30  # seconds before a shell is given up
+PATIENCE = 30  # seconds to wait for a shell
 
 # The options of each shell, without the user's configuration, and the first input: jkroll's completion.
 SHELLS = {

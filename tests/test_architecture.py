@@ -93,7 +93,7 @@ def test_physics_imports_only_mathematics() -> None:
         assert foreign <= {"__future__", "math", "numpy", "collections", "typing"}, path.name
 
 
-def test_there_is_no_circle_of_imports() -> None:
+def test_there_is_no_cycle_of_imports() -> None:
     names = {".".join(["jkroll", *path.relative_to(SOURCE).with_suffix("").parts]): path for path in MODULES}
     names |= {name.removesuffix(".__init__"): path for name, path in names.items() if name.endswith(".__init__")}
     below: dict[Path, set[Path]] = {}
@@ -137,7 +137,7 @@ def test_a_formula_is_a_quantity_or_a_step_of_the_derivation() -> None:
     assert [name for name in DERIVATION if f"`{name}`" not in page] == []
 
 
-def test_every_default_is_that_of_an_input_with_an_option() -> None:
+def test_every_input_with_a_default_has_an_option() -> None:
     assert all(NOMENCLATURE[name].option for name in DEFAULTS)
 
 
@@ -228,7 +228,7 @@ def test_mypy_infers_the_types_in_the_code_of_a_user(tmp_path: Path) -> None:
 @pytest.mark.slow
 @pytest.mark.skipif(find_spec("pyright") is None or shutil.which("node") is None, reason="needs pyright and node")
 def test_pyright_infers_the_same_types_as_mypy(tmp_path: Path) -> None:
-    """Without its own node, pyright would download one."""
+    """Without node on this machine, pyright would download it."""
     (tmp_path / "user.py").write_text(USER, encoding="utf-8")
     settings = {"extraPaths": [str(SOURCE.parent)], "typeCheckingMode": "strict"}
     (tmp_path / "pyrightconfig.json").write_text(json.dumps(settings), encoding="utf-8")

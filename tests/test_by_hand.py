@@ -39,7 +39,7 @@ def batch(run: Run, text: str, words: str) -> list[dict[str, str]]:
 
 @pytest.mark.parametrize(("program", "word"), [("lammps", "\ntimestep "), ("liggghts", "\n# timestep ")])
 def test_the_exported_time_step_is_the_shortest_over_all_pairs(run: Run, program: str, word: str) -> None:
-    """Steps are 50.05 ps for two spheres of iron (300 nm), 27.62 ps for two of quartz (100 nm), 19.57 ps for one each.
+    """Steps: 50.05 ps for two spheres of iron (300 nm), 27.62 ps for two of quartz (100 nm), 19.57 ps for one of each.
 
     The step is 1/20 of 2π/√(8G*a(7/2)(1/m1 + 1/m2)) with w = 2√(γ1γ2) and a = (9πwR²/2E*)^(1/3); a fifth of Rayleigh's
     time is 23.3 ps.

@@ -250,7 +250,7 @@ def test_an_answer_has_the_converted_inputs(run: Run) -> None:
     assert {"diameter", "shear_modulus"}.isdisjoint(found["inputs"])
     assert found["uncertainties"]["radius"]["plus"] == approx(5e-9)
     said = run("contact quartz 100nm --shear-modulus 30GPa --explain --quantities contact_radius --quiet").out
-    assert "power law R1^0.667 γ1^0.333 E1^-0.333 ν1^-0.0198" in said  # (2/3)ν²/(1 − ν²), at a fixed E
+    assert "power law R1^0.667 γ1^0.333 E1^-0.333 ν1^-0.0198" in said  # −(2/3)ν²/(1 − ν²), at a fixed E
 
 
 def test_an_input_that_changes_nothing_is_named_as_it_was_typed(run: Run) -> None:

@@ -148,7 +148,7 @@ def test_softer_grains_keep_a_quantity_and_the_yield_moment(
     assert f"× {factor} |" in page("dem")
 
 
-def test_the_time_step_is_that_of_sliding_below_36_nm_and_that_of_rayleigh_above() -> None:
+def test_the_time_step_follows_sliding_below_36_nm_and_rayleigh_waves_above() -> None:
     """For quartz, the step is 1/20 of the period of sliding below the radius on the page, and a fifth of t_R above."""
     assert "the shorter of the two below R1 = 36 nm" in page("dem")
     for radius, is_by_sliding in ((35e-9, True), (37e-9, False)):
@@ -185,7 +185,7 @@ def test_the_manual_has_the_energy_that_a_collision_loses_in_lammps() -> None:
 
 
 def test_the_manual_has_the_work_of_adhesion_of_two_solids_in_lethe() -> None:
-    """Instead of w = 2√(γ1γ2), the manual has γ1 + γ2 − 2(√γ1 − √γ2)²."""
+    """Instead of w = 2√(γ1γ2), Lethe has γ1 + γ2 − 2(√γ1 − √γ2)²."""
     one, other = 0.02, 0.4
     assert round(1e3 * (one + other - 2 * (math.sqrt(one) - math.sqrt(other)) ** 2)) == -62
     assert round(1e3 * solve("work_of_adhesion", surface_energy=one, surface_energy2=other)) == 179

@@ -116,7 +116,7 @@ def _in_refusals(run: Run, ask: Ask, error: JkrollError) -> Iterator[str]:
 
 
 def _lacks(text: str) -> bool:
-    """Return whether a table is refused because a named quantity cannot be computed, or because it has a sphere 2."""
+    """Return whether a table is refused for a quantity that cannot be computed, or for unlike spheres."""
     return " needs " in text or " not in " in text or "identical spheres only" in text
 
 
@@ -133,7 +133,7 @@ FOUND: Mapping[str, str] = {
     "groups of rows by a law without any value": (
         "n-grav ice-warm,iron '1e-7 m' --adhesion-hysteresis '0.006 J/m^2' --model dmt"
     ),
-    "rigid grains of a micrometre, which JKR lacks": "n-grav silica-dry '1e-6 m,2e-6 m' --young rigid --model dmt",
+    "rigid grains of a micrometre, which JKR excludes": "n-grav silica-dry '1e-6 m,2e-6 m' --young rigid --model dmt",
     "a headline that does not concern the scene": "yield-force quartz '1e-7 m' --quantities yield_force,contact",
     "an infinite result under another law": (
         "report quartz '1e-7 m' --radius2 plane --model dmt --quantities mass2,pull_off_force"
@@ -223,7 +223,7 @@ def test_doors_agree_on_questions_that_failed_once(run: Run, name: str) -> None:
     assert [*disagreements(run, ask_of(FOUND[name]))] == []
 
 
-def test_an_error_bar_that_no_double_holds_in_a_unit(run: Run) -> None:
+def test_doors_agree_on_an_error_bar_that_no_double_holds_in_a_unit(run: Run) -> None:
     assert [*disagreements(run, ask_of("moment ice-warm '1e-7 m,1e-6 m'"), "J Ym-1")] == []
 
 
@@ -234,7 +234,7 @@ def test_doors_agree_on_a_few_random_questions(run: Run) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("numbers", PARTS, ids=str)
 def test_doors_agree_on_fresh_questions(run: Run, numbers: range) -> None:
-    """The header of the run states the seed; ACCURACY_SEED set to this seed repeats the questions."""
+    """The header of the run states the seed; setting ACCURACY_SEED to it repeats the questions."""
     check(run, seed=int(os.environ["ACCURACY_SEED"]), numbers=numbers)
 
 
@@ -359,7 +359,7 @@ def _in_shared(one: Rows, other: Rows) -> Iterator[str]:
 
 
 def _in_answer(ask: Ask, texts: Mapping[str, str], floats: Rows, row: int) -> Iterator[str]:
-    """Iterate over the differences between a row and its answer in Python, which has the object of JSON."""
+    """Iterate over the differences between a row and its answer in Python, also as an object of JSON."""
     values, reasons = floats.values[row], floats.reasons[row]
     names = [key for key in floats.keys if key in NOMENCLATURE and key in values]
     names += [name for name, error in reasons.items() if is_end_of_meaning(error)]
@@ -404,7 +404,7 @@ IN_PROPORTION = ("bond_number", "disruption_energy", "disruption_speed")  # thes
 
 
 def _in_scene(scene: Frame, values: Mapping[str, float]) -> Iterator[str]:
-    """Iterate over the best ranges by laws that differ from the values that these laws give if asked for directly."""
+    """Iterate over the best ranges by laws that differ from values computed directly by these laws."""
     if scene.uncertainties or scene.stated_model is not None or "tabor_parameter" in scene.missing(["tabor_parameter"]):
         return
     for key in (key for key in values if key.endswith("_best_by") and WORDS[int(values[key])] in ("Maugis", "JKR")):
@@ -432,7 +432,7 @@ def _in_scene(scene: Frame, values: Mapping[str, float]) -> Iterator[str]:
 
 
 def _in_lines(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
-    """Iterate over the lines of one pair that differ from the values of its row, and over those missing."""
+    """Iterate over the lines of one pair that differ from the values of its row, and over missing lines."""
     ran = answered(run, *ask.words("--best"))
     ended = {name for name, error in floats.reasons[0].items() if is_end_of_meaning(error)}
     if ran.code or (ended and scenes_of(ask)[0].uncertainties):
@@ -614,13 +614,13 @@ def _in_table(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
     yield from _in_cells(found.rows, found.cells)
     for key in (key for key in {*floats.keys} ^ {*found.rows.keys} if not side_of(key)):
         lacks = all(isinstance(reasons.get(key), MissingInput) for reasons in floats.reasons)
-        of_values = all(key in _of_any_values(scene).missing([key]) for scene in scenes_of(ask))  # a header has none
+        of_values = all(key in _of_any_values(scene).missing([key]) for scene in scenes_of(ask))  # headers lack values
         if not (NOMENCLATURE[key].of_identical or lacks or of_values or key in ask.inputs):
             yield f"only one of the doors has {key}"
 
 
 def _of_any_values(scene: Frame) -> Frame:
-    """Return a scene with these inputs, but without special values: a plane, a rigid body, no load."""
+    """Return a scene with the same inputs, but without special values: a plane, a rigid body, no load."""
     return scene.replace(**dict.fromkeys(scene.stated, 0.25))
 
 
@@ -650,7 +650,7 @@ def _in_solve(ask: Ask, floats: Rows) -> Iterator[str]:
         results: dict[str, Any] = {}
         try:
             results = solve(names, model=ask.model, **given)
-        except NoErrorBar:  # without a reason in the row, other sources enter than those of all quantities together
+        except NoErrorBar:  # with reasons in the row, the sources here are not those of all quantities
             if not reasons:
                 raise
         for name, found in results.items():
@@ -671,7 +671,7 @@ def _in_solve(ask: Ask, floats: Rows) -> Iterator[str]:
 
 
 def _is_element(scene: Frame, name: str, found: Any, element: float, *, is_special: bool) -> bool:
-    """Return whether an element of an array is right for the value of a row, or for the error of a row without one.
+    """Return whether an element of an array is right for the value of a row, or for the error of a row without a value.
 
     `is_special`: True if the arrays have special values, which need no contact.
     """

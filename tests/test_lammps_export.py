@@ -142,7 +142,7 @@ def test_lammps_has_the_rolling_moment(run: Run, lammps: Any, pair: str, ratio: 
 @pytest.mark.parametrize("ratio", [0.0, 1.0, -0.5])
 @pytest.mark.parametrize("pair", PAIRS)
 def test_lammps_has_the_resistances_to_sliding_and_twisting(run: Run, lammps: Any, pair: str, ratio: float) -> None:
-    """The force past body 2, or the moment about the line of centres, is linear up to a threshold, then constant."""
+    """The sideways force, or the moment about the line of centres, is linear up to a threshold, then constant."""
     scene, load = both(*PAIRS[pair]), load_of(ratio, pair)
     names = (
         "approach_at_load", "tangential_stiffness", "sliding_displacement", "sliding_force", "twisting_stiffness",
@@ -191,7 +191,7 @@ def test_the_fastest_mode_is_resolved_by_the_time_step(run: Run, lammps: Any) ->
 
 @pytest.mark.parametrize("model", ["jkr", "dmt"])
 def test_collisions_create_no_energy(run: Run, lammps: Any, model: str) -> None:
-    """A gas of beads, which collide again and again from all directions; friction takes energy, nothing adds any."""
+    """A gas of beads collides again and again from all directions; friction takes energy, and nothing adds any."""
     bead = "silica-humid 50um --gamma 0.2122mJ/m2 --young 725MPa --xi 10nm"
     ran = run(*f"export lammps {bead} --quiet".split(), "--model", model)
     commands = [line for line in ran.out.splitlines() if not line.startswith("#")]
@@ -229,7 +229,7 @@ def test_collisions_create_no_energy(run: Run, lammps: Any, model: str) -> None:
 
 
 class Grains:
-    """A sphere that touches z = 0 from above, and perhaps a second one from below, with a printed input."""
+    """A sphere that touches z = 0 from above, and perhaps a second one from below, in LAMMPS with printed lines."""
 
     def __init__(self, lammps: Any, printed: str, radii: list[float], overlap: float, density: float = 2600.0) -> None:
         size = 5 * max(radii)

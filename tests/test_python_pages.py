@@ -1,4 +1,4 @@
-"""The pages for Python on the site: a notebook of the page, run by Jupyter, and the reference of the public names."""
+"""The pages for Python on the site: a notebook made from the page, run by Jupyter, and a reference of public names."""
 
 import importlib.util
 import inspect

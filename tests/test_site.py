@@ -210,7 +210,7 @@ def test_the_search_leads_first_to_a_definition(site: tuple[Browser, str], words
     window.click(".md-search__input")
     for letter in words:
         window.type(letter)
-    last = words.rpartition(" ")[2].strip("-")  # a result's address has the words that it was found by
+    last = words.rpartition(" ")[2].strip("-")  # a result's address has the words by which it was found
     results = "[...document.querySelectorAll('.md-search-result__item:first-child a')]"
     window.wait(f"{results}.some((link) => decodeURI(link.search).includes('{last}'))")
     window.type("Enter")

@@ -1,4 +1,4 @@
-"""Text for a terminal: the size of the terminal, and the texts of a user as they are shown."""
+"""Text for a terminal: the width of the terminal, and characters that a stream cannot encode."""
 
 import pytest
 

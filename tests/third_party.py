@@ -60,7 +60,7 @@ class Spheres:
         damping: tuple[float, str] = (0.0, "velocity"),
         contact: Sequence[str] = (),
     ) -> None:
-        """Create the spheres with JKR, or with other commands for a contact instead, friction and damping."""
+        """Create the spheres with JKR, friction and damping, or with the given commands for a contact instead."""
         self.radius, self.radius2 = sphere["radius"], sphere2["radius"]
         self.touching = 1e-6 * self.radius  # an approach at which they touch
         size = 10 * max(self.radius, self.radius2)
@@ -211,7 +211,7 @@ def pressure(displacement: Callable[[Array], Array], inside: Array, wanted: Arra
 
 
 def pressure_at_load(displacement: Callable[[Array], Array], inside: Array, wanted: Array, total: float) -> Array:
-    """Return this pressure for a given total instead of a given approach, by adding a multiple of a flat punch's."""
+    """Return such a pressure with a given total, by adding a multiple of the pressure of a flat punch."""
     shaped, punch = (pressure(displacement, inside, field) for field in (wanted, np.ones(inside.shape)))
     return shaped + (total - shaped.sum()) / punch.sum() * punch
 
@@ -237,6 +237,6 @@ def import_jkr() -> Any:
 
 
 def solid(scene: Mapping[str, Any]) -> dict[str, float]:
-    """Return a scene in the names of Adhesion."""
+    """Return a scene under the names that Adhesion uses."""
     names = ("reduced_radius", "contact_modulus", "work_of_adhesion")
     return dict(zip(("radius", *names[1:]), jkroll.solve(names, **scene).values(), strict=True))

@@ -185,7 +185,7 @@ def test_json_of_every_command_has_inputs_and_finite_results(run: Run, name: str
         assert result["unit"] == NOMENCLATURE[result["name"]].unit
 
 
-def test_json_has_best_ranges_in_the_unit_that_is_asked_for(run: Run) -> None:
+def test_json_has_best_ranges_in_the_requested_unit(run: Run) -> None:
     words = "pull-off quartz 100nm --json --quiet"
     force, limit = json.loads(run(words).out)["results"]
     in_dyn = json.loads(run(f"{words} --to dyn").out)["results"][0]["best"]

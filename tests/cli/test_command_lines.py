@@ -1,4 +1,4 @@
-"""Thousands of command lines: random lines have a documented exit code, and lines of the corpus the code listed."""
+"""Thousands of command lines: random lines have a documented exit code, and lines of the corpus have the one listed."""
 
 import resource
 from collections import Counter
@@ -73,7 +73,7 @@ def test_lines_of_the_corpus_print_the_outputs_that_were_checked_by_reading() ->
 
 
 def wrong_with_inputs(name: str | None, inputs: Iterable[str]) -> dict[str, list[str]]:
-    """Return the faults, by line, of the example of a command with one more input in each line.
+    """Return faults by line; each line is the example of a command with one more input.
 
     Each line must have the exit code of the example.
     """

@@ -26,7 +26,7 @@ TYPED = {
     ),
     "a second material": ("contact quartz 1um --material2 ir\t", ["contact", "quartz", "1um", "--material2", "iron"]),
     "a file": ("materials --materials mine.to\t", ["materials", "--materials", "mine.toml"]),
-    "nothing that is known": ("pull-off zz\t", ["pull-off", "zz"]),
+    "an unknown word": ("pull-off zz\t", ["pull-off", "zz"]),
 }
 # Only the last of these names is one word to a shell.
 NAMES = [

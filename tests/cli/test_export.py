@@ -276,7 +276,7 @@ def liggghts_force(
 def test_the_exported_cohesion_gives_liggghts_the_pull_off_force_of_jkr(
     run: Run, words: str, place: int, radii: tuple[float, float]
 ) -> None:
-    """The least force by sjkr2 is JKR's pull-off force. With sjkr, two spheres need twice k, up to terms in δ/R."""
+    """The strongest pull by sjkr2 is JKR's pull-off force. With sjkr, two spheres need twice k, up to terms in δ/R."""
     text = run(f"export liggghts {words}").out
     solids = [[*map(float, re.findall(rf"{name} peratomtype (.*)", text)[0].split())] for name in ("Modulus", "Ratio")]
     count, *densities = re.findall(r"peratomtypepair (.*)", text)[0].split()
@@ -342,7 +342,7 @@ def test_dust_collider_gets_a_line_with_the_numbers_of_a_material(run: Run) -> N
 
 
 @pytest.mark.parametrize("program", ["lammps", "liggghts"])
-def test_the_time_step_is_the_shorter_of_two_rules(run: Run, program: str) -> None:
+def test_the_shorter_time_step_of_two_rules_is_exported(run: Run, program: str) -> None:
     """The step is the shortest of the steps of the pair and of both pairs of like spheres.
 
     The speed of a Rayleigh wave is a root of Rayleigh's equation.
@@ -384,7 +384,7 @@ def test_a_note_says_that_the_middle_of_a_range_was_used(run: Run) -> None:
         ),
     ],
 )
-def test_grains_that_stick_at_every_speed_in_dust_simulation(run: Run, words: str, said: str) -> None:
+def test_grains_that_stick_at_every_speed_in_dust_simulation_are_noted(run: Run, words: str, said: str) -> None:
     assert said in run(f"export dust-simulation {words}").err
     names = ("contact_modulus", "contact_radius", "reduced_mass")
     modulus, radius, mass = solve(names, material="quartz", radius=246.4e-9).values()

@@ -19,7 +19,7 @@ from harness import Run
 from terminal import on_terminal
 
 JKROLL = (sys.executable, "-m", "jkroll")
-# Calls that write a line, lines, a block or several blocks.
+# Calls that write one line, several lines, one block or several blocks.
 WRITERS = {
     "bare": "pull-off quartz 100nm --bare --quiet",
     "plain": "report quartz 100nm --quiet",
@@ -41,7 +41,7 @@ SWEEPS = {
 }
 ONE_OF_EACH_KIND = ("bare", "rows", "help")
 ALL_KINDS = [name if name in ONE_OF_EACH_KIND else pytest.param(name, marks=pytest.mark.slow) for name in WRITERS]
-# A program that writes a dot when jkroll handles interrupts; before this, Python itself handles an interrupt.
+# A program that writes a dot when jkroll begins to handle interrupts; until then, Python itself handles them.
 STARTING = """
 import signal, sys
 from jkroll.__main__ import run
@@ -239,7 +239,7 @@ def test_other_signals_end_a_call_silently(number: int, tmp_path: Path) -> None:
 NO_UTF_8 = "is not text in UTF-8: save it with this encoding"
 BROKEN: dict[str, tuple[Callable[[Path], object], str]] = {
     "a directory": (Path.mkdir, "Is a directory"),
-    "no UTF-8": (lambda path: path.write_bytes(b"\xff\xfe"), NO_UTF_8),
+    "not UTF-8": (lambda path: path.write_bytes(b"\xff\xfe"), NO_UTF_8),
     "2 MB": (lambda path: path.write_bytes(b"#" * 2_000_000), "is larger than 64 kB"),
     "a loop": (lambda path: path.symlink_to(path), "Too many levels of symbolic links"),
     "a link to nothing": (lambda path: path.symlink_to("nowhere"), "No such file or directory"),
@@ -270,7 +270,7 @@ ENVIRONMENTS = {
     "nothing": {},
     "no home": {"HOME": "", **UTF8},
     "a home that is not there": {"HOME": "/nonexistent", **UTF8},
-    "a configuration that is no text": {"XDG_CONFIG_HOME": os.fsdecode(b"\xff"), **UTF8},
+    "a configuration that is not text": {"XDG_CONFIG_HOME": os.fsdecode(b"\xff"), **UTF8},
     "LC_ALL=C": {"LC_ALL": "C"},
     "LC_ALL=C, no UTF-8 mode": {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
     "an unknown locale": {"LC_ALL": "zz_ZZ"},

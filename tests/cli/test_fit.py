@@ -70,7 +70,7 @@ def test_a_deflection_becomes_a_force(run: Run, curve: str) -> None:
 def of_fixed_grips() -> tuple[Any, Any]:
     """Return travel and force for PDMS (2 MPa, 50 mJ/m²) on a lever of 3 N/m, without adhesion hysteresis.
 
-    As with fixed grips, the approach is prescribed, so the travel goes farther out in contact than at the free ends.
+    As with fixed grips, the approach is prescribed, so near pull-off the travel is farther out than at the free ends.
     """
     way = numpy.linspace(-6e-7, 6e-7, 500)
     approach, modulus, stiffness = numpy.concatenate([way, way[::-1]]), 2e6 / 0.75, 3.0
@@ -212,7 +212,7 @@ def test_the_output_ends_with_a_command_for_the_next_step_that_works(run: Run, c
     assert ran.out.startswith("yield_force ")
 
 
-def test_a_fit_cites_its_law_and_says_its_method(run: Run, curve: str) -> None:
+def test_a_fit_cites_its_law_and_describes_its_method(run: Run, curve: str) -> None:
     assert curve
     cited = run(f"fit curve.csv {KNOWN} --model dmt --cite").out
     assert "@article{derjaguin-muller-toporov-1975," in cited

@@ -29,7 +29,7 @@ LARGEST_FILE = 50 * MEGABYTE  # memory for the worst file of materials; 31 MB we
 
 
 def peak_memory(work: Callable[[], object]) -> int:
-    """Return the largest number of bytes that a function has allocated at a time."""
+    """Return the largest number of bytes that a function has allocated at any one time."""
     tracemalloc.start()
     try:
         work()
@@ -79,7 +79,7 @@ def _names() -> Iterable[str]:
 
 
 def _filled(size: int, piece: Callable[[str], str], start: str = "", end: str = "") -> bytes:
-    """Return a file with as many pieces as fit, each made from another name."""
+    """Return a file with as many pieces as fit, each made from a different name."""
     parts, length = [start], len(start) + len(end)
     for name in _names():
         part = piece(name)
@@ -119,7 +119,7 @@ SHAPES: dict[str, Callable[[int], bytes]] = {
     "materials with one alias": lambda size: _filled(size, lambda name: f'[materials.{name}]\naliases=["A{name}"]\n'),
     "odd lists": lambda size: _filled(size, lambda _: "1,", "[references.a]\na=[", "]"),
     "lists over lines": lambda size: _filled(size, lambda name: f'{name}=[\n""\n]\n', "[references.a]\n"),
-    "no UTF-8": lambda size: b"\xff" * size,
+    "not UTF-8": lambda size: b"\xff" * size,
 }
 
 
@@ -187,7 +187,7 @@ def test_names_of_unknown_units_are_not_kept_in_memory() -> None:
     assert peak_memory(ask) < MEGABYTE
 
 
-def test_a_very_long_word_is_compared_with_known_words_at_once() -> None:
+def test_a_very_long_word_is_quickly_compared_with_known_words() -> None:
     assert closest("quartz" * 100_000, ["quartz"]) is None
 
 

@@ -97,7 +97,7 @@ def contact_of_quartz() -> Picture:
 
 
 def lines_of(page: Figure, name: str) -> list[Any]:
-    """Return the lines of a drawn map that have a name in the file, in points of the picture."""
+    """Return the lines of a drawn map that have the given name in the file, in SI units."""
     drawings: list[Any] = [drawing for drawing in page.axes[0].collections if drawing.get_gid() == name]
     return [np.asarray(path.vertices) for drawing in drawings for path in drawing.get_paths()]
 
@@ -256,7 +256,7 @@ def test_data_of_a_sketch_are_refused(run: Run) -> None:
     assert run("figure geometry --data -").code == 2
 
 
-def test_a_caption_ends_with_its_sources_with_the_option_cite(run: Run) -> None:
+def test_with_the_option_cite_a_caption_ends_with_its_sources(run: Run) -> None:
     out = run("map contact-radius quartz --x radius=10nm:1um --cite").out.splitlines()[-1]
     assert "Dominik & Tielens 1995" in out
     assert "Kendall et al. 1987" in out
@@ -499,7 +499,7 @@ def test_a_mark_on_the_edge_is_a_whole_dot() -> None:
 
 
 @pytest.mark.parametrize("name", ["8", pytest.param("3a", marks=pytest.mark.slow)])
-def test_letters_and_their_subscripts_have_at_least_six_points(name: str) -> None:
+def test_letters_and_their_subscripts_have_a_size_of_at_least_six_points(name: str) -> None:
     _, page = in_a_column(name)
     parser = MathTextParser("path")
     sizes = [
@@ -735,8 +735,8 @@ def test_without_matplotlib_a_picture_file_is_refused_in_one_line(tmp_path: Path
 
 
 @pytest.mark.slow
-def test_a_million_points_take_less_than_importing_matplotlib() -> None:
-    """The CPU times are those of separate processes, run in turns."""
+def test_a_million_points_take_less_time_than_importing_matplotlib() -> None:
+    """The CPU times are those of separate processes, run in turn."""
     words = ["contact-radius-at-load", "quartz", "--x", "radius=10nm:1mm:1000", "--y", "load=0nN:1uN:1000:lin"]
     ways = {
         "map": f"from jkroll.cli.process import main; main({['map', *words]!r})",

@@ -321,7 +321,7 @@ def test_a_caption_states_the_radii_at_which_a_curve_is_doubtful(run: Run) -> No
 
 
 def test_a_caption_has_the_values_of_both_laws_where_they_differ_most(run: Run) -> None:
-    """The range by Maugis' law is from half the atomic spacing to the full one, as in the note on a single pair."""
+    """The range by Maugis' law has its ends at half and at the full atomic spacing, as in the note on a single pair."""
     out = " ".join(run("map contact_radius quartz --x radius=10nm:50nm").out.split())
     given: dict[str, Any] = {"material": "quartz", "radius": 1e-8, "model": "maugis"}
     ends = sorted(solve("contact_radius", **given, atomic_spacing=spacing) * 1e12 for spacing in (2e-10, 4e-10))
@@ -385,7 +385,7 @@ def test_a_curve_without_values_is_not_drawn_and_gaps_have_their_reason(run: Run
     assert "No value" not in run(f"{drawn} --z0 4angstrom").out
 
 
-def test_the_caption_has_the_own_value_of_a_marked_grain_of_another_material(run: Run) -> None:
+def test_the_caption_has_the_value_of_a_marked_grain_of_another_material_with_its_own_inputs(run: Run) -> None:
     """The fixed inputs of the map are the surface energy and Poisson's ratio of quartz."""
     words = "map contact_radius quartz --x radius=10nm:10um --y young=1GPa:1TPa --mark iron@100nm,quartz@1um"
     own = run("contact iron 100nm --bare --quiet --quantities contact_radius").out

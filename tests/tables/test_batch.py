@@ -472,7 +472,7 @@ def test_option_excel_safe_leaves_empty_cells_empty(run: Run) -> None:
 
 
 def test_a_formula_may_follow_characters_that_a_spreadsheet_drops(run: Run) -> None:
-    """A line feed, a NUL or blanks may come first, and a sign may have full width. Numbers are kept."""
+    """A line feed, a NUL or blanks may come first, and a sign may be full-width. Numbers are kept."""
     names = ["\n=1+1", "\nx", "\0=1", " =1+1", "  @x", "＝1+1", "＋x", "－x", "＠x"]
     kept = [" -5", "-5", "+1e3", "x=1", "", " x"]
     cells = [{"name": name, "radius": "1 um"} for name in [*names, *kept]]

@@ -74,7 +74,7 @@ def test_the_error_bar_of_an_option_applies_to_rows_with_an_empty_cell(run: Run)
     assert [row["pull_off_force_plus [N]"] for row in found()] == [None, close(FORCE / 5)]
 
 
-def test_error_bars_of_materials_have_columns_only_if_the_first_rows_name_such_a_material(run: Run) -> None:
+def test_error_bars_of_materials_have_columns_only_if_a_material_in_the_first_rows_has_one(run: Run) -> None:
     rows = [{"radius [nm]": 100.0 + row, "material": "quartz"} for row in range(200)]
     rows += [{"radius [nm]": 100.0, "material": "ice-warm"}]
     words = "batch grains.csv -o out.csv --quantities pull_off_force"
@@ -148,7 +148,7 @@ def test_a_unit_on_only_one_of_two_sides_is_refused(run: Run) -> None:
 def test_a_result_has_no_error_bar_if_an_input_lacks_one_side_of_its_error_bar(
     run: Run, others: dict[str, str], end: str
 ) -> None:
-    """A missing side does not count as 0, and error bars of the other inputs alone would be too small."""
+    """A missing side does not count as 0, and an error bar from the other inputs alone would be too small."""
     bars = [("4", "6"), ("", "6"), ("4", " "), ("", ""), ("0", "6")]
     rows = [
         {"radius [nm]": "100", **others, "gamma [mJ/m2]": "25", "gamma_minus": minus, "gamma_plus": plus}
@@ -190,7 +190,7 @@ def test_a_value_or_an_error_bar_that_is_not_a_number_is_reported(run: Run, cell
     ],
 )
 def test_a_cell_of_blanks_is_empty(run: Run, head: str, cells: str, force: float | None) -> None:
-    """A value with a blank error bar is kept. A blank value or end fails, and no material replaces the value."""
+    """A value with a blank error bar is kept. A blank value or end of a range fails, and no material replaces it."""
     Path("x.csv").write_text(f"radius [nm],{head}\n100,25,25\n100,{cells}\n", encoding="utf-8")
     run("batch x.csv --material iron --quantities pull_off_force -o out.csv")
     assert found()[1]["pull_off_force [N]"] == (force and close(force))
@@ -198,7 +198,7 @@ def test_a_cell_of_blanks_is_empty(run: Run, head: str, cells: str, force: float
 
 
 def test_per_cent_in_a_header_applies_to_all_forms_of_cells(run: Run) -> None:
-    """Padded cells, cells with an error bar, and columns of error bars are read in three ways."""
+    """Padded cells, cells with an error bar and columns of error bars are each read by separate code."""
     cells = ["40", "40 ", "40±5", "40+-5", "(40±5)", "40(5)", "35 to 45", "40 %", "0.4 "]
     head = "material,radius [nm],filling_factor [%]"
     Path("x.csv").write_text("\n".join([head, *(f"quartz,100,{cell}" for cell in cells), ""]), encoding="utf-8")

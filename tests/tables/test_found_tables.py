@@ -1,4 +1,4 @@
-"""Public tables as instruments, simulation codes and lists of materials write them.
+"""Public tables from instruments, simulation codes and lists of materials, in their original form.
 
 Each table is read as its record in found_tables.toml says, or refused with the remedy that the record names.
 """
@@ -54,7 +54,7 @@ _OTHER = re.compile(r"write (--(?:delimiter|format) \w+)")
 
 
 def named(message: str) -> list[str]:
-    """Return the option values that a message advises."""
+    """Return the choices that a message advises: values of `--column`, and other options with their values."""
     advice, _, passing = message.partition(", or --column")
     chosen = _COLUMN.findall(advice) or _COLUMN.findall(f"--column{passing}")
     return [shlex.split(value)[0] for value in chosen] + _OTHER.findall(message)

@@ -139,7 +139,7 @@ def started_by(process: "subprocess.Popen[Any]") -> list[str]:
     return found
 
 
-# This process gets a signal right after starting another process. With one thread, as in `run`, signals can wait.
+# This process gets a signal right after starting another process. With one thread, as in `run`, signals can be blocked.
 STRUCK = """
 import os
 from multiprocessing import util

@@ -274,7 +274,7 @@ def test_rows_with_row_names_keep_their_line_numbers(run: Run) -> None:
 @pytest.mark.parametrize(
     ("text", "words", "said"),
     [
-        # R writes different row names in quotes, and numbers without quotes.
+        # R writes row names in quotes, all of them distinct, and numbers without quotes.
         ("radius_nm gamma_mJ_m2\n1 100 25\n2 50 25\n", "--delimiter blank", "name each column in the header"),
         ('radius_nm,gamma_mJ_m2\n"100","25","3"\n', "", "name each column in the header"),
         ('radius_nm,gamma_mJ_m2\n"a",25,3\n"a",50,3\n', "", "name each column in the header"),
@@ -428,7 +428,7 @@ def test_a_row_of_units_is_read_in_every_layout(run: Run, text: str, words: str)
         ),
         ("# a\nradius,gamma_J_m2\nnm,mJ/m2\n100,25\n", "'gamma_J_m2' is above 'mJ/m2' in the row of units, line 3"),
         ("radius,gamma,nu [-]\nnm,mJ/m2,%\n100,25,20\n", "header: 'nu [-]' is above '%'"),
-        # The meaning is open even with the unit, as it is with a unit in the header.
+        # The meaning is unclear even with the unit, as it is with a unit in the header.
         ("r,gamma\nnm,mJ/m2\n100,25\n", "'r [nm]' (first cell '100'): r may be a distance. Write --column 'r [nm]="),
         ("radius,gamma,gamma_var\nnm,mJ/m2,mJ/m2\n100,25,2\n", "'gamma_var [mJ/m2]' (first cell '2'): it may be"),
     ],

@@ -26,7 +26,7 @@ BATCH = f"exec '{sys.executable}' -m jkroll batch --quiet --jobs 2"
     ],
 )
 def test_memory_does_not_grow_with_rows(command: str) -> None:
-    # Parquet is read in its groups of rows: by default, a group has a million rows.
+    # Parquet is read one group of rows at a time: by default, a group has a million rows.
     found: list[float] = []
     for rows in (MANY, 3 * MANY) if "parquet" in command else (FEW, MANY):
         write_table(Path("grains.csv"), rows)

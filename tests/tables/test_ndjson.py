@@ -43,14 +43,14 @@ def test_each_line_must_be_one_object(run: Run) -> None:
     assert found[4]["r_min [m]"] == approx(1.25e-7)
 
 
-def test_a_file_that_is_no_table_is_refused(run: Run) -> None:
+def test_a_file_that_is_not_a_table_is_refused(run: Run) -> None:
     for text, message in (("", "the table is empty"), ("[1]\n", "the first line is not a JSON object with members")):
         Path("x.ndjson").write_text(text, encoding="utf-8")
         assert run("batch x.ndjson").err == f"jkroll: {message}\n"
 
 
 def test_a_deeply_nested_value_spoils_at_most_its_row(run: Run) -> None:
-    """The library orjson reads up to 1000 brackets, and writes up to 254."""
+    """The library orjson reads up to 1000 nested brackets, and writes up to 254."""
     deep = "[" * 300 + "]" * 300
     rows = ['{"radius": "100nm"}', f'{{"radius": "100nm", "note": {deep}}}', f'{{"radius": {deep}}}']
     Path("x.ndjson").write_text("\n".join(rows) + "\n", encoding="utf-8")

@@ -71,7 +71,7 @@ def test_a_plane_in_a_written_list_is_read_as_a_plane(run: Run) -> None:
 
 @pytest.mark.parametrize("kind", ["float64", "float32", "float16", "int64", "int16", "uint8"])
 def test_numbers_of_any_type_and_nulls_are_read_as_in_csv(run: Run, monkeypatch: pytest.MonkeyPatch, kind: str) -> None:
-    """The file is read in several blocks, so columns are also read from a later row on."""
+    """The file is read in several blocks, so some reads of a column begin at a later row."""
     from jkroll.tables import parquet as batch
 
     values = [None if row % 5 == 3 else row % 50 + 50 for row in range(100)]
@@ -245,7 +245,7 @@ def test_a_table_without_columns_is_refused(run: Run) -> None:
 
 
 def test_the_size_of_each_batch_is_taken_once() -> None:
-    """Otherwise the time would grow as the square of the number of batches, and small groups of rows give many."""
+    """Otherwise the time would grow as the square of the number of batches; small groups of rows give many batches."""
     batches, sizes = [Mock() for _ in range(500)], [PropertyMock(return_value=1) for _ in range(500)]
     for batch, size in zip(batches, sizes, strict=True):
         type(batch).nbytes = size

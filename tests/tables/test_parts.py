@@ -106,7 +106,7 @@ def test_a_note_on_a_row_names_the_table_of_the_row(run: Run) -> None:
 
 
 def test_a_name_without_a_file_stops_no_other_table(run: Run, grains: list[str]) -> None:
-    """Such a name may be a link to a missing file, or that of a file removed during the run."""
+    """Such a name may be a link to a missing file, or the name of a file removed during the run."""
     Path("grains/away.csv").symlink_to("nowhere.csv")
     words = ("batch", "grains/*.csv", "-o", "forces/", "--quantities", "r_min")
     for resume in ([], ["--resume"]):
@@ -164,7 +164,7 @@ def test_several_processes_write_the_same_files_as_one(
     assert whole("forces") == whole("whole")
 
 
-def test_a_target_that_is_no_directory_is_refused(run: Run, grains: list[str]) -> None:
+def test_a_target_that_is_not_a_directory_is_refused(run: Run, grains: list[str]) -> None:
     message = "jkroll: several tables need a directory for the results: -o DIRECTORY/\n"
     for output in ([], ["-o", grains[0]], ["-o", f"{grains[0]}/"]):
         assert run("batch", "grains/*.csv", *output) == (2, "", message)

@@ -104,7 +104,7 @@ CELLS = {
     "1 000": None,
     "1e-7²": None,
     "1₀e-7": None,
-    **dict.fromkeys(("5①nm", "5⒈nm", "5⑴nm", "5ᵐ", "1\u202e2nm")),  # marks of footnotes
+    **dict.fromkeys(("5①nm", "5⒈nm", "5⑴nm", "5ᵐ", "1\u202e2nm")),  # marks of footnotes, and a control character
     "1×10⁻¹µm": 1e-7,
 }  # fmt: skip
 
@@ -133,10 +133,10 @@ def test_a_cell_is_read_or_refused_with_the_true_reason(cell: str) -> None:
         ("radius [nm]", ["5m1", "5 m", "1.5D-07", "5Q2"], [None, 5.0, None, None]),
     ],
 )
-def test_a_letter_and_digits_directly_after_a_number_are_no_unit(
+def test_a_letter_and_digits_directly_after_a_number_are_not_a_unit(
     head: str, cells: list[str], values: list[float | None]
 ) -> None:
-    """Cells that are read together give the same numbers as single cells."""
+    """The cells of a column are read together."""
     (column,) = understood([head]).inputs
     numbers = column.numbers({column.name: [cell.encode() for cell in cells]})
     assert [*numbers.odd] == [place for place, value in enumerate(values) if value is None]

@@ -182,7 +182,7 @@ def test_options_of_other_outputs_are_refused_with_a_file_of_rows(run: Run) -> N
     ],
 )
 def test_rows_without_a_result_are_still_a_table(run: Run, line: str, head: str) -> None:
-    """Rows need no inputs of quantities that are not shown."""
+    """Rows do not need the inputs of quantities that are not shown."""
     ran = run(line, terminal=True)
     assert ran.code == 1
     assert ran.out.startswith(head)
@@ -207,7 +207,7 @@ def listed(run: Run, way: str, line: str) -> list[dict[str, str]]:
 @pytest.mark.parametrize("way", ["", "--csv", "tsv", "ndjson", "parquet", "json"])
 @pytest.mark.parametrize("command", COMMANDS)
 def test_each_row_of_a_list_shows_its_radius(run: Run, command: str, way: str) -> None:
-    """Q by JKR, 6πγξ, depends on no radius, but Q by Maugis, the measured quantities and the doubts do."""
+    """Q by JKR, 6πγξ, depends on no radius, but Q by Maugis and the doubts do."""
     if way == "parquet":
         pytest.importorskip("pyarrow")
     rows = listed(run, way, f"{command} quartz,iron 10nm,100nm,1um --quantities Q")

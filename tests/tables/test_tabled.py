@@ -181,7 +181,7 @@ def test_a_table_without_rows_gets_columns_without_rows() -> None:
     assert {len(column) for column in found.values()} == {0}
 
 
-def test_a_series_is_no_table() -> None:
+def test_a_series_is_not_a_table() -> None:
     pandas = pytest.importorskip("pandas")
     with pytest.raises(jkroll.JkrollError, match="Series is not a table; give a DataFrame"):
         jkroll.table(pandas.Series([1.0], name="radius [nm]"), "P_c", material="quartz")

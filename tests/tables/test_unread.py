@@ -233,7 +233,7 @@ def test_advice_names_only_inputs_that_a_header_may_mean(head: str) -> None:
 
 
 @pytest.mark.parametrize("head", ["P_n {N}", "P_n / N", "P_n-N", "P_n_N", "P_n N"])
-def test_the_index_of_a_symbol_is_no_prefix_of_its_unit(head: str) -> None:
+def test_the_index_of_a_symbol_is_not_a_prefix_of_its_unit(head: str) -> None:
     """The load P_n is in N, not in nN."""
     assert outcome(Header(head, "load", 1.0, is_plain=False, is_of_2=False)) != MISREAD
 
@@ -244,6 +244,6 @@ def test_a_prefix_of_unclear_case_is_not_misread(head: str) -> None:
     assert outcome(Header(head, "energy", 1e-12, is_plain=False, is_of_2=False)) != MISREAD
 
 
-def test_the_symbol_of_a_header_is_no_prefix_of_its_unit() -> None:
+def test_the_symbol_of_a_header_is_not_a_prefix_of_its_unit() -> None:
     """The Hamaker constant A is in J, not in aJ."""
     assert outcome(Header("WALL_HAMAKER_A_J", "hamaker2", 1.0, is_plain=False, is_of_2=True)) == REFUSED

@@ -74,7 +74,7 @@ def test_files_and_lines_have_best_ranges_only_with_the_option_best(run: Run) ->
 
 @pytest.mark.parametrize("option", ["", "--best"])
 def test_a_row_without_a_value_by_the_law_in_use_fails_with_and_without_best(run: Run, option: str) -> None:
-    """A hysteresis of adhesion determines ξ by Maugis' law, but not in DMT."""
+    """A hysteresis of adhesion determines ξ by Maugis' law, but not by DMT."""
     words = "yield-force quartz 100nm,200nm --hysteresis-fraction 0.9 --model dmt --csv"
     ran = run(f"{words} {option}")
     assert (ran.code, ran.out.count("not in DMT")) == (1, 2)
@@ -123,7 +123,7 @@ REASONED = [
 
 @pytest.mark.parametrize("words", REASONED)
 def test_each_rule_has_a_reason_of_one_line(run: Run, words: str) -> None:
-    """The rows of surfaces are an exception: they have fractions and spheres of three sorts."""
+    """The rule `surface` is an exception: its reason has fractions for three sorts of spheres."""
     for material, size in product(("quartz", "silica-dry", "iron", "ice-warm", "PS", "mica"), ("2nm", "100nm", "20um")):
         ran = run(words.format(material, size), terminal=True)
         table = ran.out.partition("───\n")[2].splitlines()

@@ -286,9 +286,9 @@ def test_rubber_may_strain_beyond_linear_elasticity_and_other_solids_may_yield(r
 
 
 def test_doubts_about_the_headline_precede_other_doubts(run: Run) -> None:
-    """2a/(πR) = 2 · 16.61/(π · 50) = 0.2115 exceeds 0.1: the load strains the solid.
+    """2a/(πR) = 2 · 16.61/(π · 50) = 0.2115, which is p_H/E*, exceeds 0.1.
 
-    The other doubts exceed their limits by more, but concern no quantity of the headline.
+    The other doubts exceed their limits by more, but do not concern the headline.
     """
     lines = run("contact quartz 100nm --load 3uN").err.splitlines()
     note = [line for line in lines if line.startswith("note: ")][-1]  # after the note on the best range

@@ -20,7 +20,7 @@ from tuning import computed, tables_on_a_terminal
     ("columns", "first", "rows"),
     [("400", "material", 2), ("100", "material", 14), ("72", "material", 14), ("30", "material", 2)],
 )
-def test_scenes_are_rows_columns_or_several_tables_by_the_width_of_the_terminal(
+def test_scenes_are_rows_columns_or_several_tables_depending_on_the_width_of_the_terminal(
     run: Run, monkeypatch: pytest.MonkeyPatch, columns: str, first: str, rows: int
 ) -> None:
     """The table has thirteen results and the doubts; it has no best ranges, because the law is given."""
@@ -102,7 +102,7 @@ def test_only_values_by_jkr_have_its_definition(run: Run, monkeypatch: pytest.Mo
     assert " U_stick " not in of_law
 
 
-def test_one_warning_has_all_reasons_for_a_lack_of_meaning_even_with_quiet(run: Run) -> None:
+def test_one_warning_has_all_reasons_why_numbers_have_no_meaning_even_with_quiet(run: Run) -> None:
     found = {one["code"] for one in json.loads(run("report quartz 0.3nm --json").out)["validity"]}
     ending = [limit for limit in LIMITS if limit.ends_meaning and not found.isdisjoint(limit.codes.values())]
     assert len(ending) > 3
@@ -247,7 +247,7 @@ def test_a_list_with_long_names_fits_the_terminal_and_is_complete(run: Run, monk
     assert "variantofrolling_frequency_no_slip" in "".join(line[left:].replace(" ", "") for line in lines)
 
 
-def test_a_conflict_with_data_is_the_first_note_and_roughness_is_noted_from_1_um_on(run: Run) -> None:
+def test_a_conflict_with_data_is_the_first_note_and_roughness_is_noted_for_1_um_or_more(run: Run) -> None:
     of_ice = run("pull-off ice-cold 1um").err.splitlines()
     assert of_ice[1].startswith("note: γ of ice-cold (R = 0.5 to 5 µm): in conflict with µm grains")
     assert of_ice[-1] == "more: --explain"
