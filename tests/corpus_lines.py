@@ -128,7 +128,7 @@ def run(line: Line) -> Outcome:
     Raises RuntimeError outside of `among_input_files`.
     """
     if Path.cwd() not in _directories:
-        raise RuntimeError(f"{Path.cwd()} is no directory of among_input_files, which deletes all other files")
+        raise RuntimeError(f"{Path.cwd()} is not a directory of among_input_files, which deletes all other files")
     code, out, err = 0, "", ""
     with mock.patch.dict(os.environ, _ENVIRONMENT):
         for name in _FOREIGN:
@@ -168,7 +168,7 @@ def faults(line: Line, outcome: Outcome) -> list[str]:
 
 
 def _refuse(constant: str) -> NoReturn:
-    raise ValueError(f"{constant} is no number of JSON")
+    raise ValueError(f"{constant} is not a JSON number")
 
 
 # --- Outputs that a person has read -----------------------------------------------------------------------------------

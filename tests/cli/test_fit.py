@@ -354,7 +354,7 @@ def test_a_curve_is_written_point_by_point(run: Run, curve: str) -> None:
     [
         ("", "give its stiffness, as in --spring 3.01N/m"),
         ("--spring 0N/m", "must be positive"),
-        ("--spring 3N/m --branch up", "is none of both, load and unload"),
+        ("--spring 3N/m --branch up", "is not one of: both, load and unload"),
         ("--spring 3N/m --profile cone", "is not one of paraboloid, sphere"),
         ("--spring 3N/m --radius 1um --profile sphere", "0.45 or more, as in --poisson2 0.5"),
         ("--spring 3N/m --profile sphere --poisson2 0.5", "needs --radius"),
@@ -380,7 +380,7 @@ def test_wrong_options_of_fit_are_refused_with_a_reason(run: Run, curve: str, wo
         ("t,q\n1,2\n3,4\n", "no column has the contact radius, approach or travel"),
         ("travel [um],volts [V]\n1,2\n3,4\n", "no column has the force"),
         ("travel [um],force [V]\n1,2\n3,4\n", "no column has the force"),
-        ("travel [um],force [nN],branch\n1,2,up\n3,4,down\n", "is none of loading and unloading"),
+        ("travel [um],force [nN],branch\n1,2,up\n3,4,down\n", "is not one of: loading and unloading"),
         (
             "distance (nm),force (nN)\n1,2\n3,4\n",
             (
@@ -413,7 +413,7 @@ def broken(text: str, seed: int) -> bytes:
     if kind == 0:
         return text.encode()[: int(rng.integers(0, len(text)))]
     if kind == 1:
-        rng.shuffle(lines[1:])
+        lines[1:] = rng.permutation(lines[1:])
     elif kind == 2:
         lines = [line.replace(",", ";", 1) if rng.random() < 0.3 else line for line in lines]
     elif kind == 3:

@@ -240,7 +240,7 @@ ENDING = (
     ),
     Limit(
         "r_min_over_radius", frozenset({"r_min"}), "<", {1.0: "bend-below-sphere"},
-        "no chain bends within one of its spheres",
+        "no chain bends more sharply than the radius of its spheres",
         ends_meaning=True,
     ),
     Limit(

@@ -238,7 +238,7 @@ def _enough_to_roll(frame: Frame) -> Iterator[Note]:
         verdict = "rolls"
     has, needs = amount("energy", energy, _TWO), range_in_words("yield_energy", least)
     needs += _middle("yield_energy", least, is_short=True)
-    yield Note("lead", f"the sphere {verdict}: it has {has}, and to begin rolling takes {needs}")
+    yield Note("lead", f"the sphere {verdict}: it has {has}, and to begin rolling it needs {needs}")
 
 
 def _law_that_holds(answer: Answer) -> str:

@@ -55,7 +55,9 @@ _RULES = {  # assumed formulas, by the input that each replaces
     "work_of_adhesion": "w = 2√(γ1γ2)",
 }
 _DEFAULTS = {"load": "no load", "contact_angle": "θ_c = 0, water that wets"}
-FRICTION = Note("remark", "sliding and twisting are known only to an order of magnitude: τ = G/4π² (--shear-strength)")
+FRICTION = Note(
+    "remark", "sliding and twisting are known only within an order of magnitude: τ = G/4π² (--shear-strength)"
+)
 _UNLIKE = 3.0  # ratio of two surface energies above which their geometric mean is too high
 _MAX_NOTES = 1  # below results, in addition to the warning
 _MAX_LENGTH = 154  # characters of a note: two lines of a terminal

@@ -283,7 +283,7 @@ def _ceiling(answer: Answer) -> str:
 def _xi_unknown(answer: Answer) -> Iterator[str]:
     frame, rolled = answer.frame, what_rolled(answer.frame)
     if frame.missing(["hysteresis_ratio"]):
-        yield "not measured; 2 Å (one atom) or more; --xi or a material narrows it"
+        yield "not measured: 2 Å (one atom) or more; --xi or a material narrows it"
         return
     most = answer.ranges.at_full_hysteresis(XI)[1]
     ends = "from 2 Å to adhesion's limit" if isnan(most) else f"from 2 Å to {span(XI, most, most)} (adhesion's limit)"

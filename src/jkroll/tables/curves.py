@@ -180,7 +180,7 @@ def _branch_of(records: list[Records]) -> Any:
     for cell in dict.fromkeys(cells):
         if cell.casefold() not in _WORDS:
             known = "loading and unloading, approach and retract, 0 and 1, pause"
-            raise BadTable(f"branch: {quoted(cell)} is none of {known}")
+            raise BadTable(f"branch: {quoted(cell)} is not one of: {known}")
     return numpy.array([_WORDS[cell.casefold()] for cell in cells], dtype=object)
 
 

@@ -114,7 +114,7 @@ def input_format(path: str, target: str, stated: str = "", delimiter: str = "") 
     if delimiter:
         mark = DELIMITERS.get(delimiter, delimiter)
         if mark not in DELIMITERS.values():
-            raise BadTable(f"--delimiter: {quoted(delimiter)} is none of {', '.join(DELIMITERS)}")
+            raise BadTable(f"--delimiter: {quoted(delimiter)} is not one of: {', '.join(DELIMITERS)}")
         known = named or text
         return _divided(mark, known.compression if known else "")
     if named is not None:

@@ -122,7 +122,7 @@ def known_of(words: Mapping[str, str | None], spring: Any, given: Mapping[str, A
     """
     for name, choices in (("branch", _BRANCHES), ("baseline", _BASELINES)):
         if words.get(name) not in choices:
-            raise BadRequest(f"--{name}: {quoted(str(words.get(name)))} is none of {listed(choices)}")
+            raise BadRequest(f"--{name}: {quoted(str(words.get(name)))} is not one of: {listed(choices)}")
     name = law_given(words["model"], words["profile"]) or DEFAULT_LAW
     law, profile = (DEFAULT_LAW, SPHERE) if name == JKR_OF_SPHERE else (name, PARABOLOID)
     if profile == SPHERE:

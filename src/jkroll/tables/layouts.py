@@ -215,7 +215,7 @@ def unnamed_column(names: Sequence[str], rows: Sequence[Row], word: str, is_read
         remedy = "name each column in the header; R does with write.table(..., col.names = NA)"
     elif size < width and word == "blank":
         remedy = 'write a name with a blank in quotes, as in "radius [nm]"'
-    raise BadTable(f"header: it has {in_cells(width)}, and each row below, from line {number} on, has {size}: {remedy}")
+    raise BadTable(f"header: it has {in_cells(width)}, but each row, from line {number} on, has {size}: {remedy}")
 
 
 def _are_row_names(rows: Sequence[Row]) -> bool:

@@ -236,7 +236,7 @@ _ABOUT_DUST_SIMULATION = (
     "the lines are version, name, R1 [cm], density [g/cm³], γ per surface [mJ/m²], Poisson's ratio, Young's modulus "
     "[dyn/cm²], ξ [cm], damping factor, viscous time [s], and the modifiers of rolling, sliding and twisting; "
     f"damping factor {_DAMPING[0]} and viscous time {_DAMPING[1]} s are those of the code's own Silicate.mat, whose "
-    "grains have 0.6 µm; rolling, sliding and twisting modifiers are 1"
+    "grains have R1 = 0.6 µm; rolling, sliding and twisting modifiers are 1"
 )
 _DUST_COLLIDER = """\
 <material id = "1"> "{}"{} 0
