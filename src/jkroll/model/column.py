@@ -30,7 +30,7 @@ class Column(NamedTuple):
         return where(self.reasons == 0, self.values, number)
 
     def without(self, is_out: Any, number: int) -> "Column":
-        """Return the column with the cells `is_out` emptied, for the reason `number` unless they have one already."""
+        """Return the column with the cells `is_out` emptied; a cell that has no reason yet gets the reason `number`."""
         if not is_anywhere(is_out):
             return self
         return Column(where(is_out, nan, self.values), first_of(self.reasons, where(is_out, number, 0)))
@@ -43,7 +43,7 @@ class Column(NamedTuple):
 
 
 def first_of(reasons: Any, others: Any) -> Any:
-    """Return the reasons, with others in cells that have no reason; all are arrays, or numbers for all rows."""
+    """Return `reasons`, with those of `others` in cells without a reason; both are arrays, or numbers for all rows."""
     if isinstance(reasons, int):
         return reasons or others
     if others is reasons or (isinstance(others, int) and not others):

@@ -34,10 +34,10 @@ class Reader:
         self.quantity: Any = None  # the Quantity class of the last input with a unit
         self._formula = formula
         self._labelled: tuple[str, list[Axis]] | None = None  # the first input with labels
-        self._container: Any = None  # the array of pandas or xarray of this input
-        self._outer: Any = None  # an array with the labels of the results; None if the inputs have them
+        self._container: Any = None  # the array of pandas or xarray that was this input
+        self._outer: Any = None  # an array with the labels of the results; None if these are the labels of the inputs
         self._states_units = False  # True if an input has a unit among its attributes
-        self._owners: dict[Any, str] = {}  # by variable of the package uncertainties: its input
+        self._owners: dict[Any, str] = {}  # by variable of the package uncertainties: the input that depends on it
 
     def aligned(self, *groups: Mapping[str, Any]) -> list[dict[str, Any]]:
         """Return groups of inputs; arrays of pandas or xarray are aligned by their own library."""

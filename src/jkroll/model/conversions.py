@@ -16,8 +16,8 @@ def converted(given: Mapping[str, Any], of_solids: Mapping[str, Any], *, own_mat
 
     `of_solids`: the values of the materials, with their uncertainties. `own_material2`: True if sphere 2 has its own
     material; if not, sphere 2 takes the shear modulus and Poisson's ratio of sphere 1 unless others are given. A
-    shear modulus is kept if Poisson's ratio is missing. Raises BadRequest if the uncertainties of two inputs would be
-    correlated.
+    shear modulus without a Poisson's ratio is left unconverted. Raises BadRequest if the uncertainties of two inputs
+    would be correlated.
     """
     known = {**of_solids, **given}
     if not own_material2 and "poisson_ratio2" in given and given.keys().isdisjoint(_MODULI2) and _SHEAR in given:
@@ -47,7 +47,7 @@ def converted(given: Mapping[str, Any], of_solids: Mapping[str, Any], *, own_mat
 
 
 def lacked(missing: frozenset[str], stated: Collection[str]) -> frozenset[str]:
-    """Return the missing inputs; if a shear modulus was given, Poisson's ratio is missing instead of E."""
+    """Return the missing inputs, with Poisson's ratio in place of E if a shear modulus was given."""
     for modulus in ("shear_modulus", "shear_modulus2"):
         if modulus in stated and CONVERTED[modulus] in missing:
             missing = missing - {CONVERTED[modulus]} | {of_sphere(NOMENCLATURE[modulus].sphere, "poisson_ratio")}

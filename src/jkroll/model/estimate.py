@@ -54,12 +54,13 @@ _LAWS_THEMSELVES = (
 _OF_WATER = ("meniscus_force", "kelvin_radius", "threshold_humidity")
 _STICKING = {"sticking_speed": 1, "sticking_energy": 2}  # powers of the speed
 _LOSING = ("restitution", "lost_energy")
-# Any loss in a collision shifts these measured quantities in one direction only; so does an increase of one of _LOSE.
+# Any loss in a collision shifts each of these measured quantities in the same direction as an increase of a quantity in
+# _LOSE does.
 _LOSSES = frozenset({"restitution", "sticking_speed"})
 _LOSE = ("surface_energy", "work_of_adhesion", "hamaker", "viscous_time")
 _AS_PULL_OFF = ("pull_off_force", "bond_number")  # in proportion to the pull-off force
 _BREAKING = ("disruption_energy", "disruption_speed")  # from fits to simulations and from a work of separation
-# By result: the power with which it depends on a base quantity, the base, and the same base by Lennard-Jones' law.
+# By result: its power of a base quantity, this quantity, and the same quantity by Lennard-Jones' law.
 _BY_LENNARD_JONES = {
     **dict.fromkeys(_AS_PULL_OFF, (1.0, "pull_off_force", "pull_off_force_lennard_jones")),
     "well_energy": (1.0, "well_energy", "well_energy_lennard_jones"),
@@ -70,7 +71,7 @@ _BY_LENNARD_JONES = {
     "disruption_energy": (1.0, "pull_off_work", "well_energy_lennard_jones"),
     "disruption_speed": (0.5, "pull_off_work", "well_energy_lennard_jones"),
 }  # fmt: skip
-FRICTION_FACTOR = 3.0  # uncertainty of the assumed shear strength, up or down: an order of magnitude in all
+FRICTION_FACTOR = 3.0  # the assumed shear strength may be this factor too low or too high: an order of magnitude in all
 _SAME = 1e-9  # relative difference of two ends that counts as rounding
 _TOO_WIDE = reason(ENDS[CONTACT_EXCEEDS_SPHERE.codes[1.0]])
 
@@ -121,7 +122,8 @@ class Ranges:
     def estimate(self, name: str) -> Estimate:
         """Return the estimate of a result that has a number in some row.
 
-        Its rule is NONE where neither end has a meaning, and where the contact is wider than the smaller sphere.
+        Its rule is NONE where the result has no value, where it is meaningless and the range has no end, and where the
+        contact is wider than the smaller sphere.
         """
         low, high, by = _first(self._rules(name))
         has_end = (low <= inf) | (high <= inf)  # false for nan
@@ -165,12 +167,12 @@ class Ranges:
         return is_computed and other.formulas_to(name) == self.frame.formulas_to(name)
 
     def _is_from_losses(self, name: str) -> bool:
-        """Return whether a result is an input inferred from a collision as if it caused all losses."""
+        """Return whether a result is an input that was inferred from a collision as if this input caused all losses."""
         is_unknown = name in _LOSE and name in self.results.described.unknowns
         return is_unknown and not _LOSSES.isdisjoint(self.results.judged)
 
     def _of_one_law(self, name: str, own: Ends, rule: int) -> Iterator[Rule]:
-        """Iterate over the rules for a result of one law: the law itself, unless the atomic spacing is assumed."""
+        """Iterate over the rules for a result of one law: an assumed spacing if it widens the range, then the law."""
         if self.frame.assumes_spacing:
             low, high = self.hull(name, _itself, at_half_spacing)
             is_wider = (own[0] - low > _SAME * abs(own[0])) | (high - own[1] > _SAME * abs(own[1]))
@@ -200,9 +202,10 @@ class Ranges:
         yield True, low_of_all, high_of_all, LAW_IN_USE
 
     def _of_water(self, name: str, own: Ends) -> Rule:
-        """Return the rule for condensed water: up to the exact meniscus force or, with a gap, any force up to it.
+        """Return the rule for condensed water; a force lies between the first-order force and a bound of the exact one.
 
-        The first-order force counts as exact for small menisci, where it is within half a percent of the exact force.
+        With a gap, any force up to the first-order force is possible. For a small meniscus, both ends are the
+        first-order force, since the exact force is within half a percent of it.
         """
         if name != "meniscus_force":
             return True, *own, KELVIN
@@ -244,7 +247,7 @@ class Ranges:
     def _of_rolling(self, name: str) -> Iterator[Rule]:
         """Iterate over the rules for a rolling quantity with an assumed ξ: measured forces, then the limits of ξ.
 
-        At sizes far from the measured ones, both count.
+        At sizes far from the measured ones, the range covers both.
         """
         rolled = what_rolled(self.frame)
         least, most, is_known = nan, nan, False
@@ -264,7 +267,7 @@ class Ranges:
         yield True, low, high, XI_UNKNOWN
 
     def at_full_hysteresis(self, name: str, *laws: Make) -> Ends:
-        """Return the ends of a result if all of the work of adhesion is lost, by the better law or by these laws."""
+        """Return the ends of a result if all of the work of adhesion is lost, by `laws` or else by the better law."""
         makers = (then(law, at_full_hysteresis) for law in laws or _BETTER)
         return self.hull(name, *makers, needs="hysteresis_ratio")
 
@@ -287,8 +290,8 @@ class Ranges:
     def hull(self, name: str, *makers: Make, needs: str = "") -> Ends:
         """Return the least and the largest value of a result over variants of the frame, uncertainties included.
 
-        An end is open in the rows in which a variant beyond it has no meaning. With `needs`, a variant counts only in
-        rows where it also has that quantity.
+        An end is open in rows where the value of some variant lies beyond it but has no meaning. If `needs` names a
+        quantity, a variant counts only in rows where it has a value of this quantity, too.
         """
         low: Any = inf
         high: Any = -inf
@@ -366,10 +369,10 @@ class Ranges:
 
 
 def _ends_by(make: Make, frame: Frame, names: Iterable[str]) -> dict[str, tuple[Any, Any, Any]]:
-    """Return the ends of quantities in a variant of a frame, with the rows in which a limit ends their meaning.
+    """Return the ends of quantities in a variant of a frame, with the rows in which a limit makes them meaningless.
 
-    The ends are those of the uncertainty; without one, both are the value. If uncertainties cannot be computed, raises
-    the error for several rows; a single row gets no uncertainty.
+    The ends are those of the uncertainty; without one, both are the value. If uncertainties cannot be computed, a
+    frame of several rows raises the error, and a single row gets no uncertainty.
     """
     other = make(frame)
     columns, bars = other.columns(other.possible(names)), dict[str, ErrorBar]()

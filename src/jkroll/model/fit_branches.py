@@ -21,7 +21,7 @@ LEAST_POINTS = 5
 _NOISE = 5.0  # standard deviations of the noise above which a force is a signal
 _SMOOTH = 9  # points of a running median
 _END = 0.1  # fraction of a branch that counts as its end
-_FLATTER = 0.05  # largest rise over a free end, as a share of the range of forces; a straight line rises by 0.1
+_FLATTER = 0.05  # largest rise over a free end, as a share of the range of forces; a straight branch rises by 0.1
 _LOST = 0.5  # the contact is lost where less than this share of the largest tension is left
 _RISE = 0.05  # rise of the force where a lever lets go, as a share of the depth of the minimum
 _SHORT = 0.03  # least share of the points in a branch
@@ -105,7 +105,7 @@ class Branch(NamedTuple):
     has_free_part: bool = False
 
     def extended(self, first_z: float) -> Self:
-        """Return the branch with its contact extended, within reach, to all positions from `first_z` on."""
+        """Return the branch with its contact extended, within reach, to all positions z ≥ `first_z`."""
         held = numpy.nonzero(self.points.z[self.reach] >= first_z)[0]
         if self.name == UNLOADING:
             last = int(held[-1]) + 1 if len(held) else 0
@@ -129,7 +129,7 @@ class Branches(NamedTuple):
 
 
 def branches_of(curve: ForceCurve, stiffness: float, *, tilt: bool = False, only: str = "") -> Branches:
-    """Return the branches of a curve. `stiffness`: that of the lever, infinite without one. Raises BadCurve.
+    """Return the branches of a curve. `stiffness`: of the lever, infinite without a lever. Raises BadCurve.
 
     `only`: the name of the only branch to fit; a curve with a single branch is taken for this branch.
     """
@@ -270,12 +270,12 @@ def _is_concave(z: Array, force: Array) -> bool:
 
 
 def _is_flat(end: Array, spread: float) -> bool:
-    """Return whether the force hardly rises over some points, relative to the range of all forces."""
+    """Return whether the force hardly changes over some points, relative to the range of all forces."""
     return abs(float(numpy.polyfit(numpy.arange(len(end)), end, 1)[0])) * len(end) < _FLATTER * spread
 
 
 def _with_pull_negative(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
-    """Return the curve, with its force reversed if the force falls into the contact where unloading begins."""
+    """Return the curve, with the sign of the force reversed if the force falls with rising z where unloading begins."""
     which = slice(int(numpy.argmax(curve.z)), None) if curve.branch is None else curve.branch == UNLOADING
     part = curve.chosen(which) if len(curve.z[which]) >= LEAST_POINTS else curve
     order = numpy.argsort(part.z, kind="stable")[-max(LEAST_POINTS, len(part.z) // 20) :]
@@ -403,7 +403,7 @@ def _baseline(part: ForceCurve, free: slice, *, tilt: bool) -> Baseline | None:
 
 
 def _error_of_median(phi: float, count: int) -> float:
-    """Return the standard error of a median in units of the standard deviation, for normal noise correlated by φ.
+    """Return the standard error of a median in units of the standard deviation, for normal noise of correlation φ.
 
         n var = Σ arcsin ρ_k = π/2 + 2Σ(1 − k/n) arcsin φ^k
 

@@ -2,7 +2,7 @@
 
 The statistical error comes from the noise of the points, and of the baselines that are subtracted from them. The
 calibration error is the change of a result if R or k changes by its error. The model error is the change of a result
-with the fitted range, the shape of the sphere, the law and the atomic spacing.
+with the fitted range, the shape of the sphere, the law and the atomic spacing. Such changes are called moves.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -65,7 +65,7 @@ class Solution(NamedTuple):
         return values
 
     def refitted(self, setting: Setting, change: Callable[[Solved], Points] = _unchanged) -> Results:
-        """Return the results with another setting or changed points; fits start from the minima, and keep the noise."""
+        """Return the results with another setting or changed points; fits start from the minima with their noise."""
         main = minimum(change(self.main), setting, self.main.unknowns, self.main.free, self.main.minimum.noise)
         if self.other is None:
             return self.results(main, None)
@@ -139,7 +139,7 @@ def statistical_errors(solution: Solution, names: tuple[str, ...], covariance: A
 
 
 def by_calibration(few: Solution) -> dict[str, Results]:
-    """Return the moves of the results when radius and spring change by their errors, by cause."""
+    """Return, by cause, the moves of the results when the radius and the spring change by their errors."""
     problem, setting, known = few.problem, few.setting, few.problem.known
     moves: dict[str, Results] = {}
     if known.radius is not None and known.radius_error:
@@ -159,7 +159,7 @@ def _stronger(factor: float, part: Solved) -> Points:
 
 
 def _baseline_changes(solution: Solution) -> Iterator[tuple[Baseline, float, float]]:
-    """Iterate over uncertain baselines, each with the error of its force and with the error of its slope."""
+    """Iterate over the uncertain baselines, each once with the error of its force, and once with that of its slope."""
     for base in dict.fromkeys(part.branch.baseline for part in solution.parts):
         if base is not None and base.error:
             yield base, base.error, 0.0
@@ -168,7 +168,7 @@ def _baseline_changes(solution: Solution) -> Iterator[tuple[Baseline, float, flo
 
 
 def _shifted(base: Baseline, offset: float, slope: float, part: Solved) -> Points:
-    """Return points with a changed force, if their branch has this baseline."""
+    """Return the points of a branch, with shifted forces if the branch has this baseline."""
     points = part.points
     if part.branch.baseline != base:
         return points

@@ -12,7 +12,7 @@ from .fit_problem import NAMES
 from .fit_result import Errors, Fit
 
 _UNDETERMINED = 0.5  # standard deviation of ln E* above which E* is undetermined
-_POOR = 0.1  # rms over the pull-off force above which the curve is not that of a contact
+_POOR = 0.1  # rms misfit over the pull-off force, above which the curve is not that of a contact
 _WIDEST = 0.9  # a/R above which no theory of a half-space applies
 
 
@@ -38,7 +38,7 @@ def _longest_run(misfit: numpy.ndarray) -> int:
 
 
 def remarks_on(solution: Solution, result: Fit, by_spring: Results | None) -> Iterator[tuple[str, str]]:
-    """Iterate over codes with their sentences. `by_spring`: the moves of the results due to the spring's error."""
+    """Iterate over remarks as codes and sentences. `by_spring`: the moves of the results due to the spring's error."""
     main, good, errors = solution.main, result.goodness, result.errors
     has_adhesion = ADHESION in main.free
     if has_adhesion and main.branch.name == LOADING and result.kind != RADIUS:
@@ -82,7 +82,7 @@ def _on_spring(move: float, errors: Errors, modulus: float) -> Iterator[tuple[st
 
 
 def on_profile(values: Results, sphere: Results, errors: Mapping[str, Errors], width: float) -> Iterator[str]:
-    """Yield a sentence if the results for a sphere differ by more than their other errors."""
+    """Yield a sentence if the results for a sphere differ from the fitted values by more than the other errors."""
     names = [name for name in (*NAMES.values(), "contact_modulus") if name in values]
     if not any(abs(sphere[name] - values[name]) > errors[name].total for name in names[:1] + names[-1:]):
         return
@@ -93,7 +93,7 @@ def on_profile(values: Results, sphere: Results, errors: Mapping[str, Errors], w
 
 
 def _on_resting_edge(solution: Solution, points: Mapping[str, numpy.ndarray]) -> Iterator[tuple[str, str]]:
-    """Yield a remark if the edge is pinned: G changes by more than w/5 while a hardly changes."""
+    """Yield a remark if the edge is pinned: G changes by more than w/5 while the contact radius hardly changes."""
     is_own = (points["branch"] == solution.main.branch.name) & numpy.isfinite(points["release_rate"])
     if is_own.sum() < LEAST_POINTS:
         return

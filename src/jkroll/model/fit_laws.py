@@ -1,10 +1,10 @@
 """Force curves of the laws as functions of one variable, with the derivatives by ln w and ln E* that a fit needs.
 
 A variable q sets the state: the contact radius a in JKR, the approach δ in DMT, the edge ratio v in Maugis' law. Given
-q, formulas for a, δ and P are explicit, and so are their derivatives at fixed q. A fit compares loads at a measured x:
-an approach, the travel δ + P/k of a lever, or a contact radius.
+q, the formulas for a, δ and P are explicit. A fit compares loads at a measured x: an approach, the travel δ + P/k of a
+lever, or a contact radius.
 
-All values are floats or arrays of one dimension in SI units. `profile` is the shape of body 1; w and E* are positive.
+All values are in SI units: floats, or arrays of one dimension. `profile` is the shape of body 1; w and E* are positive.
 """
 
 from collections.abc import Callable, Mapping
@@ -23,7 +23,7 @@ _NEAR = 1e-10  # a smaller relative step is rounding
 _SECANTS = 60
 _STRETCH = 1e-5  # relative step of numerical derivatives
 _WIDEST = 1 - 1e-9  # largest a/R of a sphere
-_LEAST_RATIO = 1e-6  # edge ratio below which there is no contact
+_LEAST_RATIO = 1e-6  # edge ratio, or a/R, below which there is no contact
 
 
 class Contact(NamedTuple):
@@ -189,7 +189,10 @@ class Jkr(NamedTuple):
         return values, Values(1 + 0 * a, slope - rise, stiffness * (slope - 3 * rise))
 
     def last(self, contact: Contact, grip: Grip) -> float:
-        """Return the a where dx/da = 0: fold for fixed grips, pull-off for a dead load; nearly 0 if x is a radius."""
+        """Return the contact radius at which dx/da = 0, or nearly 0 if x is a radius.
+
+        Fixed grips lose the contact at the fold, a dead load loses it at pull-off.
+        """
         if grip.is_radius:
             return _LEAST_RATIO * contact.reduced_radius
         unloaded = contact_radius(**contact.without_spacing)
@@ -202,7 +205,7 @@ class Jkr(NamedTuple):
         return _root(slope, low, high)
 
     def start(self, x: Array, contact: Contact, grip: Grip, last: float, x_last: float) -> Array:
-        """Return an a that is too high at x, from the curvature at the last state; x itself if x is a radius."""
+        """Return a radius that is too large at x, from the curvature at the last state; x itself if x is a radius."""
         if grip.is_radius:
             return x
         radius, modulus = contact.reduced_radius, contact.contact_modulus
@@ -247,7 +250,7 @@ class Dmt:
         return 0.0
 
     def start(self, x: Array, contact: Contact, grip: Grip, last: float, x_last: float) -> Array:  # noqa: ARG002
-        """Return a δ that is too high at x, since the deflection of the lever is ignored."""
+        """Return an approach that is too large at x, since the deflection of the lever is ignored."""
         return x * x / contact.reduced_radius if grip.is_radius else numpy.maximum(x - x_last, 0)
 
     def most(self, contact: Contact) -> float:  # noqa: ARG002
@@ -285,7 +288,7 @@ class Maugis:
         return Values(q * span * length, approach * depth, load * force)
 
     def last(self, contact: Contact, grip: Grip) -> float:
-        """Return the v where dx/dv = 0; a small v if a vanishes first, or if x is a contact radius."""
+        """Return the v where dx/dv = 0; a small v if the contact radius vanishes first, or if x is a contact radius."""
         if grip.is_radius:
             return _LEAST_RATIO
         transition, *_ = _scales(contact)

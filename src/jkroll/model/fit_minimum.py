@@ -9,7 +9,7 @@ This residual stays finite where the contact is lost, although dP/dx = T/X diver
 state of the model has r = (x − x_last)/σ_x.
 
 Noise is white, or autoregressive of first order, r_i = φr_(i−1) + e_i. Residuals are whitened, and φ is corrected for
-its bias by smooth unknowns (Kendall). The residuals themselves give the scale of e. If fewer than 20 points are
+the bias that smooth unknowns cause (Kendall). The residuals themselves give the scale of e. If fewer than 20 points are
 independent, the residuals are a misfit of the model; the fit takes them as white, and multiplies the variances by the
 correlation time. Residuals beyond 3 standard deviations have Huber's weights.
 """

@@ -113,7 +113,7 @@ class Fit:
 
     @property
     def other_modulus(self) -> tuple[str, float] | None:
-        """The unknown Young's modulus, by name, if the other modulus and both Poisson's ratios are known.
+        """The unknown Young's modulus with its name, if the other modulus and both Poisson's ratios are known.
 
         (1 − ν²)/E = 1/E* − (1 − ν'²)/E'
         """

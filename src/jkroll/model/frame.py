@@ -45,7 +45,7 @@ from .reasons import (
 
 # --- Frames -----------------------------------------------------------------------------------------------------------
 
-IN_ITS_PLACE = (XI, "adhesion_hysteresis", "hysteresis_fraction")  # alternatives that set where rolling begins
+IN_ITS_PLACE = (XI, "adhesion_hysteresis", "hysteresis_fraction")  # alternative inputs that set where rolling begins
 DEFAULTS = {
     XI: 2e-10,
     "load": 0.0,
@@ -93,9 +93,9 @@ class Frame:
     """Two spheres, as far as they are described, and all quantities that follow from the description.
 
     `described` are the inputs by name, and `stated` are the same inputs after conversion. `given` adds the properties
-    of the materials, and drops uncertainties. `known` adds the names of defaults and of quantities that a single input
-    implies. `values` holds the known values and all results so far, nan for a missing result; `reasons` explains each
-    nan. Both hold arrays, or numbers that apply to all rows.
+    of the materials, and drops uncertainties. `known` has the names of these, of defaults, and of quantities that a
+    single input implies. `values` holds the known values and all results so far, nan for a missing result; `reasons`
+    explains each nan. Both hold arrays, or numbers that apply to all rows.
 
     >>> frame = Frame({"surface_energy": 0.025, "radius": 1e-7})
     >>> f"{frame['pull_off_force']:.4e}"
@@ -237,7 +237,7 @@ class Frame:
         return converted(self.described, known, own_material2=self.material2 is not None)
 
     def _displacement_of_solid(self) -> Interval | None:
-        """Return ξ of a common solid, scaled to these radii; None if there is none, or if an input replaces it."""
+        """Return ξ of the solid of both spheres, scaled to their radii; None if unknown, or if an input replaces it."""
         material, radius = self.material, self.given.get("radius")
         if material is None or material.displacement is None or radius is None:
             return None
@@ -488,7 +488,7 @@ class Frame:
         return failure_of(number, {parameter: at_row(self.values[each], row) for parameter, each in arguments.items()})
 
     def errors(self, columns: Mapping[str, Column], row: int = 0) -> dict[str, JkrollError]:
-        """Return the errors of columns without a value in a row, by name; hidden quantities are left out."""
+        """Return, by name, the errors of the columns that have no value in a row; hidden quantities are left out."""
         errors = {}
         for name, column in columns.items():
             number = at_row(column.reasons, row)
@@ -582,7 +582,7 @@ def _assumed(given: frozenset[str], has_displacement: bool) -> Mapping[str, floa
 
 
 def _implied(values: Mapping[str, Any], law: Law, uncertain: Collection[str]) -> dict[str, Mapping[str, float]]:
-    """Return the values that follow from a single input, or from its absence, by input.
+    """Return, by input, the values that follow from this input alone, or from its absence.
 
     Nothing follows from the middle of an uncertain value, since the values around it imply something else.
     """

@@ -20,8 +20,8 @@ from .unsolved import SIZES, already_given, inputs_named
 class Inverse(Frame):
     """A frame in which one or two inputs are unknown, and as many quantities are measured.
 
-    Its columns come from the frame `found`, in which the unknowns have values. The search starts with the first column
-    that is asked for; until then, placeholders for the unknowns suffice to make plans. A material's value of an unknown
+    Its columns come from the frame `found`, in which the unknowns have values. The search starts when the first column
+    is asked for; until then, placeholders for the unknowns suffice to make plans. A material's value of an unknown
     is not used.
     """
 
@@ -108,7 +108,7 @@ class Inverse(Frame):
     def solution(self) -> Solution:
         """The values of the unknowns, with the reasons of rows without a solution.
 
-        Raises BadRequest if the solids vary by row and an unknown is a property, of one sphere or of both.
+        Raises BadRequest if the solids vary by row and an unknown is a property, as its sphere is not known then.
         """
         solids = [solid.name for solid, _ in self.materials]
         if solids[1:] and not all(solids) and not {*PROPERTIES}.isdisjoint(self.unknowns):

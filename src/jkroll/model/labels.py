@@ -67,7 +67,7 @@ def _aligned_by_pandas(arrays: Sequence[Any]) -> tuple[Sequence[Any], Any]:
 
 
 def unit_stated(array: Any) -> Any:
-    """Return the unit among the attributes of an array, or of its dtype; None without one."""
+    """Return the unit among the attributes of an array, or the unit of its dtype; None without a unit."""
     attributes = {str(key).casefold(): value for key, value in dict(getattr(array, "attrs", {})).items()}
     for key in ("units", "unit"):
         if attributes.get(key) is not None:

@@ -40,7 +40,7 @@ class Limit:
         consequence: str,  # in words: the meaning of a number beyond the threshold
         applies: Callable[[Frame, Collection[str]], bool] | None = None,  # a test of a frame's results; None: always
         ends_meaning: bool = False,  # results beyond the limit have no meaning
-        conclusion: str = "",  # the quantity that states the verdict, such as "has_jump", if not the number
+        conclusion: str = "",  # the quantity that states the verdict if the number does not: "has_jump"
         # Computes the number to judge in place of the named one, such as the ratio of two answers.
         factor: Callable[[Frame, Mapping[str, Column]], Any] | None = None,
         where: Callable[[Frame], Any] | None = None,  # the rows in which the limit is judged
@@ -123,7 +123,7 @@ class Doubt:
 
     @cached_property
     def is_beyond(self) -> Any:
-        """The rows beyond the first threshold, or False if there are no such rows, as usual."""
+        """The rows beyond the first threshold, or False if there are no such rows, which is usual."""
         is_beyond = self.limit.is_beyond(self.judged, self.limit.threshold)
         return is_beyond if is_anywhere(is_beyond) else False
 
@@ -141,7 +141,7 @@ class Doubt:
 
     @cached_property
     def ends(self) -> Any:
-        """The reasons of rows in which the limit ends the meaning of results, 0 for others."""
+        """The reasons of rows in which the limit makes results meaningless, 0 for other rows."""
         return where(self.is_beyond, reason(ENDS[next(iter(self.limit.codes.values()))]), 0)
 
 
@@ -154,7 +154,7 @@ def _bits_where(condition: Any, bits: int, otherwise: Any) -> Any:
     return numpy.where(condition, numpy.int64(bits), otherwise)
 
 
-# Every quantity that depends on the law or on elasticity needs one of these. By DMT, neither the radius at an approach
+# Every quantity that depends on the law or on elasticity needs one of these. In DMT, neither the radius at an approach
 # nor Q/P_c without load needs the work of adhesion.
 _ELASTICITY = frozenset({"work_of_adhesion", "contact_radius_at_load", "yield_force_ratio"})
 _DISPLACEMENT = frozenset({"yield_displacement"})
@@ -170,7 +170,7 @@ _PULLED = frozenset({"pull_off_force", "bond_number"})
 _IMPACT = frozenset({"restitution", "lost_energy", "impact_pressure"})
 
 LAW_MATTERS = 1.05  # factor between the answers of two laws
-SOFT = 1e8  # contact modulus in Pa below which solids (rubbers, gels) close over their roughness
+SOFT = 1e8  # contact modulus in Pa below which solids (rubbers, gels) flatten their roughness
 RUBBERY = 0.49  # Poisson's ratio above which a solid stretches rather than yields
 
 
@@ -215,7 +215,7 @@ def _too_slow(name: str, least: float, code: str, energy: str) -> Limit:
     return Limit("energy_over_yield", of_turns, "<=", {least: code}, consequence, ends_meaning=True, gives_number=False)
 
 
-# Limits that end the meaning of results come first, then the law of attraction, then causes of inexact results.
+# Limits that make results meaningless come first, then the law of attraction, then causes of inexact results.
 CONTACT_EXCEEDS_SPHERE = Limit(
     "contact_over_sphere", _ELASTICITY | _DISPLACEMENT, ">", {1.0: "contact-exceeds-sphere"},
     "the contact is wider than the smaller sphere; the surface tension of the solid matters then",
@@ -393,7 +393,7 @@ BITS = {code: 1 << position for position, code in enumerate((*CODES, UNCHECKED))
 ENDING_MEANING = sum(limit.bits for limit in ENDING)
 NOT_JUDGED = BITS[UNCHECKED]
 EVERY_DOUBT = sum(BITS.values())
-# In words: the codes of limits that end the meaning of results (also reasons for empty cells), and of unjudged limits.
+# In words: the codes of limits that make results meaningless (also reasons for empty cells), and of unjudged limits.
 MEANINGS = {code: limit.consequence.partition(";")[0] for limit in ENDING for code in limit.codes.values()}
 ENDS = {code: register(EndOfMeaning(words, words, code=code)) for code, words in MEANINGS.items()}
 MEANINGS[UNCHECKED] = "a limit needs an input that is not given"

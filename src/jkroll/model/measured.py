@@ -44,7 +44,7 @@ def solid_of_pair(frame: Frame) -> str:
 
 
 class Rolled(NamedTuple):
-    """A measurement on identical pairs of one radius, and the pairs to which it is scaled with R^(2/3) or R."""
+    """A measurement on two identical spheres, and the pairs to which it is scaled with R^(2/3) or R."""
 
     name: str  # the quantity: the force or the displacement that starts rolling
     source: str
@@ -55,11 +55,11 @@ class Rolled(NamedTuple):
     energies: tuple[float, float] = (0.0, INFINITY)  # surface energies
 
     def least(self, radius: Any) -> Any:
-        """Return the least value for identical pairs of a radius."""
+        """Return the least value for two identical spheres of a radius."""
         return self.low * at_most(*_scales(radius / self.radius))
 
     def most(self, radius: Any) -> Any:
-        """Return the largest value for identical pairs of a radius."""
+        """Return the largest value for two identical spheres of a radius."""
         return self.high * at_least(*_scales(radius / self.radius))
 
     @property
@@ -79,7 +79,7 @@ class Rolled(NamedTuple):
         return (low <= energy) & (energy <= high)
 
     def has_size(self, radius: Any) -> Any:
-        """Return whether the measurement can be scaled to identical pairs of a radius."""
+        """Return whether the measurement can be scaled to two identical spheres of a radius."""
         least, most = self.radii
         return (least <= radius) & (radius <= most)
 
@@ -95,7 +95,7 @@ def _end_of(rolled: Rolled, end: Callable[[Rolled, Any], Any]) -> Make:
 
 
 def _rolled_at(rolled: Rolled, end: Callable[[Rolled, Any], Any], frame: Frame) -> Frame:
-    """Return a frame with the displacement that an end of a measurement implies, under the frame's law without load.
+    """Return a frame with the displacement that an end of a measurement implies without load, by the frame's law.
 
     A force measured at a very different radius may imply less than the assumed displacement of about one atom, which is
     the lower bound.
@@ -136,7 +136,8 @@ def what_rolled(frame: Frame) -> Rolled | None:
 class Stuck(NamedTuple):
     """The largest speed at which spheres of some radii stuck to a plane, as a power of the radius.
 
-    For other pairs, in the wider range of radii `carried`, this speed is scaled in proportion to the speed by a law.
+    For other pairs, in the wider range of radii `carried`, this speed is scaled in proportion to the sticking speed by
+    a law.
     """
 
     speed: float
@@ -214,7 +215,7 @@ def on_surfaces(frame: Frame, ends: tuple[float, float] | None = None) -> Mappin
     For SiO2 these are the measured forces, whatever surface energy the pair has.
     """
     radius, energy = frame["reduced_radius"], frame["work_of_adhesion"]
-    force = float(pull_off_force(work_of_adhesion=energy, reduced_radius=radius))  # JKR lacks rigid bodies
+    force = float(pull_off_force(work_of_adhesion=energy, reduced_radius=radius))  # frames have none for rigid bodies
     low, high = ends or (force, force)
     if solid_of_pair(frame) == SIO2:
         low = high = force * 2 * ENERGY_ON_SURFACES / energy

@@ -1,4 +1,4 @@
-"""The frame under another law of attraction, to compare with the law in use, and the difference between both laws."""
+"""The frame under another law of attraction, to compare with the law in use, and the factor between their results."""
 
 from collections.abc import Iterable, Mapping
 from functools import reduce

@@ -68,7 +68,7 @@ def plan_for(wanted: str, known: frozenset[str], own_material2: bool, model: str
 
 @lru_cache(maxsize=KEPT)
 def taken_by(names: tuple[str, ...], *plan_key: Any) -> frozenset[str]:
-    """Return the names of quantities and of the arguments of all their formulas; `plan_key`: see `plan_for`."""
+    """Return the names of quantities and of the arguments of all their steps; `plan_key`: see `plan_for`."""
     plans = [plan_for(name, *plan_key) for name in names]
     return frozenset(names).union(*(step.arguments for plan in plans for step in plan.steps.values()))
 

@@ -41,7 +41,7 @@ class Results:
         """
         self.described, self.computed, self.keeps_all = described, computed, keeps_all
         self.frame = described.found
-        self._ends: dict[tuple[int, ...], Any] = {}  # reasons, by the indices of limits that end meaning
+        self._ends: dict[tuple[int, ...], Any] = {}  # reasons, by the indices of limits that make results meaningless
 
     # --- Columns ------------------------------------------------------------------------------------------------------
 
@@ -71,7 +71,7 @@ class Results:
         return meant
 
     def without_meaning(self, column: Column, touching: Iterable[str]) -> Column:
-        """Return a column with reasons instead of values where a limit ends the meaning of a quantity in `touching`."""
+        """Return a column with reasons instead of values where a limit makes a quantity in `touching` meaningless."""
         reasons: Any = 0
         if column.is_empty:
             return column
@@ -85,7 +85,7 @@ class Results:
         return Column(where(reasons == 0, column.values, nan), first_of(column.reasons, reasons))
 
     def _ends_of(self, name: str) -> Any:
-        """Return the reasons of rows in which limits end meaning, shared by the quantities with the same limits."""
+        """Return the reasons of rows where limits make a quantity meaningless, computed once for each set of limits."""
         ending = () if name in NUMBERS_OF_LIMITS else self.ending
         concerned = tuple(index for index, doubt in enumerate(ending) if concerns(doubt.limit, self.frame, [name]))
         if concerned not in self._ends:
@@ -99,7 +99,7 @@ class Results:
 
     @cached_property
     def ended(self) -> dict[str, Any]:
-        """The rows in which a limit ends the meaning of a result, for each quantity that has such rows."""
+        """The rows in which a limit makes a result meaningless, for each quantity that has such rows."""
         ended = {}
         for name, column in self.computed.items():
             meant = self.meant[name]
@@ -138,24 +138,24 @@ class Results:
 
     @cached_property
     def ending(self) -> Sequence[Doubt]:
-        """The limits that end the meaning of results, judged for all columns with values."""
+        """The limits that make results meaningless, judged for all columns with values."""
         known = {name: column for name, column in self.judged.items() if not column.is_empty}
         return doubts(self.frame, known, ENDING)
 
     @cached_property
     def validity(self) -> Sequence[Doubt]:
-        """The limits of the model: each is judged for values with a meaning, or has the reason why it was not."""
+        """The limits of the model, each judged, or with the reason why it was not judged."""
         known = {name: column for name, column in self.judged_meant.items() if not column.is_empty}
         unjudged = [doubt for doubt in self._of_resting if doubt.error is not None]
         return [*self.ending, *self.inexact(known), *unjudged]
 
     def inexact(self, columns: Mapping[str, Column]) -> list[Doubt]:
-        """Return the limits that do not end meaning, judged for columns."""
+        """Return the limits that leave results meaningful, judged for columns."""
         return doubts(self.frame, columns, INEXACT)
 
     @cached_property
     def _of_resting(self) -> Sequence[Doubt]:
-        """The limits that do not end meaning, judged for columns whose empty cells need an atomic spacing."""
+        """The limits that leave results meaningful, judged for columns whose empty cells need an atomic spacing."""
         return self.inexact(self._resting)
 
     @cached_property
@@ -177,7 +177,7 @@ class Results:
 
     @property
     def ending_bits(self) -> Any:
-        """The codes of the limits that end the meaning of results, as bits, row by row."""
+        """The codes of the exceeded limits that make results meaningless, as bits, row by row."""
         return self._bits_of_ending & ENDING_MEANING
 
     @property
@@ -197,7 +197,7 @@ class Results:
         return errors
 
     def open_bars(self, row: int = 0) -> dict[str, JkrollError]:
-        """Return an error for each result of a row without an uncertainty, as it has no value at an end of an input."""
+        """Return, by name, an error for each result of a row without an uncertainty: it lacks a value at some point."""
         errors: dict[str, JkrollError] = {}
         for name, bar in self.bars.items():
             if at_row(bar.open_at, row):

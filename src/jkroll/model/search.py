@@ -35,7 +35,7 @@ Values = Mapping[str, Any]  # by name: numbers, or arrays with a value for each 
 Failures = Mapping[int, JkrollError]  # by row
 
 PER_DECADE = 8  # values in a scan
-_AS_SHOWN = 1e-3  # largest relative error of a measured quantity at a solution, also if rounded to the digits shown
+_AS_SHOWN = 1e-3  # largest relative error of a measured quantity at a solution, also if rounded for display
 _STEP = 1e-6  # step of a logarithm, for numerical derivatives
 _ROUNDS = 150  # of bisection or of Newton's method: enough to reach neighbouring doubles
 _ROUNDING = 1e-13  # relative change of a quantity that may come from rounding
@@ -159,7 +159,7 @@ def solved(problem: Problem, start: Any = None) -> Solution:
         raise failures[0]
     measures, positions = table[: 2 * count + 1], table[2 * count + 1 :]
     for row in measures[count:]:
-        row[:] = [float(f"{number:.6g}") for number in row]  # keeps digits that rounding does not reach
+        row[:] = [float(f"{number:.6g}") for number in row]  # keeps the digits that rounding does not change
     *columns, condition = measures.reshape(2 * count + 1, *problem.shape) if problem.shape else measures[:, 0].tolist()
     values, growths = (dict(zip(problem.unknowns, part, strict=True)) for part in (columns[:count], columns[count:]))
     reasons: Any = 0
@@ -183,7 +183,7 @@ def grid(name: str, sizes: tuple[float, float]) -> Any:
 
 
 def slopes(y: Any) -> Any:
-    """Return slopes from three points a step apart; from two points if y is nan at one end, and nan if at both ends."""
+    """Return slopes from three points a step apart; from two if y is nan at one end; nan if y is nan at both ends."""
     low, high = numpy.diff(y, axis=0) / _STEP
     return numpy.where(numpy.isnan(low), high, numpy.where(numpy.isnan(high), low, (low + high) / 2))
 
@@ -230,7 +230,7 @@ class Scan:
         self.span, self.stretch = numpy.full((2, 2, size), nan)
 
     def outcomes(self, sizes: tuple[float, float]) -> list[Any]:
-        """Return for each row the only value of the unknown between two sizes, or the error."""
+        """Return for each row the root between two sizes, or the error if there is not exactly one."""
         rows, roots = self.roots(sizes)
         return [self._outcome(row, roots[rows == row].tolist()) for row in range(len(self.levels))]
 
@@ -444,7 +444,7 @@ class Pairs:
         return table[:, :1]
 
     def _starts(self, mesh: Any, residuals: Any) -> Any:
-        """Return starts in the cells of a grid where both measured values lie between corners, or next to a gap.
+        """Return starts in cells of a grid: where both measured values lie between those of corners, or next to a gap.
 
         A start is the mean of the corners where both quantities have values. Next to a gap, a position close to its
         edge is another start.

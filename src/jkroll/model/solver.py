@@ -287,7 +287,7 @@ def values_of(frame: Frame, names: Sequence[str]) -> dict[str, Any]:
 
 
 def refuse_arrays(described: Mapping[str, Any], mistake: str, remedy: str) -> None:
-    """Raise QuantityError for an array where only a single scene is allowed. `mistake`, `remedy`: its words."""
+    """Raise QuantityError for an array where only a single scene is allowed. `mistake` and `remedy` word the error."""
     for name, value in described.items():
         if not (isinstance(value, float) or is_uncertain(value)):
             raise QuantityError(name, "an array", mistake, remedy)

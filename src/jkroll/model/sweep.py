@@ -110,7 +110,7 @@ class Sweep:
 
     @cached_property
     def groups(self) -> list[Frame]:
-        """An example of each group of rows; a group has one pair of materials, one law, and one sort of each value."""
+        """An example of each group of rows, which share the materials, the law and the sort of value of each input."""
         materials: dict[Material, None] = {}
         for pair in self.pairs:
             materials |= dict.fromkeys(material for material in pair if material is not None)

@@ -1,8 +1,8 @@
 """Uncertainties of results: standard uncertainties of the inputs add in quadrature, ranges give extremes.
 
 Each source, an uncertain input, moves over its whole uncertainty, and the quantities are computed again at every point.
-There are no derivatives, so a result may respond differently on either side. Ranges span a box, and a result takes its
-least and its largest value from points along the edges. These extremes are accurate to 1 % of the range if
+There are no derivatives, so a result may respond differently upwards and downwards. Ranges span a box, and a result
+takes its least and its largest value from points along the edges. These extremes are accurate to 1 % of the range if
 the result varies smoothly.
 """
 
@@ -300,7 +300,7 @@ def edges_of(sources: Sequence[Source]) -> list[list[dict[str, Any]]]:
 
 
 def _steps(low: Any, high: Any) -> list[Any]:
-    """Return values from one end of a range to the other: by ratio, or by difference if 0 lies between."""
+    """Return values across a range: in equal ratios if its ends have the same sign, otherwise in equal steps."""
     is_by_ratio = low * high > 0
     ratio = where(is_by_ratio, high, 1.0) / where(is_by_ratio, low, 1.0)
     values = [low]

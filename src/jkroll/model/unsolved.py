@@ -130,7 +130,7 @@ def already_given(name: str) -> BadRequest:
 
 
 def sizes_in_words(unknowns: Iterable[str]) -> str:
-    """Return the range of values of inputs in which solutions are searched, in words."""
+    """Return the range of values of inputs in which solutions are sought, in words."""
     texts = []
     for name in unknowns:
         symbol = "|P|" if name == "load" else NOMENCLATURE[name].symbol

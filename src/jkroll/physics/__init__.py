@@ -1,14 +1,14 @@
 """The formulas of Dominik & Tielens, and of other laws of attraction: plain functions of SI numbers, floats or arrays.
 
-A formula's name and its parameters' names are names of the nomenclature, but for a few that only derivations use: that
+A formula's name and its parameters' names are names of the nomenclature, except a few that only derivations use: that
 is all the wiring there is. Parameters are passed by name, because three radii, two energies per area (γ and w = 2γ) and
 five forces are easily exchanged.
 
-A formula gives a float for floats, and an array for arrays, which broadcast. Its annotations have the units, by their
-names in `dimensions`. Its arguments are positive, but for these, where its docstring does not say otherwise:
+A formula gives a float for floats, and an array for arrays, which broadcast. Its annotations give the units, by
+their names in `dimensions`. Unless its docstring says otherwise, its arguments are positive, with these exceptions:
 
-- loads and approaches have a sign, and tension is negative; so have pressures, positions and `load_constant`;
-- `radius2` is infinite for a plane, Young's moduli are for a rigid body, `mass2` and `moment_of_inertia2` if held;
+- loads, approaches, pressures, positions and `load_constant` have a sign, and tension is negative;
+- `radius2` is infinite for a plane, Young's moduli for rigid bodies, `mass2` and `moment_of_inertia2` for a fixed body;
 - `radius_ratio` is 0 on a plane, edge ratios and `contact_radius_at_load` are 0 without contact;
 - `load_margin` is 0 at pull-off, and negative between pull-off and the fold;
 - Poisson's ratios lie between −1 and 1/2, filling factors below 0.74, humidities below 1, contact angles below π/2.

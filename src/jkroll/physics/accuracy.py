@@ -1,11 +1,11 @@
-"""The accuracy of every formula: its error in units of the last place, above what those of its arguments make of it.
+"""The accuracy of every formula: its error in units of the last place, beyond what the errors of its arguments cause.
 
-The tests hold each formula to it, by floats and by arrays, against references of 50 to 120 digits.
+The tests hold each formula to this, for floats and for arrays, against references of 50 to 120 digits.
 """
 
 USUAL = "3 ulp"
-# The formulas whose accuracy is another. "Of the larger term": the error is measured against that, as terms may cancel.
-# That of a state at an approach holds at the fold too, where the state itself is ill-conditioned.
+# The formulas with another accuracy. "Of the larger term": the error is relative to that term, as terms may cancel. The
+# accuracy of a state at an approach also holds at the fold, where the state itself is ill-conditioned.
 _OTHERS = {
     "1 ulp of 2x": "load_margin_of_factor",
     "1.5 ulp, for the two forces as they are given": "load_margin",
@@ -61,5 +61,5 @@ OTHERS = {formula: accuracy for accuracy, formulas in _OTHERS.items() for formul
 
 
 def accuracy_of(formula: str) -> str:
-    """Return the accuracy of the formula with a name: "3 ulp", "7 ulp of the largest term"."""
+    """Return the accuracy of a formula, by its name: "3 ulp", "7 ulp of the largest term"."""
     return OTHERS.get(formula, USUAL)

@@ -1,8 +1,8 @@
-"""Rolling under any law of attraction, from one force: F_a = P_H − P, Hertz' load at the contact radius less the load.
+"""Rolling under any law of attraction, from one force: F_a = P_H − P, Hertz' load at the contact radius minus the load.
 
 The moment of a contact whose attraction lags behind by ξ is F_aξ to first order in ξ, whatever the law: 4P_c â^(3/2) ξ
-in JKR, which is Eq (25), and 2πwRξ in DMT at every load. Below: the parameter of the transition from JKR to DMT, the
-strength of attraction, a fit of the pull-off force, and what follows from a Hamaker constant and a cutoff distance.
+in JKR, which is Eq (25), and 2πwRξ in DMT at every load. Also here: the parameter of the transition from JKR to DMT,
+the strength of attraction, a fit of the pull-off force, and what follows from a Hamaker constant and a cutoff distance.
 """
 
 from __future__ import annotations
@@ -10,12 +10,12 @@ from __future__ import annotations
 from .dimensions import Energy, Force, Frequency, Length, Mass, Moment, MomentPerAngle, Number, Stress, SurfaceEnergy
 from .elementary import cbrt, cube, pi, sqrt, within
 
-_WELL_OF_RIGID = 16 / 7 * cbrt(2.0)  # the energy over πwRz0 to part rigid spheres that attract by the 3-9 law
-_WORK_OF_RIGID = 0.3083909711882815195  # that up to where they pull most, (16/7)∛2 - 18/7, in which terms cancel
+_WELL_OF_RIGID = 16 / 7 * cbrt(2.0)  # energy to part rigid spheres that attract by the 3-9 law, in πwRz0
+_WORK_OF_RIGID = 0.3083909711882815195  # its part up to their largest pull, (16/7)∛2 - 18/7, in which terms cancel
 
 
 def adhesive_force(*, pull_off_force: Force, load_factor: Number) -> Force:
-    """Return Hertz' load at the contact radius less the load, in JKR.
+    """Return Hertz' load at the contact radius minus the load, in JKR.
 
         F_a = 4E*a³/(3R) − P = 4P_c â^(3/2)
 
@@ -117,7 +117,7 @@ def yield_displacement_at_hysteresis(
     reduced_radius: Length,
     adhesive_force: Force,
 ) -> Length:
-    """Return the displacement at which the rolling moment is what a hysteresis of adhesion supplies.
+    """Return the displacement at which the rolling moment is the one that the hysteresis of adhesion supplies.
 
         ξ = 2cRΔw/F_a, which is aΔw/(3πwx) in JKR
 
@@ -133,7 +133,7 @@ def yield_displacement_at_hysteresis(
 def hysteresis_ratio(
     *, yield_moment: Moment, zone_radius: Length, reduced_radius: Length, work_of_adhesion: SurfaceEnergy
 ) -> Number:
-    """Return the rolling moment over the largest that adhesion hysteresis supplies.
+    """Return the rolling moment over the largest moment that adhesion hysteresis can supply.
 
         M/(2cRw)
 
@@ -201,7 +201,7 @@ def well_energy_lennard_jones(
 def dead_load_work_lennard_jones(
     *, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, atomic_spacing: Length, tabor_parameter: Number
 ) -> Energy:
-    """Return the work that pulls two spheres of the 3-9 law from rest to where a dead load tears them apart.
+    """Return the work to pull two spheres that attract by the 3-9 law from rest to where a dead load tears them apart.
 
         U_load = πwRz0 (0.30839 + 12.894 μ^1.613/(1 + 3.608 μ^0.924))
 
@@ -241,7 +241,7 @@ def work_of_adhesion_of_hamaker(*, hamaker: Energy, hamaker2: Energy, cutoff: Le
 
 
 def atomic_spacing_of_cutoff(*, cutoff: Length) -> Length:
-    """Return the atomic spacing of the 3–9 law that has this Hamaker constant and this work of adhesion.
+    """Return the atomic spacing of the 3–9 law with the Hamaker constant and work of adhesion that go with a cutoff.
 
         z0 = (√3/2)D0
 

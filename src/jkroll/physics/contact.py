@@ -3,8 +3,8 @@
 Sphere 2 may be a plane (`radius2` infinite), may be rigid (`youngs_modulus2` infinite), and may be held fixed (`mass2`
 infinite).
 
-A load is positive in compression and negative in tension; the stable branch is meant. The load enters through
-s = √(1 + P/P_c) alone (`load_margin`), which is 1 without load and 0 at pull-off and loses no digit there.
+A load is positive in compression and negative in tension; the formulas are for the stable branch. The load enters only
+through s = √(1 + P/P_c) (`load_margin`), which is 1 without load, and 0 at pull-off, where it loses no digits.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from .elementary import at_least, at_most, cbrt, cube, in_series, pi, sqrt
 
 
 def work_of_adhesion(*, surface_energy: SurfaceEnergy, surface_energy2: SurfaceEnergy) -> SurfaceEnergy:
-    """Return the work to separate unit area of the contact: twice the geometric mean of the two surface energies.
+    """Return the work to separate a unit area of the contact: twice the geometric mean of the two surface energies.
 
         w = 2√(γ1 γ2), which is 2γ for identical solids
 
@@ -87,7 +87,7 @@ def contact_modulus(
 
 
 def modulus_over_energy(*, contact_modulus: Stress, work_of_adhesion: SurfaceEnergy) -> PerLength:
-    """Return the contact modulus over the surface energy, the one material constant in the turns at W0 = P_cδ0.
+    """Return the contact modulus over the surface energy, the only material constant in n_roll at W0 = P_cδ0.
 
         E*/γ = 2E*/w
 
@@ -435,7 +435,7 @@ def tabor_parameter(
 
 
 def displacement_limit(*, contact_radius: Length, load_factor: Number) -> Length:
-    """Return the displacement of the contact circle beyond which its leading edge would interpenetrate.
+    """Return the displacement of the contact circle beyond which the bodies would interpenetrate at its leading edge.
 
         a0/(3√â)
 
@@ -481,7 +481,7 @@ def hertz_pressure_over_modulus(*, hertz_pressure: Stress, contact_modulus: Stre
 
 
 def profile_error(*, contact_radius_at_load: Length, radius: Length, radius2: Length) -> Number:
-    """Return how far the model's paraboloids are from the spheres at the edge of the contact, relative to their depth.
+    """Return the gap between the model's paraboloids and the spheres at the contact's edge, over the paraboloid depth.
 
         a²(R1⁻³ + R2⁻³)/(4(R1⁻¹ + R2⁻¹)) = a²(R1⁻² − R1⁻¹R2⁻¹ + R2⁻²)/4
 
@@ -538,7 +538,7 @@ def yield_energy(*, work_of_adhesion: SurfaceEnergy, yield_displacement: Length,
 
 
 def energy_over_yield(*, energy: Energy, yield_energy: Energy) -> Number:
-    """Return the energy of sphere 1 over that which makes the contact yield.
+    """Return the energy of sphere 1 over the energy that makes the contact yield.
 
         W0/(3πw â^(3/2) ξ²)
 
@@ -550,7 +550,7 @@ def energy_over_yield(*, energy: Energy, yield_energy: Energy) -> Number:
 
 
 def energy_over_sticking(*, energy: Energy, sticking_energy: Energy) -> Number:
-    """Return the energy of sphere 1 over the largest that sticks: above 1 a head-on impact ends apart.
+    """Return the energy of sphere 1 over the largest at which it sticks: above 1, it bounces off in a head-on impact.
 
         W0/U_stick
 

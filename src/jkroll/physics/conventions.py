@@ -1,8 +1,8 @@
 """Energies, speeds and strengths as others define them: of a contact, and of aggregates of identical grains.
 
-Each is the formula of a paper or of a public code, which the nomenclature names. Those of a contact, to break it, to
-roll it and to stick, start without load. Two equal aggregates of N grains each collide: the impact energy is that of
-their relative motion, ½(N m1/2)v².
+Each is the formula of a paper or of a public code, which the nomenclature names. The energies to break a
+contact, to roll it and to stick start without load. Two equal aggregates of N grains each collide: the impact energy is
+that of their relative motion, ½(N m1/2)v².
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from __future__ import annotations
 from .dimensions import Angle, Energy, Length, Mass, Moment, Number, Speed, Stress, SurfaceEnergy
 from .elementary import cube, pi, sqrt
 
-# In P_cδ0, which is (81π⁵)^(1/3) γ^(5/3)R^(4/3)/E*^(2/3).
+# In units of P_cδ0, which is (81π⁵)^(1/3) γ^(5/3)R^(4/3)/E*^(2/3).
 STICKING_PASZUN_DOMINIK = 0.32895869205467987  # (8π/3) 1.07²/(81π⁵)^(1/3)
 STICKING_PENCIL_CODE = 0.6585009935846583  # 19.2/(81π⁵)^(1/3)
 CLOSEST_PACKING = 0.74  # the largest filling factor of equal spheres
@@ -62,7 +62,7 @@ def roll_energy_half_turn(*, unloaded_moment: Moment) -> Energy:
 
 
 def sticking_energy_paszun_dominik(*, adhesion_energy: Energy) -> Energy:
-    """Return the largest relative energy that sticks for a speed of 1.07 (γ/R)^(5/6)/(E*^(1/3)ρ^(1/2)).
+    """Return the largest relative energy at which spheres stick, for a speed of 1.07 (γ/R)^(5/6)/(E*^(1/3)ρ^(1/2)).
 
         E_stick = (8π/3) 1.07² γ^(5/3) R^(4/3)/E*^(2/3) = 0.3290 P_cδ0
 
@@ -73,7 +73,7 @@ def sticking_energy_paszun_dominik(*, adhesion_energy: Energy) -> Energy:
 
 
 def sticking_energy_pencil_code(*, adhesion_energy: Energy) -> Energy:
-    """Return the largest relative energy that sticks as the Pencil Code has it.
+    """Return the largest relative energy at which spheres stick, as in the Pencil Code.
 
         E_stick = 2·9.6 γ^(5/3) R^(4/3)/E*^(2/3) = 0.6585 P_cδ0
 
@@ -85,18 +85,18 @@ def sticking_energy_pencil_code(*, adhesion_energy: Energy) -> Energy:
 
 
 def sticking_speed(*, sticking_energy: Energy, reduced_mass: Mass) -> Speed:
-    """Return the largest relative speed at which spheres stick that lose what jump-in and the fold dissipate.
+    """Return the largest relative speed at which spheres stick if only jump-in and the fold dissipate energy.
 
         v = √(2U_stick/m) = √(14.18/m) (w⁵R⁴/E*²)^(1/6)
 
     Source:   Thornton & Ning 1998, Eq 54.
     Valid:    A head-on collision without other loss.
     """
-    return sqrt(2 * sticking_energy) / sqrt(reduced_mass)  # near DMT, the quotient leaves the doubles
+    return sqrt(2 * sticking_energy) / sqrt(reduced_mass)  # near DMT, the quotient is outside the range of doubles
 
 
 def sticking_speed_paszun_dominik(*, sticking_energy_paszun_dominik: Energy, reduced_mass: Mass) -> Speed:
-    """Return the largest relative speed at which spheres stick after Paszun & Dominik.
+    """Return the largest relative speed at which spheres stick, as in Paszun & Dominik.
 
         v = √(2E_stick/m), which for equal spheres is 1.07 (γ/R)^(5/6)/(E*^(1/3)ρ^(1/2))
 
@@ -107,7 +107,7 @@ def sticking_speed_paszun_dominik(*, sticking_energy_paszun_dominik: Energy, red
 
 
 def sticking_speed_pencil_code(*, sticking_energy_pencil_code: Energy, reduced_mass: Mass) -> Speed:
-    """Return the largest relative speed at which spheres stick as the Pencil Code has it.
+    """Return the largest relative speed at which spheres stick, as in the Pencil Code.
 
         v = √(2E_stick/m)
 
@@ -121,7 +121,7 @@ def sticking_speed_pencil_code(*, sticking_energy_pencil_code: Energy, reduced_m
 
 
 def contacts(*, monomers: Number) -> Number:
-    """Return the number of contacts of an aggregate for which none is given.
+    """Return the number of contacts of an aggregate if it is not given.
 
         n_c = N
 
@@ -154,7 +154,7 @@ def restructuring_speed(*, restructuring_energy: Energy, monomers: Number, mass:
 
 
 def restructuring_speed_ormel(*, restructuring_energy_ormel: Energy, monomers: Number, mass: Mass) -> Speed:
-    """Return the relative speed at which two equal aggregates begin to restructure, as Ormel et al. take it.
+    """Return the relative speed at which two equal aggregates begin to restructure, as in Ormel et al.
 
         v = √(4E_restr/(N m1))
 

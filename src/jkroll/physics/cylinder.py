@@ -1,8 +1,8 @@
 """The same contact in two dimensions, a cylinder on a rigid plane: Eqs 50-78, all per length of the cylinder.
 
 The strip in contact is 2a wide. Its centre, X = 0, lags by ξ behind the contact point, x = X − ξ = 0, below the axis.
-Where the paper has E, this appendix means E′ = E/(1 − ν²). Two parallel cylinders have the reduced R and E′. An area C
-stands for the load; a contact without adhesion has C = a²/2, and p, the pressure, is negative in tension.
+In this appendix, the paper writes E for E′ = E/(1 − ν²). For two parallel cylinders, R and E′ are the reduced ones. An
+area C stands for the load; a contact without adhesion has C = a²/2, and p, the pressure, is negative in tension.
 """
 
 from __future__ import annotations
@@ -87,7 +87,7 @@ def half_strips_moment(
     plane_strain_modulus: Stress,
     load_constant: Area,
 ) -> MomentPerLength:
-    """Return the moment of two half-strips of width a + ξ and a − ξ at the same load, per length.
+    """Return the moment of two half-strips of widths a + ξ and a − ξ at the same load, per length.
 
         M = M½(a − ξ) − M½(a + ξ) = (E′/2R)ξ(a² − 2C + ξ²/3)
 

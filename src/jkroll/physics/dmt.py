@@ -1,4 +1,4 @@
-"""The DMT contact: Hertz' contact, which a constant attraction 2πwR from outside presses together."""
+"""The DMT contact: Hertz' contact, pressed together by a constant attraction 2πwR outside of the contact circle."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ def stiffness_dmt(*, contact_radius_at_load: Length, contact_modulus: Stress) ->
 
 
 def adhesive_force_dmt(*, load: Force, work_of_adhesion: SurfaceEnergy, reduced_radius: Length) -> Force:
-    """Return Hertz' load at the contact radius less the load, in DMT: the pull-off force, at every load.
+    """Return Hertz' load at the contact radius minus the load, in DMT: the pull-off force, at every load.
 
         F_a = 2πwR
 

@@ -15,8 +15,8 @@ without load:
     n = √(1 + v²)    θ = arctan(1/v)    h = tan(θ/2) = 1/(n + v)
     G1 = v + (1 − v²)θ    G2 = θ − h    G3 = v + n²θ    D = vh + n²θ²
 
-At these, at a load and at an approach, v is the root of a smooth function, found by Newton's method from a start that
-is near enough for a fixed number of steps.
+In these states, at a load and at an approach, v is the root of a smooth function, found by Newton's or Halley's method
+from a start that is near enough for a fixed number of steps.
 """
 
 import math
@@ -24,14 +24,14 @@ from collections.abc import Callable
 
 from .elementary import FloatOrArray, Truth, absolute, arctan, at_least, at_most, cbrt, cube, pi, sqrt, where, within
 
-FOLD_WITHOUT_CONTACT = 0.9379474572107123  # (9π/(16(π − 1)))^(1/3): below, a vanishes before fixed grips let go
-JUMP_WITHOUT_CONTACT = 0.6551853485522241  # (9/32)^(1/3): below, approaching spheres attract before they touch
+FOLD_WITHOUT_CONTACT = 0.9379474572107123  # (9π/(16(π − 1)))^(1/3): for λ below, a vanishes before fixed grips let go
+JUMP_WITHOUT_CONTACT = 0.6551853485522241  # (9/32)^(1/3): for λ below, approaching spheres attract before they touch
 
 _ROUNDING = 8 * 2.0**-52  # of a load or an approach that is itself computed as that of an extreme
 _STEPS = 3  # of Newton's method; each squares the error
 _FAR = 32.0  # √(1 + P/P_c) beyond which another start is taken, and twice as many steps
 _TINY = 1e-300  # instead of a slope of 0
-_LAST_OF_FRACTION = 21  # what is left out is below 1e-17 of it, up to θ = π/2
+_LAST_OF_FRACTION = 21  # the terms left out are below 1e-17 of the fraction, up to θ = π/2
 
 
 class Shape:
@@ -94,7 +94,7 @@ def approach(transition: FloatOrArray, ring: Shape, span: FloatOrArray) -> Float
 
 
 def unloaded_radius(transition: FloatOrArray, ring: Shape, span: FloatOrArray) -> FloatOrArray:
-    """Return a of a contact without load: a³ = λT²G3, as P is 0; v would bring its error in as its power 3/2."""
+    """Return a of a contact without load: a³ = λT²G3, as P is 0; in vT, an error of v would count 3/2 times."""
     return cbrt(transition * span * span * ring.g3)
 
 
@@ -130,7 +130,7 @@ def energy(transition: FloatOrArray, ring: Shape, span: FloatOrArray, approach: 
 
 
 def pull_off_ratio(transition: FloatOrArray) -> FloatOrArray:
-    """Return v where the tension is largest, from a fit to 4e-4."""
+    """Return v where the tension is largest; the start is a fit within 4e-4."""
     square = 0.2900717 / transition - 0.7981143
     square = square / (1 + transition * (1.456039 + transition * (0.960759 + transition * 0.109797)))
     v = transition / sqrt(1.3103706971044482 + square)
@@ -143,7 +143,7 @@ def pull_off_ratio(transition: FloatOrArray) -> FloatOrArray:
 
 
 def fold_ratio(transition: FloatOrArray) -> FloatOrArray:
-    """Return v where fixed grips let go, from a fit to 5e-5; 0 where they hold on to spheres that no longer touch."""
+    """Return v where fixed grips let go; 0 where they still hold spheres without contact. The start is within 5e-5."""
     beyond = at_least(transition - FOLD_WITHOUT_CONTACT, 0.0)
     rise = 2.180274 + beyond * (24.2586 + beyond * (53.43513 + beyond * 23.90279))
     v = beyond * (rise / (1 + beyond * (15.02757 + beyond * (51.30233 + beyond * 39.46094))))
@@ -161,7 +161,7 @@ def lowest_approach(transition: FloatOrArray, least: FloatOrArray) -> FloatOrArr
 
 
 def unloaded_ratio(transition: FloatOrArray) -> FloatOrArray:
-    """Return v of the stable contact without load, from a fit to 8e-5."""
+    """Return v of the stable contact without load; the start is a fit within 8e-5."""
     curved = (0.5219 + transition * (1.0059 + 0.7003 * transition)) / (1 + transition * (1.9949 + 0.692 * transition))
     v = transition * sqrt(1.2114137 + 1.2467419 / (transition * (1 + transition * curved)))
     for _ in range(2):
@@ -192,10 +192,10 @@ def _step_to(transition: FloatOrArray, ring: Shape, q: FloatOrArray, growth: Flo
 def ratio_at_load(
     transition: FloatOrArray, load_in_units: FloatOrArray, least: FloatOrArray, tension: FloatOrArray
 ) -> FloatOrArray:
-    """Return v of the stable contact at a load; there is none beyond pull-off, which rounding may miss.
+    """Return v of the stable contact at a load; there is none beyond pull-off, except within rounding.
 
-    `least` and `tension` are v and −P at pull-off. The start is a fit, to 15 % up to 10³ pull-off forces, and in a wide
-    contact that of Hertz: the steps leave 1e-16.
+    `least` and `tension` are v and −P at pull-off. The start is a fit within 15 % up to 10³ pull-off forces, and in a
+    wide contact follows from Hertz' radius; the steps reduce its error to 1e-16.
     """
     margin = load_in_units + tension
     aim = sqrt(within(margin >= -_ROUNDING * tension, at_least(margin, 0.0)))
@@ -272,10 +272,10 @@ def _root(
     least: FloatOrArray,
     power: FloatOrArray = 1.0,
 ) -> FloatOrArray:
-    """Return the v where the root of a curve is `aim`, by Newton's method in v^(1/power).
+    """Return the v where the square root of a curve is `aim`, by Newton's method in v^(1/power).
 
-    The curve is the load or the approach above its least. Its root has a slope at the least as well, and under a load
-    is almost a straight line over v^(1/power). The bounds matter where rounding has the last word.
+    The curve is the load or the approach above its least value. Its square root has a slope even there, and for a load
+    is almost a straight line over v^(1/power). The bounds matter only where rounding decides.
     """
     v, most = start, start + (start - least)
     for _ in range(_STEPS):

@@ -25,7 +25,7 @@ NUMBER = float, int  # named once: `float | int` would be made anew by each call
 
 
 def sqrt(value: FloatOrArray) -> FloatOrArray:
-    """Return the square root. Of a negative number it raises ValueError; such an element of an array becomes nan."""
+    """Return the square root. A negative number raises ValueError; a negative element of an array gives nan."""
     if isinstance(value, NUMBER):
         return math.sqrt(value)
     import numpy
@@ -46,7 +46,7 @@ def cbrt(value: FloatOrArray) -> FloatOrArray:
 
 
 def ln(value: FloatOrArray) -> FloatOrArray:
-    """Return the natural logarithm, −∞ of 0 and of what is below it."""
+    """Return the natural logarithm; −∞ for 0 and for negative numbers."""
     if isinstance(value, NUMBER):
         return -math.inf if value <= 0 else math.log(value)
     import numpy
@@ -115,7 +115,7 @@ def cube(value: FloatOrArray) -> FloatOrArray:
 
 
 def arctan(value: FloatOrArray) -> FloatOrArray:
-    """Return the angle of a tangent."""
+    """Return the inverse of the tangent."""
     if isinstance(value, NUMBER):
         return math.atan(value)
     import numpy
@@ -136,7 +136,7 @@ def hypot(*values: FloatOrArray) -> FloatOrArray:
 
 
 def absolute(value: FloatOrArray) -> FloatOrArray:
-    """Return the absolute value, as `abs` does, whose type for a union is no number."""
+    """Return the absolute value, as `abs` does, whose result for a union is not a number to type checkers."""
     return value.__abs__()
 
 
@@ -182,7 +182,7 @@ def quotient(value: FloatOrArray, divisor: FloatOrArray, otherwise: float) -> Fl
 
 
 def where(condition: Truth, value: FloatOrArray, otherwise: FloatOrArray) -> FloatOrArray:
-    """Return the one value or the other, element by element for arrays."""
+    """Return one value or the other, element by element for arrays."""
     if isinstance(condition, bool):
         return value if condition else otherwise
     import numpy

@@ -1,11 +1,11 @@
-"""The peak pressure of a head-on impact, and the speeds at which it reaches what a solid bears.
+"""The peak pressure of a head-on impact, and the speeds at which it reaches the pressures that a solid bears.
 
 Without loss the relative energy ½mv² is that of JKR's curve from first touch, δ = 0, to the state of largest load:
 
     ½mv² = P_cδ0 (Û(â) − Û_s)    Û = 4(6â⁵/5 − 2â^(7/2) + â²/2)    Û_s at â = (2/3)^(2/3)
 
-The pressure at the centre is p(0) = P_c/(πa0²) (6â − 2/√â): 4 of this unit at rest, 5.0823 at the peak of a touch at
-v → 0, and Hertz' at speeds well above the sticking speed. The pull at the rim is left out.
+The pressure at the centre is p(0) = P_c/(πa0²) (6â − 2/√â). In units of P_c/(πa0²) it is 4 at rest, and 5.0823 at the
+peak of a touch at v → 0; at speeds well above the sticking speed it is Hertz'. The pull at the rim is left out.
 """
 
 from __future__ import annotations
@@ -49,13 +49,13 @@ def impact_pressure(
 
 
 def _beyond(root: FloatOrArray, energy: FloatOrArray) -> FloatOrArray:
-    """Return by how much y = √â lies beyond the peak of an impact, by the slope of Û there."""
+    """Return by how much y = √â lies beyond the peak of an impact, from the slope of Û at y."""
     third = root * root * root
     return (_energy(root) - _AT_TOUCH - energy) / (8 * third * (6 * third - 1) * (third - 1))
 
 
 def touch_pressure(*, pull_off_force: Force, contact_radius: Length) -> Stress:
-    """Return the peak pressure of a touch at no speed, as adhesion alone presses the contact while it forms.
+    """Return the peak pressure of a touch at zero speed, as adhesion alone presses the contact while it forms.
 
         p = 5.0823 P_c/(πa0²), 1.27 times that at rest
 
@@ -89,7 +89,7 @@ def first_yield_pressure(*, yield_strength: Stress, poisson_ratio: Number, poiss
 
         p_y = S_y/max[3/(2(1 + ζ²)) − (1 + ν)(1 − ζ arccot ζ)], which is 1.47 S_y at ν = 0.17, 0.44a deep
 
-    The smaller ν of the two solids is taken, which yields first.
+    The smaller ν of the two solids is used, as its solid yields first.
 
     Source:   Hertz' stresses on the axis, by the criterion of von Mises (or Tresca, which is the same there).
     Valid:    0 ≤ ν ≤ 1/2. A contact that is elastic but for a point inside.
@@ -122,7 +122,7 @@ def plastic_pressure(*, yield_strength: Stress) -> Stress:
 def yield_speed(
     *, touch_pressure: Stress, first_yield_pressure: Stress, reduced_mass: Mass, adhesion_energy: Energy
 ) -> Speed:
-    """Return the relative speed from which on a head-on impact first yields, below the surface.
+    """Return the relative speed above which the solid yields in a head-on impact, first below its surface.
 
         v_y = √(2P_cδ0 (Û(â_y) − Û_s)/m), 6â_y − 2/√â_y = p_y πa0²/P_c
 
@@ -172,7 +172,7 @@ def impact_over_yield(*, impact_pressure: Stress, first_yield_pressure: Stress) 
 def speed_over_sound(
     *, speed: Speed, youngs_modulus: Stress, youngs_modulus2: Stress, density: Density, density2: Density
 ) -> Number:
-    """Return the relative speed over that of sound in the solid in which it is slower.
+    """Return the relative speed over the lower of the speeds of sound in the two solids.
 
         v/√(E/ρ)
 

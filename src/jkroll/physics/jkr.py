@@ -1,8 +1,8 @@
 """The JKR contact at any state that fixed grips hold, and the energies between its states.
 
 One variable describes a state: x = â^(3/2) (`load_factor`). It is 1 without load, 1/2 at pull-off, 1/6 at the fold
-where fixed grips let go, and runs down to 0 on the unstable branch. Loads have two states for −P_c < P < 0, approaches
-have two between the fold and 0.
+where fixed grips let go, and runs down to 0 on the unstable branch. A load has two states for −P_c < P < 0, an
+approach has two between the fold and 0.
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ def load_margin_at_approach(*, approach_at_load: Length, approach: Length) -> Nu
 
 
 def _approach_over_root(approach_ratio: FloatOrArray) -> FloatOrArray:
-    """Return δ̂/y = 3x − 2 on the stable branch, y = x^(1/3), at δ̂ ≥ δ̂_fold; an error of y counts once in it."""
+    """Return δ̂/y = 3x − 2 on the stable branch, y = x^(1/3), at δ̂ ≥ δ̂_fold; it has the relative error of y."""
     excess = _excess(approach_ratio)
     start = where(excess < 3, sqrt(excess / 3), sqrt(sqrt(2 * excess)))
     y = (1 + _root_of_excess(start, excess)) / CBRT_6
@@ -116,7 +116,7 @@ def contact_radius_at_fold(*, contact_radius: Length) -> Length:
 
 
 def approach_at_pull_off(*, approach: Length) -> Length:
-    """Return the approach of the centres at which a constant tension breaks the contact: negative, they are stretched.
+    """Return the approach of the centres, here negative, at which a constant tension breaks the contact.
 
         δ_pull = −δ0/16^(1/3) = −0.3968503 δ0
 
@@ -163,7 +163,7 @@ def contact_area_at_fold(*, contact_radius_at_fold: Length) -> Area:
 
 
 def adhesion_energy(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Energy:
-    """Return the energy typical of adhesion: what a slow head-on collision dissipates, to order of magnitude.
+    """Return the typical energy of adhesion, as much as a slow head-on collision dissipates, to an order of magnitude.
 
         W = P_c δ0 = (3/2)πwR (3π²w²R/(4E*²))^(1/3) = wR (81π⁵w²R/(32E*²))^(1/3)
 
@@ -186,7 +186,7 @@ def well_energy(*, adhesion_energy: Energy) -> Energy:
 
 
 def pull_off_work(*, adhesion_energy: Energy) -> Energy:
-    """Return the work to separate the spheres from P = 0 with fixed grips, which hold on to the fold.
+    """Return the work to separate the spheres from P = 0 with fixed grips, which hold them as far as the fold.
 
         (6/5 + (2/15)6^(−1/3)) P_cδ0 = 1.2733762 P_cδ0
 
@@ -210,7 +210,7 @@ def pull_off_work_at_dead_load(*, adhesion_energy: Energy) -> Energy:
 def sticking_energy(*, adhesion_energy: Energy) -> Energy:
     """Return the largest relative energy ½mv² of a head-on collision after which the spheres stick.
 
-    Here m is the reduced mass. It is what jump-in and the fold dissipate.
+    Here m is the reduced mass. Jump-in and the fold dissipate this energy.
 
         ((2/15)6^(−1/3) + (4/5)(2/3)^(1/3)) P_cδ0 = 0.7722405 P_cδ0
 

@@ -143,7 +143,7 @@ def zone_radius(*, edge_ratio: Number, zone_span: Length) -> Length:
 def approach_maugis(
     *, edge_ratio: Number, zone_span: Length, reduced_radius: Length, contact_modulus: Stress, cohesive_stress: Stress
 ) -> Length:
-    """Return the approach of the centres at which a contact is in a state.
+    """Return the approach of the centres in a state of the contact.
 
         δ = a²/R − 2σ0T/E*
 
@@ -207,7 +207,7 @@ def stiffness_maugis(
 
 
 def adhesive_force_maugis(*, edge_ratio: Number, zone_span: Length, cohesive_stress: Stress) -> Force:
-    """Return Hertz' load at the contact radius less the load: the rolling moment per displacement of the ring.
+    """Return Hertz' load at the contact radius minus the load: the rolling moment per displacement of the ring.
 
         F_a = 4E*a³/(3R) − P = 2σ0(aT + c²θ), θ = arctan(1/v)
 
@@ -374,7 +374,7 @@ def approach_at_pull_off_maugis(
 
 # --- Energies: of a state, and between the states where a contact forms and breaks ------------------------------------
 
-# Gauss-Legendre quadrature: places to either side of the middle of an interval, and their weights.
+# Gauss-Legendre quadrature: positions on each side of the middle of an interval, and their weights.
 _EIGHT_POINTS = (
     (0.1834346424956498, 0.362683783378362),
     (0.525532409916329, 0.31370664587788727),
@@ -419,7 +419,7 @@ def well_energy_maugis(
 def pull_off_work_maugis(
     *, unloaded_edge_ratio: Number, edge_ratio_at_fold: Number, energy_unit_maugis: Energy, transition_parameter: Number
 ) -> Energy:
-    """Return the work to separate the spheres from P = 0 with fixed grips, which hold on to the fold.
+    """Return the work to separate the spheres from P = 0 with fixed grips, which hold them as far as the fold.
 
         U = Φ(fold) − Φ(P = 0)
 
@@ -461,7 +461,7 @@ def pull_off_work_at_dead_load_maugis(
 def sticking_energy_maugis(
     *, edge_ratio_at_fold: Number, energy_unit_maugis: Energy, transition_parameter: Number
 ) -> Energy:
-    """Return the largest energy of a head-on collision after which spheres stick: what jump-in and the fold take.
+    """Return the largest energy of a head-on collision after which spheres stick: what jump-in and the fold dissipate.
 
         U = Φ(fold) − Φ(δ = −w/σ0); (17/24)πλb⁴ πwR(π²w²R/K²)^(1/3), b = 8λ/3π, if λ < (9/32)^(1/3) = 0.655
 

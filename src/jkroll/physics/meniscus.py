@@ -12,7 +12,7 @@ from .elementary import FloatOrArray, exp, ln, pi, sin, sqrt, within
 
 WATER_TENSION = 0.072  # N/m
 KELVIN_LENGTH = 5.248e-10  # m
-WIDEST = 0.5  # q, up to which the exact force is between the first order and (1 + 2q²) times that
+WIDEST = 0.5  # q up to which the exact force lies between the first-order force and (1 + 2q²) times this
 _PI_BELOW = 6.123233995736766e-17  # by which π/2 exceeds its double
 
 
@@ -33,7 +33,7 @@ def kelvin_radius(*, humidity: Number) -> Length:
 
 
 def meniscus_size(*, kelvin_radius: Length, reduced_radius: Length, contact_angle: Angle) -> Number:
-    """Return the part by which the force of a meniscus is below that of one that is small beside the bodies.
+    """Return the fraction by which the force of a meniscus is below that of a meniscus much smaller than the bodies.
 
         q = κ√(r_K/R), κ = (π/2 − θ + sinθ cosθ)/(4 cos^(3/2) θ), which is π/8 for θ = 0
 
@@ -60,7 +60,7 @@ def meniscus_force(*, reduced_radius: Length, contact_angle: Angle, meniscus_siz
 
 
 def threshold_humidity(*, roughness_gap: Length, contact_angle: Angle) -> Number:
-    """Return the relative humidity from which on water fills a gap between the bodies.
+    """Return the relative humidity above which water fills a gap between the bodies.
 
         h = exp(−2 cosθ·0.5248 nm/D), at which 2r_K cosθ = D
 

@@ -116,7 +116,7 @@ def rayleigh_frequency(*, radius: Length, density: Density, youngs_modulus: Stre
 
 
 def time_step(*, sliding_frequency: Frequency, rayleigh_frequency: Frequency, rayleigh_frequency2: Frequency) -> Time:
-    """Return a time step for simulations of many spheres, the shorter by two rules.
+    """Return a time step for simulations of many spheres: the shorter of the steps by two rules.
 
         Δt = min(1/(20 f_slide), t_R/5), t_R of either sphere
 
@@ -132,7 +132,7 @@ def time_step(*, sliding_frequency: Frequency, rayleigh_frequency: Frequency, ra
 
 
 def energy(*, energy_ratio: Number, adhesion_energy: Energy) -> Energy:
-    """Return the energy of sphere 1 from its ratio to P_cδ0, which is given where neither an energy nor a speed is.
+    """Return the energy of sphere 1 from its ratio to P_cδ0, for use if neither an energy nor a speed is given.
 
         W0 = (W0/P_cδ0) P_cδ0
 
@@ -164,7 +164,7 @@ def initial_angular_speed(*, energy: Energy, moment_of_inertia: Inertia) -> Angu
 
 
 def n_roll(*, energy: Energy, mean_rolling_moment: Moment) -> Number:
-    """Return the number of full turns that sphere 1 rolls over a fixed body 2 where the contact slides freely.
+    """Return the number of full turns that sphere 1 rolls over a fixed body 2 if the contact slides freely.
 
         n = W0/(7π⟨M⟩) = W0/(14π P_c â^(3/2) ξ)
 
@@ -198,7 +198,7 @@ def n_roll_after_impact(*, energy: Energy, mean_rolling_moment: Moment) -> Numbe
 
 
 def flight_ratio(*, energy: Energy, radius: Length, radius2: Length, pull_off_force: Force) -> Number:
-    """Return the force that keeps sphere 1 on its way around a fixed body 2 over the pull-off force.
+    """Return the force that keeps sphere 1 on its circle around a fixed body 2, over the pull-off force.
 
         m1v²/((R1 + R2)P_c) = 2W0/((R1 + R2)P_c)
 
@@ -228,7 +228,7 @@ def restitution(*, speed: Speed, sticking_speed: Speed) -> Number:
 
 
 def speed_over_sticking(*, speed: Speed, sticking_speed: Speed) -> Number:
-    """Return the relative speed over the largest that sticks: above 1 a head-on collision of a free pair ends apart.
+    """Return the relative speed over the largest at which spheres stick: above 1, a free pair bounces apart.
 
         v/v_stick
 
@@ -239,7 +239,7 @@ def speed_over_sticking(*, speed: Speed, sticking_speed: Speed) -> Number:
 
 
 def lost_energy(*, speed: Speed, sticking_speed: Speed, reduced_mass: Mass) -> Energy:
-    """Return the relative energy that a head-on collision takes: all of ½mv² from spheres that stick.
+    """Return the relative energy that a head-on collision dissipates: all of ½mv² if the spheres stick.
 
         W_lost = ½m min(v, v_stick)², which is U_stick from v_stick on
 
@@ -250,10 +250,10 @@ def lost_energy(*, speed: Speed, sticking_speed: Speed, reduced_mass: Mass) -> E
     return reduced_mass * slower * slower / 2
 
 
-# --- Viscous damping of codes for dust: a force 2(T_vis/ν²)E*a dδ/dt beside that of JKR -------------------------------
+# --- Viscous damping of codes for dust: a force 2(T_vis/ν²)E*a dδ/dt in addition to JKR's -----------------------------
 
-STICKS_FROM = 0.681745209228707968  # T* from which on spheres stick at every speed
-FITTED_UP_TO = 0.6815  # T* up to which the approximation below was held against the equation of motion
+STICKS_FROM = 0.681745209228707968  # the least T* at which spheres stick at every speed
+FITTED_UP_TO = 0.6815  # T* up to which the approximation below was compared with the equation of motion
 
 # The cube root of the ratio of speeds is a quotient of polynomials of −ln(1 − T*/T_c); the coefficient of the highest
 # power first.
@@ -289,7 +289,7 @@ def viscosity_number(
 
 
 def sticking_speed_viscous(*, sticking_energy: Energy, reduced_mass: Mass, viscosity_number: Number) -> Speed:
-    """Return the largest relative speed at which spheres stick that lose energy to viscous damping, too.
+    """Return the largest relative speed at which spheres stick if they also lose energy to viscous damping.
 
         v = r √(2U_stick/m), r = (p(L)/q(L))³, L = −ln(1 − T*/T_c), T_c = 0.6817; r = 1 + 8.849 T* + … for small T*
 

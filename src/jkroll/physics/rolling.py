@@ -23,7 +23,7 @@ from .elementary import cube, pi, sqrt, within
 
 
 def yield_moment(*, adhesive_force: Force, yield_displacement: Length) -> Moment:
-    """Return the moment of a contact whose attraction lags behind by ξ; at the yield displacement, the largest.
+    """Return the moment of a contact whose attraction lags behind by ξ; it is largest at the yield displacement.
 
         M = F_aξ, which is 4 P_c â^(3/2) ξ = 2 P_c ξ (1 + s) in JKR
 
@@ -45,7 +45,7 @@ def rolling_stiffness(*, adhesive_force: Force, reduced_radius: Length) -> Momen
 
 
 def rolling_spring_constant(*, rolling_stiffness: MomentPerAngle, reduced_radius: Length) -> Stiffness:
-    """Return the constant of the spring by which LAMMPS lets a contact roll: force per rolling displacement.
+    """Return the constant of the spring with which LAMMPS resists rolling: force per rolling displacement.
 
         k_roll = k/R²
 
@@ -69,7 +69,7 @@ def rolling_friction_coefficient(
 
 
 def rolling_resistance_coefficient(*, yield_moment: Moment, reduced_radius: Length, load: Force) -> Number:
-    """Return the coefficient of codes that multiply it by load and R, with which a contact rolls at its yield moment.
+    """Return the coefficient for codes that multiply it by load and R, so that a contact rolls at its yield moment.
 
         μ_r = M/(RP)
 
@@ -130,7 +130,7 @@ def yield_angle(*, yield_displacement: Length, reduced_radius: Length) -> Angle:
 
 
 def contact_displacement(*, load_factor: Number, yield_displacement: Length) -> Length:
-    """Return the displacement of the contact circle when its attraction lags behind by ξ: in JKR both have one edge.
+    """Return the displacement of the contact circle when its attraction lags by ξ: in JKR, both have the same edge.
 
         ξ_contact = ξ
 
@@ -230,7 +230,7 @@ def r_min(*, radius: Length, radius2: Length, yield_displacement: Length) -> Len
 
 
 def gravity_moment(*, monomers: Number, mass: Mass, gravity: Acceleration, radius: Length) -> Moment:
-    """Return the moment with which N spheres 1 that hang level from a fixed body 2 turn the first contact.
+    """Return the moment of gravity about the first contact of a level chain of N spheres, each like sphere 1.
 
         M_grav = m1 g R1 N²
 
@@ -241,7 +241,7 @@ def gravity_moment(*, monomers: Number, mass: Mass, gravity: Acceleration, radiu
 
 
 def n_grav(*, yield_moment: Moment, mass: Mass, gravity: Acceleration, radius: Length) -> Number:
-    """Return the number of spheres 1 that hang level from a fixed body 2 before the first contact rolls.
+    """Return the number of spheres, each like sphere 1, above which a level chain rolls at its first contact.
 
         N = √(M/(m1 g R1)) = √(9γRξ/(R1⁴ρg)), which is √(9γξ/(2R1³ρg)) for identical spheres
 

@@ -1,4 +1,4 @@
-"""The shifted contact as a picture: the pressure along its way, exact and of two half-circles, and how far it rolls.
+"""The shifted contact, for pictures: the pressure along its path, exact and of two half-circles, and a strip's width.
 
 The centre of the circle, X = 0, lags by ξ behind the contact point, x = X − ξ = 0, as in Fig. 2; x points ahead.
 """

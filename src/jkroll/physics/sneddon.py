@@ -1,21 +1,21 @@
 """The contact of a rigid sphere of true shape with an elastic half-space, dimensionless: JKR with Sneddon's sphere.
 
-Lengths are in units of the sphere's radius R and loads in E*R². Two numbers decide: the elasto-adhesive ratio
-κ = w/(E*R), and for a state L = artanh(a/R), by which all is explicit and keeps its digits up to a = R. With x = a/R:
+Lengths are in units of the sphere's radius R and loads in E*R². Two numbers give a state: the elasto-adhesive ratio
+κ = w/(E*R), and L = artanh(a/R), in which all formulas are explicit and keep their digits up to a = R. With x = a/R:
 
     indentation    δ_H = xL              δ_H′ = dδ_H/dx = L + ½ sinh 2L        δ_H″ = 2 cosh⁴L
     Hertz' load    P_H = (1 + x²)L − x = Σ 4n x^(2n+1)/((2n − 1)(2n + 1))      dP_H/dx = 2xδ_H′
     adhesion       u = √(2πκx)           δ = δ_H − u                           P = P_H − 2xu
     slopes         dδ/dx = δ_H′ − u/(2x)                                       dP/dx = 2xδ_H′ − 3u
 
-δ_H and P_H are Sneddon's, as in the code AFM-analysis/nanite. G = w at the edge gives u; for a ≪ R all is JKR.
+δ_H and P_H are Sneddon's, as in the code AFM-analysis/nanite. G = w at the edge gives u; for a ≪ R this is JKR.
 
 A machine holds a state by gδ + cP: fixed grips by δ (c = 0), a dead load by P (g = 0), a lever of stiffness k by
 δ + P/k, which is g = 1 and c = E*R/k here. It loses the contact where g dδ/dx + c dP/dx = 0. For every κ > 0 there is
 one such state, and one stable state for each larger gδ + cP.
 
 All functions take numbers or arrays, which broadcast. They hold where the half-space is nearly incompressible
-(ν ≥ 0.45); else other terms of order a/R come before the shape of the sphere, which is of order (a/R)².
+(ν ≥ 0.45); otherwise terms of order a/R exceed the effect of the sphere's shape, which is of order (a/R)².
 """
 
 from .elementary import (
@@ -37,7 +37,7 @@ from .elementary import (
 )
 
 _SMALL = 0.3  # a/R below which Hertz' load is a series
-_TERMS = 16  # of it; what is left out is below 1e-17 of it
+_TERMS = 16  # of the series; the terms left out are below 1e-17 of it
 _STEPS = 40  # of Newton's method at most; 5 to 10 are usual
 _NEAR = 1e-9  # relative step after which the next one is rounding, as each squares the error
 
@@ -83,7 +83,7 @@ def hertz_load(artanh: FloatOrArray) -> FloatOrArray:
 
 
 def pull(ratio: FloatOrArray, artanh: FloatOrArray) -> FloatOrArray:
-    """Return u/R, by which adhesion lessens the approach of a contact. `ratio` is κ, here and below."""
+    """Return u/R, by which adhesion reduces the approach of a contact. `ratio` is κ, here and below."""
     return sqrt(2 * pi * ratio * tanh(artanh))
 
 
@@ -115,8 +115,8 @@ def last_state(ratio: FloatOrArray, grips: FloatOrArray, dead_load: FloatOrArray
 
         (g + 2cx) δ_H′ = (g + 6cx) u/(2x)
 
-    Newton's method on the logarithm of its square, which is a smooth function of ln L: its slope is 3 where the sphere
-    is a paraboloid, and 4L near a = R.
+    Newton's method solves the logarithm of the squared equation, a smooth function of ln L: its slope is 3 where the
+    sphere is a paraboloid, and 4L near a = R.
     """
     artanh = arsinh(cbrt(9 / 8 * pi * ratio))
     for _ in range(_STEPS):
@@ -134,7 +134,7 @@ def last_state(ratio: FloatOrArray, grips: FloatOrArray, dead_load: FloatOrArray
 def state_at(
     held: FloatOrArray, ratio: FloatOrArray, last: FloatOrArray, grips: FloatOrArray, dead_load: FloatOrArray
 ) -> FloatOrArray:
-    """Return L of the stable state at a value of gδ/R + cP/(E*R²); `last`: that of `last_state`.
+    """Return L of the stable state at a value of gδ/R + cP/(E*R²); `last`: L from `last_state`.
 
     Newton's method from beyond the root, where gδ + cP is convex or nearly linear in L. Below the last state a float
     raises ValueError, and an array holds nan.

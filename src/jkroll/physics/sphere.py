@@ -1,7 +1,7 @@
 """A rigid sphere of true shape on a soft plane, in SI units: JKR with Sneddon's sphere instead of a paraboloid.
 
-Its number for a state is L = artanh(a/R), found at a load or at an approach; `sneddon` has the same in dimensionless
-form, with the equations.
+One number describes a state: L = artanh(a/R), found at a load or at an approach. `sneddon` has the equations, in
+dimensionless form.
 """
 
 from __future__ import annotations
@@ -10,8 +10,8 @@ from . import sneddon
 from .dimensions import Force, Length, Number, Stiffness, Stress, SurfaceEnergy
 from .elementary import cbrt, pi, tanh, within
 
-STIFFER = 100.0  # times the modulus of the plane that of the sphere has to be, which is rigid then
-INCOMPRESSIBLE = 0.45  # Poisson's ratio of the plane from which on the shape of the sphere comes first
+STIFFER = 100.0  # ratio of the moduli of sphere and plane at and above which the sphere counts as rigid
+INCOMPRESSIBLE = 0.45  # Poisson's ratio of the plane at and above which the shape of the sphere matters most
 
 _GRIPS, _DEAD_LOAD = (1.0, 0.0), (0.0, 1.0)  # the g and c of `sneddon`
 
@@ -40,7 +40,7 @@ def indenter_radius(
 def elastoadhesive_ratio(
     *, work_of_adhesion: SurfaceEnergy, indenter_radius: Length, contact_modulus: Stress
 ) -> Number:
-    """Return the elasto-adhesive length over the radius of a sphere on a plane, on which its contact depends alone.
+    """Return the elasto-adhesive length over the radius of a sphere on a plane: its contact depends on this alone.
 
         κ = w/(E*R)
 

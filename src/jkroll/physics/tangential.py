@@ -1,4 +1,4 @@
-"""Resistance to sliding and twisting: stiffness, the threshold of one shear strength, and peeling before it."""
+"""Resistance to sliding and twisting: stiffness, the thresholds by one shear strength, and peeling before them."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _TINY = 1e-300  # instead of a root of 0
 def shear_strength(
     *, youngs_modulus: Stress, poisson_ratio: Number, youngs_modulus2: Stress, poisson_ratio2: Number
 ) -> Stress:
-    """Return the shear stress that a contact bears before it slides or twists, where none was measured.
+    """Return the shear stress that a contact bears before it slides or twists, if none was measured.
 
         τ = G/(4π²), G = E/(2(1 + ν)), of the softer solid
 
@@ -140,7 +140,7 @@ def peeling_radius(
 
 
 def peeling_over_sliding(*, peeling_force: Force, shear_strength: Stress, peeling_radius: Length) -> Number:
-    """Return the peeling force over the force that slides the contact as it peels: below 1, it peels before it slides.
+    """Return the peeling force over the force that would slide the contact as it peels: below 1, it peels first.
 
         T/(πa_T²τ)
 
