@@ -411,12 +411,13 @@ def whole_file(path: str, mark: str = "") -> Iterator[BinaryIO]:
 @contextmanager
 def _removed_at_last(path: str) -> Iterator[BinaryIO]:
     """Open a new file for a block; remove it after the block, or if a signal ends the process."""
-    begun: list[BinaryIO] = []  # empty until the file is open, so that no file of another process is removed
+
+    ours = [path]  # even before `open` returns, since a signal may come when the file is made
 
     def remove() -> None:
-        with suppress(FileNotFoundError):
-            if begun:
-                os.unlink(path)
+        for each in ours:
+            with suppress(FileNotFoundError):
+                os.unlink(each)
 
     def end(number: int, _: object) -> None:
         remove()
@@ -428,8 +429,12 @@ def _removed_at_last(path: str) -> Iterator[BinaryIO]:
         for number in ending:
             signal.signal(number, end)
     try:
-        begun.append(open(path, "xb"))
-        yield begun[0]
+        try:
+            stream = open(path, "xb")
+        except FileExistsError:
+            ours.clear()
+            raise
+        yield stream
     finally:
         remove()
         with suppress(ValueError):
