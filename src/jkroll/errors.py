@@ -78,6 +78,11 @@ class BadRequest(JkrollError):
         self.phrase = phrase
 
 
+def repeated_input(name: str) -> BadRequest:
+    """Return the error for an input that is named among the results."""
+    return BadRequest(f"--quantities: {name} is an input here, which results do not repeat; leave it out")
+
+
 class BadTable(JkrollError):
     """Error raised for a header, a format or a file that cannot be read as a table."""
 

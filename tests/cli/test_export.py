@@ -153,9 +153,7 @@ def test_best_ranges_and_the_caveat_are_in_the_file_or_among_the_notes(run: Run,
     quiet = run(f"export {program} quartz 100nm --quiet")
     assert (quiet.code, quiet.err) == (0, "")
     printed = re.sub("\n#? +", " ", ran.err if program == "dust-simulation" else ran.out.replace(quiet.out, ""))
-    assert re.search(
-        r"best ranges \(jkroll report and resistances explain them\): .*P_c 14[-–]15 nN \(Maugis\)", printed
-    )
+    assert re.search(r"best ranges: .*P_c 14[-–]15 nN \(Maugis\)", printed)
     assert re.search("(γ|gamma) of quartz: in air; in vacuum or baked take", printed)
     assert "changes no result here" not in printed
     assert "--model" not in printed  # no program has this law

@@ -606,7 +606,7 @@ def test_the_list_fits_a_screen_and_shows_the_sets_and_states(run: Run) -> None:
     out = run("materials", terminal=True).out
     lines = out.splitlines()
     assert max(map(len, lines)) <= 80
-    assert len(lines) <= 58
+    assert len(lines) <= 60
     places = [
         out.index(f"\n{title}") for title in ("Table 1 of D&T", "minerals and glasses", "polymers", "metals", "ices")
     ]

@@ -370,7 +370,7 @@ def test_arrays_of_xarray_are_read_with_their_units() -> None:
     assert numpy.allclose(in_newtons(forces(array[0])), FORCES[0], rtol=1e-14)
     assert numpy.array_equal(forces(xarray.DataArray([1e-7, 2e-7])), FORCES)
     assert forces(xarray.DataArray([100.0], attrs={"Units": "nm"}).variable)[0] == FORCES[0]
-    with pytest.raises(jkroll.JkrollError, match="is an attribute of numbers that have a unit"):
+    with pytest.raises(jkroll.JkrollError, match="is an attribute of an array whose numbers have a unit"):
         forces(array.assign_attrs(units="nm"))
     with pytest.raises(jkroll.JkrollError, match="is not a number"):
         forces(xarray.Dataset({"data": array}))

@@ -221,7 +221,7 @@ def test_contact_that_yields_on_touching_has_no_yield_speed() -> None:
         ("--speed 600m/s", "too fast for a static contact"),
         ("--speed 5km/s", "faster than sound in the solid"),
         ("--speed 100m/s --poisson 0.5 --young 1GPa", "the impact strains the solid too far for linear elasticity"),
-        ("--speed 100m/s", "the impact pressure exceeds the strength even of a flawless solid"),
+        ("--speed 100m/s", "the impact pressure exceeds even the strength of a flawless solid"),
     ],
 )
 def test_an_explanation_says_whether_an_impact_is_elastic_and_static(words: str, said: str, run: Run) -> None:

@@ -61,7 +61,9 @@ class Cells(HTMLParser):
 
 def words_of(text: str) -> list[str]:
     """Return the words of a text without horizontal rules, and with options written as arguments."""
-    text = text.replace("more: --explain", "more: .notes and .doubts").replace(".doubts of each answer", ".doubts")
+    text = text.replace("more: --explain", "more: .why, .notes and .doubts").replace(
+        ".doubts of each answer", ".doubts"
+    )
     text = re.sub(r"--([a-z0-9-]+)", lambda option: option[1].replace("-", "_"), text)
     return re.sub("─+", " ", text).split()
 

@@ -167,7 +167,7 @@ def test_a_list_of_laws_has_doubts_in_the_rows_of_laws_that_do_not_hold(run: Run
 
 def test_lists_and_curves_name_the_values_to_take(run: Run) -> None:
     ran = run("report quartz 100nm,1um --quantities P_c,a0", terminal=True)
-    assert "\ntake best P_c and best a0; other results are by JKR alone\n" in ran.out
+    assert "\ntake best P_c and best a0; columns by JKR are for comparison\n" in ran.out
     curve = run("contact quartz 100nm --curve", terminal=True)
     ranges = "best ranges: P_c 14–15 nN (Maugis), a0 3.0–3.2 nm (Maugis), δ0 115–121 pm (Maugis)"
     assert f"{ranges}; take the curve by Maugis' law: --model maugis" in " ".join(curve.out.split())

@@ -10,7 +10,7 @@ from functools import reduce
 from itertools import chain, islice
 from typing import TYPE_CHECKING, TextIO
 
-from ..errors import ROWS_FAILED, BadRequest, JkrollError
+from ..errors import ROWS_FAILED, BadRequest, JkrollError, repeated_input
 from ..materials.library import UnknownMaterial
 from ..model.frame import HELD_BY_LOAD, Frame
 from ..model.limits import ENDING_MEANING
@@ -55,7 +55,7 @@ def run_question(call: Call) -> int:
     form = call.form(shown or question.quantities)  # after `sweep`, which reports bad inputs
     for name in question.named:
         if name in frame.stated or (name in frame.values and formula_of(name) is None):
-            raise BadRequest(f"--quantities: {name} is an input here, which results do not repeat; leave it out")
+            raise repeated_input(name)
     return answer_rows(call, sweep, question, form)
 
 
@@ -158,7 +158,8 @@ def _write_columns(
         notes = single.sentences
     else:
         notes = _notes_of(single, has_table=False)
-    for line in lines_of(notes, has_head=is_table, quiet=call.quiet):
+    has_more = single is not None and single.has_more_reasons
+    for line in lines_of(notes, has_head=is_table, quiet=call.quiet, has_more=has_more):
         say_wrapped(line, sys.stderr)
     return _exit_code(call, tally.failed, tally.rows)
 
@@ -167,7 +168,7 @@ def _notes_of(single: "Report", *, has_table: bool) -> "list[Note]":
     """Return the notes on a single answer; with a table, only the notes that follow it."""
     if has_table:
         return single.sentences_below
-    return [*single.notes_on_ranges(), *single.sentences]
+    return [*single.notes_on_ranges(), *single.notes, *single.doubts()]  # the first lead alone is shown
 
 
 def _exit_code(call: Call, failed: int, count: int, first: JkrollError | None = None) -> int:
@@ -351,7 +352,7 @@ def run_export(call: Call) -> int:
     lacking = frame.missing(program.quantities)
     names = tuple(name for name in program.quantities if name not in lacking)
     answer = Report(Question(names, names), frame)
-    ranges = Note("lead", f"best ranges (jkroll report and resistances explain them): {answer.best_ranges}")
+    ranges = Note("lead", f"best ranges: {answer.best_ranges}")
     lines = [note.line for note in (ranges, *about_middles(answer.uncertain))]
     lines += [note.line for note in by_severity(answer.sentences) if note.severity != "more"]
     if program.about:
@@ -364,7 +365,7 @@ def run_export(call: Call) -> int:
         text_of = (
             f"Plain {frame.law.short}, the paper's model. For the likely P_c and M of smooth spheres add {options}"
         )
-        real = "; for real grains lower gamma in proportion to P_c (note below)"
+        real = "; real grains: lower gamma in proportion to P_c, and raise xi by the same factor, which keeps M"
         say(comment_of(f"{text_of}{real if answer.is_in_doubt(ROUGH_MATTERS) else ''}."), sys.stdout)
     sys.stdout.write(text)
     for line in lines:

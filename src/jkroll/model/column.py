@@ -20,11 +20,6 @@ class Column(NamedTuple):
         """True if no row has a value, for one common reason."""
         return isinstance(self.reasons, int) and self.reasons != 0
 
-    @property
-    def is_hidden(self) -> Any:
-        """The rows in which the quantity is not shown."""
-        return self.reasons == reason(HIDDEN)
-
     def or_else(self, number: float) -> Any:
         """Return the values, with a number in place of missing values, since every comparison with nan is False."""
         return where(self.reasons == 0, self.values, number)

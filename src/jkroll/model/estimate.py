@@ -122,14 +122,13 @@ class Ranges:
     def estimate(self, name: str) -> Estimate:
         """Return the estimate of a result that has a number in some row.
 
-        Its rule is NONE where the result has no value, where it is meaningless and the range has no end, and where the
-        contact is wider than the smaller sphere.
+        Its rule is NONE where the result has no value, where the range has no end, and where the contact is wider than
+        the smaller sphere.
         """
         low, high, by = _first(self._rules(name))
         has_end = (low <= inf) | (high <= inf)  # false for nan
-        is_ended = where(has_end, False, self.results.ended.get(name, False))
         is_wide = self.results.meant[name].reasons == _TOO_WIDE
-        has_none = (self.results.computed[name].reasons != 0) | is_ended | is_wide
+        has_none = (self.results.computed[name].reasons != 0) | where(has_end, False, True) | is_wide
         return Estimate(where(has_none, nan, low), where(has_none, nan, high), where(has_none, NONE, by))
 
     def _rules(self, name: str) -> Iterator[Rule]:

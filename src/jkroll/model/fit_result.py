@@ -24,7 +24,6 @@ RESULTS: Mapping[str, str] = {
     "pull_off_force_fitted": "pull_off_force",
     "pull_off_force_measured": "pull_off_force",
 }
-FITTED = ("work_of_adhesion_opening", "work_of_adhesion_closing", "contact_modulus", "contact_point")
 
 
 class Known(NamedTuple):

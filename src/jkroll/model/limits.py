@@ -14,7 +14,7 @@ from ..quantities.laws import JKR_OF_SPHERE
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE_OR_LOAD
 from .column import Column
 from .frame import Frame, once_a_frame
-from .measured import SURFACES_FROM, is_smooth
+from .measured import HELD, SURFACES_FROM, is_smooth
 from .other_law import factor_of_law
 from .plan import taken_by
 from .reasons import MISSING, RESTS_ON_SPACING, EndOfMeaning, Failure, cause_and_step, reason, register
@@ -309,8 +309,8 @@ INEXACT = (
     ),
     Limit(
         "impact_pressure_over_modulus", _IMPACT, ">", {0.1: "impact-may-yield"},
-        "the impact pressure exceeds the strength even of a flawless solid; e is an upper bound",
-        _has_speed,
+        "the impact pressure exceeds even the strength of a flawless solid; e is an upper bound",
+        lambda frame, _: "speed" in frame.stated and "yield_strength" not in frame.stated,
         where=_is_not_rubbery,
     ),
     Limit(
@@ -340,7 +340,7 @@ INEXACT = (
     ),
     Limit(
         "radius", _PULLED, ">=", {SURFACES_FROM: ROUGH_MATTERS},
-        "real spheres held 1/100 to 4/5 of this",
+        f"real surfaces hold less: SiO2 held {HELD}",
         lambda _, names: not _PULLED.isdisjoint(names),
         factor=lambda frame, _: at_most(frame["radius"], frame["radius2"]),
         where=may_be_rough,

@@ -114,7 +114,7 @@ def draw_on(axes: Any, panel: Panel, style: Style) -> None:
     _set_axes(axes, panel, inches, _ASPECT)
     axes.set_box_aspect(None)
     if panel.is_true_to_scale:
-        axes.set_aspect("equal")
+        axes.set_aspect("equal", adjustable="box")  # with "datalim", shared axes are refused
     drawing = _drawing_on(axes, panel, style, letters)
     axes.figure.draw_without_rendering()
     _label(axes, panel, drawing, style)

@@ -68,8 +68,6 @@ def library_values(frame: Frame) -> Mapping[str, float | Uncertain]:
 
 def about_library(answer: Answer) -> Iterator[Note]:
     """Iterate over notes on inferred values that are far from the library's."""
-    if ADHESION_ONLY in answer.rules:  # other losses are the probable cause
-        return
     by_maugis = BETWEEN in laws_of(answer)
     for name, usual in library_values(answer.described).items():
         ends = [answer.values[name]]
@@ -78,6 +76,8 @@ def about_library(answer: Answer) -> Iterator[Note]:
             ends = positive or ends
         factors = sorted((end / middle(usual) for end in ends), key=_distance)
         nearest, farthest = factors[0], factors[-1]
+        if answer.estimates[name].by == ADHESION_ONLY and nearest > 1:  # other losses are the probable cause
+            continue
         limit, question = _FAR.get(name, (INFINITY, ""))
         if 1 / limit <= nearest <= limit:
             continue

@@ -66,8 +66,8 @@ def lead_of_rows(groups: Sequence[Group], names: Collection[str]) -> str:
     """Return the sentence above a list of quantities on what its pull-off force leaves out; it may be empty."""
     if "pull_off_force" not in names:
         return ""
-    if "meniscus_force" in names:
-        return "take the larger of best P_c and F_men, not their sum"
+    if any("meniscus_force" in frame.numbers("meniscus_force") for frame, _ in groups) and "meniscus_force" in names:
+        return "take the larger of P_c and F_men, not their sum"
     is_rough = any(is_anywhere(may_be_rough(frame)) for frame, _ in groups)
     return "P_c is that of ideally smooth spheres, an upper limit; real ones hold less" if is_rough else ""
 
@@ -123,11 +123,14 @@ def _filled(sentence: str, answer: Answer) -> str:
     found = {name: estimate for name, estimate in answer.estimates.items() if estimate.by != NONE}
     words = {name: _spoken(name, each) for name, each in found.items()}
     if "{or_none}" in sentence:  # it has room for "none"
+        if answer.ended.keys() >= answer.computed.keys():
+            return ""
         words |= dict.fromkeys(answer.ended, "none")
     (first, *others) = answer.question.headline
     for name, estimate in found.items():
         words[name] += _middle(name, estimate, is_short=bool(others) or name != first)
     is_open = any(isnan(found[name].low) for name in answer.question.headline if name in found)
+    words["real"] = ", real ones by less" if may_be_rough(answer.frame) else ""
     words["or_none"] = ", or not at all" if is_open else ""
     words["after_impact"] = f", {words[_AFTER_IMPACT]} after hitting a fixed body" if _AFTER_IMPACT in words else ""
     try:
@@ -154,14 +157,19 @@ def _first_to_give_way(answer: Answer) -> str:
     rolling, sliding = (answer.estimates[name] for name in ("yield_force", "sliding_or_peeling_force"))
     force = range_in_words("yield_force", sliding)
     gives = f"it {_slides_or_peels(answer)} at {force}"
+    if rolling.by == NONE:
+        return f"if a pushed sphere cannot roll, {gives}"
     rolls = range_in_words("yield_force", rolling)
     if rolling.high < sliding.low:
         rolls += _middle("yield_force", rolling, is_short=True)
         return f"a pushed sphere rolls first, at {rolls}; if it cannot roll, {gives}"
     if rolling.low > sliding.high:
         return f"pushed, a sphere does not roll, which takes {rolls}: before that, {gives}"
-    decides = "ξ" if rolling.by in (XI_UNKNOWN, SCALED) else "τ"
-    return f"whether a pushed sphere rolls first ({rolls}) depends on {decides}; otherwise {gives}"
+    assumed = {"ξ": rolling.by in (XI_UNKNOWN, SCALED), "τ": sliding.by == FRICTION_ASSUMED}
+    decides = [symbol for symbol, is_open in assumed.items() if is_open]
+    if not decides:
+        return f"a pushed sphere may roll first, at {rolls}, or not: {gives}"
+    return f"whether a pushed sphere rolls first ({rolls}) depends on {listed(decides)}; otherwise {gives}"
 
 
 def _water_or_dry(answer: Answer) -> Iterator[Note]:
@@ -236,7 +244,9 @@ def _enough_to_roll(frame: Frame) -> Iterator[Note]:
         verdict = "does not roll"
     elif energy > least.high:
         verdict = "rolls"
-    has, needs = amount("energy", energy, _TWO), range_in_words("yield_energy", least)
+    elif isnan(least.high):
+        verdict = "may roll"
+    has, needs = amount("energy", energy, _TWO), _spoken("yield_energy", least)
     needs += _middle("yield_energy", least, is_short=True)
     yield Note("lead", f"the sphere {verdict}: it has {has}, and to begin rolling it needs {needs}")
 

@@ -57,7 +57,7 @@ _QUESTIONS = {
     "yield-force": _question(
         "yield_force",
         "yield_force yield_force_fixed_load yield_force_ratio yield_moment yield_angle yield_displacement",
-        leads="pushed at its centre, a sphere starts to roll at {yield_force}",
+        leads="a push of {yield_force} at its centre makes a sphere roll",
     ),
     "r-min": _question("r_min", leads="the smallest radius to which a chain bends before a contact rolls is {r_min}"),
     "n-grav": _question(
@@ -77,7 +77,7 @@ _QUESTIONS = {
     "n-roll": _question(
         "n_roll",
         "n_roll_after_impact n_roll n_roll_energy_balance",
-        leads="turns against the other sphere, if it rolls: {n_roll_energy_balance} without slip{after_impact}, "
+        leads="turns over the other body, if it rolls: {n_roll_energy_balance} without slip{after_impact}, "
         "{n_roll} after sliding{or_none}",
     ),
     "contact": _question(
@@ -111,7 +111,7 @@ _REPORT = Question(
     leads=[
         (
             "a push of {yield_force} starts rolling; the sticking speed is {sticking_speed}; ideally smooth spheres "
-            "are pulled apart by {pull_off_force}, real ones by less"
+            "are pulled apart by {pull_off_force}{real}"
         )
     ],
     if_stated=dict.fromkeys(_TURNS, ("energy", "energy_ratio", "speed")),

@@ -25,6 +25,7 @@ from ..model.frame import Frame
 from ..model.limits import JUMP, ROUGH_MATTERS, may_be_rough
 from ..model.measured import (
     ENERGY_ON_SURFACES,
+    HELD,
     MOST_SEEN,
     SIO2,
     SURFACES,
@@ -97,9 +98,9 @@ def held_on_surfaces(frame: Frame) -> str:
     """Return the pull-off force of real surfaces: for SiO2 as measured, for other solids as a fraction of JKR's."""
     radii = frame.numbers("radius", "radius2").values()
     if min(radii, default=2 * frame["reduced_radius"]) < SURFACES_FROM:
-        return "real ones hold less (at R ≥ 1 µm 1/100 to 4/5; smaller ones were not measured)"
+        return f"real ones hold less: SiO2 of R ≥ 1 µm held {HELD}"
     if solid_of_pair(frame) != SIO2:
-        return "real ones hold less: SiO2, the only solid measured, held 1/100 to 4/5 of JKR's force"
+        return f"real ones hold less: spheres of SiO2 held {HELD}"
     forces = (f"{span('pull_off_force', *ends)} ({surface})" for surface, ends in on_surfaces(frame).items())
     return f"real surfaces hold {', '.join(forces)}"
 
@@ -114,17 +115,17 @@ def about_surfaces(frame: Frame) -> str:
 _OF_SMOOTH = "P_c is that of smooth, dry spheres: rough ones hold less"
 _SEEN = f"hard spheres were seen to stick at 1–{MOST_SEEN} times JKR's speed"
 _WORDS: Mapping[int, str] = {
-    MEASURED: "1 to 10 times JKR's speed was measured; SiO2 by its own speeds",
-    SCALED: "from forces measured on this solid, scaled as R^(2/3) or as R",
+    MEASURED: f"1 to {MOST_SEEN} times JKR's speed was measured; SiO2 by its own speeds",
+    SCALED: "from ξ or forces measured on this solid, scaled as R^(2/3) or as R",
     XI_UNKNOWN: "not measured; ξ of 2 Å (one atom) or more (--xi)",
-    ADHESION_ONLY: "adhesion as the only loss; any other loss adds to it",
+    ADHESION_ONLY: "adhesion as the only loss; if there are others, this is a limit",
     FRICTION_ASSUMED: "from τ/3 to 3τ (--shear-strength); the contact area is JKR's",
     SPACING_ASSUMED: "from z0 = 2 Å to 4 Å; --z0 narrows it",
     BOUNDS: "JKR's force for soft spheres, DMT's for hard ones; E and ν decide",
-    LAW_ONLY: "no better law gives it",
-    KELVIN: "water condensed at 25 °C between smooth bodies; not to be added to P_c",
+    LAW_ONLY: "no better law gives it here",
+    KELVIN: "water at 25 °C between smooth bodies; F_men does not add to P_c",
     GAP: "a gap lowers the force, to zero where water only just fills it",
-    BETTER_LAW: "the better law here, over z0 = 2–4 Å (--z0)",
+    BETTER_LAW: "the better law here, over z0 = 2–4 Å unless given",
     LAW_IN_USE: "within 5 % of Maugis' law; the range covers both",
 }
 
@@ -149,7 +150,7 @@ def _kelvin(answer: Answer) -> Iterator[str]:
 def _friction(answer: Answer) -> Iterator[str]:
     yield _WORDS[FRICTION_ASSUMED]
     radius = answer.frame.numbers("contact_radius_at_load").get("contact_radius_at_load", 0.0)
-    if radius:
+    if radius and not answer.described.uncertainties:
         better = Ranges.of(answer.frame, "contact_radius_at_load").by_better_law("contact_radius_at_load")
         yield f"Maugis' contact area is {from_to(*((end / radius) ** 2 for end in better))} of JKR's"
 
@@ -286,16 +287,17 @@ def _xi_unknown(answer: Answer) -> Iterator[str]:
         yield "not measured: 2 Å (one atom) or more; --xi or a material narrows it"
         return
     most = answer.ranges.at_full_hysteresis(XI)[1]
-    ends = "from 2 Å to adhesion's limit" if isnan(most) else f"from 2 Å to {span(XI, most, most)} (adhesion's limit)"
-    if rolled is None:
-        yield f"not measured; {ends}"
-    elif not rolled.has_energy(frame):
-        yield f"not measured at this γ; {ends}"
-    elif any(high > most for _, high in answer.ranges.of_laws(XI, SCALED)):
-        yield f"not measured at this size; from 2 Å to forces of {amount('radius', rolled.radius)}, scaled"
-    else:
-        yield f"not measured at this size; {ends}"
-    yield "ξ is how far the contact shifts before it rolls; 2 Å is about one atom; both ends are by Maugis' law"
+    limit = "adhesion's limit" if isnan(most) else f"{span(XI, most, most)} (adhesion's limit)"
+    ends, laws = f"from 2 Å to {limit}", "; both ends are by Maugis' law"
+    if most < frame[XI]:
+        ends = f"at most {limit}, less than an atom"
+    what = "not measured"
+    if rolled is not None:
+        what += " at this size" if rolled.has_energy(frame) else " at this γ"
+        if rolled.has_energy(frame) and any(high > most for _, high in answer.ranges.of_laws(XI, SCALED)):
+            ends, laws = f"from 2 Å to values of R = {amount('radius', rolled.radius)}, scaled", ""
+    yield f"{what}; {ends}"
+    yield f"ξ is how far the contact shifts before it rolls; 2 Å is about one atom{laws}"
     yield _of_measured_solid(answer)
 
 
@@ -322,7 +324,8 @@ def _of_measured_solid(answer: Answer) -> str:
     radius = 2 * answer.frame["reduced_radius"]
     if rolled.has_energy(answer.frame):
         at, here = (amount("radius", each) for each in (rolled.radius, radius))
-        return f"the range also includes the forces that rolled {solid} at {at}, scaled to {here}"
+        what = "ξ" if rolled.name == XI else "the forces"
+        return f"the range also includes {what} measured on {solid} at {at}, scaled to {here}"
     if not rolled.has_size(radius) or "yield_force" not in answer.estimates:
         return ""
     energies = span("surface_energy", *rolled.energies)

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 from math import erfc, hypot, sqrt
 
+from ..errors import JkrollError
 from ..model.estimate import ADHESION_ONLY, FRICTION_ASSUMED, MEASURED, NONE, WORDS, Estimate, Ranges
 from ..model.frame import Frame
 from ..model.limits import LAW, ROUGH_MATTERS, STICKING_UNSURE, WIDE_CONTACT, Doubt, Limit, may_be_rough, touched
@@ -91,7 +92,7 @@ class Report(Answer):
             *about_inferred(self),
             *leads(self),
             *about_assumed(self.assumed),
-            *about_missing({**self.lacking, **self.open_bars()}),
+            *about_missing({**self._lacking_in_table, **self.open_bars()}),
             *about_left_out(self.sources),
             *about_given(self.frame, self._possible, inputs),
             *about_idle(idle),
@@ -125,7 +126,7 @@ class Report(Answer):
         """The suffix of a warning if results without a meaning still have best ranges: only the law in use fails."""
         if any(self.estimates[name].by == NONE for name in self.ended):
             return ""
-        return f", by plain {self.frame.law.short}"
+        return f", by {self.frame.law.short}"
 
     def _is_in_ranges(self, doubt: Doubt) -> bool:
         """Return whether the best ranges already include the consequence of a limit."""
@@ -160,16 +161,16 @@ class Report(Answer):
 
     @property
     def sentences(self) -> list[Note]:
-        """All sentences about the answer."""
-        return [*self.notes, *self.doubts()]
+        """All sentences about the answer, each once."""
+        every, above = [*self.notes, *self.doubts()], set[str]()
+        if self.shows_surfaces or self.is_on_pull_off:
+            above.add(held_on_surfaces(self.frame))  # a part of the first sentence
+        return [note for note in every if note.severity in ABOVE or note.text not in above]
 
     @property
     def sentences_below(self) -> list[Note]:
-        """The sentences below a table; those above it are not repeated."""
-        above = set()
-        if self.shows_surfaces or self.is_on_pull_off:
-            above.add(held_on_surfaces(self.frame))
-        return [note for note in self.sentences if note.severity not in ABOVE and note.text not in above]
+        """The sentences below a table."""
+        return [note for note in self.sentences if note.severity not in ABOVE]
 
     def _about_pull(self) -> Iterator[Note]:
         """Iterate over at most one note: the contact is pulled harder than rough spheres hold."""
@@ -191,6 +192,10 @@ class Report(Answer):
             elif pull <= force.high:
                 held = f"even smooth spheres may have parted at this pull{part}; "
         yield Note("lead", f"{held}{held_on_surfaces(self.frame)}")
+
+    @property
+    def _lacking_in_table(self) -> Mapping[str, JkrollError]:
+        return {name: error for name, error in self.lacking.items() if name in self.names_in_table}
 
     @property
     def _valued(self) -> list[str]:

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy
 
-from ..errors import BadRequest, BadTable, JkrollError
+from ..errors import BadRequest, BadTable, JkrollError, repeated_input
 from ..materials.library import Material, Materials
 from ..model.frame import EXCLUSIVE, Frame
 from ..model.reasons import MissingInput, NotInLaw
@@ -215,7 +215,7 @@ class Table:
     def _check_explicit(self, name: str, frames: Sequence[Frame]) -> None:
         """Raise an error if a quantity requested by name is an input, or lacks inputs in all frames."""
         if name in self.given:
-            raise BadRequest(f"--quantities: {name} is an input here, which results do not repeat; leave it out")
+            raise repeated_input(name)
         if not all(frame.missing([name]) for frame in frames):
             return
         try:

@@ -23,7 +23,8 @@ def parts_of_answer(answer: "Report") -> Iterator[Part]:
     for part in parts_of_frame(answer, AS_USUAL):
         parts.append(part if isinstance(part, str) else (part, []))
     return _in_python(
-        (*parts, *lines_of(answer.sentences_below, has_more=answer.has_more_reasons)), ".notes and .doubts"
+        (*parts, *lines_of(answer.sentences_below, has_more=answer.has_more_reasons)),
+        ".why, .notes and .doubts",
     )
 
 
@@ -36,7 +37,7 @@ def parts_of_answers(
     for columns in blocks:
         parts += parts_of_rows(columns, form, assumed, lead_of_rows(groups, wanted.names))
     notes = notes_below(groups, tally, wanted.reported_doubts, is_table=True)
-    return _in_python((*parts, *lines_of(notes, has_head=True)), ".notes and .doubts of each answer")
+    return _in_python((*parts, *lines_of(notes, has_head=True)), ".why, .notes and .doubts of each answer")
 
 
 def _in_python(parts: Iterable[Part], more: str) -> Iterator[Part]:

@@ -56,6 +56,7 @@ _LEAST, _MOST, _LARGEST = 0.25, 2000, 10000
 _SAME = 1e-12  # a range with a smaller relative width is shown as one number
 _BEST_RANGE = "best range"
 _ON_SURFACE = "surface"  # the rule for a pull-off force on a surface
+_OF_LAW = f" by {LAWS[DEFAULT_LAW].short}"  # suffix of the head of a column beside that of the best range
 _CODES = 24  # codes with more characters are shortened in a narrow table
 _OF_MATERIALS = {"material": [*PROPERTIES], "material2": [of_sphere(2, name) for name in PROPERTIES]}
 # Inputs that follow from others have no column unless they were typed. γ of a material keeps its column.
@@ -389,7 +390,9 @@ def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str], 
     if any(shown):
         results.append(TextColumn(DOUBT, shown, is_right=False))
     if to_take:
-        yield f"take {listed(to_take)}; other results are by {LAWS[DEFAULT_LAW].short} alone"
+        is_compared = any(column.head.startswith(f"{symbol}{_OF_LAW}") for column in results for symbol in to_take)
+        others = f"; columns{_OF_LAW} are for comparison" if is_compared else ""
+        yield f"take {listed([f'best {symbol}' for symbol in to_take])}{others}"
     if lead:
         yield lead
     yield leading, results
@@ -424,7 +427,7 @@ def in_width(leading: list[TextColumn], results: list[TextColumn]) -> Rows:
 def _result_columns(
     columns: "Columns", form: Format, *, has_models: bool
 ) -> tuple[list[TextColumn], list[float], list[str]]:
-    """Return the columns of results, the rules of all ranges, and the heads of the ranges to take."""
+    """Return the columns of results, the rules of all ranges, and the symbols of the ranges to take."""
     results, rules, to_take = list[TextColumn](), list[float](), list[str]()
     for name in columns.wanted.names:
         if name in columns.inputs:
@@ -433,7 +436,7 @@ def _result_columns(
         results += of_quantity
         rules += of_rows
         if len(of_quantity) > 1:
-            to_take.append(f"best {symbol_among(name, columns.inputs)}")
+            to_take.append(symbol_among(name, columns.inputs))
     return results, rules, to_take
 
 
@@ -447,8 +450,8 @@ def _of_quantity(
     """
     best, rules = _best(columns, name, form)
     head = symbol_among(name, columns.inputs)
-    if best and "model" not in columns.inputs:
-        head += f" by {LAWS[DEFAULT_LAW].short}"
+    if best and "model" not in columns.inputs and not {by for by in rules if by > NONE} <= {KELVIN, GAP}:
+        head += _OF_LAW
     (values,) = columns_of(name, {head: _measures(columns, name)}, form)
     if best and has_models:
         return [_with_ranges(values, best[0], rules)], rules

@@ -411,7 +411,6 @@ def whole_file(path: str, mark: str = "") -> Iterator[BinaryIO]:
 @contextmanager
 def _removed_at_last(path: str) -> Iterator[BinaryIO]:
     """Open a new file for a block; remove it after the block, or if a signal ends the process."""
-
     ours = [path]  # even before `open` returns, since a signal may come when the file is made
 
     def remove() -> None:
