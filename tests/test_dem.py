@@ -29,7 +29,7 @@ from scenes import QUARTZ
         # πa0²τ, a0 = 3.991 nm · 10^(2/3), which is less than the 0.7 nN at which SiO2 rolled
         (
             "quartz 1um --shear-strength 0.4MPa",
-            "before that, it slides at 430 pN",
+            "since it slides at 430 pN",
         ),
         ("quartz 100nm --shear-strength 584.5MPa", "at 22 nN"),  # the whole area slides at 29.2 nN
     ],

@@ -238,7 +238,7 @@ def test_a_map_has_hatches_best_ranges_and_the_edge_of_a_part_without_values() -
     assert keys[:4] == [
         "a/z0 < 3: contact radius below 3 atoms",
         "pH/E* > 0.1: the pressure exceeds even the strength of",
-        "a flawless solid: take numbers as rough",
+        "a flawless solid: numbers are rough",
         "eh > 0.01: contact too wide for the formulas",
     ]
     assert keys[4:7] == [

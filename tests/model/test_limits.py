@@ -98,7 +98,7 @@ def test_every_limit_concerns_a_result_that_a_command_shows() -> None:
         ("contact_radius_at_load", {"approach_at_load": -6e-11}, "beyond-pull-off"),
     ],
 )
-def test_a_scene_beyond_a_limit_has_its_code(name: str, given: dict[str, Any], code: str) -> None:
+def test_a_contact_beyond_a_limit_has_its_code(name: str, given: dict[str, Any], code: str) -> None:
     assert code in verdicts(name, **given).values()
     assert code in codes(bits(Frame({**QUARTZ, **given}), [name])).split()
 
@@ -274,7 +274,7 @@ def test_strengths_outside_the_fitted_filling_factors_are_doubtful(run: Run) -> 
     assert "fitted to filling factors of 0.01 to 0.5 (φ = 0.7)" in " ".join(ran.split())
 
 
-def test_n_grav_on_another_body_notes_where_the_contact_between_the_spheres_yields(run: Run) -> None:
+def test_a_note_of_n_grav_on_another_body_says_where_the_contact_between_the_spheres_yields(run: Run) -> None:
     said = "N_grav counts the spheres held by the first contact, which is with body 2"
     of_materials = "n-grav quartz 100nm --material2 iron --work-of-adhesion 1J/m2"
     for words in ("n-grav quartz 100nm --radius2 plane", "n-grav quartz 100nm --radius2 1nm", of_materials):
@@ -311,7 +311,7 @@ def test_the_law_of_adhesion_is_judged_by_its_effect_on_each_result(
     assert {one for one in codes(bits(scene, [name])).split() if one.startswith("law")} == ({code} if code else set())
 
 
-def test_a_contact_that_exists_only_by_dmt_is_doubtful() -> None:
+def test_a_contact_that_exists_only_under_dmt_is_doubtful() -> None:
     """A DMT contact bears this load; a Maugis contact does not."""
     force = solve("pull_off_force", **QUARTZ, model="dmt")
     held = {**QUARTZ, "radius": 1e-4, "load": -0.9 * 1e3 * force}
@@ -347,7 +347,7 @@ def test_a_dmt_contact_at_an_approach_is_doubtful_although_it_does_not_depend_on
 
 
 def test_the_other_law_has_the_spacing_that_follows_from_the_cutoff() -> None:
-    """The scene computes the spacing from the cutoff, and the other law uses this spacing."""
+    """The frame computes the spacing from the cutoff, and the other law uses this spacing."""
     given: dict[str, Any] = {"radius": 1e-7, "hamaker": 6.5e-20, "cutoff": 2e-10}
     other = Frame(given, known_materials()["quartz"]).by_law
     assert other["pull_off_force"] == solve("pull_off_force", material="quartz", model="maugis", **given)

@@ -135,9 +135,9 @@ def test_a_small_meniscus_has_the_same_force_at_every_humidity() -> None:
     [
         (
             "quartz 1um --humidity 60%",
-            "water pulls harder: take the larger force, not the sum: a meniscus pulls with 440 nN",
+            "water pulls harder; take the larger force, not the sum: a meniscus pulls with 440 nN",
         ),
-        ("silica-dry 1um --humidity 60%", "the dry contact pulls harder: take the larger force, not the sum"),
+        ("silica-dry 1um --humidity 60%", "the dry contact pulls harder; take the larger force, not the sum"),
         ("quartz 1um --humidity 30% --roughness 2nm", "the dry contact alone pulls: water fills the gap of 2 nm only"),
         (
             "quartz 1um --humidity 90% --roughness 2nm",

@@ -107,7 +107,7 @@ def test_without_axes_plot_makes_a_new_figure() -> None:
         (lambda: jkroll.figure("3a", as_printed=True), "no curve of figure 3a is printed differently"),
         (lambda: jkroll.curve(material="quartz", radius=1e-7, panel="forces"), "choose one of force, pressure"),
         (lambda: jkroll.curve(material="quartz", radius=1e-7, load=(1e-9, -1e-9)), "the lower end first"),
-        (lambda: jkroll.curve(material="quartz", radius=[1e-7, 2e-7]), "is more than one contact"),
+        (lambda: jkroll.curve(material="quartz", radius=[1e-7, 2e-7]), "describes more than one contact"),
         (lambda: jkroll.curve(material="quartz", radius=1e-7).plot(style="pink"), "is not a style"),
         (lambda: jkroll.map("P_c", x="radius=1nm:1um", radius=1e-7), "leave out its single value"),
         (lambda: jkroll.map("P_c", x="density=1g/cm3:2g/cm3"), "pull_off_force does not depend on density"),

@@ -600,5 +600,5 @@ def test_a_limit_judged_by_the_smaller_sphere_is_stated_by_its_consequence_only(
 
 def test_a_caption_has_no_names_of_table_columns(run: Run) -> None:
     out = run("map n-roll quartz 10nm --x energy=1e-21J:1e-17J").out
-    assert "W0/W_yield < 3.5: after sliding 2/7 of the energy is left, too little to start" in " ".join(out.split())
+    assert "W0/W_yield < 3.5: after sliding, 2/7 of the energy is left, too little to start" in " ".join(out.split())
     assert "of n_roll" not in out

@@ -1,4 +1,4 @@
-"""Tables of contacts: each row gets the numbers of a single calculation, whatever the other rows hold."""
+"""Tables of contacts: each row gets the same numbers as if it were calculated alone, whatever the other rows hold."""
 
 import csv
 import io
@@ -115,8 +115,7 @@ def test_cells_read_together_give_the_same_numbers_as_single_cells(unit: str, nu
 
 @settings(deadline=None)
 @given(cells=st.lists(st.sampled_from([b"50 nm", b"7 nm", b" nm", b"nm", b"60", b"", b" ", b"2 um", b"1 nm nm"])))
-def test_cells_with_their_own_units_are_read_cell_by_cell(cells: list[bytes]) -> None:
-    """In a column without a unit, a cell needs both a number and a unit."""
+def test_in_a_column_without_a_unit_each_cell_needs_a_number_and_a_unit(cells: list[bytes]) -> None:
     radii = {b"50 nm": 50e-9, b"7 nm": 7e-9, b"2 um": 2e-6}
     found = Column(0, "radius", "", None).numbers({"radius": cells})
     assert [None if math.isnan(value) else value for value in found.values] == [*map(radii.get, cells)]
@@ -451,7 +450,7 @@ def test_a_missing_library_is_named(run: Run, monkeypatch: pytest.MonkeyPatch, w
     assert not [*Path().glob("*out*")]
 
 
-def test_option_excel_safe_puts_an_apostrophe_before_formulas_between_tabs(run: Run) -> None:
+def test_option_excel_safe_puts_an_apostrophe_before_formulas_in_tables_with_tabs(run: Run) -> None:
     names = ["=1+1", "'-x", "-2+3", "+x", "@x"]
     rows = "".join(f"{name}\tquartz\t100\t-2\n" for name in names)
     name = table(GRAINS.replace(",", "\t") + rows, "grains.tsv")
@@ -600,7 +599,7 @@ def test_an_empty_option_is_refused(run: Run, option: str) -> None:
 
 
 @pytest.mark.parametrize("name", ["/dev/stdout", "/dev/fd/1"])
-def test_output_to_the_path_of_standard_output_keeps_the_lines_of_its_file(name: str) -> None:
+def test_output_to_dev_stdout_keeps_the_lines_of_a_file_that_the_shell_appends_to(name: str) -> None:
     table(GRAINS)
     Path("log.csv").write_text("kept\n", encoding="utf-8")
     jkroll = f"{sys.executable} -m jkroll batch grains.csv --quiet --quantities pull_off_force -o {name}"

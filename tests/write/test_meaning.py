@@ -16,7 +16,7 @@ from jkroll.quantities.nomenclature import NOMENCLATURE
 GEL = "15um --radius2 plane --work-of-adhesion 71mJ/m2 --young rigid --young2 3kPa --poisson2 0.5"
 WIDE, FLIES = "the contact is wider than the smaller sphere", "too fast to roll around body 2: it flies off"
 SLOW, SHORT = (
-    "after sliding 2/7 of the energy is left, too little to start rolling",
+    "after sliding, 2/7 of the energy is left, too little to start rolling",
     "not even one sphere can be held out level: it rolls down, or falls off if Bo is below 1",
 )
 SONIC = "faster than sound in the solid: no static contact describes that"
@@ -292,7 +292,7 @@ def test_doubts_about_the_headline_precede_other_doubts(run: Run) -> None:
     """
     lines = run("contact quartz 100nm --load 3uN").err.splitlines()
     note = [line for line in lines if line.startswith("note: ")][-1]  # after the note on the best range
-    assert note.startswith("note: the pressure exceeds even the strength of a flawless solid: take numbers as rough")
+    assert note.startswith("note: the pressure exceeds even the strength of a flawless solid: numbers are rough")
     assert "(p_H/E* = 0.212, limit 0.1)" in note
     pressed, *others = jkroll.answer("contact", material="quartz", radius=1e-7, load=3e-6).doubts
     assert [doubt.code for doubt in (pressed, *others)] == ["may-yield", "law-off-2x", "sticking-unsure"]

@@ -362,10 +362,8 @@ def run_export(call: Call) -> int:
         return 0
     options = options_for_centre(answer)
     if options:
-        text_of = (
-            f"Plain {frame.law.short}, the paper's model. For the likely P_c and M of smooth spheres add {options}"
-        )
-        real = "; real grains: lower gamma in proportion to P_c, and raise xi by the same factor, which keeps M"
+        text_of = f"{frame.law.short} as in the paper. For the likely P_c and M of smooth spheres, add {options}"
+        real = ". Where real grains have f times this P_c, multiply gamma by f and divide xi by f, so that M stays"
         say(comment_of(f"{text_of}{real if answer.is_in_doubt(ROUGH_MATTERS) else ''}."), sys.stdout)
     sys.stdout.write(text)
     for line in lines:

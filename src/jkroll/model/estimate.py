@@ -60,7 +60,7 @@ _LOSSES = frozenset({"restitution", "sticking_speed"})
 _LOSE = ("surface_energy", "work_of_adhesion", "hamaker", "viscous_time")
 _AS_PULL_OFF = ("pull_off_force", "bond_number")  # in proportion to the pull-off force
 _BREAKING = ("disruption_energy", "disruption_speed")  # from fits to simulations and from a work of separation
-# By result: its power of a base quantity, this quantity, and the same quantity by Lennard-Jones' law.
+# For each result: its exponent of a base quantity, this quantity, and the same quantity by Lennard-Jones' law.
 _BY_LENNARD_JONES = {
     **dict.fromkeys(_AS_PULL_OFF, (1.0, "pull_off_force", "pull_off_force_lennard_jones")),
     "well_energy": (1.0, "well_energy", "well_energy_lennard_jones"),
@@ -71,7 +71,7 @@ _BY_LENNARD_JONES = {
     "disruption_energy": (1.0, "pull_off_work", "well_energy_lennard_jones"),
     "disruption_speed": (0.5, "pull_off_work", "well_energy_lennard_jones"),
 }  # fmt: skip
-FRICTION_FACTOR = 3.0  # the assumed shear strength may be this factor too low or too high: an order of magnitude in all
+FRICTION_FACTOR = 3.0  # the assumed shear strength may be too low or too high by this factor
 _SAME = 1e-9  # relative difference of two ends that counts as rounding
 _TOO_WIDE = reason(ENDS[CONTACT_EXCEEDS_SPHERE.codes[1.0]])
 

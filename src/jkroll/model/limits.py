@@ -59,7 +59,10 @@ class Limit:
         return _COMPARISONS[self.sign](number, threshold)
 
     def excess(self, number: Any) -> Any:
-        """Return the distance beyond the first threshold: ln(number/threshold), or the number if the threshold is 0."""
+        """Return the distance beyond the first threshold; it is negative within the limit.
+
+        It is ±ln(number/threshold), or ± the number if the threshold is 0.
+        """
         size = ln(number / self.threshold) if self.threshold else number
         return size if self.sign.startswith(">") else -size
 
@@ -111,7 +114,7 @@ class Doubt:
 
     @property
     def text(self) -> str:
-        """The consequence with the number, for an answer: "contact radius below 3 atoms (a/z0 = 2.15)"."""
+        """The consequence with the number, for an answer: "contact radius below 3 atoms (a/z0 = 2.15, limit 3)"."""
         if not self.is_exceeded:
             return "within the limit"
         has_no_meaning = self.limit.ends_meaning and self.limit.name in self.limit.touches
@@ -248,8 +251,8 @@ ENDING = (
         "not even one sphere can be held out level: it rolls down, or falls off if Bo is below 1",
         ends_meaning=True,
     ),
-    _too_slow("n_roll", 7 / 2, "does-not-roll-sliding", "after sliding 2/7 of the energy is left,"),
-    _too_slow("n_roll_after_impact", 7 / 5, "does-not-roll-after-impact", "after impact 5/7 of the energy is left,"),
+    _too_slow("n_roll", 7 / 2, "does-not-roll-sliding", "after sliding, 2/7 of the energy is left,"),
+    _too_slow("n_roll_after_impact", 7 / 5, "does-not-roll-after-impact", "after impact, 5/7 of the energy is left,"),
     _too_slow("n_roll_energy_balance", 1.0, "does-not-roll", "its energy is"),
     Limit(
         "flight_ratio", _TURNS, ">", {1.0: FLIES_OFF},
@@ -273,7 +276,7 @@ ENDING = (
 LAW = Limit(
     "tabor_parameter", _ELASTICITY, ">",
     {LAW_MATTERS: "law-off-5%", 1.25: "law-off-25%", 2.0: "law-off-2x"},
-    "differs from Maugis' law, the better one",
+    "off Maugis' law, the better one, by more than this",
     factor=factor_of_law,
 )  # fmt: skip
 INEXACT = (
@@ -298,7 +301,7 @@ INEXACT = (
     ),
     Limit(
         "speed_over_sticking", frozenset({"restitution", "sticking_speed"}), ">", {1.0: "bounces"},
-        "free spheres that collide head-on bounce if adhesion is the only loss; others let them stick at higher speeds",
+        "free spheres that collide head-on bounce if adhesion is the only loss; further losses raise this speed",
         _has_speed,
         is_shown=False,  # the restitution already shows this
     ),
@@ -330,7 +333,7 @@ INEXACT = (
     ),
     Limit(
         "tabor_parameter", frozenset({"sticking_energy", "sticking_speed"}), "<", {JUMP: STICKING_UNSURE},
-        "the contact forms and opens smoothly; adhesion alone loses almost no energy, other losses decide what sticks",
+        "the contact forms and opens smoothly; adhesion alone loses almost no energy, and other losses decide",
         conclusion="has_jump",
     ),
     Limit(
@@ -360,7 +363,7 @@ INEXACT = (
     ),
     Limit(
         "kelvin_radius", frozenset({"kelvin_radius"}), "<", {1.0: "few-molecules"},
-        "the meniscus is 3 molecules of water wide or less, too few for a surface tension",
+        "the radius of the meniscus is 3 molecules of water or less, too few for a surface tension",
         factor=lambda frame, _: frame["kelvin_radius"] / 1e-9,
     ),
     Limit(
@@ -369,7 +372,7 @@ INEXACT = (
     ),
     Limit(
         "hertz_pressure_over_modulus", _ELASTICITY, ">", {0.1: "may-yield"},
-        "the pressure exceeds even the strength of a flawless solid: take numbers as rough; no plasticity is modelled",
+        "the pressure exceeds even the strength of a flawless solid: numbers are rough; no plasticity is modelled",
         where=_is_not_rubbery,
     ),
     Limit(

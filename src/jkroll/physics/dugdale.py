@@ -5,8 +5,8 @@ The traction σ0 acts for a < r < c, where the gap is below w/σ0. Lengths along
 
 Maugis (J. Colloid Interface Sci. 150, 243, 1992) has two equations for a and c at a load. Here one variable describes a
 state, the edge ratio v = a/√(c² − a²): it is large where the ring is narrow (JKR), small where the ring is wide (DMT),
-and 0 where the spheres do not touch. All else is explicit in v, and so are both extremes of the curve and the state
-without load:
+and 0 where the spheres do not touch. All else is explicit in v, and so are the equations for both extremes of the curve
+and for the state without load:
 
     T = √(c² − a²) = 1/(⅔λ²G2 + √((⅔λ²G2)² + λG1/2))    a = vT    c = nT    q = 4λ/(3T)
     P = a³ − λT²G3    δ = a² − (4/3)λT    dP/dδ = (3/2)T(vG3 − qD)/(G3 − qh)
@@ -15,8 +15,8 @@ without load:
     n = √(1 + v²)    θ = arctan(1/v)    h = tan(θ/2) = 1/(n + v)
     G1 = v + (1 − v²)θ    G2 = θ − h    G3 = v + n²θ    D = vh + n²θ²
 
-In these states, at a load and at an approach, v is the root of a smooth function, found by Newton's or Halley's method
-from a start that is near enough for a fixed number of steps.
+In each of these three states, and at a given load or approach, v is the root of a smooth function. It is found by
+Newton's or Halley's method from a start that is near enough for a fixed number of steps.
 """
 
 import math
@@ -27,7 +27,7 @@ from .elementary import FloatOrArray, Truth, absolute, arctan, at_least, at_most
 FOLD_WITHOUT_CONTACT = 0.9379474572107123  # (9π/(16(π − 1)))^(1/3): for λ below, a vanishes before fixed grips let go
 JUMP_WITHOUT_CONTACT = 0.6551853485522241  # (9/32)^(1/3): for λ below, approaching spheres attract before they touch
 
-_ROUNDING = 8 * 2.0**-52  # of a load or an approach that is itself computed as that of an extreme
+_ROUNDING = 8 * 2.0**-52  # relative error of a load or an approach that the caller computed as that of an extreme
 _STEPS = 3  # of Newton's method; each squares the error
 _FAR = 32.0  # √(1 + P/P_c) beyond which another start is taken, and twice as many steps
 _TINY = 1e-300  # instead of a slope of 0
@@ -94,7 +94,7 @@ def approach(transition: FloatOrArray, ring: Shape, span: FloatOrArray) -> Float
 
 
 def unloaded_radius(transition: FloatOrArray, ring: Shape, span: FloatOrArray) -> FloatOrArray:
-    """Return a of a contact without load: a³ = λT²G3, as P is 0; in vT, an error of v would count 3/2 times."""
+    """Return a of a contact without load: a³ = λT²G3, as P is 0; vT would have 3/2 times the relative error of v."""
     return cbrt(transition * span * span * ring.g3)
 
 
@@ -112,7 +112,7 @@ def stiffness_ratio(ring: Shape, q: FloatOrArray) -> FloatOrArray:
 
 
 def energy(transition: FloatOrArray, ring: Shape, span: FloatOrArray, approach: FloatOrArray) -> FloatOrArray:
-    """Return the elastic and surface energy Φ, in contact or apart: dΦ = P dδ, and 0 for spheres that do not attract.
+    """Return the elastic and surface energy Φ, in contact or apart: dΦ = P dδ; Φ = 0 beyond the reach of attraction.
 
     Φ = ¾(aδ² − ⅔a³δ + a⁵/5) − c² + λT⁴(θ − v + (2v + 3v³)(1 − vθ))/4 + λT²(n²θ − v)(a² − δ) − (4/9)λ²T³(v + 2n)h²
     """

@@ -101,7 +101,7 @@ class Drawn:
             return figure_of(self._picture, None, STYLES[style], has_caption=caption)
 
     def _repr_png_(self) -> tuple[bytes, dict[str, int]]:
-        """Return the PNG for notebooks, shown at half its pixels, so that letters match the surrounding text."""
+        """Return the PNG for notebooks, shown at half its width in pixels, so that letters match the text around."""
         with missing_extra("plot"):
             from .page import draw
         content = draw(self._picture, "png", None, "paper", has_caption=True)
@@ -157,7 +157,7 @@ def curve(
     if panel is not None and panel not in PANELS:
         raise BadRequest(f"panel: {quoted(panel)} is not a panel; choose one of {listed(PANELS)}")
     described = Reader().in_si(given)
-    refuse_arrays(described, "is more than one contact", "a picture has single values")
+    refuse_arrays(described, "describes more than one contact", "a picture needs one value of each input")
     solids = materials_of(material, material2, materials)
     models = [model] if model is None or isinstance(model, str) else [*model]
     frames = [Frame(described, *solids, model=law_given(each, profile)) for each in models]
@@ -208,7 +208,7 @@ def map(
     ((2, 3), '4.712e-10 N')
     """
     described = Reader().in_si(given)
-    refuse_arrays(described, "is more than one contact", "a picture has single values")
+    refuse_arrays(described, "describes more than one contact", "a picture needs one value of each input")
     known, law, name = materials or known_materials(), law_given(model, profile), quantity_named(quantity)
     across, up = axis_of(x, "x"), axis_of(y, "y") if y is not None else None
     check_axes(name, [axis for axis in (across, up) if axis is not None], described, (law or DEFAULT_LAW,))

@@ -102,7 +102,7 @@ def about_limit(doubt: Doubt, answer: Answer) -> str:
         return doubt.text
     shown = {*answer.inputs, *answer.assumed}
     symbols = [symbol_among(name, shown) for name in answer.described.unknowns]
-    return f"{listed(symbols)}: for smooth spheres; rough ones give an effective value, of this size alone"
+    return f"{listed(symbols)}: for smooth spheres; rough ones give an effective value, for this size alone"
 
 
 def about_inferred(answer: Answer) -> Iterator[Note]:

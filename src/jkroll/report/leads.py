@@ -58,12 +58,13 @@ def leads(answer: Answer) -> Iterator[Note]:
         silica = of_silica(answer)
         if silica:
             yield Note("lead", silica)
-    if "tabor_parameter" in answer.question.named and "tabor_parameter" in answer.values:
+    is_asked = "tabor_parameter" in answer.question.named and answer.frame.stated_model is None
+    if is_asked and "tabor_parameter" in answer.values:
         yield Note("lead", _law_that_holds(answer))
 
 
 def lead_of_rows(groups: Sequence[Group], names: Collection[str]) -> str:
-    """Return the sentence above a list of quantities on what its pull-off force leaves out; it may be empty."""
+    """Return the sentence above a list that says what its pull-off force leaves out; empty if nothing is to be said."""
     if "pull_off_force" not in names:
         return ""
     if any("meniscus_force" in frame.numbers("meniscus_force") for frame, _ in groups) and "meniscus_force" in names:
@@ -164,12 +165,12 @@ def _first_to_give_way(answer: Answer) -> str:
         rolls += _middle("yield_force", rolling, is_short=True)
         return f"a pushed sphere rolls first, at {rolls}; if it cannot roll, {gives}"
     if rolling.low > sliding.high:
-        return f"pushed, a sphere does not roll, which takes {rolls}: before that, {gives}"
+        return f"a pushed sphere does not roll, since {gives}; rolling would take {rolls}"
     assumed = {"ξ": rolling.by in (XI_UNKNOWN, SCALED), "τ": sliding.by == FRICTION_ASSUMED}
     decides = [symbol for symbol, is_open in assumed.items() if is_open]
     if not decides:
         return f"a pushed sphere may roll first, at {rolls}, or not: {gives}"
-    return f"whether a pushed sphere rolls first ({rolls}) depends on {listed(decides)}; otherwise {gives}"
+    return f"whether a pushed sphere rolls first ({rolls}) depends on {listed(decides)}; if it does not, {gives}"
 
 
 def _water_or_dry(answer: Answer) -> Iterator[Note]:
@@ -186,7 +187,7 @@ def _water_or_dry(answer: Answer) -> Iterator[Note]:
         meniscus = range_in_words("meniscus_force", wet).replace("≤", "at most")
         is_wet, is_dry = wet.low > dry.high, wet.high < dry.low
         which = "water pulls" if is_wet else "the dry contact pulls" if is_dry else "either may pull"
-        verdict = f"{which} harder: take the larger force, not the sum"
+        verdict = f"{which} harder; take the larger force, not the sum"
         less = "; roughness weakens both" if answer.is_on_pull_off and not fills else ""
         yield Note("lead", f"{verdict}: {fills and fills + '; '}a meniscus pulls with {meniscus}, {force}{less}")
 
@@ -263,7 +264,8 @@ def _elastic_or_not(frame: Frame) -> str:
     peak = _pressure(frame, "impact_pressure")
     if frame.missing(["first_yield_pressure"]):
         rest = _pressure(frame, "hertz_pressure")
-        return f"the impact is elastic if the solids bear {peak}, its peak pressure (at rest: {rest}): --yield-strength"
+        bear = f"the impact is elastic if the solids bear {peak}, its peak pressure (at rest: {rest})"
+        return f"{bear}; --yield-strength decides"
     first, full = _pressure(frame, "first_yield_pressure"), _pressure(frame, "plastic_pressure")
     limits = f"the peak pressure is {peak}; yield starts below the surface at {first}, and is full at {full}"
     if frame["impact_pressure"] < frame["first_yield_pressure"]:

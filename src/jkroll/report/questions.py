@@ -59,7 +59,7 @@ _QUESTIONS = {
         "yield_force yield_force_fixed_load yield_force_ratio yield_moment yield_angle yield_displacement",
         leads="a push of {yield_force} at its centre makes a sphere roll",
     ),
-    "r-min": _question("r_min", leads="the smallest radius to which a chain bends before a contact rolls is {r_min}"),
+    "r-min": _question("r_min", leads="a chain bends to a radius of {r_min} before a contact rolls"),
     "n-grav": _question(
         "n_grav",
         "n_grav gravity_moment bond_number",
@@ -129,8 +129,8 @@ QUESTIONS: Mapping[str, Question] = {
         "sticking_speed_pencil_code",
         without_row="fold_energy break_energy_dust_simulation sticking_energy_paszun_dominik "
         "sticking_energy_pencil_code sticking_speed_paszun_dominik sticking_speed_pencil_code",
-        leads="separating the spheres takes {pull_off_work}; with a soft spring, as of most AFMs, "
-        "{pull_off_work_at_dead_load}\n"
+        leads="parting the spheres takes {pull_off_work} with fixed grips, {pull_off_work_at_dead_load} at a dead "
+        "load, as with the soft spring of an AFM\n"
         "rolling by a quarter turn takes {roll_energy_quarter_turn}, by D&T 97\n"
         "the sticking speed is {sticking_speed}",
     ),
@@ -159,7 +159,8 @@ QUESTIONS: Mapping[str, Question] = {
         "compressive_strength tensile_strength",
         without_row="restructuring_energy_ormel restructuring_speed_ormel disruption_energy_dust_simulation "
         "disruption_speed_dust_simulation",
-        leads="two equal aggregates that collide begin to restructure at {restructuring_speed}, by D&T 97\n"
+        leads="two equal aggregates that collide begin to restructure at a relative speed of {restructuring_speed}, "
+        "by D&T 97\n"
         "they begin to break up at {disruption_speed}, by Wada 07",
     ),
 }

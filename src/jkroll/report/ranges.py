@@ -98,7 +98,7 @@ def held_on_surfaces(frame: Frame) -> str:
     """Return the pull-off force of real surfaces: for SiO2 as measured, for other solids as a fraction of JKR's."""
     radii = frame.numbers("radius", "radius2").values()
     if min(radii, default=2 * frame["reduced_radius"]) < SURFACES_FROM:
-        return f"real ones hold less: SiO2 of R ≥ 1 µm held {HELD}"
+        return f"real ones hold less: not measured at this size; SiO2 of R ≥ 1 µm held {HELD}"
     if solid_of_pair(frame) != SIO2:
         return f"real ones hold less: spheres of SiO2 held {HELD}"
     forces = (f"{span('pull_off_force', *ends)} ({surface})" for surface, ends in on_surfaces(frame).items())
@@ -226,7 +226,7 @@ def _measured(answer: Answer) -> Iterator[str]:
         yield f"the spheres stuck to a plane; the speed is proportional to R^{stuck.exponent}"
         yield _above_law(answer)
         return
-    yield f"{seen}, for every γ"
+    yield f"{seen}; γ does not enter"
     yield f"{bar}; the spheres stuck to a plane; scaled to this size like {answer.frame.law.short}'s speed"
     yield _above_law(answer)
     yield "the effect of γ was not measured"

@@ -2,8 +2,9 @@
 
 A header is a word with a unit, in one of a few notations: `radius [nm]`, `R2 (nm)`, `Load/nN`, `radius in nm`, `E_GPa`,
 `gamma..mJ.m2.`. Words are compared by letters and digits only, so `Young's modulus` equals `youngsModulus`. Symbols are
-compared as written, or in any case if a unit follows; the unit then decides between the quantities that share a symbol.
-A header that contains a word for an input, but is not such a word with a unit, is refused. Other columns pass through.
+compared as written, or without regard to case if a unit follows; the unit then decides between quantities that share a
+symbol. A header that contains a word for an input, but is not such a word with a unit, is refused. Other columns pass
+through.
 """
 
 import re
@@ -190,7 +191,7 @@ def _exact(split: Split, known: Mapping[str, Meaning]) -> Reading | None:
             break
     if not name or (is_mangled and is_in_table(f"u{unit_text}")):  # µm may have become m
         return None
-    is_of_capitals = unit.istitle() or f"{word}{unit}".isupper()  # mm may have become Mm, and pN PN
+    is_of_capitals = unit.istitle() or f"{word}{unit}".isupper()  # mm may have become Mm, or pN may have become PN
     if is_of_capitals and not is_symbol and unit_text != unit_for(unit, name):
         return None
     if unit == NOMENCLATURE[name].symbol and "[" not in split.mark:  # in gravity (g), g is the symbol, not the unit
@@ -205,7 +206,7 @@ def _exact(split: Split, known: Mapping[str, Meaning]) -> Reading | None:
 def _of_part(text: str, measured: str) -> Reading:
     """Return the meaning of a header about the spread of a value, without a name if the header names no value.
 
-    A notation that is not clearly an uncertainty is UNREAD. The reading of any other header has no part.
+    A notation that is not clearly an uncertainty is UNREAD. A header that is not about a spread has no part.
     """
     factor = re.search(words.COVERAGE, text)
     plain = re.sub(words.COVERAGE, "", text)
@@ -323,7 +324,7 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
 def _doubtful(
     split: Split, word: str, meaning: Meaning, names: Sequence[str], unit_text: str, *, is_slip: bool
 ) -> Reading:
-    """Return the refusal of a header in which a word for an input has a slip, or stands next to other words.
+    """Return the refusal of a header in which a word for an input is misspelt, or stands next to other words.
 
     The refusal suggests no header if the other words may mean another quantity.
     """
@@ -364,7 +365,7 @@ def plain_words(text: str) -> list[str]:
 
 
 def _word_in(text: str, known: Mapping[str, Meaning], unit: str) -> tuple[str, bool]:
-    """Return the known word in a text, which may stand among other words or have a slip, and whether it has a slip.
+    """Return the known word in a text, which may stand among other words or be misspelt, and whether it is misspelt.
 
     Of several known words, the longest counts, preferably among those that fit the unit.
     """

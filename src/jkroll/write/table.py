@@ -253,7 +253,7 @@ def _grouped(rows: _Rows, question: "Question") -> list[list[str]]:
 
 
 def _with_surfaces(rows: _Rows, answer: "Report", form: Format) -> _Rows:
-    """Return the rows of results, with the forces on measured surfaces above the pull-off force, which limits them."""
+    """Return the rows of results, with a row for each measured surface before that of the pull-off force."""
     extended: _Rows = {}
     for name, row in rows.items():
         if name == "pull_off_force":
@@ -401,7 +401,7 @@ def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str], 
 
 
 def _count(number: int, inputs: Collection[str]) -> str:
-    """Return the number of pairs or states in words; empty for a single one."""
+    """Return the number of pairs or states, if there are several, and the law of states; it may be empty."""
     count = ""
     if number > 1:
         count = f"{number} states" if "state" in inputs else f"{number} pairs"
