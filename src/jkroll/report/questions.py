@@ -95,7 +95,7 @@ _QUESTIONS = {
         "yield_moment yield_displacement unloaded_moment half_circles_moment fixed_approach_moment rolling_stiffness "
         "mean_rolling_moment mean_rolling_force",
         without_row="half_circles_moment fixed_approach_moment",  # approximations of the first
-        leads="rolling starts at {yield_moment}, the threshold for a simulation\n"
+        leads="a moment of {yield_moment} starts rolling: the threshold for a simulation\n"
         "once it rolls, the mean moment is half of that, {mean_rolling_moment}",
     ),
 }
@@ -161,7 +161,7 @@ QUESTIONS: Mapping[str, Question] = {
         "disruption_speed_dust_simulation",
         leads="two equal aggregates that collide begin to restructure at a relative speed of {restructuring_speed}, "
         "by D&T 97\n"
-        "they begin to break up at {disruption_speed}, by Wada 07",
+        "they begin to break up at a speed of {disruption_speed}, by Wada 07",
     ),
 }
 EVERYTHING = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities))
