@@ -190,6 +190,10 @@ FOUND: Mapping[str, str] = {
     "two rigid bodies beyond pull-off among other rows": (
         f"report {PLAIN} --young '1e9 Pa,rigid' --load '-1 N' --adhesion-hysteresis '0.003 J/m^2' --model dmt"
     ),
+    "a contact that Maugis' law does not have at its load": (
+        "report '3e-6 m' --radius2 '2e-10 m' --gamma '4.8e-5 J/m^2' --gamma2 '4.5e-5 J/m^2' --young '6e5 Pa' "
+        "--poisson 0.3 --load '-8.7e-14 N' --quantities peeling_over_sliding,contact_radius_at_load,sliding_force"
+    ),
     "no quantity that concerns the scene": "aggregates quartz '1e-7 m' --radius2 '1e-6 m,2e-6 m'",
     "no quantity that concerns some rows": "aggregates quartz '1e-7 m' --radius2 '1e-6 m,1e-7 m'",
     "a quantity that concerns one row, by the radius of sphere 1": (

@@ -152,7 +152,8 @@ def _friction(answer: Answer) -> Iterator[str]:
     radius = answer.frame.numbers("contact_radius_at_load").get("contact_radius_at_load", 0.0)
     if radius and not answer.described.uncertainties:
         better = Ranges.of(answer.frame, "contact_radius_at_load").by_better_law("contact_radius_at_load")
-        yield f"Maugis' contact area is {from_to(*((end / radius) ** 2 for end in better))} of JKR's"
+        if all(end > 0 for end in better):  # nan if Maugis' law has no contact at this load
+            yield f"Maugis' contact area is {from_to(*((end / radius) ** 2 for end in better))} of JKR's"
 
 
 def _better_law(answer: Answer) -> Iterator[str]:
