@@ -128,7 +128,7 @@ class Ranges:
         low, high, by = _first(self._rules(name))
         has_end = (low <= inf) | (high <= inf)  # false for nan
         is_wide = self.results.meant[name].reasons == _TOO_WIDE
-        has_none = (self.results.computed[name].reasons != 0) | where(has_end, False, True) | is_wide
+        has_none: Any = where(has_end, (self.results.computed[name].reasons != 0) | is_wide, True)
         return Estimate(where(has_none, nan, low), where(has_none, nan, high), where(has_none, NONE, by))
 
     def _rules(self, name: str) -> Iterator[Rule]:

@@ -104,7 +104,7 @@ def _rolled_at(rolled: Rolled, end: Callable[[Rolled, Any], Any], frame: Frame) 
     displacement = end(rolled, radius)
     if rolled.name != XI:  # a force at the centre of a sphere
         displacement = frame[XI] * (displacement * radius / frame["unloaded_moment"])
-    return frame.replace(**{XI: where(takes(XI, displacement), at_least(displacement, frame[XI]), frame[XI])})
+    return _with_displacement(frame, at_least(displacement, frame[XI]))
 
 
 ROLLED: Mapping[str, Rolled] = {
@@ -238,5 +238,9 @@ def assumes_displacement(frame: Frame) -> bool:
 
 def at_full_hysteresis(frame: Frame) -> Frame:
     """Return the frame with the displacement at which all of the work of adhesion is lost."""
-    displacement = frame[XI] / frame["hysteresis_ratio"]
+    return _with_displacement(frame, frame[XI] / frame["hysteresis_ratio"])
+
+
+def _with_displacement(frame: Frame, displacement: Any) -> Frame:
+    """Return the frame with this displacement in the rows that take it."""
     return frame.replace(**{XI: where(takes(XI, displacement), displacement, frame[XI])})

@@ -1,6 +1,6 @@
 """`jkroll.curve`, `jkroll.map` and `jkroll.figure`: the commands' pictures as arrays and on matplotlib axes."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy
@@ -116,6 +116,13 @@ def _check(style: str) -> None:
         raise BadRequest(f"style: {quoted(style)} is not a style; choose one of {listed(STYLES)}")
 
 
+def _inputs_of_one_contact(given: Mapping[str, Any]) -> dict[str, Any]:
+    """Return inputs in SI units. Raises QuantityError, also for an array."""
+    described = Reader().in_si(given)
+    refuse_arrays(described, "describes more than one contact", "a picture needs one value of each input")
+    return described
+
+
 def curve(
     *,
     material: str | Material | None = None,
@@ -156,8 +163,7 @@ def curve(
     """
     if panel is not None and panel not in PANELS:
         raise BadRequest(f"panel: {quoted(panel)} is not a panel; choose one of {listed(PANELS)}")
-    described = Reader().in_si(given)
-    refuse_arrays(described, "describes more than one contact", "a picture needs one value of each input")
+    described = _inputs_of_one_contact(given)
     solids = materials_of(material, material2, materials)
     models = [model] if model is None or isinstance(model, str) else [*model]
     frames = [Frame(described, *solids, model=law_given(each, profile)) for each in models]
@@ -207,8 +213,7 @@ def map(
     >>> forces.shape, f"{forces[0, 0]:.4g} N"
     ((2, 3), '4.712e-10 N')
     """
-    described = Reader().in_si(given)
-    refuse_arrays(described, "describes more than one contact", "a picture needs one value of each input")
+    described = _inputs_of_one_contact(given)
     known, law, name = materials or known_materials(), law_given(model, profile), quantity_named(quantity)
     across, up = axis_of(x, "x"), axis_of(y, "y") if y is not None else None
     check_axes(name, [axis for axis in (across, up) if axis is not None], described, (law or DEFAULT_LAW,))

@@ -67,7 +67,7 @@ def lead_of_rows(groups: Sequence[Group], names: Collection[str]) -> str:
     """Return the sentence above a list that says what its pull-off force leaves out; empty if nothing is to be said."""
     if "pull_off_force" not in names:
         return ""
-    if any("meniscus_force" in frame.numbers("meniscus_force") for frame, _ in groups) and "meniscus_force" in names:
+    if "meniscus_force" in names:
         return "take the larger of P_c and F_men, not their sum"
     is_rough = any(is_anywhere(may_be_rough(frame)) for frame, _ in groups)
     return "P_c is that of ideally smooth spheres, an upper limit; real ones hold less" if is_rough else ""

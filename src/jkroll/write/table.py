@@ -390,7 +390,7 @@ def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str], 
     if any(shown):
         results.append(TextColumn(DOUBT, shown, is_right=False))
     if to_take:
-        is_compared = any(column.head.startswith(f"{symbol}{_OF_LAW}") for column in results for symbol in to_take)
+        is_compared = any(_OF_LAW in column.head for column in results)
         others = f"; columns{_OF_LAW} are for comparison" if is_compared else ""
         yield f"take {listed([f'best {symbol}' for symbol in to_take])}{others}"
     if lead:
