@@ -97,7 +97,8 @@ class Browser:
         )
 
     def click(self, selector: str) -> None:
-        """Click with the mouse on the first element that a CSS selector matches."""
+        """Wait for an element that a CSS selector matches; click with the mouse on the first one."""
+        self.wait(f"document.querySelector({json.dumps(selector)})")
         found = self.call("POST", f"{self.session}/element", {"using": "css selector", "value": selector})
         self.call("POST", f"{self.session}/element/{next(iter(found.values()))}/click", {})
 

@@ -116,13 +116,17 @@ def test_an_invalid_input_is_explained_and_its_box_is_marked(site: tuple[Browser
 
 def test_buttons_copy_the_command_the_call_and_the_link(site: tuple[Browser, str]) -> None:
     window = opened(site, "?radius=1um")
-    for what, text in {
-        "shell": "jkroll report quartz 1um --speed=20cm/s",
-        "python": 'import jkroll\nprint(jkroll.answer("report", material="quartz", radius="1um", speed="20cm/s"))',
-        "link": f"{site[1]}?radius=1um",
-    }.items():
+    for what, name, text in [
+        ("shell", "command", "jkroll report quartz 1um --speed=20cm/s"),
+        (
+            "python",
+            "call",
+            'import jkroll\nprint(jkroll.answer("report", material="quartz", radius="1um", speed="20cm/s"))',
+        ),
+        ("link", "link", f"{site[1]}?radius=1um"),
+    ]:
         window.click(f"[data-copy={what}]")
-        window.wait("document.querySelector('#status').textContent.endsWith('copied')")
+        window.wait(f"document.querySelector('#status').textContent === '{name} copied'")
         assert window.clipboard() == text
 
 
