@@ -277,7 +277,9 @@ def test_a_material_that_takes_over_a_name_takes_over_its_aliases(tmp_path: Path
 def test_a_shared_alias_includes_the_material_that_took_over_a_name(tmp_path: Path) -> None:
     path = write(tmp_path / "mine.toml", "title = 'mine'\n[materials.Silica-humid]\nsurface_energy = '30 mJ/m2'\n")
     materials = Materials([path])
-    with pytest.raises(JkrollError, match=r"one of several; write quartz .* or Silica-humid \(30 mJ/m², mine\)"):
+    with pytest.raises(
+        JkrollError, match=r"names several materials; write quartz .* or Silica-humid \(30 mJ/m², mine\)"
+    ):
         materials["SiO2"]
 
 
@@ -570,7 +572,7 @@ def test_a_name_of_several_materials_is_refused_with_their_values(run: Run, tmp_
         "silica-humid (20 to 25 mJ/m², amorphous, in humid air: water adsorbed)"
     )
     for word in ("SiO2", "silica", "SILICA"):
-        message = f"material '{word}' is one of several; write {of_silica}"
+        message = f"'{word}' names several materials; write {of_silica}"
         for line in (
             f"pull-off {word} 1um",
             f"materials {word}",
@@ -585,7 +587,7 @@ def test_a_name_of_several_materials_is_refused_with_their_values(run: Run, tmp_
         tmp_path / "mine.toml",
         "[materials.ours]\naliases = ['wood']\ndensity = '1 g/cm3'\n[materials.theirs]\naliases = ['Wood']\n",
     )
-    with pytest.raises(JkrollError, match="'wood' is one of several; write ours or theirs"):
+    with pytest.raises(JkrollError, match="'wood' names several materials; write ours or theirs"):
         Materials(path)["wood"]
 
 
@@ -599,7 +601,7 @@ def test_a_table_reports_a_shared_name_once(run: Run) -> None:
     assert last.endswith("row 1 and 97 others")
     assert ran.err.splitlines()[-1] == "jkroll: 98 of 147 rows failed; column status has the reasons"
     assert Path("out.csv").read_text(encoding="utf-8").count("unclear material") == 98
-    assert "one of several" not in run("batch grains.csv --quantities pull_off_force -o out.csv --quiet").err
+    assert "names several materials" not in run("batch grains.csv --quantities pull_off_force -o out.csv --quiet").err
 
 
 def test_the_list_fits_a_screen_and_shows_the_sets_and_states(run: Run) -> None:
@@ -638,7 +640,7 @@ def test_materials_are_found_by_words(run: Run, words: str, names: set[str]) -> 
 def test_a_name_takes_precedence_over_a_search(run: Run) -> None:
     assert json.loads(run("materials silicone rubber --json").out)["name"] == "pdms"
     assert "did you mean quartz?" in run("materials quarz").err
-    assert "'steel' is one of several; write steel-304 (20 to 41 mJ/m², stainless, " in run("materials steel").err
+    assert "'steel' names several materials; write steel-304 (20 to 41 mJ/m², stainless, " in run("materials steel").err
 
 
 def test_no_short_name_means_a_clean_or_cleaved_surface_or_a_guess(run: Run) -> None:
@@ -646,7 +648,7 @@ def test_no_short_name_means_a_clean_or_cleaved_surface_or_a_guess(run: Run) -> 
         note = material.notes.get("surface_energy", "")
         if note.startswith(("not for contact", "a guess for contact")):
             for word in material.aliases:
-                assert "one of several" in run("pull-off", word, "1um").err
+                assert "names several materials" in run("pull-off", word, "1um").err
 
 
 def test_a_material_without_surface_energy_asks_for_one_and_gives_similar_values(run: Run) -> None:

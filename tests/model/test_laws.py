@@ -272,10 +272,10 @@ def test_a_curve_has_the_quantities_and_the_units_that_are_asked_for(run: Run) -
 def test_an_answer_by_jkr_states_how_far_it_is_from_maugis_law(run: Run) -> None:
     found = Report(QUESTIONS["pull-off"], Frame({"radius": 1e-7}, known_materials()["quartz"]))
     (text,) = found.lines_on_ranges(found.values)
-    assert text == "Maugis: the better law at this size and stiffness, over z0 = 2–4 Å (--z0)"
+    assert text == "Maugis: the better law at Tabor's μ = 0.14–0.27, over z0 = 2–4 Å (--z0)"
     (best,) = (one["best"] for one in json.loads(run("pull-off quartz 100nm --json").out)["results"][:1])
     assert best["by"] == "Maugis"
-    assert best["why"].startswith(f"{text.partition(': ')[2]}; JKR is 17–23 % too low (P_c); Tabor parameter 0.14–0.27")
+    assert best["why"].startswith(f"{text.partition(': ')[2]}; JKR is 17–23 % too low (P_c)")
 
 
 @pytest.mark.parametrize(

@@ -615,7 +615,7 @@ def test_an_unknown_material_is_a_label_if_the_row_has_all_inputs(run: Run) -> N
     Path("x.csv").write_text("\n".join([*lines, ""]), encoding="utf-8")
     ran = run("batch x.csv --material quartz --quantities contact_radius -o out.csv")
     assert ran.code == 1
-    assert "'SiO2' is one of several; write quartz" in ran.err
+    assert "'SiO2' names several materials; write quartz" in ran.err
     found = [*csv.DictReader(Path("out.csv").read_text(encoding="utf-8").splitlines())]
     quartz = run("contact quartz 1um --bare --quantities contact_radius --quiet").out.strip()
     steel = run("contact 1um --young 200GPa --poisson 0.29 --gamma 50mJ/m2 --bare --quantities contact_radius --quiet")

@@ -460,7 +460,7 @@ def _unclear(word: str, materials: Sequence[Material]) -> UnclearMaterial:
         return UnclearMaterial(f"material {name} is {meanings}", "unclear material")
     has_sets = len({material.title for material in materials}) > 1
     choices = [_choice(material, has_sets=has_sets) for material in materials]
-    return UnclearMaterial(f"material {name} is one of several; write {listed(choices, 'or')}", "unclear material")
+    return UnclearMaterial(f"{name} names several materials; write {listed(choices, 'or')}", "unclear material")
 
 
 def _choice(material: Material, *, has_sets: bool) -> str:

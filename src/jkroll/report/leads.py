@@ -18,7 +18,7 @@ from ..model.estimate import (
 )
 from ..model.frame import IN_ITS_PLACE, Frame
 from ..model.limits import FLIES_OFF, GAP_STAYS_DRY, may_be_rough
-from ..model.measured import what_stuck
+from ..model.measured import what_rolled, what_stuck
 from ..physics.elementary import is_anywhere
 from ..quantities.formatting import Format, amount, from_to, significant, symbol_among
 from ..quantities.nomenclature import XI
@@ -54,6 +54,8 @@ def leads(answer: Answer) -> Iterator[Note]:
         lead = _filled(sentence, answer)
         if lead:
             yield Note("lead", lead)
+    if _is_from_forces(answer):
+        yield Note("lead", "this comes from measured rolling forces, not from your γ")
     if XI_UNKNOWN in answer.rules and answer.frame.missing(["work_of_adhesion"]):
         silica = of_silica(answer)
         if silica:
@@ -138,6 +140,14 @@ def _filled(sentence: str, answer: Answer) -> str:
         return sentence.format_map(words)
     except KeyError:
         return ""
+
+
+def _is_from_forces(answer: Answer) -> bool:
+    """Return whether the headline comes from measured rolling forces although a surface energy was given."""
+    rolled = what_rolled(answer.frame)
+    if rolled is None or rolled.name == XI or {"surface_energy", "work_of_adhesion"}.isdisjoint(answer.frame.stated):
+        return False
+    return {answer.estimates[name].by for name in answer.question.headline if name in answer.estimates} == {SCALED}
 
 
 def _spoken(name: str, estimate: Estimate) -> str:

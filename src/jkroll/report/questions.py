@@ -85,8 +85,8 @@ _QUESTIONS = {
         "contact_radius_at_load approach_at_load contact_radius approach load load_ratio contact_radius_ratio "
         "approach_ratio stiffness hertz_pressure boussinesq_pressure well_energy pull_off_work "
         "pull_off_work_at_dead_load sticking_energy",
-        # energies belong to contacts without load: see `energies`
-        without_row="load_ratio contact_radius_ratio approach_ratio well_energy pull_off_work "
+        # energies belong to contacts without load: see `energies`; the punch's pressure is known by JKR alone
+        without_row="load_ratio contact_radius_ratio approach_ratio boussinesq_pressure well_energy pull_off_work "
         "pull_off_work_at_dead_load sticking_energy",
         leads="the contact has a radius of {contact_radius_at_load} at an approach of {approach_at_load}",
     ),

@@ -159,18 +159,17 @@ def _friction(answer: Answer) -> Iterator[str]:
 def _better_law(answer: Answer) -> Iterator[str]:
     frame = answer.frame
     low, high = least_spacing(frame), frame["atomic_spacing"]
-    spacing = f"z0 = {_angstroms(low, high)}{' (--z0)' if frame.assumes_spacing else ''}"
+    parameter = frame.numbers("tabor_parameter").get("tabor_parameter", 0.0)  # rigid bodies have none
+    where = f"at Tabor's μ = {from_to(parameter, high / low * parameter)}" if parameter else "for rigid bodies"
+    over = f"z0 = {_angstroms(low, high)}{' (--z0)' if frame.assumes_spacing else ''}"
     if answer.described.uncertainties:
-        yield f"the better law here, over {spacing}, with the error bars"
-    else:
-        yield f"the better law at this size and stiffness, over {spacing}"
+        over = "z0 (--z0) and the errors" if frame.assumes_spacing else "the errors"
+    yield f"the better law {where}, over {over}"
     for side, of_side in _errors(answer).items():
         percent = [100 * error for pair in of_side.values() for error in pair]
         symbols = ", ".join(symbol_among(name, answer.inputs) for name in of_side)
         if percent:
             yield f"{frame.law.short} is {from_to(min(percent), max(percent))} % too {side} ({symbols})"
-    for parameter in frame.numbers("tabor_parameter").values():  # rigid bodies have none
-        yield f"Tabor parameter {from_to(parameter, high / low * parameter)}"
     is_told = answer.is_in_doubt(ROUGH_MATTERS) or answer.is_on_pull_off
     if "pull_off_force" in answer.estimates and may_be_rough(frame) and not is_told:
         yield f"P_c is that of smooth, dry spheres; {held_on_surfaces(frame)}"
@@ -250,10 +249,7 @@ def _scaled(answer: Answer) -> Iterator[str]:
     what = f"{'ξ = ' if rolled.name == XI else ''}{span(rolled.name, rolled.low, rolled.high)}"
     measured = f"{what} measured on {solid} of R = {amount('radius', rolled.radius)}"
     is_alike = abs(radius / rolled.radius - 1) < _ALIKE
-    if rolled.name != XI and not {"surface_energy", "work_of_adhesion"}.isdisjoint(frame.stated):
-        yield f"from {measured}, not from your γ"
-    else:
-        yield measured if is_alike else f"from {measured}, as R^(2/3) or as R"
+    yield measured if is_alike else f"from {measured}, as R^(2/3) or as R"
     yield f"source: {rolled.source}"
     if is_alike:
         return
@@ -289,16 +285,14 @@ def _xi_unknown(answer: Answer) -> Iterator[str]:
         return
     most = answer.ranges.at_full_hysteresis(XI)[1]
     limit = "adhesion's limit" if isnan(most) else f"{span(XI, most, most)} (adhesion's limit)"
-    ends, laws = f"from 2 Å to {limit}", "; both ends are by Maugis' law"
-    if most < frame[XI]:
-        ends = f"at most {limit}, less than an atom"
+    ends = f"at most {limit} by Maugis" if most < frame[XI] else f"2 Å to {limit} by Maugis"
     what = "not measured"
     if rolled is not None:
         what += " at this size" if rolled.has_energy(frame) else " at this γ"
         if rolled.has_energy(frame) and any(high > most for _, high in answer.ranges.of_laws(XI, SCALED)):
-            ends, laws = f"from 2 Å to values of R = {amount('radius', rolled.radius)}, scaled", ""
-    yield f"{what}; {ends}"
-    yield f"ξ is how far the contact shifts before it rolls; 2 Å is about one atom{laws}"
+            ends = f"2 Å by Maugis to scaled ξ of R = {amount('radius', rolled.radius)}"
+    yield f"{ends}; {what}"
+    yield "ξ is how far the contact shifts before it rolls; 2 Å is about one atom"
     yield _of_measured_solid(answer)
 
 

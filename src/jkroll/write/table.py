@@ -39,7 +39,7 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, STATE_OR_LOAD, X
 from ..quantities.shown import Rows, cell, columns_of
 from ..quantities.units import Unit, convert
 from ..quantities.values import Uncertain, middle, with_sides
-from ..report.inferred import laws_of, library_values, solids_of
+from ..report.inferred import about_library, laws_of, library_values, solids_of
 from ..report.notes import lines_above, lines_on_codes
 from ..report.ranges import about_surfaces, lines_on_rules
 from ..text import TextColumn, first_of, fit_terminal, listed, say_wrapped, text_columns, write_table
@@ -189,7 +189,7 @@ def _assumptions(answer: "Report") -> dict[str, str]:
         texts.pop("atomic_spacing", None)
     if XI in texts and not rules.isdisjoint((SCALED, XI_UNKNOWN)):
         text, _, option = texts.pop(XI).rpartition(" ")
-        texts[XI] = f"{text} in the column of {answer.frame.law.short} {option}"
+        texts[XI] = f"{text}, the shift before rolling, in the column of {answer.frame.law.short} {option}"
     return texts
 
 
@@ -315,9 +315,11 @@ def _converted(end: float, unit: _ShownUnit) -> float:
 def _of_inferred(answer: "Report", form: Format) -> list[TextColumn]:
     """Return the columns of inferred values and of library values, with rows for each law; the law that holds is first.
 
-    The column of the library is left out if the library has none of the values.
+    The column of the library is left out if the library has none of the values. If a value is far from the library's,
+    no law is called the best.
     """
     library = library_values(answer.described)
+    best = "" if any(about_library(answer)) else " (best)"
     rows = []
     for law in laws_of(answer):
         for result in answer.results:
@@ -326,7 +328,7 @@ def _of_inferred(answer: "Report", form: Format) -> list[TextColumn]:
             inferred, short = cell(result.measure, unit, form), LAWS[law].short
             if law != answer.frame.law.name:
                 better = Estimate(*answer.ranges.by_better_law(name), BETTER_LAW)
-                inferred, short = _range(better, unit, form)[0], f"{short} (best)"
+                inferred, short = _range(better, unit, form)[0], f"{short}{best}"
             of_library = "–"
             if known is not None:
                 of_library = Format(form.units, form.digits or RESULT_DIGITS).in_unit(known, unit)
