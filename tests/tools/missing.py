@@ -15,7 +15,7 @@ from contextlib import chdir
 from functools import cache
 from pathlib import Path
 from random import Random
-from typing import Any, NamedTuple, get_type_hints
+from typing import Any, NamedTuple
 from unittest import mock
 
 if __package__ in (None, ""):
@@ -24,9 +24,10 @@ import law_reference
 import reference
 from harness import captured
 from jkroll import NOMENCLATURE
+from jkroll.model.containers import units_of
 from jkroll.model.frame import DEFAULTS
 from jkroll.model.plan import formula_of, parameters_of
-from jkroll.physics import FORMULAS, dimensions
+from jkroll.physics import FORMULAS
 from jkroll.physics.accuracy import accuracy_of
 from jkroll.quantities.laws import routes_anywhere
 from jkroll.quantities.nomenclature import CONVERTED, OF_CURVES
@@ -104,8 +105,7 @@ def _is_made_by_a_law(name: str) -> bool:
 
 def _units(name: str) -> dict[str, str]:
     """Return the units of a formula's parameters, and of its value under `return`."""
-    hints = get_type_hints(_plain(name), localns=vars(dimensions), include_extras=True)
-    return {parameter: hint.__metadata__[0] for parameter, hint in hints.items()}
+    return dict(units_of(_plain(name)))
 
 
 def _plain(name: str) -> object:

@@ -20,9 +20,9 @@ class Column(NamedTuple):
         """True if no row has a value, for one common reason."""
         return isinstance(self.reasons, int) and self.reasons != 0
 
-    def or_else(self, number: float) -> Any:
-        """Return the values, with a number in place of missing values, since every comparison with nan is False."""
-        return where(self.reasons == 0, self.values, number)
+    def or_zero(self) -> Any:
+        """Return the values, with 0 in place of missing values, since every comparison with nan is False."""
+        return where(self.reasons == 0, self.values, 0.0)
 
     def without(self, is_out: Any, number: int) -> "Column":
         """Return the column with the cells `is_out` emptied; a cell that has no reason yet gets the reason `number`."""

@@ -16,12 +16,11 @@ from ..physics.elementary import at_least, at_most, is_anywhere, where
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
 from ..quantities.values import ends_of
-from .frame import Frame
+from .frame import Frame, Variant, itself
 from .limits import CONTACT_EXCEEDS_SPHERE, ENDS, JUMP, LAW_MATTERS, SOFT
 from .measured import (
     MOST_SEEN,
     VISCOUS_TIME,
-    Make,
     assumes_displacement,
     at_full_hysteresis,
     rolling,
@@ -112,7 +111,7 @@ class Ranges:
     def __init__(self, results: Results) -> None:
         self.results, self.frame = results, results.frame
         self.names = [name for name, column in results.computed.items() if not column.is_empty]
-        self._made: dict[Make, Mapping[str, tuple[Any, Any, Any]]] = {}
+        self._made: dict[Variant, Mapping[str, tuple[Any, Any, Any]]] = {}
 
     @classmethod
     def of(cls, frame: Frame, *names: str) -> "Ranges":
@@ -133,7 +132,7 @@ class Ranges:
 
     def _rules(self, name: str) -> Iterator[Rule]:
         """Iterate over the rules that may apply to a result, with their ranges; the last one applies to all rows."""
-        own, is_rolling = self.hull(name, _itself), bool(rolling([name]))
+        own, is_rolling = self.hull(name, itself), bool(rolling([name]))
         if name in _LAWS_THEMSELVES:
             yield True, nan, nan, NONE
         elif name in _OF_WATER:
@@ -154,7 +153,7 @@ class Ranges:
             if name == "restitution":
                 yield from self._of_restitution()
             if name == "lost_energy":
-                yield self._is_smooth, nan, own[1], ADHESION_ONLY
+                yield self.has_no_jump, nan, own[1], ADHESION_ONLY
             if name in _BREAKING:
                 yield self._tabor_parameter >= JUMP, *own, DEFINITION
             yield from self._of_laws(name, own)
@@ -173,7 +172,7 @@ class Ranges:
     def _of_one_law(self, name: str, own: Ends, rule: int) -> Iterator[Rule]:
         """Iterate over the rules for a result of one law: an assumed spacing if it widens the range, then the law."""
         if self.frame.assumes_spacing:
-            low, high = self.hull(name, _itself, at_half_spacing)
+            low, high = self.hull(name, itself, at_half_spacing)
             is_wider = (own[0] - low > _SAME * abs(own[0])) | (high - own[1] > _SAME * abs(own[1]))
             yield is_wider, low, high, SPACING_ASSUMED
         yield True, *own, rule
@@ -190,13 +189,13 @@ class Ranges:
         columns = [law(self.results.described).column(name) for law in _BETTER]
         yield columns[0].reasons != 0, *own, LAW_ONLY
         low, high = self.by_better_law(name)
-        low_of_all, high_of_all = self.hull(name, _itself, *_BETTER)
-        theirs = [column.or_else(0.0) for column in columns]
+        low_of_all, high_of_all = self.hull(name, itself, *_BETTER)
+        theirs = [column.or_zero() for column in columns]
         if name in _BY_LENNARD_JONES:
             value, most = self._by_lennard_jones(name)
             theirs.append(value)
             high, high_of_all = at_least(high, most), at_least(high_of_all, most)
-        ours = self.results.computed[name].or_else(0.0)
+        ours = self.results.computed[name].or_zero()
         yield farthest((value, ours) for value in theirs) > LAW_MATTERS, low, high, BETTER_LAW
         yield True, low_of_all, high_of_all, LAW_IN_USE
 
@@ -239,9 +238,9 @@ class Ranges:
             yield (speeds.by == MEASURED) & (self.frame["speed"] < speeds.low), 0.0, 0.0, MEASURED
         is_ended = self.results.ended.get("restitution", False)
         least, most = (where(is_ended, nan, end) for end in (0.0, 1.0))
-        yield self._is_smooth, least, most, ADHESION_ONLY
+        yield self.has_no_jump, least, most, ADHESION_ONLY
         if VISCOUS_TIME not in self.frame.stated:
-            yield self._is_hard, least, self.hull("restitution", _itself, *_BETTER)[1], ADHESION_ONLY
+            yield self._is_hard, least, self.hull("restitution", itself, *_BETTER)[1], ADHESION_ONLY
 
     def _of_rolling(self, name: str) -> Iterator[Rule]:
         """Iterate over the rules for a rolling quantity with an assumed ξ: measured forces, then the limits of ξ.
@@ -251,11 +250,11 @@ class Ranges:
         rolled = what_rolled(self.frame)
         least, most, is_known = nan, nan, False
         if rolled is not None:
-            ends = (then(law, end) for law in (_itself, *_BETTER) for end in rolled.ends)
+            ends = (then(law, end) for law in (itself, *_BETTER) for end in rolled.ends)
             least, most = self.hull(name, *ends)
             is_known = rolled.has_energy(self.frame)
             yield rolled.is_near(self.frame), least, most, SCALED
-        laws = _BETTER if name in self._ends(_between) else (_itself,)
+        laws = _BETTER if name in self._ends(_between) else (itself,)
         at_an_atom = self.hull(name, *laws)
         low, high = self.at_full_hysteresis(name, *laws)
         is_past = self.hull("hysteresis_ratio", *laws)[1] >= 1  # at 2 Å, more than the work of adhesion would be lost
@@ -265,20 +264,20 @@ class Ranges:
         low, high = where(is_known & (least < low), least, low), where(is_known & (most > high), most, high)
         yield True, low, high, XI_UNKNOWN
 
-    def at_full_hysteresis(self, name: str, *laws: Make) -> Ends:
+    def at_full_hysteresis(self, name: str, *laws: Variant) -> Ends:
         """Return the ends of a result if all of the work of adhesion is lost, by `laws` or else by the better law."""
         makers = (then(law, at_full_hysteresis) for law in laws or _BETTER)
         return self.hull(name, *makers, needs="hysteresis_ratio")
 
     def of_laws(self, name: str, by: int) -> list[Ends]:
         """Return the ends of a result for a rule, by the law in use and by Maugis' law at both spacings."""
-        ends: tuple[Make, ...] = (_itself,)
+        ends: tuple[Variant, ...] = (itself,)
         if by == XI_UNKNOWN:
-            ends = (_itself, at_full_hysteresis)
+            ends = (itself, at_full_hysteresis)
         elif by == SCALED:
             rolled = what_rolled(self.frame)
             ends = rolled.ends if rolled is not None else ends
-        return [self.hull(name, *(then(law, end) for end in ends)) for law in (_itself, *_BETTER)]
+        return [self.hull(name, *(then(law, end) for end in ends)) for law in (itself, *_BETTER)]
 
     # --- Other laws and measurements ---
 
@@ -286,7 +285,7 @@ class Ranges:
         """Return the ends of a result by the law between JKR and DMT, over all likely atomic spacings."""
         return self.hull(name, *_BETTER)
 
-    def hull(self, name: str, *makers: Make, needs: str = "") -> Ends:
+    def hull(self, name: str, *makers: Variant, needs: str = "") -> Ends:
         """Return the least and the largest value of a result over variants of the frame, uncertainties included.
 
         An end is open in rows where the value of some variant lies beyond it but has no meaning. If `needs` names a
@@ -311,7 +310,7 @@ class Ranges:
             low, high = where(is_lower, inf, low), where(is_higher, -inf, high)
         return where(low < inf, low, nan), where(high > -inf, high, nan)
 
-    def _most(self, name: str, *makers: Make) -> Any:
+    def _most(self, name: str, *makers: Variant) -> Any:
         """Return the largest value of a result over variants of the frame, whether or not it has a meaning."""
         most: Any = -inf
         for ends in map(self._ends, makers):
@@ -319,7 +318,7 @@ class Ranges:
                 most = at_least(most, ends[name][1])
         return most
 
-    def _ends(self, make: Make) -> Mapping[str, tuple[Any, Any, Any]]:
+    def _ends(self, make: Variant) -> Mapping[str, tuple[Any, Any, Any]]:
         """Return the ends of results in a variant of the frame, with the rows in which they have no meaning.
 
         The ends are those of the uncertainty; without one, both are the value. Each variant is computed once.
@@ -343,7 +342,7 @@ class Ranges:
         return self.frame.numbers("contact_modulus").get("contact_modulus", 0.0) >= SOFT
 
     @property
-    def _is_smooth(self) -> Any:
+    def has_no_jump(self) -> Any:
         """The rows in which the contact forms and opens without a jump, at all likely atomic spacings."""
         return self._tabor_parameter * (2 if self.frame.assumes_spacing else 1) < JUMP
 
@@ -359,7 +358,7 @@ class Ranges:
         """
         power, base, by_law = _BY_LENNARD_JONES[name]
         own, ours, theirs = (self.frame.column(each).values for each in (name, base, by_law))
-        own_most, most, most_of_law = (self.hull(each, _itself)[1] for each in (name, base, by_law))
+        own_most, most, most_of_law = (self.hull(each, itself)[1] for each in (name, base, by_law))
         applies = True if name in _AS_PULL_OFF else self._tabor_parameter < JUMP
         value, largest = theirs, most_of_law
         if name != base:
@@ -367,7 +366,7 @@ class Ranges:
         return where(applies, value, own), where(applies, largest, -inf)
 
 
-def _ends_by(make: Make, frame: Frame, names: Iterable[str]) -> dict[str, tuple[Any, Any, Any]]:
+def _ends_by(make: Variant, frame: Frame, names: Iterable[str]) -> dict[str, tuple[Any, Any, Any]]:
     """Return the ends of quantities in a variant of a frame, with the rows in which a limit makes them meaningless.
 
     The ends are those of the uncertainty; without one, both are the value. If uncertainties cannot be computed, a
@@ -396,10 +395,6 @@ def _with_bar(value: Any, bar: ErrorBar | None) -> Ends:
     return where(has_bar, low, value), where(has_bar, high, value)
 
 
-def _itself(frame: Frame) -> Frame:
-    return frame
-
-
 def _between(frame: Frame) -> Frame:
     """Return the frame under the law that holds between JKR and DMT."""
     return frame if frame.law.name == BETWEEN else frame.by_law_at_spacing
@@ -426,6 +421,6 @@ _FRICTIONS = (partial(_with_friction, 1 / FRICTION_FACTOR), partial(_with_fricti
 
 
 @cache
-def then(first: Make, second: Make) -> Make:
+def then(first: Variant, second: Variant) -> Variant:
     """Return the composition of two variants; the same pair gives the same function."""
     return lambda frame: second(first(frame))

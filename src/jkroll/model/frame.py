@@ -6,7 +6,7 @@ from 1e-30 to 1e30 in SI units. Its results are doubles of full precision, and e
 """
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from functools import cached_property, lru_cache, reduce, wraps
+from functools import cached_property, lru_cache, partial, reduce, wraps
 from itertools import product
 from math import nan
 from operator import and_
@@ -87,6 +87,7 @@ _ON_AREA = frozenset({"contact_modulus", "contact_shear_modulus", "shear_strengt
 
 
 Made = TypeVar("Made")
+Variant = Callable[["Frame"], "Frame"]  # returns a frame that differs in its law or its inputs
 
 
 class Frame:
@@ -169,7 +170,8 @@ class Frame:
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle the description; results are computed again."""
-        return _described, (self.described, self.material, self.material2, self.stated_model, self.moved, self.state)
+        make = partial(Frame, model=self.stated_model, moved=self.moved, state=self.state)
+        return make, (self.described, self.material, self.material2)
 
     def replace(self, **values: Any) -> "Frame":
         """Return the frame with other values of inputs; None removes an input.
@@ -468,7 +470,7 @@ class Frame:
 
         Raises MissingInput, or NoResult if no row has a value.
         """
-        column = self.columns((name,))[name]
+        column = self.column(name)
         if column.is_empty:
             raise self.error(name, column.reasons)
         return column.values
@@ -495,6 +497,11 @@ class Frame:
             if number not in (0, reason(HIDDEN)):
                 errors[name] = self.error(name, number, row)
         return errors
+
+
+def itself(frame: Frame) -> Frame:
+    """Return the frame unchanged."""
+    return frame
 
 
 def once_a_frame(make: Callable[[Frame], Made]) -> Callable[[Frame], Made]:
@@ -536,18 +543,6 @@ def _are_usual(values: Any) -> bool:
 
 def _all(condition: Any) -> bool:
     return condition if isinstance(condition, bool) else bool(condition.all())
-
-
-def _described(
-    given: Mapping[str, Any],
-    material: Material | None,
-    material2: Material | None,
-    model: str | None,
-    moved: Mapping[str, Any],
-    state: str,
-) -> Frame:
-    """Return the frame of a pickled description."""
-    return Frame(given, material, material2, model=model, moved=moved, state=state)
 
 
 def check_exclusive(given: Collection[str], word_of: Callable[[str], str] = str) -> None:

@@ -8,11 +8,10 @@ from ..materials.library import Material
 from ..physics.contact import pull_off_force
 from ..physics.elementary import at_least, at_most, cbrt, where
 from ..quantities.nomenclature import INFINITY, XI
-from .frame import IN_ITS_PLACE, Frame
+from .frame import IN_ITS_PLACE, Frame, Variant
 from .plan import depends_on
 from .ranges import takes
 
-Make = Callable[[Frame], Frame]
 VISCOUS_TIME = "viscous_time"  # an input that decides the losses if it is given
 SIO2, POLYSTYRENE, MICA = "SiO2", "polystyrene", "mica"
 
@@ -63,7 +62,7 @@ class Rolled(NamedTuple):
         return self.high * at_least(*_scales(radius / self.radius))
 
     @property
-    def ends(self) -> tuple[Make, Make]:
+    def ends(self) -> tuple[Variant, Variant]:
         """The functions that set a frame's displacement to the least and to the largest measured value."""
         return _end_of(self, Rolled.least), _end_of(self, Rolled.most)
 
@@ -90,7 +89,7 @@ def _scales(ratio: Any) -> tuple[Any, Any]:
 
 
 @cache
-def _end_of(rolled: Rolled, end: Callable[[Rolled, Any], Any]) -> Make:
+def _end_of(rolled: Rolled, end: Callable[[Rolled, Any], Any]) -> Variant:
     return partial(_rolled_at, rolled, end)
 
 

@@ -57,7 +57,7 @@ def factor_of_law(frame: Frame, columns: Mapping[str, Column]) -> Any:
     compared = [*other.columns(ours).items()]
     if "pull_off_force" in ours:
         compared.append(("pull_off_force", frame.column("pull_off_force_lennard_jones")))
-    return farthest((theirs.or_else(0.0), ours[name]) for name, theirs in compared)
+    return farthest((theirs.or_zero(), ours[name]) for name, theirs in compared)
 
 
 def farthest(answers: Iterable[tuple[Any, Any]]) -> Any:

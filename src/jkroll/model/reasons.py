@@ -203,12 +203,7 @@ NO_STIFFNESS = Cause("", "infinite where fixed grips let go", code="infinite-at-
 
 
 # The index of a cause is part of a reason; 0 means no reason.
-_CAUSES = [
-    None, MISSING, NOT_IN_LAW, HIDDEN, BEYOND_PULL_OFF, BEYOND_JKR, HELD_BY_MAUGIS, BEYOND_FOLD, TWO_RIGID_BODIES,
-    RESTS_ON_SPACING, OF_IDENTICAL_SPHERES, NOT_HELD, NOT_PRESSED, NO_CHAIN, RIGID, APART, TOO_MUCH_HYSTERESIS,
-    STICKS_ALWAYS, NO_POISSON_RATIO, YIELDS_ON_TOUCH, PLASTIC_ON_TOUCH, NO_DOUBLE, INFINITE, NO_STIFFNESS,
-    OF_ANOTHER_PAIR, NO_PROFILE, WIDE_MENISCUS, DRY_OR_SATURATED, NO_WETTING,
-]  # fmt: skip
+_CAUSES = [None, *(each for each in [*globals().values()] if isinstance(each, Cause))]
 _STEPS = ("", *dict.fromkeys((*NOMENCLATURE, *FORMULAS)))
 
 

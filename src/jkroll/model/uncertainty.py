@@ -6,7 +6,7 @@ takes its least and its largest value from points along the edges. These extreme
 the result varies smoothly.
 """
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import reduce
 from itertools import chain, product
 from math import fsum, nan
@@ -18,7 +18,7 @@ from ..physics.elementary import absolute, at_least, at_most, hypot, is_anywhere
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
 from ..quantities.values import Interval, Measured, Uncertain
 from .column import Column, at_row
-from .frame import Frame
+from .frame import Frame, Variant, itself
 from .plan import in_order
 from .reasons import NoErrorBar, explanation_of
 
@@ -165,16 +165,8 @@ def number_of_points(frame: Frame, names: Sequence[str]) -> int:
     return len(sources) * ((STEPS + 1) << (len(sources) - 1))
 
 
-MadeOf = Callable[[Frame], Frame]  # a function that returns a variant of a frame
-
-
-def itself(frame: Frame) -> Frame:
-    """Return the frame unchanged."""
-    return frame
-
-
 def error_bars(
-    frame: Frame, names: Iterable[str], made_of: MadeOf = itself, sources: Sources | None = None
+    frame: Frame, names: Iterable[str], made_of: Variant = itself, sources: Sources | None = None
 ) -> dict[str, ErrorBar]:
     """Return the uncertainties of quantities of a frame, or of a variant of it.
 
@@ -197,22 +189,20 @@ def error_bars(
     return bars
 
 
-def no_error_bar(
-    frame: Frame, name: str, bar: ErrorBar, row: int = 0, made_of: MadeOf = itself, sources: Sources | None = None
-) -> NoErrorBar:
+def no_error_bar(frame: Frame, name: str, bar: ErrorBar, row: int = 0, sources: Sources | None = None) -> NoErrorBar:
     """Return the error of a row without an uncertainty, which states why the quantity has no value at a point."""
-    entering = (sources or sources_of_results(made_of(frame), [name])).entering
+    entering = (sources or sources_of_results(frame, [name])).entering
     points = [*chain.from_iterable(edges_of(entering))]
     place = at_row(bar.open_at, row) - 1
     # Computed on its own, the point may have a value because of rounding.
-    reasons = _at_points(frame, points, made_of, [name])[name].reasons
-    moved = made_of(frame.replace(**points[place]))
-    moved.columns((name,))
+    reasons = _at_points(frame, points, itself, [name])[name].reasons
+    moved = frame.replace(**points[place])
+    moved.column(name)
     return NoErrorBar(name, explanation_of(name, moved.error(name, at_row(reasons[place], row), row)))
 
 
 def _at_points(
-    frame: Frame, points: Sequence[Mapping[str, Any]], made_of: MadeOf, names: Sequence[str]
+    frame: Frame, points: Sequence[Mapping[str, Any]], made_of: Variant, names: Sequence[str]
 ) -> dict[str, Column]:
     """Return columns of quantities whose first axis runs over points of the sources; lists for a single row."""
     moved = {}

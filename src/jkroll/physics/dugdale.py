@@ -22,7 +22,20 @@ Newton's or Halley's method from a start that is near enough for a fixed number 
 import math
 from collections.abc import Callable
 
-from .elementary import FloatOrArray, Truth, absolute, arctan, at_least, at_most, cbrt, cube, pi, sqrt, where, within
+from .elementary import (
+    FloatOrArray,
+    absolute,
+    arctan,
+    at_least,
+    at_most,
+    cbrt,
+    cube,
+    is_anywhere,
+    pi,
+    sqrt,
+    where,
+    within,
+)
 
 FOLD_WITHOUT_CONTACT = 0.9379474572107123  # (9π/(16(π − 1)))^(1/3): for λ below, a vanishes before fixed grips let go
 JUMP_WITHOUT_CONTACT = 0.6551853485522241  # (9/32)^(1/3): for λ below, approaching spheres attract before they touch
@@ -213,7 +226,7 @@ def ratio_at_load(
         return load(transition, ring, wide) + tension, slope
 
     is_far = reach > _FAR
-    if not _is_any(is_far):
+    if not is_anywhere(is_far):
         return _root(curve, aim, start, least, power)
     start = where(is_far, _in_wide_contact(transition, cbrt(at_least(load_in_units, 0.0))), start)
     v = _root(curve, aim, start, least, power)
@@ -246,11 +259,6 @@ def approach_slope(transition: FloatOrArray, ring: Shape, span: FloatOrArray) ->
     """Return dδ/dv of a contact."""
     q = 4 / 3 * transition / span
     return (ring.g3 - q * ring.h) * _stretch(transition, ring, span, q)
-
-
-def _is_any(condition: Truth) -> bool:
-    """Return whether a condition is met, by any element for arrays."""
-    return condition if isinstance(condition, bool) else bool(condition.any())
 
 
 def _in_wide_contact(transition: FloatOrArray, radius: FloatOrArray) -> FloatOrArray:

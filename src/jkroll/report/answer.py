@@ -5,7 +5,6 @@ from contextlib import suppress
 from copy import copy
 from functools import cached_property
 from math import isfinite
-from types import MappingProxyType
 from typing import Any, Self
 
 from ..errors import JkrollError
@@ -61,15 +60,15 @@ class Result(Numeric):
         reason: str = "",
         code: str = "",  # the code of the reason
         error: float | None = None,
-        growth: float | None = None,
-        by_law: Mapping[str, float] = MappingProxyType({}),  # an inferred value by each other law
         bar: ErrorBar | None = None,  # the uncertainty, if an input has one
         law: str = "",  # the law of attraction, unless it is JKR or has the same formula as JKR
         equation: str = "",  # the number of the law's equation in the paper, or its source
     ) -> None:
         self.name, self.value, self.reason, self.code, self.error = name, value, reason, code, error
-        self.growth, self.by_law, self.bar, self.law = growth, by_law, bar, law
+        self.bar, self.law = bar, law
         self.equation = equation if law else NOMENCLATURE[name].equation
+        self.growth: float | None = None  # of an inferred value, as is the next
+        self.by_law: Mapping[str, float] = {}  # the value by each other law
 
     def __repr__(self) -> str:
         return f"<{self.name}: {self}>"

@@ -120,7 +120,6 @@ def about_inferred(answer: Answer) -> Iterator[Note]:
             if replaced in material.properties and (material, replaced) not in used:
                 symbol = NOMENCLATURE[replaced].symbol.rstrip("1")
                 yield Note("more", f"{symbol} of {material.name} is not used")
-    yield from about_library(answer)
     verb = "give" if answer.condition else "gives"
     check = f"{equal(values, symbol_of)} {verb} {equal(forward, symbol_of)}"
     if "surface_energy" in values and "radius2" in frame.stated and "surface_energy2" not in frame.given:

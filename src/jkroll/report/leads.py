@@ -35,8 +35,8 @@ _WIDE = 2  # ranges whose ends differ by at least this factor are followed by a 
 
 def leads(answer: Answer) -> Iterator[Note]:
     """Iterate over the sentences that answer the question of a command."""
-    if answer.described.unknowns and answer.values and not [*about_library(answer)]:
-        yield Note("lead", _what_it_means(answer))
+    if answer.described.unknowns and answer.values:
+        yield from [*about_library(answer)] or [Note("lead", _what_it_means(answer))]
     water = [*_water_or_dry(answer)]
     yield from water
     if answer.is_on_pull_off and answer.estimates["pull_off_force"].by != NONE and not water:

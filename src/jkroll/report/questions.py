@@ -40,8 +40,11 @@ def _question(
     leads: str = "",
     groups: Mapping[str, str] = MappingProxyType({}),
 ) -> Question:
-    """Return the question of a command; quantities are separated by blanks, sentences by line breaks."""
-    every = (*(quantities or headline).split(),)
+    """Return the question of a command; quantities are separated by blanks, sentences by line breaks.
+
+    By default, its quantities are those of its groups, or else its headline.
+    """
+    every = (*(quantities or " ".join(groups.values()) or headline).split(),)
     of_titles = {title: names.split() for title, names in groups.items()}
     hidden = (*without_row.split(),)
     return Question((*headline.split(),), every, without_row=hidden, leads=leads.splitlines(), groups=of_titles)
@@ -141,9 +144,6 @@ QUESTIONS: Mapping[str, Question] = {
     ),
     "resistances": _question(
         "yield_force sliding_force twisting_moment",
-        "rolling_stiffness yield_displacement yield_angle yield_force yield_moment yield_energy "
-        "sliding_or_peeling_force tangential_stiffness sliding_displacement sliding_force sliding_energy "
-        "peeling_force peeling_radius twisting_stiffness twisting_angle twisting_moment twisting_energy",
         without_row="sliding_displacement sliding_energy peeling_radius twisting_energy",
         groups={
             "to roll": "rolling_stiffness yield_displacement yield_angle yield_force yield_moment yield_energy",

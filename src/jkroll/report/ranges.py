@@ -22,7 +22,7 @@ from ..model.estimate import (
     Ranges,
 )
 from ..model.frame import Frame
-from ..model.limits import JUMP, ROUGH_MATTERS, may_be_rough
+from ..model.limits import ROUGH_MATTERS, may_be_rough
 from ..model.measured import (
     ENERGY_ON_SURFACES,
     HELD,
@@ -337,8 +337,7 @@ def _adhesion_only(answer: Answer) -> Iterator[str]:
         yield "other losses lower e, to 0 if the spheres stick"
     else:
         yield "at most JKR's loss to adhesion; losses in the solids add to it"
-    most = 2 if answer.frame.assumes_spacing else 1
-    if answer.frame.numbers("tabor_parameter").get("tabor_parameter", INFINITY) * most < JUMP:
+    if answer.ranges.has_no_jump:
         yield "spheres with so small a Tabor parameter separate without a jump, and adhesion alone may lose nothing"
 
 

@@ -1,21 +1,22 @@
 """Force curves from tables: columns in the notation of `batch` become arrays in SI units."""
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from itertools import chain
 from typing import Any, NamedTuple
 
 import numpy
 
-from ..errors import BadTable, missing_extra
+from ..errors import BadTable
 from ..materials.library import Materials
 from ..model.fit_branches import APPROACH, LOADING, PAUSE, RADIUS, TRAVEL, UNLOADING, ForceCurve
 from ..quantities.nomenclature import header as header_of
 from ..text import first_of, listed, quoted
 from .cells import Column
 from .dataframes import Memory, data_of
-from .files import Input, input_format, table_of_lines
+from .files import Input, input_format
 from .header import Header, option_of, typed, understood
+from .opened import opened
 from .reading import normalized, splits_of
 from .table import Asked, Records
 from .words import unit_for
@@ -60,7 +61,7 @@ def read_curve(
     asked = Asked({}, known, columns=columns, measured=MEASURED, pass_rest=True)
     file = Input(path)
     with file.file:
-        lines, blocks = _opened(file, asked, form, mark)
+        lines, blocks = opened(file, input_format(path, "-", form, mark), asked)
         table = _table(lines.names, lines.sample, lines.stated, asked)
         records = [lines.read(block, table) for block in blocks]
     branches = [f"branches from {lines.names[table.labels[_BRANCH]]}"] if _BRANCH in table.labels else []
@@ -73,16 +74,6 @@ def curve_of_columns(columns: Any, known: Materials, stiffness: float | None) ->
     rows = Memory(data_of(columns), asked)
     table = _table(rows.names, rows.sample, {}, asked)
     return ReadCurve(_curve(table, [rows.read(range(rows.size), table)], stiffness), table.columns.reading())
-
-
-def _opened(file: Input, asked: Asked, stated: str, mark: str) -> tuple[Any, Iterator[Any]]:
-    """Return the reader of a table, and its blocks."""
-    form = input_format(file.path, "-", stated, mark)
-    if form.name == "parquet":
-        with missing_extra("parquet"):
-            from .parquet import batches_of
-        return batches_of(file, "", asked)
-    return table_of_lines(file, form, asked, excel_safe=False, as_markdown=False)
 
 
 def _table(

@@ -78,9 +78,6 @@ class Data:
 
 
 class _Pandas(Data):
-    def _items(self) -> Any:
-        return self.data.items()
-
     def _filled(self, column: Any) -> Any:
         if hasattr(column.dtype, "units"):  # a column of pint
             column = column.pint.magnitude

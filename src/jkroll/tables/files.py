@@ -36,9 +36,7 @@ from .layouts import (
     FIRST,
     SAMPLE,
     Row,
-    as_table,
     bare,
-    between_tabs,
     header_position,
     in_cells,
     is_comment,
@@ -49,8 +47,7 @@ from .layouts import (
     unnamed_column,
     with_units,
 )
-from .ndjson import Ndjson
-from .table import Asked, Records, Table
+from .table import Records, Table
 
 NOT_WRITTEN = "xlsx xls ods json svg pdf png jpg jpeg gif tif tiff eps ps svgz bmp webp".split()  # extensions
 FORMATS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}
@@ -261,35 +258,6 @@ class Input:
         with suppress(OSError):
             if self.is_file and os.path.samestat(self.begun, os.stat(target)):
                 raise BadRequest(f"-o: {quoted(target)} is the input; it is not overwritten")
-
-
-def table_of_lines(
-    source: Input, form: FileFormat, asked: Asked, *, excel_safe: bool, as_markdown: bool
-) -> tuple[Delimited | Ndjson, Iterator[bytes]]:
-    """Return a table made of lines, with its header already read, and its blocks of rows. Raises BadTable.
-
-    `excel_safe`, `as_markdown`: see Delimited.
-    """
-    is_of_blanks = form.separator == " "
-    if form.name == "ndjson":
-        lines: Delimited | Ndjson = Ndjson()
-    else:
-        lines = Delimited(form.separator, excel_safe=excel_safe, as_markdown=as_markdown)
-    stream = blocks(source.pieces(form.compression), lines.cut)
-    first = next(stream, b"")
-    mark = BOM if first.startswith(BOM) else b""
-    stream = chain([first.removeprefix(mark)], stream)
-    if is_dump(first):
-        if not is_of_blanks:
-            raise BadTable("this is a dump of LAMMPS, with blanks between its columns; write --delimiter blank")
-        stream = as_table(stream, source.path, form.compression)
-    if is_of_blanks:
-        stream = between_tabs(stream)
-    first = next(stream)
-    rows = first[lines.read_header(first, asked.stated, asked.measured) :]
-    if not as_markdown:
-        lines.header = mark + lines.header
-    return lines, filter(None, chain([rows], stream))
 
 
 def blocks(pieces: Iterator[bytes], cut: Callable[[bytes], int]) -> Iterator[bytes]:

@@ -33,9 +33,9 @@ from .files import (
     format_of_name,
     input_format,
     output_format,
-    table_of_lines,
 )
 from .ndjson import Ndjson
+from .opened import opened
 from .table import Asked, Table, TableBlock, header_of
 
 MAX_PROCESSES = 16  # unless --jobs asks for more, since one process reads for all others
@@ -206,15 +206,9 @@ def convert_one(path: str, job: Job) -> Tally:
     file = Input(path)
     with file.file:
         file.check_output(job.target)
-        source: Any
-        if source_format.name == "parquet":
-            with missing_extra("parquet"):
-                from .parquet import batches_of
-            source, blocks = batches_of(file, job.target, asked)
-        else:
-            source, blocks = table_of_lines(
-                file, source_format, asked, excel_safe=job.excel_safe, as_markdown=as_markdown
-            )
+        source, blocks = opened(
+            file, source_format, asked, target=job.target, excel_safe=job.excel_safe, as_markdown=as_markdown
+        )
         header = header_of(source, asked)
         reading = header.reading(*source.remarks)
         job.say([reading])  # printed first: an unread column may be why an input is missing

@@ -11,9 +11,8 @@ from ..errors import BadRequest, BadRow, JkrollError
 from ..materials.library import Material, Materials, known_materials
 from ..model.containers import Reader
 from ..model.rows import BLOCK, Tally
-from ..model.solver import materials_of, words_in
+from ..model.solver import materials_of, refuse_arrays, words_in
 from ..model.unsolved import inputs_named
-from ..quantities.values import QuantityError, is_uncertain
 from ..report.questions import EVERYTHING, quantities_named, quantity_named
 from ..text import as_arguments
 from .dataframes import Data, Memory, data_of
@@ -97,9 +96,7 @@ def table(
     """
     solids = dict(zip(("material", "material2"), materials_of(material, material2, materials), strict=True))
     described = Reader().in_si(given)
-    for name, value in described.items():
-        if not (isinstance(value, float) or is_uncertain(value)):
-            raise QuantityError(name, "an array", "is not one value for all rows", "make it a column of the table")
+    refuse_arrays(described, "is not one value for all rows", "make it a column of the table")
     words = {"model": model, "profile": profile}
     every_input = {**solids, **words, **described}
     inputs = {name: value for name, value in every_input.items() if value is not None}

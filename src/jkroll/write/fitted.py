@@ -7,7 +7,7 @@ from typing import Any, TextIO
 from .. import __version__
 from ..model.fit_result import RESULTS, Fit
 from ..quantities.formatting import Format, amount
-from ..quantities.laws import LAWS
+from ..quantities.laws import JKR_OF_SPHERE, LAWS
 from ..quantities.markup import as_latex
 from ..quantities.nomenclature import NOMENCLATURE, bracketed
 from ..quantities.shown import Part
@@ -152,7 +152,7 @@ def _laws_cited(fitted: Fit) -> list[Mapping[str, str]]:
     if fitted.largest_adhesion is None:
         cited.append(known[fitted.known.law])
     if fitted.known.profile == "sphere":
-        cited.append(known["jkr-sphere"])
+        cited.append(known[JKR_OF_SPHERE])
     return cited
 
 
