@@ -111,12 +111,6 @@ def test_a_missing_accuracy_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     assert [lack.file for lack in missing("contact_area")] == ["src/jkroll/physics/accuracy.py"]
 
 
-def test_a_missing_line_of_the_stub_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    path = tool.TESTS.parent / "src/jkroll/formulas.pyi"
-    monkeypatch.setattr(tool, "stubs", lambda: {path: "from .physics.other import contact_area as contact_area"})
-    assert missing("contact_area") == [Lack("src/jkroll/formulas.pyi", "run python tests/tools/make_stub.py")]
-
-
 def test_an_outdated_page_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tool, "transcript", lambda command: f"$ {command}\nanother row\n")
     page = "src/jkroll/guide/energies.md"

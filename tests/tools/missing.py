@@ -37,7 +37,6 @@ from jkroll.report.questions import QUESTIONS
 from jkroll.tables.files import FORMATS
 from jkroll.write.sources import docstring_fields
 from scenes import any_scene, near_example
-from tools.make_stub import stubs
 from transcripts import TERMINAL, commands, transcript, transcripts
 
 TESTS = Path(__file__).resolve().parents[1]
@@ -208,8 +207,6 @@ def _of_formula(name: str) -> Iterator[Lack]:
         yield Lack(_reference_of(formula.__module__), f'EQUATIONS: "{name}": lambda {letters}: …,')
     else:
         yield from _of_values(name)
-    if stub_lacks(name):
-        yield Lack("src/jkroll/formulas.pyi", "run python tests/tools/make_stub.py")
     pages = [page.relative_to(TESTS.parent) for page in pages_to_renew(name)]
     yield from (Lack(str(page), f"run python tests/transcripts.py {page}") for page in pages)
     if pages and any(_blocks(CONTRIBUTING, _questions_with(name))):
@@ -229,13 +226,6 @@ def _reference_of(module: str) -> str:
     """Return the file with the reference equations for the formulas of a module."""
     laws = {FORMULAS[each].__module__ for each in law_reference.EQUATIONS if each in FORMULAS}
     return "tests/law_reference.py" if module in laws else REFERENCE
-
-
-def stub_lacks(name: str) -> bool:
-    """Return whether the stub of the formulas lacks the line of a formula, or has an outdated one."""
-    path, text = next((path, text) for path, text in stubs().items() if path.stem == "formulas")
-    line = next(line for line in text.splitlines() if line.endswith(f" as {name}"))
-    return line not in path.read_text(encoding="utf-8").splitlines()
 
 
 def _of_values(name: str) -> Iterator[Lack]:
