@@ -32,6 +32,7 @@ from scenes import QUARTZ
             "since it slides at 430 pN",
         ),
         ("quartz 100nm --shear-strength 584.5MPa", "at 22 nN"),  # the whole area slides at 29.2 nN
+        ("steel-304 1mm --load 5kN", "its adhesion alone peels off at 1.3–1.8 N"),  # the load still holds it
     ],
 )
 def test_resistances_say_whether_a_contact_rolls_slides_or_peels_first(run: Run, words: str, said: str) -> None:

@@ -199,7 +199,13 @@ def test_measured_sticking_speeds_scale_with_the_speed_by_jkr(other: dict[str, A
     assert found["sticking_energy"][:2] == (approx(energies[0], rel=2e-3), approx(energies[1], rel=2e-3))
 
 
-@pytest.mark.parametrize("other", [{"radius": 4e-8}, {"viscous_time": 1e-12}, {"material": "polystyrene"}])
+@pytest.mark.parametrize(
+    "other",
+    [
+        {"radius": 4e-8}, {"viscous_time": 1e-12}, {"material": "polystyrene"},
+        {"surface_energy": 2.0}, {"surface_energy": 1e-6}, {"youngs_modulus": 5.4e8}, {"density": 100.0},
+    ],
+)  # fmt: skip
 def test_other_hard_spheres_stick_at_1_to_10_times_the_speed_by_jkr(other: Mapping[str, Any]) -> None:
     """Hard spheres were seen to stick at these speeds. A given viscous time sets another rule."""
     given = {"material": "quartz", "radius": 0.5e-6, "radius2": inf, **other}

@@ -351,3 +351,17 @@ def test_the_other_law_has_the_spacing_that_follows_from_the_cutoff() -> None:
     given: dict[str, Any] = {"radius": 1e-7, "hamaker": 6.5e-20, "cutoff": 2e-10}
     other = Frame(given, known_materials()["quartz"]).by_law
     assert other["pull_off_force"] == solve("pull_off_force", material="quartz", model="maugis", **given)
+
+
+@pytest.mark.parametrize(("contacts", "is_possible"), [(998, False), (999, True), (6000, True), (6001, False)])
+def test_an_aggregate_of_thousand_grains_has_999_to_6000_contacts(contacts: float, is_possible: bool) -> None:
+    found = doubts(
+        Frame({**QUARTZ, "density": 2600.0, "monomers": 1000.0, "contacts": contacts}), ["disruption_energy"]
+    )
+    assert ("contacts-out-of-range" in [doubt.code for doubt in found]) is not is_possible
+
+
+def test_a_doubt_comes_before_missing_inputs_and_partial_error_bars(run: Run) -> None:
+    aggregate = run("aggregates quartz 100nm --monomers 1000 --contacts 1", terminal=True)
+    assert "note: a connected aggregate of N grains has at least N - 1 contacts" in aggregate.err
+    assert "the impact pressure exceeds" in run("impact ice-warm 500nm --speed 10m/s", terminal=True).err

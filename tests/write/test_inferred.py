@@ -100,6 +100,11 @@ def test_a_note_says_why_a_law_has_no_solution(run: Run) -> None:
     assert "E is 51 times quartz's (54 GPa)" in " ".join(run(f"{words} --explain").out.split())  # 2746/54
 
 
+def test_a_value_without_a_meaning_is_not_compared_with_the_library(run: Run) -> None:
+    ran = run("infer gamma pdms 5um --radius2 plane --measured P_c=100uN", terminal=True)
+    assert (ran.code, "contact is wider than the smaller sphere" in ran.out) == (0, True)
+
+
 def test_without_a_material_there_is_no_column_of_its_values(run: Run) -> None:
     words = "infer w --young 54GPa --poisson 0.17 2um --radius2 plane --measured P_c=300nN"
     assert all("has" not in line.split() for line in run(words, terminal=True).out.splitlines())

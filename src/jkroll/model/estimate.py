@@ -220,7 +220,7 @@ class Ranges:
         speed = self.frame.numbers("sticking_speed").get("sticking_speed")
         if stuck is not None and speed is not None:
             value = self.results.computed[name].values
-            is_carried = stuck.has_size(self.frame) & self._is_hard
+            is_carried = stuck.counts(self.frame) & self._is_hard
             for applies, (low, high) in (
                 (stuck.is_near(self.frame), stuck.ends(self.frame)),
                 (is_carried, stuck.in_proportion(self.frame)),

@@ -162,7 +162,7 @@ def _bits_where(condition: Any, bits: int, otherwise: Any) -> Any:
 _ELASTICITY = frozenset({"work_of_adhesion", "contact_radius_at_load", "yield_force_ratio"})
 _DISPLACEMENT = frozenset({"yield_displacement"})
 JUMP = 0.7  # Tabor parameter below which contacts by Lennard-Jones' 3-9 law have no jump at fixed grips
-STICKING_UNSURE = "sticking-unsure"
+PEELS_FIRST, STICKING_UNSURE = "peels-before-sliding", "sticking-unsure"
 ROUGH_MATTERS = "rough-matters"
 GAP_STAYS_DRY = "gap-stays-dry"
 FLIES_OFF = "flies-off"
@@ -204,6 +204,12 @@ def may_be_sphere(frame: Frame) -> bool:
 def _is_not_rubbery(frame: Frame) -> Any:
     """Return whether the softer of two bodies can yield."""
     return where(_is_rubbery(frame), False, True)
+
+
+def _miscounted_contacts(frame: Frame, _: Mapping[str, Column]) -> Any:
+    """Return how far the number of contacts is below N - 1 or above 6N; at most 1 if it is possible."""
+    contacts, grains = frame["contacts"], frame["monomers"]
+    return at_least((grains - 1) / contacts, contacts / (6 * grains))
 
 
 def _has_speed(frame: Frame, names: Collection[str]) -> bool:  # noqa: ARG001
@@ -292,7 +298,7 @@ INEXACT = (
         factor=lambda frame, _: 1 - frame["yield_force_fixed_load"] / frame["yield_force"],  # driving/resisting force
     ),
     Limit(
-        "peeling_over_sliding", frozenset({"sliding_force"}), "<", {1.0: "peels-before-sliding"},
+        "peeling_over_sliding", frozenset({"sliding_force"}), "<", {1.0: PEELS_FIRST},
         "the contact peels off before it slides, if it is brittle",
     ),
     Limit(
@@ -347,6 +353,11 @@ INEXACT = (
         lambda _, names: not _PULLED.isdisjoint(names),
         factor=lambda frame, _: at_most(frame["radius"], frame["radius2"]),
         where=may_be_rough,
+    ),
+    Limit(
+        "contacts", frozenset({"disruption_energy"}), ">", {1.0: "contacts-out-of-range"},
+        "a connected aggregate of N grains has at least N - 1 contacts, and at most 6N",
+        factor=_miscounted_contacts,
     ),
     Limit(
         "filling_factor", frozenset({"tensile_strength"}), ">", {1.0: "filling-out-of-range"},

@@ -136,7 +136,7 @@ class Stuck(NamedTuple):
     """The largest speed at which spheres of some radii stuck to a plane, as a power of the radius.
 
     For other pairs, in the wider range of radii `carried`, this speed is scaled in proportion to the sticking speed by
-    a law.
+    a law. It does not count for pairs with other properties than those of the solid.
     """
 
     speed: float
@@ -145,6 +145,7 @@ class Stuck(NamedTuple):
     error: float  # relative
     radii: tuple[float, float]
     carried: tuple[float, float]
+    properties: Mapping[str, tuple[float, float]]  # the least and the largest value of each
 
     def at(self, radius: Any) -> Any:
         """Return the largest speed at which spheres of a radius stick."""
@@ -163,22 +164,40 @@ class Stuck(NamedTuple):
         ]
         return at_most(*speeds) * (1 - self.error), at_least(*speeds) * (1 + self.error)
 
-    def has_size(self, frame: Frame) -> Any:
+    def counts(self, frame: Frame) -> Any:
         """Return whether the measurement can be scaled to the pair of a frame."""
         least, most = self.carried
         radius = 2 * frame["reduced_radius"]
-        return (least <= radius) & (radius <= most)
+        return (least <= radius) & (radius <= most) & self._is_alike(frame)
+
+    def _is_alike(self, frame: Frame) -> Any:
+        """Return whether a pair has the properties of the measured solid, as far as they are known."""
+        is_alike: Any = True
+        for name, value in frame.numbers(*self.properties).items():
+            least, most = self.properties[name]
+            is_alike = is_alike & (least <= value) & (value <= most)
+        return is_alike
 
     def is_near(self, frame: Frame) -> Any:
         """Return whether the pair is like the measured ones: spheres of these radii on a plane."""
         least, most = self.radii
         is_measured = (least <= frame["radius"]) & (frame["radius"] <= most)
-        return is_measured & (frame["radius2"] == INFINITY) & (VISCOUS_TIME not in frame.stated)
+        is_measured = is_measured & (frame["radius2"] == INFINITY) & (VISCOUS_TIME not in frame.stated)
+        return is_measured & self._is_alike(frame)
 
 
 STUCK: Mapping[str, Stuck] = {
     # Poppe, Blum & Henning 2000, second hand: 1.9 m/s at 0.25 µm and 1.2 m/s at 0.6 µm, on a plane of silica
-    SIO2: Stuck(1.2, 0.6e-6, -0.53, 0.3, (0.25e-6, 0.6e-6), carried=(1e-7, 3e-6)),
+    SIO2: Stuck(
+        1.2,
+        0.6e-6,
+        -0.53,
+        0.3,
+        (0.25e-6, 0.6e-6),
+        carried=(1e-7, 3e-6),
+        # silica in humid air to baked silica, and quartz
+        properties={"work_of_adhesion": (0.02, 0.5), "contact_modulus": (1e10, 1e11), "density": (1e3, 5e3)},
+    ),
 }
 
 

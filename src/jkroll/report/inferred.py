@@ -67,9 +67,11 @@ def library_values(frame: Frame) -> Mapping[str, float | Uncertain]:
 
 
 def about_library(answer: Answer) -> Iterator[Note]:
-    """Iterate over notes on inferred values that are far from the library's."""
+    """Iterate over sentences on inferred values that are far from the library's."""
     by_maugis = BETWEEN in laws_of(answer)
     for name, usual in library_values(answer.described).items():
+        if name not in answer.values:
+            continue
         ends = [answer.values[name]]
         if by_maugis:
             positive = [end for end in answer.ranges.by_better_law(name) if end > 0]  # nan if the law has no value

@@ -167,7 +167,7 @@ def _middle(name: str, estimate: Estimate, *, is_short: bool) -> str:
 def _first_to_give_way(answer: Answer) -> str:
     rolling, sliding = (answer.estimates[name] for name in ("yield_force", "sliding_or_peeling_force"))
     force = range_in_words("yield_force", sliding)
-    gives = f"it {_slides_or_peels(answer)} at {force}"
+    gives = f"{_slides_or_peels(answer)} at {force}"
     if rolling.by == NONE:
         return f"if a pushed sphere cannot roll, {gives}"
     rolls = range_in_words("yield_force", rolling)
@@ -212,15 +212,19 @@ def _filled_gap(frame: Frame) -> str:
 
 
 def _slides_or_peels(answer: Answer) -> str:
-    """Return whether a pushed contact slides or peels off if it cannot roll, as far as its friction is known."""
+    """Return whether a pushed contact slides or peels off if it cannot roll, as far as its friction is known.
+
+    A load that presses holds a contact whose adhesion has peeled off.
+    """
     is_assumed = answer.estimates["sliding_or_peeling_force"].by == FRICTION_ASSUMED
     margin = FRICTION_FACTOR if is_assumed else 1.0
     peeling_over_sliding = answer.frame["peeling_over_sliding"]
+    is_pressed = answer.frame["load"] > 0
     if peeling_over_sliding >= margin:
-        return "slides"
+        return "it slides"
     if peeling_over_sliding * margin < 1 or not is_assumed:
-        return "peels off"
-    return "slides or peels off"
+        return "its adhesion alone peels off" if is_pressed else "it peels off"
+    return "it slides, or its adhesion alone peels off," if is_pressed else "it slides or peels off"
 
 
 def _stick_or_bounce(answer: Answer) -> str:
@@ -230,7 +234,7 @@ def _stick_or_bounce(answer: Answer) -> str:
     is_below, is_above = speed < sticking.low, speed > sticking.high
     verdict = "stick" if is_below else "bounce" if is_above else "may stick or bounce"
     stuck = what_stuck(answer.frame)
-    is_carried = stuck is not None and stuck.has_size(answer.frame) and not stuck.is_near(answer.frame)
+    is_carried = stuck is not None and stuck.counts(answer.frame) and not stuck.is_near(answer.frame)
     source = "scaled from measured speeds" if is_carried and sticking.by == MEASURED else WORDS[sticking.by]
     text = f"at {amount('speed', speed)} the spheres {verdict}: the sticking speed is {sides} ({source})"
     left, alone = answer.estimates["restitution"], answer.values.get("restitution", 0.0)

@@ -10,7 +10,7 @@ from ..model.frame import DEFAULTS, Frame
 from ..model.limits import ENDING, ENDING_MEANING, LIMITS, MEANINGS, Doubt, doubts, touched
 from ..model.measured import SIO2, rolling, solid_of_pair
 from ..model.plan import depends_on
-from ..model.reasons import grouped
+from ..model.reasons import MissingInput, grouped
 from ..model.uncertainty import Sources, sources_of_results
 from ..physics.elementary import is_anywhere
 from ..quantities.formatting import Format, amount, first_symbols, significant, symbol_among, symbol_of
@@ -222,7 +222,8 @@ def about_limits(every: Iterable[Doubt]) -> Iterator[Note]:
 def about_missing(errors: Mapping[str, JkrollError]) -> Iterator[Note]:
     """Iterate over the reasons for missing values, each with the symbols of the quantities."""
     for names, reason in grouped(errors):
-        yield Note("caveat", f"{first_symbols(names)}: {reason}")
+        severity: Severity = "remark" if isinstance(errors[names[0]], MissingInput) else "caveat"
+        yield Note(severity, f"{first_symbols(names)}: {reason}")
 
 
 def about_left_out(*every: Sources | None) -> Iterator[Note]:
@@ -232,7 +233,7 @@ def about_left_out(*every: Sources | None) -> Iterator[Note]:
         if sources is not None:
             symbols |= dict.fromkeys(symbol_of(source.names[0]) for source in sources.left_out)
     if symbols:
-        yield Note("caveat", f"error bars leave out {', '.join(symbols)}: ± and ranges cannot be combined")
+        yield Note("remark", f"error bars leave out {', '.join(symbols)}: ± and ranges cannot be combined")
 
 
 # --- Rows -------------------------------------------------------------------------------------------------------------

@@ -215,7 +215,7 @@ def _bounds(answer: Answer) -> Iterator[str]:
 
 def _measured(answer: Answer) -> Iterator[str]:
     stuck = what_stuck(answer.frame)
-    if stuck is None or not stuck.has_size(answer.frame):
+    if stuck is None or not stuck.counts(answer.frame):
         yield _SEEN
         yield "silica, ices and silver were measured; adhesion is not their only loss"
         return

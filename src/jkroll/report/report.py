@@ -7,7 +7,17 @@ from math import erfc, hypot, sqrt
 from ..errors import JkrollError
 from ..model.estimate import ADHESION_ONLY, FRICTION_ASSUMED, MEASURED, NONE, WORDS, Estimate, Ranges
 from ..model.frame import Frame
-from ..model.limits import LAW, ROUGH_MATTERS, STICKING_UNSURE, WIDE_CONTACT, Doubt, Limit, may_be_rough, touched
+from ..model.limits import (
+    LAW,
+    PEELS_FIRST,
+    ROUGH_MATTERS,
+    STICKING_UNSURE,
+    WIDE_CONTACT,
+    Doubt,
+    Limit,
+    may_be_rough,
+    touched,
+)
 from ..model.measured import on_surfaces
 from ..model.uncertainty import error_bars
 from ..quantities.formatting import significant, symbol_among
@@ -130,6 +140,8 @@ class Report(Answer):
 
     def _is_in_ranges(self, doubt: Doubt) -> bool:
         """Return whether the best ranges already include the consequence of a limit."""
+        if doubt.code == PEELS_FIRST:
+            return "sliding_or_peeling_force" in self.estimates
         return doubt.code == STICKING_UNSURE and not {ADHESION_ONLY, MEASURED}.isdisjoint(self.rules)
 
     def _subject_of(self, limit: Limit) -> str:
