@@ -204,7 +204,7 @@ def test_a_fit_by_either_law_agrees_with_an_independent_fit(run: Run) -> None:
 def test_the_output_ends_with_a_command_for_the_next_step_that_works(run: Run, curve: str) -> None:
     assert curve
     out = run(f"fit curve.csv {KNOWN} --young rigid --poisson2 0.5").out
-    assert "E2 = 1.31 MPa of the other body" in out
+    assert "E2 = 1.31 MPa for the other body" in out
     command = out.splitlines()[-1].partition("then: jkroll ")[2]
     assert "--adhesion-hysteresis 1" in command
     ran = run(*command.split())

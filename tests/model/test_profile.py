@@ -76,10 +76,10 @@ def test_sphere_is_refused_for_two_spheres_soft_spheres_and_compressible_planes(
 
 @pytest.mark.parametrize("model", ["maugis", "dmt"])
 def test_sphere_is_refused_under_other_laws(model: str, run: Run) -> None:
-    with pytest.raises(BadRequest, match=f"only JKR has a sphere; leave out model {model}"):
+    with pytest.raises(BadRequest, match=f"only JKR has it; leave out model {model}"):
         solve("pull_off_force", **GEL, model=model, profile="sphere")
     ran = run(f"pull-off {WORDS} --work-of-adhesion 20mJ/m2 --profile sphere --model {model}")
-    assert (ran.code, "only JKR has a sphere" in ran.err) == (2, True)
+    assert (ran.code, "only JKR has it" in ran.err) == (2, True)
 
 
 def test_sphere_needs_the_moduli_that_justify_it() -> None:

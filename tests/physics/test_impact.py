@@ -103,7 +103,7 @@ def test_spheres_that_stick_lose_all_their_energy() -> None:
 
 def test_damping_of_grains_that_always_stick_is_refused() -> None:
     viscous_time = 1.25e-11
-    with pytest.raises(Failure, match=r"viscosity_number: T\* = 1.952\d* is above 0.6815: they stick at every speed"):
+    with pytest.raises(Failure, match=r"viscosity_number: T\* = 1.952\d* is above 0.6815: the spheres stick"):
         solve("sticking_speed", material="quartz", radius=1e-7, viscous_time=viscous_time)
     several = solve("sticking_speed", material="quartz", radius=np.array([1e-7, 1e-6]), viscous_time=viscous_time)
     assert np.isnan(several).tolist() == [True, False]

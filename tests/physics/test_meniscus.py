@@ -1,4 +1,4 @@
-"""The force of a meniscus of condensed water, compared with the exact shape, a nodoid, which is integrated here."""
+"""The force of a meniscus of condensed water, compared with that of the exact shape: a nodoid, integrated here."""
 
 import math
 

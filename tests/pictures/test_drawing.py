@@ -704,7 +704,7 @@ def test_invalid_calls_for_pictures_are_refused_in_one_line(run: Run, tmp_path: 
 
 def test_a_letter_that_the_font_lacks_is_reported(run: Run) -> None:
     Path("own.toml").write_text('[materials."石英"]\nsurface_energy = "25 mJ/m2"\n', encoding="utf-8")
-    message = "jkroll: -o: the font of pictures has no '石'; name the material by other letters\n"
+    message = "jkroll: -o: the font of pictures has no '石'; name the material with other letters\n"
     assert run("map pull-off 石英 --materials own.toml --x radius=1nm:1um -o own.svg") == (2, "", message)
 
 

@@ -64,7 +64,7 @@ _GUNDLACH = "Gundlach et al. 2011, Icarus 214, 717"
 _SUMER = "Sümer & Sitti, Rolling and spinning friction characterization of fine particles"
 _MOUTINHO = "Quoted by Moutinho et al."
 _XI = "ξ: 2 Å is the value of the paper, and F_roll = 6πγξ at any radius"
-_GROWS = "ξ grows with the sphere; the source may have it from a force or from a displacement"
+_GROWS = "ξ grows with the radius; the source may have derived ξ from a force or from a displacement"
 _MICHALSKE = "Michalske & Fuller 1985, J. Am. Ceram. Soc. 68, 586"
 _TIPS = "J. Phys. D: Appl. Phys. 7, 1243 (1974)"
 _DUST_SIMULATION = "Comments in Lumajord/DustSimulation, which was fitted to this value"
@@ -113,7 +113,7 @@ MEASUREMENTS = (
     Measurement(
         "water ice, 175–200 K", "yield_displacement", "0.19 mm", "ice-cold", {"radius": "1.1 mm"},
         "Musiolik & Wurm 2019, arXiv:1902.08503", "abstract",
-        "ξ grows with the sphere; the abstract does not say whether 1.1 mm is the radius or the diameter",
+        "ξ grows with the radius; the abstract does not say whether 1.1 mm is the radius or the diameter",
     ),
     Measurement(
         "polystyrene on glass", "shear_strength", "9 to 15 MPa", "polystyrene-glassy", {"radius": "10 um", **_PLANE},
@@ -162,12 +162,12 @@ MEASUREMENTS = (
     ),
     Measurement(
         "soda-lime glass, closing cracks", "work_of_adhesion", "0.15 J/m2", "glass-soda-lime-air", {},
-        _MICHALSKE, "abstract", "No independent test: γ of the material is half of this",
+        _MICHALSKE, "abstract", "No independent test: γ of the material is half of this w",
     ),
     Measurement(
         "mica on mica, dry", "pull_off_force", "12 to 16 mN", "mica", {"radius": "1 cm", **_PLANE},
         "Christenson 1993, J. Phys. Chem. 97, 12034", "abstract",
-        "No independent test: γ of mica was taken from this; cleavage of sheets gives the same; the source has 1.2 to "
+        "No independent test: γ of mica is from this force; cleavage of sheets gives the same; the source has 1.2 to "
             "1.6 N/m for crossed cylinders of any radius, which are equivalent to a sphere on a plane",
     ),
     *(
@@ -183,7 +183,7 @@ MEASUREMENTS = (
     ),
     Measurement(
         "fused quartz on steel", "work_of_adhesion", "42±3 mJ/m2", "quartz", {}, _TIPS, "abstract",
-        f"{_OF_TIPS}; the lower end of γ of steel-304 is from this", material2="steel-304",
+        f"{_OF_TIPS}; this w gives the lower end of γ of steel-304", material2="steel-304",
     ),
     Measurement(
         "tungsten on steel", "work_of_adhesion", "130±7 mJ/m2", "tungsten-oxide", {}, _TIPS, "abstract",

@@ -19,7 +19,7 @@ from .fit_minimum import ADHESION, MODULUS, POINT, Minimum, Points, Setting, min
 from .fit_problem import NAMES, Problem, Solved
 from .fit_result import STRONG, Errors
 
-_FEW = 300  # most points of a refit that computes moves of the results
+_FEW = 300  # largest number of points in a refit that computes moves of the results
 _ALIKE = 50.0  # Tabor parameter above which Maugis' law equals JKR's
 _WIDE = 0.1  # a/R above which the shape of the sphere matters
 
@@ -103,7 +103,7 @@ def covariance_of(solution: Solution) -> tuple[tuple[str, ...], Array]:
     found = other.minimum
     rows = found.noise.whitened(found.residuals.derivatives)
     weighted = rows[:, ADHESION] * found.weights
-    pulls = -(weighted @ rows[:, [*main.free]]) / (weighted @ rows[:, ADHESION])  # derivatives of ln w by main unknowns
+    pulls = -(weighted @ rows[:, [*main.free]]) / (weighted @ rows[:, ADHESION])  # d(ln w)/d(main unknowns)
     pulls[main.free.index(ADHESION)] = 0.0
     w = float(exp(found.unknowns[ADHESION]))
     variance = (float(found.covariance[0, 0]) + float(pulls @ matrix @ pulls)) * w * w

@@ -58,7 +58,7 @@ def remarks_on(solution: Solution, result: Fit, by_spring: Results | None) -> It
     if has_adhesion and result.kind != RADIUS and int((main.points.force < 0).sum()) < LEAST_POINTS:
         yield "few-below-zero", "fewer than 5 points are in tension: w is hardly determined"
     if not result.is_scaled and good["contact_over_radius"] > _WIDEST:
-        yield "wide-contact", "the contact is wider than 0.9 of the radius: theories of a half-space do not apply"
+        yield "wide-contact", "the contact radius is above 0.9 of the sphere's: theories of a half-space do not apply"
     if has_adhesion:
         yield from _on_resting_edge(solution, result.points)
 
@@ -89,7 +89,7 @@ def on_profile(values: Results, sphere: Results, errors: Mapping[str, Errors], w
     shares = {name: sphere[name] / values[name] - 1 for name in names}
     texts = [f"{'E*' if name == 'contact_modulus' else 'w'} {shares[name]:+.1%}" for name in names[:1] + names[-1:]]
     moved = ", ".join(dict.fromkeys(texts))
-    yield f"the contact is {width:.2f} of the radius wide, where a sphere is no paraboloid: {moved} by --profile sphere"
+    yield f"a/R is up to {width:.2f}, where a sphere is no paraboloid: {moved} by --profile sphere"
 
 
 def _on_resting_edge(solution: Solution, points: Mapping[str, numpy.ndarray]) -> Iterator[tuple[str, str]]:

@@ -33,9 +33,9 @@ def have_same_labels(axes: Sequence[Axis], others: Sequence[Axis]) -> bool:
 def aligned(arrays: Sequence[Any]) -> tuple[Sequence[Any], Any]:
     """Return arrays, aligned by their library as in arithmetic, and an array with the labels of the results.
 
-    The array of labels is None if the results have the labels of the arrays. In pandas, a label missing from one array
-    is dropped from the others, and has no value in the result. Arrays that the library cannot align are returned
-    unchanged.
+    The array of labels is None if the aligned arrays have the labels of the results. In pandas, a label missing from
+    one array is dropped from the others, and has no value in the result. Arrays that the library cannot align are
+    returned unchanged.
     """
     first, *others = map(axes_of, arrays)
     if all(have_same_dimensions(first, axes) and have_same_labels(first, axes) for axes in others):

@@ -307,7 +307,7 @@ INEXACT = (
     ),
     Limit(
         "speed_over_sticking", frozenset({"restitution", "sticking_speed"}), ">", {1.0: "bounces"},
-        "free spheres that collide head-on bounce if adhesion is the only loss; further losses raise this speed",
+        "free spheres that collide head-on bounce if adhesion is the only loss; further losses raise v_stick",
         _has_speed,
         is_shown=False,  # the restitution already shows this
     ),
@@ -339,7 +339,7 @@ INEXACT = (
     ),
     Limit(
         "tabor_parameter", frozenset({"sticking_energy", "sticking_speed"}), "<", {JUMP: STICKING_UNSURE},
-        "the contact forms and opens smoothly; adhesion alone loses almost no energy, and other losses decide",
+        "the contact forms and opens smoothly; almost no energy is lost to adhesion, and other losses decide",
         conclusion="has_jump",
     ),
     Limit(
@@ -370,7 +370,7 @@ INEXACT = (
     ),
     Limit(
         "meniscus_size", frozenset({"meniscus_force"}), ">", {0.1: "wide-meniscus"},
-        "the meniscus is not small compared with the bodies; it pulls up to 2q² more",
+        "the meniscus is not small compared with the bodies; it may pull more, by a fraction of up to 2q²",
     ),
     Limit(
         "kelvin_radius", frozenset({"kelvin_radius"}), "<", {1.0: "few-molecules"},

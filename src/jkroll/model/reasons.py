@@ -154,7 +154,7 @@ TWO_RIGID_BODIES = Cause(
 )
 RESTS_ON_SPACING = Cause("needs atomic_spacing", "depends on z0; give --z0 4angstrom")
 OF_IDENTICAL_SPHERES = Cause(
-    "sphere 2 differs", "sphere 2 differs from sphere 1; this is known for identical spheres only"
+    "sphere 2 differs", "sphere 2 differs from sphere 1; the quantity is known for identical spheres only"
 )
 OF_ANOTHER_PAIR = EndOfMeaning("sphere 2 differs", "defined for identical spheres only")
 NOT_HELD = Cause(  # between pull-off and the fold, where free spheres fly apart
@@ -166,13 +166,13 @@ RIGID = Cause("sphere 1 is rigid", "sphere 1 is rigid, and no wave runs around i
 APART = Cause("no contact circle", "the spheres are bound without touching; there is no contact circle")
 TOO_MUCH_HYSTERESIS = Cause(
     "hysteresis above work of adhesion",
-    "{0} is more than the work of adhesion, {1}, of which it is a part",
+    "{0} is more than the work of adhesion, {1}: the hysteresis is a part of w",
     "adhesion_hysteresis",
     gt,
 )
 STICKS_ALWAYS = Cause(
     "sticks at every speed",
-    "T* = {0} is above {1}: they stick at every speed that this damping can describe",
+    "T* = {0} is above {1}: the spheres stick at every speed that this damping can describe",
     "viscosity_number",
     gt,
 )
@@ -183,7 +183,7 @@ NO_POISSON_RATIO = Cause(
 )
 YIELDS_ON_TOUCH = Cause(
     "yields on touching",
-    "{0} is below {1}, the pressure of adhesion alone as a contact forms: it yields at every speed",
+    "{0} is below {1}, the pressure of adhesion alone as a contact forms: the contact yields at every speed",
     "first_yield_pressure",
 )
 DRY_OR_SATURATED = Cause(

@@ -71,7 +71,7 @@ def _check_letters(texts: Iterable[str]) -> None:
     font = font_manager.get_font(font_manager.findfont(FONT))
     for letter in dict.fromkeys("".join(texts)):
         if letter.isalpha() and not font.get_char_index(ord(letter)):
-            raise BadRequest(f"-o: the font of pictures has no {quoted(letter)}; name the material by other letters")
+            raise BadRequest(f"-o: the font of pictures has no {quoted(letter)}; name the material with other letters")
 
 
 def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption: bool) -> Figure:

@@ -255,7 +255,7 @@ def law_given(model: str | None, profile: str | None = None) -> str | None:
     if profile is None or _one_of(PROFILES, "profile", profile) == PARABOLOID:
         return name
     if name not in (None, DEFAULT_LAW):
-        raise BadRequest(f"profile: only JKR has a {SPHERE}; leave out model {name}, or take the profile {PARABOLOID}")
+        raise BadRequest(f"profile {SPHERE}: only JKR has it; leave out model {name}, or take the profile {PARABOLOID}")
     return JKR_OF_SPHERE
 
 

@@ -32,7 +32,7 @@ _SIGNS = {
     "log₁₀": r"\mathrm{log}_{10}",
 }
 _LETTERS = {"â": r"\hat{a}", "π": r"\mathrm{π}"}
-_COMMANDS = {"√": r"{\surd}", "±": r"{\pm}", "µ": r"{\mu}"}  # of mathematics in LaTeX, by sign
+_COMMANDS = {"√": r"{\surd}", "±": r"{\pm}", "µ": r"{\mu}"}  # LaTeX commands in mathematics, by sign
 _COMMANDS |= {letter: rf"{{\{name}}}" for name, letter in LETTERS.items() if "Α" <= letter <= "ω"}
 _ESCAPED = {  # signs outside formulas, in LaTeX
     **{sign: f"${command}$" for sign, command in _COMMANDS.items()},
@@ -52,7 +52,7 @@ _JOINED = re.compile(r" (?=[=<>\[])|(?<=[=<>]) ")  # spaces at which no line is 
 
 
 def symbol(name: str) -> str:
-    """Return the symbol of a quantity, marked as a formula unless the quantity is a word.
+    """Return the symbol of a quantity, marked as a formula unless it is a word.
 
     >>> symbol("pull_off_force")
     '⟦P_c⟧'

@@ -120,7 +120,7 @@ def _named(frame: Frame) -> dict[str, float]:
 
 
 def _without_contact(frame: Frame, ratio: float, steps: int) -> Iterator[State]:
-    """Iterate over Maugis' states without contact, from the fold to a contact with an edge ratio (excluded)."""
+    """Iterate over Maugis' states without contact, from the fold to the contact with this edge ratio (excluded)."""
     fold, touch = frame["fold_approach_maugis"], frame.replace(edge_ratio=ratio)["approach_at_load"]
     for step in range(steps):
         yield State("approach_at_load", fold + (touch - fold) * step / steps, "without contact" if step else FOLD)

@@ -137,7 +137,7 @@ def sentences(fitted: Fit) -> Iterator[str]:
         yield f"w: below {limit}, by the noise"
     if is_sure(fitted) and fitted.other_modulus is not None:
         name, modulus = fitted.other_modulus
-        yield f"{NOMENCLATURE[name].symbol} = {amount(name, modulus, Format(digits=3))} of the other body"
+        yield f"{NOMENCLATURE[name].symbol} = {amount(name, modulus, Format(digits=3))} for the other body"
     if "tabor_parameter" in good:
         yield from _about_laws(fitted)
     if "unloaded_contact_over_radius" in good:
@@ -169,7 +169,7 @@ def _about_laws(fitted: Fit) -> Iterator[str]:
         texts.append(f"{LAWS[law].short}{_VARIANTS[variant]} {number}")
     tabor = significant(fitted.goodness["tabor_parameter"], 2)
     advice = "" if best == fitted.known.law else f": take --model {best}"
-    yield f"w by law, the one that holds first: {', '.join(texts)} (Tabor parameter {tabor}; JKR needs 5{advice})"
+    yield f"w by law, the best one first: {', '.join(texts)} (Tabor parameter {tabor}; JKR needs 5{advice})"
     if profile == "sphere":
         yield "only JKR is known for a sphere: the other laws are fitted for a paraboloid"
 
@@ -207,6 +207,6 @@ def _about_baselines(fitted: Fit) -> str:
     for name, base in fitted.baselines.items():
         unit, scale = Format().common_unit("load", [max(abs(base["force"]), base["error"])])
         value, error = base["force"] * scale[1] / scale[0], base["error"] * scale[1] / scale[0]
-        where = "before the contact" if name == LOADING else "behind the contact"
+        where = "before the contact" if name == LOADING else "after the contact"
         texts.append(f"{_rounded(value, error)} ± {significant(error, 2, zeros=True)} {unit} {where}")
     return f"baseline: {', '.join(texts)}"

@@ -66,7 +66,7 @@ def leads(answer: Answer) -> Iterator[Note]:
 
 
 def lead_of_rows(groups: Sequence[Group], names: Collection[str]) -> str:
-    """Return the sentence above a list that says what its pull-off force leaves out; empty if nothing is to be said."""
+    """Return the sentence on the effects that the pull-off force of a list leaves out; empty if there are none."""
     if "pull_off_force" not in names:
         return ""
     if "meniscus_force" in names:
@@ -109,7 +109,7 @@ def _what_it_means(answer: Answer) -> str:
     is_of_both = "surface_energy" in frame.unknowns and frame.material2 is None and "surface_energy2" not in frame.given
     of_both = "; w = 2γ" if is_of_both else ""
     has_error = not frame.uncertain.keys().isdisjoint(frame.judged(frame.unknowns))
-    error = "" if has_error else "; write what you measured with its error, as 3.0±0.2"
+    error = "" if has_error else "; give the measured value with its error, such as 3.0±0.2"
     return f"the measurement implies {listed(texts)}{of_both}{error}"
 
 

@@ -98,7 +98,7 @@ def held_on_surfaces(frame: Frame) -> str:
     """Return the pull-off force of real surfaces: for SiO2 as measured, for other solids as a fraction of JKR's."""
     radii = frame.numbers("radius", "radius2").values()
     if min(radii, default=2 * frame["reduced_radius"]) < SURFACES_FROM:
-        return f"real ones hold less: not measured at this size; SiO2 of R ≥ 1 µm held {HELD}"
+        return f"real ones hold less (not measured at this size): SiO2 of R ≥ 1 µm held {HELD}"
     if solid_of_pair(frame) != SIO2:
         return f"real ones hold less: spheres of SiO2 held {HELD}"
     forces = (f"{span('pull_off_force', *ends)} ({surface})" for surface, ends in on_surfaces(frame).items())
@@ -115,7 +115,7 @@ def about_surfaces(frame: Frame) -> str:
 _OF_SMOOTH = "P_c is that of smooth, dry spheres: rough ones hold less"
 _SEEN = f"hard spheres were seen to stick at 1–{MOST_SEEN} times JKR's speed"
 _WORDS: Mapping[int, str] = {
-    MEASURED: f"1 to {MOST_SEEN} times JKR's speed was measured; SiO2 by its own speeds",
+    MEASURED: f"hard spheres stuck at 1 to {MOST_SEEN} times JKR's speed, SiO2 at measured ones",
     SCALED: "from ξ or forces measured on this solid, scaled as R^(2/3) or as R",
     XI_UNKNOWN: "not measured; ξ of 2 Å (one atom) or more (--xi)",
     ADHESION_ONLY: "adhesion as the only loss; if there are others, this is a limit",

@@ -45,7 +45,7 @@ timestep {step:.12g}
 # rolling sds: stiffness [N/m], damping, coefficient M/(R(P + 2P_c)) [1], M the moment at which it rolls, R the \
 reduced radius.
 # Damping is left out; coeff_restitution gives nan with adhesion. timestep [s] and thresholds are for the P above: \
-where collisions press harder, give their largest force as --load. What is behind each line: jkroll guide dem
+where collisions press harder, give their largest force as --load. Each line is explained in jkroll guide dem
 """
 _OF_COLLISIONS = """\
 # LAMMPS breaks a contact early, at 3 pi gamma R: its grains stick only below 0.7028 v_stick.
