@@ -791,3 +791,23 @@ def test_a_file_in_place_of_a_material_is_reported_as_a_file(run: Run, name: str
 def test_an_unusual_blank_in_a_value_is_shown_as_a_space(run: Run, gap: str) -> None:
     head = run("pull-off", "quartz", f"100{gap}nm", terminal=True).out.partition("\n")[0]
     assert head == "quartz (γ = 25 mJ/m² per surface), R1 = R2 = 100 nm"
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("pull-off olivine 100nm", "no material 'olivine'. Give its own numbers"),  # and not "did you mean tholin?"
+        ("pull-off water-ice 100nm", "'water-ice' names several materials; write ice-warm"),
+        ("pull-off quartz nan", "radius: 'nan'"),
+        ("infer gamma2 quartz 100nm --measured P_c=10nN", "only inputs of sphere 1, or w of the pair, can be inferred"),
+        ("infer gamma quartz 100nm --measured P_c=300,320,290nN", "each number of a list has its unit"),
+    ],
+)
+def test_a_refusal_names_what_can_be_written_instead(run: Run, words: str, said: str) -> None:
+    ran = run(words)
+    assert (ran.code, said in ran.err) == (2, True)
+
+
+def test_a_material_at_the_root_of_a_file_is_told_its_table(run: Run) -> None:
+    Path("mine.toml").write_text('[enstatite]\nsurface_energy = "100 mJ/m2"\n', encoding="utf-8")
+    assert "a table such as [materials.enstatite]" in run("pull-off enstatite 100nm --materials mine.toml").err

@@ -280,4 +280,4 @@ def _option_or_radius(name: str) -> str:
 
 def _is_material(word: str) -> bool:
     """Return whether a word names a material, rather than a radius."""
-    return word.casefold() == "all" or (word[:1].isalpha() and word.casefold() != "plane")
+    return word.casefold() == "all" or (word[:1].isalpha() and word.casefold() not in ("plane", "nan", "inf"))

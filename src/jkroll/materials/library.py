@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from ..errors import BadRequest
 from ..physics.elementary import cbrt, smaller_and_larger, sqrt
-from ..quantities.nomenclature import PROPERTIES, XI, header, named, read_only
+from ..quantities.nomenclature import ALIKE, PROPERTIES, XI, header, named, read_only
 from ..quantities.values import Interval, QuantityError, Uncertain, ends_of, is_uncertain, middle, value_of
 from ..text import closest, listed, quoted, shown
 
@@ -295,6 +295,8 @@ def _refuse_unknown_keys(where: str, table: Mapping[str, Any], known: Sequence[s
     if unknown:
         guess = closest(named(unknown[0]), known)
         hint = f"; did you mean {guess}?" if guess else ""
+        if not where and not guess and isinstance(table[unknown[0]], dict):
+            hint = f"; a material has a table such as [materials.{shown(unknown[0])}]"
         raise BadRequest(f"{quoted(where + unknown[0])} is an unknown key{hint}")
 
 
@@ -379,7 +381,7 @@ class Materials:
         several = meanings or states
         if len(several) > 1:
             raise _unclear(word, several)
-        guess = states[0].name if states else closest(key, [*self.materials, *self.aliases])
+        guess = states[0].name if states else closest(key, [*self.materials, *self.aliases], ALIKE)
         if guess:
             names = listed([material.name for material in self._meanings[guess.casefold()]], "or")
             remedy = f"; did you mean {names}? jkroll materials lists all"

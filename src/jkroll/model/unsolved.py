@@ -117,7 +117,7 @@ def inputs_named(words: Sequence[str]) -> list[str]:
         if name not in SIZES:
             problem = f"{quoted(word)} cannot be inferred; {', '.join(SIZES)} can"
             if name in NOMENCLATURE and NOMENCLATURE[name].sphere == 2:
-                problem = f"{quoted(word)}: exchange the bodies, so that the unknown is of sphere 1; R and E* stay"
+                problem = f"{quoted(word)}: only inputs of sphere 1, or w of the pair, can be inferred"
             raise BadRequest(problem)
     if len(names) not in (1, 2) or len({*names}) < len(names):
         raise BadRequest(f"{quoted(','.join(words))}: one input can be inferred, or two that differ")

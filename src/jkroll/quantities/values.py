@@ -566,8 +566,9 @@ def spreads_of(text: str, name: str) -> list[Spread]:
         return [_spread(item, name) for item in items]
     except QuantityError as error:
         if error.mistake == NO_UNIT and len(items) > 1:
-            mistake = f"has a number without a unit, {error.value}; the decimal mark is a point"
-            raise QuantityError(name, text, mistake) from None
+            mistake = f"has a number without a unit, {error.value}"
+            remedy = "the decimal mark is a point, and each number of a list has its unit"
+            raise QuantityError(name, text, mistake, remedy) from None
         if error.mistake == NO_UNIT and ":" in text:
             raise QuantityError(name, text, "needs a unit at both ends") from None
         raise
