@@ -12,11 +12,9 @@ from functools import cache
 from types import MappingProxyType
 
 import law_reference
+from jkroll.quantities.nomenclature import DEFAULTS
 from maugis_reference import Exact, cbrt, digits, mpf, pi, sqrt
 
-DEFAULTS = {
-    "yield_displacement": 2e-10, "load": 0.0, "gravity": 9.80665, "energy_ratio": 1.0, "atomic_spacing": 4e-10,
-}  # fmt: skip
 FOLD = -cbrt(mpf(9) / 16)  # δ̂, where dδ/dâ = 0
 
 # The allowed errors in ulp of a result times 1 plus its condition: the largest; the median over all results; and the

@@ -6,8 +6,10 @@ from random import Random
 from typing import Any
 
 from jkroll import solve
-from jkroll.model.frame import DEFAULTS
-from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.model.frame import EXCLUSIVE
+from jkroll.model.plan import formula_of
+from jkroll.quantities.laws import LAWS
+from jkroll.quantities.nomenclature import DEFAULTS, NOMENCLATURE
 from jkroll.quantities.values import parse_quantity
 
 Frame = dict[str, Any]  # SI numbers by name
@@ -31,6 +33,16 @@ def near_example(name: str, random: Random) -> float:
     example = parse_quantity(quantity.example, name)
     value = example * log_uniform(random, 0.01, 100)
     return value if quantity.range.admits(value) else example
+
+
+def _inputs_of_every_scene() -> list[str]:
+    """Return the inputs of a pair that have no default, exclude no other input and change no formula."""
+    others = {*DEFAULTS}.union(*EXCLUSIVE, *(law.tables for law in LAWS.values()))
+    return [
+        name
+        for name, quantity in NOMENCLATURE.items()
+        if quantity.option and not (quantity.is_word or quantity.sphere or name in others or formula_of(name))
+    ]
 
 
 def any_sphere(random: Random) -> Frame:
@@ -58,7 +70,6 @@ def any_scene(random: Random) -> Frame:
         scene |= {"youngs_modulus2": math.inf}
     scene["yield_displacement"] = log_uniform(random, 1e-13, 1e-3)
     scene["gravity"] = log_uniform(random, 1e-3, 1e3)
-    scene["rolling_angle"] = 1.6
     scene["monomers"] = log_uniform(random, 2, 1e12)
     scene["filling_factor"] = log_uniform(random, 1e-4, 0.7)
     scene["yield_strength"] = scene["youngs_modulus"] * log_uniform(random, 1e-6, 1e3)
@@ -74,7 +85,7 @@ def any_scene(random: Random) -> Frame:
             scene["energy"] = log_uniform(random, 1e-30, 1e3)
         case "speed":
             scene["speed"] = log_uniform(random, 1e-9, 1e6)
-    return scene
+    return {name: near_example(name, random) for name in _inputs_of_every_scene()} | scene
 
 
 def _any_ratio(random: Random) -> float:

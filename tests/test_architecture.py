@@ -15,9 +15,8 @@ import mypy.api
 import pytest
 
 import jkroll
-from jkroll.model.frame import DEFAULTS
 from jkroll.physics import FORMULAS
-from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.quantities.nomenclature import DEFAULTS, NOMENCLATURE
 from tools.make_stub import stubs
 
 SOURCE = Path(jkroll.__file__).parent

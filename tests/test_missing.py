@@ -9,7 +9,6 @@ import pytest
 import reference
 from jkroll import FORMULAS, NOMENCLATURE
 from jkroll.tables.files import FORMATS
-from scenes import any_scene
 from tools import missing as tool
 from tools.missing import NOMENCLATURE_FILE, REFERENCE, Lack, missing
 
@@ -93,17 +92,6 @@ def test_a_missing_formula_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_missing_equation_in_a_docstring_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tool, "docstring_fields", lambda _: {"summary": "Return it.", "formula": ""})
     assert [lack.file for lack in missing("contact_area")] == ["src/jkroll/physics/contact.py"]
-
-
-def test_a_missing_input_of_random_scenes_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(tool, "any_scene", lambda random: without(any_scene(random), "filling_factor"))
-    line = 'any_scene: scene["filling_factor"] = log_uniform(random, LOW, HIGH)'
-    assert missing("tensile_strength") == [Lack("tests/scenes.py", line)]
-
-
-def test_a_missing_default_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(reference, "DEFAULTS", without(reference.DEFAULTS, "gravity"))
-    assert missing("gravity") == [Lack(REFERENCE, 'DEFAULTS: "gravity": 9.80665,')]
 
 
 def test_a_missing_accuracy_is_named(monkeypatch: pytest.MonkeyPatch) -> None:

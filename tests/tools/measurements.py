@@ -12,9 +12,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from jkroll.materials.library import known_materials
-from jkroll.model.frame import DEFAULTS, Frame
+from jkroll.model.frame import Frame
 from jkroll.quantities.formatting import Format, amount, in_words, significant
-from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.quantities.nomenclature import DEFAULTS, NOMENCLATURE
 from jkroll.quantities.values import value_of
 
 PAGE = Path(__file__).parents[2] / "src" / "jkroll" / "guide" / "validation.md"

@@ -25,7 +25,6 @@ import reference
 from harness import captured
 from jkroll import NOMENCLATURE
 from jkroll.model.containers import units_of
-from jkroll.model.frame import DEFAULTS
 from jkroll.model.plan import formula_of, parameters_of
 from jkroll.physics import FORMULAS
 from jkroll.physics.accuracy import accuracy_of
@@ -46,7 +45,6 @@ NOMENCLATURE_FILE, REFERENCE = "src/jkroll/quantities/nomenclature.py", "tests/r
 HELP_LINES = 31  # most lines of a command's help, not counting lines that only list further options
 OPTIONS_ALONE = re.compile(r" +(--[\w-]+(, |,|$))+")
 SCENES = 8  # number of random scenes
-IN_SOME_SCENES = {"load", "approach_at_load", "energy", "speed", "energy_ratio", "radius2"}  # a scene has some of them
 
 
 class Lack(NamedTuple):
@@ -125,8 +123,6 @@ def _of_input(name: str) -> Iterator[Lack]:
             parse_quantity(quantity.example, name)
         except QuantityError as error:
             yield Lack(NOMENCLATURE_FILE, f"another example: {error}")
-    if name in DEFAULTS and name not in reference.DEFAULTS and _is_in_formulas(name):
-        yield Lack(REFERENCE, f'DEFAULTS: "{name}": {DEFAULTS[name]!r},')
     shown = f"{quantity.option} {quantity.example}"
     too_long = [command for command in QUESTIONS if shown in help_of(command) and is_too_long(help_of(command))]
     if too_long:
@@ -137,12 +133,6 @@ def _of_input(name: str) -> Iterator[Lack]:
             yield Lack("src/jkroll/quantities/synonyms.py", f"{other} without {word}, which is an option now")
     for repository in tables_read_as(name):
         yield Lack("tests/tables/found_tables.toml", f"{name} in `reads` of [[{repository}]]")
-
-
-def _is_in_formulas(name: str) -> bool:
-    """Return whether a formula takes an input. Formulas of other laws do not count: their tests draw all values."""
-    takers = [formula for formula in FORMULAS.values() if name in parameters_of(formula)]
-    return any(_reference_of(formula.__module__) == REFERENCE for formula in takers)
 
 
 def _word_of(name: str) -> str:
@@ -229,16 +219,12 @@ def _reference_of(module: str) -> str:
 
 
 def _of_values(name: str) -> Iterator[Lack]:
-    """Iterate over what the tests of a formula's accuracy lack: scenes that lead to the formula, or its accuracy.
+    """Iterate over at most one part: the accuracy of a formula that is less accurate than most.
 
     The formulas of other laws have their own scenes, with more random inputs than here.
     """
     if name in law_reference.EQUATIONS:
         return
-    if name in NOMENCLATURE:
-        drawn = {*reference.DEFAULTS, *IN_SOME_SCENES}.union(*_drawn_scenes())
-        for each in sorted(reference.inputs_of(name) - drawn):
-            yield Lack("tests/scenes.py", f'any_scene: scene["{each}"] = log_uniform(random, LOW, HIGH)')
     errors = [error for error in (_error_in(name, values) for values in _drawn_scenes()) if error is not None]
     if errors and max(errors) > float(accuracy_of(name).partition(" ulp")[0]):
         yield Lack(

@@ -5,7 +5,7 @@ from copy import copy
 from typing import Any, Generic, Self, TypeVar, overload
 
 from ..errors import BadRequest
-from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.nomenclature import DEFAULTS, NOMENCLATURE
 from ..text import capital, quoted
 
 Value = TypeVar("Value")
@@ -78,7 +78,6 @@ class Option(Generic[Value]):
         if self.help:
             span = f", 1 to {self.most}" if self.most else ""
             return f"{self.help}{span}."
-        from ..model.frame import DEFAULTS
         from ..quantities.formatting import amount
 
         meaning = NOMENCLATURE[self.name].sentence

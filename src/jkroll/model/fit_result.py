@@ -7,9 +7,9 @@ from typing import Any, NamedTuple, Self
 
 from numpy import inf, sqrt
 
+from ..quantities.nomenclature import DEFAULTS
 from .fit_branches import RADIUS, LoadRange
 from .fit_laws import Array
-from .frame import DEFAULTS
 
 STRONG = 5.0  # Tabor parameter above which JKR gives w and E*
 

@@ -1,8 +1,8 @@
 """A frame: the inputs of one row or of many, and the quantities that follow from them.
 
-A frame makes two assumptions: sphere 2 is like sphere 1 in every property that is not given for it, and the inputs in
-DEFAULTS have the values listed there unless they are given. A frame accepts numbers in the range of their quantity,
-from 1e-30 to 1e30 in SI units. Its results are doubles of full precision, and exactly 0 where the physics gives 0.
+A frame makes two assumptions: sphere 2 is like sphere 1 in every property that is not given for it, and inputs
+that are not given have their defaults. A frame accepts numbers in the range of their quantity, from 1e-30 to 1e30 in SI
+units. Its results are doubles of full precision, and exactly 0 where the physics gives 0.
 """
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
@@ -18,7 +18,7 @@ from ..materials.library import Material
 from ..physics.contact import reduced_radius
 from ..physics.elementary import NUMBER, where
 from ..quantities.laws import ALWAYS, DEFAULT_LAW, LAWS, Law, other_law
-from ..quantities.nomenclature import CONVERTED, INFINITY, NOMENCLATURE, PROPERTIES, STATE, XI, of_sphere
+from ..quantities.nomenclature import CONVERTED, DEFAULTS, INFINITY, NOMENCLATURE, PROPERTIES, STATE, XI, of_sphere
 from ..quantities.values import Interval, Uncertain, is_uncertain, middle
 from ..text import listed
 from .column import Column, at_row, broadcast, first_of
@@ -46,15 +46,6 @@ from .reasons import (
 # --- Frames -----------------------------------------------------------------------------------------------------------
 
 IN_ITS_PLACE = (XI, "adhesion_hysteresis", "hysteresis_fraction")  # alternative inputs that set where rolling begins
-DEFAULTS = {
-    XI: 2e-10,
-    "load": 0.0,
-    "gravity": 9.80665,
-    "energy_ratio": 1.0,
-    "atomic_spacing": 4e-10,
-    "cutoff": 1.65e-10,
-    "contact_angle": 0.0,
-}
 # Special values of inputs (a plane, a rigid body, no load), and the values of other quantities that follow.
 FOLLOWS: Mapping[str, tuple[float, Mapping[str, float]]] = {
     "diameter2": (INFINITY, {}),  # converted to a radius

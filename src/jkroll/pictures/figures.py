@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy
 
 from ..materials.library import Materials
-from ..model.frame import DEFAULTS, Frame
+from ..model.frame import Frame
 from ..model.reasons import BEYOND_PULL_OFF, Failure, NotInLaw
 from ..model.solver import values_of
 from ..physics.any_law import pull_off_force_lennard_jones, transition_parameter
@@ -23,7 +23,7 @@ from ..physics.shifted import exact_pressure, half_circle_pressure, unloaded_hal
 from ..quantities.formatting import Format, amount
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.markup import symbol
-from ..quantities.nomenclature import NOMENCLATURE, bracketed
+from ..quantities.nomenclature import DEFAULTS, NOMENCLATURE, bracketed
 from ..report.curve import EQUILIBRIUM, MAX_LOAD, NAMED, PULL_OFF, WHOLE_CURVE, Loads, states
 from ..report.questions import Question
 from ..report.report import Report

@@ -83,7 +83,7 @@ _OF_BREAK_UP = "of two-dimensional aggregates of equal masses, head-on"
 
 OF_DEM: Mapping[str, Quantity] = {
     "cutoff": Quantity("D0", "m", "cutoff distance of van der Waals' forces", range=POSITIVE, option="--cutoff",
-        example="0.165nm"),
+        example="0.165nm", default=1.65e-10),
     "viscous_time": Quantity("T_vis", "s", "viscous time, codes for dust", range=POSITIVE,
         option="--viscous-time", example="12.5ps"),
     "asperity_radius": Quantity("s", "m", "radius of one asperity between the spheres", range=POSITIVE,
@@ -150,7 +150,7 @@ OF_WATER: Mapping[str, Quantity] = {
     "humidity": Quantity("RH", "1", "relative humidity of the air", range=HUMIDITY, option="--humidity", example="60%",
         may_be_zero=True),
     "contact_angle": Quantity("θ_c", "rad", "contact angle of water", range=WETTING, option="--contact-angle",
-        example="20deg", may_be_zero=True,
+        example="20deg", may_be_zero=True, default=0.0,
         note="of the water that condenses at a --humidity; 0 wets fully. How a γ follows from contact angles: "
             "jkroll guide contact-angle"),
     "roughness_gap": Quantity("D_gap", "m", "gap that roughness leaves", range=POSITIVE, option="--roughness",
@@ -221,13 +221,15 @@ _QUANTITIES: Mapping[str, Quantity] = {
         twin="material"),
     **_BOTH_SPHERES,
     "yield_displacement": Quantity("ξ", "m", "critical rolling displacement", range=POSITIVE, option="--xi",
-        example="2angstrom", shown_with=["adhesion_hysteresis", "hysteresis_fraction"]),
+        example="2angstrom", shown_with=["adhesion_hysteresis", "hysteresis_fraction"], default=2e-10),
     "load": Quantity("P", "N", "load; a pull is negative", "5", range=FINITE, option="--load", example="-5nN",
-        may_be_zero=True, shown_with=STATE),
-    "gravity": Quantity("g", "m/s^2", "gravity", range=POSITIVE, option="--gravity", example="1.62m/s2"),
+        may_be_zero=True, shown_with=STATE, default=0.0),
+    "gravity": Quantity("g", "m/s^2", "gravity", range=POSITIVE, option="--gravity", example="1.62m/s2",
+        default=9.80665),
     "energy": Quantity("W0", "J", "impact energy of sphere 1", "48", range=POSITIVE, option="--energy",
         example="1e-18J"),
-    "energy_ratio": Quantity("W0/P_cδ0", "1", "W0 over P_cδ0", range=POSITIVE, option="--energy-ratio", example="1"),
+    "energy_ratio": Quantity("W0/P_cδ0", "1", "W0 over P_cδ0", range=POSITIVE, option="--energy-ratio", example="1",
+        default=1.0),
     "speed": Quantity("v", "m/s", "impact speed of sphere 1", range=POSITIVE, option="--speed", example="10cm/s"),
     "yield_strength": Quantity("S_y", "Pa", "yield strength of the weaker solid", range=POSITIVE,
         option="--yield-strength", example="1GPa"),
@@ -328,7 +330,8 @@ _QUANTITIES: Mapping[str, Quantity] = {
     "time_step": Quantity("Δt", "s", "time step for a simulation"),
     "rayleigh_time": Quantity("t_R", "s", "Rayleigh time of sphere 1"),
     # validity
-    "atomic_spacing": Quantity("z0", "m", "atomic spacing", range=POSITIVE, option="--z0", example="4angstrom"),
+    "atomic_spacing": Quantity("z0", "m", "atomic spacing", range=POSITIVE, option="--z0", example="4angstrom",
+        default=4e-10),
     "tabor_parameter": Quantity("μ", "1", "Tabor parameter", "1"),
     "displacement_limit": Quantity("ξ_max", "m", "largest meaningful displacement", "25"),
     "displacement_ratio": Quantity("ξ/ξ_max", "1", "displacement over its limit", "25"),
@@ -425,6 +428,7 @@ def read_only(mapping: Mapping[str, Any]) -> MappingProxyType[str, Any]:
 
 copyreg.pickle(MappingProxyType, lambda mapping: (read_only, (dict(mapping),)))  # Python cannot pickle this type
 NOMENCLATURE: Mapping[str, Quantity] = read_only({**_QUANTITIES, **_variants()})
+DEFAULTS = {name: each.default for name, each in NOMENCLATURE.items() if each.default is not None}
 
 
 def of_sphere(sphere: int, name: str) -> str:

@@ -43,12 +43,13 @@ class Quantity:
         variant_of: str = "",  # the quantity for which this is an alternative formula
         sphere: int = 0,  # 1 or 2 for a quantity of one sphere
         twin: str = "",  # the same quantity of the other sphere
+        default: float | None = None,  # the value of an input that is not given
     ) -> None:
         self.symbol, self.unit, self.sentence, self.equation = symbol, unit, sentence, equation
         self.range, self.infinity, self.option, self.example = range, infinity, option, example
         self.note, self.definition, self.reference, self.may_be_zero = note, definition, reference, may_be_zero
         self.shown_with, self.of_identical = shown_with, of_identical
-        self.variant_of, self.sphere, self.twin = variant_of, sphere, twin
+        self.variant_of, self.sphere, self.twin, self.default = variant_of, sphere, twin, default
         self.is_word = not unit  # True for a material, for example, which is given by name
 
     def __repr__(self) -> str:

@@ -6,7 +6,7 @@ from math import sqrt
 from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
 
 from ..errors import JkrollError
-from ..model.frame import DEFAULTS, Frame
+from ..model.frame import Frame
 from ..model.limits import ENDING, ENDING_MEANING, LIMITS, MEANINGS, Doubt, doubts, touched
 from ..model.measured import SIO2, rolling, solid_of_pair
 from ..model.plan import depends_on
@@ -15,7 +15,7 @@ from ..model.uncertainty import Sources, sources_of_results
 from ..physics.elementary import is_anywhere
 from ..quantities.formatting import Format, amount, first_symbols, significant, symbol_among, symbol_of
 from ..quantities.laws import BETWEEN
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE_OR_LOAD, XI, computed_as
+from ..quantities.nomenclature import DEFAULTS, INFINITY, NOMENCLATURE, STATE_OR_LOAD, XI, computed_as
 from ..text import first_of, listed
 
 if TYPE_CHECKING:

@@ -12,7 +12,6 @@ from ..model.fit_branches import TRAVEL, BadCurve, LoadRange
 from ..model.fit_curve import fit_curve
 from ..model.fit_problem import NAMES
 from ..model.fit_result import Fit, Known
-from ..model.frame import DEFAULTS
 from ..model.ranges import check_range
 from ..model.reasons import MissingInput
 from ..model.solver import solve
@@ -20,6 +19,7 @@ from ..model.unsolved import SIZES
 from ..physics.sphere import INCOMPRESSIBLE, STIFFER
 from ..quantities.formatting import Format, amount
 from ..quantities.laws import DEFAULT_LAW, JKR_OF_SPHERE, PARABOLOID, SPHERE, law_given
+from ..quantities.nomenclature import DEFAULTS
 from ..quantities.values import QuantityError, is_uncertain, middle, value_of
 from ..text import listed, quoted
 from .curves import ReadCurve, curve_of_columns, read_curve

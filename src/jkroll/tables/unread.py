@@ -14,11 +14,11 @@ from typing import Any, NamedTuple
 
 from ..errors import JkrollError
 from ..materials.library import Materials, UnclearMaterial
-from ..model.frame import DEFAULTS, EXCLUSIVE
+from ..model.frame import EXCLUSIVE
 from ..model.plan import depends_on, formula_of
 from ..quantities.formatting import amount, symbol_of
 from ..quantities.laws import DEFAULT_LAW, law_given, routes_anywhere
-from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS, PROPERTIES, computed_as, of_sphere
+from ..quantities.nomenclature import DEFAULTS, NOMENCLATURE, OPTION_WORDS, PROPERTIES, computed_as, of_sphere
 from ..quantities.synonyms import QUANTITY_SYNONYMS
 from ..quantities.units import BadUnit, dimension_of, is_in_table
 from ..quantities.values import QuantityError, value_of

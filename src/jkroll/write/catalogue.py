@@ -7,13 +7,13 @@ from typing import Any, TextIO
 
 from ..materials.library import ORIGIN, Material
 from ..materials.sheet import EXACT, sheet_of, values_of_materials
-from ..model.frame import DEFAULTS
 from ..model.limits import LIMITS
 from ..model.plan import arguments_of, depends_on, formula_of
 from ..model.rows import Wanted
 from ..physics.accuracy import accuracy_of
 from ..quantities.formatting import AS_USUAL, amount, in_words, pretty
 from ..quantities.nomenclature import (
+    DEFAULTS,
     NOMENCLATURE,
     OF_CURVES,
     OF_DEM,
