@@ -149,7 +149,10 @@ def test_empty_cells_and_several_units_are_read_together() -> None:
 STATUS = {
     "x,unobtainium,100,0": (
         "unknown material",
-        "no material 'unobtainium'; did you mean aluminium-oxide or aluminium-clean? jkroll materials lists all",
+        (
+            "no material 'unobtainium'. Give its own numbers, as in jkroll pull-off 100nm --gamma 30mJ/m2 (an example), "
+            "add it to a file (jkroll guide materials), or write one that jkroll materials lists"
+        ),
     ),
     "x,quartz,,0": ("needs radius", "contact_radius_at_load: needs radius of sphere 1; give a radius such as 100nm"),
     "x,quartz,0,0": ("bad radius", "radius: '0' must be positive; expected a length such as 100nm"),

@@ -362,7 +362,7 @@ def run_export(call: Call) -> int:
         return 0
     options = options_for_centre(answer)
     if options:
-        text_of = f"{frame.law.short} as in the paper. For the likely P_c and M of smooth spheres, add {options}"
+        text_of = f"Plain {frame.law.short}; for the likely P_c and M of smooth spheres, run again with {options}"
         real = ". Where real grains have f times this P_c, multiply gamma by f and divide xi by f, so that M stays"
         say(comment_of(f"{text_of}{real if answer.is_in_doubt(ROUGH_MATTERS) else ''}."), sys.stdout)
     sys.stdout.write(text)

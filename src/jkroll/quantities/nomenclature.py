@@ -284,7 +284,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
     "load_factor_at_approach": Quantity("x", "1", "â^(3/2) at the approach", "6", variant_of="load_factor"),
     "stiffness": Quantity("dP/dδ", "N/m", "normal stiffness", "34", may_be_zero=True),
     "tangential_stiffness": Quantity("k_s", "N/m", "tangential stiffness", may_be_zero=True),
-    "hertz_pressure": Quantity("p_H", "Pa", "pressing part of pressure", "8", may_be_zero=True),
+    "hertz_pressure": Quantity("p_H", "Pa", "Hertz pressure at centre", "8", may_be_zero=True),
     "boussinesq_pressure": Quantity("p_B", "Pa", "pulling part (flat punch)", "9"),
     "well_energy": Quantity("U", "J", "depth of the energy well", "6", definition="6/5 P_cδ0 = 1.4537 F_cδ_c"),
     "pull_off_work": Quantity("U_grips", "J", "work to part, fixed grips", "6",

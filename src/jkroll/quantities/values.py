@@ -567,8 +567,7 @@ def spreads_of(text: str, name: str) -> list[Spread]:
     except QuantityError as error:
         if error.mistake == NO_UNIT and len(items) > 1:
             mistake = f"has a number without a unit, {error.value}"
-            remedy = "the decimal mark is a point, and each number of a list has its unit"
-            raise QuantityError(name, text, mistake, remedy) from None
+            raise QuantityError(name, text, mistake, "a list has units, and a decimal mark is a point") from None
         if error.mistake == NO_UNIT and ":" in text:
             raise QuantityError(name, text, "needs a unit at both ends") from None
         raise

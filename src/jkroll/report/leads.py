@@ -55,7 +55,7 @@ def leads(answer: Answer) -> Iterator[Note]:
         if lead:
             yield Note("lead", lead)
     if _is_from_forces(answer):
-        yield Note("lead", "this comes from measured rolling forces, not from your γ")
+        yield Note("lead", "this comes from measured rolling forces, not from your γ or the assumed ξ")
     if XI_UNKNOWN in answer.rules and answer.frame.missing(["work_of_adhesion"]):
         silica = of_silica(answer)
         if silica:
@@ -239,7 +239,7 @@ def _stick_or_bounce(answer: Answer) -> str:
     text = f"at {amount('speed', speed)} the spheres {verdict}: the sticking speed is {sides} ({source})"
     left, alone = answer.estimates["restitution"], answer.values.get("restitution", 0.0)
     if is_below and alone > 0:
-        return f"{text}; adhesion alone would not hold them (e = {significant(alone, 2)})"
+        return f"{text}; without losses in the solids they would bounce (e = {significant(alone, 2)})"
     if is_below or isnan(left.high) or left.by != ADHESION_ONLY:
         return text
     if_needed = "" if is_above else "if they bounce, "

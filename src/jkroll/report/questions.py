@@ -62,7 +62,9 @@ _QUESTIONS = {
         "yield_force yield_force_fixed_load yield_force_ratio yield_moment yield_angle yield_displacement",
         leads="a push of {yield_force} at its centre makes a sphere roll",
     ),
-    "r-min": _question("r_min", leads="a chain bends to a radius of {r_min} before a contact rolls"),
+    "r-min": _question(
+        "r_min", leads="a contact starts to roll where the chain's radius falls to {r_min}; wider bends are safe"
+    ),
     "n-grav": _question(
         "n_grav",
         "n_grav gravity_moment bond_number",
@@ -80,7 +82,7 @@ _QUESTIONS = {
     "n-roll": _question(
         "n_roll",
         "n_roll_after_impact n_roll n_roll_energy_balance",
-        leads="turns over the other body, if it rolls: {n_roll_energy_balance} without slip{after_impact}, "
+        leads="turns, if it rolls, by how it starts: {n_roll_energy_balance} without slip{after_impact}, "
         "{n_roll} after sliding{or_none}",
     ),
     "contact": _question(
@@ -130,7 +132,8 @@ QUESTIONS: Mapping[str, Question] = {
         "sticking_energy sticking_energy_paszun_dominik sticking_energy_pencil_code roll_energy "
         "roll_energy_quarter_turn roll_energy_half_turn sticking_speed sticking_speed_paszun_dominik "
         "sticking_speed_pencil_code",
-        without_row="fold_energy break_energy_dust_simulation sticking_energy_paszun_dominik "
+        # nearly equal to the work with fixed grips: U
+        without_row="fold_energy well_energy break_energy_dust_simulation sticking_energy_paszun_dominik "
         "sticking_energy_pencil_code sticking_speed_paszun_dominik sticking_speed_pencil_code",
         leads="parting the spheres takes {pull_off_work} with fixed grips, {pull_off_work_at_dead_load} at a dead "
         "load, as with the soft spring of an AFM\n"

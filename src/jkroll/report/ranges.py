@@ -113,6 +113,7 @@ def about_surfaces(frame: Frame) -> str:
 
 
 _OF_SMOOTH = "P_c is that of smooth, dry spheres: rough ones hold less"
+_SHRINKS = "from τ/3 to 3τ (--shear-strength); T_first slides what peeling leaves"
 _SEEN = f"hard spheres were seen to stick at 1–{MOST_SEEN} times JKR's speed"
 _WORDS: Mapping[int, str] = {
     MEASURED: f"hard spheres stuck at 1 to {MOST_SEEN} times JKR's speed, SiO2 at measured ones",
@@ -148,7 +149,7 @@ def _kelvin(answer: Answer) -> Iterator[str]:
 
 
 def _friction(answer: Answer) -> Iterator[str]:
-    yield _WORDS[FRICTION_ASSUMED]
+    yield _SHRINKS if "sliding_or_peeling_force" in answer.estimates else _WORDS[FRICTION_ASSUMED]
     radius = answer.frame.numbers("contact_radius_at_load").get("contact_radius_at_load", 0.0)
     if radius and not answer.described.uncertainties:
         better = Ranges.of(answer.frame, "contact_radius_at_load").by_better_law("contact_radius_at_load")
@@ -219,15 +220,15 @@ def _measured(answer: Answer) -> Iterator[str]:
         yield _SEEN
         yield "silica, ices and silver were measured; adhesion is not their only loss"
         return
-    first, last = (f"{significant(stuck.at(radius), 2)} m/s (R = {amount('radius', radius)})" for radius in stuck.radii)
+    first, last = (f"{significant(stuck.at(radius), 2)} m/s at {amount('radius', radius)}" for radius in stuck.radii)
     seen, bar = f"{first}, {last} on {solid_of_pair(answer.frame)}", f"±{100 * stuck.error:.0f} %"
     if stuck.is_near(answer.frame):
         yield f"{seen}, {bar}"
         yield f"the spheres stuck to a plane; the speed is proportional to R^{stuck.exponent}"
         yield _above_law(answer)
         return
-    yield f"{seen}; γ does not enter"
-    yield f"{bar}; the spheres stuck to a plane; scaled to this size like {answer.frame.law.short}'s speed"
+    yield f"{seen}, as R^(-5/6); γ left out"
+    yield f"{bar}; the spheres stuck to a plane; scaled to this pair like {answer.frame.law.short}'s speed"
     yield _above_law(answer)
     yield "the effect of γ was not measured"
 
@@ -246,10 +247,10 @@ def _scaled(answer: Answer) -> Iterator[str]:
     if rolled is None:
         return
     radius, solid = 2 * frame["reduced_radius"], solid_that_rolled(frame)
-    what = f"{'ξ = ' if rolled.name == XI else ''}{span(rolled.name, rolled.low, rolled.high)}"
-    measured = f"{what} measured on {solid} of R = {amount('radius', rolled.radius)}"
+    what = f"{'ξ = ' if rolled.name == XI else 'forces of '}{span(rolled.name, rolled.low, rolled.high)}"
+    measured = f"{what} on {solid} of R = {amount('radius', rolled.radius)}"
     is_alike = abs(radius / rolled.radius - 1) < _ALIKE
-    yield measured if is_alike else f"from {measured}, as R^(2/3) or as R"
+    yield f"{measured}, as measured" if is_alike else f"from {measured}, as R^(2/3) to R"
     yield f"source: {rolled.source}"
     if is_alike:
         return
@@ -284,7 +285,7 @@ def _xi_unknown(answer: Answer) -> Iterator[str]:
         yield "not measured: 2 Å (one atom) or more; --xi or a material narrows it"
         return
     most = answer.ranges.at_full_hysteresis(XI)[1]
-    limit = "adhesion's limit" if isnan(most) else f"{span(XI, most, most)} (adhesion's limit)"
+    limit = "where all of w is lost" if isnan(most) else f"{span(XI, most, most)} (all of w lost)"
     ends = f"at most {limit} by Maugis" if most < frame[XI] else f"2 Å to {limit} by Maugis"
     what = "not measured"
     if rolled is not None:

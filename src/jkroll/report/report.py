@@ -116,15 +116,20 @@ class Report(Answer):
             notes.pop(FRICTION, None)
         return tuple(notes)
 
-    def doubts(self) -> list[Note]:
-        """Return a note for each exceeded limit of the model, in the order of `exceeded`."""
+    def doubts(self, *, has_leads: bool = False) -> list[Note]:
+        """Return a note for each exceeded limit of the model, in the order of `exceeded`.
+
+        `has_leads`: True if the sentences that answer the question are shown, too.
+        """
         notes = []
         for doubt in self.exceeded:
             if doubt.limit is LAW:
                 continue  # the best ranges show it
             severity: Severity = "more"
             text = self._subject_of(doubt.limit) + self.about(doubt)
-            if doubt.limit.ends_meaning:
+            if has_leads and self._is_in_leads(doubt):
+                severity = "caveat"
+            elif doubt.limit.ends_meaning:
                 severity, text = "warning", text + self._by_law_alone
             elif doubt.limit.is_shown and not self._is_in_ranges(doubt):
                 severity = "caveat"
@@ -137,6 +142,10 @@ class Report(Answer):
         if any(self.estimates[name].by == NONE for name in self.ended):
             return ""
         return f", by {self.frame.law.short}"
+
+    def _is_in_leads(self, doubt: Doubt) -> bool:
+        """Return whether the first sentences include the consequence of a limit: which turns have too little energy."""
+        return doubt.limit.name == "energy_over_yield" and self.question.headline == ("n_roll",)
 
     def _is_in_ranges(self, doubt: Doubt) -> bool:
         """Return whether the best ranges already include the consequence of a limit."""
@@ -174,7 +183,7 @@ class Report(Answer):
     @property
     def sentences(self) -> list[Note]:
         """All sentences about the answer, each once."""
-        every, above = [*self.notes, *self.doubts()], set[str]()
+        every, above = [*self.notes, *self.doubts(has_leads=True)], set[str]()
         if self.shows_surfaces or self.is_on_pull_off:
             above.add(held_on_surfaces(self.frame))  # a part of the first sentence
         return [note for note in every if note.severity in ABOVE or note.text not in above]

@@ -44,7 +44,8 @@ timestep {step:.12g}
 # tangential mindlin_rescale: 8G* [Pa], damping, coefficient of friction [1].
 # rolling sds: stiffness [N/m], damping, coefficient M/(R(P + 2P_c)) [1], M the moment at which it rolls, R the \
 reduced radius.
-# Damping is left out; coeff_restitution gives nan with adhesion. timestep [s] and thresholds are for the P above: \
+# Damping is 0 (coeff_restitution gives nan with adhesion): write your own, or only adhesion and friction take energy. \
+timestep [s] and thresholds are for the P above: \
 where collisions press harder, give their largest force as --load. Each line is explained in jkroll guide dem
 """
 _OF_COLLISIONS = """\
