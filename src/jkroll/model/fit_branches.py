@@ -32,6 +32,8 @@ _LEAST_NOISE = 1e-9  # least noise of computed curves, as a share of the range o
 _FLAT = 5  # equal extreme readings in a row that show a saturated sensor
 _LONG = 0.2  # least length of the free end of a curve without a minimum, as a share of the travel
 _MOST_PHI = 0.99  # largest correlation of neighbours in the baseline
+_SURE = 4.0  # standard errors above which a slope is no chance
+_SMALL_SHARE = 0.1  # share of the noise below which an error of the baseline does not matter
 _SETTLES = 0.1  # fraction of the free part in which the lever still swings after the jump
 
 
@@ -76,18 +78,36 @@ RADIUS, APPROACH, TRAVEL = "contact radius", "approach", "travel"
 
 
 class Baseline(NamedTuple):
-    """The force out of contact as a line over z, with the noise around it."""
+    """The force out of contact as a line over z: a level, or a sloping line.
+
+    `noise` is the standard deviation around the sloping line, `scatter` around the baseline itself. The steepness of
+    the force is that of the sloping line, even if the baseline is a level.
+    """
 
     force: float  # at the middle of the line
     slope: float
     error: float  # standard error of the force
     noise: float
+    scatter: float
     z: float = 0.0  # the position of the middle
     slope_error: float = 0.0
+    length: float = 0.0  # of the free part
+    steepness: float = 0.0
+    steepness_error: float = 0.0
 
     def at(self, z: Array) -> Array:
         """Return the baseline at positions z."""
         return self.force + self.slope * (z - self.z)
+
+    def error_at(self, z: float) -> float:
+        """Return the standard error of the baseline at a position z."""
+        return float(numpy.hypot(self.error, self.slope_error * (z - self.z)))
+
+    @property
+    def is_steep(self) -> bool:
+        """True if the force out of contact clearly changes with z, and by more than a small part of the noise."""
+        least = max(self.steepness_error * self.length, _SMALL_SHARE * self.noise)
+        return abs(self.steepness) * self.length > _SURE * least
 
 
 class Branch(NamedTuple):
@@ -120,10 +140,11 @@ class Branch(NamedTuple):
 
 
 class Branches(NamedTuple):
-    """The branches of a curve by name, the noise of the force, and remarks by code."""
+    """The branches of a curve by name, the noise of the force, its scatter out of contact, and remarks by code."""
 
     by_name: Mapping[str, Branch]
     noise: float
+    scatter: float
     remarks: Mapping[str, str]
     sign: float  # the factor of z that makes z rise into the contact
 
@@ -152,19 +173,19 @@ def branches_of(curve: ForceCurve, stiffness: float, *, tilt: bool = False, only
         if baseline is not None:
             known.append(baseline)
     if not known:
-        known = [Baseline(0.0, 0.0, 0.0, noise)]
+        known = [Baseline(0.0, 0.0, 0.0, noise, noise)]
         remarks["no-baseline"] = "no part is out of contact: forces are taken as measured, without a baseline"
-    _compare(baselines, remarks)
+    _remark_on_baselines(baselines, remarks, tilt=tilt)
     branches = {}
     for name, part in parts.items():
         own = baselines[name] or known[0]
         load = part.force - own.at(part.z)
         give = 1 / stiffness or float(numpy.ptp(part.z)) / float(numpy.ptp(load))
         errors = _errors(part, max(own.noise, noise), give)
-        inside = _in_contact(load, name, max(own.noise, noise))
+        inside = _in_contact(load, name, max(own.scatter, noise))
         branches[name] = Branch(name, Points(part.z, load, *errors), *inside, own, baselines[name] is not None)
-    _check(branches, max(noise, *(baseline.noise for baseline in known)), remarks)
-    return Branches(branches, max(known[0].noise, floor), remarks, sign)
+    _check(branches, max(noise, *(baseline.scatter for baseline in known)), remarks)
+    return Branches(branches, max(known[0].noise, floor), max(known[0].scatter, floor), remarks, sign)
 
 
 def _without_pause(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
@@ -388,18 +409,30 @@ def _baseline(part: ForceCurve, free: slice, *, tilt: bool) -> Baseline | None:
     force, z = part.force[free], part.z[free]
     if len(force) < LEAST_POINTS:
         return None
-    middle, slope = float(numpy.mean(z)), 0.0
-    is_line = tilt and numpy.ptp(z) > 0
-    if is_line:
-        slope = float(numpy.polyfit(z - middle, force, 1)[0])
-    rest = force - slope * (z - middle)
-    level = float(numpy.median(rest))
-    size = 1.4826 * float(numpy.median(abs(rest - level)))
-    noise = noise_of(rest - level, 2 if is_line else 1)
-    phi = max(0.0, min(noise.phi, _MOST_PHI))
-    error = size * _error_of_median(phi, len(force))
-    slope_error = size * sqrt(Noise(phi).correlation_time) / float(numpy.linalg.norm(z - middle)) if is_line else 0.0
-    return Baseline(level, slope, error, size, middle, slope_error)
+    middle, length = float(numpy.mean(z)), float(numpy.ptp(z))
+    steepness = float(numpy.polyfit(z - middle, force, 1)[0]) if length > 0 else 0.0
+    rest = force - steepness * (z - middle)
+    size, phi = _scatter(rest), _correlation(rest, 2)
+    steepness_error = size * sqrt(Noise(phi).correlation_time) / float(numpy.linalg.norm(z - middle)) if length else 0.0
+    line = Baseline(
+        float(numpy.median(rest)), steepness, size * _error_of_median(phi, len(force)), size, size, middle,
+        steepness_error, length, steepness, steepness_error,
+    )  # fmt: skip
+    if tilt:
+        return line
+    scatter = _scatter(force)
+    error = scatter * _error_of_median(_correlation(force, 1), len(force))
+    return line._replace(force=float(numpy.median(force)), slope=0.0, slope_error=0.0, error=error, scatter=scatter)
+
+
+def _scatter(values: Array) -> float:
+    """Return the standard deviation of values about their median, from their median deviation."""
+    return 1.4826 * float(numpy.median(abs(values - numpy.median(values))))
+
+
+def _correlation(values: Array, unknowns: int) -> float:
+    """Return the correlation of neighbours among residuals of a fit with this number of unknowns."""
+    return max(0.0, min(noise_of(values - numpy.median(values), unknowns).phi, _MOST_PHI))
 
 
 def _error_of_median(phi: float, count: int) -> float:
@@ -413,17 +446,26 @@ def _error_of_median(phi: float, count: int) -> float:
     return float(sqrt((pi / 2 + 2 * ((1 - lags / count) * numpy.arcsin(phi**lags)).sum()) / count))
 
 
-def _compare(baselines: Mapping[str, Baseline | None], remarks: dict[str, str]) -> None:
-    """Add a remark if the baselines before and after the contact differ."""
-    both = [baseline for baseline in baselines.values() if baseline is not None]
-    if len(both) < 2:
+def _remark_on_baselines(baselines: Mapping[str, Baseline | None], remarks: dict[str, str], *, tilt: bool) -> None:
+    """Add a remark if levels are fitted to sloping baselines, or if the baselines before and after contact differ."""
+    known = {name: baseline for name, baseline in baselines.items() if baseline is not None}
+    steep = [name for name, baseline in known.items() if baseline.is_steep]
+    if steep and not tilt:
+        name = max(steep, key=lambda name: abs(known[name].steepness) * known[name].length)
+        length, change = known[name].length, known[name].steepness * known[name].length
+        remarks["baseline-slopes"] = (
+            f"{name}: the force out of contact changes by {change * 1e9:.3g} nN over {length * 1e6:.3g} µm: "
+            "--baseline tilt subtracts a line instead of the median"
+        )
+        return  # levels of sloping baselines differ
+    if len(known) < 2:
         return
-    difference = both[1].force - both[0].force
-    size = 3 * max(numpy.hypot(both[0].error, both[1].error), 0.1 * both[0].noise)
-    if abs(difference) > size:
+    one, other = known.values()
+    z = (one.z + other.z) / 2
+    difference = float(other.at(z) - one.at(z))
+    if abs(difference) > 3 * max(numpy.hypot(one.error_at(z), other.error_at(z)), _SMALL_SHARE * one.noise):
         remarks["baseline-moves"] = (
-            f"the baseline moves by {difference * 1e9:.3g} nN between loading and unloading: each branch has "
-            "its own (--baseline tilt fits sloping lines)"
+            f"the baseline moves by {difference * 1e9:.3g} nN between loading and unloading: each branch has its own"
         )
 
 
@@ -504,7 +546,7 @@ def _of_radii(curve: ForceCurve, remarks: dict[str, str]) -> Branches:
         ]
         points = Points(part.z, part.force, errors[1], errors[0])
         branches[name] = Branch(name, points, slice(0, len(part.z)), slice(0, len(part.z)))
-    return Branches(branches, ranges[1], remarks, 1.0)
+    return Branches(branches, ranges[1], ranges[1], remarks, 1.0)
 
 
 # --- The fitted range -------------------------------------------------------------------------------------------------

@@ -74,13 +74,13 @@ class Problem(NamedTuple):
 
     @property
     def largest_adhesion(self) -> float:
-        """The largest w whose pull-off force the noise hides."""
-        return _NO_ADHESION * self.branches.noise / (1.5 * pi * self.radius)
+        """The largest w whose pull-off force the noise and the slope of the baseline hide."""
+        return _NO_ADHESION * self.branches.scatter / (1.5 * pi * self.radius)
 
     def has_adhesion(self, branch: Branch) -> bool:
         """Return whether the tension of a branch exceeds the noise; contact radii show w even without tension."""
         tension = -float(running_median(branch.in_contact.force, 3).min())
-        return self.kind == RADIUS or tension >= _NO_ADHESION * self.branches.noise
+        return self.kind == RADIUS or tension >= _NO_ADHESION * self.branches.scatter
 
     def range_of(self, branch: Branch, default: LoadRange) -> slice:
         """Return the slice of the given or a default range; the whole contact if the default has too few points."""
