@@ -215,6 +215,21 @@ def test_a_fit_with_a_sphere_also_gives_the_laws_of_a_paraboloid() -> None:
     assert fit.values[OPENING] > 1.01 * of_paraboloid
 
 
+@pytest.mark.parametrize("law", ["maugis", "dmt"])
+def test_the_error_from_the_shape_of_the_sphere_does_not_depend_on_the_law(law: str) -> None:
+    """JKR gives the effect of the shape on every law."""
+    z, force = jkr_curve(count=250)
+    curve = ForceCurve(TRAVEL, z, force + autoregression(1, len(z), 3e-9, 0.0))
+    fit, by_jkr = fit_curve(curve, PROBE._replace(law=law)), fit_curve(curve, PROBE)
+    move = by_jkr.by_law["jkr, sphere"][OPENING] - by_jkr.values[OPENING]
+    model = fit.errors[OPENING].model
+    assert model is not None
+    assert model > 0.95 * move > 0.015 * by_jkr.values[OPENING]
+    if law == "maugis":
+        assert model == approx(by_jkr.errors[OPENING].model, rel=0.01)
+        assert "profile-matters" in fit.remarks
+
+
 # --- Without adhesion -------------------------------------------------------------------------------------------------
 
 

@@ -9,10 +9,11 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple, Self
 
 import numpy
-from numpy import pi, sqrt
+from numpy import sqrt
 
 from ..errors import JkrollError
-from .fit_minimum import Noise, Points, noise_of
+from .fit_baseline import Baseline, baseline_of, remark_on_baselines
+from .fit_minimum import Points
 
 Array = Any
 
@@ -31,9 +32,6 @@ _PAUSED = 10.0  # least length of a gap in time, in median steps
 _LEAST_NOISE = 1e-9  # least noise of computed curves, as a share of the range of forces
 _FLAT = 5  # equal extreme readings in a row that show a saturated sensor
 _LONG = 0.2  # least length of the free end of a curve without a minimum, as a share of the travel
-_MOST_PHI = 0.99  # largest correlation of neighbours in the baseline
-_SURE = 4.0  # standard errors above which a slope is no chance
-_SMALL_SHARE = 0.1  # share of the noise below which an error of the baseline does not matter
 _SETTLES = 0.1  # fraction of the free part in which the lever still swings after the jump
 
 
@@ -75,39 +73,6 @@ class ForceCurve(NamedTuple):
 
 
 RADIUS, APPROACH, TRAVEL = "contact radius", "approach", "travel"
-
-
-class Baseline(NamedTuple):
-    """The force out of contact as a line over z: a level, or a sloping line.
-
-    `noise` is the standard deviation around the sloping line, `scatter` around the baseline itself. The steepness of
-    the force is that of the sloping line, even if the baseline is a level.
-    """
-
-    force: float  # at the middle of the line
-    slope: float
-    error: float  # standard error of the force
-    noise: float
-    scatter: float
-    z: float = 0.0  # the position of the middle
-    slope_error: float = 0.0
-    length: float = 0.0  # of the free part
-    steepness: float = 0.0
-    steepness_error: float = 0.0
-
-    def at(self, z: Array) -> Array:
-        """Return the baseline at positions z."""
-        return self.force + self.slope * (z - self.z)
-
-    def error_at(self, z: float) -> float:
-        """Return the standard error of the baseline at a position z."""
-        return float(numpy.hypot(self.error, self.slope_error * (z - self.z)))
-
-    @property
-    def is_steep(self) -> bool:
-        """True if the force out of contact clearly changes with z, and by more than a small part of the noise."""
-        least = max(self.steepness_error * self.length, _SMALL_SHARE * self.noise)
-        return abs(self.steepness) * self.length > _SURE * least
 
 
 class Branch(NamedTuple):
@@ -165,8 +130,10 @@ def branches_of(curve: ForceCurve, stiffness: float, *, tilt: bool = False, only
     _check_time(parts, remarks)
     floor = _LEAST_NOISE * float(numpy.ptp(curve.force))
     noise = max(_white_noise(curve.force), floor)
-    ends = {name: _free(part, name, noise) for name, part in parts.items()}
-    baselines = {name: _baseline(part, ends[name], tilt=tilt) for name, part in parts.items()}
+    baselines: dict[str, Baseline | None] = {}
+    for name, part in parts.items():
+        free = part.chosen(_free(part, name, noise))
+        baselines[name] = baseline_of(free.z, free.force, tilt=tilt) if len(free.z) >= LEAST_POINTS else None
     known = []
     for name in (UNLOADING, LOADING):
         baseline = baselines.get(name)
@@ -175,7 +142,7 @@ def branches_of(curve: ForceCurve, stiffness: float, *, tilt: bool = False, only
     if not known:
         known = [Baseline(0.0, 0.0, 0.0, noise, noise)]
         remarks["no-baseline"] = "no part is out of contact: forces are taken as measured, without a baseline"
-    _remark_on_baselines(baselines, remarks, tilt=tilt)
+    remark_on_baselines(baselines, remarks, tilt=tilt)
     branches = {}
     for name, part in parts.items():
         own = baselines[name] or known[0]
@@ -321,9 +288,9 @@ def _split(curve: ForceCurve, only: str, remarks: dict[str, str]) -> dict[str, F
         top = int(numpy.nonzero(curve.z == curve.z.max())[0][-1])
         if not _turns_once(curve.z, top):
             top = int(numpy.argmax(running_median(curve.force)))
-        parts = {LOADING: curve.chosen(slice(0, top)), UNLOADING: curve.chosen(slice(top, None))}
-    least = max(LEAST_POINTS, _SHORT * len(curve.z))
-    kept = {name: part for name, part in parts.items() if len(part.z) >= least and _varies(part)}
+        parts = _divided(curve, top)
+    least = max(LEAST_POINTS, round(_SHORT * len(curve.z)))
+    kept = {name: part for name, part in _long(parts, least, remarks).items() if _varies(part)}
     if not kept:
         raise BadCurve("neither branch has enough points", "too few points")
     if curve.branch is None and len(kept) == 1:
@@ -332,6 +299,22 @@ def _split(curve: ForceCurve, only: str, remarks: dict[str, str]) -> dict[str, F
             return {only: _in_time(part, only)}
         other = "unload" if name == LOADING else "load"
         remarks["one-branch"] = f"the curve has one branch, taken as {name}; if it is not, give --branch {other}"
+    return kept
+
+
+def _divided(curve: ForceCurve, top: int) -> dict[str, ForceCurve]:
+    """Return the branches before and after an index; its point belongs to loading if unloading has too few points."""
+    cut = top + 1 if len(curve.z) - top < LEAST_POINTS else top
+    return {LOADING: curve.chosen(slice(0, cut)), UNLOADING: curve.chosen(slice(cut, None))}
+
+
+def _long(parts: dict[str, ForceCurve], least: int, remarks: dict[str, str]) -> dict[str, ForceCurve]:
+    """Return the branches with enough points, with a remark on a short one next to a long one."""
+    kept = {name: part for name, part in parts.items() if len(part.z) >= least}
+    for name, part in parts.items():
+        if kept and 0 < len(part.z) < least:
+            many = "1 point is" if len(part.z) == 1 else f"{len(part.z)} points are"
+            remarks["branch-left-out"] = f"{name}: {many} left out, since a branch needs {least}"
     return kept
 
 
@@ -404,71 +387,6 @@ def _free(part: ForceCurve, name: str, noise: float) -> slice:
     return slice(first, len(force)) if name == UNLOADING else slice(0, len(force) - first)
 
 
-def _baseline(part: ForceCurve, free: slice, *, tilt: bool) -> Baseline | None:
-    """Return the baseline of a free part: its median, or a line if `tilt`; None without a free part."""
-    force, z = part.force[free], part.z[free]
-    if len(force) < LEAST_POINTS:
-        return None
-    middle, length = float(numpy.mean(z)), float(numpy.ptp(z))
-    steepness = float(numpy.polyfit(z - middle, force, 1)[0]) if length > 0 else 0.0
-    rest = force - steepness * (z - middle)
-    size, phi = _scatter(rest), _correlation(rest, 2)
-    steepness_error = size * sqrt(Noise(phi).correlation_time) / float(numpy.linalg.norm(z - middle)) if length else 0.0
-    line = Baseline(
-        float(numpy.median(rest)), steepness, size * _error_of_median(phi, len(force)), size, size, middle,
-        steepness_error, length, steepness, steepness_error,
-    )  # fmt: skip
-    if tilt:
-        return line
-    scatter = _scatter(force)
-    error = scatter * _error_of_median(_correlation(force, 1), len(force))
-    return line._replace(force=float(numpy.median(force)), slope=0.0, slope_error=0.0, error=error, scatter=scatter)
-
-
-def _scatter(values: Array) -> float:
-    """Return the standard deviation of values about their median, from their median deviation."""
-    return 1.4826 * float(numpy.median(abs(values - numpy.median(values))))
-
-
-def _correlation(values: Array, unknowns: int) -> float:
-    """Return the correlation of neighbours among residuals of a fit with this number of unknowns."""
-    return max(0.0, min(noise_of(values - numpy.median(values), unknowns).phi, _MOST_PHI))
-
-
-def _error_of_median(phi: float, count: int) -> float:
-    """Return the standard error of a median in units of the standard deviation, for normal noise of correlation φ.
-
-        n var = Σ arcsin ρ_k = π/2 + 2Σ(1 − k/n) arcsin φ^k
-
-    Source:   Sheppard's formula for the signs of two normal variables. White noise has √(π/2n).
-    """
-    lags = numpy.arange(1, count)
-    return float(sqrt((pi / 2 + 2 * ((1 - lags / count) * numpy.arcsin(phi**lags)).sum()) / count))
-
-
-def _remark_on_baselines(baselines: Mapping[str, Baseline | None], remarks: dict[str, str], *, tilt: bool) -> None:
-    """Add a remark if levels are fitted to sloping baselines, or if the baselines before and after contact differ."""
-    known = {name: baseline for name, baseline in baselines.items() if baseline is not None}
-    steep = [name for name, baseline in known.items() if baseline.is_steep]
-    if steep and not tilt:
-        name = max(steep, key=lambda name: abs(known[name].steepness) * known[name].length)
-        length, change = known[name].length, known[name].steepness * known[name].length
-        remarks["baseline-slopes"] = (
-            f"{name}: the force out of contact changes by {change * 1e9:.3g} nN over {length * 1e6:.3g} µm: "
-            "--baseline tilt subtracts a line instead of the median"
-        )
-        return  # levels of sloping baselines differ
-    if len(known) < 2:
-        return
-    one, other = known.values()
-    z = (one.z + other.z) / 2
-    difference = float(other.at(z) - one.at(z))
-    if abs(difference) > 3 * max(numpy.hypot(one.error_at(z), other.error_at(z)), _SMALL_SHARE * one.noise):
-        remarks["baseline-moves"] = (
-            f"the baseline moves by {difference * 1e9:.3g} nN between loading and unloading: each branch has its own"
-        )
-
-
 def _errors(part: ForceCurve, noise: float, give: float) -> tuple[Array, Array]:
     """Return standard deviations of the force and of z; only their ratio matters.
 
@@ -529,10 +447,8 @@ def _of_radii(curve: ForceCurve, remarks: dict[str, str]) -> Branches:
     if curve.branch is not None:
         parts = {name: curve.chosen(curve.branch == name) for name in (LOADING, UNLOADING)}
     else:
-        parts = {LOADING: curve.chosen(slice(0, top)), UNLOADING: curve.chosen(slice(top, None))}
-    parts = {name: part for name, part in parts.items() if len(part.z) >= LEAST_POINTS}
-    if not parts:
-        parts = {UNLOADING: curve}
+        parts = _divided(curve, top)
+    parts = _long(parts, LEAST_POINTS, remarks) or {UNLOADING: curve}
     if curve.z_error is None or curve.force_error is None:
         remarks["equal-errors"] = (
             "radii and loads are assumed to have equal errors, relative to their ranges, unless columns give errors"

@@ -14,7 +14,8 @@ import numpy
 from numpy import exp, inf, sqrt
 
 from ..physics.contact import tabor_parameter
-from .fit_branches import LEAST_POINTS, Baseline
+from .fit_baseline import Baseline
+from .fit_branches import LEAST_POINTS
 from .fit_laws import Array
 from .fit_minimum import ADHESION, MODULUS, POINT, Minimum, Points, Setting, minimum, with_point
 from .fit_problem import NAMES, Problem, Solved
@@ -240,9 +241,9 @@ def by_models(solution: Solution, few: Solution, width: float) -> Models:
     holds = "jkr" if tabor >= STRONG else "maugis"
     if holds != known.law and has_adhesion:
         moves.append(difference(by_law[holds], by_law[known.law]))
-    if width > _WIDE and known.profile == "paraboloid" and known.law == "jkr":
+    if width > _WIDE and known.profile == "paraboloid":  # the shape matters to every law, and is known by JKR
         by_law["jkr, sphere"] = moved("jkr", "sphere")
-        moves.append(difference(by_law["jkr, sphere"], values))
+        moves.append(difference(by_law["jkr, sphere"], by_law["jkr"]))
     return Models(by_law, moves, tabor)
 
 

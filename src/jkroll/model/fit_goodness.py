@@ -104,14 +104,17 @@ def _on_spring(result: Fit, softer: Results, stiffer: Results) -> Iterator[tuple
 
 
 def on_profile(values: Results, sphere: Results, errors: Mapping[str, Errors], width: float) -> Iterator[str]:
-    """Yield a sentence if the results for a sphere differ from the fitted values by more than the other errors."""
+    """Yield a sentence if the results for a sphere by JKR differ from those for a paraboloid by more than the errors.
+
+    `values`: the results for a paraboloid by JKR, whichever law is fitted.
+    """
     names = [name for name in (*NAMES.values(), "contact_modulus") if name in values]
     if not any(abs(sphere[name] - values[name]) > errors[name].total for name in names[:1] + names[-1:]):
         return
     shares = {name: sphere[name] / values[name] - 1 for name in names}
     texts = [f"{'E*' if name == 'contact_modulus' else 'w'} {shares[name]:+.1%}" for name in names[:1] + names[-1:]]
     moved = ", ".join(dict.fromkeys(texts))
-    yield f"a/R is up to {width:.2f}, where a sphere is no paraboloid: {moved} by --profile sphere"
+    yield f"a/R is up to {width:.2f}, where a sphere is no paraboloid: {moved} by JKR with --profile sphere"
 
 
 def _on_resting_edge(solution: Solution, points: Mapping[str, numpy.ndarray]) -> Iterator[tuple[str, str]]:
