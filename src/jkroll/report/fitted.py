@@ -128,7 +128,8 @@ def _rounded(value: float, error: float) -> str:
     """Return a value, rounded to the second digit of its error, which may be larger than the value."""
     if error <= abs(value):
         return bar_digits(value, error)
-    return f"{value:.{max(1 - floor(log10(error)), 0)}f}"
+    digits = max(1 - floor(log10(error)), 0)
+    return f"{round(value, digits) + 0.0:.{digits}f}"  # + 0.0 makes a rounded -0 a 0
 
 
 # --- Sentences --------------------------------------------------------------------------------------------------------
@@ -202,7 +203,7 @@ def _about_misfit(fitted: Fit) -> str:
     if "rms_over_pull_off" in good:
         text += f", {good['rms_over_pull_off']:.1%} of P_c"
     if fitted.kind != "contact radius":
-        text += f", {good['rms_over_noise']:.2g} times the noise"
+        text += f", {significant(good['rms_over_noise'], 2)} times the noise"
     text += f"; {good['points']:.0f} points"
     if good["independent_points"] >= 1.5:
         text += f", {good['independent_points']:.0f} of them independent"
