@@ -352,7 +352,7 @@ def test_a_curve_is_written_point_by_point(run: Run, curve: str) -> None:
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ("", "give its stiffness, as in --spring 3.01N/m"),
+        ("", "give its stiffness by --spring, as in 3.01N/m"),
         ("--spring 0N/m", "must be positive"),
         ("--spring 3N/m --branch up", "is not one of: both, load and unload"),
         ("--spring 3N/m --profile cone", "is not one of paraboloid, sphere"),
@@ -378,8 +378,8 @@ def test_wrong_options_of_fit_are_refused_with_a_reason(run: Run, curve: str, wo
     ("text", "said"),
     [
         ("t,q\n1,2\n3,4\n", "no column has the contact radius, approach or travel"),
-        ("travel [um],volts [V]\n1,2\n3,4\n", "no column has the force"),
-        ("travel [um],force [V]\n1,2\n3,4\n", "no column has the force"),
+        ("travel [um],signal [V]\n1,2\n3,4\n", "force of the curve; 'signal [V]' is in volts: multiply its numbers by"),
+        ("travel [um],Defl (mV)\n1,2\n3,4\n", "force of the curve; 'Defl (mV)' is in volts: multiply its numbers by"),
         ("travel [um],force [nN],branch\n1,2,up\n3,4,down\n", "is not one of: loading and unloading"),
         (
             "distance (nm),force (nN)\n1,2\n3,4\n",
@@ -469,3 +469,50 @@ def test_wrong_arguments_of_fit_in_python_are_refused_with_a_reason(
 ) -> None:
     with pytest.raises(jkroll.JkrollError, match=said):
         jkroll.fit(columns, **given)
+
+
+# --- Output and arguments ---------------------------------------------------------------------------------------------
+
+
+def test_a_meaning_in_nanometres_for_a_header_in_volts_is_refused(run: Run) -> None:
+    Path("curve.csv").write_text("travel [um],Deflection (V)\n1,2\n3,4\n", encoding="utf-8")
+    ran = run("fit", "curve.csv", *KNOWN.split(), "--column", "Deflection (V)=lever_deflection [nm]")
+    assert ran.code == 2
+    assert "'Deflection (V)' is in volts: multiply its numbers by the sensitivity (nm/V)" in " ".join(ran.err.split())
+
+
+@pytest.mark.parametrize("end", ["xls", "csv.gz", "parquet"])
+def test_a_file_that_cannot_hold_a_fit_is_refused(run: Run, curve: str, end: str) -> None:
+    assert curve
+    ran = run(f"fit curve.csv {KNOWN} -o fit.{end}")
+    assert ran.code == 2
+    assert f"is not written as {end.rpartition('.')[2]}; name the file 'fit.csv'" in ran.err
+    assert not Path(f"fit.{end}").exists()
+
+
+def test_a_fit_in_a_file_of_rows_has_a_row(run: Run, curve: str) -> None:
+    assert curve
+    for end, separator in (("csv", ","), ("tsv", "\t")):
+        assert run(f"fit curve.csv {KNOWN} -o fit.{end}").code == 0
+        head, row = csv.reader(Path(f"fit.{end}").read_text(encoding="utf-8").splitlines(), delimiter=separator)
+        assert float(row[head.index("work_of_adhesion_opening [J/m^2]")]) == approx(0.06, rel=5e-3)
+
+
+def test_results_that_are_too_uncertain_for_the_next_command_are_named(run: Run) -> None:
+    z, force = jkr_curve(0.045, 0.045, 2.667e6, 5e-6, 0.6, 0.7e-6, 0.0, 500, -4e-6, 0.7e-6)
+    Path("curve.csv").write_text(table(z, force + autoregression(1, len(z), 1.5e-9, 0.0)), encoding="utf-8")
+    known = "fit curve.csv --radius 5um --radius2 plane --spring"
+    out = " ".join(run(f"{known} 0.6±0.06N/m", terminal=True).out.split())
+    assert out.endswith("no command follows: the error of E* and Δw is above 45%")
+    assert " -0 ± " not in out
+
+
+def test_fit_in_python_takes_the_names_of_options_and_names_arguments_in_errors(curve: str) -> None:
+    assert curve
+    known: dict[str, Any] = {"radius": "7.5 um", "radius2": "plane", "spring": "3.01 N/m"}
+    fitted = jkroll.fit("curve.csv", young="rigid", poisson2=0.5, **known)
+    assert fitted.other_modulus == ("youngs_modulus2", approx(0.75 * fitted.values["contact_modulus"]))
+    with pytest.raises(jkroll.JkrollError, match=r"give its stiffness by spring, as in 3\.01N/m"):
+        jkroll.fit("curve.csv", radius="7.5 um")
+    with pytest.warns(UserWarning, match="radius=10 is a sphere of 10 m"):
+        jkroll.fit("curve.csv", radius=10, radius2="plane", spring=3.01)

@@ -345,3 +345,29 @@ def test_states_of_a_sphere_agree_with_physics_sneddon(stiffness: float) -> None
     found = state_at(setting.law, x, contact, setting.grip)[0]
     expected = sneddon.state_at(x / radius, ratio, last, 1.0, compliance)
     assert found == approx(radius * numpy.tanh(expected), rel=1e-9)
+
+
+# --- Ranges and points left out ---------------------------------------------------------------------------------------
+
+
+def test_a_range_without_tension_gives_w_with_a_large_error_or_is_refused_with_advice() -> None:
+    z, force = jkr_curve(count=500)
+    curve = ForceCurve(TRAVEL, z, force + autoregression(1, len(z), 3e-9, 0.0))
+    pressed = fit_curve(curve, PROBE._replace(range=LoadRange(0.05, 1.0, True)))
+    name = "work_of_adhesion_opening"
+    assert abs(pressed.values[name] - 0.06) < 3 * pressed.errors[name].total
+    assert "few-below-zero" in pressed.remarks
+    with pytest.raises(BadCurve, match="need points in tension, as in --range -100%:30%"):
+        fit_curve(curve, PROBE._replace(range=LoadRange(0.9, 1.0, True)))
+
+
+def test_the_points_of_a_short_branch_are_counted_and_the_largest_load_is_fitted() -> None:
+    """A table of contact radii under rising load ends at its largest load."""
+    a = numpy.linspace(0.2e-3, 0.6e-3, 15)
+    load = 4 * 1.3e6 * a**3 / 0.03 - numpy.sqrt(8 * pi * 0.044 * 1.3e6 * a**3)
+    rising = fit_curve(ForceCurve(RADIUS, a, load), Known(radius=0.01))
+    assert rising.goodness["points"] == 15
+    assert "branch-left-out" not in rising.remarks
+    a, load = (numpy.append(column, column[[-1, -2, -3]]) for column in (a, load))
+    turned = fit_curve(ForceCurve(RADIUS, a, load), Known(radius=0.01))
+    assert turned.remarks["branch-left-out"] == "unloading: 3 points are left out, since a branch needs 5"

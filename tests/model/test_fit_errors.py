@@ -26,6 +26,7 @@ from jkroll.model.fit_laws import PROFILES, Contact, Grip, curve_law, state_at
 from jkroll.model.fit_minimum import Noise, Setting, minimum, noise_of, residuals
 from jkroll.model.fit_problem import Problem, Solved, release_rate
 from jkroll.model.fit_result import Known
+from jkroll.report.fitted import row_of_result
 from relative import approx
 
 PROBE = Known(radius=7.5e-6, stiffness=3.01)
@@ -64,6 +65,45 @@ def test_the_calibration_error_is_absent_if_radius_and_stiffness_have_no_errors(
     errors = fit_curve(ForceCurve(TRAVEL, z[held], force[held]), PROBE).errors
     assert {each.calibration for each in errors.values()} == {None}
     assert all(each.statistical is not None and each.model is not None for each in errors.values())
+
+
+def soft_lever() -> ForceCurve:
+    """Return a curve without adhesion hysteresis, whose E* depends strongly on the lever."""
+    z, force = jkr_curve(0.045, 0.045, 2.667e6, 5e-6, 0.6, 0.7e-6, 0.0, 500, -4e-6, 0.7e-6)
+    return ForceCurve(TRAVEL, z, force + numpy.random.default_rng(3).normal(0, 1.5e-9, len(z)))
+
+
+def test_the_error_of_the_spring_is_the_larger_change_of_fits_with_both_ends_of_its_range() -> None:
+    """E* and the hysteresis are not linear in k: a lever that is too soft gives a hysteresis that is not there."""
+    curve, known = soft_lever(), Known(radius=5e-6, stiffness=0.6, stiffness_error=0.1)
+    here = fit_curve(curve, known)
+    ends = [fit_curve(curve, Known(radius=5e-6, stiffness=0.6 * factor)).values for factor in (0.9, 1.1)]
+    for name in (OPENING, CLOSING, MODULUS, "adhesion_hysteresis"):
+        move = max(abs(there[name] - here.values[name]) for there in ends)
+        assert here.errors[name].calibration == approx(move, rel=1e-6)
+    hysteresis, modulus = (here.errors[name].calibration for name in ("adhesion_hysteresis", MODULUS))
+    assert hysteresis is not None
+    assert modulus is not None
+    assert hysteresis > 0.01
+    assert modulus > 2 * here.values[MODULUS]
+
+
+def test_results_have_no_bound_if_a_softer_spring_gives_a_rigid_contact() -> None:
+    fit = fit_curve(soft_lever(), Known(radius=5e-6, stiffness=0.6, stiffness_error=0.25))
+    assert fit.errors[MODULUS].calibration == numpy.inf
+    assert "E* by +∞ or -79%" in fit.remarks["lever-decides"]
+    assert row_of_result(fit, MODULUS)[2].endswith(" ± ∞")
+
+
+def test_a_spring_without_an_error_has_a_remark_on_its_weight() -> None:
+    remark = fit_curve(soft_lever(), Known(radius=5e-6, stiffness=0.6)).remarks["lever-decides"]
+    assert remark.startswith("a spring 5% softer or stiffer moves E* by +66% or -37%, and Δw by up to 16 mJ")
+    assert remark.endswith(": give the spring's error, as in --spring 0.6±0.03N/m")
+    z, force = jkr_curve(stiffness=300.0)
+    stiff = fit_curve(
+        ForceCurve(TRAVEL, z, force + autoregression(1, len(z), 3e-9, 0.0)), PROBE._replace(stiffness=300)
+    )
+    assert "lever-decides" not in stiff.remarks
 
 
 def test_w_of_a_noisier_branch_has_a_larger_error() -> None:
@@ -105,6 +145,41 @@ def test_the_error_of_the_slope_of_a_baseline_agrees_with_its_scatter() -> None:
     assert numpy.median([each.slope_error for each in found if each is not None]) == approx(scatter, rel=0.12)
 
 
+def sloping(force: Any, z: Any, slope: float) -> ForceCurve:
+    """Return a curve with noise on a sloping baseline."""
+    noise = numpy.random.default_rng(7).normal(0, 3e-9, len(z))
+    return ForceCurve(TRAVEL, z, force + slope * z + noise)
+
+
+@pytest.mark.parametrize("last", [-2.5e-6, -0.6e-6])  # with a jump-off, and without
+def test_a_sloping_baseline_has_a_remark_until_a_line_is_subtracted(last: float) -> None:
+    z, force = jkr_curve(count=500)
+    is_kept = (numpy.arange(len(z)) < 500) | (z > last)
+    z, force = z[is_kept], force[is_kept]
+    curve = sloping(force, z, 8e-3)
+    fit = fit_curve(curve, PROBE)
+    assert "--baseline tilt" in fit.remarks["baseline-slopes"]
+    tilted = fit_curve(curve, PROBE._replace(tilt=True))
+    assert {"baseline-slopes", "baseline-moves"}.isdisjoint(tilted.remarks)
+    assert tilted.values[OPENING] == approx(0.06, rel=5e-3)
+    assert "baseline-slopes" not in fit_curve(sloping(force, z, 0.0), PROBE).remarks
+
+
+def test_the_slope_of_a_baseline_does_not_count_as_noise() -> None:
+    z, force = jkr_curve(count=500)
+    good = fit_curve(sloping(force, z, 8e-3), PROBE).goodness
+    assert good["rms_over_noise"] == approx(1.0, rel=0.5)
+
+
+def test_a_moving_baseline_has_a_remark_that_names_no_option() -> None:
+    z, force = jkr_curve(count=500)
+    force = force + numpy.where(numpy.arange(len(z)) < 500, 3e-8, 0.0)
+    for tilt in (False, True):
+        remarks = fit_curve(sloping(force, z, 0.0), PROBE._replace(tilt=tilt)).remarks
+        assert remarks["baseline-moves"].startswith("the baseline moves by -29.")
+        assert "--baseline" not in remarks["baseline-moves"]
+
+
 # --- Model ------------------------------------------------------------------------------------------------------------
 
 
@@ -138,6 +213,21 @@ def test_a_fit_with_a_sphere_also_gives_the_laws_of_a_paraboloid() -> None:
     of_paraboloid = fit_curve(ForceCurve(TRAVEL, z, force), PROBE).values[OPENING]
     assert fit.by_law["jkr"][OPENING] == approx(of_paraboloid, rel=5e-3)
     assert fit.values[OPENING] > 1.01 * of_paraboloid
+
+
+@pytest.mark.parametrize("law", ["maugis", "dmt"])
+def test_the_error_from_the_shape_of_the_sphere_does_not_depend_on_the_law(law: str) -> None:
+    """JKR gives the effect of the shape on every law."""
+    z, force = jkr_curve(count=250)
+    curve = ForceCurve(TRAVEL, z, force + autoregression(1, len(z), 3e-9, 0.0))
+    fit, by_jkr = fit_curve(curve, PROBE._replace(law=law)), fit_curve(curve, PROBE)
+    move = by_jkr.by_law["jkr, sphere"][OPENING] - by_jkr.values[OPENING]
+    model = fit.errors[OPENING].model
+    assert model is not None
+    assert model > 0.95 * move > 0.015 * by_jkr.values[OPENING]
+    if law == "maugis":
+        assert model == approx(by_jkr.errors[OPENING].model, rel=0.01)
+        assert "profile-matters" in fit.remarks
 
 
 # --- Without adhesion -------------------------------------------------------------------------------------------------

@@ -150,8 +150,8 @@ STATUS = {
     "x,unobtainium,100,0": (
         "unknown material",
         (
-            "no material 'unobtainium'. Give its own numbers, as in jkroll pull-off 100nm --gamma 30mJ/m2 (an example), "
-            "add it to a file (jkroll guide materials), or write one that jkroll materials lists"
+            "no material 'unobtainium'. Give its own numbers, as in jkroll pull-off 100nm --gamma 30mJ/m2 (an "
+            "example), add it to a file (jkroll guide materials), or write one that jkroll materials lists"
         ),
     ),
     "x,quartz,,0": ("needs radius", "contact_radius_at_load: needs radius of sphere 1; give a radius such as 100nm"),

@@ -13,9 +13,10 @@ from ..materials.library import Materials
 from ..model.fit_result import RESULTS, Fit, Known
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import value_of
-from ..report.fitted import in_words, is_sure, line_on_known, sentences
+from ..report.fitted import WORDS, in_words, is_sure, line_on_known, sentences
+from ..tables.files import output_format
 from ..tables.fitted import fit_of_file, known_of
-from ..text import ascii_text, quoted, say, say_wrapped
+from ..text import ascii_text, ending, listed, quoted, say, say_wrapped
 from ..write.fitted import (
     curve_columns,
     heads_of,
@@ -26,11 +27,12 @@ from ..write.fitted import (
     write_fit_methods,
     write_json,
 )
-from ..write.writers import text_output, write_columns
-from .call import CITE, CSV, JSON, MARKDOWN, TABLE, Call
+from ..write.writers import WRITERS, text_output, write_columns
+from .call import CITE, CSV, FILE, JSON, MARKDOWN, TABLE, Call
 
 _SUMMARY = ("work_of_adhesion_opening", "work_of_adhesion_closing", "adhesion_hysteresis", "contact_modulus")
 _RADII = ("radius", "diameter", "reduced_radius")
+_NECESSARY = ("work_of_adhesion_opening", "contact_modulus")  # for the next command
 _LARGEST_ERROR = 0.45  # largest relative error of a result offered as an input; 0.5 or more is refused
 
 
@@ -76,13 +78,27 @@ def run_fit(call: Call) -> int:
         from .map import check_picture
 
         check_picture(call, call.target)
+    form = "" if call.names_picture else _form_of_rows(call)
     if len(paths) == 1:
-        return _write_single(call, paths[0], fitter.fitted(paths[0]))
+        return _write_single(call, paths[0], fitter.fitted(paths[0]), form)
     if call.curve:
         raise BadRequest("--curve writes the points of one file")
     if call.output is CITE:
         raise BadRequest(f"--cite takes one curve; {len(paths)} files were given")
-    return _write_rows(call, paths, [*_outcomes(call, fitter, paths)], known)
+    return _write_rows(call, paths, [*_outcomes(call, fitter, paths)], known, form)
+
+
+def _form_of_rows(call: Call) -> str:
+    """Return the format of rows: that of the output file, or the one that an option chooses; by default CSV.
+
+    Raises BadRequest for a file of another format.
+    """
+    if call.output is not FILE or call.target is None:
+        return "md" if call.output is MARKDOWN else "csv"
+    form = output_format(call.target, "csv", quiet=call.quiet)
+    if form.name not in WRITERS or form.compression:
+        raise BadRequest(f"-o: a fit is not written as {ending(call.target)}; name the file 'fit.csv'")
+    return form.name
 
 
 def _paths(call: Call) -> list[str]:
@@ -106,15 +122,15 @@ def _paths(call: Call) -> list[str]:
 # --- One file ---------------------------------------------------------------------------------------------------------
 
 
-def _write_single(call: Call, path: str, outcome: FileFit) -> int:
-    """Write the fit of one file in the chosen form; return the exit code."""
+def _write_single(call: Call, path: str, outcome: FileFit, form: str) -> int:
+    """Write the fit of one file in the chosen form; return the exit code. `form`: the format of rows."""
     fitted = outcome.fitted
     if fitted is None:
         assert outcome.error is not None
         raise outcome.error
     if not call.quiet:
         say_wrapped(outcome.reading, sys.stderr)
-    following = following_command(call, fitted) if is_sure(fitted) else ""
+    following = following_command(call, fitted)
     if call.names_picture:
         return _draw(call, path, fitted)
     output = call.output
@@ -130,12 +146,13 @@ def _write_single(call: Call, path: str, outcome: FileFit) -> int:
             write_picture(picture_of_fit(fitted, os.path.basename(path), [*sentences(fitted)]), out)
         elif call.curve:
             heads, columns = curve_columns(fitted)
-            write_columns(heads, columns, "csv" if output is not MARKDOWN else "md", out)
-        elif output in (CSV, MARKDOWN):
-            row, form = row_of(path, fitted), "md" if output is MARKDOWN else "csv"
+            write_columns(heads, columns, form, out)
+        elif output in (CSV, MARKDOWN, FILE):
+            row = row_of(path, fitted)
             write_columns(heads_of(is_scaled=fitted.is_scaled), [[cell] for cell in row], form, out)
         else:
-            write_fit(fitted, out, heading=_heading(call, path, fitted), following=following)
+            lines = [*_on_following(fitted, following)]
+            write_fit(fitted, out, heading=_heading(call, path, fitted), following=lines)
     return 0
 
 
@@ -151,8 +168,8 @@ def _heading(call: Call, path: str, fitted: Fit) -> str:
 def following_command(call: Call, fitted: Fit) -> str:
     """Return the command that continues from a fit to rolling; empty if w or E* is uncertain or no radius is given."""
     radii = [name for name in _RADII if name in call.inputs]
-    are_known = all(_is_known(fitted, name) for name in ("work_of_adhesion_opening", "contact_modulus"))
-    if not are_known or not radii or fitted.is_scaled:
+    are_known = all(_is_known(fitted, name) for name in _NECESSARY)
+    if not are_known or not radii or fitted.is_scaled or not is_sure(fitted):
         return ""
     words = ["jkroll yield-force"]
     if "radius" in call.inputs:
@@ -174,6 +191,17 @@ def _as_typed(call: Call, names: Sequence[str]) -> list[str]:
 def _is_known(fitted: Fit, name: str) -> bool:
     """Return whether the error of a result is small enough to type the result with it."""
     return name in fitted.values and fitted.errors[name].total < _LARGEST_ERROR * fitted.values[name]
+
+
+def _on_following(fitted: Fit, following: str) -> Iterator[str]:
+    """Iterate over the lines on the next command: the results whose errors keep them out of it, and the command."""
+    names = [name for name in (*_NECESSARY, "adhesion_hysteresis") if name in fitted.values]
+    uncertain = [WORDS[name][1] for name in names if not _is_known(fitted, name)]
+    if uncertain and is_sure(fitted) and not fitted.is_scaled:
+        start = "left out of the next command" if following else "no command follows"
+        yield f"{start}: the error of {listed(uncertain)} is above {_LARGEST_ERROR:.0%}"
+    if following:
+        yield f"then: {following}"
 
 
 def _typed(fitted: Fit, name: str) -> str:
@@ -211,7 +239,7 @@ def _outcomes(call: Call, fitter: FileFitter, paths: Sequence[str]) -> Iterator[
     return with_progress(answered, lambda _: 1, lambda done, _: f"{done} of {len(paths)} files")
 
 
-def _write_rows(call: Call, paths: Sequence[str], outcomes: Sequence[FileFit], known: Known) -> int:
+def _write_rows(call: Call, paths: Sequence[str], outcomes: Sequence[FileFit], known: Known, form: str) -> int:
     """Write a row for each file, and a summary on stderr; return the exit code."""
     rows = []
     for path, outcome in zip(paths, outcomes, strict=True):
@@ -225,7 +253,6 @@ def _write_rows(call: Call, paths: Sequence[str], outcomes: Sequence[FileFit], k
             write_json([*map(_json_of_outcome, paths, outcomes)], out)
         else:
             heads = heads_of(is_scaled=known.radius is None)
-            form = "md" if call.output is MARKDOWN else "csv"
             write_columns(heads, [*map(list, zip(*rows, strict=True))], form, out)
     for path, outcome in zip(paths, outcomes, strict=True):
         if outcome.error is not None:

@@ -9,10 +9,11 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple, Self
 
 import numpy
-from numpy import pi, sqrt
+from numpy import sqrt
 
 from ..errors import JkrollError
-from .fit_minimum import Noise, Points, noise_of
+from .fit_baseline import Baseline, baseline_of, remark_on_baselines
+from .fit_minimum import Points
 
 Array = Any
 
@@ -31,7 +32,6 @@ _PAUSED = 10.0  # least length of a gap in time, in median steps
 _LEAST_NOISE = 1e-9  # least noise of computed curves, as a share of the range of forces
 _FLAT = 5  # equal extreme readings in a row that show a saturated sensor
 _LONG = 0.2  # least length of the free end of a curve without a minimum, as a share of the travel
-_MOST_PHI = 0.99  # largest correlation of neighbours in the baseline
 _SETTLES = 0.1  # fraction of the free part in which the lever still swings after the jump
 
 
@@ -75,21 +75,6 @@ class ForceCurve(NamedTuple):
 RADIUS, APPROACH, TRAVEL = "contact radius", "approach", "travel"
 
 
-class Baseline(NamedTuple):
-    """The force out of contact as a line over z, with the noise around it."""
-
-    force: float  # at the middle of the line
-    slope: float
-    error: float  # standard error of the force
-    noise: float
-    z: float = 0.0  # the position of the middle
-    slope_error: float = 0.0
-
-    def at(self, z: Array) -> Array:
-        """Return the baseline at positions z."""
-        return self.force + self.slope * (z - self.z)
-
-
 class Branch(NamedTuple):
     """A branch: its points in order of time, with loads instead of forces, and the slice in contact.
 
@@ -120,10 +105,11 @@ class Branch(NamedTuple):
 
 
 class Branches(NamedTuple):
-    """The branches of a curve by name, the noise of the force, and remarks by code."""
+    """The branches of a curve by name, the noise of the force, its scatter out of contact, and remarks by code."""
 
     by_name: Mapping[str, Branch]
     noise: float
+    scatter: float
     remarks: Mapping[str, str]
     sign: float  # the factor of z that makes z rise into the contact
 
@@ -144,27 +130,29 @@ def branches_of(curve: ForceCurve, stiffness: float, *, tilt: bool = False, only
     _check_time(parts, remarks)
     floor = _LEAST_NOISE * float(numpy.ptp(curve.force))
     noise = max(_white_noise(curve.force), floor)
-    ends = {name: _free(part, name, noise) for name, part in parts.items()}
-    baselines = {name: _baseline(part, ends[name], tilt=tilt) for name, part in parts.items()}
+    baselines: dict[str, Baseline | None] = {}
+    for name, part in parts.items():
+        free = part.chosen(_free(part, name, noise))
+        baselines[name] = baseline_of(free.z, free.force, tilt=tilt) if len(free.z) >= LEAST_POINTS else None
     known = []
     for name in (UNLOADING, LOADING):
         baseline = baselines.get(name)
         if baseline is not None:
             known.append(baseline)
     if not known:
-        known = [Baseline(0.0, 0.0, 0.0, noise)]
+        known = [Baseline(0.0, 0.0, 0.0, noise, noise)]
         remarks["no-baseline"] = "no part is out of contact: forces are taken as measured, without a baseline"
-    _compare(baselines, remarks)
+    remark_on_baselines(baselines, remarks, tilt=tilt)
     branches = {}
     for name, part in parts.items():
         own = baselines[name] or known[0]
         load = part.force - own.at(part.z)
         give = 1 / stiffness or float(numpy.ptp(part.z)) / float(numpy.ptp(load))
         errors = _errors(part, max(own.noise, noise), give)
-        inside = _in_contact(load, name, max(own.noise, noise))
+        inside = _in_contact(load, name, max(own.scatter, noise))
         branches[name] = Branch(name, Points(part.z, load, *errors), *inside, own, baselines[name] is not None)
-    _check(branches, max(noise, *(baseline.noise for baseline in known)), remarks)
-    return Branches(branches, max(known[0].noise, floor), remarks, sign)
+    _check(branches, max(noise, *(baseline.scatter for baseline in known)), remarks)
+    return Branches(branches, max(known[0].noise, floor), max(known[0].scatter, floor), remarks, sign)
 
 
 def _without_pause(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
@@ -300,9 +288,9 @@ def _split(curve: ForceCurve, only: str, remarks: dict[str, str]) -> dict[str, F
         top = int(numpy.nonzero(curve.z == curve.z.max())[0][-1])
         if not _turns_once(curve.z, top):
             top = int(numpy.argmax(running_median(curve.force)))
-        parts = {LOADING: curve.chosen(slice(0, top)), UNLOADING: curve.chosen(slice(top, None))}
-    least = max(LEAST_POINTS, _SHORT * len(curve.z))
-    kept = {name: part for name, part in parts.items() if len(part.z) >= least and _varies(part)}
+        parts = _divided(curve, top)
+    least = max(LEAST_POINTS, round(_SHORT * len(curve.z)))
+    kept = {name: part for name, part in _long(parts, least, remarks).items() if _varies(part)}
     if not kept:
         raise BadCurve("neither branch has enough points", "too few points")
     if curve.branch is None and len(kept) == 1:
@@ -311,6 +299,22 @@ def _split(curve: ForceCurve, only: str, remarks: dict[str, str]) -> dict[str, F
             return {only: _in_time(part, only)}
         other = "unload" if name == LOADING else "load"
         remarks["one-branch"] = f"the curve has one branch, taken as {name}; if it is not, give --branch {other}"
+    return kept
+
+
+def _divided(curve: ForceCurve, top: int) -> dict[str, ForceCurve]:
+    """Return the branches before and after an index; its point belongs to loading if unloading has too few points."""
+    cut = top + 1 if len(curve.z) - top < LEAST_POINTS else top
+    return {LOADING: curve.chosen(slice(0, cut)), UNLOADING: curve.chosen(slice(cut, None))}
+
+
+def _long(parts: dict[str, ForceCurve], least: int, remarks: dict[str, str]) -> dict[str, ForceCurve]:
+    """Return the branches with enough points, with a remark on a short one next to a long one."""
+    kept = {name: part for name, part in parts.items() if len(part.z) >= least}
+    for name, part in parts.items():
+        if kept and 0 < len(part.z) < least:
+            many = "1 point is" if len(part.z) == 1 else f"{len(part.z)} points are"
+            remarks["branch-left-out"] = f"{name}: {many} left out, since a branch needs {least}"
     return kept
 
 
@@ -383,50 +387,6 @@ def _free(part: ForceCurve, name: str, noise: float) -> slice:
     return slice(first, len(force)) if name == UNLOADING else slice(0, len(force) - first)
 
 
-def _baseline(part: ForceCurve, free: slice, *, tilt: bool) -> Baseline | None:
-    """Return the baseline of a free part: its median, or a line if `tilt`; None without a free part."""
-    force, z = part.force[free], part.z[free]
-    if len(force) < LEAST_POINTS:
-        return None
-    middle, slope = float(numpy.mean(z)), 0.0
-    is_line = tilt and numpy.ptp(z) > 0
-    if is_line:
-        slope = float(numpy.polyfit(z - middle, force, 1)[0])
-    rest = force - slope * (z - middle)
-    level = float(numpy.median(rest))
-    size = 1.4826 * float(numpy.median(abs(rest - level)))
-    noise = noise_of(rest - level, 2 if is_line else 1)
-    phi = max(0.0, min(noise.phi, _MOST_PHI))
-    error = size * _error_of_median(phi, len(force))
-    slope_error = size * sqrt(Noise(phi).correlation_time) / float(numpy.linalg.norm(z - middle)) if is_line else 0.0
-    return Baseline(level, slope, error, size, middle, slope_error)
-
-
-def _error_of_median(phi: float, count: int) -> float:
-    """Return the standard error of a median in units of the standard deviation, for normal noise of correlation φ.
-
-        n var = Σ arcsin ρ_k = π/2 + 2Σ(1 − k/n) arcsin φ^k
-
-    Source:   Sheppard's formula for the signs of two normal variables. White noise has √(π/2n).
-    """
-    lags = numpy.arange(1, count)
-    return float(sqrt((pi / 2 + 2 * ((1 - lags / count) * numpy.arcsin(phi**lags)).sum()) / count))
-
-
-def _compare(baselines: Mapping[str, Baseline | None], remarks: dict[str, str]) -> None:
-    """Add a remark if the baselines before and after the contact differ."""
-    both = [baseline for baseline in baselines.values() if baseline is not None]
-    if len(both) < 2:
-        return
-    difference = both[1].force - both[0].force
-    size = 3 * max(numpy.hypot(both[0].error, both[1].error), 0.1 * both[0].noise)
-    if abs(difference) > size:
-        remarks["baseline-moves"] = (
-            f"the baseline moves by {difference * 1e9:.3g} nN between loading and unloading: each branch has "
-            "its own (--baseline tilt fits sloping lines)"
-        )
-
-
 def _errors(part: ForceCurve, noise: float, give: float) -> tuple[Array, Array]:
     """Return standard deviations of the force and of z; only their ratio matters.
 
@@ -487,10 +447,8 @@ def _of_radii(curve: ForceCurve, remarks: dict[str, str]) -> Branches:
     if curve.branch is not None:
         parts = {name: curve.chosen(curve.branch == name) for name in (LOADING, UNLOADING)}
     else:
-        parts = {LOADING: curve.chosen(slice(0, top)), UNLOADING: curve.chosen(slice(top, None))}
-    parts = {name: part for name, part in parts.items() if len(part.z) >= LEAST_POINTS}
-    if not parts:
-        parts = {UNLOADING: curve}
+        parts = _divided(curve, top)
+    parts = _long(parts, LEAST_POINTS, remarks) or {UNLOADING: curve}
     if curve.z_error is None or curve.force_error is None:
         remarks["equal-errors"] = (
             "radii and loads are assumed to have equal errors, relative to their ranges, unless columns give errors"
@@ -504,7 +462,7 @@ def _of_radii(curve: ForceCurve, remarks: dict[str, str]) -> Branches:
         ]
         points = Points(part.z, part.force, errors[1], errors[0])
         branches[name] = Branch(name, points, slice(0, len(part.z)), slice(0, len(part.z)))
-    return Branches(branches, ranges[1], remarks, 1.0)
+    return Branches(branches, ranges[1], ranges[1], remarks, 1.0)
 
 
 # --- The fitted range -------------------------------------------------------------------------------------------------

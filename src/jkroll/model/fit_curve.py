@@ -5,25 +5,30 @@
 """
 
 import numpy
-from numpy import exp
+from numpy import exp, inf
 
 from ..physics.contact import contact_radius
 from .fit_branches import LOADING, RADIUS, TRAVEL, UNLOADING, BadCurve, ForceCurve, branches_of, running_median
 from .fit_errors import (
     Results,
     Solution,
-    by_calibration,
     by_models,
+    by_radius,
     by_range,
     covariance_of,
+    ends,
+    largest,
     statistical_errors,
     with_baselines,
 )
-from .fit_goodness import goodness_of, on_profile, remarks_on
+from .fit_goodness import USUAL_ERROR, goodness_of, on_profile, remarks_on
 from .fit_laws import Array, Grip
 from .fit_minimum import ADHESION, MODULUS, residuals
 from .fit_problem import Problem, Solved, release_rate, solved, solved_with, solved_without_adhesion
 from .fit_result import Fit, Known
+from .unsolved import SIZES
+
+_STIFFEST = SIZES["youngs_modulus"][1]  # above, E* is not told from infinity
 
 
 def fit_curve(curve: ForceCurve, known: Known) -> Fit:
@@ -33,7 +38,8 @@ def fit_curve(curve: ForceCurve, known: Known) -> Fit:
     try:
         with numpy.errstate(all="ignore"):
             solution, remarks = _solution(curve, known)
-            return _result(solution, remarks)
+            by_spring = _by_spring(curve, solution, known.stiffness_error or USUAL_ERROR)
+            return _result(solution, remarks, by_spring)
     except (ArithmeticError, ValueError):
         raise BadCurve("the fit does not converge; check the radius, the spring and the units", "no fit") from None
 
@@ -61,8 +67,33 @@ def _solution(curve: ForceCurve, known: Known) -> tuple[Solution, dict[str, str]
     return Solution(problem, problem.setting, main, other), remarks
 
 
-def _result(solution: Solution, remarks: dict[str, str]) -> Fit:
-    """Return the fit with its errors, its results by other laws and its remarks."""
+def _by_spring(curve: ForceCurve, solution: Solution, error: float) -> list[Results]:
+    """Return the moves of the results for a softer and a stiffer spring; none if the results do not depend on it.
+
+    The curve is fitted anew, since the results are not linear in the spring: E* may rise to infinity for a soft one.
+    """
+    if curve.kind != TRAVEL and not curve.is_deflection:
+        return []
+    moves = list[Results]()
+    for factor in ends(error):
+        forces = factor if curve.is_deflection else 1.0
+        force_error = None if curve.force_error is None else forces * curve.force_error
+        known = solution.problem.known._replace(stiffness=factor * solution.problem.known.stiffness)
+        try:
+            there = _solution(curve._replace(force=forces * curve.force, force_error=force_error), known)[0].values
+        except (ArithmeticError, BadCurve, ValueError):
+            there = {}
+        is_solid = there.get("contact_modulus", inf) < _STIFFEST
+        values = solution.values
+        moves.append({name: there.get(name, inf) - values[name] if is_solid else inf for name in values})
+    return moves
+
+
+def _result(solution: Solution, remarks: dict[str, str], by_spring: list[Results]) -> Fit:
+    """Return the fit with its errors, its results by other laws and its remarks.
+
+    `by_spring`: the moves of the results for a softer and a stiffer spring.
+    """
     problem, main = solution.problem, solution.main
     names, covariance = covariance_of(solution)
     few = solution.thinned()
@@ -88,8 +119,9 @@ def _result(solution: Solution, remarks: dict[str, str]) -> Fit:
         if has_adhesion:
             contact = solution.setting.contact(main.unknowns).without_spacing
             result.goodness["unloaded_contact_over_radius"] = float(contact_radius(**contact)) / problem.radius
-    moves = by_calibration(few)
-    _add(result, "calibration", [*moves.values()])
+    _add(result, "calibration", [by_radius(few)])
+    if problem.known.stiffness_error:
+        _add(result, "calibration", [largest(by_spring)])
     _add(result, "model", [by_range(few)])
     models = by_models(solution, few, width)
     result.by_law = {law: dict(each) for law, each in models.by_law.items()}
@@ -99,10 +131,10 @@ def _result(solution: Solution, remarks: dict[str, str]) -> Fit:
         result.goodness["tabor_parameter"] = models.tabor_parameter
     sphere = models.by_law.get("jkr, sphere")
     if sphere is not None and problem.known.profile == "paraboloid":
-        for text in on_profile(solution.values, sphere, result.errors, width):
+        for text in on_profile(models.by_law["jkr"], sphere, result.errors, width):
             result.remarks["profile-matters"] = text
     _add(result, "model", models.moves)
-    result.remarks |= dict(remarks_on(solution, result, moves.get("spring")))
+    result.remarks |= dict(remarks_on(solution, result, by_spring))
     return result
 
 

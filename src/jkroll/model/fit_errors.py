@@ -1,11 +1,12 @@
 """The three errors of a fit: statistical (noise), calibration (the instrument) and model.
 
 The statistical error comes from the noise of the points, and of the baselines that are subtracted from them. The
-calibration error is the change of a result if R or k changes by its error. The model error is the change of a result
-with the fitted range, the shape of the sphere, the law and the atomic spacing. Such changes are called moves.
+calibration error is the larger change of a result if R or k is smaller or larger by its error. The model error is the
+change of a result with the fitted range, the shape of the sphere, the law and the atomic spacing. Such changes are
+called moves.
 """
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import NamedTuple
 
@@ -13,7 +14,8 @@ import numpy
 from numpy import exp, inf, sqrt
 
 from ..physics.contact import tabor_parameter
-from .fit_branches import LEAST_POINTS, TRAVEL, Baseline
+from .fit_baseline import Baseline
+from .fit_branches import LEAST_POINTS
 from .fit_laws import Array
 from .fit_minimum import ADHESION, MODULUS, POINT, Minimum, Points, Setting, minimum, with_point
 from .fit_problem import NAMES, Problem, Solved
@@ -138,24 +140,25 @@ def statistical_errors(solution: Solution, names: tuple[str, ...], covariance: A
 # --- Calibration ------------------------------------------------------------------------------------------------------
 
 
-def by_calibration(few: Solution) -> dict[str, Results]:
-    """Return, by cause, the moves of the results when the radius and the spring change by their errors."""
-    problem, setting, known = few.problem, few.setting, few.problem.known
-    moves: dict[str, Results] = {}
-    if known.radius is not None and known.radius_error:
-        moves["radius"] = few.moves(setting._replace(reduced_radius=known.radius * (1 + known.radius_error)))
-    stiffer, factor = setting, 1 + known.stiffness_error
-    if known.stiffness_error and (problem.kind == TRAVEL or problem.is_deflection):
-        if problem.kind == TRAVEL:
-            stiffer = setting._replace(grip=setting.grip._replace(stiffness=known.stiffness * factor))
-        moves["spring"] = few.moves(stiffer, partial(_stronger, factor if problem.is_deflection else 1.0))
-    return moves
+def by_radius(few: Solution) -> Results:
+    """Return the largest moves of the results when the radius is smaller or larger by its error."""
+    known = few.problem.known
+    if known.radius is None or not known.radius_error:
+        return {}
+    radii = [known.radius * factor for factor in ends(known.radius_error)]
+    return largest([few.moves(few.setting._replace(reduced_radius=radius)) for radius in radii])
 
 
-def _stronger(factor: float, part: Solved) -> Points:
-    """Return the points of a branch with all forces multiplied by a factor."""
-    points = part.points
-    return points._replace(force=points.force * factor, force_error=points.force_error * factor)
+def ends(error: float) -> tuple[float, float]:
+    """Return the factors to both ends of a value with a relative error."""
+    return 1 - error, 1 + error
+
+
+def largest(moves: Sequence[Results]) -> Results:
+    """Return the largest move of each result."""
+    if not moves:
+        return {}
+    return {name: max((move[name] for move in moves), key=abs) for name in moves[0]}
 
 
 def _baseline_changes(solution: Solution) -> Iterator[tuple[Baseline, float, float]]:
@@ -238,9 +241,9 @@ def by_models(solution: Solution, few: Solution, width: float) -> Models:
     holds = "jkr" if tabor >= STRONG else "maugis"
     if holds != known.law and has_adhesion:
         moves.append(difference(by_law[holds], by_law[known.law]))
-    if width > _WIDE and known.profile == "paraboloid" and known.law == "jkr":
+    if width > _WIDE and known.profile == "paraboloid":  # the shape matters to every law, and is known by JKR
         by_law["jkr, sphere"] = moved("jkr", "sphere")
-        moves.append(difference(by_law["jkr, sphere"], values))
+        moves.append(difference(by_law["jkr, sphere"], by_law["jkr"]))
     return Models(by_law, moves, tabor)
 
 

@@ -3,14 +3,17 @@
 from collections.abc import Iterator, Mapping
 
 import numpy
-from numpy import exp, sqrt
+from numpy import exp, inf, sqrt
 
+from ..quantities.formatting import Format, amount
 from .fit_branches import LEAST_POINTS, LOADING, RADIUS, running_median
 from .fit_errors import Results, Solution
 from .fit_minimum import ADHESION, FEW_INDEPENDENT
 from .fit_problem import NAMES
 from .fit_result import Errors, Fit
 
+USUAL_ERROR = 0.05  # relative error of a spring that is given without one
+_TWO_DIGITS = Format(digits=2)
 _UNDETERMINED = 0.5  # standard deviation of ln E* above which E* is undetermined
 _POOR = 0.1  # rms misfit over the pull-off force, above which the curve is not that of a contact
 _WIDEST = 0.9  # a/R above which no theory of a half-space applies
@@ -37,8 +40,11 @@ def _longest_run(misfit: numpy.ndarray) -> int:
     return int(numpy.diff(ends).max())
 
 
-def remarks_on(solution: Solution, result: Fit, by_spring: Results | None) -> Iterator[tuple[str, str]]:
-    """Iterate over remarks as codes and sentences. `by_spring`: the moves of the results due to the spring's error."""
+def remarks_on(solution: Solution, result: Fit, by_spring: list[Results]) -> Iterator[tuple[str, str]]:
+    """Iterate over remarks as codes and sentences.
+
+    `by_spring`: the moves of the results for a softer and a stiffer spring, see `_on_spring`.
+    """
     main, good, errors = solution.main, result.goodness, result.errors
     has_adhesion = ADHESION in main.free
     if has_adhesion and main.branch.name == LOADING and result.kind != RADIUS:
@@ -53,8 +59,8 @@ def remarks_on(solution: Solution, result: Fit, by_spring: Results | None) -> It
             "modulus-undetermined",
             "E* is not determined: the contact is stiffer than the lever, or has too few points; use P_c alone",
         )
-    if by_spring is not None:
-        yield from _on_spring(by_spring["contact_modulus"] / modulus, errors["contact_modulus"], modulus)
+    if by_spring:
+        yield from _on_spring(result, *by_spring)
     if has_adhesion and result.kind != RADIUS and int((main.points.force < 0).sum()) < LEAST_POINTS:
         yield "few-below-zero", "fewer than 5 points are in tension: w is hardly determined"
     if not result.is_scaled and good["contact_over_radius"] > _WIDEST:
@@ -75,21 +81,40 @@ def _on_noise(good: Mapping[str, float]) -> Iterator[tuple[str, str]]:
         yield "residual-trend", f"{run}: the model, not the noise, limits the fit"
 
 
-def _on_spring(move: float, errors: Errors, modulus: float) -> Iterator[tuple[str, str]]:
-    """Yield a remark if the spring is the largest source of error of E*."""
-    if abs(move) * modulus > max(errors.statistical or 0.0, errors.model or 0.0):
-        yield "lever-decides", f"the spring's error moves E* by {abs(move):.0%}, more than any other error"
+def _on_spring(result: Fit, softer: Results, stiffer: Results) -> Iterator[tuple[str, str]]:
+    """Yield a remark if the spring is the largest source of error of E*.
+
+    The springs differ by the error of the given one; if this is unknown, by 5 %, and the remark asks for the error.
+    """
+    known, errors, modulus = result.known, result.errors["contact_modulus"], result.values["contact_modulus"]
+    shares = [move["contact_modulus"] / modulus for move in (softer, stiffer)]
+    if not max(map(abs, shares)) * modulus > max(errors.statistical or 0.0, errors.model or 0.0):
+        return
+    size = known.stiffness_error or USUAL_ERROR
+    below, above = (f"{share:+.0%}" if abs(share) < inf else "+∞" for share in shares)
+    text = f"a spring {100 * size:.2g}% softer or stiffer moves E* by {below} or {above}"
+    hysteresis = max(abs(move.get("adhesion_hysteresis", 0.0)) for move in (softer, stiffer))
+    if 0 < hysteresis < inf and not result.is_scaled:
+        text += f", and Δw by up to {amount('adhesion_hysteresis', hysteresis, _TWO_DIGITS)}"
+    if known.stiffness_error:
+        yield "lever-decides", f"{text}: more than any other error"
+    else:
+        typed = f"{known.stiffness:.4g}±{known.stiffness * size:.2g}N/m"
+        yield "lever-decides", f"{text}: give the spring's error, as in --spring {typed}"
 
 
 def on_profile(values: Results, sphere: Results, errors: Mapping[str, Errors], width: float) -> Iterator[str]:
-    """Yield a sentence if the results for a sphere differ from the fitted values by more than the other errors."""
+    """Yield a sentence if the results for a sphere by JKR differ from those for a paraboloid by more than the errors.
+
+    `values`: the results for a paraboloid by JKR, whichever law is fitted.
+    """
     names = [name for name in (*NAMES.values(), "contact_modulus") if name in values]
     if not any(abs(sphere[name] - values[name]) > errors[name].total for name in names[:1] + names[-1:]):
         return
     shares = {name: sphere[name] / values[name] - 1 for name in names}
     texts = [f"{'E*' if name == 'contact_modulus' else 'w'} {shares[name]:+.1%}" for name in names[:1] + names[-1:]]
     moved = ", ".join(dict.fromkeys(texts))
-    yield f"a/R is up to {width:.2f}, where a sphere is no paraboloid: {moved} by --profile sphere"
+    yield f"a/R is up to {width:.2f}, where a sphere is no paraboloid: {moved} by JKR with --profile sphere"
 
 
 def _on_resting_edge(solution: Solution, points: Mapping[str, numpy.ndarray]) -> Iterator[tuple[str, str]]:

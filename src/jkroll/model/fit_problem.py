@@ -74,13 +74,13 @@ class Problem(NamedTuple):
 
     @property
     def largest_adhesion(self) -> float:
-        """The largest w whose pull-off force the noise hides."""
-        return _NO_ADHESION * self.branches.noise / (1.5 * pi * self.radius)
+        """The largest w whose pull-off force the noise and the slope of the baseline hide."""
+        return _NO_ADHESION * self.branches.scatter / (1.5 * pi * self.radius)
 
     def has_adhesion(self, branch: Branch) -> bool:
         """Return whether the tension of a branch exceeds the noise; contact radii show w even without tension."""
         tension = -float(running_median(branch.in_contact.force, 3).min())
-        return self.kind == RADIUS or tension >= _NO_ADHESION * self.branches.noise
+        return self.kind == RADIUS or tension >= _NO_ADHESION * self.branches.scatter
 
     def range_of(self, branch: Branch, default: LoadRange) -> slice:
         """Return the slice of the given or a default range; the whole contact if the default has too few points."""
@@ -165,7 +165,7 @@ def solved_without_adhesion(problem: Problem, branch: Branch) -> Solved:
     try:
         found = best_of(starts, points, setting, (MODULUS, POINT))
     except ValueError:
-        raise BadCurve("no contact resembles the curve", "no minimum") from None
+        raise BadCurve(f"no contact resembles {_fitted_part(problem)}", "no minimum") from None
     return Solved(branch, points, found, (MODULUS, POINT))
 
 
@@ -179,15 +179,28 @@ def _first_minimum(problem: Problem, points: Points) -> Minimum:
         found = best_of(starts, points, setting)
     except ValueError:
         found = None
-    if found is None or not (abs(found.unknowns[:POINT]) < _LARGEST).all():
-        raise BadCurve("no contact of this law resembles the curve", "no minimum")
+    if found is None or not (abs(found.unknowns[:POINT]) < _LARGEST).all() or _hides_adhesion(problem, found):
+        raise BadCurve(f"no contact of this law resembles {_fitted_part(problem)}", "no minimum")
     return found
+
+
+def _hides_adhesion(problem: Problem, found: Minimum) -> bool:
+    """Return whether w at a minimum is below the noise, although the whole branch has adhesion."""
+    return problem.kind != RADIUS and float(exp(found.unknowns[ADHESION])) < problem.largest_adhesion
+
+
+def _fitted_part(problem: Problem) -> str:
+    """Return the name of the part of the curve that was fitted, and what to change if no contact resembles it."""
+    if problem.known.range is not None:
+        return "the points in the range: w and E* need points in tension, as in --range -100%:30%"
+    return "the curve: check the radius, the spring and the units, or give another --model"
 
 
 def _starts(problem: Problem, points: Points) -> list[Array]:
     """Return two starts: one from the depth and width of the tensile part, and one with a larger modulus."""
     setting, radius = problem.setting, problem.radius
-    w = max(-float(running_median(points.force, 3).min()), 1e-300) / (1.5 * pi * radius)
+    tension = max(-float(running_median(points.force, 3).min()), 0.1 * float(abs(points.force).max()))
+    w = tension / (1.5 * pi * radius)
     if setting.grip.is_radius:
         shape = 4 / 3 / radius * points.z**1.5
         rows = numpy.stack([shape, -numpy.ones_like(shape)], 1)

@@ -1,7 +1,7 @@
 """The report of a fitted force curve: its results and their errors as texts, and sentences about the fit."""
 
 from collections.abc import Iterator, Sequence
-from math import floor, isfinite, log10, nan
+from math import floor, isfinite, isnan, log10, nan
 
 from ..model.fit_branches import LOADING
 from ..model.fit_result import RESULTS, Fit
@@ -20,7 +20,7 @@ WORDS = {
     "pull_off_force_measured": ("pull-off, measured", "P_min"),
 }
 HEADS = ("quantity", "symbol", "fit", "unit", "noise", "calibration", "model")
-_ABSENT = "–"
+_ABSENT, _UNBOUNDED = "–", "∞"
 _SCALED = {"J/m^2": "J/m", "Pa": "Pa m^0.5"}  # units of wR and E*√R, by those of w and E*
 _WITHOUT_RADIUS = {"work_of_adhesion_opening": "wR_open", "work_of_adhesion_closing": "wR_close",
     "adhesion_hysteresis": "ΔwR", "contact_modulus": "E*√R"}  # fmt: skip
@@ -101,8 +101,15 @@ def _cells(fitted: Fit, name: str, errors: Sequence[float | None]) -> tuple[list
     known = [nan if error is None else error for error in errors]
     total = known[-1] if known and isfinite(known[-1]) else 0.0
     unit, factor = _unit_of(fitted, name, value, total)
-    texts = [significant(error * factor, 2, zeros=True) if isfinite(error) else _ABSENT for error in known]
+    texts = [_error_in_words(error * factor) for error in known]
     return [_rounded(value * factor, total * factor), *texts], unit
+
+
+def _error_in_words(error: float) -> str:
+    """Return the text of an error, nan if it was not computed."""
+    if isfinite(error):
+        return significant(error, 2, zeros=True)
+    return _ABSENT if isnan(error) else _UNBOUNDED
 
 
 def _unit_of(fitted: Fit, name: str, value: float, error: float) -> tuple[str, float]:
@@ -121,7 +128,8 @@ def _rounded(value: float, error: float) -> str:
     """Return a value, rounded to the second digit of its error, which may be larger than the value."""
     if error <= abs(value):
         return bar_digits(value, error)
-    return f"{value:.{max(1 - floor(log10(error)), 0)}f}"
+    digits = max(1 - floor(log10(error)), 0)
+    return f"{round(value, digits) + 0.0:.{digits}f}"  # + 0.0 makes a rounded -0 a 0
 
 
 # --- Sentences --------------------------------------------------------------------------------------------------------
@@ -175,7 +183,12 @@ def _about_laws(fitted: Fit) -> Iterator[str]:
 
 
 def _about_errors(fitted: Fit) -> Iterator[str]:
-    """Iterate over at most one sentence: the main source of the error of E*, unless it is noise."""
+    """Iterate over at most one sentence: the main source of the error of E*, unless it is noise.
+
+    If the spring is this source, a remark says so.
+    """
+    if "lever-decides" in fitted.remarks:
+        return
     errors = fitted.errors["contact_modulus"]
     parts = {"the instrument (R, k)": errors.calibration or 0.0, "the model": errors.model or 0.0}
     largest = max(parts, key=lambda part: parts[part])
@@ -190,7 +203,7 @@ def _about_misfit(fitted: Fit) -> str:
     if "rms_over_pull_off" in good:
         text += f", {good['rms_over_pull_off']:.1%} of P_c"
     if fitted.kind != "contact radius":
-        text += f", {good['rms_over_noise']:.2g} times the noise"
+        text += f", {significant(good['rms_over_noise'], 2)} times the noise"
     text += f"; {good['points']:.0f} points"
     if good["independent_points"] >= 1.5:
         text += f", {good['independent_points']:.0f} of them independent"

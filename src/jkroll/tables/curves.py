@@ -1,7 +1,7 @@
 """Force curves from tables: columns in the notation of `batch` become arrays in SI units."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import chain
 from typing import Any, NamedTuple
 
@@ -27,6 +27,7 @@ _FORCES = ("load", "lever_force", "lever_deflection")
 MEASURED = "contact_radius_at_load,approach_at_load,lever_travel,lever_force,lever_deflection"
 _BRANCH, _TIME = "branch", "time"
 _LABELS = {_BRANCH: r"(?i)branch|segment|direction", _TIME: r"(?i)(time|t)\s*([\[(].*)?"}
+_VOLTS = r"([\[(/_.]|\s|^)\s*([mµμu]?V|(milli)?[vV]olts?)\s*[\])]?$"  # at the end of a header
 _WORDS = {
     **dict.fromkeys("loading load approach approaching extend extension trace advance closing in 0".split(), LOADING),
     **dict.fromkeys("unloading unload retract retraction withdraw retrace opening out 1".split(), UNLOADING),
@@ -87,6 +88,9 @@ def _table(
     if not x_name or not force_name:
         raise _lacking("force" if x_name else "contact radius, approach or travel", header)
     columns = header._replace(inputs=(found[x_name], found[force_name]), materials=())
+    in_volts = _on_volts([names[column.position] for column in columns.inputs])
+    if in_volts:
+        raise BadTable(f"header: {in_volts}")
     labels: dict[str, int] = {}
     for label, pattern in _LABELS.items():
         for position, text in enumerate(names):
@@ -98,6 +102,15 @@ def _table(
     return CurveTable(columns, asked, {**columns.positions, **labels}, labels)
 
 
+def _on_volts(texts: Iterable[str]) -> str:
+    """Return what to do about the first header with the unit volt, even if `--column` gives it a meaning; else ""."""
+    for text in texts:
+        if re.search(_VOLTS, text.strip()):
+            remedy = "multiply its numbers by the sensitivity (nm/V), and write the new unit into the header"
+            return f"{quoted(typed(text))} is in volts: {remedy}"
+    return ""
+
+
 def _lacking(missing: str, header: Header) -> BadTable:
     """Return the error for a table without a force or without x, with options that choose one of its columns."""
     names = ("lever_force", "lever_deflection") if missing == "force" else ("approach_at_load", "lever_travel")
@@ -107,6 +120,9 @@ def _lacking(missing: str, header: Header) -> BadTable:
         if position not in used:
             options += [option_of(text, header_of(name, unit)) for name in names if (unit := _unit_in(text, name))]
     problem = f"header: no column has the {missing} of the curve"
+    in_volts = _on_volts(text for position, text in enumerate(header.texts) if position not in used)
+    if in_volts:
+        return BadTable(f"{problem}; {in_volts}")
     if not options:
         problem += f" (the table has {first_of([*map(typed, header.texts)])})" if header.texts else ""
         options = [option_of("HEADER", header_of(name, "UNIT")) for name in names]
@@ -126,9 +142,9 @@ def _curve(table: CurveTable, records: list[Records], stiffness: float | None) -
     x, force_column = table.columns.inputs
     x_name, force_name = x.name, force_column.name
     if x_name == "lever_travel" and stiffness is None:
-        raise BadTable("a travel includes the bending of the lever: give its stiffness, as in --spring 3.01N/m")
+        raise BadTable("a travel includes the bending of the lever: give its stiffness by --spring, as in 3.01N/m")
     if force_name == "lever_deflection" and stiffness is None:
-        raise BadTable("a deflection becomes a force by the lever's stiffness: give --spring 3.01N/m")
+        raise BadTable("a deflection becomes a force by the lever's stiffness: give it by --spring, as in 3.01N/m")
     z, z_error = _numbers(x, records)
     force, force_error = _numbers(force_column, records)
     is_deflection = force_name == "lever_deflection"

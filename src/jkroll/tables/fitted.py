@@ -5,9 +5,9 @@ from collections.abc import Mapping
 from math import inf
 from typing import Any
 
-from ..errors import BadRequest
+from ..errors import BadRequest, BadTable
 from ..materials.library import Materials, materials_of_user
-from ..model.containers import Reader
+from ..model.containers import Reader, warn_of_metres
 from ..model.fit_branches import TRAVEL, BadCurve, LoadRange
 from ..model.fit_curve import fit_curve
 from ..model.fit_problem import NAMES
@@ -19,9 +19,9 @@ from ..model.unsolved import SIZES
 from ..physics.sphere import INCOMPRESSIBLE, STIFFER
 from ..quantities.formatting import Format, amount
 from ..quantities.laws import DEFAULT_LAW, JKR_OF_SPHERE, PARABOLOID, SPHERE, law_given
-from ..quantities.nomenclature import DEFAULTS
+from ..quantities.nomenclature import DEFAULTS, as_input
 from ..quantities.values import QuantityError, is_uncertain, middle, value_of
-from ..text import listed, quoted
+from ..text import as_arguments, listed, quoted
 from .curves import ReadCurve, curve_of_columns, read_curve
 
 _BRANCHES = ("both", "load", "unload")
@@ -36,19 +36,25 @@ _TAKEN = (*_RADII, *_BODIES, "atomic_spacing")
 def fit_given(curve: Any, words: Mapping[str, str | None], spring: Any, given: Mapping[str, Any]) -> Fit:
     """Return the fit of a curve in a file or in columns. The arguments are those of `jkroll.fit`.
 
-    `words`: the arguments that are texts, by name.
+    `words`: the arguments that are texts, by name. Errors name arguments instead of options.
     """
-    for name in given.keys() - {*_TAKEN}:
-        raise BadRequest(f"fit takes no {quoted(name)}; it takes {listed(_TAKEN)}")
+    for word in given:
+        if as_input(word) not in _TAKEN:
+            raise BadRequest(f"fit takes no {quoted(word)}; it takes {listed(_TAKEN)}")
     read = Reader().in_si(given)
     for name, value in read.items():
         if getattr(middle(value), "shape", ()):
             raise BadRequest(f"{name}: a curve takes a single value, not an array")
         check_range(name, middle(value))
-    known = known_of(words, spring, read)
-    if isinstance(curve, str | os.PathLike):
-        return fit_of_file(os.fspath(curve), known)[0]
-    return _fitted(curve_of_columns(curve, materials_of_user(None), _stiffness(known)), known)
+    warn_of_metres({name: middle(value) for name, value in read.items()}, given)
+    try:
+        known = known_of(words, spring, read)
+        if isinstance(curve, str | os.PathLike):
+            return fit_of_file(os.fspath(curve), known)[0]
+        return _fitted(curve_of_columns(curve, materials_of_user(None), _stiffness(known)), known)
+    except (BadCurve, BadRequest, BadTable) as error:
+        error.args = (as_arguments(str(error)),)
+        raise
 
 
 def fit_of_file(

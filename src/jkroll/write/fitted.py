@@ -29,14 +29,12 @@ from .sources import bibtex, cite_command, references
 FILE, LIMIT, REASON = "file", "largest_work_of_adhesion", "status"
 
 
-def write_fit(fitted: Fit, out: TextIO, *, heading: str, following: str) -> None:
-    """Write a fit as a table, with sentences below. `following`: the command to run next, or an empty text."""
+def write_fit(fitted: Fit, out: TextIO, *, heading: str, following: Sequence[str]) -> None:
+    """Write a fit as a table, with sentences below. `following`: the lines on the command to run next."""
     say_wrapped(heading, out)
     write_table(text_columns(rows_of_results(fitted), words=len(HEADS)), [], out)
-    for line in sentences(fitted):
+    for line in (*sentences(fitted), *following):
         say_wrapped(line, out)
-    if following:
-        say_wrapped(f"then: {following}", out)
 
 
 def parts_of_fit(fitted: Fit) -> list[Part]:
