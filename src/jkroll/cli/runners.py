@@ -1,4 +1,4 @@
-"""The runners of all commands that do not draw: from a call to printed answers and an exit code.
+"""The runners of commands, from a call to printed answers and an exit code; `fit` and pictures have their own modules.
 
 Imports are local, so a command loads only the modules it uses.
 """

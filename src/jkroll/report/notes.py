@@ -245,7 +245,7 @@ Group = tuple[Frame, Sequence[str]]  # rows with the same inputs: their frame, a
 def about_rows(tally: "Tally", reported: int, where: str) -> Iterator[Note]:
     """Iterate over notes on rows: how many have results without a meaning or in doubt, and why cells are empty.
 
-    `reported`: the bits of the doubts to report; `where`: the page of the guide to refer to.
+    `reported`: the bits of the doubts to report; `where`: the place in which the codes stand or are explained.
     """
     severities: tuple[tuple[Severity, str, int, int], ...] = (
         ("warning", "numbers have no meaning", reported & ENDING_MEANING, 2),  # few codes, since each is explained
