@@ -272,3 +272,9 @@ def test_eq_41_has_a_note_instead_of_a_row_unless_it_is_named(run: Run) -> None:
     assert re.search(
         r"^rolling frequency as printed +f_roll\(41\) +\S+ +kHz", run(by_name, terminal=True).out, re.MULTILINE
     )
+
+
+def test_sentences_have_the_units_of_the_table(run: Run) -> None:
+    ran = run("energies ice-warm 100nm --to eV", terminal=True)
+    assert "parting the spheres takes 420–1600 eV (say 810 eV) with fixed grips" in ran.out
+    assert "best range of P_c: 14000–15000 pN (Maugis)" in run("pull-off quartz 100nm --to pN").err

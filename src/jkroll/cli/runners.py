@@ -65,7 +65,7 @@ def answer_rows(call: Call, sweep: Sweep, question: Question, form: Format) -> i
     def answer(row: Frame) -> "Report":
         from ..report.report import Report  # imported here, since rows of numbers do not need this module
 
-        return Report(question, row, keeps_all=call.output.keeps_all)
+        return Report(question, row, keeps_all=call.output.keeps_all, form=Format(form.units, form.digits))
 
     output, count, sizes = call.output, len(sweep), sweep.sizes
     single = answer(next(sweep.frames())) if count == 1 else None

@@ -33,6 +33,10 @@ class Format:
     ) -> None:
         self.units, self.digits, self.typed = units or {}, digits, typed or {}
 
+    def with_digits(self, digits: int) -> "Format":
+        """Return a format with the same units, and with a number of digits unless one is set."""
+        return Format(self.units, self.digits or digits)
+
     def unit(self, name: str) -> str:
         """Return the unit of a quantity in output for programs."""
         return self.units[name][0] if name in self.units else NOMENCLATURE[name].unit
@@ -170,7 +174,7 @@ def amount(name: str, value: float | str | Uncertain, form: Format = AS_USUAL) -
     return typed or with_unit(*form.rounded(name, value))
 
 
-def span(name: str, low: float, high: float, digits: int | None = None) -> str:
+def span(name: str, low: float, high: float, form: Format = AS_USUAL) -> str:
     """Return a range with its unit, for a sentence; see `from_to`.
 
     >>> span("pull_off_force", 1.437e-8, 1.5e-8), span("pull_off_force", 3.97e-7, 3.995e-7)
@@ -180,8 +184,8 @@ def span(name: str, low: float, high: float, digits: int | None = None) -> str:
     >>> span("well_energy", 1e-18, 3e-18), span("atomic_spacing", 4e-10, 4e-10)
     ('(1–3)e-18 J', '400 pm')
     """
-    unit, scale = AS_USUAL.common_unit(name, [high if high > 0 else low])
-    return with_unit(from_to(convert(low, scale), convert(high, scale), digits), unit)
+    unit, scale = form.common_unit(name, [high if high > 0 else low])
+    return with_unit(from_to(convert(low, scale), convert(high, scale), form.digits), unit)
 
 
 def from_to(low: float, high: float, digits: int | None = None) -> str:

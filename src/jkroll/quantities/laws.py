@@ -9,9 +9,9 @@ one law has a route belongs to that law. Other laws refuse the formula, since it
 The profile of body 1 is also part of a law: JKR's law of a paraboloid and JKR's law of a true sphere are two `Law`s,
 and the profile selects one.
 
-A new law needs a `Law` here, its formulas in `physics`, and its reference in `write/references.toml`. If its force curve
-has several states at a load, `report.curve` computes them, and if its formulas lack results, `model.reasons` has the
-reasons. The nomenclature takes the names of its formulas from the routes.
+A new law needs a `Law` here, its formulas in `physics`, and its reference in `write/references.toml`. If its force
+curve has several states at a load, `report.curve` computes them, and if its formulas lack results, `model.reasons` has
+the reasons. The nomenclature takes the names of its formulas from the routes.
 """
 
 from collections.abc import Collection, Mapping

@@ -33,7 +33,7 @@ from ..model.reasons import (
 )
 from ..model.results import ROW, Results, has_code
 from ..model.uncertainty import ErrorBar, error_bars
-from ..quantities.formatting import amount, in_words
+from ..quantities.formatting import AS_USUAL, Format, amount, in_words
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, MODELS
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..quantities.numeric import Numeric
@@ -157,10 +157,13 @@ def _measures(frame: Frame, names: Sequence[str]) -> dict[str, Any]:
 class Answer(Results):
     """The results of a command for one frame, with their best ranges and the limits of the model."""
 
-    def __init__(self, question: Question, frame: Frame, *, keeps_all: bool = False) -> None:
-        """Compute the quantities of a question, as far as the frame allows."""
+    def __init__(self, question: Question, frame: Frame, *, keeps_all: bool = False, form: Format = AS_USUAL) -> None:
+        """Compute the quantities of a question, as far as the frame allows.
+
+        `form`: the units and digits of sentences.
+        """
         super().__init__(frame, frame.shown(question.quantities, question.named), keeps_all=keeps_all)
-        self.question = question
+        self.question, self.form = question, form
 
     @property
     def condition(self) -> float | None:

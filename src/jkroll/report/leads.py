@@ -28,7 +28,7 @@ from .inferred import about_library
 from .notes import Group, Note
 from .ranges import held_on_surfaces, of_silica, range_in_words
 
-_TWO, _THREE, _FOUR = Format(digits=2), Format(digits=3), Format(digits=4)
+_THREE = Format(digits=3)
 _AFTER_IMPACT = "n_roll_after_impact"  # needs a speed
 _WIDE = 2  # ranges whose ends differ by at least this factor are followed by a single number
 
@@ -46,10 +46,10 @@ def leads(answer: Answer) -> Iterator[Note]:
     if answer.is_of_impact and answer.estimates["sticking_speed"].by != NONE:
         yield Note("lead", _stick_or_bounce(answer))
     if answer.question.headline == ("n_roll",) and not answer.is_in_doubt(FLIES_OFF):
-        yield from _enough_to_roll(answer.frame)
+        yield from _enough_to_roll(answer.frame, answer.form)
     if "impact_pressure" in answer.values:
         is_known = not answer.frame.missing(["first_yield_pressure"])
-        yield Note("lead" if is_known else "more", _elastic_or_not(answer.frame))
+        yield Note("lead" if is_known else "more", _elastic_or_not(answer.frame, answer.form))
     for sentence in answer.question.leads:
         lead = _filled(sentence, answer)
         if lead:
@@ -101,10 +101,10 @@ def _what_it_means(answer: Answer) -> str:
             continue
         estimate, symbol = answer.estimates[result.name], symbol_among(result.name, answer.inputs)
         if estimate.by in (BETTER_LAW, ADHESION_ONLY):
-            text = range_in_words(result.name, estimate)
+            text = range_in_words(result.name, estimate, answer.form)
             texts.append(f"{symbol} {text}" if text.startswith("≤") else f"{symbol} = {text}")
         else:
-            texts.append(f"{symbol} = {amount(result.name, result.measure or 0.0, _FOUR)}")
+            texts.append(f"{symbol} = {amount(result.name, result.measure or 0.0, answer.form.with_digits(4))}")
     frame = answer.described
     is_of_both = "surface_energy" in frame.unknowns and frame.material2 is None and "surface_energy2" not in frame.given
     of_both = "; w = 2γ" if is_of_both else ""
@@ -114,8 +114,8 @@ def _what_it_means(answer: Answer) -> str:
 
 
 def _pulled_apart(answer: Answer) -> str:
-    force = range_in_words("pull_off_force", answer.estimates["pull_off_force"])
-    held = held_on_surfaces(answer.frame)
+    force = range_in_words("pull_off_force", answer.estimates["pull_off_force"], answer.form)
+    held = held_on_surfaces(answer.frame, answer.form)
     if answer.shows_surfaces:
         return f"{held}; ideally smooth spheres hold {force}, the upper limit"
     return f"ideally smooth spheres are pulled apart by {force}; {held}"
@@ -124,14 +124,14 @@ def _pulled_apart(answer: Answer) -> str:
 def _filled(sentence: str, answer: Answer) -> str:
     """Return a sentence of the question, with best ranges filled in; empty if one is missing."""
     found = {name: estimate for name, estimate in answer.estimates.items() if estimate.by != NONE}
-    words = {name: _spoken(name, each) for name, each in found.items()}
+    words = {name: _spoken(name, each, answer.form) for name, each in found.items()}
     if "{or_none}" in sentence:  # it has room for "none"
         if answer.ended.keys() >= answer.computed.keys():
             return ""
         words |= dict.fromkeys(answer.ended, "none")
     (first, *others) = answer.question.headline
     for name, estimate in found.items():
-        words[name] += _middle(name, estimate, is_short=bool(others) or name != first)
+        words[name] += _middle(name, estimate, answer.form, is_short=bool(others) or name != first)
     is_open = any(isnan(found[name].low) for name in answer.question.headline if name in found)
     words["real"] = ", real ones by less" if may_be_rough(answer.frame) else ""
     words["or_none"] = ", or not at all" if is_open else ""
@@ -150,29 +150,29 @@ def _is_from_forces(answer: Answer) -> bool:
     return {answer.estimates[name].by for name in answer.question.headline if name in answer.estimates} == {SCALED}
 
 
-def _spoken(name: str, estimate: Estimate) -> str:
+def _spoken(name: str, estimate: Estimate, form: Format) -> str:
     """Return a best range in words, an open one as "at most 50 µm"."""
-    return range_in_words(name, estimate).replace("≥", "at least").replace("≤", "at most")
+    return range_in_words(name, estimate, form).replace("≥", "at least").replace("≤", "at most")
 
 
-def _middle(name: str, estimate: Estimate, *, is_short: bool) -> str:
+def _middle(name: str, estimate: Estimate, form: Format, *, is_short: bool) -> str:
     """Return a single number for a wide range, with its largest error unless `is_short`; empty for a narrow range."""
     low, high = estimate.low, estimate.high
     if not low > 0 or not high >= _WIDE * low:
         return ""
-    text = f"say {amount(name, sqrt(low * high), _TWO)}"
+    text = f"say {amount(name, sqrt(low * high), form.with_digits(2))}"
     return f" ({text})" if is_short else f" ({text}, within a factor of {significant(sqrt(high / low), 2)})"
 
 
 def _first_to_give_way(answer: Answer) -> str:
     rolling, sliding = (answer.estimates[name] for name in ("yield_force", "sliding_or_peeling_force"))
-    force = range_in_words("yield_force", sliding)
+    force = range_in_words("yield_force", sliding, answer.form)
     gives = f"{_slides_or_peels(answer)} at {force}"
     if rolling.by == NONE:
         return f"if a pushed sphere cannot roll, {gives}"
-    rolls = range_in_words("yield_force", rolling)
+    rolls = range_in_words("yield_force", rolling, answer.form)
     if rolling.high < sliding.low:
-        rolls += _middle("yield_force", rolling, is_short=True)
+        rolls += _middle("yield_force", rolling, answer.form, is_short=True)
         return f"a pushed sphere rolls first, at {rolls}; if it cannot roll, {gives}"
     if rolling.low > sliding.high:
         return f"a pushed sphere does not roll, since {gives}; rolling would take {rolls}"
@@ -188,13 +188,13 @@ def _water_or_dry(answer: Answer) -> Iterator[Note]:
     dry = answer.estimates.get("pull_off_force")
     if dry is None or dry.by == NONE:
         return
-    force = f"the dry contact with {range_in_words('pull_off_force', dry)}"
+    force = f"the dry contact with {range_in_words('pull_off_force', dry, answer.form)}"
     fills = _filled_gap(answer.frame)
     if answer.is_in_doubt(GAP_STAYS_DRY):
         yield Note("lead", f"the dry contact alone pulls: {fills}")
     elif "meniscus_force" in answer.values:
         wet = answer.estimates["meniscus_force"]
-        meniscus = range_in_words("meniscus_force", wet).replace("≤", "at most")
+        meniscus = range_in_words("meniscus_force", wet, answer.form).replace("≤", "at most")
         is_wet, is_dry = wet.low > dry.high, wet.high < dry.low
         which = "water pulls" if is_wet else "the dry contact pulls" if is_dry else "either may pull"
         verdict = f"{which} harder; take the larger force, not the sum"
@@ -230,7 +230,7 @@ def _slides_or_peels(answer: Answer) -> str:
 def _stick_or_bounce(answer: Answer) -> str:
     speed = answer.frame["speed"]
     sticking = answer.estimates["sticking_speed"]
-    sides = range_in_words("sticking_speed", sticking)
+    sides = range_in_words("sticking_speed", sticking, answer.form)
     is_below, is_above = speed < sticking.low, speed > sticking.high
     verdict = "stick" if is_below else "bounce" if is_above else "may stick or bounce"
     stuck = what_stuck(answer.frame)
@@ -246,7 +246,7 @@ def _stick_or_bounce(answer: Answer) -> str:
     return f"{text}; {if_needed}adhesion alone leaves e = {from_to(answer.values['restitution'], left.high)}"
 
 
-def _enough_to_roll(frame: Frame) -> Iterator[Note]:
+def _enough_to_roll(frame: Frame, form: Format) -> Iterator[Note]:
     """Iterate over at most one sentence: whether the energy of a sphere is enough to begin rolling."""
     energy = frame.numbers("energy").get("energy")
     if energy is None or not frame.possible(["yield_energy"]):
@@ -261,8 +261,8 @@ def _enough_to_roll(frame: Frame) -> Iterator[Note]:
         verdict = "rolls"
     elif isnan(least.high):
         verdict = "may roll"
-    has, needs = amount("energy", energy, _TWO), _spoken("yield_energy", least)
-    needs += _middle("yield_energy", least, is_short=True)
+    has, needs = amount("energy", energy, form.with_digits(2)), _spoken("yield_energy", least, form)
+    needs += _middle("yield_energy", least, form, is_short=True)
     yield Note("lead", f"the sphere {verdict}: it has {has}, and to begin rolling it needs {needs}")
 
 
@@ -273,14 +273,14 @@ def _law_that_holds(answer: Answer) -> str:
     return "JKR holds here: Maugis' law is within 5 % of its pull-off force"
 
 
-def _elastic_or_not(frame: Frame) -> str:
+def _elastic_or_not(frame: Frame, form: Format) -> str:
     """Return whether an impact stays elastic; without a yield strength, its peak pressure and the pressure at rest."""
-    peak = _pressure(frame, "impact_pressure")
+    peak = _pressure(frame, form, "impact_pressure")
     if frame.missing(["first_yield_pressure"]):
-        rest = _pressure(frame, "hertz_pressure")
+        rest = _pressure(frame, form, "hertz_pressure")
         bear = f"the impact is elastic if the solids bear {peak}, its peak pressure (at rest: {rest})"
         return f"{bear}; --yield-strength decides"
-    first, full = _pressure(frame, "first_yield_pressure"), _pressure(frame, "plastic_pressure")
+    first, full = _pressure(frame, form, "first_yield_pressure"), _pressure(frame, form, "plastic_pressure")
     limits = f"the peak pressure is {peak}; yield starts below the surface at {first}, and is full at {full}"
     if frame["impact_pressure"] < frame["first_yield_pressure"]:
         return f"the impact stays elastic: {limits}"
@@ -289,5 +289,5 @@ def _elastic_or_not(frame: Frame) -> str:
     return f"the spheres yield {how}{at_rest}, so e is an upper bound: {limits}"
 
 
-def _pressure(frame: Frame, name: str) -> str:
-    return amount(name, frame[name], _THREE)
+def _pressure(frame: Frame, form: Format, name: str) -> str:
+    return amount(name, frame[name], form.with_digits(3))

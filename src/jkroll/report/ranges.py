@@ -37,7 +37,7 @@ from ..model.measured import (
     what_stuck,
 )
 from ..model.other_law import least_spacing
-from ..quantities.formatting import amount, from_to, significant, span, symbol_among
+from ..quantities.formatting import AS_USUAL, Format, amount, from_to, significant, span, symbol_among
 from ..quantities.nomenclature import INFINITY, XI
 from ..quantities.values import middle
 from ..text import first_of
@@ -55,15 +55,15 @@ def lines_on_rules(rules: Iterable[int]) -> Iterator[str]:
             yield f"{WORDS[by]}: {_WORDS[by]}"
 
 
-def range_in_words(name: str, estimate: Estimate) -> str:
+def range_in_words(name: str, estimate: Estimate, form: Format = AS_USUAL) -> str:
     """Return a best range with its unit: "14–15 nN", "≥ 1.5e-18 J", or "none"."""
     low, high = estimate.low, estimate.high
     if isnan(low) and isnan(high):
         return "none"
     if isnan(low) or isnan(high):
         end = low if isnan(high) else high
-        return f"{'≥' if isnan(high) else '≤'} {span(name, end, end)}"
-    return span(name, low, high)
+        return f"{'≥' if isnan(high) else '≤'} {span(name, end, end, form)}"
+    return span(name, low, high, form)
 
 
 def reasons_for(by: int, answer: Answer) -> Iterator[str]:
@@ -84,7 +84,7 @@ def made_of(name: str, answer: Answer) -> str:
     if answer.frame.assumes_spacing:
         laws.append(f"at {_angstroms(spacing / 2, spacing / 2)}")
     parts = zip(laws, answer.ranges.of_laws(name, estimate.by), strict=False)
-    texts = [f"{law} {range_in_words(name, Estimate(*ends, estimate.by))}" for law, ends in parts]
+    texts = [f"{law} {range_in_words(name, Estimate(*ends, estimate.by), answer.form)}" for law, ends in parts]
     if name == "pull_off_force":
         forces = answer.frame.numbers("pull_off_force_lennard_jones").values()
         texts += [f"Lennard-Jones {span(name, force, force)}" for force in forces]
@@ -94,14 +94,14 @@ def made_of(name: str, answer: Answer) -> str:
 # --- Rules, for many rows ---------------------------------------------------------------------------------------------
 
 
-def held_on_surfaces(frame: Frame) -> str:
+def held_on_surfaces(frame: Frame, form: Format = AS_USUAL) -> str:
     """Return the pull-off force of real surfaces: for SiO2 as measured, for other solids as a fraction of JKR's."""
     radii = frame.numbers("radius", "radius2").values()
     if min(radii, default=2 * frame["reduced_radius"]) < SURFACES_FROM:
         return f"real ones hold less (not measured at this size): SiO2 of R ≥ 1 µm held {HELD}"
     if solid_of_pair(frame) != SIO2:
         return f"real ones hold less: spheres of SiO2 held {HELD}"
-    forces = (f"{span('pull_off_force', *ends)} ({surface})" for surface, ends in on_surfaces(frame).items())
+    forces = (f"{span('pull_off_force', *ends, form)} ({surface})" for surface, ends in on_surfaces(frame).items())
     return f"real surfaces hold {', '.join(forces)}"
 
 
@@ -204,9 +204,9 @@ def _angstroms(low: float, high: float) -> str:
 
 
 def _bounds(answer: Answer) -> Iterator[str]:
-    ends, *_ = answer.ranges.of_laws("pull_off_force", BOUNDS)
+    (low, high), *_ = answer.ranges.of_laws("pull_off_force", BOUNDS)
     ratio = answer.frame["pull_off_force_dmt"] / answer.frame["pull_off_force"]
-    jkr, dmt = (span("pull_off_force", *(factor * end for end in ends)) for factor in (1.0, ratio))
+    jkr, dmt = (span("pull_off_force", factor * low, factor * high, answer.form) for factor in (1.0, ratio))
     yield f"{jkr} if soft, {dmt} if hard: give --young and --poisson"
     if answer.described.uncertainties:
         yield "the range includes the error bars"
@@ -275,7 +275,7 @@ def _ceiling(answer: Answer) -> str:
     found = answer.estimates.get("yield_force")
     if found is None or not found.high > ceiling[1]:
         return ""
-    most = span("yield_force", ceiling[1], ceiling[1])
+    most = span("yield_force", ceiling[1], ceiling[1], answer.form)
     return f"the most that adhesion alone can cause is {most}"
 
 
@@ -305,7 +305,7 @@ def of_silica(answer: Answer) -> str:
     ranges = Ranges.of(silica, *silica.possible(answer.question.headline))
     found = {name: ranges.estimate(name) for name in ranges.names}
     scaled = [
-        f"{symbol_among(name, answer.inputs)} = {range_in_words(name, estimate)}"
+        f"{symbol_among(name, answer.inputs)} = {range_in_words(name, estimate, answer.form)}"
         for name, estimate in found.items()
         if estimate.by == SCALED
     ]

@@ -73,7 +73,7 @@ class Report(Answer):
         """Iterate over a note for each rule that gives the headline a range, for reports without a table."""
         texts: dict[int, list[str]] = {}
         for name, estimate in self._estimates_of_headline.items():
-            text = f"{symbol_among(name, self.inputs)}: {range_in_words(name, estimate)}"
+            text = f"{symbol_among(name, self.inputs)}: {range_in_words(name, estimate, self.form)}"
             texts.setdefault(estimate.by, []).append(text)
         for by, of_rule in texts.items():
             for reason in self.whys[by][:1]:
@@ -84,7 +84,7 @@ class Report(Answer):
         """The best ranges of the headline, as a text of one line."""
         texts = []
         for name, estimate in self._estimates_of_headline.items():
-            text = f"{symbol_among(name, self.inputs)} {range_in_words(name, estimate)}"
+            text = f"{symbol_among(name, self.inputs)} {range_in_words(name, estimate, self.form)}"
             texts.append(f"{text} ({WORDS[estimate.by]})")
         return ", ".join(texts)
 
@@ -178,14 +178,14 @@ class Report(Answer):
             return _of_a_sphere(self.frame) or doubt.text
         if self.described.unknowns:
             return about_limit(doubt, self)
-        return held_on_surfaces(self.frame) if doubt.code == ROUGH_MATTERS else doubt.text
+        return held_on_surfaces(self.frame, self.form) if doubt.code == ROUGH_MATTERS else doubt.text
 
     @property
     def sentences(self) -> list[Note]:
         """All sentences about the answer, each once."""
         every, above = [*self.notes, *self.doubts(has_leads=True)], set[str]()
         if self.shows_surfaces or self.is_on_pull_off:
-            above.add(held_on_surfaces(self.frame))  # a part of the first sentence
+            above.add(held_on_surfaces(self.frame, self.form))  # a part of the first sentence
         return [note for note in every if note.severity in ABOVE or note.text not in above]
 
     @property
@@ -207,12 +207,12 @@ class Report(Answer):
         held = "rough spheres may have parted at this pull; "
         for name in smooth.names:
             force = smooth.estimate(name)
-            part = "" if name in self.question.headline else f" (they part at {range_in_words(name, force)})"
+            part = "" if name in self.question.headline else f" (they part at {range_in_words(name, force, self.form)})"
             if pull < force.low:
                 held = f"smooth spheres hold this pull{part}; "
             elif pull <= force.high:
                 held = f"even smooth spheres may have parted at this pull{part}; "
-        yield Note("lead", f"{held}{held_on_surfaces(self.frame)}")
+        yield Note("lead", f"{held}{held_on_surfaces(self.frame, self.form)}")
 
     @property
     def _lacking_in_table(self) -> Mapping[str, JkrollError]:

@@ -119,7 +119,7 @@ def _facts(result: Result, answer: Report, form: Format) -> Iterator[tuple[str, 
     yield "by law", ", ".join(values)
     best = answer.estimates.get(result.name)
     if best is not None and best.by != NONE:
-        yield "best", f"{range_in_words(result.name, best)} ({WORDS[best.by]})"
+        yield "best", f"{range_in_words(result.name, best, answer.form)} ({WORDS[best.by]})"
         yield "why", answer.why(best.by)
         yield "made of", made_of(result.name, answer)
 
