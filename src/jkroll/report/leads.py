@@ -160,7 +160,7 @@ def _middle(name: str, estimate: Estimate, form: Format, *, is_short: bool) -> s
     low, high = estimate.low, estimate.high
     if not low > 0 or not high >= _WIDE * low:
         return ""
-    text = f"say {amount(name, sqrt(low * high), form.with_digits(2))}"
+    text = f"say {amount(name, sqrt(low * high), Format(form.units, 2))}"
     return f" ({text})" if is_short else f" ({text}, within a factor of {significant(sqrt(high / low), 2)})"
 
 
