@@ -417,6 +417,15 @@ PARTS = {
     ("gamma_lower (mJ/m2)=20", "gamma_upper (mJ/m2)=30"): "20 to 30 mJ/m2",
     ("gamma_mJ_m2_low=20", "gamma_mJ_m2_high=30"): "20 to 30 mJ/m2",
     ("gamma [mJ/m2]=25", "gamma_err [mJ/m2]="): "25 mJ/m2",
+    ("gamma [mJ/m2]=25", "Fehler [mJ/m2]=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "Erreur (mJ/m²)=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "incertitude=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "Unsicherheit=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "Standardabweichung [J/m2]=0.005"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "écart-type [mJ/m2]=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "Fehler von gamma [mJ/m2]=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "gamma_Fehler=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "erweiterte Unsicherheit (k=2)=10"): "25±5 mJ/m2",
 }
 
 
@@ -508,7 +517,7 @@ expanded uncertainty | gamma_minus | gamma_plus [mJ/m2] | gamma_min | gamma_max 
 gamma_minus [%] | gamma- | gamma+ [mJ/m2] | Δγ | Δγ [mJ/m2] | delta gamma | d_gamma [mJ/m2] | u_γ [mJ/m2] | gamma_mean |
 gamma_median [mJ/m2] | gamma_n | gamma_old | gamma_in | gamma_u | gamma_3 [mJ/m2] | se(gamma) |
 stderr(γ), mJ/m2 | deviation of gamma | errors_gamma | range of gamma | accuracy (gamma) % | gamma-error [mJ/m2] |
- gamma (fit) [mJ/m2] | gamma (k=2)
+ gamma (fit) [mJ/m2] | gamma (k=2) | Fehler | Erreur | erweiterte Unsicherheit | γ-Fehler [mJ/m2]
 """
 
 

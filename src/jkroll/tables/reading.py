@@ -215,7 +215,7 @@ def _of_part(text: str, measured: str) -> Reading:
     mark = re.search(words.PART, bare)
     if mark is None or re.search(words.LEVEL, plain):
         return _of_spread(text, measured)
-    word = re.sub(r"\s+of$", "", mark[0].strip(" _.").casefold())
+    word = re.sub(rf"\s+{words.OF}$", "", mark[0].strip(" _.").casefold())
     part = words.PARTS.get(word, "both")
     rest = (bare[: mark.start()] + (mark[1] or "") + bare[mark.end() :]).strip(" _.")
     coverage = float(factor[1].replace(",", ".")) if factor else 1.0
@@ -226,7 +226,8 @@ def _of_part(text: str, measured: str) -> Reading:
     in_brackets = re.fullmatch(r"[\[(](.*)[\])]|", rest)
     if in_brackets and _is_unit(in_brackets[1] or ""):
         unit = share or (in_brackets[1] or "").strip()
-        is_certain &= part == "both" and word not in ("σ", "sigma", "se") and bool(unit or not word.startswith("err"))
+        is_vague = word in ("σ", "sigma", "se") or (not unit and word.startswith(("err", "fehler")))
+        is_certain &= part == "both" and not is_vague
         reading = Reading("", unit, "both") if is_certain else Reading("", unit, UNREAD, problem=SPREAD)
         return reading._replace(coverage=coverage, is_relative=is_relative)
     reading = reading_of(rest, measured)

@@ -134,14 +134,18 @@ SHARE = r"(?i)[\s_.,/]*[\[(]?(?:%|percent|pct)[\])]?"
 LEVEL = r"\d\s*(?:%|percent|pct)"  # a confidence level
 # The coverage factor of an expanded uncertainty.
 COVERAGE = r"(?i)[\s,;_]*[\[(]?\s*(?<![^\W_])k\s*=\s*(\d+(?:[.,]\d+)?)\s*[\])]?"
-EXPANDED = r"^U(?![^\W_])|(?i:expanded)"
+EXPANDED = r"^U(?![^\W_])|(?i:expanded|erweiterte|elargie)"
 _ERROR = "|".join([
-    r"(?:standard|std?)[\s_.]*(?:dev(?:iation)?|err(?:or)?|unc(?:ertainty)?)\.?", r"(?:expanded[\s_.]+)?uncertainty",
-    *"stderr error err stdev std sd sem se unc".split(),
+    r"(?:standard|std?)[\s_.]*(?:dev(?:iation)?|err(?:or)?|unc(?:ertainty)?)\.?",
+    r"(?:(?:expanded|erweiterte)[\s_.]+)?(?:uncertainty|unsicherheit)", r"incertitude(?:[\s_.]+elargie)?",
+    r"(?:ecart|erreur)[\s_.-]*type",
+    *"""stderror standardabweichung standardfehler messunsicherheit messfehler fehler erreur error err stdev std sd sem
+        se unc""".split(),
 ])  # fmt: skip
 RELATIVE = rf"rsd|cv|coefficient[\s_.]of[\s_.]variation|rel(?:ative|\.)?[\s_.]+(?:{_ERROR})"  # only with %
+OF = "(?:of|von|de|sur)"
 PART = (
-    rf"(?i)^(?:u|σ|sigma)\s*\(([^()]+)\)|^(?:±|\+/?-)|^(?:σ|sigma|{RELATIVE}|{_ERROR})(?:\s+of)?(?=$|[\s_(\[])"
+    rf"(?i)^(?:u|σ|sigma)\s*\(([^()]+)\)|^(?:±|\+/?-)|^(?:σ|sigma|{RELATIVE}|{_ERROR})(?:\s+{OF})?(?=$|[\s_(\[])"
     rf"|[\s_.]*(?:±|\+/?-)(?=$|[\s_.,/(\[])|[\s_.]+(?:{RELATIVE}|{_ERROR}|{'|'.join(PARTS)})(?=$|[\s_.,/(\[])"
 )
 # Other words for a spread; words that mean a spread only next to a value; and words that accompany words for a spread.
@@ -149,8 +153,8 @@ _SPREADS = "errors errm errp errorbar plusminus stdv dev deviation uncert sigma 
 _SPREADS_BESIDE = """change difference lo hi minimum maximum neg pos confidence limit limits bound bounds range spread
     scatter tolerance tol accuracy precision resolution residual rms quartile quantile percentile noise
     fluctuation halfwidth half conf""".split()
-_FILLERS = """of the rel relative delta standard expanded coverage credible interval level full width fit th u mean
-    median stat statistical syst systematic sys combined total bar bars""".split()
+_FILLERS = """of von de sur the rel relative delta standard expanded coverage credible interval level full width fit
+    th u mean median stat statistical syst systematic sys combined total bar bars""".split()
 _SPREAD = "|".join([RELATIVE, _ERROR, *_SPREADS, *PARTS])
 _LETTER = r"[^\W\d_]"
 SPREAD = (
