@@ -72,6 +72,15 @@ diameter2 1e-6: diameter2 [um] | Diameter 2, um
 shear_modulus 1e9: shear modulus (GPa) | G [GPa] | G1_GPa | Shear Modulus G [GPa] | Schubmodul (GPa)
 shear_modulus2 1e6: shear_modulus2 [MPa] | G2 (MPa)
 hamaker 1e-21: Hamaker constant A (zJ) | a_zj
+radius 1e-6: Rayon (µm) | rayon de la sphère [µm] | Kugelradius [um]
+radius 1e-9: rayon [nm] | Spitzenradius [nm] | Teilchenradius (nm) | radio [nm] | raggio [nm] | Radius Spitze [nm]
+diameter 1e-6: Diamètre (µm) | diámetro (um) | Partikeldurchmesser [µm]
+surface_energy 1e-3: Énergie de surface (mJ/m²) | Oberflächenenergie [mJ/m2] | energia superficiale (mJ/m²)
+youngs_modulus 1e9: Elastizitätsmodul [GPa] | Module d'Young (GPa) | module d'Young de la pointe (GPa)
+youngs_modulus2 1e9: E-Modul Substrat [GPa] | E Wand (GPa)
+density 1e3: Dichte [g/cm3] | Masse volumique (g/cm³)
+poisson_ratio 1: Querkontraktionszahl | Coefficient de Poisson
+load 1e-9: Charge (nN) | Last [nN] | Last_nN | carga (nN)
 """
 
 
@@ -181,7 +190,7 @@ PASSING = (
     "sigma_xx [Pa] | u [m/s] | u(x) [nm] | sigma [Pa] | kinetic_energy [J] | head [nN] | grain area [nm^2] | "
     "nu_g0 | E...MPa. | velocity_c_m_s | E_loss (GPa) | rho_bulk [kg/m3] | num [-] | nu_e [Hz] | "
     "speed of sound (m/s) | tilt angle (deg) | energy_per_atom_eV | R | n_c | Size (mm) | rad | rad [1/s] | "
-    "G' (GPa) | storage shear modulus (Pa)"
+    "G' (GPa) | storage shear modulus (Pa) | charge | charge [pC] | Last | last_id | charge_C"
 ).split(" | ")
 
 

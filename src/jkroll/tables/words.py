@@ -24,6 +24,7 @@ SYMBOLS_TOO |= {
     "AH": "hamaker",
     "A11": "hamaker",
     "A22": "hamaker2",
+    **dict.fromkeys("last charge carga carico".split(), "load"),  # words for other quantities with other units
 }
 # Columns of curves: these symbols, words and their synonyms count only in the header of a curve.
 _OF_CURVES = {
@@ -100,12 +101,19 @@ OTHERS = {
 }
 # Words for sphere 1, which moves, and for sphere 2; a sample may be either.
 BODIES = {
-    1: {*"tip probe indenter colloid projectile impactor intruder particle sphere ball bead grain monomer".split()},
-    2: {*"wall substrate sub plate plane target counterface counterbody boundary geometry".split()},
+    1: {
+        *"""tip probe indenter colloid projectile impactor intruder particle sphere ball bead grain monomer spitze kugel
+        partikel teilchen pointe bille particule""".split()
+    },
+    2: {
+        *"""wall substrate sub plate plane target counterface counterbody boundary geometry wand substrat platte ebene
+        paroi""".split()
+    },
 }
 # Words that leave the quantity unchanged: they name the body, or a mean.
 NEUTRAL = {
-    *"mean average avg nominal measured applied indentation sample surface body solid first second s".split(),
+    *"""mean average avg nominal measured applied indentation sample surface body solid first second s of the de la du
+        der""".split(),
     *chain(BODIES[1], BODIES[2]),
     *(f"{body}s" for body in chain(BODIES[1], BODIES[2])),
 }
@@ -307,7 +315,7 @@ _GAPS = re.compile(r"[\s_.,(){}\[\]-]+|(?<=[a-z0-9])(?=[A-Z])")
 _BODY = rf"(?:(?:body|material|sphere|particle)_?(?P<number>[12])|(?P<body>{'|'.join([*BODIES[1], *BODIES[2]])}))"
 _WITH_BODY = (
     re.compile(rf"(?i){_BODY}_(?P<word>.*[^\d_])"),
-    re.compile(rf"(?i)(?P<word>.*?[^\d_])(?:_of(?:_the)?)?_{_BODY}"),
+    re.compile(rf"(?i)(?P<word>.*?[^\d_])(?:_(?:of|of_the|de|de_la|du|der))?_{_BODY}"),
 )
 
 
