@@ -247,3 +247,45 @@ def test_a_prefix_of_unclear_case_is_not_misread(head: str) -> None:
 def test_the_symbol_of_a_header_is_not_a_prefix_of_its_unit() -> None:
     """The Hamaker constant A is in J, not in aJ."""
     assert outcome(Header("WALL_HAMAKER_A_J", "hamaker2", 1.0, is_plain=False, is_of_2=True)) == REFUSED
+
+
+# --- Inputs that the table lacks --------------------------------------------------------------------------------------
+
+MAY_BE = "a column that is not read may be one: write --column"
+
+
+@pytest.mark.parametrize(
+    ("heads", "options", "ending"),
+    [
+        ("d50 (um),gamma [mJ/m2]", "", "'d50 (um)=diameter [um]'"),
+        ("Korn (um),material", "", "'Korn (um)=radius [um]' or --column 'Korn (um)=diameter [um]'"),
+        ("Size [nm],material", "--pass-rest", "'Size [nm]=radius [nm]' or --column 'Size [nm]=diameter [nm]'"),
+        ("radius [nm],SE (mJ/m2)", "",
+         "'SE (mJ/m2)=surface_energy [mJ/m2]' or --column 'SE (mJ/m2)=work_of_adhesion [mJ/m2]'"),
+        ("radius [nm],interfacial energy [mJ/m2]", "", "'interfacial energy [mJ/m2]=work_of_adhesion [mJ/m2]'"),
+    ],
+)  # fmt: skip
+def test_unread_columns_that_may_be_a_missing_input_are_offered(
+    run: Run, heads: str, options: str, ending: str
+) -> None:
+    cells = ",".join("quartz" if head == "material" else "3" for head in heads.split(","))
+    assert f"{MAY_BE} {ending}\n" in ran(run, heads, cells, options)
+    said = ran(run, heads, cells, f"{options} --quantities pull_off_force")
+    assert said.startswith("2: ")
+    assert f"{MAY_BE} {ending}\n" in said
+    advised = shlex.split(said[said.index("--column") :].splitlines()[0].partition(" or ")[0])
+    assert ran(run, heads, cells, shlex.join([*advised, *options.split(), "--quantities", "pull_off_force"]))[0] == "0"
+
+
+def test_columns_of_other_lengths_are_not_offered_as_a_radius(run: Run) -> None:
+    heads, cells = "contact radius (nm),height (nm),wall d (um),asperity r [nm],id,material", "3,3,3,3,3,quartz"
+    assert "needs radius of sphere 1; give a radius such as 100nm\n" in ran(
+        run, heads, cells, "--quantities P_c --pass-rest"
+    )
+
+
+@pytest.mark.parametrize("head", ["Spitzenradius [nm]", "Straal [nm]"])
+def test_the_first_radius_of_a_table_is_that_of_sphere_1(run: Run, head: str) -> None:
+    """With a plane as sphere 2, the column was offered as the radius of sphere 2."""
+    said = ran(run, f"{head},material", "30,quartz", "--radius2 plane --quantities pull_off_force")
+    assert said.startswith("0: ") or f"{MAY_BE} '{head}=radius [nm]'" in said

@@ -141,8 +141,7 @@ def about(table: Table) -> Iterator[str]:
         yield f"assumed: {', '.join(assumed)}"
     remarks = chain.from_iterable(lookup.remarks for lookup in table.lookups.values())
     notes = [*dict.fromkeys(remarks)]
-    if table.given.isdisjoint(("radius", "diameter")) and not table.asked.explicit:
-        notes.append("no column and no option gives a radius; quantities that need a radius are left out")
+    notes += _about_lacking(table)
     read = {*map(computed_as, table.columns.names)}
     filled = sorted(NOMENCLATURE[name].option or f"--{name}" for name in table.fixed if computed_as(name) in read)
     notes += [f"{option} fills empty cells: the others keep their values" for option in filled]
@@ -151,6 +150,20 @@ def about(table: Table) -> Iterator[str]:
     idle = [name for name in every_idle if table.fixed.get(name, INFINITY) != INFINITY]
     notes += [note.text for note in (*about_idle(idle), *about_left_out(*table.sources))]
     yield from (f"note: {text}" for text in notes)
+
+
+def _about_lacking(table: Table) -> Iterator[str]:
+    """Iterate over notes on a radius or a surface energy that the table lacks, and on columns that may be it."""
+    if table.asked.explicit:
+        return
+    if table.given.isdisjoint(("radius", "diameter")):
+        problem = "no column and no option gives a radius; quantities that need a radius are left out"
+        columns = table.columns_for("radius")
+        yield f"{problem}; {columns}" if columns else problem
+    lacks_energy = all(frame.missing(["work_of_adhesion"]) for frame, _ in table.groups)
+    columns = table.columns_for("surface_energy") if lacks_energy else ""
+    if columns:
+        yield f"no column and no option gives a surface energy; {columns}"
 
 
 # --- A table ----------------------------------------------------------------------------------------------------------
