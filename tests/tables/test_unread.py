@@ -289,3 +289,20 @@ def test_the_first_radius_of_a_table_is_that_of_sphere_1(run: Run, head: str) ->
     """With a plane as sphere 2, the column was offered as the radius of sphere 2."""
     said = ran(run, f"{head},material", "30,quartz", "--radius2 plane --quantities pull_off_force")
     assert said.startswith("0: ") or f"{MAY_BE} '{head}=radius [nm]'" in said
+
+
+def test_a_diameter_that_contradicts_the_radius_is_refused(run: Run) -> None:
+    heads, options = "radius [nm],diameter [um],material", "--quantities pull_off_force"
+    assert ran(run, heads, "100,0.3,quartz", options) == (
+        "2: jkroll: header: 'diameter [um]' (first cell '0.3'): it is not twice 'radius [nm]'; to read it, write "
+        "--column 'radius [nm]='. Write --column 'diameter [um]=' to pass it through\n"
+    )
+    assert ran(run, heads, "100,0.3,quartz", f"{options} --column 'radius [nm]='").startswith(
+        "0: read: material, diameter"
+    )
+    for cells in ("100,0.2,quartz", "104,0.21,quartz", "100,?,quartz"):
+        assert "passed through: diameter [um]" in ran(run, heads, cells, options)
+    assert (
+        ran(run, "radius [nm],diameter,radius2,diameter2,material", "100,200 nm,plane,plane,quartz", options)[0] == "0"
+    )
+    assert ran(run, heads, "100,0.3,quartz", f"{options} --pass-rest")[0] == "0"
