@@ -116,7 +116,7 @@ REFUSED = {
     },
     "Diameter": f"Diameter' {_LACKING} 'Diameter=diameter [UNIT]', or --column 'Diameter=' to pass it through",
     "equivalent diameter [um]": "Write a column diameter [UNIT] instead of 'equivalent diameter [um]', or",
-    "G_s [GPa]": "=shear_modulus [UNIT]' or --column 'G_s [GPa]=shear_modulus2 [UNIT]'",
+    "G_s [GPa]": "=shear_modulus [GPa]' or --column 'G_s [GPa]=shear_modulus2 [GPa]'",
     "r [nm]": "r may be a distance. Write --column 'r [nm]=radius [nm]'",
     **dict.fromkeys(("s [nm]", "S (nm)"), "s may be a distance. Write --column"),
     **dict.fromkeys(("indentation [nm]", "Overlap (nm)"), "it may be the approach. Write --column"),
@@ -161,7 +161,15 @@ REFUSED = {
     "Reduced Young Modulus": "'Reduced Young Modulus=contact_modulus [UNIT]', or",
     "gravity (g)": "the text after 'gravity' is not its unit",  # g may be the symbol for gravity
     "DMT modulus (MPa)": "it may be Young's modulus, or E* of the contact",
-    **dict.fromkeys(("radius*1e9", "radius (×10⁻⁶ m)", "E [1e9 Pa]", "A (10^-20 J)", "density¹ [kg/m³]"), _FACTOR),
+    **dict.fromkeys(("radius*1e9", "E [1e9 Pa]", "A (10^-20 J)", "density¹ [kg/m³]"), _FACTOR),
+    "radius (×10⁻⁶ m)": f"{_FACTOR}. Write --column 'radius (×10⁻⁶ m)=radius [um]', or",
+    "radius (10^-9 m)": f"{_FACTOR}. Write --column 'radius (10^-9 m)=radius [nm]', or",
+    "2gamma [mJ/m2]": "w = 2γ. Write --column '2gamma [mJ/m2]=work_of_adhesion [mJ/m2]', or",
+    "2γ": "w = 2γ. Write --column '2γ=work_of_adhesion [UNIT]', or",
+    **{
+        text: f"'{text}=surface_energy [J/m^2]' or --column '{text}=surface_energy2 [J/m^2]', or"
+        for text in ("Surface Energy JKR (J/m^2)", "surface energy per area [J/m^2]")
+    },
     "work_of_adhesion_mJ": "the text after 'work_of_adhesion' is not its unit",
     **dict.fromkeys(("modulus (GPa)", "modulus1 [GPa]"), "it may be Young's modulus"),
     "normal force [nN]": "it may be a load, or a force that was measured",
@@ -169,14 +177,12 @@ REFUSED = {
     "hysteresis (mJ/m2)": "it may be another hysteresis",
     "gamma [nm]": "the text after 'gamma' is not its unit",  # nm is not read as N/m
     "R_p [nm]": "--column 'R_p [nm]=radius [nm]'",
-    "E_avg (GPa)": "=youngs_modulus [UNIT]' or --column 'E_avg (GPa)=youngs_modulus2 [UNIT]'",
+    "E_avg (GPa)": "=youngs_modulus [GPa]' or --column 'E_avg (GPa)=youngs_modulus2 [GPa]'",
     **dict.fromkeys(("rho_p [kg/m3]", "ρs (g/cm³)"), "it may be density"),
     "second radius (nm)": "Write --column 'second radius (nm)=radius2 [nm]', or",
     **dict.fromkeys(("applied tip load [nN]", "laod [nN]", "Indentation load (nN)"), "=load [nN]'"),
     "radius_max [nm]": "does not complete an uncertainty of radius",
-    **dict.fromkeys(
-        ("-load [nN]", "2gamma [mJ/m2]", "radius/2 [nm]", "w=2γ [mJ/m2]", "2γ", "radius (nm) x 10"), _FACTOR
-    ),
+    **dict.fromkeys(("-load [nN]", "radius/2 [nm]", "w=2γ [mJ/m2]", "radius (nm) x 10"), _FACTOR),
     **dict.fromkeys(
         ("radius [nm] * 1e3", "radius (nm) ×10⁻³", "load [nN]/2", "γ+", "γ-", "load-", "E- [GPa]"), _FACTOR
     ),

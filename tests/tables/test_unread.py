@@ -65,6 +65,13 @@ def test_messages_name_the_value_used_instead(run: Run) -> None:
     assert '"foo (GPa)", "bar (g/cm3)" (ρ is --density 2g/cm3)' in said  # no result depends on E
 
 
+def test_messages_name_the_value_from_which_an_input_follows(run: Run) -> None:
+    said = ran(run, f"{BESIDE},interfacial energy [mJ/m2]", "quartz,100,20")
+    assert "not read, and w follows from γ2, which is that of sphere 1. Write" in said
+    said = ran(run, f"{BESIDE},impact vel (m/s)", "quartz,100,20")
+    assert "not read, and v follows from W0/P_cδ0, which is 1 by default. Write" in said
+
+
 def test_all_possible_diameters_are_refused_together(run: Run) -> None:
     """If only d1 were read, its value would replace that of d2, whose unit is unknown."""
     said = ran(run, "d1 [um],d2 [mikrometer],gamma [mJ/m2]", "4.91,10.98,35.9", "--quantities pull_off_force")

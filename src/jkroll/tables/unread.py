@@ -90,13 +90,16 @@ class Supply(NamedTuple):
 
 
 def _replaced(names: Sequence[str], columns: Set[str], clauses: Mapping[str, str]) -> dict[str, str]:
-    """Return the inputs that a supplied input replaces, each with the clause of the supplied input."""
+    """Return the inputs that a supplied input replaces, each with a clause on the supplied input."""
     replaced: dict[str, str] = {}
     for group in (*EXCLUSIVE, *_OF_MODULI):
         if columns.isdisjoint(group):
             for other in group:
                 if other in clauses:
-                    replaced |= dict.fromkeys([name for name in names if name in group], clauses[other])
+                    source = clauses[other].replace(" is ", ", which is ", 1)
+                    for name in names:
+                        if name in group:
+                            replaced[name] = f"{symbol_of(name).removesuffix('1')} follows from {source}"
     return replaced
 
 

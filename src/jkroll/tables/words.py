@@ -71,6 +71,7 @@ _DOUBTFUL_SYMBOLS = {
     "gamma12": Meaning(["work_of_adhesion"], "it may be of the interface: w = γ1 + γ2 - γ12", has_remedy=False),
     **dict.fromkeys("R* Reff".split(), Meaning(["reduced_radius"], "it may be the reduced radius")),
     **dict.fromkeys("w12 W12 wa Wa".split(), Meaning(["work_of_adhesion"], "it may be the work of adhesion")),
+    "2gamma": Meaning(["work_of_adhesion"], "it may be the work of adhesion, w = 2γ"),
     "Rp": Meaning(["radius"], "it may be the radius of a particle"),
     "Eeff": _MODULUS,
 }
@@ -113,7 +114,7 @@ BODIES = {
 # Words that leave the quantity unchanged: they name the body, or a mean.
 NEUTRAL = {
     *"""mean average avg nominal measured applied indentation sample surface body solid first second s of the de la du
-        der""".split(),
+        der per area jkr dmt""".split(),
     *chain(BODIES[1], BODIES[2]),
     *(f"{body}s" for body in chain(BODIES[1], BODIES[2])),
 }
