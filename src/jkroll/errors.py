@@ -19,6 +19,11 @@ class JkrollError(Exception):
         """The code for programs, made of the phrase."""
         return code_of(self.phrase)
 
+    @property
+    def fault(self) -> str:
+        """The key of the rows that one note counts: equal for errors that differ only in their numbers."""
+        return self.phrase or str(self)
+
     def __reduce__(self) -> tuple[Any, ...]:
         """Return the parts to pickle. `args` alone do not suffice, since `__init__` may take other arguments."""
         return _unpickled, (type(self), self.args, vars(self))

@@ -455,7 +455,8 @@ def test_a_table_that_has_only_a_row_of_units_has_no_contacts(run: Run) -> None:
         0,
         ["radius,gamma,pull_off_force [N],status", "nm,mJ/m2,,row of units"],
     )
-    assert ran.err == "read: radius [nm], surface_energy [mJ/m2] from gamma [mJ/m2]; units: line 2\n"
+    reading = "read: radius [nm], surface_energy [mJ/m2] from gamma [mJ/m2]; units: line 2"
+    assert ran.err == f"{reading}\nnote: the table has no rows\n"
 
 
 def test_a_row_of_units_is_not_a_contact(run: Run) -> None:

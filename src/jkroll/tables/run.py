@@ -99,12 +99,18 @@ def notes_on(tally: Tally, asked: Asked) -> Iterator[str]:
 
     if tally.inferred:
         yield _summary(asked.infer, tally)
-    notes = [*about_rows(tally, EVERY_DOUBT, f"column {DOUBT if asked.doubt else STATUS}")]
+    said = [
+        f"{remark.removeprefix('note: ')}: row" for remark in tally.remarks
+    ]  # on names that several materials share
+    notes = []
+    for note in about_rows(tally, EVERY_DOUBT, f"column {DOUBT if asked.doubt else STATUS}"):
+        if not any(remark in note.text for remark in said):
+            notes.append(note)
     for note in notes[:MAX_NOTES]:
         yield note.line
     more = len(notes) - MAX_NOTES
     if more > 0:
-        yield f"note: column {STATUS} has {more} more reasons for empty cells"
+        yield f"note: column {STATUS} has {more} more {'reasons' if more > 1 else 'reason'} for empty cells"
 
 
 def _summary(name: str, tally: Tally) -> str:
@@ -230,7 +236,11 @@ def convert_one(path: str, job: Job) -> Tally:
         job.say(remarks)
         with whole_file(job.target, job.mark) as output:
             convert = Converter(source, table, target_format.compression, strict=job.strict)
-            return _convert(file, blocks, convert, output, job)._replace(remarks=(reading, *remarks))
+            tally = _convert(file, blocks, convert, output, job)
+    if not tally.rows:
+        remarks.append("note: the table has no rows")
+        job.say(remarks[-1:])
+    return tally._replace(remarks=(reading, *remarks))
 
 
 def _convert(file: Input, blocks: Iterator[Any], convert: Converter, output: BinaryIO, job: Job) -> Tally:
