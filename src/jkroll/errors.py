@@ -13,6 +13,7 @@ class JkrollError(Exception):
 
     exit_code = 2
     phrase = ""  # the status of a row, common to all errors of a group; if empty, the message is the status
+    mistake = ""  # for a bad value, the words that follow it in the message
 
     @property
     def code(self) -> str:
@@ -21,8 +22,8 @@ class JkrollError(Exception):
 
     @property
     def fault(self) -> str:
-        """The key of the rows that one note counts: equal for errors that differ only in their numbers."""
-        return self.phrase or str(self)
+        """The key of the rows that a note counts: the phrase and the first words of the mistake, which quote no value."""
+        return " ".join([self.phrase, *self.mistake.split()[:3]]) if self.phrase else str(self)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Return the parts to pickle. `args` alone do not suffice, since `__init__` may take other arguments."""

@@ -302,7 +302,7 @@ HEADERS = {
         "header: no column is an input; a row is a contact, and its inputs have columns such as radius [nm]. Write "
         "--column 'HEADER=INPUT [UNIT]'"
     ),
-    "# grains of 2020,x": "header: '100' is a number; begin with a line of the columns' names",
+    "# grains of 2020,x": "the header is missing: '100' is a number; begin with a line of the columns' names",
     '"radius [nm],x': "header: a quote is not closed",
     "": "the table has no header; begin with a line of the columns' names",
 }
@@ -338,7 +338,7 @@ def test_a_note_counts_only_rows_with_the_same_fault(run: Run) -> None:
     text = "radius [nm],gamma [mJ/m2]\n" + "".join(f"100,{cell}\n" for cell in cells)
     ran = run("batch", table(text), "-o", "out.csv", "--quantities", "pull_off_force", "--no-doubt")
     notes = [line for line in ran.err.replace("\n  ", " ").splitlines() if line.startswith("note: surface_energy")]
-    ends = {"'nan' is not": "1 and 1 other", "'-25' must be": "3 and 1 other", "'inf' does": "5 and 1 other"}
+    ends = {"'nan' is not": "1 and 1 other", "'-25' must be": "3 and 1 other", "'inf' does not": "5 and 1 other"}
     ends |= {"'30±300' has an": "6", "'25-30' has two": "8"}
     assert [(note.split(": ")[2].split()[:3], note.rpartition("row ")[2]) for note in notes] == [
         (start.split(), end) for start, end in ends.items()

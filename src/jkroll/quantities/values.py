@@ -47,11 +47,6 @@ class QuantityError(JkrollError):
         self.name, self.value, self.mistake, self.remedy, self.position = name, value, mistake, remedy, tuple(position)
         self.phrase = f"bad {name}"
 
-    @property
-    def fault(self) -> str:
-        """The quantity and the beginning of the mistake, which does not quote the value."""
-        return " ".join([self.phrase, *self.mistake.split()[:3]])
-
     def problem(self) -> str:
         """Return the mistake and the remedy, without the name and the value."""
         remedy = self.remedy

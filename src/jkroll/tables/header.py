@@ -31,6 +31,7 @@ from .reading import (
     splits_of,
     stems_of,
     symbol_of,
+    unit_in,
     words_in,
 )
 from .unread import NOT_READ, Supply, decided_by, judged
@@ -542,14 +543,28 @@ def check_inputs(header: Header, measured: str = "") -> None:
     """Raise BadTable for a table without an input column, or without the measured quantity."""
     if measured in header.names or (header.names and not measured):
         return
-    if header.texts and all(map(is_number, header.texts)):
-        raise BadTable(f"header: {quoted(header.texts[0])} is a number; begin with a line of the columns' names")
+    check_has_names(header)
     if measured:
-        raise BadTable(f"header: no column has the measured {measured}; write {option_of('HEADER', headed(measured))}")
+        options = []
+        used = {*header.positions.values()}
+        for position, text in enumerate(header.texts):
+            unit = unit_in(text, measured)
+            if unit and position not in used:
+                options.append(option_of(text, headed(measured, unit)))
+        table = "" if options else f" (the table has {first_of([*map(_easy, header.texts)], _MAX_LISTED)})"
+        ways = listed(options or [option_of("HEADER", headed(measured))], "or")
+        raise BadTable(f"header: no column has the measured {measured}{table}; write {ways}")
     raise BadTable(
         "header: no column is an input; a row is a contact, and its inputs have columns such as radius [nm]. "
         f"Write {option_of('HEADER', 'INPUT [UNIT]')}"
     )
+
+
+def check_has_names(header: Header) -> None:
+    """Raise BadTable for a table whose first line has only numbers."""
+    if header.texts and all(map(is_number, header.texts)):
+        number = quoted(header.texts[0])
+        raise BadTable(f"the header is missing: {number} is a number; begin with a line of the columns' names")
 
 
 def is_law(text: str) -> bool:

@@ -430,3 +430,11 @@ def stems_of(text: str) -> set[str]:
         if not split.unit or split.is_explicit or is_in_table(split.unit):
             stems.add(re.sub(r"[\W_]+", "", split.word))
     return stems - {""}
+
+
+def unit_in(text: str, name: str) -> str:
+    """Return the unit of a quantity in a header; "" if the header has no such unit."""
+    for split in splits_of(normalized(text)):
+        if split.unit and (unit := unit_for(split.unit, name, is_explicit=split.is_explicit)):
+            return unit
+    return ""
