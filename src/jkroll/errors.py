@@ -22,7 +22,7 @@ class JkrollError(Exception):
 
     @property
     def fault(self) -> str:
-        """The key of the rows that a note counts: the phrase and the first words of the mistake, which quote no value."""
+        """The key of rows that a note counts: the phrase, and the first words of the mistake, which quote no value."""
         return " ".join([self.phrase, *self.mistake.split()[:3]]) if self.phrase else str(self)
 
     def __reduce__(self) -> tuple[Any, ...]:
