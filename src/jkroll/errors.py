@@ -13,11 +13,17 @@ class JkrollError(Exception):
 
     exit_code = 2
     phrase = ""  # the status of a row, common to all errors of a group; if empty, the message is the status
+    mistake = ""  # for a bad value, the words that follow it in the message
 
     @property
     def code(self) -> str:
         """The code for programs, made of the phrase."""
         return code_of(self.phrase)
+
+    @property
+    def fault(self) -> str:
+        """The key of rows that a note counts: the phrase, and the first words of the mistake, which quote no value."""
+        return " ".join([self.phrase, *self.mistake.split()[:3]]) if self.phrase else str(self)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Return the parts to pickle. `args` alone do not suffice, since `__init__` may take other arguments."""

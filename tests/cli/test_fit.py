@@ -394,6 +394,8 @@ def test_wrong_options_of_fit_are_refused_with_a_reason(run: Run, curve: str, wo
             "t,q\n1,2\n3,4\n",
             "of the curve (the table has t, q); write --column 'HEADER=approach_at_load [UNIT]' or",
         ),
+        ("a (um),X (mN)\n1,2\n", "force of the curve; write --column 'X (mN)=load [mN]'"),
+        ("-7.68e-07,2.98e-07\n-7.6e-07,2.9e-07\n", "the header is missing: '-7.68e-07' is a number; begin with a line"),
         ("", "no header"),
         ("travel (um);force (nN)\n1,0;2,0\n3,0;4,0\n", "write --delimiter semicolon"),
     ],
@@ -403,6 +405,12 @@ def test_a_table_without_a_curve_is_refused_with_a_reason(run: Run, text: str, s
     ran = run(f"fit curve.csv {KNOWN}")
     assert ran.code == 2
     assert said in " ".join(ran.err.split())
+
+
+def test_words_for_a_load_in_other_languages_are_read(run: Run) -> None:
+    for word in ("Last", "Charge", "Auflast"):
+        Path("curve.csv").write_text(f"a (um),{word} (mN)\n1,2\n", encoding="utf-8")
+        assert "the curve has 1 points" in run(f"fit curve.csv {KNOWN}").err
 
 
 def broken(text: str, seed: int) -> bytes:

@@ -595,10 +595,8 @@ def test_a_table_reports_a_shared_name_once(run: Run) -> None:
     rows = "".join(f"{name},{radius}\n" for radius in range(1, 50) for name in ("SiO2", "quartz", "ice"))
     Path("grains.csv").write_text("material,radius [um]\n" + rows, encoding="utf-8")
     ran = run("batch grains.csv --quantities pull_off_force -o out.csv")
-    *early, last = [line for line in ran.err.splitlines() if "SiO2" in line or "'ice'" in line]
-    assert len(early) == 2
-    assert last.startswith(early[0])
-    assert last.endswith("row 1 and 97 others")
+    of_names = [line for line in ran.err.splitlines() if "names several materials" in line]
+    assert [line.split()[1] for line in of_names] == ["'SiO2'", "'ice'"]
     assert ran.err.splitlines()[-1] == "jkroll: 98 of 147 rows failed; column status has the reasons"
     assert Path("out.csv").read_text(encoding="utf-8").count("unclear material") == 98
     assert "names several materials" not in run("batch grains.csv --quantities pull_off_force -o out.csv --quiet").err

@@ -305,7 +305,7 @@ HEADERS = {
         "header: no column is an input; a row is a contact, and its inputs have columns such as radius [nm]. Write "
         "--column 'HEADER=INPUT [UNIT]'"
     ),
-    "# grains of 2020,x": "header: '100' is a number; begin with a line of the columns' names",
+    "# grains of 2020,x": "the header is missing: '100' is a number; begin with a line of the columns' names",
     '"radius [nm],x': "header: a quote is not closed",
     "": "the table has no header; begin with a line of the columns' names",
 }
@@ -330,12 +330,31 @@ def test_a_header_is_checked_before_the_first_row(run: Run, text: str) -> None:
     assert not [path.name for path in Path().iterdir() if path.name.startswith("out.csv")]
 
 
+@pytest.mark.parametrize("text", ["material,radius [nm]\n", "material,radius [nm]\n\n"])
+def test_a_table_without_rows_gets_a_note(run: Run, text: str) -> None:
+    ran = run("batch", table(text), "-o", "out.csv")
+    assert (ran.code, ran.err.splitlines()[-1]) == (0, "note: the table has no rows")
+
+
+def test_a_note_counts_only_rows_with_the_same_fault(run: Run) -> None:
+    cells = ["nan", "N/A", "-25", "-30", "inf", "30±300", "25", "25-30", "<25"]
+    text = "radius [nm],gamma [mJ/m2]\n" + "".join(f"100,{cell}\n" for cell in cells)
+    ran = run("batch", table(text), "-o", "out.csv", "--quantities", "pull_off_force", "--no-doubt")
+    notes = [line for line in ran.err.replace("\n  ", " ").splitlines() if line.startswith("note: surface_energy")]
+    ends = {"'nan' is not": "1 and 1 other", "'-25' must be": "3 and 1 other", "'inf' does not": "5 and 1 other"}
+    ends |= {"'30±300' has an": "6", "'25-30' has two": "8"}
+    assert [(note.split(": ")[2].split()[:3], note.rpartition("row ")[2]) for note in notes] == [
+        (start.split(), end) for start, end in ends.items()
+    ]
+
+
 def test_an_empty_file_and_utf_16_are_refused(run: Run) -> None:
     Path("empty.csv").write_bytes(b"")
     assert run("batch empty.csv").err == "jkroll: the table has no header; begin with a line of the columns' names\n"
-    for encoding in ("utf-16", "utf-16-le", "utf-16-be"):
-        Path("wide.csv").write_bytes("radius [nm]\n1\n".encode(encoding))
-        assert "the table is not UTF-8; save it as UTF-8" in run("batch wide.csv").err
+    for encoding in ("utf-16", "utf-16le", "utf-16be", "latin1"):
+        Path("wide.csv").write_bytes("radius [µm]\n1\n".encode(encoding))
+        remedy = f"save it as UTF-8, as with iconv -f {encoding} -t utf-8 in.csv > out.csv"
+        assert run("batch wide.csv").err == f"jkroll: the table is not UTF-8; {remedy}\n"
     assert batch(run, table("radius,name\n1 um,a\0b\n"), "--material", "quartz")[0]["name"] == "a\0b"
 
 

@@ -72,6 +72,15 @@ diameter2 1e-6: diameter2 [um] | Diameter 2, um
 shear_modulus 1e9: shear modulus (GPa) | G [GPa] | G1_GPa | Shear Modulus G [GPa] | Schubmodul (GPa)
 shear_modulus2 1e6: shear_modulus2 [MPa] | G2 (MPa)
 hamaker 1e-21: Hamaker constant A (zJ) | a_zj
+radius 1e-6: Rayon (µm) | rayon de la sphère [µm] | Kugelradius [um]
+radius 1e-9: rayon [nm] | Spitzenradius [nm] | Teilchenradius (nm) | radio [nm] | raggio [nm] | Radius Spitze [nm]
+diameter 1e-6: Diamètre (µm) | diámetro (um) | Partikeldurchmesser [µm]
+surface_energy 1e-3: Énergie de surface (mJ/m²) | Oberflächenenergie [mJ/m2] | energia superficiale (mJ/m²)
+youngs_modulus 1e9: Elastizitätsmodul [GPa] | Module d'Young (GPa) | module d'Young de la pointe (GPa)
+youngs_modulus2 1e9: E-Modul Substrat [GPa] | E Wand (GPa)
+density 1e3: Dichte [g/cm3] | Masse volumique (g/cm³)
+poisson_ratio 1: Querkontraktionszahl | Coefficient de Poisson
+load 1e-9: Charge (nN) | Last [nN] | Last_nN | carga (nN)
 """
 
 
@@ -107,7 +116,7 @@ REFUSED = {
     },
     "Diameter": f"Diameter' {_LACKING} 'Diameter=diameter [UNIT]', or --column 'Diameter=' to pass it through",
     "equivalent diameter [um]": "Write a column diameter [UNIT] instead of 'equivalent diameter [um]', or",
-    "G_s [GPa]": "=shear_modulus [UNIT]' or --column 'G_s [GPa]=shear_modulus2 [UNIT]'",
+    "G_s [GPa]": "=shear_modulus [GPa]' or --column 'G_s [GPa]=shear_modulus2 [GPa]'",
     "r [nm]": "r may be a distance. Write --column 'r [nm]=radius [nm]'",
     **dict.fromkeys(("s [nm]", "S (nm)"), "s may be a distance. Write --column"),
     **dict.fromkeys(("indentation [nm]", "Overlap (nm)"), "it may be the approach. Write --column"),
@@ -152,7 +161,15 @@ REFUSED = {
     "Reduced Young Modulus": "'Reduced Young Modulus=contact_modulus [UNIT]', or",
     "gravity (g)": "the text after 'gravity' is not its unit",  # g may be the symbol for gravity
     "DMT modulus (MPa)": "it may be Young's modulus, or E* of the contact",
-    **dict.fromkeys(("radius*1e9", "radius (×10⁻⁶ m)", "E [1e9 Pa]", "A (10^-20 J)", "density¹ [kg/m³]"), _FACTOR),
+    **dict.fromkeys(("radius*1e9", "E [1e9 Pa]", "A (10^-20 J)", "density¹ [kg/m³]"), _FACTOR),
+    "radius (×10⁻⁶ m)": f"{_FACTOR}. Write --column 'radius (×10⁻⁶ m)=radius [um]', or",
+    "radius (10^-9 m)": f"{_FACTOR}. Write --column 'radius (10^-9 m)=radius [nm]', or",
+    "2gamma [mJ/m2]": "w = 2γ. Write --column '2gamma [mJ/m2]=work_of_adhesion [mJ/m2]', or",
+    "2γ": "w = 2γ. Write --column '2γ=work_of_adhesion [UNIT]', or",
+    **{
+        text: f"'{text}=surface_energy [J/m^2]' or --column '{text}=surface_energy2 [J/m^2]', or"
+        for text in ("Surface Energy JKR (J/m^2)", "surface energy per area [J/m^2]")
+    },
     "work_of_adhesion_mJ": "the text after 'work_of_adhesion' is not its unit",
     **dict.fromkeys(("modulus (GPa)", "modulus1 [GPa]"), "it may be Young's modulus"),
     "normal force [nN]": "it may be a load, or a force that was measured",
@@ -160,14 +177,12 @@ REFUSED = {
     "hysteresis (mJ/m2)": "it may be another hysteresis",
     "gamma [nm]": "the text after 'gamma' is not its unit",  # nm is not read as N/m
     "R_p [nm]": "--column 'R_p [nm]=radius [nm]'",
-    "E_avg (GPa)": "=youngs_modulus [UNIT]' or --column 'E_avg (GPa)=youngs_modulus2 [UNIT]'",
+    "E_avg (GPa)": "=youngs_modulus [GPa]' or --column 'E_avg (GPa)=youngs_modulus2 [GPa]'",
     **dict.fromkeys(("rho_p [kg/m3]", "ρs (g/cm³)"), "it may be density"),
     "second radius (nm)": "Write --column 'second radius (nm)=radius2 [nm]', or",
     **dict.fromkeys(("applied tip load [nN]", "laod [nN]", "Indentation load (nN)"), "=load [nN]'"),
     "radius_max [nm]": "does not complete an uncertainty of radius",
-    **dict.fromkeys(
-        ("-load [nN]", "2gamma [mJ/m2]", "radius/2 [nm]", "w=2γ [mJ/m2]", "2γ", "radius (nm) x 10"), _FACTOR
-    ),
+    **dict.fromkeys(("-load [nN]", "radius/2 [nm]", "w=2γ [mJ/m2]", "radius (nm) x 10"), _FACTOR),
     **dict.fromkeys(
         ("radius [nm] * 1e3", "radius (nm) ×10⁻³", "load [nN]/2", "γ+", "γ-", "load-", "E- [GPa]"), _FACTOR
     ),
@@ -181,7 +196,7 @@ PASSING = (
     "sigma_xx [Pa] | u [m/s] | u(x) [nm] | sigma [Pa] | kinetic_energy [J] | head [nN] | grain area [nm^2] | "
     "nu_g0 | E...MPa. | velocity_c_m_s | E_loss (GPa) | rho_bulk [kg/m3] | num [-] | nu_e [Hz] | "
     "speed of sound (m/s) | tilt angle (deg) | energy_per_atom_eV | R | n_c | Size (mm) | rad | rad [1/s] | "
-    "G' (GPa) | storage shear modulus (Pa)"
+    "G' (GPa) | storage shear modulus (Pa) | charge | charge [pC] | Last | last_id | charge_C"
 ).split(" | ")
 
 
@@ -417,6 +432,15 @@ PARTS = {
     ("gamma_lower (mJ/m2)=20", "gamma_upper (mJ/m2)=30"): "20 to 30 mJ/m2",
     ("gamma_mJ_m2_low=20", "gamma_mJ_m2_high=30"): "20 to 30 mJ/m2",
     ("gamma [mJ/m2]=25", "gamma_err [mJ/m2]="): "25 mJ/m2",
+    ("gamma [mJ/m2]=25", "Fehler [mJ/m2]=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "Erreur (mJ/m²)=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "incertitude=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "Unsicherheit=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "Standardabweichung [J/m2]=0.005"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "écart-type [mJ/m2]=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "Fehler von gamma [mJ/m2]=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "gamma_Fehler=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "erweiterte Unsicherheit (k=2)=10"): "25±5 mJ/m2",
 }
 
 
@@ -508,7 +532,7 @@ expanded uncertainty | gamma_minus | gamma_plus [mJ/m2] | gamma_min | gamma_max 
 gamma_minus [%] | gamma- | gamma+ [mJ/m2] | Δγ | Δγ [mJ/m2] | delta gamma | d_gamma [mJ/m2] | u_γ [mJ/m2] | gamma_mean |
 gamma_median [mJ/m2] | gamma_n | gamma_old | gamma_in | gamma_u | gamma_3 [mJ/m2] | se(gamma) |
 stderr(γ), mJ/m2 | deviation of gamma | errors_gamma | range of gamma | accuracy (gamma) % | gamma-error [mJ/m2] |
- gamma (fit) [mJ/m2] | gamma (k=2)
+ gamma (fit) [mJ/m2] | gamma (k=2) | Fehler | Erreur | erweiterte Unsicherheit | γ-Fehler [mJ/m2]
 """
 
 

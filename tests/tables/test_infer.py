@@ -116,6 +116,17 @@ def test_option_column_gives_the_measured_column_of_many_files(run: Run) -> None
     assert (ran.code, "surface_energy: 3 of 3 rows; median 15.9155 mJ/m²" in ran.err) == (0, True), ran.err
 
 
+def test_columns_with_units_of_the_measured_quantity_are_offered(run: Run) -> None:
+    path = write_rows([{"R1 (um)": "2", "adhesion force (pN)": "200", "z [nm]": "3"}], "forces.csv")
+    said = run(f"batch {path} -o out.csv {WORDS}").err.replace("\n  ", " ")
+    offer = "write --column 'adhesion force (pN)=pull_off_force [pN]'"
+    assert said == f"jkroll: header: no column has the measured pull_off_force; {offer}\n"
+    ran = run("batch", path, "-o", "out.csv", *WORDS.split(), "--column", "adhesion force (pN)=pull_off_force [pN]")
+    assert ran.code == 0
+    path = write_rows([{"R1 (um)": "2", "z [nm]": "3"}], "forces.csv")
+    assert "(the table has" in run(f"batch {path} -o out.csv {WORDS}").err.replace("\n  ", " ")
+
+
 @pytest.mark.parametrize(
     ("words", "message"),
     [

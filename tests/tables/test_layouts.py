@@ -214,7 +214,7 @@ def test_averages_of_a_simulation_have_their_header_in_a_comment(run: Run) -> No
     assert [line.split("\t")[:3] for line in written("out.tsv")[1:]] == [["100", "1.0", "2.0"], ["200", "1.5", "2.0"]]
     # The default title of `fix print` is not a header, but a given title may be one.
     said = batch(run, "# Fix print output for fix 1\n100 1e-7\n", words, "print.txt").err
-    assert "header: '100' is a number; begin with a line of the columns' names" in said
+    assert "the header is missing: '100' is a number; begin with a line of the columns' names" in said
     assert batch(run, "# step radius_m\n100 1e-7\n", f"--delimiter blank {ASKED}", "print.txt").code == 0
     assert written("out.tsv")[0].startswith("step\tradius_m\tpull_off_force [N]")
 
@@ -455,7 +455,8 @@ def test_a_table_that_has_only_a_row_of_units_has_no_contacts(run: Run) -> None:
         0,
         ["radius,gamma,pull_off_force [N],status", "nm,mJ/m2,,row of units"],
     )
-    assert ran.err == "read: radius [nm], surface_energy [mJ/m2] from gamma [mJ/m2]; units: line 2\n"
+    reading = "read: radius [nm], surface_energy [mJ/m2] from gamma [mJ/m2]; units: line 2"
+    assert ran.err == f"{reading}\nnote: the table has no rows\n"
 
 
 def test_a_row_of_units_is_not_a_contact(run: Run) -> None:

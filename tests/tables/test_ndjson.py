@@ -57,3 +57,10 @@ def test_a_deeply_nested_value_spoils_at_most_its_row(run: Run) -> None:
     assert run("batch x.ndjson --gamma 25mJ/m2 --quantities pull_off_force -o out.ndjson").code == 1
     lines = Path("out.ndjson").read_text(encoding="utf-8").splitlines()
     assert [line.count('"pull_off_force [N]":1.178') for line in lines] == [1, 1, 0]
+
+
+def test_notes_on_lines_have_a_subject(run: Run) -> None:
+    Path("x.ndjson").write_text('{"radius": "1um"}\n[1]\n{"radius": "1um", "radius": "2um"}\n', encoding="utf-8")
+    said = run("batch x.ndjson --gamma 25mJ/m2 --quantities pull_off_force -o out.ndjson").err
+    assert "note: the line is not a JSON object: row 2\n" in said
+    assert "note: the line has 'radius' twice: row 3\n" in said

@@ -65,6 +65,13 @@ def test_messages_name_the_value_used_instead(run: Run) -> None:
     assert '"foo (GPa)", "bar (g/cm3)" (ρ is --density 2g/cm3)' in said  # no result depends on E
 
 
+def test_messages_name_the_value_from_which_an_input_follows(run: Run) -> None:
+    said = ran(run, f"{BESIDE},interfacial energy [mJ/m2]", "quartz,100,20")
+    assert "not read, and w follows from γ2, which is that of sphere 1. Write" in said
+    said = ran(run, f"{BESIDE},impact vel (m/s)", "quartz,100,20")
+    assert "not read, and v follows from W0/P_cδ0, which is 1 by default. Write" in said
+
+
 def test_all_possible_diameters_are_refused_together(run: Run) -> None:
     """If only d1 were read, its value would replace that of d2, whose unit is unknown."""
     said = ran(run, "d1 [um],d2 [mikrometer],gamma [mJ/m2]", "4.91,10.98,35.9", "--quantities pull_off_force")
@@ -247,3 +254,62 @@ def test_a_prefix_of_unclear_case_is_not_misread(head: str) -> None:
 def test_the_symbol_of_a_header_is_not_a_prefix_of_its_unit() -> None:
     """The Hamaker constant A is in J, not in aJ."""
     assert outcome(Header("WALL_HAMAKER_A_J", "hamaker2", 1.0, is_plain=False, is_of_2=True)) == REFUSED
+
+
+# --- Inputs that the table lacks --------------------------------------------------------------------------------------
+
+MAY_BE = "a column that is not read may be one: write --column"
+
+
+@pytest.mark.parametrize(
+    ("heads", "options", "ending"),
+    [
+        ("d50 (um),gamma [mJ/m2]", "", "'d50 (um)=diameter [um]'"),
+        ("Korn (um),material", "", "'Korn (um)=radius [um]' or --column 'Korn (um)=diameter [um]'"),
+        ("Size [nm],material", "--pass-rest", "'Size [nm]=radius [nm]' or --column 'Size [nm]=diameter [nm]'"),
+        ("radius [nm],SE (mJ/m2)", "",
+         "'SE (mJ/m2)=surface_energy [mJ/m2]' or --column 'SE (mJ/m2)=work_of_adhesion [mJ/m2]'"),
+        ("radius [nm],interfacial energy [mJ/m2]", "", "'interfacial energy [mJ/m2]=work_of_adhesion [mJ/m2]'"),
+    ],
+)  # fmt: skip
+def test_unread_columns_that_may_be_a_missing_input_are_offered(
+    run: Run, heads: str, options: str, ending: str
+) -> None:
+    cells = ",".join("quartz" if head == "material" else "3" for head in heads.split(","))
+    assert f"{MAY_BE} {ending}\n" in ran(run, heads, cells, options)
+    said = ran(run, heads, cells, f"{options} --quantities pull_off_force")
+    assert said.startswith("2: ")
+    assert f"{MAY_BE} {ending}\n" in said
+    advised = shlex.split(said[said.index("--column") :].splitlines()[0].partition(" or ")[0])
+    assert ran(run, heads, cells, shlex.join([*advised, *options.split(), "--quantities", "pull_off_force"]))[0] == "0"
+
+
+def test_columns_of_other_lengths_are_not_offered_as_a_radius(run: Run) -> None:
+    heads, cells = "contact radius (nm),height (nm),wall d (um),asperity r [nm],id,material", "3,3,3,3,3,quartz"
+    assert "needs radius of sphere 1; give a radius such as 100nm\n" in ran(
+        run, heads, cells, "--quantities P_c --pass-rest"
+    )
+
+
+@pytest.mark.parametrize("head", ["Spitzenradius [nm]", "Straal [nm]"])
+def test_the_first_radius_of_a_table_is_that_of_sphere_1(run: Run, head: str) -> None:
+    """With a plane as sphere 2, the column was offered as the radius of sphere 2."""
+    said = ran(run, f"{head},material", "30,quartz", "--radius2 plane --quantities pull_off_force")
+    assert said.startswith("0: ") or f"{MAY_BE} '{head}=radius [nm]'" in said
+
+
+def test_a_diameter_that_contradicts_the_radius_is_refused(run: Run) -> None:
+    heads, options = "radius [nm],diameter [um],material", "--quantities pull_off_force"
+    assert ran(run, heads, "100,0.3,quartz", options) == (
+        "2: jkroll: header: 'diameter [um]' (first cell '0.3'): it is not twice 'radius [nm]'; to read it, write "
+        "--column 'radius [nm]='. Write --column 'diameter [um]=' to pass it through\n"
+    )
+    assert ran(run, heads, "100,0.3,quartz", f"{options} --column 'radius [nm]='").startswith(
+        "0: read: material, diameter"
+    )
+    for cells in ("100,0.2,quartz", "104,0.21,quartz", "100,?,quartz"):
+        assert "passed through: diameter [um]" in ran(run, heads, cells, options)
+    assert (
+        ran(run, "radius [nm],diameter,radius2,diameter2,material", "100,200 nm,plane,plane,quartz", options)[0] == "0"
+    )
+    assert ran(run, heads, "100,0.3,quartz", f"{options} --pass-rest")[0] == "0"

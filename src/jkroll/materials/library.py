@@ -42,6 +42,11 @@ class UnknownMaterial(BadRequest):
 class UnclearMaterial(BadRequest):
     """Error raised for a name that several materials share."""
 
+    @property
+    def fault(self) -> str:
+        """The message, since each name has other materials."""
+        return str(self)
+
 
 # --- Materials --------------------------------------------------------------------------------------------------------
 

@@ -47,7 +47,7 @@ _BEST = "_best_"  # in the keys of columns of a best range, after the name of th
 _BY = f"{_BEST}by"
 _TEXTS = {DOUBT, STATUS, *(name for name, quantity in NOMENCLATURE.items() if quantity.is_word)}
 Reasons = Mapping[str, JkrollError]  # for the empty cells of a row, by column
-Gaps = tuple[int, int, str]  # rows with one status: their number, the first (from 1), and its reasons in full
+Gaps = tuple[int, int, str]  # rows with the same faults: their number, the first (from 1), and its reasons in full
 _NONE: Mapping[str, Any] = {}  # an empty mapping that can be pickled, unlike a MappingProxyType
 
 
@@ -153,6 +153,7 @@ class Gap(NamedTuple):
     """Rows whose empty cells have the same reasons."""
 
     phrase: str  # in the status column
+    faults: str  # the faults of the reasons; a phrase may have several
     is_failed: bool  # True for rows without a contact, or without any value
     first: int  # the index of the first row
     reasons: Reasons  # the reasons of the first row
@@ -175,7 +176,7 @@ class Columns:
             self.numbers = numpy.full((len(wanted.keys), size), nan)
             self.doubts, self._gap_of = numpy.zeros((2, size), dtype=numpy.int64)
         self.gaps: list[Gap] = []
-        self._gap_numbers: dict[tuple[str, bool], int] = {}
+        self._gap_numbers: dict[tuple[str, str, bool], int] = {}
 
     def __len__(self) -> int:
         """Return the number of rows."""
@@ -258,8 +259,8 @@ class Columns:
         """Store the reasons of rows. `is_failed`: True if these rows have no value."""
         has_number = any(map(is_end_of_meaning, reasons.values()))  # a row of numbers without a meaning has not failed
         is_failed = lack(reasons) is not None or (is_failed and not has_number)
-        gap = Gap(status_of(reasons), is_failed, first, reasons)
-        number = self._gap_numbers.setdefault(gap[:2], len(self.gaps) + 1)
+        gap = Gap(status_of(reasons), faults_of(reasons), is_failed, first, reasons)
+        number = self._gap_numbers.setdefault(gap[:3], len(self.gaps) + 1)
         if number > len(self.gaps):
             self.gaps.append(gap)
         elif first < self.gaps[number - 1].first:
@@ -523,6 +524,11 @@ def status_of(reasons: Reasons) -> str:
     return "; ".join(phrases)
 
 
+def faults_of(reasons: Reasons) -> str:
+    """Return the faults of reasons, each once."""
+    return "; ".join(dict.fromkeys(error.fault for error in reasons.values()))
+
+
 def worded(reasons: Reasons, word_of: Callable[[str], str] = str) -> str:
     """Return reasons in full; `word_of` returns the word for a quantity, by default its name."""
     error = lack(reasons)
@@ -543,7 +549,7 @@ class Tally(NamedTuple):
 
     rows: int = 0
     failed: int = 0
-    gaps: Mapping[str, Gaps] = _NONE  # rows with empty cells, by status
+    gaps: Mapping[str, Gaps] = _NONE  # rows with empty cells, by their faults
     doubts: Counter[int] = _NO_DOUBTS  # numbers of rows, by the bits of their doubts
     inferred: tuple[Any, ...] = ()  # the inferred values of a table, in parts
     remarks: tuple[str, ...] = ()  # on whole tables
@@ -556,18 +562,18 @@ class Tally(NamedTuple):
             # Results without a meaning are reported by a code, with its own count.
             reported = {name: error for name, error in gap.reasons.items() if not has_code(error)}
             if reported:
-                phrase = status_of(reported)
-                rows, first, words = gaps.get(phrase) or (0, gap.first + 1, worded(reported, word_of))
-                gaps[phrase] = (rows + number, first, words)
+                faults = faults_of(reported)
+                rows, first, words = gaps.get(faults) or (0, gap.first + 1, worded(reported, word_of))
+                gaps[faults] = (rows + number, first, words)
         failed = sum(number for gap, number in columns.counted_gaps if gap.is_failed)
         return cls(len(columns), failed, gaps, columns.counted_doubts)
 
     def plus(self, other: "Tally", table: str = "") -> "Tally":
         """Return the sum of the counts. `table`: a prefix that names the other table; its rows are numbered from 1."""
         gaps = dict(self.gaps)
-        for status, (more, row, text) in other.gaps.items():
-            rows, first, words = gaps.get(status, (0, row + (0 if table else self.rows), f"{table}{text}"))
-            gaps[status] = (rows + more, first, words)
+        for faults, (more, row, text) in other.gaps.items():
+            rows, first, words = gaps.get(faults, (0, row + (0 if table else self.rows), f"{table}{text}"))
+            gaps[faults] = (rows + more, first, words)
         others = [name for name in self._fields if name != "gaps"]
         sums: dict[str, Any] = {name: getattr(self, name) + getattr(other, name) for name in others}
         return Tally(gaps=gaps, **sums)

@@ -30,10 +30,13 @@ WORDS_OF_OTHERS = {
     "cutoff": Words(likely="cutoff_distance cut_off_distance"),
     "density": Words(
         certain="""mass_density material_density true_density dichte massendichte materialdichte reindichte
-            masse_volumique densite densidad""",
+            masse_volumique densite densidad densita""",
         likely="particle_density specific_mass",
     ),
-    "diameter": Words(certain="dia diam diameters durchmesser"),
+    "diameter": Words(
+        certain="""dia diam diameters durchmesser kugeldurchmesser partikeldurchmesser teilchendurchmesser
+            korndurchmesser diametre diametro""",
+    ),
     "disruption_speed": Words(certain="fragmentation_speed fragmentation_velocity fragmentation v_frag"),
     "energy": Words(
         certain="impact_energy collision_energy stossenergie aufprallenergie energie_d_impact energia_de_impacto",
@@ -58,9 +61,12 @@ WORDS_OF_OTHERS = {
     "monomers": Words(certain="number_of_monomers"),
     "poisson_ratio": Words(
         certain="""poissons poissons_ratio poisson_number poisson_coefficient poissonzahl querkontraktionszahl
-            querdehnzahl coefficient_de_poisson coeficiente_de_poisson""",
+            querdehnzahl coefficient_de_poisson coeficiente_de_poisson coefficiente_di_poisson""",
     ),
     "pull_off_force": Words(likely="adhesion adhesion_force detachment_force f f_ad force"),
+    "radius": Words(
+        certain="""halbmesser kugelradius partikelradius teilchenradius kornradius spitzenradius rayon radio raggio""",
+    ),
     "reduced_radius": Words(certain="effective_radius reduzierter_radius rayon_reduit radio_reducido"),
     "roll_energy": Words(certain="rolling_energy"),
     "shear_modulus": Words(certain="modulus_of_rigidity rigidity_modulus schubmodul"),
@@ -76,7 +82,8 @@ WORDS_OF_OTHERS = {
     "stiffness": Words(certain="spring_constant"),
     "surface_energy": Words(
         certain="""surface_free_energy solid_surface_energy specific_surface_energy surface_energy_density
-            oberflachenenergie oberflaechenenergie energie_de_surface energia_superficial""",
+            oberflachenenergie oberflaechenenergie energie_de_surface energia_superficial
+            energia_superficiale""",
         likely="surface_tension",
     ),
     "tangential_stiffness": Words(certain="sliding_stiffness"),
@@ -99,7 +106,7 @@ WORDS_OF_OTHERS = {
     "youngs_modulus": Words(
         certain="""young_modulus youngs elastic_modulus elasticity_modulus modulus_of_elasticity tensile_modulus
             e_modulus e_modul emod elastizitatsmodul elastizitaetsmodul youngscher_modul module_d_young
-            module_de_young module_d_elasticite modulo_de_young modulo_de_elasticidad""",
+            module_de_young module_d_elasticite modulo_de_young modulo_de_elasticidad modulo_di_young""",
         likely="elasticity modulus dmt_modulus indentation_modulus",
     ),
 }

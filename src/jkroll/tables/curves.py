@@ -15,11 +15,10 @@ from ..text import first_of, listed, quoted
 from .cells import Column
 from .dataframes import Memory, data_of
 from .files import Input, input_format
-from .header import Header, option_of, typed, understood
+from .header import Header, check_has_names, option_of, typed, understood
 from .opened import opened
-from .reading import normalized, splits_of
+from .reading import unit_in
 from .table import Asked, Records
-from .words import unit_for
 
 # The columns that a curve can have for x and for the force, each in order of preference.
 _X = {"contact_radius_at_load": RADIUS, "approach_at_load": APPROACH, "lever_travel": TRAVEL}
@@ -86,7 +85,7 @@ def _table(
     x_name = next((name for name in _X if name in found), "")
     force_name = next((name for name in _FORCES if name in found), "")
     if not x_name or not force_name:
-        raise _lacking("force" if x_name else "contact radius, approach or travel", header)
+        raise _lacking("force" if x_name else "contact radius, approach or travel", x_name, header)
     columns = header._replace(inputs=(found[x_name], found[force_name]), materials=())
     in_volts = _on_volts([names[column.position] for column in columns.inputs])
     if in_volts:
@@ -111,14 +110,18 @@ def _on_volts(texts: Iterable[str]) -> str:
     return ""
 
 
-def _lacking(missing: str, header: Header) -> BadTable:
+def _lacking(missing: str, x_name: str, header: Header) -> BadTable:
     """Return the error for a table without a force or without x, with options that choose one of its columns."""
-    names = ("lever_force", "lever_deflection") if missing == "force" else ("approach_at_load", "lever_travel")
+    check_has_names(header)
+    names = ["approach_at_load", "lever_travel"]
+    if missing == "force":
+        force = "load" if x_name == "contact_radius_at_load" else "lever_force"  # lenses are loaded, levers are bent
+        names = [force, "lever_deflection"]
     used = {*header.positions.values()}
     options = []
     for position, text in enumerate(header.texts):
         if position not in used:
-            options += [option_of(text, header_of(name, unit)) for name in names if (unit := _unit_in(text, name))]
+            options += [option_of(text, header_of(name, unit)) for name in names if (unit := unit_in(text, name))]
     problem = f"header: no column has the {missing} of the curve"
     in_volts = _on_volts(text for position, text in enumerate(header.texts) if position not in used)
     if in_volts:
@@ -127,14 +130,6 @@ def _lacking(missing: str, header: Header) -> BadTable:
         problem += f" (the table has {first_of([*map(typed, header.texts)])})" if header.texts else ""
         options = [option_of("HEADER", header_of(name, "UNIT")) for name in names]
     return BadTable(f"{problem}; write {listed(options, 'or')}")
-
-
-def _unit_in(text: str, name: str) -> str:
-    """Return the unit of a quantity in a header; "" if the header has no such unit."""
-    for split in splits_of(normalized(text)):
-        if split.unit and (unit := unit_for(split.unit, name, is_explicit=split.is_explicit)):
-            return unit
-    return ""
 
 
 def _curve(table: CurveTable, records: list[Records], stiffness: float | None) -> ForceCurve:

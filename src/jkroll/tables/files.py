@@ -472,8 +472,7 @@ class Delimited:
             raise BadTable("the table has no header; begin with a line of the columns' names")
         text, *names = map(text_of, (line.strip(_BLANKS), *(cells or [line])))
         if "\0" in text or "\ufffd" in text:  # the latter replaces bytes that are not UTF-8
-            remedy = "a compressed one has a name such as x.csv.gz, or --format csv.gz"
-            raise BadTable(f"the table is not UTF-8; save it as UTF-8; {remedy}")
+            raise BadTable(f"the table is not UTF-8; {_remedy_of_encoding(line.encode(BYTES))}")
         if not any(map(is_read, names)):
             self._check_separator(text, len(names), is_read)
         if problem:
@@ -551,6 +550,18 @@ class Delimited:
 def as_lines(text: bytes) -> list[str]:
     """Return the lines of a text with their line ends, and a character for each byte."""
     return io.StringIO(text.decode(BYTES), newline="\n").readlines()
+
+
+def _remedy_of_encoding(text: bytes) -> str:
+    """Return the remedy for a table whose first line is not UTF-8."""
+    if text.startswith((b"\x1f\x8b", b"\x28\xb5\x2f\xfd")):  # gzip, Zstandard
+        return "a compressed one has a name such as x.csv.gz, or --format csv.gz"
+    encoding = "latin1"
+    if text.startswith((b"\xff\xfe", b"\xfe\xff")):
+        encoding = "utf-16"
+    elif b"\0" in text:
+        encoding = "utf-16be" if text.startswith(b"\0") else "utf-16le"
+    return f"save it as UTF-8, as with iconv -f {encoding} -t utf-8 in.csv > out.csv"
 
 
 def _problem(error: str) -> str:

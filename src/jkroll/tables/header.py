@@ -6,6 +6,7 @@ an uncertainty belongs, the columns that repeat an input, and the columns that c
 
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from math import nan
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -14,7 +15,7 @@ from ..model.frame import EXCLUSIVE
 from ..quantities.laws import MODELS
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, of_sphere
 from ..quantities.nomenclature import header as header_of
-from ..quantities.values import NO_UNIT, QuantityError, unit_of, value_of
+from ..quantities.values import NO_UNIT, QuantityError, middle, unit_of, value_of
 from ..text import first_of, listed, quoted, shown
 from . import words
 from .cells import Column, has_no_value, is_number
@@ -30,12 +31,14 @@ from .reading import (
     splits_of,
     stems_of,
     symbol_of,
+    unit_in,
     words_in,
 )
 from .unread import NOT_READ, Supply, decided_by, judged
 from .words import MATERIALS, fits, headed, key, unit_for
 
 _NOT_USED = "a value takes one ± column, or a minus and a plus column; a range takes only a low and a high column"
+_ROUNDED = 0.1  # largest difference between D/R and 2 that is due to rounding
 _MAX_LISTED = 60  # maximum number of columns that a message names
 _OF_DIRECTIONS = r"(?i)\s*((G|nu|ν)_?(12|13|23|xy|xz|yz)|E_?3)(?![^\W_])"
 _MARKS = {"both": "± ", "minus": "− ", "plus": "+ ", "low": "from ", "high": "to "}
@@ -173,6 +176,7 @@ def understood(
         readings = _judged(readings, rows, supply_of({*used, *meant}))
         refused = [reading for reading in readings if reading.problem and not _may_pass(reading, held, known)]
     refused += [reading for reading in map(_with_problem, values) if reading.problem]
+    refused += [] if pass_rest else _contradicting(inputs, used, rows)
     for name, columns in inputs.items():
         if name in known:
             refused += _unused(columns, used.get(name, {}))
@@ -241,6 +245,28 @@ def _is_doubled(name: str, used: Mapping[str, _Parts], rows: Sequence[Sequence[s
     other_positions = [reading.position for reading in others.values()]
     filled = [row for row in rows if not _are_empty(row, positions)]
     return bool(filled) and not any(_are_empty(row, other_positions) for row in filled)
+
+
+def _contradicting(inputs: Mapping[str, _Parts], used: Collection[str], rows: Sequence[Sequence[str]]) -> list[Reading]:
+    """Return the columns of diameters that repeat a radius, but are not twice the radius in one of the rows."""
+    contradicting = []
+    for name in ("diameter", "diameter2"):
+        diameter, radius = (inputs.get(each, {}).get("") for each in (name, CONVERTED[name]))
+        if name in used or diameter is None or radius is None:
+            continue
+        ratios = [_value_in(row, diameter) / _value_in(row, radius) for row in rows]
+        if any(abs(ratio - 2) > _ROUNDED for ratio in ratios):
+            problem = f"it is not twice {quoted(radius.text)}; to read it, write {option_of(radius.text, '')}"
+            contradicting.append(diameter._replace(problem=problem, part=UNREAD))
+    return contradicting
+
+
+def _value_in(row: Sequence[str], reading: Reading) -> float:
+    """Return the value of an input in a row, without its uncertainty; nan for a cell that is not a value."""
+    try:
+        return float(middle(_column(reading.name, {"": reading}).value(row[reading.position])))
+    except QuantityError:
+        return nan
 
 
 def _are_empty(row: Sequence[str], positions: Iterable[int]) -> bool:
@@ -517,14 +543,28 @@ def check_inputs(header: Header, measured: str = "") -> None:
     """Raise BadTable for a table without an input column, or without the measured quantity."""
     if measured in header.names or (header.names and not measured):
         return
-    if header.texts and all(map(is_number, header.texts)):
-        raise BadTable(f"header: {quoted(header.texts[0])} is a number; begin with a line of the columns' names")
+    check_has_names(header)
     if measured:
-        raise BadTable(f"header: no column has the measured {measured}; write {option_of('HEADER', headed(measured))}")
+        options = []
+        used = {*header.positions.values()}
+        for position, text in enumerate(header.texts):
+            unit = unit_in(text, measured)
+            if unit and position not in used:
+                options.append(option_of(text, headed(measured, unit)))
+        table = "" if options else f" (the table has {first_of([*map(_easy, header.texts)], _MAX_LISTED)})"
+        ways = listed(options or [option_of("HEADER", headed(measured))], "or")
+        raise BadTable(f"header: no column has the measured {measured}{table}; write {ways}")
     raise BadTable(
         "header: no column is an input; a row is a contact, and its inputs have columns such as radius [nm]. "
         f"Write {option_of('HEADER', 'INPUT [UNIT]')}"
     )
+
+
+def check_has_names(header: Header) -> None:
+    """Raise BadTable for a table whose first line has only numbers."""
+    if header.texts and all(map(is_number, header.texts)):
+        number = quoted(header.texts[0])
+        raise BadTable(f"the header is missing: {number} is a number; begin with a line of the columns' names")
 
 
 def is_law(text: str) -> bool:

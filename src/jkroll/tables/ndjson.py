@@ -65,7 +65,7 @@ class Ndjson:
         for row, (line, members) in enumerate(zip(lines, objects, strict=True)):
             problem = self._problem(line, members, table)
             if problem:
-                odd[row] = BadRequest(problem)
+                odd[row] = BadRequest(f"the line {problem}", problem)
         rows = [members or {} for members in objects]
         cells = {}
         for name, position in table.positions.items():

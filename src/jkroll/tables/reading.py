@@ -14,7 +14,7 @@ from itertools import combinations
 from typing import NamedTuple
 
 from ..quantities.nomenclature import NOMENCLATURE, of_sphere
-from ..quantities.units import PREFIXES, is_in_table
+from ..quantities.units import PREFIXES, SUPERSCRIPTS, is_in_table
 from ..text import ascii_text, composed, quoted
 from . import words
 from .words import MATERIALS, Meaning, fits, headed, key, spelt_out, squeezed, unit_for
@@ -85,6 +85,7 @@ _LEFT_OVER = r"[\[(][\s_.,;%-]*[\])]|[\s_.,-]{2,}"  # brackets and blanks around
 SPREAD = "it may be an uncertainty of {0}; its columns are {0}_err, or {0}_minus and {0}_plus"
 NO_FACTOR = "it is an expanded uncertainty, and its coverage factor k is missing"
 FACTOR_OF_UNIT = r"^[x×*]?\s*\d[\d.]*\s*(?:[eE^×*]*\s*[-+−⁻]?[\d⁰¹²³⁴⁵⁶⁷⁸⁹]+\s*)*[×*·]?\s*"  # as in 10^-20 J
+_PREFIXES = {"-12": "p", "-9": "n", "-6": "u", "-3": "m", "3": "k", "6": "M", "9": "G"}  # by the power of ten
 _LONGEST = 120  # characters; a longer text is not the header of an input
 
 
@@ -215,7 +216,7 @@ def _of_part(text: str, measured: str) -> Reading:
     mark = re.search(words.PART, bare)
     if mark is None or re.search(words.LEVEL, plain):
         return _of_spread(text, measured)
-    word = re.sub(r"\s+of$", "", mark[0].strip(" _.").casefold())
+    word = re.sub(rf"\s+{words.OF}$", "", mark[0].strip(" _.").casefold())
     part = words.PARTS.get(word, "both")
     rest = (bare[: mark.start()] + (mark[1] or "") + bare[mark.end() :]).strip(" _.")
     coverage = float(factor[1].replace(",", ".")) if factor else 1.0
@@ -226,7 +227,8 @@ def _of_part(text: str, measured: str) -> Reading:
     in_brackets = re.fullmatch(r"[\[(](.*)[\])]|", rest)
     if in_brackets and _is_unit(in_brackets[1] or ""):
         unit = share or (in_brackets[1] or "").strip()
-        is_certain &= part == "both" and word not in ("σ", "sigma", "se") and bool(unit or not word.startswith("err"))
+        is_vague = word in ("σ", "sigma", "se") or (not unit and word.startswith(("err", "fehler")))
+        is_certain &= part == "both" and not is_vague
         reading = Reading("", unit, "both") if is_certain else Reading("", unit, UNREAD, problem=SPREAD)
         return reading._replace(coverage=coverage, is_relative=is_relative)
     reading = reading_of(rest, measured)
@@ -286,7 +288,9 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
         without_factor = split._replace(word=re.sub(_FACTORS, "", split.word), unit=unit)
         reading = _exact(without_factor, known) if without_factor != split else None
         if reading is not None and not reading.is_symbol:
-            return Reading(reading.name, problem=FACTOR)
+            unit = _with_prefix(split.unit) if split.is_explicit and without_factor.word == split.word else ""
+            meant = [headed(reading.name, unit)] if fits(unit, reading.name) else ()
+            return Reading(reading.name, problem=FACTOR, meant=meant)
         word, is_slip = _word_in(split.word, known, split.unit)
         word = word or (words.with_index(split.word) if split.unit else "")
         if not word:
@@ -321,6 +325,13 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
     return None
 
 
+def _with_prefix(unit: str) -> str:
+    """Return the unit that a power of ten and a basic unit make, as nm for 10^-9 m; "" for any other text."""
+    found = re.fullmatch(r"[x×]?10\^?([-−⁻]?[\d⁰¹²³⁴⁵⁶⁷⁸⁹]{1,2}) ?(m|N|J|Pa)", unit)
+    prefix = _PREFIXES.get(found[1].translate(SUPERSCRIPTS).replace("−", "-"), "") if found else ""
+    return f"{prefix}{found[2]}" if found and prefix else ""
+
+
 def _doubtful(
     split: Split, word: str, meaning: Meaning, names: Sequence[str], unit_text: str, *, is_slip: bool
 ) -> Reading:
@@ -344,7 +355,8 @@ def _doubtful(
         names = names[:1]  # an equivalent diameter is not one of sphere 2
     if not meaning.has_remedy or not words.FUNCTIONS.isdisjoint(others):
         names = []
-    is_whole = split.is_explicit if is_slip else key(split.word).endswith(word) and not split.is_mangled
+    is_last = key(split.word).endswith(word) and not split.is_mangled and not is_slip
+    is_whole = split.is_explicit or is_last
     meant = [headed(each, (is_whole and unit_text) or "UNIT") for each in names if is_neutral]
     return Reading(name, problem=problem, meant=meant, names=names)
 
@@ -418,3 +430,11 @@ def stems_of(text: str) -> set[str]:
         if not split.unit or split.is_explicit or is_in_table(split.unit):
             stems.add(re.sub(r"[\W_]+", "", split.word))
     return stems - {""}
+
+
+def unit_in(text: str, name: str) -> str:
+    """Return the unit of a quantity in a header; "" if the header has no such unit."""
+    for split in splits_of(normalized(text)):
+        if split.unit and (unit := unit_for(split.unit, name, is_explicit=split.is_explicit)):
+            return unit
+    return ""

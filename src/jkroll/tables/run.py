@@ -99,12 +99,18 @@ def notes_on(tally: Tally, asked: Asked) -> Iterator[str]:
 
     if tally.inferred:
         yield _summary(asked.infer, tally)
-    notes = [*about_rows(tally, EVERY_DOUBT, f"column {DOUBT if asked.doubt else STATUS}")]
+    said = [
+        f"{remark.removeprefix('note: ')}: row" for remark in tally.remarks
+    ]  # on names that several materials share
+    notes = []
+    for note in about_rows(tally, EVERY_DOUBT, f"column {DOUBT if asked.doubt else STATUS}"):
+        if not any(remark in note.text for remark in said):
+            notes.append(note)
     for note in notes[:MAX_NOTES]:
         yield note.line
     more = len(notes) - MAX_NOTES
     if more > 0:
-        yield f"note: column {STATUS} has {more} more reasons for empty cells"
+        yield f"note: column {STATUS} has {more} more {'reasons' if more > 1 else 'reason'} for empty cells"
 
 
 def _summary(name: str, tally: Tally) -> str:
@@ -141,8 +147,7 @@ def about(table: Table) -> Iterator[str]:
         yield f"assumed: {', '.join(assumed)}"
     remarks = chain.from_iterable(lookup.remarks for lookup in table.lookups.values())
     notes = [*dict.fromkeys(remarks)]
-    if table.given.isdisjoint(("radius", "diameter")) and not table.asked.explicit:
-        notes.append("no column and no option gives a radius; quantities that need a radius are left out")
+    notes += _about_lacking(table)
     read = {*map(computed_as, table.columns.names)}
     filled = sorted(NOMENCLATURE[name].option or f"--{name}" for name in table.fixed if computed_as(name) in read)
     notes += [f"{option} fills empty cells: the others keep their values" for option in filled]
@@ -151,6 +156,20 @@ def about(table: Table) -> Iterator[str]:
     idle = [name for name in every_idle if table.fixed.get(name, INFINITY) != INFINITY]
     notes += [note.text for note in (*about_idle(idle), *about_left_out(*table.sources))]
     yield from (f"note: {text}" for text in notes)
+
+
+def _about_lacking(table: Table) -> Iterator[str]:
+    """Iterate over notes on a radius or a surface energy that the table lacks, and on columns that may be it."""
+    if table.asked.explicit:
+        return
+    if table.given.isdisjoint(("radius", "diameter")):
+        problem = "no column and no option gives a radius; quantities that need a radius are left out"
+        columns = table.columns_for("radius")
+        yield f"{problem}; {columns}" if columns else problem
+    lacks_energy = all(frame.missing(["work_of_adhesion"]) for frame, _ in table.groups)
+    columns = table.columns_for("surface_energy") if lacks_energy else ""
+    if columns:
+        yield f"no column and no option gives a surface energy; {columns}"
 
 
 # --- A table ----------------------------------------------------------------------------------------------------------
@@ -217,7 +236,11 @@ def convert_one(path: str, job: Job) -> Tally:
         job.say(remarks)
         with whole_file(job.target, job.mark) as output:
             convert = Converter(source, table, target_format.compression, strict=job.strict)
-            return _convert(file, blocks, convert, output, job)._replace(remarks=(reading, *remarks))
+            tally = _convert(file, blocks, convert, output, job)
+    if not tally.rows:
+        remarks.append("note: the table has no rows")
+        job.say(remarks[-1:])
+    return tally._replace(remarks=(reading, *remarks))
 
 
 def _convert(file: Input, blocks: Iterator[Any], convert: Converter, output: BinaryIO, job: Job) -> Tally:

@@ -20,13 +20,15 @@ from ..model.uncertainty import Sources, sources_of_results
 from ..quantities.laws import LAWS, law_given
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, computed_as, header
 from ..quantities.values import is_uncertain, value_of
-from ..text import quoted
+from ..text import listed, quoted
 from .cells import LABEL, Indices, Lookup
-from .header import Header, check_inputs, is_input, is_law, stated_meanings, typed, understood
+from .header import Header, check_inputs, is_input, is_law, option_of, stated_meanings, typed, understood
 from .statistic_rows import LABEL_OF, are_kinds_of_data, rows_of_statistics
-from .unread import Supply
+from .unread import Supply, offered
 from .words import MATERIALS
 
+_ALTERNATIVES = {"radius": ["radius", "diameter"], "surface_energy": ["surface_energy", "work_of_adhesion"]}
+_MOST_OFFERED = 4  # maximum number of options in a clause on an input that the table lacks
 _NO_ROWS: Any = numpy.empty(0)  # the values of an input before any row is read
 
 
@@ -106,7 +108,11 @@ class Table:
             cells[name] = [row[position].encode() for row in rows]
         sample = TableBlock(self, Records(rows, cells))  # the lookups then know the materials of these rows
         frames = self._frames(cells)
-        self.names, named = self._names(frames)
+        self.rows = rows
+        try:
+            self.names, named = self._names(frames)
+        except MissingInput as error:
+            raise self._with_columns(error) from None
         self.sources = self._sources(sample)
         wanted = Wanted(self.names, named=named, sides=self._sides(), doubts=asked.doubt)
         self.wanted = wanted.with_best(self.names) if asked.best else wanted
@@ -130,6 +136,23 @@ class Table:
             if is_uncertain(value):
                 sides.update(value.sides)
         return sides
+
+    def columns_for(self, name: str) -> str:
+        """Return the clause on unread columns that may be an input that the table lacks; "" if there is none."""
+        options: list[str] = []
+        read = {*self.columns.positions.values()}
+        for position, text in enumerate(self.columns.texts):
+            if position not in read and text.strip() and typed(text) not in self.asked.stated:
+                meanings = offered(text, [row[position] for row in self.rows], _ALTERNATIVES.get(name, [name]))
+                options += [option_of(text, meaning) for meaning in meanings]
+        if not options:
+            return ""
+        return f"a column that is not read may be one: write {listed(options[:_MOST_OFFERED], 'or')}"
+
+    def _with_columns(self, error: MissingInput) -> JkrollError:
+        """Return the error for a missing input, with the unread columns that may be this input."""
+        clauses = [*filter(None, map(self.columns_for, error.missing))]
+        return BadTable(f"{error}; {'; '.join(clauses)}") if clauses else error
 
     @property
     def added(self) -> list[str]:

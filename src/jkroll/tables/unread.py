@@ -69,9 +69,11 @@ class Supply(NamedTuple):
         left = [name for name in INPUTS if name in needed and name not in columns]
         decided = decided_by(columns) | {name for pair, name in _OF_MODULI if pair in columns}
         clauses: dict[str, str] = {}
+        has_radius = not {"radius", "diameter", "reduced_radius"}.isdisjoint((*columns, *options))
         for name in left:
             first = of_sphere(1, name)
-            if name in decided and name not in options:
+            is_of_first = first in ("radius", "diameter") and not has_radius  # the first radius is that of sphere 1
+            if is_of_first or (name in decided and name not in options):
                 continue
             supplier = _supplier(name, columns, options, known)
             if supplier:
@@ -88,13 +90,16 @@ class Supply(NamedTuple):
 
 
 def _replaced(names: Sequence[str], columns: Set[str], clauses: Mapping[str, str]) -> dict[str, str]:
-    """Return the inputs that a supplied input replaces, each with the clause of the supplied input."""
+    """Return the inputs that a supplied input replaces, each with a clause on the supplied input."""
     replaced: dict[str, str] = {}
     for group in (*EXCLUSIVE, *_OF_MODULI):
         if columns.isdisjoint(group):
             for other in group:
                 if other in clauses:
-                    replaced |= dict.fromkeys([name for name in names if name in group], clauses[other])
+                    source = clauses[other].replace(" is ", ", which is ", 1)
+                    for name in names:
+                        if name in group:
+                            replaced[name] = f"{symbol_of(name).removesuffix('1')} follows from {source}"
     return replaced
 
 
@@ -161,6 +166,31 @@ def judged(reading: Reading, cells: Sequence[str], supply: Supply) -> Reading:
         meant = [headed(name, (not is_mangled and candidates[name]) or "UNIT") for name in names]
     first = names[0] if names else next(iter(candidates))
     return reading._replace(name=first, problem=problem, meant=meant[:_MOST_MEANT], names=names or [*candidates])
+
+
+def offered(text: str, cells: Sequence[str], names: Sequence[str]) -> list[str]:
+    """Return the meanings that an unread column may have, out of some inputs that the table lacks.
+
+    The unit must fit. The words choose between the inputs that fit, if they can.
+
+    >>> offered("d50 (um)", [], ["radius", "diameter"]), offered("L [nm]", [], ["radius", "diameter"])
+    (['diameter [um]'], ['radius [nm]', 'diameter [nm]'])
+    """
+    cells = [cell.strip() for cell in cells if not has_no_value(cell)]
+    split = _with_unit(normalized(text))
+    tokens = tokens_of(split.word)
+    meanings: dict[str, str] = {}
+    for name in names:
+        unit = _unit(split, name)
+        if unit:
+            meanings[name] = headed(name, unit)
+        elif cells and _is_value(cells[0], name):
+            meanings[name] = name
+        if name in meanings and (_is_of_other(tokens, name) or _is_result(split) or sphere_of(tokens) == 2):
+            del meanings[name]
+    scores = {name: _score(tokens, name) for name in meanings}
+    best = max(scores.values(), default=0)
+    return [meanings[name] for name in meanings if scores[name] == best]
 
 
 def _candidates(text: str, cells: Sequence[str], supply: Supply) -> tuple[Split, Mapping[str, str]]:
@@ -323,24 +353,29 @@ def _is_unreadable(word: str) -> bool:
 def _points_to(tokens: Sequence[str], name: str) -> bool:
     """Return whether the words of a header allow it to be this input."""
     first, unit = of_sphere(1, name), NOMENCLATURE[name].unit
-    if first not in _OF_PARTS:
-        if not words.LABELS.isdisjoint(tokens):
-            return False
-        others = words.NO_INPUTS.get(unit, frozenset())
-        long_words = [word for word in others if len(word) > 4]
-        has_other = any(word in token for word, token in product(long_words, tokens))
-        long_tokens = [token for token in tokens if len(token) > 2]
-        if has_other or not (words.OTHERS | others).isdisjoint(
-            [*long_tokens, "".join(tokens)]
-        ):  # short words count together: kn for k_n
-            return False
-    if first in ("radius", "diameter", "reduced_radius") and words.is_of_asperity(tokens):
+    if _is_of_other(tokens, name):
         return False
     if first not in words.POINTERS:
         return unit not in words.COMMON_UNITS
     symbols, stems = words.POINTERS[first]
     bare = {*tokens, *map("".join, pairwise(tokens)), *map(_bare, tokens)}  # also fn for F_n, and cutoff for cut-off
     return not bare.isdisjoint(symbols) or any(stem in token for stem, token in product(stems, bare))
+
+
+def _is_of_other(tokens: Sequence[str], name: str) -> bool:
+    """Return whether the words of a header show that it is another quantity than this input."""
+    first = of_sphere(1, name)
+    if first not in _OF_PARTS:
+        if not words.LABELS.isdisjoint(tokens):
+            return True
+        others = words.NO_INPUTS.get(NOMENCLATURE[name].unit, frozenset())
+        long_words = [word for word in others if len(word) > 4]
+        if any(word in token for word, token in product(long_words, tokens)):
+            return True
+        long_tokens = [token for token in tokens if len(token) > 2]
+        if not (words.OTHERS | others).isdisjoint([*long_tokens, "".join(tokens)]):
+            return True  # short words count together: kn for k_n
+    return first in ("radius", "diameter", "reduced_radius") and words.is_of_asperity(tokens)
 
 
 def _likeliest(tokens: Sequence[str], names: Sequence[str], supply: Supply) -> tuple[list[str], bool]:

@@ -24,6 +24,7 @@ SYMBOLS_TOO |= {
     "AH": "hamaker",
     "A11": "hamaker",
     "A22": "hamaker2",
+    **dict.fromkeys("last charge carga carico".split(), "load"),  # words for other quantities with other units
 }
 # Columns of curves: these symbols, words and their synonyms count only in the header of a curve.
 _OF_CURVES = {
@@ -70,6 +71,7 @@ _DOUBTFUL_SYMBOLS = {
     "gamma12": Meaning(["work_of_adhesion"], "it may be of the interface: w = γ1 + γ2 - γ12", has_remedy=False),
     **dict.fromkeys("R* Reff".split(), Meaning(["reduced_radius"], "it may be the reduced radius")),
     **dict.fromkeys("w12 W12 wa Wa".split(), Meaning(["work_of_adhesion"], "it may be the work of adhesion")),
+    "2gamma": Meaning(["work_of_adhesion"], "it may be the work of adhesion, w = 2γ"),
     "Rp": Meaning(["radius"], "it may be the radius of a particle"),
     "Eeff": _MODULUS,
 }
@@ -100,12 +102,19 @@ OTHERS = {
 }
 # Words for sphere 1, which moves, and for sphere 2; a sample may be either.
 BODIES = {
-    1: {*"tip probe indenter colloid projectile impactor intruder particle sphere ball bead grain monomer".split()},
-    2: {*"wall substrate sub plate plane target counterface counterbody boundary geometry".split()},
+    1: {
+        *"""tip probe indenter colloid projectile impactor intruder particle sphere ball bead grain monomer spitze kugel
+        partikel teilchen pointe bille particule""".split()
+    },
+    2: {
+        *"""wall substrate sub plate plane target counterface counterbody boundary geometry wand substrat platte ebene
+        paroi""".split()
+    },
 }
 # Words that leave the quantity unchanged: they name the body, or a mean.
 NEUTRAL = {
-    *"mean average avg nominal measured applied indentation sample surface body solid first second s".split(),
+    *"""mean average avg nominal measured applied indentation sample surface body solid first second s of the de la du
+        der per area jkr dmt""".split(),
     *chain(BODIES[1], BODIES[2]),
     *(f"{body}s" for body in chain(BODIES[1], BODIES[2])),
 }
@@ -134,14 +143,18 @@ SHARE = r"(?i)[\s_.,/]*[\[(]?(?:%|percent|pct)[\])]?"
 LEVEL = r"\d\s*(?:%|percent|pct)"  # a confidence level
 # The coverage factor of an expanded uncertainty.
 COVERAGE = r"(?i)[\s,;_]*[\[(]?\s*(?<![^\W_])k\s*=\s*(\d+(?:[.,]\d+)?)\s*[\])]?"
-EXPANDED = r"^U(?![^\W_])|(?i:expanded)"
+EXPANDED = r"^U(?![^\W_])|(?i:expanded|erweiterte|elargie)"
 _ERROR = "|".join([
-    r"(?:standard|std?)[\s_.]*(?:dev(?:iation)?|err(?:or)?|unc(?:ertainty)?)\.?", r"(?:expanded[\s_.]+)?uncertainty",
-    *"stderr error err stdev std sd sem se unc".split(),
+    r"(?:standard|std?)[\s_.]*(?:dev(?:iation)?|err(?:or)?|unc(?:ertainty)?)\.?",
+    r"(?:(?:expanded|erweiterte)[\s_.]+)?(?:uncertainty|unsicherheit)", r"incertitude(?:[\s_.]+elargie)?",
+    r"(?:ecart|erreur)[\s_.-]*type",
+    *"""stderror standardabweichung standardfehler messunsicherheit messfehler fehler erreur error err stdev std sd sem
+        se unc""".split(),
 ])  # fmt: skip
 RELATIVE = rf"rsd|cv|coefficient[\s_.]of[\s_.]variation|rel(?:ative|\.)?[\s_.]+(?:{_ERROR})"  # only with %
+OF = "(?:of|von|de|sur)"
 PART = (
-    rf"(?i)^(?:u|σ|sigma)\s*\(([^()]+)\)|^(?:±|\+/?-)|^(?:σ|sigma|{RELATIVE}|{_ERROR})(?:\s+of)?(?=$|[\s_(\[])"
+    rf"(?i)^(?:u|σ|sigma)\s*\(([^()]+)\)|^(?:±|\+/?-)|^(?:σ|sigma|{RELATIVE}|{_ERROR})(?:\s+{OF})?(?=$|[\s_(\[])"
     rf"|[\s_.]*(?:±|\+/?-)(?=$|[\s_.,/(\[])|[\s_.]+(?:{RELATIVE}|{_ERROR}|{'|'.join(PARTS)})(?=$|[\s_.,/(\[])"
 )
 # Other words for a spread; words that mean a spread only next to a value; and words that accompany words for a spread.
@@ -149,8 +162,8 @@ _SPREADS = "errors errm errp errorbar plusminus stdv dev deviation uncert sigma 
 _SPREADS_BESIDE = """change difference lo hi minimum maximum neg pos confidence limit limits bound bounds range spread
     scatter tolerance tol accuracy precision resolution residual rms quartile quantile percentile noise
     fluctuation halfwidth half conf""".split()
-_FILLERS = """of the rel relative delta standard expanded coverage credible interval level full width fit th u mean
-    median stat statistical syst systematic sys combined total bar bars""".split()
+_FILLERS = """of von de sur the rel relative delta standard expanded coverage credible interval level full width fit
+    th u mean median stat statistical syst systematic sys combined total bar bars""".split()
 _SPREAD = "|".join([RELATIVE, _ERROR, *_SPREADS, *PARTS])
 _LETTER = r"[^\W\d_]"
 SPREAD = (
@@ -303,7 +316,7 @@ _GAPS = re.compile(r"[\s_.,(){}\[\]-]+|(?<=[a-z0-9])(?=[A-Z])")
 _BODY = rf"(?:(?:body|material|sphere|particle)_?(?P<number>[12])|(?P<body>{'|'.join([*BODIES[1], *BODIES[2]])}))"
 _WITH_BODY = (
     re.compile(rf"(?i){_BODY}_(?P<word>.*[^\d_])"),
-    re.compile(rf"(?i)(?P<word>.*?[^\d_])(?:_of(?:_the)?)?_{_BODY}"),
+    re.compile(rf"(?i)(?P<word>.*?[^\d_])(?:_(?:of|of_the|de|de_la|du|der))?_{_BODY}"),
 )
 
 
