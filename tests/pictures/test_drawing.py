@@ -238,6 +238,87 @@ def test_at_the_edge_of_a_band_a_best_range_ends_at_the_value_of_a_contour() -> 
     assert any("best range" in text.get_text().replace("\n", " ") for text in legend.get_texts())
 
 
+IMPACT = "restitution ice-warm --x radius=10nm:100um --y speed=1mm/s:100m/s"
+
+
+def test_the_edge_of_a_band_is_smooth_at_a_kink_of_the_best_range() -> None:
+    """The largest e by the best range rises steeply from 0 at the largest speed to stick, along a straight line."""
+    _, page = map_in_a_column(*IMPACT.split())
+    (axes,) = page.axes
+    lowest = min(lines_of(page, "band"), key=lambda line: line[:, 1].max())
+    x, y = axes.transData.transform(lowest).T
+    straight = np.polyval(np.polyfit(x, y, 1), x)
+    assert abs(y - straight).max() < 1.5 * page.dpi / 72
+
+
+def test_a_legend_has_a_scale_if_contours_are_too_close_for_labels() -> None:
+    _, page = map_in_a_column(*IMPACT.split())
+    assert "light to dark: 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9" in legend_of(page)
+    _, page = in_a_column("8")
+    assert "light to dark" not in legend_of(page)
+
+
+def legend_of(page: Figure) -> str:
+    """Return the texts of the first legend of a page, without its line breaks."""
+    legend: Any = page.axes[0].get_legend()
+    return "; ".join(text.get_text() for text in legend.get_texts()).replace("\n", " ")
+
+
+def test_the_name_of_a_limit_is_clear_of_the_lines_of_other_limits() -> None:
+    drawn, page = map_in_a_column(*IMPACT.split())
+    _, field = field_of(drawn)
+    (axes,) = page.axes
+    bounds = {typeset(region.name): region for region in field.regions if not region.hatch}
+    boxes = {text.get_text(): text.get_window_extent() for text in axes.texts if text.get_text() in bounds}
+    assert len(boxes) >= 3
+    for name, box in boxes.items():
+        x, y = axes.transData.inverted().transform(box.corners()).T
+        for other, region in bounds.items():
+            is_beyond = region.excess(field.frame.replace(radius=x, speed=y)) > 0
+            assert is_beyond.all() if other == name else len({*is_beyond.tolist()}) == 1
+
+
+def test_the_teeth_of_a_line_point_to_where_its_limit_is_exceeded() -> None:
+    """They are on the left of the line on the page."""
+    drawn, page = map_in_a_column(*IMPACT.split())
+    _, field = field_of(drawn)
+    (axes,) = page.axes
+    bounds: list[Any] = [one for one in axes.collections if one.get_path_effects()]
+    regions = [region for region in field.regions if not region.hatch]
+    assert len(bounds) == len(regions) >= 4
+    assert "the teeth of a line point to where its limit is exceeded" in legend_of(page)
+    for bound, region in zip(bounds, regions, strict=True):
+        for path in bound.get_paths():
+            ends = axes.transData.transform(path.vertices)
+            middle, along = (ends[0] + ends[1]) / 2, ends[1] - ends[0]
+            left = middle + 2 * np.array([-along[1], along[0]]) / np.hypot(*along)
+            radius, speed = axes.transData.inverted().transform(left)
+            assert region.excess(field.frame.replace(radius=radius, speed=speed)) > 0
+
+
+@pytest.mark.parametrize(
+    ("words", "clause"),
+    [
+        ("P_c pdms --x radius=100nm:1mm --y gamma=1mJ/m2:1J/m2", ""),
+        ("v_stick silica-dry --x radius=10nm:100um --y gamma=1mJ/m2:1J/m2", "by the rule “measured”"),
+        (IMPACT, "by the rules “measured” and “adhesion only”"),
+    ],
+)
+def test_a_legend_explains_bands_only_if_they_can_be_seen(words: str, clause: str) -> None:
+    """A band of less than a hundredth of the map is not drawn; bands never cover most of the map."""
+    _, page = map_in_a_column(*words.split())
+    bands = lines_of(page, "band")
+    assert bool(bands) is bool(clause)
+    assert ("best range" in legend_of(page)) is bool(clause)
+    assert clause in legend_of(page)
+
+
+def test_a_curve_has_no_band_that_is_too_narrow_to_be_seen() -> None:
+    drawn, _ = picture_of(map_request(call_of("map P_c pdms --x radius=100um:1mm".split())))
+    ((curve,),) = (panel.curves for panel in drawn.panels)
+    assert (curve.band, curve.key) == (None, "")
+
+
 def test_a_figure_of_the_paper_has_no_best_ranges() -> None:
     _, page = in_a_column("8")
     assert not lines_of(page, "band")
