@@ -47,7 +47,7 @@ _ESCAPED = {  # signs outside formulas, in LaTeX
     "^": r"\textasciicircum{}",
 }
 _IN_LATEX_FORMULAS, _IN_LATEX_WORDS = str.maketrans(_COMMANDS), str.maketrans(_ESCAPED)
-_POWER_OF_TEN = re.compile(r"(?<=\d)e([+-]?\d+)")
+_POWER_OF_TEN = re.compile(r"(?<=[\d)])e([+-]?\d+)")
 _JOINED = re.compile(r" (?=[=<>\[])|(?<=[=<>]) ")  # spaces at which no line is broken, as in "P = 0 N" and "P [nN]"
 
 
