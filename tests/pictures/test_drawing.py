@@ -319,6 +319,20 @@ def test_a_curve_has_no_band_that_is_too_narrow_to_be_seen() -> None:
     assert (curve.band, curve.key) == (None, "")
 
 
+def test_the_key_of_a_curve_by_a_stated_law_does_not_name_the_law_twice() -> None:
+    line = "map a0 quartz --x radius=10nm:10um --model maugis"
+    drawn, _ = picture_of(map_request(call_of(line.split())))
+    ((curve,),) = (panel.curves for panel in drawn.panels)
+    assert curve.key == "line; band: best range by the rule “⟦z0⟧ assumed”"
+
+
+def test_no_line_of_a_limit_is_named_by_a_code() -> None:
+    _, _, field = map_drawn("P_c quartz --x radius=10nm:10um --y gamma=1mJ/m2:1J/m2".split())
+    names = [region.name for region in field.regions]
+    assert "real surfaces hold less" in names
+    assert "rough matters" not in names
+
+
 def test_a_figure_of_the_paper_has_no_best_ranges() -> None:
     _, page = in_a_column("8")
     assert not lines_of(page, "band")
@@ -436,6 +450,7 @@ def test_coloured_bands_differ_in_grey_and_text_on_them_is_legible(style: Style)
         ("⟦log₁₀⟧ (⟦P_c⟧ / N)", r"$\mathrm{log}_{10}$ ($P_{\mathrm{c}}$ / N)"),
         ("⟦â^(3/2)⟧ of ⟦⟨M⟩⟧", r"$\hat{a}^{3/2}$ of ${\langle}M{\rangle}$"),
         ("my_dust costs $1", r"my_dust costs \$1"),
+        ("(5.8 ± 2.0)e-9 J/m on SiO2", "(5.8 ± 2.0)·$10^{-9}$ J/m on SiO$_{2}$"),
     ],
 )
 def test_marked_mathematics_is_typeset(text: str, wanted: str) -> None:
@@ -451,7 +466,9 @@ def test_every_symbol_is_typeset_whole_and_can_be_drawn() -> None:
             parser.parse(typeset(described(name, quantity.unit)))
             letters = re.sub(r"\\[a-z]+|[^\w]|_", "", typeset(symbol(name)))
             assert letters == re.sub(r"[^\w]|_", "", quantity.symbol.replace("â", "a").translate(POWERS)), name
-            assert plain(described(name)) == f"{quantity.sentence}, {quantity.symbol}"
+            before, _, remark = quantity.sentence.partition("; ")
+            sentence = f"{before} ({remark})" if remark else before
+            assert plain(described(name)) == f"{sentence}, {quantity.symbol}"
 
 
 def test_malformed_mathematics_in_the_text_of_a_user_is_typeset() -> None:

@@ -9,6 +9,7 @@ import pytest
 
 import jkroll
 from harness import Run
+from jkroll.pictures.drawn import Drawn
 from relative import approx
 
 pytest.importorskip("matplotlib")
@@ -154,6 +155,6 @@ def test_a_caption_fits_the_page() -> None:
     """Capital letters and figures are wider than the mean letter, by which lines are broken first."""
     wide = "JKR MAUGIS 558 mJ/m² " * 30
     drawn = jkroll.figure("laws")
-    page = jkroll.pictures.drawn.Drawn(drawn._picture._replace(caption=(wide,))).figure(caption=True)
+    page = Drawn(drawn._picture._replace(caption=(wide,))).figure(caption=True)
     box = page.texts[-1].get_window_extent()
     assert 0.8 * page.get_figwidth() * page.dpi < box.x1 < page.get_figwidth() * page.dpi

@@ -150,9 +150,9 @@ def test_the_axis_of_a_flat_curve_does_not_enlarge_rounding_errors(run: Run) -> 
     axis = axis_around("yield_force", [forces], may_be_log=True)
     assert (axis.low, axis.high) == approx((0, 2 * forces[0]), rel=1e-6)
     out = " ".join(run("map yield-force quartz --x radius=10nm:1um").out.split())
-    assert " quartz, the same everywhere: Q = 94.2478 pN." in out
+    assert " Q is the same everywhere: 94.25 pN (quartz)." in out
     several = " ".join(run("map yield-force quartz,iron --x radius=10nm:1um").out.split())
-    assert " quartz, the same everywhere: Q = 94.2478 pN. iron, the same everywhere: Q = " in several
+    assert " Q is the same everywhere: 94.25 pN (quartz), 11.31 nN (iron)." in several
     assert "the same" not in run("map pull-off quartz --x radius=10nm:1um").out
 
 

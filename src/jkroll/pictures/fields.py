@@ -199,7 +199,7 @@ class Drawn(NamedTuple):
 
     keys: list[Any]
     label: Callable[[Labels], list[Any]]
-    ground: Callable[[Any], str]  # colour of the picture at a position in pixels
+    ground: Callable[[Any], str]  # colour of the picture in a box in pixels
 
 
 def draw_field(axes: Any, panel: Panel, levels: Sequence[float], style: Style, letters: int) -> Drawn:
@@ -353,13 +353,15 @@ class _Drawing:
         label = self._in_lines(f"{symbol(self.field.quantity)} at the contours, from light to dark: {', '.join(texts)}")
         return [Scale(Patch(facecolor=colour, linewidth=0, label=label) for colour in self.colours)]
 
-    def ground(self, pixels: Any) -> str:
-        """Return the colour at a position in pixels."""
-        (value,) = self._at(self.values, [pixels])
+    def ground(self, box: Any) -> str:
+        """Return the colour in the middle of a box in pixels, which is pale if a band covers most of the box."""
+        middle = (box.min + box.max) / 2
+        (value,) = self._at(self.values, [middle])
         if not numpy.isfinite(value):
             return self.style.paper
         colour = self.colours[int(numpy.searchsorted(self.heights, value))]
-        return mixed(colour, self.style.paper, _PALE) if self._at(self.is_pale, [pixels])[0] else colour
+        is_pale = self._at(self.is_pale, [*box.corners(), middle]).mean() > 0.5
+        return mixed(colour, self.style.paper, _PALE) if is_pale else colour
 
     def _at(self, values: Any, pixels: Any) -> Any:
         """Return values on the mesh at the points nearest to positions in pixels."""

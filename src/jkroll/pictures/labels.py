@@ -18,7 +18,7 @@ _STEP = 1.5  # between the points of a line, in points of the page
 _WAYS = ((0.7, 0.7), (0.7, -0.7), (-0.7, 0.7), (-0.7, -0.7), (1, 0), (-1, 0), (0, 1), (0, -1))  # the best first
 _REACH = (7.0, 11.0, 16.0, 22.0, 30.0, 42.0, 56.0, 75.0)  # distances of a text from its point, in points of the page
 
-Ground = Callable[[Any], str]  # colour of the picture at a position in pixels
+Ground = Callable[[Any], str]  # colour of the picture in a box in pixels
 
 
 class Bound(NamedTuple):
@@ -155,7 +155,7 @@ class Labels:
             return
         middle = (box.min + box.max) / 2
         text.set_position(self.axes.transData.inverted().transform(middle))
-        text.set_bbox({"boxstyle": "square,pad=0.05", "linewidth": 0, "facecolor": self.ground(middle)})
+        text.set_bbox({"boxstyle": "square,pad=0.05", "linewidth": 0, "facecolor": self.ground(box)})
         self.taken.append(box)
 
 

@@ -184,10 +184,13 @@ def described(name: str, unit: str = "") -> str:
     """Return a quantity as the title of an axis, with its symbol marked as mathematics.
 
     >>> described("load", "nN")
-    'load; a pull is negative, ⟦P⟧ [nN]'
+    'load (a pull is negative), ⟦P⟧ [nN]'
     """
     quantity = quantity_of(name)
-    return marked(quantity.sentence) + (f", ⟦{quantity.symbol}⟧" if quantity.symbol else "") + bracketed(unit)
+    sentence, _, remark = marked(quantity.sentence).partition("; ")
+    if remark:
+        sentence += f" ({remark})"
+    return sentence + (f", ⟦{quantity.symbol}⟧" if quantity.symbol else "") + bracketed(unit)
 
 
 def axis_around(name: str, values: Iterable[Any], *, may_be_log: bool = False, margin: float = 0.05) -> Axis:

@@ -11,6 +11,7 @@ from ..errors import JkrollError
 from ..model.estimate import NONE, WORDS, Estimate, estimates
 from ..model.frame import Frame
 from ..model.results import Results
+from ..quantities.markup import marked
 from ..text import listed
 
 _HAS_WIDTH = 1e-6  # relative width below which a range is drawn as a line
@@ -29,7 +30,7 @@ class Band(NamedTuple):
     def rules(self, where: Callable[[Any], str] = lambda _: "") -> str:
         """Return the clause that names the rules, each with the place where it applies, in their order."""
         rules = [rule for rule in dict.fromkeys(self.by.ravel().tolist()) if rule != NONE]
-        words: dict[str, int] = {WORDS[rule].replace("ξ", "⟦ξ⟧"): rule for rule in rules}
+        words: dict[str, int] = {marked(WORDS[rule]): rule for rule in rules}
         texts = []
         for word, rule in words.items():
             place = where(self.by == rule)

@@ -352,8 +352,8 @@ class Layer:
                 ranges.append(range_in_words(self.quantity, estimate))
                 rules.append(WORDS[estimate.by])
             rows = rows._replace(best=tuple(ranges), by=tuple(rules))
-        law = self.frame.law.short if self.frame.stated_model is None else ""
-        key = "; ".join(filter(None, (law, f"band: best range {band.rules(self._where)}")))
+        line = self.frame.law.short if self.frame.stated_model is None else "line"  # a stated law is in the text
+        key = f"{line}; band: best range {band.rules(self._where)}"
         return Curve(self.text, x.values(), self.values, colour, band=band, key=key, rows=rows)
 
     def regions(self) -> Iterator[Region]:
@@ -372,7 +372,9 @@ class Layer:
                     look = UNDRAWN
                     if limit in DRAWN_LIMITS:
                         look = SLIGHT if limit.factor is not None and step == 0 else SIGNS[limit.name]
-                    name = text.partition(":")[0] if limit.factor is None else limit.codes[threshold].replace("-", " ")
+                    name, colon, _ = text.partition(":")
+                    if not colon:
+                        name = limit.codes[threshold].replace("-", " ")
                     yield Region(text, where, *look, name, partial(_excess_over, limit, step, self.quantity))
                     if not where:
                         break
@@ -485,10 +487,13 @@ def _opening(quantity: str, layers: Sequence[Layer], unit: str = "") -> Iterator
     yield ", ".join(clauses) + "."
     shared = set(layers[0].inputs).intersection(*(layer.inputs for layer in layers))
     yield from fixed_inputs([text for text in layers[0].inputs if text in shared])
-    for layer in layers:
-        if is_flat(layer.values):
-            label = f"{layer.text}, the" if layer.text else "The"
-            yield f"{label} same everywhere: {symbol(quantity)} = {amount(quantity, extent(layer.values)[0])}."
+    flat = [layer for layer in layers if is_flat(layer.values)]
+    if flat:
+        values = []
+        for layer in flat:
+            of_layer = f" ({layer.text})" if layer.text else ""
+            values.append(amount(quantity, extent(layer.values)[0], _FOUR) + of_layer)
+        yield f"{symbol(quantity)} is the same everywhere: {', '.join(values)}."
     if any(layer.frame.may_rest_on_spacing(quantity) and not layer.known.all() for layer in layers):
         yield f"No value where {symbol(quantity)} {RESTS_ON_SPACING.words}."
     unjudged: list[str] = []

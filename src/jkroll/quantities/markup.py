@@ -90,6 +90,7 @@ def typeset(text: str) -> str:
 
 def _typeset_words(words: str) -> str:
     words = re.sub(r"(?<![\w.])-(?=[\d.])", "−", words).replace("$", r"\$")
+    words = words.replace("SiO2", "SiO$_{2}$")
     words = re.sub(r"\b1e(-?\d+)", r"$10^{\1}$", words)
     words = _POWER_OF_TEN.sub(r"·$10^{\1}$", words)
     return re.sub(f"[{_SUPERSCRIPTS}]+", lambda match: f"$^{{{match[0].translate(SUPERSCRIPTS)}}}$", words)
