@@ -253,9 +253,9 @@ def test_the_edge_of_a_band_is_smooth_at_a_kink_of_the_best_range() -> None:
 
 def test_a_legend_has_a_scale_if_contours_are_too_close_for_labels() -> None:
     _, page = map_in_a_column(*IMPACT.split())
-    assert "light to dark: 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9" in legend_of(page)
+    assert "in the order of these colours: 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9" in legend_of(page)
     _, page = in_a_column("8")
-    assert "light to dark" not in legend_of(page)
+    assert "these colours" not in legend_of(page)
 
 
 def legend_of(page: Figure) -> str:

@@ -350,7 +350,9 @@ class _Drawing:
         labels.of_bounds(self.bounds)
         if count >= _MOST_LABELLED * len(texts):
             return []
-        label = self._in_lines(f"{symbol(self.field.quantity)} at the contours, from light to dark: {', '.join(texts)}")
+        label = self._in_lines(
+            f"{symbol(self.field.quantity)} at the contours, in the order of these colours: {', '.join(texts)}"
+        )
         return [Scale(Patch(facecolor=colour, linewidth=0, label=label) for colour in self.colours)]
 
     def ground(self, box: Any) -> str:
