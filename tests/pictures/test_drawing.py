@@ -670,7 +670,7 @@ def test_the_curves_of_several_laws_share_the_panels(run: Run, tmp_path: Path) -
     shown = texts_of((tmp_path / "laws.svg").read_text(encoding="utf-8"))
     assert all(shown.count(law) == 2 for law in ("JKR", "Maugis–Dugdale", "DMT"))
     on_screen = run("contact quartz 100nm --curve --model jkr,dmt --panel force --load=-20nN:10nN --quiet")
-    assert re.split(r"  +", on_screen.out.splitlines()[1].strip()) == ["δ [pm]", "P [nN]"]
+    assert re.split(r"  +", on_screen.out.splitlines()[2].strip()) == ["δ [pm]", "P [nN]"]
     assert {"JKR", "DMT"} <= {line.split()[0] for line in on_screen.out.splitlines()}
 
 
