@@ -326,6 +326,11 @@ def test_the_key_of_a_curve_by_a_stated_law_does_not_name_the_law_twice() -> Non
     assert curve.key == "line; band: best range by the rule “⟦z0⟧ assumed”"
 
 
+def test_symbols_in_the_words_of_a_limit_are_typeset() -> None:
+    _, field = field_of(paper_map("8", known_materials()))
+    assert "⟦ξ/ξ_max > 1⟧: ⟦ξ⟧ is too large for the formula" in [region.text for region in field.regions]
+
+
 def test_no_line_of_a_limit_is_named_by_a_code() -> None:
     _, _, field = map_drawn("P_c quartz --x radius=10nm:10um --y gamma=1mJ/m2:1J/m2".split())
     names = [region.name for region in field.regions]

@@ -21,7 +21,7 @@ from ..model.results import Results
 from ..model.solver import values_of
 from ..quantities.formatting import AS_USUAL, Format, amount, in_words, symbol_of
 from ..quantities.laws import BETWEEN
-from ..quantities.markup import symbol
+from ..quantities.markup import marked, symbol
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, as_input, computed_as
 from ..quantities.values import QuantityError, between, parse_quantity
 from ..report.answer import equation_of
@@ -384,7 +384,7 @@ class Layer:
         if limit is LAW:
             size = f"{100 * (threshold - 1):.0f} %" if threshold < 2 else f"a factor of {threshold:g}"
             return f"{self.given.law.title} is off by more than {size}"
-        meaning = limit.consequence.partition(";")[0]
+        meaning = marked(limit.consequence.partition(";")[0])
         if limit.factor is not None:
             return meaning
         number, unit = AS_USUAL.rounded(limit.name, threshold)
