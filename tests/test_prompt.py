@@ -216,7 +216,7 @@ def test_a_picture_is_drawn_without_matplotlib() -> None:
     assert 'd="M0.0,250.0L330.0,0.0"' in svg
     assert 'cx="165.0" cy="125.0"' in svg
     assert ["".join(text.itertext()).replace("\u200b", "") for text in texts] == [
-        *("0", "5", "10", "load; a pull is negative, P [nN]"),
+        *("0", "5", "10", "load (a pull is negative), P [nN]"),
         *("1 nm", "100 nm", "10 µm", "1 mm", "radius of sphere 1, R1"),
         *("Pc here", "line", "Fixed: nothing."),
     ]
@@ -243,7 +243,7 @@ def test_a_map_has_hatches_best_ranges_and_the_edge_of_a_part_without_values() -
     ]
     assert keys[4:7] == [
         "contours: JKR; bands: where the best range includes their",
-        "value, by Maugis",
+        "value, by the rule “Maugis”",
         "no value: beyond pull-off",
     ]
 

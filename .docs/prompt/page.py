@@ -43,6 +43,7 @@ LETTER = 6.0  # width of a letter, on average
 SLOPE = 0.87  # height of a sloping text above the axes, over its length
 COLUMNS = 2  # panels in a row, at most
 DASHES = ("", "7 3", "7 3 2 3", "2 3", "7 3 2 3 2 3", "12 4")
+DOTS = "1 2"  # in place of points
 TICKS, CONTOURS = 5, 9  # at most
 THIN, THICK = 0.9, 1.5  # contours
 MESH, FINE = 121, 401  # points along each side of a map: for its values, and to find the edge of a part without values
@@ -148,6 +149,8 @@ class _Axes:
             text = ": ".join(filter(None, (curve.text, curve.key)))
             colour = self.style.lines[curve.colour % len(self.style.lines)]
             dashes = DASHES[1] if curve.is_dashed else DASHES[len(self.keys) % len(DASHES)]
+            if curve.has_points:
+                dashes = DOTS
             pale = f'fill="{colour}" opacity="0.22"' if curve.band else ""
             key = self.keys.setdefault(text, _Key(text, _stroke(colour, dashes, 1.6), pale))
             if curve.band is not None:
@@ -241,6 +244,8 @@ class _Axes:
             low, high = (one_further(scaled(end).clip(-far, far)) for end in (best.low, best.high))
         inside = numpy.array([numpy.minimum(high - height, height - low) for height in heights])
         step = spacing(inside)
+        if step == 0:
+            return 1, []
         pale, edge = f'fill="{self.style.paper}" opacity="0.55"', _stroke(self.style.hatch, "", 0.5)
         drawn = []
         for excess, height in [*zip(inside, heights, strict=True)][step // 2 :: step]:

@@ -238,6 +238,106 @@ def test_at_the_edge_of_a_band_a_best_range_ends_at_the_value_of_a_contour() -> 
     assert any("best range" in text.get_text().replace("\n", " ") for text in legend.get_texts())
 
 
+IMPACT = "restitution ice-warm --x radius=10nm:100um --y speed=1mm/s:100m/s"
+
+
+def test_the_edge_of_a_band_is_smooth_at_a_kink_of_the_best_range() -> None:
+    """The largest e by the best range rises steeply from 0 at the largest speed to stick, along a straight line."""
+    _, page = map_in_a_column(*IMPACT.split())
+    (axes,) = page.axes
+    lowest = min(lines_of(page, "band"), key=lambda line: line[:, 1].max())
+    x, y = axes.transData.transform(lowest).T
+    straight = np.polyval(np.polyfit(x, y, 1), x)
+    assert abs(y - straight).max() < 1.5 * page.dpi / 72
+
+
+def test_a_legend_has_a_scale_if_contours_are_too_close_for_labels() -> None:
+    _, page = map_in_a_column(*IMPACT.split())
+    assert "in the order of these colours: 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9" in legend_of(page)
+    _, page = in_a_column("8")
+    assert "these colours" not in legend_of(page)
+
+
+def legend_of(page: Figure) -> str:
+    """Return the texts of the first legend of a page, without its line breaks."""
+    legend: Any = page.axes[0].get_legend()
+    return "; ".join(text.get_text() for text in legend.get_texts()).replace("\n", " ")
+
+
+def test_the_name_of_a_limit_is_clear_of_the_lines_of_other_limits() -> None:
+    drawn, page = map_in_a_column(*IMPACT.split())
+    _, field = field_of(drawn)
+    (axes,) = page.axes
+    bounds = {typeset(region.name): region for region in field.regions if not region.hatch}
+    boxes = {text.get_text(): text.get_window_extent() for text in axes.texts if text.get_text() in bounds}
+    assert len(boxes) >= 3
+    for name, box in boxes.items():
+        x, y = axes.transData.inverted().transform(box.corners()).T
+        for other, region in bounds.items():
+            is_beyond = region.excess(field.frame.replace(radius=x, speed=y)) > 0
+            assert is_beyond.all() if other == name else len({*is_beyond.tolist()}) == 1
+
+
+def test_the_teeth_of_a_line_point_to_where_its_limit_is_exceeded() -> None:
+    """They are on the left of the line on the page."""
+    drawn, page = map_in_a_column(*IMPACT.split())
+    _, field = field_of(drawn)
+    (axes,) = page.axes
+    bounds: list[Any] = [one for one in axes.collections if one.get_path_effects()]
+    regions = [region for region in field.regions if not region.hatch]
+    assert len(bounds) == len(regions) >= 4
+    assert "the teeth of a line point to where its limit is exceeded" in legend_of(page)
+    for bound, region in zip(bounds, regions, strict=True):
+        for path in bound.get_paths():
+            ends = axes.transData.transform(path.vertices)
+            middle, along = (ends[0] + ends[1]) / 2, ends[1] - ends[0]
+            left = middle + 2 * np.array([-along[1], along[0]]) / np.hypot(*along)
+            radius, speed = axes.transData.inverted().transform(left)
+            assert region.excess(field.frame.replace(radius=radius, speed=speed)) > 0
+
+
+@pytest.mark.parametrize(
+    ("words", "clause"),
+    [
+        ("P_c pdms --x radius=100nm:1mm --y gamma=1mJ/m2:1J/m2", ""),
+        ("v_stick silica-dry --x radius=10nm:100um --y gamma=1mJ/m2:1J/m2", "by the rule “measured”"),
+        (IMPACT, "by the rules “measured” and “adhesion only”"),
+    ],
+)
+def test_a_legend_explains_bands_only_if_they_can_be_seen(words: str, clause: str) -> None:
+    """A band of less than a hundredth of the map is not drawn; bands never cover most of the map."""
+    _, page = map_in_a_column(*words.split())
+    bands = lines_of(page, "band")
+    assert bool(bands) is bool(clause)
+    assert ("best range" in legend_of(page)) is bool(clause)
+    assert clause in legend_of(page)
+
+
+def test_a_curve_has_no_band_that_is_too_narrow_to_be_seen() -> None:
+    drawn, _ = picture_of(map_request(call_of("map P_c pdms --x radius=100um:1mm".split())))
+    ((curve,),) = (panel.curves for panel in drawn.panels)
+    assert (curve.band, curve.key) == (None, "")
+
+
+def test_the_key_of_a_curve_by_a_stated_law_does_not_name_the_law_twice() -> None:
+    line = "map a0 quartz --x radius=10nm:10um --model maugis"
+    drawn, _ = picture_of(map_request(call_of(line.split())))
+    ((curve,),) = (panel.curves for panel in drawn.panels)
+    assert curve.key == "line; band: best range by the rule “⟦z0⟧ assumed”"
+
+
+def test_symbols_in_the_words_of_a_limit_are_typeset() -> None:
+    _, field = field_of(paper_map("8", known_materials()))
+    assert "⟦ξ/ξ_max > 1⟧: ⟦ξ⟧ is too large for the formula" in [region.text for region in field.regions]
+
+
+def test_no_line_of_a_limit_is_named_by_a_code() -> None:
+    _, _, field = map_drawn("P_c quartz --x radius=10nm:10um --y gamma=1mJ/m2:1J/m2".split())
+    names = [region.name for region in field.regions]
+    assert "real surfaces hold less" in names
+    assert "rough matters" not in names
+
+
 def test_a_figure_of_the_paper_has_no_best_ranges() -> None:
     _, page = in_a_column("8")
     assert not lines_of(page, "band")
@@ -355,6 +455,7 @@ def test_coloured_bands_differ_in_grey_and_text_on_them_is_legible(style: Style)
         ("⟦log₁₀⟧ (⟦P_c⟧ / N)", r"$\mathrm{log}_{10}$ ($P_{\mathrm{c}}$ / N)"),
         ("⟦â^(3/2)⟧ of ⟦⟨M⟩⟧", r"$\hat{a}^{3/2}$ of ${\langle}M{\rangle}$"),
         ("my_dust costs $1", r"my_dust costs \$1"),
+        ("(5.8 ± 2.0)e-9 J/m on SiO2", "(5.8 ± 2.0)·$10^{-9}$ J/m on SiO$_{2}$"),
     ],
 )
 def test_marked_mathematics_is_typeset(text: str, wanted: str) -> None:
@@ -370,7 +471,9 @@ def test_every_symbol_is_typeset_whole_and_can_be_drawn() -> None:
             parser.parse(typeset(described(name, quantity.unit)))
             letters = re.sub(r"\\[a-z]+|[^\w]|_", "", typeset(symbol(name)))
             assert letters == re.sub(r"[^\w]|_", "", quantity.symbol.replace("â", "a").translate(POWERS)), name
-            assert plain(described(name)) == f"{quantity.sentence}, {quantity.symbol}"
+            before, _, remark = quantity.sentence.partition("; ")
+            sentence = f"{before} ({remark})" if remark else before
+            assert plain(described(name)) == f"{sentence}, {quantity.symbol}"
 
 
 def test_malformed_mathematics_in_the_text_of_a_user_is_typeset() -> None:
@@ -572,7 +675,7 @@ def test_the_curves_of_several_laws_share_the_panels(run: Run, tmp_path: Path) -
     shown = texts_of((tmp_path / "laws.svg").read_text(encoding="utf-8"))
     assert all(shown.count(law) == 2 for law in ("JKR", "Maugis–Dugdale", "DMT"))
     on_screen = run("contact quartz 100nm --curve --model jkr,dmt --panel force --load=-20nN:10nN --quiet")
-    assert re.split(r"  +", on_screen.out.splitlines()[1].strip()) == ["δ [pm]", "P [nN]"]
+    assert re.split(r"  +", on_screen.out.splitlines()[2].strip()) == ["δ [pm]", "P [nN]"]
     assert {"JKR", "DMT"} <= {line.split()[0] for line in on_screen.out.splitlines()}
 
 

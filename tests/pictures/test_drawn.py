@@ -9,6 +9,7 @@ import pytest
 
 import jkroll
 from harness import Run
+from jkroll.pictures.drawn import Drawn
 from relative import approx
 
 pytest.importorskip("matplotlib")
@@ -119,3 +120,41 @@ def test_invalid_calls_for_pictures_are_refused(call: Any, words: str) -> None:
     with pytest.raises(jkroll.JkrollError) as caught:
         call()
     assert words in str(caught.value)
+
+
+def fitted_probe() -> Any:
+    """Return the fit of a measured curve with both branches."""
+    path = Path(__file__).parents[1] / "data/probe.csv"
+    return jkroll.fit(path, radius="7.5 um", radius2="plane", spring="3.01±0.1N/m", poisson_ratio2=0.5)
+
+
+def test_the_caption_of_a_fit_has_sentences_with_typeset_symbols_and_no_options() -> None:
+    from jkroll.pictures.fitted import caption_of_fit
+
+    sentences = caption_of_fit(fitted_probe())
+    assert sentences[0] == "Travel and force, by JKR, ⟦R⟧ = 7.5 µm, ⟦k⟧ = 3.01 N/m, paraboloid, 15 points."
+    assert sentences[1].startswith("Work of adhesion on opening, ⟦w_open⟧ = 61.7 ± 1.7 mJ/m²; work of adhesion on ")
+    assert all(each[0] in "⟦15" or each[0].isupper() for each in sentences)
+    text = " ".join(sentences)
+    assert "⟦a0/R⟧ = " in text
+    assert " a sphere is no paraboloid." in text
+    assert not any(sign in text for sign in ("--", "profile-matters", "few-independent", "2%"))
+
+
+def test_measured_points_and_the_fitted_line_look_different() -> None:
+    first, *_ = fitted_probe().plot()
+    looks = {line.get_label(): (line.get_linestyle(), line.get_marker(), line.get_color()) for line in first.lines}
+    assert [*looks] == ["unloading, measured", "unloading, fitted", "loading, measured", "loading, fitted"]
+    assert [style == "None" for style, _, _ in looks.values()] == [True, False, True, False]
+    assert len({*looks.values()}) == 4
+    legend = first.get_legend()
+    assert [text.get_text() for text in legend.get_texts()] == [*looks]
+
+
+def test_a_caption_fits_the_page() -> None:
+    """Capital letters and figures are wider than the mean letter, by which lines are broken first."""
+    wide = "JKR MAUGIS 558 mJ/m² " * 30
+    drawn = jkroll.figure("laws")
+    page = Drawn(drawn._picture._replace(caption=(wide,))).figure(caption=True)
+    box = page.texts[-1].get_window_extent()
+    assert 0.8 * page.get_figwidth() * page.dpi < box.x1 < page.get_figwidth() * page.dpi

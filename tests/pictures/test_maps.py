@@ -150,9 +150,9 @@ def test_the_axis_of_a_flat_curve_does_not_enlarge_rounding_errors(run: Run) -> 
     axis = axis_around("yield_force", [forces], may_be_log=True)
     assert (axis.low, axis.high) == approx((0, 2 * forces[0]), rel=1e-6)
     out = " ".join(run("map yield-force quartz --x radius=10nm:1um").out.split())
-    assert " quartz, the same everywhere: Q = 94.2478 pN." in out
+    assert " Q is the same everywhere: 94.25 pN (quartz)." in out
     several = " ".join(run("map yield-force quartz,iron --x radius=10nm:1um").out.split())
-    assert " quartz, the same everywhere: Q = 94.2478 pN. iron, the same everywhere: Q = " in several
+    assert " Q is the same everywhere: 94.25 pN (quartz), 11.31 nN (iron)." in several
     assert "the same" not in run("map pull-off quartz --x radius=10nm:1um").out
 
 
@@ -199,9 +199,11 @@ def test_pictures_are_ascii_or_coloured_as_the_terminal_allows(
 
 def test_a_map_is_a_table_of_its_values(run: Run) -> None:
     out = run("map contact-radius quartz --x radius=10nm:1um --y gamma=10mJ/m2:1J/m2 --quiet --plain").out.splitlines()
-    heads = re.split(r"  +", out[2].strip())
+    assert out[0] == "Unloaded contact radius, a0, Eq (2), by JKR."
+    assert out[1].startswith("Fixed: quartz")
+    heads = re.split(r"  +", out[3].strip())
     assert heads == ["γ1", "10 nm", "20 nm", "50 nm", "100 nm", "200 nm", "500 nm", "1 µm"]
-    rows = [re.split(r"  +", line.strip()) for line in out[3:10]]
+    rows = [re.split(r"  +", line.strip()) for line in out[4:11]]
     assert (rows[0][0], rows[-1][0]) == ("1 J/m²", "10 mJ/m²")
     values = dict(zip(heads[1:], rows[[row[0] for row in rows].index("20 mJ/m²")][1:], strict=True))
     wanted = solve("contact_radius", material="quartz", radius=5e-8, surface_energy=0.02)
@@ -210,9 +212,10 @@ def test_a_map_is_a_table_of_its_values(run: Run) -> None:
 
 def test_curves_are_rows_of_their_values(run: Run) -> None:
     out = run("map pull-off quartz,iron --x radius=1nm:1um:4 --mark quartz@50nm --quiet").out.splitlines()
-    assert re.split(r"  +", out[0].strip()) == ["R1", "P_c", "best range", "by"]
-    assert {*out[1]} == {"─"}
-    rows = [re.split(r"  +", line.strip()) for line in out[2:11]]
+    table = out.index(next(line for line in out if line.split() == ["R1", "P_c", "best", "range", "by"]))
+    assert out[0] == "Pull-off force, P_c, Eq (1), by JKR."
+    assert {*out[table + 1]} == {"─"}
+    rows = [re.split(r"  +", line.strip()) for line in out[table + 2 : table + 11]]
     radii = {"1 nm": 1e-9, "10 nm": 1e-8, "100 nm": 1e-7, "1 µm": 1e-6}
     assert [row[:2] for row in rows] == [
         *([name, text] for name in ("quartz", "iron") for text in radii),
@@ -223,6 +226,20 @@ def test_curves_are_rows_of_their_values(run: Run) -> None:
         number, unit = force.split()
         value = float(number) * {"pN": 1e-12, "nN": 1e-9, "µN": 1e-6}[unit]
         assert value == approx(solve("pull_off_force", material=name, radius=radii[text]), rel=1e-3)
+
+
+def test_the_law_of_a_map_stands_above_its_numbers_once(run: Run) -> None:
+    """The title is not repeated, limits are below, and a figure of the paper keeps its title."""
+    ran = run("map P_c --x radius=100nm:1mm --y gamma=1mJ/m2:1J/m2")
+    above, _, below = ran.out.partition("\nDown: ")
+    assert above.startswith(
+        "Pull-off force, P_c, Eq (1), by JKR.\nDMT's law, for small, hard spheres, gives 4/3 of this force.\n"
+    )
+    assert ran.out.lower().count("pull-off force, p_c") == 1
+    assert "Real surfaces hold less" in below
+    mass = run("map mass --x radius=10cm:1m --y density=1g/cm3:10g/cm3").out
+    assert mass.startswith("Mass of sphere 1, m1 [kg], Eq (41).\nDown: ")
+    assert run("figure 8").out.startswith("Fig. 8: n_roll\nTurns after sliding, n_roll, ")
 
 
 KEY = re.compile(r"^([x/|^'—]) (\S.*)$", re.MULTILINE)  # a sign and its meaning, below a map
@@ -577,7 +594,7 @@ def test_a_caption_has_every_doubt_of_the_rows(run: Run, words: str, axis: str) 
 
 def test_the_panel_of_moments_says_where_it_ends(run: Run) -> None:
     out = run("contact quartz 100nm --curve --panel moment --xi 3nm", terminal=True).out
-    assert out.startswith("moment up to ξ_max = 1.33 nm\n")
+    assert "\nmoment up to ξ_max = 1.33 nm\n" in out
     assert "\nξ = " not in out
 
 

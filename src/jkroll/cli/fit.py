@@ -143,7 +143,8 @@ def _write_single(call: Call, path: str, outcome: FileFit, form: str) -> int:
             from ..pictures.fitted import picture_of_fit
             from ..pictures.picture import write_picture
 
-            write_picture(picture_of_fit(fitted, os.path.basename(path), [*sentences(fitted)]), out)
+            drawn = picture_of_fit(fitted, os.path.basename(path), ())
+            write_picture(drawn._replace(remarks=(*sentences(fitted),)), out)
         elif call.curve:
             heads, columns = curve_columns(fitted)
             write_columns(heads, columns, form, out)

@@ -11,7 +11,7 @@ from ..model.frame import Frame
 from ..model.limits import LIMITS
 from ..pictures.figures import FIGURE_NAMES, PANELS, PAPER_MAPS, PROFILES, curves_of_contact, figure_laws, paper_map
 from ..pictures.geometry import sketch
-from ..pictures.picture import STYLES, Picture, evaluate, say_texts, write_picture
+from ..pictures.picture import STYLES, Picture, evaluate, opening, say_texts, write_picture
 from ..pictures.request import MAX_CURVES, PlotRequest, axis_of, check_axes, distinction, picture_of
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.markup import plain
@@ -135,7 +135,7 @@ def _deliver(drawn: Picture, notes: Iterable[str], call: Call) -> int:
     if call.target is not None:
         draw_into(call.target, drawn, call)
         if call.data != "-" and not call.quiet:
-            say_texts([drawn.title, *drawn.caption, *drawn.doubts, *drawn.remarks], sys.stdout)
+            say_texts([*opening(drawn), *drawn.doubts, *drawn.remarks], sys.stdout)
     elif call.data != "-":
         write_picture(drawn, sys.stdout)
     sys.stdout.flush()

@@ -15,25 +15,31 @@ from matplotlib.collections import LineCollection, PathCollection  # type: ignor
 from matplotlib.colors import (  # type: ignore[import-not-found,unused-ignore]
     LinearSegmentedColormap,
     to_hex,
+    to_rgb,
 )
 from matplotlib.lines import Line2D  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.patches import Patch  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.path import Path  # type: ignore[import-not-found,unused-ignore]
+from matplotlib.patheffects import withTickedStroke  # type: ignore[import-not-found,unused-ignore]
 
 from ..model.frame import Frame
 from ..model.solver import values_of
-from ..quantities.markup import lines
+from ..quantities.markup import lines, symbol
 from .labels import Bound, Labels
 from .picture import Axis, Panel, Style, evaluate, one_further, over
-from .ranges import band_of, spacing
+from .ranges import Band, band_of, spacing
 
 FINE = 401  # points along each side of a field
 _THIN, _THICK = 0.7, 1.1  # contours, in points
 _TOLERANCE = 0.005  # largest error of a line, in steps of the mesh
 _HALVINGS = 24  # bisections that find the edge of the part without values
 _BOUNDS = ((0, (4, 2)), (0, (7, 2, 1.5, 2)), (0, (10, 3)), (0, (5, 1.5, 1, 1.5, 1, 1.5)))  # dashes of lines with names
+_ABOUT_TEETH = "the teeth of a line point to where its limit is exceeded"
+_MOST_LABELLED = 2 / 3  # if fewer of the contours have a text, the legend has a scale
 _PALE = 0.55  # opacity of the paper's colour in a band of best ranges
 _CERTAIN, _UNCERTAIN = 201, 41  # points along each side for best ranges, without and with uncertain inputs
+_ROUGH = 0.1  # second difference above which an end of best ranges is not linear, over the distance of contours
+_TOOTH, _APART = 2.5, 6.0  # length and distance of the teeth of a bound, in points
 _FARTHEST = 20.0  # an infinite end of a band is drawn farther than this from every contour
 
 
@@ -126,6 +132,25 @@ def finer(values: Any) -> Any:
     return values
 
 
+def rough(values: Any, heights: Sequence[float]) -> Any:
+    """Return the points of the fine mesh in cells of a coarser one where values cross a height and are not linear."""
+    bend = numpy.zeros(values.shape)
+    bend[1:-1] = abs(numpy.diff(values, 2, axis=0))
+    bend[:, 1:-1] = numpy.maximum(bend[:, 1:-1], abs(numpy.diff(values, 2, axis=1)))
+    corners, bends = _corners(values), _corners(bend)
+    is_crossed = numpy.zeros(bends.shape[1:], dtype=bool)
+    for height in heights:
+        is_crossed |= (corners.min(axis=0) <= height) & (height <= corners.max(axis=0))
+    is_rough = is_crossed & (bends.max(axis=0) > _ROUGH * numpy.ptp(heights) / len(heights))
+    fold = (FINE - 1) // (len(values) - 1)
+    return numpy.pad(numpy.kron(is_rough, numpy.ones((fold, fold), dtype=bool)), ((0, 1), (0, 1)), mode="edge")
+
+
+def _corners(values: Any) -> Any:
+    """Return the values at the four corners of each cell of a mesh."""
+    return numpy.stack([values[:-1, :-1], values[1:, :-1], values[:-1, 1:], values[1:, 1:]])
+
+
 class Edge:
     """The edge of the part of a picture in which a quantity has no value."""
 
@@ -160,12 +185,21 @@ class Edge:
 # --- The drawing ------------------------------------------------------------------------------------------------------
 
 
+class Scale(tuple[Patch, ...]):
+    """A key of a legend: a strip of colours from low to high values."""
+
+    __slots__ = ()
+
+
 class Drawn(NamedTuple):
-    """The keys of a drawing's legend, and two functions: one writes the texts inside the axes, one returns a colour."""
+    """The keys of a drawing's legend, and two functions.
+
+    One writes the texts inside the axes and returns further keys, for contours without a text; one returns a colour.
+    """
 
     keys: list[Any]
-    label: Callable[[Labels], None]
-    ground: Callable[[Any], str]  # colour of the picture at a position in pixels
+    label: Callable[[Labels], list[Any]]
+    ground: Callable[[Any], str]  # colour of the picture in a box in pixels
 
 
 def draw_field(axes: Any, panel: Panel, levels: Sequence[float], style: Style, letters: int) -> Drawn:
@@ -178,6 +212,18 @@ def draw_field(axes: Any, panel: Panel, levels: Sequence[float], style: Style, l
     drawing.draw_contours()
     drawing.draw_edge()
     return Drawn(drawing.keys, drawing.label, drawing.ground)
+
+
+def _teeth() -> list[Any]:
+    """Return the short strokes on the left of a line, where the excess that it bounds is positive."""
+    solid = {"dash_offset": 0, "dash_list": None}
+    return [withTickedStroke(spacing=_APART, angle=90, length=_TOOTH / _APART, dashes=solid)]
+
+
+def mixed(colour: str, other: str, share: float) -> str:
+    """Return a mixture of two colours. `share`: that of the other colour."""
+    red, green, blue = (1 - share) * numpy.array(to_rgb(colour)) + share * numpy.array(to_rgb(other))
+    return str(to_hex((red, green, blue)))
 
 
 class _Drawing:
@@ -195,6 +241,7 @@ class _Drawing:
         self.keys: list[Any] = []
         self.bounds: list[Bound] = []
         self.contours: list[list[Any]] = []
+        self.is_pale: Any = numpy.zeros(self.values.shape, dtype=bool)  # within a band of best ranges
         axes.set_axisbelow(False)  # ticks stay visible where there is no value
         shares = numpy.linspace(0, 1, len(self.heights) + 1)
         self.colours = [to_hex(colour) for colour in LinearSegmentedColormap.from_list("", style.bands)(shares)]
@@ -216,11 +263,13 @@ class _Drawing:
                 self._fill(area, zorder=1.2, **hatched)
                 self.keys.append(Patch(label=self._in_lines(region.text), linewidth=0.4, **hatched))
             else:
-                look: dict[str, Any] = {"linewidth": 0.7, "linestyle": next(dashes)}
+                look: dict[str, Any] = {"linewidth": 0.7, "linestyle": next(dashes), "path_effects": _teeth()}
                 self._line(paths, **look)
                 self.keys.append(Line2D([], [], color=self.style.ink, label=self._in_lines(region.text), **look))
                 inside = numpy.nan_to_num(excess, nan=-1.0) > 0
                 self.bounds.append(Bound(region.name, paths, partial(self._at, inside)))
+        if self.bounds:
+            self.keys.append(Line2D([], [], linestyle="", label=self._in_lines(_ABOUT_TEETH)))
 
     def draw_contours(self) -> None:
         """Draw the contours of the quantity, its contours as the paper prints them, and the bands of best ranges."""
@@ -247,9 +296,12 @@ class _Drawing:
         if best is None:
             return 0
         far = 2 * float(abs(numpy.array(self.heights)).max()) + _FARTHEST  # stands for an infinite end
-        low, high = (finer(one_further(self._scaled(end).clip(-far, far))) for end in (best.low, best.high))
+        low, high = self._ends(best, far)
         inside = numpy.array([numpy.minimum(high - height, height - low) for height in self.heights])
         step = spacing(inside)
+        if step == 0:
+            return 0
+        self.is_pale = numpy.any(inside[step // 2 :: step] > 0, axis=0)
         for excess, height in [*zip(inside, self.heights, strict=True)][step // 2 :: step]:
             self._fill(self.mesh.area(excess, 0.0, 3 * far), facecolor=self.style.paper, alpha=_PALE, zorder=1.1)
             for end in (low, high):
@@ -260,6 +312,23 @@ class _Drawing:
         line = Line2D([], [], color=self.style.ink, linewidth=_THIN if step == 1 else _THICK)
         self.keys.append((Patch(label=self._in_lines(text), **look), line))
         return step
+
+    def _ends(self, best: Band, far: float) -> list[Any]:
+        """Return both ends of best ranges on the fine mesh: interpolated from a coarser one, but exact where they bend.
+
+        `far`: the largest absolute value of an end.
+        """
+        known = [one_further(self._scaled(end).clip(-far, far)) for end in (best.low, best.high)]
+        ends = [*map(finer, known)]
+        is_rough = rough(known[0], self.heights) | rough(known[1], self.heights)
+        rows, columns = numpy.nonzero(is_rough)
+        x, y = self.mesh.x.values()[columns], self.mesh.y.values()[rows]
+        here = self.field.frame.replace(**self.mesh.x.inputs(x), **self.mesh.y.inputs(y))
+        exact = band_of(here, self.field.quantity, x.shape) if x.size else None
+        if exact is not None:
+            for end, values in zip(ends, (exact.low, exact.high), strict=True):
+                end[is_rough] = self._scaled(values).clip(-far, far)
+        return ends
 
     def draw_edge(self) -> None:
         """Clear the part without values, and draw its edge."""
@@ -274,17 +343,27 @@ class _Drawing:
         if len(gaps) == 1:
             self.bounds.append(Bound(gaps[0], paths, partial(self._at, ~self.known)))
 
-    def label(self, labels: Labels) -> None:
-        """Put the texts of contours and of bounds into the axes."""
-        labels.of_contours(self.field.in_words(self.levels)[0], self.contours)
+    def label(self, labels: Labels) -> list[Any]:
+        """Put the texts of contours and of bounds into the axes; return a scale if many contours have no text."""
+        texts, _ = self.field.in_words(self.levels)
+        count = labels.of_contours(texts, self.contours)
         labels.of_bounds(self.bounds)
+        if count >= _MOST_LABELLED * len(texts):
+            return []
+        label = self._in_lines(
+            f"{symbol(self.field.quantity)} at the contours, in the order of these colours: {', '.join(texts)}"
+        )
+        return [Scale(Patch(facecolor=colour, linewidth=0, label=label) for colour in self.colours)]
 
-    def ground(self, pixels: Any) -> str:
-        """Return the colour at a position in pixels."""
-        (value,) = self._at(self.values, [pixels])
+    def ground(self, box: Any) -> str:
+        """Return the colour in the middle of a box in pixels, which is pale if a band covers most of the box."""
+        middle = (box.min + box.max) / 2
+        (value,) = self._at(self.values, [middle])
         if not numpy.isfinite(value):
             return self.style.paper
-        return self.colours[int(numpy.searchsorted(self.heights, value))]
+        colour = self.colours[int(numpy.searchsorted(self.heights, value))]
+        is_pale = self._at(self.is_pale, [*box.corners(), middle]).mean() > 0.5
+        return mixed(colour, self.style.paper, _PALE) if is_pale else colour
 
     def _at(self, values: Any, pixels: Any) -> Any:
         """Return values on the mesh at the points nearest to positions in pixels."""

@@ -416,7 +416,7 @@ def figure_laws(materials: Materials, marks: Sequence[str]) -> Picture:
         Curve("JKR", ends, numpy.array([1.5, 1.5]), 3),
     )
     points = tuple(mark_at(text, materials, Frame({}, model="maugis"), _TABOR, _RATIO) for text in marks)
-    fit = "Lennard-Jones' is a fit to numerical solutions, within 0.3 % for ⟦0.01 ≤ μ ≤ 2⟧"
+    fit = "the Lennard-Jones curve is a fit to numerical solutions, within 0.3 % for ⟦0.01 ≤ μ ≤ 2⟧"
     caption = [f"Pull-off force over ⟦πwR⟧ by each law; {fit}."]
     if points:
         spacing = amount("atomic_spacing", DEFAULTS["atomic_spacing"])

@@ -1,5 +1,6 @@
 """The picture of a fit: the measured and the fitted curve, the residuals, and the energy release rate."""
 
+import re
 from collections.abc import Sequence
 from typing import Any
 
@@ -8,13 +9,17 @@ import numpy
 from ..model.fit_result import Fit
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.shown import Part, Shown
-from ..report.fitted import in_words, sentence_of, sentences
+from ..report.fitted import findings, in_words, line_on_known, sentence_of, symbol_of_result
 from ..tables.fitted import fit_given
-from ..text import listed
+from ..text import capital, listed
 from ..write.fitted import parts_of_fit
 from .drawn import Drawn
 from .picture import Curve, Panel, Picture, axis_around
 
+_RESULTS = ("work_of_adhesion_opening", "work_of_adhesion_closing", "contact_modulus")
+_ADVICE = (re.compile(r" \(--[^()]*\)"), re.compile(r"[:;] [^:;()]*--[^:;()]*"))
+_SYMBOL = re.compile(r"(?<![\w/*])(?:wR?_open|wR?_close|wR?|E\*√R|E\*|E[12]|a0?/R|P_c|R|G|k|z0/2)(?![\w*/'])")
+_INK = -1  # colour of measured points under the coloured line of their fit
 _MOST = 600  # points of a drawn curve
 _X = {"contact radius": "contact_radius_at_load", "approach": "approach_at_load", "travel": "lever_travel"}
 
@@ -96,9 +101,24 @@ def fit(
 
 def caption_of_fit(fitted: Fit) -> list[str]:
     """Return the sentences below the picture of a fit."""
-    names = ("work_of_adhesion_opening", "work_of_adhesion_closing", "contact_modulus")
-    results = [f"{sentence_of(name)} {in_words(fitted, name)}" for name in names if name in fitted.values]
-    return [f"{text}." for text in (*results, *sentences(fitted))]
+    results = []
+    for name in _RESULTS:
+        if name in fitted.values:
+            results.append(f"{sentence_of(name)}, {symbol_of_result(fitted, name)} = {in_words(fitted, name)}")
+    texts = (line_on_known(fitted), "; ".join(results), *findings(fitted), *fitted.remarks.values())
+    return [_as_sentence(text) for text in texts]
+
+
+def _as_sentence(text: str) -> str:
+    """Return a line of a terminal as a sentence of a caption: with marked symbols, and without advice on options.
+
+    >>> _as_sentence("the misfit is 2% of P_c (--baseline tilt fits lines); if it is not, give --branch load")
+    'The misfit is 2 % of ⟦P_c⟧.'
+    """
+    for advice in _ADVICE:
+        text = advice.sub("", text)
+    text = text.replace("%", " %").replace("m^0.5", "√m")
+    return capital(_SYMBOL.sub(r"⟦\g<0>⟧", text)) + "."
 
 
 def picture_of_fit(fitted: Fit, title: str, caption: Sequence[str]) -> Picture:
@@ -109,12 +129,12 @@ def picture_of_fit(fitted: Fit, title: str, caption: Sequence[str]) -> Picture:
     for colour, name in enumerate(branches):
         own = points["branch"] == name
         z = points["z"][own]
-        forces.append(Curve(name, z, points["force"][own], colour))
-        forces.append(Curve(f"{name}, fitted", z, points["model"][own], colour, is_dashed=True))
-        residuals.append(Curve(name, z, points["residual"][own], colour))
+        forces.append(Curve(f"{name}, measured", z, points["force"][own], _INK, has_points=True))
+        forces.append(Curve(f"{name}, fitted", z, points["model"][own], colour))
+        residuals.append(Curve(name, z, points["residual"][own], colour, has_points=True))
         radius, rate = points["contact_radius"][own], points["release_rate"][own]
         if numpy.isfinite(rate).any():
-            rates.append(Curve(name, radius, rate, colour))
+            rates.append(Curve(name, radius, rate, colour, has_points=True))
     x = axis_around(_X[fitted.kind], [points["z"]])
     panels = [
         Panel(x, axis_around("load", [points["force"], points["model"]]), (*forces,), title="force"),

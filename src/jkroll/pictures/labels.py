@@ -11,13 +11,14 @@ from .picture import Mark, Style
 
 _EDGE = 4.0  # width that the ticks take inside the frame, in points of the page
 _APART = 2.0  # gap between two texts, or between a line and its name, in points of the page
+_CLEAR = 4.0  # least distance of the name of a line from other such lines, in points of the page
 _ASIDE = 20.0  # cost of a distance from the line, relative to a distance from the middle of the axes
 _DOT = 3.0  # half the size of a point, in points of the page
 _STEP = 1.5  # between the points of a line, in points of the page
 _WAYS = ((0.7, 0.7), (0.7, -0.7), (-0.7, 0.7), (-0.7, -0.7), (1, 0), (-1, 0), (0, 1), (0, -1))  # the best first
 _REACH = (7.0, 11.0, 16.0, 22.0, 30.0, 42.0, 56.0, 75.0)  # distances of a text from its point, in points of the page
 
-Ground = Callable[[Any], str]  # colour of the picture at a position in pixels
+Ground = Callable[[Any], str]  # colour of the picture in a box in pixels
 
 
 class Bound(NamedTuple):
@@ -70,12 +71,14 @@ class Labels:
         near = abs(self.drawn[None] - leader[:, None]).max(axis=2) < self.scale
         return 3 * int(box.padded(1).count_contains(self.drawn) > 0) + int(near.any()) + 2 * texts
 
-    def of_contours(self, texts: Sequence[str], contours: Sequence[Sequence[Any]]) -> None:
+    def of_contours(self, texts: Sequence[str], contours: Sequence[Sequence[Any]]) -> int:
         """Write each label horizontally onto its contour, at the free position nearest to the middle of the axes.
 
         A label stands on a patch in the picture's colour at that point, so that no hatch runs through it and its minus
-        sign cannot be taken for the contour. A contour without room for a label has none.
+        sign cannot be taken for the contour. A contour without room for a label has none. The number of labels is
+        returned.
         """
+        count = 0
         every = [_joined(self._dense(self._pixels(path)) for path in paths) for paths in contours]
         middle = (self.frame.min + self.frame.max) / 2
         for label, own in zip(texts, every, strict=True):
@@ -92,16 +95,24 @@ class Labels:
                 if box is not None:
                     break
             self._put(text, box)
+            count += box is not None
+        return count
 
-    def of_bounds(self, bounds: Iterable[Bound]) -> None:
-        """Write the name of each line next to it, in the region that it bounds, if there is room."""
-        for bound in bounds:
+    def of_bounds(self, bounds: Sequence[Bound]) -> None:
+        """Write the name of each line next to it, in the region that it bounds, away from the lines of other regions.
+
+        A line without room for its name has none.
+        """
+        every = [_joined(self._dense(self._pixels(path)) for path in bound.paths) for bound in bounds]
+        for number, bound in enumerate(bounds):
+            others = _joined([*every[:number], *every[number + 1 :]])
             text, half = self._text(typeset(bound.text), zorder=3)
             boxes = []
             for path in bound.paths:
                 for box in self._free(self._next_to(self._dense(self._pixels(path)), half, bound.has)):
                     if bound.has(numpy.array([*box.corners(), (box.min + box.max) / 2])).all():
                         boxes.append(box)
+            boxes = [box for box in boxes if not box.padded(_CLEAR * self.scale).count_contains(others)]
             crossings = [box.padded(1).count_contains(self.drawn) for box in boxes]
             self._put(text, boxes[int(numpy.argmin(crossings))] if boxes else None)
 
@@ -144,7 +155,7 @@ class Labels:
             return
         middle = (box.min + box.max) / 2
         text.set_position(self.axes.transData.inverted().transform(middle))
-        text.set_bbox({"boxstyle": "square,pad=0.05", "linewidth": 0, "facecolor": self.ground(middle)})
+        text.set_bbox({"boxstyle": "square,pad=0.05", "linewidth": 0, "facecolor": self.ground(box)})
         self.taken.append(box)
 
 

@@ -15,13 +15,14 @@ import numpy
 from matplotlib import font_manager, ticker  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.figure import Figure  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.layout_engine import ConstrainedLayoutEngine  # type: ignore[import-not-found,unused-ignore]
+from matplotlib.legend_handler import HandlerTuple  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.patches import FancyArrowPatch, Patch  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.transforms import Bbox, ScaledTranslation  # type: ignore[import-not-found,unused-ignore]
 
 from ..errors import BadRequest
 from ..quantities.markup import lines, plain, typeset
 from ..text import quoted
-from .fields import Drawn, draw_field
+from .fields import Drawn, Scale, draw_field, mixed
 from .files import FONT, About, content_of
 from .labels import Labels
 from .picture import STYLES, Axis, Curve, Field, Panel, Picture, Style, described, extent, is_flat
@@ -35,12 +36,14 @@ LETTER_WIDTH = 0.42  # mean width of a letter over its size
 MARKERS = "os^Dv*"
 DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
 _HEADS = ("-", "-|>", "<|-|>")  # by the number of an arrow's heads
+_HANDLERS = {Scale: HandlerTuple(ndivide=None, pad=0.0)}  # how a legend draws keys that matplotlib does not know
 _OPAQUE = 0.22  # opacity of a band of best ranges
 _ONE_PANEL, _MORE_PANELS = 85 / 25.4, 180 / 25.4  # default widths in inches: one column of a journal, or two
 _NARROWEST = 2.0  # least width of a panel in a row with others, in inches
 _ASPECT, _ASPECT_BESIDE = 0.75, 1.0  # height over width: of axes alone in a row, and of several in a row
 _HIGHEST = 5  # height of the sheet from which a page is cut, per row of panels, over the page's width
 _BESIDE = 0.04  # gap between panels of a row, over their width
+_MARGIN = 0.015  # on both sides of a caption, over the width of a page
 _GAP = 0.04  # around the parts of a page, in inches
 
 
@@ -95,16 +98,27 @@ def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption
         title = " ".join((*([f"({letter})"] if count > 1 else []), *([panel.title] if has_caption else [])))
         axes.set_title(typeset(title), loc="left" if count > 1 else "center", fontsize=LETTER_SIZE)
         drawings.append(_drawing_on(axes, panel, style, letters))
-    _lay_out(figure, every, [drawing.keys for drawing in drawings])
+    corners = _lay_out(figure, every, [drawing.keys for drawing in drawings])
+    for panel, axes, drawing, corner in zip(drawn.panels, every, drawings, corners, strict=False):
+        further = _label(axes, panel, drawing, style)
+        if further:
+            _put_legend(axes, [*drawing.keys, *further], corner)
     if has_caption:
         box, height = figure.get_tightbbox(), figure.get_figheight()
         figure.text(0.5, (box.y1 + 2 * _GAP) / height, typeset(drawn.title), ha="center", va="bottom")
         texts = " ".join(drawn.caption), *drawn.doubts
-        caption = "\n".join(chain.from_iterable(lines(text, _letters(inches)) for text in texts))
-        figure.text(0.015, (box.y0 - 2 * _GAP) / height, caption, va="top", linespacing=1.2)
-    for panel, axes, drawing in zip(drawn.panels, every, drawings, strict=False):
-        _label(axes, panel, drawing, style)
+        _put_caption(figure, texts, (box.y0 - 2 * _GAP) / height)
     return figure
+
+
+def _put_caption(figure: Figure, texts: Sequence[str], top: float) -> None:
+    """Write a caption at a height of the figure, in lines that are as long as its width allows."""
+    shown = figure.text(_MARGIN, top, "", va="top", linespacing=1.2)
+    width = (1 - 2 * _MARGIN) * figure.get_figwidth() * figure.dpi
+    for letters in range(_letters(figure.get_figwidth()), 0, -1):
+        shown.set_text("\n".join(chain.from_iterable(lines(text, letters) for text in texts)))
+        if shown.get_window_extent().width <= width:
+            break
 
 
 def draw_on(axes: Any, panel: Panel, style: Style) -> None:
@@ -117,10 +131,10 @@ def draw_on(axes: Any, panel: Panel, style: Style) -> None:
         axes.set_aspect("equal", adjustable="box")  # with "datalim", shared axes are refused
     drawing = _drawing_on(axes, panel, style, letters)
     axes.figure.draw_without_rendering()
-    _label(axes, panel, drawing, style)
-    if drawing.keys:
-        labels = [_label_of(key) for key in drawing.keys]
-        axes.legend(drawing.keys, labels, fontsize="small", framealpha=1.0)
+    keys = [*drawing.keys, *_label(axes, panel, drawing, style)]
+    if keys:
+        labels = [_label_of(key) for key in keys]
+        axes.legend(keys, labels, handler_map=_HANDLERS, fontsize="small", framealpha=1.0)
 
 
 def _drawing_on(axes: Any, panel: Panel, style: Style, letters: int) -> Drawn:
@@ -130,15 +144,15 @@ def _drawing_on(axes: Any, panel: Panel, style: Style, letters: int) -> Drawn:
     return _draw_curves(axes, panel, style, letters)
 
 
-def _label(axes: Any, panel: Panel, drawing: Drawn, style: Style) -> None:
-    """Write the texts inside axes, whose position must be final."""
+def _label(axes: Any, panel: Panel, drawing: Drawn, style: Style) -> list[Any]:
+    """Write the texts inside axes, whose position must be final; return further keys for the legend."""
     labels = Labels(axes, style, drawing.ground)
     labels.of_marks(panel.marks)
-    drawing.label(labels)
+    return drawing.label(labels)
 
 
 def _label_of(key: Any) -> str:
-    """Return the text of a legend's key, which may be a line on its band."""
+    """Return the text of a legend's key, which may be a line on its band, or a scale."""
     return str((key[0] if isinstance(key, tuple) else key).get_label())
 
 
@@ -147,20 +161,31 @@ def _letters(inches: float) -> int:
     return int(0.97 * inches * 72 / (LETTER_WIDTH * LETTER_SIZE))
 
 
-def _lay_out(figure: Figure, every: Sequence[Any], keys: Sequence[Sequence[Any]]) -> None:
-    """Put a legend below each of the axes, and freeze the layout, so that labels can be measured."""
+def _lay_out(figure: Figure, every: Sequence[Any], keys: Sequence[Sequence[Any]]) -> list[Any]:
+    """Put a legend below each of the axes, and freeze the layout, so that labels can be measured.
+
+    Return the positions of the legends' upper left corners.
+    """
     figure.draw_without_rendering()
+    corners = []
     for axes, handles in zip(every, keys, strict=False):
+        inner, outer = axes.get_window_extent(), axes.get_tightbbox()
+        right, up = (outer.min - inner.min) / figure.dpi
+        corners.append(axes.transAxes + ScaledTranslation(right, up, figure.dpi_scale_trans))
         if handles:
-            inner, outer = axes.get_window_extent(), axes.get_tightbbox()
-            right, up = (outer.min - inner.min) / figure.dpi
-            corner = axes.transAxes + ScaledTranslation(right, up, figure.dpi_scale_trans)
-            labels = [_label_of(key) for key in handles]
-            legend = axes.legend(handles, labels, loc="upper left", bbox_to_anchor=(0, 0), bbox_transform=corner)
-            for text in legend.get_texts():
-                text.set_linespacing(1.0)
+            _put_legend(axes, handles, corners[-1])
     figure.draw_without_rendering()
     figure.set_layout_engine("none")
+    return corners
+
+
+def _put_legend(axes: Any, keys: Sequence[Any], corner: Any) -> None:
+    """Put a legend below axes, in place of an earlier one. `corner`: the position of its upper left corner."""
+    labels = [_label_of(key) for key in keys]
+    place = {"loc": "upper left", "bbox_to_anchor": (0, 0), "bbox_transform": corner}
+    legend = axes.legend(keys, labels, handler_map=_HANDLERS, **place)
+    for text in legend.get_texts():
+        text.set_linespacing(1.0)
 
 
 @contextmanager
@@ -245,16 +270,17 @@ def levels_of(field: Field) -> list[float]:
     ticks: Any = ticker.MaxNLocator(_CONTOURS, steps=[1, 2, 5, 10])
     if field.is_log:
         ticks = ticker.LogLocator(subs=(1, 2, 5) if high < 1e3 * low else (1,), numticks=_CONTOURS)
-    return [float(f"{value:.12g}") for value in ticks.tick_values(low, high) if low <= value <= high]
+    return [float(f"{value:.12g}") for value in ticks.tick_values(low, high) if low < value < high]
 
 
 def _draw_curves(axes: Any, panel: Panel, style: Style, letters: int) -> Drawn:
     """Draw curves, which differ in colour and dashes; return the drawing."""
     handles: dict[str, Any] = {}
-    numbers: dict[str, int] = {}  # curves with the same label look the same
+    numbers_of: tuple[dict[str, int], dict[str, int]] = {}, {}  # of lines and of points: equal labels look the same
     has_bands = any(curve.band is not None for curve in panel.curves)
     for curve in panel.curves:
         label = "\n".join(lines(": ".join(filter(None, (curve.text, curve.key))), letters))
+        numbers = numbers_of[curve.has_points]
         look = line_of(curve, numbers.setdefault(label, len(numbers)), style)
         (line,) = axes.plot(curve.x, curve.y, label=label, **look)
         if curve.band is None:
@@ -267,7 +293,7 @@ def _draw_curves(axes: Any, panel: Panel, style: Style, letters: int) -> Drawn:
         axes.add_patch(line)
         axes.text(*arrow.text_at, typeset(arrow.text), ha="center", va="center")
     keys = [*handles.values()] if len(handles) > 1 or has_bands else []
-    return Drawn(keys, lambda _: None, lambda _: style.paper)
+    return Drawn(keys, lambda _: [], lambda _: style.paper)
 
 
 def _draw_band(axes: Any, panel: Panel, curve: Curve, band: Band, label: str, style: Style) -> Any:
@@ -281,6 +307,9 @@ def _draw_band(axes: Any, panel: Panel, curve: Curve, band: Band, label: str, st
 def line_of(curve: Curve, number: int, style: Style) -> dict[str, Any]:
     """Return the style of a curve, given its number, as matplotlib options. A curve of one point is a marker."""
     colour = style.lines[curve.colour % len(style.lines)]
+    if curve.has_points:
+        pale, marker = mixed(colour, style.paper, 0.5), MARKERS[number % len(MARKERS)]
+        return {"color": pale, "linestyle": "", "marker": marker, "markersize": 3, "markeredgewidth": 0, "zorder": 1.9}
     if len(curve.x) == 1:
         return {"color": colour, "linestyle": "", "marker": MARKERS[number % len(MARKERS)], "markersize": 4}
     turn = number // len(DASHES)  # of the cycle of dashes; each turn gives a colour different dashes

@@ -93,6 +93,7 @@ class Curve(NamedTuple):
     y: Any
     colour: int = 0
     is_dashed: bool = False
+    has_points: bool = False  # True to draw its points without a line
     band: Band | None = None
     key: str = ""  # explains line and band in a legend
     rows: Rows | None = None  # None: some of the points
@@ -183,10 +184,13 @@ def described(name: str, unit: str = "") -> str:
     """Return a quantity as the title of an axis, with its symbol marked as mathematics.
 
     >>> described("load", "nN")
-    'load; a pull is negative, ⟦P⟧ [nN]'
+    'load (a pull is negative), ⟦P⟧ [nN]'
     """
     quantity = quantity_of(name)
-    return marked(quantity.sentence) + (f", ⟦{quantity.symbol}⟧" if quantity.symbol else "") + bracketed(unit)
+    sentence, _, remark = marked(quantity.sentence).partition("; ")
+    if remark:
+        sentence += f" ({remark})"
+    return sentence + (f", ⟦{quantity.symbol}⟧" if quantity.symbol else "") + bracketed(unit)
 
 
 def axis_around(name: str, values: Iterable[Any], *, may_be_log: bool = False, margin: float = 0.05) -> Axis:
@@ -275,8 +279,8 @@ _PAPERS = (230, 194, 152, 116, 74)  # backgrounds of low to high numbers: the te
 
 
 def write_picture(drawn: Picture, out: TextIO) -> None:
-    """Write panels below each other: a table of a field, or some rows of each curve, and the marked points."""
-    say_texts([drawn.title], out)
+    """Write the caption, then the panels: a table of a field, or some rows of each curve and the marked points."""
+    say_texts(opening(drawn), out)
     for panel in drawn.panels:
         if not panel.has_axes:  # a sketch has no numbers
             continue
@@ -286,7 +290,14 @@ def write_picture(drawn: Picture, out: TextIO) -> None:
         else:
             names, *columns = _columns(panel)
             write_table([names], columns, out)
-    say_texts([*drawn.caption, *drawn.doubts, *drawn.remarks], out)
+    say_texts([*drawn.doubts, *drawn.remarks], out)
+
+
+def opening(drawn: Picture) -> tuple[str, ...]:
+    """Return the caption of a picture, after its title if the caption does not begin with the title."""
+    first, *_ = (*drawn.caption, "")
+    has_title = first.startswith(capital(drawn.title))
+    return drawn.caption if has_title else (drawn.title, *drawn.caption)
 
 
 def shown_values(axis: Axis, most: int) -> Any:

@@ -11,9 +11,13 @@ from ..errors import JkrollError
 from ..model.estimate import NONE, WORDS, Estimate, estimates
 from ..model.frame import Frame
 from ..model.results import Results
+from ..quantities.markup import marked
+from ..text import listed
 
 _HAS_WIDTH = 1e-6  # relative width below which a range is drawn as a line
 _OVERLAP = 0.02  # largest part of a map in which bands may overlap
+_COVERED = 0.6  # largest part of a map that bands may cover: between wider ones, the gaps look like the bands
+_SEEN = 0.01  # least part of a map, or of the height of an axis, that a band must cover to be seen
 
 
 class Band(NamedTuple):
@@ -24,19 +28,25 @@ class Band(NamedTuple):
     by: Any  # the rule of each range, as an index into WORDS
 
     def rules(self, where: Callable[[Any], str] = lambda _: "") -> str:
-        """Return the names of the rules, each with the place where it applies, in the order in which they occur."""
+        """Return the clause that names the rules, each with the place where it applies, in their order."""
         rules = [rule for rule in dict.fromkeys(self.by.ravel().tolist()) if rule != NONE]
-        words: dict[str, int] = {WORDS[rule].replace("ξ", "⟦ξ⟧"): rule for rule in rules}
+        words: dict[str, int] = {marked(WORDS[rule]): rule for rule in rules}
         texts = []
         for word, rule in words.items():
             place = where(self.by == rule)
-            texts.append(f"{word} ({place})" if place else word)
-        return ", ".join(texts)
+            texts.append(f"“{word}” ({place})" if place else f"“{word}”")
+        return f"by the rule{'s' if texts[1:] else ''} {listed(texts)}"
 
     def key(self, step: int, law: str) -> str:
         """Return the legend's text for a map by this law in which every `step`-th contour has a band."""
         which = "contours" if step == 1 else "thick contours"
-        return f"{which}: {law}; bands: where the best range includes their value, by {self.rules()}"
+        return f"{which}: {law}; bands: where the best range includes their value, {self.rules()}"
+
+    def is_seen(self, low: float, high: float, *, is_log: bool) -> bool:
+        """Return True if the band can be seen, in some place, on an axis from `low` to `high`."""
+        scale = numpy.log if is_log else numpy.asarray
+        ends = [scale(numpy.clip(end, low, high)) for end in (self.low, self.high)]
+        return bool(numpy.nanmax(ends[1] - ends[0]) > _SEEN * (scale(high) - scale(low)))
 
     def estimates(self) -> Iterator[Estimate]:
         """Iterate over the ranges as estimates of single points."""
@@ -61,12 +71,13 @@ def band_of(here: Frame, quantity: str, shape: tuple[int, ...]) -> Band | None:
 
 
 def spacing(inside: Any) -> int:
-    """Return the smallest n for which the bands of every n-th contour, beginning at index n // 2, hardly overlap.
+    """Return the smallest n for which the bands of every n-th contour, beginning at index n // 2, stand apart.
 
-    `inside`: for each contour of a map, an array that is positive within its band.
+    Bands stand apart if they hardly overlap and leave a part of the map free. If they are too narrow to be seen, n is
+    0. `inside`: for each contour of a map, an array that is positive within its band.
     """
-    for step in range(1, len(inside)):
-        overlap = (inside[step // 2 :: step] > 0).sum(axis=0) > 1
-        if overlap.mean() < _OVERLAP:
-            return step
-    return len(inside)
+    for step in range(1, len(inside) + 1):
+        bands = (inside[step // 2 :: step] > 0).sum(axis=0)
+        if (bands > 1).mean() < _OVERLAP and (bands > 0).mean() < _COVERED:
+            break
+    return step if (bands > 0).mean() > _SEEN else 0

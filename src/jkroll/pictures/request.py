@@ -104,9 +104,10 @@ def _map_of(request: PlotRequest, upright: Axis) -> tuple[Picture, tuple[str, ..
     marks = [mark_at(text, request.materials, frame, x, y) for text in request.marks]
     of_materials, left_out = _material_marks(request.materials, x, y) if frame.material is None else ([], ())
     panel = Panel(x, y, marks=(*of_materials, *marks), field=field)
-    caption, beyond = (*_opening(quantity, [layer]), *left_out), (*_sentences({"": everywhere}),)
+    unit = field.in_words([])[1]
+    caption, beyond = (*_opening(quantity, [layer], unit),), (*left_out, *_sentences({"": everywhere}))
     remarks = (f"{'; '.join(_about_marks(request, panel))}.",) if panel.marks else ()
-    return Picture(described(quantity, field.in_words([])[1]), (panel,), caption, beyond, remarks), tuple(layer.notes)
+    return Picture(described(quantity, unit), (panel,), caption, beyond, remarks), tuple(layer.notes)
 
 
 def _curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
@@ -124,6 +125,7 @@ def _curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
     has_best = request.has_best and len(layers) <= MOST_BANDS
     curves = tuple(layer.curve(colour, has_best=has_best) for colour, layer in enumerate(layers))
     y = axis_around(quantity, _values_of(curves), may_be_log=True)
+    curves = tuple(_without_narrow_band(curve, y) for curve in curves)
     marks = tuple(mark_at(text, request.materials, request.frames[0][1], x, y) for text in request.marks)
     farthest = _farthest_off(x, layers[0]) if len(layers) == 1 else ()
     regions_of = {layer.text: [*layer.regions()] for layer in layers}
@@ -144,6 +146,13 @@ def _values_of(curves: Sequence[Curve]) -> list[Any]:
                 known = end[numpy.isfinite(end)]
                 values.append(known[known > 0] if is_positive else known)
     return values
+
+
+def _without_narrow_band(curve: Curve, y: Axis) -> Curve:
+    """Return a curve without its band if the band is too narrow to be seen."""
+    if curve.band is None or curve.band.is_seen(y.low, y.high, is_log=y.is_log):
+        return curve
+    return curve._replace(band=None, key="")
 
 
 def distinction(frame: Frame, several: Iterable[str], models: Sequence[object]) -> str:
@@ -343,8 +352,8 @@ class Layer:
                 ranges.append(range_in_words(self.quantity, estimate))
                 rules.append(WORDS[estimate.by])
             rows = rows._replace(best=tuple(ranges), by=tuple(rules))
-        law = self.frame.law.short if self.frame.stated_model is None else ""
-        key = "; ".join(filter(None, (law, f"band: best range, by {band.rules(self._where)}")))
+        line = self.frame.law.short if self.frame.stated_model is None else "line"  # a stated law is in the text
+        key = f"{line}; band: best range {band.rules(self._where)}"
         return Curve(self.text, x.values(), self.values, colour, band=band, key=key, rows=rows)
 
     def regions(self) -> Iterator[Region]:
@@ -363,7 +372,9 @@ class Layer:
                     look = UNDRAWN
                     if limit in DRAWN_LIMITS:
                         look = SLIGHT if limit.factor is not None and step == 0 else SIGNS[limit.name]
-                    name = text.partition(":")[0] if limit.factor is None else limit.codes[threshold].replace("-", " ")
+                    name, colon, _ = text.partition(":")
+                    if not colon:
+                        name = limit.codes[threshold].replace("-", " ")
                     yield Region(text, where, *look, name, partial(_excess_over, limit, step, self.quantity))
                     if not where:
                         break
@@ -373,7 +384,7 @@ class Layer:
         if limit is LAW:
             size = f"{100 * (threshold - 1):.0f} %" if threshold < 2 else f"a factor of {threshold:g}"
             return f"{self.given.law.title} is off by more than {size}"
-        meaning = limit.consequence.partition(";")[0]
+        meaning = marked(limit.consequence.partition(";")[0])
         if limit.factor is not None:
             return meaning
         number, unit = AS_USUAL.rounded(limit.name, threshold)
@@ -458,10 +469,12 @@ def fixed_inputs(inputs: Sequence[str]) -> tuple[str, ...]:
     return (f"Fixed: {', '.join(inputs)}.",) if inputs else ()
 
 
-def _opening(quantity: str, layers: Sequence[Layer]) -> Iterator[str]:
-    """Iterate over the first sentences of a caption, about the quantity, its fixed inputs and its values."""
-    sentence = marked(NOMENCLATURE[quantity].sentence)  # `capital` does not change a formula that begins the sentence
-    clauses = [capital(sentence), symbol(quantity)]
+def _opening(quantity: str, layers: Sequence[Layer], unit: str = "") -> Iterator[str]:
+    """Iterate over the first sentences of a caption, about the quantity, its fixed inputs and its values.
+
+    `unit`: the unit of all numbers of the picture; empty if each number has its own.
+    """
+    clauses = [capital(described(quantity, unit))]  # `capital` does not change a formula that begins the sentence
     equations = {equation_of(layer.frame, quantity) for layer in layers}
     laws = {layer.frame.law.title for layer in layers if layer.frame.stated_model is not None}
     equation = equations.pop() if len(equations) == 1 else ""
@@ -474,10 +487,13 @@ def _opening(quantity: str, layers: Sequence[Layer]) -> Iterator[str]:
     yield ", ".join(clauses) + "."
     shared = set(layers[0].inputs).intersection(*(layer.inputs for layer in layers))
     yield from fixed_inputs([text for text in layers[0].inputs if text in shared])
-    for layer in layers:
-        if is_flat(layer.values):
-            label = f"{layer.text}, the" if layer.text else "The"
-            yield f"{label} same everywhere: {symbol(quantity)} = {amount(quantity, extent(layer.values)[0])}."
+    flat = [layer for layer in layers if is_flat(layer.values)]
+    if flat:
+        values = []
+        for layer in flat:
+            of_layer = f" ({layer.text})" if layer.text else ""
+            values.append(amount(quantity, extent(layer.values)[0], _FOUR) + of_layer)
+        yield f"{symbol(quantity)} is the same everywhere: {', '.join(values)}."
     if any(layer.frame.may_rest_on_spacing(quantity) and not layer.known.all() for layer in layers):
         yield f"No value where {symbol(quantity)} {RESTS_ON_SPACING.words}."
     unjudged: list[str] = []

@@ -47,7 +47,7 @@ _ESCAPED = {  # signs outside formulas, in LaTeX
     "^": r"\textasciicircum{}",
 }
 _IN_LATEX_FORMULAS, _IN_LATEX_WORDS = str.maketrans(_COMMANDS), str.maketrans(_ESCAPED)
-_POWER_OF_TEN = re.compile(r"(?<=\d)e([+-]?\d+)")
+_POWER_OF_TEN = re.compile(r"(?<=[\d)])e([+-]?\d+)")
 _JOINED = re.compile(r" (?=[=<>\[])|(?<=[=<>]) ")  # spaces at which no line is broken, as in "P = 0 N" and "P [nN]"
 
 
@@ -90,6 +90,7 @@ def typeset(text: str) -> str:
 
 def _typeset_words(words: str) -> str:
     words = re.sub(r"(?<![\w.])-(?=[\d.])", "−", words).replace("$", r"\$")
+    words = words.replace("SiO2", "SiO$_{2}$")
     words = re.sub(r"\b1e(-?\d+)", r"$10^{\1}$", words)
     words = _POWER_OF_TEN.sub(r"·$10^{\1}$", words)
     return re.sub(f"[{_SUPERSCRIPTS}]+", lambda match: f"$^{{{match[0].translate(SUPERSCRIPTS)}}}$", words)

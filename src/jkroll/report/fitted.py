@@ -43,6 +43,12 @@ def sentence_of(name: str) -> str:
     return WORDS[name][0].replace("adhesion on", "work of adhesion on")
 
 
+def symbol_of_result(fitted: Fit, name: str) -> str:
+    """Return the symbol of a result; without a radius, that of wR or E*√R."""
+    symbol = WORDS[name][1]
+    return _WITHOUT_RADIUS.get(name, symbol) if fitted.is_scaled else symbol
+
+
 def line_on_known(fitted: Fit, *, on_radius: str = "", stiffness: str = "") -> str:
     """Return the line above a fit: the fitted data, the law and the known inputs.
 
@@ -69,9 +75,7 @@ def rows_of_results(fitted: Fit) -> list[list[str]]:
 
 def row_of_result(fitted: Fit, name: str) -> list[str]:
     """Return the cells of a result under `HEADS`; a dash stands for an error that was not computed."""
-    words, symbol = WORDS[name]
-    if fitted.is_scaled:
-        symbol = _WITHOUT_RADIUS.get(name, symbol)
+    words, symbol = WORDS[name][0], symbol_of_result(fitted, name)
     errors = fitted.errors.get(name)
     if errors is None:
         (text,), unit = _cells(fitted, name, [])
@@ -136,7 +140,14 @@ def _rounded(value: float, error: float) -> str:
 
 
 def sentences(fitted: Fit) -> Iterator[str]:
-    """Iterate over the sentences below the table of a fit."""
+    """Iterate over the sentences below the table of a fit: its findings, and its remarks with their codes."""
+    yield from findings(fitted)
+    for code, text in fitted.remarks.items():
+        yield f"{code}: {text}"
+
+
+def findings(fitted: Fit) -> Iterator[str]:
+    """Iterate over the sentences on the results of a fit, without its remarks."""
     good = fitted.goodness
     if fitted.largest_adhesion is not None:
         limit = f"{fitted.largest_adhesion:.2g} J/m for wR"
@@ -156,8 +167,6 @@ def sentences(fitted: Fit) -> Iterator[str]:
     yield _about_misfit(fitted)
     if fitted.baselines:
         yield _about_baselines(fitted)
-    for code, text in fitted.remarks.items():
-        yield f"{code}: {text}"
 
 
 def is_sure(fitted: Fit) -> bool:
