@@ -305,7 +305,7 @@ class Layer:
         if missing and quantity == "pull_off_force" and frame.law.is_default and len(axes) > 1:
             self.unjudged.append("DMT's law, for small, hard spheres, gives 4/3 of this force.")
         if missing:
-            self.unjudged.append(f"Limits are not judged: {_without(missing[0])}.")
+            self.unjudged.append(f"Which law holds, and other limits, are not judged: {_without(missing[0])}.")
         self.notes = [note.text for note in about_idle(entering(self.frame, names, judges=False)[1])]
         self.notes += notes_on(points, self.frame, shown, names)
         remark = NOMENCLATURE[quantity].note
