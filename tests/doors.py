@@ -21,11 +21,11 @@ from jkroll.cli.call import Call
 from jkroll.cli.process import action_of
 from jkroll.cli.runners import question_of
 from jkroll.errors import JkrollError
+from jkroll.model.accepted import LEAST
 from jkroll.model.estimate import NONE
 from jkroll.model.frame import Frame
 from jkroll.model.limits import LIMITS, NOT_JUDGED, Limit
 from jkroll.model.other_law import at_half_spacing
-from jkroll.model.ranges import LEAST
 from jkroll.model.reasons import Failure, NoErrorBar
 from jkroll.model.rows import SIDES, Block, Columns, Wanted, evaluated, of_single_row, put_single_rows
 from jkroll.model.uncertainty import sources_of

@@ -21,7 +21,7 @@ from unicodedata import normalize
 from jkroll.errors import BadTable
 from jkroll.materials.library import known_materials
 from jkroll.quantities.nomenclature import computed_as
-from jkroll.report.questions import EVERYTHING
+from jkroll.report.questions import BY_DEFAULT
 from jkroll.tables.header import Header as Understood
 from jkroll.tables.header import understood
 from jkroll.tables.table import Asked
@@ -494,7 +494,7 @@ def meant_headers(seed: int, count: int = 12_000) -> list[Header]:
 READ, MISREAD, REFUSED, PASSED = "read", "misread", "refused", "passed"
 ADVISED = "refused, and the advice names other inputs alone"
 IDLE = "passed, and no other number stands in"
-_ASKED = Asked({"radius": "1 um"}, known_materials(), offered=EVERYTHING)
+_ASKED = Asked({"radius": "1 um"}, known_materials(), offered=BY_DEFAULT)
 
 
 @cache

@@ -20,7 +20,7 @@ import pytest
 
 from browser import CHROMIUM, DRIVER, Browser, browser, served
 from doors import call_of
-from jkroll.cli.map import map_request
+from jkroll.cli.draw import map_request
 from jkroll.pictures.picture import Axis, Curve, Mark, Panel, Picture
 from jkroll.pictures.request import picture_of
 from terminal import script, without_colours

@@ -15,6 +15,7 @@ from xml.sax.saxutils import escape
 import numpy
 
 from jkroll.errors import missing_extra
+from jkroll.pictures.bands import band_of, spacing
 from jkroll.pictures.picture import (
     SAME,
     STYLES,
@@ -31,7 +32,6 @@ from jkroll.pictures.picture import (
     over,
     shown_values,
 )
-from jkroll.pictures.ranges import band_of, spacing
 from jkroll.quantities.markup import plain
 from jkroll.quantities.units import RAISED
 from jkroll.text import NO_BREAK_SPACE, with_units_joined

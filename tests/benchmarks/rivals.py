@@ -38,10 +38,10 @@ def formulas() -> list[tuple[str, str]]:
 
 def results() -> list[str]:
     """Return the quantities that `jkroll batch` writes for the table."""
-    from jkroll.report.questions import EVERYTHING
+    from jkroll.report.questions import BY_DEFAULT
 
     known = {name for name, _ in formulas()}
-    names = [name for name in EVERYTHING if name in known]
+    names = [name for name in BY_DEFAULT if name in known]
     return names[: int(os.environ.get("QUANTITIES", "0")) or None]
 
 

@@ -13,7 +13,7 @@ import pytest
 
 import jkroll
 from jkroll.errors import BadRow, BadTable, JkrollError, MissingExtra, NoResult
-from jkroll.model import unsolved as of_problems
+from jkroll.model import unknowns as of_problems
 from jkroll.model.fit_branches import BadCurve
 from jkroll.model.reasons import BEYOND_PULL_OFF, NoErrorBar
 from jkroll.quantities.numeric import NoValue

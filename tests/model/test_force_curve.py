@@ -7,7 +7,7 @@ import numpy
 import pytest
 
 from jkroll import fit, infer, solve
-from jkroll.model.unsolved import Unseparated
+from jkroll.model.unknowns import Unseparated
 from relative import approx
 from tools import lennard_jones as made
 

@@ -21,7 +21,7 @@ from jkroll.model.inverse import Inverse
 from jkroll.model.reasons import cause_and_step
 from jkroll.model.search import Solution
 from jkroll.model.uncertainty import sources_of_results
-from jkroll.model.unsolved import NoDependence, NoSolution, SeveralSolutions, Undetermined
+from jkroll.model.unknowns import NoDependence, NoSolution, SeveralSolutions, Undetermined
 from jkroll.quantities.values import parse_quantity
 from relative import approx
 from scenes import OTHER, QUARTZ, log_uniform

@@ -15,7 +15,7 @@ from jkroll.errors import NoResult
 from jkroll.model.frame import Frame
 from jkroll.model.reasons import MissingInput, NotInLaw
 from jkroll.model.search import Solution
-from jkroll.model.unsolved import SIZES, NoSolution, SeveralSolutions
+from jkroll.model.unknowns import SIZES, NoSolution, SeveralSolutions
 from jkroll.quantities.laws import MODELS
 from relative import approx
 from scenes import OTHER, QUARTZ, log_uniform

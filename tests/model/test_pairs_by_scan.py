@@ -11,7 +11,7 @@ from frames import outcomes
 from jkroll.errors import JkrollError
 from jkroll.model.frame import Frame
 from jkroll.model.inverse import Inverse
-from jkroll.model.unsolved import SIZES, NoDependence, NoSolution, SeveralSolutions, Unseparated
+from jkroll.model.unknowns import SIZES, NoDependence, NoSolution, SeveralSolutions, Unseparated
 from jkroll.quantities.laws import MODELS
 from scenes import log_uniform
 

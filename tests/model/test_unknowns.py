@@ -17,7 +17,7 @@ from jkroll.errors import BadRequest
 from jkroll.model.frame import Frame
 from jkroll.model.reasons import Failure, MissingInput
 from jkroll.model.search import Solution
-from jkroll.model.unsolved import NoDependence, NoSolution, SeveralSolutions, Unseparated
+from jkroll.model.unknowns import NoDependence, NoSolution, SeveralSolutions, Unseparated
 from jkroll.quantities.formatting import amount
 from relative import approx
 

@@ -189,4 +189,4 @@ def test_a_meniscus_needs_no_surface_energy_of_the_solids(run: Run) -> None:
     assert done.code == 0
     assert "≈ 440  Kelvin" in done.out
     assert "decides" not in done.out
-    assert "P_c: needs surface energy" in done.err
+    assert "pull-off force: needs surface energy" in done.err

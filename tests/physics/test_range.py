@@ -11,9 +11,9 @@ import pytest
 
 from frames import outcomes
 from jkroll import NOMENCLATURE, solve
+from jkroll.model.accepted import LEAST, MOST, SMALLEST, check_range, is_answer, takes
 from jkroll.model.frame import Frame
 from jkroll.model.plan import Plan, formula_of
-from jkroll.model.ranges import LEAST, MOST, SMALLEST, check_range, is_answer, takes
 from jkroll.model.reasons import MissingInput
 from jkroll.quantities.nomenclature import OF_MAUGIS
 from jkroll.quantities.values import QuantityError

@@ -17,7 +17,7 @@ import pytest
 from doors import call_of
 from harness import Run
 from jkroll import __version__, known_materials, solve
-from jkroll.cli.map import map_request
+from jkroll.cli.draw import map_request
 from jkroll.cli.process import main
 from jkroll.model.estimate import WORDS, Estimate
 from jkroll.model.frame import Frame

@@ -18,7 +18,7 @@ from harness import Ran, Run
 from jkroll.errors import BadTable
 from jkroll.materials.library import known_materials
 from jkroll.quantities.values import QuantityError, Uncertain
-from jkroll.report.questions import EVERYTHING
+from jkroll.report.questions import BY_DEFAULT
 from jkroll.tables.cells import Column
 from jkroll.tables.files import DELIMITERS, Delimited
 from jkroll.tables.header import check_inputs, stated_meanings, understood
@@ -130,7 +130,7 @@ def value(column: Column, row: Sequence[str]) -> Any:
     return [found.low, found.high] if isinstance(found, Uncertain) else found
 
 
-ASKED = Asked({"radius": "1um", "surface_energy": "25mJ/m2"}, known_materials(), offered=EVERYTHING)
+ASKED = Asked({"radius": "1um", "surface_energy": "25mJ/m2"}, known_materials(), offered=BY_DEFAULT)
 
 
 def test_many_found_tables_are_read_without_option_column() -> None:

@@ -10,7 +10,7 @@ import pytest
 import jkroll
 from harness import Run
 from jkroll.errors import code_of
-from jkroll.model import reasons, unsolved
+from jkroll.model import reasons, unknowns
 from jkroll.model.limits import ENDS
 from jkroll.write.manual import page
 
@@ -119,7 +119,7 @@ def test_answer_refuses_a_missing_radius_a_load_beyond_pull_off_and_an_unknown_q
 
 
 KINDS = [kind for kind in (*vars(reasons).values(), *ENDS.values()) if isinstance(kind, reasons.Cause)]
-UNSOLVED = unsolved.Unsolved.__subclasses__()
+UNSOLVED = unknowns.Unsolved.__subclasses__()
 
 
 def test_each_kind_of_reason_has_its_own_code() -> None:

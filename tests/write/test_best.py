@@ -11,7 +11,7 @@ from harness import Run
 from jkroll import answer, solve
 from jkroll.model.estimate import WORDS
 from jkroll.quantities.formatting import significant
-from jkroll.report.ranges import lines_on_rules
+from jkroll.report.best_ranges import lines_on_rules
 from relative import approx
 
 QUARTZ: dict[str, Any] = {"material": "quartz", "radius": 1e-7}

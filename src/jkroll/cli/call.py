@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..errors import BadRequest, JkrollError
 from ..materials.library import Material, Materials, UnknownMaterial, materials_of_user
+from ..model.accepted import check_range
 from ..model.frame import check_exclusive
-from ..model.ranges import check_range
 from ..model.reasons import MissingInput
 from ..model.sweep import Pair, Sweep
 from ..quantities.formatting import Format, amount

@@ -75,7 +75,7 @@ def run_fit(call: Call) -> int:
     if call.names_picture:
         if len(paths) > 1:
             raise BadRequest(f"a picture shows one curve; {len(paths)} files were given")
-        from .map import check_picture
+        from .draw import check_picture
 
         check_picture(call, call.target)
     form = "" if call.names_picture else _form_of_rows(call)
@@ -213,7 +213,7 @@ def _typed(fitted: Fit, name: str) -> str:
 def _draw(call: Call, path: str, fitted: Fit) -> int:
     """Draw the fit into a file; return the exit code."""
     from ..pictures.fitted import caption_of_fit, picture_of_fit
-    from .map import draw_into
+    from .draw import draw_into
 
     assert call.target is not None
     draw_into(call.target, picture_of_fit(fitted, os.path.basename(path), caption_of_fit(fitted)), call)

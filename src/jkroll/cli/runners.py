@@ -19,9 +19,9 @@ from ..model.sweep import Sweep
 from ..quantities.formatting import Format, symbol_of
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity
 from ..quantities.values import Spread, spreads_of
-from ..report.notes import Group, assumed_in, lines_of, notes_below
+from ..report.notes import Shown, assumed_in, lines_of, notes_below
 from ..report.questions import (
-    EVERYTHING,
+    BY_DEFAULT,
     QUESTIONS,
     Question,
     columns_in_table,
@@ -120,7 +120,7 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, sing
 
 
 def _write_columns(
-    call: Call, wanted: "Wanted", groups: Sequence[Group], blocks: "Iterable[Columns]", form: Format, *,
+    call: Call, wanted: "Wanted", groups: Sequence[Shown], blocks: "Iterable[Columns]", form: Format, *,
     is_table: bool, single: "Report | None",
 ) -> int:  # fmt: skip
     """Write columns to a file, to stdout as lines, or as a table, with notes; return the exit code.
@@ -251,7 +251,7 @@ def run_contact(call: Call) -> int:
     """Answer the question of `contact`, or write or draw the force curve; return the exit code."""
     is_drawn = call.curve and call.names_picture
     if is_drawn or call.width is not None or call.style is not None or call.uncaptioned or call.panel:
-        from .map import draw_contact
+        from .draw import draw_contact
 
         return draw_contact(call)
     return _write_curve(call) if call.curve else run_question(call)
@@ -362,9 +362,13 @@ def run_export(call: Call) -> int:
         return 0
     options = options_for_centre(answer)
     if options:
-        text_of = f"Plain {frame.law.short}; for the likely P_c and M of smooth spheres, run again with {options}"
-        real = ". Where real grains have f times this P_c, multiply gamma by f and divide xi by f, so that M stays"
-        say(comment_of(f"{text_of}{real if answer.is_in_doubt(ROUGH_MATTERS) else ''}."), sys.stdout)
+        text_of = (
+            f"Plain {frame.law.short}. Better, with the likely P_c and M of smooth spheres: run again with {options}."
+        )
+        real = (
+            " Real grains have f = 1/100 to 4/5 of this P_c: multiply gamma by f, and divide xi by f, so that M stays."
+        )
+        say(comment_of(text_of + (real if answer.is_in_doubt(ROUGH_MATTERS) else "")), sys.stdout)
     sys.stdout.write(text)
     for line in lines:
         say(comment_of(line), sys.stdout)
@@ -373,7 +377,7 @@ def run_export(call: Call) -> int:
 
 def run_infer(call: Call) -> int:
     """Infer inputs for each frame and measured value; return the exit code."""
-    from ..model.unsolved import SIZES, inputs_named
+    from ..model.unknowns import SIZES, inputs_named
 
     if not call.subject:
         raise BadRequest(f"infer needs an input: one of {', '.join(SIZES)}")
@@ -410,7 +414,7 @@ def run_batch(call: Call) -> int:
         if not call.given.get(option.name, option.name).strip():
             raise BadRequest(f"{option.flag} is empty")
     infer, measured = _unknown_and_measured(call)
-    explicit, offered = quantities_named(call.quantities) if call.quantities else ([], EVERYTHING)
+    explicit, offered = quantities_named(call.quantities) if call.quantities else ([], BY_DEFAULT)
     asked = Asked(
         call.inputs,
         call.materials,
@@ -446,7 +450,7 @@ def _unknown_and_measured(call: Call) -> tuple[str, str]:
     if not call.infer or "," in call.infer or len(call.measured) != 1:
         example = "--infer gamma --measured pull_off_force"
         raise BadRequest(f"batch infers one input from one quantity, as in {example}; jkroll infer finds two")
-    from ..model.unsolved import inputs_named
+    from ..model.unknowns import inputs_named
 
     return inputs_named([call.infer])[0], quantity_named(call.measured[0])
 
@@ -520,7 +524,7 @@ def run_guide(call: Call) -> int:
 
 def run_bench(call: Call) -> int:
     """Measure speed against error; return the exit code."""
-    from .map import check_picture, draw_into
+    from .draw import check_picture, draw_into
 
     check_picture(call, call.plot, "--plot")  # before anything is measured
     from ..bench.report import FULL, QUICK, picture_of_bench, write_bench

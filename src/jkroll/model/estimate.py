@@ -16,6 +16,7 @@ from ..physics.elementary import at_least, at_most, is_anywhere, where
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
 from ..quantities.values import ends_of
+from .accepted import LEAST, MOST
 from .frame import Frame, Variant, itself
 from .limits import CONTACT_EXCEEDS_SPHERE, ENDS, JUMP, LAW_MATTERS, SOFT
 from .measured import (
@@ -28,7 +29,6 @@ from .measured import (
     what_stuck,
 )
 from .other_law import at_half_spacing, farthest
-from .ranges import LEAST, MOST
 from .reasons import MissingInput, reason
 from .results import Results
 from .uncertainty import ErrorBar, error_bars

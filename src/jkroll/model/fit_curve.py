@@ -26,7 +26,7 @@ from .fit_laws import Array, Grip
 from .fit_minimum import ADHESION, MODULUS, residuals
 from .fit_problem import Problem, Solved, release_rate, solved, solved_with, solved_without_adhesion
 from .fit_result import Fit, Known
-from .unsolved import SIZES
+from .unknowns import SIZES
 
 _STIFFEST = SIZES["youngs_modulus"][1]  # above, E* is not told from infinity
 

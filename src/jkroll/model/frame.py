@@ -21,10 +21,10 @@ from ..quantities.laws import ALWAYS, DEFAULT_LAW, LAWS, Law, other_law
 from ..quantities.nomenclature import CONVERTED, DEFAULTS, INFINITY, NOMENCLATURE, PROPERTIES, STATE, XI, of_sphere
 from ..quantities.values import Interval, Uncertain, is_uncertain, middle
 from ..text import listed
+from .accepted import OF_A_PLANE, SMALLEST, check_range, is_answer
 from .column import Column, at_row, broadcast, first_of
 from .conversions import converted, lacked
 from .plan import KEPT, OF_A_SOLID, Plan, depends_on, in_order, plan_for
-from .ranges import OF_A_PLANE, SMALLEST, check_range, is_answer
 from .reasons import (
     HIDDEN,
     INFINITE,

@@ -7,12 +7,12 @@ from ..materials.library import Material, Materials
 from ..quantities.laws import law_given
 from ..quantities.nomenclature import NOMENCLATURE, named
 from ..quantities.values import QuantityError, is_uncertain, middle
+from .accepted import check_range
 from .containers import Reader
 from .frame import Frame
 from .inverse import Inverse
-from .ranges import check_range
 from .solver import materials_of, with_uncertainties
-from .unsolved import inputs_named
+from .unknowns import inputs_named
 
 
 class InferredValues(dict[str, Any]):
@@ -57,7 +57,7 @@ def infer(
     Parameters
     ----------
     wanted
-        An input among `jkroll.model.unsolved.SIZES`, or the name of its option; or a list of one or two such names.
+        An input among `jkroll.model.unknowns.SIZES`, or the name of its option; or a list of one or two such names.
     measured
         A quantity of the nomenclature for each wanted input, with its value: a number, a list, a text and so on, as for
         `solve`.

@@ -14,7 +14,7 @@ from .frame import Frame, check_exclusive
 from .plan import Plan, formula_of, in_order
 from .reasons import MissingInput, reason_of
 from .search import Problem, Solution, solved
-from .unsolved import SIZES, already_given, inputs_named
+from .unknowns import SIZES, already_given, inputs_named
 
 
 class Inverse(Frame):

@@ -8,9 +8,9 @@ from ..materials.library import Material
 from ..physics.contact import pull_off_force
 from ..physics.elementary import at_least, at_most, cbrt, where
 from ..quantities.nomenclature import INFINITY, XI
+from .accepted import takes
 from .frame import IN_ITS_PLACE, Frame, Variant
 from .plan import depends_on
-from .ranges import takes
 
 VISCOUS_TIME = "viscous_time"  # an input that decides the losses if it is given
 SIO2, POLYSTYRENE, MICA = "SiO2", "polystyrene", "mica"

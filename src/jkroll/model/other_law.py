@@ -7,10 +7,10 @@ from typing import Any
 from ..physics.elementary import at_least, at_most, quotient, where
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, PARABOLOID
 from ..quantities.nomenclature import INFINITY
+from .accepted import LEAST
 from .column import Column
 from .frame import Frame, once_a_frame
 from .plan import plan_for
-from .ranges import LEAST
 
 
 @once_a_frame

@@ -17,11 +17,11 @@ from ..errors import BadRequest, JkrollError
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import Measured, Uncertain, is_uncertain
 from ..text import first_of, listed
+from .accepted import takes
 from .column import Column, at_row
 from .estimate import estimates
 from .frame import FOLLOWS, Frame
 from .limits import BITS, EVERY_DOUBT, LAW, NOT_JUDGED
-from .ranges import takes
 from .reasons import HIDDEN, Failure, MissingInput, grouped, needs_in_words, reason
 from .results import ROW, Results, has_code, is_end_of_meaning
 from .uncertainty import ErrorBar, number_of_points, sources_of_results

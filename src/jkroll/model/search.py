@@ -17,11 +17,11 @@ from ..physics.elementary import NUMBER
 from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..text import listed
+from .accepted import LEAST, MOST
 from .column import broadcast
 from .frame import Frame
-from .ranges import LEAST, MOST
 from .reasons import reason, reason_of
-from .unsolved import (
+from .unknowns import (
     SIZES,
     NoDependence,
     NoSolution,

@@ -17,7 +17,7 @@ from .frame import FOLLOWS, Frame
 from .plan import in_order
 from .reasons import OF_IDENTICAL_SPHERES, Failure
 from .rows import BLOCK, Columns, Indices, Numbers, Wanted, evaluated, sides_in
-from .unsolved import already_given
+from .unknowns import already_given
 
 Pair = tuple[Material | None, Material | None]
 _RADII = {"radius": 1.0, "radius2": 1.0, "diameter": 0.5, "diameter2": 0.5}  # in units of the radius

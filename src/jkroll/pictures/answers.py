@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any, overload
 
 from ..errors import BadRequest
 from ..materials.library import Material, Materials
+from ..model.accepted import check_range
 from ..model.containers import Reader, warn_of_metres
 from ..model.estimate import WORDS, Estimate
 from ..model.frame import Frame
 from ..model.labels import axes_of
-from ..model.ranges import check_range
 from ..model.rows import Columns, Tally, Wanted, as_list
 from ..model.solver import Solids, is_list, materials_of, words_in
 from ..model.sweep import Sweep

@@ -15,8 +15,7 @@ from ..quantities.markup import plain
 from ..report.curve import Loads, loads_of
 from ..report.questions import quantity_named
 from ..text import as_arguments, listed, quoted
-from .figures import FIGURE_NAMES, PANELS, PAPER_MAPS, PROFILES, curves_of_contact, figure_laws, paper_map
-from .geometry import sketch
+from .figures import PANELS, PAPER_MAPS, PROFILES, check_figure, curves_of_contact, figure_named
 from .picture import STYLES, Picture, evaluate
 from .request import SIDE, PlotRequest, axis_of, check_axes, picture_of
 
@@ -249,16 +248,10 @@ def figure(
     >>> figure("laws").lines["JKR"][1].tolist()
     [1.5, 1.5]
     """
-    known = materials or known_materials()
-    if name not in FIGURE_NAMES:
-        raise BadRequest(f"{quoted(name)} is not a figure; choose one of {', '.join(FIGURE_NAMES)}")
+    check_figure(name)
     declared = PAPER_MAPS.get(name)
     if as_printed and not (declared and declared.printed):
         raise BadRequest(f"as_printed: no curve of figure {name} is printed differently")
     if marks and (name in PROFILES or name == "geometry"):
         raise BadRequest(f"figure {name} takes no marks")
-    if name == "geometry":
-        return Drawn(sketch())
-    if declared is not None:
-        return Drawn(paper_map(name, known, marks, as_printed=as_printed))
-    return Drawn(PROFILES[name](known) if name in PROFILES else figure_laws(known, marks))
+    return Drawn(figure_named(name, materials or known_materials(), marks, as_printed=as_printed))

@@ -25,9 +25,9 @@ from matplotlib.patheffects import withTickedStroke  # type: ignore[import-not-f
 from ..model.frame import Frame
 from ..model.solver import values_of
 from ..quantities.markup import lines, symbol
+from .bands import Band, band_of, spacing
 from .labels import Bound, Labels
 from .picture import Axis, Panel, Style, evaluate, one_further, over
-from .ranges import Band, band_of, spacing
 
 FINE = 401  # points along each side of a field
 _THIN, _THICK = 0.7, 1.1  # contours, in points

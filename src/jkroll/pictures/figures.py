@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy
 
+from ..errors import BadRequest
 from ..materials.library import Materials
 from ..model.frame import Frame
 from ..model.reasons import BEYOND_PULL_OFF, Failure, NotInLaw
@@ -27,6 +28,8 @@ from ..quantities.nomenclature import DEFAULTS, NOMENCLATURE, bracketed
 from ..report.curve import EQUILIBRIUM, MAX_LOAD, NAMED, PULL_OFF, WHOLE_CURVE, Loads, states
 from ..report.questions import Question
 from ..report.report import Report
+from ..text import quoted
+from .geometry import sketch
 from .picture import Axis, Curve, Mark, Panel, Picture, axis_around, clipped
 from .request import DRAWN_LIMITS, PlotRequest, fixed_inputs, inputs_as_texts, mark_at, notes_on, picture_of
 
@@ -428,3 +431,21 @@ def figure_laws(materials: Materials, marks: Sequence[str]) -> Picture:
 
 PROFILES: Mapping[str, Callable[[Materials], Picture]] = {"2": figure_2, "9": figure_9}  # without options
 FIGURE_NAMES = (*sorted({*PAPER_MAPS, *PROFILES}), "laws", "geometry")
+
+
+def check_figure(name: str) -> None:
+    """Raise BadRequest for a name that no figure has."""
+    if name not in FIGURE_NAMES:
+        mistake = f"{quoted(name)} is not a figure" if name else "figure needs a name"
+        raise BadRequest(f"{mistake}; choose one of {', '.join(FIGURE_NAMES)}")
+
+
+def figure_named(
+    name: str, materials: Materials, marks: Sequence[str] = (), *, as_printed: bool = False, is_plain: bool = False
+) -> Picture:
+    """Return a figure by its name, with marked grains; `is_plain`: see `paper_map`."""
+    if name in PAPER_MAPS:
+        return paper_map(name, materials, marks, as_printed=as_printed, is_plain=is_plain)
+    if name in PROFILES:
+        return PROFILES[name](materials)
+    return sketch() if name == "geometry" else figure_laws(materials, marks)

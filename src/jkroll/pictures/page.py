@@ -22,11 +22,11 @@ from matplotlib.transforms import Bbox, ScaledTranslation  # type: ignore[import
 from ..errors import BadRequest
 from ..quantities.markup import lines, plain, typeset
 from ..text import quoted
+from .bands import Band
 from .fields import Drawn, Scale, draw_field, mixed
 from .files import FONT, About, content_of
 from .labels import Labels
 from .picture import STYLES, Axis, Curve, Field, Panel, Picture, Style, described, extent, is_flat
-from .ranges import Band
 
 LETTER_SIZE = 8.6  # in points, at any width of the page; subscripts are 0.7 times as large, 6 points
 _CONTOURS = 12  # largest number of contours

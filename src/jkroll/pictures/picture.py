@@ -16,7 +16,7 @@ from ..quantities.markup import marked, plain
 from ..quantities.nomenclature import NOMENCLATURE, bracketed, header
 from ..quantities.quantity import Quantity
 from ..text import TextColumn, capital, padded, say, say_wrapped, terminal_width, width_of, write_table
-from .ranges import Band
+from .bands import Band
 
 _WIDE = 30.0  # ratio of the ends above which contours are logarithmic
 SAME = 1e-9  # relative difference below which values differ only by rounding

@@ -25,10 +25,11 @@ from ..quantities.markup import marked, symbol
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, as_input, computed_as
 from ..quantities.values import QuantityError, between, parse_quantity
 from ..report.answer import equation_of
+from ..report.best_ranges import range_in_words
 from ..report.notes import about_assumed, about_data, about_given, about_idle, about_middles, assumed, entering
 from ..report.questions import quantity_named
-from ..report.ranges import range_in_words
 from ..text import capital, quoted
+from .bands import band_of
 from .picture import (
     CURVE_ROWS,
     SAME,
@@ -48,7 +49,6 @@ from .picture import (
     over,
     shown_values,
 )
-from .ranges import band_of
 
 MAX_CURVES = 24  # more cannot be distinguished
 SIDE = 201  # points along each side of the grid for captions and limits; also the default for a map's numbers

@@ -7,7 +7,7 @@ from ..model.estimate import ADHESION_ONLY, BETTER_LAW, LAW_ONLY
 from ..model.frame import Frame
 from ..model.limits import ROUGH_MATTERS, Doubt
 from ..model.reasons import explanation_of
-from ..model.unsolved import SIZES, equal, sizes_in_words
+from ..model.unknowns import SIZES, equal, sizes_in_words
 from ..quantities.formatting import Format, amount, from_to, symbol_among, symbol_of
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES

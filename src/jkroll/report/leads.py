@@ -24,9 +24,9 @@ from ..quantities.formatting import Format, amount, from_to, significant, symbol
 from ..quantities.nomenclature import XI
 from ..text import listed
 from .answer import Answer
+from .best_ranges import held_on_surfaces, of_silica, range_in_words
 from .inferred import about_library
-from .notes import Group, Note
-from .ranges import held_on_surfaces, of_silica, range_in_words
+from .notes import Note, Shown
 
 _THREE = Format(digits=3)
 _AFTER_IMPACT = "n_roll_after_impact"  # needs a speed
@@ -65,7 +65,7 @@ def leads(answer: Answer) -> Iterator[Note]:
         yield Note("lead", _law_that_holds(answer))
 
 
-def lead_of_rows(groups: Sequence[Group], names: Collection[str]) -> str:
+def lead_of_rows(groups: Sequence[Shown], names: Collection[str]) -> str:
     """Return the sentence on the effects that the pull-off force of a list leaves out; empty if there are none."""
     if "pull_off_force" not in names:
         return ""

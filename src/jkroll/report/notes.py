@@ -62,6 +62,7 @@ _UNLIKE = 3.0  # ratio of two surface energies above which their geometric mean 
 _MAX_NOTES = 1  # below results, in addition to the warning
 _MAX_LENGTH = 154  # characters of a note: two lines of a terminal
 _MAX_CODES = 4  # codes of doubts in a note
+_MOST_IN_WORDS = 2  # quantities that a note names by their meaning; it has the symbols of more
 
 
 # --- Inputs -----------------------------------------------------------------------------------------------------------
@@ -220,10 +221,14 @@ def about_limits(every: Iterable[Doubt]) -> Iterator[Note]:
 
 
 def about_missing(errors: Mapping[str, JkrollError]) -> Iterator[Note]:
-    """Iterate over the reasons for missing values, each with the symbols of the quantities."""
+    """Iterate over the reasons for missing values, each with the quantities."""
     for names, reason in grouped(errors):
-        severity: Severity = "remark" if isinstance(errors[names[0]], MissingInput) else "caveat"
-        yield Note(severity, f"{first_symbols(names)}: {reason}")
+        lacks_input = isinstance(errors[names[0]], MissingInput)
+        severity: Severity = "remark" if lacks_input else "caveat"
+        subjects = first_symbols(names)
+        if lacks_input and len(names) <= _MOST_IN_WORDS:  # the table has no row with their symbols
+            subjects = listed(NOMENCLATURE[name].sentence for name in names)
+        yield Note(severity, f"{subjects}: {reason}")
 
 
 def about_left_out(*every: Sources | None) -> Iterator[Note]:
@@ -239,7 +244,7 @@ def about_left_out(*every: Sources | None) -> Iterator[Note]:
 # --- Rows -------------------------------------------------------------------------------------------------------------
 
 
-Group = tuple[Frame, Sequence[str]]  # rows with the same inputs: their frame, and the quantities shown
+Shown = tuple[Frame, Sequence[str]]  # the frame of rows with the same inputs, and the quantities that they show
 
 
 def about_rows(tally: "Tally", reported: int, where: str) -> Iterator[Note]:
@@ -276,7 +281,7 @@ def lines_on_codes(codes: Iterable[str]) -> Iterator[str]:
             yield f"{', '.join(of_limit)}: {limit.consequence.partition(';')[0]}"
 
 
-def assumed_in(groups: Iterable[Group], *, judges: bool = True) -> dict[str, str]:
+def assumed_in(groups: Iterable[Shown], *, judges: bool = True) -> dict[str, str]:
     """Return the assumptions of all groups by name, each with the option that replaces it; `judges`: see `entering`."""
     texts: dict[str, str] = {}
     for frame, names in groups:
@@ -285,14 +290,14 @@ def assumed_in(groups: Iterable[Group], *, judges: bool = True) -> dict[str, str
     return texts
 
 
-def idle_in(groups: Iterable[Group], *, judges: bool = True) -> list[str]:
+def idle_in(groups: Iterable[Shown], *, judges: bool = True) -> list[str]:
     """Return the inputs that change no result in any group; `judges`: see `entering`."""
     first, *others = (entering(frame, names, judges=judges)[1] for frame, names in groups)
     idle_everywhere = {*first}.intersection(*others)
     return [name for name in first if name in idle_everywhere]
 
 
-def notes_on_rows(groups: Sequence[Group], tally: "Tally", reported: int) -> list[Note]:
+def notes_on_rows(groups: Sequence[Shown], tally: "Tally", reported: int) -> list[Note]:
     """Return the notes on the counts of rows and on the inputs of their groups.
 
     `reported`: the bits of the doubts to report.
@@ -308,7 +313,7 @@ def notes_on_rows(groups: Sequence[Group], tally: "Tally", reported: int) -> lis
     return [*dict.fromkeys(every), *about_idle(idle_in(groups)), *about_assumed(assumed_in(groups))]
 
 
-def notes_below(groups: Sequence[Group], tally: "Tally", reported: int, *, is_table: bool) -> list[Note]:
+def notes_below(groups: Sequence[Shown], tally: "Tally", reported: int, *, is_table: bool) -> list[Note]:
     """Return the notes to print below rows.
 
     `reported`: the bits of the doubts to report; `is_table`: True to report only those that make a result meaningless,

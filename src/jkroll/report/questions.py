@@ -63,7 +63,7 @@ _QUESTIONS = {
         leads="a push of {yield_force} at its centre makes a sphere roll",
     ),
     "r-min": _question(
-        "r_min", leads="a contact starts to roll where the chain's radius falls to {r_min}; wider bends are safe"
+        "r_min", leads="a contact starts to roll where the chain is bent to a radius of {r_min}; wider bends are safe"
     ),
     "n-grav": _question(
         "n_grav",
@@ -82,8 +82,8 @@ _QUESTIONS = {
     "n-roll": _question(
         "n_roll",
         "n_roll_after_impact n_roll n_roll_energy_balance",
-        leads="turns, if it rolls, by how it starts: {n_roll_energy_balance} without slip{after_impact}, "
-        "{n_roll} after sliding{or_none}",
+        leads="turns, if it rolls: {n_roll_energy_balance} set off without slip{after_impact}, {n_roll} if it slides "
+        "first{or_none}",
     ),
     "contact": _question(
         "contact_radius_at_load approach_at_load",
@@ -137,7 +137,7 @@ QUESTIONS: Mapping[str, Question] = {
         "sticking_energy_pencil_code sticking_speed_paszun_dominik sticking_speed_pencil_code",
         leads="parting the spheres takes {pull_off_work} with fixed grips, {pull_off_work_at_dead_load} at a dead "
         "load, as with the soft spring of an AFM\n"
-        "rolling by a quarter turn takes {roll_energy_quarter_turn}, by D&T 97\n"
+        "rolling by a quarter turn takes {roll_energy_quarter_turn}, by Dominik & Tielens 1997\n"
         "the sticking speed is {sticking_speed}",
     ),
     "impact": _question(
@@ -162,12 +162,12 @@ QUESTIONS: Mapping[str, Question] = {
         "compressive_strength tensile_strength",
         without_row="restructuring_energy_ormel restructuring_speed_ormel disruption_energy_dust_simulation "
         "disruption_speed_dust_simulation",
-        leads="two equal aggregates that collide begin to restructure at a relative speed of {restructuring_speed}, "
-        "by D&T 97\n"
-        "they begin to break up at a speed of {disruption_speed}, by Wada 07",
+        leads="two such aggregates that collide begin to restructure at a relative speed of {restructuring_speed}, "
+        "by Dominik & Tielens 1997\n"
+        "they begin to break up at a speed of {disruption_speed}, by Wada et al. 2007",
     ),
 }
-EVERYTHING = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities))
+BY_DEFAULT = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities))
 
 
 def quantity_named(word: str) -> str:

@@ -24,6 +24,7 @@ from ..quantities.formatting import significant, symbol_among
 from ..quantities.laws import DEFAULT_LAW, JKR_OF_SPHERE
 from ..text import first_of
 from .answer import Answer
+from .best_ranges import held_on_surfaces, range_in_words, reasons_for
 from .inferred import about_inferred, about_limit
 from .leads import leads
 from .notes import (
@@ -40,7 +41,6 @@ from .notes import (
     about_values,
     by_severity,
 )
-from .ranges import held_on_surfaces, range_in_words, reasons_for
 
 _MOST = 4  # results in a note
 _LOST = 0.01  # least fraction of uncertain values beyond pull-off that a note reports

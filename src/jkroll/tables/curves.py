@@ -10,7 +10,7 @@ import numpy
 from ..errors import BadTable
 from ..materials.library import Materials
 from ..model.fit_branches import APPROACH, LOADING, PAUSE, RADIUS, TRAVEL, UNLOADING, ForceCurve
-from ..quantities.nomenclature import header as header_of
+from ..quantities.nomenclature import header as head_of
 from ..text import first_of, listed, quoted
 from .cells import Column
 from .dataframes import Memory, data_of
@@ -121,14 +121,14 @@ def _lacking(missing: str, x_name: str, header: Header) -> BadTable:
     options = []
     for position, text in enumerate(header.texts):
         if position not in used:
-            options += [option_of(text, header_of(name, unit)) for name in names if (unit := unit_in(text, name))]
+            options += [option_of(text, head_of(name, unit)) for name in names if (unit := unit_in(text, name))]
     problem = f"header: no column has the {missing} of the curve"
     in_volts = _on_volts(text for position, text in enumerate(header.texts) if position not in used)
     if in_volts:
         return BadTable(f"{problem}; {in_volts}")
     if not options:
         problem += f" (the table has {first_of([*map(typed, header.texts)])})" if header.texts else ""
-        options = [option_of("HEADER", header_of(name, "UNIT")) for name in names]
+        options = [option_of("HEADER", head_of(name, "UNIT")) for name in names]
     return BadTable(f"{problem}; write {listed(options, 'or')}")
 
 

@@ -7,15 +7,15 @@ from typing import Any
 
 from ..errors import BadRequest, BadTable
 from ..materials.library import Materials, materials_of_user
+from ..model.accepted import check_range
 from ..model.containers import Reader, warn_of_metres
 from ..model.fit_branches import TRAVEL, BadCurve, LoadRange
 from ..model.fit_curve import fit_curve
 from ..model.fit_problem import NAMES
 from ..model.fit_result import Fit, Known
-from ..model.ranges import check_range
 from ..model.reasons import MissingInput
 from ..model.solver import solve
-from ..model.unsolved import SIZES
+from ..model.unknowns import SIZES
 from ..physics.sphere import INCOMPRESSIBLE, STIFFER
 from ..quantities.formatting import Format, amount
 from ..quantities.laws import DEFAULT_LAW, JKR_OF_SPHERE, PARABOLOID, SPHERE, law_given

@@ -14,7 +14,7 @@ from ..errors import BadRequest, BadTable
 from ..model.frame import EXCLUSIVE
 from ..quantities.laws import MODELS
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, of_sphere
-from ..quantities.nomenclature import header as header_of
+from ..quantities.nomenclature import header as head_of
 from ..quantities.values import NO_UNIT, QuantityError, middle, unit_of, value_of
 from ..text import first_of, listed, quoted, shown
 from . import words
@@ -89,7 +89,7 @@ class Header(NamedTuple):
     def _from(self, column: Column) -> str:
         """Return the standard header of an input, and the header in the table if it differs."""
         text = self.texts[column.position]
-        parts = [header_of(column.name, column.unit_text)]
+        parts = [head_of(column.name, column.unit_text)]
         if not column.is_range and typed(text) not in (parts[0], column.name):
             parts.append(f"from {_easy(text)}")
         parts += [f"{_MARKS[part]}{_easy(self.texts[position])}" for part, position in column.sides]

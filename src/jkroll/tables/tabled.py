@@ -12,8 +12,8 @@ from ..materials.library import Material, Materials, known_materials
 from ..model.containers import Reader
 from ..model.rows import BLOCK, Tally
 from ..model.solver import materials_of, refuse_arrays, words_in
-from ..model.unsolved import inputs_named
-from ..report.questions import EVERYTHING, quantities_named, quantity_named
+from ..model.unknowns import inputs_named
+from ..report.questions import BY_DEFAULT, quantities_named, quantity_named
 from ..text import as_arguments
 from .dataframes import Data, Memory, data_of
 from .reading import reading_of
@@ -103,7 +103,7 @@ def table(
     if bool(infer) != bool(measured):
         raise BadRequest('infer and measured go together, as in infer="gamma", measured="pull_off_force"')
     wanted = words_in(quantities) if quantities is not None else []
-    explicit, offered = quantities_named(",".join(wanted)) if wanted else ([], EVERYTHING)
+    explicit, offered = quantities_named(",".join(wanted)) if wanted else ([], BY_DEFAULT)
     try:
         rows = data_of(data)
         asked = Asked(

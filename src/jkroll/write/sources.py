@@ -12,18 +12,18 @@ from typing import Any, TextIO
 from .. import __version__
 from ..errors import BadRequest
 from ..materials.library import data_of
+from ..model.accepted import takes
 from ..model.estimate import NONE, WORDS
 from ..model.frame import Frame
 from ..model.other_law import has_other_formulas
 from ..model.plan import Plan
-from ..model.ranges import takes
 from ..physics.accuracy import accuracy_of
 from ..quantities.formatting import Format, amount, symbol_of
 from ..quantities.laws import BETWEEN
 from ..quantities.markup import as_latex, symbol
 from ..quantities.nomenclature import CONVERTED, INFINITY, NOMENCLATURE
 from ..report.answer import Result
-from ..report.ranges import made_of, range_in_words
+from ..report.best_ranges import made_of, range_in_words
 from ..report.report import Report, every_line
 from ..text import listed, say, say_wrapped
 

@@ -39,9 +39,9 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, STATE_OR_LOAD, X
 from ..quantities.shown import Rows, cell, columns_of
 from ..quantities.units import Unit, convert
 from ..quantities.values import Uncertain, middle, with_sides
+from ..report.best_ranges import about_surfaces, lines_on_rules
 from ..report.inferred import about_library, laws_of, library_values, solids_of
 from ..report.notes import lines_above, lines_on_codes
-from ..report.ranges import about_surfaces, lines_on_rules
 from ..text import TextColumn, first_of, fit_terminal, listed, say_wrapped, text_columns, write_table
 
 if TYPE_CHECKING:

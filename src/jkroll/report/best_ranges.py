@@ -25,7 +25,6 @@ from ..model.frame import Frame
 from ..model.limits import ROUGH_MATTERS, may_be_rough
 from ..model.measured import (
     ENERGY_ON_SURFACES,
-    HELD,
     MOST_SEEN,
     SIO2,
     SURFACES,
@@ -95,13 +94,20 @@ def made_of(name: str, answer: Answer) -> str:
 
 
 def held_on_surfaces(frame: Frame, form: Format = AS_USUAL) -> str:
-    """Return the pull-off force of real surfaces: for SiO2 as measured, for other solids as a fraction of JKR's."""
+    """Return the pull-off force of real surfaces: for SiO2 as measured, for other solids as a fraction of JKR's.
+
+    If spheres of this size or solid were not measured, the text says so.
+    """
+    ranges, like = on_surfaces(frame), ""
     radii = frame.numbers("radius", "radius2").values()
     if min(radii, default=2 * frame["reduced_radius"]) < SURFACES_FROM:
-        return f"real ones hold less (not measured at this size): SiO2 of R ≥ 1 µm held {HELD}"
-    if solid_of_pair(frame) != SIO2:
-        return f"real ones hold less: spheres of SiO2 held {HELD}"
-    forces = (f"{span('pull_off_force', *ends, form)} ({surface})" for surface, ends in on_surfaces(frame).items())
+        like = "like SiO2 of R ≥ 1 µm (not measured at this size)"
+    elif solid_of_pair(frame) != SIO2:
+        like = "like SiO2 (1/100 to 4/5 of JKR's force)"
+    if like:
+        lows, highs = zip(*ranges.values(), strict=True)
+        return f"real spheres hold less: {span('pull_off_force', min(lows), max(highs), form)} if {like}"
+    forces = (f"{span('pull_off_force', *ends, form)} ({surface})" for surface, ends in ranges.items())
     return f"real surfaces hold {', '.join(forces)}"
 
 
@@ -113,7 +119,7 @@ def about_surfaces(frame: Frame) -> str:
 
 
 _OF_SMOOTH = "P_c is that of smooth, dry spheres: rough ones hold less"
-_SHRINKS = "from τ/3 to 3τ (--shear-strength); T_first slides what peeling leaves"
+_SHRINKS = "τ/3 to 3τ (--shear-strength); T_first: edge peels, rest slides"
 _SEEN = f"hard spheres were seen to stick at 1–{MOST_SEEN} times JKR's speed"
 _WORDS: Mapping[int, str] = {
     MEASURED: f"hard spheres stuck at 1 to {MOST_SEEN} times JKR's speed, SiO2 at measured ones",
@@ -220,14 +226,17 @@ def _measured(answer: Answer) -> Iterator[str]:
         yield _SEEN
         yield "silica, ices and silver were measured; adhesion is not their only loss"
         return
-    first, last = (f"{significant(stuck.at(radius), 2)} m/s at {amount('radius', radius)}" for radius in stuck.radii)
-    seen, bar = f"{first}, {last} on {solid_of_pair(answer.frame)}", f"±{100 * stuck.error:.0f} %"
+    (first, small), (last, large) = (
+        (significant(stuck.at(radius), 2), amount("radius", radius)) for radius in stuck.radii
+    )
+    seen = f"{first} m/s at R = {small}, {last} m/s at {large} on {solid_of_pair(answer.frame)}"
+    bar = f"±{100 * stuck.error:.0f} %"
     if stuck.is_near(answer.frame):
         yield f"{seen}, {bar}"
         yield f"the spheres stuck to a plane; the speed is proportional to R^{stuck.exponent}"
         yield _above_law(answer)
         return
-    yield f"{seen}, as R^(-5/6); γ left out"
+    yield f"{seen}, as R^(-5/6), any γ"
     yield f"{bar}; the spheres stuck to a plane; scaled to this pair like {answer.frame.law.short}'s speed"
     yield _above_law(answer)
     yield "the effect of γ was not measured"
@@ -285,8 +294,10 @@ def _xi_unknown(answer: Answer) -> Iterator[str]:
         yield "not measured: 2 Å (one atom) or more; --xi or a material narrows it"
         return
     most = answer.ranges.at_full_hysteresis(XI)[1]
-    limit = "where all of w is lost" if isnan(most) else f"{span(XI, most, most)} (all of w lost)"
-    ends = f"at most {limit} by Maugis" if most < frame[XI] else f"2 Å to {limit} by Maugis"
+    limit = "what w allows" if isnan(most) else f"{span(XI, most, most)} (most w allows)"
+    ends = f"2 Å to {limit} by Maugis"
+    if most < frame[XI]:
+        ends = f"at most {span(XI, most, most)} by Maugis"
     what = "not measured"
     if rolled is not None:
         what += " at this size" if rolled.has_energy(frame) else " at this γ"
@@ -337,7 +348,7 @@ def _adhesion_only(answer: Answer) -> Iterator[str]:
     if restitution is not None and restitution.by == ADHESION_ONLY:
         yield "other losses lower e, to 0 if the spheres stick"
     else:
-        yield "at most JKR's loss to adhesion; losses in the solids add to it"
+        yield "at most JKR's loss to adhesion, without losses in the solids"
     if answer.ranges.has_no_jump:
         yield "spheres with so small a Tabor parameter separate without a jump, and adhesion alone may lose nothing"
 

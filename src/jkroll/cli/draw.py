@@ -1,4 +1,4 @@
-"""The runners of `map`, `figure` and `contact --curve -o`, which draw pictures."""
+"""The runners of `map`, `figure` and `contact --curve -o`, and the pictures of other commands as files."""
 
 import sys
 from collections.abc import Iterable, Sequence
@@ -9,8 +9,7 @@ import numpy
 from ..errors import BadRequest, missing_extra
 from ..model.frame import Frame
 from ..model.limits import LIMITS
-from ..pictures.figures import FIGURE_NAMES, PANELS, PAPER_MAPS, PROFILES, curves_of_contact, figure_laws, paper_map
-from ..pictures.geometry import sketch
+from ..pictures.figures import PANELS, PAPER_MAPS, PROFILES, check_figure, curves_of_contact, figure_named
 from ..pictures.picture import STYLES, Picture, evaluate, opening, say_texts, write_picture
 from ..pictures.request import MAX_CURVES, PlotRequest, axis_of, check_axes, distinction, picture_of
 from ..quantities.laws import DEFAULT_LAW
@@ -74,11 +73,9 @@ def run_map(call: Call) -> int:
 def run_figure(call: Call) -> int:
     """Draw a figure of the paper; return the exit code."""
     check_picture(call, call.target)
-    name = call.subject
-    if name not in FIGURE_NAMES:
-        mistake = f"{quoted(name)} is not a figure" if name else "figure needs a name"
-        raise BadRequest(f"{mistake}; choose one of {', '.join(FIGURE_NAMES)}")
-    declared, materials, marks = PAPER_MAPS.get(name), call.materials, [*filter(None, call.mark.split(","))]
+    name, marks = call.subject, [*filter(None, call.mark.split(","))]
+    check_figure(name)
+    declared = PAPER_MAPS.get(name)
     idle = {
         "--mark": call.mark and (name in PROFILES or name == "geometry"),
         "--data": call.data and name == "geometry",
@@ -88,15 +85,11 @@ def run_figure(call: Call) -> int:
     given = [option for option, is_idle in idle.items() if is_idle]
     if given:
         raise BadRequest(f"figure {name} takes no {given[0]}")
-    if declared is not None:
-        drawn = paper_map(name, materials, marks, as_printed=call.as_printed, is_plain=call.plain)
-        ends = {**declared.given, **declared.x.inputs(declared.x.high), "radius": 1e-7}
-        return _deliver(_with_sources(drawn, [declared.quantity], [Frame(ends)], call), (), call)
-    if name == "geometry":
-        drawn = sketch()
-    else:
-        drawn = PROFILES[name](materials) if name in PROFILES else figure_laws(materials, marks)
-    return _deliver(_with_sources(drawn, (), (), call), (), call)
+    drawn = figure_named(name, call.materials, marks, as_printed=call.as_printed, is_plain=call.plain)
+    if declared is None:
+        return _deliver(_with_sources(drawn, (), (), call), (), call)
+    ends = {**declared.given, **declared.x.inputs(declared.x.high), "radius": 1e-7}
+    return _deliver(_with_sources(drawn, [declared.quantity], [Frame(ends)], call), (), call)
 
 
 def _with_sources(drawn: Picture, names: Sequence[str], frames: Iterable[Frame], call: Call) -> Picture:
