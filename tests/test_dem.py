@@ -45,7 +45,7 @@ def test_the_turns_after_an_impact_are_the_first_row_for_a_given_speed(run: Run)
     names = [line.split()[0] for line in ran.out.splitlines()]
     assert names == ["n_roll_after_impact", "n_roll", "n_roll_energy_balance"]
     shown = run("n-roll quartz 1um --speed 5cm/s", terminal=True).out
-    rows = ("turns after hitting a body", "turns after sliding", "turns without slip")
+    rows = ("turns after hitting a body", "turns while it slides", "turns without slip")
     places = [shown.index(f"\n{row} ") for row in rows]
     assert places == sorted(places)
     assert "body held" not in run("n-roll quartz 1um --energy 1aJ", terminal=True).out

@@ -609,7 +609,7 @@ def test_every_answer_says_how_far_it_can_be_trusted(run: Run) -> None:
     assert "the contact slides or peels off before it rolls" in run("yield-force quartz 0.5nm").err
     assert "Q/T_first = 3.8" in run("yield-force quartz 0.5nm --explain").out
     assert (
-        "n_roll: after sliding, 2/7 of the energy is left, too little to start rolling"
+        "n_roll: a contact that slides freely rolls with 2/7 of the energy, too little to start rolling"
         in run("n-roll quartz 10nm --energy 1e-21J").err
     )
     r_min = json.loads(run("r-min 100nm --json").out)

@@ -83,7 +83,7 @@ def test_fig_8_shades_the_ratios_that_do_not_roll_at_10_nm_and_none_at_its_large
     assert 2 * math.pi * 5e-9 * turns(9.2e11, 1e-8) == approx(2e-10, rel=0.03)
     assert turns(1.5e9, 1e-7) == approx(1, rel=0.03)
     drawn, field = panel_of("8"), field_of("8")
-    (shaded,) = (region for region in field.regions if "after sliding" in region.text)
+    (shaded,) = (region for region in field.regions if "slides freely" in region.text)
     excess = shaded.excess(over(field.frame, drawn.x, drawn.y))
     row = int(np.argmin(abs(np.log(drawn.y.values() / 1e-8))))
     inside = drawn.x.values()[excess[row] > 0]
@@ -239,7 +239,7 @@ def test_the_law_of_a_map_stands_above_its_numbers_once(run: Run) -> None:
     assert "Real surfaces hold less" in below
     mass = run("map mass --x radius=10cm:1m --y density=1g/cm3:10g/cm3").out
     assert mass.startswith("Mass of sphere 1, m1 [kg], Eq (41).\nDown: ")
-    assert run("figure 8").out.startswith("Fig. 8: n_roll\nTurns after sliding, n_roll, ")
+    assert run("figure 8").out.startswith("Fig. 8: n_roll\nTurns while it slides, n_roll, ")
 
 
 KEY = re.compile(r"^([x/|^'—]) (\S.*)$", re.MULTILINE)  # a sign and its meaning, below a map
@@ -617,5 +617,8 @@ def test_a_limit_judged_by_the_smaller_sphere_is_stated_by_its_consequence_only(
 
 def test_a_caption_has_no_names_of_table_columns(run: Run) -> None:
     out = run("map n-roll quartz 10nm --x energy=1e-21J:1e-17J").out
-    assert "W0/W_yield < 3.5: after sliding, 2/7 of the energy is left, too little to start" in " ".join(out.split())
+    assert (
+        "W0/W_yield < 3.5: a contact that slides freely rolls with 2/7 of the energy, too little to start"
+        in " ".join(out.split())
+    )
     assert "of n_roll" not in out

@@ -17,7 +17,7 @@ from unittest.mock import patch
 import pytest
 
 from harness import Run
-from jkroll.write.writers import whole_file
+from jkroll.write.output_file import whole_file
 from random_tables import IN_SMALL_BLOCKS, random_table
 
 BATCH = [sys.executable, "-m", "jkroll", "batch"]

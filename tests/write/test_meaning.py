@@ -16,7 +16,7 @@ from jkroll.quantities.nomenclature import NOMENCLATURE
 GEL = "15um --radius2 plane --work-of-adhesion 71mJ/m2 --young rigid --young2 3kPa --poisson2 0.5"
 WIDE, FLIES = "the contact is wider than the smaller sphere", "too fast to roll around body 2: it flies off"
 SLOW, SHORT = (
-    "after sliding, 2/7 of the energy is left, too little to start rolling",
+    "a contact that slides freely rolls with 2/7 of the energy, too little to start rolling",
     "not even one sphere can be held out level: it rolls down, or falls off if Bo is below 1",
 )
 SONIC = "faster than sound in the solid: no static contact describes that"

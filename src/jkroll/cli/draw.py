@@ -18,7 +18,8 @@ from ..quantities.nomenclature import header
 from ..quantities.values import QuantityError, parse_quantity
 from ..report.questions import quantity_named
 from ..text import ending, listed, quoted, say, say_wrapped
-from ..write.writers import text_output, whole_file, write_columns
+from ..write.output_file import text_output, whole_file
+from ..write.writers import write_columns
 from .call import CHOSEN, PICTURES, Call
 
 

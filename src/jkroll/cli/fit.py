@@ -27,7 +27,8 @@ from ..write.fitted import (
     write_fit_methods,
     write_json,
 )
-from ..write.writers import WRITERS, text_output, write_columns
+from ..write.output_file import text_output
+from ..write.writers import WRITERS, write_columns
 from .call import CITE, CSV, FILE, JSON, MARKDOWN, TABLE, Call
 
 _SUMMARY = ("work_of_adhesion_opening", "work_of_adhesion_closing", "adhesion_hysteresis", "contact_modulus")

@@ -239,7 +239,7 @@ def _output(target: str | None) -> AbstractContextManager[TextIO]:
     """Return the output as a context: stdout, or a file that appears only when it is complete."""
     if target is None:
         return nullcontext(sys.stdout)
-    from ..write.writers import text_output
+    from ..write.output_file import text_output
 
     return text_output(target)
 
@@ -362,13 +362,14 @@ def run_export(call: Call) -> int:
         return 0
     options = options_for_centre(answer)
     if options:
-        text_of = (
-            f"Plain {frame.law.short}. Better, with the likely P_c and M of smooth spheres: run again with {options}."
+        advice = (
+            f"Plain {frame.law.short}. Better, with the likely P_c and M: run again with {options} for smooth spheres"
         )
-        real = (
-            " Real grains have f = 1/100 to 4/5 of this P_c: multiply gamma by f, and divide xi by f, so that M stays."
-        )
-        say(comment_of(text_of + (real if answer.is_in_doubt(ROUGH_MATTERS) else "")), sys.stdout)
+        if answer.is_in_doubt(ROUGH_MATTERS):
+            advice += (
+                f", or with {options_for_centre(answer, 0.1)} for real ones that hold a tenth (1/100 to 4/5 were seen)"
+            )
+        say(comment_of(f"{advice}."), sys.stdout)
     sys.stdout.write(text)
     for line in lines:
         say(comment_of(line), sys.stdout)

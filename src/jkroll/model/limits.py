@@ -257,7 +257,7 @@ ENDING = (
         "not even one sphere can be held out level: it rolls down, or falls off if Bo is below 1",
         ends_meaning=True,
     ),
-    _too_slow("n_roll", 7 / 2, "does-not-roll-sliding", "after sliding, 2/7 of the energy is left,"),
+    _too_slow("n_roll", 7 / 2, "does-not-roll-sliding", "a contact that slides freely rolls with 2/7 of the energy,"),
     _too_slow("n_roll_after_impact", 7 / 5, "does-not-roll-after-impact", "after impact, 5/7 of the energy is left,"),
     _too_slow("n_roll_energy_balance", 1.0, "does-not-roll", "its energy is"),
     Limit(

@@ -359,7 +359,8 @@ _QUANTITIES: Mapping[str, Quantity] = {
     # collisions
     "adhesion_energy": Quantity("P_cδ0", "J", "characteristic energy of adhesion", "48"),
     "kinetic_energy": Quantity("m1v²/2", "J", "kinetic energy of sphere 1", "45"),
-    "n_roll": Quantity("n_roll", "1", "turns after sliding", "48"),
+    "n_roll": Quantity("n_roll", "1", "turns while it slides", "48",
+        note="the contact slides freely, as in the paper; friction would make it roll further"),
     "n_roll_energy_balance": Quantity("n_bal", "1", "turns without slip", "48",
         note="7/2 of Eq (48), for rolling without slip from the start"),
     "n_roll_after_impact": Quantity("n_imp", "1", "turns after hitting a body", "48",

@@ -229,15 +229,15 @@ def _measured(answer: Answer) -> Iterator[str]:
     (first, small), (last, large) = (
         (significant(stuck.at(radius), 2), amount("radius", radius)) for radius in stuck.radii
     )
-    seen = f"{first} m/s at R = {small}, {last} m/s at {large} on {solid_of_pair(answer.frame)}"
-    bar = f"±{100 * stuck.error:.0f} %"
+    solid, bar = solid_of_pair(answer.frame), f"±{100 * stuck.error:.0f} %"
+    seen = f"{first} m/s at R = {small}, {last} m/s at {large} on {solid}"
     if stuck.is_near(answer.frame):
         yield f"{seen}, {bar}"
         yield f"the spheres stuck to a plane; the speed is proportional to R^{stuck.exponent}"
         yield _above_law(answer)
         return
-    yield f"{seen}, as R^(-5/6), any γ"
-    yield f"{bar}; the spheres stuck to a plane; scaled to this pair like {answer.frame.law.short}'s speed"
+    yield f"{first} m/s on {solid} of R = {small}, scaled as R^(-5/6), not with your γ"
+    yield f"{seen}, {bar}; the spheres stuck to a plane; scaled to this pair like {answer.frame.law.short}'s speed"
     yield _above_law(answer)
     yield "the effect of γ was not measured"
 
@@ -294,17 +294,17 @@ def _xi_unknown(answer: Answer) -> Iterator[str]:
         yield "not measured: 2 Å (one atom) or more; --xi or a material narrows it"
         return
     most = answer.ranges.at_full_hysteresis(XI)[1]
-    limit = "what w allows" if isnan(most) else f"{span(XI, most, most)} (most w allows)"
-    ends = f"2 Å to {limit} by Maugis"
+    limit = "what w permits" if isnan(most) else f"{span(XI, most, most)} (all w permits)"
+    ends, laws = f"2 Å (an atom) to {limit}", ", both ends by Maugis' law"
     if most < frame[XI]:
-        ends = f"at most {span(XI, most, most)} by Maugis"
+        ends = f"at most {limit}"
     what = "not measured"
     if rolled is not None:
         what += " at this size" if rolled.has_energy(frame) else " at this γ"
         if rolled.has_energy(frame) and any(high > most for _, high in answer.ranges.of_laws(XI, SCALED)):
-            ends = f"2 Å by Maugis to scaled ξ of R = {amount('radius', rolled.radius)}"
+            ends, laws = f"2 Å (an atom) to scaled ξ of R = {amount('radius', rolled.radius)}", ""
     yield f"{ends}; {what}"
-    yield "ξ is how far the contact shifts before it rolls; 2 Å is about one atom"
+    yield f"ξ is how far the contact shifts before it rolls{laws}"
     yield _of_measured_solid(answer)
 
 

@@ -75,10 +75,11 @@ def lead_of_rows(groups: Sequence[Shown], names: Collection[str]) -> str:
     return "P_c is that of ideally smooth spheres, an upper limit; real ones hold less" if is_rough else ""
 
 
-def options_for_centre(answer: Answer) -> str:
+def options_for_centre(answer: Answer, fraction: float = 1.0) -> str:
     """Return the options that make the law give the centres of the best ranges of P_c and M; empty if none do.
 
-    For identical spheres P_c is proportional to γ, and the moment M that starts rolling is proportional to ξ.
+    `fraction`: the fraction of P_c that the spheres hold, with the same M. For identical spheres P_c is proportional to
+    γ, and the moment M that starts rolling is proportional to γξ.
     """
     frame, names = answer.frame, ("pull_off_force", "yield_moment")
     found = [answer.estimates[name] for name in names if name in answer.estimates]
@@ -87,7 +88,7 @@ def options_for_centre(answer: Answer) -> str:
     if len(centres) < len(names) or any(map(isnan, centres)) or is_chosen or not frame.is_identical or frame["load"]:
         return ""
     force, moment = centres
-    energy = frame["work_of_adhesion"] / 2 * force / frame["pull_off_force"]
+    energy = fraction * frame["work_of_adhesion"] / 2 * force / frame["pull_off_force"]
     lag = frame[XI] * moment / frame.replace(surface_energy=energy)["yield_moment"]
     options = (("--gamma", "surface_energy", energy), ("--xi", XI, lag))
     return " ".join(f"{option} {amount(name, value, _THREE).replace(' ', '')}" for option, name, value in options)

@@ -63,7 +63,7 @@ _QUESTIONS = {
         leads="a push of {yield_force} at its centre makes a sphere roll",
     ),
     "r-min": _question(
-        "r_min", leads="a contact starts to roll where the chain is bent to a radius of {r_min}; wider bends are safe"
+        "r_min", leads="the sharpest bend at which no contact rolls has a radius of {r_min}; wider bends are safe"
     ),
     "n-grav": _question(
         "n_grav",
@@ -82,8 +82,8 @@ _QUESTIONS = {
     "n-roll": _question(
         "n_roll",
         "n_roll_after_impact n_roll n_roll_energy_balance",
-        leads="turns, if it rolls: {n_roll_energy_balance} set off without slip{after_impact}, {n_roll} if it slides "
-        "first{or_none}",
+        leads="turns, if it rolls: {n_roll_energy_balance} without slip from the start{after_impact}, {n_roll} if the "
+        "contact slides freely, as in the paper{or_none}",
     ),
     "contact": _question(
         "contact_radius_at_load approach_at_load",

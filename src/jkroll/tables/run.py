@@ -23,7 +23,8 @@ from ..model.rows import DOUBT, STATUS, Columns, Tally, Wanted, evaluated, worde
 from ..quantities.formatting import Format, amount
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, computed_as
 from ..text import quoted, say, say_wrapped, shown
-from ..write.writers import WRITERS, remove_begun, result_columns, whole_file, written
+from ..write.output_file import remove_begun, whole_file
+from ..write.writers import WRITERS, result_columns, written
 from .files import (
     SEPARATORS,
     WRITTEN,

@@ -15,7 +15,7 @@ from threading import Thread
 from typing import Any
 
 from ..errors import JkrollError
-from ..write.writers import SIGNALS
+from ..write.output_file import SIGNALS
 
 Answer = Callable[[Any], Any]
 
