@@ -354,7 +354,7 @@ def test_the_other_law_has_the_spacing_that_follows_from_the_cutoff() -> None:
 
 
 @pytest.mark.parametrize(("contacts", "is_possible"), [(998, False), (999, True), (6000, True), (6001, False)])
-def test_an_aggregate_of_thousand_grains_has_999_to_6000_contacts(contacts: float, is_possible: bool) -> None:
+def test_an_aggregate_of_a_thousand_grains_has_999_to_6000_contacts(contacts: float, is_possible: bool) -> None:
     found = doubts(
         Frame({**QUARTZ, "density": 2600.0, "monomers": 1000.0, "contacts": contacts}), ["disruption_energy"]
     )

@@ -136,7 +136,7 @@ def test_a_docstring_is_read_with_and_without_its_indentation() -> None:
 
 def test_every_unit_of_the_nomenclature_can_be_read_and_its_dimension_has_a_name() -> None:
     for quantity in NOMENCLATURE.values():
-        assert kind_of(dimension_of(quantity.unit)) != "a quantity of the wrong dimension", quantity.unit
+        assert kind_of(dimension_of(quantity.unit)) != "a quantity of another dimension", quantity.unit
 
 
 # --- Arguments and results in Python ----------------------------------------------------------------------------------

@@ -93,8 +93,8 @@ class CurveLaw(Protocol):
 def state_at(law: CurveLaw, x: Array, contact: Contact, grip: Grip) -> tuple[Array, float, float]:
     """Return q of the stable states at x, with q and x of the last state, which stands for all x beyond it.
 
-    Newton's method runs between bounds, and bisects where a step would leave the bounds. In JKR, no step leaves the
-    bounds, since x is convex in a.
+    Newton's method runs between bounds, and bisects where a step would leave the bounds. In JKR with a paraboloid, no
+    step leaves the bounds, since x is convex in a.
     """
     last, most = law.last(contact, grip), law.most(contact)
     x_last = float(grip.x(law.values(last, contact)[0]))
@@ -189,7 +189,7 @@ class Jkr(NamedTuple):
         return values, Values(1 + 0 * a, slope - rise, stiffness * (slope - 3 * rise))
 
     def last(self, contact: Contact, grip: Grip) -> float:
-        """Return the contact radius at which dx/da = 0, or nearly 0 if x is a radius.
+        """Return the contact radius at which dx/da = 0; if x is a contact radius, a radius near 0.
 
         Fixed grips lose the contact at the fold, a dead load loses it at pull-off.
         """
@@ -205,7 +205,7 @@ class Jkr(NamedTuple):
         return _root(slope, low, high)
 
     def start(self, x: Array, contact: Contact, grip: Grip, last: float, x_last: float) -> Array:
-        """Return a radius that is too large at x, from the curvature at the last state; x itself if x is a radius."""
+        """Return an approximate radius at x, from the curvature at the last state; x itself if x is a radius."""
         if grip.is_radius:
             return x
         radius, modulus = contact.reduced_radius, contact.contact_modulus

@@ -108,7 +108,7 @@ def _rolled_at(rolled: Rolled, end: Callable[[Rolled, Any], Any], frame: Frame) 
 
 ROLLED: Mapping[str, Rolled] = {
     # 0.85 ± 0.16 and 1.21 ± 0.36 nN
-    SIO2: Rolled("yield_force", "Heim 1999, Blum & Wurm 2000", 0.69e-9, 1.57e-9, 0.95e-6, (1e-7, 3e-6), (0.02, 0.025)),
+    SIO2: Rolled("yield_force", "Heim 1999, Gundlach 2011", 0.69e-9, 1.57e-9, 0.95e-6, (1e-7, 3e-6), (0.02, 0.025)),
     # 42 nm, spheres of 5 µm on a plane
     POLYSTYRENE: Rolled(XI, "Sümer & Sitti 2008", 42e-9, 42e-9, 1e-5, (3e-6, 1e-4)),
     # 11.48 ± 2.38 nN

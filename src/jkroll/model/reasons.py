@@ -133,8 +133,8 @@ class EndOfMeaning(Cause):
     """A cause of numbers without a meaning; unformatted output and `jkroll.solve` still give the numbers."""
 
 
-MISSING = Cause("", "an input is missing, which the plan names", code="missing-input")
-NOT_IN_LAW = Cause("", "the law does not have the quantity, as its plan says", code="not-in-law")
+MISSING = Cause("", "an input that the plan names is missing", code="missing-input")
+NOT_IN_LAW = Cause("", "the law does not have the quantity, as the plan says", code="not-in-law")
 HIDDEN = Cause("", "a quantity of identical spheres, not asked for by name", code="hidden")
 BEYOND_PULL_OFF = Cause("beyond pull-off", "{0} breaks this contact: the hardest pull that it holds is {1}", "load")
 BEYOND_JKR = Cause(BEYOND_PULL_OFF.phrase, f"{BEYOND_PULL_OFF.words} by JKR, {{2}} at most by Maugis' law", "load")
@@ -142,7 +142,7 @@ HELD_BY_MAUGIS = Cause(BEYOND_PULL_OFF.phrase, f"{BEYOND_JKR.words}: --model mau
 NO_PROFILE = Cause(
     "no rigid sphere on a soft plane",
     "the profile of a sphere is for a rigid sphere (E1 ≥ 100 E2) on a plane of ν2 ≥ 0.45, such as a rubber or a gel; "
-    "otherwise terms of order a/R exceed the effect of its shape, which is of order (a/R)²",
+    "otherwise terms of order a/R exceed the effect of the sphere's shape, which is of order (a/R)²",
 )
 BEYOND_FOLD = Cause(
     "beyond the fold",
@@ -183,7 +183,7 @@ NO_POISSON_RATIO = Cause(
 )
 YIELDS_ON_TOUCH = Cause(
     "yields on touching",
-    "{0} is below {1}, the pressure of adhesion alone as a contact forms: the contact yields at every speed",
+    "{0} is below {1}, the pressure of adhesion alone when a contact forms: the contact yields at every speed",
     "first_yield_pressure",
 )
 DRY_OR_SATURATED = Cause(
@@ -231,7 +231,7 @@ class Failure(NoResult):
     cause: Cause
 
     def __init__(self, cause: Cause, name: str = "", numbers: Sequence[float] = ()) -> None:
-        """`name`: the quantity without a value, unless the cause names one; `numbers`: a value and its limits."""
+        """`name`: the quantity without a value; `numbers`: the value of the cause's quantity, and its limits."""
         super().__init__(cause, name, tuple(numbers))
         self.cause, self.name, self.numbers, self.phrase = cause, cause.name or name, tuple(numbers), cause.phrase
 
@@ -273,7 +273,7 @@ class NoErrorBar(NoResult):
 
     def explanation(self) -> str:
         """Return the reason in words."""
-        return f"no uncertainty, as there is no value at an end of an input: {self.why}"
+        return f"no uncertainty, as there is no value at an end of an input's error bar: {self.why}"
 
 
 def explanation_of(name: str, error: JkrollError) -> str:

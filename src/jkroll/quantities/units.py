@@ -1,4 +1,4 @@
-"""Units: names with powers as exact ratios to the SI base units, and conversion of numbers between them.
+"""Units: their texts, read as exact multiples of SI units, and the conversion of numbers from one unit to another.
 
 A unit has at most eight names with integer powers. pint never sees a user's text: it is asked only for the meaning of
 a single, validated name that is not in the table below. Names in the table have pint's meaning. Names that mean

@@ -56,7 +56,7 @@ def whole_file(path: str, mark: str = "") -> Iterator[BinaryIO]:
 @contextmanager
 def _removed_at_last(path: str) -> Iterator[BinaryIO]:
     """Open a new file for a block; remove it after the block, or if a signal ends the process."""
-    ours = [path]  # even before `open` returns, since a signal may come when the file is made
+    ours = [path]  # set before `open`, since a signal may arrive between the creation of the file and the return
 
     def remove() -> None:
         for each in ours:
@@ -69,7 +69,7 @@ def _removed_at_last(path: str) -> Iterator[BinaryIO]:
         signal.raise_signal(number)
 
     ending = [number for number in SIGNALS if signal.getsignal(number) == signal.SIG_DFL]
-    with suppress(ValueError):  # only the main thread receives signals
+    with suppress(ValueError):  # only the main thread may set handlers
         for number in ending:
             signal.signal(number, end)
     try:
@@ -102,7 +102,7 @@ def _opened(file: str | int, *, is_terminal: bool = False) -> BufferedWriter:
 
 
 def remove_begun(paths: Iterable[str], mark: str) -> None:
-    """Remove the temporary files of `whole_file` with a mark that lost processes left in the folders of some paths."""
+    """Remove the temporary files with this mark that killed processes left in the folders of some output paths."""
     for folder in {os.path.dirname(os.path.realpath(path)) for path in paths}:
         with suppress(OSError):
             for name in os.listdir(folder):
