@@ -68,9 +68,9 @@ ROUGH = "from the page measurements, Rough and humid: jkroll guide measurements\
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ("guide humidity", "**Humid**: `--humidity 60%` gives the force"),
-        ("guide humid", "**Humid**: `--humidity 60%` gives the force"),
-        ("guide how humid is it?", "**Humid**: `--humidity 60%` gives the force"),
+        ("guide humidity", "**Humid**: for real silica spheres"),
+        ("guide humid", "**Humid**: for real silica spheres"),
+        ("guide how humid is it?", "**Humid**: for real silica spheres"),
         ("guide meniscus", "The **meniscus** pulls"),
         ("guide menisci", "The **meniscus** pulls"),
         ("guide water", "Roughness and water are often"),

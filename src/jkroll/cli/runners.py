@@ -362,14 +362,14 @@ def run_export(call: Call) -> int:
         return 0
     options = options_for_centre(answer)
     if options:
-        advice = (
-            f"Plain {frame.law.short}. Better, with the likely P_c and M: run again with {options} for smooth spheres"
-        )
+        advice = [f"Plain {frame.law.short} of the inputs, for comparison. For a simulation run again with"]
+        advice.append(f"  {options} for smooth spheres,")
         if answer.is_in_doubt(ROUGH_MATTERS):
-            advice += (
-                f", or with {options_for_centre(answer, 0.1)} for real ones that hold a tenth (1/100 to 4/5 were seen)"
+            advice.append(
+                f"  {options_for_centre(answer, 0.1)} for real ones that hold a tenth (1/100 to 4/5 were seen),"
             )
-        say(comment_of(f"{advice}."), sys.stdout)
+        for line in (*advice, "and write your own damping, which is 0 here, and friction."):
+            say(comment_of(line), sys.stdout)
     sys.stdout.write(text)
     for line in lines:
         say(comment_of(line), sys.stdout)

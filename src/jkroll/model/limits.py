@@ -282,7 +282,7 @@ ENDING = (
 LAW = Limit(
     "tabor_parameter", _ELASTICITY, ">",
     {LAW_MATTERS: "law-off-5%", 1.25: "law-off-25%", 2.0: "law-off-2x"},
-    "off Maugis' law, the better one, by more than this",
+    "Maugis' law, the better one, differs by more than this",
     factor=factor_of_law,
 )  # fmt: skip
 INEXACT = (

@@ -93,10 +93,10 @@ def made_of(name: str, answer: Answer) -> str:
 # --- Rules, for many rows ---------------------------------------------------------------------------------------------
 
 
-def held_on_surfaces(frame: Frame, form: Format = AS_USUAL) -> str:
+def held_on_surfaces(frame: Frame, form: Format = AS_USUAL, hold: str = "real spheres hold less:") -> str:
     """Return the pull-off force of real surfaces: for SiO2 as measured, for other solids as a fraction of JKR's.
 
-    If spheres of this size or solid were not measured, the text says so.
+    If spheres of this size or solid were not measured, the text says so, after the words `hold`.
     """
     ranges, like = on_surfaces(frame), ""
     radii = frame.numbers("radius", "radius2").values()
@@ -106,7 +106,7 @@ def held_on_surfaces(frame: Frame, form: Format = AS_USUAL) -> str:
         like = "like SiO2 (1/100 to 4/5 of JKR's force)"
     if like:
         lows, highs = zip(*ranges.values(), strict=True)
-        return f"real spheres hold less: {span('pull_off_force', min(lows), max(highs), form)} if {like}"
+        return f"{hold} {span('pull_off_force', min(lows), max(highs), form)} if {like}"
     forces = (f"{span('pull_off_force', *ends, form)} ({surface})" for surface, ends in ranges.items())
     return f"real surfaces hold {', '.join(forces)}"
 

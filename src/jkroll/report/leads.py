@@ -72,7 +72,8 @@ def lead_of_rows(groups: Sequence[Shown], names: Collection[str]) -> str:
     if "meniscus_force" in names:
         return "take the larger of P_c and F_men, not their sum"
     is_rough = any(is_anywhere(may_be_rough(frame)) for frame, _ in groups)
-    return "P_c is that of ideally smooth spheres, an upper limit; real ones hold less" if is_rough else ""
+    limit = "P_c is that of ideally smooth spheres, an upper limit; real ones hold less (measured from R = 1 µm)"
+    return limit if is_rough else ""
 
 
 def options_for_centre(answer: Answer, fraction: float = 1.0) -> str:
@@ -134,9 +135,10 @@ def _filled(sentence: str, answer: Answer) -> str:
     for name, estimate in found.items():
         words[name] += _middle(name, estimate, answer.form, is_short=bool(others) or name != first)
     is_open = any(isnan(found[name].low) for name in answer.question.headline if name in found)
-    words["real"] = ", real ones by less" if may_be_rough(answer.frame) else ""
+    is_rough = "pull_off_force" in found and may_be_rough(answer.frame)
+    words["real"] = f"; {held_on_surfaces(answer.frame, answer.form)}" if is_rough else ""
     words["or_none"] = ", or not at all" if is_open else ""
-    words["after_impact"] = f", {words[_AFTER_IMPACT]} after hitting a fixed body" if _AFTER_IMPACT in words else ""
+    words["after_impact"] = f"{words[_AFTER_IMPACT]} if it arrives without spin, " if _AFTER_IMPACT in words else ""
     try:
         return sentence.format_map(words)
     except KeyError:

@@ -82,8 +82,8 @@ _QUESTIONS = {
     "n-roll": _question(
         "n_roll",
         "n_roll_after_impact n_roll n_roll_energy_balance",
-        leads="turns, if it rolls: {n_roll_energy_balance} without slip from the start{after_impact}, {n_roll} if the "
-        "contact slides freely, as in the paper{or_none}",
+        leads="turns, if it rolls: {after_impact}{n_roll_energy_balance} if it rolls from the start, {n_roll} if the "
+        "contact slides freely (the case of Dominik & Tielens){or_none}",
     ),
     "contact": _question(
         "contact_radius_at_load approach_at_load",
@@ -147,7 +147,7 @@ QUESTIONS: Mapping[str, Question] = {
     ),
     "resistances": _question(
         "yield_force sliding_force twisting_moment",
-        without_row="sliding_displacement sliding_energy peeling_radius twisting_energy",
+        without_row="sliding_displacement sliding_energy peeling_force peeling_radius twisting_energy",
         groups={
             "to roll": "rolling_stiffness yield_displacement yield_angle yield_force yield_moment yield_energy",
             "to slide or peel off": "sliding_or_peeling_force tangential_stiffness sliding_displacement sliding_force "
@@ -164,7 +164,7 @@ QUESTIONS: Mapping[str, Question] = {
         "disruption_speed_dust_simulation",
         leads="two such aggregates that collide begin to restructure at a relative speed of {restructuring_speed}, "
         "by Dominik & Tielens 1997\n"
-        "they begin to break up at a speed of {disruption_speed}, by Wada et al. 2007",
+        "they begin to break up at a relative speed of {disruption_speed}, by Wada et al. 2007",
     ),
 }
 BY_DEFAULT = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities))

@@ -212,7 +212,9 @@ class Report(Answer):
                 held = f"smooth spheres hold this pull{part}; "
             elif pull <= force.high:
                 held = f"even smooth spheres may have parted at this pull{part}; "
-        yield Note("lead", f"{held}{held_on_surfaces(self.frame, self.form)}")
+        yield Note(
+            "lead", f"{held}{held_on_surfaces(self.frame, self.form, 'real ones may have parted, as they hold')}"
+        )
 
     @property
     def _lacking_in_table(self) -> Mapping[str, JkrollError]:
