@@ -139,7 +139,7 @@ def test_blank_lines_separate_paragraphs_and_tables(run: Run) -> None:
 def test_the_unit_and_the_inputs_are_shown_as_typed(run: Run) -> None:
     out = run("pull-off quartz .1um --to uN --digits 2 --md").out
     assert out.startswith("quartz (γ = 25 mJ/m² per surface), R1 = R2 = .1 µm\n\n")
-    assert read(out).rows[0][-2:] == ["0.012", "uN"]
+    assert read(out).rows[1][-2:] == ["0.012", "uN"]
 
 
 # --- Texts ------------------------------------------------------------------------------------------------------------

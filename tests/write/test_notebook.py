@@ -101,7 +101,7 @@ def test_a_notebook_gets_text_html_and_latex() -> None:
     bundle = found._repr_mimebundle_(include=None, exclude=None)
     assert bundle["text/plain"] == str(found)
     assert bundle["text/html"] == found._repr_html_()
-    assert r"pull-off force & $P_{\mathrm{c}}$ & 14–15 & Maugis & 11.78 & nN \\" in bundle["text/latex"]
+    assert r"pull-off force, limit & $P_{\mathrm{c}}$ & 14–15 & Maugis & 11.78 & nN \\" in bundle["text/latex"]
 
 
 def test_material_names_of_users_are_escaped_in_html() -> None:

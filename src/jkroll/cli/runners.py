@@ -365,9 +365,7 @@ def run_export(call: Call) -> int:
         advice = [f"Plain {frame.law.short} of the inputs, for comparison. For a simulation run again with"]
         advice.append(f"  {options} for smooth spheres,")
         if answer.is_in_doubt(ROUGH_MATTERS):
-            advice.append(
-                f"  {options_for_centre(answer, 0.1)} for real ones that hold a tenth (1/100 to 4/5 were seen),"
-            )
+            advice.append(f"  {options_for_centre(answer, 0.1)} for real ones that hold a tenth (xi grows to keep M),")
         for line in (*advice, "and write your own damping, which is 0 here, and friction."):
             say(comment_of(line), sys.stdout)
     sys.stdout.write(text)

@@ -14,13 +14,11 @@ from ..model.limits import (
     CONTACT_EXCEEDS_SPHERE,
     LAW,
     LAW_MATTERS,
-    ROUGH_MATTERS,
     Doubt,
     Limit,
     may_be_rough,
     touched,
 )
-from ..model.measured import SIO2, solid_of_pair
 from ..model.other_law import at_half_spacing, factor_of_law, has_other_formulas
 from ..model.reasons import (
     BEYOND_JKR,
@@ -349,15 +347,14 @@ class Answer(Results):
 
     @property
     def shows_surfaces(self) -> bool:
-        """True if the table has rows for real surfaces: the pull-off force of SiO2 is in the headline."""
-        is_asked = "pull_off_force" in self.question.headline and not self.frame.stated_model
-        return is_asked and self.is_in_doubt(ROUGH_MATTERS) and solid_of_pair(self.frame) == SIO2
+        """True if the table has rows for real surfaces: the headline has the pull-off force, and they may hold less."""
+        is_asked = "pull_off_force" in self.question.headline and "pull_off_force" in self.values
+        return is_asked and not self.frame.stated_model and bool(may_be_rough(self.frame))
 
     @property
     def is_on_pull_off(self) -> bool:
         """True if the pull-off force alone is the headline, and real surfaces may hold less."""
-        is_alone = self.question.headline == ("pull_off_force",) and "pull_off_force" in self.values
-        return is_alone and not self.frame.stated_model and bool(may_be_rough(self.frame))
+        return self.shows_surfaces and self.question.headline == ("pull_off_force",)
 
     @cached_property
     def failure(self) -> JkrollError | None:

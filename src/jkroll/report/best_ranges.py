@@ -25,10 +25,10 @@ from ..model.frame import Frame
 from ..model.limits import ROUGH_MATTERS, may_be_rough
 from ..model.measured import (
     ENERGY_ON_SURFACES,
+    LIKE_SIO2,
     MOST_SEEN,
-    SIO2,
     SURFACES,
-    SURFACES_FROM,
+    is_below_measured,
     on_surfaces,
     solid_of_pair,
     solid_that_rolled,
@@ -93,29 +93,28 @@ def made_of(name: str, answer: Answer) -> str:
 # --- Rules, for many rows ---------------------------------------------------------------------------------------------
 
 
-def held_on_surfaces(frame: Frame, form: Format = AS_USUAL, hold: str = "real spheres hold less:") -> str:
-    """Return the pull-off force of real surfaces: for SiO2 as measured, for other solids as a fraction of JKR's.
-
-    If spheres of this size or solid were not measured, the text says so, after the words `hold`.
-    """
-    ranges, like = on_surfaces(frame), ""
-    radii = frame.numbers("radius", "radius2").values()
-    if min(radii, default=2 * frame["reduced_radius"]) < SURFACES_FROM:
-        like = "like SiO2 of R ≥ 1 µm (not measured at this size)"
-    elif solid_of_pair(frame) != SIO2:
-        like = "like SiO2 (1/100 to 4/5 of JKR's force)"
-    if like:
-        lows, highs = zip(*ranges.values(), strict=True)
-        return f"{hold} {span('pull_off_force', min(lows), max(highs), form)} if {like}"
-    forces = (f"{span('pull_off_force', *ends, form)} ({surface})" for surface, ends in ranges.items())
-    return f"real surfaces hold {', '.join(forces)}"
+def held_on_surfaces(
+    frame: Frame,
+    form: Format = AS_USUAL,
+    hold: str = "real spheres hold",
+    ends: tuple[float, float] | None = None,  # the ends of JKR's force
+) -> str:
+    """Return the pull-off force of real surfaces: as measured, or else a guess from SiO2 after the words `hold`."""
+    forces = on_surfaces(frame, ends)
+    if LIKE_SIO2 in forces:
+        like = "of R ≥ 1 µm (not measured at this size)" if is_below_measured(frame) else "(1/100 to 4/5 of JKR's)"
+        return f"{hold} {span('pull_off_force', *forces[LIKE_SIO2], form)} if like SiO2 {like}"
+    held = (f"{span('pull_off_force', *ends, form)} ({surface})" for surface, ends in forces.items())
+    return f"real surfaces hold {', '.join(held)}"
 
 
 def about_surfaces(frame: Frame) -> str:
     """Return the fractions of JKR's pull-off force that were measured, and the surfaces they belong to."""
+    energy = amount("surface_energy", ENERGY_ON_SURFACES)
+    if LIKE_SIO2 in on_surfaces(frame):
+        return f"1/100 to 4/5 of JKR's force, as SiO2 of R ≥ 1 µm held at {energy}"
     parts = ", ".join(f"{surface.fraction} ({surface.spheres})" for surface in SURFACES.values())
-    energy, radius = amount("surface_energy", ENERGY_ON_SURFACES), amount("radius", frame["radius"])
-    return f"fractions of JKR's force at γ = {energy}, scaled to {radius}: {parts}"
+    return f"fractions of JKR's force at γ = {energy}, scaled to {amount('radius', frame['radius'])}: {parts}"
 
 
 _OF_SMOOTH = "P_c is that of smooth, dry spheres: rough ones hold less"

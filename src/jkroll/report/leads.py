@@ -8,6 +8,7 @@ from ..model.estimate import (
     BETTER_LAW,
     FRICTION_ASSUMED,
     FRICTION_FACTOR,
+    LAW_IN_USE,
     MEASURED,
     NONE,
     SCALED,
@@ -117,10 +118,12 @@ def _what_it_means(answer: Answer) -> str:
 
 def _pulled_apart(answer: Answer) -> str:
     force = range_in_words("pull_off_force", answer.estimates["pull_off_force"], answer.form)
-    held = held_on_surfaces(answer.frame, answer.form)
-    if answer.shows_surfaces:
-        return f"{held}; ideally smooth spheres hold {force}, the upper limit"
-    return f"ideally smooth spheres are pulled apart by {force}; {held}"
+    return f"{_held(answer)}; ideally smooth spheres hold {force}, the upper limit"
+
+
+def _held(answer: Answer) -> str:
+    by_law_in_use, *_ = answer.ranges.of_laws("pull_off_force", LAW_IN_USE)
+    return held_on_surfaces(answer.frame, answer.form, ends=by_law_in_use)
 
 
 def _filled(sentence: str, answer: Answer) -> str:
@@ -136,9 +139,9 @@ def _filled(sentence: str, answer: Answer) -> str:
         words[name] += _middle(name, estimate, answer.form, is_short=bool(others) or name != first)
     is_open = any(isnan(found[name].low) for name in answer.question.headline if name in found)
     is_rough = "pull_off_force" in found and may_be_rough(answer.frame)
-    words["real"] = f"; {held_on_surfaces(answer.frame, answer.form)}" if is_rough else ""
+    words["real"] = f"; {_held(answer)}" if is_rough else ""
     words["or_none"] = ", or not at all" if is_open else ""
-    words["after_impact"] = f"{words[_AFTER_IMPACT]} if it arrives without spin, " if _AFTER_IMPACT in words else ""
+    words["after_impact"] = f"{words[_AFTER_IMPACT]} after hitting a body, " if _AFTER_IMPACT in words else ""
     try:
         return sentence.format_map(words)
     except KeyError:

@@ -184,7 +184,7 @@ class Report(Answer):
     def sentences(self) -> list[Note]:
         """All sentences about the answer, each once."""
         every, above = [*self.notes, *self.doubts(has_leads=True)], set[str]()
-        if self.shows_surfaces or self.is_on_pull_off:
+        if self.shows_surfaces:
             above.add(held_on_surfaces(self.frame, self.form))  # a part of the first sentence
         return [note for note in every if note.severity in ABOVE or note.text not in above]
 
