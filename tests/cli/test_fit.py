@@ -511,7 +511,7 @@ def test_results_that_are_too_uncertain_for_the_next_command_are_named(run: Run)
     Path("curve.csv").write_text(table(z, force + autoregression(1, len(z), 1.5e-9, 0.0)), encoding="utf-8")
     known = "fit curve.csv --radius 5um --radius2 plane --spring"
     out = " ".join(run(f"{known} 0.6±0.06N/m", terminal=True).out.split())
-    assert out.endswith("no command follows: the error of E* and Δw is above 45%")
+    assert out.endswith("no command follows: an error above 45% (E* and Δw)")
     assert " -0 ± " not in out
 
 

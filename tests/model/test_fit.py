@@ -370,4 +370,4 @@ def test_the_points_of_a_short_branch_are_counted_and_the_largest_load_is_fitted
     assert "branch-left-out" not in rising.remarks
     a, load = (numpy.append(column, column[[-1, -2, -3]]) for column in (a, load))
     turned = fit_curve(ForceCurve(RADIUS, a, load), Known(radius=0.01))
-    assert turned.remarks["branch-left-out"] == "unloading: 3 points are left out, since a branch needs 5"
+    assert turned.remarks["branch-left-out"] == "3 points are left out at one end of the curve, since a branch needs 5"

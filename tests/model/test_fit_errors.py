@@ -163,6 +163,7 @@ def test_a_sloping_baseline_has_a_remark_until_a_line_is_subtracted(last: float)
     assert {"baseline-slopes", "baseline-moves"}.isdisjoint(tilted.remarks)
     assert tilted.values[OPENING] == approx(0.06, rel=5e-3)
     assert "baseline-slopes" not in fit_curve(sloping(force, z, 0.0), PROBE).remarks
+    assert "baseline-slopes" not in fit_curve(ForceCurve(TRAVEL, z, force), PROBE).remarks  # no noise, no slope
 
 
 def test_the_slope_of_a_baseline_does_not_count_as_noise() -> None:

@@ -365,3 +365,7 @@ def test_a_doubt_comes_before_missing_inputs_and_partial_error_bars(run: Run) ->
     aggregate = run("aggregates quartz 100nm --monomers 1000 --contacts 1", terminal=True)
     assert "note: a connected aggregate of N grains has at least N - 1 contacts" in aggregate.err
     assert "the impact pressure exceeds" in run("impact ice-warm 500nm --speed 10m/s", terminal=True).err
+
+
+def test_contacts_alone_are_not_judged(run: Run) -> None:
+    assert run("aggregates graphite 100nm --contacts 7", terminal=True).code == 0

@@ -327,3 +327,20 @@ def test_each_row_is_judged_rough_by_its_own_solid(run: Run) -> None:
     assert run("batch in.csv -o out.csv --quantities pull_off_force").code == 0
     rows = list(csv.DictReader(Path("out.csv").read_text(encoding="utf-8").splitlines()))
     assert ["rough-matters" in row["doubt"].split() for row in rows] == [True, False, False]
+
+
+@pytest.mark.parametrize("words", ["quartz 100nm --gamma 1mJ/m2", "quartz 1um --gamma 1mJ/m2", "quartz 1um"])
+def test_real_spheres_hold_less_than_smooth_ones(run: Run, words: str) -> None:
+    """A given surface energy counts for both: measured forces are those of silica of about 25 mJ/m²."""
+    lines = run(f"pull-off {words}", terminal=True).out.splitlines()
+    ranges = [re.findall(r"P_c +([\d.]+)–([\d.]+)", line) for line in lines]
+    *real, smooth = [(float(low), float(high)) for found in ranges for low, high in found]
+    assert real
+    assert max(high for _, high in real) < smooth[0]
+
+
+def test_a_bend_depends_on_the_surface_energy_although_rolling_forces_were_measured(run: Run) -> None:
+    said = "measured rolling forces, not from your γ"
+    assert said in run("yield-force quartz 1um --gamma 24mJ/m2", terminal=True).out
+    assert said not in run("r-min quartz 100nm --gamma 24mJ/m2", terminal=True).out
+    assert said not in run("aggregates quartz 100nm --gamma 24mJ/m2", terminal=True).out

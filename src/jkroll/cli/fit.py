@@ -201,7 +201,7 @@ def _on_following(fitted: Fit, following: str) -> Iterator[str]:
     uncertain = [WORDS[name][1] for name in names if not _is_known(fitted, name)]
     if uncertain and is_sure(fitted) and not fitted.is_scaled:
         start = "left out of the next command" if following else "no command follows"
-        yield f"{start}: the error of {listed(uncertain)} is above {_LARGEST_ERROR:.0%}"
+        yield f"{start}: an error above {_LARGEST_ERROR:.0%} ({listed(uncertain)})"
     if following:
         yield f"then: {following}"
 

@@ -48,12 +48,12 @@ class Baseline(NamedTuple):
         return abs(self.steepness) * self.length > _SURE * least
 
 
-def baseline_of(z: Array, force: Array, *, tilt: bool) -> Baseline:
-    """Return the baseline of a free part: its median, or a line if `tilt`."""
+def baseline_of(z: Array, force: Array, floor: float, *, tilt: bool) -> Baseline:
+    """Return the baseline of a free part: its median, or a line if `tilt`. `floor`: the least noise of a force."""
     middle, length = float(numpy.mean(z)), float(numpy.ptp(z))
     steepness = float(numpy.polyfit(z - middle, force, 1)[0]) if length > 0 else 0.0
     rest = force - steepness * (z - middle)
-    size, phi = _scatter(rest), _correlation(rest, 2)
+    size, phi = max(_scatter(rest), floor), _correlation(rest, 2)
     steepness_error = size * sqrt(Noise(phi).correlation_time) / float(numpy.linalg.norm(z - middle)) if length else 0.0
     line = Baseline(
         float(numpy.median(rest)), steepness, size * _error_of_median(phi, len(force)), size, size, middle,

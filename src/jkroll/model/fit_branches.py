@@ -133,7 +133,7 @@ def branches_of(curve: ForceCurve, stiffness: float, *, tilt: bool = False, only
     baselines: dict[str, Baseline | None] = {}
     for name, part in parts.items():
         free = part.chosen(_free(part, name, noise))
-        baselines[name] = baseline_of(free.z, free.force, tilt=tilt) if len(free.z) >= LEAST_POINTS else None
+        baselines[name] = baseline_of(free.z, free.force, floor, tilt=tilt) if len(free.z) >= LEAST_POINTS else None
     known = []
     for name in (UNLOADING, LOADING):
         baseline = baselines.get(name)
@@ -311,10 +311,10 @@ def _divided(curve: ForceCurve, top: int) -> dict[str, ForceCurve]:
 def _long(parts: dict[str, ForceCurve], least: int, remarks: dict[str, str]) -> dict[str, ForceCurve]:
     """Return the branches with enough points, with a remark on a short one next to a long one."""
     kept = {name: part for name, part in parts.items() if len(part.z) >= least}
-    for name, part in parts.items():
+    for part in parts.values():
         if kept and 0 < len(part.z) < least:
             many = "1 point is" if len(part.z) == 1 else f"{len(part.z)} points are"
-            remarks["branch-left-out"] = f"{name}: {many} left out, since a branch needs {least}"
+            remarks["branch-left-out"] = f"{many} left out at one end of the curve, since a branch needs {least}"
     return kept
 
 

@@ -80,12 +80,12 @@ def _by_spring(curve: ForceCurve, solution: Solution, error: float) -> list[Resu
         force_error = None if curve.force_error is None else forces * curve.force_error
         known = solution.problem.known._replace(stiffness=factor * solution.problem.known.stiffness)
         try:
-            there = _solution(curve._replace(force=forces * curve.force, force_error=force_error), known)[0].values
+            there = {**_solution(curve._replace(force=forces * curve.force, force_error=force_error), known)[0].values}
         except (ArithmeticError, BadCurve, ValueError):
             there = {}
-        is_solid = there.get("contact_modulus", inf) < _STIFFEST
-        values = solution.values
-        moves.append({name: there.get(name, inf) - values[name] if is_solid else inf for name in values})
+        if there.get("contact_modulus", inf) >= _STIFFEST:
+            there["contact_modulus"] = inf
+        moves.append({name: there.get(name, inf) - value for name, value in solution.values.items()})
     return moves
 
 

@@ -357,6 +357,7 @@ INEXACT = (
     Limit(
         "contacts", frozenset({"disruption_energy"}), ">", {1.0: "contacts-out-of-range"},
         "a connected aggregate of N grains has at least N - 1 contacts, and at most 6N",
+        lambda frame, _: {"contacts", "monomers"} <= frame.stated.keys(),
         factor=_miscounted_contacts,
     ),
     Limit(

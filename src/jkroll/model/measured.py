@@ -228,26 +228,32 @@ ENERGY_ON_SURFACES = 0.025  # surface energy of the JKR force that these fractio
 HELD = "1/100 to 4/5 of JKR's force at 25 mJ/m²"  # all surfaces together
 
 
+_ENERGIES = frozenset({"surface_energy", "surface_energy2", "work_of_adhesion", "hamaker"})
 LIKE_SIO2 = "real spheres, a guess"  # all surfaces together, for pairs on which nothing was measured
 
 
 def on_surfaces(frame: Frame, ends: tuple[float, float] | None = None) -> Mapping[str, tuple[float, float]]:
     """Return the least and the largest pull-off force on each surface; `ends`: the ends of JKR's force.
 
-    For SiO2 these are the measured forces, whatever surface energy the pair has. For another solid, or a smaller
-    sphere, they are all the fractions that SiO2 held.
+    For SiO2 these are the measured forces, or fractions of JKR's for a given surface energy. For another solid, or a
+    smaller sphere, they are all the fractions that SiO2 held.
     """
     radius, energy = frame["reduced_radius"], frame["work_of_adhesion"]
     force = float(pull_off_force(work_of_adhesion=energy, reduced_radius=radius))  # frames have none for rigid bodies
     low, high = ends or (force, force)
     is_silica = solid_of_pair(frame) == SIO2
-    if is_silica:
+    if is_silica and not has_given_energy(frame):
         low = high = force * 2 * ENERGY_ON_SURFACES / energy
     forces = {name: (low * surface.low, high * surface.high) for name, surface in SURFACES.items()}
     if is_silica and not is_below_measured(frame):
         return forces
     lows, highs = zip(*forces.values(), strict=True)
     return {LIKE_SIO2: (min(lows), max(highs))}
+
+
+def has_given_energy(frame: Frame) -> bool:
+    """Return whether the surface energy is a given one, rather than the material's."""
+    return not _ENERGIES.isdisjoint(frame.stated)
 
 
 def is_below_measured(frame: Frame) -> bool:

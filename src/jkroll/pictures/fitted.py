@@ -132,8 +132,9 @@ def picture_of_fit(fitted: Fit, title: str, caption: Sequence[str]) -> Picture:
         forces.append(Curve(f"{name}, measured", z, points["force"][own], _INK, has_points=True))
         forces.append(Curve(f"{name}, fitted", z, points["model"][own], colour))
         residuals.append(Curve(name, z, points["residual"][own], colour, has_points=True))
-        radius, rate = points["contact_radius"][own], points["release_rate"][own]
-        if numpy.isfinite(rate).any():
+        has_rate = own & numpy.isfinite(points["release_rate"])
+        if has_rate.any():
+            radius, rate = points["contact_radius"][has_rate], points["release_rate"][has_rate]
             rates.append(Curve(name, radius, rate, colour, has_points=True))
     x = axis_around(_X[fitted.kind], [points["z"]])
     panels = [

@@ -28,6 +28,7 @@ from ..model.measured import (
     LIKE_SIO2,
     MOST_SEEN,
     SURFACES,
+    has_given_energy,
     is_below_measured,
     on_surfaces,
     solid_of_pair,
@@ -86,7 +87,7 @@ def made_of(name: str, answer: Answer) -> str:
     texts = [f"{law} {range_in_words(name, Estimate(*ends, estimate.by), answer.form)}" for law, ends in parts]
     if name == "pull_off_force":
         forces = answer.frame.numbers("pull_off_force_lennard_jones").values()
-        texts += [f"Lennard-Jones {span(name, force, force)}" for force in forces]
+        texts += [f"Lennard-Jones {span(name, force, force, answer.form)}" for force in forces]
     return "; ".join(texts)
 
 
@@ -114,7 +115,8 @@ def about_surfaces(frame: Frame) -> str:
     if LIKE_SIO2 in on_surfaces(frame):
         return f"1/100 to 4/5 of JKR's force, as SiO2 of R ≥ 1 µm held at {energy}"
     parts = ", ".join(f"{surface.fraction} ({surface.spheres})" for surface in SURFACES.values())
-    return f"fractions of JKR's force at γ = {energy}, scaled to {amount('radius', frame['radius'])}: {parts}"
+    of_energy = "" if has_given_energy(frame) else f" at γ = {energy}"
+    return f"fractions of JKR's force{of_energy}, scaled to {amount('radius', frame['radius'])}: {parts}"
 
 
 _OF_SMOOTH = "P_c is that of smooth, dry spheres: rough ones hold less"
@@ -235,7 +237,7 @@ def _measured(answer: Answer) -> Iterator[str]:
         yield f"the spheres stuck to a plane; the speed is proportional to R^{stuck.exponent}"
         yield _above_law(answer)
         return
-    yield f"{first} m/s on {solid} of R = {small}, scaled as R^(-5/6), not with your γ"
+    yield f"{first} m/s on {solid} of R = {small}, scaled as R^(-5/6), whatever γ is"
     yield f"{seen}, {bar}; the spheres stuck to a plane; scaled to this pair like {answer.frame.law.short}'s speed"
     yield _above_law(answer)
     yield "the effect of γ was not measured"

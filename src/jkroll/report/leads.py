@@ -19,7 +19,7 @@ from ..model.estimate import (
 )
 from ..model.frame import IN_ITS_PLACE, Frame
 from ..model.limits import FLIES_OFF, GAP_STAYS_DRY, may_be_rough
-from ..model.measured import what_rolled, what_stuck
+from ..model.measured import has_given_energy, what_rolled, what_stuck
 from ..physics.elementary import is_anywhere
 from ..quantities.formatting import Format, amount, from_to, significant, symbol_among
 from ..quantities.nomenclature import XI
@@ -51,11 +51,9 @@ def leads(answer: Answer) -> Iterator[Note]:
     if "impact_pressure" in answer.values:
         is_known = not answer.frame.missing(["first_yield_pressure"])
         yield Note("lead" if is_known else "more", _elastic_or_not(answer.frame, answer.form))
-    for sentence in answer.question.leads:
-        lead = _filled(sentence, answer)
-        if lead:
-            yield Note("lead", lead)
-    if _is_from_forces(answer):
+    answers = [lead for lead in (_filled(sentence, answer) for sentence in answer.question.leads) if lead]
+    yield from (Note("lead", lead) for lead in answers)
+    if answers and _is_from_forces(answer):
         yield Note("lead", "this comes from measured rolling forces, not from your γ or the assumed ξ")
     if XI_UNKNOWN in answer.rules and answer.frame.missing(["work_of_adhesion"]):
         silica = of_silica(answer)
@@ -149,9 +147,12 @@ def _filled(sentence: str, answer: Answer) -> str:
 
 
 def _is_from_forces(answer: Answer) -> bool:
-    """Return whether the headline comes from measured rolling forces although a surface energy was given."""
+    """Return whether the headline comes from measured rolling forces alone although a surface energy was given.
+
+    A bend follows from ξ, which is such a force over the surface energy.
+    """
     rolled = what_rolled(answer.frame)
-    if rolled is None or rolled.name == XI or {"surface_energy", "work_of_adhesion"}.isdisjoint(answer.frame.stated):
+    if rolled is None or rolled.name == XI or not has_given_energy(answer.frame) or "r_min" in answer.question.headline:
         return False
     return {answer.estimates[name].by for name in answer.question.headline if name in answer.estimates} == {SCALED}
 

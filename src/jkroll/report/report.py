@@ -212,9 +212,9 @@ class Report(Answer):
                 held = f"smooth spheres hold this pull{part}; "
             elif pull <= force.high:
                 held = f"even smooth spheres may have parted at this pull{part}; "
-        yield Note(
-            "lead", f"{held}{held_on_surfaces(self.frame, self.form, 'real ones may have parted, as they hold')}"
-        )
+        may_hold = any(pull <= high for _, high in on_surfaces(self.frame).values())
+        parted = f"real ones {'may have' if may_hold else 'have'} parted, as they hold"
+        yield Note("lead", f"{held}{held_on_surfaces(self.frame, self.form, parted)}")
 
     @property
     def _lacking_in_table(self) -> Mapping[str, JkrollError]:

@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from ..errors import BadRequest, BadTable
 from ..model.frame import EXCLUSIVE
+from ..quantities.formatting import significant
 from ..quantities.laws import MODELS
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, of_sphere
 from ..quantities.nomenclature import header as head_of
@@ -38,7 +39,7 @@ from .unread import NOT_READ, Supply, decided_by, judged
 from .words import MATERIALS, fits, headed, key, unit_for
 
 _NOT_USED = "a value takes one ± column, or a minus and a plus column; a range takes only a low and a high column"
-_ROUNDED = 0.1  # largest difference between D/R and 2 that is due to rounding
+_ROUNDED = 0.4  # largest difference between D/R and 2 that is due to rounding
 _MAX_LISTED = 60  # maximum number of columns that a message names
 _OF_DIRECTIONS = r"(?i)\s*((G|nu|ν)_?(12|13|23|xy|xz|yz)|E_?3)(?![^\W_])"
 _MARKS = {"both": "± ", "minus": "− ", "plus": "+ ", "low": "from ", "high": "to "}
@@ -255,8 +256,10 @@ def _contradicting(inputs: Mapping[str, _Parts], used: Collection[str], rows: Se
         if name in used or diameter is None or radius is None:
             continue
         ratios = [_value_in(row, diameter) / _value_in(row, radius) for row in rows]
-        if any(abs(ratio - 2) > _ROUNDED for ratio in ratios):
-            problem = f"it is not twice {quoted(radius.text)}; to read it, write {option_of(radius.text, '')}"
+        others = [ratio for ratio in ratios if abs(ratio - 2) > _ROUNDED]
+        if others:
+            times = f"in a row it is {significant(others[0], 3)} times {quoted(radius.text)}, not twice"
+            problem = f"{times}; to read it, write {option_of(radius.text, '')}"
             contradicting.append(diameter._replace(problem=problem, part=UNREAD))
     return contradicting
 

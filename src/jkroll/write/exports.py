@@ -101,7 +101,7 @@ def lammps_input(frame: Frame) -> str:
         title=frame.law.name.upper(),
         bodies=bodies,
         place=place,
-        of_collisions=_OF_COLLISIONS.format(slow=_EARLY * frame["sticking_speed"], place=place) if is_jkr else "",
+        of_collisions=_on_collisions(frame, place) if is_jkr else "",
         of_pairs=f"# {at_rest}The time step is the shortest of all pairs.\n" if len(pairs) > 1 else "",
         types="\n".join(types),
         skin=_skin(frame, pairs.values()),
@@ -109,6 +109,11 @@ def lammps_input(frame: Frame) -> str:
         step=min(steps),
         peels=_peeling_coefficient(frame) if is_jkr else 0.0,
     )
+
+
+def _on_collisions(frame: Frame, place: str) -> str:
+    """Return the comment on the speed below which grains stick in LAMMPS. `place`: the pair, if there are several."""
+    return _OF_COLLISIONS.format(slow=_EARLY * frame["sticking_speed"], place=place.partition(",")[0])
 
 
 def _peeling_coefficient(frame: Frame) -> float:
