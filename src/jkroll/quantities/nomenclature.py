@@ -367,7 +367,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
         note="5/2 of Eq (48), for an arrival without spin that then rolls without slip", shown_with=["speed"]),
     "restitution": Quantity("e", "1", "coefficient of restitution", may_be_zero=True,
         note="upper bound where the law is right: adhesion, and viscous damping if it is given, are the only losses"),
-    "lost_energy": Quantity("W_lost", "J", "energy lost to adhesion"),
+    "lost_energy": Quantity("W_lost", "J", "loss by adhesion alone"),
     "viscosity_number": Quantity("T*", "1", "viscous time over impact time", shown_with=["viscous_time"]),
     "impact_pressure": Quantity("p_max", "Pa", "peak pressure of the impact"),
     "touch_pressure": Quantity("p_touch", "Pa", "peak pressure of a touch at no speed"),

@@ -295,7 +295,7 @@ def _xi_unknown(answer: Answer) -> Iterator[str]:
         yield "not measured: 2 Å (one atom) or more; --xi or a material narrows it"
         return
     most = answer.ranges.at_full_hysteresis(XI)[1]
-    limit = "what w permits" if isnan(most) else f"{span(XI, most, most)} (all w permits)"
+    limit = "what uses up w" if isnan(most) else f"{span(XI, most, most)} (uses up w)"
     ends, laws = f"2 Å (an atom) to {limit}", ", both ends by Maugis' law"
     if most < frame[XI]:
         ends = f"at most {limit}"

@@ -138,6 +138,7 @@ def _filled(sentence: str, answer: Answer) -> str:
     is_open = any(isnan(found[name].low) for name in answer.question.headline if name in found)
     is_rough = "pull_off_force" in found and may_be_rough(answer.frame)
     words["real"] = f"; {_held(answer)}" if is_rough else ""
+    words["if_smooth"] = " if the grains are smooth" if may_be_rough(answer.frame) else ""
     words["or_none"] = ", or not at all" if is_open else ""
     words["after_impact"] = f"{words[_AFTER_IMPACT]} after hitting a body, " if _AFTER_IMPACT in words else ""
     try:

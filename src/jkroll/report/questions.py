@@ -164,7 +164,7 @@ QUESTIONS: Mapping[str, Question] = {
         "disruption_speed_dust_simulation",
         leads="two such aggregates that collide begin to restructure at a relative speed of {restructuring_speed}, "
         "by Dominik & Tielens 1997\n"
-        "they begin to break up at a relative speed of {disruption_speed}, by Wada et al. 2007",
+        "they begin to break up at a relative speed of {disruption_speed}{if_smooth}, by Wada et al. 2007",
     ),
 }
 BY_DEFAULT = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities))

@@ -189,7 +189,7 @@ def _assumptions(answer: "Report") -> dict[str, str]:
         texts.pop("atomic_spacing", None)
     if XI in texts and not rules.isdisjoint((SCALED, XI_UNKNOWN)):
         text, _, option = texts.pop(XI).rpartition(" ")
-        texts[XI] = f"{text}, the shift before rolling, in the column of {answer.frame.law.short} {option}"
+        texts[XI] = f"{text}, the shift before rolling, for the column of {answer.frame.law.short} alone {option}"
     return texts
 
 
