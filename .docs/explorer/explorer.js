@@ -144,7 +144,8 @@ const symbol = (text) => {
 
 function numbers() {
   for (const output of document.querySelectorAll("[data-result]")) {
-    const { symbol: sign, best, by, value, law, reason } = found.results[output.dataset.result];
+    const { quantity, symbol: sign, best, by, value, law, reason } = found.results[output.dataset.result];
+    output.title = quantity;
     const isNone = best === "–" && value === "–";
     output.classList.toggle("none", isNone);
     const plain = isNone ? reason : `${by} · plain ${law} ${value}`;

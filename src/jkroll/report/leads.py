@@ -136,7 +136,7 @@ def _filled(sentence: str, answer: Answer) -> str:
     for name, estimate in found.items():
         words[name] += _middle(name, estimate, answer.form, is_short=bool(others) or name != first)
     is_open = any(isnan(found[name].low) for name in answer.question.headline if name in found)
-    is_rough = "pull_off_force" in found and may_be_rough(answer.frame)
+    is_rough = answer.shows_surfaces and "pull_off_force" in found
     words["real"] = f"; {_held(answer)}" if is_rough else ""
     words["if_smooth"] = " if the grains are smooth" if may_be_rough(answer.frame) else ""
     words["or_none"] = ", or not at all" if is_open else ""

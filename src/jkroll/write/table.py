@@ -149,10 +149,7 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
         yield _of_inferred(answer, form)
         yield from answer.lines_on_ranges(answer.estimates)
         return
-    law = answer.frame.law.short
-    rows = _rows(answer, form)
-    if answer.shows_surfaces:
-        rows = _with_surfaces(rows, answer, form)
+    law, rows = answer.frame.law.short, _rows(answer, form)
     if rows:
         columns = _of_results(_grouped(rows, answer.question), law)
         yield columns
@@ -166,7 +163,8 @@ def rows_in_words(answer: "Report", form: Format) -> dict[str, Row]:
     """Return the rows of the table of an answer, by the names of their quantities."""
     law, words = answer.frame.law.short, {}
     for name, (quantity, symbol, best, by, value, _, unit) in _rows(answer, form).items():
-        words[name] = Row(quantity, symbol, _in_unit(best, unit), by, _in_unit(value, unit), law)
+        if name in NOMENCLATURE:  # rows of surfaces have no quantity of their own
+            words[name] = Row(quantity, symbol, _in_unit(best, unit), by, _in_unit(value, unit), law)
     return words
 
 
@@ -198,7 +196,7 @@ _ShownUnit = tuple[str, Unit]  # the unit of a row: its name, and the unit
 
 
 def _rows(answer: "Report", form: Format) -> _Rows:
-    """Return the rows of results.
+    """Return the rows of results, and those of real surfaces.
 
     Unless it was asked for by name, a result is left out if it repeats another one, or if it lacks an input, which a
     note reports.
@@ -225,7 +223,7 @@ def _rows(answer: "Report", form: Format) -> _Rows:
         if estimate and estimate.by in (KELVIN, GAP):  # no law of adhesion enters
             row[4] = "–"
         rows[name] = row
-    return rows
+    return _with_surfaces(rows, answer, form) if answer.shows_surfaces else rows
 
 
 def _sizes(measure: "float | Uncertain | None", estimate: "Estimate | None") -> list[float]:
