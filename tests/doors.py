@@ -29,7 +29,7 @@ from jkroll.model.other_law import at_half_spacing
 from jkroll.model.reasons import Failure, NoErrorBar
 from jkroll.model.rows import SIDES, Block, Columns, Wanted, evaluated, of_single_row, put_single_rows
 from jkroll.model.uncertainty import sources_of
-from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD
 from jkroll.quantities.values import middle
 from jkroll.report.questions import QUESTIONS
 from jkroll.tables.table import Table
@@ -346,6 +346,8 @@ def _same(scene: Frame | None, key: str, one: float | None, other: float | None)
         return one == other
     if side_of(key):
         return sides_agree(scene, side_of(key), one, other)
+    if key == "load_maugis_best_by" and STATE_OR_LOAD.isdisjoint(scene.stated):
+        return True  # without a load it is rounding alone, which decides whether the atomic spacing widens its range
     if one is None or other is None or key.endswith("_best_by"):
         return False
     name = best_of(key)

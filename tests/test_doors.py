@@ -309,6 +309,11 @@ BEST: Mapping[str, str] = {
         "report '3e-7 m' --gamma '0.025 J/m^2,0.002 J/m^2' --young '7e10 Pa' --poisson 0.5 --load '-3.5e-8 N' "
         "--quantities r_min"
     ),
+    "a load that is rounding alone": (
+        "report iron,quartz '9.831968870696204e-06 m' --radius2 '2.3151940457994816e-08 to 7.829792870650757e-08 m' "
+        "--young '450895387058.04034 to 653630892273.35 Pa' --poisson '-0.6514313641126086' --model dmt "
+        "--quantities load_maugis"
+    ),
     "a displacement that another law allows": "resistances iron '1e-6 m,2e-9 m' --approach '0.0 m' --xi '5e-10 m'",
 }
 
