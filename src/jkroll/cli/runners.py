@@ -362,11 +362,13 @@ def run_export(call: Call) -> int:
         return 0
     options = options_for_centre(answer)
     if options:
-        advice = [f"Plain {frame.law.short} of the inputs, for comparison. For a simulation run again with"]
+        advice = ["For a simulation run again with the middle of the best ranges of P_c and M:"]
         advice.append(f"  {options} for smooth spheres,")
         if answer.is_in_doubt(ROUGH_MATTERS):
-            advice.append(f"  {options_for_centre(answer, 0.1)} for real ones that hold a tenth (xi grows to keep M),")
-        for line in (*advice, "and write your own damping, which is 0 here, and friction."):
+            advice.append(f"  {options_for_centre(answer, 0.1)} for rough ones (a tenth of P_c, the same M),")
+        law = frame.law.short
+        advice.append(f"and write your own damping and friction. The lines below are plain {law} with your inputs.")
+        for line in advice:
             say(comment_of(line), sys.stdout)
     sys.stdout.write(text)
     for line in lines:

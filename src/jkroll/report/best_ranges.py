@@ -120,7 +120,7 @@ def about_surfaces(frame: Frame) -> str:
 
 
 _OF_SMOOTH = "P_c is that of smooth, dry spheres: rough ones hold less"
-_SHRINKS = "τ/3 to 3τ (--shear-strength); T_first: edge peels, rest slides"
+_SHRINKS = "τ/3 to 3τ (--shear-strength); T_first ≤ F_slide, as the edge may peel"
 _SEEN = f"hard spheres were seen to stick at 1–{MOST_SEEN} times JKR's speed"
 _WORDS: Mapping[int, str] = {
     MEASURED: f"hard spheres stuck at 1 to {MOST_SEEN} times JKR's speed, SiO2 at measured ones",
@@ -237,7 +237,7 @@ def _measured(answer: Answer) -> Iterator[str]:
         yield f"the spheres stuck to a plane; the speed is proportional to R^{stuck.exponent}"
         yield _above_law(answer)
         return
-    yield f"{first} m/s on {solid} of R = {small}, scaled as R^(-5/6), whatever γ is"
+    yield f"from {first} m/s on {solid} of R = {small}, as R^(-5/6) to R; not from γ"
     yield f"{seen}, {bar}; the spheres stuck to a plane; scaled to this pair like {answer.frame.law.short}'s speed"
     yield _above_law(answer)
     yield "the effect of γ was not measured"
@@ -295,15 +295,15 @@ def _xi_unknown(answer: Answer) -> Iterator[str]:
         yield "not measured: 2 Å (one atom) or more; --xi or a material narrows it"
         return
     most = answer.ranges.at_full_hysteresis(XI)[1]
-    limit = "what uses up w" if isnan(most) else f"{span(XI, most, most)} (uses up w)"
-    ends, laws = f"2 Å (an atom) to {limit}", ", both ends by Maugis' law"
+    limit = "the ξ that loses all of w" if isnan(most) else f"{span(XI, most, most)} (all of w is lost)"
+    ends, laws = f"2 Å (one atom) to {limit}", ", both ends by Maugis' law"
     if most < frame[XI]:
         ends = f"at most {limit}"
     what = "not measured"
     if rolled is not None:
         what += " at this size" if rolled.has_energy(frame) else " at this γ"
         if rolled.has_energy(frame) and any(high > most for _, high in answer.ranges.of_laws(XI, SCALED)):
-            ends, laws = f"2 Å (an atom) to scaled ξ of R = {amount('radius', rolled.radius)}", ""
+            ends, laws = f"2 Å (one atom) to scaled ξ of R = {amount('radius', rolled.radius)}", ""
     yield f"{ends}; {what}"
     yield f"ξ is how far the contact shifts before it rolls{laws}"
     yield _of_measured_solid(answer)
@@ -348,6 +348,8 @@ def _adhesion_only(answer: Answer) -> Iterator[str]:
     restitution = answer.estimates.get("restitution")
     if restitution is not None and restitution.by == ADHESION_ONLY:
         yield "other losses lower e, to 0 if the spheres stick"
+    elif restitution is not None and restitution.high == 0:
+        yield "at most JKR's loss to adhesion; the solids lose the rest of the energy"
     else:
         yield "at most JKR's loss to adhesion, without losses in the solids"
     if answer.ranges.has_no_jump:

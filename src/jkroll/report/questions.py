@@ -82,8 +82,8 @@ _QUESTIONS = {
     "n-roll": _question(
         "n_roll",
         "n_roll_after_impact n_roll n_roll_energy_balance",
-        leads="turns, if it rolls: {after_impact}{n_roll_energy_balance} without slip, {n_roll} while it slides, "
-        "the case of Dominik & Tielens{or_none}",
+        leads="turns, if it rolls: {after_impact}{n_roll_energy_balance} if it never slips, {n_roll} if it slides "
+        "freely, as Dominik & Tielens have it{or_none}",
     ),
     "contact": _question(
         "contact_radius_at_load approach_at_load",

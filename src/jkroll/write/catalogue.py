@@ -107,7 +107,7 @@ def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
         rows[title].append(("  without γ", "–", ", ".join(names)))
     heads = ("material", head, "state, or note on γ")
     write_texts(heads, [*chain.from_iterable(rows.values())], out)
-    say(f"\nγ is per surface, w = 2γ\n{_IN_FULL}; find some: jkroll materials WORD", out)
+    say(f"\nγ is per surface, w = 2γ; D&T: Dominik & Tielens 1997\n{_IN_FULL}; find some: jkroll materials WORD", out)
 
 
 _IN_FULL = "in full: jkroll materials NAME"
