@@ -68,9 +68,9 @@ ROUGH = "from the page measurements, Rough and humid: jkroll guide measurements\
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ("guide humidity", "**Humid**: for real silica spheres"),
-        ("guide humid", "**Humid**: for real silica spheres"),
-        ("guide how humid is it?", "**Humid**: for real silica spheres"),
+        ("guide humidity", "**Humid**: water acts in two ways"),
+        ("guide humid", "**Humid**: water acts in two ways"),
+        ("guide how humid is it?", "**Humid**: water acts in two ways"),
         ("guide meniscus", "The **meniscus** pulls"),
         ("guide menisci", "The **meniscus** pulls"),
         ("guide water", "Roughness and water are often"),

@@ -105,7 +105,7 @@ def test_without_axes_plot_makes_a_new_figure() -> None:
     [
         (lambda: jkroll.figure("4"), "is not a figure; choose one of 2, 3a"),
         (lambda: jkroll.figure("2", marks=["quartz"]), "figure 2 takes no marks"),
-        (lambda: jkroll.figure("3a", as_printed=True), "no curve of figure 3a is printed differently"),
+        (lambda: jkroll.figure("3a", as_printed=True), "figure 3a takes no as_printed"),
         (lambda: jkroll.curve(material="quartz", radius=1e-7, panel="forces"), "choose one of force, pressure"),
         (lambda: jkroll.curve(material="quartz", radius=1e-7, load=(1e-9, -1e-9)), "the lower end first"),
         (lambda: jkroll.curve(material="quartz", radius=[1e-7, 2e-7]), "describes more than one contact"),

@@ -9,7 +9,7 @@ import numpy
 from ..errors import BadRequest, missing_extra
 from ..model.frame import Frame
 from ..model.limits import LIMITS
-from ..pictures.figures import PANELS, PAPER_MAPS, PROFILES, check_figure, curves_of_contact, figure_named
+from ..pictures.figures import PANELS, PAPER_MAPS, check_figure, curves_of_contact, figure_named
 from ..pictures.picture import STYLES, Picture, evaluate, opening, say_texts, write_picture
 from ..pictures.request import MAX_CURVES, PlotRequest, axis_of, check_axes, distinction, picture_of
 from ..quantities.laws import DEFAULT_LAW
@@ -75,17 +75,9 @@ def run_figure(call: Call) -> int:
     """Draw a figure of the paper; return the exit code."""
     check_picture(call, call.target)
     name, marks = call.subject, [*filter(None, call.mark.split(","))]
-    check_figure(name)
+    options = {"--mark": call.mark, "--data": call.data, "--plain": call.plain, "--as-printed": call.as_printed}
+    check_figure(name, options)
     declared = PAPER_MAPS.get(name)
-    idle = {
-        "--mark": call.mark and (name in PROFILES or name == "geometry"),
-        "--data": call.data and name == "geometry",
-        "--plain": call.plain and declared is None,
-        "--as-printed": call.as_printed and not (declared and declared.printed),
-    }
-    given = [option for option, is_idle in idle.items() if is_idle]
-    if given:
-        raise BadRequest(f"figure {name} takes no {given[0]}")
     drawn = figure_named(name, call.materials, marks, as_printed=call.as_printed, is_plain=call.plain)
     if declared is None:
         return _deliver(_with_sources(drawn, (), (), call), (), call)

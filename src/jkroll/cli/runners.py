@@ -362,12 +362,11 @@ def run_export(call: Call) -> int:
         return 0
     options = options_for_centre(answer)
     if options:
-        advice = ["For a simulation run again with the middle of the best ranges of P_c and M:"]
-        advice.append(f"  {options} for smooth spheres,")
+        advice = ["Smooth spheres, the middle of the best ranges of P_c and M: run again with", f"  {options}"]
         if answer.is_in_doubt(ROUGH_MATTERS):
-            advice.append(f"  {options_for_centre(answer, 0.1)} for rough ones (a tenth of P_c, the same M),")
-        law = frame.law.short
-        advice.append(f"and write your own damping and friction. The lines below are plain {law} with your inputs.")
+            advice.append("Rough spheres, a tenth of that P_c and the same M: run again with")
+            advice.append(f"  {options_for_centre(answer, 0.1)}")
+        advice.append(f"Then write your own damping and friction. The lines below are plain {frame.law.short}.")
         for line in advice:
             say(comment_of(line), sys.stdout)
     sys.stdout.write(text)

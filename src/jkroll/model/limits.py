@@ -14,7 +14,7 @@ from ..quantities.laws import JKR_OF_SPHERE
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE_OR_LOAD
 from .column import Column
 from .frame import Frame, once_a_frame
-from .measured import HELD, SURFACES_FROM, is_smooth
+from .measured import FRACTION_HELD, SURFACES_FROM, is_smooth
 from .other_law import factor_of_law
 from .plan import taken_by
 from .reasons import MISSING, RESTS_ON_SPACING, EndOfMeaning, Failure, cause_and_step, reason, register
@@ -349,7 +349,7 @@ INEXACT = (
     ),
     Limit(
         "radius", _PULLED, ">=", {SURFACES_FROM: ROUGH_MATTERS},
-        f"real surfaces hold less: SiO2 held {HELD}",
+        f"real surfaces hold less: SiO2 held {FRACTION_HELD} at 25 mJ/m²",
         lambda _, names: not _PULLED.isdisjoint(names),
         factor=lambda frame, _: at_most(frame["radius"], frame["radius2"]),
         where=may_be_rough,

@@ -225,7 +225,7 @@ SURFACES: Mapping[str, Surface] = {
 }
 SURFACES_FROM = 1e-6  # radius of the smallest spheres to which these fractions are scaled, in m
 ENERGY_ON_SURFACES = 0.025  # surface energy of the JKR force that these fractions refer to, in J/m²
-HELD = "1/100 to 4/5 of JKR's force at 25 mJ/m²"  # all surfaces together
+FRACTION_HELD = "1/100 to 4/5 of JKR's force"  # all surfaces together
 
 
 _ENERGIES = frozenset({"surface_energy", "surface_energy2", "work_of_adhesion", "hamaker"})

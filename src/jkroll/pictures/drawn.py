@@ -15,7 +15,7 @@ from ..quantities.markup import plain
 from ..report.curve import Loads, loads_of
 from ..report.questions import quantity_named
 from ..text import as_arguments, listed, quoted
-from .figures import PANELS, PAPER_MAPS, PROFILES, check_figure, curves_of_contact, figure_named
+from .figures import PANELS, check_figure, curves_of_contact, figure_named
 from .picture import STYLES, Picture, evaluate
 from .request import SIDE, PlotRequest, axis_of, check_axes, picture_of
 
@@ -248,10 +248,5 @@ def figure(
     >>> figure("laws").lines["JKR"][1].tolist()
     [1.5, 1.5]
     """
-    check_figure(name)
-    declared = PAPER_MAPS.get(name)
-    if as_printed and not (declared and declared.printed):
-        raise BadRequest(f"as_printed: no curve of figure {name} is printed differently")
-    if marks and (name in PROFILES or name == "geometry"):
-        raise BadRequest(f"figure {name} takes no marks")
+    check_figure(name, {"marks": marks, "as_printed": as_printed})
     return Drawn(figure_named(name, materials or known_materials(), marks, as_printed=as_printed))

@@ -433,11 +433,26 @@ PROFILES: Mapping[str, Callable[[Materials], Picture]] = {"2": figure_2, "9": fi
 FIGURE_NAMES = (*sorted({*PAPER_MAPS, *PROFILES}), "laws", "geometry")
 
 
-def check_figure(name: str) -> None:
-    """Raise BadRequest for a name that no figure has."""
+def check_figure(name: str, given: Mapping[str, object]) -> None:
+    """Raise BadRequest for a name that no figure has, or an argument that does not apply to the figure.
+
+    `given`: arguments by name, as in `jkroll.figure`, or by option; those that are false were not given.
+    """
     if name not in FIGURE_NAMES:
         mistake = f"{quoted(name)} is not a figure" if name else "figure needs a name"
         raise BadRequest(f"{mistake}; choose one of {', '.join(FIGURE_NAMES)}")
+    idle = set[str]()
+    if name in PROFILES or name == "geometry":
+        idle |= {"--mark", "marks"}
+    if name == "geometry":
+        idle.add("--data")
+    if name not in PAPER_MAPS:
+        idle.add("--plain")
+    if name not in PAPER_MAPS or not PAPER_MAPS[name].printed:
+        idle |= {"--as-printed", "as_printed"}
+    for argument, value in given.items():
+        if value and argument in idle:
+            raise BadRequest(f"figure {name} takes no {argument}")
 
 
 def figure_named(

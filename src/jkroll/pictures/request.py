@@ -479,7 +479,7 @@ def _opening(quantity: str, layers: Sequence[Layer], unit: str = "") -> Iterator
     laws = {layer.frame.law.title for layer in layers if layer.frame.stated_model is not None}
     equation = equations.pop() if len(equations) == 1 else ""
     if equation:
-        clauses.append(f"Eq ({equation}) of Dominik & Tielens" if equation.isdigit() else equation)
+        clauses.append(f"Eq ({equation})" if equation.isdigit() else equation)
     if len(laws) == 1:
         clauses.append(f"under {laws.pop()}")
     elif not laws and any(has_other_formulas(layer.frame, quantity, BETWEEN) for layer in layers):

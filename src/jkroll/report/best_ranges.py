@@ -25,6 +25,7 @@ from ..model.frame import Frame
 from ..model.limits import ROUGH_MATTERS, may_be_rough
 from ..model.measured import (
     ENERGY_ON_SURFACES,
+    FRACTION_HELD,
     LIKE_SIO2,
     MOST_SEEN,
     SURFACES,
@@ -103,7 +104,7 @@ def held_on_surfaces(
     """Return the pull-off force of real surfaces: as measured, or else a guess from SiO2 after the words `hold`."""
     forces = on_surfaces(frame, ends)
     if LIKE_SIO2 in forces:
-        like = "of R ≥ 1 µm (not measured at this size)" if is_below_measured(frame) else "(1/100 to 4/5 of JKR's)"
+        like = "of R ≥ 1 µm (not measured at this size)" if is_below_measured(frame) else f"({FRACTION_HELD})"
         return f"{hold} {span('pull_off_force', *forces[LIKE_SIO2], form)} if like SiO2 {like}"
     held = (f"{span('pull_off_force', *ends, form)} ({surface})" for surface, ends in forces.items())
     return f"real surfaces hold {', '.join(held)}"
@@ -113,8 +114,8 @@ def about_surfaces(frame: Frame) -> str:
     """Return the fractions of JKR's pull-off force that were measured, and the surfaces they belong to."""
     energy = amount("surface_energy", ENERGY_ON_SURFACES)
     if LIKE_SIO2 in on_surfaces(frame):
-        return f"1/100 to 4/5 of JKR's force, as SiO2 of R ≥ 1 µm held at {energy}"
-    parts = ", ".join(f"{surface.fraction} ({surface.spheres})" for surface in SURFACES.values())
+        return f"{FRACTION_HELD}, as SiO2 of R ≥ 1 µm held at {energy}"
+    parts = "; ".join(f"{name} {surface.fraction} ({surface.spheres})" for name, surface in SURFACES.items())
     of_energy = "" if has_given_energy(frame) else f" at γ = {energy}"
     return f"fractions of JKR's force{of_energy}, scaled to {amount('radius', frame['radius'])}: {parts}"
 
@@ -292,16 +293,16 @@ def _ceiling(answer: Answer) -> str:
 def _xi_unknown(answer: Answer) -> Iterator[str]:
     frame, rolled = answer.frame, what_rolled(answer.frame)
     if frame.missing(["hysteresis_ratio"]):
-        yield "not measured: 2 Å (one atom) or more; --xi or a material narrows it"
+        yield "ξ of 2 Å (one atom) or more; --xi or a material narrows it"
         return
     most = answer.ranges.at_full_hysteresis(XI)[1]
-    limit = "the ξ that loses all of w" if isnan(most) else f"{span(XI, most, most)} (all of w is lost)"
+    limit = "where all adhesion is lost" if isnan(most) else f"{span(XI, most, most)} (all adhesion lost)"
     ends, laws = f"2 Å (one atom) to {limit}", ", both ends by Maugis' law"
     if most < frame[XI]:
         ends = f"at most {limit}"
     what = "not measured"
     if rolled is not None:
-        what += " at this size" if rolled.has_energy(frame) else " at this γ"
+        what = "no data at this size" if rolled.has_energy(frame) else "no data at this γ"
         if rolled.has_energy(frame) and any(high > most for _, high in answer.ranges.of_laws(XI, SCALED)):
             ends, laws = f"2 Å (one atom) to scaled ξ of R = {amount('radius', rolled.radius)}", ""
     yield f"{ends}; {what}"
@@ -349,7 +350,7 @@ def _adhesion_only(answer: Answer) -> Iterator[str]:
     if restitution is not None and restitution.by == ADHESION_ONLY:
         yield "other losses lower e, to 0 if the spheres stick"
     elif restitution is not None and restitution.high == 0:
-        yield "at most JKR's loss to adhesion; the solids lose the rest of the energy"
+        yield "at most JKR's loss to adhesion; the solids lose the rest"
     else:
         yield "at most JKR's loss to adhesion, without losses in the solids"
     if answer.ranges.has_no_jump:

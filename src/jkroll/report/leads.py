@@ -19,7 +19,7 @@ from ..model.estimate import (
 )
 from ..model.frame import IN_ITS_PLACE, Frame
 from ..model.limits import FLIES_OFF, GAP_STAYS_DRY, may_be_rough
-from ..model.measured import has_given_energy, what_rolled, what_stuck
+from ..model.measured import FRACTION_HELD, has_given_energy, what_rolled, what_stuck
 from ..physics.elementary import is_anywhere
 from ..quantities.formatting import Format, amount, from_to, significant, symbol_among
 from ..quantities.nomenclature import XI
@@ -71,7 +71,8 @@ def lead_of_rows(groups: Sequence[Shown], names: Collection[str]) -> str:
     if "meniscus_force" in names:
         return "take the larger of P_c and F_men, not their sum"
     is_rough = any(is_anywhere(may_be_rough(frame)) for frame, _ in groups)
-    limit = "P_c is that of ideally smooth spheres, an upper limit; real ones hold less (measured from R = 1 µm)"
+    held = f"SiO2 held {FRACTION_HELD} (R ≥ 1 µm; smaller ones were not measured)"
+    limit = f"P_c is that of ideally smooth spheres, an upper limit; real ones hold less: {held}"
     return limit if is_rough else ""
 
 
@@ -138,9 +139,9 @@ def _filled(sentence: str, answer: Answer) -> str:
     is_open = any(isnan(found[name].low) for name in answer.question.headline if name in found)
     is_rough = answer.shows_surfaces and "pull_off_force" in found
     words["real"] = f"; {_held(answer)}" if is_rough else ""
-    words["if_smooth"] = " if the grains are smooth" if may_be_rough(answer.frame) else ""
+    words["if_smooth"] = " if the grains are smooth, less if they are rough" if may_be_rough(answer.frame) else ""
     words["or_none"] = ", or not at all" if is_open else ""
-    words["after_impact"] = f"{words[_AFTER_IMPACT]} after hitting a body, " if _AFTER_IMPACT in words else ""
+    words["after_impact"] = f"{words[_AFTER_IMPACT]} after hitting a body (n_imp), " if _AFTER_IMPACT in words else ""
     try:
         return sentence.format_map(words)
     except KeyError:

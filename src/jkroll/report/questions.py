@@ -82,8 +82,8 @@ _QUESTIONS = {
     "n-roll": _question(
         "n_roll",
         "n_roll_after_impact n_roll n_roll_energy_balance",
-        leads="turns, if it rolls: {after_impact}{n_roll_energy_balance} if it never slips, {n_roll} if it slides "
-        "freely, as Dominik & Tielens have it{or_none}",
+        leads="turns, if it rolls: {after_impact}{n_roll_energy_balance} if it never slips (n_bal), {n_roll} if "
+        "it slides freely, as Dominik & Tielens have it (n_roll){or_none}",
     ),
     "contact": _question(
         "contact_radius_at_load approach_at_load",
@@ -101,7 +101,7 @@ _QUESTIONS = {
         "mean_rolling_moment mean_rolling_force",
         without_row="half_circles_moment fixed_approach_moment",  # approximations of the first
         leads="a moment of {yield_moment} starts rolling: the threshold for a simulation\n"
-        "once it rolls, the mean moment is half of that, {mean_rolling_moment}",
+        "once it rolls, the moment builds up to that again and again; its mean is half of it, {mean_rolling_moment}",
     ),
 }
 # Values that contradict a headline are in the report, too; Eq (41) as printed is in `frequencies` alone.
@@ -114,10 +114,9 @@ _REPORT = Question(
         *("roll_energy_quarter_turn", "sticking_speed"),
     ),
     leads=[
-        (
-            "a push of {yield_force} starts rolling; the sticking speed is {sticking_speed}; ideally smooth spheres "
-            "are pulled apart by {pull_off_force}{real}"
-        )
+        "ideally smooth spheres are pulled apart by {pull_off_force}{real}",
+        "a push of {yield_force} starts rolling",
+        "the sticking speed is {sticking_speed}",
     ],
     if_stated=dict.fromkeys(_TURNS, ("energy", "energy_ratio", "speed")),
 )
