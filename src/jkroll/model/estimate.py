@@ -1,6 +1,6 @@
 """The best range of each result, and the rule that gives it.
 
-A result has the value given by the law in use. A range stands beside it if another law is better for the contact, if
+A result has the value that the law in use gives. It gets a range, too, if another law is better for the contact, if
 forces were measured on the same solid, or if an input was never measured. In each row, the first rule that applies
 gives the range.
 """
@@ -52,11 +52,11 @@ _LAWS_THEMSELVES = (
 )  # fmt: skip
 _OF_WATER = ("meniscus_force", "kelvin_radius", "threshold_humidity")
 _STICKING = {"sticking_speed": 1, "sticking_energy": 2}  # powers of the speed
-_LOSING = ("restitution", "lost_energy")
-# Any loss in a collision shifts each of these measured quantities in the same direction as an increase of a quantity in
-# _LOSE does.
-_LOSSES = frozenset({"restitution", "sticking_speed"})
-_LOSE = ("surface_energy", "work_of_adhesion", "hamaker", "viscous_time")
+_OF_COLLISIONS = ("restitution", "lost_energy")
+# Any loss in a collision shifts these measured quantities, in the same direction as a larger value of an input in
+# _ACT_LIKE_LOSSES does.
+_SHIFTED_BY_LOSSES = frozenset({"restitution", "sticking_speed"})
+_ACT_LIKE_LOSSES = ("surface_energy", "work_of_adhesion", "hamaker", "viscous_time")
 _AS_PULL_OFF = ("pull_off_force", "bond_number")  # in proportion to the pull-off force
 _BREAKING = ("disruption_energy", "disruption_speed")  # from fits to simulations and from a work of separation
 # For each result: its exponent of a base quantity, this quantity, and the same quantity by Lennard-Jones' law.
@@ -121,8 +121,8 @@ class Ranges:
     def estimate(self, name: str) -> Estimate:
         """Return the estimate of a result that has a number in some row.
 
-        Its rule is NONE where the result has no value, where the range has no end, and where the contact is wider than
-        the smaller sphere.
+        Its rule is NONE where the result has no value, where both ends of the range are open, or where the contact is
+        wider than the smaller sphere.
         """
         low, high, by = _first(self._rules(name))
         has_end = (low <= inf) | (high <= inf)  # false for nan
@@ -137,7 +137,7 @@ class Ranges:
             yield True, nan, nan, NONE
         elif name in _OF_WATER:
             yield self._of_water(name, own)
-        elif NOMENCLATURE[name].reference and not is_rolling and name not in (*_STICKING, *_LOSING, *_BREAKING):
+        elif NOMENCLATURE[name].reference and not is_rolling and name not in (*_STICKING, *_OF_COLLISIONS, *_BREAKING):
             yield True, *own, DEFINITION
         elif self._is_from_losses(name):
             yield True, nan, own[1], ADHESION_ONLY
@@ -166,8 +166,8 @@ class Ranges:
 
     def _is_from_losses(self, name: str) -> bool:
         """Return whether a result is an input that was inferred from a collision as if this input caused all losses."""
-        is_unknown = name in _LOSE and name in self.results.described.unknowns
-        return is_unknown and not _LOSSES.isdisjoint(self.results.judged)
+        is_unknown = name in _ACT_LIKE_LOSSES and name in self.results.described.unknowns
+        return is_unknown and not _SHIFTED_BY_LOSSES.isdisjoint(self.results.judged)
 
     def _of_one_law(self, name: str, own: Ends, rule: int) -> Iterator[Rule]:
         """Iterate over the rules for a result of one law: an assumed spacing if it widens the range, then the law."""
@@ -243,9 +243,9 @@ class Ranges:
             yield self._is_hard, least, self.hull("restitution", itself, *_BETTER)[1], ADHESION_ONLY
 
     def _of_rolling(self, name: str) -> Iterator[Rule]:
-        """Iterate over the rules for a rolling quantity with an assumed ξ: measured forces, then the limits of ξ.
+        """Iterate over the rules for a rolling quantity with an assumed ξ: scaled measured forces, then limits of ξ.
 
-        At sizes far from the measured ones, the range covers both.
+        At sizes far from the measured ones, the range covers the scaled forces and the limits of ξ.
         """
         rolled = what_rolled(self.frame)
         least, most, is_known = nan, nan, False
@@ -257,7 +257,7 @@ class Ranges:
         laws = _BETTER if name in self._ends(_between) else (itself,)
         at_an_atom = self.hull(name, *laws)
         low, high = self.at_full_hysteresis(name, *laws)
-        is_past = self.hull("hysteresis_ratio", *laws)[1] >= 1  # at 2 Å, more than the work of adhesion would be lost
+        is_past = self.hull("hysteresis_ratio", *laws)[1] >= 1  # the assumed ξ loses more energy than w
         rises = self._most(name, *(then(law, _at_twice) for law in laws)) > self._most(name, *laws)
         low = where(rises, where(is_past, nan, at_an_atom[0]), low)
         high = where(rises, high, where(is_past, nan, at_an_atom[1]))

@@ -11,7 +11,7 @@ from .fit_minimum import Noise, noise_of
 Array = Any
 
 _MOST_PHI = 0.99  # largest correlation of neighbours in the baseline
-_SURE = 4.0  # standard errors above which a slope is no chance
+_SURE = 4.0  # a slope of more standard errors is not due to chance
 _SMALL_SHARE = 0.1  # share of the noise below which an error of the baseline does not matter
 
 
@@ -43,7 +43,7 @@ class Baseline(NamedTuple):
 
     @property
     def is_steep(self) -> bool:
-        """True if the force out of contact clearly changes with z, and by more than a small part of the noise."""
+        """True if the force out of contact changes over z by more than 4 standard errors and 0.4 times the noise."""
         least = max(self.steepness_error * self.length, _SMALL_SHARE * self.noise)
         return abs(self.steepness) * self.length > _SURE * least
 

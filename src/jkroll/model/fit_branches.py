@@ -30,7 +30,7 @@ _STEEPER = 5.0  # ratio of the rises of force at both ends above which the flatt
 _NEAR_ONCE = 1.5  # largest ratio of the path of z to that of one approach and one retraction
 _PAUSED = 10.0  # least length of a gap in time, in median steps
 _LEAST_NOISE = 1e-9  # least noise of computed curves, as a share of the range of forces
-_FLAT = 5  # equal extreme readings in a row that show a saturated sensor
+_FLAT = 5  # equal extreme readings, mostly in a row, that show a saturated sensor
 _LONG = 0.2  # least length of the free end of a curve without a minimum, as a share of the travel
 _SETTLES = 0.1  # fraction of the free part in which the lever still swings after the jump
 

@@ -28,7 +28,7 @@ from .fit_problem import Problem, Solved, release_rate, solved, solved_with, sol
 from .fit_result import Fit, Known
 from .unknowns import SIZES
 
-_STIFFEST = SIZES["youngs_modulus"][1]  # above, E* is not told from infinity
+_STIFFEST = SIZES["youngs_modulus"][1]  # a larger E* counts as infinite
 
 
 def fit_curve(curve: ForceCurve, known: Known) -> Fit:
@@ -107,11 +107,11 @@ def _result(solution: Solution, remarks: dict[str, str], by_spring: list[Results
         largest_adhesion=None if has_adhesion else problem.largest_adhesion,
     )  # fmt: skip
     pull_off = _pull_off(solution) if has_adhesion else None
-    force = -float(running_median(main.branch.in_contact.force, 3).min())
+    tension = -float(running_median(main.branch.in_contact.force, 3).min())
     if pull_off is not None:
         result.values["pull_off_force_fitted"] = pull_off
-        if force > 0:
-            result.values["pull_off_force_measured"] = force
+        if tension > 0:
+            result.values["pull_off_force_measured"] = tension
     result.goodness = goodness_of(solution, pull_off)
     width = float(main.minimum.residuals.radii.max()) / problem.radius
     if problem.known.radius is not None:

@@ -1,9 +1,9 @@
 """The three errors of a fit: statistical (noise), calibration (the instrument) and model.
 
 The statistical error comes from the noise of the points, and of the baselines that are subtracted from them. The
-calibration error is the larger change of a result if R or k is smaller or larger by its error. The model error is the
-change of a result with the fitted range, the shape of the sphere, the law and the atomic spacing. Such changes are
-called moves.
+calibration error comes from the radius and the spring: each adds the larger change of a result if its value is smaller
+or larger by its error. The model error is the change of a result with the fitted range, the shape of the sphere, the
+law and the atomic spacing. A change of a result is called its move.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -48,7 +48,7 @@ class Solution(NamedTuple):
 
     @property
     def values(self) -> dict[str, float]:
-        """The results."""
+        """The results at the minima, by name."""
         return self.results(self.main.minimum, None if self.other is None else self.other.minimum)
 
     def results(self, main: Minimum, other: Minimum | None) -> dict[str, float]:
@@ -123,6 +123,23 @@ def with_baselines(few: Solution, names: tuple[str, ...], covariance: Array) -> 
     return covariance
 
 
+def _baseline_changes(solution: Solution) -> Iterator[tuple[Baseline, float, float]]:
+    """Iterate over the uncertain baselines, each once with the error of its force, and once with that of its slope."""
+    for base in dict.fromkeys(part.branch.baseline for part in solution.parts):
+        if base is not None and base.error:
+            yield base, base.error, 0.0
+        if base is not None and base.slope_error:
+            yield base, 0.0, base.slope_error
+
+
+def _shifted(base: Baseline, offset: float, slope: float, part: Solved) -> Points:
+    """Return the points of a branch, with shifted forces if the branch has this baseline."""
+    points = part.points
+    if part.branch.baseline != base:
+        return points
+    return points._replace(force=points.force + offset + slope * (points.z - base.z))
+
+
 def statistical_errors(solution: Solution, names: tuple[str, ...], covariance: Array) -> dict[str, Errors]:
     """Return the errors of the results from noise."""
     errors = {}
@@ -159,23 +176,6 @@ def largest(moves: Sequence[Results]) -> Results:
     if not moves:
         return {}
     return {name: max((move[name] for move in moves), key=abs) for name in moves[0]}
-
-
-def _baseline_changes(solution: Solution) -> Iterator[tuple[Baseline, float, float]]:
-    """Iterate over the uncertain baselines, each once with the error of its force, and once with that of its slope."""
-    for base in dict.fromkeys(part.branch.baseline for part in solution.parts):
-        if base is not None and base.error:
-            yield base, base.error, 0.0
-        if base is not None and base.slope_error:
-            yield base, 0.0, base.slope_error
-
-
-def _shifted(base: Baseline, offset: float, slope: float, part: Solved) -> Points:
-    """Return the points of a branch, with shifted forces if the branch has this baseline."""
-    points = part.points
-    if part.branch.baseline != base:
-        return points
-    return points._replace(force=points.force + offset + slope * (points.z - base.z))
 
 
 # --- Model ------------------------------------------------------------------------------------------------------------
@@ -241,7 +241,7 @@ def by_models(solution: Solution, few: Solution, width: float) -> Models:
     holds = "jkr" if tabor >= STRONG else "maugis"
     if holds != known.law and has_adhesion:
         moves.append(difference(by_law[holds], by_law[known.law]))
-    if width > _WIDE and known.profile == "paraboloid":  # the shape matters to every law, and is known by JKR
+    if width > _WIDE and known.profile == "paraboloid":  # the shape matters to every law, but only JKR has spheres
         by_law["jkr, sphere"] = moved("jkr", "sphere")
         moves.append(difference(by_law["jkr, sphere"], by_law["jkr"]))
     return Models(by_law, moves, tabor)

@@ -66,7 +66,7 @@ def remarks_on(solution: Solution, result: Fit, by_spring: list[Results]) -> Ite
     if not result.is_scaled and good["contact_over_radius"] > _WIDEST:
         yield "wide-contact", "the contact radius is above 0.9 of the sphere's: theories of a half-space do not apply"
     if has_adhesion:
-        yield from _on_resting_edge(solution, result.points)
+        yield from _on_pinned_edge(solution, result.points)
 
 
 def _on_noise(good: Mapping[str, float]) -> Iterator[tuple[str, str]]:
@@ -117,7 +117,7 @@ def on_profile(values: Results, sphere: Results, errors: Mapping[str, Errors], w
     yield f"a/R is up to {width:.2f}, where a sphere is no paraboloid: {moved} by JKR with --profile sphere"
 
 
-def _on_resting_edge(solution: Solution, points: Mapping[str, numpy.ndarray]) -> Iterator[tuple[str, str]]:
+def _on_pinned_edge(solution: Solution, points: Mapping[str, numpy.ndarray]) -> Iterator[tuple[str, str]]:
     """Yield a remark if the edge is pinned: G changes by more than w/5 while the contact radius hardly changes."""
     is_own = (points["branch"] == solution.main.branch.name) & numpy.isfinite(points["release_rate"])
     if is_own.sum() < LEAST_POINTS:

@@ -20,7 +20,7 @@ Array = Any  # a float, or an array of floats
 
 _STEPS = 60  # most steps of Newton's method, which usually takes about 6
 _NEAR = 1e-10  # a smaller relative step is rounding
-_SECANTS = 60
+_SECANTS = 60  # most steps of the Illinois method
 _STRETCH = 1e-5  # relative step of numerical derivatives
 _WIDEST = 1 - 1e-9  # largest a/R of a sphere
 _LEAST_RATIO = 1e-6  # edge ratio, or a/R, below which there is no contact

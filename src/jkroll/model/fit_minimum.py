@@ -1,7 +1,8 @@
 """Fit one branch of a force curve by least squares: residuals, their minimum, noise and the covariance.
 
-The unknowns are ln w, ln E* and, if x is an approach or a travel, the contact point z_c. With x = z − z_c, q of the
-state at x, and the slopes X = dx/dq and T = dP/dq, a residual is
+The unknowns are ln w, ln E* and, if x is an approach or a travel, the contact point z_c. A point has the position z and
+the force F, with standard deviations σ_x and σ_F. With x = z − z_c, the state at x with its load P and variable q, and
+the slopes X = dx/dq and T = dP/dq, a residual is
 
     r = X(F − P)/√(X²σ_F² + T²σ_x²)
 
@@ -27,9 +28,9 @@ ADHESION, MODULUS, POINT = range(3)  # the indices of ln w, ln E* and z_c among 
 _HUBER = 3.0  # standard deviations
 _FEW = 30  # with fewer points, noise is taken as white
 _CUTS = 30  # most rounds of clipping at 3 standard deviations
-_MOST_PHI = 0.999
+_MOST_PHI = 0.999  # largest |φ|
 _ROUNDS = 5  # most rounds, each with a minimum and its noise
-_SAME_PHI = 0.01
+_SAME_PHI = 0.01  # changes of φ and, relatively, of the noise at which the rounds end
 FEW_INDEPENDENT = 20.0  # n/τ below which correlated noise looks like a misfit
 _STEPS = 100  # most steps of the minimiser
 _SAME = 1e-7  # relative decrease of the sum of squares at which the minimiser stops
@@ -89,7 +90,7 @@ class Residuals(NamedTuple):
 def residuals(points: Points, unknowns: Array, setting: Setting) -> Residuals:
     """Return the residuals of points, with the derivatives of the model, which are minus those of the residuals.
 
-    ∂P/∂θ at fixed x = P_θ − (T/X)x_θ
+    By an unknown θ, ∂P/∂θ at fixed x = P_θ − (T/X)x_θ; the indices are derivatives at fixed q.
     """
     contact, grip = setting.contact(unknowns), setting.grip
     x = points.z - (0.0 if grip.is_radius else unknowns[POINT])

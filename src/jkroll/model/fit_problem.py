@@ -1,7 +1,7 @@
-"""The problem of a fit: a measured curve with known data, its starts, minima and fitted range, and G of its points.
+"""The problem of a fit: the curve and known data, starts and minima, the fitted range, the energy release rate G.
 
-The unloading branch gives w of opening, E* and z_c. With these E* and z_c, the loading branch gives w of closing;
-without them, a loading branch hardly separates w from E*.
+The unloading branch gives w of opening, E* and the contact point z_c. With these E* and z_c, the loading branch gives w
+of closing; without them, a loading branch hardly separates w from E*.
 """
 
 from typing import NamedTuple, Self
@@ -29,13 +29,13 @@ from .fit_result import Known
 FIRST_RANGE = LoadRange(-1.0, 0.3, True)
 EVERYTHING = LoadRange(-inf, inf, False)
 _PLATEAU = 0.03  # relative variation of the energy release rate on its plateau
-_PLATEAUS = 4  # rounds of plateau and fit for contact radii
-_BINS = 24
+_PLATEAUS = 4  # rounds, each of a plateau and a fit, for contact radii
+_BINS = 24  # bins along a branch, in which the plateau is sought
 _LARGEST = 60.0  # ln w or ln E* beyond which a minimum is rejected
 _NO_ADHESION = 5.0  # least tension that counts as adhesion, in standard deviations of the noise
 _NEXT_TO_NOTHING = 1e-12  # share of the upper limit of w; JKR with so little adhesion is Hertz' contact
 _ROOT_STEPS = 60  # steps of Newton's method for the contact radius of a point
-_ROOT = 1e-6  # largest error of the load at which a contact radius counts as a root
+_ROOT = 1e-6  # largest relative error of the load at which a contact radius counts as a root
 
 NAMES = {UNLOADING: "work_of_adhesion_opening", LOADING: "work_of_adhesion_closing"}
 
@@ -197,7 +197,10 @@ def _fitted_part(problem: Problem) -> str:
 
 
 def _starts(problem: Problem, points: Points) -> list[Array]:
-    """Return two starts: one from the depth and width of the tensile part, and one with a larger modulus."""
+    """Return two starts, the second with a larger modulus.
+
+    w and E* come from the depth and the width of the tensile part, or for contact radii from a linear fit.
+    """
     setting, radius = problem.setting, problem.radius
     tension = max(-float(running_median(points.force, 3).min()), 0.1 * float(abs(points.force).max()))
     w = tension / (1.5 * pi * radius)
@@ -244,8 +247,8 @@ def _plateau(problem: Problem, branch: Branch, unknowns: Array) -> slice:
     level = _median(numpy.array(lower))
     scatter = 1.4826 * _median(abs(numpy.array(lower) - level))
     tolerance = max(_PLATEAU * level, 3 * scatter)
-    above = [index for index, value in enumerate(middles[:-3]) if abs(value - level) > tolerance]
-    first = (above[-1] + 1) * size if above else 0
+    off = [index for index, value in enumerate(middles[:-3]) if abs(value - level) > tolerance]
+    first = (off[-1] + 1) * size if off else 0
     start = min(branch.contact.start + first, branch.contact.stop - 4 * LEAST_POINTS)
     return slice(max(start, branch.contact.start), branch.contact.stop)
 

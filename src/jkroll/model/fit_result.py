@@ -114,7 +114,7 @@ class Fit:
     def other_modulus(self) -> tuple[str, float] | None:
         """The unknown Young's modulus with its name, if the other modulus and both Poisson's ratios are known.
 
-        (1 − ν²)/E = 1/E* − (1 − ν'²)/E'
+        (1 − ν²)/E = 1/E* − (1 − ν'²)/E', where E' and ν' are of the known body; a rigid one needs no ν'
         """
         bodies = self.known.bodies
         for known, sought in (("", "2"), ("2", "")):

@@ -72,7 +72,7 @@ EXCLUSIVE = (
 # Inputs that replace the yield displacement of a solid, or give sphere 2 another solid.
 _OTHER_DISPLACEMENT = frozenset((*IN_ITS_PLACE, *(of_sphere(2, name) for name in OF_A_SOLID)))
 
-# Quantities without a value if both bodies are rigid, as they need a contact area; JKR computes others from these.
+# Quantities that need a contact area, so that they have no value if both bodies are rigid. Others follow from them.
 _ON_AREA = frozenset({"contact_modulus", "contact_shear_modulus", "shear_strength", "pull_off_force", "load_factor",
     "rolling_frequency_as_printed"})  # fmt: skip
 
@@ -85,9 +85,9 @@ class Frame:
     """Two spheres, as far as they are described, and all quantities that follow from the description.
 
     `described` are the inputs by name, and `stated` are the same inputs after conversion. `given` adds the properties
-    of the materials, and drops uncertainties. `known` has the names of these, of defaults, and of quantities that a
-    single input implies. `values` holds the known values and all results so far, nan for a missing result; `reasons`
-    explains each nan. Both hold arrays, or numbers that apply to all rows.
+    of the materials, and drops uncertainties. `known` has the names of the inputs in `given`, of defaults, and of
+    quantities that a single input implies. `values` holds the known values and all results so far, nan for a missing
+    result; `reasons` explains each nan. Both hold arrays, or numbers that apply to all rows.
 
     >>> frame = Frame({"surface_energy": 0.025, "radius": 1e-7})
     >>> f"{frame['pull_off_force']:.4e}"
@@ -202,7 +202,7 @@ class Frame:
     def under(self, law: str) -> "Frame":
         """Return the frame under another law.
 
-        A state set by an input of one law is replaced by its load, unless only grips hold the state.
+        A named state that an input of one law sets is replaced by its load, unless only grips hold it.
         """
         of_one_law = _OF_ONE_LAW & self.stated.keys()
         if self.state in HELD_BY_LOAD and of_one_law:

@@ -207,7 +207,7 @@ def _is_not_rubbery(frame: Frame) -> Any:
 
 
 def _miscounted_contacts(frame: Frame, _: Mapping[str, Column]) -> Any:
-    """Return how far the number of contacts is below N - 1 or above 6N; at most 1 if it is possible."""
+    """Return the factor by which the number of contacts is below N - 1 or above 6N; at most 1 between them."""
     contacts, grains = frame["contacts"], frame["monomers"]
     return at_least((grains - 1) / contacts, contacts / (6 * grains))
 
@@ -408,7 +408,7 @@ BITS = {code: 1 << position for position, code in enumerate((*CODES, UNCHECKED))
 ENDING_MEANING = sum(limit.bits for limit in ENDING)
 NOT_JUDGED = BITS[UNCHECKED]
 EVERY_DOUBT = sum(BITS.values())
-# In words: the codes of limits that make results meaningless (also reasons for empty cells), and of unjudged limits.
+# The meanings of codes: of those that make results meaningless, which are also reasons for empty cells, and UNCHECKED.
 MEANINGS = {code: limit.consequence.partition(";")[0] for limit in ENDING for code in limit.codes.values()}
 ENDS = {code: register(EndOfMeaning(words, words, code=code)) for code, words in MEANINGS.items()}
 MEANINGS[UNCHECKED] = "a limit needs an input that is not given"

@@ -84,7 +84,7 @@ class Rolled(NamedTuple):
 
 
 def _scales(ratio: Any) -> tuple[Any, Any]:
-    """Return two factors for a force at another radius: the ratio of radii, and its power 2/3."""
+    """Return two factors for a force or a displacement at another radius: the ratio of radii, and its power 2/3."""
     return ratio, cbrt(ratio) * cbrt(ratio)
 
 
@@ -109,7 +109,7 @@ def _rolled_at(rolled: Rolled, end: Callable[[Rolled, Any], Any], frame: Frame) 
 ROLLED: Mapping[str, Rolled] = {
     # 0.85 ± 0.16 and 1.21 ± 0.36 nN
     SIO2: Rolled("yield_force", "Heim 1999, Gundlach 2011", 0.69e-9, 1.57e-9, 0.95e-6, (1e-7, 3e-6), (0.02, 0.025)),
-    # 42 nm, spheres of 5 µm on a plane
+    # 42 nm, spheres of 5 µm on a plane, which are like two spheres of 10 µm
     POLYSTYRENE: Rolled(XI, "Sümer & Sitti 2008", 42e-9, 42e-9, 1e-5, (3e-6, 1e-4)),
     # 11.48 ± 2.38 nN
     "ice-warm": Rolled("yield_force", "Gundlach 2011", 9.10e-9, 13.86e-9, 1.45e-6, (0.5e-6, 5e-6)),
@@ -236,10 +236,10 @@ def on_surfaces(frame: Frame, ends: tuple[float, float] | None = None) -> Mappin
     """Return the least and the largest pull-off force on each surface; `ends`: the ends of JKR's force.
 
     For SiO2 these are the measured forces, or fractions of JKR's for a given surface energy. For another solid, or a
-    smaller sphere, they are all the fractions that SiO2 held.
+    smaller sphere, one range covers all the fractions measured for SiO2.
     """
     radius, energy = frame["reduced_radius"], frame["work_of_adhesion"]
-    force = float(pull_off_force(work_of_adhesion=energy, reduced_radius=radius))  # frames have none for rigid bodies
+    force = float(pull_off_force(work_of_adhesion=energy, reduced_radius=radius))  # rigid bodies have none in a frame
     low, high = ends or (force, force)
     is_silica = solid_of_pair(frame) == SIO2
     if is_silica and not has_given_energy(frame):
@@ -257,7 +257,7 @@ def has_given_energy(frame: Frame) -> bool:
 
 
 def is_below_measured(frame: Frame) -> bool:
-    """Return whether the smaller sphere is smaller than those whose pull-off forces were measured."""
+    """Return whether the smaller sphere is smaller than those to which the measured fractions are scaled."""
     radii = frame.numbers("radius", "radius2").values()
     return bool(min(radii, default=2 * frame["reduced_radius"]) < SURFACES_FROM)
 
@@ -266,7 +266,7 @@ def is_below_measured(frame: Frame) -> bool:
 
 
 def rolling(names: Iterable[str]) -> list[str]:
-    """Return the quantities that follow from the yield displacement in the same way under every law."""
+    """Return the quantities that depend on the yield displacement, by the formulas of JKR."""
     return [name for name in names if name != XI and XI in depends_on((name,))]
 
 
@@ -281,5 +281,5 @@ def at_full_hysteresis(frame: Frame) -> Frame:
 
 
 def _with_displacement(frame: Frame, displacement: Any) -> Frame:
-    """Return the frame with this displacement in the rows that take it."""
+    """Return the frame with this displacement in the rows where it is in the accepted range."""
     return frame.replace(**{XI: where(takes(XI, displacement), displacement, frame[XI])})

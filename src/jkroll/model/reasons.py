@@ -130,7 +130,7 @@ class Cause:
 
 
 class EndOfMeaning(Cause):
-    """A cause of numbers without a meaning; unformatted output and `jkroll.solve` still give the numbers."""
+    """A cause that makes numbers meaningless; unformatted output and `jkroll.solve` still give the numbers."""
 
 
 MISSING = Cause("", "an input that the plan names is missing", code="missing-input")
@@ -243,7 +243,7 @@ class Failure(NoResult):
     def explanation(self) -> str:
         """Return the cause in words with its numbers, with enough digits to distinguish a value from its limit.
 
-        The first limit is rounded up, so that a contact still exists at the load or approach as shown.
+        The first limit as shown is not below the exact limit, so a contact still exists at this load or approach.
         """
         if not self.numbers:
             return self.cause.words

@@ -146,7 +146,7 @@ class Results:
     def validity(self) -> Sequence[Doubt]:
         """The limits of the model, each judged, or with the reason why it was not judged."""
         known = {name: column for name, column in self.judged_meant.items() if not column.is_empty}
-        unjudged = [doubt for doubt in self._of_resting if doubt.error is not None]
+        unjudged = [doubt for doubt in self._doubts_without_spacing if doubt.error is not None]
         return [*self.ending, *self.inexact(known), *unjudged]
 
     def inexact(self, columns: Mapping[str, Column]) -> list[Doubt]:
@@ -154,26 +154,26 @@ class Results:
         return doubts(self.frame, columns, INEXACT)
 
     @cached_property
-    def _of_resting(self) -> Sequence[Doubt]:
+    def _doubts_without_spacing(self) -> Sequence[Doubt]:
         """The limits that leave results meaningful, judged for columns whose empty cells need an atomic spacing."""
-        return self.inexact(self._resting)
+        return self.inexact(self._without_spacing)
 
     @cached_property
-    def _resting(self) -> dict[str, Column]:
+    def _without_spacing(self) -> dict[str, Column]:
         """The columns with empty cells that need an atomic spacing, which was not given."""
-        resting = {}
+        lacking = {}
         for name, column in self.judged.items():
-            if self.frame.may_rest_on_spacing(name) and is_anywhere(_rests(name, column)):
-                resting[name] = column
-        return resting
+            if self.frame.may_rest_on_spacing(name) and is_anywhere(_lacks_spacing(name, column)):
+                lacking[name] = column
+        return lacking
 
     @property
     def bits(self) -> Any:
         """The codes of exceeded limits as bits, row by row, with UNCHECKED for limits that were not judged."""
         inexact = [doubt for doubt in self.validity if not doubt.limit.ends_meaning]
         bits = bits_of(self.frame, _rows_with_values(self.judged_meant), inexact)
-        rests = [(_rests(name, column), [name]) for name, column in self._resting.items()]
-        return self._bits_of_ending | bits | bits_of(self.frame, rests, self._of_resting) & NOT_JUDGED
+        rests = [(_lacks_spacing(name, column), [name]) for name, column in self._without_spacing.items()]
+        return self._bits_of_ending | bits | bits_of(self.frame, rests, self._doubts_without_spacing) & NOT_JUDGED
 
     @property
     def ending_bits(self) -> Any:
@@ -197,7 +197,7 @@ class Results:
         return errors
 
     def open_bars(self, row: int = 0) -> dict[str, JkrollError]:
-        """Return, by name, an error for each result of a row without an uncertainty: it lacks a value at some point."""
+        """Return, by name, the errors of a row's results that have no value somewhere within the uncertainties."""
         errors: dict[str, JkrollError] = {}
         for name, bar in self.bars.items():
             if at_row(bar.open_at, row):
@@ -205,7 +205,7 @@ class Results:
         return errors
 
 
-def _rests(name: str, column: Column) -> Any:
+def _lacks_spacing(name: str, column: Column) -> Any:
     """Return the rows in which a quantity has no value because it depends on an assumed atomic spacing."""
     return column.reasons == reason(RESTS_ON_SPACING, name)
 

@@ -159,7 +159,7 @@ def solved(problem: Problem, start: Any = None) -> Solution:
         raise failures[0]
     measures, positions = table[: 2 * count + 1], table[2 * count + 1 :]
     for row in measures[count:]:
-        row[:] = [float(f"{number:.6g}") for number in row]  # keeps the digits that rounding does not change
+        row[:] = [float(f"{number:.6g}") for number in row]  # further digits come from rounding errors
     *columns, condition = measures.reshape(2 * count + 1, *problem.shape) if problem.shape else measures[:, 0].tolist()
     values, growths = (dict(zip(problem.unknowns, part, strict=True)) for part in (columns[:count], columns[count:]))
     reasons: Any = 0

@@ -331,8 +331,8 @@ def _of_python(formula: Callable[..., Any]) -> Callable[..., Any]:
             if isinstance(value, complex):
                 raise ValueError("a power of a negative number")
         except (ArithmeticError, ValueError):
-            has_words = all(isinstance(number, float) and isfinite(number) for number in numbers.values())
-            number = reason_for(formula.__name__, numbers) if has_words else 0
+            are_finite = all(isinstance(number, float) and isfinite(number) for number in numbers.values())
+            number = reason_for(formula.__name__, numbers) if are_finite else 0
             error = failure_of(number, numbers) if number else Failure(NO_DOUBLE, formula.__name__)
             raise OutsideDomain(error.cause, error.name, error.numbers) from None
         if reader.quantity is not None:

@@ -193,12 +193,12 @@ def no_error_bar(frame: Frame, name: str, bar: ErrorBar, row: int = 0, sources: 
     """Return the error of a row without an uncertainty, which states why the quantity has no value at a point."""
     entering = (sources or sources_of_results(frame, [name])).entering
     points = [*chain.from_iterable(edges_of(entering))]
-    place = at_row(bar.open_at, row) - 1
+    index = at_row(bar.open_at, row) - 1
     # Computed on its own, the point may have a value because of rounding.
     reasons = _at_points(frame, points, itself, [name])[name].reasons
-    moved = frame.replace(**points[place])
+    moved = frame.replace(**points[index])
     moved.column(name)
-    return NoErrorBar(name, explanation_of(name, moved.error(name, at_row(reasons[place], row), row)))
+    return NoErrorBar(name, explanation_of(name, moved.error(name, at_row(reasons[index], row), row)))
 
 
 def _at_points(

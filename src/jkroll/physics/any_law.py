@@ -1,8 +1,9 @@
 """Rolling under any law of attraction, from one force: F_a = P_H − P, Hertz' load at the contact radius minus the load.
 
 The moment of a contact whose attraction lags behind by ξ is F_aξ to first order in ξ, whatever the law: 4P_c â^(3/2) ξ
-in JKR, which is Eq (25), and 2πwRξ in DMT at every load. Also here: the parameter of the transition from JKR to DMT,
-the strength of attraction, a fit of the pull-off force, and what follows from a Hamaker constant and a cutoff distance.
+in JKR, which is Eq (25), and 2πwRξ in DMT at every load. This module also has the parameter of the transition from JKR
+to DMT, the cohesive stress, a force and energies for Lennard-Jones' 3-9 law, the pull-off force of rough spheres, and
+the work of adhesion and atomic spacing that follow from a Hamaker constant and a cutoff distance.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from .dimensions import Energy, Force, Frequency, Length, Mass, Moment, MomentPe
 from .elementary import cbrt, cube, pi, sqrt, within
 
 _WELL_OF_RIGID = 16 / 7 * cbrt(2.0)  # energy to part rigid spheres that attract by the 3-9 law, in πwRz0
-_WORK_OF_RIGID = 0.3083909711882815195  # its part up to their largest pull, (16/7)∛2 - 18/7, in which terms cancel
+_WORK_OF_RIGID = 0.3083909711882815195  # the part up to the largest pull: (16/7)∛2 - 18/7 without cancellation
 
 
 def adhesive_force(*, pull_off_force: Force, load_factor: Number) -> Force:

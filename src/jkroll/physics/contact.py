@@ -3,8 +3,9 @@
 Sphere 2 may be a plane (`radius2` infinite), may be rigid (`youngs_modulus2` infinite), and may be held fixed (`mass2`
 infinite).
 
-A load is positive in compression and negative in tension; the formulas are for the stable branch. The load enters only
-through s = √(1 + P/P_c) (`load_margin`), which is 1 without load, and 0 at pull-off, where it loses no digits.
+A load is positive in compression and negative in tension; the formulas are for the stable branch. The state of the
+contact depends on the load only through s = √(1 + P/P_c) (`load_margin`). This margin is 1 without load, and 0 at
+pull-off, where it loses no digits.
 """
 
 from __future__ import annotations

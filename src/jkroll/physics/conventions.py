@@ -1,8 +1,8 @@
-"""Energies, speeds and strengths as others define them: of a contact, and of aggregates of identical grains.
+"""Energies, speeds and strengths of contacts and of aggregates, as papers and public codes define them.
 
-Each is the formula of a paper or of a public code, which the nomenclature names. The energies to break a
-contact, to roll it and to stick start without load. Two equal aggregates of N grains each collide: the impact energy is
-that of their relative motion, ½(N m1/2)v².
+The nomenclature names the paper or the code of each formula. The energies to break a contact, to roll it and to stick
+hold for a contact that carries no load at first. An aggregate has N identical grains. Two equal aggregates collide, and
+the impact energy is that of their relative motion, ½(N m1/2)v².
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from .elementary import cube, pi, sqrt
 STICKING_PASZUN_DOMINIK = 0.32895869205467987  # (8π/3) 1.07²/(81π⁵)^(1/3)
 STICKING_PENCIL_CODE = 0.6585009935846583  # 19.2/(81π⁵)^(1/3)
 CLOSEST_PACKING = 0.74  # the largest filling factor of equal spheres
-_BELOW = 8.881784197001253e-18  # by which 0.74 exceeds its double
+_BELOW = 8.881784197001253e-18  # 0.74 minus the double nearest to it
 
 
 def break_energy_dust_simulation(*, fold_energy: Energy) -> Energy:
@@ -92,7 +92,7 @@ def sticking_speed(*, sticking_energy: Energy, reduced_mass: Mass) -> Speed:
     Source:   Thornton & Ning 1998, Eq 54.
     Valid:    A head-on collision without other loss.
     """
-    return sqrt(2 * sticking_energy) / sqrt(reduced_mass)  # near DMT, the quotient is outside the range of doubles
+    return sqrt(2 * sticking_energy) / sqrt(reduced_mass)  # near DMT, 2U_stick/m may be below the range of doubles
 
 
 def sticking_speed_paszun_dominik(*, sticking_energy_paszun_dominik: Energy, reduced_mass: Mass) -> Speed:

@@ -1,8 +1,8 @@
-"""The same contact in two dimensions, a cylinder on a rigid plane: Eqs 50-78, all per length of the cylinder.
+"""The contact in two dimensions, of a cylinder with a rigid plane: Eqs 50-78, all per length of the cylinder.
 
 The strip in contact is 2a wide. Its centre, X = 0, lags by ξ behind the contact point, x = X − ξ = 0, below the axis.
-In this appendix, the paper writes E for E′ = E/(1 − ν²). For two parallel cylinders, R and E′ are the reduced ones. An
-area C stands for the load; a contact without adhesion has C = a²/2, and p, the pressure, is negative in tension.
+The paper's appendix writes E for E′ = E/(1 − ν²). For two parallel cylinders, R and E′ are the reduced ones. An area C
+stands for the load; a contact without adhesion has C = a²/2. The pressure p is negative in tension.
 """
 
 from __future__ import annotations

@@ -40,7 +40,7 @@ from .elementary import (
 FOLD_WITHOUT_CONTACT = 0.9379474572107123  # (9π/(16(π − 1)))^(1/3): for λ below, a vanishes before fixed grips let go
 JUMP_WITHOUT_CONTACT = 0.6551853485522241  # (9/32)^(1/3): for λ below, approaching spheres attract before they touch
 
-_ROUNDING = 8 * 2.0**-52  # relative error of a load or an approach that the caller computed as that of an extreme
+_ROUNDING = 8 * 2.0**-52  # relative error of a pull-off load or a fold approach that a caller passes
 _STEPS = 3  # of Newton's method; each squares the error
 _FAR = 32.0  # √(1 + P/P_c) beyond which another start is taken, and twice as many steps
 _TINY = 1e-300  # instead of a slope of 0
@@ -184,10 +184,10 @@ def unloaded_ratio(transition: FloatOrArray) -> FloatOrArray:
 
 
 def _step_to(transition: FloatOrArray, ring: Shape, q: FloatOrArray, growth: FloatOrArray) -> FloatOrArray:
-    """Return v after a step of Halley's method towards the v of an extreme, or of no load, at λ.
+    """Return v after a step of Halley's method towards the v of an extreme, or of the unloaded state, at λ.
 
-    `q` is that of such a state at this v (at pull-off vG3/D), and `growth` is d ln q/dv. This v is the solution at
-    another λ, with λ³ = 9q²/(8(G1 + 2qG2)), as λ = ¾qT and T³ = 8/(3q(G1 + 2qG2)).
+    `q` is the q of this state if it had the present v, such as vG3/D at pull-off; `growth` is d ln q/dv. The present
+    v is the solution at another λ, with λ³ = 9q²/(8(G1 + 2qG2)), as λ = ¾qT and T³ = 8/(3q(G1 + 2qG2)).
     """
     v, n = ring.v, ring.n
     g = g1(ring) + 2 * q * ring.g2
@@ -262,7 +262,7 @@ def approach_slope(transition: FloatOrArray, ring: Shape, span: FloatOrArray) ->
 
 
 def _in_wide_contact(transition: FloatOrArray, radius: FloatOrArray) -> FloatOrArray:
-    """Return v of a ring around a contact whose radius is Hertz': wide, v² = (π/4)λa², or narrow, v³ = ⅔λa² + ⅔λ²av."""
+    """Return an estimate of v for Hertz' radius a: a wide ring has v² = (π/4)λa², a narrow one v³ = ⅔λa² + ⅔λ²av."""
     area = transition * radius * radius
     return at_most(sqrt(pi / 4 * area), cbrt(2 / 3 * area)) + transition * sqrt(2 / 3 * radius)
 

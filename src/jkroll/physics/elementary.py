@@ -1,8 +1,8 @@
 """Elementary functions for numbers and arrays: `math` for a number, numpy for anything else.
 
 The type of the value decides, so that a float needs no import of numpy, and an array (or a pint Quantity, which follows
-numpy's protocol) no loop. Both take the same operations in the same order, and agree to the last digit or the one
-before.
+numpy's protocol) no loop. Numbers and arrays go through the same operations in the same order, and agree to the last
+digit or the one before.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ else:
     Truth = bool
 
 pi = math.pi
-NUMBER = float, int  # named once: `float | int` would be made anew by each call
+NUMBER = float, int  # a constant, since each call would build `float | int` anew
 
 
 def sqrt(value: FloatOrArray) -> FloatOrArray:
@@ -136,7 +136,7 @@ def hypot(*values: FloatOrArray) -> FloatOrArray:
 
 
 def absolute(value: FloatOrArray) -> FloatOrArray:
-    """Return the absolute value, as `abs` does, whose result for a union is not a number to type checkers."""
+    """Return the absolute value; type checkers do not accept `abs` of a number or an array as a number."""
     return value.__abs__()
 
 

@@ -16,7 +16,7 @@ from .elementary import FloatOrArray, arctan, at_least, at_most, pi, sqrt, withi
 TOUCH = 5.0823043295739116  # p(0) of the peak of a touch at v → 0, in P_c/(πa0²)
 _AT_TOUCH = -0.6988643717890391  # Û_s
 _PEAK_OF_TOUCH = 1.0756163614276605  # √â there
-_STEPS = 12  # of Newton's method, from beyond the root of a convex function
+_STEPS = 12  # of Newton's method, enough from every start below
 
 
 def _energy(root: FloatOrArray) -> FloatOrArray:
@@ -44,7 +44,7 @@ def impact_pressure(
     root = _PEAK_OF_TOUCH + at_most(energy / 15, (5 / 24 * energy) ** 0.1)
     for _ in range(_STEPS):
         root = root - _beyond(root, energy)
-    rounding = (12 * root + 2 / (root * root)) * _beyond(root, energy)  # of the root, which the pressure magnifies
+    rounding = (12 * root + 2 / (root * root)) * _beyond(root, energy)  # the pressure's slope × the root's error
     return _pressure_unit(pull_off_force, contact_radius) * (6 * root * root - 2 / root - rounding)
 
 

@@ -2,7 +2,8 @@
 
 One variable describes a state: x = â^(3/2) (`load_factor`). It is 1 without load, 1/2 at pull-off, 1/6 at the fold
 where fixed grips let go, and runs down to 0 on the unstable branch. A load has two states for −P_c < P < 0, an
-approach has two between the fold and 0.
+approach has two between the fold and 0. A hat marks a quantity relative to its value without load, â = a/a0 and
+δ̂ = δ/δ0, and a load relative to the pull-off force, P̂ = P/P_c.
 """
 
 from __future__ import annotations
@@ -10,8 +11,8 @@ from __future__ import annotations
 from .dimensions import Area, Energy, Force, Length, Number, Stress, SurfaceEnergy
 from .elementary import FloatOrArray, cbrt, pi, sqrt, where, within
 
-FOLD_APPROACH = -0.8254818122236567  # −(3/4)^(2/3), the least δ̂, rounded
-FOLD_APPROACH_REST = 1.4776601947357812e-17  # what rounding took from it
+FOLD_APPROACH = -0.8254818122236567  # the double nearest to −(3/4)^(2/3), the least δ̂
+FOLD_APPROACH_REST = 1.4776601947357812e-17  # −(3/4)^(2/3) minus this double
 CBRT_6 = cbrt(6.0)
 NEWTON_STEPS = 6  # from the start below; a seventh changes nothing
 

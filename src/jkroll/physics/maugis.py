@@ -449,8 +449,8 @@ def pull_off_work_at_dead_load_maugis(
     middle = (edge_ratio_at_pull_off + unloaded_edge_ratio) / 2
     half = (edge_ratio_at_pull_off - unloaded_edge_ratio) / 2
     work: FloatOrArray = 0.0
-    for place, weight in _EIGHT_POINTS:
-        for edge_ratio in (middle - place * half, middle + place * half):
+    for position, weight in _EIGHT_POINTS:
+        for edge_ratio in (middle - position * half, middle + position * half):
             ring = dugdale.Shape(edge_ratio)
             span = dugdale.span(transition_parameter, ring)
             slope = dugdale.approach_slope(transition_parameter, ring, span)

@@ -2,7 +2,7 @@
 
 Water at 25 °C has a surface tension of 0.0720 N/m (IAPWS R1-76) and a molar volume of 18.07 cm³ (18.015 g/mol over
 0.99705 g/cm³), so that γ_L V_m/(R_g T) is 0.5248 nm. The shape of the meniscus is a nodoid, whose force is
-4πRγ_L cosθ (1 − q + …), q = κ√(r_K/R): the tests integrate it.
+4πRγ_L cosθ (1 − q + …), q = κ√(r_K/R). The tests compare this with the integrated shape.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from .elementary import FloatOrArray, exp, ln, pi, sin, sqrt, within
 WATER_TENSION = 0.072  # N/m
 KELVIN_LENGTH = 5.248e-10  # m
 WIDEST = 0.5  # q up to which the exact force lies between the first-order force and (1 + 2q²) times this
-_PI_BELOW = 6.123233995736766e-17  # by which π/2 exceeds its double
+_PI_BELOW = 6.123233995736766e-17  # π/2 minus the double nearest to it
 
 
 def _elevation(contact_angle: FloatOrArray) -> FloatOrArray:

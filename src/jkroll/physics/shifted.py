@@ -1,4 +1,4 @@
-"""The shifted contact, for pictures: the pressure along its path, exact and of two half-circles, and a strip's width.
+"""Pressures of a shifted contact for pictures, exact and by two half-circles, and the width of an unloaded strip.
 
 The centre of the circle, X = 0, lags by ξ behind the contact point, x = X − ξ = 0, as in Fig. 2; x points ahead.
 """

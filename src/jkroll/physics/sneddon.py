@@ -136,7 +136,7 @@ def state_at(
 ) -> FloatOrArray:
     """Return L of the stable state at a value of gδ/R + cP/(E*R²); `last`: L from `last_state`.
 
-    Newton's method from beyond the root, where gδ + cP is convex or nearly linear in L. Below the last state a float
+    Newton's method starts beyond the root, where gδ + cP is convex or nearly linear in L. Below the last state a float
     raises ValueError, and an array holds nan.
     """
     excess = held - grips * approach(ratio, last) - dead_load * load(ratio, last)

@@ -1,4 +1,4 @@
-"""Resistance to sliding and twisting: stiffness, the thresholds by one shear strength, and peeling before them."""
+"""Resistance to sliding and twisting: stiffness, thresholds set by a shear strength, and peeling."""
 
 from __future__ import annotations
 
@@ -187,7 +187,7 @@ def rolling_over_sliding(*, yield_force: Force, sliding_or_peeling_force: Force)
     return yield_force / sliding_or_peeling_force
 
 
-# --- As LAMMPS has them -----------------------------------------------------------------------------------------------
+# --- Coefficients of friction for LAMMPS ------------------------------------------------------------------------------
 
 
 def sliding_friction_coefficient(*, sliding_force: Force, load: Force, pull_off_force: Force) -> Number:
