@@ -107,7 +107,7 @@ def test_both_spheres_of_one_material_are_inferred_together() -> None:
 
 ENERGY_AND_RADIUS = ("surface_energy", "radius")
 FORCES = {"pull_off_force": 3e-7, "pull_off_force_dmt": 4e-7}  # all pairs with the same γR give the same forces
-STAY = "and pull_off_force_dmt do not determine both unknowns: both are constant along γ1 ∝ R1^-1 (κ is above 1e8)"
+STAY = "and pull_off_force_dmt do not determine both unknowns: both are constant along γ1 ∝ R1^-1 (the condition number is above 1e8)"
 # f = √(K/m)/2π, and under a large load K does not depend on γ
 PRESSED = {"stiffness": 1e3, "vertical_frequency": 1e6}, {**PLANE, "density": 2e3, "load": 1e3}
 PULLED = {"surface_energy": 0.05, "radius2": math.inf, "poisson_ratio": 0.2, "load": -1e-7}
@@ -118,10 +118,10 @@ PULLED = {"surface_energy": 0.05, "radius2": math.inf, "poisson_ratio": 0.2, "lo
     [
         (ENERGY_AND_RADIUS, FORCES, {"radius2": math.inf}, Unseparated, STAY),
         (ENERGY_AND_RADIUS, {**FORCES, "pull_off_force_dmt": 5e-7}, {"radius2": math.inf}, Unseparated, STAY),
-        (NAMES, FORCES, PLANE, Unseparated, "they do not determine E1 (κ is above 1e8)"),
+        (NAMES, FORCES, PLANE, Unseparated, "they do not determine E1 (the condition number is above 1e8)"),
         (NAMES, {"pull_off_force": 3e-7, "r_min": 1e-5}, PLANE, NoDependence, "r_min does not depend on either"),
-        (NAMES, *PRESSED, Unseparated, "they do not determine γ1 (κ is above 1e8)"),
-        (NAMES[::-1], *PRESSED, Unseparated, "they do not determine γ1 (κ is above 1e8)"),
+        (NAMES, *PRESSED, Unseparated, "they do not determine γ1 (the condition number is above 1e8)"),
+        (NAMES[::-1], *PRESSED, Unseparated, "they do not determine γ1 (the condition number is above 1e8)"),
         (NAMES, {**MEASURED, "stiffness": 1e12}, PLANE, NoSolution,
          "stiffness = 1e12 N/m; they lie between 18.8496 pN and 18.8496 mN and between 3.72794 µN/m and 37.2794 MN/m"),
         (NAMES, {**MEASURED, "stiffness": 1e7}, PLANE, NoSolution,
@@ -181,7 +181,7 @@ def test_barely_separated_unknowns_are_refused() -> None:
         assert pair.values["radius"] == approx(radius, rel=1e-15 * pair.condition)
         condition = pair.condition
     full = Frame({**given, "radius": 1e-5, "surface_energy": 0.05}, model="maugis")
-    with pytest.raises(Unseparated, match=r"both are constant along γ1 ∝ R1\^-1 \(κ is above 1e8\)"):
+    with pytest.raises(Unseparated, match=r"both are constant along γ1 ∝ R1\^-1 \(the condition number is above 1e8\)"):
         found(names, full.numbers("pull_off_force", "pull_off_force_dmt"), given, "maugis")
 
 
@@ -313,7 +313,7 @@ def test_arrays_broadcast_and_hold_nan_where_there_is_no_pair() -> None:
         (["gamma", "young"], {"stiffness": 1e3}, "does not give a quantity and its value"),
         ("gamma", MEASURED, "does not give a quantity and its value"),
         (["gamma", "young"], {"P_c": 3e-7, "pull_off_force": 3e-7}, "P_c and pull_off_force name one quantity"),
-        (["gamma", "young"], {"P_c": "300±20 nN", "stiffness": [1e3]}, "does not go together with an uncertain input"),
+        (["gamma", "young"], {"P_c": "300±20 nN", "stiffness": [1e3]}, "cannot be combined with an uncertain input"),
     ],
 )
 def test_wrong_arguments_are_refused_with_a_reason(wanted: Any, measured: dict[str, Any], words: str) -> None:

@@ -273,7 +273,7 @@ class NoErrorBar(NoResult):
 
     def explanation(self) -> str:
         """Return the reason in words."""
-        return f"no uncertainty, as there is no value at an end of an input's error bar: {self.why}"
+        return f"no uncertainty, as there is no value at some point within an input's uncertainty: {self.why}"
 
 
 def explanation_of(name: str, error: JkrollError) -> str:

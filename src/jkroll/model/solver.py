@@ -298,7 +298,7 @@ def with_uncertainties(frame: Frame, described: Mapping[str, Any], values: Mappi
 
     Raises an error if a quantity has no value at some point within the uncertainties.
     """
-    refuse_arrays(described, "does not go together with an uncertain input", "use jkroll.table")
+    refuse_arrays(described, "cannot be combined with an uncertain input", "use jkroll.table")
     bars = error_bars(frame, values)
     for name, bar in bars.items():
         if bar.open_at:

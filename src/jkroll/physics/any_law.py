@@ -242,10 +242,10 @@ def work_of_adhesion_of_hamaker(*, hamaker: Energy, hamaker2: Energy, cutoff: Le
 
 
 def atomic_spacing_of_cutoff(*, cutoff: Length) -> Length:
-    """Return the atomic spacing of the 3–9 law with the Hamaker constant and work of adhesion that go with a cutoff.
+    """Return the atomic spacing of the 3-9 law with the Hamaker constant and work of adhesion that go with a cutoff.
 
         z0 = (√3/2)D0
 
-    Source:   The 3–9 law has w = A/(16πz0²); with w = A/(12πD0²).
+    Source:   The 3-9 law has w = A/(16πz0²); with w = A/(12πD0²).
     """
     return sqrt(0.75) * cutoff

@@ -500,8 +500,8 @@ def contact_over_sphere(
 
         max(a0, a)/min(R1, R2)
 
-    Source:   The contact circle has to find a place on the sphere.
-    Valid:    Above 1 nothing of the model has a meaning: the surface tension of the solid shapes a sphere so soft.
+    Source:   The contact circle must fit on the sphere.
+    Valid:    Above 1 the model has no meaning: the surface tension of the solid shapes so soft a sphere.
     """
     return at_least(contact_radius, contact_radius_at_load) / at_most(radius, radius2)
 
@@ -522,7 +522,7 @@ def r_min_over_radius(*, r_min: Length, radius: Length) -> Number:
         R_min/R1
 
     Source:   Eq (28).
-    Valid:    A chain that bends takes R_min well above R1.
+    Valid:    A chain can bend only if R_min is well above R1.
     """
     return r_min / radius
 
@@ -544,8 +544,8 @@ def energy_over_yield(*, energy: Energy, yield_energy: Energy) -> Number:
         W0/(3πw â^(3/2) ξ²)
 
     Source:   As the yield energy.
-    Valid:    Without slip, it rolls where this is above 1. Of a sphere that arrives without spin 5/7 of W0 is left, so
-              that this is to be above 7/5; of one that spins in place, which is the paper's Eq (47), 2/7 and 7/2.
+    Valid:    Without slip, the sphere rolls above 1. A sphere that arrives without spin keeps 5/7 of W0 and rolls above
+              7/5; one that slides freely, as in Eq (47), rolls with 2/7 of W0, above 7/2.
     """
     return energy / yield_energy
 

@@ -121,7 +121,7 @@ def sticking_speed_pencil_code(*, sticking_energy_pencil_code: Energy, reduced_m
 
 
 def contacts(*, monomers: Number) -> Number:
-    """Return the number of contacts of an aggregate if it is not given.
+    """Return the number of contacts of an aggregate, by default one for each grain.
 
         n_c = N
 
@@ -180,7 +180,7 @@ def disruption_energy_dust_simulation(*, break_energy_dust_simulation: Energy, c
 
         E_disr = 10·2n_c E_break, E_break = 1.8 F_cδ_c
 
-    Source:   Wada et al. 2007, as above; E_break as coded in Lumajord/DustSimulation.
+    Source:   Wada et al. 2007, of which the abstract was read; E_break as coded in Lumajord/DustSimulation.
     Valid:    Two-dimensional aggregates of equal masses, head-on. The abstract does not say which E_break it takes.
     """
     return 20 * contacts * break_energy_dust_simulation
@@ -215,8 +215,8 @@ def compressive_strength(*, roll_energy_half_turn: Energy, radius: Length, filli
 
         P = (E_roll/R1³)(1/φ − 1/φ_max)⁻³, E_roll = 6π²γR1ξ (180 degrees), φ_max = 0.74
 
-    Source:   Tatsuuma et al. 2023, whose abstract was read; the form as codes have it that name it or its authors, with
-              φ_max 0.74 in danieljprice/phantom, porosity.f90, and 0.78 in another. It tends to E_roll φ³/R1³.
+    Source:   Tatsuuma et al. 2023, of which the abstract was read. The form is that of codes which cite it: φ_max is
+              0.74 in danieljprice/phantom, porosity.f90, and 0.78 in another. It tends to E_roll φ³/R1³.
     Valid:    Rolling decides below φ = 0.1; above, sliding and twisting do. φ < 0.74. Static: an impact needs more.
     """
     loose = filling_factor / (CLOSEST_PACKING - filling_factor + _BELOW) / radius

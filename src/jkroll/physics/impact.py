@@ -154,7 +154,7 @@ def impact_pressure_over_modulus(*, impact_pressure: Stress, contact_modulus: St
 
         p/E*
 
-    Source:   As that of the Hertz part of the pressure at rest: a solid without flaws yields at about 0.1.
+    Source:   As for the Hertz part of the pressure at rest: a solid without flaws yields at about 0.1.
     """
     return impact_pressure / contact_modulus
 
@@ -177,7 +177,7 @@ def speed_over_sound(
         v/√(E/ρ)
 
     Source:   The contact is that of a static one, and waves in the spheres have no energy.
-    Valid:    e rests on a number well below 1.
+    Valid:    The coefficient of restitution holds for a ratio well below 1.
     """
     slowness = at_least(density / youngs_modulus, density2 / youngs_modulus2)
     return speed * sqrt(slowness)

@@ -366,7 +366,7 @@ def approach_at_pull_off_maugis(
         δ_pull = (a_pull² − (4/3)λT)/R, lengths in the units of `dugdale`
 
     Source:   Maugis 1992.
-    Valid:    Always; it tends to 0 in DMT, and is negative below.
+    Valid:    Always. It is negative, and tends to 0 in DMT.
     """
     ring = dugdale.Shape(edge_ratio_at_pull_off)
     return dugdale.approach(transition_parameter, ring, dugdale.span(transition_parameter, ring)) * approach_unit_maugis
@@ -461,7 +461,7 @@ def pull_off_work_at_dead_load_maugis(
 def sticking_energy_maugis(
     *, edge_ratio_at_fold: Number, energy_unit_maugis: Energy, transition_parameter: Number
 ) -> Energy:
-    """Return the largest energy of a head-on collision after which spheres stick: what jump-in and the fold dissipate.
+    """Return the largest energy of a head-on collision after which spheres stick: jump-in and the fold dissipate it.
 
         U = Φ(fold) − Φ(δ = −w/σ0); (17/24)πλb⁴ πwR(π²w²R/K²)^(1/3), b = 8λ/3π, if λ < (9/32)^(1/3) = 0.655
 

@@ -30,7 +30,7 @@ def vertical_frequency(*, stiffness: Stiffness, reduced_mass: Mass) -> Frequency
 
         f_z = (1/2π)√((dP/dδ)/m) = (1/2π)√((6/5)E*a0/m) without load
 
-    Source:   Eqs (31)-(35), where a frequency is Ω and Eq (34) lost its sign; under a load with the stiffness there.
+    Source:   Eqs (31)-(35), where a frequency is Ω and Eq (34) lost its sign; with the stiffness at the load.
     Valid:    Free spheres, amplitudes well below δ0, dP/dδ ≥ 0.
     """
     return sqrt(stiffness / reduced_mass) / (2 * pi)
@@ -70,7 +70,7 @@ def rolling_frequency_no_slip(*, work_of_adhesion: SurfaceEnergy, load_factor: N
 
 
 def sliding_frequency(*, tangential_stiffness: Stiffness, reduced_mass: Mass) -> Frequency:
-    """Return the frequency at which two spheres slide to and fro and turn with it: the fastest mode of a pair.
+    """Return the frequency at which two spheres slide to and fro, and turn as they slide: the fastest mode of a pair.
 
         f_slide = (1/2π)√(7k_s/(2m)), m the reduced mass
 
@@ -217,8 +217,8 @@ def restitution(*, speed: Speed, sticking_speed: Speed) -> Number:
         e = √(1 − U_stick/W) = √(1 − (v_stick/v)²), W = ½mv²
 
     Source:   Energy: they lose U_stick at any speed. Thornton & Ning 1998 have this loss.
-    Valid:    An upper bound where the law is right: every other loss lowers e. Speeds well below √(E/ρ). With viscous
-              damping, whose loss grows with the speed, a bound too.
+    Valid:    An upper bound where the law is right: every other loss lowers e. Speeds well below √(E/ρ). It is
+              an upper bound with viscous damping, too.
 
     >>> restitution(speed=5.0, sticking_speed=3.0)
     0.8
@@ -296,7 +296,7 @@ def sticking_speed_viscous(*, sticking_energy: Energy, reduced_mass: Mass, visco
     Source:   Equation of motion on the JKR curve with F = 2(T_vis/ν²)E*a dδ/dt; r is fitted to its solutions within
               1e-10.
     Valid:    T* ≤ 0.6815; beyond, a float raises ValueError and an array holds NaN. Above T_c spheres stick at every
-              speed. The damping is a quasi-static one, for T* well below 1.
+              speed. The law of damping is quasi-static: it holds for T* well below 1.
     """
     distance = -ln(1 - viscosity_number / STICKS_FROM)
     root = _polynomial(_NUMERATOR, distance) / _polynomial(_DENOMINATOR, distance)

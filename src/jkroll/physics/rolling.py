@@ -63,7 +63,7 @@ def rolling_friction_coefficient(
         μ_roll = M/(R(P + 2P_c))
 
     Source:   LAMMPS, pair_style granular, rolling sds: the spring's force is at most μ_roll(P + 2P_c).
-    Valid:    This load.
+    Valid:    At this load.
     """
     return yield_moment / (reduced_radius * (load + 2 * pull_off_force))
 

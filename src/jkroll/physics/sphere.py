@@ -44,7 +44,7 @@ def elastoadhesive_ratio(
 
         κ = w/(E*R)
 
-    Source:   JKR of a rigid sphere depends on w, E* and R by it alone.
+    Source:   JKR with a rigid sphere depends on w, E* and R through κ alone.
     """
     return work_of_adhesion / (contact_modulus * indenter_radius)
 
@@ -251,7 +251,7 @@ def contact_over_sphere_of_ratio(*, elastoadhesive_ratio: Number) -> Number:
         a0/R = (9πκ/2)^(1/3)
 
     Source:   Eq (2). The contact of a sphere of true shape is always narrower than the sphere.
-    Valid:    Above 1 the surface tension of the solid shapes a sphere so soft.
+    Valid:    Above 1 the surface tension of the solid shapes so soft a sphere.
     """
     return cbrt(9 / 2 * pi * elastoadhesive_ratio)
 

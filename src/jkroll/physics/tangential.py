@@ -144,8 +144,8 @@ def peeling_over_sliding(*, peeling_force: Force, shear_strength: Stress, peelin
 
         T/(πa_T²τ)
 
-    Source:   While T rises, the contact shrinks and T/(πa²τ) grows: it slides first if that reaches 1 before the
-              contact peels.
+    Source:   While T rises, the contact shrinks and T/(πa²τ) grows: it slides first if this ratio reaches 1 before
+              the contact peels.
     """
     return peeling_force / (pi * shear_strength * peeling_radius**2)
 

@@ -104,7 +104,7 @@ def held_on_surfaces(
     """Return the pull-off force of real surfaces: as measured, or else a guess from SiO2 after the words `hold`."""
     forces = on_surfaces(frame, ends)
     if LIKE_SIO2 in forces:
-        like = "of R ≥ 1 µm (not measured at this size)" if is_below_measured(frame) else f"({FRACTION_HELD})"
+        like = "of 5 µm and more (not measured at this size)" if is_below_measured(frame) else f"({FRACTION_HELD})"
         return f"{hold} {span('pull_off_force', *forces[LIKE_SIO2], form)} if like SiO2 {like}"
     held = (f"{span('pull_off_force', *ends, form)} ({surface})" for surface, ends in forces.items())
     return f"real surfaces hold {', '.join(held)}"
@@ -114,7 +114,7 @@ def about_surfaces(frame: Frame) -> str:
     """Return the fractions of JKR's pull-off force that were measured, and the surfaces they belong to."""
     energy = amount("surface_energy", ENERGY_ON_SURFACES)
     if LIKE_SIO2 in on_surfaces(frame):
-        return f"{FRACTION_HELD}, as SiO2 of R ≥ 1 µm held at {energy}"
+        return f"{FRACTION_HELD}, as SiO2 of 5 µm and more held at {energy}"
     parts = "; ".join(f"{name} {surface.fraction} ({surface.spheres})" for name, surface in SURFACES.items())
     of_energy = "" if has_given_energy(frame) else f" at γ = {energy}"
     return f"fractions of JKR's force{of_energy}, scaled to {amount('radius', frame['radius'])}: {parts}"

@@ -71,7 +71,7 @@ def lead_of_rows(groups: Sequence[Shown], names: Collection[str]) -> str:
     if "meniscus_force" in names:
         return "take the larger of P_c and F_men, not their sum"
     is_rough = any(is_anywhere(may_be_rough(frame)) for frame, _ in groups)
-    held = f"SiO2 held {FRACTION_HELD} (R ≥ 1 µm; smaller ones were not measured)"
+    held = f"SiO2 of 5 µm and more held {FRACTION_HELD}"
     limit = f"P_c is that of ideally smooth spheres, an upper limit; real ones hold less: {held}"
     return limit if is_rough else ""
 
