@@ -1,4 +1,4 @@
-"""The script `jkroll` and `python -m jkroll`. Imports come late, so that an interrupt ends them silently, too."""
+"""The script `jkroll` and `python -m jkroll`. An interrupt ends even the imports silently."""
 
 import gc
 import os
@@ -17,7 +17,7 @@ def run() -> None:
     import signal
 
     signal.signal(signal.SIGINT, signal.SIG_DFL)
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # no matrices are multiplied, so threads are useless
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # matrices are small, so threads are useless
     code = _main()()
     from .errors import FAILED
 
@@ -26,11 +26,11 @@ def run() -> None:
             stream.flush()
         except OSError:
             code = code or FAILED
-    os._exit(code)  # all is written, and an orderly shutdown would take a tenth of a call
+    os._exit(code)  # all output is written, and an orderly shutdown would take a tenth of the time of a call
 
 
 def _main() -> Callable[[], int]:
-    """Return the function that a shell asks for: to complete a word, to print a completion script, or to answer."""
+    """Return the function that runs the call: it completes a word, handles completion scripts, or answers."""
     if asked := os.environ.get("_JKROLL_COMPLETE"):
         from .cli import completion
 

@@ -22,7 +22,7 @@ class JkrollError(Exception):
 
     @property
     def fault(self) -> str:
-        """The key of rows that a note counts: the phrase, and the first words of the mistake, which quote no value."""
+        """The key by which a note counts failed rows: the phrase and the first three words of the mistake."""
         return " ".join([self.phrase, *self.mistake.split()[:3]]) if self.phrase else str(self)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -31,7 +31,7 @@ class JkrollError(Exception):
 
 
 def _unpickled(cls: type[JkrollError], arguments: tuple[Any, ...], attributes: Mapping[str, Any]) -> JkrollError:
-    """Return an error of a class with some attributes, without calling `__init__`."""
+    """Return an error of a class with these arguments and attributes, without calling `__init__`."""
     error = cls.__new__(cls, *arguments)
     vars(error).update(attributes)
     return error

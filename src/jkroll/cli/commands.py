@@ -36,7 +36,7 @@ _CURVE = (
 _AS_TEXT = "Output as JSON, CSV or Markdown"
 _LISTED = (Options.json.but(help=_AS_TEXT), Options.csv.but(help=_AS_TEXT), Options.md.but(help=_AS_TEXT))
 _CITE = Options.cite.but(help="Show the BibTeX entries of the data")
-_SAID = "End the caption with sources; suppress notes"
+_IN_CAPTION = "End the caption with sources; suppress notes"
 AXES = (Options.x, Options.y)
 PICTURE = (
     Options.mark,
@@ -47,8 +47,8 @@ PICTURE = (
     Options.uncaptioned.but(help=Options.plain.help),
     Options.plain,
     Options.file,
-    Options.cite.but(help=_SAID),
-    Options.quiet.but(help=_SAID),
+    Options.cite.but(help=_IN_CAPTION),
+    Options.quiet.but(help=_IN_CAPTION),
 )
 TABLE = (
     Options.target.but(flag="--output", short="-o", help="Output file (written atomically)"),
@@ -195,7 +195,7 @@ def _options_of_fit() -> tuple[Option[Any], ...]:
     return (*map(_input, _OF_CURVES), *FIT)
 
 
-_SCENE = "[MATERIAL] [RADIUS]..."
+_PAIR = "[MATERIAL] [RADIUS]..."
 
 
 def _question(
@@ -203,7 +203,7 @@ def _question(
 ) -> Command:
     """Return the command of a question. `others`: its own options, between those of inputs and of the output."""
     quantities = () if name == "report" else QUESTIONS[name].quantities
-    return Command(name, sentence, _SCENE, lambda: (*input_options(quantities), *others, *OUTPUT), runner, example, job)
+    return Command(name, sentence, _PAIR, lambda: (*input_options(quantities), *others, *OUTPUT), runner, example, job)
 
 
 _COMMANDS = (

@@ -211,7 +211,7 @@ def _materials(begun: str) -> list[str]:
 
 
 def _quantities(_: str) -> Iterable[str]:
-    """Iterate over the quantities with a formula, without variants."""
+    """Iterate over quantities with an equation in the paper, or without limits to their values; skip variants."""
     for name, quantity in NOMENCLATURE.items():
         if not quantity.is_word and not quantity.variant_of and (quantity.equation or quantity.range is ANY):
             yield name

@@ -51,8 +51,8 @@ class FileFitter(NamedTuple):
     known: Known
     materials: Materials
     columns: tuple[str, ...]
-    form: str
-    mark: str
+    form: str  # the value of --format
+    mark: str  # the value of --delimiter
 
     def fitted(self, path: str) -> FileFit:
         """Return the fit of a file, or its error."""
@@ -191,7 +191,7 @@ def _as_typed(call: Call, names: Sequence[str]) -> list[str]:
 
 
 def _is_known(fitted: Fit, name: str) -> bool:
-    """Return whether the error of a result is small enough to type the result with it."""
+    """Return whether the error of a result is small enough for the result to be an input of the next command."""
     return name in fitted.values and fitted.errors[name].total < _LARGEST_ERROR * fitted.values[name]
 
 

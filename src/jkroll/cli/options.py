@@ -28,8 +28,8 @@ class Option(Generic[Value]):
     """An option of a command: `Options.quiet` is the option, `call.quiet` its value in a call.
 
     An option without a `metavar` is a switch. Otherwise its value is an integer from 1 to `most`, a text if `most` is
-    0, or a tuple of texts if the option `repeats`. The help lists options by `group`, and `hidden` options without a
-    meaning. The option of an input has no `help`: its meaning is the sentence of the nomenclature.
+    0, or a tuple of texts if the option `repeats`. The help lists options by `group`, and `hidden` options by their
+    flags alone. The option of an input has no `help`: its meaning is the sentence of the nomenclature.
     """
 
     def __init__(

@@ -1,7 +1,7 @@
 """The command line as a process: it reads the words, runs the command, and prints an error as a line.
 
 The command comes first, then its arguments and options in any order: `--to nN`, `--to=nN`, `-o x.csv` or `-ox.csv`. A
-value that begins with a hyphen needs `=`, unless it is a negative number. All words after `--` are arguments.
+value that begins with a hyphen needs `=`, unless it is `-` or a negative number. All words after `--` are arguments.
 """
 
 import errno
@@ -23,7 +23,7 @@ from ..text import closest, first_of, quoted, say, say_wrapped, shown
 from .commands import COMMANDS, Action, Command, flags_of, help_of
 from .options import DEBUG, HELP, VERSION, Option
 
-BROKEN_PIPE = 141
+BROKEN_PIPE = 141  # exit code if the reader of stdout ends: in a shell, 128 + SIGPIPE
 
 # Words of other programs that are understood here. Options may also be names and symbols of quantities.
 SYNONYMS: Mapping[str, str] = {

@@ -1,4 +1,4 @@
-"""The program as a typer application, which installs completion, documents the commands and serves CliRunner.
+"""The program as a typer application, which installs completion, documents the commands and serves typer's CliRunner.
 
 The words and options that typer has read are joined into a command line again, which `process` runs.
 """

@@ -11,7 +11,7 @@ from .values import Measured, Uncertain, ends_of, middle
 DIGITS = 6  # significant digits of a rounded value
 RESULT_DIGITS = 4  # digits of a result in a table for readers
 ROUND_DIGITS = 12  # digits that show a round value in full, but not its rounding error
-_PLAIN = 10**DIGITS  # numbers from 1 to below this are written without an exponent
+_PLAIN = 10**DIGITS  # numbers from 1 to less than this one are written without an exponent
 _ERRORS = 1e-14  # on a linear scale, a number below this fraction of the largest is written as 0
 _NARROW = 0.05  # relative width; the ends of a narrower range have three digits
 _PREFIXES = dict(

@@ -37,7 +37,7 @@ class Law:
         source: str,  # the reference of results without an equation in the paper
         tables: Mapping[str, Routes],
         omits: frozenset[str] = frozenset(),  # quantities not shown under this law
-        by_spacing: frozenset[str] = frozenset(),  # formulas whose values the atomic spacing determines if λ < 1
+        by_spacing: frozenset[str] = frozenset(),  # formulas whose values rest on the atomic spacing if Maugis' λ < 1
         profile: str = PARABOLOID,
     ) -> None:
         self.name, self.title, self.source, self.profile = name, title, source, profile

@@ -164,7 +164,8 @@ OF_WATER: Mapping[str, Quantity] = {
 
 # --- All quantities ---------------------------------------------------------------------------------------------------
 
-# Inputs that replace the properties of two spheres. No hint offers them, since users know the radii of their spheres.
+# Inputs that replace the properties of two spheres. The help lists them as further options, since users know the radii
+# of their spheres.
 OF_THE_PAIR = ("reduced_radius", "contact_modulus")
 
 # Inputs that set the state of the contact; without them the state follows from the load.
@@ -412,7 +413,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
 
 
 def _variants() -> dict[str, Quantity]:
-    """Return a variant for each formula of a law without an entry above, by name; none has an equation in the paper."""
+    """Return a variant for each formula that has no entry above, by name; no variant has an equation in the paper."""
     variants = {}
     for name, quantity in _QUANTITIES.items():
         symbol, unit, sentence, may_be_zero = quantity.symbol, quantity.unit, quantity.sentence, quantity.may_be_zero
@@ -522,7 +523,7 @@ def named(word: str, names: Collection[str] = NOMENCLATURE) -> str:
 
 
 def with_symbol(word: str, names: Collection[str] = NOMENCLATURE) -> list[str]:
-    """Return the quantities among `names` that have a word as their symbol.
+    """Return the quantities among `names` whose symbol is a given word.
 
     If no symbol is equal to the word, letter case, underscores and spaces are ignored and Greek letters may be spelt
     out. The index of sphere 1 may be left out. Variants are skipped, since they share the symbol of their quantity.

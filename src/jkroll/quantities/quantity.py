@@ -32,9 +32,9 @@ class Quantity:
         equation: str = "",  # the number of its equation in the paper
         range: Range = ANY,  # of accepted values
         infinity: str = "",  # the word for an infinite value
-        option: str = "",  # on the command line
+        option: str = "",  # the flag on the command line
         example: str = "",  # a value as typed
-        note: str = "",  # the difference from a similar quantity
+        note: str = "",  # a remark, such as the difference from a similar quantity
         definition: str = "",  # for one of several conventions: its formula, in the symbols of this project
         reference: str = "",  # the paper or code of a convention
         may_be_zero: bool = False,  # True if a result of exactly 0 is a value, not an underflow

@@ -65,7 +65,7 @@ class Result(Numeric):
         self.name, self.value, self.reason, self.code, self.error = name, value, reason, code, error
         self.bar, self.law = bar, law
         self.equation = equation if law else NOMENCLATURE[name].equation
-        self.growth: float | None = None  # of an inferred value, as is the next
+        self.growth: float | None = None  # of an inferred value only, as is `by_law`
         self.by_law: Mapping[str, float] = {}  # the value by each other law
 
     def __repr__(self) -> str:
@@ -263,7 +263,7 @@ class Answer(Results):
 
     @cached_property
     def by_law(self) -> Mapping[str, Mapping[str, Any]]:
-        """Inferred values with uncertainties, by each law whose formulas for the measured quantities differ."""
+        """Inferred values with uncertainties, by each law whose formulas differ from those of the law in use."""
         by_law: dict[str, Mapping[str, Any]] = {}
         unknowns = self.described.unknowns
         if not unknowns or not self.values or self.ended:
@@ -282,9 +282,9 @@ class Answer(Results):
     def exceeded(self) -> list[Doubt]:
         """The limits of the model that are exceeded, the most important first.
 
-        Limits that make results meaningless come first, led by a contact wider than its sphere; then limits of the
-        headline; then the others. In each group, limits on a state (with threshold 0) come first, then limits with a
-        remedy, then the others, each by falling excess.
+        Limits that make results meaningless come first, led by a contact wider than its sphere; then limits that
+        concern the headline; then the others. Each group begins with limits on a state, whose threshold is 0, then has
+        limits with a remedy, then the others, all by falling excess.
         """
         return sorted((doubt for doubt in self.validity if doubt.is_exceeded), key=self._rank)
 
@@ -309,8 +309,8 @@ class Answer(Results):
     def _is_of_headline(self, limit: Limit) -> bool:
         """Return whether a limit concerns the headline.
 
-        The limit of the law concerns it if a better law gives it a different value. A limit on a result itself, such as
-        a negative force, always concerns it.
+        The limit of the law concerns the headline if a better law gives it a different value. A limit on a result
+        itself, such as a negative force, always concerns the headline.
         """
         if limit.name in limit.touches and limit.name in self.values:
             return True
@@ -347,13 +347,16 @@ class Answer(Results):
 
     @property
     def shows_surfaces(self) -> bool:
-        """True if the table has rows for real surfaces: the headline has the pull-off force, and they may hold less."""
+        """True if the table has rows for real surfaces.
+
+        The headline then has the pull-off force, no law is stated, and real surfaces may hold less than smooth ones.
+        """
         is_asked = "pull_off_force" in self.question.headline and "pull_off_force" in self.values
         return is_asked and not self.frame.stated_model and bool(may_be_rough(self.frame))
 
     @property
     def is_on_pull_off(self) -> bool:
-        """True if the pull-off force alone is the headline, and real surfaces may hold less."""
+        """True if the pull-off force alone is the headline, and the table has rows for real surfaces."""
         return self.shows_surfaces and self.question.headline == ("pull_off_force",)
 
     @cached_property

@@ -46,7 +46,7 @@ from .answer import Answer
 from .inferred import lack_by_better_law
 
 _MOST = 3  # results in a note
-_ALIKE = 0.01  # relative difference of radii below which nothing is scaled
+_ALIKE = 0.01  # relative difference of radii below which a measurement is not scaled
 
 
 def lines_on_rules(rules: Iterable[int]) -> Iterator[str]:
@@ -190,10 +190,10 @@ _Errors = Mapping[str, dict[str, list[float]]]  # by side and name: relative err
 def _errors(answer: Answer) -> _Errors:
     """Return how far the law in use is above and below the better law's ranges.
 
-    It is empty if a value lies inside its range, or if an input is uncertain.
+    The mapping is empty if a value lies inside its range, or if an input is uncertain.
     """
     errors: _Errors = {"high": {}, "low": {}}
-    seen = set[float]()  # the table does not repeat a value
+    seen = set[float]()  # equal values have one row in the table, so they count once
     for name, estimate in answer.estimates.items():
         value = answer.values.get(name, nan)
         if estimate.by != BETTER_LAW or name in answer.question.without_row or value in seen:
@@ -311,7 +311,7 @@ def _xi_unknown(answer: Answer) -> Iterator[str]:
 
 
 def of_silica(answer: Answer) -> str:
-    """Return the headline's ranges as they would be for SiO2, on which rolling was measured; empty if it has none."""
+    """Return the headline's ranges for SiO2, on which rolling was measured; empty if none is scaled from it."""
     silica = Frame(answer.frame.stated, known_materials()["quartz"])
     if not isinstance(answer.frame.given.get("radius"), float):
         return ""

@@ -72,10 +72,10 @@ def loads_of(text: str) -> Loads:
 
 
 def states(frame: Frame, loads: Loads | None = None, steps: int = STEPS) -> list[State]:
-    """Return the states of a frame's force curve, by rising approach, or by rising load if the load sets the state.
+    """Return the states of a frame's force curve, by rising value of the input that sets a state, see `_SET_BY`.
 
-    Without `loads` the curve ends at (16/9)P_c. It has `steps` states on the stable branch, half as many where only
-    fixed grips hold the contact, and the named states.
+    Without `loads` the curve ends at (16/9)P_c. It has `steps` steps along the stable branch, half as many between a
+    vanishing contact and pull-off if the law has these states, and the named states.
     """
     try:
         given, at_load = _SET_BY.get(frame.law.name, ("load", "load"))
@@ -102,13 +102,13 @@ def states(frame: Frame, loads: Loads | None = None, steps: int = STEPS) -> list
         path = [*_without_contact(frame, path[0].value, half), *path]
     if loads is None:
         return path
-    slack = 1e-12 * max(abs(end) for end in loads if isfinite(end))  # the load of a state is recovered up to rounding
+    slack = 1e-12 * max(abs(end) for end in loads if isfinite(end))  # the load computed for a state has rounding errors
     lowest, highest = low - slack, high + slack
     return [state for state in path if state.name == "stable" or lowest <= state.in_frame(frame)["load"] <= highest]
 
 
 def _named(frame: Frame) -> dict[str, float]:
-    """Return the inputs that set the named states; a fold without contact has 0."""
+    """Return the value of the input that sets each named state; it is 0 for a fold without contact."""
     if frame.law.name == "jkr":
         return {**NAMED}
     if frame.law.name == "dmt":

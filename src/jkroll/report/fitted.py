@@ -24,7 +24,7 @@ _ABSENT, _UNBOUNDED = "–", "∞"
 _SCALED = {"J/m^2": "J/m", "Pa": "Pa m^0.5"}  # units of wR and E*√R, by those of w and E*
 _WITHOUT_RADIUS = {"work_of_adhesion_opening": "wR_open", "work_of_adhesion_closing": "wR_close",
     "adhesion_hysteresis": "ΔwR", "contact_modulus": "E*√R"}  # fmt: skip
-_VARIANTS = {"": "", "sphere": " for a sphere", "z0/2": " at z0/2"}  # of a law, in words
+_VARIANTS = {"": "", "sphere": " for a sphere", "z0/2": " at z0/2"}  # variants of a law, in words
 
 
 def unit_of_result(fitted: Fit, name: str) -> str:
@@ -110,7 +110,7 @@ def _cells(fitted: Fit, name: str, errors: Sequence[float | None]) -> tuple[list
 
 
 def _error_in_words(error: float) -> str:
-    """Return the text of an error, nan if it was not computed."""
+    """Return an error with two digits; a dash stands for nan, an error that was not computed."""
     if isfinite(error):
         return significant(error, 2, zeros=True)
     return _ABSENT if isnan(error) else _UNBOUNDED
@@ -194,7 +194,7 @@ def _about_laws(fitted: Fit) -> Iterator[str]:
 def _about_errors(fitted: Fit) -> Iterator[str]:
     """Iterate over at most one sentence: the main source of the error of E*, unless it is noise.
 
-    If the spring is this source, a remark says so.
+    There is no sentence if the remark "lever-decides" already names the spring as the source.
     """
     if "lever-decides" in fitted.remarks:
         return

@@ -108,7 +108,7 @@ def about_limit(doubt: Doubt, answer: Answer) -> str:
 
 
 def about_inferred(answer: Answer) -> Iterator[Note]:
-    """Iterate over notes on inferred values: unusual sizes, unused data of materials, and a forward check."""
+    """Iterate over notes: unusual inferred values, unused data of materials, and the quantities that they give."""
     if not answer.described.unknowns or not answer.values:
         return
     frame, values = answer.frame, answer.values

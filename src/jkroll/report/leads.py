@@ -151,7 +151,7 @@ def _filled(sentence: str, answer: Answer) -> str:
 def _is_from_forces(answer: Answer) -> bool:
     """Return whether the headline comes from measured rolling forces alone although a surface energy was given.
 
-    A bend follows from ξ, which is such a force over the surface energy.
+    The radius of a bend follows from ξ, a measured force divided by the surface energy, so it depends on γ, too.
     """
     rolled = what_rolled(answer.frame)
     if rolled is None or rolled.name == XI or not has_given_energy(answer.frame) or "r_min" in answer.question.headline:

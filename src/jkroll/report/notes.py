@@ -62,7 +62,7 @@ _UNLIKE = 3.0  # ratio of two surface energies above which their geometric mean 
 _MAX_NOTES = 1  # below results, in addition to the warning
 _MAX_LENGTH = 154  # characters of a note: two lines of a terminal
 _MAX_CODES = 4  # codes of doubts in a note
-_MOST_IN_WORDS = 2  # quantities that a note names by their meaning; it has the symbols of more
+_MOST_IN_WORDS = 2  # largest number of quantities that a note names in words; it gives the symbols of more quantities
 
 
 # --- Inputs -----------------------------------------------------------------------------------------------------------
@@ -181,8 +181,8 @@ def about_middles(uncertain: "Mapping[str, Uncertain]") -> Iterator[Note]:
 def about_values(frame: Frame, names: Collection[str]) -> Iterator[Note]:
     """Iterate over notes on values.
 
-    They concern a measured breaking energy, chains of unlike spheres, spheres bound without touching, and the loss that
-    ξ requires.
+    The notes concern a measured breaking energy, chains of unlike spheres, spheres bound without touching, and the
+    loss that ξ requires.
     """
     if "break_energy_dust_simulation" in names and solid_of_pair(frame) == SIO2:
         measured = "for spheres of 1.9 µm diameter, Blum & Wurm 2000 (Icarus 143, 138) use a measured 1.3e-15 J"
@@ -316,8 +316,8 @@ def notes_on_rows(groups: Sequence[Shown], tally: "Tally", reported: int) -> lis
 def notes_below(groups: Sequence[Shown], tally: "Tally", reported: int, *, is_table: bool) -> list[Note]:
     """Return the notes to print below rows.
 
-    `reported`: the bits of the doubts to report; `is_table`: True to report only those that make a result meaningless,
-    because other lines explain the codes in a table.
+    `reported`: the bits of the doubts to report; `is_table`: True to report only doubts that make a result meaningless,
+    because other lines explain the other codes of a table.
     """
     return notes_on_rows(groups, tally, reported & ENDING_MEANING if is_table else reported)
 

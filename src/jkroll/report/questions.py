@@ -99,7 +99,7 @@ _QUESTIONS = {
         "yield_moment",
         "yield_moment yield_displacement unloaded_moment half_circles_moment fixed_approach_moment rolling_stiffness "
         "mean_rolling_moment mean_rolling_force",
-        without_row="half_circles_moment fixed_approach_moment",  # approximations of the first
+        without_row="half_circles_moment fixed_approach_moment",  # other values of the yield moment
         leads="a moment of {yield_moment} starts rolling: the threshold for a simulation\n"
         "once it rolls, the moment builds up to that again and again; its mean is half of it, {mean_rolling_moment}",
     ),
@@ -131,7 +131,7 @@ QUESTIONS: Mapping[str, Question] = {
         "sticking_energy sticking_energy_paszun_dominik sticking_energy_pencil_code roll_energy "
         "roll_energy_quarter_turn roll_energy_half_turn sticking_speed sticking_speed_paszun_dominik "
         "sticking_speed_pencil_code",
-        # nearly equal to the work with fixed grips: U
+        # U is nearly equal to the work with fixed grips; the others are units or conventions of other authors
         without_row="fold_energy well_energy break_energy_dust_simulation sticking_energy_paszun_dominik "
         "sticking_energy_pencil_code sticking_speed_paszun_dominik sticking_speed_pencil_code",
         leads="parting the spheres takes {pull_off_work} with fixed grips, {pull_off_work_at_dead_load} at a dead "

@@ -117,14 +117,14 @@ class Report(Answer):
         return tuple(notes)
 
     def doubts(self, *, has_leads: bool = False) -> list[Note]:
-        """Return a note for each exceeded limit of the model, in the order of `exceeded`.
+        """Return a note for each exceeded limit except that of the law, which the best ranges show; see `exceeded`.
 
         `has_leads`: True if the sentences that answer the question are shown, too.
         """
         notes = []
         for doubt in self.exceeded:
             if doubt.limit is LAW:
-                continue  # the best ranges show it
+                continue
             severity: Severity = "more"
             text = self._subject_of(doubt.limit) + self.about(doubt)
             if has_leads and self._is_in_leads(doubt):
@@ -144,7 +144,7 @@ class Report(Answer):
         return f", by {self.frame.law.short}"
 
     def _is_in_leads(self, doubt: Doubt) -> bool:
-        """Return whether the first sentences include the consequence of a limit: which turns have too little energy."""
+        """Return whether the answering sentences already tell that the energy is too small for rolling."""
         return doubt.limit.name == "energy_over_yield" and self.question.headline == ("n_roll",)
 
     def _is_in_ranges(self, doubt: Doubt) -> bool:

@@ -187,7 +187,7 @@ def write_quantities(
     """Write a list of quantities in a format, or a single one in full.
 
     `commands_taking`: returns the commands that take a quantity as an input; `most`: the number of quantities that a
-    table describes; it only names further ones.
+    table describes; a line below the table names the others.
     """
     is_single = len(names) == 1
     if output == "json" and is_single:

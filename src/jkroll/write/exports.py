@@ -1,8 +1,8 @@
 """Contacts as input for other programs: LAMMPS, LIGGGHTS, DustCollider and DustSimulation, in SI or cgs units.
 
-In LAMMPS they are contacts of pair_style `granular`. Its rolling friction is a spring F = kξ with the cap μ|P + 2P_po|
-and the torque FR; sliding and twisting have similar caps. Comments are ASCII, because LAMMPS warns about other
-characters.
+In LAMMPS, contacts have the pair_style `granular`. Its rolling friction is a spring with the force F = kξ, which is at
+most μ|P + 2P_c|, and with the torque FR: ξ is the rolling displacement, P the load, P_c the pull-off force and R the
+reduced radius. Sliding and twisting have similar limits. Comments are ASCII, because LAMMPS warns about other signs.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -20,7 +20,7 @@ from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE,
 from ..text import ascii_text, wrapped
 
 SKIN = 0.2  # skin of the neighbor lists, in units of the smaller radius
-LEAST_SKIN = 0.4  # least skin in units of δ0: LAMMPS breaks a contact before its gap is this wide
+LEAST_SKIN = 0.4  # least skin, over the approach without load: LAMMPS breaks a contact at a smaller gap
 WIDTH = 78  # of comments, after "# "
 NO_SLIP = 1e9  # a coefficient of friction that prevents slip, for laws without a sliding force
 
@@ -48,7 +48,7 @@ reduced radius.
 timestep [s] and thresholds are for the P above: \
 where collisions press harder, give their largest force as --load. Each line is explained in jkroll guide dem
 """
-_EARLY = 0.7028  # sticking speed of JKR in LAMMPS, over that of JKR
+_EARLY = 0.7028  # sticking speed of LAMMPS' JKR contact, which breaks early, over that of JKR
 _OF_COLLISIONS = """\
 # LAMMPS breaks a contact early, at 3 pi gamma R: its grains stick only below {slow:.3g} m/s{place}, \
 0.7028 of JKR's v_stick.
@@ -224,7 +224,8 @@ def _spaced(numbers: Iterable[float]) -> str:
 def _energy_density(pair: Frame) -> float:
     """Return the cohesion energy density k of a pair, in J/m³.
 
-    With A = cδ the least force is −(kc)³/(12E*²R); c is 4πR for two spheres and 2πR1 at a wall.
+    With the contact area A = cδ at the overlap δ, the least force is −(kc)³/(12E*²R); c is 4πR for two spheres and 2πR1
+    at a wall.
     """
     modulus, radius, force = pair["contact_modulus"], pair["reduced_radius"], pair["pull_off_force"]
     area = (2 if _is_at_wall(pair) else 4) * pi * radius  # A/δ = c
@@ -232,7 +233,7 @@ def _energy_density(pair: Frame) -> float:
 
 
 def _refuse_state(frame: Frame, program: str) -> None:
-    """Raise BadRequest for a load or an approach, since the program computes them itself."""
+    """Raise BadRequest for a given load or approach, since the program computes both."""
     if not STATE.isdisjoint(frame.stated) or frame.values["load"]:
         raise BadRequest(f"export: {program} finds the load by itself; give none")
 

@@ -55,7 +55,7 @@ def whole_file(path: str, mark: str = "") -> Iterator[BinaryIO]:
 
 @contextmanager
 def _removed_at_last(path: str) -> Iterator[BinaryIO]:
-    """Open a new file for a block; remove it after the block, or if a signal ends the process."""
+    """Open a new file; unless the block renames it, remove it after the block, or if a signal ends the process."""
     ours = [path]  # set before `open`, since a signal may arrive between the creation of the file and the return
 
     def remove() -> None:

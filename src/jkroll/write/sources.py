@@ -31,7 +31,7 @@ _SECTIONS = ("Source", "Valid")
 _NO_POWER = 1e-4  # a smaller exponent is a rounding error
 _LESS = 1 - 1e-5  # factor by which an input is changed to find its power; its inverse at the lower end of a range
 _INDENT = 12  # indent of the text of a fact
-_STEP_INDENT = 27  # indent of the text beside the value of an input or a step
+_STEP_INDENT = 27  # indent of the remark next to the value of an input or a step
 
 
 def docstring_fields(formula: Any) -> dict[str, str]:

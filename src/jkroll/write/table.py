@@ -55,8 +55,8 @@ if TYPE_CHECKING:
 _LEAST, _MOST, _LARGEST = 0.25, 2000, 10000
 _SAME = 1e-12  # a range with a smaller relative width is shown as one number
 _BEST_RANGE = "best range"
-_ON_SURFACE = "surface"  # the rule for a pull-off force on a surface
-_OF_LAW = f" by {LAWS[DEFAULT_LAW].short}"  # suffix of the head of a column beside that of the best range
+_ON_SURFACE = "surface"  # the rule shown for a pull-off force of real spheres
+_OF_LAW = f" by {LAWS[DEFAULT_LAW].short}"  # suffix of the header of JKR's column, which is adjacent to the best range
 _CODES = 24  # codes with more characters are shortened in a narrow table
 _OF_MATERIALS = {"material": [*PROPERTIES], "material2": [of_sphere(2, name) for name in PROPERTIES]}
 # Inputs that follow from others have no column unless they were typed. γ of a material keeps its column.
@@ -208,8 +208,8 @@ def _rows(answer: "Report", form: Format) -> _Rows:
     for result in answer.results:
         name, quantity = result.name, NOMENCLATURE[result.name]
         key = result.value, quantity.unit
-        is_known = name in answer.lacking if result.value is None else key in shown
-        if name not in names or (is_known and name not in answer.question.named):
+        is_redundant = name in answer.lacking if result.value is None else key in shown
+        if name not in names or (is_redundant and name not in answer.question.named):
             continue
         shown.add(key)
         estimate = answer.estimates.get(name)
@@ -461,7 +461,7 @@ def _of_quantity(
 def _best(columns: "Columns", name: str, form: Format) -> tuple[list[TextColumn], list[float]]:
     """Return the columns of the best range of a quantity and of its rule, and the rule of each row.
 
-    There are none if every range comes from the law in use or from a definition.
+    The columns are left out if all ranges come from a definition, from the law in use or from any law.
     """
     if not columns.wanted.best_of(name):
         return [], []

@@ -38,7 +38,10 @@ class Lines:
         is_plain: bool = False,
         has_commas: bool = False,
     ) -> None:
-        """`is_plain`: True to leave out quotes, doubts and status; `has_commas`: True for decimal commas."""
+        """`gap`: the text of an empty cell; `is_plain`: True to leave out quotes, doubts and status.
+
+        `has_commas`: True for decimal commas.
+        """
         self.separator, self.gap, self.end = separator.encode(), gap.encode(), end.encode()
         self.has_header, self.is_plain, self.has_commas = has_header, is_plain, has_commas
 
