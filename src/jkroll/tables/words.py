@@ -349,7 +349,7 @@ def _of_spheres(known: Mapping[str, Meaning]) -> dict[str, Meaning]:
 def slips() -> dict[str, str]:
     """Return the words for inputs by their spellings: the right one, and those that lack a letter.
 
-    Two words that share such a spelling differ by a slip: by one letter, or by two exchanged letters.
+    Two words that share such a spelling differ by a slip: one letter is missing, extra, wrong or in another place.
     """
     known = []
     for word, meaning in meanings("").items():
