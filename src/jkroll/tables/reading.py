@@ -3,8 +3,8 @@
 A header is a word with a unit, in one of a few notations: `radius [nm]`, `R2 (nm)`, `Load/nN`, `radius in nm`, `E_GPa`,
 `gamma..mJ.m2.`. Words are compared by letters and digits only, so `Young's modulus` equals `youngsModulus`. Symbols are
 compared as written, or without regard to case if a unit follows; the unit then decides between quantities that share a
-symbol. A header that contains a word for an input, but is not such a word with a unit, is refused. Other columns pass
-through.
+symbol. A header is refused if it contains a word for an input, but is more than that word with a unit. Other columns
+pass through.
 """
 
 import re
@@ -251,7 +251,7 @@ def _of_spread(text: str, measured: str) -> Reading:
 
 
 def _unread(text: str, measured: str, whole: str = "") -> Reading:
-    """Return the reading of a header with words for a spread: UNREAD, for the input that its other words mean.
+    """Return the reading of a header about a spread: the part UNREAD of the input that its other words mean.
 
     `whole`: the whole header, which is not read again.
     """

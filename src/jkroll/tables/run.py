@@ -345,7 +345,10 @@ def _convert_many(path: str, job: Job) -> tuple[Tally, int]:
 
 
 def _pairs(directory: str, path: str) -> list[Pair]:
-    """Return the tables that match a pattern, with their outputs, and make the directory. Raises BadRequest."""
+    """Return the tables that match a pattern, with their outputs, and make the directory.
+
+    Raises BadTable for missing or equally named tables, and BadRequest for an unsuitable directory.
+    """
     folder = directory.rstrip("".join(FOLDER_ENDS))
     is_file = os.path.exists(folder) or format_of_name(directory, WRITTEN) is not None
     if directory == "-" or (is_file and not os.path.isdir(folder)):
