@@ -369,8 +369,8 @@ def answer(
 
     Raises
     ------
-    MissingInput, UnknownMaterial, UnknownQuantity, QuantityError
-        An input is wrong, or a necessary one is missing.
+    BadRequest, MissingInput, UnknownMaterial, UnknownQuantity, QuantityError
+        An input is wrong, or a necessary one is missing, or there are too many scenes.
     NoResult
         There is no contact, or no result at all. If only some results lack a value, each of them has a `reason`.
 
