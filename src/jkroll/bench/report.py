@@ -2,7 +2,8 @@
 
 The ways are those of this package, the equations of the paper, inversions in other codes, and a table of values. The
 equations are written in their simplest form, for doubles and for decimals of 60 digits, which give the exact values.
-The inputs include a load and a pull-off force, or an approach and the approach of an unloaded contact.
+The inputs include a load and a pull-off force, or an approach and the approach of an unloaded contact. Errors are in
+ulp/(1 + κ), where κ is the condition of a quantity (see `exact`), and ulp the distance of its value to the next double.
 """
 
 # ruff: noqa: D102, N803, N806  (names of quantities and the paper's symbols)
@@ -101,16 +102,17 @@ class Equations:
         return 4 * self.pull_off_force(R1, R2, w) * self.factor(P, P_c) * xi
 
     def contact_radius_maugis(self, R1: Any, R2: Any, w: Any, E: Any, z0: Any, P: Any) -> Any:
-        """Return a at a load from Maugis' two equations for a and m = c/a, solved for v = 1/√(m² − 1).
+        """Return the contact radius a at a load, from Maugis' two equations for a and m = c/a.
 
-        The arguments must be decimals.
+        They are solved for v = 1/√(m² − 1), where c is the outer radius of the attractive ring. The arguments must be
+        decimals.
         """
         R, K = self.reduced(R1, R2), 4 * E / 3
         unit_force = self.pi * w * R
         lambda_ = 2 * 16 * w / (9 * self.sqrt(Decimal(3)) * z0) / self.cbrt(self.pi * w * K**2 / R)
 
         def state(v: Any) -> tuple[Any, Any]:
-            """Return the radius and the force at a width of the ring, in Maugis' units."""
+            """Return the contact radius and the load at a value of v, in Maugis' units."""
             m = self.sqrt(1 + 1 / v**2)
             t, angle = 1 / v, _arc_tangent(1 / v)
             ring = lambda_ / 2 * (t + (m**2 - 2) * angle)

@@ -50,10 +50,10 @@ if TYPE_CHECKING:
 class Exceeded:
     """A limit of the model that the answer exceeds; `str` gives its sentence.
 
-    `name` and `value` are those of the quantity that the limit concerns. `limit` is the first threshold: for a law, of
-    the factor between its answer and a better one; for radii, of the smaller radius. `factor` is the factor by which
-    the threshold is exceeded; None if it is infinite, or if the threshold is 0. `ends` names the results that the
-    exceeded limit makes meaningless.
+    `name` and `value` are those of the quantity that the limit concerns. `limit` is the first threshold. The
+    threshold of a law applies to the factor between its answer and a better one, that of radii to the smaller radius.
+    `factor` is the factor by which the threshold is exceeded; None if it is infinite, or if the threshold is 0. `ends`
+    names the results that the exceeded limit makes meaningless.
     """
 
     def __init__(self, text: str, doubt: "Doubt", ends: tuple[str, ...]) -> None:
@@ -369,8 +369,8 @@ def answer(
 
     Raises
     ------
-    MissingInput, UnknownMaterial, UnknownQuantity, QuantityError
-        An input is wrong, or a necessary one is missing.
+    BadRequest, MissingInput, UnknownMaterial, UnknownQuantity, QuantityError
+        An input is wrong, or a necessary one is missing, or there are too many scenes.
     NoResult
         There is no contact, or no result at all. If only some results lack a value, each of them has a `reason`.
 

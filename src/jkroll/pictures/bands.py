@@ -28,7 +28,7 @@ class Band(NamedTuple):
     by: Any  # the rule of each range, as an index into WORDS
 
     def rules(self, where: Callable[[Any], str] = lambda _: "") -> str:
-        """Return the clause that names the rules, each with the place where it applies, in their order."""
+        """Return the clause that names the rules in order of appearance, each with the place where it applies."""
         rules = [rule for rule in dict.fromkeys(self.by.ravel().tolist()) if rule != NONE]
         words: dict[str, int] = {marked(WORDS[rule]): rule for rule in rules}
         texts = []

@@ -35,7 +35,7 @@ _TOLERANCE = 0.005  # largest error of a line, in steps of the mesh
 _HALVINGS = 24  # bisections that find the edge of the part without values
 _BOUNDS = ((0, (4, 2)), (0, (7, 2, 1.5, 2)), (0, (10, 3)), (0, (5, 1.5, 1, 1.5, 1, 1.5)))  # dashes of lines with names
 _ABOUT_TEETH = "the teeth of a line point to where its limit is exceeded"
-_MOST_LABELLED = 2 / 3  # if fewer of the contours have a text, the legend has a scale
+_LEAST_LABELLED = 2 / 3  # if fewer of the contours have a text, the legend has a scale
 _PALE = 0.55  # opacity of the paper's colour in a band of best ranges
 _CERTAIN, _UNCERTAIN = 201, 41  # points along each side for best ranges, without and with uncertain inputs
 _ROUGH = 0.1  # second difference above which an end of best ranges is not linear, over the distance of contours
@@ -348,7 +348,7 @@ class _Drawing:
         texts, _ = self.field.in_words(self.levels)
         count = labels.of_contours(texts, self.contours)
         labels.of_bounds(self.bounds)
-        if count >= _MOST_LABELLED * len(texts):
+        if count >= _LEAST_LABELLED * len(texts):
             return []
         label = self._in_lines(
             f"{symbol(self.field.quantity)} at the contours, in the order of these colours: {', '.join(texts)}"

@@ -113,7 +113,7 @@ def _pressure(frames: Sequence[Frame], _: Loads | None) -> Panel:
 
 
 def _moment(frames: Sequence[Frame], _: Loads | None) -> Panel:
-    """Return the panel of moment without load against ξ, up to the ξ at which JKR's leading edges interpenetrate."""
+    """Return the panel of moment without load against displacement, up to where JKR's leading edges interpenetrate."""
     limit = frames[0].replace(model=DEFAULT_LAW)["displacement_limit"]
     points: list[Mark] = []
     if len(frames) == 1:
@@ -406,7 +406,7 @@ _UNIT = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0}  # forces are then r
 
 
 def figure_laws(materials: Materials, marks: Sequence[str]) -> Picture:
-    """Return the pull-off force over πwR against μ by JKR, DMT, Maugis and Lennard-Jones, with marked grains."""
+    """Return the figure of the pull-off force over πwR against Tabor's μ, by four laws, with marked grains."""
     tabor, near = _TABOR.values(), _LENNARD_JONES.values()
     transition = {"transition_parameter": transition_parameter(tabor_parameter=tabor)}
     ratio = edge_ratio_at_pull_off(**transition)

@@ -29,7 +29,7 @@ class FittedCurve(Shown, Fit):
 
     @property
     def drawn(self) -> Drawn:
-        """The picture of the curve, its residuals and, with a known radius, G."""
+        """The picture of the curve, its residuals and, with a known radius, the energy release rate."""
         return Drawn(picture_of_fit(self, "", caption_of_fit(self)))
 
     def __repr__(self) -> str:
@@ -122,7 +122,7 @@ def _as_sentence(text: str) -> str:
 
 
 def picture_of_fit(fitted: Fit, title: str, caption: Sequence[str]) -> Picture:
-    """Return the picture of a fit. Without a radius, G is scaled and has no panel."""
+    """Return the picture of a fit. Without a radius, the energy release rate is scaled and has no panel."""
     points = {name: column[:: max(1, len(column) // _MOST)] for name, column in fitted.points.items()}
     branches = [*dict.fromkeys(points["branch"].tolist())]
     forces, residuals, rates = list[Curve](), list[Curve](), list[Curve]()

@@ -75,8 +75,8 @@ class Labels:
         """Write each label horizontally onto its contour, at the free position nearest to the middle of the axes.
 
         A label stands on a patch in the picture's colour at that point, so that no hatch runs through it and its minus
-        sign cannot be taken for the contour. A contour without room for a label has none. The number of labels is
-        returned.
+        sign cannot be taken for the contour. A contour without room for a label has none. Return the number of
+        labels.
         """
         count = 0
         every = [_joined(self._dense(self._pixels(path)) for path in paths) for paths in contours]

@@ -312,6 +312,6 @@ def line_of(curve: Curve, number: int, style: Style) -> dict[str, Any]:
         return {"color": pale, "linestyle": "", "marker": marker, "markersize": 3, "markeredgewidth": 0, "zorder": 1.9}
     if len(curve.x) == 1:
         return {"color": colour, "linestyle": "", "marker": MARKERS[number % len(MARKERS)], "markersize": 4}
-    turn = number // len(DASHES)  # of the cycle of dashes; each turn gives a colour different dashes
+    turn = number // len(DASHES)  # when all dashes are used, the cycle is shifted, and a colour gets other dashes
     dashes = "--" if curve.is_dashed else DASHES[(number + turn) % len(DASHES)]
     return {"color": colour, "linestyle": dashes, "linewidth": 1.1}

@@ -102,7 +102,7 @@ def _table(
 
 
 def _on_volts(texts: Iterable[str]) -> str:
-    """Return what to do about the first header with the unit volt, even if `--column` gives it a meaning; else ""."""
+    """Return the problem and the remedy for the first header in volts, even if `--column` names it; "" without one."""
     for text in texts:
         if re.search(_VOLTS, text.strip()):
             remedy = "multiply its numbers by the sensitivity (nm/V), and write the new unit into the header"
@@ -115,7 +115,7 @@ def _lacking(missing: str, x_name: str, header: Header) -> BadTable:
     check_has_names(header)
     names = ["approach_at_load", "lever_travel"]
     if missing == "force":
-        force = "load" if x_name == "contact_radius_at_load" else "lever_force"  # lenses are loaded, levers are bent
+        force = "load" if x_name == "contact_radius_at_load" else "lever_force"  # lenses are loaded, and levers bend
         names = [force, "lever_deflection"]
     used = {*header.positions.values()}
     options = []
@@ -152,9 +152,9 @@ def _curve(table: CurveTable, records: list[Records], stiffness: float | None) -
 
 
 def _numbers(column: Column, records: list[Records]) -> tuple[Any, Any]:
-    """Return the SI numbers of a column, nan for other cells, and their errors, or None if no number has an error.
+    """Return the SI numbers of a column and their errors; None in place of the errors if no number has one.
 
-    A missing error is replaced by the median error.
+    A cell without a number is nan, and a missing error is replaced by the median error.
     """
     values, errors = [], []
     for block in records:

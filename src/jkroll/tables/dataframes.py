@@ -60,7 +60,7 @@ class Data:
         return next(iter(sizes.values()), 1)
 
     def use(self, heads: Iterable[str]) -> None:
-        """Take the headers of the columns to read. Only the rows of an xarray Dataset depend on them."""
+        """Note which columns are read. Only the rows of an xarray Dataset depend on that."""
 
     def with_columns(self, added: Added) -> Any:
         """Return a table of the same type, with the same labels and more columns."""

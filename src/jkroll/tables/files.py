@@ -304,7 +304,7 @@ class Delimited:
     """A table whose cells are divided by separators."""
 
     def __init__(self, separator: str, *, excel_safe: bool = False, as_markdown: bool = False) -> None:
-        """`separator`: the mark between cells; a blank if tabs have replaced the blanks, as in the output.
+        """`separator`: the mark between cells. With a blank, the input must have tabs in place of its blanks.
 
         `excel_safe`: True to write text so that a spreadsheet does not take it for a formula.
         `as_markdown`: True to write Markdown.
@@ -460,7 +460,7 @@ class Delimited:
             self.sample = [[cell.replace(",", ".") for cell in row] for row in self.sample]
 
     def head(self, added: Sequence[str]) -> bytes:
-        """Return the lines above the rows: the header with the added columns, and the row of units if there is one."""
+        """Return the lines above the rows: the header with the added columns, and any rows of units and comments."""
         lines = [self.writer.header(added, [self.header])]
         for line, status in self.above:
             lines.append(self.writer.rows(added, [*[None] * (len(added) - 1), status], [line]))

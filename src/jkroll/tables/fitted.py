@@ -1,4 +1,4 @@
-"""The fit of a measured force curve in a table, from the texts and numbers of a call."""
+"""The fit of a measured force curve in a table, with the options of `jkroll fit` or the arguments of `jkroll.fit`."""
 
 import os
 from collections.abc import Mapping
@@ -94,12 +94,15 @@ def _fitted(read: ReadCurve, known: Known) -> Fit:
 
 
 def _check_sizes(fitted: Fit, reading: str) -> None:
-    """Raise BadCurve if no solid has the fitted w or E*, or no sphere the fitted a/R."""
+    """Raise BadCurve if no solid has the fitted w or E*, or if no sphere has the fitted a/R.
+
+    w is the work of adhesion, E* the contact modulus, and a/R the contact radius over the reduced radius.
+    """
     values, (softest, stiffest) = fitted.values, SIZES["youngs_modulus"]
     modulus, width = values["contact_modulus"], fitted.goodness["contact_over_radius"]
     w = max((values[name] for name in NAMES.values() if name in values), default=0.0)
     force = values.get("pull_off_force_measured", 0.0)
-    # for a contact much stiffer than the lever, any E* fits, but then the fitted P_c agrees with the measured one
+    # If the contact is much stiffer than the lever, any E* fits, but the fitted pull-off force is the measured one.
     is_too_stiff = modulus > stiffest and values.get("pull_off_force_fitted", inf) > 2 * force
     if w > SIZES["work_of_adhesion"][1]:
         problem = f"w = {amount('work_of_adhesion', w, _FORM)}, and no solid has that"

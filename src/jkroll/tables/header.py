@@ -41,6 +41,7 @@ from .words import MATERIALS, fits, headed, key, unit_for
 _NOT_USED = "a value takes one ± column, or a minus and a plus column; a range takes only a low and a high column"
 _ROUNDED = 0.4  # largest difference between D/R and 2 that is due to rounding
 _MAX_LISTED = 60  # maximum number of columns that a message names
+# Elastic constants along single directions, such as G12, nu_xy and E3.
 _OF_DIRECTIONS = r"(?i)\s*((G|nu|ν)_?(12|13|23|xy|xz|yz)|E_?3)(?![^\W_])"
 _MARKS = {"both": "± ", "minus": "− ", "plus": "+ ", "low": "from ", "high": "to "}
 _HEADER_AND_INPUT = r"(.*)(?<!\(k)(?<!\(k )=(.*)"  # the = of (k=2) is part of a header
@@ -56,7 +57,7 @@ class Header(NamedTuple):
     texts: tuple[str, ...]
     inputs: tuple[Column, ...]
     materials: tuple[Column, ...]  # columns with names of materials
-    clauses: Mapping[int, str] = MappingProxyType({})  # on values used instead of passed columns, by position
+    clauses: Mapping[int, str] = MappingProxyType({})  # the value used instead of a passed column, by position
 
     @property
     def names(self) -> frozenset[str]:
@@ -143,9 +144,9 @@ def understood(
 ) -> Header:
     """Return the meaning of the columns of a table, from their headers and the cells of the first rows.
 
-    `stated`: the meanings that `--column` gives headers; `given`: the inputs given by options; `measured`: a quantity
-    that is read in addition to inputs; `supply_of`: returns the inputs supplied without a column; `pass_rest`: True to
-    pass every column that is not read. Raises BadTable.
+    `stated`: the meanings that `--column` gives headers; `given`: the inputs given by options; `measured`: see
+    `reading_of`; `supply_of`: returns the inputs supplied without a column; `pass_rest`: True to pass every column that
+    is not read. Raises BadTable.
     """
     _check_stated(stated, texts)
     readings = []

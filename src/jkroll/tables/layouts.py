@@ -25,7 +25,8 @@ _MARK = re.compile(rb"^[ \t]*(#+)[ \t]+", re.MULTILINE)  # the mark of a comment
 # --- Blanks as separators ---------------------------------------------------------------------------------------------
 
 # Few tables need this pattern and others below, so they are compiled on first use.
-# A cell is in quotes, with \" (the default of R) or "" for a quote, or in quotes with other backslashes, or bare.
+# A cell, in order of preference: in quotes, where \" (the default of R) or "" stands for a quote; in quotes, where a
+# backslash stands for itself; without quotes.
 _CELL = rb'"(?:[^"\\]++|\\.|"")*+"(?!\S)|"[^"]*+"(?!\S)|[^\s"]\S*'
 
 
@@ -264,14 +265,14 @@ class _Cell(NamedTuple):
     meaning: str = ""  # the meaning that `--column` gives, with the unit
 
 
-_A_UNIT, _ANOTHER_UNIT, _NEITHER, _NO_ROW_OF_UNITS = "unit", "another unit than the header", "text", "anything else"
+_A_UNIT, _ANOTHER_UNIT, _OTHER_TEXT, _NO_ROW_OF_UNITS = "unit", "another unit than the header", "text", "anything else"
 
 
 def with_units(names: Sequence[str], row: Row, stated: Mapping[str, str], measured: str) -> Headers | None:
     """Return headers with the units in a row below; None if the row is not clearly a row of units.
 
     A row of units has no numbers, and its cells in columns to read are units or empty. `stated`, `measured`: see
-    `meaning_of`. Raises BadTable if a header states another unit than the row.
+    `meaning_of`. Raises BadTable if a header and the row state different units.
     """
     below = [*map(text_of, row.cells)]
     if len(below) != len(names) or any(map(_is_number, below)):  # as in most tables
@@ -292,7 +293,7 @@ def _below(name: str, text: str, stated: Mapping[str, str], measured: str) -> _C
     """Return a header and the cell below it, with the role of the cell."""
     unit = _without_brackets(text)
     if unit in _NO_UNIT:
-        return _Cell(name, _NEITHER)
+        return _Cell(name, _OTHER_TEXT)
     whole = f"{name.strip()} [{unit}]"
     if typed(name) not in stated and typed(whole) in stated:  # as an earlier message suggested
         name = whole
@@ -303,7 +304,7 @@ def _below(name: str, text: str, stated: Mapping[str, str], measured: str) -> _C
     if reading.unit_text:
         roles = {True: _A_UNIT, False: _ANOTHER_UNIT, None: _NO_ROW_OF_UNITS}
         if is_stated:
-            roles = {True: _A_UNIT, False: _A_UNIT, None: _NEITHER}
+            roles = {True: _A_UNIT, False: _A_UNIT, None: _OTHER_TEXT}
         return _Cell(name, roles[_is_unit(unit, reading)])
     if meaning.strip() and with_unit.unit_text:
         return _Cell(name, _A_UNIT, f"{meaning} [{unit}]") if is_stated else _Cell(whole, _A_UNIT)
@@ -311,7 +312,7 @@ def _below(name: str, text: str, stated: Mapping[str, str], measured: str) -> _C
         return _Cell(name, _NO_ROW_OF_UNITS)
     if name.strip() and is_in_table(unit) and not re.search(r"[\[(]", name) and not is_stated:
         name = whole  # another quantity, with its unit
-    return _Cell(name, _NEITHER)
+    return _Cell(name, _OTHER_TEXT)
 
 
 def _is_number(cell: str) -> bool:

@@ -1,4 +1,4 @@
-"""A file of a table, opened: the table with its header, and its rows in blocks."""
+"""Open the file of a table: read its header, and iterate over its rows in blocks."""
 
 from collections.abc import Iterator
 from itertools import chain

@@ -136,6 +136,6 @@ def _has_texts(type_: Any) -> bool:
 
 
 def values_of(column: Any) -> Any:
-    """Return the values of a column as a list, or as an array if all rows have a number, since an array is faster."""
-    is_whole = pyarrow.types.is_integer(column.type) or pyarrow.types.is_float64(column.type)
-    return column.to_numpy() if is_whole and not column.null_count else column.to_pylist()
+    """Return the values of a column: an array if all are integers or all are doubles, which is faster; else a list."""
+    has_numbers = pyarrow.types.is_integer(column.type) or pyarrow.types.is_float64(column.type)
+    return column.to_numpy() if has_numbers and not column.null_count else column.to_pylist()

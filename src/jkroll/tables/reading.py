@@ -3,8 +3,8 @@
 A header is a word with a unit, in one of a few notations: `radius [nm]`, `R2 (nm)`, `Load/nN`, `radius in nm`, `E_GPa`,
 `gamma..mJ.m2.`. Words are compared by letters and digits only, so `Young's modulus` equals `youngsModulus`. Symbols are
 compared as written, or without regard to case if a unit follows; the unit then decides between quantities that share a
-symbol. A header that contains a word for an input, but is not such a word with a unit, is refused. Other columns pass
-through.
+symbol. A header is refused if it contains a word for an input, but is more than that word with a unit. Other columns
+pass through.
 """
 
 import re
@@ -67,7 +67,8 @@ _SUFFIXES = ("", "%", "u", "in", "min")  # suffixes that are not units: percenta
 _SIGNS = re.compile(r"(?<=[^\W_])\^?[+−⁺⁻-](?=$|[\s\[({<,/;:|])")  # after a word, as in γ+ and γ- [mJ/m2]
 _PLUS_MINUS = re.compile(r"\+\s?/?\s?[-−]")
 _ACCENTS = "[\u0300\u0301\u0303\u0308\u0327]"  # of à, é, ñ, ö, ç
-_LATEX = {r"\\mu\$?\s?": "µ", r"(?<=[_^])\{([^{}]*)\}": r"\1"}  # $R_{1}$ [$\mu$m]; `_SPELT` removes $ and \
+# As in $R_{1}$ [$\mu$m]; `_SPELT` then removes $ and replaces \ by a blank.
+_LATEX = {r"\\mu\$?\s?": "µ", r"(?<=[_^])\{([^{}]*)\}": r"\1"}
 # A unit may begin after a mark (the first group), or after a gap.
 _CUT = re.compile(
     r"([\s_.-]*[,/:;|\[({<=@~–—•·]\s*(?:in[\s_.]+)?|\s+in\s+)"
@@ -91,7 +92,7 @@ _LONGEST = 120  # characters; a longer text is not the header of an input
 
 @lru_cache(maxsize=1000)
 def reading_of(text: str, measured: str = "") -> Reading:
-    """Return the meaning of a header. `measured`: a quantity that is read in addition to inputs.
+    """Return the meaning of a header. `measured`: quantities, separated by commas, that are read in addition to inputs.
 
     >>> reading_of("R2 (nm)")[:2], reading_of("E [J]")[:2], reading_of("surface_energy_mJ_m2")[:2]
     (('radius2', 'nm'), ('energy', 'J'), ('surface_energy', 'mJ/m2'))
@@ -250,7 +251,7 @@ def _of_spread(text: str, measured: str) -> Reading:
 
 
 def _unread(text: str, measured: str, whole: str = "") -> Reading:
-    """Return the reading of a header with words for a spread: UNREAD, for the input that its other words mean.
+    """Return the reading of a header about a spread: the part UNREAD of the input that its other words mean.
 
     `whole`: the whole header, which is not read again.
     """

@@ -100,9 +100,8 @@ def notes_on(tally: Tally, asked: Asked) -> Iterator[str]:
 
     if tally.inferred:
         yield _summary(asked.infer, tally)
-    said = [
-        f"{remark.removeprefix('note: ')}: row" for remark in tally.remarks
-    ]  # on names that several materials share
+    # A name that several materials share is already in a remark: its rows are not reported again.
+    said = [f"{remark.removeprefix('note: ')}: row" for remark in tally.remarks]
     notes = []
     for note in about_rows(tally, EVERY_DOUBT, f"column {DOUBT if asked.doubt else STATUS}"):
         if not any(remark in note.text for remark in said):
@@ -160,7 +159,7 @@ def about(table: Table) -> Iterator[str]:
 
 
 def _about_lacking(table: Table) -> Iterator[str]:
-    """Iterate over notes on a radius or a surface energy that the table lacks, and on columns that may be it."""
+    """Iterate over notes on a radius or a surface energy that the table lacks, and on columns that may give it."""
     if table.asked.explicit:
         return
     if table.given.isdisjoint(("radius", "diameter")):
@@ -346,7 +345,10 @@ def _convert_many(path: str, job: Job) -> tuple[Tally, int]:
 
 
 def _pairs(directory: str, path: str) -> list[Pair]:
-    """Return the tables that match a pattern, with their outputs, and make the directory. Raises BadRequest."""
+    """Return the tables that match a pattern, with their outputs, and make the directory.
+
+    Raises BadTable for missing or equally named tables, and BadRequest for an unsuitable directory.
+    """
     folder = directory.rstrip("".join(FOLDER_ENDS))
     is_file = os.path.exists(folder) or format_of_name(directory, WRITTEN) is not None
     if directory == "-" or (is_file and not os.path.isdir(folder)):

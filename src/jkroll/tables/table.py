@@ -42,7 +42,7 @@ class Asked(NamedTuple):
     columns: Sequence[str] = ()  # the values of `--column`
     pass_rest: bool = False  # pass all columns that are not read
     infer: str = ""  # the unknown input
-    measured: str = ""  # the quantity with measured values in a column
+    measured: str = ""  # the quantity with measured values in a column; for a curve, several separated by commas
     doubt: bool = True  # add a column of doubts
     best: bool = False  # add columns of best ranges
     uncertainty: bool = False  # add columns of uncertainties even if the first rows have none
@@ -118,7 +118,7 @@ class Table:
         self.wanted = wanted.with_best(self.names) if asked.best else wanted
         solids = chain.from_iterable(lookup.known for lookup in self.lookups.values())
         if any(solid and solid.displacement for solid in solids):
-            self.given |= {XI}  # the material states ξ
+            self.given |= {XI}  # a material states the yield displacement
         # A frame for each group of rows, with the quantities whose limits apply to the results.
         self.groups = [(frame.filled, frame.judged(self.names)) for frame in frames]
         for text in columns.texts:

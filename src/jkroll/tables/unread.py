@@ -30,6 +30,7 @@ from .words import INPUTS, MATERIALS, fits, headed, key, sphere_of, tokens_of, u
 
 # Inputs that replace each other, in addition to EXCLUSIVE.
 _OF_MODULI = tuple(("contact_modulus", name) for name in ("youngs_modulus", "youngs_modulus2"))
+# The inputs, and the formulas that compute them.
 _OF_INPUTS = {*INPUTS, *chain.from_iterable(routes_anywhere().get(name, ()) for name in INPUTS)}
 # Inputs whose columns may also have words for other quantities.
 _OF_PARTS = (
@@ -41,7 +42,7 @@ _OF_PARTS = (
     "hysteresis_fraction",
     "hamaker",
 )
-_OF_EACH_UNIT = {NOMENCLATURE[name].unit: name for name in INPUTS}
+_OF_EACH_UNIT = {NOMENCLATURE[name].unit: name for name in INPUTS}  # an input with each SI unit
 NOT_READ = "not read, and "  # before the clause that names the value used instead
 _POWERS = {"sq": "2", "cu": "3"}
 _MOST_MEANT = 3  # maximum number of inputs that a message offers
@@ -61,7 +62,8 @@ class Supply(NamedTuple):
     ) -> "Supply":
         """Return the inputs that some quantities need and that are supplied without a column.
 
-        `names`: the quantities; `columns`: the inputs with columns; `options`: the texts of options, by input.
+        `names`: the quantities; `columns`: the inputs with columns; `options`: the inputs that options give, as
+        texts or, in Python, as values.
         """
         columns = {*columns, *map(computed_as, columns)}
         law = law_given(options.get("model"), options.get("profile"))
@@ -383,7 +385,7 @@ def _likeliest(tokens: Sequence[str], names: Sequence[str], supply: Supply) -> t
     sphere, is_of_pair = sphere_of(tokens), words.is_of_pair(tokens)
     if is_of_pair:
         names = [name for name in names if name in words.PAIRS.values()]
-    if not sphere and _index(tokens) in "psti":  # any other index may mean either sphere
+    if not sphere and _index(tokens) in "psti":  # no index, too; any other may mean either sphere
         names = [name for name in names if NOMENCLATURE[name].sphere != 2 or of_sphere(1, name) not in supply.clauses]
     scored = tokens[:1] if _index(tokens) else tokens
     scores = {name: _score(scored, name) for name in names}

@@ -349,7 +349,7 @@ def _of_spheres(known: Mapping[str, Meaning]) -> dict[str, Meaning]:
 def slips() -> dict[str, str]:
     """Return the words for inputs by their spellings: the right one, and those that lack a letter.
 
-    Two words that share such a spelling differ by a slip: by one letter, or by two exchanged letters.
+    Two words that share such a spelling differ by a slip: one letter is missing, extra, wrong or in another place.
     """
     known = []
     for word, meaning in meanings("").items():
@@ -410,9 +410,9 @@ def fits(unit_text: str, name: str) -> bool:
 def unit_for(text: str, name: str, *, is_explicit: bool = False) -> str:
     """Return the unit of a quantity that a text means, also in the spellings of other programs; "" if it means none.
 
-    `is_explicit`: True if brackets or another mark show that the text is a unit. For any other text, only the shipped
-    table is searched, since pint takes as long to load as many rows take to read. Such a text may have other
-    capitals than the unit, so MN can mean mN.
+    `is_explicit`: True if brackets or another mark show that the text is a unit. Otherwise, only the shipped table is
+    searched, since loading pint takes as long as reading many rows; and the text may differ from the unit in capitals,
+    so MN can mean mN.
     """
     if text in _COMMON:
         return text if fits(text, name) else ""  # nm is not N/m
@@ -427,7 +427,7 @@ def unit_for(text: str, name: str, *, is_explicit: bool = False) -> str:
         units += [unit for unit in others if not (is_explicit and "/" in unit and text.isalnum())]  # Nm is not N/m
     parted = re.match(r"([^\W\d_])[\W_]+\w", text)
     if parted:
-        # m_j is mJ. But c_m is not cm, and P / N is not pN: a program that splits nN also changes capitals.
+        # m_j is mJ, split at its capital. But c_m is not cm, which has no capital; and P / N is a load P in N, not pN.
         is_index = not is_of_one_case
         is_symbol = parted[1].casefold() == NOMENCLATURE[name].symbol.rstrip("12").casefold()
         units = [unit for unit in units if unit == text or not (is_index and unit[1:2].isalpha())]
