@@ -37,8 +37,8 @@ from questions import Ask, Sheet
 from tuning import computed
 
 ULP = 2.0**-52
-# Largest difference of two evaluations in ulp·(1 + κ), with κ of `_condition`. The largest stated error is 30, that of
-# energies by Maugis' law, and either evaluation may have it.
+# Largest difference of two evaluations in ulp·(1 + κ), with κ of `_condition`. `guide accuracy` states an error of 15
+# for a result, and of 40 by Maugis' law.
 STATED = 60.0
 SURE = 2.0  # largest difference in ulp that is allowed without κ
 STEP = 2.0**-45  # relative step of an input, small enough to find κ close to pull-off
