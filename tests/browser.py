@@ -120,8 +120,7 @@ class Browser:
 def hosts_asked(profile: Path) -> set[str | None]:
     """Return the hosts to which pages and workers sent requests, from the log of a browser that has ended.
 
-    Requests by the browser itself, which leave no other trace, have no initiator, or an internal page
-    such as chrome://newtab as their initiator.
+    Requests by the browser itself are left out: they have no initiator, or an internal page such as chrome://newtab.
     """
     events = json.loads((profile / "requests.json").read_text(encoding="utf-8"))["events"]
     requests = [event["params"] for event in events if "initiator" in event.get("params", {})]

@@ -11,7 +11,7 @@ from jkroll.report.questions import QUESTIONS
 
 KNOWN = ("quartz", "quartz", "SiO2", "iron", "FE", "gold", "polystyrene", "graphite", "all")
 MATERIALS = (*KNOWN, *KNOWN, "plane", "quarz", "lead")
-# Names of files that `isolate` has made, and of files that do not exist. No name leads out of the
+# Names of files that `isolate` makes, and of files that do not exist. No name leads out of the
 # directory, even with a typing error.
 FILES = ("mine.toml", "mine.toml", ".", "null", "zero", "none.toml", "", "broken.toml", "../../none/passwd")
 TABLES = (

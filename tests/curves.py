@@ -18,7 +18,7 @@ def jkr_state(x: Any, w: Any, modulus: Any, radius: Any) -> Any:
 
 
 def jkr_force(z: Any, w: Any, modulus: Any, radius: Any, stiffness: Any, *, has_contact_below: bool = True) -> Any:
-    """Return the force of a lever at travels from its contact point, from a table of states; 0 away from contact."""
+    """Return the force of a lever at travels `z` from its contact point, from a table of states; 0 without contact."""
     x = numpy.geomspace(1 / 6, 500, 100_000)
     approach, load = jkr_state(x, w, modulus, radius)
     travel = approach + load / stiffness
@@ -28,7 +28,7 @@ def jkr_force(z: Any, w: Any, modulus: Any, radius: Any, stiffness: Any, *, has_
 
 
 def dmt_force(z: Any, w: Any, modulus: Any, radius: Any, stiffness: Any) -> Any:
-    """Return the force of a lever in DMT; 0 away from contact."""
+    """Return the force of a lever by DMT; 0 without contact."""
     approach = numpy.linspace(0, 3 * max(z.max(), 1e-12), 100_000)
     load = 4 / 3 * modulus * sqrt(radius) * approach**1.5 - 2 * pi * w * radius
     travel = approach + load / stiffness
@@ -53,7 +53,7 @@ def jkr_curve(
     high: float = 1.2e-6,
     branches: Any = (LOADING, UNLOADING),
 ) -> Any:
-    """Return travel and force of a lever over some branches."""
+    """Return travel and force of a lever over some branches; `opening` and `closing` are their works of adhesion."""
     travels, forces = [], []
     for name in branches:
         z = ramp(low, high, count, name)
@@ -65,7 +65,7 @@ def jkr_curve(
 
 
 def autoregression(seed: Any, count: Any, scale: Any, phi: Any) -> Any:
-    """Return noise of standard deviation scale/√(1 − φ²) whose neighbours have the correlation φ."""
+    """Return noise of standard deviation scale/√(1 − φ²) in which successive values have the correlation φ."""
     steps = numpy.random.default_rng(seed).normal(0, scale, count)
     noise = numpy.empty(count)
     noise[0] = steps[0] / sqrt(1 - phi * phi)

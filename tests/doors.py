@@ -37,7 +37,9 @@ from questions import Ask, Sheet
 from tuning import computed
 
 ULP = 2.0**-52
-STATED = 60.0  # largest difference of two evaluations, in ulp·(1 + κ); for energies by Maugis' law, 30 is stated
+# Largest difference of two evaluations in ulp·(1 + κ), with κ of `_condition`. `guide accuracy` states an error of 15
+# for a result, and of 40 by Maugis' law.
+STATED = 60.0
 SURE = 2.0  # largest difference in ulp that is allowed without κ
 STEP = 2.0**-45  # relative step of an input, small enough to find κ close to pull-off
 AT_END = 2.0**-43  # relative distance from the end of a contact at which rounding decides whether there is a state
@@ -64,7 +66,7 @@ class Rows(NamedTuple):
 
 
 def rows_of(every: Sequence[Columns]) -> Rows:
-    """Return the rows of columns."""
+    """Return the rows of several blocks of columns."""
     found = Rows(every[0].wanted.keys, [], [], [], [])
     rules = {key for key in found.keys if key.endswith("_best_by")}
     values, doubts, reasons, status = [], [], [], []
@@ -109,12 +111,12 @@ def call_of(words: Sequence[str]) -> Call:
 
 
 def scenes_of(ask: Ask) -> list[Frame]:
-    """Return the scenes of a list."""
+    """Return the scenes of a question that is asked as a list."""
     return [*call_of(ask.words()).sweep.frames()]
 
 
 def of_list(ask: Ask, *, by_arrays: bool, best: bool = False) -> Rows:
-    """Return the rows of a list. `best`: with the best ranges of the results."""
+    """Return the rows of a question that is asked as a list. `best`: with the best ranges of the results."""
     call = call_of(ask.words())
     sweep, question = call.sweep, question_of(call, QUESTIONS[call.command])
     with computed(by_arrays=by_arrays):
@@ -347,11 +349,11 @@ def _same(scene: Frame | None, key: str, one: float | None, other: float | None)
     if side_of(key):
         return sides_agree(scene, side_of(key), one, other)
     if key == "load_maugis_best_by" and STATE_OR_LOAD.isdisjoint(scene.stated):
-        return True  # without a load it is rounding alone, which decides whether the atomic spacing widens its range
+        return True  # without a load, rounding alone decides whether the atomic spacing widens the range of this load
     if one is None or other is None or key.endswith("_best_by"):
         return False
     name = best_of(key)
-    if name and len({*map(type, scene.uncertainties.values())}) > 1:  # ± and ranges: which counts depends on the row
+    if name and len({*map(type, scene.uncertainties.values())}) > 1:  # the row decides whether ± or ranges count
         return True
     return any(agree(each, name or key, one, other) for each in (_ends_of_best(scene) if name else [scene]))
 

@@ -41,7 +41,7 @@ Run = Callable[..., Ran]
 
 
 def captured(words: Sequence[str], *, terminal: bool = False) -> Ran:
-    """Run a command line with its output in a file: a table is written to the descriptor, not through the stream."""
+    """Run a command line with its output in a file, since a table is written to the descriptor, not to the stream."""
     with tempfile.TemporaryFile() as file:
         err = Stream()
         out = Stream(os.fdopen(os.dup(file.fileno()), "wb"), terminal=terminal)

@@ -129,7 +129,7 @@ def kept(target: str) -> list[bytes]:
     return [file.encode() for file in files]
 
 
-# Links to devices, which command lines may name besides the small files.
+# Links to devices, by the name of the link; command lines may name them as well as the small files.
 DEVICES = {
     "null": "null",
     "null.csv": "null",

@@ -1,6 +1,7 @@
 """The exact value of each formula of the laws of attraction, in its plainest form and in 120-digit arithmetic.
 
-The parameters are symbols, which `reference` translates. For Maugis' law, the formulas follow from his own equations.
+The parameters are symbols, which `reference` translates. For Maugis' law, the formulas follow from his own equations;
+a contact of radius a in a zone of radius c has T = √(c² − a²) and the edge ratio v = a/T.
 """
 
 # ruff: noqa: N803, N806  (the papers' symbols)
@@ -25,12 +26,12 @@ SYMBOLS = {
 }  # fmt: skip
 
 
-RIGID_WELL = mpf(16) / 7 * mpf(2) ** (mpf(1) / 3)  # over πwRz0, by the 3-9 law
+RIGID_WELL = mpf(16) / 7 * mpf(2) ** (mpf(1) / 3)  # depth of the well of rigid spheres over πwRz0, by the 3-9 law
 KELVIN_LENGTH = mpf(5.248e-10)  # γ_L V_m/(R_g T) of water at 25 °C
 
 
 def first_order(theta_c: Exact) -> Exact:
-    """Return κ of a meniscus between touching bodies."""
+    """Return κ of a meniscus between touching bodies, whose force is lower by the fraction κ√(r_K/R)."""
     return (pi / 2 - theta_c + digits.sin(2 * theta_c) / 2) / (4 * digits.cos(theta_c) ** mpf(1.5))
 
 
@@ -40,7 +41,7 @@ def length_unit(w: Exact, R: Exact, E: Exact) -> Exact:
 
 
 def ratio(_a: Exact, t: Exact) -> Exact:
-    """Return v of a state; 0 without contact."""
+    """Return the edge ratio v of a state; 0 without contact."""
     return 1 / t
 
 
@@ -109,7 +110,7 @@ def sticking(lambda_: Exact) -> Exact:
     return maugis.fold_energy(lambda_) - maugis.energy_held_at(lambda_, -2 / (pi * lambda_))
 
 
-# r^(1/3) = p(L)/q(L), the lowest power first.
+# Coefficients of p and q in `slowed`, the lowest power first: the ratio of the speeds is (p(L)/q(L))³.
 FITTED = (
     (
         "1 19.915339089884874 140.03302074351527 424.0239945815925 551.1471822473276 284.4669223705491 "
@@ -156,7 +157,7 @@ def sphere_stiffness(L: Exact, kappa: Exact) -> Exact:
 
 
 def _root(function: Callable[[Exact], Exact], low: Exact, high: Exact) -> Exact:
-    """Return the root of a rising function of ln L between two bounds, by bisection, then by secants."""
+    """Return the L between two bounds where a rising function is 0, by bisection of ln L, then by secants."""
     low, high = digits.log(low), digits.log(high)
     for _ in range(60):
         middle = (low + high) / 2
@@ -167,7 +168,7 @@ def _root(function: Callable[[Exact], Exact], low: Exact, high: Exact) -> Exact:
 
 
 def sphere_last(kappa: Exact, times: int) -> Exact:
-    """Return L where δ_H′ = times u/(2a), solved for its logarithm."""
+    """Return L of the last state, where δ_H′ = times·u/(2x), u = √(2πκx): 1 with fixed grips, 3 at a dead load."""
 
     def excess(L: Exact) -> Exact:
         x = digits.tanh(L)
@@ -303,7 +304,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "sticking_energy_maugis": lambda U_M, lambda_: sticking(lambda_) * U_M,
 }  # fmt: skip
 
-# The largest of the terms that may cancel.
+# The largest term of each formula whose terms may cancel.
 TERMS: Mapping[str, Callable[..., Exact]] = {
     "load_sphere": lambda L, kappa, R_i, E: max(map(abs, sphere_load(L, kappa))) * E * R_i**2,
     "approach_sphere": lambda L, kappa, R_i: max(map(abs, sphere_approach(L, kappa))) * R_i,
@@ -325,7 +326,7 @@ TERMS: Mapping[str, Callable[..., Exact]] = {
     "state_energy_maugis": lambda edge, T, l_M, U_M, lambda_: max(map(abs, state_energy(edge, T, l_M, U_M, lambda_))),
 }
 
-# The parameters for which a formula states a condition besides its number of ulp.
+# The parameters in whose condition the accuracy of a formula is stated, in addition to its number of ulp.
 CONDITIONED: Mapping[str, tuple[str, ...]] = {
     "contact_radius_dmt": ("load",),
     "threshold_humidity": ("roughness_gap",),

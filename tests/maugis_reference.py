@@ -1,6 +1,7 @@
 """Maugis' own two equations for the contact radius and m = c/a, in 120 digits; the unknowns are Ā and t = √(m² − 1).
 
-Maugis (J. Colloid Interface Sci. 150, 243, 1992), in units of (πwR²/K)^(1/3), πwR and (π²w²R/K²)^(1/3):
+Maugis (J. Colloid Interface Sci. 150, 243, 1992), in units of (πwR²/K)^(1/3), πwR and (π²w²R/K²)^(1/3), with K = 4E*/3
+and his transition parameter λ:
 
     (λĀ²/2)[√(m²−1) + (m²−2)arcsec m] + (4λ²Ā/3)[√(m²−1) arcsec m − m + 1] = 1
     P̄ = Ā³ − λĀ²[√(m²−1) + m² arcsec m]          δ̄ = Ā² − (4/3)λĀ√(m²−1)
@@ -180,7 +181,7 @@ def energy_by_quadrature(t: Exact, transition: Exact) -> Exact:
 
 
 def energy_terms(a: Exact, span: Exact, delta: Exact, transition: Exact) -> tuple[Exact, ...]:
-    """Return the terms of Φ̄ in closed form, whose sum quadrature confirms; T̄ is Āt, or c̄ without contact."""
+    """Return the terms of Φ̄ in closed form, whose sum quadrature confirms; `span` is Āt, or c̄ without contact."""
     angle, c = digits.atan2(span, a), sqrt(a**2 + span**2)
     ring = span**4 * angle - a * span**3 + (2 * a * span**2 + 3 * a**3) * (span - a * angle)
     return (

@@ -1,12 +1,12 @@
-"""Headers as people write them: thousands for a seed, each with its meaning.
+"""Headers as people write them: thousands for each seed, each header with its meaning.
 
     python tests/meant_headers.py 1 2 3
 
 prints for each seed how headers are read next to a column `material`. The words come from papers on dust, decks and
 tables of DEM codes, exports of AFM software, data sheets of powders, and lists of materials. They were collected
 independently of the program, which does not know some of them. About half of the headers mean a quantity that is not an
-input but has the dimension of one, such as a hardness. The program may refuse such a header or pass it through, but
-must never read it as an input.
+input; most of these quantities have the dimension of an input, as a hardness has. The program may refuse their headers
+or pass them through, but must never read them as an input.
 """
 
 import re
@@ -301,6 +301,7 @@ _OF_1_OR_2 = (
     "tip probe particle sample sphere grain bead monomer projectile colloid intruder indenter powder ball".split()
 )
 _OF_2 = "substrate wall target plate counterbody plane boundary geometry".split()
+# The sphere that each index means; "" if it may be either sphere.
 _INDEX_OF = {"p": "", "s": "", "t": "", "i": "", "1": "1", "2": "2", "j": "2", "w": "2", "B": "2", "sub": "2", "A": "1"}
 # Excluded indices: those with another meaning (polar, of water), and those of bodies without a radius.
 _NOT_OF: Mapping[str, Sequence[str]] = {"surface_energy": "pstAw", "density": "w", "radius": ("w", "sub", "A", "B")}
@@ -310,7 +311,8 @@ _SYMBOL_OF_BODIES = ("{w}_{b}", "{w} {b}", "{b} {w}", "{w}{B}", "{w}({b})", "{w}
 _OF_INDICES = ("{w}{i}", "{w} {i}", "{w}_{i}", "{w} ({i})", "{w} sphere {i}", "{w} of particle {i}", "{w} body {i}",
     "{o} {w}", "particle {i} {w}", "{w} of sphere {i}", "material {i} {w}", "sphere{i} {w}", "{w} #{i}")  # fmt: skip
 _SYMBOL_OF_INDICES = ("{w}_{i}", "{w}{i}", "{w} {i}", "{w}_{{{i}}}", "{w}({i})", "{w}_sphere{i}")
-_BESIDE = ("mean", "average", "measured", "nominal", "avg.", "typical", "assumed", "input", "literature", "true")
+# Words that headers add to the name of a quantity.
+_ADDED = ("mean", "average", "measured", "nominal", "avg.", "typical", "assumed", "input", "literature", "true")
 
 
 def _terms() -> Iterator[Term]:
@@ -454,7 +456,7 @@ def _header(term: Term, chance: Random) -> Header:
     """Return a header with a word, in a random spelling."""
     text, names, is_of_2 = _with_body(term, chance)
     if term.kind == "word" and names and chance.random() < 0.1:
-        text = chance.choice(("{b} {w}", "{b} {w}", "{w} ({b})", "{w}, {b}")).format(b=chance.choice(_BESIDE), w=text)
+        text = chance.choice(("{b} {w}", "{b} {w}", "{w} ({b})", "{w}, {b}")).format(b=chance.choice(_ADDED), w=text)
     if term.kind != "symbol":
         text = _CASES[chance.choice(["as it is", "title", "first", *_CASES])](text)
     unit, factor = chance.choice(_UNITS[term.unit])

@@ -21,7 +21,7 @@ from scenes import log_uniform
 MATERIALS = ["quartz", "iron", "gold", "PS", "graphite", "silica-dry", "silica-humid", "ice-warm", "ice-cold"]
 SPHERES = ("material", "material2")
 NAMES = [name for name in NOMENCLATURE if formula_of(name) is not None]
-LETS_GO = [
+NEAR_PULL_OFF = [
     -1.0,
     -1 + 1e-15,
     -1 - 1e-15,
@@ -30,7 +30,7 @@ LETS_GO = [
     -1.001,
     -1.5,
     -8 / 9,
-]  # loads near pull-off, relative to the pull-off force
+]  # loads near pull-off, over the pull-off force
 ODD_CELLS = ["abc", "-1 m", "0", "1e-9", "nan", "inf", "1e-9 kg", "1e90 m", "5±1", "3 to 4", "10%"]
 MOST_ROWS = 6
 
@@ -170,7 +170,7 @@ class _Values:
         return self.found
 
     def _convert(self) -> None:
-        """Turn some radii into diameters and some Young's moduli into shear moduli; other values stay the same."""
+        """Rename some radii to diameters and some Young's moduli to shear moduli; no other input changes."""
         random = Random(str(self.found))
         for name, other in CONVERTED.items():
             if other in self.found and "rigid" not in self.found[other] and random.random() < 0.3:
@@ -190,7 +190,7 @@ class _Values:
         if self._is(0.15):
             self._sizes("density2", 1e2, 2e4)
         if self._is(0.1) and "youngs_modulus" in self.found:
-            self._add("youngs_modulus", lambda: "rigid", beside=self.found["youngs_modulus"])
+            self._add("youngs_modulus", lambda: "rigid", others=self.found["youngs_modulus"])
 
     def _state(self) -> None:
         """Add loads or approaches, many of them near or beyond the end of the contact."""
@@ -202,7 +202,7 @@ class _Values:
         def text() -> str:
             part = self.random.choice(
                 [
-                    self.random.choice(LETS_GO) * least,
+                    self.random.choice(NEAR_PULL_OFF) * least,
                     self.random.uniform(-2, 2),
                     self.random.choice([0.0, log_uniform(self.random, 1e-9, 1e6)]),
                     self.random.uniform(-1, 0) * least,
@@ -213,7 +213,7 @@ class _Values:
         self._add(kind, text)
 
     def _held(self, kind: str) -> tuple[float, float]:
-        """Return a unit for loads or approaches, and in it the farthest pull that the first row's contact bears."""
+        """Return a unit of loads or approaches, and how far below 0 the first row's contact ends, in this unit."""
         texts: dict[str, Any] = {name: own[0] for name, own in self.found.items() if not has_uncertainty(own[0])}
         name, fold = ("pull_off_force", "") if kind == "load" else ("approach", "fold_approach_maugis")
         try:
@@ -256,10 +256,10 @@ class _Values:
 
         self._add(name, text)
 
-    def _add(self, name: str, text: Callable[[], str], beside: Sequence[str] = ()) -> None:
+    def _add(self, name: str, text: Callable[[], str], others: Sequence[str] = ()) -> None:
         """Add one or several values, as long as there are not too many rows."""
         count = self.random.choice([1, 1, 1, 1, 2, 3])
-        self.found[name] = tuple(dict.fromkeys([*beside, *(text() for _ in range(count))]))
+        self.found[name] = tuple(dict.fromkeys([*others, *(text() for _ in range(count))]))
         if self.count * len(self.found[name]) > MOST_ROWS:
             self.found[name] = self.found[name][-1:]
         self.count *= len(self.found[name])

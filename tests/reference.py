@@ -1,7 +1,8 @@
 """The exact value of each result: the paper's equations in 120-digit arithmetic, in their plainest form.
 
 Inputs are doubles and count as exact. No equation is rearranged to save digits. The worst cancellation, in the rolling
-of spheres whose radii differ by a factor of 1e15, leaves 76 digits. This module shares nothing with `jkroll`.
+of spheres whose radii differ by a factor of 1e15, leaves 76 digits. This module takes only the defaults of inputs from
+`jkroll`.
 """
 
 # ruff: noqa: N803  (the paper's symbols)
@@ -311,7 +312,7 @@ def _yields_at(sigma_y: Exact, nu: Exact) -> Exact:
 
 
 def _largest_stress(nu: Exact) -> Exact:
-    """Return von Mises' stress over the peak pressure where its slope is 0: 15 digits of depth give 30 of stress."""
+    """Return the largest von Mises stress over the peak pressure; 15 digits of its depth give 30 of the stress."""
     ratio = 1 + float(nu)
     low, high = 1e-9, 1.0
     for _ in range(60):
@@ -521,6 +522,7 @@ OF_A_SCENE: Mapping[str, Callable[..., Exact]] = {
     "moment_of_inertia2": lambda m2, R2: 2 * m2 * R2**2 / 5,
     "restructuring_energy_ormel": lambda E_roll: E_roll,
 }
+# The equations of quantities whose usual equation needs a load.
 AT_AN_APPROACH = {
     "load": "load_at_factor", "load_margin": "load_margin_of_factor", "load_factor": "load_factor_at_approach",
 }  # fmt: skip
@@ -529,10 +531,10 @@ NO_RESULTS = ("boussinesq_pressure_at_approach", "initial_angular_speed")  # for
 # Formulas whose accuracy is stated for the rounded ratio of two arguments.
 OF_A_RATIO = ("load_factor_at_approach", "load_margin_at_approach")
 
-# The root x of x³ for formulas whose accuracy is stated in x.
+# The variable in which a formula's accuracy is stated, as a function of the formula's value.
 MEASURED: Mapping[str, Callable[[Exact], Exact]] = {"load_factor_at_approach": cbrt}
 
-# The largest of the terms that may cancel.
+# The largest term of each formula whose terms may cancel.
 TERMS: Mapping[str, Callable[..., Exact]] = {
     "approach_at_load": lambda delta0, x: delta0 * cbrt(x) * max(3 * x, 2),
     "load_margin_of_factor": lambda x: 2 * x,

@@ -26,6 +26,7 @@ MODULES = sorted(SOURCE.rglob("*.py"))
 FOLDERS = "cli bench pictures tables write report model materials quantities physics ground".split()
 # Files of the ground that pass on names from all folders.
 PUBLIC = {"__init__", "__main__", "formulas"}
+# The folders that import each library.
 ONLY = {
     "typer": {"cli"},
     "rich": {"write"},
@@ -258,7 +259,7 @@ def modules_of_tests(path: Path) -> set[str]:
 
 
 def test_a_test_imports_internal_names_of_one_folder_at_most() -> None:
-    """The other names that a test imports are public, or imported by another folder of the program."""
+    """Other names are public, or imported by another folder of the program. `tuning` may import from several."""
     names = {".".join(path.relative_to(SOURCE).with_suffix("").parts) for path in MODULES if part(path) != "ground"}
     fronts = {
         ".".join(target.split(".")[1:3]) for path in MODULES for target, folder in imports(path).items()

@@ -50,15 +50,15 @@ def test_the_exported_time_step_is_the_shortest_over_all_pairs(run: Run, program
     assert float(text.partition(word)[2].split()[0].rstrip(":")) == approx(1.9574068730020e-11, rel=1e-9)
 
 
-LIKE = approx(2.0938217872665e7, rel=1e-12)
+OF_IDENTICAL_QUARTZ = approx(2.0938217872665e7, rel=1e-12)
 
 
 @pytest.mark.parametrize(
     ("words", "cells"),
     [
-        ("100nm --radius2 200nm,100nm", ["", LIKE]),
-        ("100nm --radius2 50nm:200nm:3", ["", LIKE, ""]),
-        ("200nm,100nm --radius2 100nm", ["", LIKE]),
+        ("100nm --radius2 200nm,100nm", ["", OF_IDENTICAL_QUARTZ]),
+        ("100nm --radius2 50nm:200nm:3", ["", OF_IDENTICAL_QUARTZ, ""]),
+        ("200nm,100nm --radius2 100nm", ["", OF_IDENTICAL_QUARTZ]),
         ("100nm --radius2 200nm,300nm", [None, None]),
     ],
 )

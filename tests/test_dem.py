@@ -62,7 +62,7 @@ def test_the_gravity_moment_of_n_grav_spheres_is_the_yield_moment(run: Run) -> N
 @pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])
 @pytest.mark.parametrize("radius", [100, 101, 102, 105, 107])
 def test_the_load_that_a_message_gives_can_be_typed(run: Run, radius: int, model: str) -> None:
-    """The printed pull-off force may be beyond pull-off; the load in the message is not."""
+    """A rounded pull-off force may lie beyond pull-off; the load in the message must not."""
     scene = f"contact quartz {radius}nm --model {model}"
     refused = run(f"{scene} --load=-20nN")
     assert refused.code

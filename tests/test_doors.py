@@ -409,7 +409,7 @@ LENNARD_JONES = {
     "pull_off_work": "well_energy_lennard_jones",
     "pull_off_work_at_dead_load": "dead_load_work_lennard_jones",
 }
-IN_PROPORTION = ("bond_number", "disruption_energy", "disruption_speed")  # these follow from a quantity above
+IN_PROPORTION = ("bond_number", "disruption_energy", "disruption_speed")  # to a quantity above
 
 
 def _in_scene(scene: Frame, values: Mapping[str, float]) -> Iterator[str]:
@@ -445,7 +445,7 @@ def _in_lines(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
     ran = answered(run, *ask.words("--best"))
     ended = {name for name, error in floats.reasons[0].items() if is_end_of_meaning(error)}
     if ran.code or (ended and scenes_of(ask)[0].uncertainties):
-        return  # without a contact there is no line; other sources enter where lines keep numbers without a meaning
+        return  # without a contact there are no lines; in lines, numbers without a meaning add sources of uncertainty
     lines = dict(line.split(" ", 1) for line in ran.out.splitlines())
     for key in [key for key in floats.keys if best_of(key) and best_of(key) not in ended]:
         cell, expected = lines.get(key), _as_cell(key, floats.values[0])

@@ -32,6 +32,7 @@ from third_party import (
 
 pytestmark = pytest.mark.slow
 
+# The largest relative differences.
 FORCE_CURVE = 4e-12  # relative to P_c, or to the load if it is larger
 CONTACT_RADIUS = 7e-13
 STIFFNESS = 4e-8

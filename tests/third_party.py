@@ -211,7 +211,7 @@ def pressure(displacement: Callable[[Array], Array], inside: Array, wanted: Arra
 
 
 def pressure_at_load(displacement: Callable[[Array], Array], inside: Array, wanted: Array, total: float) -> Array:
-    """Return such a pressure with a given total, by adding a multiple of the pressure of a flat punch."""
+    """Return the pressure for a wanted displacement plus a constant, which a flat punch adds to give a total."""
     shaped, punch = (pressure(displacement, inside, field) for field in (wanted, np.ones(inside.shape)))
     return shaped + (total - shaped.sum()) / punch.sum() * punch
 

@@ -65,7 +65,7 @@ def transcript(command: str) -> str:
 
 
 def rounded(text: str) -> str:
-    """Return a text with numbers of full precision rounded to 13 digits: the others depend on the machine's numpy."""
+    """Return a text with numbers of full precision rounded to 13 digits; the rest depend on the machine's numpy."""
     return _ALL_DIGITS.sub(lambda number: f"{float(number[0]):.13g}", text)
 
 

@@ -1,6 +1,6 @@
-"""The sizes at which the program changes its way of working, set for a test; no other test module knows them.
+"""The sizes at which the program changes its way of working, set for a test.
 
-Few rows are computed as numbers, and many rows as arrays in blocks; several processes read a large table in chunks.
+Few rows are computed as floats, and many rows as arrays in blocks; several processes read a large table in chunks.
 """
 
 from collections.abc import Iterator
@@ -14,7 +14,7 @@ from jkroll.tables import files, run
 
 @contextmanager
 def computed(*, by_arrays: bool, block: int = 5) -> Iterator[None]:
-    """Compute the rows of lists as arrays of `block` rows, or as numbers whatever their number."""
+    """Compute the rows of lists as arrays of `block` rows, or as floats, whatever the number of rows."""
     with ExitStack() as stack:
         for kind in ("COMPUTED", "SEARCHED"):
             sizes = getattr(sweep, kind)._replace(few=-1 if by_arrays else INFINITY)

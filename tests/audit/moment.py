@@ -1,6 +1,6 @@
-"""Sects. 2 to 4, Eqs 1-25: the contact, and the moment of a shifted contact.
+"""The checks of Sects. 2 to 4, Eqs 1-25: the contact, and the moment of a shifted contact.
 
-Appendices A and B, Eqs 50-88: the cylinder on a plane, where E means E/(1 − ν²), and the integrals.
+The checks of Appendices A and B, Eqs 50-88: the cylinder on a plane, where E means E/(1 − ν²), and the integrals.
 """
 
 from math import cos, pi, sqrt
@@ -96,7 +96,7 @@ def _half_circles() -> tuple[Check, ...]:
 
 
 def _rigid_pull_off() -> float:
-    """Return the attraction 4γ(1 − h), integrated over the gap h = r²/(2R) up to 1; its work is 2γ."""
+    """Return the pull-off force of rigid spheres that attract by 4γ(1 − h) per area at a gap h up to 1, of work 2γ."""
     return integral(lambda r: 2 * pi * r * 4 * pair.gamma * (1 - r**2 / (2 * pair.r)), 0, sqrt(2 * pair.r))
 
 

@@ -1,4 +1,4 @@
-"""A pair of spheres from first premises: elastic half-spaces, Hertz's geometry and Griffith's criterion at the rim.
+"""A pair of spheres from first principles: elastic half-spaces, Hertz's geometry and Griffith's criterion at the rim.
 
 The checks are those of Sect. 5.1, Eqs 26-30: forces, angles and chains, and the sizes that the text gives; and of
 Sects. 5.2.1, 5.2.2 and 6, Eqs 31-49: vibrations, rolling after a collision, the conclusions, and Table 1. The restoring
@@ -45,7 +45,7 @@ class Pair:
         self.m = 1 / (1 / self.m1 + 1 / self.m2)  # reduced mass
         self.i = 1 / (1 / self.i1 + 1 / self.i2)  # reduced moment of inertia
 
-    # --- From first premises -----------------------------------------------------------------------------------------
+    # --- From first principles ---------------------------------------------------------------------------------------
 
     def hertz(self, a: float) -> float:
         """Return the Hertz pressure that gives a circle of radius a the curvature of the spheres."""
@@ -272,7 +272,7 @@ def _vertical(of: Pair) -> float:
 
 
 def _restoring(of: Pair) -> float:
-    """Return −dU/dδ_α of the elastic energy 2P_cξ² R/R, with ξ = Rδ_α."""
+    """Return −dU/dδ_α of the elastic energy U = 2P_cξ²/R, with ξ = Rδ_α."""
     return -slope(lambda angle: 2 * of.p_c * of.r * angle**2, of.xi / of.r)
 
 

@@ -70,7 +70,7 @@ def write_parquet(path: Path, table: Path) -> None:
 
 
 def write_cpp(folder: Path) -> Path:
-    """Build the C++ program, and return its path."""
+    """Write and build the C++ program, and return its path."""
     lines = [f"const double {name} = {expression};" for name, expression in formulas()]
     lines.append(f"#define RESULTS {', '.join(results())}")
     (folder / "formulas.h").write_text("\n".join(lines) + "\n", encoding="utf-8")
@@ -208,7 +208,7 @@ def rivals(folder: Path, table: Path) -> list[Rival]:
     return found
 
 
-class Taken(NamedTuple):
+class Cost(NamedTuple):
     """The cost of a run: elapsed seconds, CPU seconds, and the largest memory of all processes in MB."""
 
     clock: float
@@ -216,7 +216,7 @@ class Taken(NamedTuple):
     memory: float
 
 
-def run(rival: Rival, folder: Path, table: Path) -> Taken:
+def run(rival: Rival, folder: Path, table: Path) -> Cost:
     """Run a rival once, and return the cost."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     began = time.monotonic()
@@ -234,7 +234,7 @@ def run(rival: Rival, folder: Path, table: Path) -> Taken:
         output.with_suffix(".out").replace(output)
     seconds = time.monotonic() - began
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return Taken(seconds, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, memory)
+    return Cost(seconds, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, memory)
 
 
 def megabytes(process: int) -> float:
@@ -256,11 +256,11 @@ def main(words: Sequence[str]) -> None:
         table = folder / "grains.csv"
         write_table(table, rows)
         chosen = [rival for rival in rivals(folder, table) if not words[1:] or rival.name in words[1:]]
-        best: dict[str, Taken] = {rival.name: Taken(math.inf, math.inf, 0) for rival in chosen}
+        best: dict[str, Cost] = {rival.name: Cost(math.inf, math.inf, 0) for rival in chosen}
         for _ in range(int(os.environ.get("ROUNDS", "3"))):
             for rival in chosen:
                 taken, before = run(rival, folder, table), best[rival.name]
-                best[rival.name] = Taken(
+                best[rival.name] = Cost(
                     min(taken.clock, before.clock),
                     min(taken.processor, before.processor),
                     max(taken.memory, before.memory),

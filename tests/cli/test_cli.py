@@ -808,6 +808,6 @@ def test_a_refusal_names_what_can_be_written_instead(run: Run, words: str, said:
     assert (ran.code, said in ran.err) == (2, True)
 
 
-def test_a_material_at_the_root_of_a_file_is_told_its_table(run: Run) -> None:
+def test_the_error_for_a_material_at_the_root_of_a_file_shows_its_table(run: Run) -> None:
     Path("mine.toml").write_text('[enstatite]\nsurface_energy = "100 mJ/m2"\n', encoding="utf-8")
     assert "a table such as [materials.enstatite]" in run("pull-off enstatite 100nm --materials mine.toml").err

@@ -16,7 +16,7 @@ from harness import Run
 from relative import approx
 
 KNOWN = "--radius 7.5um --radius2 plane --spring 3.01N/m"
-OF_NINES = Path(__file__).parents[1] / "data" / "force_curve.csv"
+FORCE_CURVE = Path(__file__).parents[1] / "data" / "force_curve.csv"
 
 
 def table(z: Any, force: Any, head: str = "travel [um],force [nN]") -> str:
@@ -70,7 +70,8 @@ def test_a_deflection_becomes_a_force(run: Run, curve: str) -> None:
 def of_fixed_grips() -> tuple[Any, Any]:
     """Return travel and force for PDMS (2 MPa, 50 mJ/m²) on a lever of 3 N/m, without adhesion hysteresis.
 
-    As with fixed grips, the approach is prescribed, so near pull-off the travel is farther out than at the free ends.
+    As with fixed grips, the approach is prescribed, so the travel of the last points in contact is farther out than
+    that of the first free points.
     """
     way = numpy.linspace(-6e-7, 6e-7, 500)
     approach, modulus, stiffness = numpy.concatenate([way, way[::-1]]), 2e6 / 0.75, 3.0
@@ -196,7 +197,7 @@ def test_a_column_of_branches_divides_a_curve(run: Run, curve: str) -> None:
 def test_a_fit_by_either_law_agrees_with_an_independent_fit(run: Run) -> None:
     """A fit of `jkroll.solve` by scipy gave γ = 27.84 ± 0.11 (JKR) and 26.41 ± 0.11 mJ/m² (Maugis), E = 5.95 GPa."""
     for law, gamma in (("jkr", 27.84e-3), ("maugis", 26.41e-3)):
-        found = values(run("fit", str(OF_NINES), *"--radius 1um --radius2 plane --json --model".split(), law).out)
+        found = values(run("fit", str(FORCE_CURVE), *"--radius 1um --radius2 plane --json --model".split(), law).out)
         assert found["work_of_adhesion_opening"] == approx(2 * gamma, rel=0.008)
         assert found["contact_modulus"] == approx(5.96e9 / (1 - 0.09), rel=0.008)
 

@@ -364,7 +364,7 @@ def test_properties_set_by_hand_are_checked() -> None:
 
 # The note of a material without γ gives a similar value, or a measured one of another kind.
 NEAR = re.compile(r"[1-9][0-9.]* mJ/m2").search
-SECOND = [material for material in Materials().materials.values() if material.title != "Table 1 of D&T"]
+OUTSIDE_THE_PAPER = [material for material in Materials().materials.values() if material.title != "Table 1 of D&T"]
 
 
 # --- A material's own yield displacement ------------------------------------------------------------------------------
@@ -529,11 +529,11 @@ def test_a_mistake_in_a_displacement_is_reported(run: Run, tmp_path: Path, text:
 def test_shipped_materials_form_five_sets() -> None:
     first = [material.name for material in Materials().materials.values() if material.title == "Table 1 of D&T"]
     assert first == ["polystyrene", "quartz", "graphite", "gold", "iron"]
-    sets = {material.title for material in SECOND}
+    sets = {material.title for material in OUTSIDE_THE_PAPER}
     assert sets == {"minerals and glasses", "polymers and organics", "metals", "ices"}
 
 
-@pytest.mark.parametrize("material", SECOND, ids=lambda material: material.name)
+@pytest.mark.parametrize("material", OUTSIDE_THE_PAPER, ids=lambda material: material.name)
 def test_each_value_of_the_other_sets_has_its_origin(material: Material) -> None:
     """Each material has a state, and each property an origin.
 
@@ -642,7 +642,7 @@ def test_a_name_takes_precedence_over_a_search(run: Run) -> None:
 
 
 def test_no_short_name_means_a_clean_or_cleaved_surface_or_a_guess(run: Run) -> None:
-    for material in SECOND:
+    for material in OUTSIDE_THE_PAPER:
         note = material.notes.get("surface_energy", "")
         if note.startswith(("not for contact", "a guess for contact")):
             for word in material.aliases:

@@ -107,11 +107,11 @@ def test_a_spring_without_an_error_has_a_remark_on_its_weight() -> None:
 
 
 def test_w_of_a_noisier_branch_has_a_larger_error() -> None:
-    """With E* and z_c from the other branch, an offset of the loads of a branch changes its w in proportion."""
+    """With E* and the contact point of the main branch, an offset in the loads of the other one changes its w."""
     z, force = jkr_curve()
     noise = numpy.random.default_rng(4).normal(0, 3e-9, len(z))
-    quiet = numpy.where(numpy.arange(len(z)) < len(z) // 2, 10 * noise, noise)  # loading is ten times as noisy
-    errors = fit_curve(ForceCurve(TRAVEL, z, force + quiet), PROBE).errors
+    uneven = numpy.where(numpy.arange(len(z)) < len(z) // 2, 10 * noise, noise)  # loading is ten times as noisy
+    errors = fit_curve(ForceCurve(TRAVEL, z, force + uneven), PROBE).errors
     opening, closing = (errors[name].statistical for name in (OPENING, CLOSING))
     assert opening is not None
     assert closing is not None

@@ -25,7 +25,7 @@ from scenes import QUARTZ
 LIMIT_NAMES = dict.fromkeys(limit.name for limit in LIMITS)
 
 
-def test_quantities_computed_together_equal_those_computed_one_by_one() -> None:
+def test_quantities_computed_together_equal_those_computed_separately() -> None:
     scene = Frame({**QUARTZ, "viscous_time": 1e-12, "speed": 1.0, "filling_factor": 0.1, "yield_strength": 1e10,
         "humidity": 0.5, "roughness_gap": 1e-9, "monomers": 1000.0})  # fmt: skip
     values = outcomes(scene, ("pull_off_force", "n_roll", *LIMIT_NAMES))

@@ -14,14 +14,14 @@ Quantity: Any = pint.application_registry.Quantity
 SOLIDS, RADII, LAWS = ["quartz", "iron", "quartz"], [1e-7, 2e-7, 3e-7], ["jkr", "dmt", "maugis"]
 
 
-def one_by_one(wanted: str, **lists: Any) -> list[Any]:
+def row_by_row(wanted: str, **lists: Any) -> list[Any]:
     return [jkroll.solve(wanted, **dict(zip(lists, row, strict=True))) for row in zip(*lists.values(), strict=True)]
 
 
 @pytest.mark.parametrize("wanted", ["P_c", "a0", "n_grav", "yield_force"])
 def test_each_element_has_its_material_and_its_law(wanted: str) -> None:
     found = jkroll.solve(wanted, material=SOLIDS, radius=RADII, model=LAWS)
-    assert found.tolist() == approx(one_by_one(wanted, material=SOLIDS, radius=RADII, model=LAWS), rel=1e-15)
+    assert found.tolist() == approx(row_by_row(wanted, material=SOLIDS, radius=RADII, model=LAWS), rel=1e-15)
 
 
 def test_lists_broadcast_with_arrays() -> None:
@@ -35,7 +35,7 @@ def test_lists_broadcast_with_arrays() -> None:
 def test_lists_of_material_objects_and_of_names_form_pairs() -> None:
     solids = [jkroll.known_materials()[name] for name in SOLIDS]
     found = jkroll.solve(["P_c", "w"], material=solids, material2=[*SOLIDS[1:], SOLIDS[0]], radius=1e-7)
-    others = one_by_one("P_c", material=SOLIDS, material2=[*SOLIDS[1:], SOLIDS[0]], radius=[1e-7] * 3)
+    others = row_by_row("P_c", material=SOLIDS, material2=[*SOLIDS[1:], SOLIDS[0]], radius=[1e-7] * 3)
     assert found["pull_off_force"].tolist() == approx(others, rel=1e-15)
     assert found["work_of_adhesion"].shape == (3,)
 
@@ -57,7 +57,7 @@ def test_lists_of_materials_are_refused_with_a_reason() -> None:
 def test_columns_of_pandas_are_aligned_by_their_index() -> None:
     pandas = pytest.importorskip("pandas")
     data = pandas.DataFrame({"material": SOLIDS, "radius": RADII})
-    assert jkroll.solve("P_c", **data).tolist() == one_by_one("P_c", material=SOLIDS, radius=RADII)
+    assert jkroll.solve("P_c", **data).tolist() == row_by_row("P_c", material=SOLIDS, radius=RADII)
     turned = jkroll.solve("P_c", material=data["material"], radius=data["radius"][::-1])
     assert turned.to_dict() == jkroll.solve("P_c", **data).to_dict()
 

@@ -30,7 +30,7 @@ A0 = (9 * math.pi * 0.025 * RADIUS**2 / MODULUS) ** (1 / 3)
         # 3πγR times a0²/(2·6^(1/3)R), as in Lumajord/DustSimulation
         ("fold_energy", 3 * math.pi * 0.025 * RADIUS * 0.5 * A0**2 / (RADIUS * 6 ** (1 / 3))),
         ("sticking_speed_paszun_dominik", 1.07 * (0.025 / RADIUS) ** (5 / 6) / (MODULUS ** (1 / 3) * 2600.0**0.5)),
-        # twice 9.6: the 1.07 of the speed above, 1.0705, has only one of the two factors 2 in √(2·2·9.6 …)
+        # twice 9.6; the coefficient of the speed above is √(2·9.6·3/(16π)) = 1.07, which lacks this factor of 2
         ("sticking_energy_pencil_code", 2 * 9.6 * 0.025 ** (5 / 3) * RADIUS ** (4 / 3) / MODULUS ** (2 / 3)),
         # with the reduced radius, and with the radius of a grain
         ("roll_energy_quarter_turn", 6 * math.pi**2 * 0.025 * RADIUS * 2e-10),

@@ -26,7 +26,8 @@ PROFILE: dict[Callable[..., Any], Callable[[Exact], Exact]] = {
     sneddon.indentation_curvature: lambda x: 2 / (1 - x**2) + 2 * x**2 / (1 - x**2) ** 2,
     sneddon.hertz_load: lambda x: (1 + x**2) / 2 * digits.log((1 + x) / (1 - x)) - x,
 }
-MACHINES = {"fixed grips": (1.0, 0.0), "dead load": (0.0, 1.0), "lever": (1.0, 3.7)}  # g and c
+# g and c of the sum gδ + cP that a machine holds.
+MACHINES = {"fixed grips": (1.0, 0.0), "dead load": (0.0, 1.0), "lever": (1.0, 3.7)}
 
 
 def approach(x: Exact, ratio: Exact) -> Exact:

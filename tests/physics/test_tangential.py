@@ -12,7 +12,7 @@ from jkroll.model.reasons import Failure, NotInLaw
 from scenes import OTHER, QUARTZ
 
 PAIR: dict[str, Any] = {**QUARTZ, **OTHER}
-NEW = [
+TANGENTIAL = [
     "shear_strength", "sliding_force", "sliding_displacement", "sliding_energy", "twisting_stiffness",
     "twisting_moment",
     "twisting_angle", "twisting_energy", "twisting_frequency", "peeling_force", "peeling_radius",
@@ -43,7 +43,7 @@ def test_twisting_frequency_is_an_eigenvalue(radius2: float) -> None:
 
 
 def energy(a: Any, load: float, force: Any, scene: dict[str, float]) -> Any:
-    """Return the energy of a contact of radius a under dead loads: elastic, of both loads, and of the surface.
+    """Return the energy of a contact of radius a under dead loads: of the solids, of both loads and of the surfaces.
 
     The elastic energy at an approach δ, that of a sphere plus or minus a flat punch, is E*(δ²a − 2δa³/(3R) + a⁵/(5R²));
     its derivative is the load. The tangential spring is 8G*a.
@@ -130,7 +130,7 @@ def test_beyond_pull_off_nothing_peels_at_a_fixed_load() -> None:
 
 
 @pytest.mark.parametrize("model", ["maugis", "dmt"])
-@pytest.mark.parametrize("name", [name for name in NEW if name not in ("shear_strength", *OF_ANY_LAW)])
+@pytest.mark.parametrize("name", [name for name in TANGENTIAL if name not in ("shear_strength", *OF_ANY_LAW)])
 def test_other_laws_have_no_sliding_twisting_or_peeling(model: str, name: str) -> None:
     with pytest.raises(NotInLaw, match="give --model jkr"):
         solve(name, model=model, **QUARTZ)

@@ -242,7 +242,10 @@ IMPACT = "restitution ice-warm --x radius=10nm:100um --y speed=1mm/s:100m/s"
 
 
 def test_the_edge_of_a_band_is_smooth_at_a_kink_of_the_best_range() -> None:
-    """The largest e by the best range rises steeply from 0 at the largest speed to stick, along a straight line."""
+    """The upper end of the best range of the restitution rises steeply from 0 at the largest sticking speed.
+
+    On the page, this speed over the radius is a straight line.
+    """
     _, page = map_in_a_column(*IMPACT.split())
     (axes,) = page.axes
     lowest = min(lines_of(page, "band"), key=lambda line: line[:, 1].max())

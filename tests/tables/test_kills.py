@@ -139,7 +139,8 @@ def started_by(process: "subprocess.Popen[Any]") -> list[str]:
     return found
 
 
-# This process gets a signal right after starting another process. With one thread, as in `run`, signals can be blocked.
+# A process with this code gets a signal right after it has started another process. OpenBLAS has one thread, as under
+# `jkroll.__main__.run`: a second thread would receive a signal that the first one blocks.
 STRUCK = """
 import os
 from multiprocessing import util

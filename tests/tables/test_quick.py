@@ -82,13 +82,13 @@ def test_quick_and_careful_reading_agree(
 def test_usual_rows_are_read_quickly() -> None:
     text = b"a,quartz,100,1,0.2,50 nm\n" * 300 + b"b,quartz,-5,0,0.2,50 nm\n"
     convert = converter("csv", "\n", excel_safe=False)
-    with patch.object(Delimited, "_read", side_effect=AssertionError), patch.object(cells, "_meaning") as one_by_one:
+    with patch.object(Delimited, "_read", side_effect=AssertionError), patch.object(cells, "_meaning") as careful:
         found = convert.converted(text)
     assert (found.tally.rows, found.tally.failed, found.tally.with_doubts(EVERY_DOUBT)) == (301, 1, 300)
     assert found.output.splitlines()[300].endswith(b",bad radius")
     (gap,) = found.tally.gaps.values()
     assert gap == (1, 301, "radius: '-5' must be positive; expected a length such as 100nm")
-    assert not one_by_one.called
+    assert not careful.called
     first, *others = found.output.splitlines()[:300]
     assert others == [first] * 299
 

@@ -11,7 +11,7 @@ from meant_headers import ADVISED as ADVISED_OTHERS
 from meant_headers import IDLE, MISREAD, PASSED, REFUSED, Header, advice_for, groups_of, meant_headers, outcome
 from relative import approx
 
-BESIDE = "material,radius [nm]"  # the other columns; the material is quartz
+OTHERS = "material,radius [nm]"  # the other columns; the material is quartz
 ADVISED = {
     "Interface Energy (J/m^2)": "work_of_adhesion [J/m^2]",
     "dens. of solid (g/cm3)": "density [g/cm3]",
@@ -43,17 +43,17 @@ def _wide(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.parametrize("head", ADVISED)
 def test_a_possible_input_is_refused_with_advice_that_works(run: Run, head: str) -> None:
-    said = ran(run, f"{BESIDE},{head}", "quartz,100,3")
+    said = ran(run, f"{OTHERS},{head}", "quartz,100,3")
     assert said.startswith("2: ")
     advised = [shlex.split(word)[0] for word in re.findall(r"--column ('[^']*')", said)]
     assert f"{head}={ADVISED[head]}" in advised
     assert f"{head}=" in advised
-    assert ran(run, f"{BESIDE},{head}", "quartz,100,3", shlex.join(["--column", f"{head}={ADVISED[head]}"]))[0] in "01"
+    assert ran(run, f"{OTHERS},{head}", "quartz,100,3", shlex.join(["--column", f"{head}={ADVISED[head]}"]))[0] in "01"
 
 
 @pytest.mark.parametrize("head", PASSING)
 def test_a_column_of_another_quantity_passes_through(run: Run, head: str) -> None:
-    assert f"passed through: {head}" in ran(run, f"{BESIDE},{head}", "quartz,100,3").replace('"', "")
+    assert f"passed through: {head}" in ran(run, f"{OTHERS},{head}", "quartz,100,3").replace('"', "")
 
 
 def test_messages_name_the_value_used_instead(run: Run) -> None:
@@ -66,9 +66,9 @@ def test_messages_name_the_value_used_instead(run: Run) -> None:
 
 
 def test_messages_name_the_value_from_which_an_input_follows(run: Run) -> None:
-    said = ran(run, f"{BESIDE},interfacial energy [mJ/m2]", "quartz,100,20")
+    said = ran(run, f"{OTHERS},interfacial energy [mJ/m2]", "quartz,100,20")
     assert "not read, and w follows from γ2, which is that of sphere 1. Write" in said
-    said = ran(run, f"{BESIDE},impact vel (m/s)", "quartz,100,20")
+    said = ran(run, f"{OTHERS},impact vel (m/s)", "quartz,100,20")
     assert "not read, and v follows from W0/P_cδ0, which is 1 by default. Write" in said
 
 
@@ -102,31 +102,31 @@ def test_a_symbol_without_a_unit_or_with_that_of_another_quantity_passes_through
 
 def test_a_column_on_which_no_result_depends_passes_through(run: Run) -> None:
     """A pull-off force depends on the reduced radius and w only."""
-    said = ran(run, f"{BESIDE},bar (g/cm3),foo (m/s)", "quartz,100,2,3", "--quantities pull_off_force")
+    said = ran(run, f"{OTHERS},bar (g/cm3),foo (m/s)", "quartz,100,2,3", "--quantities pull_off_force")
     assert said.startswith("0: ")
 
 
 @pytest.mark.parametrize("columns", ["youngs_modulus [GPa],youngs_modulus2 [GPa]", "contact_modulus [GPa]"])
 def test_an_unread_modulus_passes_through_if_other_columns_give_all_moduli(run: Run, columns: str) -> None:
     cells = ",".join(["5"] * len(columns.split(",")))
-    assert "'foo" not in ran(run, f"{BESIDE},{columns},foo (GPa)", f"quartz,100,{cells},3")
+    assert "'foo" not in ran(run, f"{OTHERS},{columns},foo (GPa)", f"quartz,100,{cells},3")
 
 
 def test_an_unread_column_with_units_of_an_input_in_its_cells_is_refused(run: Run) -> None:
-    said = ran(run, f"{BESIDE},adhesive", "quartz,100,25 mJ/m2")
+    said = ran(run, f"{OTHERS},adhesive", "quartz,100,25 mJ/m2")
     assert "'adhesive' (first cell '25 mJ/m2'): not read" in said
 
 
 @pytest.mark.parametrize(("head", "name"), [("Werkstoff", "material2"), ("wall", "material2"), ("what", "material2")])
 def test_an_unread_column_of_materials_is_refused(run: Run, head: str, name: str) -> None:
-    said = ran(run, f"{BESIDE},{head}", "quartz,100,iron")
+    said = ran(run, f"{OTHERS},{head}", "quartz,100,iron")
     assert f"Write --column '{head}={name}', or --column '{head}='" in said
     assert ran(run, f"radius [nm],{head}", "100,iron").startswith("2: ")
 
 
 def test_labels_and_letters_are_not_materials(run: Run) -> None:
-    assert ran(run, f"{BESIDE},grade", "quartz,100,C").startswith("0: ")
-    assert ran(run, f"{BESIDE},lab", "quartz,100,Zurich").startswith("0: ")
+    assert ran(run, f"{OTHERS},grade", "quartz,100,C").startswith("0: ")
+    assert ran(run, f"{OTHERS},lab", "quartz,100,Zurich").startswith("0: ")
 
 
 def test_a_column_of_materials_passes_through_only_if_columns_give_the_properties_of_both_spheres(run: Run) -> None:

@@ -1,16 +1,17 @@
 """Make the tables of an elastic sphere that attracts by the 3-9 law, and compare them with the program's fits.
 
     python tests/tools/lennard_jones.py [μ ...]          # the pull-off force
-    python tests/tools/lennard_jones.py energies [μ ...] # the work to part, and up to pull-off under a dead load
+    python tests/tools/lennard_jones.py energies [μ ...] # the depth of the well, and the work up to pull-off
     python tests/tools/lennard_jones.py curve > tests/data/force_curve.csv
 
 The last command makes a force curve as an instrument measures it, with noise and an unknown zero of the approach.
 
-The gap is h/z0 = H = ρ²/2 − D + μ^(3/2) u(ρ), with ρ = r/√(Rz0) and a traction (8/3)(H^-3 − H^-9) w/z0 on an elastic
-half-space. Traction is constant on rings; the displacement by a ring is that by a disc minus that by a smaller disc
-(elliptic integrals). Newton's method follows the curve by the gap at the centre, through the turning points of D; a
-parabola through the three largest tensions gives the pull-off force. The far traction is added in closed form. Above
-μ = 2 the gap at the centre no longer falls along the whole curve, so that the table ends there.
+The gap is h/z0 = H = ρ²/2 − D + μ^(3/2) u(ρ), with ρ = r/√(Rz0), the approach D in units of z0, Tabor's parameter μ,
+and the displacement u of an elastic half-space under the traction (8/3)(H^-3 − H^-9) w/z0. Traction is constant on
+rings; the displacement by a ring is that by a disc minus that by a smaller disc (elliptic integrals). Newton's method
+finds the state at each of a series of gaps at the centre, and so passes the turning points of D; a parabola through the
+three largest tensions gives the pull-off force. The far traction is added in closed form. Above μ = 2 the gap at the
+centre no longer falls along the whole curve, so the table ends there.
 """
 
 import sys
@@ -21,12 +22,13 @@ import numpy
 from scipy.interpolate import CubicSpline  # type: ignore[import-untyped]
 from scipy.special import ellipe, ellipk  # type: ignore[import-untyped]
 
+# The pull-off force over πwR.
 TABLE = {
     0.01: 1.99897, 0.03: 1.99468, 0.05: 1.98866, 0.1: 1.96896, 0.136: 1.95223, 0.2: 1.92014, 0.3: 1.87019,
     0.5: 1.78748, 0.7: 1.72892, 1.0: 1.67068, 1.5: 1.61486, 2.0: 1.58349,
 }  # fmt: skip
 # The energies over πwRz0: the depth of the well, and the work from rest to the largest tension. Below μ = 0.698 the
-# approach changes in one direction along the whole curve, and the depth is the work to part at fixed grips.
+# approach changes in one direction along the whole curve, so the depth is the work of separation with fixed grips.
 ENERGIES = {
     0.01: (2.88567, 0.31633), 0.03: (2.90929, 0.34858), 0.05: (2.94093, 0.39226), 0.1: (3.03744, 0.52705),
     0.136: (3.11533, 0.63610), 0.2: (3.26324, 0.83963), 0.3: (3.50893, 1.15878), 0.5: (4.03202, 1.75904),

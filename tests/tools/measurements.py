@@ -23,7 +23,7 @@ END = "\n*abstract*:"  # the paragraph below the table and its origins
 
 _OF_RATIOS = "yield_force_ratio"  # a quantity without a unit, to read and print ratios
 _ROUNDED = Format(digits=3)
-_SAID = (  # the inputs of a scene that the table states
+_STATED = (  # the inputs of a scene that the table states
     "radius", "radius2", "surface_energy", "surface_energy2", "yield_displacement", "humidity", "contact_angle"
 )  # fmt: skip
 
@@ -37,9 +37,9 @@ class Measurement(NamedTuple):
     material: str
     given: Mapping[str, str]  # the other inputs
     source: str
-    read: str  # "abstract": in the authors' own; "second hand": in a text that cites them
+    read: str  # "abstract": in that of the source; "second hand": in a text that cites it
     remark: str
-    beside: str = ""  # another radius: the numbers are then ratios, of the value at `radius` to the value there
+    other_radius: str = ""  # if given, the numbers are ratios of the value at `radius` to the value at this radius
     material2: str = ""  # the material of the other body, if it differs
 
 
@@ -141,14 +141,14 @@ MEASUREMENTS = (
         "Arffman et al. 2015, J. Aerosol Sci. 86, 32", "abstract",
         "14 m/s at 20 nm over 0.022 m/s at 1 µm, presumably diameters: the measured speed is proportional to R^−1.6, "
             "that of an elastic contact of any solids to R^(−5/6); plastic losses probably explain the difference",
-        beside="500 nm",
+        other_radius="500 nm",
     ),
     Measurement(
         "polystyrene on polyurethane", "contact_radius", "1.68±0.06", "polystyrene-glassy",
         {"radius": "6 um", **_PLANE},
         "J. Appl. Phys. 1989, doi 10.1063/1.344087", "abstract",
         "At twice the radius: a is proportional to R^(0.75 ± 0.05), and by JKR and DMT to R^(2/3) for any solids",
-        beside="3 um",
+        other_radius="3 um",
     ),
     Measurement(
         "vitreous silica, closing cracks", "work_of_adhesion", "0.15 J/m2", "silica-humid", {},
@@ -226,12 +226,12 @@ def measurements_table() -> str:
         row = each.row
         radius = amount("radius", value_of(row.given["radius"], "radius")) if "radius" in row.given else "—"
         symbol = NOMENCLATURE[row.quantity].symbol
-        unit_of = _OF_RATIOS if row.beside else row.quantity
+        unit_of = _OF_RATIOS if row.other_radius else row.quantity
         cells = (
             str(place),
             row.solids,
             radius,
-            f"{symbol}, ratio" if row.beside else symbol,
+            f"{symbol}, ratio" if row.other_radius else symbol,
             amount(unit_of, value_of(row.measured, unit_of)),
             amount(unit_of, each.computed, _ROUNDED),
             significant(each.ratio, 2),
@@ -248,13 +248,13 @@ def with_table(page: str) -> str:
 
 
 def _compared(row: Measurement) -> Compared:
-    unit_of = _OF_RATIOS if row.beside else row.quantity
+    unit_of = _OF_RATIOS if row.other_radius else row.quantity
     scene = _scene(row, row.given)
     computed = scene[row.quantity]
     computed_for = ", ".join(_inputs_of(scene, row))
-    if row.beside:
-        computed /= _scene(row, {**row.given, "radius": row.beside})[row.quantity]
-        computed_for += f", over that at R1 = {amount('radius', value_of(row.beside, 'radius'))}"
+    if row.other_radius:
+        computed /= _scene(row, {**row.given, "radius": row.other_radius})[row.quantity]
+        computed_for += f", over that at R1 = {amount('radius', value_of(row.other_radius, 'radius'))}"
     law = "the first order of a meniscus" if row.quantity == "meniscus_force" else scene.law.name.upper()
     return Compared(row, _middle(row.measured, unit_of), computed, f"{computed_for}, by {law}")
 
@@ -270,7 +270,7 @@ def _inputs_of(scene: Frame, row: Measurement) -> Iterator[str]:
     for name, value in scene.echo({*row.given, row.quantity, *scene.inputs_of(row.quantity)}).items():
         if name in ("material", "material2"):
             yield value
-        elif name in _SAID:
+        elif name in _STATED:
             assumed = " (assumed)" if name in DEFAULTS else ""
             yield f"{NOMENCLATURE[name].symbol} = {amount(name, in_words(name, value))}{assumed}"
 

@@ -73,7 +73,7 @@ def missing(name: str) -> list[Lack]:
 
 
 def _of_row(name: str) -> Iterator[Lack]:
-    """Iterate over what the row of the nomenclature lacks."""
+    """Iterate over the parts that the row of the nomenclature lacks."""
     unit = _units(name)["return"] if name in FORMULAS else ""
     if name not in NOMENCLATURE:
         if not _is_of_derivation(name):
@@ -92,7 +92,7 @@ def _of_row(name: str) -> Iterator[Lack]:
 
 
 def _is_of_derivation(name: str) -> bool:
-    """Return whether a formula is a step of a derivation, which the page on Python lists, rather than a quantity."""
+    """Return whether the page on Python lists a formula as a step of a derivation, which needs no row."""
     return f"`{name}`" in (TESTS.parent / "src/jkroll/guide/python.md").read_text(encoding="utf-8")
 
 
@@ -113,7 +113,7 @@ def _plain(name: str) -> object:
 
 
 def _of_input(name: str) -> Iterator[Lack]:
-    """Iterate over what an input with an option lacks."""
+    """Iterate over the parts that an input with an option lacks."""
     quantity = NOMENCLATURE[name]
     if not quantity.example:
         yield Lack(NOMENCLATURE_FILE, f'example="…", in the row of {name}')
@@ -153,9 +153,10 @@ def is_too_long(text: str) -> bool:
 
 
 def tables_read_as(name: str) -> list[str]:
-    """Return the repositories of found tables with a column that is read as an input, although their record omits it.
+    """Return the repositories of found tables in which a column is read as an input that their record does not name.
 
-    Inputs that are converted to another input, such as a shear modulus, are not read in a table with this other input.
+    Inputs that are converted to another input, such as a shear modulus, are left out: their column passes through in a
+    table with this other input.
     """
     if name in CONVERTED:
         return []
@@ -180,7 +181,7 @@ def found_tables() -> list[tuple[str, dict[str, Any]]]:
 
 
 def _of_formula(name: str) -> Iterator[Lack]:
-    """Iterate over what a formula and its result lack."""
+    """Iterate over the parts that a formula and its result lack."""
     formula = FORMULAS[name]
     file = f"src/{formula.__module__.replace('.', '/')}.py"
     if not _is_documented(formula):
@@ -219,9 +220,9 @@ def _reference_of(module: str) -> str:
 
 
 def _of_values(name: str) -> Iterator[Lack]:
-    """Iterate over at most one part: the accuracy of a formula that is less accurate than most.
+    """Iterate over at most one part: the stated accuracy of a formula that is less accurate than most.
 
-    The formulas of other laws have their own scenes, with more random inputs than here.
+    Formulas of other laws are left out: test_accuracy.py draws more inputs for them than the scenes here have.
     """
     if name in law_reference.EQUATIONS:
         return
@@ -284,7 +285,7 @@ def _is_old(block: str) -> bool:
 
 
 def _of_format(name: str) -> Iterator[Lack]:
-    """Iterate over what a format of tables lacks, given the suffix of its files."""
+    """Iterate over the parts that a format of tables lacks, given the suffix of its files."""
     form = FORMATS[name]
     if form not in help_of("batch"):
         yield Lack("src/jkroll/cli/options.py", f"{form} in the help of --format")

@@ -19,7 +19,7 @@ CHECKOUT = Path(__file__).resolve().parents[2]
 PROJECT = tomllib.loads((CHECKOUT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 TESTS = ("tests/physics", "tests/model", "tests/write", "tests/quantities")
 CORPUS = ("tests/tools/run_command_lines.py", "check", "60")
-# Fails for a shim without a Python behind it, and where no environment can be made.
+# This program fails under a shim without a Python behind it, and where no environment can be made.
 ASK = "import sys, ensurepip, venv; print(sys.implementation.name, *sys.version_info[:2])"
 
 Version = tuple[int, ...]
@@ -31,7 +31,7 @@ def lowest_python() -> Version:
 
 
 def lowest_requirements() -> list[str]:
-    """Return the requirements of the project, each as the lowest version that it permits."""
+    """Return the requirements of the project, each pinned to the lowest version that it permits."""
     return [re.sub(r">=([\d.]+).*", r"==\1", text) for text in PROJECT["dependencies"]]
 
 

@@ -331,7 +331,7 @@ def test_each_row_is_judged_rough_by_its_own_solid(run: Run) -> None:
 
 @pytest.mark.parametrize("words", ["quartz 100nm --gamma 1mJ/m2", "quartz 1um --gamma 1mJ/m2", "quartz 1um"])
 def test_real_spheres_hold_less_than_smooth_ones(run: Run, words: str) -> None:
-    """A given surface energy counts for both: measured forces are those of silica of about 25 mJ/m²."""
+    """Real spheres hold the fractions of JKR's force that silica of about 25 mJ/m² held, also at another γ."""
     lines = run(f"pull-off {words}", terminal=True).out.splitlines()
     ranges = [re.findall(r"P_c +([\d.]+)–([\d.]+)", line) for line in lines]
     *real, smooth = [(float(low), float(high)) for found in ranges for low, high in found]
