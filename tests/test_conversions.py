@@ -360,7 +360,7 @@ def test_a_column_of_diameters_is_passed_through_if_every_diameter_has_a_radius(
 
 def test_an_option_fills_empty_cells_of_diameters_and_radii(run: Run) -> None:
     err, found = results(run, "name,diameter [nm]\na,200\nb,\n", *ONLY_FORCE, "--radius", "200nm")
-    assert "note: --radius fills empty cells: the others keep their values" in err.splitlines()
+    assert "note: --radius fills empty cells: other cells keep theirs" in err.splitlines()
     assert forces(found) == approx([FORCE, 2 * FORCE], rel=1e-14)
     _, found = results(run, "name,radius [nm]\na,100\nb,\n", *ONLY_FORCE, "--diameter", "400nm")
     assert forces(found) == approx([FORCE, 2 * FORCE], rel=1e-14)

@@ -86,7 +86,7 @@ class BadRequest(JkrollError):
 
 def repeated_input(name: str) -> BadRequest:
     """Return the error for an input that is named among the results."""
-    return BadRequest(f"--quantities: {name} is an input here, which results do not repeat; leave it out")
+    return BadRequest(f"--quantities: {name} is an input here and is shown with the inputs; leave it out")
 
 
 class BadTable(JkrollError):

@@ -289,7 +289,7 @@ def test_a_curve_without_adhesion_has_an_upper_limit_in_each_form(run: Run) -> N
     assert limit == approx(5 * 1e-10 / (1.5 * numpy.pi * 5e-6), rel=0.2)
     assert row["work_of_adhesion_opening [J/m^2]"] == ""
     assert json.loads(run(f"{words} --json").out)["largest_work_of_adhesion"] == approx(limit)
-    assert "w: below" in run(words, terminal=True).out
+    assert "w is below" in run(words, terminal=True).out
 
 
 def test_a_sphere_that_is_not_rigid_is_refused(run: Run, curve: str) -> None:
@@ -353,7 +353,7 @@ def test_a_curve_is_written_point_by_point(run: Run, curve: str) -> None:
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ("", "give its stiffness by --spring, as in 3.01N/m"),
+        ("", "give the lever's stiffness with --spring, as in 3.01N/m"),
         ("--spring 0N/m", "must be positive"),
         ("--spring 3N/m --branch up", "is not one of: both, load and unload"),
         ("--spring 3N/m --profile cone", "is not one of paraboloid, sphere"),
@@ -521,7 +521,7 @@ def test_fit_in_python_takes_the_names_of_options_and_names_arguments_in_errors(
     known: dict[str, Any] = {"radius": "7.5 um", "radius2": "plane", "spring": "3.01 N/m"}
     fitted = jkroll.fit("curve.csv", young="rigid", poisson2=0.5, **known)
     assert fitted.other_modulus == ("youngs_modulus2", approx(0.75 * fitted.values["contact_modulus"]))
-    with pytest.raises(jkroll.JkrollError, match=r"give its stiffness by spring, as in 3\.01N/m"):
+    with pytest.raises(jkroll.JkrollError, match=r"give the lever's stiffness with spring, as in 3\.01N/m"):
         jkroll.fit("curve.csv", radius="7.5 um")
     with pytest.warns(UserWarning, match="radius=10 is a sphere of 10 m"):
         jkroll.fit("curve.csv", radius=10, radius2="plane", spring=3.01)

@@ -436,7 +436,7 @@ def test_a_formula_of_another_law_never_uses_the_contact_of_the_law_in_use(model
     for name, value in found.items():
         assert value == approx(scene.replace(model=law_of(name))[name], rel=1e-12), name
     assert not {"approach_dmt", "stiffness_dmt", "load_dmt"} & found.keys() or model == "dmt"
-    assert model == "dmt" or "pull_off_force_dmt" in outcomes(scene, ["pull_off_force_dmt"])
+    assert model == "dmt" or scene["pull_off_force_dmt"] > 0
 
 
 def test_a_quantity_of_another_law_is_refused_with_the_name_of_that_law(run: Run) -> None:

@@ -107,7 +107,10 @@ def test_both_spheres_of_one_material_are_inferred_together() -> None:
 
 ENERGY_AND_RADIUS = ("surface_energy", "radius")
 FORCES = {"pull_off_force": 3e-7, "pull_off_force_dmt": 4e-7}  # all pairs with the same γR give the same forces
-STAY = "and pull_off_force_dmt do not determine both unknowns: both are constant along γ1 ∝ R1^-1 (the condition number is above 1e8)"
+STAY = (
+    "and pull_off_force_dmt do not determine both unknowns: both are constant along γ1 ∝ R1^-1 "
+    "(the condition number is above 1e8)"
+)
 # f = √(K/m)/2π, and under a large load K does not depend on γ
 PRESSED = {"stiffness": 1e3, "vertical_frequency": 1e6}, {**PLANE, "density": 2e3, "load": 1e3}
 PULLED = {"surface_energy": 0.05, "radius2": math.inf, "poisson_ratio": 0.2, "load": -1e-7}

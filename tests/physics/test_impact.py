@@ -204,7 +204,7 @@ def test_contact_that_yields_on_touching_has_no_yield_speed() -> None:
         ("--speed 1m/s", "the impact is elastic if the solids bear 1.23 GPa, its peak pressure (at rest: 656 MPa)"),
         (
             "--speed 1m/s --yield-strength 3GPa",
-            "stays elastic: the peak pressure is 1.23 GPa; yield starts below the surface at 4.4 GPa",
+            "stays elastic: the peak pressure is 1.23 GPa; yielding starts below the surface at 4.4 GPa",
         ),
         (
             "--speed 30m/s --yield-strength 3GPa",

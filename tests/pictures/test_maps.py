@@ -408,8 +408,7 @@ def test_the_caption_has_the_value_of_a_marked_grain_of_another_material_with_it
     own = run("contact iron 100nm --bare --quiet --quantities contact_radius").out
     said = " ".join(run(words).out.split())
     assert (
-        f"iron, 100 nm has inputs that differ from those fixed here; iron, 100 nm: a0 = {float(own) * 1e9:.4g} nm; "
-        in said
+        f"iron, 100 nm has other inputs than those fixed here; iron, 100 nm: a0 = {float(own) * 1e9:.4g} nm; " in said
     )
     assert "quartz, 1 µm: a0 = " in said
     assert "quartz, 1 µm has" not in said
@@ -446,7 +445,7 @@ def test_an_axis_may_be_named_by_the_word_of_an_option(run: Run) -> None:
             "is outside the axes of radius and pull_off_force",
         ),
         ("figure 3a --mark iron@5m", "--mark 'iron@5m' is outside the axes of surface_energy and radius"),
-        ("map pull-off --x radius=1nm:1um:2001 --y gamma=1mJ/m2:1J/m2", "too many values; an axis takes 2000"),
+        ("map pull-off --x radius=1nm:1um:2001 --y gamma=1mJ/m2:1J/m2", "too many values; an axis has at most 2000"),
         ("map pull-off 1nm:1um:25 --x gamma=1mJ/m2:1J/m2", "25 pairs are more than the 24 curves"),
         ("map pull-off quartz --x radius=1nm:1um -o picture.gif", "does not end in .svg, .pdf or .png"),
         ("contact quartz 100nm --curve --panel force -o curve.csv", "does not end in .svg, .pdf or .png"),

@@ -99,7 +99,7 @@ def test_a_result_has_no_error_bar_if_an_end_of_an_input_gives_no_value(run: Run
     assert first["stiffness [N/m]"] is not None
     assert first["stiffness_minus [N/m]"] is None
     assert first["status"] == "no error bar"
-    words = "stiffness: no uncertainty, as there is no value at some point within an input's uncertainty: load: -12 nN breaks"
+    words = "stiffness: no uncertainty, as there is no value at some point within an input's uncertainty: load: -12 nN"
     assert words in ran.err.replace("\n  ", " ")
     assert second["stiffness_minus [N/m]"] is not None
     assert second["status"] is None

@@ -117,8 +117,8 @@ REFUSED = {
     "Diameter": f"Diameter' {_LACKING} 'Diameter=diameter [UNIT]', or --column 'Diameter=' to pass it through",
     "equivalent diameter [um]": "Write a column diameter [UNIT] instead of 'equivalent diameter [um]', or",
     "G_s [GPa]": "=shear_modulus [GPa]' or --column 'G_s [GPa]=shear_modulus2 [GPa]'",
-    "r [nm]": "r may be a distance. Write --column 'r [nm]=radius [nm]'",
-    **dict.fromkeys(("s [nm]", "S (nm)"), "s may be a distance. Write --column"),
+    "r [nm]": "r may be a radius or a distance. Write --column 'r [nm]=radius [nm]'",
+    **dict.fromkeys(("s [nm]", "S (nm)"), "s may be an asperity radius or a distance. Write --column"),
     **dict.fromkeys(("indentation [nm]", "Overlap (nm)"), "it may be the approach. Write --column"),
     "R* [nm]": "'R* [nm]=reduced_radius [nm]'",
     "W_12 (mJ/m²)": "'W_12 (mJ/m²)=work_of_adhesion [mJ/m²]'",
@@ -951,7 +951,7 @@ def test_an_option_for_an_input_with_a_column_is_reported(run: Run) -> None:
     """In a command for one contact, an option overrides the material. In a table, a cell overrides an option."""
     Path("x.csv").write_text("radius [nm],gamma [mJ/m2]\n100,25\n100,\n", encoding="utf-8")
     words = "batch x.csv -o out.csv --quantities pull_off_force --no-doubt --gamma 50mJ/m2"
-    assert "note: --gamma fills empty cells: the others keep their values\n" in run(words).err
+    assert "note: --gamma fills empty cells: other cells keep theirs\n" in run(words).err
     assert "note: --radius fills empty cells" in run(f"{words} --radius 1um").err
     forces = [float(line.split(",")[2]) for line in Path("out.csv").read_text(encoding="utf-8").splitlines()[1:]]
     assert forces[1] == approx(2 * forces[0], rel=1e-12)

@@ -429,7 +429,10 @@ def test_a_row_of_units_is_read_in_every_layout(run: Run, text: str, words: str)
         ("# a\nradius,gamma_J_m2\nnm,mJ/m2\n100,25\n", "'gamma_J_m2' is above 'mJ/m2' in the row of units, line 3"),
         ("radius,gamma,nu [-]\nnm,mJ/m2,%\n100,25,20\n", "header: 'nu [-]' is above '%'"),
         # The meaning is unclear even with the unit, as it is with a unit in the header.
-        ("r,gamma\nnm,mJ/m2\n100,25\n", "'r [nm]' (first cell '100'): r may be a distance. Write --column 'r [nm]="),
+        (
+            "r,gamma\nnm,mJ/m2\n100,25\n",
+            "'r [nm]' (first cell '100'): r may be a radius or a distance. Write --column 'r [nm]=",
+        ),
         ("radius,gamma,gamma_var\nnm,mJ/m2,mJ/m2\n100,25,2\n", "'gamma_var [mJ/m2]' (first cell '2'): it may be"),
     ],
 )

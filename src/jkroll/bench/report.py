@@ -406,10 +406,10 @@ HEADS = (
     *(f"{which}_{region}" for region in ("ordinary", "pull_off", "fold", "zero_approach", "extreme")
       for which in ("median", "worst")),
 )  # fmt: skip
-LEGEND = f"""ns      nanoseconds a point
+LEGEND = f"""ns      nanoseconds per point
 × cbrt  the same, in units of numpy's time for a cube root on this machine
-others  median and largest error in ulp/(1 + κ) in a region of points, κ the condition in load, approach or λ;
-        the guide promises {PROMISE}, and {PROMISE_OF_MAUGIS} by Maugis
+others  median and largest error in ulp/(1 + κ) in a region of points, where κ is the condition number for load,
+        approach or λ; the guide promises {PROMISE}, and {PROMISE_OF_MAUGIS} by Maugis
 """
 
 

@@ -153,7 +153,9 @@ class Options:
     as_printed = _switch("--as-printed", "Add Eq (41) as printed to 6b, dashed")
 
     # For tables
-    format = Option("", "--format", "csv, tsv, ndjson or parquet, if the file name does not say; .gz, .zst", "FORMAT")
+    format = Option(
+        "", "--format", "csv, tsv, ndjson or parquet, if the file name has no such ending; .gz, .zst", "FORMAT"
+    )
     delimiter = Option("", "--delimiter", "Column separator: comma, semicolon, bar, tab or blank", "WORD",
         excludes="format")  # fmt: skip
     columns = _texts("--column", "Read a column as an input; pass it through if nothing follows =", "HEADER=INPUT")

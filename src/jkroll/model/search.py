@@ -476,5 +476,6 @@ class Pairs:
             direction = numpy.linalg.svd(matrix)[2][-1]  # the direction of the least change
             remark = f"both are constant along {symbols[0]} ∝ {symbols[1]}^{direction[0] / direction[1]:.3g}"
         remedy = "measure another quantity, or give one of the two"
-        text = f"{listed(self.problem.levels)} do not determine both unknowns: {remark} (the condition number is above 1e8); {remedy}"
+        remark += " (the condition number is above 1e8)"
+        text = f"{listed(self.problem.levels)} do not determine both unknowns: {remark}; {remedy}"
         return Unseparated(self.problem, text)

@@ -65,7 +65,8 @@ def threshold_humidity(*, roughness_gap: Length, contact_angle: Angle) -> Number
         h = exp(−2 cosθ·0.5248 nm/D), at which 2r_K cosθ = D
 
     Source:   Kelvin's equation, water at 25 °C, for a meniscus across parallel walls.
-    Valid:    θ < 90°. Adsorbed water may bridge a gap at a lower humidity: menisci were measured at 2 % (arXiv:0809.1502).
+    Valid:    θ < 90°. Adsorbed water may bridge a gap at a lower humidity: menisci were measured at 2 %
+              (arXiv:0809.1502).
     """
     angle = within(contact_angle < pi / 2, contact_angle)
     return exp(-2 * KELVIN_LENGTH * sin(_elevation(angle)) / roughness_gap)

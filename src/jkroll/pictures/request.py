@@ -188,7 +188,7 @@ def axis_of(text: str, option: str) -> Axis:
     if not spread.low < spread.high:
         raise QuantityError(name, values, "does not rise", "write FROM:TO with FROM below TO")
     if spread.size > MAX_POINTS:
-        raise QuantityError(name, values, "has too many values", f"an axis takes {MAX_POINTS}")
+        raise QuantityError(name, values, "has too many values", f"an axis has at most {MAX_POINTS}")
     return Axis(name, spread.low, spread.high, spread.is_log, spread.size if count else 0)
 
 
@@ -264,7 +264,7 @@ def _about_marks(request: PlotRequest, panel: Panel) -> Iterator[str]:
             drawn = frame.replace(**panel.x.inputs(mark.x), **panel.y.inputs(mark.y)).numbers(quantity)
             numbers = _frame_at(typed.get(mark.text, mark.text), request.materials, frame).numbers(quantity) or drawn
             if drawn and not isclose(numbers[quantity], drawn[quantity], rel_tol=SAME):
-                yield f"{mark.text} has inputs that differ from those fixed here"
+                yield f"{mark.text} has other inputs than those fixed here"
         for name, value in numbers.items():
             yield f"{mark.text}: {symbol(name)} = {amount(name, value, _FOUR)}"
 

@@ -16,7 +16,7 @@ from .synonyms import QUANTITY_SYNONYMS
 
 INFINITY = float("inf")
 POSITIVE = Range(0.0, INFINITY, False, False, "must be positive")
-SIZE = Range(0.0, INFINITY, False, False, "must be positive: it is the size of a tension")
+SIZE = Range(0.0, INFINITY, False, False, "must be positive: it is the size of a pull")
 UP_TO_INFINITE = Range(0.0, INFINITY, False, True, "must be positive")
 POISSON = Range(-1.0, 0.5, False, True, "must lie above -1, and be at most 0.5")
 LOOSE = Range(0.0, 0.74, False, False, "must lie between 0 and 0.74, the value of the closest packing")
@@ -347,13 +347,13 @@ _QUANTITIES: Mapping[str, Quantity] = {
     "r_min_over_radius": Quantity("R_min/R1", "1", "smallest curvature radius over the radius", "28"),
     "yield_energy": Quantity("W_yield", "J", "energy to begin rolling", "25"),
     "energy_over_yield": Quantity("W0/W_yield", "1", "energy over the yield energy", "25"),
-    "energy_over_sticking": Quantity("W0/U_stick", "1", "energy over the largest that sticks", "48"),
+    "energy_over_sticking": Quantity("W0/U_stick", "1", "energy over the largest energy to stick", "48"),
     "flight_ratio": Quantity("m1v²/(R1+R2)P_c", "1", "force to stay on body 2 over the pull-off force",
         may_be_zero=True),
     "impact_pressure_over_modulus": Quantity("p_max/E*", "1", "peak pressure of the impact over the contact modulus"),
     "impact_over_yield": Quantity("p_max/p_y", "1", "peak pressure of the impact over that of first yield"),
-    "speed_over_sound": Quantity("v/√(E/ρ)", "1", "speed over that of sound in the solid", may_be_zero=True),
-    "speed_over_sticking": Quantity("v/v_stick", "1", "speed over the largest that sticks"),
+    "speed_over_sound": Quantity("v/√(E/ρ)", "1", "speed over the speed of sound in the solid", may_be_zero=True),
+    "speed_over_sticking": Quantity("v/v_stick", "1", "speed over the largest speed to stick"),
     # ratios
     "pull_off_force_ratio": Quantity("P_c/πwR", "1", "pull-off force over πwR"),
     "modulus_over_energy": Quantity("E*/γ", "m^-1", "contact modulus over surface energy", "49", range=POSITIVE),

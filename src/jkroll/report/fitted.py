@@ -153,7 +153,7 @@ def findings(fitted: Fit) -> Iterator[str]:
         limit = f"{fitted.largest_adhesion:.2g} J/m for wR"
         if not fitted.is_scaled:
             limit = amount("work_of_adhesion", fitted.largest_adhesion, Format(digits=2))
-        yield f"w: below {limit}, by the noise"
+        yield f"w is below {limit}; the noise hides a smaller one"
     if is_sure(fitted) and fitted.other_modulus is not None:
         name, modulus = fitted.other_modulus
         yield f"{NOMENCLATURE[name].symbol} = {amount(name, modulus, Format(digits=3))} for the other body"
@@ -217,7 +217,7 @@ def _about_misfit(fitted: Fit) -> str:
     if good["independent_points"] >= 1.5:
         text += f", {good['independent_points']:.0f} of them independent"
     else:
-        text += ", all of one trend"
+        text += ", whose residuals follow one trend"
     if good["points_past_jump"]:
         text += f", {good['points_past_jump']:.0f} past the fitted jump-off"
     return text

@@ -54,7 +54,7 @@ def leads(answer: Answer) -> Iterator[Note]:
     answers = [lead for lead in (_filled(sentence, answer) for sentence in answer.question.leads) if lead]
     yield from (Note("lead", lead) for lead in answers)
     if answers and _is_from_forces(answer):
-        yield Note("lead", "this comes from measured rolling forces, not from your γ or the assumed ξ")
+        yield Note("lead", "this range comes from measured rolling forces, not from your γ or the assumed ξ")
     if XI_UNKNOWN in answer.rules and answer.frame.missing(["work_of_adhesion"]):
         silica = of_silica(answer)
         if silica:
@@ -290,7 +290,7 @@ def _elastic_or_not(frame: Frame, form: Format) -> str:
         bear = f"the impact is elastic if the solids bear {peak}, its peak pressure (at rest: {rest})"
         return f"{bear}; --yield-strength decides"
     first, full = _pressure(frame, form, "first_yield_pressure"), _pressure(frame, form, "plastic_pressure")
-    limits = f"the peak pressure is {peak}; yield starts below the surface at {first}, and is full at {full}"
+    limits = f"the peak pressure is {peak}; yielding starts below the surface at {first}, and is complete at {full}"
     if frame["impact_pressure"] < frame["first_yield_pressure"]:
         return f"the impact stays elastic: {limits}"
     how = "fully" if frame["impact_pressure"] >= frame["plastic_pressure"] else "below the surface"

@@ -137,9 +137,13 @@ def _curve(table: CurveTable, records: list[Records], stiffness: float | None) -
     x, force_column = table.columns.inputs
     x_name, force_name = x.name, force_column.name
     if x_name == "lever_travel" and stiffness is None:
-        raise BadTable("a travel includes the bending of the lever: give its stiffness by --spring, as in 3.01N/m")
+        raise BadTable(
+            "a travel includes the bending of the lever: give the lever's stiffness with --spring, as in 3.01N/m"
+        )
     if force_name == "lever_deflection" and stiffness is None:
-        raise BadTable("a deflection becomes a force by the lever's stiffness: give it by --spring, as in 3.01N/m")
+        raise BadTable(
+            "a deflection becomes a force only with the lever's stiffness: give it with --spring, as in 3.01N/m"
+        )
     z, z_error = _numbers(x, records)
     force, force_error = _numbers(force_column, records)
     is_deflection = force_name == "lever_deflection"

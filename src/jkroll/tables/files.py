@@ -198,7 +198,7 @@ def compressed(block: Any, compression: str) -> Any:
 
 def decompressed(file: BinaryIO, compression: str, path: str) -> Iterator[bytes]:
     """Iterate over the decompressed bytes of a file. Raises BadTable for a damaged file."""
-    problem = BadTable(f"{quoted(path)} is not what its name says, or its end is missing")
+    problem = BadTable(f"{quoted(path)} is not compressed as its name says, or its end is missing")
     new_frame: Callable[[], Any] = partial(zlib.decompressobj, zlib.MAX_WBITS | 16)
     damaged: type[Exception] = zlib.error
     if compression == "zstd":

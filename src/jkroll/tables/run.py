@@ -150,7 +150,7 @@ def about(table: Table) -> Iterator[str]:
     notes += _about_lacking(table)
     read = {*map(computed_as, table.columns.names)}
     filled = sorted(NOMENCLATURE[name].option or f"--{name}" for name in table.fixed if computed_as(name) in read)
-    notes += [f"{option} fills empty cells: the others keep their values" for option in filled]
+    notes += [f"{option} fills empty cells: other cells keep theirs" for option in filled]
     # An infinite value is not idle: it may make a body rigid in some rows.
     every_idle = idle_in(table.groups, judges=table.wanted.doubts)
     idle = [name for name in every_idle if table.fixed.get(name, INFINITY) != INFINITY]

@@ -331,7 +331,9 @@ class TableBlock:
         """The errors of rows with only one side of an uncertainty, by row. Results of such rows have no uncertainty."""
         errors: dict[int, JkrollError] = {}
         for column in self.table.columns.inputs:
-            problem = f"{column.name}: one side of its error bar is missing, so the results of this row have none"
+            problem = (
+                f"{column.name}: one side of its error bar is missing, so the results of this row have no error bars"
+            )
             for row in column.half_bars(self.cells):
                 errors[row] = BadRequest(problem, "half an error bar")
         return errors

@@ -77,8 +77,8 @@ _DOUBTFUL_SYMBOLS = {
 }
 
 _DISTANCE = {  # but r1 and r2 are radii
-    "r": Meaning(["radius"], "r may be a distance"),
-    "s": Meaning(["asperity_radius"], "s may be a distance"),
+    "r": Meaning(["radius"], "r may be a radius or a distance"),
+    "s": Meaning(["asperity_radius"], "s may be an asperity radius or a distance"),
 }
 # Symbols that mean another quantity if their case changes: δ becomes Δ, D0 is a diameter, and Rh is rhodium.
 _OTHER_IN_CASE = ("d0", "delta", "deltaw", "rh")

@@ -180,7 +180,8 @@ pair_coeff * *
 {steps}\
 # m1: Pa, of each type; m2: 1; m3: k in J/m^3, of the types 1 1, or 1 1, 1 2, 2 1, 2 2. Lengths in m, forces in N.
 # coefficientRestitution and coefficientFriction are yours to give; there is no resistance to rolling or twisting.
-# k holds for these radii: it goes as R^(-1/3). With cohesion sjkr, two spheres take twice this k, and a wall this.
+# k holds for these radii: it is proportional to R^(-1/3). With cohesion sjkr, two spheres need twice this k, and a \
+wall this k.
 # Only the pull-off is JKR's: without overlap there is no force; contact radius, stiffness and overlap differ from it.
 """
 _TWO_RULES = """\
