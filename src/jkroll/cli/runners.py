@@ -326,8 +326,7 @@ def _failure_of_all(answers: "Iterable[Report]") -> JkrollError | None:
 
 def run_export(call: Call) -> int:
     """Write the contact of a pair as input for a program; return the exit code."""
-    from ..model.limits import ROUGH_MATTERS
-    from ..report.leads import options_for_centre
+    from ..report.leads import advice_on_inputs
     from ..report.notes import Note, about_middles, by_severity
     from ..report.report import Report
     from ..write.exports import PROGRAMS, comment_of, with_wrapped_comments
@@ -360,15 +359,8 @@ def run_export(call: Call) -> int:
         for line in (*(f"note: {note}" for note in program.about(frame)), *lines):
             say_wrapped(line, sys.stderr)
         return 0
-    options = options_for_centre(answer)
-    if options:
-        advice = ["Smooth spheres, the middle of the best ranges of P_c and M: run again with", f"  {options}"]
-        if answer.is_in_doubt(ROUGH_MATTERS):
-            advice.append("Rough spheres, a tenth of that P_c and the same M: run again with")
-            advice.append(f"  {options_for_centre(answer, 0.1)}")
-        advice.append(f"Then write your own damping and friction. The lines below are plain {frame.law.short}.")
-        for line in advice:
-            say(comment_of(line), sys.stdout)
+    for line in advice_on_inputs(answer):
+        say(comment_of(line), sys.stdout)
     sys.stdout.write(text)
     for line in lines:
         say(comment_of(line), sys.stdout)

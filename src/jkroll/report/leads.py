@@ -18,10 +18,10 @@ from ..model.estimate import (
     Ranges,
 )
 from ..model.frame import IN_ITS_PLACE, Frame
-from ..model.limits import FLIES_OFF, GAP_STAYS_DRY, may_be_rough
+from ..model.limits import FLIES_OFF, GAP_STAYS_DRY, ROUGH_MATTERS, may_be_rough
 from ..model.measured import FRACTION_HELD, has_given_energy, what_rolled, what_stuck
 from ..physics.elementary import is_anywhere
-from ..quantities.formatting import Format, amount, from_to, significant, symbol_among
+from ..quantities.formatting import Format, amount, from_to, significant, symbol_among, with_unit
 from ..quantities.nomenclature import XI
 from ..text import listed
 from .answer import Answer
@@ -31,6 +31,7 @@ from .notes import Note, Shown
 
 _THREE = Format(digits=3)
 _AFTER_IMPACT = "n_roll_after_impact"  # needs a speed
+_FORCE_AND_MOMENT = ("pull_off_force", "yield_moment")
 _WIDE = 2  # ranges whose ends differ by at least this factor are followed by a single number
 
 
@@ -76,19 +77,39 @@ def lead_of_rows(groups: Sequence[Shown], names: Collection[str]) -> str:
     return limit if is_rough else ""
 
 
-def options_for_centre(answer: Answer, fraction: float = 1.0) -> str:
-    """Return the options that make the law give the centres of the best ranges of P_c and M; empty if none do.
+def advice_on_inputs(answer: Answer) -> Iterator[str]:
+    """Iterate over lines on the γ and ξ with which the law gives the middle of the best ranges of P_c and M, if any."""
+    options = _options_for_middle(answer)
+    if not options:
+        return
+    texts = []
+    for name in _FORCE_AND_MOMENT:
+        best = answer.estimates[name]
+        unit = _THREE.common_unit(name, [best.high])
+        value = with_unit(_THREE.in_unit(answer.frame[name], unit), unit[0])
+        texts.append(f"{symbol_among(name, answer.inputs)} = {value} (best {range_in_words(name, best)})")
+    law = answer.frame.law.short
+    yield f"Plain {law}: {listed(texts)}. For the middle of both ranges run again with"
+    yield f"  {options} (smooth spheres)"
+    if answer.is_in_doubt(ROUGH_MATTERS):
+        yield f"  {_options_for_middle(answer, 0.1)} (rough ones: a tenth of P_c, the same M)"
+    yield "and write your own damping and friction."
+
+
+def _options_for_middle(answer: Answer, fraction: float = 1.0) -> str:
+    """Return the options that make the law give the middle of the best ranges of P_c and M; empty if none do.
 
     `fraction`: the fraction of P_c that the spheres hold, with the same M. For identical spheres P_c is proportional to
     γ, and the moment M that starts rolling is proportional to γξ.
     """
-    frame, names = answer.frame, ("pull_off_force", "yield_moment")
-    found = [answer.estimates[name] for name in names if name in answer.estimates]
-    centres = [sqrt(estimate.low * estimate.high) for estimate in found]  # nan where an end is open
+    frame = answer.frame
+    found = [answer.estimates[name] for name in _FORCE_AND_MOMENT if name in answer.estimates]
+    middles = [sqrt(estimate.low * estimate.high) for estimate in found]  # nan where an end is open
     is_chosen = frame.stated_model or not frame.given.keys().isdisjoint({"work_of_adhesion", *IN_ITS_PLACE})
-    if len(centres) < len(names) or any(map(isnan, centres)) or is_chosen or not frame.is_identical or frame["load"]:
+    is_known = len(middles) == len(_FORCE_AND_MOMENT) and not any(map(isnan, middles))
+    if not is_known or is_chosen or not frame.is_identical or frame["load"]:
         return ""
-    force, moment = centres
+    force, moment = middles
     energy = fraction * frame["work_of_adhesion"] / 2 * force / frame["pull_off_force"]
     lag = frame[XI] * moment / frame.replace(surface_energy=energy)["yield_moment"]
     options = (("--gamma", "surface_energy", energy), ("--xi", XI, lag))
