@@ -523,5 +523,6 @@ def test_fit_in_python_takes_the_names_of_options_and_names_arguments_in_errors(
     assert fitted.other_modulus == ("youngs_modulus2", approx(0.75 * fitted.values["contact_modulus"]))
     with pytest.raises(jkroll.JkrollError, match=r"give the lever's stiffness with spring, as in 3\.01N/m"):
         jkroll.fit("curve.csv", radius="7.5 um")
-    with pytest.warns(UserWarning, match="radius=10 is a sphere of 10 m"):
+    with pytest.warns(UserWarning, match="radius=10 is a sphere of 10 m") as warned:
         jkroll.fit("curve.csv", radius=10, radius2="plane", spring=3.01)
+    assert [warning.filename for warning in warned] == [__file__]

@@ -114,8 +114,9 @@ def test_invalid_scenes_are_refused(scene: dict[str, Any], words: str) -> None:
 
 
 def test_a_radius_of_100_m_in_a_list_gives_a_warning() -> None:
-    with pytest.warns(UserWarning, match="100 is a sphere of 100 m"):
+    with pytest.warns(UserWarning, match="100 is a sphere of 100 m") as warned:
         jkroll.answer("P_c", gamma=0.025, radius=[100, 200])
+    assert [warning.filename for warning in warned] == [__file__]
 
 
 def test_answers_can_be_pickled() -> None:

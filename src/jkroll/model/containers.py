@@ -4,6 +4,7 @@ import warnings
 from collections.abc import Callable, Mapping
 from functools import cache
 from importlib import import_module
+from inspect import currentframe
 from typing import Any, get_type_hints
 
 from ..errors import BadRequest
@@ -222,7 +223,17 @@ def warn_of_metres(described: Mapping[str, Any], given: Mapping[str, Any]) -> No
         words = [word for word, value in given.items() if as_input(str(word)) == name and isinstance(value, NUMBER)]
         if words and described[name] >= 1.0:
             text = f"{words[0]}={given[words[0]]} is a sphere of {described[name]:g} m: numbers are in SI units"
-            warnings.warn(f'{text}; write {words[0]}="{given[words[0]]} nm" for nanometres', stacklevel=3)
+            text += f'; write {words[0]}="{given[words[0]]} nm" for nanometres'
+            warnings.warn(text, stacklevel=_level_of_caller())
+
+
+def _level_of_caller() -> int:
+    """Return the number of stack frames from the function that calls this one to the first caller outside jkroll."""
+    level, frame = 1, currentframe()
+    package = f"{__name__.partition('.')[0]}."
+    while frame is not None and frame.f_globals.get("__name__", "").startswith(package):
+        level, frame = level + 1, frame.f_back
+    return level - 1
 
 
 def quantity_of(package: str) -> Any:
