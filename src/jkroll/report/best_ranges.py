@@ -238,7 +238,7 @@ def _measured(answer: Answer) -> Iterator[str]:
         yield f"the spheres stuck to a plane; the speed is proportional to R^{stuck.exponent}"
         yield _above_law(answer)
         return
-    yield f"from {first} m/s on {solid} of R = {small}, as R^(-5/6) to R; not from γ"
+    yield f"from {first} m/s on {solid} of R = {small}, as R^(-5/6); not from your γ"
     yield f"{seen}, {bar}; the spheres stuck to a plane; scaled to this pair like {answer.frame.law.short}'s speed"
     yield _above_law(answer)
     yield "the effect of γ was not measured"
@@ -261,7 +261,7 @@ def _scaled(answer: Answer) -> Iterator[str]:
     what = f"{'ξ = ' if rolled.name == XI else 'forces of '}{span(rolled.name, rolled.low, rolled.high)}"
     measured = f"{what} on {solid} of R = {amount('radius', rolled.radius)}"
     is_alike = abs(radius / rolled.radius - 1) < _ALIKE
-    yield f"{measured}, as measured" if is_alike else f"from {measured}, as R^(2/3) to R"
+    yield f"{measured}, as measured" if is_alike else f"from {measured}, as R^n, n = 2/3 to 1"
     yield f"source: {rolled.source}"
     if is_alike:
         return
@@ -297,16 +297,16 @@ def _xi_unknown(answer: Answer) -> Iterator[str]:
         return
     most = answer.ranges.at_full_hysteresis(XI)[1]
     limit = "where all adhesion is lost" if isnan(most) else f"{span(XI, most, most)} (all adhesion lost)"
-    ends, laws = f"2 Å (one atom) to {limit}", ", both ends by Maugis' law"
+    ends, laws = f"ξ from 2 Å (one atom) to {limit}", ", both ends by Maugis' law"
     if most < frame[XI]:
-        ends = f"at most {limit}"
+        ends = f"ξ of at most {limit}"
     what = "not measured"
     if rolled is not None:
-        what = "no data at this size" if rolled.has_energy(frame) else "no data at this γ"
+        what += " at this size" if rolled.has_energy(frame) else " at this γ"
         if rolled.has_energy(frame) and any(high > most for _, high in answer.ranges.of_laws(XI, SCALED)):
-            ends, laws = f"2 Å (one atom) to scaled ξ of R = {amount('radius', rolled.radius)}", ""
-    yield f"{ends}; {what}"
-    yield f"ξ is how far the contact shifts before it rolls{laws}"
+            ends, laws = f"ξ from 2 Å (one atom) to that of R = {amount('radius', rolled.radius)}, scaled", ""
+    yield ends
+    yield f"{what}; ξ is how far the contact shifts before it rolls{laws}"
     yield _of_measured_solid(answer)
 
 

@@ -30,7 +30,6 @@ from .inferred import about_library
 from .notes import Note, Shown
 
 _THREE = Format(digits=3)
-_AFTER_IMPACT = "n_roll_after_impact"  # needs a speed
 _FORCE_AND_MOMENT = ("pull_off_force", "yield_moment")
 _WIDE = 2  # ranges whose ends differ by at least this factor are followed by a single number
 
@@ -72,8 +71,8 @@ def lead_of_rows(groups: Sequence[Shown], names: Collection[str]) -> str:
     if "meniscus_force" in names:
         return "take the larger of P_c and F_men, not their sum"
     is_rough = any(is_anywhere(may_be_rough(frame)) for frame, _ in groups)
-    held = f"SiO2 of 5 µm and more held {FRACTION_HELD}"
-    limit = f"P_c is that of ideally smooth spheres, an upper limit; real ones hold less: {held}"
+    real = f"for real ones take {FRACTION_HELD}, as SiO2 of 5 µm and more held (below, a guess)"
+    limit = f"P_c is for ideally smooth spheres, an upper limit; {real}"
     return limit if is_rough else ""
 
 
@@ -89,11 +88,12 @@ def advice_on_inputs(answer: Answer) -> Iterator[str]:
         value = with_unit(_THREE.in_unit(answer.frame[name], unit), unit[0])
         texts.append(f"{symbol_among(name, answer.inputs)} = {value} (best {range_in_words(name, best)})")
     law = answer.frame.law.short
-    yield f"Plain {law}: {listed(texts)}. For the middle of both ranges run again with"
-    yield f"  {options} (smooth spheres)"
+    yield f"The lines below are plain {law}: {listed(texts)}."
+    yield "For the middle of both ranges, run the command again with"
+    yield f"  {options} for smooth spheres"
     if answer.is_in_doubt(ROUGH_MATTERS):
-        yield f"  {_options_for_middle(answer, 0.1)} (rough ones: a tenth of P_c, the same M)"
-    yield "and write your own damping and friction."
+        yield f"  {_options_for_middle(answer, 0.1)} for rough ones (a tenth of P_c, the same M)"
+    yield "Then write your own damping and friction."
 
 
 def _options_for_middle(answer: Answer, fraction: float = 1.0) -> str:
@@ -162,7 +162,6 @@ def _filled(sentence: str, answer: Answer) -> str:
     words["real"] = f"; {_held(answer)}" if is_rough else ""
     words["if_smooth"] = " if the grains are smooth, less if they are rough" if may_be_rough(answer.frame) else ""
     words["or_none"] = ", or not at all" if is_open else ""
-    words["after_impact"] = f"{words[_AFTER_IMPACT]} after hitting a body (n_imp), " if _AFTER_IMPACT in words else ""
     try:
         return sentence.format_map(words)
     except KeyError:

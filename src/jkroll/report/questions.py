@@ -62,9 +62,7 @@ _QUESTIONS = {
         "yield_force yield_force_fixed_load yield_force_ratio yield_moment yield_angle yield_displacement",
         leads="a push of {yield_force} at its centre makes a sphere roll",
     ),
-    "r-min": _question(
-        "r_min", leads="the sharpest bend at which no contact rolls has a radius of {r_min}; wider bends are safe"
-    ),
+    "r-min": _question("r_min", leads="no contact of a chain rolls in bends wider than R_min, which is {r_min}"),
     "n-grav": _question(
         "n_grav",
         "n_grav gravity_moment bond_number",
@@ -82,8 +80,9 @@ _QUESTIONS = {
     "n-roll": _question(
         "n_roll",
         "n_roll_after_impact n_roll n_roll_energy_balance",
-        leads="turns, if it rolls: {after_impact}{n_roll_energy_balance} if it never slips (n_bal), {n_roll} if "
-        "it slides freely, as Dominik & Tielens have it (n_roll){or_none}",
+        leads="if it rolls after it hits body 2, it makes {n_roll_after_impact} turns (n_imp)\n"
+        "without slip it makes {n_roll_energy_balance} turns (n_bal), and {n_roll} if it slides freely, as Dominik & "
+        "Tielens have it (n_roll){or_none}",
     ),
     "contact": _question(
         "contact_radius_at_load approach_at_load",
@@ -101,7 +100,7 @@ _QUESTIONS = {
         "mean_rolling_moment mean_rolling_force",
         without_row="half_circles_moment fixed_approach_moment",  # other values of the yield moment
         leads="a moment of {yield_moment} starts rolling: the threshold for a simulation\n"
-        "once it rolls, the moment builds up to that again and again; its mean is half of it, {mean_rolling_moment}",
+        "it rolls in steps, with half of that as the mean moment, {mean_rolling_moment}",
     ),
 }
 # Values that contradict a headline are in the report, too; Eq (41) as printed is in `frequencies` alone.
