@@ -1,4 +1,4 @@
-"""tests/tools/missing.py names nothing that exists, and every part that a test removes."""
+"""tests/tools/missing.py lists nothing for complete names, and each part that a test here removes."""
 
 import copy
 from collections.abc import Iterator, Mapping
@@ -110,7 +110,7 @@ def test_a_help_that_is_too_long_is_named(monkeypatch: pytest.MonkeyPatch) -> No
     assert [lack.file for lack in missing("gravity")] == ["src/jkroll/cli/commands.py"]
 
 
-def test_a_found_table_that_a_new_input_reads_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_found_table_whose_record_omits_a_new_input_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     record = {"table": "material,Yield Strength (MPa)\n", "reads": {"material": ["iron"]}}
     monkeypatch.setattr(tool, "found_tables", lambda: [("someone/tables", record)])
     line = "yield_strength in `reads` of [[someone/tables]]"

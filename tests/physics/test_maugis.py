@@ -1,4 +1,4 @@
-"""Maugis' contact beyond test_accuracy.py: energy by quadrature, states near pull-off and the fold, moment in 3-D."""
+"""Maugis' and Lennard-Jones' laws, beside test_accuracy.py: energies, states near extremes, the moment in 3-D."""
 
 import math
 from typing import Any
@@ -59,7 +59,7 @@ def test_constants_are_the_nearest_doubles() -> None:
 
 @pytest.mark.parametrize("radius", [1.0559497443981639e-06, 2e-7, 1e-6, 1e-5])
 def test_no_stiffness_near_the_fold_is_positive(radius: float) -> None:
-    """Within rounding of the fold, doubles determine neither the size nor the sign of the slope."""
+    """The true slope is negative. Rounding may hide its size; it is then negative or nan, never positive."""
     iron: dict[str, Any] = {"radius": radius, "atomic_spacing": 4e-10}
     fold = jkroll.solve("fold_approach_maugis", model="maugis", material="iron", **iron)
     near = fold + numpy.arange(-4, 40) * abs(math.ulp(fold))
@@ -111,9 +111,9 @@ def test_energies_by_lennard_jones(tabor: float, well: float, at_dead_load: floa
 
 
 def test_energies_of_rigid_spheres_by_lennard_jones() -> None:
-    """The sphere rests where the energy of two half-spaces, (8/3)(1/2H² - 1/8H⁸), is 0, and pulls most at H = 1."""
+    """Half-spaces at H = z/z0 part with a work of (8/3)(1/2H² - 1/8H⁸)w: 0 where a sphere rests, largest at H = 1."""
 
-    def to_infinity(gap: float) -> float:  # twice the integral of that energy, as a force is 2πR times the energy
+    def to_infinity(gap: float) -> float:  # of the force, 2πR times that work; 2πRw = 2 here
         return 16 / 3 * (1 / (2 * gap) - 1 / (56 * gap**7))
 
     scene = {"work_of_adhesion": 1 / math.pi, "reduced_radius": 1.0, "atomic_spacing": 1.0, "tabor_parameter": 1e-9}

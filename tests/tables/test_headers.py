@@ -767,7 +767,7 @@ def test_marks_in_an_unread_column_do_not_decide_which_mark_is_decimal(run: Run,
     row = Path("out.csv").read_text(encoding="utf-8").splitlines()[1]
     assert row == f"100;25;{label};1.1780972450961723e-8;"
     Path("x.csv").write_text(f"R1 (nm);gamma (mJ/m2);n\n1.200;25;{label}\n", encoding="utf-8")
-    assert run(words) == (2, "", "jkroll: '1.200' may be 1.200 or 1200: write 1.2000 or 1200\n")
+    assert run(words) == (2, "", "jkroll: '1.200' may be 1.200 or 1200: write 1.2000, with one more digit, or 1200\n")
 
 
 @pytest.mark.parametrize(("word", "mark", "end"), [("semicolon", ";", "csv"), ("tab", "\t", "tsv")])
@@ -781,7 +781,7 @@ def test_a_point_that_may_separate_thousands_is_refused_even_below_the_first_row
     assert run(f"batch x.tsv -o out.{end} --delimiter {word} --quantities pull_off_force --no-doubt").code == 1
     cells = [line.split(mark) for line in Path(f"out.{end}").read_text(encoding="utf-8").splitlines()[1:]]
     assert [row for row, found in enumerate(cells) if not found[3]] == [200, 201]
-    assert cells[200][4] == "'1.000' may be 1.000 or 1000: write 1.0000 or 1000"
+    assert cells[200][4] == "'1.000' may be 1.000 or 1000: write 1.0000, with one more digit, or 1000"
     assert float(cells[202][3]) == approx(1.5 * pi * 0.025 * 1000.5e-9)
     rows[0] = "1.000;25;0,5"
     Path("x.tsv").write_text("\n".join(["R1 (nm);gamma (mJ/m2);n", *rows, ""]).replace(";", mark), encoding="utf-8")
@@ -812,7 +812,7 @@ def test_commas_in_an_unread_column_between_tabs_are_not_taken_for_decimal_comma
 def test_a_table_whose_commas_may_separate_thousands_is_refused(run: Run, words: str) -> None:
     other = "P_c (nN)" if words else "gamma (mJ/m2)"
     Path("x.tsv").write_text(f"R1 (nm)\t{other}\n800\t1,200\n900\t12,500\n", encoding="utf-8")
-    message = "jkroll: '1,200' may be 1.200 or 1200: write 1,2000 or 1200\n"
+    message = "jkroll: '1,200' may be 1.200 or 1200: write 1,2000, with one more digit, or 1200\n"
     assert run(f"batch x.tsv -o out.tsv {words}") == (2, "", message)
     Path("x.csv").write_text(f'R1 (nm),{other}\n"1.234","25,5"\n"2.500",20\n', encoding="utf-8")
     assert "decimal commas between commas" in run(f"batch x.csv -o out.csv {words}").err

@@ -279,5 +279,5 @@ def test_texts_may_have_decimal_commas() -> None:
     assert [*found["pull_off_force [N]"][:2]] == approx([4.15324e-07, 7.42201e-07], rel=1e-5)
     reason = "'1.234,5' has a point: this table has decimal commas, and no thousands separators"
     assert [*found["status"]] == [None, None, reason]
-    with pytest.raises(jkroll.JkrollError, match="write 1,2000 or 1200"):
+    with pytest.raises(jkroll.JkrollError, match="write 1,2000, with one more digit, or 1200"):
         jkroll.table({"diameter [um]": ["1,200"], "gamma [mJ/m2]": [35.9]}, "P_c")

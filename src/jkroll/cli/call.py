@@ -1,4 +1,4 @@
-"""A call of a command, whose words and options are turned into frames and a format of results on demand."""
+"""A call of a command: its words and options, and the frames and the output format that follow from them."""
 
 import os
 import shlex
@@ -72,7 +72,7 @@ class Call(Options):
 
     @property
     def line(self) -> str:
-        """The command line as written on pictures, without the names of output files."""
+        """The command line as written on pictures, without output files and `--quiet`."""
         from .commands import COMMANDS
 
         flags = {option.name: flag for flag, option in COMMANDS[self.command].flags().items()}
@@ -181,7 +181,7 @@ class Call(Options):
 
     @cached_property
     def sweep(self) -> Sweep:
-        """The rows: a frame for each combination of materials and values."""
+        """The rows: a frame for each combination of materials, values and laws."""
         return Sweep(self.pairs, self.spreads, self.models)
 
     def _named(self, text: str | None) -> list[Material | None]:

@@ -53,13 +53,14 @@ _LAWS_THEMSELVES = (
 _OF_WATER = ("meniscus_force", "kelvin_radius", "threshold_humidity")
 _STICKING = {"sticking_speed": 1, "sticking_energy": 2}  # powers of the speed
 _OF_COLLISIONS = ("restitution", "lost_energy")
-# Any loss in a collision shifts these measured quantities, in the same direction as a larger value of an input in
-# _ACT_LIKE_LOSSES does.
+# Quantities measured in a collision. A further loss changes them like a larger value of an input in _ACT_LIKE_LOSSES,
+# so the inferred value of this input is an upper bound.
 _SHIFTED_BY_LOSSES = frozenset({"restitution", "sticking_speed"})
 _ACT_LIKE_LOSSES = ("surface_energy", "work_of_adhesion", "hamaker", "viscous_time")
 _AS_PULL_OFF = ("pull_off_force", "bond_number")  # in proportion to the pull-off force
 _BREAKING = ("disruption_energy", "disruption_speed")  # from fits to simulations and from a work of separation
-# For each result: its exponent of a base quantity, this quantity, and the same quantity by Lennard-Jones' law.
+# For each result: the power p and the quantity b if it is proportional to b^p, and b by Lennard-Jones' law. Without a
+# jump the work with fixed grips is the depth of the well.
 _BY_LENNARD_JONES = {
     **dict.fromkeys(_AS_PULL_OFF, (1.0, "pull_off_force", "pull_off_force_lennard_jones")),
     "well_energy": (1.0, "well_energy", "well_energy_lennard_jones"),
@@ -106,7 +107,7 @@ def estimates(results: Results, names: Iterable[str]) -> dict[str, Estimate]:
 
 
 class Ranges:
-    """The ranges of results by laws and measurements, each computed once."""
+    """The ranges of results by laws and measurements; each variant of the frame is computed once."""
 
     def __init__(self, results: Results) -> None:
         self.results, self.frame = results, results.frame
@@ -165,7 +166,7 @@ class Ranges:
         return is_computed and other.formulas_to(name) == self.frame.formulas_to(name)
 
     def _is_from_losses(self, name: str) -> bool:
-        """Return whether a result is an input that was inferred from a collision as if this input caused all losses."""
+        """Return whether a result is an input inferred from a collision as the cause of every loss."""
         is_unknown = name in _ACT_LIKE_LOSSES and name in self.results.described.unknowns
         return is_unknown and not _SHIFTED_BY_LOSSES.isdisjoint(self.results.judged)
 
@@ -200,7 +201,7 @@ class Ranges:
         yield True, low_of_all, high_of_all, LAW_IN_USE
 
     def _of_water(self, name: str, own: Ends) -> Rule:
-        """Return the rule for condensed water; a force lies between the first-order force and a bound of the exact one.
+        """Return the rule for condensed water: a force lies between its first-order value and an upper bound.
 
         With a gap, any force up to the first-order force is possible. For a small meniscus, both ends are the
         first-order force, since the exact force is within half a percent of it.

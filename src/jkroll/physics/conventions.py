@@ -23,7 +23,7 @@ def break_energy_dust_simulation(*, fold_energy: Energy) -> Energy:
         E_break = 1.8 F_cδ_c
 
     Source:   As coded in Lumajord/DustSimulation, MaterialInfoWidget.
-    Valid:    No path of JKR from P = 0 takes as much: fixed grips take 1.5426 F_cδ_c.
+    Valid:    More than by JKR, where parting the spheres from P = 0 takes at most 1.5426 F_cδ_c, with fixed grips.
     """
     return 1.8 * fold_energy
 
@@ -62,9 +62,9 @@ def roll_energy_half_turn(*, unloaded_moment: Moment) -> Energy:
 
 
 def sticking_energy_paszun_dominik(*, adhesion_energy: Energy) -> Energy:
-    """Return the largest relative energy at which spheres stick, for a speed of 1.07 (γ/R)^(5/6)/(E*^(1/3)ρ^(1/2)).
+    """Return the largest energy of relative motion at which spheres stick, as in DustSimulation.
 
-        E_stick = (8π/3) 1.07² γ^(5/3) R^(4/3)/E*^(2/3) = 0.3290 P_cδ0
+        E_stick = ½mv² = (8π/3) 1.07² γ^(5/3) R^(4/3)/E*^(2/3) = 0.3290 P_cδ0, v = 1.07 (γ/R)^(5/6)/(E*^(1/3)ρ^(1/2))
 
     Source:   Paszun & Dominik 2008, Eq 3, as Lumajord/DustSimulation cites it; ½mv² with m = (16/3)πR³ρ.
     Valid:    Equal spheres; the speed of unequal ones follows from the energy.
@@ -73,7 +73,7 @@ def sticking_energy_paszun_dominik(*, adhesion_energy: Energy) -> Energy:
 
 
 def sticking_energy_pencil_code(*, adhesion_energy: Energy) -> Energy:
-    """Return the largest relative energy at which spheres stick, as in the Pencil Code.
+    """Return the largest energy of relative motion at which spheres stick, as in the Pencil Code.
 
         E_stick = 2·9.6 γ^(5/3) R^(4/3)/E*^(2/3) = 0.6585 P_cδ0
 
@@ -125,7 +125,7 @@ def contacts(*, monomers: Number) -> Number:
 
         n_c = N
 
-    Source:   A chain or a fractal aggregate without closed loops has N − 1.
+    Source:   Rounded from N − 1, the number in a chain or a fractal aggregate without closed loops.
     Valid:    Loose aggregates; compact ones have up to 6N.
     """
     return monomers
@@ -169,7 +169,7 @@ def disruption_energy(*, pull_off_work: Energy, contacts: Number) -> Energy:
 
         E_disr = 10·2n_c E_break, E_break = U_grips = 1.5426 F_cδ_c
 
-    Source:   Wada et al. 2007: "approximately 10 times the energy necessary to break all contacts", here those of both.
+    Source:   Wada et al. 2007: "approximately 10 times the energy necessary to break all contacts", here 2n_c.
     Valid:    Two-dimensional aggregates of equal masses, head-on. The abstract does not say which E_break it takes.
     """
     return 20 * contacts * pull_off_work
@@ -216,7 +216,7 @@ def compressive_strength(*, roll_energy_half_turn: Energy, radius: Length, filli
         P = (E_roll/R1³)(1/φ − 1/φ_max)⁻³, E_roll = 6π²γR1ξ (180 degrees), φ_max = 0.74
 
     Source:   Tatsuuma et al. 2023, of which the abstract was read. The form is that of codes which cite it: φ_max is
-              0.74 in danieljprice/phantom, porosity.f90, and 0.78 in another. It tends to E_roll φ³/R1³.
+              0.74 in danieljprice/phantom, porosity.f90, and 0.78 in another. For φ ≪ φ_max, P tends to E_roll φ³/R1³.
     Valid:    Rolling decides below φ = 0.1; above, sliding and twisting do. φ < 0.74. Static: an impact needs more.
     """
     loose = filling_factor / (CLOSEST_PACKING - filling_factor + _BELOW) / radius

@@ -183,7 +183,7 @@ class Answer(Results):
 
     @property
     def explained(self) -> Self:
-        """The answer for `--explain`: the measured quantities follow the inferred values."""
+        """The answer for `--explain`: it lists the measured quantities after the inferred values."""
         measured = tuple(name for name in self.judged if name not in self.computed)
         if not measured or self.failure is not None:
             return self
@@ -282,9 +282,9 @@ class Answer(Results):
     def exceeded(self) -> list[Doubt]:
         """The limits of the model that are exceeded, the most important first.
 
-        Limits that make results meaningless come first, led by a contact wider than its sphere; then limits that
-        concern the headline; then the others. Each group begins with limits on a state, whose threshold is 0, then has
-        limits with a remedy, then the others, all by falling excess.
+        Limits that make results meaningless come first, led by a contact wider than its sphere. Within both groups, the
+        order is: limits that concern the headline, limits on a state (their threshold is 0), limits with a remedy,
+        larger excess.
         """
         return sorted((doubt for doubt in self.validity if doubt.is_exceeded), key=self._rank)
 
@@ -335,7 +335,7 @@ class Answer(Results):
 
     @property
     def names_in_table(self) -> list[str]:
-        """The quantities with a row in a table; some need a stated input, such as an energy."""
+        """The quantities with a row in a table. Turns have one only if an energy or a speed is stated."""
         question, stated = self.question, self.frame.stated.keys()
         hidden = {name for name, inputs in question.if_stated.items() if stated.isdisjoint(inputs)}
         return [name for name in question.with_row if name in question.named or name not in hidden]

@@ -22,8 +22,8 @@ def decimal_mark(columns: Iterable[Iterable[str]], separator: str, *, points_may
     """Return the decimal mark of the numbers in columns; "" if the numbers do not settle it.
 
     A mark that occurs twice in a number separates thousands or the members of a list; such a number is ignored.
-    `points_may_group`: True if a point may separate thousands. Raises BadTable for a number whose mark may separate
-    thousands, if no other number settles it.
+    `points_may_group`: True if a point may separate thousands. If no other number settles it, raises BadTable for a
+    number such as 1,200, unless commas separate the columns, and with `points_may_group` for one such as 1.200.
 
     >>> decimal_mark([["0,125", "1.234,5", "1,234,567", "1,200", "1,2,3"]], ";")
     ','
@@ -52,11 +52,12 @@ def have_decimal_commas(cells: Iterable[str]) -> bool:
 def _two_readings(number: str) -> str:
     """Return the error message for a number whose mark may separate thousands."""
     digits = number.replace(",", "").replace(".", "")
-    return f"{quoted(number)} may be {number.replace(',', '.')} or {digits}: write {number}0 or {digits}"
+    fraction = number.replace(",", ".")
+    return f"{quoted(number)} may be {fraction} or {digits}: write {number}0, with one more digit, or {digits}"
 
 
 def without_unclear(records: Records) -> Records:
-    """Return records whose decimal mark is unknown, with errors for rows in which a point may separate thousands."""
+    """Return records of unknown decimal mark, with an error for each row in which a point may separate thousands."""
     odd = dict(records.odd)
     for name, column in records.cells.items():
         if is_of_text(name) or b"." not in b"".join(column):

@@ -3,8 +3,8 @@
 A header is a word with a unit, in one of a few notations: `radius [nm]`, `R2 (nm)`, `Load/nN`, `radius in nm`, `E_GPa`,
 `gamma..mJ.m2.`. Words are compared by letters and digits only, so `Young's modulus` equals `youngsModulus`. Symbols are
 compared as written, or without regard to case if a unit follows; the unit then decides between quantities that share a
-symbol. A header is refused if it contains a word for an input, but is more than that word with a unit. Other columns
-pass through.
+symbol. A header is refused if it names an input among other words and has a unit of that input, as `mean radius (nm)`.
+Other columns pass through.
 """
 
 import re
@@ -31,8 +31,8 @@ class Reading(NamedTuple):
     meant: Sequence[str] = ()  # the headers to write instead, if they are certain
     names: Sequence[str] = ()  # the possible inputs
     of: str = ""  # the header without its words for a spread
-    otherwise: "Reading | None" = None  # the meaning of an UNREAD part in a table without a column of the value
-    is_relative: bool = False  # True for a part relative to the value, even if the value is in %
+    otherwise: "Reading | None" = None  # if the part is UNREAD: the meaning in a table without a column of the value
+    is_relative: bool = False  # True for an uncertainty relative to the value; 5 % of a value in % is unclear
     coverage: float = 1.0  # the coverage factor of the uncertainty
     is_stated: bool = False  # True if `--column` gives the meaning
     position: int = 0  # the position of the column in the table
@@ -83,7 +83,7 @@ _FACTOR_BEHIND = r"\s*(?:(?<![^\W\d_])x|[×*·/^+−-])\s*\(?\d[\d.,eE^+⁰¹²�
 FACTOR_INSIDE = r"(?<![\w.^])\d[\d.]*[*·×]?(?=[^\W\d_])"  # as in w=2γ
 FACTOR = "the name of the quantity or its unit has a sign or a factor"
 _LEFT_OVER = r"[\[(][\s_.,;%-]*[\])]|[\s_.,-]{2,}"  # brackets and blanks around removed words
-SPREAD = "it may be an uncertainty of {0}; its columns are {0}_err, or {0}_minus and {0}_plus"
+SPREAD = "it may be an uncertainty of {0}; if so, name it {0}_err, or {0}_minus and {0}_plus"
 NO_FACTOR = "it is an expanded uncertainty, and its coverage factor k is missing"
 FACTOR_OF_UNIT = r"^[x×*]?\s*\d[\d.]*\s*(?:[eE^×*]*\s*[-+−⁻]?[\d⁰¹²³⁴⁵⁶⁷⁸⁹]+\s*)*[×*·]?\s*"  # as in 10^-20 J
 _PREFIXES = {"-12": "p", "-9": "n", "-6": "u", "-3": "m", "3": "k", "6": "M", "9": "G"}  # by the power of ten
@@ -128,7 +128,7 @@ def normalized(text: str) -> str:
 
 
 def without_accents(text: str) -> str:
-    """Return a text without accents on letters of words; Å and â stay.
+    """Return a text without the accents of à, é, ñ, ö and ç, and with ss for ß; rings and circumflexes stay (Å, â).
 
     >>> without_accents("Oberflächenenergie"), without_accents("densité"), without_accents("Stoßenergie (Å)")
     ('Oberflachenenergie', 'densite', 'Stossenergie (Å)')
@@ -251,7 +251,7 @@ def _of_spread(text: str, measured: str) -> Reading:
 
 
 def _unread(text: str, measured: str, whole: str = "") -> Reading:
-    """Return the reading of a header about a spread: the part UNREAD of the input that its other words mean.
+    """Return the reading of a header about a spread: part UNREAD, with the input that the other words name, if any.
 
     `whole`: the whole header, which is not read again.
     """
@@ -363,7 +363,7 @@ def _doubtful(
 
 
 def _beside(text: str, word: str) -> set[str]:
-    """Return the words of a header other than a known word, or other than the first if the known word is not there."""
+    """Return the words of a header without a known word, or without the first word if the known one is misspelt."""
     tokens = plain_words(text)
     for first, last in combinations(range(len(tokens) + 1), 2):
         if "".join(tokens[first:last]) == word:
