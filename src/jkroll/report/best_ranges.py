@@ -238,7 +238,7 @@ def _measured(answer: Answer) -> Iterator[str]:
         yield f"the spheres stuck to a plane; the speed is proportional to R^{stuck.exponent}"
         yield _above_law(answer)
         return
-    yield f"from {first} m/s on {solid} of R = {small}, as R^(-5/6); not from your γ"
+    yield f"from {first} m/s on {solid} of R = {small} in vacuum, as R^(-5/6), at any γ"
     yield f"{seen}, {bar}; the spheres stuck to a plane; scaled to this pair like {answer.frame.law.short}'s speed"
     yield _above_law(answer)
     yield "the effect of γ was not measured"
@@ -296,17 +296,18 @@ def _xi_unknown(answer: Answer) -> Iterator[str]:
         yield "ξ of 2 Å (one atom) or more; --xi or a material narrows it"
         return
     most = answer.ranges.at_full_hysteresis(XI)[1]
-    limit = "where all adhesion is lost" if isnan(most) else f"{span(XI, most, most)} (all adhesion lost)"
-    ends, laws = f"ξ from 2 Å (one atom) to {limit}", ", both ends by Maugis' law"
+    limit = "the ξ" if isnan(most) else span(XI, most, most)
+    limit += " (all adhesion lost), by Maugis' law"
+    ends = f"ξ from 2 Å (one atom) to {limit}"
     if most < frame[XI]:
         ends = f"ξ of at most {limit}"
     what = "not measured"
     if rolled is not None:
         what += " at this size" if rolled.has_energy(frame) else " at this γ"
         if rolled.has_energy(frame) and any(high > most for _, high in answer.ranges.of_laws(XI, SCALED)):
-            ends, laws = f"ξ from 2 Å (one atom) to that of R = {amount('radius', rolled.radius)}, scaled", ""
+            ends = f"ξ from 2 Å (one atom) to that of R = {amount('radius', rolled.radius)}, scaled"
     yield ends
-    yield f"{what}; ξ is how far the contact shifts before it rolls{laws}"
+    yield f"{what}; ξ is how far the contact shifts before it rolls"
     yield _of_measured_solid(answer)
 
 
@@ -322,7 +323,7 @@ def of_silica(answer: Answer) -> str:
         for name, estimate in found.items()
         if estimate.by == SCALED
     ]
-    return f"for SiO2, which was measured, {first_of(scaled, _MOST)}; name your material" if scaled else ""
+    return f"if it is SiO2, which was measured, {first_of(scaled, _MOST)}; else name your material" if scaled else ""
 
 
 def _of_measured_solid(answer: Answer) -> str:

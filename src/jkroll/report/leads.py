@@ -71,8 +71,8 @@ def lead_of_rows(groups: Sequence[Shown], names: Collection[str]) -> str:
     if "meniscus_force" in names:
         return "take the larger of P_c and F_men, not their sum"
     is_rough = any(is_anywhere(may_be_rough(frame)) for frame, _ in groups)
-    real = f"for real ones take {FRACTION_HELD}, as SiO2 of 5 µm and more held (below, a guess)"
-    limit = f"P_c is for ideally smooth spheres, an upper limit; {real}"
+    real = f"for real ones take {FRACTION_HELD}: measured on SiO2 of 5 µm and more, a guess for others"
+    limit = f"these P_c are for ideally smooth spheres, an upper limit; {real}"
     return limit if is_rough else ""
 
 
@@ -89,11 +89,11 @@ def advice_on_inputs(answer: Answer) -> Iterator[str]:
         texts.append(f"{symbol_among(name, answer.inputs)} = {value} (best {range_in_words(name, best)})")
     law = answer.frame.law.short
     yield f"The lines below are plain {law}: {listed(texts)}."
-    yield "For the middle of both ranges, run the command again with"
+    yield "For the middle of both ranges, run again with settings that are no properties of the solid:"
     yield f"  {options} for smooth spheres"
     if answer.is_in_doubt(ROUGH_MATTERS):
         yield f"  {_options_for_middle(answer, 0.1)} for rough ones (a tenth of P_c, the same M)"
-    yield "Then write your own damping and friction."
+    yield "Then write your own damping, here 0, and friction, here that of adhesion alone."
 
 
 def _options_for_middle(answer: Answer, fraction: float = 1.0) -> str:

@@ -80,8 +80,8 @@ _QUESTIONS = {
     "n-roll": _question(
         "n_roll",
         "n_roll_after_impact n_roll n_roll_energy_balance",
-        leads="if it rolls after it hits body 2, it makes {n_roll_after_impact} turns (n_imp)\n"
-        "without slip it makes {n_roll_energy_balance} turns (n_bal), and {n_roll} if it slides freely, as Dominik & "
+        leads="at this speed take n_imp: after it hits body 2, it makes {n_roll_after_impact} turns, if it rolls\n"
+        "it makes {n_roll_energy_balance} turns if it never slips (n_bal), {n_roll} if it slides freely, as Dominik & "
         "Tielens have it (n_roll){or_none}",
     ),
     "contact": _question(
