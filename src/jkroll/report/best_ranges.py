@@ -121,7 +121,7 @@ def about_surfaces(frame: Frame) -> str:
 
 
 _OF_SMOOTH = "P_c is that of smooth, dry spheres: rough ones hold less"
-_SHRINKS = "τ/3 to 3τ (--shear-strength); T_first ≤ F_slide, as the edge may peel"
+_SHRINKS = "τ/3 to 3τ (--shear-strength); take T_first: the edge may peel early"
 _SEEN = f"hard spheres were seen to stick at 1–{MOST_SEEN} times JKR's speed"
 _WORDS: Mapping[int, str] = {
     MEASURED: f"hard spheres stuck at 1 to {MOST_SEEN} times JKR's speed, SiO2 at measured ones",
@@ -238,7 +238,7 @@ def _measured(answer: Answer) -> Iterator[str]:
         yield f"the spheres stuck to a plane; the speed is proportional to R^{stuck.exponent}"
         yield _above_law(answer)
         return
-    yield f"from {first} m/s on {solid} of R = {small} in vacuum, as R^(-5/6), at any γ"
+    yield f"from {first} m/s on {solid} of R = {small} in vacuum, by size alone: R^(-5/6)"
     yield f"{seen}, {bar}; the spheres stuck to a plane; scaled to this pair like {answer.frame.law.short}'s speed"
     yield _above_law(answer)
     yield "the effect of γ was not measured"

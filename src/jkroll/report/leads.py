@@ -30,6 +30,7 @@ from .inferred import about_library
 from .notes import Note, Shown
 
 _THREE = Format(digits=3)
+_AFTER_IMPACT = "n_roll_after_impact"
 _FORCE_AND_MOMENT = ("pull_off_force", "yield_moment")
 _WIDE = 2  # ranges whose ends differ by at least this factor are followed by a single number
 
@@ -71,8 +72,8 @@ def lead_of_rows(groups: Sequence[Shown], names: Collection[str]) -> str:
     if "meniscus_force" in names:
         return "take the larger of P_c and F_men, not their sum"
     is_rough = any(is_anywhere(may_be_rough(frame)) for frame, _ in groups)
-    real = f"for real ones take {FRACTION_HELD}: measured on SiO2 of 5 µm and more, a guess for others"
-    limit = f"these P_c are for ideally smooth spheres, an upper limit; {real}"
+    real = f"real spheres hold {FRACTION_HELD}: measured on SiO2 of 5 µm and more, a guess for others"
+    limit = f"{real}; P_c below is the upper limit, for ideally smooth spheres"
     return limit if is_rough else ""
 
 
@@ -88,12 +89,13 @@ def advice_on_inputs(answer: Answer) -> Iterator[str]:
         value = with_unit(_THREE.in_unit(answer.frame[name], unit), unit[0])
         texts.append(f"{symbol_among(name, answer.inputs)} = {value} (best {range_in_words(name, best)})")
     law = answer.frame.law.short
-    yield f"The lines below are plain {law}: {listed(texts)}."
-    yield "For the middle of both ranges, run again with settings that are no properties of the solid:"
+    yield f"Plain {law}: {listed(texts)}."
+    yield "To simulate the middle of both ranges, run the command again with"
     yield f"  {options} for smooth spheres"
     if answer.is_in_doubt(ROUGH_MATTERS):
         yield f"  {_options_for_middle(answer, 0.1)} for rough ones (a tenth of P_c, the same M)"
-    yield "Then write your own damping, here 0, and friction, here that of adhesion alone."
+    yield "These are fitted to P_c and M, and are no properties of the solid."
+    yield "You must still write your damping (now 0) and friction (now that of adhesion)."
 
 
 def _options_for_middle(answer: Answer, fraction: float = 1.0) -> str:
@@ -157,6 +159,8 @@ def _filled(sentence: str, answer: Answer) -> str:
     (first, *others) = answer.question.headline
     for name, estimate in found.items():
         words[name] += _middle(name, estimate, answer.form, is_short=bool(others) or name != first)
+    if _AFTER_IMPACT in words:  # a speed asks for the turns after hitting body 2; the table has the other counts
+        words.pop("n_roll", None)
     is_open = any(isnan(found[name].low) for name in answer.question.headline if name in found)
     is_rough = answer.shows_surfaces and "pull_off_force" in found
     words["real"] = f"; {_held(answer)}" if is_rough else ""

@@ -62,7 +62,9 @@ _QUESTIONS = {
         "yield_force yield_force_fixed_load yield_force_ratio yield_moment yield_angle yield_displacement",
         leads="a push of {yield_force} at its centre makes a sphere roll",
     ),
-    "r-min": _question("r_min", leads="no contact of a chain rolls in bends wider than R_min, which is {r_min}"),
+    "r-min": _question(
+        "r_min", leads="a chain can be bent to the radius R_min before a contact rolls; R_min is {r_min}"
+    ),
     "n-grav": _question(
         "n_grav",
         "n_grav gravity_moment bond_number",
@@ -80,7 +82,7 @@ _QUESTIONS = {
     "n-roll": _question(
         "n_roll",
         "n_roll_after_impact n_roll n_roll_energy_balance",
-        leads="at this speed take n_imp: after it hits body 2, it makes {n_roll_after_impact} turns, if it rolls\n"
+        leads="at this speed, take n_imp: it makes {n_roll_after_impact} turns after it hits body 2, if it rolls\n"
         "it makes {n_roll_energy_balance} turns if it never slips (n_bal), {n_roll} if it slides freely, as Dominik & "
         "Tielens have it (n_roll){or_none}",
     ),

@@ -50,8 +50,8 @@ where collisions press harder, give their largest force as --load. Each line is 
 """
 _EARLY = 0.7028  # sticking speed of LAMMPS' JKR contact, which breaks early, over that of JKR
 _OF_COLLISIONS = """\
-# LAMMPS breaks a contact early, at 3 pi gamma R: its grains stick only below {slow:.3g} m/s{place}, \
-0.7028 of JKR's v_stick.
+# LAMMPS drops a contact at the largest pull, where fixed grips would hold it on: its grains stick only below \
+{slow:.3g} m/s{place}, 0.7028 of JKR's v_stick.
 """
 _REMARKS_ON = {  # by law
     "jkr": """\
