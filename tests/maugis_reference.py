@@ -1,7 +1,7 @@
 """Maugis' own two equations for the contact radius and m = c/a, in 120 digits; the unknowns are Ā and t = √(m² − 1).
 
-Maugis (J. Colloid Interface Sci. 150, 243, 1992), in units of (πwR²/K)^(1/3), πwR and (π²w²R/K²)^(1/3), with K = 4E*/3
-and his transition parameter λ:
+Maugis (J. Colloid Interface Sci. 150, 243, 1992), with K = 4E*/3 and his transition parameter λ. The units are
+(πwR²/K)^(1/3) for radii, πwR for loads and (π²w²R/K²)^(1/3) for approaches:
 
     (λĀ²/2)[√(m²−1) + (m²−2)arcsec m] + (4λ²Ā/3)[√(m²−1) arcsec m − m + 1] = 1
     P̄ = Ā³ − λĀ²[√(m²−1) + m² arcsec m]          δ̄ = Ā² − (4/3)λĀ√(m²−1)
@@ -74,7 +74,7 @@ def folds_in_contact(transition: Exact) -> bool:
 
 
 def touch_approach(transition: Exact) -> Exact:
-    """Return the approach at which the spheres touch; Ā is 0 there, and the first equation gives c̄ as Ām."""
+    """Return the approach at which the spheres first touch: Ā is 0, and the first equation gives c̄, the limit of Ām."""
     both = 4 * transition**2 / 3 * (pi / 2 - 1)
     return -4 * transition / 3 * 2 / (both + sqrt(both**2 + pi * transition))
 

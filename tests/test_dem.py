@@ -1,4 +1,4 @@
-"""Results for simulations of grains: the rows of `resistances` and `aggregates`, and the recipes of `guide dem`."""
+"""Results for simulations of grains: resistances, turns, chains, aggregates, and the recipes of `guide dem`."""
 
 import math
 import re
@@ -133,7 +133,7 @@ def test_sources_of_aggregates_are_cited(run: Run) -> None:
 def test_softer_grains_keep_a_quantity_and_the_yield_moment(
     power: float, step: float, slide: float, slide_at_strength: float, kept: str
 ) -> None:
-    """The recipes of `guide dem`: γ q^power and ξ q^-power keep one quantity and the moment, not the time step."""
+    """The recipes of `guide dem`: with E·q, γ·q^power and ξ·q^−power, a quantity and the yield moment stay the same."""
     q, xi = 0.01, 2e-10
     names = [kept, "yield_moment", "sliding_frequency", "sliding_force"]
     before = solve(names, **QUARTZ, xi=xi)
