@@ -21,7 +21,7 @@ from scenes import OTHER, QUARTZ
 
 
 def verdicts(*names: str, **given: Any) -> dict[str, str]:
-    """Return the code of each limit that is judged for some quantities."""
+    """Return the code of each limit that is judged for some quantities, by the number that it limits."""
     return {one.limit.name: one.code for one in doubts(Frame({**QUARTZ, **given}), names)}
 
 

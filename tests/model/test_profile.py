@@ -119,7 +119,7 @@ def test_warning_of_a_wide_contact_states_the_results_of_a_sphere(run: Run) -> N
 
 
 def test_results_of_a_sphere_have_no_meaning_where_the_contact_exceeds_it() -> None:
-    """For both profiles this begins where the paraboloid has a0 = R: at w/(E*R) = 2/(9π)."""
+    """For both profiles, results lose their meaning where the paraboloid has a0 = R: at w/(E*R) = 2/(9π)."""
     for work, has_meaning in ((0.14, True), (0.142, False)):
         said = answer("pull-off", **{**GEL, "work_of_adhesion": work}, profile="sphere")
         assert ("contact-exceeds-sphere" not in {doubt.code for doubt in said.doubts}) is has_meaning
