@@ -30,7 +30,7 @@ def arcsec(t: Exact) -> Exact:
 
 
 def radius_of(t: Exact, transition: Exact) -> Exact:
-    """Return Ā from the first equation, which is quadratic."""
+    """Return Ā from the first equation, which is quadratic in Ā."""
     first = transition / 2 * (t + (t**2 - 1) * arcsec(t))
     second = 4 * transition**2 / 3 * (t * arcsec(t) - sqrt(1 + t**2) + 1)
     return 2 / (second + sqrt(second**2 + 4 * first))
@@ -80,7 +80,7 @@ def touch_approach(transition: Exact) -> Exact:
 
 
 def zone_apart(transition: Exact, delta: Exact) -> Exact:
-    """Return c̄ of spheres that attract each other without contact: c̄²/2 − bc̄ = δ̄ + 2/(πλ)."""
+    """Return c̄ of spheres that attract each other without contact: c̄²/2 − bc̄ = δ̄ + 2/(πλ), with b = 8λ/(3π)."""
     b = 8 * transition / (3 * pi)
     return b + sqrt(b**2 + 2 * (delta + 2 / (pi * transition)))
 
@@ -157,7 +157,7 @@ def _root(function: Callable[[Exact], Exact], start: Exact) -> Exact:
 
 
 def energy_by_quadrature(t: Exact, transition: Exact) -> Exact:
-    """Return Φ̄ of a state by quadrature of the force along the curve.
+    """Return the energy Φ̄ of a state, over πwR and the unit of approaches, by quadrature of the force along the curve.
 
     The path begins where attraction begins, without contact, and leads through the first touch to the state.
     """

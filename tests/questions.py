@@ -30,7 +30,7 @@ NEAR_PULL_OFF = [
     -1.001,
     -1.5,
     -8 / 9,
-]  # loads near pull-off, over the pull-off force
+]  # loads over P_c, or approaches over the depth at which a contact ends: at the end, beyond, and where δ = 0 by JKR
 ODD_CELLS = ["abc", "-1 m", "0", "1e-9", "nan", "inf", "1e-9 kg", "1e90 m", "5±1", "3 to 4", "10%"]
 MOST_ROWS = 6
 

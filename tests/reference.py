@@ -517,7 +517,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     **law_reference.EQUATIONS,
 }
 
-# Quantities of scenes only: those of sphere 2, and those that equal another quantity by definition.
+# Equations of quantities without a formula: those of sphere 2, and those that equal another quantity by definition.
 OF_A_SCENE: Mapping[str, Callable[..., Exact]] = {
     "diameter2": lambda R2: 2 * R2,
     "shear_modulus2": lambda E2, nu2: E2 / (2 * (1 + nu2)),

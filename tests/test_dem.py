@@ -77,7 +77,7 @@ def test_the_load_that_a_message_gives_can_be_typed(run: Run, radius: int, model
 
 
 @pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])
-def test_ratios_of_a_state_without_load_and_at_pull_off(run: Run, model: str) -> None:
+def test_ratios_of_a_state_are_known_without_load_and_at_pull_off(run: Run, model: str) -> None:
     """Without load, the ratios are 0, 1 and 1. At pull-off the load ratio is -1; Eqs 5 and 6 give the others in JKR."""
     least = -solve("pull_off_force", model=model, **QUARTZ)
     names = ["load_ratio", "contact_radius_ratio", "approach_ratio"]

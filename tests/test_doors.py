@@ -480,7 +480,7 @@ def test_a_map_marks_doubts_exactly_where_its_points_have_them(quantity: str) ->
 
 
 def _reason(error: JkrollError, scene: Frame) -> str:
-    """Return an error as the prompt words it, without the prefix: there it is the command or option, not a name."""
+    """Return the text of an error as at the prompt, but without its prefix, since the prompt has another one."""
     if isinstance(error, Failure) and error.cause == BEYOND_PULL_OFF:
         error = with_force_by_maugis(error, scene)
     return str(getattr(error, "explanation", error.__str__)())
@@ -684,7 +684,7 @@ def _in_solve(ask: Ask, floats: Rows) -> Iterator[str]:
 def _is_element(scene: Frame, name: str, found: Any, element: float, *, is_special: bool) -> bool:
     """Return whether an element of an array is right for the value of a row, or for the error of a row without a value.
 
-    `is_special`: True if the arrays have special values, which need no contact.
+    `is_special`: True if the arrays have a special value, 0 or infinity, for which some quantities need no contact.
     """
     is_gap = math.isnan(element)
     if isinstance(found, JkrollError) and is_end_of_meaning(found):
@@ -739,5 +739,5 @@ def _is_of_all_rows(error: JkrollError) -> bool:
 
 
 def _is_infinite(outcome: object) -> bool:
-    """Return whether a value is infinite where a number must be written."""
+    """Return whether an outcome is the error for an infinite value."""
     return isinstance(outcome, Failure) and outcome.cause == INFINITE

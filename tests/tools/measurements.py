@@ -37,7 +37,7 @@ class Measurement(NamedTuple):
     material: str
     given: Mapping[str, str]  # the other inputs
     source: str
-    read: str  # "abstract": in that of the source; "second hand": in a text that cites it
+    read: str  # "abstract": in the abstract of the source; "second hand": in a text that cites it
     remark: str
     other_radius: str = ""  # if given, the numbers are ratios of the value at `radius` to the value at this radius
     material2: str = ""  # the material of the other body, if it differs

@@ -269,7 +269,7 @@ def _questions_with(name: str) -> list[str]:
 
 
 def _blocks(page: Path, questions: list[str]) -> Iterator[str]:
-    """Iterate over the transcripts of a page, one for each command, that show all rows of a given question."""
+    """Iterate over the transcripts of a page that show all rows of one of the questions, each with one command."""
     for block in transcripts(page.read_text(encoding="utf-8")):
         for part in block.split("$ ")[1:]:
             words = part.splitlines()[0].split()
