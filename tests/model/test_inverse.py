@@ -70,7 +70,7 @@ def test_the_condition_of_a_power_law_is_its_inverse_exponent() -> None:
     assert solution("youngs_modulus", "contact_radius", 3e-8, scene).condition == approx(3, rel=1e-5)
 
 
-def test_surface_energy_from_a_pull_off_force_by_hand() -> None:
+def test_the_surface_energy_from_a_pull_off_force_is_that_by_hand() -> None:
     found = infer("surface_energy", measured={"pull_off_force": 3e-7}, **PLANE)
     assert found == approx(3e-7 / (3 * math.pi * 2e-6), rel=1e-15)
 
@@ -307,7 +307,7 @@ def test_an_inferred_value_is_also_given_by_the_other_laws(run: Run) -> None:
     assert solve("yield_force", material="quartz", radius=1e-6, adhesion_hysteresis=hysteresis) == approx(8.5e-10)
 
 
-def test_infer_on_the_command_line(run: Run) -> None:
+def test_infer_answers_on_the_command_line(run: Run) -> None:
     words = ["infer", "gamma", "quartz", "2um", "--radius2", "plane", "--measured"]
     ran = run(*words, "pull-off-force=300±20 nN", "--to", "mJ/m2", "--digits", "4")
     assert (ran.code, ran.out) == (

@@ -35,7 +35,7 @@ def found(
 # --- By hand ----------------------------------------------------------------------------------------------------------
 
 
-def test_a_pair_by_hand() -> None:
+def test_a_pair_agrees_with_values_by_hand() -> None:
     """P_c = 3πγR, dP/dδ = 6/5 E*a0 and a0³ = 9πγR²/E* on a plane."""
     pair = found(NAMES, MEASURED, PLANE)
     gamma = 3e-7 / (3 * math.pi * 2e-6)
@@ -330,7 +330,7 @@ def test_a_list_of_one_input_gives_values_by_name() -> None:
     assert single.condition == 1
 
 
-def test_two_inputs_on_the_command_line(run: Run) -> None:
+def test_two_inputs_are_inferred_on_the_command_line(run: Run) -> None:
     pair = infer(["gamma", "young"], measured=MEASURED, material="quartz", radius=2e-6, radius2="plane")
     gamma, modulus = pair["surface_energy"], pair["youngs_modulus"]
     assert run(COMMAND).out == f"surface_energy {gamma!r} J/m^2\nyoungs_modulus {modulus!r} Pa\n"
@@ -348,7 +348,7 @@ def test_two_inputs_on_the_command_line(run: Run) -> None:
             assert value == other[result["name"]]
 
 
-def test_rows_for_several_laws_and_measured_values(run: Run) -> None:
+def test_each_law_and_measured_value_has_a_row(run: Run) -> None:
     ran = run(f"{WORDS} --measured pull_off_force=300±20nN,3N --measured stiffness=1kN/m --model jkr,dmt --csv")
     rows = [*csv.DictReader(ran.out.splitlines())]
     assert [row["model"] for row in rows] == ["jkr", "dmt"] * 2
