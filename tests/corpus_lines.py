@@ -35,7 +35,7 @@ LONGEST = 40  # the largest number of lines of a kept output
 _ENVIRONMENT = {"XDG_CONFIG_HOME": "/nonexistent", "COLUMNS": "80", "LINES": "24", "TERM": "dumb"}
 _FOREIGN = ("JKROLL_MATERIALS", "_JKROLL_COMPLETE", "FORCE_COLOR", "NO_COLOR", "COLORTERM")
 _directories: set[Path] = set()  # directories in which lines may be run
-_UNFORESEEN = ("Traceback", "should have foreseen")
+_UNFORESEEN = ("Traceback", "this is a bug in jkroll")
 
 
 class Line(NamedTuple):

@@ -154,7 +154,7 @@ def printed(run: Run, ask: Ask, form: str, *more: str, by_arrays: bool) -> tuple
 def answered(run: Run, *words: str) -> Ran:
     """Run a command line that may fail, but not with an unexpected error."""
     ran = run(*words)
-    assert "foreseen" not in ran.err, f"{words}: {ran.err}"
+    assert "this is a bug in jkroll" not in ran.err, f"{words}: {ran.err}"
     return ran
 
 
