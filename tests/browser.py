@@ -73,7 +73,7 @@ class Browser:
             raise
 
     def open(self, address: str, width: int = 1000, height: int = 900) -> None:
-        """Open a page in a window of some size."""
+        """Open a page in a window of a given size."""
         self.call("POST", f"{self.session}/window/rect", {"width": width, "height": height})
         self.call("POST", f"{self.session}/url", {"url": address})
 
@@ -128,7 +128,10 @@ def hosts_asked(profile: Path) -> set[str | None]:
 
 
 def _is_of_browser(initiator: str) -> bool:
-    """Return whether the browser itself initiated a request; a page without an origin counts as a page."""
+    """Return whether the browser itself initiated a request, by the initiator in the log.
+
+    The initiator of a sandboxed page is neither "not an origin" nor an internal page.
+    """
     return initiator == "not an origin" or urlsplit(initiator).scheme.startswith("chrome")
 
 

@@ -38,7 +38,10 @@ def axe(folder: Path) -> str:
 
 @contextmanager
 def site_in_browser(profile: Path) -> Iterator[tuple[Browser, str]]:
-    """Yield a browser and the address of the site; check at the end that no page sent requests to other hosts."""
+    """Yield a browser and the address of the site.
+
+    Fails if the site is older than its sources, or, at the end, if a page sent requests to another host.
+    """
     tracked = subprocess.run(["git", "ls-files", ".docs", "src", "*.md"], cwd=ROOT, capture_output=True, text=True)
     newest = max((ROOT / name).stat().st_mtime for name in tracked.stdout.split() if (ROOT / name).exists())
     assert newest < (SITE / "index.html").stat().st_mtime, "the site is older than its sources: build it"

@@ -11,8 +11,8 @@ from jkroll.report.questions import QUESTIONS
 
 KNOWN = ("quartz", "quartz", "SiO2", "iron", "FE", "gold", "polystyrene", "graphite", "all")
 MATERIALS = (*KNOWN, *KNOWN, "plane", "quarz", "lead")
-# Names of files that `isolate` makes, and of files that do not exist. No name leads out of the
-# directory, even with a typing error.
+# Files and links that `isolate` of invariants.py makes, the directory itself, and names without a file. No name leads
+# out of the directory, even with a typing error.
 FILES = ("mine.toml", "mine.toml", ".", "null", "zero", "none.toml", "", "broken.toml", "../../none/passwd")
 TABLES = (
     *("grains.csv",) * 4, *("pairs.tsv", "grains.ndjson", "grains.csv.gz", "grains.parquet") * 2, "wrong.csv",
@@ -82,7 +82,7 @@ HOSTILE = (
     "plane", "rigid", "Plane", "RIGID", "all,all", "quartz,", ",quartz", "quartz,,iron", "quartz,iron,quarz",
     "quartz=iron",
 )  # fmt: skip
-LONGEST = 8
+LONGEST = 8  # most options of a line
 
 
 def command_line(source: Random) -> list[str]:
@@ -188,7 +188,7 @@ def _value(source: Random, name: str) -> str:
 
 
 def _unit(source: Random) -> str:
-    """Return a unit, or a product of several, of any dimension."""
+    """Return a unit of any dimension, or a product or quotient of several units."""
     name = (
         source.choice([*PREFIXABLE])
         if source.random() < 0.8
@@ -199,7 +199,7 @@ def _unit(source: Random) -> str:
 
 
 def _mutated(source: Random, word: str) -> str:
-    """Return a word with a typing error: a letter lost, doubled, exchanged or in another case, or an odd character."""
+    """Return a word with a typing error: a letter lost, doubled, in another case or too early, or an odd character."""
     place = source.randrange(len(word) + 1)
     head, letter, tail = word[:place], word[place : place + 1], word[place + 1 :]
     odd = source.choice("\x00\x07\x1b\x7f\u00ad\u200b\u202e\ufeff\ud83d\U000e0001=-,.:/^ ")

@@ -13,7 +13,7 @@ from hypothesis import HealthCheck, settings
 from harness import Ran, Run, Stream
 from jkroll.cli.process import main
 
-# The tests that other systems cannot run, and their requirements; CONTRIBUTING has the same table.
+# The files that only Linux can run, and what each needs of it; CONTRIBUTING has the same table.
 ON_LINUX = {
     "cli/test_command_lines.py": "limits of memory",
     "cli/test_completion.py": "shells on terminals of their own",
@@ -35,8 +35,8 @@ ON_LINUX = {
 }
 collect_ignore = [] if sys.platform == "linux" else [*ON_LINUX]
 
-# Every run has the same examples, and no time limit: a busy machine fails no test. tests/tools/fuzz.py looks for new
-# examples.
+# Hypothesis tries the same examples in every run. They have no time limit, so that no test fails because a machine is
+# busy. tests/tools/fuzz.py looks for new examples.
 settings.register_profile(
     "same", max_examples=50, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow]
 )
@@ -66,7 +66,7 @@ def tmp_path(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(autouse=True)
 def _alone(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """Isolate a test: no configuration, no variables of the user, an empty directory, a terminal of 80 columns."""
+    """Isolate a test: no configuration or variables of the user for jkroll, a new directory, and 80 columns."""
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "configuration"))
     for name in ("JKROLL_MATERIALS", "FORCE_COLOR", "NO_COLOR", "COLORTERM"):
         monkeypatch.delenv(name, raising=False)

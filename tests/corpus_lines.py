@@ -5,8 +5,8 @@ are in tests/corpus/outputs.txt; a person has read them. The output stands below
 error after `!`, and each file that the line writes after `>`. A line runs next to the files of tests/input_files.py,
 on a terminal of 80 columns without colour. As in a shell, `| cat` makes standard output a pipe, `< FILE` sets standard
 input, `NAME=VALUE` before the program sets an environment variable, and `;` precedes another command, which then
-decides the exit code. Standard error is a file, because progress bars depend on time. Lines below `# needs MODULE`, up
-to the next line that begins with #, need a library that some installations lack.
+decides the exit code. Standard error is no terminal, because progress bars depend on time. Lines below `# needs
+MODULE`, up to the next line that begins with #, need this library, which some installations lack.
 
 This module imports only `main` from jkroll, so that it can also run the lines in another checkout.
 """
@@ -35,7 +35,7 @@ LONGEST = 40  # the largest number of lines of a kept output
 _ENVIRONMENT = {"XDG_CONFIG_HOME": "/nonexistent", "COLUMNS": "80", "LINES": "24", "TERM": "dumb"}
 _FOREIGN = ("JKROLL_MATERIALS", "_JKROLL_COMPLETE", "FORCE_COLOR", "NO_COLOR", "COLORTERM")
 _directories: set[Path] = set()  # directories in which lines may be run
-_UNFORESEEN = ("Traceback", "should have foreseen")
+_UNFORESEEN = ("Traceback", "this is a bug in jkroll")
 
 
 class Line(NamedTuple):
@@ -47,7 +47,7 @@ class Line(NamedTuple):
 
     @property
     def can_run(self) -> bool:
-        """True if the line's library is installed."""
+        """True if the line needs no library, or the library is installed."""
         return not self.library or find_spec(self.library) is not None
 
 
@@ -82,7 +82,7 @@ def lines() -> list[Line]:
 
 
 def spread(corpus: Sequence[Line], count: int) -> list[Line]:
-    """Return a number of lines spread over the corpus, the same at every call."""
+    """Return at most `count` lines spread over the corpus, the same at every call."""
     return [corpus[place * len(corpus) // count] for place in range(min(count, len(corpus)))]
 
 
@@ -156,7 +156,7 @@ def _run(command: Command) -> Ran:
 
 
 def faults(line: Line, outcome: Outcome) -> list[str]:
-    """Return the faults of an outcome: a wrong exit code, a traceback, invalid JSON."""
+    """Return the faults of an outcome: a wrong exit code, a traceback, or invalid JSON after `--json`."""
     found = [f"exit code {outcome.code}: {outcome.err}"] if outcome.code != line.code else []
     found += [outcome.err for text in _UNFORESEEN if text in outcome.err]
     if "--json" in shlex.split(line.typed) and outcome.out:

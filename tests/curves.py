@@ -18,7 +18,10 @@ def jkr_state(x: Any, w: Any, modulus: Any, radius: Any) -> Any:
 
 
 def jkr_force(z: Any, w: Any, modulus: Any, radius: Any, stiffness: Any, *, has_contact_below: bool = True) -> Any:
-    """Return the force of a lever at travels `z` from its contact point, from a table of states; 0 without contact."""
+    """Return the force of a lever at travels `z` from the contact point, from a table of states; 0 without contact.
+
+    `has_contact_below`: True if the contact lasts below the contact point until the lever jumps off, as in unloading.
+    """
     x = numpy.geomspace(1 / 6, 500, 100_000)
     approach, load = jkr_state(x, w, modulus, radius)
     travel = approach + load / stiffness
@@ -53,7 +56,7 @@ def jkr_curve(
     high: float = 1.2e-6,
     branches: Any = (LOADING, UNLOADING),
 ) -> Any:
-    """Return travel and force of a lever over some branches; `opening` and `closing` are their works of adhesion."""
+    """Return travel and force of a lever; `opening` and `closing` are the w of the unloading and the loading branch."""
     travels, forces = [], []
     for name in branches:
         z = ramp(low, high, count, name)

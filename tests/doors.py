@@ -53,7 +53,7 @@ class Refused(Exception):
 
 
 class Rows(NamedTuple):
-    """The answer of a door: for each row its values, without gaps, its doubts as bits, and the reasons for gaps.
+    """The answer of a door: for each row its values without gaps, its doubts as bits, the reasons for gaps, its status.
 
     Rows that were computed as arrays have the reasons of the first row with the same gaps.
     """
@@ -131,7 +131,7 @@ def of_list(ask: Ask, *, by_arrays: bool, best: bool = False) -> Rows:
 
 
 def printed(run: Run, ask: Ask, form: str, *more: str, by_arrays: bool) -> tuple[Ran, list[dict[str, Any]]]:
-    """Return the output of a call, and the written cells by header, from a printed format or from a file."""
+    """Return the output of a call, and its cells by header; `form`: an option as `--json`, or the suffix of a file."""
     path = Path(f"out.{form}")
     path.unlink(missing_ok=True)
     with computed(by_arrays=by_arrays):
@@ -154,7 +154,7 @@ def printed(run: Run, ask: Ask, form: str, *more: str, by_arrays: bool) -> tuple
 def answered(run: Run, *words: str) -> Ran:
     """Run a command line that may fail, but not with an unexpected error."""
     ran = run(*words)
-    assert "foreseen" not in ran.err, f"{words}: {ran.err}"
+    assert "this is a bug in jkroll" not in ran.err, f"{words}: {ran.err}"
     return ran
 
 
@@ -231,7 +231,7 @@ def agree(scene: Frame, name: str, one: float, other: float) -> bool:
 
 
 def _rounding(scene: Frame, name: str) -> float:
-    """Return the rounding error of a load or an approach whose terms cancel; 0 for other quantities."""
+    """Return the rounding error allowed for forces and lengths, whose terms may cancel; 0 for other quantities."""
     whole = {"N": "pull_off_force", "m": "approach"}.get(NOMENCLATURE[name].unit, "")
     return STATED * ULP * float(scene.numbers(whole).get(whole, 0.0)) if whole else 0.0
 
@@ -253,9 +253,9 @@ def _growth(scene: Frame, name: str, value: float, source: str, given: float) ->
 
 
 def sides_agree(scene: Frame, name: str, one: float | None, other: float | None) -> bool:
-    """Return whether two numbers of an uncertainty agree.
+    """Return whether two numbers for one side of an uncertainty agree.
 
-    None stands for an input without influence, and agrees with a number that is only rounding.
+    None, for inputs without influence, agrees with an error bar of 0 and with an end at the value, up to rounding.
     """
     error = 4 * max((_error(each, name) for each in _ends(scene, name)), default=0.0) + _rounding(scene, name)
     value = outcomes(scene, (name,))[name]
@@ -353,8 +353,8 @@ def _same(scene: Frame | None, key: str, one: float | None, other: float | None)
     if one is None or other is None or key.endswith("_best_by"):
         return False
     name = best_of(key)
-    if name and len({*map(type, scene.uncertainties.values())}) > 1:  # the row decides whether ± or ranges count
-        return True
+    if name and len({*map(type, scene.uncertainties.values())}) > 1:
+        return True  # whether ± or ranges count depends on the inputs that the whole row uses
     return any(agree(each, name or key, one, other) for each in (_ends_of_best(scene) if name else [scene]))
 
 

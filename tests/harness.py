@@ -41,13 +41,13 @@ Run = Callable[..., Ran]
 
 
 def captured(words: Sequence[str], *, terminal: bool = False) -> Ran:
-    """Run a command line with its output in a file, since a table is written to the descriptor, not to the stream."""
+    """Run a command line; its output goes to a file, since tables are written to the descriptor, not to the stream."""
     with tempfile.TemporaryFile() as file:
         err = Stream()
         out = Stream(os.fdopen(os.dup(file.fileno()), "wb"), terminal=terminal)
         with redirect_stdout(out), redirect_stderr(err):
             code = main([*words])
-        with suppress(OSError):  # the file system is full
+        with suppress(OSError):  # if the file system is full
             out.close()
         file.seek(0)
         return Ran(code, file.read().decode("utf-8", "surrogateescape"), err.text())

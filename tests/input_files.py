@@ -26,7 +26,7 @@ title = "Laboratory notes"
     "shadow.toml": b'[materials.quartz]\nsurface_energy = "50 mJ/m2"\nyoungs_modulus = "70 GPa"\npoisson_ratio = 0.2\n',
     "broken.toml": b"[materials.ice\n",
     "wrong.toml": b'[materials.ice]\nsurface_energy = "25 mJ/m3"\ndensity = -1\n',
-    # a measured curve, made in tests/data
+    # a force curve
     "curve.csv": (Path(__file__).parent / "data" / "probe.csv").read_bytes(),
     # tables
     "grains.csv": _GRAINS,

@@ -1,4 +1,4 @@
-"""Invariants for any input, as functions of bytes.
+"""Invariants of the program for any input: each is a function that checks an input given as bytes.
 
 A test checks the inputs of tests/corpus, and tests/tools/fuzz.py searches for violations.
 """
@@ -38,7 +38,10 @@ def _text(data: bytes) -> str:
 
 
 def quantity(data: bytes) -> None:
-    """Check that a text is a value in the quantity's range that reads back the same, or is refused in one line."""
+    """Check that a text is a value in the quantity's range that reads back the same, or is refused in one line.
+
+    The first byte chooses the quantity.
+    """
     name = TYPED[data[0] % len(TYPED)] if data else "radius"
     text = _text(data[1:])
     try:
@@ -85,7 +88,7 @@ def materials(data: bytes) -> None:
 
 
 def words(data: bytes) -> None:
-    """Check that a command line, as words separated by NUL, ends with a documented code, and refuses in one line."""
+    """Check the invariants of a command line, whose words are separated by NUL; only the first twelve words count."""
     check_call([_text(word) for word in data.split(b"\0")][:12])
 
 
@@ -129,7 +132,7 @@ def kept(target: str) -> list[bytes]:
     return [file.encode() for file in files]
 
 
-# Links to devices, by the name of the link; command lines may name them as well as the small files.
+# Links to devices, by the name of the link; command lines may name them as well as the files of input_files.py.
 DEVICES = {
     "null": "null",
     "null.csv": "null",

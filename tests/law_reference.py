@@ -31,7 +31,7 @@ KELVIN_LENGTH = mpf(5.248e-10)  # γ_L V_m/(R_g T) of water at 25 °C
 
 
 def first_order(theta_c: Exact) -> Exact:
-    """Return κ of a meniscus between touching bodies, whose force is lower by the fraction κ√(r_K/R)."""
+    """Return κ of a meniscus between touching bodies: its force is 4πRγ_L cos θ_c, lower by the fraction κ√(r_K/R)."""
     return (pi / 2 - theta_c + digits.sin(2 * theta_c) / 2) / (4 * digits.cos(theta_c) ** mpf(1.5))
 
 
@@ -46,12 +46,12 @@ def ratio(_a: Exact, t: Exact) -> Exact:
 
 
 def span(edge: Exact, lambda_: Exact) -> Exact:
-    """Return T of a contact."""
+    """Return T of a contact over the unit of length."""
     return maugis.radius_of(1 / edge, lambda_) / edge
 
 
 def approach_terms(edge: Exact, lambda_: Exact) -> list[Exact]:
-    """Return the two terms of the approach of a contact, in its unit."""
+    """Return the two terms of the approach of a contact, over the unit of approaches."""
     T = span(edge, lambda_)
     return [(edge * T) ** 2, -4 * lambda_ * T / 3]
 
@@ -78,7 +78,11 @@ def work(edge: Exact, T: Exact, R: Exact, E: Exact, sigma0: Exact) -> Exact:
 
 
 def slope(edge: Exact, T: Exact, R: Exact, E: Exact, sigma0: Exact) -> Exact:
-    """Return dP/dδ at constant w, from the separate derivatives of P = −πσ0c² and δ = c²/2R − 4σ0c/(πE) − w/σ0."""
+    """Return dP/dδ at constant w.
+
+    In contact, it follows from the gradients of load, approach and w along v and T; without contact, from the
+    derivatives of P = −πσ0c² and δ = c²/2R − 4σ0c/(πE) − w/σ0.
+    """
     if not edge:
         return -2 * pi * sigma0 * T / (T / R - 4 * sigma0 / (pi * E))
     step = mpf(10) ** (-digits.dps // 3)
@@ -121,7 +125,7 @@ FITTED = (
         "9.812847493179728 1.7809773703126632 0.10560236313712765 0.012643948318122239"
     ),
 )
-ALL_STICK = mpf("0.681745209228707968370096573791593022995682283322922")
+ALL_STICK = mpf("0.681745209228707968370096573791593022995682283322922")  # least T* at which spheres always stick
 
 
 def slowed(T_star: Exact) -> Exact:
@@ -139,13 +143,13 @@ def _rigid_on_soft_plane(R1: Exact, R2: Exact, E1: Exact, E2: Exact, nu2: Exact)
 
 
 def sphere_load(L: Exact, kappa: Exact) -> list[Exact]:
-    """Return P_H and its decrease by adhesion, over E*R², for Sneddon's sphere."""
+    """Return the terms of the load over E*R² for Sneddon's sphere: P_H, and the negative term of adhesion."""
     x = digits.tanh(L)
     return [(1 + x**2) * L - x, -sqrt(8 * pi * kappa * x**3)]
 
 
 def sphere_approach(L: Exact, kappa: Exact) -> list[Exact]:
-    """Return δ_H and its decrease by adhesion, over R."""
+    """Return the terms of the approach over R: δ_H, and the negative term of adhesion."""
     x = digits.tanh(L)
     return [x * L, -sqrt(2 * pi * kappa * x)]
 
@@ -168,7 +172,10 @@ def _root(function: Callable[[Exact], Exact], low: Exact, high: Exact) -> Exact:
 
 
 def sphere_last(kappa: Exact, times: int) -> Exact:
-    """Return L of the last state, where δ_H′ = times·u/(2x), u = √(2πκx): 1 with fixed grips, 3 at a dead load."""
+    """Return L of the last state, where dδ_H/dx = times·u/(2x), with x = tanh L and u = √(2πκx).
+
+    `times`: 1 with fixed grips, 3 at a dead load.
+    """
 
     def excess(L: Exact) -> Exact:
         x = digits.tanh(L)
@@ -178,7 +185,7 @@ def sphere_last(kappa: Exact, times: int) -> Exact:
 
 
 def sphere_state(terms: Callable[[Exact, Exact], list[Exact]], held: Exact, kappa: Exact, last: Exact) -> Exact:
-    """Return L of the stable state at a load or an approach."""
+    """Return L of the stable state at a load or an approach `held`; raise ValueError beyond the last state."""
     if held < sum(terms(last, kappa)):
         raise ValueError
     return _root(lambda L: sum(terms(L, kappa)) - held, last, 10 * last + 10 + 2 * held)
@@ -326,7 +333,7 @@ TERMS: Mapping[str, Callable[..., Exact]] = {
     "state_energy_maugis": lambda edge, T, l_M, U_M, lambda_: max(map(abs, state_energy(edge, T, l_M, U_M, lambda_))),
 }
 
-# The parameters in whose condition the accuracy of a formula is stated, in addition to its number of ulp.
+# The parameters whose errors enter κ: the accuracy of these formulas is stated in ulp·(1 + κ).
 CONDITIONED: Mapping[str, tuple[str, ...]] = {
     "contact_radius_dmt": ("load",),
     "threshold_humidity": ("roughness_gap",),

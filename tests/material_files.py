@@ -1,4 +1,4 @@
-"""Materials files read as a whole."""
+"""Read a whole materials file for the tests."""
 
 import os
 

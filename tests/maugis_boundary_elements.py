@@ -1,9 +1,8 @@
 """Rolling of a paraboloid on an elastic half-space in three dimensions, by boundary elements on a square grid.
 
-Dugdale's traction acts on a disc whose centre lags behind the apex. The contact pressure adds to it; the conjugate
-gradients of Polonsky & Keer (Wear 231, 206, 1999) find this pressure at a given load. Love's formula gives the
-displacements by rectangular patches, as a discrete convolution on a doubled grid. Units as in `maugis_reference`: E* =
-3/4, R = 1.
+Dugdale's constant traction pulls on a disc whose centre lags behind the apex. The conjugate gradients of Polonsky &
+Keer (Wear 231, 206, 1999) find the contact pressure at a given load. Love's formula gives the displacements by square
+patches, as a discrete convolution on a doubled grid. Units as in `maugis_reference`: E* = 3/4, R = 1, πw = 1.
 """
 
 from typing import Any

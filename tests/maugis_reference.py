@@ -1,7 +1,7 @@
 """Maugis' own two equations for the contact radius and m = c/a, in 120 digits; the unknowns are Ā and t = √(m² − 1).
 
-Maugis (J. Colloid Interface Sci. 150, 243, 1992), in units of (πwR²/K)^(1/3), πwR and (π²w²R/K²)^(1/3), with K = 4E*/3
-and his transition parameter λ:
+Maugis (J. Colloid Interface Sci. 150, 243, 1992), with K = 4E*/3 and his transition parameter λ. The units are
+(πwR²/K)^(1/3) for radii, πwR for loads and (π²w²R/K²)^(1/3) for approaches:
 
     (λĀ²/2)[√(m²−1) + (m²−2)arcsec m] + (4λ²Ā/3)[√(m²−1) arcsec m − m + 1] = 1
     P̄ = Ā³ − λĀ²[√(m²−1) + m² arcsec m]          δ̄ = Ā² − (4/3)λĀ√(m²−1)
@@ -30,7 +30,7 @@ def arcsec(t: Exact) -> Exact:
 
 
 def radius_of(t: Exact, transition: Exact) -> Exact:
-    """Return Ā from the first equation, which is quadratic."""
+    """Return Ā from the first equation, which is quadratic in Ā."""
     first = transition / 2 * (t + (t**2 - 1) * arcsec(t))
     second = 4 * transition**2 / 3 * (t * arcsec(t) - sqrt(1 + t**2) + 1)
     return 2 / (second + sqrt(second**2 + 4 * first))
@@ -74,13 +74,13 @@ def folds_in_contact(transition: Exact) -> bool:
 
 
 def touch_approach(transition: Exact) -> Exact:
-    """Return the approach at which the spheres touch; Ā is 0 there, and the first equation gives c̄ as Ām."""
+    """Return the approach at which the spheres first touch: Ā is 0, and the first equation gives c̄, the limit of Ām."""
     both = 4 * transition**2 / 3 * (pi / 2 - 1)
     return -4 * transition / 3 * 2 / (both + sqrt(both**2 + pi * transition))
 
 
 def zone_apart(transition: Exact, delta: Exact) -> Exact:
-    """Return c̄ of spheres that attract each other without contact: c̄²/2 − bc̄ = δ̄ + 2/(πλ)."""
+    """Return c̄ of spheres that attract each other without contact: c̄²/2 − bc̄ = δ̄ + 2/(πλ), with b = 8λ/(3π)."""
     b = 8 * transition / (3 * pi)
     return b + sqrt(b**2 + 2 * (delta + 2 / (pi * transition)))
 
@@ -157,7 +157,7 @@ def _root(function: Callable[[Exact], Exact], start: Exact) -> Exact:
 
 
 def energy_by_quadrature(t: Exact, transition: Exact) -> Exact:
-    """Return Φ̄ of a state by quadrature of the force along the curve.
+    """Return the energy Φ̄ of a state, over πwR and the unit of approaches, by quadrature of the force along the curve.
 
     The path begins where attraction begins, without contact, and leads through the first touch to the state.
     """

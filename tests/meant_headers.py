@@ -34,7 +34,7 @@ class Header(NamedTuple):
 
     text: str
     name: str  # the input that it means; "" if none
-    factor: float  # from numbers in the column to SI units
+    factor: float  # from numbers in the column to the input in SI units
     is_plain: bool  # ASCII, with the unit in brackets
     is_of_2: bool  # means sphere 2 only
     others: tuple[str, ...] = ()  # other inputs that it may mean
@@ -54,7 +54,7 @@ class Term(NamedTuple):
     names: tuple[str, ...]
     unit: str
     kind: str = "word"  # or "symbol", or "foreign": a word of another language
-    share: float = 1.0  # the input over its value: a radius is half of a diameter
+    share: float = 1.0  # the input over the quantity of the word: a radius is half of a diameter
 
 
 # --- Words ------------------------------------------------------------------------------------------------------------
@@ -205,7 +205,7 @@ atomic_spacing m: Atomabstand | distance interatomique | Gleichgewichtsabstand
 shear_strength Pa: Scherfestigkeit | résistance au cisaillement
 """
 
-# Words that mean no input, by unit.
+# Words that mean no input, by unit; but a shear modulus is an input, see `outcome`.
 _NONE = """
 N/m: stiffness | spring constant | k_n | kn | k_t | cantilever stiffness | Federkonstante | raideur | k | \
 cantilever spring constant | normal stiffness | contact stiffness | tangential stiffness | k_lever | kt | \
@@ -556,7 +556,7 @@ def counts(headers: Iterable[Header]) -> Counter[str]:
 
 
 def groups_of(headers: Sequence[Header]) -> dict[str, list[Header]]:
-    """Return the headers by meaning: any input, plain ones, those for sphere 2, and no input."""
+    """Return headers in groups: of inputs, with the plain ones and those of sphere 2; of none, with the plain ones."""
     inputs = [header for header in headers if header.name]
     return {
         "inputs": inputs,

@@ -30,7 +30,7 @@ NEAR_PULL_OFF = [
     -1.001,
     -1.5,
     -8 / 9,
-]  # loads near pull-off, over the pull-off force
+]  # loads over P_c, or approaches over the depth at which a contact ends: at the end, beyond, and where δ = 0 by JKR
 ODD_CELLS = ["abc", "-1 m", "0", "1e-9", "nan", "inf", "1e-9 kg", "1e90 m", "5±1", "3 to 4", "10%"]
 MOST_ROWS = 6
 
@@ -96,14 +96,14 @@ class Sheet(NamedTuple):
 
 
 def sheet_of(ask: Ask) -> Sheet:
-    """Return the table with the same rows."""
+    """Return a table that asks a question: the same rows, with some inputs as options."""
     fixed = [word for name in ask.options for word in (NOMENCLATURE[name].option or f"--{name}", ask.inputs[name][0])]
     columns = [name for name in ask.inputs if name not in ask.options]
     return Sheet(columns, ask.rows(), [*fixed, *ask.law(), "--quantities", ask.quantities or ask.command])
 
 
 def mixed_sheet(random: Random, asks: Iterable[Ask]) -> Sheet:
-    """Return a table with rows from several questions under one law, and with some cells that are not values."""
+    """Return a table with rows from several questions and some odd cells, by the law of the first question."""
     rows = [dict(row) for ask in asks for row in ask.rows()]
     random.shuffle(rows)
     columns = [name for name in ("material", "material2", *NOMENCLATURE) if any(name in row for row in rows)]
@@ -170,7 +170,10 @@ class _Values:
         return self.found
 
     def _convert(self) -> None:
-        """Rename some radii to diameters and some Young's moduli to shear moduli; no other input changes."""
+        """Rename some radii to diameters and some Young's moduli to shear moduli.
+
+        This draws from its own random numbers, so that all other inputs remain as they were.
+        """
         random = Random(str(self.found))
         for name, other in CONVERTED.items():
             if other in self.found and "rigid" not in self.found[other] and random.random() < 0.3:
@@ -257,7 +260,7 @@ class _Values:
         self._add(name, text)
 
     def _add(self, name: str, text: Callable[[], str], others: Sequence[str] = ()) -> None:
-        """Add one or several values, as long as there are not too many rows."""
+        """Add one or several values; only the last of them if there were too many rows."""
         count = self.random.choice([1, 1, 1, 1, 2, 3])
         self.found[name] = tuple(dict.fromkeys([*others, *(text() for _ in range(count))]))
         if self.count * len(self.found[name]) > MOST_ROWS:

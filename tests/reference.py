@@ -18,9 +18,9 @@ from maugis_reference import Exact, cbrt, digits, mpf, pi, sqrt
 
 FOLD = -cbrt(mpf(9) / 16)  # δ̂, where dδ/dâ = 0
 
-# The allowed errors in ulp of a result times 1 plus its condition: the largest; the median over all results; and the
-# median for each name. The first and the last arise from the rounding of moduli and of a contact radius, which products
-# and third powers multiply.
+# Bounds of the errors in ulp·(1 + κ): of the largest error, of the median over all results, and of the median for each
+# name. The first and the last arise from the rounding of moduli and of a contact radius, which products and third
+# powers multiply.
 BOUND, MEDIAN, MEDIAN_OF_A_NAME = 15.0, 0.55, 1.5
 
 
@@ -114,7 +114,11 @@ ENERGIES = {  # in P_cδ0
 
 
 def conditions(given: Mapping[str, float], results: Mapping[str, Exact]) -> dict[str, float]:
-    """Return κ: the factor from a relative error of a given load or approach, or of v_stick, to that of a result."""
+    """Return κ of each result: the factor from a relative error of another number to that of the result.
+
+    This number is the given load or approach; a pressure for speeds at which a solid yields; and v_stick for the
+    restitution.
+    """
     state = "approach_at_load" if "approach_at_load" in given else "load"
     found = dict.fromkeys(results, 0.0)
     if given.get(state):
@@ -147,7 +151,7 @@ def scale(formula: str, arguments: Mapping[str, float]) -> Exact:
 
 
 def formula_error(formula: str, arguments: Mapping[str, float], value: float) -> float:
-    """Return the error of a formula's value in ulp, in the variable for which its accuracy is stated."""
+    """Return the error of a formula's value in ulp·(1 + κ), or in ulp of the variable that MEASURED has for it."""
     if formula in OF_A_RATIO:
         arguments = {"approach_at_load": arguments["approach_at_load"] / arguments["approach"], "approach": 1.0}
     if formula in MEASURED:
@@ -160,7 +164,7 @@ def formula_error(formula: str, arguments: Mapping[str, float], value: float) ->
 
 
 def condition(formula: str, arguments: Mapping[str, float]) -> float:
-    """Return κ: the factor from relative errors of the arguments in a formula's accuracy to that of its value."""
+    """Return κ: the factor from relative errors of the arguments in CONDITIONED to that of a formula's value."""
     value, step = exact(formula, arguments), mpf(10) ** -20
     names = law_reference.CONDITIONED.get(formula, ())
     moved = (exact(formula, {**arguments, name: mpf(arguments[name]) * (1 + step)}) for name in names)
@@ -496,7 +500,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "speed_over_sticking": lambda v, v_s: v / v_s,
     "flight_ratio": lambda W0, R1, R2, P_c: 2 * W0 / ((R1 + R2) * P_c),
     "contact_over_sphere": lambda a0, a, R1, R2: max(a0, a) / min(R1, R2),
-    # the strip of Appendix A, corrected as the docstrings state
+    # the strip of Appendix A, corrected as the docstrings of jkroll.physics.cylinder state
     "asymmetric_pressure": lambda X, b, xi, R_c, E_strain, C: (
         E_strain / (2 * R_c) * (sqrt(b**2 - X**2) + (C - b**2 / 2 + xi * X) / sqrt(b**2 - X**2))
     ),
@@ -513,7 +517,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     **law_reference.EQUATIONS,
 }
 
-# Quantities of scenes only: those of sphere 2, and those that equal another quantity by definition.
+# Equations of quantities without a formula: those of sphere 2, and those that equal another quantity by definition.
 OF_A_SCENE: Mapping[str, Callable[..., Exact]] = {
     "diameter2": lambda R2: 2 * R2,
     "shear_modulus2": lambda E2, nu2: E2 / (2 * (1 + nu2)),

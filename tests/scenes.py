@@ -28,7 +28,7 @@ def log_uniform(random: Random, low: float, high: float) -> float:
 
 
 def near_example(name: str, random: Random) -> float:
-    """Return a value of an input in its range: its example times a factor from 0.01 to 100."""
+    """Return an input's example times a factor from 0.01 to 100; if this is out of range, the example itself."""
     quantity = NOMENCLATURE[name]
     example = parse_quantity(quantity.example, name)
     value = example * log_uniform(random, 0.01, 100)
@@ -105,7 +105,7 @@ def steps_from(value: float, *counts: float) -> list[float]:
 
 
 def hard_loads(force: float) -> Iterator[float]:
-    """Iterate over loads near pull-off, near -8/9 of it (where the approach is 0), and of any magnitude."""
+    """Iterate over loads near −P_c, near −8/9 P_c (where the approach is 0), and of any magnitude."""
     yield from (
         -force + count * math.ulp(force) for count in (0, 1, 2, 3, 10, *(10.0**power for power in range(2, 16)))
     )

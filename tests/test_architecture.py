@@ -51,7 +51,7 @@ def part(path: Path) -> str:
 
 @cache
 def imports(path: Path) -> dict[str, str]:
-    """Return the modules that a file imports, anywhere in it, each with its folder ("" for other libraries)."""
+    """Return the modules that a file imports when it runs, each with its folder ("" for other libraries)."""
     package = ["jkroll", *path.relative_to(SOURCE).parts[:-1]]
     found: dict[str, str] = {}
     tree = ast.parse(path.read_text(encoding="utf-8"))
@@ -248,7 +248,7 @@ def test_pyright_infers_the_same_types_as_mypy(tmp_path: Path) -> None:
 
 
 def modules_of_tests(path: Path) -> set[str]:
-    """Return the modules of the program that a file of tests imports, as "model.rows"."""
+    """Return what a file of tests imports, modules and names; those of the program without prefix, as "model.rows"."""
     found: set[str] = set()
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom) and node.module is not None and node.module.startswith("jkroll"):
@@ -259,7 +259,7 @@ def modules_of_tests(path: Path) -> set[str]:
 
 
 def test_a_test_imports_internal_names_of_one_folder_at_most() -> None:
-    """Other names are public, or imported by another folder of the program. `tuning` may import from several."""
+    """A module is internal if no other folder of the program imports it. `tuning` may import from several folders."""
     names = {".".join(path.relative_to(SOURCE).with_suffix("").parts) for path in MODULES if part(path) != "ground"}
     fronts = {
         ".".join(target.split(".")[1:3]) for path in MODULES for target, folder in imports(path).items()

@@ -317,7 +317,7 @@ def test_an_axis_excludes_the_input_that_follows_from_it(run: Run, words: str, s
 
 
 def results(run: Run, table: str, *words: str) -> tuple[str, list[dict[str, str]]]:
-    """Return the messages on a table, and its rows with results."""
+    """Return the messages of `batch` on a table, and the rows that it writes."""
     Path("grains.csv").write_text(table, encoding="utf-8")
     ran = run("batch", "grains.csv", *words, "--no-doubt", "-o", "out.csv")
     return ran.err, rows(Path("out.csv").read_text(encoding="utf-8"))

@@ -1,4 +1,4 @@
-"""Results for simulations of grains: the rows of `resistances` and `aggregates`, and the recipes of `guide dem`."""
+"""Results for simulations of grains: resistances, turns, chains, aggregates, and the recipes of `guide dem`."""
 
 import math
 import re
@@ -77,7 +77,7 @@ def test_the_load_that_a_message_gives_can_be_typed(run: Run, radius: int, model
 
 
 @pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])
-def test_ratios_of_a_state_without_load_and_at_pull_off(run: Run, model: str) -> None:
+def test_ratios_of_a_state_are_known_without_load_and_at_pull_off(run: Run, model: str) -> None:
     """Without load, the ratios are 0, 1 and 1. At pull-off the load ratio is -1; Eqs 5 and 6 give the others in JKR."""
     least = -solve("pull_off_force", model=model, **QUARTZ)
     names = ["load_ratio", "contact_radius_ratio", "approach_ratio"]
@@ -133,7 +133,7 @@ def test_sources_of_aggregates_are_cited(run: Run) -> None:
 def test_softer_grains_keep_a_quantity_and_the_yield_moment(
     power: float, step: float, slide: float, slide_at_strength: float, kept: str
 ) -> None:
-    """The recipes of `guide dem`: γ q^power and ξ q^-power keep one quantity and the moment, not the time step."""
+    """The recipes of `guide dem`: with E·q, γ·q^power and ξ·q^−power, a quantity and the yield moment stay the same."""
     q, xi = 0.01, 2e-10
     names = [kept, "yield_moment", "sliding_frequency", "sliding_force"]
     before = solve(names, **QUARTZ, xi=xi)

@@ -59,12 +59,12 @@ from jkroll.report.answer import with_force_by_maugis
 from jkroll.report.questions import QUESTIONS
 from questions import SPHERES, Ask, Sheet, any_ask, ask_of, mixed_sheet, sheet_of
 
-FEW, MANY = range(10, 14), 1000
-PARTS = [range(first, first + MANY // 5) for first in range(0, MANY, MANY // 5)]  # many questions, in parts
+FEW, MANY = range(10, 14), 1000  # the numbers of the questions of a quick test; how many a slow test has
+PARTS = [range(first, first + MANY // 5) for first in range(0, MANY, MANY // 5)]  # the numbers of these, in parts
 UNITS = ["nm", "angstrom", "nN", "lbf", "eV", "GPa", "cm/s", "N ym4", "m ym3", "J Ym-1", "kHz"]
 
 Cells = Mapping[str, Any]
-FORMS = FILES  # output forms for rows, besides --csv
+FORMS = FILES  # output forms for rows, in addition to the printed --csv
 
 
 def disagreements(run: Run, ask: Ask, unit: str = "", forms: Sequence[str] = FORMS) -> Iterator[str]:
@@ -87,7 +87,7 @@ def disagreements(run: Run, ask: Ask, unit: str = "", forms: Sequence[str] = FOR
 
 
 def _in_refusals(run: Run, ask: Ask, error: JkrollError) -> Iterator[str]:
-    """Iterate over the doors that do not refuse an invalid question.
+    """Iterate over the doors that do not refuse an invalid question, or give another reason.
 
     A table refuses it row by row. So do arrays if a value is out of range only after its conversion.
     """
@@ -361,7 +361,7 @@ def best_disagreements(run: Run, ask: Ask) -> Iterator[str]:
 
 
 def _in_shared(one: Rows, other: Rows) -> Iterator[str]:
-    """Iterate over the differences in the columns that two doors share."""
+    """Iterate over the differences in the columns that two doors share, apart from uncertainties."""
     both = [key for key in one.keys if key in other.keys and not side_of(key)]
     for row, (values, others) in enumerate(zip(one.values, other.values, strict=True)):
         yield from (f"row {row}: {key}" for key in both if values.get(key) != others.get(key))
@@ -380,7 +380,7 @@ def _in_answer(ask: Ask, texts: Mapping[str, str], floats: Rows, row: int) -> It
         of_json = found.as_dict()
     except JkrollError:
         return
-    if not (reasons and any(map(is_uncertain, given.values()))):  # the sources are those of all quantities together
+    if not (reasons and any(map(is_uncertain, given.values()))):  # a row has the sources of all its quantities
         every = {result["name"]: result.get("best", {}) for result in of_json["results"]}
         for name in names:
             expected = _best_in(values, name)
@@ -409,7 +409,7 @@ LENNARD_JONES = {
     "pull_off_work": "well_energy_lennard_jones",
     "pull_off_work_at_dead_load": "dead_load_work_lennard_jones",
 }
-IN_PROPORTION = ("bond_number", "disruption_energy", "disruption_speed")  # to a quantity above
+IN_PROPORTION = ("bond_number", "disruption_energy", "disruption_speed")  # to a quantity of LENNARD_JONES, or its root
 
 
 def _in_scene(scene: Frame, values: Mapping[str, float]) -> Iterator[str]:
@@ -480,7 +480,7 @@ def test_a_map_marks_doubts_exactly_where_its_points_have_them(quantity: str) ->
 
 
 def _reason(error: JkrollError, scene: Frame) -> str:
-    """Return an error without its prefix: the prompt has the command or the option instead of a name."""
+    """Return the text of an error as at the prompt, but without its prefix, since the prompt has another one."""
     if isinstance(error, Failure) and error.cause == BEYOND_PULL_OFF:
         error = with_force_by_maugis(error, scene)
     return str(getattr(error, "explanation", error.__str__)())
@@ -540,9 +540,9 @@ def _in_bare(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
 
 
 def _in_cells(rows: Rows, cells: Sequence[Cells], options: Sequence[str] = ()) -> Iterator[str]:
-    """Iterate over the cells of results, doubts and states that differ from those of rows.
+    """Iterate over the cells of results, doubts and status that differ from those of rows.
 
-    Cells in other units are compared elsewhere.
+    With options, which give the results another unit, cells of results are not compared.
     """
     for row, line in enumerate(cells):
         for key in rows.keys if not options else ():
@@ -567,7 +567,7 @@ def _as_cell(key: str, values: Mapping[str, float]) -> float | str | None:
 
 
 def _read(cell: Any, head: str) -> Any:
-    """Return a cell of any output: a number, a text or None; in Parquet, an infinite input becomes its word."""
+    """Return a cell of any output: a number, a text or None; the word of an infinite input, as `plane`, is infinity."""
     if cell in ("", None):
         return None
     name = head.partition(" ")[0]
@@ -623,7 +623,9 @@ def _in_table(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
     yield from _in_cells(found.rows, found.cells)
     for key in (key for key in {*floats.keys} ^ {*found.rows.keys} if not side_of(key)):
         lacks = all(isinstance(reasons.get(key), MissingInput) for reasons in floats.reasons)
-        of_values = all(key in _of_any_values(scene).missing([key]) for scene in scenes_of(ask))  # headers lack values
+        of_values = all(
+            key in _of_any_values(scene).missing([key]) for scene in scenes_of(ask)
+        )  # a table chooses columns before it has values
         if not (NOMENCLATURE[key].of_identical or lacks or of_values or key in ask.inputs):
             yield f"only one of the doors has {key}"
 
@@ -682,7 +684,7 @@ def _in_solve(ask: Ask, floats: Rows) -> Iterator[str]:
 def _is_element(scene: Frame, name: str, found: Any, element: float, *, is_special: bool) -> bool:
     """Return whether an element of an array is right for the value of a row, or for the error of a row without a value.
 
-    `is_special`: True if the arrays have special values, which need no contact.
+    `is_special`: True if the arrays have a special value, 0 or infinity, for which some quantities need no contact.
     """
     is_gap = math.isnan(element)
     if isinstance(found, JkrollError) and is_end_of_meaning(found):
@@ -737,5 +739,5 @@ def _is_of_all_rows(error: JkrollError) -> bool:
 
 
 def _is_infinite(outcome: object) -> bool:
-    """Return whether a value is infinite where a number must be written."""
+    """Return whether an outcome is the error for an infinite value."""
     return isinstance(outcome, Failure) and outcome.cause == INFINITE

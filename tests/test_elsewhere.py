@@ -9,7 +9,7 @@ from conftest import ON_LINUX
 
 ROOT = Path(__file__).parents[1]
 
-# Modules that Windows lacks, and some that macOS lacks; the standard library itself works without each of them.
+# Modules, functions and signals that Windows lacks, and some that macOS lacks. The standard library works without them.
 WITHOUT = """
 import os, signal, sys
 for name in "fcntl grp pty pwd readline resource syslog termios tty".split():
@@ -41,7 +41,7 @@ LINES = (
 
 
 def without_posix(program: str, *words: str) -> None:
-    """Run a program in a process without the modules of POSIX."""
+    """Run a program in a process without the modules, functions and signals in WITHOUT; it must print no error."""
     ran = subprocess.run([sys.executable, "-c", WITHOUT + program, *words], capture_output=True, text=True)
     assert (ran.returncode, ran.stderr) == (0, ""), ran.stderr
 

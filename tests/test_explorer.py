@@ -32,7 +32,7 @@ def opened(site: tuple[Browser, str], query: str = "", **size: int) -> Browser:
 
 
 def settle(window: Browser) -> None:
-    """Wait until the numbers on the page are those of the form."""
+    """Wait until the numbers on the page are those for the inputs in the form."""
     window.wait("""(() => {
         const shown = JSON.parse(document.querySelector('#explorer').dataset.answered);
         const boxes = [...document.querySelectorAll('#inputs :is(select, input:not([type]))')];

@@ -1,4 +1,4 @@
-"""The manual: every command in it must print the output that the page has, and every command has a page."""
+"""The manual: commands print the output that its pages show, words find passages, and claims follow from formulas."""
 
 import csv
 import io
@@ -211,12 +211,12 @@ def test_the_claims_of_the_page_paper_follow_from_the_formulas() -> None:
         [found] = re.findall(pattern, text)
         return list(zip(("iron", "graphite", "polystyrene", "quartz"), found.split(", "), strict=True))
 
-    def near(name: str, material: str, radius: str) -> float:
+    def computed(name: str, material: str, radius: str) -> float:
         return float(solve(name, material=material, radius=radius))
 
     for pattern, name in ((r"R1 = ([^;|]*) by Eq 49", "n_roll"), (r"7/2 of it, ([^|]*) \|", "n_roll_energy_balance")):
         for material, radius in stated(pattern):
-            assert near(name, material, radius) == approx(1, rel=0.01)
+            assert computed(name, material, radius) == approx(1, rel=0.01)
     for material, radius in stated(r"shrinks, up to R1 = ([^|]*) at τ"):
         force, slide = solve(["pull_off_force", "sliding_or_peeling_force"], material=material, radius=radius).values()
         assert slide == approx(force, rel=2e-3)
@@ -229,15 +229,18 @@ def test_the_claims_of_the_page_paper_follow_from_the_formulas() -> None:
         force, peel = solve(["pull_off_force", "peeling_force"], material=material, radius=1e-7).values()
         assert peel / force == approx(float(ratio), rel=5e-3)
     for material, radius in stated(r"50 Å at R1 = ([^|]*), and goes"):
-        assert near("contact_radius", material, radius) == approx(5e-9, rel=0.02)
+        assert computed("contact_radius", material, radius) == approx(5e-9, rel=0.02)
     for material, frequency in stated(r"([.\d, ]*) GHz at R1 = 100 nm"):
-        assert near("vertical_frequency", material, "100nm") == approx(1e9 * float(frequency), rel=0.02)
-    ten, hundred = (near("vertical_frequency", "quartz", radius) for radius in ("10nm", "100nm"))
+        assert computed("vertical_frequency", material, "100nm") == approx(1e9 * float(frequency), rel=0.02)
+    ten, hundred = (computed("vertical_frequency", "quartz", radius) for radius in ("10nm", "100nm"))
     assert round(ten / hundred) == 15
 
 
 def test_claims_about_contact_angles_and_rolling_in_lethe_follow_from_the_formulas() -> None:
-    """Basic solids by van Oss, Chaudhury & Good and by Owens & Wendt, and the rolling moment of Lethe's DMT contact."""
+    """The claims on `guide contact-angle` and on rolling by DMT in Lethe.
+
+    `both` gives γ of a basic solid by van Oss, Chaudhury & Good, and by Owens & Wendt.
+    """
 
     def both(dispersive: float, acid: float, base: float) -> tuple[float, float]:
         of_diiodomethane, of_water = (dispersive * 50.8) ** 0.5, (dispersive * 21.8) ** 0.5

@@ -92,7 +92,7 @@ def test_lammps_has_the_vertical_frequency(run: Run, lammps: Any, pair: str) -> 
 
 @pytest.mark.parametrize("ratio", [0.0, 1.0, -0.5])
 def test_lammps_has_the_rolling_frequency(run: Run, lammps: Any, ratio: float) -> None:
-    """Identical spheres that turn against each other do not slide."""
+    """Identical spheres turn against each other, so that nothing slides; their centres keep their distance."""
     load = load_of(ratio, "quartz 1um")
     spheres = exported(run, lammps, "quartz 1um", f"--load={load}N")
     approach, expected = jkroll.solve(("approach_at_load", "rolling_frequency"), load=load, **GRAIN).values()
@@ -111,9 +111,9 @@ def test_lammps_has_the_rolling_frequency(run: Run, lammps: Any, ratio: float) -
 @pytest.mark.parametrize("ratio", [0.0, 1.0, -0.5])
 @pytest.mark.parametrize("pair", PAIRS)
 def test_lammps_has_the_rolling_moment(run: Run, lammps: Any, pair: str, ratio: float, model: str) -> None:
-    """Sphere 1 turns by an angle over body 2: the moment is linear in ξ, up to that of the yield displacement.
+    """The moment is proportional to the displacement of the contact up to the yield displacement, then constant.
 
-    The spins move both surfaces alike, so that nothing slides.
+    Both spheres turn in place, and their spins move both surfaces alike, so that nothing slides.
     """
     scene, load = both(*PAIRS[pair]), load_of(ratio, pair)
     names = ("approach_at_load", "yield_moment", "pull_off_force_dmt", "reduced_radius", "contact_modulus")

@@ -21,7 +21,7 @@ from jkroll.model.reasons import MissingInput
 from jkroll.quantities.units import parse_unit
 
 EMPTY_CELL = "..."
-ROUNDING = 1e-9  # largest distance of a formula or an exponent from the printed one
+ROUNDING = 1e-9  # largest relative distance of a formula from the printed one, and distance of an exponent
 INPUTS = NOMENCLATURE.keys() | {name for formula in FORMULAS.values() for name in parameters_of(formula)}
 NAMES = INPUTS | FORMULAS.keys()
 
@@ -41,7 +41,7 @@ class Record(NamedTuple):
     disagrees: str = ""
 
     def computed(self) -> float:
-        """Return the computed product, or its exponent."""
+        """Return the computed product, or the exponent with which it depends on the input `exponent_of`."""
         given = understood(self.given)
         result = product(self.wanted, given)
         if not self.exponent_of:

@@ -68,7 +68,7 @@ def opened(page: tuple[Browser, str], query: str = "", **size: int) -> Browser:
 
 
 def answer(window: Browser, line: str) -> dict[str, Any]:
-    """Return the text, with its colours, and the exit code of a line."""
+    """Return the answer to a line: its text with colours, the text as shown, and the exit code."""
     window.script("document.getElementById('line').value = arguments[0]; document.forms[0].requestSubmit()", line)
     window.wait(f"document.getElementById('answer').dataset.line === {line!r}")
     window.wait("document.getElementById('answer').getAttribute('aria-busy') === 'false'")

@@ -1,4 +1,4 @@
-"""The pages for Python on the site: a notebook made from the page, run by Jupyter, and a reference of public names."""
+"""The pages for Python on the site: a notebook of `guide python`, run by Jupyter, and a reference of public names."""
 
 import importlib.util
 import inspect
@@ -15,7 +15,7 @@ pytestmark = pytest.mark.skipif(not MAKER.exists(), reason="the sdist has no .do
 
 
 def maker() -> Any:
-    """Return the module that makes a notebook."""
+    """Return the module that makes the notebook and the reference."""
     spec = importlib.util.spec_from_file_location("python_pages", MAKER)
     assert spec is not None
     assert spec.loader is not None

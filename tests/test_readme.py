@@ -1,4 +1,4 @@
-"""The README is a transcript: every command in it is run and must print the output that it shows."""
+"""The README: every command in it works and prints the output that is shown, if any."""
 
 import re
 from pathlib import Path

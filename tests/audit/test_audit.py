@@ -58,7 +58,7 @@ def test_every_numbered_equation_has_a_check() -> None:
         ("27 text", "approximate", 1.25),
     ],
 )
-def test_the_ratio_of_the_printed_number_to_the_one_that_follows(equation: str, verdict: Verdict, ratio: float) -> None:
+def test_a_printed_number_is_off_by_a_known_factor(equation: str, verdict: Verdict, ratio: float) -> None:
     printed, follows = claim(equation, verdict).numbers
     assert printed / follows == approx(ratio, rel=1e-3)
 

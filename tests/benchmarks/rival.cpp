@@ -1,5 +1,6 @@
-// The work of `jkroll batch` as a single-threaded program for one table: nine columns of plain numbers in, the same lines
-// with all quantities behind them out. No units, no materials, no quotes, no bad rows: the floor. Built with -O2.
+// The work of `jkroll batch` as a single-threaded program for one table. It reads nine columns of bare numbers, and writes
+// the same lines with all results appended. It knows no units, materials, quotes or bad rows: the least work. Built with
+// -O2.
 //
 // formulas.h is made from formulas.txt by rivals.py: a constant for each line, and RESULTS, their names in order.
 

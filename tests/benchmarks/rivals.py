@@ -2,10 +2,11 @@
 
     python tests/benchmarks/rivals.py [ROWS] [NAME...]          QUANTITIES=12 for only the first twelve quantities
 
-Every rival reads the same table and writes the same columns, by the formulas in formulas.txt. The rivals run in turn,
-ROUNDS times (3 by default), and the shortest time by the clock counts for each. polars, duckdb and pyarrow use a thread
-for each core, `jkroll` a process for each core, and the other rivals one thread. Memory is the largest proportional set
-size of all processes of a run. The comparison needs g++ and the libraries: `pip install 'jkroll[rivals]'`.
+Every rival reads the same table and writes the same results; all but jkroll use the formulas in formulas.txt. The
+rivals run in turn, ROUNDS times (3 by default), and the shortest time by the clock counts for each. polars, duckdb and
+pyarrow use a thread for each core, `jkroll` a process for each core, and the other rivals one thread. Memory is the
+largest sum of the proportional set sizes of all processes of a run. The comparison needs g++ and the libraries:
+`pip install 'jkroll[rivals]'`.
 """
 
 import contextlib
@@ -37,7 +38,7 @@ def formulas() -> list[tuple[str, str]]:
 
 
 def results() -> list[str]:
-    """Return the quantities that `jkroll batch` writes for the table."""
+    """Return the quantities to write: those of `jkroll batch` that formulas.txt has, or the first of these."""
     from jkroll.report.questions import BY_DEFAULT
 
     known = {name for name, _ in formulas()}

@@ -2,10 +2,11 @@
 
 python tests/benchmarks/startup.py [ROUNDS]
 
-The typer program has eight empty commands. It and jkroll run with the same interpreter in the same environment, each by
-a short script such as an installer writes. Every program runs once, which fills the caches of disk and bytecode, and
-then ROUNDS times (30 by default), in turn, so that a slow spell of the machine affects all programs. Medians are
-compared. The milliseconds depend on the machine; the ratios hardly do. qalc is left out if it is not installed.
+The typer program has eight empty commands. This program and jkroll run with the same interpreter in the same
+environment, each by a short script such as an installer writes. Every program runs once, which fills the caches of disk
+and bytecode, and then ROUNDS times (30 by default), in turn, so that a slow spell of the machine affects all programs.
+Medians are compared. The milliseconds depend on the machine; the ratios hardly do. qalc is left out if it is not
+installed.
 """
 
 import os

@@ -313,6 +313,7 @@ ODD: dict[str, Any] = {
     "a Quantity of a Decimal": Quantity(Decimal(100), "nm"),
     "a dtype with units": SimpleNamespace(dtype=SimpleNamespace(units="nm")),
 }
+# Calls of the package with an object as one argument, by this argument.
 AT: dict[str, Callable[[Any], Any]] = {
     "solve": forces,
     "answer": lambda odd: jkroll.answer("pull-off", material="quartz", radius=odd),

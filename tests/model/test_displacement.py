@@ -18,10 +18,12 @@ from tools.measurements import MEASUREMENTS
 
 
 def of(material: str, radius: Any, **given: Any) -> Frame:
+    """Return the scene of a sphere of a material."""
     return Frame({"radius": radius, **given}, known_materials()[material])
 
 
 def best(scene: Frame, name: str) -> Estimate:
+    """Return the best range of a quantity, with its rule in words."""
     found = estimates(Results(scene, scene.columns([name])), [name])[name]
     return found._replace(by=WORDS[found.by])
 
@@ -71,7 +73,7 @@ def test_for_a_range_of_radii_the_ends_are_those_of_the_least_and_the_largest_ra
 
 
 def test_a_sphere_on_a_plane_has_the_yield_angle_of_a_pair_with_its_reduced_radius() -> None:
-    """The contact and ξ/R are the same."""
+    """Both have the same contact, and so the same ξ/R."""
     on_plane, pair = of("quartz", 2e-7, radius2=inf), of("quartz", 4e-7)
     ours, theirs = best(on_plane, "yield_angle"), best(pair, "yield_angle")
     assert ours == (approx(theirs.low), approx(theirs.high), "scaled")
@@ -92,7 +94,7 @@ def test_polystyrene_has_its_own_measured_displacement() -> None:
 @pytest.mark.parametrize(
     ("material", "radius", "given", "by"),
     [
-        ("quartz", 9.9e-8, {}, "ξ unknown"),  # small spheres
+        ("quartz", 9.9e-8, {}, "ξ unknown"),  # smaller than the sizes to which measured forces apply
         ("quartz", 3.1e-6, {}, "ξ unknown"),
         ("polystyrene", 2.9e-6, {}, "ξ unknown"),
         ("ice-warm", 0.49e-6, {}, "ξ unknown"),

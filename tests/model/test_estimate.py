@@ -79,7 +79,7 @@ def test_r_min_covers_the_displacements_that_all_laws_derive_from_measured_force
     every = {**QUARTZ, "yield_displacement": 2e-10}
     forces = [solve("yield_force", **every), *by_maugis("yield_force", **every)]
     ends = (0.69e-9 * 1e-7 / 0.95e-6, 1.57e-9 * (1e-7 / 0.95e-6) ** (2 / 3))
-    displacements = [max(2e-10 * end / force, 2e-10) for force in forces for end in ends]  # one atom at least
+    displacements = [max(2e-10 * end / force, 2e-10) for force in forces for end in ends]  # ξ of an atom, 2 Å, at least
     bends = [1e-7**2 / displacement for displacement in displacements]
     assert (low, high, by) == (approx(min(bends), rel=1e-9), approx(max(bends), rel=1e-9), "scaled")
 
@@ -207,7 +207,7 @@ def test_measured_sticking_speeds_scale_with_the_speed_by_jkr(other: dict[str, A
     ],
 )  # fmt: skip
 def test_other_hard_spheres_stick_at_1_to_10_times_the_speed_by_jkr(other: Mapping[str, Any]) -> None:
-    """Hard spheres were seen to stick at these speeds. A given viscous time sets another rule."""
+    """Small hard spheres were seen to stick up to such speeds. A given viscous time sets another rule."""
     given = {"material": "quartz", "radius": 0.5e-6, "radius2": inf, **other}
     speed, found = solve("sticking_speed", **given), best("sticking_speed", **given)["sticking_speed"]
     assert (found.by == "measured") == ("viscous_time" not in other)
@@ -272,7 +272,7 @@ def test_arrays_have_the_ranges_of_single_rows() -> None:
 
 
 def test_sliding_results_span_a_third_to_three_times_the_assumed_shear_strength() -> None:
-    """Forces are proportional to τ, energies to τ². A contact that peels off before it slides does so at any τ."""
+    """The sliding force is proportional to τ, and its energy to τ²; the peeling force does not depend on τ."""
     names = ("sliding_force", "sliding_energy", "sliding_or_peeling_force", "peeling_force")
     found = best(" ".join(names), **QUARTZ)
     strength = solve("shear_strength", **QUARTZ)

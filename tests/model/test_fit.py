@@ -19,7 +19,8 @@ PROBE = Known(radius=7.5e-6, stiffness=3.01)
 TRUE = {"work_of_adhesion_opening": 0.06, "work_of_adhesion_closing": 0.047, "contact_modulus": 1.75e6}
 
 
-def pulls(fit: Any) -> Any:
+def deviations(fit: Any) -> Any:
+    """Return the errors of the fitted values, over the statistical errors that the fit states."""
     return [(fit.values[name] - value) / fit.errors[name].statistical for name, value in TRUE.items()]
 
 
@@ -101,7 +102,7 @@ def test_contact_radii_need_no_contact_point() -> None:
 
 
 def test_contact_radii_with_a_resting_edge_are_left_out_of_the_fit() -> None:
-    """Unloading begins at the largest radius, and the edge rests until G has risen to the w of opening."""
+    """Unloading begins at the largest radius; the edge rests until the release of energy has risen to w of opening."""
     modulus, radius, first = 2e6, 1e-3, 1e-4
     scatter = numpy.random.default_rng(1).normal(0, 1e-7, 79)
 
@@ -245,7 +246,7 @@ def test_about_two_thirds_of_the_fits_lie_within_the_statistical_error(phi: Any)
     known = PROBE._replace(range=LoadRange(-1.0, 0.3, True))
     z, force = jkr_curve()
     every = [
-        pulls(fit_curve(ForceCurve(TRAVEL, z, force + autoregression(seed, len(z), 3e-9, phi)), known))
+        deviations(fit_curve(ForceCurve(TRAVEL, z, force + autoregression(seed, len(z), 3e-9, phi)), known))
         for seed in range(300)
     ]
     inside = (abs(numpy.array(every)) < 1).mean(axis=0)

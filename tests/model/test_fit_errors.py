@@ -1,4 +1,4 @@
-"""The errors of a fit: by scatter, by the calibration of the instrument and by the model. Unknown ones are absent."""
+"""The errors of a fit: by scatter, by the calibration of the instrument, and by the model."""
 
 from pathlib import Path
 from typing import Any
@@ -68,7 +68,7 @@ def test_the_calibration_error_is_absent_if_radius_and_stiffness_have_no_errors(
 
 
 def soft_lever() -> ForceCurve:
-    """Return a curve without adhesion hysteresis, whose E* depends strongly on the lever."""
+    """Return a curve without adhesion hysteresis; its fitted E* depends strongly on the stiffness of the lever."""
     z, force = jkr_curve(0.045, 0.045, 2.667e6, 5e-6, 0.6, 0.7e-6, 0.0, 500, -4e-6, 0.7e-6)
     return ForceCurve(TRAVEL, z, force + numpy.random.default_rng(3).normal(0, 1.5e-9, len(z)))
 
@@ -88,14 +88,14 @@ def test_the_error_of_the_spring_is_the_larger_change_of_fits_with_both_ends_of_
     assert modulus > 2 * here.values[MODULUS]
 
 
-def test_results_have_no_bound_if_a_softer_spring_gives_a_rigid_contact() -> None:
+def test_the_error_of_the_modulus_is_infinite_if_a_softer_spring_gives_a_rigid_contact() -> None:
     fit = fit_curve(soft_lever(), Known(radius=5e-6, stiffness=0.6, stiffness_error=0.25))
     assert fit.errors[MODULUS].calibration == numpy.inf
     assert "E* by +∞ or -79%" in fit.remarks["lever-decides"]
     assert row_of_result(fit, MODULUS)[2].endswith(" ± ∞")
 
 
-def test_a_spring_without_an_error_has_a_remark_on_its_weight() -> None:
+def test_a_spring_without_an_error_has_a_remark_on_its_influence() -> None:
     remark = fit_curve(soft_lever(), Known(radius=5e-6, stiffness=0.6)).remarks["lever-decides"]
     assert remark.startswith("a spring 5% softer or stiffer moves E* by +66% or -37%, and Δw by up to 16 mJ")
     assert remark.endswith(": give the spring's error, as in --spring 0.6±0.03N/m")
@@ -107,7 +107,7 @@ def test_a_spring_without_an_error_has_a_remark_on_its_weight() -> None:
 
 
 def test_w_of_a_noisier_branch_has_a_larger_error() -> None:
-    """With E* and the contact point of the main branch, an offset in the loads of the other one changes its w."""
+    """E* and the contact point are from the main branch, so an offset in the loads of the other one changes its w."""
     z, force = jkr_curve()
     noise = numpy.random.default_rng(4).normal(0, 3e-9, len(z))
     uneven = numpy.where(numpy.arange(len(z)) < len(z) // 2, 10 * noise, noise)  # loading is ten times as noisy
@@ -343,13 +343,13 @@ def test_scipy_finds_the_same_fit_of_a_measured_afm_curve() -> None:
     z, force = (fitted.points[name][is_fitted] for name in ("z", "force"))
     noise = 1e-10
 
-    def left(unknowns: Any) -> Any:
+    def misfits(unknowns: Any) -> Any:
         adhesion, modulus = (float(each) for each in numpy.exp(unknowns[:2]))
         model, slope, jump = jkr_of_lever(z, adhesion, modulus, 1e-7 * unknowns[2], stiffness)
         inside = (force - model) / numpy.hypot(noise, slope * noise / stiffness)
         return numpy.where(z < jump, (z - jump) * stiffness / noise, inside)
 
-    found = optimize.least_squares(left, [numpy.log(4e-9), numpy.log(250), -4.5], xtol=1e-12, ftol=1e-12).x
+    found = optimize.least_squares(misfits, [numpy.log(4e-9), numpy.log(250), -4.5], xtol=1e-12, ftol=1e-12).x
     assert is_fitted.sum() == fitted.goodness["points"] > 100
     assert fitted.values[OPENING] == approx(numpy.exp(found[0]), rel=5e-3)
     assert fitted.values[MODULUS] == approx(numpy.exp(found[1]), rel=5e-3)

@@ -1,4 +1,4 @@
-"""The fit of the manual's force curve, compared with the inputs of its generator, which is independent of jkroll."""
+"""The fit of the manual's force curve, compared with the inputs of the tool that made the curve without jkroll."""
 
 from pathlib import Path
 from typing import Any
@@ -20,7 +20,7 @@ def fitted_by(law: str, **given: Any) -> Any:
 
 
 @pytest.mark.parametrize(("law", "spacing", "ratio"), [("jkr", 4, 1.11), ("maugis", 4, 1.06), ("maugis", 2, 1.10)])
-def test_the_fit_recovers_the_inputs_as_accurately_as_the_page_says(law: str, spacing: float, ratio: float) -> None:
+def test_the_fit_recovers_the_inputs_as_accurately_as_the_guide_says(law: str, spacing: float, ratio: float) -> None:
     """The ratios are those of `guide measurements`."""
     fitted = fitted_by(law, atomic_spacing=1e-10 * spacing)
     assert fitted.values["work_of_adhesion_opening"] / 2 / made.GAMMA == approx(ratio, abs=0.008)

@@ -70,14 +70,14 @@ def test_the_condition_of_a_power_law_is_its_inverse_exponent() -> None:
     assert solution("youngs_modulus", "contact_radius", 3e-8, scene).condition == approx(3, rel=1e-5)
 
 
-def test_surface_energy_from_a_pull_off_force_by_hand() -> None:
+def test_the_surface_energy_from_a_pull_off_force_is_that_by_hand() -> None:
     found = infer("surface_energy", measured={"pull_off_force": 3e-7}, **PLANE)
     assert found == approx(3e-7 / (3 * math.pi * 2e-6), rel=1e-15)
 
 
 @pytest.mark.parametrize("word", ["approach", "delta0", "δ0"])
 def test_a_measured_approach_means_the_approach_without_load_as_in_solve(word: str) -> None:
-    """Eq (6) without load applies at any load: δ0 = (3π²w²R/4E*²)^(1/3), with E* = E/2(1 − ν²) of equal spheres."""
+    """At any load, `approach` is δ0 = (3π²w²R/4E*²)^(1/3), here with E* = E/2(1 − ν²) of equal spheres."""
     scene = {name: value for name, value in QUARTZ.items() if name != "youngs_modulus"}
     radius, work, ratio = scene["radius"], 2 * scene["surface_energy"], scene["poisson_ratio"]
     modulus = math.sqrt(3 * math.pi**2 * work**2 * radius / 2 / (4 * 1e-9**3)) * 2 * (1 - ratio**2)
@@ -120,7 +120,7 @@ def test_two_solutions_between_pull_off_and_the_next_value_of_the_scan_are_found
         assert scene.replace(**one)[quantity] == approx(level, rel=1e-12)
 
 
-def test_a_load_of_fixed_direction_has_two_solutions_near_pull_off() -> None:
+def test_two_loads_near_pull_off_give_one_rolling_force_under_a_load_of_fixed_direction() -> None:
     scene = Frame({**QUARTZ, "radius": 1e-6, "radius2": 1e-7})
     with pytest.raises(SeveralSolutions) as caught:
         solution("load", "yield_force_fixed_load", 51.6e-12, scene)
@@ -160,7 +160,7 @@ def test_a_change_by_rounding_is_not_taken_for_dependence(run: Run, measured: st
 
 @pytest.mark.parametrize("quantity", ["load_maugis", "load_at_factor"])
 def test_the_search_ends_if_only_rounding_changes_the_quantity(quantity: str) -> None:
-    """A load computed back from the state that it causes changes with γ only in its last digits, up and down."""
+    """The load is given and computed back from its state, so γ changes only its last digits, up and down."""
     given = {**QUARTZ, "radius": 1e-4, "youngs_modulus": 8e7, "load": 1e-12}
     del given["surface_energy"]
     with pytest.raises(NoResult) as caught:
@@ -238,7 +238,7 @@ def test_a_solution_beyond_the_usual_values_has_a_warning(run: Run) -> None:
 
 @pytest.mark.parametrize("measured", [1.0, 1e-30])
 def test_the_range_that_an_error_states_has_exact_ends(measured: float) -> None:
-    """The weaker body sets the quantity, which is largest where E1 = E2, between two values of the scan."""
+    """The weaker body sets the sliding energy, which is largest where E1 = E2, between two values of the scan."""
     given: dict[str, Any] = {"radius": 1e-6, "surface_energy": 0.03, "poisson_ratio": 0.3, "youngs_modulus2": 2e9}
     ends = [solve("sliding_energy", **given, youngs_modulus=modulus) for modulus in (1.0, 2e9)]
     with pytest.raises(NoSolution) as error:
@@ -307,7 +307,7 @@ def test_an_inferred_value_is_also_given_by_the_other_laws(run: Run) -> None:
     assert solve("yield_force", material="quartz", radius=1e-6, adhesion_hysteresis=hysteresis) == approx(8.5e-10)
 
 
-def test_infer_on_the_command_line(run: Run) -> None:
+def test_infer_answers_on_the_command_line(run: Run) -> None:
     words = ["infer", "gamma", "quartz", "2um", "--radius2", "plane", "--measured"]
     ran = run(*words, "pull-off-force=300±20 nN", "--to", "mJ/m2", "--digits", "4")
     assert (ran.code, ran.out) == (

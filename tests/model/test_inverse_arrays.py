@@ -104,7 +104,7 @@ FAST = {("surface_energy", "jkr"), ("load", "jkr"), ("shear_strength", "jkr")}
     ],
 )
 def test_arrays_give_what_floats_give(name: str, model: str) -> None:
-    """Only the measured value varies, or some inputs as well, or all inputs."""
+    """Only the measured value varies, or some inputs as well, or all inputs except Poisson's ratios."""
     random = Random(f"{name} {model}")
     energies = {"surface_energy", "surface_energy2"} if name in ("work_of_adhesion", "hamaker") else set()
     given = {each: one for each, one in {**QUARTZ, **OTHER, "load": -1e-9}.items() if each not in {name, *energies}}

@@ -21,7 +21,7 @@ from scenes import OTHER, QUARTZ
 
 
 def verdicts(*names: str, **given: Any) -> dict[str, str]:
-    """Return the code of each limit that is judged for some quantities."""
+    """Return the code of each limit that is judged for some quantities, by the number that it limits."""
     return {one.limit.name: one.code for one in doubts(Frame({**QUARTZ, **given}), names)}
 
 
@@ -240,7 +240,7 @@ def test_turns_after_an_impact_follow_from_angular_momentum() -> None:
     assert turns == approx(total * spin**2 / 2 / (2 * np.pi * moment), rel=1e-12)
 
 
-def test_the_rolling_force_under_a_load_of_fixed_direction(run: Run) -> None:
+def test_a_load_of_fixed_direction_changes_the_rolling_force(run: Run) -> None:
     """The force is M/R1 − Pξ/R2, and M/R1 on a plane. It is shown if a load or a state is given."""
     names = ["yield_force", "yield_force_fixed_load"]
     turning, fixed = solve(names, load=-1e-9, **QUARTZ).values()
@@ -362,6 +362,7 @@ def test_an_aggregate_of_a_thousand_grains_has_999_to_6000_contacts(contacts: fl
 
 
 def test_a_doubt_comes_before_missing_inputs_and_partial_error_bars(run: Run) -> None:
+    """Without --explain only some notes are shown, and a doubt is among them."""
     aggregate = run("aggregates quartz 100nm --monomers 1000 --contacts 1", terminal=True)
     assert "note: a connected aggregate of N grains has at least N - 1 contacts" in aggregate.err
     assert "the impact pressure exceeds" in run("impact ice-warm 500nm --speed 10m/s", terminal=True).err

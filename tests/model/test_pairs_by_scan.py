@@ -32,7 +32,7 @@ QUANTITIES = (
 
 
 def above(scene: Frame, names: tuple[str, ...], measured: dict[str, float], places: Any) -> Any:
-    """Return 1 where a quantity is above its measured value, −1 where it is below, and nan where it has no value."""
+    """Return, for each quantity, 1 above its measured value, −1 below it, 0 at it, and nan where it has no value."""
     found = outcomes(scene.replace(**dict(zip(names, places, strict=True))), [*measured])
     signs = [
         numpy.full(places.shape[1:], numpy.nan)
@@ -76,7 +76,7 @@ def is_near(one: tuple[float, ...], other: tuple[float, ...]) -> bool:
 
 
 def solved(names: tuple[str, ...], measured: dict[str, float], scene: Frame) -> list[tuple[float, ...]] | None:
-    """Return the pairs that the program names; None if it refuses the problem as not separated."""
+    """Return the pairs that the program names; None if it says that the quantities do not determine both unknowns."""
     try:
         inverse = Inverse(names, measured, scene)
         return [tuple(inverse[name] for name in names)]
@@ -91,7 +91,8 @@ def solved(names: tuple[str, ...], measured: dict[str, float], scene: Frame) -> 
 def compared(random: Random) -> str:
     """Return the outcome of a random problem.
 
-    Fails if the program does not name a pair that the scan finds, or names a pair that is not a solution.
+    Fails if the program does not name a pair that the scan finds, names a pair that is not a solution, or gives another
+    answer if the measured quantities change places.
     """
     given: dict[str, Any] = {name: log_uniform(random, *span) for name, span in SPANS.items()}
     given |= {"radius2": math.inf, "poisson_ratio": 0.2, "density": 2e3, "shear_strength": 1e7, "atomic_spacing": 4e-10}

@@ -25,7 +25,7 @@ PARABOLOID = 1.5 * math.pi * 0.02 * 1e-6  # its pull-off force
 # --- Numbers ----------------------------------------------------------------------------------------------------------
 
 
-def test_pull_off_and_contact_of_a_sphere() -> None:
+def test_a_sphere_has_less_pull_off_force_and_contact_than_a_paraboloid() -> None:
     """At w/(E*R) = 0.01 a sphere has 0.95900 of a paraboloid's pull-off force, and a0 is 0.4855 R, not 0.5209 R."""
     assert solve("pull_off_force", **GEL, profile="sphere") == approx(0.95900 * PARABOLOID, rel=1e-5)
     assert solve("contact_radius", **GEL, profile="sphere") == approx(0.4855e-6, rel=1e-4)
@@ -119,7 +119,7 @@ def test_warning_of_a_wide_contact_states_the_results_of_a_sphere(run: Run) -> N
 
 
 def test_results_of_a_sphere_have_no_meaning_where_the_contact_exceeds_it() -> None:
-    """For both profiles this begins where the paraboloid has a0 = R: at w/(E*R) = 2/(9π)."""
+    """For both profiles, results lose their meaning where the paraboloid has a0 = R: at w/(E*R) = 2/(9π)."""
     for work, has_meaning in ((0.14, True), (0.142, False)):
         said = answer("pull-off", **{**GEL, "work_of_adhesion": work}, profile="sphere")
         assert ("contact-exceeds-sphere" not in {doubt.code for doubt in said.doubts}) is has_meaning

@@ -124,7 +124,7 @@ def test_stiffnesses_of_spheres_bound_without_touching_are_zero(name: str) -> No
 
 
 def test_a_frame_is_freed_with_its_last_reference_although_other_laws_were_computed() -> None:
-    """Garbage is searched for cycles only after 50 000 new objects, and a block of a long table makes only a few."""
+    """The program seeks cycles only after 50 000 new objects, and a block of a long table makes only a few."""
     gc.disable()
     try:
         scene = Frame({**QUARTZ, "radius": numpy.geomspace(1e-8, 1e-6, 5)})

@@ -1,4 +1,4 @@
-"""Lists of materials and laws, and units of other packages, in `solve`; numbers in metres in `answer`."""
+"""Lists of materials and laws, and units of other packages, in `solve`; a warning on radii of metres in `answer`."""
 
 from typing import Any
 

@@ -159,7 +159,7 @@ def test_a_range_of_loads_around_0_is_not_taken_for_no_load() -> None:
 def test_the_ridge_of_a_quantity_that_the_weaker_body_sets_is_found(
     name: str, spans: list[tuple[float, float]], extreme: float
 ) -> None:
-    """The quantity is largest where E1 = E2; beyond, the other body is the weaker one."""
+    """The quantity is largest where E1 = E2; on either side of this ridge, another body is the weaker one."""
     given: dict[str, Any] = {"radius": 1e-6, "surface_energy": 0.05, "poisson_ratio": 0.2}
     moduli = ("youngs_modulus", "youngs_modulus2")
     ranges: dict[str, Any] = {each: Interval(sum(span) / 2, *span) for each, span in zip(moduli, spans, strict=True)}
@@ -242,7 +242,7 @@ def test_a_note_explains_a_missing_uncertainty_where_an_end_has_no_value(run: Ru
 
 @pytest.mark.parametrize(("load", "gamma"), [("-10±1nN", "25mJ/m2"), ("-9nN", "25±4mJ/m2"), ("-9±0.8nN", "25±3mJ/m2")])
 def test_the_share_of_random_values_without_a_contact_is_reported(run: Run, load: str, gamma: str) -> None:
-    """At both ends of each uncertainty there is a contact, but for about a tenth of random values there is none."""
+    """At the ends of each uncertainty alone there is a contact, but for 4 to 7 % of random values there is none."""
     words = ["contact", "quartz", "100nm", "--load", load, "--gamma", gamma]
     random = Random(f"{load} {gamma}")
 
@@ -343,7 +343,7 @@ def test_a_change_by_rounding_is_not_an_uncertainty(gamma: str) -> None:
 
 
 def test_a_material_s_scaled_displacement_cannot_be_combined_with_a_range_of_radii(tmp_path: Path) -> None:
-    """The displacement has a range at each radius. An uncertainty ± of the radius changes it to first order."""
+    """At each radius the displacement has a range; with ± for the radius, the displacement changes to first order."""
     path = tmp_path / "mine.toml"
     path.write_text(
         '[materials.bead]\nsurface_energy = "25 mJ/m2"\nyield_displacement = { value = "2 nm", radius = "1 um" }\n'

@@ -35,7 +35,7 @@ def found(
 # --- By hand ----------------------------------------------------------------------------------------------------------
 
 
-def test_a_pair_by_hand() -> None:
+def test_a_pair_agrees_with_values_by_hand() -> None:
     """P_c = 3πγR, dP/dδ = 6/5 E*a0 and a0³ = 9πγR²/E* on a plane."""
     pair = found(NAMES, MEASURED, PLANE)
     gamma = 3e-7 / (3 * math.pi * 2e-6)
@@ -166,7 +166,7 @@ def test_an_open_load_is_described_by_its_distance_from_pull_off() -> None:
 
 
 def test_two_unknowns_that_both_quantities_leave_open_are_named() -> None:
-    """By DMT, the moment is 2πwRξ whatever the load and the modulus are, so only rounding changes its last digits."""
+    """By DMT, the moment is 2πwRξ at any load and modulus, which change only its last digits, by rounding."""
     given = {**PLANE, "surface_energy": 0.05, "yield_displacement": 2e-10, "density": 2e3}
     measured = Frame({**given, "load": 1e-8, "youngs_modulus": 1e9}, model="dmt").numbers("yield_force", "n_grav")
     with pytest.raises(Unseparated, match=r"they do not determine E1 and P"):
@@ -174,7 +174,7 @@ def test_two_unknowns_that_both_quantities_leave_open_are_named() -> None:
 
 
 def test_barely_separated_unknowns_are_refused() -> None:
-    """By Maugis' law, P_c/(2πwR) tends to 3/4 for soft spheres, and the ratio of both forces to a constant."""
+    """By Maugis' law, the ratio of the two measured forces, P_c/(2πwR), tends to 3/4 for large soft spheres."""
     given = {"radius2": math.inf, "poisson_ratio": 0.2, "youngs_modulus": 1e6, "atomic_spacing": 4e-10}
     names, condition = ("surface_energy", "radius"), 1e6
     for radius in (1e-8, 1e-7, 1e-6):
@@ -209,7 +209,7 @@ def test_the_error_names_all_pairs(radius: float) -> None:
 
 @pytest.mark.parametrize("margin", [1e-1, 1e-2, 1e-4, 1e-6])
 def test_pairs_are_found_next_to_pull_off(margin: float) -> None:
-    """The stiffness falls to 0 as the root of the margin there, and corners of cells have no contact."""
+    """The stiffness falls to 0 there, as the root of the margin, and some corners of cells have no contact."""
     values = {"surface_energy": 0.03, "youngs_modulus": 54e9}
     full = Frame({**PLANE, **values})
     values["load"] = -(1 - margin) * full["pull_off_force"]
@@ -267,7 +267,7 @@ def test_ranges_of_both_measurements_enter() -> None:
 
 
 def test_ranges_are_those_of_their_corners_even_if_the_middle_load_breaks_one_contact() -> None:
-    """The load of the middle breaks the contact of the smallest sphere."""
+    """The load inferred from the middles of the ranges breaks the contact of the smallest sphere."""
     measured = {"contact_radius_at_load": (1.9e-9, 2.6e-9), "pull_off_force": (2e-8, 2.8e-8)}
     spans = {**measured, "radius": (1.1e-7, 1.6e-7)}
     ranges = {name: Interval(sum(span) / 2, *span) for name, span in spans.items()}
@@ -330,7 +330,7 @@ def test_a_list_of_one_input_gives_values_by_name() -> None:
     assert single.condition == 1
 
 
-def test_two_inputs_on_the_command_line(run: Run) -> None:
+def test_two_inputs_are_inferred_on_the_command_line(run: Run) -> None:
     pair = infer(["gamma", "young"], measured=MEASURED, material="quartz", radius=2e-6, radius2="plane")
     gamma, modulus = pair["surface_energy"], pair["youngs_modulus"]
     assert run(COMMAND).out == f"surface_energy {gamma!r} J/m^2\nyoungs_modulus {modulus!r} Pa\n"
@@ -348,7 +348,7 @@ def test_two_inputs_on_the_command_line(run: Run) -> None:
             assert value == other[result["name"]]
 
 
-def test_rows_for_several_laws_and_measured_values(run: Run) -> None:
+def test_each_law_and_measured_value_has_a_row(run: Run) -> None:
     ran = run(f"{WORDS} --measured pull_off_force=300±20nN,3N --measured stiffness=1kN/m --model jkr,dmt --csv")
     rows = [*csv.DictReader(ran.out.splitlines())]
     assert [row["model"] for row in rows] == ["jkr", "dmt"] * 2

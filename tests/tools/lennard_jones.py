@@ -1,6 +1,6 @@
-"""Make the tables of an elastic sphere that attracts by the 3-9 law, and compare them with the program's fits.
+"""Compute an elastic sphere that attracts by the 3-9 law: its pull-off force, energies, and a force curve.
 
-    python tests/tools/lennard_jones.py [μ ...]          # the pull-off force
+    python tests/tools/lennard_jones.py [μ ...]          # the pull-off force, compared with the program's fit
     python tests/tools/lennard_jones.py energies [μ ...] # the depth of the well, and the work up to pull-off
     python tests/tools/lennard_jones.py curve > tests/data/force_curve.csv
 
@@ -144,7 +144,11 @@ def force_curve(rings: int = 300) -> Iterator[tuple[float, float]]:
 
 
 def main() -> None:
-    """Print a row for each μ: the pull-off force for two numbers of rings, extrapolated, tabled, and by the fit."""
+    """Print the force curve, or a row for each μ with the energies or the pull-off force.
+
+    A row has the numbers extrapolated in the number of rings, and those of the table. For the pull-off force, the
+    values with two numbers of rings precede, and the relative error of the fit follows.
+    """
     if sys.argv[1:] == ["curve"]:
         print("approach [m],force [N]")
         for approach, force in force_curve():

@@ -19,7 +19,7 @@ from jkroll.quantities.values import value_of
 
 PAGE = Path(__file__).parents[2] / "src" / "jkroll" / "guide" / "validation.md"
 HEAD = "| row | solids | R1 | quantity | measured | computed | ratio |\n|---|---|---|---|---|---|---|\n"
-END = "\n*abstract*:"  # the paragraph below the table and its origins
+END = "\n*abstract*:"  # the first word below the table and its origins
 
 _OF_RATIOS = "yield_force_ratio"  # a quantity without a unit, to read and print ratios
 _ROUNDED = Format(digits=3)
@@ -37,14 +37,14 @@ class Measurement(NamedTuple):
     material: str
     given: Mapping[str, str]  # the other inputs
     source: str
-    read: str  # "abstract": in that of the source; "second hand": in a text that cites it
+    read: str  # "abstract": in the abstract of the source; "second hand": in a text that cites it
     remark: str
     other_radius: str = ""  # if given, the numbers are ratios of the value at `radius` to the value at this radius
     material2: str = ""  # the material of the other body, if it differs
 
 
 class Compared(NamedTuple):
-    """A measurement with the measured and the computed number."""
+    """A measurement with the middle of the measured value and the computed number."""
 
     row: Measurement
     measured: float
@@ -266,7 +266,7 @@ def _scene(row: Measurement, given: Mapping[str, str]) -> Frame:
 
 
 def _inputs_of(scene: Frame, row: Measurement) -> Iterator[str]:
-    """Iterate over the inputs that the table states: the materials, the radii, and γ and ξ where they enter."""
+    """Iterate over the inputs of a computation in words: the materials, and the inputs in _STATED that enter."""
     for name, value in scene.echo({*row.given, row.quantity, *scene.inputs_of(row.quantity)}).items():
         if name in ("material", "material2"):
             yield value

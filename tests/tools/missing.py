@@ -2,7 +2,7 @@
 
     python tests/tools/missing.py contact_circumference
 
-The tests require the same, one after the other. Exits with 1 if something is missing.
+Tests require each of these parts, too, but fail one after the other. Exits with 1 if something is missing.
 """
 
 import os
@@ -153,7 +153,7 @@ def is_too_long(text: str) -> bool:
 
 
 def tables_read_as(name: str) -> list[str]:
-    """Return the repositories of found tables in which a column is read as an input that their record does not name.
+    """Return the repositories whose found tables have a column of an input, while their record does not name the input.
 
     Inputs that are converted to another input, such as a shear modulus, are left out: their column passes through in a
     table with this other input.
@@ -220,7 +220,7 @@ def _reference_of(module: str) -> str:
 
 
 def _of_values(name: str) -> Iterator[Lack]:
-    """Iterate over at most one part: the stated accuracy of a formula that is less accurate than most.
+    """Iterate over at most one part: an accuracy, if the errors in random scenes are larger than the stated one.
 
     Formulas of other laws are left out: test_accuracy.py draws more inputs for them than the scenes here have.
     """
@@ -269,7 +269,7 @@ def _questions_with(name: str) -> list[str]:
 
 
 def _blocks(page: Path, questions: list[str]) -> Iterator[str]:
-    """Iterate over the transcripts of a page, one for each command, that show all rows of a given question."""
+    """Iterate over the transcripts of a page that show all rows of one of the questions, each with one command."""
     for block in transcripts(page.read_text(encoding="utf-8")):
         for part in block.split("$ ")[1:]:
             words = part.splitlines()[0].split()

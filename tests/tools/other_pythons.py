@@ -1,4 +1,4 @@
-"""Run tests under every other CPython of this machine, and command lines with the lowest permitted versions.
+"""Run tests under every other CPython of this machine, and command lines with the lowest permitted requirements.
 
     python tests/tools/other_pythons.py
 

@@ -130,7 +130,7 @@ def _differences(before: Outcome, after: Outcome) -> Iterator[str]:
 
 
 def _texts(name: str, before: str, after: str) -> Iterator[str]:
-    """Iterate over the lines in which two texts differ."""
+    """Iterate over the lines in which two texts differ, the first LONGEST of them."""
     found = [*unified_diff(before.splitlines(keepends=True), after.splitlines(keepends=True), name, name, n=0)]
     for text in found[:LONGEST]:
         yield text.removesuffix("\n")[:WIDEST]
