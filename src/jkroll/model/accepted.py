@@ -10,11 +10,15 @@ from .plan import formula_of
 
 # --- Inputs -----------------------------------------------------------------------------------------------------------
 
-LEAST, MOST = 1e-30, 1e30  # magnitudes of inputs in SI units; inputs that may be 0 may be smaller
+# Magnitudes of inputs in SI units. Smaller ones are accepted for an input that may be 0, and ∞ for one that may be ∞.
+LEAST, MOST = 1e-30, 1e30
 
 
 def check_range(name: str, value: Any) -> None:
-    """Raise QuantityError if a number, or any element of an array, is outside the range of a quantity."""
+    """Raise QuantityError if a number, or any element of an array, is outside the range of a quantity.
+
+    Raises UnknownQuantity for a name outside the nomenclature.
+    """
     if name not in NOMENCLATURE:
         raise UnknownQuantity(name)
     position: tuple[int, ...] = ()

@@ -1,4 +1,4 @@
-"""Columns of a frame: values, and reasons for missing values; both are arrays, or numbers for all rows."""
+"""Columns of a frame: values, and reasons for missing values. Both are arrays, or numbers for all rows."""
 
 from collections.abc import Mapping
 from math import nan
@@ -10,7 +10,7 @@ from .reasons import HIDDEN, reason
 
 
 class Column(NamedTuple):
-    """The values of a quantity, nan where missing, and the reasons for nan. A number applies to all rows."""
+    """The values of a quantity, nan where missing, and the reasons for nan. A number stands for all rows."""
 
     values: Any
     reasons: Any = 0
@@ -31,7 +31,7 @@ class Column(NamedTuple):
         return Column(where(is_out, nan, self.values), first_of(self.reasons, where(is_out, number, 0)))
 
     def hidden(self, is_shown: Any) -> "Column":
-        """Return the column with all cells hidden except those in `is_shown`, whatever their reasons."""
+        """Return the column with only the cells `is_shown`; all others get the reason HIDDEN, whatever their own."""
         if is_shown is True:
             return self
         return Column(where(is_shown, self.values, nan), where(is_shown, self.reasons, reason(HIDDEN)))
@@ -47,7 +47,7 @@ def first_of(reasons: Any, others: Any) -> Any:
 
 
 def at_row(values: Any, row: int) -> Any:
-    """Return the value in a row, by its index, as a Python number."""
+    """Return the value of a column in a row as a Python number. `row`: its index."""
     return values if isinstance(values, NUMBER) else values.item(row)
 
 

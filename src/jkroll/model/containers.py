@@ -1,4 +1,4 @@
-"""Read inputs from Python in SI units: numbers, texts, Quantities, uncertain values, and containers of these."""
+"""Convert inputs from Python to SI units: numbers, texts, Quantities, uncertain values, lists and arrays."""
 
 import warnings
 from collections.abc import Callable, Mapping
@@ -17,27 +17,27 @@ from ..quantities.values import Measured, QuantityError, checked, is_uncertain, 
 from .labels import Axis, aligned, axes_of, have_same_dimensions, have_same_labels, text_of_unit, unit_stated
 
 _TAKEN_BY_FORMULAS = "give a number in SI units, an array of them or a pint Quantity"
-_BYTES = bytes, bytearray, memoryview  # numpy reads them as integers
+_BYTES = bytes, bytearray, memoryview  # numpy would read the last two as integers
 
 
 @cache
 def units_of(formula: Callable[..., Any]) -> Mapping[str, str]:
-    """Return the SI units of a formula's parameters and of its result, from its annotations."""
+    """Return the SI units of a formula's parameters and of its result ("return"), from its annotations."""
     hints = get_type_hints(formula, localns=vars(dimensions), include_extras=True)
     return {name: hint.__metadata__[0] for name, hint in hints.items()}
 
 
 class Reader:
-    """Read the inputs of one call, and compare the labels, units and correlations of several inputs."""
+    """A reader of the inputs of one call: it converts them to SI units, and compares their labels and correlations."""
 
     def __init__(self, formula: Callable[..., Any] | None = None) -> None:
         """`formula`: the formula whose arguments are read, or None for the inputs of a frame."""
         self.quantity: Any = None  # the Quantity class of the last input with a unit
         self._formula = formula
-        self._labelled: tuple[str, list[Axis]] | None = None  # the first input with labels
-        self._container: Any = None  # the array of pandas or xarray that was this input
-        self._outer: Any = None  # an array with the labels of the results; None if these are the labels of the inputs
-        self._states_units = False  # True if an input has a unit among its attributes
+        self._labelled: tuple[str, list[Axis]] | None = None  # the name and the axes of the first input with labels
+        self._container: Any = None  # the array of this input
+        self._outer: Any = None  # an array with the labels of the results, if the aligned inputs lack some
+        self._states_units = False  # True if an input is an array that states its unit
         self._owners: dict[Any, str] = {}  # by variable of the package uncertainties: the input that depends on it
 
     def aligned(self, *groups: Mapping[str, Any]) -> list[dict[str, Any]]:
@@ -69,8 +69,8 @@ class Reader:
     def number(self, name: str, value: Any) -> Any:
         """Return an input in SI units: a float, an uncertain value or an array of floats.
 
-        Units of pint and astropy are read, also inside an array of xarray or dask, where numpy would drop them; so is
-        an array's attribute "units". Any other unit raises QuantityError.
+        Units of pint and astropy are read, also those inside an array of xarray or dask. If an array has the attribute
+        "units" or "unit", its numbers are converted from this unit. A unit of another package raises QuantityError.
         """
         if type(value) is float:  # as most inputs are
             return value
@@ -94,7 +94,7 @@ class Reader:
         return self._of_array(name, value)
 
     def _of_array(self, name: str, value: Any) -> Any:
-        """Return the floats of a number or a container of numbers, in SI units if the array states a unit."""
+        """Return the floats of a number or a container of numbers, converted to SI units if it states a unit."""
         unit = unit_stated(value)
         if unit is not None and hasattr(value, "attrs"):
             return self._of_stated_unit(name, value, text_of_unit(unit))
@@ -106,7 +106,7 @@ class Reader:
         return self._floats(name, value)
 
     def _single(self, name: str, value: Any) -> Any:
-        """Return the SI value of a text or an uncertain value. Raises QuantityError for a formula: it takes neither."""
+        """Return the SI value of a text or an uncertain value. Raises QuantityError for a formula's argument."""
         if self._formula is not None:
             raise QuantityError(name, str(value), "is not a number", _TAKEN_BY_FORMULAS)
         return value_of(value, name) if isinstance(value, str) else checked(value, name, str(value.value))
@@ -157,7 +157,7 @@ class Reader:
         return self.number(name, data.to_numpy() if hasattr(data, "to_numpy") else data) * unit[0] / unit[1]
 
     def _measured(self, name: str, number: Any) -> Measured:
-        """Return the value of a number of the package uncertainties; raise BadRequest if two inputs are correlated."""
+        """Return a number of the package uncertainties as a Measured; raise BadRequest if two inputs are correlated."""
         for variable, part in getattr(number, "error_components", dict)().items():
             owner = self._owners.setdefault(variable, name) if part else name
             if owner != name:
@@ -167,7 +167,10 @@ class Reader:
         return Measured(number.nominal_value, number.std_dev)
 
     def compare_labels(self, name: str, value: Any) -> None:
-        """Raise BadRequest if arrays of pandas or xarray have different labels, since elements pair up by position."""
+        """Raise BadRequest if arrays of pandas or xarray have different dimensions or labels.
+
+        Elements pair up by position, so different labels would pair the wrong elements.
+        """
         axes = axes_of(value)
         if not axes:
             return
@@ -197,7 +200,7 @@ class Reader:
         return found
 
     def _floats(self, name: str, value: Any) -> Any:
-        """Return a float or an array of floats for a number, a sequence or an array of any numeric type."""
+        """Return a float or an array of floats for a number, a sequence or an array of integers or floats."""
         remedy = "" if self._formula is None else _TAKEN_BY_FORMULAS
         if isinstance(value, NUMBER) and not isinstance(value, bool):
             try:
@@ -218,7 +221,10 @@ class Reader:
 
 
 def warn_of_metres(described: Mapping[str, Any], given: Mapping[str, Any]) -> None:
-    """Warn about a radius of a metre or more that was given as a number without a unit."""
+    """Warn about a radius, diameter or reduced radius of a metre or more, given as a number without a unit.
+
+    `described`: the inputs in SI units; `given`: the inputs as the caller wrote them.
+    """
     for name in described.keys() & {"radius", "diameter", "reduced_radius"}:
         words = [word for word, value in given.items() if as_input(str(word)) == name and isinstance(value, NUMBER)]
         if words and described[name] >= 1.0:
@@ -237,7 +243,7 @@ def _level_of_caller() -> int:
 
 
 def quantity_of(package: str) -> Any:
-    """Return the Quantity class of a package. Raises BadRequest for a package without units."""
+    """Return the Quantity class of a package. Raises BadRequest for packages other than pint and astropy."""
     if package == "pint":
         return import_module("pint").get_application_registry().Quantity
     if package == "astropy":

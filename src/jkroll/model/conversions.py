@@ -8,7 +8,7 @@ from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, of_sphere
 from ..quantities.values import is_uncertain, middle
 
 _SHEAR, _MODULI2 = "shear_modulus", ("shear_modulus2", "youngs_modulus2")
-_CORRELATED = "correlated error bars"  # the phrase in the status of a row
+_CORRELATED = "correlated error bars"  # the status of a row in a table
 
 
 def converted(given: Mapping[str, Any], of_solids: Mapping[str, Any], *, own_material2: bool) -> dict[str, Any]:

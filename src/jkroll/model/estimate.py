@@ -1,8 +1,8 @@
 """The best range of each result, and the rule that gives it.
 
-A result has the value that the law in use gives. It gets a range, too, if another law is better for the contact, if
-forces were measured on the same solid, or if an input was never measured. In each row, the first rule that applies
-gives the range.
+A result has the value that the law in use gives. Its best range may come from a better law, from measurements on the
+same solid, or from the likely values of an assumed input. Otherwise both ends are the value, or those of its
+uncertainty. In each row, the first rule that applies gives the range.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
@@ -39,7 +39,7 @@ from .uncertainty import ErrorBar, error_bars
     NONE, DEFINITION, MEASURED, SCALED, XI_UNKNOWN, FRICTION_ASSUMED, SPACING_ASSUMED, ADHESION_ONLY, BOUNDS, LAW_ONLY,
     KELVIN, GAP, BETTER_LAW, LAW_IN_USE, ANY_LAW,
 ) = range(15)  # fmt: skip
-_GIVEN = {law: number for number, law in enumerate(LAWS, ANY_LAW + 1)}  # if the user sets the law, that law is the rule
+_GIVEN = {law: number for number, law in enumerate(LAWS, ANY_LAW + 1)}  # the rule for each given law
 WORDS = (
     "–", "definition", "measured", "scaled", "ξ unknown", "τ assumed", "z0 assumed", "adhesion only", "JKR to DMT",
     "JKR only", "Kelvin", "roughness", "Maugis", "JKR", "any law",
@@ -59,8 +59,8 @@ _SHIFTED_BY_LOSSES = frozenset({"restitution", "sticking_speed"})
 _ACT_LIKE_LOSSES = ("surface_energy", "work_of_adhesion", "hamaker", "viscous_time")
 _AS_PULL_OFF = ("pull_off_force", "bond_number")  # in proportion to the pull-off force
 _BREAKING = ("disruption_energy", "disruption_speed")  # from fits to simulations and from a work of separation
-# For each result: the power p and the quantity b if it is proportional to b^p, and b by Lennard-Jones' law. Without a
-# jump the work with fixed grips is the depth of the well.
+# For each result, proportional to b^p: the power p, the quantity b, and the quantity that is b by Lennard-Jones' law.
+# Without a jump, the work with fixed grips is the depth of the well.
 _BY_LENNARD_JONES = {
     **dict.fromkeys(_AS_PULL_OFF, (1.0, "pull_off_force", "pull_off_force_lennard_jones")),
     "well_energy": (1.0, "well_energy", "well_energy_lennard_jones"),
@@ -87,8 +87,8 @@ class Estimate(NamedTuple):
     by: Any
 
 
-Ends = tuple[Any, Any]  # the lower and the upper end, nan where there is none
-Rule = tuple[Any, Any, Any, int]  # the rows to which it applies, the two ends there, its number
+Ends = tuple[Any, Any]  # the lower and the upper end of a range, nan where there is none
+Rule = tuple[Any, Any, Any, int]  # the rows to which it applies, the two ends there, its index in WORDS
 
 
 def _first(rules: Iterable[Rule]) -> Estimate:
@@ -160,7 +160,7 @@ class Ranges:
             yield from self._of_laws(name, own)
 
     def _is_of_any_law(self, name: str) -> bool:
-        """Return whether a result follows from the same formulas under every law of attraction."""
+        """Return whether a result follows from the same formulas under the law in use and under Maugis' law."""
         other = _between(self.frame)
         is_computed = name not in self.results.described.unknowns and not other.missing([name])
         return is_computed and other.formulas_to(name) == self.frame.formulas_to(name)
@@ -244,9 +244,9 @@ class Ranges:
             yield self._is_hard, least, self.hull("restitution", itself, *_BETTER)[1], ADHESION_ONLY
 
     def _of_rolling(self, name: str) -> Iterator[Rule]:
-        """Iterate over the rules for a rolling quantity with an assumed ξ: scaled measured forces, then limits of ξ.
+        """Iterate over the rules for a rolling quantity with an assumed ξ: scaled measurements, then limits of ξ.
 
-        At sizes far from the measured ones, the range covers the scaled forces and the limits of ξ.
+        Far from the measured sizes, if the surface energy is that of the measurement, the range covers both.
         """
         rolled = what_rolled(self.frame)
         least, most, is_known = nan, nan, False
@@ -271,7 +271,10 @@ class Ranges:
         return self.hull(name, *makers, needs="hysteresis_ratio")
 
     def of_laws(self, name: str, by: int) -> list[Ends]:
-        """Return the ends of a result for a rule, by the law in use and by Maugis' law at both spacings."""
+        """Return the ends of a result for a rule, by the law in use and by Maugis' law at z0 and z0/2.
+
+        With a given z0, Maugis' law counts at z0 only.
+        """
         ends: tuple[Variant, ...] = (itself,)
         if by == XI_UNKNOWN:
             ends = (itself, at_full_hysteresis)
@@ -283,7 +286,7 @@ class Ranges:
     # --- Other laws and measurements ---
 
     def by_better_law(self, name: str) -> Ends:
-        """Return the ends of a result by the law between JKR and DMT, over all likely atomic spacings."""
+        """Return the ends of a result by Maugis' law at the atomic spacing z0, and at z0/2 if z0 is assumed."""
         return self.hull(name, *_BETTER)
 
     def hull(self, name: str, *makers: Variant, needs: str = "") -> Ends:
@@ -355,7 +358,8 @@ class Ranges:
     def _by_lennard_jones(self, name: str) -> Ends:
         """Return a result by Lennard-Jones' law, and its upper end.
 
-        For energies, the law applies only to contacts without a jump.
+        For energies and speeds, this law applies only to contacts without a jump. Elsewhere the result is that of the
+        law in use, and its upper end is −∞.
         """
         power, base, by_law = _BY_LENNARD_JONES[name]
         own, ours, theirs = (self.frame.column(each).values for each in (name, base, by_law))
@@ -370,8 +374,8 @@ class Ranges:
 def _ends_by(make: Variant, frame: Frame, names: Iterable[str]) -> dict[str, tuple[Any, Any, Any]]:
     """Return the ends of quantities in a variant of a frame, with the rows in which a limit makes them meaningless.
 
-    The ends are those of the uncertainty; without one, both are the value. If uncertainties cannot be computed, a
-    frame of several rows raises the error, and a single row gets no uncertainty.
+    The ends are those of the uncertainty; without one, both are the value. If uncertainties cannot be computed, an
+    error is raised for a frame of several rows, and a single row gets no uncertainty.
     """
     other = make(frame)
     columns, bars = other.columns(other.possible(names)), dict[str, ErrorBar]()

@@ -1,4 +1,4 @@
-"""The force of a curve out of contact: a level or a sloping line, its noise, and remarks if it slopes or moves."""
+"""The baseline of a curve, its force out of contact: a level or a sloping line, its noise, and remarks on baselines."""
 
 from collections.abc import Mapping
 from typing import Any, NamedTuple
@@ -11,7 +11,7 @@ from .fit_minimum import Noise, noise_of
 Array = Any
 
 _MOST_PHI = 0.99  # largest correlation of neighbours in the baseline
-_SURE = 4.0  # a slope of more standard errors is not due to chance
+_SURE = 4.0  # standard errors; a slope of more is not due to chance
 _SMALL_SHARE = 0.1  # share of the noise below which an error of the baseline does not matter
 
 
@@ -49,7 +49,7 @@ class Baseline(NamedTuple):
 
 
 def baseline_of(z: Array, force: Array, floor: float, *, tilt: bool) -> Baseline:
-    """Return the baseline of a free part: its median, or a line if `tilt`. `floor`: the least noise of a force."""
+    """Return the baseline of a free part: its median, or a line if `tilt`. `floor`: the least standard deviation."""
     middle, length = float(numpy.mean(z)), float(numpy.ptp(z))
     steepness = float(numpy.polyfit(z - middle, force, 1)[0]) if length > 0 else 0.0
     rest = force - steepness * (z - middle)
@@ -67,12 +67,12 @@ def baseline_of(z: Array, force: Array, floor: float, *, tilt: bool) -> Baseline
 
 
 def _scatter(values: Array) -> float:
-    """Return the standard deviation of values about their median, from their median deviation."""
+    """Return the standard deviation of values about their median, from their median absolute deviation."""
     return 1.4826 * float(numpy.median(abs(values - numpy.median(values))))
 
 
 def _correlation(values: Array, unknowns: int) -> float:
-    """Return the correlation of neighbours among residuals of a fit with this number of unknowns."""
+    """Return the correlation of neighbours, from 0 to 0.99, among residuals of a fit with this number of unknowns."""
     return max(0.0, min(noise_of(values - numpy.median(values), unknowns).phi, _MOST_PHI))
 
 

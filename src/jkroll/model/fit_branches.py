@@ -1,7 +1,7 @@
 """Divide a measured force curve into branches: signs, baseline, free parts, contact, and the range to fit.
 
-Loading leads to the largest force, unloading away from it. A branch is free where it is out of contact; its force there
-is the baseline. Loads are forces minus the baseline, and a tension is negative. Travel and approach increase into the
+Loading moves into the contact, unloading out of it. A branch is free where it is out of contact; its force there is the
+baseline. Loads are forces minus the baseline, and a tension is negative. Travel and approach increase into the
 contact.
 """
 
@@ -22,7 +22,9 @@ LEAST_POINTS = 5
 _NOISE = 5.0  # standard deviations of the noise above which a force is a signal
 _SMOOTH = 9  # points of a running median
 _END = 0.1  # fraction of a branch that counts as its end
-_FLATTER = 0.05  # largest rise over a free end, as a share of the range of forces; a straight branch rises by 0.1
+# As shares of the range of forces: the largest change over a free end (a straight branch changes by 0.1 there), and the
+# least bend of a concave branch.
+_FLATTER = 0.05
 _LOST = 0.5  # the contact is lost where less than this share of the largest tension is left
 _RISE = 0.05  # rise of the force where a lever lets go, as a share of the depth of the minimum
 _SHORT = 0.03  # least share of the points in a branch
@@ -30,7 +32,7 @@ _STEEPER = 5.0  # ratio of the rises of force at both ends above which the flatt
 _NEAR_ONCE = 1.5  # largest ratio of the path of z to that of one approach and one retraction
 _PAUSED = 10.0  # least length of a gap in time, in median steps
 _LEAST_NOISE = 1e-9  # least noise of computed curves, as a share of the range of forces
-_FLAT = 5  # equal extreme readings, mostly in a row, that show a saturated sensor
+_FLAT = 5  # least number of equal extreme readings, mostly in a row, that shows a saturated sensor
 _LONG = 0.2  # least length of the free end of a curve without a minimum, as a share of the travel
 _SETTLES = 0.1  # fraction of the free part in which the lever still swings after the jump
 
@@ -78,8 +80,8 @@ RADIUS, APPROACH, TRAVEL = "contact radius", "approach", "travel"
 class Branch(NamedTuple):
     """A branch: its points in order of time, with loads instead of forces, and the slice in contact.
 
-    `reach` is the slice that may be in contact, which extends beyond the least load. A curve of contact radii has no
-    baseline; a branch without a free part takes the baseline of the other branch.
+    `reach` is the slice that may be in contact: it goes on after the least load, until half of the tension is lost. A
+    curve of contact radii has no baseline. A branch without a free part takes the baseline of the other branch, or 0.
     """
 
     name: str
@@ -156,7 +158,7 @@ def branches_of(curve: ForceCurve, stiffness: float, *, tilt: bool = False, only
 
 
 def _without_pause(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
-    """Return a curve without the points that a column marks as a pause."""
+    """Return a curve without the points that a column marks as a pause, and add a remark if there are any."""
     if curve.branch is None:
         return curve
     is_pause = curve.branch == PAUSE
@@ -181,7 +183,10 @@ def _check_time(parts: Mapping[str, ForceCurve], remarks: dict[str, str]) -> Non
 
 
 def _finite(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
-    """Return the points with finite numbers; raise BadCurve if there are too few, or if one column is constant."""
+    """Return the points with finite numbers, and with positive contact radii.
+
+    Raises BadCurve if there are too few points, or if z or the force is constant.
+    """
     is_known = numpy.isfinite(curve.z) & numpy.isfinite(curve.force)
     if curve.kind == RADIUS:
         is_known &= curve.z > 0
@@ -220,8 +225,9 @@ def _sign(curve: ForceCurve) -> float:
     """Return the sign that makes z rise into the contact.
 
     If the force is much flatter at one end of z, that end is free. Otherwise, if the force is flat over the first or
-    the last points, z turns in the contact. Otherwise the end with the larger force is in contact, unless the force is
-    concave there: a pressed contact gets stiffer. Raises BadCurve if the forces at both ends of z are the same.
+    the last points and z turns far from both, z turns in the contact. Otherwise the end with the larger force is in
+    contact, unless the force is concave there: a pressed contact gets stiffer. Raises BadCurve if the forces at both
+    ends of z are the same.
     """
     order = numpy.argsort(curve.z, kind="stable")
     count = max(3, len(order) // 10)
@@ -263,7 +269,7 @@ def _is_flat(end: Array, spread: float) -> bool:
 
 
 def _with_pull_negative(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
-    """Return the curve, with the sign of the force reversed if the force falls with rising z where unloading begins."""
+    """Return the curve; the sign of the force is reversed if the force falls with rising z near the largest z."""
     which = slice(int(numpy.argmax(curve.z)), None) if curve.branch is None else curve.branch == UNLOADING
     part = curve.chosen(which) if len(curve.z[which]) >= LEAST_POINTS else curve
     order = numpy.argsort(part.z, kind="stable")[-max(LEAST_POINTS, len(part.z) // 20) :]
@@ -280,7 +286,7 @@ def _with_pull_negative(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurv
 def _split(curve: ForceCurve, only: str, remarks: dict[str, str]) -> dict[str, ForceCurve]:
     """Return the points of each branch in order of time, divided by a column or where z or the force turns.
 
-    Branches named in a column may be sorted by z in the file.
+    Branches named in a column may be sorted by z in the file. Raises BadCurve if no branch has enough points.
     """
     if curve.branch is not None:
         parts = {name: _in_time(curve.chosen(curve.branch == name), name) for name in (LOADING, UNLOADING)}
@@ -309,7 +315,7 @@ def _divided(curve: ForceCurve, top: int) -> dict[str, ForceCurve]:
 
 
 def _long(parts: dict[str, ForceCurve], least: int, remarks: dict[str, str]) -> dict[str, ForceCurve]:
-    """Return the branches with enough points, with a remark on a short one next to a long one."""
+    """Return the branches with enough points, and add a remark on a short branch next to a long one."""
     kept = {name: part for name, part in parts.items() if len(part.z) >= least}
     for part in parts.values():
         if kept and 0 < len(part.z) < least:
@@ -336,7 +342,7 @@ def _varies(part: ForceCurve) -> bool:
 
 
 def running_median(values: Array, size: int = _SMOOTH) -> Array:
-    """Return the running median over an odd number of points; windows shrink at the ends."""
+    """Return the running median over an odd number of points; the values are mirrored at both ends."""
     size = min(size, len(values) - (len(values) + 1) % 2)
     if size < 3:
         return values
@@ -390,7 +396,7 @@ def _free(part: ForceCurve, name: str, noise: float) -> slice:
 def _errors(part: ForceCurve, noise: float, give: float) -> tuple[Array, Array]:
     """Return standard deviations of the force and of z; only their ratio matters.
 
-    Without a column of errors of z, the deviation of z is that of the force times a compliance, `give`.
+    Without a column of errors of z, the deviation of z is that of the force times `give`, a compliance.
     """
     force_error = part.force_error if part.force_error is not None else numpy.full(len(part.z), noise)
     if part.z_error is not None:
@@ -442,7 +448,7 @@ def _check(branches: dict[str, Branch], noise: float, remarks: dict[str, str]) -
 
 
 def _of_radii(curve: ForceCurve, remarks: dict[str, str]) -> Branches:
-    """Return the branches of contact radii over loads: all points are in contact, and there is no baseline."""
+    """Return the branches of a curve of contact radii: all points are in contact, and there is no baseline."""
     top = int(numpy.argmax(curve.force))
     if curve.branch is not None:
         parts = {name: curve.chosen(curve.branch == name) for name in (LOADING, UNLOADING)}
@@ -484,7 +490,8 @@ class LoadRange(NamedTuple):
     def within(self, branch: Branch) -> slice:
         """Return the slice of a branch that is in contact and has loads in the range, as one run of points.
 
-        The running median of the load decides where the slice ends, so a single noisy point cannot end it.
+        The running median of the load decides where the slice ends, so a single noisy point cannot end it. Raises
+        BadCurve if it has too few points.
         """
         load = branch.in_contact.force
         low, high = map(self._load, (self.low, self.high), [load] * 2)
@@ -492,7 +499,7 @@ class LoadRange(NamedTuple):
         order = smooth if branch.name == UNLOADING else smooth[::-1]
         below = numpy.nonzero(order <= high)[0]
         first = int(below[0]) if len(below) else len(load)
-        is_whole = self.is_share and self.low <= -1  # includes the last point, even if noise puts it below the median
+        is_whole = self.is_share and self.low <= -1  # then the slice ends at the last point in contact
         beyond = numpy.nonzero(order[first:] < (-numpy.inf if is_whole else low))[0]
         last = first + int(beyond[0]) if len(beyond) else len(load)
         if last - first < LEAST_POINTS:

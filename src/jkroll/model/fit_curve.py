@@ -45,7 +45,7 @@ def fit_curve(curve: ForceCurve, known: Known) -> Fit:
 
 
 def _solution(curve: ForceCurve, known: Known) -> tuple[Solution, dict[str, str]]:
-    """Return the minima of the branches of a curve, and remarks on them."""
+    """Return the minima of the branches of a curve, and remarks by code. Raises BadCurve."""
     only = {"load": LOADING, "unload": UNLOADING}.get(known.branch, "")
     stiffness = known.stiffness if curve.kind == TRAVEL else numpy.inf
     branches = branches_of(curve, stiffness, tilt=known.tilt, only=only)
@@ -62,15 +62,16 @@ def _solution(curve: ForceCurve, known: Known) -> tuple[Solution, dict[str, str]
     if len(found) > 1:
         try:
             other = solved_with(problem, found[1], main)
-        except BadCurve as error:  # the branch has too few points in the range
+        except BadCurve as error:  # this branch has too few points in the range
             remarks["branch-left-out"] = f"{error}; the branch is left out"
     return Solution(problem, problem.setting, main, other), remarks
 
 
 def _by_spring(curve: ForceCurve, solution: Solution, error: float) -> list[Results]:
-    """Return the moves of the results for a softer and a stiffer spring; none if the results do not depend on it.
+    """Return the changes of the results (moves) for a softer and a stiffer spring; none if no spring enters.
 
-    The curve is fitted anew, since the results are not linear in the spring: E* may rise to infinity for a soft one.
+    The curve is fitted anew, since the results are not linear in the stiffness: a soft spring may make E* infinite.
+    `error`: the relative error of the stiffness.
     """
     if curve.kind != TRAVEL and not curve.is_deflection:
         return []
@@ -92,7 +93,7 @@ def _by_spring(curve: ForceCurve, solution: Solution, error: float) -> list[Resu
 def _result(solution: Solution, remarks: dict[str, str], by_spring: list[Results]) -> Fit:
     """Return the fit with its errors, its results by other laws and its remarks.
 
-    `by_spring`: the moves of the results for a softer and a stiffer spring.
+    `by_spring`: see `_by_spring`.
     """
     problem, main = solution.problem, solution.main
     names, covariance = covariance_of(solution)
@@ -173,13 +174,17 @@ def _baselines_of(solution: Solution) -> dict[str, dict[str, float]]:
 
 
 def _points_of(solution: Solution) -> dict[str, Array]:
-    """Return the points of the fitted branches in contact, with fitted loads, residuals, G and a."""
+    """Return the points in contact of the fitted branches as columns, see `_columns_of`."""
     columns = [_columns_of(solution, part) for part in solution.parts]
     return {name: numpy.concatenate([of_branch[name] for of_branch in columns]) for name in columns[0]}
 
 
 def _columns_of(solution: Solution, part: Solved) -> dict[str, Array]:
-    """Return the points of one branch in contact as columns, with fitted loads, residuals, G and a."""
+    """Return the points in contact of one branch as columns.
+
+    Besides z and the load, the columns are the fitted load, the difference of both loads, the energy release rate and
+    the contact radius.
+    """
     points, main = part.branch.in_contact, solution.main.unknowns
     loads = residuals(points, part.unknowns, solution.setting).loads
     rate, radius = release_rate(solution.problem, points, main)

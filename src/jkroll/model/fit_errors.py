@@ -1,9 +1,9 @@
 """The three errors of a fit: statistical (noise), calibration (the instrument) and model.
 
 The statistical error comes from the noise of the points, and of the baselines that are subtracted from them. The
-calibration error comes from the radius and the spring: each adds the larger change of a result if its value is smaller
-or larger by its error. The model error is the change of a result with the fitted range, the shape of the sphere, the
-law and the atomic spacing. A change of a result is called its move.
+calibration error comes from the radius and the spring: each is changed by its error, down and up, and adds the larger
+of the two changes of a result. The model error comes from changes of the fitted range, the shape of the sphere, the law
+and the atomic spacing. A change of a result is called its move.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -21,7 +21,7 @@ from .fit_minimum import ADHESION, MODULUS, POINT, Minimum, Points, Setting, min
 from .fit_problem import NAMES, Problem, Solved
 from .fit_result import STRONG, Errors
 
-_FEW = 300  # largest number of points in a refit that computes moves of the results
+_FEW = 300  # largest number of points of a branch in a refit that computes moves
 _ALIKE = 50.0  # Tabor parameter above which Maugis' law equals JKR's
 _WIDE = 0.1  # a/R above which the shape of the sphere matters
 
@@ -52,7 +52,7 @@ class Solution(NamedTuple):
         return self.results(self.main.minimum, None if self.other is None else self.other.minimum)
 
     def results(self, main: Minimum, other: Minimum | None) -> dict[str, float]:
-        """Return the results at two minima."""
+        """Return the results at minima of the main and the other branch, by name."""
         values: dict[str, float] = {}
         w, modulus = exp(main.unknowns[:POINT]).tolist()
         if ADHESION in self.main.free:
@@ -79,7 +79,7 @@ class Solution(NamedTuple):
         return difference(self.refitted(setting, change), self.values)
 
     def thinned(self) -> "Solution":
-        """Return the solution for fewer points, whose moves are nearly those of all points."""
+        """Return the solution for at most 300 points of each branch; its moves are nearly those of all points."""
         parts: list[Solved] = []
         for part in self.parts:
             step = -(-len(part.points.z) // _FEW)
@@ -124,7 +124,7 @@ def with_baselines(few: Solution, names: tuple[str, ...], covariance: Array) -> 
 
 
 def _baseline_changes(solution: Solution) -> Iterator[tuple[Baseline, float, float]]:
-    """Iterate over the uncertain baselines, each once with the error of its force, and once with that of its slope."""
+    """Iterate over the uncertain baselines, each with a change of its force by an error, then with one of its slope."""
     for base in dict.fromkeys(part.branch.baseline for part in solution.parts):
         if base is not None and base.error:
             yield base, base.error, 0.0
@@ -133,7 +133,7 @@ def _baseline_changes(solution: Solution) -> Iterator[tuple[Baseline, float, flo
 
 
 def _shifted(base: Baseline, offset: float, slope: float, part: Solved) -> Points:
-    """Return the points of a branch, with shifted forces if the branch has this baseline."""
+    """Return the points of a branch; if the branch has this baseline, its forces are shifted."""
     points = part.points
     if part.branch.baseline != base:
         return points
@@ -141,7 +141,7 @@ def _shifted(base: Baseline, offset: float, slope: float, part: Solved) -> Point
 
 
 def statistical_errors(solution: Solution, names: tuple[str, ...], covariance: Array) -> dict[str, Errors]:
-    """Return the errors of the results from noise."""
+    """Return the statistical errors of the results, from their covariance."""
     errors = {}
     for name, variance in zip(names, numpy.diag(covariance), strict=True):
         errors[name] = Errors(statistical=float(sqrt(variance)))
@@ -158,7 +158,7 @@ def statistical_errors(solution: Solution, names: tuple[str, ...], covariance: A
 
 
 def by_radius(few: Solution) -> Results:
-    """Return the largest moves of the results when the radius is smaller or larger by its error."""
+    """Return the larger move of each result if the radius is smaller or larger by its error."""
     known = few.problem.known
     if known.radius is None or not known.radius_error:
         return {}
@@ -167,7 +167,7 @@ def by_radius(few: Solution) -> Results:
 
 
 def ends(error: float) -> tuple[float, float]:
-    """Return the factors to both ends of a value with a relative error."""
+    """Return the factors that lead from a value to its two ends. `error`: its relative error."""
     return 1 - error, 1 + error
 
 
@@ -211,9 +211,10 @@ def key_of(law: str, profile: str) -> str:
 
 
 def by_models(solution: Solution, few: Solution, width: float) -> Models:
-    """Return the results by each law for a paraboloid, and for a sphere if the contact is wide (`width` is a/R).
+    """Return the results by each law and for a sphere, and the moves that count as errors of the model.
 
-    Results by another law are those of the fit plus their moves in a refit of fewer points.
+    Without a radius or adhesion, some or all other laws are left out. A sphere is fitted only by JKR, if the contact is
+    wide (`width` is a/R). Results by another law are those of the fit plus their moves in a refit of fewer points.
     """
     problem, known, values, here = solution.problem, solution.problem.known, solution.values, few.values
     has_adhesion = ADHESION in few.main.free
@@ -256,5 +257,5 @@ def _refitted_anew(few: Solution, setting: Setting) -> Results:
 
 
 def difference(one: Results, other: Results) -> Results:
-    """Return the differences of two sets of results."""
+    """Return the results of one set minus those of the other."""
     return {name: one[name] - other[name] for name in one}

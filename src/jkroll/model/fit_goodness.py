@@ -12,7 +12,7 @@ from .fit_minimum import ADHESION, FEW_INDEPENDENT
 from .fit_problem import NAMES
 from .fit_result import Errors, Fit
 
-USUAL_ERROR = 0.05  # relative error of a spring that is given without one
+USUAL_ERROR = 0.05  # relative error of a spring, if none is given
 _TWO_DIGITS = Format(digits=2)
 _UNDETERMINED = 0.5  # standard deviation of ln E* above which E* is undetermined
 _POOR = 0.1  # rms misfit over the pull-off force, above which the curve is not that of a contact
@@ -20,7 +20,7 @@ _WIDEST = 0.9  # a/R above which no theory of a half-space applies
 
 
 def goodness_of(solution: Solution, pull_off: float | None) -> dict[str, float]:
-    """Return the measures of goodness; points beyond the jump are compared with the last state of the model."""
+    """Return the measures of goodness by name; points beyond the jump are compared with the last state of the model."""
     main, found = solution.main, solution.main.minimum
     misfit = main.points.force - found.residuals.loads
     rms, count = float(sqrt(numpy.mean(misfit**2))), len(main.points.z)
@@ -82,9 +82,10 @@ def _on_noise(good: Mapping[str, float]) -> Iterator[tuple[str, str]]:
 
 
 def _on_spring(result: Fit, softer: Results, stiffer: Results) -> Iterator[tuple[str, str]]:
-    """Yield a remark if the spring is the largest source of error of E*.
+    """Yield a remark if the error of the spring moves E* by more than its statistical and its model error.
 
-    The springs differ by the error of the given one; if this is unknown, by 5 %, and the remark asks for the error.
+    `softer`, `stiffer`: the moves for springs that differ by the error of the given one. If this error is unknown, they
+    differ by 5 %, and the remark asks for it.
     """
     known, errors, modulus = result.known, result.errors["contact_modulus"], result.values["contact_modulus"]
     shares = [move["contact_modulus"] / modulus for move in (softer, stiffer)]
@@ -104,7 +105,7 @@ def _on_spring(result: Fit, softer: Results, stiffer: Results) -> Iterator[tuple
 
 
 def on_profile(values: Results, sphere: Results, errors: Mapping[str, Errors], width: float) -> Iterator[str]:
-    """Yield a sentence if the results for a sphere by JKR differ from those for a paraboloid by more than the errors.
+    """Yield a sentence if w or E* for a sphere by JKR differs from that for a paraboloid by more than its error.
 
     `values`: the results for a paraboloid by JKR, whichever law is fitted.
     """
@@ -118,7 +119,7 @@ def on_profile(values: Results, sphere: Results, errors: Mapping[str, Errors], w
 
 
 def _on_pinned_edge(solution: Solution, points: Mapping[str, numpy.ndarray]) -> Iterator[tuple[str, str]]:
-    """Yield a remark if the edge is pinned: G changes by more than w/5 while the contact radius hardly changes."""
+    """Yield a remark if the edge is pinned: G changes by more than w/5, the contact radius by less than 1 %."""
     is_own = (points["branch"] == solution.main.branch.name) & numpy.isfinite(points["release_rate"])
     if is_own.sum() < LEAST_POINTS:
         return

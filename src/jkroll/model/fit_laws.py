@@ -91,7 +91,7 @@ class CurveLaw(Protocol):
 
 
 def state_at(law: CurveLaw, x: Array, contact: Contact, grip: Grip) -> tuple[Array, float, float]:
-    """Return q of the stable states at x, with q and x of the last state, which stands for all x beyond it.
+    """Return q of the stable states at x, with q and x of the last state. Lower x get q of the last state.
 
     Newton's method runs between bounds, and bisects where a step would leave the bounds. In JKR with a paraboloid, no
     step leaves the bounds, since x is convex in a.
@@ -250,7 +250,7 @@ class Dmt:
         return 0.0
 
     def start(self, x: Array, contact: Contact, grip: Grip, last: float, x_last: float) -> Array:  # noqa: ARG002
-        """Return an approach that is too large at x, since the deflection of the lever is ignored."""
+        """Return an approach that is too large at x, as the lever's deflection is ignored; exact if x is a radius."""
         return x * x / contact.reduced_radius if grip.is_radius else numpy.maximum(x - x_last, 0)
 
     def most(self, contact: Contact) -> float:  # noqa: ARG002
@@ -324,6 +324,6 @@ def _difference(below: Values, above: Values, step: Array) -> Values:
 
 
 def curve_law(name: str, profile: str) -> CurveLaw:
-    """Return the law named jkr, dmt or maugis; the last two exist for a paraboloid only."""
+    """Return the force curve of the law jkr, dmt or maugis; dmt and maugis exist for a paraboloid only."""
     others: Mapping[str, CurveLaw] = {"dmt": Dmt(), "maugis": Maugis()}
     return others.get(name) or Jkr(PROFILES[profile])

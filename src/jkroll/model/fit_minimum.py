@@ -1,8 +1,8 @@
 """Fit one branch of a force curve by least squares: residuals, their minimum, noise and the covariance.
 
 The unknowns are ln w, ln E* and, if x is an approach or a travel, the contact point z_c. A point has the position z and
-the force F, with standard deviations σ_x and σ_F. With x = z − z_c, the state at x with its load P and variable q, and
-the slopes X = dx/dq and T = dP/dq, a residual is
+the force F, with standard deviations σ_x and σ_F. The model's state at x = z − z_c (or at the contact radius x = z) has
+the load P, the variable q and the slopes X = dx/dq and T = dP/dq. The residual is
 
     r = X(F − P)/√(X²σ_F² + T²σ_x²)
 
@@ -10,9 +10,9 @@ This residual stays finite where the contact is lost, although dP/dx = T/X diver
 state of the model has r = (x − x_last)/σ_x.
 
 Noise is white, or autoregressive of first order, r_i = φr_(i−1) + e_i. Residuals are whitened, and φ is corrected for
-the bias that smooth unknowns cause (Kendall). The residuals themselves give the scale of e. If fewer than 20 points are
-independent, the residuals are a misfit of the model; the fit takes them as white, and multiplies the variances by the
-correlation time. Residuals beyond 3 standard deviations have Huber's weights.
+the bias that the fit of smooth functions causes (Kendall). The residuals themselves give the scale of e. If fewer than
+20 points are independent, the residuals are a misfit of the model; the fit takes them as white, and multiplies the
+variances by the correlation time. Residuals beyond 3 standard deviations have Huber's weights.
 """
 
 from collections.abc import Sequence
@@ -30,8 +30,8 @@ _FEW = 30  # with fewer points, noise is taken as white
 _CUTS = 30  # most rounds of clipping at 3 standard deviations
 _MOST_PHI = 0.999  # largest |φ|
 _ROUNDS = 5  # most rounds, each with a minimum and its noise
-_SAME_PHI = 0.01  # changes of φ and, relatively, of the noise at which the rounds end
-FEW_INDEPENDENT = 20.0  # n/τ below which correlated noise looks like a misfit
+_SAME_PHI = 0.01  # the rounds end at smaller changes of φ and smaller relative changes of the noise
+FEW_INDEPENDENT = 20.0  # independent points, n/τ; with fewer, residuals count as a misfit of the model
 _STEPS = 100  # most steps of the minimiser
 _SAME = 1e-7  # relative decrease of the sum of squares at which the minimiser stops
 _LEAST_DAMPING, _MOST_DAMPING = 1e-12, 1e10
@@ -39,7 +39,7 @@ _LONGEST = 4.0  # the longest step of ln w and ln E*, a factor of 55
 
 
 class Points(NamedTuple):
-    """The measured points of a branch in order of time: x or z, F, and their standard deviations.
+    """The measured points of a branch in order of time: z (or contact radius), force, and their standard deviations.
 
     Only the ratio of the two deviations matters: the fit estimates their scale.
     """
@@ -268,7 +268,7 @@ def _solved(matrix: Array, target: Array) -> Array:
 
 
 def _inverse(matrix: Array) -> Array:
-    """Return the inverse of a symmetric matrix, scaled first; infinities if it is singular."""
+    """Return the inverse of a symmetric matrix, scaled first; infinities if it is nearly singular."""
     scale = sqrt(numpy.diag(matrix))
     if not (scale > 0).all():
         return numpy.full_like(matrix, inf)
@@ -282,7 +282,10 @@ def _inverse(matrix: Array) -> Array:
 
 
 def with_point(points: Points, setting: Setting, w: float, modulus: float) -> Array:
-    """Return the unknowns for w and E*, with the z_c that puts the loads closest to the curve."""
+    """Return the unknowns for w and E*, with z_c as the median of z − x over points.
+
+    On the curve of the law, the force of a point belongs to x. For contact radii, z_c is 0.
+    """
     unknowns = numpy.array([log(w), log(modulus), 0.0])
     if setting.grip.is_radius:
         return unknowns

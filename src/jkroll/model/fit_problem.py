@@ -50,7 +50,7 @@ class Problem(NamedTuple):
 
     @property
     def radius(self) -> float:
-        """The reduced radius; 1 m if it is unknown, so that w stands for wR."""
+        """The reduced radius; 1 m if it is unknown, so that w stands for wR, and E* for E*√R."""
         return self.known.radius or 1.0
 
     @property
@@ -64,12 +64,12 @@ class Problem(NamedTuple):
         return self.by_law(self.known.law, self.known.profile)
 
     def by_law(self, law: str, profile: str = "paraboloid", spacing: float | None = None) -> Setting:
-        """Return the setting for a law."""
+        """Return the setting for a law, a profile and an atomic spacing, by default the known one."""
         grip = Grip(self.stiffness, self.kind == RADIUS)
         return Setting(curve_law(law, profile), self.radius, spacing or self.known.spacing, grip)
 
     def without_adhesion(self, profile: str = "paraboloid") -> Setting:
-        """Return the setting for Hertz' contact: JKR with hardly any adhesion."""
+        """Return the setting for Hertz' contact: that of JKR, to be used with a w next to 0."""
         return self.by_law("jkr", profile)
 
     @property
@@ -83,7 +83,10 @@ class Problem(NamedTuple):
         return self.kind == RADIUS or tension >= _NO_ADHESION * self.branches.scatter
 
     def range_of(self, branch: Branch, default: LoadRange) -> slice:
-        """Return the slice of the given or a default range; the whole contact if the default has too few points."""
+        """Return the slice of the given or a default range; the whole contact if the default has too few points.
+
+        Raises BadCurve if the given range has too few points.
+        """
         if self.known.range is not None:
             return self.known.range.within(branch)
         try:
@@ -116,8 +119,8 @@ class Solved(NamedTuple):
 def solved(problem: Problem, branch: Branch) -> Solved:
     """Return the minimum of a branch over all unknowns, in the given range or a default one. Raises BadCurve.
 
-    The default is FIRST_RANGE for loading, and the plateau of G for unloading. A first minimum shows how far the
-    contact holds after the least load.
+    The default is FIRST_RANGE for loading, and the plateau of G for unloading; for contact radii, see
+    `_solved_by_radii`. A first minimum shows how far the contact holds after the least load.
     """
     asked, free = problem.known.range, problem.setting.names
     if problem.kind == RADIUS and asked is None:
@@ -170,7 +173,7 @@ def solved_without_adhesion(problem: Problem, branch: Branch) -> Solved:
 
 
 def _first_minimum(problem: Problem, points: Points) -> Minimum:
-    """Return the best minimum from some starts; laws other than JKR also start from JKR's minimum."""
+    """Return the best minimum from some starts; laws other than JKR also start from JKR's minimum. Raises BadCurve."""
     starts, setting = _starts(problem, points), problem.setting
     try:
         if problem.known.law != "jkr":
@@ -185,7 +188,7 @@ def _first_minimum(problem: Problem, points: Points) -> Minimum:
 
 
 def _hides_adhesion(problem: Problem, found: Minimum) -> bool:
-    """Return whether w at a minimum is below the noise, although the whole branch has adhesion."""
+    """Return whether w at a minimum has a pull-off force below the noise; contact radii show any w."""
     return problem.kind != RADIUS and float(exp(found.unknowns[ADHESION])) < problem.largest_adhesion
 
 
@@ -224,7 +227,7 @@ def _starts(problem: Problem, points: Points) -> list[Array]:
 
 
 def extended(problem: Problem, branch: Branch, unknowns: Array) -> Branch:
-    """Return a branch whose contact extends as far as fixed grips hold it. `unknowns`: those at a minimum."""
+    """Return a branch; for an approach, its contact extends as far as fixed grips hold it. `unknowns`: at a minimum."""
     if problem.kind != APPROACH:
         return branch  # a lever snaps off after the least load
     setting = problem.setting

@@ -27,7 +27,7 @@ RESULTS: Mapping[str, str] = {
 
 
 class Known(NamedTuple):
-    """The known data of an instrument and a contact, with relative standard deviations.
+    """The known data of an instrument and a contact, with relative standard deviations, and the options of a fit.
 
     Without a radius the fit gives wR and E*√R. `stiffness` is that of the lever; `bodies` has Young's moduli and
     Poisson's ratios by name.
@@ -112,9 +112,9 @@ class Fit:
 
     @property
     def other_modulus(self) -> tuple[str, float] | None:
-        """The unknown Young's modulus with its name, if the other modulus and both Poisson's ratios are known.
+        """The name and the value of the unknown Young's modulus; None if other elastic constants are missing.
 
-        (1 − ν²)/E = 1/E* − (1 − ν'²)/E', where E' and ν' are of the known body; a rigid one needs no ν'
+        (1 − ν²)/E = 1/E* − (1 − ν'²)/E', where E' and ν' are those of the other body; a rigid body needs no ν'.
         """
         bodies = self.known.bodies
         for known, sought in (("", "2"), ("2", "")):

@@ -2,7 +2,7 @@
 
 A frame makes two assumptions: sphere 2 is like sphere 1 in every property that is not given for it, and inputs
 that are not given have their defaults. A frame accepts numbers in the range of their quantity, from 1e-30 to 1e30 in SI
-units. Its results are doubles of full precision, and exactly 0 where the physics gives 0.
+units. Its results are doubles of full precision, 0 where the physics gives 0, and infinite for a plane, as the mass.
 """
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
@@ -72,7 +72,7 @@ EXCLUSIVE = (
 # Inputs that replace the yield displacement of a solid, or give sphere 2 another solid.
 _OTHER_DISPLACEMENT = frozenset((*IN_ITS_PLACE, *(of_sphere(2, name) for name in OF_A_SOLID)))
 
-# Quantities that need a contact area, so that they have no value if both bodies are rigid. Others follow from them.
+# Quantities that need a contact area. If both bodies are rigid, these and the results computed from them have no value.
 _ON_AREA = frozenset({"contact_modulus", "contact_shear_modulus", "shear_strength", "pull_off_force", "load_factor",
     "rolling_frequency_as_printed"})  # fmt: skip
 
@@ -96,7 +96,7 @@ class Frame:
     1e-07
     """
 
-    few = 300  # up to this many points, floats are faster than importing numpy; two ranges have 260
+    few = 300  # up to this many points of uncertain inputs, floats are faster than importing numpy; two ranges have 260
     unknowns: Sequence[str] = ()  # inputs that are inferred from measured quantities
     solution: Any = None  # the inferred values of the unknowns
 
@@ -115,8 +115,8 @@ class Frame:
         `material2`: None if sphere 2 has the material of sphere 1. `model`: the name of a law in `LAWS`; None for JKR,
         the law of the paper. `moved`: values that override those of a material without counting as stated; None removes
         an input. `state`: the name of a state of a force curve. The frame computes with the middle of an uncertain
-        value; `model.uncertainty` adds the uncertainties of results. Raises QuantityError, or BadRequest for arrays
-        that do not broadcast.
+        value; `model.uncertainty` adds the uncertainties of results. Raises QuantityError, or BadRequest for inputs
+        that exclude each other and for arrays that do not broadcast.
         """
         self.law = LAWS[DEFAULT_LAW if model is None else model]
         self.stated_model = None if model is None else self.law.name
@@ -260,7 +260,7 @@ class Frame:
 
     @cached_property
     def is_rigid(self) -> Any:
-        """True if both bodies are rigid; an array if they are rigid in some rows only."""
+        """True if both bodies are rigid and no contact modulus is given; an array if this is true in some rows only."""
         modulus = self.given.get("youngs_modulus")
         modulus2 = self.given.get("youngs_modulus2", modulus if self.material2 is None else None)
         is_rigid = (modulus == INFINITY) & (modulus2 == INFINITY) & ("contact_modulus" not in self.given)
@@ -331,7 +331,10 @@ class Frame:
         return in_order(used & (self.given.keys() | DEFAULTS.keys()))
 
     def inputs_used(self, names: Sequence[str]) -> Collection[str]:
-        """Return those inputs of the frame that quantities depend on."""
+        """Return those inputs of the frame that quantities depend on.
+
+        If the inputs determine none of the quantities, these are the given inputs of their formulas by JKR.
+        """
         possible = self.possible(names)
         return self.inputs_of(*possible) if possible else depends_on(tuple(names)) & self.given.keys()
 
@@ -379,7 +382,7 @@ class Frame:
         return {name: self.column(name) for name in names}
 
     def column(self, name: str) -> Column:
-        """Return the column of a quantity."""
+        """Return the column of a quantity; cells that rest on an assumed atomic spacing are emptied."""
         plan = self.plan(name)
         if not plan.is_possible:
             return Column(nan, reason(NOT_IN_LAW if plan.lacking else MISSING))
@@ -446,7 +449,10 @@ class Frame:
             self.reasons[step.name], self.steps[step.name] = reasons, step
 
     def _inherited(self, step: Plan) -> Any:
-        """Return the reasons from the arguments of a step; in each cell the first argument without a value counts."""
+        """Return the reasons why a step cannot be computed: in each cell, that of the first argument without a value.
+
+        A quantity that needs a contact area also has a reason where both bodies are rigid.
+        """
         reasons: Any = 0
         for name in step.arguments.values():
             reasons = first_of(reasons, self.reasons.get(name, 0))
@@ -555,7 +561,7 @@ def _exclusive_among(given: frozenset[str]) -> list[str]:
 
 @lru_cache(maxsize=KEPT)
 def _assumed(given: frozenset[str], has_displacement: bool) -> Mapping[str, float]:
-    """Return the defaults that no input replaces. A measured displacement of the solid replaces the default ξ."""
+    """Return the defaults that no input replaces. There is no default ξ if a solid has a measured displacement."""
     replaced = set()
     for names in EXCLUSIVE:
         if not given.isdisjoint(names):

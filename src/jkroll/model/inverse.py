@@ -141,7 +141,7 @@ class Inverse(Frame):
 
 
 def _check(problem: Problem) -> None:
-    """Raise BadRequest for unknowns and quantities that conflict with each other or with other inputs."""
+    """Raise BadRequest for unknowns and quantities that conflict with other inputs, or that no formula gives."""
     known, unknowns = problem.frame, problem.unknowns
     for name in (*unknowns, *problem.levels):
         if name in known.stated or (name in unknowns and name in problem.levels):

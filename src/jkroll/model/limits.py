@@ -27,8 +27,9 @@ _COMPARISONS = {"<": lt, "<=": le, ">": gt, ">=": ge}
 class Limit:
     """A number that limits the model, the quantities that it touches, and the consequence beyond the limit.
 
-    `sign` is the comparison that puts a number in doubt: with "<", a number below a threshold is in doubt. A number
-    may have several thresholds, each with its code, in the order in which the number crosses them.
+    The limit concerns the quantities that it touches, and all results that are computed from them. `sign` is the
+    comparison that puts a number in doubt: with "<", a number below a threshold is in doubt. A number may have several
+    thresholds, each with its code, in the order in which the number crosses them.
     """
 
     def __init__(
@@ -38,7 +39,7 @@ class Limit:
         sign: Literal["<", "<=", ">", ">="],
         codes: Mapping[float, str],  # by threshold
         consequence: str,  # in words: the meaning of a number beyond the threshold
-        applies: Callable[[Frame, Collection[str]], bool] | None = None,  # a test of a frame's results; None: always
+        applies: Callable[[Frame, Collection[str]], bool] | None = None,  # whether it applies to results; None: always
         ends_meaning: bool = False,  # results beyond the limit have no meaning
         conclusion: str = "",  # the quantity that states the verdict if the number does not: "has_jump"
         # Computes the number to judge in place of the named one, such as the ratio of two answers.
@@ -68,7 +69,7 @@ class Limit:
 
     @property
     def needs_threshold(self) -> bool:
-        """True if the text must give the first threshold; 0 and 1 are evident."""
+        """True if the text must give the first threshold: not an evident one, 0 or 1, nor that of a `factor`."""
         return self.factor is None and self.threshold not in (0.0, 1.0)
 
     @property
@@ -91,7 +92,7 @@ class Doubt:
 
     @property
     def excess(self) -> Any:
-        """The distance beyond the first threshold, as the logarithm of a factor."""
+        """The distance of the number beyond the first threshold, see `Limit.excess`."""
         return self.limit.excess(self.judged)
 
     @property
@@ -106,9 +107,9 @@ class Doubt:
 
     @property
     def factor(self) -> float | None:
-        """The ratio by which the number exceeds the first threshold, below 1 within the limit.
+        """The factor by which the number is beyond the first threshold, below 1 within the limit.
 
-        None if the ratio is infinite or undefined.
+        None if the factor is infinite, or if the threshold is 0.
         """
         return exp(self.excess) if self.limit.threshold and self.excess < inf else None
 
@@ -157,8 +158,8 @@ def _bits_where(condition: Any, bits: int, otherwise: Any) -> Any:
     return numpy.where(condition, numpy.int64(bits), otherwise)
 
 
-# Every quantity that depends on the law or on elasticity needs one of these. In DMT, neither the radius at an approach
-# nor Q/P_c without load needs the work of adhesion.
+# Every quantity that depends on the law or on elasticity needs one of these. The work of adhesion alone is not enough:
+# the radius at an approach and Q/P_c without load do not need it in DMT.
 _ELASTICITY = frozenset({"work_of_adhesion", "contact_radius_at_load", "yield_force_ratio"})
 _DISPLACEMENT = frozenset({"yield_displacement"})
 JUMP = 0.7  # Tabor parameter below which contacts by Lennard-Jones' 3-9 law have no jump at fixed grips
@@ -172,7 +173,7 @@ _TURNS = frozenset({"n_roll", "n_roll_energy_balance", "n_roll_after_impact"})
 _PULLED = frozenset({"pull_off_force", "bond_number"})
 _IMPACT = frozenset({"restitution", "lost_energy", "impact_pressure"})
 
-LAW_MATTERS = 1.05  # factor between the answers of two laws
+LAW_MATTERS = 1.05  # factor between the results of two laws, above which the law matters
 SOFT = 1e8  # contact modulus in Pa below which solids (rubbers, gels) flatten their roughness
 RUBBERY = 0.49  # Poisson's ratio above which a solid stretches rather than yields
 
@@ -408,7 +409,7 @@ BITS = {code: 1 << position for position, code in enumerate((*CODES, UNCHECKED))
 ENDING_MEANING = sum(limit.bits for limit in ENDING)
 NOT_JUDGED = BITS[UNCHECKED]
 EVERY_DOUBT = sum(BITS.values())
-# The meanings of codes: of those that make results meaningless, which are also reasons for empty cells, and UNCHECKED.
+# The meanings of UNCHECKED and of the codes that make results meaningless, which are also reasons for empty cells.
 MEANINGS = {code: limit.consequence.partition(";")[0] for limit in ENDING for code in limit.codes.values()}
 ENDS = {code: register(EndOfMeaning(words, words, code=code)) for code, words in MEANINGS.items()}
 MEANINGS[UNCHECKED] = "a limit needs an input that is not given"

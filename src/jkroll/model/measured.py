@@ -17,15 +17,14 @@ SIO2, POLYSTYRENE, MICA = "SiO2", "polystyrene", "mica"
 
 
 def is_smooth(material: Material | None) -> bool:
-    """Return whether the surfaces of a material are atomically smooth, as those of cleaved mica."""
+    """Return whether a material counts as atomically smooth; only mica does."""
     return material is not None and MICA in (material.name, *material.aliases)
 
 
 def measured_solid(material: Material) -> str:
     """Return the measured solid that a material consists of: SiO2, polystyrene, or an empty name.
 
-    The measured spheres of SiO2 had the surface energy of humid silica. Ice is left out, since its surface energy was
-    itself scaled from rolling forces.
+    Ice is left out, since its surface energy was itself scaled from rolling forces.
     """
     if SIO2 in material.aliases:
         return SIO2
@@ -43,15 +42,15 @@ def solid_of_pair(frame: Frame) -> str:
 
 
 class Rolled(NamedTuple):
-    """A measurement on two identical spheres, and the pairs to which it is scaled with R^(2/3) or R."""
+    """A measurement for two identical spheres, and the pairs to which it is scaled between R^(2/3) and R."""
 
     name: str  # the quantity: the force or the displacement that starts rolling
     source: str
-    low: float
-    high: float
-    radius: float
-    radii: tuple[float, float]
-    energies: tuple[float, float] = (0.0, INFINITY)  # surface energies
+    low: float  # the least measured value minus its error
+    high: float  # the largest plus its error
+    radius: float  # of the measured spheres
+    radii: tuple[float, float]  # of the pairs
+    energies: tuple[float, float] = (0.0, INFINITY)  # surface energies of the pairs
 
     def least(self, radius: Any) -> Any:
         """Return the least value for two identical spheres of a radius."""
@@ -96,8 +95,8 @@ def _end_of(rolled: Rolled, end: Callable[[Rolled, Any], Any]) -> Variant:
 def _rolled_at(rolled: Rolled, end: Callable[[Rolled, Any], Any], frame: Frame) -> Frame:
     """Return a frame with the displacement that an end of a measurement implies without load, by the frame's law.
 
-    A force measured at a very different radius may imply less than the assumed displacement of about one atom, which is
-    the lower bound.
+    Scaled to a very different radius, a measurement may imply less than the assumed displacement of about one atom. The
+    frame then keeps the assumed one.
     """
     radius = 2 * frame["reduced_radius"]
     displacement = end(rolled, radius)
@@ -107,9 +106,9 @@ def _rolled_at(rolled: Rolled, end: Callable[[Rolled, Any], Any], frame: Frame) 
 
 
 ROLLED: Mapping[str, Rolled] = {
-    # 0.85 ± 0.16 and 1.21 ± 0.36 nN
+    # 0.85 ± 0.16 and 1.21 ± 0.36 nN, on spheres with the surface energy of humid silica
     SIO2: Rolled("yield_force", "Heim 1999, Gundlach 2011", 0.69e-9, 1.57e-9, 0.95e-6, (1e-7, 3e-6), (0.02, 0.025)),
-    # 42 nm, spheres of 5 µm on a plane, which are like two spheres of 10 µm
+    # 42 nm, spheres of radius 5 µm on a plane, which are like two spheres of radius 10 µm
     POLYSTYRENE: Rolled(XI, "Sümer & Sitti 2008", 42e-9, 42e-9, 1e-5, (3e-6, 1e-4)),
     # 11.48 ± 2.38 nN
     "ice-warm": Rolled("yield_force", "Gundlach 2011", 9.10e-9, 13.86e-9, 1.45e-6, (0.5e-6, 5e-6)),
@@ -136,7 +135,7 @@ class Stuck(NamedTuple):
     """The largest speed at which spheres of some radii stuck to a plane, as a power of the radius.
 
     For other pairs, in the wider range of radii `carried`, this speed is scaled in proportion to the sticking speed by
-    a law. It does not count for pairs with other properties than those of the solid.
+    the law in use. It does not count for pairs whose properties are outside the ranges in `properties`.
     """
 
     speed: float
@@ -210,7 +209,7 @@ MOST_SEEN = 10  # largest speed at which hard spheres were seen to stick, in uni
 
 
 class Surface(NamedTuple):
-    """The measured fraction of JKR's pull-off force for SiO2, and the spheres measured."""
+    """The range of the measured fraction of JKR's pull-off force on SiO2, this range in words, and the spheres."""
 
     low: float
     high: float
@@ -235,11 +234,11 @@ LIKE_SIO2 = "real spheres, a guess"  # all surfaces together, for pairs on which
 def on_surfaces(frame: Frame, ends: tuple[float, float] | None = None) -> Mapping[str, tuple[float, float]]:
     """Return the least and the largest pull-off force on each surface; `ends`: the ends of JKR's force.
 
-    For SiO2 these are the measured forces, or fractions of JKR's for a given surface energy. For another solid, or a
-    smaller sphere, one range covers all the fractions measured for SiO2.
+    For SiO2, the forces are measured fractions of JKR's force at 25 mJ/m², or at the surface energy that was given. For
+    another solid, or a sphere smaller than 1 µm, one range covers all the fractions measured for SiO2.
     """
     radius, energy = frame["reduced_radius"], frame["work_of_adhesion"]
-    force = float(pull_off_force(work_of_adhesion=energy, reduced_radius=radius))  # rigid bodies have none in a frame
+    force = float(pull_off_force(work_of_adhesion=energy, reduced_radius=radius))  # in a frame, rigid bodies have none
     low, high = ends or (force, force)
     is_silica = solid_of_pair(frame) == SIO2
     if is_silica and not has_given_energy(frame):

@@ -42,7 +42,7 @@ def moved_by_law(frame: Frame, names: Iterable[str]) -> list[str]:
 
 
 def factor_of_law(frame: Frame, columns: Mapping[str, Column]) -> Any:
-    """Return the largest factor between the results by the law in use and by Maugis' law.
+    """Return the largest factor between the results by the law in use and by Maugis' law; 1 if the latter is in use.
 
     A pull-off force is also compared with Lennard-Jones' law. The factor is infinite if only the law in use has a
     result, or if signs differ.

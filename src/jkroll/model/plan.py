@@ -1,6 +1,6 @@
 """Plans: the formulas needed for a quantity, in order of evaluation. A formula's parameters name its inputs.
 
-If several formulas give a quantity, the law of attraction and the given inputs decide (see `laws`).
+If several formulas give a quantity, the law of attraction and the given inputs decide (see `quantities.laws`).
 
 A quantity of sphere 2 (`mass2`) has the same formula as for sphere 1 (`mass`). An input of sphere 2 that is not given
 equals that of sphere 1, unless sphere 2 has its own material, which should provide it.

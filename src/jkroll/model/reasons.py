@@ -1,7 +1,7 @@
 """Reasons for missing values: their causes, and the errors and sentences that state them.
 
 In columns a reason is an integer, 0 for none. It encodes a cause, and the step of the calculation that has no value.
-The numbers in the sentence of a reason are the arguments of this step in the same row.
+The numbers in the sentence of a reason follow from the arguments of this step in the same row.
 
 The rules at the end of this file state for which arguments a formula has no result.
 """
@@ -277,7 +277,10 @@ class NoErrorBar(NoResult):
 
 
 def explanation_of(name: str, error: JkrollError) -> str:
-    """Return the reason for a missing value in words, without the name of the quantity."""
+    """Return the reason for a missing value in words, without the name of the quantity.
+
+    An error about another quantity keeps that quantity's name.
+    """
     if isinstance(error, MissingInput) or (isinstance(error, NoResult) and name in error.name.split(",")):
         return error.explanation()
     return str(error)

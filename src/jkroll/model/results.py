@@ -30,14 +30,14 @@ ROW = ""  # the key of a reason that concerns the whole row
 class Results:
     """The columns of quantities of a frame, with inputs, uncertainties and limits.
 
-    Where a limit makes a result meaningless, the result has no value, except in unformatted output.
+    Where a limit makes a result meaningless, the result has no value, unless all values are kept (unformatted output).
     """
 
     def __init__(self, described: Frame, computed: Mapping[str, Column], *, keeps_all: bool = False) -> None:
         """`described`: the frame; `computed`: its columns; `keeps_all`: True to keep values without a meaning.
 
         Uncertainties come from `described`. Limits are judged on `frame`, where every input has a value: for the
-        results or, if inputs were inferred, for the measured quantities.
+        results, with the measured quantities in place of inferred inputs.
         """
         self.described, self.computed, self.keeps_all = described, computed, keeps_all
         self.frame = described.found
@@ -71,7 +71,10 @@ class Results:
         return meant
 
     def without_meaning(self, column: Column, touching: Iterable[str]) -> Column:
-        """Return a column with reasons instead of values where a limit makes a quantity in `touching` meaningless."""
+        """Return a column with reasons instead of values where a limit makes a quantity in `touching` meaningless.
+
+        A quantity of identical spheres is also meaningless where sphere 2 differs.
+        """
         reasons: Any = 0
         if column.is_empty:
             return column

@@ -103,7 +103,10 @@ class Wanted:
 
     @property
     def reported_doubts(self) -> int:
-        """The bits of doubts to report. A table with best ranges reports codes of the law only if the law was given."""
+        """The bits of doubts to report, without UNCHECKED.
+
+        A table with best ranges reports codes of the law only if the law was given.
+        """
         return EVERY_DOUBT ^ NOT_JUDGED ^ (LAW.bits if self.best and "model" not in self.inputs else 0)
 
     # --- Results ------------------------------------------------------------------------------------------------------
@@ -153,7 +156,7 @@ class Gap(NamedTuple):
     """Rows whose empty cells have the same reasons."""
 
     phrase: str  # in the status column
-    faults: str  # the faults of the reasons; a phrase may have several
+    faults: str  # the keys by which a note counts rows, see `JkrollError.fault`; a phrase may have several
     is_failed: bool  # True for rows without a contact, or without any value
     first: int  # the index of the first row
     reasons: Reasons  # the reasons of the first row
@@ -270,7 +273,7 @@ class Columns:
     # --- Counted gaps and doubts --------------------------------------------------------------------------------------
 
     def leave_out_bars(self, rows: Mapping[int, JkrollError]) -> None:
-        """Empty the uncertainties of some rows, except rows without a contact. `rows`: the reason by row."""
+        """Empty the uncertainties of some rows, except rows without a contact or a frame. `rows`: the reason by row."""
         keys: list[str] = []
         for name in self.wanted.names:
             keys += self.wanted.sides_of(name).values()
@@ -486,7 +489,7 @@ def _marks(name: str, column: Numbers) -> Indices:
 
 
 def _values(column: Numbers, rows: Indices, mark: int) -> Any:
-    """Return the values of cells with one mark: a number for special values, otherwise an array or uncertain value."""
+    """Return the values of cells with one mark: a number for a special value, else an array or an uncertain array."""
     import numpy
 
     values = column.values if len(rows) == len(column.values) else column.values[rows]

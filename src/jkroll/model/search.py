@@ -35,9 +35,9 @@ Values = Mapping[str, Any]  # by name: numbers, or arrays with a value for each 
 Failures = Mapping[int, JkrollError]  # by row
 
 PER_DECADE = 8  # values in a scan
-_AS_SHOWN = 1e-3  # largest relative error of a measured quantity at a solution, also if rounded for display
+_AS_SHOWN = 1e-3  # largest relative error of a measured quantity at a solution, also at one rounded for display
 _STEP = 1e-6  # step of a logarithm, for numerical derivatives
-_ROUNDS = 150  # of bisection or of Newton's method: enough to reach neighbouring doubles
+_ROUNDS = 150  # rounds of bisection or of Newton's method: enough to reach neighbouring doubles
 _ROUNDING = 1e-13  # relative change of a quantity that may come from rounding
 
 # For scans.
@@ -46,7 +46,7 @@ _WIDEST = (1.01 * LEAST, MOST / 1.01)  # sizes to scan if no usual size is a sol
 _AHEAD = 1e-8  # relative step that shows whether a function rises or falls
 _MANY = 64  # most intervals of a row; more come from rounding
 
-# For pairs, in the coordinates of their search.
+# For two unknowns, in the coordinates of `Pairs`.
 MAX_CONDITION = 1e8  # above it, rounding leaves the numerical derivatives too few digits
 _LOADS = numpy.linspace(-14.0, 46.0, 209)  # from 1e-6 P_c above the load at pull-off, −P_c, to 1e20 P_c
 _LAST_STEP = 1e-14  # the search ends at this step
@@ -55,8 +55,8 @@ _SAME = 1e-5  # pairs that differ by less are the same
 _LINEAR = 1e-6  # below this fraction of its measured value a quantity enters linearly, above it by logarithm
 _AT_ZERO = 1e-12  # the same limit for a measured value of 0, in SI units: 1 pm for an approach
 _SAMPLED = 7  # cells of the grid between tests of whether the quantities separate the unknowns
-_TO_GAP = 20  # bisections towards the edge of a region without quantities
-_LEFT_OPEN = 1e-4  # smaller exponents count as 0
+_TO_GAP = 20  # bisections towards the edge of a region in which a quantity has no value
+_LEFT_OPEN = 1e-4  # smaller exponents of an unknown count as 0
 
 
 # --- Problems ---------------------------------------------------------------------------------------------------------
@@ -66,7 +66,7 @@ class Solution(NamedTuple):
     """The values of the unknowns of a problem: numbers, or arrays with nan in rows that have a reason."""
 
     values: Values  # by unknown
-    growths: Values = MappingProxyType({})  # by unknown: the largest ratio of its relative error to that of the levels
+    growths: Values = MappingProxyType({})  # by unknown: its relative error over that of the measured values, at most
     condition: Any = nan  # condition number of measured values as functions of the unknowns, both in logarithms
     reasons: Any = 0  # as in columns
     failures: Failures = MappingProxyType({})  # errors of single rows
@@ -118,7 +118,7 @@ class Problem:
         return self.with_values({name: SIZES[name][1] for name in self.unknowns})
 
     def is_met(self, values: Mapping[str, float], digits: int) -> bool:
-        """Return whether rounded values of the unknowns reproduce the measured values as shown."""
+        """Return whether the unknowns, rounded to some digits, reproduce the measured values within 0.1 %."""
         typed = {name: float(f"{value:.{digits}g}") for name, value in values.items()}
         forward = self.with_values(typed).numbers(*self.levels)
         for name, level in self.levels.items():
@@ -150,7 +150,7 @@ def solved(problem: Problem, start: Any = None) -> Solution:
     """Return the solution of each row of a problem.
 
     `start`: the positions of a similar problem, where Newton's method starts for two unknowns in arrays. Raises an
-    error if no row can have a solution, or if the only row has no solution.
+    error if no row can have a solution, or if the only row has not exactly one.
     """
     problem.check()
     count = len(problem.unknowns)
@@ -464,7 +464,10 @@ class Pairs:
         return numpy.concatenate([middles, near], axis=1)
 
     def _unseparated(self, matrix: Any) -> Unseparated:
-        """Return the error that states along which direction both quantities are constant. `matrix`: derivatives."""
+        """Return the error that names the unknowns left open, or the direction along which no quantity changes.
+
+        `matrix`: the derivatives of both quantities by both unknowns.
+        """
         symbols = [NOMENCLATURE[name].symbol for name in self.problem.unknowns]
         exponents = abs(matrix).max(axis=0).tolist()
         left_open = [symbol for symbol, exponent in zip(symbols, exponents, strict=True) if exponent <= _LEFT_OPEN]

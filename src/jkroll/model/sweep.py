@@ -20,15 +20,15 @@ from .rows import BLOCK, Columns, Indices, Numbers, Wanted, evaluated, sides_in
 from .unknowns import already_given
 
 Pair = tuple[Material | None, Material | None]
-_RADII = {"radius": 1.0, "radius2": 1.0, "diameter": 0.5, "diameter2": 0.5}  # in units of the radius
+_RADII = {"radius": 1.0, "radius2": 1.0, "diameter": 0.5, "diameter2": 0.5}  # the factors that convert them to radii
 _MODULI_OF_TWO_KINDS = ({"shear_modulus", "youngs_modulus2"}, {"youngs_modulus", "shear_modulus2"})
 
 
 class Sizes(NamedTuple):
     """The numbers of rows at which a call changes its way of working."""
 
-    most_answers: int  # rows written as separate answers
-    most_in_table: int  # rows of a table on a terminal
+    most_answers: int  # most rows that are written as separate answers
+    most_in_table: int  # most rows of a table on a terminal
     few: int  # single rows that take about as long as importing numpy and orjson
 
 
@@ -110,7 +110,7 @@ class Sweep:
 
     @cached_property
     def groups(self) -> list[Frame]:
-        """An example of each group of rows, which share the materials, the law and the sort of value of each input."""
+        """A frame from each group of rows, which share the materials, the law and the sort of value of each input."""
         materials: dict[Material, None] = {}
         for pair in self.pairs:
             materials |= dict.fromkeys(material for material in pair if material is not None)
@@ -138,13 +138,13 @@ class Sweep:
     def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> Wanted:
         """Return the columns of the headline only, which keep numbers without a meaning.
 
-        Quantities of identical spheres are included only if they were asked for by name.
+        Where the spheres differ, quantities of identical spheres are shown only if they were asked for by name.
         """
         shown = [name for name in quantities if name in named or not NOMENCLATURE[name].of_identical]
         return Wanted(quantities, named=shown, doubts=doubts, keeps_all=True)
 
     def noted(self, wanted: Wanted) -> Iterable[tuple[Frame, Sequence[str]]]:
-        """Return a frame of each group of rows, with the quantities to show."""
+        """Return a frame of each group of rows, with the quantities to show; an unknown gives way to measured ones."""
         return [(frame.filled, frame.judged(self.shown(frame, wanted.names, wanted.named))) for frame in self.groups]
 
     def shown(self, frame: Frame, quantities: Sequence[str], named: Collection[str]) -> list[str]:

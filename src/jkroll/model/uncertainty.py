@@ -2,8 +2,8 @@
 
 Each source, an uncertain input, moves over its whole uncertainty, and the quantities are computed again at every point.
 There are no derivatives, so a result may respond differently upwards and downwards. Ranges span a box, and a result
-takes its least and its largest value from points along the edges. These extremes are accurate to 1 % of the range if
-the result varies smoothly.
+takes its least and its largest value from points along the edges. These extremes are accurate to 1 % of the width of
+the result's range if the result varies smoothly.
 """
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
@@ -64,8 +64,8 @@ class Sources(NamedTuple):
 def sources_of(frame: Frame, used: Collection[str]) -> Sources:
     """Return the sources of quantities that depend on the inputs `used`.
 
-    The sources must be of one kind, that of the stated values. If only materials have uncertainties, ± takes precedence
-    over ranges. Raises BadRequest for sources that cannot be combined.
+    The sources of stated values must be of one kind; those of materials enter only if they are of this kind. If only
+    materials have uncertainties, ± takes precedence over ranges. Raises BadRequest for sources that cannot be combined.
     """
     sources = [source for source in _sources(frame) if not set(used).isdisjoint(source.names)]
     stated = [source for source in sources if source.names[0] not in frame.data]
@@ -308,7 +308,7 @@ def _divided(values: Any, size: int) -> list[Any]:
 def _quadrature(value: Any, of_sources: Sequence[Sequence[Any]]) -> tuple[Mapping[str, Any], Sequence[Any]]:
     """Return the two sides of a standard uncertainty, and the size of the change that each source causes.
 
-    Changes in the same direction add in quadrature.
+    Changes in the same direction add in quadrature. If the sides differ by at most 10 %, both are their mean.
     """
     changes = [(at_least(value - low, 0.0), at_least(high - value, 0.0)) for ((low, high),) in of_sources]
     minus, plus = (hypot(*sizes) for sizes in zip(*changes, strict=True))

@@ -31,7 +31,7 @@ SIZES = {
 
 
 class Unsolved(NoResult):
-    """Error raised if no single value of the unknowns gives the measured values; subclasses state the reason."""
+    """Error raised unless exactly one value of the unknowns gives the measured values; subclasses state the reason."""
 
     cause: Cause  # the cause, in the words of the error
 
@@ -130,7 +130,7 @@ def already_given(name: str) -> BadRequest:
 
 
 def sizes_in_words(unknowns: Iterable[str]) -> str:
-    """Return the range of values of inputs in which solutions are sought, in words."""
+    """Return the range of values of inputs in which solutions are sought first, in words."""
     texts = []
     for name in unknowns:
         symbol = "|P|" if name == "load" else NOMENCLATURE[name].symbol
