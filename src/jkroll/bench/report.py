@@ -154,7 +154,7 @@ DOUBLES = Equations(numpy.sqrt, numpy.cbrt, numpy.pi, 1e-15)
 
 
 def exact(quantity: str, point: Mapping[str, float]) -> tuple[Decimal, float]:
-    """Return a quantity at a point of doubles to 60 digits, with its condition κ.
+    """Return a quantity at a point of doubles, computed with 60 digits, and its condition κ.
 
     κ is the relative error of the quantity per relative error of the load or the approach and, for Maugis, of λ.
     """
@@ -256,7 +256,7 @@ class Row(NamedTuple):
     quantity: str
     way: str
     cost: float  # in ns per point
-    cube_roots: float  # the cost in cube roots of an array by numpy
+    cube_roots: float  # the cost in units of numpy's time for a cube root
     errors: Mapping[str, Errors]  # by region; a region without points of the quantity is missing
 
     @property
