@@ -167,7 +167,7 @@ def _with_separator(text: FileFormat, words: Sequence[str], path: str) -> FileFo
 
 
 def _divided(mark: str, compression: str) -> FileFormat:
-    """Return the format of a table divided by a mark."""
+    """Return the format of a table whose cells this mark divides."""
     return FileFormat("tsv" if mark in "\t " else "csv", compression, mark)
 
 
@@ -191,7 +191,10 @@ def output_format(target: str, usual: str, *, quiet: bool) -> FileFormat:
 
 
 def compressed(block: Any, compression: str) -> Any:
-    """Return a block compressed by itself, if at all; such blocks, joined, are a valid compressed file."""
+    """Return a block compressed by itself, or unchanged without a compression.
+
+    Compressed blocks, one after another, are a valid compressed file.
+    """
     if not compression or not block:
         return block
     if compression == "gzip":
@@ -507,7 +510,7 @@ class Delimited:
     def _cut(self, text: bytes, positions: Mapping[str, int]) -> Records | None:
         """Return the records of lines without quotes that all have the width of the header.
 
-        Return None for other lines, and if the output is `--excel-safe` or Markdown.
+        Return None for other lines, and in all cases for `--excel-safe` or Markdown.
         """
         width, separator = len(self.names), self.separator.encode()
         if b'"' in text or self.excel_safe or self.as_markdown:

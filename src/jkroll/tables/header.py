@@ -364,7 +364,7 @@ def _kind(cell: str, name: str) -> str:
 def _with_problem(reading: Reading) -> Reading:
     """Return the reading of an input, with a problem if header and first cell lack a unit, or the cell is only a unit.
 
-    Ratios need no unit, but a humidity above 1 is a percentage, which does.
+    Ratios need no unit; but a humidity above 1 is a percentage, and needs %.
     """
     if reading.name == "humidity" and not reading.unit_text and is_number(reading.cell) and float(reading.cell) > 1:
         return reading._replace(problem=_NO_UNIT, meant=["humidity [%]"])
@@ -418,8 +418,8 @@ def _of_value(reading: Reading, left: Reading, values: Mapping[str, Reading], gi
 
     An uncertainty without a name belongs to the column on its left, if that has values of a fitting unit. If a symbol
     may mean several inputs and only one of them has a column, it means that one. A header that repeats one given by
-    `--column`, with a suffix, is refused. Without a column of the value, an unread uncertainty
-    has its meaning in `otherwise`.
+    `--column`, with a suffix, is refused. Without a column of the value, an unread uncertainty has the meaning that
+    `otherwise` states.
     """
     name, part = reading.name, reading.part
     if not reading.of and not name:

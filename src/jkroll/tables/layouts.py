@@ -75,7 +75,7 @@ def is_dump(block: bytes) -> bool:
 
 
 def as_table(blocks: Iterable[bytes], path: str, compression: str) -> Iterator[bytes]:
-    """Iterate over the blocks of a dump as blocks of a table: the items become comments, and the names the header.
+    """Iterate over the blocks of a dump as those of a table: items become comments, the names of columns the header.
 
     `path`, `compression`: of the file, for messages. Raises BadTable for several time steps, or a wrong number of rows.
     """

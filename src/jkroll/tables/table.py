@@ -40,7 +40,7 @@ class Asked(NamedTuple):
     explicit: Sequence[str] = ()  # the quantities requested by name
     offered: Sequence[str] = ()  # the quantities to add if the inputs suffice
     columns: Sequence[str] = ()  # the values of `--column`
-    pass_rest: bool = False  # pass all columns that are not read
+    pass_rest: bool = False  # pass the columns that may be inputs but are not read
     infer: str = ""  # the unknown input
     measured: str = ""  # the quantity with measured values in a column; for a curve, several separated by commas
     doubt: bool = True  # add a column of doubts

@@ -51,7 +51,7 @@ _MOST_MEANT = 3  # maximum number of inputs that a message offers
 class Supply(NamedTuple):
     """The inputs supplied without a column, each with a clause that names the source."""
 
-    clauses: Mapping[str, str]  # as in "E1 is quartz's 54 GPa"; a replaced input has the clause of its replacement
+    clauses: Mapping[str, str]  # as in "E1 is quartz's 54 GPa"; for a replaced input, on that which replaces it
     direct: Collection[str]  # the supplied inputs, without the replaced ones
     solids: Sequence[str]  # the columns of materials that could supply a property
     known: Materials
