@@ -1,1 +1,1 @@
-"""Speed against error of the ways to compute each quantity."""
+"""Speed against error of the ways to compute six quantities."""

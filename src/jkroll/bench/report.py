@@ -1,9 +1,10 @@
 """`jkroll bench`: the cost and the error of each way to compute six quantities, as a table or a page of plots.
 
-The ways are those of this package, the equations of the paper, inversions in other codes, and a table of values. The
-equations are written in their simplest form, for doubles and for decimals of 60 digits, which give the exact values.
-The inputs include a load and a pull-off force, or an approach and the approach of an unloaded contact. Errors are in
-ulp/(1 + κ), where κ is the condition of a quantity (see `exact`), and ulp the distance of its value to the next double.
+The ways are those of this package, the equations of the paper, an inversion and a fit in other codes, and a table of
+values. The equations are written in their simplest form, for doubles and for decimals of 60 digits, which give the
+exact values. By JKR, a load is given with the pull-off force, and an approach with that of an unloaded contact. Errors
+are in ulp/(1 + κ), where κ is the condition of a quantity (see `exact`), and ulp the distance of its value to the next
+double.
 """
 
 # ruff: noqa: D102, N803, N806  (names of quantities and the paper's symbols)
@@ -63,7 +64,7 @@ class Equations:
         return 1 / (1 / first + 1 / second)
 
     def factor(self, P: Any, P_c: Any) -> Any:
-        """Return x = â^(3/2), the larger root of P/P_c = 4(x² − x), Eq 5."""
+        """Return x = â^(3/2), where â = a/a0: the larger root of P/P_c = 4(x² − x), Eq 5."""
         return (1 + self.sqrt(1 + P / P_c)) / 2
 
     def stretch(self, P: Any, P_c: Any) -> Any:
@@ -88,7 +89,7 @@ class Equations:
         return self.pull_off_force(R1, R2, w) / self.approach(R1, R2, w, E) * slope
 
     def load_factor_at_approach(self, delta: Any, delta0: Any) -> Any:
-        """Return y³ for the solution of Eq 6, 3y⁴ − 2y = δ/δ0, by Newton's method, which is monotonic from above."""
+        """Return x = y³ from Eq 6, 3y⁴ − 2y = δ/δ0, solved by Newton's method, which is monotonic from above."""
         ratio = delta / delta0
         y = 1 + self.sqrt(self.sqrt(abs(ratio)))
         for _ in range(200):
@@ -153,7 +154,7 @@ DOUBLES = Equations(numpy.sqrt, numpy.cbrt, numpy.pi, 1e-15)
 
 
 def exact(quantity: str, point: Mapping[str, float]) -> tuple[Decimal, float]:
-    """Return a quantity at a point of doubles to 60 digits, with its condition κ.
+    """Return a quantity at a point of doubles, computed with 60 digits, and its condition κ.
 
     κ is the relative error of the quantity per relative error of the load or the approach and, for Maugis, of λ.
     """
@@ -175,7 +176,7 @@ def exact(quantity: str, point: Mapping[str, float]) -> tuple[Decimal, float]:
 
 
 def _by_quartic(delta: Any, delta0: Any) -> Any:
-    """Return x from the quartic of the contact radius, as codes for many particles do.
+    """Return x = (a/a0)^(3/2) from the quartic of the contact radius a, as codes for many particles do.
 
     Parteli et al., Sci. Rep. 4, 6227 (2014), solve a⁴ − 2Rδa² − 4πw(1−ν²)R²/E a + R²δ² = 0. Here a is in units of a0,
     with a0² = 3Rδ0 and 2πwR²/E* = 4a0³/9.
@@ -193,7 +194,7 @@ def _by_quartic(delta: Any, delta0: Any) -> Any:
 
 @cache
 def _table() -> tuple[Any, Any]:
-    """Return 10⁴ equidistant approaches from the fold to 3 δ0, and x at each of them."""
+    """Return 10⁴ equidistant values of δ/δ0 from the fold to 3, and x = (a/a0)^(3/2) at each of them."""
     y = linspace(6 ** (-1 / 3), 1.26, 200_000)
     nodes = linspace(FOLD_APPROACH, 3, 10_000)
     return nodes, interp(nodes, 3 * y**4 - 2 * y, y**3)
@@ -255,7 +256,7 @@ class Row(NamedTuple):
     quantity: str
     way: str
     cost: float  # in ns per point
-    cube_roots: float  # the cost in cube roots of an array by numpy
+    cube_roots: float  # the cost in units of numpy's time for a cube root
     errors: Mapping[str, Errors]  # by region; a region without points of the quantity is missing
 
     @property
@@ -284,7 +285,7 @@ def regions(count: int) -> Mapping[str, Arrays]:
     """Return points in each region: ordinary, near pull-off, near the fold, near δ = 0, and extreme.
 
     Ordinary points are grains of 10 nm to 100 µm under loads of −0.8 to 2 P_c, or at approaches of −0.8 to 3 δ0. The
-    other points have sizes and properties of any magnitude. Points near the fold have approaches, but no loads.
+    other points have sizes and properties of many magnitudes. Points near the fold have approaches, but no loads.
     """
     random = numpy.random.default_rng(1997)
 
@@ -315,7 +316,7 @@ def _reduced(sizes: Arrays) -> Any:
 
 
 def _at(sizes: Arrays, approach_ratio: Any, load_ratio: Any = None) -> Arrays:
-    """Return points at approaches and, if given, at loads in multiples of the pull-off force."""
+    """Return points at approaches in multiples of δ0 and, if given, at loads in multiples of the pull-off force."""
     points = {**sizes, "approach_at_load": approach_ratio, "approach": numpy.ones_like(approach_ratio)}
     if load_ratio is None:
         return points
@@ -391,7 +392,7 @@ def _error(values: Any, exacts: Sequence[tuple[Decimal, float]]) -> Errors:
 def _best(runs: Mapping[str, Callable[[], Any]], repeats: int) -> dict[str, float]:
     """Return the shortest time of each run, in ns. The runs take turns, so that a busy machine slows all of them."""
     best = dict.fromkeys(runs, math.inf)
-    for _ in range(2 * repeats):  # the first round warms up
+    for _ in range(2 * repeats):  # the first round also warms up
         for name, run in runs.items():
             start = perf_counter_ns()
             run()
@@ -455,7 +456,8 @@ def _in_short(row: Row) -> list[Cell]:
 
 # --- The page ---------------------------------------------------------------------------------------------------------
 
-_NEAREST, _ALL_DIGITS = 0.1, 2.0**53  # the smallest error drawn, and an error as large as the value, in ulp
+# The smallest and the largest error drawn, in ulp; the largest is about as large as the value.
+_NEAREST, _ALL_DIGITS = 0.1, 2.0**53
 
 
 def picture_of_bench(rows: Sequence[Row]) -> Picture:

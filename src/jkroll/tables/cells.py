@@ -1,8 +1,8 @@
 """Conversion of columns of texts to SI numbers and to materials.
 
-orjson reads all numbers of a column at once. The power of ten of the unit is appended to the text of each number, so
-each number is rounded only once, as on the command line. A cell with other text, or with a unit that is not a power of
-ten of the SI unit, is read singly.
+orjson reads the cells of a block with the same unit at once. The power of ten of the unit is appended to the text of
+each number, so each number is rounded only once, as on the command line. Cells with other text, or with a unit that is
+not a power of ten of the SI unit, are read one by one. Numbers of a table in Python stay doubles (see `Doubles`).
 """
 
 from __future__ import annotations
@@ -28,34 +28,34 @@ from ..text import quoted
 Floats = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.float64]]
 
 PLAIN = b"0123456789.eE+-, "
-MAX_KEPT = 10_000  # maximum number of cells whose values are cached
+MAX_KEPT = 10_000  # number of cells whose meanings a cache keeps
 _NUMBER = rb"[-+]?(?:0|[1-9][0-9]{0,19})(?:\.[0-9]{1,20})?(?:[eE][-+]?[0-9]{1,2})?"
-# A number and its unit; d1 in 1.25d1 is not a unit.
+# A number, with or without a unit; d1 in 1.25d1 is not a unit.
 _CELL = re.compile(rb"\s*(" + _NUMBER + rb")((?![A-Za-z][-+]?[0-9]) ?[^\s0-9.,][^,]*)?\s*")
 _NUMBER_FIRST = re.compile(r"^[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
 _POWER = rb"e([+-]?[0-9]{1,3})"
 _TINY = re.compile(rb"[eE]-[0-9]{3}")
-_HAS_UNIT = re.compile(r"[^\W\d_eEx⁰¹²³⁴⁵⁶⁷⁸⁹]|[%°]")  # a letter that is not part of a power of ten
+_HAS_UNIT = re.compile(r"[^\W\d_eEx⁰¹²³⁴⁵⁶⁷⁸⁹]|[%°]")  # a letter that is not part of a power of ten, or %, or °
 _NO_VALUES = ("", "nan", "na", "n/a", "null", "none", "-", "--")  # cells without a value, as common programs write them
 
 
 class Column(NamedTuple):
     """The column of an input, with the unit of its bare numbers and the columns of its uncertainty.
 
-    A range has columns only for its two ends; `position` is the position of the low end.
+    A range has columns only for its two ends, and its `position` is that of the column of low ends.
     """
 
     position: int
     name: str
     unit_text: str
     unit: Unit | None
-    sides: tuple[tuple[str, int], ...] = ()  # the part (see `Reading`) and the position of each column of uncertainty
+    sides: tuple[tuple[str, int], ...] = ()  # the part (see `Reading`) and position of the columns of ±, or of the ends
     error_unit: str = ""  # the unit of ± cells; empty if it is the unit of the values
     coverage: float = 1.0  # the coverage factor of the uncertainties, as in k = 2
 
     @property
     def positions(self) -> dict[str, int]:
-        """The positions of the columns that together give a value, by name."""
+        """The positions of the columns that together give a value, by names such as radius and radius_minus."""
         values = {} if self.is_range else {self.name: self.position}
         return values | {f"{self.name}_{part}": position for part, position in self.sides}
 
@@ -65,7 +65,10 @@ class Column(NamedTuple):
         return "low" in dict(self.sides)
 
     def joined(self, *cells: str) -> str:
-        """Return the cells of one value as a single text, as in 25±5 for 25 and 5. Units in the cells are kept."""
+        """Return the cells of one value as a single text, as (25±5) for 25 and 5. Units in the cells are kept.
+
+        A cell with a mark for a missing value, such as nan, is returned instead of the value.
+        """
         for cell in cells:
             if cell.strip() and has_no_value(cell):
                 return cell
@@ -92,7 +95,7 @@ class Column(NamedTuple):
         return f"{first} +{plus}/-{minus}"
 
     def half_bars(self, columns: Mapping[str, Sequence[bytes]]) -> list[int]:
-        """Return the rows of a block that give only one side of the uncertainty."""
+        """Return the rows of a block in which an uncertainty has a minus without a plus, or a plus without a minus."""
         sides = [columns[f"{self.name}_{part}"] for part, _ in self.sides if part in ("minus", "plus")]
         rows = []
         for row, (minus, plus) in enumerate(zip(*sides, strict=True)):
@@ -101,18 +104,18 @@ class Column(NamedTuple):
         return rows
 
     def _standard(self, number: re.Match[str]) -> str:
-        """Return an expanded uncertainty divided by its coverage factor."""
+        """Return the text of an expanded uncertainty divided by its coverage factor."""
         return repr(float(number[0]) / self.coverage)
 
     @property
     def exponent(self) -> int | None:
-        """The power of ten of the unit in SI units; 0 for a bare ratio; None without a unit or for any other factor."""
+        """The n of a unit of 10^n SI units, and 0 for a ratio without a unit; None for anything else."""
         if self.unit is None:
             return 0 if NOMENCLATURE[self.name].unit == "1" else None
         return exponent_of(self.unit)
 
     def numbers(self, columns: Mapping[str, Sequence[bytes]]) -> Numbers:
-        """Return the numbers of a block. `columns`: the cells of the block, by the name of the column."""
+        """Return the SI values of a block. `columns`: the cells of the block, by names as in `positions`."""
         cells = columns[self.name] if not self.sides else self._with_sides(columns)
         if isinstance(cells, Doubles) and self.exponent is not None:
             return Numbers(scaled(cells.values, self.exponent))
@@ -120,7 +123,7 @@ class Column(NamedTuple):
         return Numbers(values) if values is not None else self._of_mixed_cells(cells)
 
     def _with_sides(self, columns: Mapping[str, Sequence[bytes]]) -> list[bytes]:
-        """Return the cells of the values, each joined with its uncertainty."""
+        """Return a single cell for each row: a value with its uncertainty, or a range of two ends."""
         joined = []
         for row in zip(*(columns[name] for name in self.positions), strict=True):
             texts = [cell.decode(errors="replace") for cell in row]
@@ -128,7 +131,7 @@ class Column(NamedTuple):
         return joined
 
     def _of_mixed_cells(self, cells: Sequence[bytes]) -> Numbers:
-        """Return the numbers of a column in which some cells have their own units, or other text."""
+        """Return the numbers of any cells, including those with their own units, uncertainties or other text."""
         values = numpy.full(len(cells), numpy.nan)
         by_unit: dict[bytes | None, dict[int, bytes]] = {}
         others: list[int] = []
@@ -195,7 +198,7 @@ def _meaning(column: Column, cell: bytes) -> float | Uncertain | JkrollError:
 
 @lru_cache(maxsize=MAX_KEPT)
 def _exponent(unit_text: bytes, name: str) -> int | None:
-    """Return n for a unit of 10^n SI units of a quantity; None for any other unit or text."""
+    """Return n if a text is a unit of a quantity and equal to 10^n SI units; None for any other text."""
     try:
         text = unit_text.decode().strip()
         unit = None if not text or has_uncertainty(text) else unit_of(text, name)
@@ -229,7 +232,8 @@ def cells_of(values: Any) -> list[bytes]:
 def plain_numbers(cells: Sequence[bytes], exponent: int) -> Floats | None:
     """Return the numbers of cells, times a power of ten; nan for an empty cell.
 
-    Return None if a cell has any other text, or if a 0 may stand for a number too small for a double.
+    Return None if a cell has any other text, also a number such as 007 or .5, which is not a number in JSON. Return
+    None, too, if a 0 may stand for a number too small for a double.
 
     >>> plain_numbers([b"1", b"2.5", b"+1E2", b"5.0e-1", b""], -9)
     array([1.0e-09, 2.5e-09, 1.0e-07, 5.0e-10,     nan])
@@ -290,7 +294,9 @@ class Doubles(Sequence[bytes]):
 
 
 def scaled(values: Floats, exponent: int) -> Floats:
-    """Return numbers times a power of ten. Each product is rounded once if a double holds the power exactly (up to 22).
+    """Return numbers times a power of ten.
+
+    Each product is rounded once for exponents from -22 to 22, since a double then holds the factor or divisor exactly.
 
     >>> scaled(numpy.array([100.0, numpy.nan]), -9)
     array([1.e-07,    nan])
@@ -300,7 +306,7 @@ def scaled(values: Floats, exponent: int) -> Floats:
 
 # --- Materials --------------------------------------------------------------------------------------------------------
 
-LABEL = Material("", "", "")  # a placeholder without properties, for a name that is not a material
+LABEL = Material("", "", "")  # a placeholder without properties, for a name that gives an error
 
 Indices = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.int64]]
 
@@ -316,7 +322,7 @@ class Lookup:
         self._indices: dict[bytes, int] = {}  # by cell
 
     def indices(self, cells: Sequence[bytes]) -> Indices:
-        """Return the index of the material of each cell; unknown names have the index of LABEL."""
+        """Return the index of the material of each cell; a cell in `errors` has the index of LABEL."""
         if len(self._indices) > MAX_KEPT:
             self._indices.clear()
             self.errors.clear()
@@ -335,7 +341,7 @@ class Lookup:
 
     @property
     def remarks(self) -> list[str]:
-        """Remarks on names that several materials share and, in a column with labels, on accepted aliases."""
+        """Remarks on names that several materials share, and on aliases of materials if any cell has an error."""
         remarks = [str(error) for error in self.errors.values() if isinstance(error, UnclearMaterial)]
         if not self.errors:
             return remarks
@@ -353,7 +359,7 @@ class Lookup:
     def together(self, indices: Indices) -> Material | None:
         """Return the materials of rows with the same mark as one material, whose properties are arrays.
 
-        A material that all of the rows share is returned unchanged.
+        A material that all of the rows share is returned unchanged; rows without a material have None.
         """
         first = self.known[int(indices[0])]
         if first is None or not first.properties or _is_special(first) or (indices == indices[0]).all():
@@ -366,7 +372,7 @@ class Lookup:
 
 
 def _mark(material: Material | None) -> Hashable:
-    """Return the mark of a material: the names of its properties, or the key of a special material."""
+    """Return the names of a material's properties, or its key if its rows need a frame of their own."""
     if material is None:
         return None
     return material.key if _is_special(material) else frozenset(material.properties)

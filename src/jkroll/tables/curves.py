@@ -1,4 +1,4 @@
-"""Force curves from tables: columns in the notation of `batch` become arrays in SI units."""
+"""Force curves from tables: columns of lengths and forces, headed as for `batch`, become arrays in SI units."""
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
@@ -20,7 +20,7 @@ from .opened import opened
 from .reading import unit_in
 from .table import Asked, Records
 
-# The columns that a curve can have for x and for the force, each in order of preference.
+# The columns that can give the x of a curve and its force, both in order of preference.
 _X = {"contact_radius_at_load": RADIUS, "approach_at_load": APPROACH, "lever_travel": TRAVEL}
 _FORCES = ("load", "lever_force", "lever_deflection")
 MEASURED = "contact_radius_at_load,approach_at_load,lever_travel,lever_force,lever_deflection"
@@ -54,7 +54,7 @@ class ReadCurve(NamedTuple):
 def read_curve(
     path: str, known: Materials, stiffness: float | None, columns: tuple[str, ...] = (), form: str = "", mark: str = ""
 ) -> ReadCurve:
-    """Return the curve in a file. Raises BadTable.
+    """Return the curve in a file, with the sentence that says how the file is read. Raises BadTable.
 
     `stiffness`: the lever stiffness; `columns`, `form`, `mark`: the values of --column, --format and --delimiter.
     """
@@ -69,7 +69,7 @@ def read_curve(
 
 
 def curve_of_columns(columns: Any, known: Materials, stiffness: float | None) -> ReadCurve:
-    """Return the curve in a Python table. Raises BadTable."""
+    """Return the curve in a Python table, with the sentence on how the table is read. Raises BadTable."""
     asked = Asked({}, known, measured=MEASURED, pass_rest=True)
     rows = Memory(data_of(columns), asked)
     table = _table(rows.names, rows.sample, {}, asked)
@@ -79,7 +79,7 @@ def curve_of_columns(columns: Any, known: Materials, stiffness: float | None) ->
 def _table(
     names: Sequence[str], sample: Sequence[Sequence[str]], stated: Mapping[str, str], asked: Asked
 ) -> CurveTable:
-    """Return the columns of a curve in a table. Raises BadTable if x or the force is missing."""
+    """Return the columns of a curve in a table. Raises BadTable if x or the force is missing or in volts."""
     header = understood(names, sample, stated, (), asked.measured, pass_rest=True)
     found = {column.name: column for column in header.inputs}
     x_name = next((name for name in _X if name in found), "")
@@ -102,7 +102,10 @@ def _table(
 
 
 def _on_volts(texts: Iterable[str]) -> str:
-    """Return the problem and the remedy for the first header in volts, even if `--column` names it; "" without one."""
+    """Return the problem and the remedy for the first header in volts; "" without one.
+
+    A header in volts is a problem even if `--column` states another unit.
+    """
     for text in texts:
         if re.search(_VOLTS, text.strip()):
             remedy = "multiply its numbers by the sensitivity (nm/V), and write the new unit into the header"
@@ -111,11 +114,14 @@ def _on_volts(texts: Iterable[str]) -> str:
 
 
 def _lacking(missing: str, x_name: str, header: Header) -> BadTable:
-    """Return the error for a table without a force or without x, with options that choose one of its columns."""
+    """Return the error for a table without a force or without x.
+
+    The error names an unused column in volts, or else options by which the user can choose a column.
+    """
     check_has_names(header)
     names = ["approach_at_load", "lever_travel"]
-    if missing == "force":
-        force = "load" if x_name == "contact_radius_at_load" else "lever_force"  # lenses are loaded, and levers bend
+    if missing == "force":  # contact radii are measured on a lens under a known load, other curves with a lever
+        force = "load" if x_name == "contact_radius_at_load" else "lever_force"
         names = [force, "lever_deflection"]
     used = {*header.positions.values()}
     options = []
@@ -158,7 +164,8 @@ def _curve(table: CurveTable, records: list[Records], stiffness: float | None) -
 def _numbers(column: Column, records: list[Records]) -> tuple[Any, Any]:
     """Return the SI numbers of a column and their errors; None in place of the errors if no number has one.
 
-    A cell without a number is nan, and a missing error is replaced by the median error.
+    An error is half the width of an uncertainty. A cell without a number is nan; an error that is missing or zero is
+    replaced by the median of the others.
     """
     values, errors = [], []
     for block in records:
@@ -179,7 +186,7 @@ def _numbers(column: Column, records: list[Records]) -> tuple[Any, Any]:
 
 
 def _branch_of(records: list[Records]) -> Any:
-    """Return the branch of each row, from the word in its cell. Raises BadTable for an unknown word."""
+    """Return the branch of each row, from the word, 0 or 1 in its cell. Raises BadTable for any other cell."""
     cells = []
     for block in records:
         cells += [cell.decode(errors="replace").strip() for cell in block.cells[_BRANCH]]

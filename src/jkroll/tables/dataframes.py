@@ -1,6 +1,6 @@
 """Tables of Python libraries: their columns with units, and tables of the same type with more columns.
 
-The methods of a table tell which library the table comes from, so only that library is imported.
+The attributes of a table tell which library the table comes from, so no other library is imported.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -60,10 +60,10 @@ class Data:
         return next(iter(sizes.values()), 1)
 
     def use(self, heads: Iterable[str]) -> None:
-        """Note which columns are read. Only the rows of an xarray Dataset depend on that."""
+        """Take the headers of the columns to read, on which only the rows of an xarray Dataset depend."""
 
     def with_columns(self, added: Added) -> Any:
-        """Return a table of the same type, with the same labels and more columns."""
+        """Return a table of the same type with more columns."""
         return {**self.data, **{head: _array(column) for head, column in added.items()}}
 
     def _items(self) -> Any:
@@ -141,7 +141,7 @@ class _Astropy(Data):
         return len(self.data)
 
     def with_columns(self, added: Added) -> Any:
-        """Return the table with more columns, with their units as attributes."""
+        """Return the table with more columns, each with its unit as an attribute."""
         quantity, table = import_module("astropy.units").Quantity, self.data.copy(copy_data=False)
         for head, column in added.items():
             name, unit = name_and_unit(head)
@@ -192,7 +192,7 @@ class _Xarray(Data):
         return cells_in(numpy.broadcast_to(data.reshape(shape), self.shape).reshape(-1))
 
     def with_columns(self, added: Added) -> Any:
-        """Return the Dataset with more variables, with their units as attributes."""
+        """Return the Dataset with more variables, each with its unit as an attribute."""
         variables = {}
         for head, column in added.items():
             name, unit = name_and_unit(head)
@@ -212,7 +212,7 @@ _KINDS: Mapping[str, type[Data]] = {
 
 
 def data_of(data: Any) -> Data:
-    """Return the data of a table, recognized by its methods. Raises BadTable for other objects."""
+    """Return the data of a table, whose library is recognized by an attribute. Raises BadTable for other objects."""
     for attribute, kind in _KINDS.items():
         if hasattr(data, attribute):
             return kind(data)
@@ -247,7 +247,7 @@ def name_and_unit(head: str) -> tuple[str, str]:
 
 
 def _unit_of(column: Any) -> Any:
-    """Return the unit that a library states for a column; None if the column has no unit."""
+    """Return the unit that a library states for a column; None if it states none."""
     unit = unit_stated(column)
     if unit is not None:
         return unit
@@ -318,9 +318,10 @@ class Memory:
         self.sample: list[Sequence[str]] = [*zip(*columns, strict=True)]
 
     def _take_decimal_commas(self, first: dict[int, Sequence[str]]) -> set[int]:
-        """Return the positions of text columns with decimal commas, and replace commas in the first cells by points.
+        """Return the positions of the read columns that contain texts, if these have decimal commas; else no positions.
 
-        Numbers among these texts become texts with decimal commas as well.
+        Commas in the first cells of such columns become points. Doubles among the texts become texts with commas, so
+        `read` can treat all cells alike.
         """
         texts = {position for position in first if _include_texts(self._of(position))}
         if decimal_mark([first[position] for position in texts], "") != ",":

@@ -19,11 +19,11 @@ _WITH_POINT = re.compile(r"[-+]?\d*\.\d+")
 
 
 def decimal_mark(columns: Iterable[Iterable[str]], separator: str, *, points_may_group: bool = False) -> str:
-    """Return the decimal mark of the numbers in columns; "" if the numbers do not settle it.
+    """Return the decimal mark of most numbers in columns; "" if neither mark is in the majority.
 
     A mark that occurs twice in a number separates thousands or the members of a list; such a number is ignored.
-    `points_may_group`: True if a point may separate thousands. If no other number settles it, raises BadTable for a
-    number such as 1,200, unless commas separate the columns, and with `points_may_group` for one such as 1.200.
+    `points_may_group`: True if a point may separate thousands. Without a majority, raises BadTable for a number such as
+    1,200, unless commas separate the columns, and with `points_may_group` for one such as 1.200.
 
     >>> decimal_mark([["0,125", "1.234,5", "1,234,567", "1,200", "1,2,3"]], ";")
     ','
@@ -70,7 +70,7 @@ def without_unclear(records: Records) -> Records:
 
 
 def with_decimal_points(records: Records) -> Records:
-    """Return records with points in place of decimal commas, with errors for rows in which a number has a point."""
+    """Return records with points in place of decimal commas, and an error for each row with a point in a number."""
     points = dict(records.cells)
     odd = dict(records.odd)
     for name, column in records.cells.items():

@@ -1,10 +1,13 @@
 """Files of tables: their formats and compressions, and their content as blocks of whole records.
 
-`--format`, or else the extension of the file, gives the format. Blocks end at the same positions in every run.
+`--format`, `--delimiter`, the extension or the first lines of a file give its format. The blocks of a file end at the
+same positions in every run.
 
-The records of CSV, TSV and NDJSON are made of lines. Text that passes through keeps its bytes; blank lines are left
-out. A block of cells without quotes is split at its separators. In a block with quotes, the csv module reads the cells
-and finds the lines of each record. An unclosed quote, or a wrong number of cells, affects only its own line.
+The records of CSV, TSV and NDJSON are made of lines. Cells that pass through keep their bytes, unless `--excel-safe`,
+Markdown or a bad row requires a change; blank lines are left out. A block without quotes, whose lines all have the
+width of the header, is split at its separators. In other blocks of CSV and TSV, and in all for `--excel-safe` or
+Markdown, the csv module reads the cells and finds the lines of each record. An unclosed quote, or a wrong number of
+cells, affects only its own line.
 """
 
 from __future__ import annotations
@@ -49,13 +52,14 @@ from .layouts import (
 )
 from .table import Records, Table
 
-NOT_WRITTEN = "xlsx xls ods json svg pdf png jpg jpeg gif tif tiff eps ps svgz bmp webp".split()  # extensions
+# The extensions of files that only other programs write.
+NOT_WRITTEN = "xlsx xls ods json svg pdf png jpg jpeg gif tif tiff eps ps svgz bmp webp".split()
 FORMATS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}
 WRITTEN = {**FORMATS, "md": "md"}
 SEPARATORS = {"csv": ",", "tsv": "\t"}  # the defaults of --delimiter
 COMPRESSIONS = {"gz": "gzip", "gzip": "gzip", "zst": "zstd", "zstd": "zstd"}  # by extension
 CHUNK = 1 << 21  # bytes read at a time; a process keeps up to two chunks between blocks
-FEED = 1 << 9  # compressed bytes fed to a decompressor at a time: they become at most 512 KiB (gzip) or 16 MiB (zstd)
+FEED = 1 << 9  # compressed bytes fed to a decompressor at a time: they become at most 0.6 MiB (gzip) or 16 MiB (zstd)
 BOM = b"\xef\xbb\xbf"
 MAX_RECORD = 1 << 24  # bytes
 DELIMITERS = {"comma": ",", "semicolon": ";", "bar": "|", "tab": "\t", "blank": " "}  # by the value of --delimiter
@@ -73,7 +77,7 @@ _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)([eE][+-]?\d+)?")
 
 
 class FileFormat(NamedTuple):
-    """A format, with its compression and, for a table of cells, its separator."""
+    """A format, with its compression and, for CSV and TSV, its separator."""
 
     name: str
     compression: str = ""
@@ -83,7 +87,7 @@ class FileFormat(NamedTuple):
 def format_of_name(path: str, formats: Mapping[str, str] = FORMATS) -> FileFormat | None:
     """Return the format of a file name such as grains.csv.gz; None for an unknown extension.
 
-    `formats`: the formats by extension; by default the formats that can be read. Raises BadTable for x.parquet.gz.
+    `formats`: the formats by extension; by default those that can be read. Raises BadTable for x.parquet.gz.
 
     >>> format_of_name("grains.csv.gz"), format_of_name("a/grains")
     (FileFormat(name='csv', compression='gzip', separator=','), None)
@@ -99,7 +103,8 @@ def format_of_name(path: str, formats: Mapping[str, str] = FORMATS) -> FileForma
 def input_format(path: str, target: str, stated: str = "", delimiter: str = "") -> FileFormat:
     """Return the format of the input from `--format` or `--delimiter`, or else from the file's name.
 
-    The first lines reveal a dump of LAMMPS, or the separator of a text file such as grains.txt.
+    The first lines reveal a dump of LAMMPS, or the separator of a text file such as grains.txt. A pipe has the format
+    of the output's name, or else is CSV.
 
     `stated`, `delimiter`: the values of the two options, at most one of which is given. Raises BadTable.
     """
@@ -162,14 +167,14 @@ def _with_separator(text: FileFormat, words: Sequence[str], path: str) -> FileFo
 
 
 def _divided(mark: str, compression: str) -> FileFormat:
-    """Return the format of a table divided by a mark."""
+    """Return the format of a table whose cells this mark divides."""
     return FileFormat("tsv" if mark in "\t " else "csv", compression, mark)
 
 
 def output_format(target: str, usual: str, *, quiet: bool) -> FileFormat:
-    """Return the format of the output from the file's name, or else the `usual` format, uncompressed and with a note.
+    """Return the format of the output from the file's name, or else the `usual` format, uncompressed.
 
-    Raises BadRequest for a format that only other programs write.
+    Prints a note about an unknown extension, unless `quiet`. Raises BadRequest for a format of other programs.
     """
     form = format_of_name(target, WRITTEN | ({"txt": usual} if usual in SEPARATORS else {}))
     if form is not None:
@@ -186,7 +191,10 @@ def output_format(target: str, usual: str, *, quiet: bool) -> FileFormat:
 
 
 def compressed(block: Any, compression: str) -> Any:
-    """Return a block compressed by itself; the concatenation of such blocks is a valid compressed file."""
+    """Return a block compressed by itself, or unchanged without a compression.
+
+    Compressed blocks, one after another, are a valid compressed file.
+    """
     if not compression or not block:
         return block
     if compression == "gzip":
@@ -213,7 +221,7 @@ def decompressed(file: BinaryIO, compression: str, path: str) -> Iterator[bytes]
                 if frame.eof:
                     frame = new_frame()
                 text = frame.decompress(rest)
-                if text:  # an empty text would mean the end
+                if text:  # an empty piece would mean the end of the input
                     yield text
                 rest = frame.unused_data.lstrip(b"\0")
     except damaged:
@@ -265,8 +273,8 @@ def blocks(pieces: Iterator[bytes], cut: Callable[[bytes], int]) -> Iterator[byt
 
     `cut`: a function that returns the number of bytes of whole records at the beginning of a text.
 
-    If a record does not end within MAX_RECORD bytes, its first lines become a block in which the format finds the
-    error. Raises BadTable for a longer line.
+    If a record does not end in the input, or within MAX_RECORD bytes, its first lines become a block in which the
+    format finds the error. Raises BadTable for a line of more than MAX_RECORD bytes.
     """
     text = _filled(b"", pieces, CHUNK // 4)
     usual = size = max(1, min(CHUNK, BLOCK * len(text) // max(1, text.count(b"\n"))))
@@ -283,7 +291,7 @@ def blocks(pieces: Iterator[bytes], cut: Callable[[bytes], int]) -> Iterator[byt
 
 
 def _filled(text: bytes, pieces: Iterator[bytes], size: int) -> bytes:
-    """Return a text extended by pieces to at least `size` bytes, or to the end of the input, which gets a line feed."""
+    """Return a text extended by pieces to at least `size` bytes, or by all pieces with a line feed at the end."""
     while len(text) < size:
         piece = next(pieces, b"")
         if not piece:
@@ -304,7 +312,7 @@ class Delimited:
     """A table whose cells are divided by separators."""
 
     def __init__(self, separator: str, *, excel_safe: bool = False, as_markdown: bool = False) -> None:
-        """`separator`: the mark between cells. With a blank, the input must have tabs in place of its blanks.
+        """`separator`: the mark between cells. If it is a blank, the blocks must come from `between_tabs`.
 
         `excel_safe`: True to write text so that a spreadsheet does not take it for a formula.
         `as_markdown`: True to write Markdown.
@@ -328,7 +336,7 @@ class Delimited:
         return sum(map(len, lines[:last]))
 
     def records(self, lines: Sequence[str]) -> Iterator[Record]:
-        """Iterate over the records in lines. A cell has a character for each byte; a bad line has no cells."""
+        """Iterate over the records in lines. Cells have a character for each byte; a line with an error has none."""
         start = 0
         while start < len(lines):
             reader, begin = csv.reader(lines[start:], delimiter=self.separator, strict=True), start
@@ -346,7 +354,7 @@ class Delimited:
         return self.separator.join(in_quotes(cell, self.separator) for cell in cells)
 
     def _written(self, cells: Sequence[str], line: str) -> bytes:
-        """Return the cells of a line as the output has them, without the end of the line."""
+        """Return a line as the output has it, without its end. `cells`: the cells of the line."""
         if self.excel_safe and any(map(_is_formula, cells)):
             cells = [f"'{cell}" if _is_formula(cell) else cell for cell in cells]
             line = self._line(cells)
@@ -379,7 +387,7 @@ class Delimited:
             cells, line = self._with_unnamed(column, cells, line)
         self.header = self._written(cells, line)
         below_header = [*first]
-        if is_marked and first:  # a row of units may have the mark of the header
+        if is_marked and first:  # a row of units may have a #, as the header has
             below_header[0] = first[0].without_mark()
         count = self._take_units(below_header, stated, measured)
         whole = filter(lambda row: len(row.cells) == len(self.names), chain(first[count:], rows))
@@ -389,7 +397,7 @@ class Delimited:
         return sum(map(len, lines[: self.lines]))
 
     def _writer(self, end: str) -> Lines:
-        """Return the writer of lines with this end, or of Markdown with columns of numbers aligned right."""
+        """Return the writer of lines with this line end, or of Markdown with columns of numbers aligned right."""
         if not self.as_markdown:
             return Lines(self.separator, end=end, has_commas=self.has_decimal_commas)
         are_right = []
@@ -448,7 +456,7 @@ class Delimited:
         return end
 
     def _take_decimal_mark(self, are_read: Sequence[bool]) -> None:
-        """Find the decimal mark of the sample, and replace commas in the sample by points. Raises BadTable."""
+        """Find the decimal mark of the sample, and replace decimal commas in it by points. Raises BadTable."""
         columns = [*zip(*self.sample, strict=True)]
         passed = compress(columns, map(not_, are_read))
         is_doubtful = self.separator == ";" or (self.separator != "," and any(map(have_decimal_commas, passed)))
@@ -480,7 +488,10 @@ class Delimited:
         return tuple(names)
 
     def _check_separator(self, line: str, count: int, is_read: Callable[[str], bool]) -> None:
-        """Raise BadTable if the header has an input between other separators, or at least two between blanks."""
+        """Raise BadTable if the header has an input between other separators.
+
+        Blanks are tried only on a header of a single cell, and must give at least two inputs.
+        """
         for word, mark in DELIMITERS.items():
             is_blank = mark == " "
             cells = line.replace('"', "").split(None if is_blank else mark)
@@ -497,18 +508,21 @@ class Delimited:
         return without_unclear(records) if self.is_open and b"." in text else records
 
     def _cut(self, text: bytes, positions: Mapping[str, int]) -> Records | None:
-        """Return the records of lines without quotes that all have the width of the header; None for other lines."""
+        """Return the records of lines without quotes that all have the width of the header.
+
+        Return None for other lines, and in all cases for `--excel-safe` or Markdown.
+        """
         width, separator = len(self.names), self.separator.encode()
         if b'"' in text or self.excel_safe or self.as_markdown:
             return None
-        if b"\r" in text:  # searching for two bytes takes 100 times as long
+        if b"\r" in text:  # searching for two bytes takes 100 times as long as for one
             text = text.replace(b"\r\n", b"\n")
         if b"\r" in text or not text.endswith(b"\n"):
             return None
         lines = text.split(b"\n")
         lines.pop()
         cells = text.replace(b"\n", separator + b"\n" + separator).split(separator)
-        # A line feed follows the last cell of each line, and only there.
+        # Each line feed is now a cell by itself, which must follow the last cell of a line.
         if cells[width :: width + 1] != [b"\n"] * len(lines) or (width == 1 and not all(map(bytes.strip, lines))):
             return None
         columns = {name: cells[position : -1 : width + 1] for name, position in positions.items()}

@@ -36,7 +36,7 @@ _TAKEN = (*_RADII, *_BODIES, "atomic_spacing")
 def fit_given(curve: Any, words: Mapping[str, str | None], spring: Any, given: Mapping[str, Any]) -> Fit:
     """Return the fit of a curve in a file or in columns. The arguments are those of `jkroll.fit`.
 
-    `words`: the arguments that are texts, by name. Errors name arguments instead of options.
+    `words`: the arguments that are texts, by name. Error messages name arguments instead of options.
     """
     for word in given:
         if as_input(word) not in _TAKEN:
@@ -72,9 +72,10 @@ def fit_of_file(
 
 
 def _fitted(read: ReadCurve, known: Known) -> Fit:
-    """Return the fit of a curve. Raises BadCurve, also for values that no solid has.
+    """Return the fit of a curve. Raises BadCurve.
 
-    A soft sphere is refused if the curve is fitted with the profile of a sphere.
+    With a known radius, a fit is refused if no solid has its values. With the profile of a sphere, it is refused if the
+    moduli are known and the sphere is not STIFFER times as stiff as the plane.
     """
     fitted = fit_curve(read.curve, known)
     if not fitted.is_scaled:
@@ -102,7 +103,8 @@ def _check_sizes(fitted: Fit, reading: str) -> None:
     modulus, width = values["contact_modulus"], fitted.goodness["contact_over_radius"]
     w = max((values[name] for name in NAMES.values() if name in values), default=0.0)
     force = values.get("pull_off_force_measured", 0.0)
-    # If the contact is much stiffer than the lever, any E* fits, but the fitted pull-off force is the measured one.
+    # If the contact is much stiffer than the lever, any larger E* fits as well. Such a fit is accepted if its pull-off
+    # force is close to the measured one.
     is_too_stiff = modulus > stiffest and values.get("pull_off_force_fitted", inf) > 2 * force
     if w > SIZES["work_of_adhesion"][1]:
         problem = f"w = {amount('work_of_adhesion', w, _FORM)}, and no solid has that"
@@ -125,9 +127,9 @@ def _stiffness(known: Known) -> float | None:
 
 
 def known_of(words: Mapping[str, str | None], spring: Any, given: Mapping[str, Any]) -> Known:
-    """Return the known properties of the contact and the instrument. Raises BadRequest, QuantityError.
+    """Return what is known of the contact and the lever, and the choices for the fit. Raises BadRequest, QuantityError.
 
-    `given`: inputs in SI units, some with uncertainties.
+    `words`, `spring`, `given`: the arguments of `jkroll.fit`; `given` has inputs in SI units, some with uncertainties.
     """
     for name, choices in (("branch", _BRANCHES), ("baseline", _BASELINES)):
         if words.get(name) not in choices:
@@ -200,7 +202,7 @@ def _check_sphere(given: Mapping[str, Any]) -> None:
 
 
 def _range(text: str | None) -> LoadRange | None:
-    """Return the range that a text FROM:TO gives, in percent of the largest load or in forces."""
+    """Return the range that a text FROM:TO gives, in percent of the largest load or in forces; None without a text."""
     if text is None:
         return None
     ends = [end.strip() for end in text.split(":")]

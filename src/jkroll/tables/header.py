@@ -46,8 +46,8 @@ _OF_DIRECTIONS = r"(?i)\s*((G|nu|ν)_?(12|13|23|xy|xz|yz)|E_?3)(?![^\W_])"
 _MARKS = {"both": "± ", "minus": "− ", "plus": "+ ", "low": "from ", "high": "to "}
 _HEADER_AND_INPUT = r"(.*)(?<!\(k)(?<!\(k )=(.*)"  # the = of (k=2) is part of a header
 _ENDS = ("low", "high")
-_SHAPES = (("", "both"), ("", "minus", "plus"), ("",), _ENDS)  # the columns that together give one value
-_Parts = Mapping[str, Reading]  # the columns of an input: "" for the value, other keys for its uncertainty
+_SHAPES = (("", "both"), ("", "minus", "plus"), ("",), _ENDS)  # the parts whose columns together give one value
+_Parts = Mapping[str, Reading]  # the columns of an input by part (see `Reading`); "" for the value
 _VALUE, _UNIT, _NO_UNIT = "value", "unit", "no unit in the header or in the first cell"  # kinds of cells
 
 
@@ -57,7 +57,7 @@ class Header(NamedTuple):
     texts: tuple[str, ...]
     inputs: tuple[Column, ...]
     materials: tuple[Column, ...]  # columns with names of materials
-    clauses: Mapping[int, str] = MappingProxyType({})  # the value used instead of a passed column, by position
+    clauses: Mapping[int, str] = MappingProxyType({})  # on values used instead of passed columns, by position
 
     @property
     def names(self) -> frozenset[str]:
@@ -73,7 +73,7 @@ class Header(NamedTuple):
         return positions
 
     def reading(self, *remarks: str) -> str:
-        """Return the sentence that says how the table is read, followed by remarks on its lines and units."""
+        """Return the sentence that says how the table is read, with remarks on its lines and units."""
         sentence = f"read: {', '.join(map(self._from, (*self.materials, *self.inputs))) or 'no input'}"
         sentence = "; ".join([sentence, *remarks])
         used = {*self.positions.values()}
@@ -89,7 +89,7 @@ class Header(NamedTuple):
         return f" ({self.clauses[position]})" if position in self.clauses else ""
 
     def _from(self, column: Column) -> str:
-        """Return the standard header of an input, and the header in the table if it differs."""
+        """Return the standard header of an input, its header in the table if that differs, and those of its sides."""
         text = self.texts[column.position]
         parts = [head_of(column.name, column.unit_text)]
         if not column.is_range and typed(text) not in (parts[0], column.name):
@@ -145,8 +145,8 @@ def understood(
     """Return the meaning of the columns of a table, from their headers and the cells of the first rows.
 
     `stated`: the meanings that `--column` gives headers; `given`: the inputs given by options; `measured`: see
-    `reading_of`; `supply_of`: returns the inputs supplied without a column; `pass_rest`: True to pass every column that
-    is not read. Raises BadTable.
+    `reading_of`; `supply_of`: returns the inputs supplied without a column; `pass_rest`: True to pass columns that
+    may be inputs but are not read. Raises BadTable.
     """
     _check_stated(stated, texts)
     readings = []
@@ -219,7 +219,7 @@ def _by_input(readings: Iterable[Reading]) -> dict[str, dict[str, Reading]]:
 
 
 def _used_inputs(inputs: Mapping[str, _Parts], rows: Sequence[Sequence[str]]) -> dict[str, _Parts]:
-    """Return the columns of values of each input that does not repeat another. Raises BadTable for half a range."""
+    """Return the columns that give the values of each input, without inputs that repeat others. Raises BadTable."""
     used = {}
     for name, columns in inputs.items():
         parts = _used(name, columns)
@@ -279,7 +279,7 @@ def _are_empty(row: Sequence[str], positions: Iterable[int]) -> bool:
 
 
 def _with_suffix(reading: Reading, known: Mapping[str, str], measured: str) -> Reading:
-    """Return the reading, with a problem if the header is the name of a known input with an unread suffix.
+    """Return the reading, with a problem if the header names a known input, or its symbol, with an unread suffix.
 
     `known`: the header of each known input, "" for one given by an option.
     """
@@ -303,7 +303,7 @@ def _with_suffix(reading: Reading, known: Mapping[str, str], measured: str) -> R
 
 
 def _with_symbol(symbol: str, known: Mapping[str, str]) -> list[str]:
-    """Return the known inputs whose headers contain a symbol."""
+    """Return the known inputs whose headers contain this symbol."""
     names = []
     for name, text in known.items():
         if symbol in map(symbol_of, words_in(text)):
@@ -312,10 +312,10 @@ def _with_symbol(symbol: str, known: Mapping[str, str]) -> list[str]:
 
 
 def _may_pass(reading: Reading, held: Collection[str], known: Collection[str]) -> bool:
-    """Return whether an unread column may pass through: every input that it may mean has another source.
+    """Return whether a column with a problem may pass through, since other columns or options give its inputs.
 
-    `held`: inputs that columns give or determine; `known`: inputs with columns or options. A column that changes the
-    meaning of a value must not pass.
+    Its likeliest input must be in `held`, the inputs that columns give or determine. Its other possible inputs may also
+    be in `known`, the inputs with columns or options. A column that changes the meaning of a value must not pass.
     """
     return reading.name in held and reading.part != UNREAD and {*reading.names} <= {*held, *known}
 
@@ -332,7 +332,10 @@ def _twice(first: Reading, second: Reading) -> BadTable:
 
 
 def meaning_of(text: str, cells: Sequence[str], stated: Mapping[str, str], measured: str) -> Reading:
-    """Return the meaning of a column from `--column`, or else from its header, unless the cells contradict it."""
+    """Return the meaning of a column from `--column`, or else from its header if the cells do not contradict it.
+
+    `stated`: the meanings that `--column` gives headers; `measured`: see `reading_of`.
+    """
     cells = [cell.strip() for cell in cells if not has_no_value(cell)]
     cell = cells[0] if cells else ""
     reading = reading_of(stated.get(typed(text), text), measured)._replace(is_stated=typed(text) in stated)
@@ -359,9 +362,9 @@ def _kind(cell: str, name: str) -> str:
 
 
 def _with_problem(reading: Reading) -> Reading:
-    """Return the reading of an input, with a problem if neither the header nor the first value states the unit.
+    """Return the reading of an input, with a problem if header and first cell lack a unit, or the cell is only a unit.
 
-    A humidity needs no unit, unless it is a percentage.
+    Ratios need no unit; but a humidity above 1 is a percentage, and needs %.
     """
     if reading.name == "humidity" and not reading.unit_text and is_number(reading.cell) and float(reading.cell) > 1:
         return reading._replace(problem=_NO_UNIT, meant=["humidity [%]"])
@@ -413,8 +416,10 @@ def _values_in(readings: Sequence[Reading]) -> dict[str, Reading]:
 def _of_value(reading: Reading, left: Reading, values: Mapping[str, Reading], given: Collection[str]) -> Reading:
     """Return the reading of an uncertainty, with the input to which it belongs.
 
-    An uncertainty without a name belongs to the column on its left. If a symbol may mean several inputs and only one of
-    them has a column, it means that one. The header may also repeat a header given by `--column`, with a suffix.
+    An uncertainty without a name belongs to the column on its left, if that has values of a fitting unit. If a symbol
+    may mean several inputs and only one of them has a column, it means that one. A header that repeats one given by
+    `--column`, with a suffix, is refused. Without a column of the value, an unread uncertainty has the meaning that
+    `otherwise` states.
     """
     name, part = reading.name, reading.part
     if not reading.of and not name:
@@ -444,9 +449,9 @@ def _error_column(name: str, values: Mapping[str, Reading]) -> str:
 
 
 def _uncertain_instead(reading: Reading, values: Mapping[str, Reading]) -> str:
-    """Return γ for a header such as Δγ that was first read as another input, if the two exclude each other; else "".
+    """Return the input of which a header such as Δγ gives an uncertainty; "" if there is none.
 
-    The header is then the uncertainty of γ.
+    Δγ is first read as w. In a table with a column of γ, which excludes w, it is an uncertainty of γ.
     """
     text = normalized(reading.text)
     rest = re.sub(words.DIFFERENCE, "", text)
@@ -475,7 +480,7 @@ def _used(name: str, columns: _Parts) -> _Parts:
 
 
 def _column(name: str, parts: _Parts) -> Column:
-    """Return the column of an input. Raises BadTable if its units or coverage factors differ.
+    """Return the column of an input. Raises BadTable if units, except that of a ± column, or coverage factors differ.
 
     In a column without a unit, each cell states its own unit, or the input is a ratio.
     """
@@ -526,7 +531,7 @@ def _refusal(readings: Sequence[Reading]) -> BadTable:
 
 
 def _way(reading: Reading) -> str:
-    """Return the option or the header to write for a column that may be an input; "" if its meaning is unclear."""
+    """Return the options or the header to write for a column that may be an input; "" if there is none to suggest."""
     if reading.meant:
         return " or ".join(option_of(reading.text, meant) for meant in reading.meant)
     if not reading.name or reading.part or reading.problem == FACTOR or reading.problem.startswith(NOT_READ):
@@ -565,7 +570,7 @@ def check_inputs(header: Header, measured: str = "") -> None:
 
 
 def check_has_names(header: Header) -> None:
-    """Raise BadTable for a table whose first line has only numbers."""
+    """Raise BadTable for a table whose header has only numbers."""
     if header.texts and all(map(is_number, header.texts)):
         number = quoted(header.texts[0])
         raise BadTable(f"the header is missing: {number} is a number; begin with a line of the columns' names")

@@ -1,7 +1,7 @@
-"""Layouts of tables made of lines: comments above the header, dumps of LAMMPS, row names of R, and rows of units.
+"""Layouts of tables of lines: blanks between cells, comments, dumps of LAMMPS, row names of R, and rows of units.
 
-A dump has several items above the names of its columns, which have no units. Other programs write comments, of which
-the last may be the header. R writes no name above its row names.
+A dump has several items above the names of its columns, which are without units. Other programs write comments, and
+the last of these may be the header. R writes no name above its row names.
 """
 
 import re
@@ -75,7 +75,7 @@ def is_dump(block: bytes) -> bool:
 
 
 def as_table(blocks: Iterable[bytes], path: str, compression: str) -> Iterator[bytes]:
-    """Iterate over the blocks of a dump as blocks of a table: the items become comments, and the columns the header.
+    """Iterate over the blocks of a dump as those of a table: items become comments, the names of columns the header.
 
     `path`, `compression`: of the file, for messages. Raises BadTable for several time steps, or a wrong number of rows.
     """
@@ -104,7 +104,7 @@ def as_table(blocks: Iterable[bytes], path: str, compression: str) -> Iterator[b
 
 
 def _line_of_columns(lines: Sequence[bytes]) -> int:
-    """Return the index of the line with the columns of a dump. Raises BadTable."""
+    """Return the index of the line that names the columns of a dump. Raises BadTable."""
     for position, line in enumerate(lines[:SAMPLE]):
         if line.startswith(b"ITEM: ") and not re.match(_NO_COLUMNS, line):
             return position
@@ -258,7 +258,7 @@ class Headers(NamedTuple):
 
 
 class _Cell(NamedTuple):
-    """A header and the cell below it, which may be part of a row of units."""
+    """A header, and the role of the cell below it, which may be part of a row of units."""
 
     name: str  # the header with the unit
     role: str  # the role of the cell below
@@ -348,7 +348,7 @@ def _without_brackets(cell: str) -> str:
 
 
 def is_remark(row: Row, names: Sequence[str]) -> bool:
-    """Return whether a row below the header is a comment: empty, or labelled as a comment and without numbers."""
+    """Return whether a row below the header is empty, or labelled as a comment and without numbers."""
     label, *others = (cell.strip() for cell in row.cells)
     is_labelled = label.casefold().rstrip(":=") in _REMARKS and not any(map(_NUMBER.match, others))
     return len(row.cells) == len(names) and (is_labelled or not any([label, *others]))

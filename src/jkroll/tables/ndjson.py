@@ -32,9 +32,9 @@ class Ndjson:
         return text.rfind(b"\n") + 1
 
     def read_header(self, block: bytes, stated: Mapping[str, str] = MappingProxyType({}), measured: str = "") -> int:  # noqa: ARG002
-        """Read the names in the first object, and the values in the first lines; return 0. Raises BadTable.
+        """Read the names in the first object, and the values in the first lines. Raises BadTable.
 
-        `stated`: see `meaning_of`.
+        Return the number of bytes above the rows, which is 0. `stated`: see `meaning_of`.
         """
         self.stated = stated
         lines = [line for line in block.split(b"\n")[:SAMPLE] if line.strip()]
@@ -91,7 +91,10 @@ class Ndjson:
 
 
 def _beginning(line: bytes, members: Object | None) -> bytes:
-    """Return the object of a line without its closing brace; for any other line, an object with the line as text."""
+    """Return the beginning of an output line: the object of the input line, without its closing brace.
+
+    A line without an object becomes the member "line" of one.
+    """
     if members is None:
         return b'{"line":' + orjson.dumps(line.decode("utf-8", "replace")) + b","
     return line.rstrip().removesuffix(b"}").rstrip() + b"," * bool(members)

@@ -46,7 +46,7 @@ class Batches:
 
     @contextmanager
     def sink(self, stream: BinaryIO, header: Any) -> Iterator[Callable[[Any], None]]:
-        """Return a function that writes batches below the header, in groups of similar size."""
+        """Yield a function that writes batches in groups of similar size. `header`: a batch with the schema."""
         texts = [field.name for field in header.schema if not pyarrow.types.is_floating(field.type)]
         group: list[Any] = []
         size = 0  # bytes in the group; memory that batches share counts in each batch
@@ -90,7 +90,7 @@ def batches_of(source: Input, target: str, asked: Asked) -> tuple["Arrow", Itera
 
 @contextmanager
 def _readable(path: str) -> Iterator[None]:
-    """Raise BadTable for a file that cannot be read."""
+    """Raise BadTable if the file cannot be read inside this context."""
     try:
         yield
     except (OSError, UnicodeDecodeError, pyarrow.ArrowException) as error:
@@ -99,9 +99,9 @@ def _readable(path: str) -> Iterator[None]:
 
 
 class Arrow:
-    """A table whose columns have types."""
+    """A table in a Parquet file, whose columns have types."""
 
-    lines, remarks = 0, ()  # its header is not a line
+    lines, remarks = 0, ()  # the header is not a line
 
     def __init__(self, file: Any, asked: Asked) -> None:
         """Read the header, and the cells of the first rows in the columns that may be read."""

@@ -4,7 +4,7 @@ A header is a word with a unit, in one of a few notations: `radius [nm]`, `R2 (n
 `gamma..mJ.m2.`. Words are compared by letters and digits only, so `Young's modulus` equals `youngsModulus`. Symbols are
 compared as written, or without regard to case if a unit follows; the unit then decides between quantities that share a
 symbol. A header is refused if it names an input among other words and has a unit of that input, as `mean radius (nm)`.
-Other columns pass through.
+`unread` judges the columns of other headers.
 """
 
 import re
@@ -21,11 +21,11 @@ from .words import MATERIALS, Meaning, fits, headed, key, spelt_out, squeezed, u
 
 
 class Reading(NamedTuple):
-    """The meaning of a header: an input and the text of its unit. If `name` is empty, the column passes through."""
+    """The meaning of a header: an input and the text of its unit. Without name and part, the column is not read."""
 
-    name: str = ""  # the input, or the possible input if there is a problem; "" for a lone ±
+    name: str = ""  # the input, or the likeliest one if there is a problem; "" for a lone ±
     unit_text: str = ""
-    part: str = ""  # part of the uncertainty: "both" sides, "minus", "plus", "low" or "high" end, or UNREAD
+    part: str = ""  # part of the uncertainty: "both" sides, "minus", "plus", "low" or "high" end; UNREAD if not read
     is_symbol: bool = False  # a symbol without a unit: an input only if its cells have units
     problem: str = ""  # the reason to refuse the header, unless another column gives the input
     meant: Sequence[str] = ()  # the headers to write instead, if they are certain
@@ -41,7 +41,7 @@ class Reading(NamedTuple):
 
     @property
     def is_input(self) -> bool:
-        """True for a column that is read."""
+        """True if the header names an input and is not refused."""
         return bool(self.name) and not self.problem
 
 
@@ -206,7 +206,7 @@ def _exact(split: Split, known: Mapping[str, Meaning]) -> Reading | None:
 
 
 def _of_part(text: str, measured: str) -> Reading:
-    """Return the meaning of a header about the spread of a value, without a name if the header names no value.
+    """Return the meaning of a header about a spread (an uncertainty or a range), without a name if it names no value.
 
     A notation that is not clearly an uncertainty is UNREAD. A header that is not about a spread has no part.
     """
@@ -242,7 +242,7 @@ def _of_part(text: str, measured: str) -> Reading:
 
 
 def _of_spread(text: str, measured: str) -> Reading:
-    """Return the meaning of a header about the spread of a value in a notation that is not read."""
+    """Return the meaning of a header about a spread that is not read; other headers have no name and no part."""
     if re.search(words.SPREAD, text):
         return _unread(text, measured, text)
     is_beside = re.search(words.SPREAD_BESIDE, text) or re.search(words.DIFFERENCE, text)
@@ -251,7 +251,9 @@ def _of_spread(text: str, measured: str) -> Reading:
 
 
 def _unread(text: str, measured: str, whole: str = "") -> Reading:
-    """Return the reading of a header about a spread: part UNREAD, with the input that the other words name, if any.
+    """Return the reading of a header about a spread: UNREAD, with the input or the unit that its other words give.
+
+    If they give neither, the reading has no part: it only keeps the other words.
 
     `whole`: the whole header, which is not read again.
     """
@@ -363,7 +365,7 @@ def _doubtful(
 
 
 def _beside(text: str, word: str) -> set[str]:
-    """Return the words of a header without a known word, or without the first word if the known one is misspelt."""
+    """Return the words of a header other than a known word; a misspelt word is taken to be the first one."""
     tokens = plain_words(text)
     for first, last in combinations(range(len(tokens) + 1), 2):
         if "".join(tokens[first:last]) == word:
@@ -380,7 +382,7 @@ def plain_words(text: str) -> list[str]:
 def _word_in(text: str, known: Mapping[str, Meaning], unit: str) -> tuple[str, bool]:
     """Return the known word in a text, which may stand among other words or be misspelt, and whether it is misspelt.
 
-    Of several known words, the longest counts, preferably among those that fit the unit.
+    The word is "" if there is none. The longest known word counts, preferably among those that fit the unit.
     """
     letters = key(text)
     if letters in known:
@@ -417,7 +419,10 @@ def symbol_of(word: str) -> str:
 
 
 def means_other(split: Split, name: str) -> bool:
-    """Return whether the text after the word of an input shows that the column is another quantity."""
+    """Return whether the text after the name of an input shows that the column is another quantity.
+
+    Any text does so after the name of a material.
+    """
     units = [each.unit for each in (split, *splits_of(split.unit)) if each.unit not in _SUFFIXES]
     unit = max(filter(is_in_table, units), key=len, default="")
     is_of_other = bool(unit) and not fits(unit, name)
@@ -425,7 +430,7 @@ def means_other(split: Split, name: str) -> bool:
 
 
 def stems_of(text: str) -> set[str]:
-    """Return the letters and digits of a header, and of the words before its unit."""
+    """Return the stems of a header: the letters and digits of the whole, and of the words before a unit."""
     stems = set()
     for split in splits_of(normalized(text)):
         if not split.unit or split.is_explicit or is_in_table(split.unit):

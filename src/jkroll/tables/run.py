@@ -1,9 +1,9 @@
 """The `batch` command: from the options to the exit code, for one table or for many tables into a directory.
 
 This process reads the blocks of a table and writes them in order. If there are many blocks, other processes convert
-them; the output does not depend on the number of processes. With many tables, each table is a task for a process on
-this machine or a worker of a Dask cluster. A file gets its name when it is complete, so `--resume` can continue an
-interrupted run: this option keeps files that are newer than their tables.
+them, except for Parquet; the output does not depend on the number of processes. With many tables, each table is a task
+for a process on this machine or a worker of a Dask cluster. A file gets its name when it is complete, so `--resume` can
+continue an interrupted run: this option keeps files that are not older than their tables.
 """
 
 import glob
@@ -114,7 +114,7 @@ def notes_on(tally: Tally, asked: Asked) -> Iterator[str]:
 
 
 def _summary(name: str, tally: Tally) -> str:
-    """Return the sentence on the values of an inferred input: their number, median, quartiles, mean and scatter."""
+    """Return the sentence on an inferred input: the number of its values and, from two on, how they are distributed."""
     import numpy
 
     values = numpy.concatenate(tally.inferred)
@@ -136,8 +136,8 @@ def scatter_in_words(name: str, known: Any) -> str:
 def about(table: Table) -> Iterator[str]:
     """Iterate over lines about a table as a whole.
 
-    The lines name assumed inputs, labels that may be meant as materials, options without effect, and inputs that the
-    uncertainties leave out.
+    The lines name assumed inputs, unclear names and aliases of materials, a missing radius or surface energy, options
+    that fill empty cells or have no effect, and inputs that the uncertainties leave out.
     """
     from ..report.notes import about_idle, about_left_out, assumed_in, idle_in
 
@@ -184,7 +184,7 @@ class Converted(NamedTuple):
 
 
 class Converter(NamedTuple):
-    """A function that adds results to the blocks of a table. It can be sent to other processes."""
+    """The table and the options with which `converted` adds results to blocks. They can be sent to other processes."""
 
     source: Any  # reads blocks, and its writer writes them
     table: Table
@@ -368,13 +368,13 @@ def _pairs(directory: str, path: str) -> list[Pair]:
 
 
 def _is_newer(pair: Pair) -> bool:
-    """Return whether the output of a table is newer than the table."""
+    """Return whether a table has an output that is not older than the table."""
     table, output = pair
     return all(map(os.path.exists, pair)) and os.stat(output).st_mtime_ns >= os.stat(table).st_mtime_ns
 
 
 def _outcome(job: Job, pair: Pair) -> Outcome:
-    """Convert a table in this process; return the outcome, with the error if the table failed."""
+    """Convert a table in this process; return the outcome. Raises MissingExtra."""
     path, target = pair
     try:
         return convert_one(path, job._replace(target=target)), None
@@ -446,7 +446,7 @@ def _await(future: Any, client: Any) -> None:
             checked = monotonic()
 
 
-# --- Lists and ranges -------------------------------------------------------------------------------------------------
+# --- Results of other commands ----------------------------------------------------------------------------------------
 
 
 def write_file(

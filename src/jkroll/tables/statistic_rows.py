@@ -27,7 +27,7 @@ def is_of_text(name: str) -> bool:
 
 
 def statistic(cell: bytes) -> str:
-    """Return the statistic that a cell names, without blanks and in lower case; "" for any other cell.
+    """Return the statistic that a cell names, in lower case without blanks and marks; "" for any other cell.
 
     >>> statistic(b"Mean:"), statistic(b"Std. dev. (n=5)"), statistic(b"75%"), statistic(b"grain 5")
     ('mean', 'stddev', 'percentile', '')
@@ -46,13 +46,13 @@ def _may_name(cells: Sequence[bytes]) -> bool:
 
 
 def are_kinds_of_data(cells: Sequence[bytes]) -> bool:
-    """Return whether all cells name statistics, but no spread, so that the data themselves are means or extremes."""
+    """Return whether all filled cells name statistics but no spread: the data themselves are means or extremes."""
     names = {statistic(cell) for cell in cells if cell.strip()} if _may_name(cells) else {""}
     return "" not in names and names.isdisjoint(SPREADS)
 
 
 def rows_of_statistics(cells: Sequence[bytes], *, alone: bool) -> list[int]:
-    """Return the rows of statistics: adjacent rows that name a spread such as SD, or a mean and another statistic.
+    """Return the rows of statistics: adjacent rows that name statistics, among them a spread, or a mean and another.
 
     `alone`: True if a mean is enough. A word that may be a label, such as N, counts only next to a spread or a mean.
     """

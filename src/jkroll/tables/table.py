@@ -1,6 +1,6 @@
-"""The rows of a table: the columns that its header, first rows and options request, and its blocks of cells as rows.
+"""The columns of a table to read and to add, from its header, first rows and options, and its blocks of rows.
 
-This module opens no file: `run` reads and writes.
+This module opens no file: `opened` reads, and `run` writes.
 """
 
 from collections.abc import Collection, Mapping, Sequence
@@ -40,7 +40,7 @@ class Asked(NamedTuple):
     explicit: Sequence[str] = ()  # the quantities requested by name
     offered: Sequence[str] = ()  # the quantities to add if the inputs suffice
     columns: Sequence[str] = ()  # the values of `--column`
-    pass_rest: bool = False  # pass all columns that are not read
+    pass_rest: bool = False  # pass the columns that may be inputs but are not read
     infer: str = ""  # the unknown input
     measured: str = ""  # the quantity with measured values in a column; for a curve, several separated by commas
     doubt: bool = True  # add a column of doubts
@@ -252,7 +252,7 @@ class Table:
             raise
 
     def _sources(self, block: "TableBlock") -> list[Sources]:
-        """Return the sources of uncertainty of each group of rows."""
+        """Return the sources of uncertainty of each group of rows with uncertain inputs."""
         sources = []
         for group in groups(block):
             with suppress(JkrollError):  # the status of bad rows has the reason
@@ -285,7 +285,7 @@ def _labels(columns: Header, rows: Sequence[Sequence[str]], asked: Asked) -> dic
 
 
 def _without_exclusive(first: str, names: Sequence[str], measured: str) -> tuple[str, ...]:
-    """Return the names that neither `first` nor an earlier name excludes."""
+    """Return the names that neither `first` nor an earlier name excludes; `measured` excludes none and stays."""
     chosen: set[str] = set()
     for name in (first, *names):
         others = chosen - {measured, name}

@@ -59,7 +59,7 @@ def table(
         A DataFrame of pandas or polars, a dict of arrays, a Dataset of xarray, a Table of astropy or of pyarrow. Each
         input is a column with a unit, either in its name ("radius [nm]", "E_GPa") or stated by the library, as in the
         attribute "units" or in a column of pint or astropy. Columns "material" and "material2" have names of materials,
-        and a column "gamma_err [mJ/m2]" is an uncertainty. In a DataFrame, nan is an empty cell.
+        and a column "gamma_err [mJ/m2]" is an uncertainty. In columns of numbers, nan is an empty cell.
         Columns of texts may have decimal commas.
     quantities
         Names or symbols of quantities, or commands such as "pull-off". By default, the table gets all quantities that

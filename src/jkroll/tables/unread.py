@@ -1,9 +1,9 @@
 """Columns that are not read, judged by their units: no column may pass if another value would silently replace it.
 
 The unit of a column tells which inputs it may be, and its words choose among them. If a material, an option, a default
-or sphere 1 supplies such an input, the column is refused until the user states its meaning. Lengths and forces are
-often not inputs, so the words of such a column must point to an input. A text column may be an input if its cells are
-materials.
+or sphere 1 supplies such an input, the column is refused until the user states its meaning. Lengths, forces, times and
+ratios are often not inputs, so the words of such a column must point to an input. A text column may be an input if its
+cells are materials.
 """
 
 import re
@@ -30,7 +30,7 @@ from .words import INPUTS, MATERIALS, fits, headed, key, sphere_of, tokens_of, u
 
 # Inputs that replace each other, in addition to EXCLUSIVE.
 _OF_MODULI = tuple(("contact_modulus", name) for name in ("youngs_modulus", "youngs_modulus2"))
-# The inputs, and the formulas that compute them.
+# The names of the inputs, and of the formulas that compute them.
 _OF_INPUTS = {*INPUTS, *chain.from_iterable(routes_anywhere().get(name, ()) for name in INPUTS)}
 # Inputs whose columns may also have words for other quantities.
 _OF_PARTS = (
@@ -51,7 +51,7 @@ _MOST_MEANT = 3  # maximum number of inputs that a message offers
 class Supply(NamedTuple):
     """The inputs supplied without a column, each with a clause that names the source."""
 
-    clauses: Mapping[str, str]  # as in "E1 is quartz's 54 GPa"; a replaced input has the clause of its replacement
+    clauses: Mapping[str, str]  # as in "E1 is quartz's 54 GPa"; for a replaced input, on that which replaces it
     direct: Collection[str]  # the supplied inputs, without the replaced ones
     solids: Sequence[str]  # the columns of materials that could supply a property
     known: Materials
@@ -74,7 +74,8 @@ class Supply(NamedTuple):
         has_radius = not {"radius", "diameter", "reduced_radius"}.isdisjoint((*columns, *options))
         for name in left:
             first = of_sphere(1, name)
-            is_of_first = first in ("radius", "diameter") and not has_radius  # the first radius is that of sphere 1
+            # Without a radius of sphere 1, a column of radii is of that sphere, so it replaces no R2.
+            is_of_first = first in ("radius", "diameter") and not has_radius
             if is_of_first or (name in decided and name not in options):
                 continue
             supplier = _supplier(name, columns, options, known)
@@ -173,7 +174,7 @@ def judged(reading: Reading, cells: Sequence[str], supply: Supply) -> Reading:
 def offered(text: str, cells: Sequence[str], names: Sequence[str]) -> list[str]:
     """Return the meanings that an unread column may have, out of some inputs that the table lacks.
 
-    The unit must fit. The words choose between the inputs that fit, if they can.
+    The unit, or else the first cell, must fit. The words choose between the inputs that fit, if they can.
 
     >>> offered("d50 (um)", [], ["radius", "diameter"]), offered("L [nm]", [], ["radius", "diameter"])
     (['diameter [um]'], ['radius [nm]', 'diameter [nm]'])
@@ -221,7 +222,7 @@ def _candidates(text: str, cells: Sequence[str], supply: Supply) -> tuple[Split,
 
 @lru_cache(maxsize=5000)
 def _unit(split: Split, name: str) -> str:
-    """Return the unit of an input in a header; UNIT if its spelling is not read, "" for a unit of another kind."""
+    """Return the unit of an input in a header; UNIT if its spelling is not read, "" without a unit that fits."""
     quotient = re.sub(r"(?<=\w)([ms])\^?[-−]1$", r"/\1", split.unit)
     if quotient != split.unit and fits(quotient, name):
         return "UNIT"  # ms-1
@@ -260,7 +261,7 @@ def _with_unread_unit(text: str) -> tuple[Split, Sequence[str]]:
 
 @lru_cache(maxsize=5000)
 def _is_known(unit: str) -> bool:
-    """Return whether a text is a unit of any quantity, also of a ratio. A lone prefix is not a unit."""
+    """Return whether a text is empty, or a unit of any quantity or ratio; but a lone µ is not known."""
     if unit in ("µ", "μ", "u"):
         return False  # µ alone stands for µm
     try:
@@ -291,7 +292,7 @@ def _is_material(cell: str, known: Materials) -> bool:
 
 
 def _is_value(cell: str, name: str) -> bool:
-    """Return whether a cell is a number with a unit of an input."""
+    """Return whether a cell is a number with a unit of this input."""
     if is_number(cell) or not cell[:1].isdigit() or NOMENCLATURE[name].unit in ("", "1"):
         return False
     try:
@@ -332,7 +333,7 @@ def _is_unit(split: Split) -> bool:
 
 
 def _is_result(split: Split) -> bool:
-    """Return whether a word is the name or the symbol of a result of this program, or begins with the name."""
+    """Return whether a header names a result of this program, at its beginning or by symbol, with a unit that fits."""
     name = re.sub(r"[\s_.-]+", "_", split.word.strip()).casefold()
     for result, quantity in NOMENCLATURE.items():
         is_named = name == result or name.startswith(f"{result}_")
@@ -385,7 +386,7 @@ def _likeliest(tokens: Sequence[str], names: Sequence[str], supply: Supply) -> t
     sphere, is_of_pair = sphere_of(tokens), words.is_of_pair(tokens)
     if is_of_pair:
         names = [name for name in names if name in words.PAIRS.values()]
-    if not sphere and _index(tokens) in "psti":  # no index, too; any other may mean either sphere
+    if not sphere and _index(tokens) in "psti":  # particle, sphere, tip, i or no index: rather sphere 1
         names = [name for name in names if NOMENCLATURE[name].sphere != 2 or of_sphere(1, name) not in supply.clauses]
     scored = tokens[:1] if _index(tokens) else tokens
     scores = {name: _score(scored, name) for name in names}
@@ -430,7 +431,7 @@ def _is_one_of(token: str, symbols: Collection[str], vocabulary: Collection[str]
 
 @cache
 def _vocabulary(name: str) -> Collection[str]:
-    """Return the words for an input: those of its name, its option and its synonyms."""
+    """Return the words for an input from its name, its option and its synonyms, without generic ones."""
     texts = [name]
     for name_of in (OPTION_WORDS, QUANTITY_SYNONYMS):
         texts += [text for text, meant in name_of.items() if meant == name]

@@ -1,4 +1,4 @@
-"""The words of headers as data: words for an input, words that may mean an input, and words for other quantities."""
+"""The words and units of headers: words for an input, words that may mean one, and words for other quantities."""
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
@@ -26,7 +26,7 @@ SYMBOLS_TOO |= {
     "A22": "hamaker2",
     **dict.fromkeys("last charge carga carico".split(), "load"),  # words for other quantities with other units
 }
-# Columns of curves: these symbols, words and their synonyms count only in the header of a curve.
+# Quantities of curves, with words that, like their synonyms, count only in a table where the quantity is measured.
 _OF_CURVES = {
     **dict.fromkeys(OF_CURVES, ""),
     "contact_radius_at_load": "a",
@@ -111,7 +111,7 @@ BODIES = {
         paroi""".split()
     },
 }
-# Words that leave the quantity unchanged: they name the body, or a mean.
+# Words that leave the quantity unchanged, such as names of bodies and words for a mean.
 NEUTRAL = {
     *"""mean average avg nominal measured applied indentation sample surface body solid first second s of the de la du
         der per area jkr dmt""".split(),
@@ -189,7 +189,7 @@ def key(word: str) -> str:
 
 
 def spelt_out(word: str) -> str:
-    """Return a symbol with Greek letters spelt out; Rho with a capital is the same as rho."""
+    """Return a symbol with Greek letters spelt out, without gaps; Rho with a capital is the same as rho."""
     spelt = ascii_text(word).replace(" ", "").replace("_", "")
     return spelt.lower() if spelt.rstrip("12").title() in ("Gamma", "Nu", "Rho", "Xi", "Tau", "Theta") else spelt
 
@@ -198,7 +198,7 @@ def spelt_out(word: str) -> str:
 def meanings(measured: str) -> dict[str, Meaning]:
     """Return the meanings of words by key, with and without 1 or 2 for the sphere.
 
-    `measured`: quantities separated by commas, whose names, symbols and synonyms are known in addition to inputs.
+    `measured`: quantities separated by commas, whose names and symbols are known in addition to inputs.
     """
     names = {name: name for name in (*INPUTS, *MATERIALS)} | OPTION_WORDS
     for word in NO_HEADERS:
@@ -300,7 +300,7 @@ _ORDINALS = {"first": 1, "second": 2}
 
 
 def sphere_of(tokens: Sequence[str]) -> int:
-    """Return the number of the sphere that the words of a header name, by a number or a body; 0 if they name none."""
+    """Return the number of the sphere that the words of a header name, by number, body or a last j; 0 for none."""
     numbers = [int(token[-1]) for token in tokens if re.fullmatch(r"[a-z]*([12])\1?", token)]  # A22
     numbers += [_ORDINALS[token] for token in tokens if token in _ORDINALS]
     if numbers:
@@ -350,6 +350,7 @@ def slips() -> dict[str, str]:
     """Return the words for inputs by their spellings: the right one, and those that lack a letter.
 
     Two words that share such a spelling differ by a slip: one letter is missing, extra, wrong or in another place.
+    Short words, and those of doubtful meaning, are left out.
     """
     known = []
     for word, meaning in meanings("").items():
@@ -382,7 +383,7 @@ def units_by_letters() -> dict[str, list[str]]:
         reciprocal = f"{letters}1" if "/" in unit and not letters[-1].isdigit() else letters  # m.s-1
         for spelt in {letters, letters.casefold(), reciprocal}:
             units.setdefault(spelt, []).append(unit)
-    return units | {"mn": [], "mj": [], "pj": []}  # milli or mega, pico or peta?
+    return units | {"mn": [], "mj": [], "pj": []}  # not units: they may be milli or mega, pico or peta
 
 
 def squeezed(text: str) -> str:
@@ -396,7 +397,7 @@ def squeezed(text: str) -> str:
 
 
 def fits(unit_text: str, name: str) -> bool:
-    """Return whether a text is a unit of a quantity; a ratio has the units - and 1."""
+    """Return whether a text is a unit of a quantity; - and 1 are units of a ratio."""
     unit = NOMENCLATURE[name].unit
     if unit == "1" and unit_text in ("1", "-"):
         return True
@@ -412,7 +413,7 @@ def unit_for(text: str, name: str, *, is_explicit: bool = False) -> str:
 
     `is_explicit`: True if brackets or another mark show that the text is a unit. Otherwise, only the shipped table is
     searched, since loading pint takes as long as reading many rows; and the text may differ from the unit in capitals,
-    so MN can mean mN.
+    so MPA can mean MPa.
     """
     if text in _COMMON:
         return text if fits(text, name) else ""  # nm is not N/m
@@ -460,7 +461,7 @@ def _joined(parts: _Parts) -> _Parts:
 def _units_by_parts() -> dict[_Parts, list[str]]:
     """Return the common and rare units by their parts.
 
-    A unit is also listed without its last power and, if it has one, with all its letters joined.
+    A unit is also listed with "lost" as its last power and, if it has a last power, with all its letters joined.
     """
     units: dict[_Parts, list[str]] = {(("a", ""),): ["angstrom"]}
     for unit in (*_COMMON, *_RARE):
@@ -494,7 +495,7 @@ def may_be_unit(text: str, name: str) -> bool:
 
 
 def is_like_unit(token: str) -> bool:
-    """Return whether a word in lower case may be part of a unit, a prefix, or the name of a body."""
+    """Return whether a word in lower case may be the beginning of a unit, a prefix, or a neutral word such as wall."""
     return token in NEUTRAL or token in PREFIXES or any(unit.startswith(token) for unit in units_by_letters())
 
 

@@ -54,7 +54,7 @@ def _end_with_parent() -> None:
 
 
 def _mask(how: str, numbers: Iterable[int]) -> None:
-    """Block or unblock signals, also for processes started later. A blocked signal waits. On Windows, do nothing."""
+    """Block or unblock signals, also in processes started later. A blocked signal waits. On Windows, do nothing."""
     if hasattr(signal, "pthread_sigmask"):
         resource_tracker.ensure_running()  # starting it unblocks some signals
         signal.pthread_sigmask(getattr(signal, how), numbers)
