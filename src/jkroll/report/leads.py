@@ -65,7 +65,7 @@ def leads(answer: Answer) -> Iterator[Note]:
 
 
 def lead_of_rows(groups: Sequence[Shown], names: Collection[str]) -> str:
-    """Return the sentence on the effects that the pull-off force of a list leaves out; empty if there are none."""
+    """Return the sentence on water or roughness, which the pull-off force of rows leaves out; empty if none matters."""
     if "pull_off_force" not in names:
         return ""
     if "meniscus_force" in names:
@@ -77,7 +77,7 @@ def lead_of_rows(groups: Sequence[Shown], names: Collection[str]) -> str:
 
 
 def advice_on_inputs(answer: Answer) -> Iterator[str]:
-    """Iterate over lines on the γ and ξ with which the law gives the middle of the best ranges of P_c and M, if any."""
+    """Iterate over lines on the γ and ξ for which the law gives the middle of the best ranges of P_c and M, if any."""
     options = _options_for_middle(answer)
     if not options:
         return
@@ -147,10 +147,10 @@ def _held(answer: Answer) -> str:
 
 
 def _filled(sentence: str, answer: Answer) -> str:
-    """Return a sentence of the question, with best ranges filled in; empty if one is missing."""
+    """Return a sentence of the question, with best ranges filled in; empty if a necessary one is missing."""
     found = {name: estimate for name, estimate in answer.estimates.items() if estimate.by != NONE}
     words = {name: _spoken(name, each, answer.form) for name, each in found.items()}
-    if "{or_none}" in sentence:  # it has room for "none"
+    if "{or_none}" in sentence:  # the sentence can say "none", but is left out if no result has a meaning
         if answer.ended.keys() >= answer.computed.keys():
             return ""
         words |= dict.fromkeys(answer.ended, "none")
@@ -185,7 +185,7 @@ def _spoken(name: str, estimate: Estimate, form: Format) -> str:
 
 
 def _middle(name: str, estimate: Estimate, form: Format, *, is_short: bool) -> str:
-    """Return a single number for a wide range, with its largest error unless `is_short`; empty for a narrow range."""
+    """Return a single number for a wide range, with its largest error unless `is_short`; empty for other ranges."""
     low, high = estimate.low, estimate.high
     if not low > 0 or not high >= _WIDE * low:
         return ""
@@ -303,7 +303,7 @@ def _law_that_holds(answer: Answer) -> str:
 
 
 def _elastic_or_not(frame: Frame, form: Format) -> str:
-    """Return whether an impact stays elastic; without a yield strength, its peak pressure and the pressure at rest."""
+    """Return the sentence on whether an impact stays elastic; without a yield strength, on its pressures alone."""
     peak = _pressure(frame, form, "impact_pressure")
     if frame.missing(["first_yield_pressure"]):
         rest = _pressure(frame, form, "hertz_pressure")
