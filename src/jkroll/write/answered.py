@@ -18,7 +18,10 @@ if TYPE_CHECKING:
 
 
 def write_plain(answer: Report, out: TextIO, form: Format, *, best: bool = False) -> None:
-    """Write a line `name value unit` for each result and each side of its uncertainty; `best`: also for best ranges."""
+    """Write a line `name value unit` for each result and each side of its uncertainty, after lines on law and profile.
+
+    `best`: True for lines on best ranges, too.
+    """
     for word in ("model", "profile"):
         if word in answer.inputs:
             say(f"{word} {answer.inputs[word]}", out)

@@ -145,7 +145,7 @@ def write_fit_methods(fitted: Fit, out: TextIO) -> None:
 
 
 def _laws_cited(fitted: Fit) -> list[Mapping[str, str]]:
-    """Return the references of the law of a fit; Hertz' contact has none."""
+    """Return the references of the law of a fit, except Hertz' law, and of the profile of a true sphere."""
     known, cited = references(), []
     if fitted.largest_adhesion is None:
         cited.append(known[fitted.known.law])
