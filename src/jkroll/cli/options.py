@@ -186,7 +186,7 @@ EVERY: list[Option[Any]] = [option for option in vars(Options).values() if isins
 
 
 def _check(option: Option[Any], given: Mapping[str, Any]) -> None:
-    """Raise BadRequest if a given option conflicts with others."""
+    """Raise BadRequest if a given option conflicts with others, or lacks one that it needs."""
     for name in option.excludes:
         if name in given:
             raise BadRequest(f"{vars(Options)[name].flag} and {option.flag} exclude each other")
