@@ -40,7 +40,7 @@ def ascii_text(text: str) -> str:
 
 
 def composed(text: str) -> str:
-    """Return a text with combined accents and with usual letters instead of wide or squeezed ones; ² and ① are kept.
+    """Return a text with combined accents, and usual letters instead of wide or joined ones; ² and ① are kept.
 
     >>> composed("1㎚"), composed("A\u030a"), composed("１（ｍ²）"), composed("5①")
     ('1nm', 'Å', '1(m²)', '5①')
@@ -119,7 +119,6 @@ def wrapped(text: str, width: int, indent: int = 0) -> list[str]:
     """Return a sentence as wrapped lines, indented from the second on.
 
     No line breaks where `with_units_joined` puts a no-break space.
-
 
     >>> wrapped("load 0 N", 5), wrapped("load P = 0 N", 9, 2)
     (['load', '0 N'], ['load', '  P = 0 N'])

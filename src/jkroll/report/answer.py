@@ -45,7 +45,7 @@ from .questions import Question
 class Result(Numeric):
     """A quantity in SI units, or the reason why it has no value; `str` rounds it as on a terminal.
 
-    It acts as its number: `float(result)`, `result * 2`, `f"{result:.3g}"`, `result.to("nN")`.
+    A result acts as its number: `float(result)`, `result * 2`, `f"{result:.3g}"`, `result.to("nN")`.
 
     `error` is the relative error of an approximate moment. `growth` is the largest factor by which the relative error
     of a measured value grows in an inferred one.
@@ -60,7 +60,7 @@ class Result(Numeric):
         error: float | None = None,
         bar: ErrorBar | None = None,  # the uncertainty, if an input has one
         law: str = "",  # the law of attraction, unless it is JKR or has the same formula as JKR
-        equation: str = "",  # with `law`: the number of its equation in the paper, or its source
+        equation: str = "",  # by `law`: the number of the equation in the paper, or the source of the law
     ) -> None:
         self.name, self.value, self.reason, self.code, self.error = name, value, reason, code, error
         self.bar, self.law = bar, law

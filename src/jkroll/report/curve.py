@@ -74,9 +74,9 @@ def loads_of(text: str) -> Loads:
 def states(frame: Frame, loads: Loads | None = None, steps: int = STEPS) -> list[State]:
     """Return the states of a frame's force curve, by rising value of the input that sets a state, see `_SET_BY`.
 
-    Without `loads` the curve ends at (16/9)P_c. It has `steps` steps along the stable branch, half as many between a
-    vanishing contact and pull-off if the law has such states, and the named states. If the pull-off force is unknown or
-    exceeded, the curve has one state.
+    Without `loads` the curve ends at (16/9)P_c. It has the named states, `steps` steps along the stable branch and, if
+    the law has such states, half as many between a vanishing contact and pull-off, and half as many without contact. If
+    the pull-off force is unknown, or if even the last load is beyond it, the curve has one state.
     """
     try:
         given, at_load = _SET_BY.get(frame.law.name, ("load", "load"))

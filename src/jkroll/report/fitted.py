@@ -178,7 +178,7 @@ def is_sure(fitted: Fit) -> bool:
 
 
 def _about_laws(fitted: Fit) -> Iterator[str]:
-    """Iterate over the sentence with w by each law, the law that holds first, and a sentence on the profile sphere."""
+    """Iterate over the sentence with w by each law, beginning with the law that holds, and one on a true sphere."""
     name = next((name for name in RESULTS if name in fitted.values), "")
     best, profile = fitted.law_that_holds, fitted.known.profile
     order = sorted(fitted.by_law, key=lambda law: (law.partition(",")[0] != best, profile not in law, law))

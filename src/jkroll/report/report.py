@@ -117,7 +117,7 @@ class Report(Answer):
         return tuple(notes)
 
     def doubts(self, *, has_leads: bool = False) -> list[Note]:
-        """Return a note for each exceeded limit, in their order, except the limit of the law, which best ranges show.
+        """Return a note for each limit in `exceeded`, except the limit of the law, which the best ranges show.
 
         `has_leads`: True if the sentences that answer the question are shown, too.
         """
@@ -242,7 +242,7 @@ def _of_a_sphere(frame: Frame) -> str:
 
 
 def _about_lost_contacts(answer: Answer) -> Iterator[Note]:
-    """Iterate over at most one note: 1 % or more of the uncertain loads, if normally distributed, exceed pull-off."""
+    """Iterate over at most one note: the load is beyond pull-off at 1 % or more of normally distributed values."""
     if answer.sources is None or "load" not in answer.described.inputs_used([*answer.computed]):
         return
     forces = answer.frame.numbers("load", "pull_off_force")
