@@ -22,7 +22,7 @@ class JkrollError(Exception):
 
     @property
     def fault(self) -> str:
-        """The key by which a note counts failed rows: the phrase and three words of the mistake, or the message."""
+        """The key by which a note counts failed rows: the phrase and the first words of the mistake, or the message."""
         return " ".join([self.phrase, *self.mistake.split()[:3]]) if self.phrase else str(self)
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -103,7 +103,7 @@ def _form_of_rows(call: Call) -> str:
 
 
 def _paths(call: Call) -> list[str]:
-    """Return the files that the words name; raise BadRequest if a word names none, or standard input."""
+    """Return the files that words and patterns name; raise BadRequest for no file, or for standard input."""
     words = [word for word in (call.subject, *call.words) if word]
     if not words:
         raise BadRequest("fit needs a curve, such as curve.csv; jkroll guide fit has an example")

@@ -42,7 +42,7 @@ SYNONYMS: Mapping[str, str] = {
     "--unit": "--to",
     "--units": "--to",
 }
-# Hints at what to type instead of words of other programs. A key that begins with a command has the hint for it.
+# Hints at what to type instead of words of other programs. A key of two words holds after that command only.
 HINTS: Mapping[str, str] = {
     "verify": "jkroll guide paper has the audit of the paper",
     "plot": "jkroll map draws a quantity, jkroll figure a figure of the paper, jkroll contact --curve a force curve",

@@ -33,7 +33,7 @@ def _unloaded(frame: Frame) -> Frame:
 
 
 def lines_over_input(quantity: str, sweep: Sweep) -> Drawn:
-    """Return a picture of a quantity over the input with the most values; each combination of other inputs is a line.
+    """Return a picture of a quantity over the input with the most values, with a line for each combination of the rest.
 
     If no input has several values, the laws of one contact are compared by their force curves.
     """

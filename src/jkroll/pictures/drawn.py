@@ -94,7 +94,7 @@ class Drawn:
     def figure(self, style: str = "paper", *, caption: bool = False) -> "Figure":
         """Return the page that the command draws, as a matplotlib figure: figure.savefig("a.pdf").
 
-        `caption`: True for the title and the caption of the page.
+        `caption`: True for titles and a caption.
         """
         _check(style)
         with missing_extra("plot"):

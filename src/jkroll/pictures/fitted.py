@@ -39,7 +39,7 @@ class FittedCurve(Shown, Fit):
         return parts_of_fit(self)
 
     def plot(self, ax: Any = None, style: str = "paper") -> Any:
-        """Draw on matplotlib axes, two or with a radius three, or on those of a new figure; return them.
+        """Draw on two matplotlib axes, three with a known radius, or on those of a new figure; return them.
 
         Needs the extra `plot`.
         """

@@ -20,7 +20,7 @@ class _Pair(NamedTuple):
     """The sizes of the sketch; the contact is at y = 0, with sphere 1 above it."""
 
     above: float  # radius of sphere 1
-    below: float
+    below: float  # radius of body 2
     half: float  # radius of the contact circle
     lag: float  # distance from the line of centres back to the middle of the circle
 

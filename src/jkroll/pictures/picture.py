@@ -18,7 +18,7 @@ from ..quantities.quantity import Quantity
 from ..text import TextColumn, capital, padded, say, say_wrapped, terminal_width, width_of, write_table
 from .bands import Band
 
-_WIDE = 30.0  # ratio of the ends above which contours, and axes that may be, are logarithmic
+_WIDE = 30.0  # ratio of the ends above which contours and axes of curves are logarithmic
 SAME = 1e-9  # relative difference below which values differ only by rounding
 
 # Quantities on the axes of figures that a frame does not have.

@@ -284,7 +284,7 @@ def _as_displacement(answer: Answer) -> str:
 
 
 def _ceiling(answer: Answer) -> str:
-    """Return the clause on the largest force that adhesion explains; empty unless the best range exceeds that force."""
+    """Return the clause on the largest force that adhesion alone can cause; empty unless the best range exceeds it."""
     ceiling = answer.ranges.at_full_hysteresis("yield_force")
     found = answer.estimates.get("yield_force")
     if found is None or not found.high > ceiling[1]:

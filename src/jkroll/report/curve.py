@@ -44,7 +44,7 @@ class State(NamedTuple):
     def in_frame(self, frame: Frame) -> Frame:
         """Return a frame at the state."""
         frame = frame.replace(**{self.given: self.value}, state=self.name)
-        if self.name == FOLD:  # its stiffness is infinite, but the formula gives only rounding errors
+        if self.name == FOLD:  # the stiffness is infinite at the fold; the formula would give a rounding error
             frame.drop("stiffness", NO_STIFFNESS)
         return frame
 

@@ -109,7 +109,7 @@ def about_limit(doubt: Doubt, answer: Answer) -> str:
 
 
 def about_inferred(answer: Answer) -> Iterator[Note]:
-    """Iterate over notes: unusual inferred values, unused data of materials, and what the inferred values give."""
+    """Iterate over notes: unusual inferred values, unused data of materials, and the results that the values give."""
     if not answer.described.unknowns or not answer.values:
         return
     frame, values = answer.frame, answer.values

@@ -171,7 +171,7 @@ def _filled(sentence: str, answer: Answer) -> str:
 def _is_from_forces(answer: Answer) -> bool:
     """Return whether the headline comes from measured rolling forces alone although a surface energy was given.
 
-    The radius of a bend follows from ξ, a measured force divided by the surface energy, so it depends on γ, too.
+    R_min does not count: it follows from ξ, which is a measured force divided by the surface energy.
     """
     rolled = what_rolled(answer.frame)
     if rolled is None or rolled.name == XI or not has_given_energy(answer.frame) or "r_min" in answer.question.headline:
@@ -243,7 +243,7 @@ def _filled_gap(frame: Frame) -> str:
 def _slides_or_peels(answer: Answer) -> str:
     """Return whether a pushed contact slides or peels off if it cannot roll, as far as its friction is known.
 
-    A load that presses holds a contact whose adhesion has peeled off.
+    Under a pressing load, the contact remains after its adhesion has peeled off.
     """
     is_assumed = answer.estimates["sliding_or_peeling_force"].by == FRICTION_ASSUMED
     margin = FRICTION_FACTOR if is_assumed else 1.0

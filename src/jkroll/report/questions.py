@@ -103,7 +103,7 @@ _QUESTIONS = {
         "it rolls in steps, with half of that as the mean moment, {mean_rolling_moment}",
     ),
 }
-# Values that contradict a headline are in the report, too; Eq (41) as printed is in `frequencies` alone.
+# Turns that contradict `n_roll` are in the report, too; Eq (41) as printed is in `frequencies` alone.
 _CONTRARY = ("n_roll_energy_balance", "n_roll_after_impact")
 _TURNS = ("n_roll", *_CONTRARY)
 _REPORT = Question(

@@ -134,7 +134,7 @@ def write_json(answers: Sequence[Mapping[str, Any]], out: TextIO) -> None:
 
 
 def write_fit_citations(fitted: Fit, out: TextIO) -> None:
-    """Write the BibTeX entries of this program and of the law of a fit."""
+    """Write the BibTeX entries of this program and of the law and profile of a fit."""
     for entry in (references()["program"], *_laws_cited(fitted)):
         say(bibtex(entry), out)
 

@@ -269,8 +269,8 @@ def _with_surfaces(rows: _Rows, answer: "Report", form: Format) -> _Rows:
 def _of_results(rows: Sequence[Sequence[str]], law: str) -> list[TextColumn]:
     """Return the columns of rows of results.
 
-    If the law in use gives all ranges, its column replaces them and shows the uncertainties. Otherwise the ranges
-    include the uncertainties, and the column of the law has bare values.
+    If all ranges come from the law in use, from a definition or from any law, the column of the law replaces them and
+    shows the uncertainties. Otherwise the ranges include the uncertainties, and the column has bare values.
     """
     if {row[3] for row in rows} <= {law, WORDS[DEFINITION], WORDS[ANY_LAW], "–", ""}:
         heads, rows = ["quantity", "symbol", law, "unit"], [[*row[:2], *row[5:]] for row in rows]
