@@ -1,4 +1,4 @@
-"""The entry point of `jkroll` and `python -m jkroll`. An interrupt ends it silently, even during imports."""
+"""The entry point of `jkroll` and `python -m jkroll`. An interrupt ends the process silently, even during imports."""
 
 import gc
 import os
@@ -11,7 +11,7 @@ SELDOM = 50_000  # new objects between garbage collections; imports leave hardly
 def run() -> None:
     """Run the command line and exit with its code.
 
-    An interrupt ends the process by the signal's default action; `whole_file` first removes its unfinished file.
+    An interrupt ends the process by the signal's default action; `whole_file` first removes an unfinished file.
     """
     gc.set_threshold(SELDOM)
     import signal

@@ -39,7 +39,7 @@ class FittedCurve(Shown, Fit):
         return parts_of_fit(self)
 
     def plot(self, ax: Any = None, style: str = "paper") -> Any:
-        """Draw on two matplotlib axes, three with a known radius, or on those of a new figure; return them.
+        """Draw on matplotlib axes, one for each of the two or three panels, or on those of a new figure; return them.
 
         Needs the extra `plot`.
         """

@@ -309,8 +309,8 @@ class Answer(Results):
     def _is_of_headline(self, limit: Limit) -> bool:
         """Return whether a limit concerns the headline.
 
-        The limit of the law does so if a better law gives the headline a different value. A limit on the size of a
-        result, such as a negative force, always does.
+        The limit of the law concerns the headline if a better law gives it a different value. A limit on the size of a
+        result, such as a negative force, always concerns the headline.
         """
         if limit.name in limit.touches and limit.name in self.values:
             return True

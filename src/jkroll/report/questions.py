@@ -22,7 +22,7 @@ class Question:
         without_row: tuple[str, ...] = (),  # for programs only: not in the table of an answer
         leads: Sequence[str] = (),  # the answering sentences; a name in braces stands for a best range
         groups: Mapping[str, Sequence[str]] = MappingProxyType({}),  # at the end of a table: quantities by title
-        if_stated: Mapping[str, tuple[str, ...]] = MappingProxyType({}),  # by quantity: inputs it needs to be shown
+        if_stated: Mapping[str, tuple[str, ...]] = MappingProxyType({}),  # by quantity: shown only with one such input
     ) -> None:
         self.headline, self.quantities, self.named, self.without_row = headline, quantities, named, without_row
         self.leads, self.groups, self.if_stated = leads, groups, if_stated
