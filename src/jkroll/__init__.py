@@ -7,7 +7,7 @@
 
 __version__ = "0.5.0"
 
-# The modules of the public names. Each is imported at the first use of a name, so that a command loads only what it
+# The module of each public name. It is imported when the name is first used, so that a command loads only what it
 # needs. Type checkers know the names from the stub next to this file.
 _HOMES = {
     "FORMULAS": "model.solver",
@@ -33,7 +33,7 @@ __all__ = list(_HOMES)
 
 
 def __getattr__(name: str) -> object:
-    """Return the public object with a name."""
+    """Return a public object by its name, after importing its module."""
     from importlib import import_module
 
     if name in _HOMES:

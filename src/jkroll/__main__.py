@@ -1,17 +1,17 @@
-"""The script `jkroll` and `python -m jkroll`. An interrupt ends even the imports silently."""
+"""The entry point of `jkroll` and `python -m jkroll`. An interrupt ends the process silently, even during imports."""
 
 import gc
 import os
 import sys
 from collections.abc import Callable
 
-SELDOM = 50_000  # new objects between searches for cycles; imports leave hardly any garbage
+SELDOM = 50_000  # new objects between garbage collections; imports leave hardly any garbage
 
 
 def run() -> None:
     """Run the command line and exit with its code.
 
-    An interrupt ends the process by the signal's default action. `whole_file` removes an unfinished file.
+    An interrupt ends the process by the signal's default action; `whole_file` first removes an unfinished file.
     """
     gc.set_threshold(SELDOM)
     import signal
@@ -30,7 +30,7 @@ def run() -> None:
 
 
 def _main() -> Callable[[], int]:
-    """Return the function that runs the call: it completes a word, handles completion scripts, or answers."""
+    """Return the function for this call: to complete a word, install or show completion, or run a command."""
     if asked := os.environ.get("_JKROLL_COMPLETE"):
         from .cli import completion
 

@@ -12,17 +12,17 @@ class JkrollError(Exception):
     """Base class of all errors that jkroll raises."""
 
     exit_code = 2
-    phrase = ""  # the status of a row, common to all errors of a group; if empty, the message is the status
-    mistake = ""  # for a bad value, the words that follow it in the message
+    phrase = ""  # the status of a failed row, without details; if empty, the message is the status
+    mistake = ""  # what is wrong with a bad value: the words after the value in the message
 
     @property
     def code(self) -> str:
-        """The code for programs, made of the phrase."""
+        """The phrase as a code for programs; see `code_of`."""
         return code_of(self.phrase)
 
     @property
     def fault(self) -> str:
-        """The key by which a note counts failed rows: the phrase and the first three words of the mistake."""
+        """The key by which a note counts failed rows: the phrase and the first words of the mistake, or the message."""
         return " ".join([self.phrase, *self.mistake.split()[:3]]) if self.phrase else str(self)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -52,7 +52,7 @@ class MissingExtra(JkrollError):
 
 @contextmanager
 def missing_extra(extra: str) -> Iterator[None]:
-    """Convert the error about a missing library into an error that names the extra to install."""
+    """Replace the error of an import in the block by an error that names the extra to install."""
     try:
         yield
     except ModuleNotFoundError as error:
@@ -85,7 +85,7 @@ class BadRequest(JkrollError):
 
 
 def repeated_input(name: str) -> BadRequest:
-    """Return the error for an input that is named among the results."""
+    """Return the error for an input that `--quantities` names."""
     return BadRequest(f"--quantities: {name} is an input here and is shown with the inputs; leave it out")
 
 
@@ -96,7 +96,7 @@ class BadTable(JkrollError):
 class BadRow(JkrollError):
     """Error raised with `--strict` for the first row that fails.
 
-    Its arguments are the number of the line in its block or table, and the reason.
+    Its arguments are the reason, and before it the line: counted from 0 in a block of rows, from 1 in the table.
     """
 
     exit_code = 1

@@ -11,7 +11,7 @@ from typing import Any
 
 
 def __getattr__(name: str) -> Callable[..., Any]:
-    """Return a formula. The first use of one imports the modules of physics."""
+    """Return a formula by its name. The first formula that is used imports the modules of physics."""
     formula = None if name.startswith("_") else import_module(".model.solver", __package__).FORMULAS.get(name)
     if formula is None:
         raise AttributeError(f"jkroll.formulas has no {name}; dir(jkroll.formulas) lists the formulas")

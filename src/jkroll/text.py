@@ -21,7 +21,7 @@ LETTERS = {name: letter for letter, name in _ASCII.items() if len(name) > 1 and 
 
 
 def ascii_text(text: str) -> str:
-    """Return a text in ASCII; a Greek letter becomes its name, with spaces between it and other letters.
+    """Return a text in ASCII: Greek letters become names, apart from other letters; unknown characters become "?".
 
     >>> ascii_text("P_c = 3πγR, 50 µm")
     'P_c = 3 pi gamma R, 50 um'
@@ -40,7 +40,7 @@ def ascii_text(text: str) -> str:
 
 
 def composed(text: str) -> str:
-    """Return a text with combined accents and without wide letters; superscripts and circled digits are kept.
+    """Return a text with combined accents, and usual letters instead of wide or joined ones; ² and ① are kept.
 
     >>> composed("1㎚"), composed("A\u030a"), composed("１（ｍ²）"), composed("5①")
     ('1nm', 'Å', '1(m²)', '5①')
@@ -58,7 +58,7 @@ def composed(text: str) -> str:
 
 
 def _replace(error: UnicodeError) -> tuple[str, int]:
-    """Return the ASCII text for characters that a stream cannot encode; an error handler for `codecs`."""
+    """Return the ASCII text for characters that a stream cannot encode, and the position after them, for `codecs`."""
     assert isinstance(error, UnicodeEncodeError)
     text, start, end = error.object, error.start, error.end
     before, after = text[start - 1 : start], text[end : end + 1]
@@ -116,7 +116,9 @@ NO_BREAK_SPACE = "\N{NO-BREAK SPACE}"
 
 
 def wrapped(text: str, width: int, indent: int = 0) -> list[str]:
-    """Return a sentence as wrapped lines, indented from the second on; no line breaks before a unit, or at = or ±.
+    """Return a sentence as wrapped lines, indented from the second on.
+
+    No line breaks where `with_units_joined` puts a no-break space.
 
     >>> wrapped("load 0 N", 5), wrapped("load P = 0 N", 9, 2)
     (['load', '0 N'], ['load', '  P = 0 N'])
@@ -130,7 +132,7 @@ def wrapped(text: str, width: int, indent: int = 0) -> list[str]:
 
 
 def with_units_joined(text: str) -> str:
-    """Return a text with no-break spaces before units, around = and ±, and before an option in brackets.
+    """Return a text with no-break spaces between a number and a word, in N m, around = and ±, and before "(--option)".
 
     >>> with_units_joined("M [fN m] is 5 fN m, 0.3 % less").replace(NO_BREAK_SPACE, "_")
     'M [fN_m] is 5_fN_m, 0.3_% less'
@@ -158,7 +160,7 @@ def width_of(text: str) -> int:
     return width
 
 
-MAX_SIZE = 1000  # a table or a picture of this size still fits into memory
+MAX_SIZE = 1000  # characters; wider tables and pictures might not fit into memory
 
 
 def terminal_width() -> int:
@@ -197,7 +199,7 @@ MAX_QUOTED = 200
 
 
 def quoted(text: str, limit: int = MAX_QUOTED) -> str:
-    r"""Return a user's text in quotes, safe to print.
+    r"""Return a user's text in quotes, shortened and safe to print.
 
     >>> quoted("a\x1b[31m\u202e")
     "'a?[31m?'"
@@ -206,7 +208,7 @@ def quoted(text: str, limit: int = MAX_QUOTED) -> str:
 
 
 def shown(text: str, limit: int = MAX_QUOTED) -> str:
-    """Return a user's text shortened, with a question mark for each character that controls a terminal."""
+    """Return a user's text shortened, with a question mark for each character that is not printable."""
     if len(text) > limit:
         text = text[:limit] + "..."
     if text.isprintable():
@@ -215,9 +217,9 @@ def shown(text: str, limit: int = MAX_QUOTED) -> str:
 
 
 def for_terminal(text: str) -> str:
-    r"""Return lines from a file for a terminal, with a question mark for each control character.
+    r"""Return lines from a file for a terminal, with a question mark for each character that is not printable.
 
-    Tabs, line ends and blanks of any width are kept.
+    Tabs, line ends and blanks of any width are kept; each line ends with a line feed alone.
 
     >>> for_terminal("a\tb\r\nc\u00a0\x1b[31m\u202e\n")
     'a\tb\nc\xa0?[31m?\n'
@@ -292,7 +294,7 @@ class TextColumn(NamedTuple):
 
 
 def html_table(columns: Sequence[TextColumn]) -> str:
-    """Return columns as an HTML table, with numbers aligned to the right.
+    """Return columns as an HTML table, each aligned to the right or to the left.
 
     >>> html_table([TextColumn("<x>", ["1"])]).splitlines()[1]
     '<tr><th style="text-align:right">&lt;x&gt;</th></tr>'
@@ -328,8 +330,8 @@ def write_table(
 ) -> None:
     """Write columns between leading and trailing ones, in as many tables as the width of the terminal requires.
 
-    Tables after the first leave out rows in which all cells are `silent`. If there are trailing columns, each later
-    table with enough room repeats the first column, so that its values can be compared.
+    Tables after the first leave out rows in which all cells of the remaining columns are `silent`. If there are
+    trailing columns, each later table with enough room repeats the first of `columns`, for comparison.
     """
     if not columns:
         say("\n".join(_lines(leading, _GAP if fit_terminal(leading) else 1)), out)

@@ -86,7 +86,7 @@ class Call(Options):
 
     @cached_property
     def materials(self) -> Materials:
-        """The known materials; a note on stderr names materials that a user's file replaces."""
+        """The known materials; a note on stderr names each material that a user's file replaces."""
         known = materials_of_user(self.file)
         for text in known.overrides:
             say_wrapped(f"note: {text}", sys.stderr)

@@ -36,7 +36,7 @@ def main() -> int:
 
 
 def _write() -> int:
-    """Write the candidates; return the exit code."""
+    """Write the candidates; for fish, which first asks whether there are any, write nothing. Return the exit code."""
     _, _, shell = os.environ["_JKROLL_COMPLETE"].partition("_")
     of_shell = list(candidates(*_typed(shell)))
     if shell == "fish" and os.environ.get("_TYPER_COMPLETE_FISH_ACTION") == "is-args":

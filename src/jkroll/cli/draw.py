@@ -24,7 +24,7 @@ from .call import CHOSEN, PICTURES, Call
 
 
 def check_picture(call: Call, path: str | None, flag: str = "-o") -> None:
-    """Raise BadRequest for a picture that cannot be drawn; it is called before anything is computed.
+    """Raise an error, before anything is computed, if the picture of a call cannot be drawn.
 
     `path`: the file given with `flag`; None without a file.
     """
@@ -115,7 +115,7 @@ def draw_contact(call: Call) -> int:
 
 
 def _deliver(drawn: Picture, notes: Iterable[str], call: Call) -> int:
-    """Draw into a file and print the caption, or draw on the terminal; write the data if there is a file for them."""
+    """Draw into a file and print the caption, or draw on the terminal; write data if `--data` is given. Return 0."""
     if call.data is not None:
         _write_data(drawn, call.data)
     if call.target is not None:
@@ -167,7 +167,7 @@ def _write_data(drawn: Picture, path: str) -> None:
 
 
 def map_request(call: Call) -> PlotRequest:
-    """Return the request of a call: a quantity, axes, frames to draw, and marks."""
+    """Return the request of a call: a quantity, axes, frames to draw, marks and limits. Raises BadRequest."""
     if not call.subject:
         raise BadRequest("map needs a quantity, such as pull_off_force")
     quantity = quantity_named(call.subject)

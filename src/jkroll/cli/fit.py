@@ -33,8 +33,8 @@ from .call import CITE, CSV, FILE, JSON, MARKDOWN, TABLE, Call
 
 _SUMMARY = ("work_of_adhesion_opening", "work_of_adhesion_closing", "adhesion_hysteresis", "contact_modulus")
 _RADII = ("radius", "diameter", "reduced_radius")
-_NECESSARY = ("work_of_adhesion_opening", "contact_modulus")  # for the next command
-_LARGEST_ERROR = 0.45  # largest relative error of a result offered as an input; 0.5 or more is refused
+_NECESSARY = ("work_of_adhesion_opening", "contact_modulus")  # results that the next command needs
+_LARGEST_ERROR = 0.45  # largest relative error of a result offered as an input; an input with 0.5 or more is refused
 
 
 class FileFit(NamedTuple):
@@ -92,7 +92,7 @@ def run_fit(call: Call) -> int:
 def _form_of_rows(call: Call) -> str:
     """Return the format of rows: that of the output file, or the one that an option chooses; by default CSV.
 
-    Raises BadRequest for a file of another format.
+    Raises BadRequest for an output file that is not text, or is compressed.
     """
     if call.output is not FILE or call.target is None:
         return "md" if call.output is MARKDOWN else "csv"
@@ -103,7 +103,7 @@ def _form_of_rows(call: Call) -> str:
 
 
 def _paths(call: Call) -> list[str]:
-    """Return the files that the words name; raise BadRequest if there are none."""
+    """Return the files that words and patterns name; raise BadRequest for no file, or for standard input."""
     words = [word for word in (call.subject, *call.words) if word]
     if not words:
         raise BadRequest("fit needs a curve, such as curve.csv; jkroll guide fit has an example")
@@ -168,7 +168,7 @@ def _heading(call: Call, path: str, fitted: Fit) -> str:
 
 
 def following_command(call: Call, fitted: Fit) -> str:
-    """Return the command that continues from a fit to rolling; empty if w or E* is uncertain or no radius is given."""
+    """Return the command that continues from a fit to rolling; empty without a radius, or if w or E* is uncertain."""
     radii = [name for name in _RADII if name in call.inputs]
     are_known = all(_is_known(fitted, name) for name in _NECESSARY)
     if not are_known or not radii or fitted.is_scaled or not is_sure(fitted):
@@ -186,7 +186,7 @@ def following_command(call: Call, fitted: Fit) -> str:
 
 
 def _as_typed(call: Call, names: Sequence[str]) -> list[str]:
-    """Return the typed options of those inputs that were given."""
+    """Return those of these inputs that were given, as options with their values as typed."""
     return [f"{NOMENCLATURE[name].option} {call.inputs[name]}" for name in names if name in call.inputs]
 
 
@@ -242,7 +242,7 @@ def _outcomes(call: Call, fitter: FileFitter, paths: Sequence[str]) -> Iterator[
 
 
 def _write_rows(call: Call, paths: Sequence[str], outcomes: Sequence[FileFit], known: Known, form: str) -> int:
-    """Write a row for each file, and a summary on stderr; return the exit code."""
+    """Write a row or a JSON object for each file, and a summary on stderr; return the exit code."""
     rows = []
     for path, outcome in zip(paths, outcomes, strict=True):
         reason = ""

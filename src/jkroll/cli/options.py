@@ -58,7 +58,7 @@ class Option(Generic[Value]):
         return (self.flag, self.short) if self.short else (self.flag,)
 
     def but(self, **changes: Any) -> Self:
-        """Return the option with another spelling or help, for one command."""
+        """Return the option with some attributes changed, such as its help, for one command."""
         other = copy(self)
         vars(other).update(changes)
         return other
@@ -112,7 +112,7 @@ class Options:
     """The values of the options of a call, except for inputs. A command takes the options that it lists."""
 
     def __init__(self, given: Mapping[str, Any]) -> None:
-        """`given`: values by the names of options. Raises BadRequest for options that exclude each other."""
+        """`given`: values by the names of options. Raises BadRequest for options that exclude or need others."""
         self.given = given
         for option in EVERY:
             if option.name in given:
@@ -186,7 +186,7 @@ EVERY: list[Option[Any]] = [option for option in vars(Options).values() if isins
 
 
 def _check(option: Option[Any], given: Mapping[str, Any]) -> None:
-    """Raise BadRequest if a given option conflicts with others."""
+    """Raise BadRequest if a given option conflicts with others, or lacks one that it needs."""
     for name in option.excludes:
         if name in given:
             raise BadRequest(f"{vars(Options)[name].flag} and {option.flag} exclude each other")

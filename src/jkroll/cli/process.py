@@ -42,7 +42,7 @@ SYNONYMS: Mapping[str, str] = {
     "--unit": "--to",
     "--units": "--to",
 }
-# Hints at what to type instead of words of other programs. Some words have another hint after a command.
+# Hints at what to type instead of words of other programs. A key of two words holds after that command only.
 HINTS: Mapping[str, str] = {
     "verify": "jkroll guide paper has the audit of the paper",
     "plot": "jkroll map draws a quantity, jkroll figure a figure of the paper, jkroll contact --curve a force curve",
@@ -247,7 +247,7 @@ def flag_and_value(word: str, flags: Mapping[str, Option[Any]]) -> tuple[str, st
 
 
 def _value(option: Option[Any], value: str | None, rest: deque[str]) -> str:
-    """Return the value of an option: the joined value, or the next word."""
+    """Return the value of an option: the joined value, or the next word, with a unit that may be a word of its own."""
     if value is None:
         following = rest[0] if rest else HELP.flag
         if following.startswith("-") and following != "-" and not _is_negative(following):

@@ -83,7 +83,7 @@ def answer_rows(call: Call, sweep: Sweep, question: Question, form: Format) -> i
 
 
 def check_format(call: Call) -> None:
-    """Raise BadRequest for an output format that conflicts with other options."""
+    """Raise BadRequest if the output file has the name of a picture, which these commands do not draw."""
     if call.names_picture:
         remedy = "add --curve to contact, or see jkroll map --help"
         raise BadRequest(f"-o: {quoted(call.target or '')} is a picture; {remedy}")
@@ -125,7 +125,7 @@ def _write_columns(
 ) -> int:  # fmt: skip
     """Write columns to a file, to stdout as lines, or as a table, with notes; return the exit code.
 
-    `groups`: the groups of the rows; `single`: the answer that provides the notes.
+    `groups`: the groups of the rows; `single`: the answer that provides the notes; None if the rows do.
     """
     from ..model.rows import Tally, counted
 
@@ -168,7 +168,7 @@ def _notes_of(single: "Report", *, has_table: bool) -> "list[Note]":
     """Return the notes on a single answer; with a table, only the notes that follow it."""
     if has_table:
         return single.sentences_below
-    return [*single.notes_on_ranges(), *single.notes, *single.doubts()]  # the first lead alone is shown
+    return [*single.notes_on_ranges(), *single.notes, *single.doubts()]  # `lines_of` shows only the first lead
 
 
 def _exit_code(call: Call, failed: int, count: int, first: JkrollError | None = None) -> int:
@@ -260,7 +260,7 @@ def run_contact(call: Call) -> int:
 def _write_curve(call: Call) -> int:
     """Write the force curve of each frame; return the exit code.
 
-    Raises the error of the first state if all states have errors.
+    Raises the error of the first state if all states have errors, judged by an example of each group of frames.
     """
     from ..model.rows import Columns, Wanted
     from ..report.curve import (

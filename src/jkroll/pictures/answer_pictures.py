@@ -15,7 +15,7 @@ from .request import MAX_CURVES, PlotRequest, check_axes, distinction, picture_o
 
 
 def curve_with_state(frame: Frame) -> Drawn:
-    """Return the force curve of a contact, with a mark at the state of the frame, if it has one."""
+    """Return the force curve of a contact, with a mark at the stated load or state, if it lies in the panel."""
     picture, notes = curves_of_contact([_unloaded(frame)], None, "force")
     state = frame.numbers("approach_at_load", "load") if STATE_OR_LOAD & frame.stated.keys() else {}
     if len(state) == 2:
@@ -33,7 +33,7 @@ def _unloaded(frame: Frame) -> Frame:
 
 
 def lines_over_input(quantity: str, sweep: Sweep) -> Drawn:
-    """Return a picture of a quantity over the input with the most values; each combination of other inputs is a line.
+    """Return a picture of a quantity over the input with the most values, with a line for each combination of the rest.
 
     If no input has several values, the laws of one contact are compared by their force curves.
     """

@@ -50,10 +50,10 @@ if TYPE_CHECKING:
 class Exceeded:
     """A limit of the model that the answer exceeds; `str` gives its sentence.
 
-    `name` and `value` are those of the quantity that the limit concerns. `limit` is the first threshold. The
-    threshold of a law applies to the factor between its answer and a better one, that of radii to the smaller radius.
-    `factor` is the factor by which the threshold is exceeded; None if it is infinite, or if the threshold is 0. `ends`
-    names the results that the exceeded limit makes meaningless.
+    `name` and `value` are those of the quantity that the limit concerns. `limit` is the first threshold. It applies to
+    the value or, for some limits, to another number: for the limit of a law, to the factor between its answer and a
+    better one; for the limit on radii, to the smaller radius. `factor` is the factor by which that number is beyond
+    the threshold; None if it is infinite, or if the threshold is 0. `ends` names the results that become meaningless.
     """
 
     def __init__(self, text: str, doubt: "Doubt", ends: tuple[str, ...]) -> None:

@@ -73,8 +73,9 @@ def band_of(here: Frame, quantity: str, shape: tuple[int, ...]) -> Band | None:
 def spacing(inside: Any) -> int:
     """Return the smallest n for which the bands of every n-th contour, beginning at index n // 2, stand apart.
 
-    Bands stand apart if they hardly overlap and leave a part of the map free. If they are too narrow to be seen, n is
-    0. `inside`: for each contour of a map, an array that is positive within its band.
+    Bands stand apart if they hardly overlap and leave a part of the map free. Without such an n, the number of contours
+    is returned, and 0 if the bands are too narrow to be seen. `inside`: for each contour of a map, an array that is
+    positive within its band.
     """
     for step in range(1, len(inside) + 1):
         bands = (inside[step // 2 :: step] > 0).sum(axis=0)

@@ -68,7 +68,7 @@ class Drawn:
 
     @property
     def caption(self) -> str:
-        """The caption, followed by the limits of the model that are exceeded."""
+        """The caption, followed by the limits of the model that are exceeded and by remarks."""
         return plain(" ".join([*self._picture.caption, *self._picture.doubts, *self._picture.remarks]))
 
     def plot(self, ax: "Axes | Sequence[Axes] | None" = None, style: str = "paper") -> Any:
@@ -92,7 +92,10 @@ class Drawn:
         return ax
 
     def figure(self, style: str = "paper", *, caption: bool = False) -> "Figure":
-        """Return the page that the command draws, as a matplotlib figure: figure.savefig("a.pdf")."""
+        """Return the page that the command draws, as a matplotlib figure: figure.savefig("a.pdf").
+
+        `caption`: True for titles and a caption.
+        """
         _check(style)
         with missing_extra("plot"):
             from .page import figure_of, settings
@@ -191,7 +194,7 @@ def map(
     Parameters
     ----------
     quantity
-        A name or symbol, or the command named after the quantity.
+        A name or symbol, or a command, which stands for its main quantity.
     x, y
         An input and its range, as "radius=1nm:1mm"; append ":lin" for equal steps, ":50" for the number of values.
     material, material2, materials, model, profile, **given

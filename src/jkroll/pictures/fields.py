@@ -133,7 +133,7 @@ def finer(values: Any) -> Any:
 
 
 def rough(values: Any, heights: Sequence[float]) -> Any:
-    """Return the points of the fine mesh in cells of a coarser one where values cross a height and are not linear."""
+    """Return which points of the fine mesh are in cells of a coarser one where values cross a height, not linearly."""
     bend = numpy.zeros(values.shape)
     bend[1:-1] = abs(numpy.diff(values, 2, axis=0))
     bend[:, 1:-1] = numpy.maximum(bend[:, 1:-1], abs(numpy.diff(values, 2, axis=1)))
@@ -288,7 +288,7 @@ class _Drawing:
     def _draw_bands(self) -> int:
         """Draw bands in which the best range includes the value of a contour, as far as there is room.
 
-        Return n if every n-th contour has a band; 0 if there are no best ranges.
+        Return n if every n-th contour has a band; 0 if there are no bands.
         """
         size = _UNCERTAIN if self.field.frame.uncertainties else _CERTAIN
         coarse = Mesh(self.panel.x, self.panel.y, size)

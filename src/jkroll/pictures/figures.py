@@ -176,7 +176,7 @@ def curves_of_contact(
 ) -> tuple[Picture, tuple[str, ...]]:
     """Return a picture with one panel, or with all panels that the laws of the frames have, and its notes.
 
-    The notes name the laws that lack a panel; for one law, they also give best ranges and doubts.
+    The notes name the laws that lack a panel, assumptions and data; for one law, they also give best ranges and doubts.
     """
     is_one = len(frames) == 1
     asked = [PANELS[panel]] if panel is not None else [*PANELS.values()]
@@ -429,7 +429,7 @@ def figure_laws(materials: Materials, marks: Sequence[str]) -> Picture:
 
 # --- The names of all figures -----------------------------------------------------------------------------------------
 
-PROFILES: Mapping[str, Callable[[Materials], Picture]] = {"2": figure_2, "9": figure_9}  # without options
+PROFILES: Mapping[str, Callable[[Materials], Picture]] = {"2": figure_2, "9": figure_9}  # take no marks
 FIGURE_NAMES = (*sorted({*PAPER_MAPS, *PROFILES}), "laws", "geometry")
 
 

@@ -69,7 +69,7 @@ def _readable(svg: str, about: About) -> str:
 
 
 def _in_lines(spans: str) -> str:
-    """Return the letters of a line of text in order; adjacent letters of one style share a span."""
+    """Return the spans of a line of text, in which adjacent letters of one style share a span."""
     letters = []
     for x_as_text, y, style, text in _SPAN.findall(spans):
         letters.append((float(x_as_text), y, style, unescape(text).replace(NO_BREAK_SPACE, " ")))

@@ -20,7 +20,7 @@ class _Pair(NamedTuple):
     """The sizes of the sketch; the contact is at y = 0, with sphere 1 above it."""
 
     above: float  # radius of sphere 1
-    below: float
+    below: float  # radius of body 2
     half: float  # radius of the contact circle
     lag: float  # distance from the line of centres back to the middle of the circle
 
@@ -29,7 +29,7 @@ class _Pair(NamedTuple):
         return sqrt(self.above**2 - self.half**2), -sqrt(self.below**2 - self.half**2)
 
     def outlines(self) -> tuple[Curve, ...]:
-        """Return the outlines of both spheres, and the caps they would have without deformation."""
+        """Return the line of contact, the outlines of both spheres, and their caps without deformation."""
         curves = []
         for radius, height, side in zip((self.above, self.below), self.heights(), (-1, 1), strict=True):
             opening = acos(sqrt(radius**2 - self.half**2) / radius)
@@ -79,7 +79,7 @@ def _forces(pair: _Pair) -> tuple[Arrow, ...]:
 
 
 def _lengths(pair: _Pair) -> tuple[Arrow, ...]:
-    """Return the arrows of the lengths of a contact: its radius, its lag, and the approach."""
+    """Return the arrows of the radius of a contact, its lag and the approach, and the lines at which they end."""
     up, down = pair.heights()
     lowest, highest, low, right = up - pair.above, down + pair.below, -0.62, 1.62
     middle, end = -pair.lag, pair.half - pair.lag

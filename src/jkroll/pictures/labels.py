@@ -11,11 +11,12 @@ from .picture import Mark, Style
 
 _EDGE = 4.0  # width that the ticks take inside the frame, in points of the page
 _APART = 2.0  # gap between two texts, or between a line and its name, in points of the page
-_CLEAR = 4.0  # least distance of the name of a line from other such lines, in points of the page
+_CLEAR = 4.0  # least distance of the name of a line from other lines with names, in points of the page
 _ASIDE = 20.0  # cost of a distance from the line, relative to a distance from the middle of the axes
 _DOT = 3.0  # half the size of a point, in points of the page
 _STEP = 1.5  # between the points of a line, in points of the page
-_WAYS = ((0.7, 0.7), (0.7, -0.7), (-0.7, 0.7), (-0.7, -0.7), (1, 0), (-1, 0), (0, 1), (0, -1))  # the best first
+# Directions of a text from its point, the best first.
+_WAYS = ((0.7, 0.7), (0.7, -0.7), (-0.7, 0.7), (-0.7, -0.7), (1, 0), (-1, 0), (0, 1), (0, -1))
 _REACH = (7.0, 11.0, 16.0, 22.0, 30.0, 42.0, 56.0, 75.0)  # distances of a text from its point, in points of the page
 
 Ground = Callable[[Any], str]  # colour of the picture in a box in pixels

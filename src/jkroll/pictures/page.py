@@ -138,7 +138,7 @@ def draw_on(axes: Any, panel: Panel, style: Style) -> None:
 
 
 def _drawing_on(axes: Any, panel: Panel, style: Style, letters: int) -> Drawn:
-    """Draw a panel, except for the texts inside the axes. `letters`: their number in a line of the legend."""
+    """Draw a panel, except for the texts inside the axes. `letters`: the number of letters in a line of the legend."""
     if panel.field is not None:
         return draw_field(axes, panel, levels_of(panel.field), style, letters)
     return _draw_curves(axes, panel, style, letters)
@@ -274,7 +274,7 @@ def levels_of(field: Field) -> list[float]:
 
 
 def _draw_curves(axes: Any, panel: Panel, style: Style, letters: int) -> Drawn:
-    """Draw curves, which differ in colour and dashes; return the drawing."""
+    """Draw arrows, and curves that differ in colour and dashes; return the drawing."""
     handles: dict[str, Any] = {}
     numbers_of: tuple[dict[str, int], dict[str, int]] = {}, {}  # of lines and of points: equal labels look the same
     has_bands = any(curve.band is not None for curve in panel.curves)

@@ -18,7 +18,7 @@ from ..quantities.quantity import Quantity
 from ..text import TextColumn, capital, padded, say, say_wrapped, terminal_width, width_of, write_table
 from .bands import Band
 
-_WIDE = 30.0  # ratio of the ends above which contours are logarithmic
+_WIDE = 30.0  # ratio of the ends above which contours and axes of curves are logarithmic
 SAME = 1e-9  # relative difference below which values differ only by rounding
 
 # Quantities on the axes of figures that a frame does not have.
@@ -96,7 +96,7 @@ class Curve(NamedTuple):
     has_points: bool = False  # True to draw its points without a line
     band: Band | None = None
     key: str = ""  # explains line and band in a legend
-    rows: Rows | None = None  # None: some of the points
+    rows: Rows | None = None  # that a terminal shows; None: points at equal steps
 
 
 class Arrow(NamedTuple):
@@ -118,7 +118,7 @@ class Region(NamedTuple):
     """
 
     text: str
-    where: str  # empty if everywhere
+    where: str  # in words; empty if everywhere
     sign: str
     hatch: str
     name: str
@@ -270,6 +270,7 @@ ROWS, COLUMNS = 13, 9  # largest size of the table of a field
 CURVE_ROWS = 11  # largest number of rows for a curve
 DIGITS = 3
 _DIGITS = ("1 2 5", "1 3", "1")  # in each decade; the first set that fits is used
+# Sets with more digits, for axes on which no set of _DIGITS gives _FEW values.
 _MORE = (" ".join(f"{digit / 10:g}" for digit in range(10, 100)), "1 1.2 1.5 2 2.5 3 4 5 6 8", "1 1.5 2 3 5 7")
 _FEW = 4  # number of values below which an axis takes more digits
 _NARROW = 1.5  # ratio of the ends below which the steps of a logarithmic axis are equal
@@ -389,7 +390,7 @@ def _painted(field: Field, texts: Sequence[str], numbers: Any) -> list[str]:
 
 
 def _columns(panel: Panel) -> list[TextColumn]:
-    """Return the columns of a panel of curves: the name of the curve or point, x and y."""
+    """Return the columns of a panel of curves: the name of the curve or point, x, y and, if known, best ranges."""
     rows: list[tuple[str, float, float, str, str]] = []
     for curve in panel.curves:
         x, y, best, by = curve.rows or _some_of(curve, panel)

@@ -380,7 +380,11 @@ class Layer:
                         break
 
     def _beyond(self, limit: Limit, threshold: float) -> str:
-        """Return the text of a region: the consequence of the limit, with the threshold if the limit has no factor."""
+        """Return the text of a region: the consequence of its limit.
+
+        For the limit of the law, the text is how far the law is off; for a limit without `factor`, the threshold comes
+        first.
+        """
         if limit is LAW:
             size = f"{100 * (threshold - 1):.0f} %" if threshold < 2 else f"a factor of {threshold:g}"
             return f"{self.given.law.title} is off by more than {size}"

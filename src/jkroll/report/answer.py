@@ -45,7 +45,7 @@ from .questions import Question
 class Result(Numeric):
     """A quantity in SI units, or the reason why it has no value; `str` rounds it as on a terminal.
 
-    It acts as its number: `float(result)`, `result * 2`, `f"{result:.3g}"`, `result.to("nN")`.
+    A result acts as its number: `float(result)`, `result * 2`, `f"{result:.3g}"`, `result.to("nN")`.
 
     `error` is the relative error of an approximate moment. `growth` is the largest factor by which the relative error
     of a measured value grows in an inferred one.
@@ -60,7 +60,7 @@ class Result(Numeric):
         error: float | None = None,
         bar: ErrorBar | None = None,  # the uncertainty, if an input has one
         law: str = "",  # the law of attraction, unless it is JKR or has the same formula as JKR
-        equation: str = "",  # the number of the law's equation in the paper, or its source
+        equation: str = "",  # by `law`: the number of the equation in the paper, or the source of the law
     ) -> None:
         self.name, self.value, self.reason, self.code, self.error = name, value, reason, code, error
         self.bar, self.law = bar, law
@@ -102,7 +102,7 @@ def without_value(name: str, error: JkrollError, law: str = "") -> Result:
 
 
 def equation_of(frame: Frame, name: str) -> str:
-    """Return the number of the equation in the paper, or the source of the law."""
+    """Return the number of a quantity's equation in the paper; without one, the source of the law."""
     return NOMENCLATURE[frame.plan(name).name].equation or frame.law.source
 
 
@@ -110,7 +110,7 @@ _MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_app
 
 
 def model_error(name: str, frame: Frame) -> float | None:
-    """Return the relative error of an approximate moment; None for other quantities and for an exact moment.
+    """Return the relative error of an approximate moment; None for the exact moment, other quantities and no value.
 
     Eq (25) is exact at a fixed load. At a fixed approach the exact moment has a further term in ξ³.
     """
@@ -124,7 +124,7 @@ def model_error(name: str, frame: Frame) -> float | None:
 
 
 def with_force_by_maugis(error: Failure, frame: Frame) -> Failure:
-    """Return the error for a load beyond JKR's pull-off force, with Maugis' pull-off force if it is known."""
+    """Return the error for a load beyond pull-off; for JKR, with Maugis' pull-off force if that is known."""
     if not frame.law.is_default:
         return error
     other = frame.replace(model=BETWEEN)
@@ -247,7 +247,7 @@ class Answer(Results):
 
     @cached_property
     def estimates(self) -> Mapping[str, Estimate]:
-        """The best ranges of results that have a value."""
+        """The best ranges of results that have a value, even one without a meaning."""
         return {name: self.ranges.estimate(name) for name in self.ranges.names}
 
     @property
@@ -282,9 +282,9 @@ class Answer(Results):
     def exceeded(self) -> list[Doubt]:
         """The limits of the model that are exceeded, the most important first.
 
-        Limits that make results meaningless come first, led by a contact wider than its sphere. Within both groups, the
-        order is: limits that concern the headline, limits on a state (their threshold is 0), limits with a remedy,
-        larger excess.
+        Limits that make results meaningless come first, led by a contact wider than its sphere, then the other limits.
+        In each of these two groups, limits on the headline precede the rest, then limits on a state (with threshold 0),
+        then limits with a remedy, then limits with a larger excess.
         """
         return sorted((doubt for doubt in self.validity if doubt.is_exceeded), key=self._rank)
 
@@ -309,8 +309,8 @@ class Answer(Results):
     def _is_of_headline(self, limit: Limit) -> bool:
         """Return whether a limit concerns the headline.
 
-        The limit of the law concerns the headline if a better law gives it a different value. A limit on a result
-        itself, such as a negative force, always concerns the headline.
+        The limit of the law concerns the headline if a better law gives it a different value. A limit on the size of a
+        result, such as a negative force, always concerns the headline.
         """
         if limit.name in limit.touches and limit.name in self.values:
             return True
@@ -335,7 +335,7 @@ class Answer(Results):
 
     @property
     def names_in_table(self) -> list[str]:
-        """The quantities with a row in a table. Turns have one only if an energy or a speed is stated."""
+        """The quantities with a row in a table; in a report, turns have one only if an energy or a speed is stated."""
         question, stated = self.question, self.frame.stated.keys()
         hidden = {name for name, inputs in question.if_stated.items() if stated.isdisjoint(inputs)}
         return [name for name in question.with_row if name in question.named or name not in hidden]

@@ -76,7 +76,10 @@ def reasons_for(by: int, answer: Answer) -> Iterator[str]:
 
 
 def made_of(name: str, answer: Answer) -> str:
-    """Return the parts of a best range: its ends by each law, at both atomic spacings."""
+    """Return the ranges that make up a best range: by the law in use, and by Maugis' law at each spacing.
+
+    A pull-off force also has its value by Lennard-Jones. The text is empty for ranges by other rules.
+    """
     estimate = answer.estimates[name]
     if estimate.by not in (SCALED, XI_UNKNOWN, BETTER_LAW, LAW_IN_USE):
         return ""
@@ -188,7 +191,7 @@ _Errors = Mapping[str, dict[str, list[float]]]  # by side and name: relative err
 
 
 def _errors(answer: Answer) -> _Errors:
-    """Return how far the law in use is above and below the better law's ranges.
+    """Return the relative errors of the law in use, too high or too low, at both ends of the better law's ranges.
 
     The mapping is empty if a value lies inside its range, or if an input is uncertain.
     """
@@ -274,14 +277,14 @@ def _scaled(answer: Answer) -> Iterator[str]:
 
 
 def _as_displacement(answer: Answer) -> str:
-    """Return the displacement that measured forces imply by the law in use."""
+    """Return the clause on the ξ that measured forces imply by the law in use; empty if that is not a range."""
     low, high = answer.ranges.of_laws(XI, SCALED)[0]
     least = ", with one atom as the least ξ" if low == answer.frame.values.get(XI) else ""
     return f"by {answer.frame.law.short} this corresponds to ξ = {span(XI, low, high)}{least}" if low < high else ""
 
 
 def _ceiling(answer: Answer) -> str:
-    """Return the largest force that adhesion explains, if the measured forces exceed it."""
+    """Return the clause on the largest force that adhesion alone can cause; empty unless the best range exceeds it."""
     ceiling = answer.ranges.at_full_hysteresis("yield_force")
     found = answer.estimates.get("yield_force")
     if found is None or not found.high > ceiling[1]:
@@ -312,7 +315,7 @@ def _xi_unknown(answer: Answer) -> Iterator[str]:
 
 
 def of_silica(answer: Answer) -> str:
-    """Return the headline's ranges for SiO2, on which rolling was measured; empty if none is scaled from it."""
+    """Return the headline's ranges for SiO2, on which rolling was measured; empty if none is a scaled measurement."""
     silica = Frame(answer.frame.stated, known_materials()["quartz"])
     if not isinstance(answer.frame.given.get("radius"), float):
         return ""
@@ -359,7 +362,7 @@ def _adhesion_only(answer: Answer) -> Iterator[str]:
 
 
 def _by_dmt(answer: Answer) -> str:
-    """Return the inferred values by DMT's law, which needs no modulus."""
+    """Return the clause on inferred values by DMT's law, which needs no modulus; it may be empty."""
     found = answer.by_law.get("dmt", {})
     texts = [
         f"{symbol_among(name, answer.inputs)} = {span(name, *2 * (middle(value),))}" for name, value in found.items()

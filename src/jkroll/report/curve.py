@@ -23,9 +23,9 @@ FORCE_CURVE = Question(
 _OF_CURVE = ("pull_off_force", "contact_radius", "approach")
 WHOLE_CURVE = Question(_OF_CURVE, _OF_CURVE)
 FOLD, PULL_OFF, JUMP_IN, EQUILIBRIUM = "fold", "pull-off", "jump-in", "equilibrium"
-NAMED = {FOLD: 1 / 6, PULL_OFF: 1 / 2, JUMP_IN: 2 / 3, EQUILIBRIUM: 1.0}  # the load factors of JKR
+NAMED = {FOLD: 1 / 6, PULL_OFF: 1 / 2, JUMP_IN: 2 / 3, EQUILIBRIUM: 1.0}  # the load factor of each named state of JKR
 STEPS, FEW_STEPS = 40, 12  # along the stable branch, in a file and on a terminal
-MAX_LOAD = 16 / 9  # in units of the law's pull-off force, if no loads are given
+MAX_LOAD = 16 / 9  # largest load of a curve if no loads are given, over the pull-off force of the law
 # By law: the input that sets a state, and the quantity that gives its value at a load. Other laws use the load.
 _SET_BY = {
     "jkr": ("load_factor", "load_factor"),
@@ -44,7 +44,7 @@ class State(NamedTuple):
     def in_frame(self, frame: Frame) -> Frame:
         """Return a frame at the state."""
         frame = frame.replace(**{self.given: self.value}, state=self.name)
-        if self.name == FOLD:  # its stiffness is infinite, but the formula gives only rounding errors
+        if self.name == FOLD:  # the stiffness is infinite at the fold; the formula would give a rounding error
             frame.drop("stiffness", NO_STIFFNESS)
         return frame
 
@@ -74,8 +74,9 @@ def loads_of(text: str) -> Loads:
 def states(frame: Frame, loads: Loads | None = None, steps: int = STEPS) -> list[State]:
     """Return the states of a frame's force curve, by rising value of the input that sets a state, see `_SET_BY`.
 
-    Without `loads` the curve ends at (16/9)P_c. It has `steps` steps along the stable branch, half as many between a
-    vanishing contact and pull-off if the law has these states, and the named states.
+    Without `loads` the curve ends at (16/9)P_c. It has the named states, `steps` steps along the stable branch and, if
+    the law has such states, half as many between a vanishing contact and pull-off, and half as many without contact. If
+    the pull-off force is unknown, or if even the last load is beyond it, the curve has one state.
     """
     try:
         given, at_load = _SET_BY.get(frame.law.name, ("load", "load"))

@@ -50,7 +50,7 @@ def symbol_of_result(fitted: Fit, name: str) -> str:
 
 
 def line_on_known(fitted: Fit, *, on_radius: str = "", stiffness: str = "") -> str:
-    """Return the line above a fit: the fitted data, the law and the known inputs.
+    """Return the line above a fit: the kind of data, the law, the known inputs and the number of points.
 
     `on_radius`: the text after the radius; `stiffness`: the stiffness of the lever, as typed.
     """
@@ -74,7 +74,10 @@ def rows_of_results(fitted: Fit) -> list[list[str]]:
 
 
 def row_of_result(fitted: Fit, name: str) -> list[str]:
-    """Return the cells of a result under `HEADS`; a dash stands for an error that was not computed."""
+    """Return the cells of a result under `HEADS`.
+
+    A dash stands for a part of the error that was not computed; a result without any errors has empty cells.
+    """
     words, symbol = WORDS[name][0], symbol_of_result(fitted, name)
     errors = fitted.errors.get(name)
     if errors is None:
@@ -87,7 +90,7 @@ def row_of_result(fitted: Fit, name: str) -> list[str]:
 
 
 def in_words(fitted: Fit, name: str) -> str:
-    """Return a result with its unit and total error, for a sentence."""
+    """Return a result with its unit for a sentence, and with its total error if that is finite."""
     errors = fitted.errors.get(name)
     if errors is None or not isfinite(errors.total):
         texts, unit = _cells(fitted, name, [])
@@ -99,7 +102,7 @@ def in_words(fitted: Fit, name: str) -> str:
 def _cells(fitted: Fit, name: str, errors: Sequence[float | None]) -> tuple[list[str], str]:
     """Return the texts of a result and its errors, and their unit.
 
-    Errors have two digits. The last error is the total, and the result ends at the second digit of the total.
+    Errors have two digits. The last error is the total, and the result is rounded at the second digit of the total.
     """
     value = fitted.values[name]
     known = [nan if error is None else error for error in errors]
@@ -170,12 +173,12 @@ def findings(fitted: Fit) -> Iterator[str]:
 
 
 def is_sure(fitted: Fit) -> bool:
-    """Return whether w and E* can be trusted: the curve looks like one contact, and it determines E*."""
+    """Return whether w and E* can be trusted: the fit is good, and the curve determines E*."""
     return {"poor-fit", "modulus-undetermined"}.isdisjoint(fitted.remarks)
 
 
 def _about_laws(fitted: Fit) -> Iterator[str]:
-    """Iterate over the sentence with w by each law, beginning with the law that holds, and one on the profile."""
+    """Iterate over the sentence with w by each law, beginning with the law that holds, and one on a true sphere."""
     name = next((name for name in RESULTS if name in fitted.values), "")
     best, profile = fitted.law_that_holds, fitted.known.profile
     order = sorted(fitted.by_law, key=lambda law: (law.partition(",")[0] != best, profile not in law, law))

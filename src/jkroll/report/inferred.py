@@ -16,7 +16,8 @@ from ..text import listed
 from .answer import Answer
 from .notes import Note
 
-# The factor between an inferred value and the library's above which a note reports it, and the text of the note.
+# By property: the factor between an inferred value and the library's above which a note reports the inferred value, and
+# the end of the note.
 _FAR = {
     **dict.fromkeys(
         ("surface_energy", "work_of_adhesion"),
@@ -30,7 +31,7 @@ _FAR = {
 
 
 def laws_of(answer: Answer) -> list[str]:
-    """Return the laws whose inferred values are shown: Maugis', if it holds or gives no value, then the law in use."""
+    """Return the laws whose inferred values are shown: Maugis', if it is better or has no value, and the law in use."""
     in_use = answer.frame.law.name
     if BETTER_LAW in answer.rules or lack_by_better_law(answer):
         return [BETWEEN, in_use]
@@ -38,7 +39,7 @@ def laws_of(answer: Answer) -> list[str]:
 
 
 def lack_by_better_law(answer: Answer) -> str:
-    """Return the reason why Maugis' law gives no inferred value; empty if it gives one or lacks an input."""
+    """Return the reason why Maugis' law gives no inferred value; empty if it gives one, or if an input is missing."""
     if not answer.described.unknowns or LAW_ONLY not in answer.rules:
         return ""
     other = answer.described.by_law_at_spacing
@@ -51,7 +52,7 @@ def lack_by_better_law(answer: Answer) -> str:
 
 
 def solids_of(frame: Frame, name: str) -> list[str]:
-    """Return the names of the solids that an inferred value describes: that of sphere 1, or both for a pair's value."""
+    """Return the names of the solids that an inferred value describes: that of sphere 1, or of both for w of a pair."""
     solids = [solid.name for solid, _ in frame.materials]
     if name in PROPERTIES:
         return solids[:1]
@@ -67,7 +68,7 @@ def library_values(frame: Frame) -> Mapping[str, float | Uncertain]:
 
 
 def about_library(answer: Answer) -> Iterator[Note]:
-    """Iterate over sentences on inferred values that are far from the library's."""
+    """Iterate over notes on inferred values that are far from the library's."""
     by_maugis = BETWEEN in laws_of(answer)
     for name, usual in library_values(answer.described).items():
         if name not in answer.values:
@@ -78,7 +79,7 @@ def about_library(answer: Answer) -> Iterator[Note]:
             ends = positive or ends
         factors = sorted((end / middle(usual) for end in ends), key=_distance)
         nearest, farthest = factors[0], factors[-1]
-        if answer.estimates[name].by == ADHESION_ONLY and nearest > 1:  # other losses are the probable cause
+        if answer.estimates[name].by == ADHESION_ONLY and nearest > 1:  # other losses probably make the value large
             continue
         limit, question = _FAR.get(name, (INFINITY, ""))
         if 1 / limit <= nearest <= limit:
@@ -108,7 +109,7 @@ def about_limit(doubt: Doubt, answer: Answer) -> str:
 
 
 def about_inferred(answer: Answer) -> Iterator[Note]:
-    """Iterate over notes: unusual inferred values, unused data of materials, and the quantities that they give."""
+    """Iterate over notes: unusual inferred values, unused data of materials, and the results that the values give."""
     if not answer.described.unknowns or not answer.values:
         return
     frame, values = answer.frame, answer.values

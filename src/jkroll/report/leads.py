@@ -66,7 +66,7 @@ def leads(answer: Answer) -> Iterator[Note]:
 
 
 def lead_of_rows(groups: Sequence[Shown], names: Collection[str]) -> str:
-    """Return the sentence on the effects that the pull-off force of a list leaves out; empty if there are none."""
+    """Return the sentence on water or roughness, which the pull-off force of rows leaves out; empty if none matters."""
     if "pull_off_force" not in names:
         return ""
     if "meniscus_force" in names:
@@ -78,7 +78,7 @@ def lead_of_rows(groups: Sequence[Shown], names: Collection[str]) -> str:
 
 
 def advice_on_inputs(answer: Answer) -> Iterator[str]:
-    """Iterate over lines on the γ and ξ with which the law gives the middle of the best ranges of P_c and M, if any."""
+    """Iterate over lines on the γ and ξ for which the law gives the middle of the best ranges of P_c and M, if any."""
     options = _options_for_middle(answer)
     if not options:
         return
@@ -149,10 +149,10 @@ def _held(answer: Answer) -> str:
 
 
 def _filled(sentence: str, answer: Answer) -> str:
-    """Return a sentence of the question, with best ranges filled in; empty if one is missing."""
+    """Return a sentence of the question, with best ranges filled in; empty if a necessary one is missing."""
     found = {name: estimate for name, estimate in answer.estimates.items() if estimate.by != NONE}
     words = {name: _spoken(name, each, answer.form) for name, each in found.items()}
-    if "{or_none}" in sentence:  # it has room for "none"
+    if "{or_none}" in sentence:  # the sentence can say "none", but is left out if no result has a meaning
         if answer.ended.keys() >= answer.computed.keys():
             return ""
         words |= dict.fromkeys(answer.ended, "none")
@@ -175,7 +175,7 @@ def _filled(sentence: str, answer: Answer) -> str:
 def _is_from_forces(answer: Answer) -> bool:
     """Return whether the headline comes from measured rolling forces alone although a surface energy was given.
 
-    The radius of a bend follows from ξ, a measured force divided by the surface energy, so it depends on γ, too.
+    R_min does not count: it follows from ξ, which is a measured force divided by the surface energy.
     """
     rolled = what_rolled(answer.frame)
     if rolled is None or rolled.name == XI or not has_given_energy(answer.frame) or "r_min" in answer.question.headline:
@@ -189,7 +189,7 @@ def _spoken(name: str, estimate: Estimate, form: Format) -> str:
 
 
 def _middle(name: str, estimate: Estimate, form: Format, *, is_short: bool) -> str:
-    """Return a single number for a wide range, with its largest error unless `is_short`; empty for a narrow range."""
+    """Return a single number for a wide range, with its largest error unless `is_short`; empty for other ranges."""
     low, high = estimate.low, estimate.high
     if not low > 0 or not high >= _WIDE * low:
         return ""
@@ -247,7 +247,7 @@ def _filled_gap(frame: Frame) -> str:
 def _slides_or_peels(answer: Answer) -> str:
     """Return whether a pushed contact slides or peels off if it cannot roll, as far as its friction is known.
 
-    A load that presses holds a contact whose adhesion has peeled off.
+    Under a pressing load, the contact remains after its adhesion has peeled off.
     """
     is_assumed = answer.estimates["sliding_or_peeling_force"].by == FRICTION_ASSUMED
     margin = FRICTION_FACTOR if is_assumed else 1.0
@@ -307,7 +307,7 @@ def _law_that_holds(answer: Answer) -> str:
 
 
 def _elastic_or_not(frame: Frame, form: Format) -> str:
-    """Return whether an impact stays elastic; without a yield strength, its peak pressure and the pressure at rest."""
+    """Return the sentence on whether an impact stays elastic; without a yield strength, on its pressures alone."""
     peak = _pressure(frame, form, "impact_pressure")
     if frame.missing(["first_yield_pressure"]):
         rest = _pressure(frame, form, "hertz_pressure")

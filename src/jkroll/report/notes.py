@@ -59,7 +59,7 @@ FRICTION = Note(
     "remark", "sliding and twisting are known only within an order of magnitude: τ = G/4π² (--shear-strength)"
 )
 _UNLIKE = 3.0  # ratio of two surface energies above which their geometric mean is too high
-_MAX_NOTES = 1  # below results, in addition to the warning
+_MAX_NOTES = 1  # answering sentences below results, and as many other notes, in addition to the warning
 _MAX_LENGTH = 154  # characters of a note: two lines of a terminal
 _MAX_CODES = 4  # codes of doubts in a note
 _MOST_IN_WORDS = 2  # largest number of quantities that a note names in words; it gives the symbols of more quantities
@@ -71,7 +71,7 @@ _MOST_IN_WORDS = 2  # largest number of quantities that a note names in words; i
 def entering(frame: Frame, names: Sequence[str], *, judges: bool = True) -> tuple[set[str], list[str]]:
     """Return the inputs of some quantities, and the given inputs that change neither a quantity nor a limit.
 
-    A load that changes only limits counts as idle, because the user expected it to change a result.
+    A load or state that changes only limits counts as idle, because the user expected it to change a result.
     `judges`: True to count all limits, False to count only those that make a result meaningless.
     """
     limits = touched(frame, frame.possible(names), LIMITS if judges else ENDING)
@@ -123,7 +123,7 @@ def about_assumed(texts: Mapping[str, str]) -> Iterator[Note]:
 
 
 def about_given(frame: Frame, names: Sequence[str], inputs: Collection[str]) -> Iterator[Note]:
-    """Iterate over notes on the inputs of some quantities."""
+    """Iterate over notes on inputs: an assumed shear strength, unlike surface energies, and data of materials."""
     if "shear_strength" in frame.formulas_to(*names):
         yield FRICTION
     energies = [frame[name] for name in ("surface_energy", "surface_energy2") if name in inputs]
@@ -179,10 +179,10 @@ def about_middles(uncertain: "Mapping[str, Uncertain]") -> Iterator[Note]:
 
 
 def about_values(frame: Frame, names: Collection[str]) -> Iterator[Note]:
-    """Iterate over notes on values.
+    """Iterate over notes on the values of quantities.
 
-    The notes concern a measured breaking energy, chains of unlike spheres, spheres bound without touching, and the
-    loss that ξ requires.
+    Their subjects are a measured breaking energy, chains of unlike spheres, spheres bound without touching, and the
+    part of w that rolling at ξ must lose.
     """
     if "break_energy_dust_simulation" in names and solid_of_pair(frame) == SIO2:
         measured = "for spheres of 1.9 µm diameter, Blum & Wurm 2000 (Icarus 143, 138) use a measured 1.3e-15 J"
@@ -221,7 +221,7 @@ def about_limits(every: Iterable[Doubt]) -> Iterator[Note]:
 
 
 def about_missing(errors: Mapping[str, JkrollError]) -> Iterator[Note]:
-    """Iterate over the reasons for missing values, each with the quantities."""
+    """Iterate over notes with the reasons for missing values, each after its quantities."""
     for names, reason in grouped(errors):
         lacks_input = isinstance(errors[names[0]], MissingInput)
         severity: Severity = "remark" if lacks_input else "caveat"
@@ -337,9 +337,9 @@ def lines_of(
 ) -> list[str]:
     """Return the lines below an answer or rows, ending with a hint if there is more; the warning alone if `quiet`.
 
-    They are the assumptions, the warning, the first answering sentence and the first of the other notes. `has_head`:
-    True below a table whose header has the assumptions; then all notes of severity "data" follow. `has_more`: True if
-    there is more to explain than the notes.
+    The lines are the assumptions, the warning, the first answering sentence and the first of the other notes.
+    `has_head`: True below a table whose header has the assumptions; the lines then also have all notes of severity
+    "data". `has_more`: True if there is more to explain than the notes.
     """
     texts = _texts_by_severity(notes)
     warning = _warning(texts["warning"])
@@ -374,7 +374,7 @@ def _warning(texts: Sequence[str]) -> list[str]:
 
 
 def _first_clauses(text: str) -> str:
-    """Return the leading clauses of a text that fit into two lines, but at least one."""
+    """Return as many leading clauses of a text as fit into two lines, but at least one clause."""
     while len(text) > _MAX_LENGTH and "; " in text:
         text = text.rpartition("; ")[0]
     return text

@@ -16,13 +16,13 @@ class Question:
 
     def __init__(
         self,
-        headline: tuple[str, ...],  # the command is named after them; --bare writes only these
+        headline: tuple[str, ...],  # the main results, and all that --bare writes
         quantities: tuple[str, ...],  # all quantities shown, in this order
         named: tuple[str, ...] = (),  # asked for by name: always shown
         without_row: tuple[str, ...] = (),  # for programs only: not in the table of an answer
         leads: Sequence[str] = (),  # the answering sentences; a name in braces stands for a best range
         groups: Mapping[str, Sequence[str]] = MappingProxyType({}),  # at the end of a table: quantities by title
-        if_stated: Mapping[str, tuple[str, ...]] = MappingProxyType({}),  # in the table only if one of these is stated
+        if_stated: Mapping[str, tuple[str, ...]] = MappingProxyType({}),  # by quantity: shown only with one such input
     ) -> None:
         self.headline, self.quantities, self.named, self.without_row = headline, quantities, named, without_row
         self.leads, self.groups, self.if_stated = leads, groups, if_stated
@@ -91,7 +91,7 @@ _QUESTIONS = {
         "contact_radius_at_load approach_at_load contact_radius approach load load_ratio contact_radius_ratio "
         "approach_ratio stiffness hertz_pressure boussinesq_pressure well_energy pull_off_work "
         "pull_off_work_at_dead_load sticking_energy",
-        # energies belong to contacts without load: see `energies`; the punch's pressure is known by JKR alone
+        # the energies are those of contacts without load, see `energies`; only JKR gives the pressure of the punch
         without_row="load_ratio contact_radius_ratio approach_ratio boussinesq_pressure well_energy pull_off_work "
         "pull_off_work_at_dead_load sticking_energy",
         leads="the contact has a radius of {contact_radius_at_load} at an approach of {approach_at_load}",
@@ -105,7 +105,7 @@ _QUESTIONS = {
         "it rolls in steps, with half of that as the mean moment, {mean_rolling_moment}",
     ),
 }
-# Values that contradict a headline are in the report, too; Eq (41) as printed is in `frequencies` alone.
+# Turns that contradict `n_roll` are in the report, too; Eq (41) as printed is in `frequencies` alone.
 _CONTRARY = ("n_roll_energy_balance", "n_roll_after_impact")
 _TURNS = ("n_roll", *_CONTRARY)
 _REPORT = Question(
@@ -124,7 +124,7 @@ _REPORT = Question(
 QUESTIONS: Mapping[str, Question] = {
     **_QUESTIONS,
     "report": _REPORT,
-    # Not in the report, which has one number for each quantity and no alternative conventions.
+    # The report takes its headline from the questions above alone: those below have alternative conventions or details.
     "energies": _question(
         "fold_energy pull_off_work break_energy_dust_simulation sticking_energy",
         "fold_energy well_energy pull_off_work break_energy_dust_simulation pull_off_work_at_dead_load "
@@ -132,7 +132,7 @@ QUESTIONS: Mapping[str, Question] = {
         "sticking_energy sticking_energy_paszun_dominik sticking_energy_pencil_code roll_energy "
         "roll_energy_quarter_turn roll_energy_half_turn sticking_speed sticking_speed_paszun_dominik "
         "sticking_speed_pencil_code",
-        # U is nearly equal to the work with fixed grips; the others are units or conventions of other authors
+        # `well_energy` is nearly equal to `pull_off_work`; the others are units or conventions of other authors
         without_row="fold_energy well_energy break_energy_dust_simulation sticking_energy_paszun_dominik "
         "sticking_energy_pencil_code sticking_speed_paszun_dominik sticking_speed_pencil_code",
         leads="parting the spheres takes {pull_off_work} with fixed grips, {pull_off_work_at_dead_load} at a dead "
@@ -171,7 +171,7 @@ BY_DEFAULT = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for na
 
 
 def quantity_named(word: str) -> str:
-    """Return the name of a quantity, given its name, a synonym, or the command that is named after it.
+    """Return the name of a quantity, given its name or a synonym; for a command, the first quantity of its headline.
 
     >>> quantity_named("radius"), quantity_named("gamma"), quantity_named("pull-off")
     ('radius', 'surface_energy', 'pull_off_force')

@@ -51,7 +51,7 @@ class Report(Answer):
 
     @cached_property
     def whys(self) -> Mapping[int, list[str]]:
-        """The reasons for best ranges, by rule; the first alone stands below a table."""
+        """The reasons for best ranges, by rule; below a table stands only the first reason of each rule."""
         return {by: [*reasons_for(by, self)] for by in self.rules}
 
     def why(self, by: int) -> str:
@@ -60,7 +60,7 @@ class Report(Answer):
 
     @property
     def has_more_reasons(self) -> bool:
-        """True if a rule has more reasons than the one below a table."""
+        """True if some rule has more reasons than the first, which stands below a table."""
         return any(len(reasons) > 1 for reasons in self.whys.values())
 
     def lines_on_ranges(self, names: Iterable[str]) -> Iterator[str]:
@@ -70,7 +70,7 @@ class Report(Answer):
                 yield f"{WORDS[by]}: {reason}"
 
     def notes_on_ranges(self) -> Iterator[Note]:
-        """Iterate over a note for each rule that gives the headline a range, for reports without a table."""
+        """Iterate over a note for each rule that gives the headline a range and has a reason, for output as lines."""
         texts: dict[int, list[str]] = {}
         for name, estimate in self._estimates_of_headline.items():
             text = f"{symbol_among(name, self.inputs)}: {range_in_words(name, estimate, self.form)}"
@@ -94,7 +94,7 @@ class Report(Answer):
 
     @cached_property
     def notes(self) -> tuple[Note, ...]:
-        """The sentences about the answer, except doubts."""
+        """The sentences about the answer, except doubts; none if inference failed."""
         if self.described.unknowns and self.failure is not None:
             return ()
         inputs, idle = self._entering
@@ -112,12 +112,12 @@ class Report(Answer):
             *_about_lost_contacts(self),
         )
         notes = dict.fromkeys(every)
-        if FRICTION_ASSUMED in self.rules:  # then a best range shows it
+        if FRICTION_ASSUMED in self.rules:  # a best range from τ/3 to 3τ says the same
             notes.pop(FRICTION, None)
         return tuple(notes)
 
     def doubts(self, *, has_leads: bool = False) -> list[Note]:
-        """Return a note for each exceeded limit except that of the law, which the best ranges show; see `exceeded`.
+        """Return a note for each limit in `exceeded`, except the limit of the law, which the best ranges show.
 
         `has_leads`: True if the sentences that answer the question are shown, too.
         """
@@ -138,13 +138,13 @@ class Report(Answer):
 
     @cached_property
     def _by_law_alone(self) -> str:
-        """The suffix of a warning if results without a meaning still have best ranges: only the law in use fails."""
+        """The suffix of a warning about meaningless results that says by which law; empty if one has no best range."""
         if any(self.estimates[name].by == NONE for name in self.ended):
             return ""
         return f", by {self.frame.law.short}"
 
     def _is_in_leads(self, doubt: Doubt) -> bool:
-        """Return whether the answering sentences already tell that the energy is too small for rolling."""
+        """Return whether the answering sentences already say whether the energy is enough for rolling."""
         return doubt.limit.name == "energy_over_yield" and self.question.headline == ("n_roll",)
 
     def _is_in_ranges(self, doubt: Doubt) -> bool:
@@ -156,7 +156,7 @@ class Report(Answer):
     def _subject_of(self, limit: Limit) -> str:
         """Return the prefix of a limit's sentence: the symbol of a meaningless result, if the limit touches no other.
 
-        It is empty if the sentence names the result itself.
+        The prefix is empty if the limit is on that result, since the sentence then names it.
         """
         if len(limit.touches) != 1:
             return ""
@@ -194,7 +194,7 @@ class Report(Answer):
         return [note for note in self.sentences if note.severity not in ABOVE]
 
     def _about_pull(self) -> Iterator[Note]:
-        """Iterate over at most one note: the contact is pulled harder than rough spheres hold."""
+        """Iterate over at most one note: the pull on the contact may be more than rough spheres hold."""
         if "load" not in self.frame.stated:
             return
         pull = -self.frame.values["load"]
@@ -231,7 +231,7 @@ class Report(Answer):
 
 
 def _of_a_sphere(frame: Frame) -> str:
-    """Return the sentence on the difference between a sphere and a paraboloid; empty where it is unknown."""
+    """Return the sentence on the pull-off force of a true sphere and of a paraboloid; empty if they are unknown."""
     of_sphere = frame.under(JKR_OF_SPHERE).numbers("pull_off_force").get("pull_off_force", 0.0)
     of_paraboloid = frame.under(DEFAULT_LAW).numbers("pull_off_force").get("pull_off_force", 0.0)
     if not of_sphere:
@@ -242,7 +242,7 @@ def _of_a_sphere(frame: Frame) -> str:
 
 
 def _about_lost_contacts(answer: Answer) -> Iterator[Note]:
-    """Iterate over at most one note: some uncertain values, if normally distributed, are beyond pull-off."""
+    """Iterate over at most one note: the load is beyond pull-off at 1 % or more of normally distributed values."""
     if answer.sources is None or "load" not in answer.described.inputs_used([*answer.computed]):
         return
     forces = answer.frame.numbers("load", "pull_off_force")
@@ -260,5 +260,5 @@ def _about_lost_contacts(answer: Answer) -> Iterator[Note]:
 
 
 def every_line(report: Report) -> list[str]:
-    """Return all sentences of a report as lines, the most important first, for a file without the answer."""
+    """Return all sentences of a report as lines, the most important first."""
     return [note.line for note in by_severity(report.sentences)]

@@ -18,7 +18,10 @@ if TYPE_CHECKING:
 
 
 def write_plain(answer: Report, out: TextIO, form: Format, *, best: bool = False) -> None:
-    """Write a line `name value unit` for each result and each side of its uncertainty; `best`: also for best ranges."""
+    """Write a line `name value unit` for each result and each side of its uncertainty, after lines on law and profile.
+
+    `best`: True for lines on best ranges, too.
+    """
     for word in ("model", "profile"):
         if word in answer.inputs:
             say(f"{word} {answer.inputs[word]}", out)
@@ -62,7 +65,7 @@ def numbers_of(measures: Mapping[str, float | Uncertain | None]) -> dict[str, fl
 
 
 def write_json(answers: Iterable[Report], count: int, out: TextIO, form: Format) -> None:
-    """Write an object for each answer as soon as it is computed. `count`: their number; several form an array."""
+    """Write the object of each answer once it is computed; several form an array. `count`: the number of answers."""
     for number, answer in enumerate(answers, 1):
         text = json_text(as_object(answer, form), out)
         if count > 1:
@@ -89,7 +92,7 @@ def as_object(answer: Report, form: Format) -> dict[str, Any]:
 
 
 def _result_object(result: Result, answer: Report, form: Format) -> dict[str, Any]:
-    """Return the JSON object of a result; facts that it lacks have no keys."""
+    """Return the JSON object of a result, without keys for facts that the result lacks."""
     name, quantity = result.name, NOMENCLATURE[result.name]
     entry: dict[str, Any] = {
         "name": name,

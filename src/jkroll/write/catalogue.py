@@ -91,7 +91,7 @@ def _write_values(chosen: Sequence[Material], out: TextIO) -> None:
 
 
 def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
-    """Write a table of materials, grouped by set, with the surface energy and the state of each."""
+    """Write a table of materials, grouped by set, with the surface energy of each and its state or a note."""
     measures = [material.measures.get("surface_energy") for material in chosen]
     ((head, energies, _),) = columns_of("surface_energy", {"γ": measures}, EXACT)
     rows: dict[str, list[tuple[str, str, str]]] = {}
@@ -273,7 +273,7 @@ def _is_prefix(prefix: str, words: Iterable[str]) -> bool:
 
 
 def commands_of(name: str) -> tuple[str, ...]:
-    """Return the commands that compute a quantity or take it as an option."""
+    """Return the commands with a question that show a quantity, or that compute results from it as an input."""
     is_input = bool(NOMENCLATURE[name].option) or formula_of(name) is None
     commands = []
     for command, question in QUESTIONS.items():

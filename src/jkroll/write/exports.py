@@ -1,8 +1,9 @@
 """Contacts as input for other programs: LAMMPS, LIGGGHTS, DustCollider and DustSimulation, in SI or cgs units.
 
-In LAMMPS, contacts have the pair_style `granular`. Its rolling friction is a spring with the force F = kξ, which is at
-most μ|P + 2P_c|, and with the torque FR: ξ is the rolling displacement, P the load, P_c the pull-off force and R the
-reduced radius. Sliding and twisting have similar limits. Comments are ASCII, because LAMMPS warns about other signs.
+In LAMMPS, contacts have the pair_style `granular`. Its rolling friction is a spring: the force is kξ, but at most
+μ|P + 2P_c|, and the torque is R times the force. Here k is the stiffness, ξ the rolling displacement, μ the coefficient
+of friction, P the load, P_c the pull-off force and R the reduced radius. Sliding and twisting have similar limits.
+Comments are ASCII, because LAMMPS warns about other signs.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -20,7 +21,7 @@ from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE,
 from ..text import ascii_text, wrapped
 
 SKIN = 0.2  # skin of the neighbor lists, in units of the smaller radius
-LEAST_SKIN = 0.4  # least skin, over the approach without load: LAMMPS breaks a contact at a smaller gap
+LEAST_SKIN = 0.4  # least skin, over the approach without load; LAMMPS breaks a contact before its gap is as wide
 WIDTH = 78  # of comments, after "# "
 NO_SLIP = 1e9  # a coefficient of friction that prevents slip, for laws without a sliding force
 
@@ -234,7 +235,7 @@ def _energy_density(pair: Frame) -> float:
 
 
 def _refuse_state(frame: Frame, program: str) -> None:
-    """Raise BadRequest for a given load or approach, since the program computes both."""
+    """Raise BadRequest for a load other than 0, an approach or another state, since the program computes the state."""
     if not STATE.isdisjoint(frame.stated) or frame.values["load"]:
         raise BadRequest(f"export: {program} finds the load by itself; give none")
 
@@ -304,7 +305,7 @@ class Program(NamedTuple):
 
     title: str
     text: Callable[[Frame], str]  # returns the input
-    quantities: tuple[str, ...]
+    quantities: tuple[str, ...]  # the results to which the notes refer
     models: tuple[str, ...] = (DEFAULT_LAW,)
     about: Callable[[Frame], Iterable[str]] | None = None  # returns notes, for an input that cannot have comments
 

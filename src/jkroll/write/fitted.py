@@ -134,7 +134,7 @@ def write_json(answers: Sequence[Mapping[str, Any]], out: TextIO) -> None:
 
 
 def write_fit_citations(fitted: Fit, out: TextIO) -> None:
-    """Write the BibTeX entries of this program and of the law of a fit."""
+    """Write the BibTeX entries of this program and of the law and profile of a fit."""
     for entry in (references()["program"], *_laws_cited(fitted)):
         say(bibtex(entry), out)
 
@@ -145,7 +145,7 @@ def write_fit_methods(fitted: Fit, out: TextIO) -> None:
 
 
 def _laws_cited(fitted: Fit) -> list[Mapping[str, str]]:
-    """Return the references of the law of a fit; Hertz' contact has none."""
+    """Return the references of the law of a fit, except Hertz' law, and of the profile of a true sphere."""
     known, cited = references(), []
     if fitted.largest_adhesion is None:
         cited.append(known[fitted.known.law])

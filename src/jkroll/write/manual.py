@@ -36,7 +36,7 @@ FIELD_TERMS: Mapping[tuple[str, str], str] = {
 }
 
 SECTIONS = {"doubts": ("models", "Limits")}  # sections by a short name, to which notes refer
-HISTORY = "changes"  # the page of past changes, which a search finds only by this word
+HISTORY = "changes"  # the page of past changes; only a search with this word looks there
 MAX_TEXT = 100  # width of running text
 MAX_LINES = 12  # if two passages have more lines on a terminal, only the first is shown
 LEAST_SHOWN, LEAST_NAMED = 0.7, 0.5  # least score, relative to the best, of a passage shown and of a page named
@@ -45,7 +45,7 @@ LIKELY = 0.75  # least similarity of a known word that is suggested for an unkno
 
 
 class Section(NamedTuple):
-    """A section of a page: a heading of the second rank with its text, or the text before the first heading."""
+    """A section of a page: a heading of the second rank with its text, or the title of the page and its first text."""
 
     page: str
     heading: str
@@ -57,7 +57,7 @@ class Passage(NamedTuple):
 
     section: Section
     text: str  # Markdown
-    head: str  # the header of its table
+    head: str  # the header of the table; empty for text
     is_first: bool  # True for the first passage of a section, which answers the heading
 
 
@@ -68,7 +68,7 @@ def topics() -> tuple[str, ...]:
 
 
 def page(topic: str) -> str:
-    """Return the page of a topic as Markdown."""
+    """Return the page of a topic as Markdown, without images."""
     with open(os.path.join(_FOLDER, topic + _ENDING), encoding="utf-8") as file:
         return _IMAGE.sub("", file.read())
 
@@ -158,7 +158,7 @@ class Hits(NamedTuple):
 
 
 def hits_of(text: str, materials: Iterable[Material]) -> Hits:
-    """Return the results of a search; raise BadRequest for a word that occurs nowhere."""
+    """Return the results of a search; raise BadRequest for a text without words, or for a word that occurs nowhere."""
     words = words_sought(text)
     if not words:
         raise BadRequest(f"{quoted(text, 40)} has no word to search for; {_LISTS}")

@@ -1,4 +1,4 @@
-"""A frame as a page of Markdown: the tables of a terminal, with the lines around them as paragraphs."""
+"""An answer as a page of Markdown: the tables of a terminal, with the lines around them as paragraphs."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, TextIO

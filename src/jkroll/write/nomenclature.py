@@ -1,4 +1,4 @@
-"""`jkroll.NOMENCLATURE`: the quantities by name, shown in a notebook as the command lists them."""
+"""`jkroll.NOMENCLATURE`: the quantities by name, shown in a notebook as `jkroll quantities` lists them."""
 
 from collections.abc import Iterator, Mapping
 

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from ..model.rows import Columns, Tally, Wanted
     from ..report.report import Report
 
-_MORE = "more: --explain"  # the last line on a terminal
+_MORE = "more: --explain"  # the last line on a terminal, if there is more
 
 
 def parts_of_answer(answer: "Report") -> Iterator[Part]:

@@ -87,7 +87,7 @@ def _removed_at_last(path: str) -> Iterator[BinaryIO]:
 
 
 class _Terminal(BufferedWriter):
-    """A stream to a terminal that replaces the control characters in the cells of a table."""
+    """A stream to a terminal that replaces unprintable characters, such as those in the cells of a table."""
 
     def write(self, lines: Any) -> int:
         """Write whole lines; return their number of bytes."""

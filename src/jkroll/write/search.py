@@ -65,6 +65,8 @@ def stem(word: str) -> str:
 def nearness(word: str, other: str) -> float:
     """Return how well a word sought matches a word of a text: 1 for the word and its forms, 0 for no match.
 
+    A longer word that begins with the stem of the word sought gives PREFIX.
+
     >>> [nearness("humidity", other) for other in ("humid", "humidifier", "hum")], nearness("xi", "xia")
     ([1.0, 0.5, 0.0], 0.0)
     """

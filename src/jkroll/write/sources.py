@@ -1,6 +1,6 @@
 """The derivation of a number for `--explain`, from the docstrings of its formulas, and its sources for `--cite`.
 
-`--cite` writes BibTeX entries; with `--tex`, a paragraph for the Methods section of a paper that cites the entries.
+`--cite` writes BibTeX entries; with `--tex`, it writes a paragraph that cites them, for a paper's Methods section.
 """
 
 import os
@@ -29,7 +29,7 @@ from ..text import listed, say, say_wrapped
 
 _SECTIONS = ("Source", "Valid")
 _NO_POWER = 1e-4  # a smaller exponent is a rounding error
-_LESS = 1 - 1e-5  # factor by which an input is changed to find its power; its inverse at the lower end of a range
+_LESS = 1 - 1e-5  # factor on an input, to find its power; the inverse is taken if the smaller input is invalid
 _INDENT = 12  # indent of the text of a fact
 _STEP_INDENT = 27  # indent of the remark next to the value of an input or a step
 
@@ -125,7 +125,7 @@ def _facts(result: Result, answer: Report, form: Format) -> Iterator[tuple[str, 
 
 
 def _value_lines(name: str, frame: Frame, form: Format, remark: str) -> list[str]:
-    """Return the symbol and value of an input or a step, with a remark beside it, or below a long value."""
+    """Return the symbol and value of an input or a step, with a remark after it, or below a long value."""
     measure = frame.uncertainties.get(name) or frame[name]
     value = f"    {NOMENCLATURE[name].symbol} = {amount(name, measure, form)}"
     if len(value) >= _STEP_INDENT:
@@ -176,7 +176,7 @@ Entry = Mapping[str, str]  # a BibTeX entry: its key, its type and its fields
 
 
 def references() -> dict[str, Entry]:
-    """Return the BibTeX entries of this program, of the paper, of laws and of conventions."""
+    """Return the BibTeX entries of this program, of the paper, of laws and of conventions, by name."""
     entries = {**data_of(os.path.join(os.path.dirname(__file__), "references.toml"))}
     entries["program"] = {**entries["program"], "howpublished": f"Computer program, version {__version__}"}
     return entries
@@ -223,7 +223,7 @@ def _cited_by_all(answers: Iterable[Report]) -> tuple[set[str], list[Entry]]:
 
 
 def write_citations(answers: Iterable[Report], out: TextIO) -> None:
-    """Write BibTeX entries of this program, of the paper with the equations used, and of the laws and data used."""
+    """Write the BibTeX entries of this program, of the paper with the equations used, of laws, data and conventions."""
     equations, others = _cited_by_all(answers)
     program, paper, *_ = references().values()
     if equations:
@@ -233,7 +233,7 @@ def write_citations(answers: Iterable[Report], out: TextIO) -> None:
 
 
 def citations_in_words(answers: Iterable[Report]) -> str:
-    """Return the sources for a caption: this program, the paper with the equations used, laws and data."""
+    """Return the sources for a caption: this program, the paper with the equations used, laws, data, conventions."""
     equations, others = _cited_by_all(answers)
     _, paper, *_ = references().values()
     sources = [*map(_author_and_year, (paper, *others))]
@@ -254,7 +254,7 @@ def _author_and_year(entry: Entry) -> str:
 
 
 def cited_equations(equations: Iterable[str]) -> str:
-    """Return equations of the paper by number.
+    """Return the numbers of equations in brackets, as a citation.
 
     >>> cited_equations({"10", "2"})
     'Eqs. (2), (10)'

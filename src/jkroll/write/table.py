@@ -176,8 +176,8 @@ def _in_unit(text: str, unit: str) -> str:
 def _assumptions(answer: "Report") -> dict[str, str]:
     """Return the assumptions of an answer by name, as its table needs them.
 
-    If ranges use other values of ξ, the text says that the assumed one applies to the column of the law. The atomic
-    spacing is left out if ranges vary it.
+    If ranges use other values of ξ, the text says that the assumed ξ applies to the column of the law. The energy ratio
+    is left out if no row depends on it, and the atomic spacing if ranges vary it.
     """
     texts, rules = {**answer.assumed}, {*answer.rules}
     if "energy_ratio" not in answer.frame.inputs_of(*answer.frame.possible(answer.names_in_table)):
@@ -269,8 +269,8 @@ def _with_surfaces(rows: _Rows, answer: "Report", form: Format) -> _Rows:
 def _of_results(rows: Sequence[Sequence[str]], law: str) -> list[TextColumn]:
     """Return the columns of rows of results.
 
-    If the law in use gives all ranges, its column replaces them and shows the uncertainties. Otherwise the ranges
-    include the uncertainties, and the column of the law has bare values.
+    If all ranges come from the law in use, from a definition or from any law, the column of the law replaces them and
+    shows the uncertainties. Otherwise the ranges include the uncertainties, and the column has bare values.
     """
     if {row[3] for row in rows} <= {law, WORDS[DEFINITION], WORDS[ANY_LAW], "–", ""}:
         heads, rows = ["quantity", "symbol", law, "unit"], [[*row[:2], *row[5:]] for row in rows]
@@ -311,7 +311,7 @@ def _converted(end: float, unit: _ShownUnit) -> float:
 
 
 def _of_inferred(answer: "Report", form: Format) -> list[TextColumn]:
-    """Return the columns of inferred values and of library values, with rows for each law; the law that holds is first.
+    """Return the columns of inferred values and of library values, with rows for each law, Maugis' law first.
 
     The column of the library is left out if the library has none of the values. If a value is far from the library's,
     no law is called the best.

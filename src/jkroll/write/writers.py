@@ -94,7 +94,7 @@ class Lines:
         return column
 
     def _cells(self, column: Any, lead: bytes, part: slice) -> list[bytes]:
-        """Return the cells of a part of a column with their prefix; for an array, a text for each row."""
+        """Return the cells of a part of a column with their prefix; the cells of a row of an array are one text."""
         if isinstance(column, list):
             return column[part]
         rows = numbers_in_lines(column[..., part], self.separator, self.gap)
@@ -185,7 +185,7 @@ class Lists:
         return heads
 
     def rows(self, _: Sequence[str], columns: Sequence[Any], before: Sequence[Any] = ()) -> list[Any]:
-        """Return the columns, each with a cell for every row. `before`: the beginning of each row."""
+        """Return the columns, each with a cell for every row. `before`: one value a row; only their number counts."""
         size = len(before) or max(map(length, columns), default=0)
         lists = []
         for column in divided(columns):
