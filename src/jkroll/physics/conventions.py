@@ -168,7 +168,8 @@ def disruption_energy(*, pull_off_work: Energy, contacts: Number) -> Energy:
 
         E_disr = 10·2n_c E_break, E_break = U_grips = 1.5426 F_cδ_c
 
-    Source:   Wada et al. 2007: "approximately 10 times the energy necessary to break all contacts", 2n_c in both.
+    Source:   Wada et al. 2007: "approximately 10 times the energy necessary to break all contacts", here 2n_c
+              contacts.
     Valid:    Two-dimensional aggregates of equal masses, head-on. The abstract does not say which E_break it takes.
     """
     return 20 * contacts * pull_off_work

@@ -105,7 +105,8 @@ def zone_span_at_approach(
 ) -> Length:
     """Return the span √(c² − a²) of the ring of attraction; without contact, the radius c of the zone of attraction.
 
-        T of `zone_span` in contact; c²/2 − bc = δ + 2/(πλ), b = 8λ/3π without, in the units of `dugdale`
+        T of `zone_span` in contact
+        T = c apart, with c²/2 − bc = δ + 2/(πλ), b = 8λ/3π, in the units of `dugdale`
 
     Source:   Maugis 1992; Johnson & Greenwood 1997.
     Valid:    Approaches above the fold.

@@ -23,7 +23,7 @@ def _elevation(contact_angle: FloatOrArray) -> FloatOrArray:
 
 
 def kelvin_radius(*, humidity: Number) -> Length:
-    """Return the inverse of the total curvature of water that is in equilibrium with air of a relative humidity.
+    """Return the inverse of the total curvature of a water surface in equilibrium with air of a relative humidity.
 
         r_K = γ_L V_m/(R_g T ln(1/h)) = 0.5248 nm/ln(1/h)
 

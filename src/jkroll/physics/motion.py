@@ -217,11 +217,11 @@ def flight_ratio(*, energy: Energy, radius: Length, radius2: Length, pull_off_fo
 def restitution(*, speed: Speed, sticking_speed: Speed) -> Number:
     """Return the speed after a head-on collision over that before it: 0 for spheres that stick.
 
-        e = √(1 − U_stick/W) = √(1 − (v_stick/v)²), W = ½mv²
+        e = √(1 − (v_stick/v)²), which is √(1 − U_stick/W) without viscous damping, W = ½mv²
 
-    Source:   Energy: the spheres lose U_stick at any speed above v_stick. Thornton & Ning 1998 have this loss.
-    Valid:    An upper bound where the law is right, as every other loss lowers e; with viscous damping, which
-              raises v_stick, still an upper bound. Speeds well below √(E/ρ).
+    Source:   Energy: the spheres lose ½m v_stick² at any speed above v_stick. Thornton & Ning 1998 have this loss.
+    Valid:    An upper bound where the law is right, as every other loss lowers e; viscous damping raises v_stick, and
+              e remains an upper bound. Speeds well below √(E/ρ).
 
     >>> restitution(speed=5.0, sticking_speed=3.0)
     0.8
@@ -244,7 +244,7 @@ def speed_over_sticking(*, speed: Speed, sticking_speed: Speed) -> Number:
 def lost_energy(*, speed: Speed, sticking_speed: Speed, reduced_mass: Mass) -> Energy:
     """Return the relative energy that a head-on collision dissipates: all of ½mv² if the spheres stick.
 
-        W_lost = ½m min(v, v_stick)², which is U_stick from v_stick on
+        W_lost = ½m min(v, v_stick)², which is U_stick from v_stick on without viscous damping
 
     Source:   Energy, as `restitution`.
     Valid:    A lower bound where the law is right.
