@@ -270,7 +270,7 @@ def load_factor(*, load_margin: Number) -> Number:
         x = â^(3/2) = (1 + s)/2
 
     Source:   Eq (5).
-    Valid:    The stable branch.
+    Valid:    s > −1; below 0 only fixed grips hold the contact.
     """
     return (1 + load_margin) / 2
 

@@ -83,7 +83,7 @@ def _excess(approach_ratio: FloatOrArray) -> FloatOrArray:
 
 
 def _root_of_excess(eta: FloatOrArray, excess: FloatOrArray) -> FloatOrArray:
-    """Return the root of η²(3 + 2η + η²/2) = excess by Newton's method, from a start beyond it; the function is convex."""
+    """Return the root of the convex η²(3 + 2η + η²/2) − excess, by Newton's method from a start beyond the root."""
     for _ in range(NEWTON_STEPS):
         slope = eta * (6 + eta * (6 + 2 * eta))
         eta = eta - (eta * eta * (3 + eta * (2 + eta / 2)) - excess) / where(slope == 0, 1.0, slope)

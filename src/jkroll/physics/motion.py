@@ -150,7 +150,7 @@ def kinetic_energy(*, mass: Mass, speed: Speed) -> Energy:
         W0 = m1v²/2
 
     Source:   Caption of Fig. 7.
-    Valid:    A sphere that does not spin, moving along the surface of the fixed one.
+    Valid:    A sphere that does not spin, moving along the surface of a fixed body 2.
     """
     return mass * speed**2 / 2
 
@@ -244,7 +244,7 @@ def speed_over_sticking(*, speed: Speed, sticking_speed: Speed) -> Number:
 def lost_energy(*, speed: Speed, sticking_speed: Speed, reduced_mass: Mass) -> Energy:
     """Return the relative energy that a head-on collision dissipates: all of ½mv² if the spheres stick.
 
-        W_lost = ½m min(v, v_stick)², which is U_stick from v_stick on without viscous damping
+        W_lost = ½m min(v, v_stick)²; without viscous damping, U_stick from v_stick on
 
     Source:   Energy, as `restitution`.
     Valid:    A lower bound where the law is right.

@@ -132,7 +132,7 @@ def peeling_radius(
 
         a_T = (3R(P + 2P_c)/(4E*))^(1/3) = a0((1 + s²)/4)^(1/3)
 
-    Source:   As the peeling force, which is that at which both solutions for a coincide.
+    Source:   As the peeling force, at which the two solutions for a coincide.
     Valid:    As the peeling force.
     """
     margin = within(load_margin >= 0, load_margin)
