@@ -40,7 +40,7 @@ class UnknownMaterial(BadRequest):
 
 
 class UnclearMaterial(BadRequest):
-    """Error raised for a name that several materials share."""
+    """Error raised for a name that may mean several materials."""
 
     @property
     def fault(self) -> str:

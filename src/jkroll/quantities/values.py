@@ -239,7 +239,7 @@ def ends_of(value: Any) -> tuple[Any, Any]:
 
 
 def with_sides(value: float, sides: Mapping[str, float]) -> float | Uncertain:
-    """Return a value with its uncertainty on each side; a side that is nan is left out."""
+    """Return a value with those sides of its uncertainty that are not nan; without any, the value alone."""
     known = {side: number for side, number in sides.items() if not isnan(number)}
     if not known:
         return value
@@ -527,7 +527,7 @@ class Spread:
     def __init__(
         self, low: float, high: float, size: int = 1, *, is_log: bool = False, uncertainty: Uncertain | None = None
     ) -> None:
-        """Take `size` values from `low` to `high`, in equal steps or ratios. `uncertainty`: a single value."""
+        """Take `size` values from `low` to `high`, in equal steps or ratios, or a single value with an uncertainty."""
         self.low, self.high, self.size, self.is_log, self.uncertainty = low, high, size, is_log, uncertainty
 
     def __len__(self) -> int:
@@ -586,7 +586,7 @@ def between(first: str, last: str, count: str = "", scale: str = "", *more: str,
     """Return the range between two values. `text`: the whole text, for errors.
 
     The values have equal ratios with the scale "log" and equal differences with "lin". Without a scale they have equal
-    ratios if both ends are positive.
+    ratios if both ends are positive, and otherwise equal differences.
     """
     if more or not (count.isascii() and count.isdigit()) or scale not in ("", "log", "lin"):
         raise QuantityError(name, text, "is not a range", "write FROM:TO:COUNT, as 1nm:1um:7, and :lin for equal steps")
