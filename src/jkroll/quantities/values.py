@@ -279,8 +279,7 @@ def value_of(text: str, name: str, unit: Unit | None = None) -> float | Uncertai
     >>> value_of("20 to 30 nm", "radius")
     Interval(value=2.5e-08, low=2e-08, high=3e-08)
 
-    `unit`: the default unit. Raises a `QuantityError` that names the quantity, quotes the text and shows the right
-    form.
+    `unit`: the default unit. Raises a `QuantityError` that names the quantity and says what to write instead.
     """
     quantity = NOMENCLATURE[name]
     if quantity.infinity and text.strip().lower() in (quantity.infinity, "inf", "infinity", "∞"):
