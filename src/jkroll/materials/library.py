@@ -40,7 +40,7 @@ class UnknownMaterial(BadRequest):
 
 
 class UnclearMaterial(BadRequest):
-    """Error raised for a name that several materials share."""
+    """Error raised for a name that may mean several materials."""
 
     @property
     def fault(self) -> str:
@@ -54,7 +54,7 @@ ORIGIN = ("method", "law", "reference")  # keys for the method, the contact law 
 
 
 class Displacement(NamedTuple):
-    """A measured yield displacement with its range, in SI units, and the radius of the identical spheres."""
+    """A measured yield displacement with its range, and the radius of the identical spheres measured, in SI units."""
 
     measured: Interval
     radius: float
@@ -62,7 +62,7 @@ class Displacement(NamedTuple):
     def scaled(self, radius: Any) -> Interval:
         """Return the displacement of identical spheres of another radius.
 
-        Its range extends from growth with the contact radius, as R^(2/3), to growth with the sphere radius.
+        The range covers growth with the contact radius, as R^(2/3), and growth with the sphere radius.
         """
         scale = radius / self.radius
         least, most = smaller_and_larger(scale, cbrt(scale) * cbrt(scale))
@@ -89,7 +89,7 @@ class Material(NamedTuple):
 
     @property
     def key(self) -> tuple[str, str]:
-        """The file and the name, which identify a material even if a frame changes its properties."""
+        """The file and the name, which identify a material even if its properties are replaced."""
         return self.path, self.name
 
     def __hash__(self) -> int:
@@ -134,7 +134,7 @@ class Material(NamedTuple):
 
 
 def data_of(path: str) -> Mapping[str, Any]:
-    """Return the content of a TOML file. Raises BadRequest if the file cannot be read or is too large."""
+    """Return the content of a TOML file. Raises BadRequest if it cannot be read, is too large or is not TOML."""
     try:
         with open(path, "rb") as file:
             content = file.read(MAX_BYTES + 1)
@@ -312,7 +312,7 @@ def _value(key: str, value: object, name: str, where: str) -> float | Uncertain:
         return value_of(repr(value) if is_number else texts(value, str, where), key)
     except QuantityError as error:
         raise BadRequest(f"{shown(name)}: {error}") from None
-    except ValueError:  # Python refuses thousands of hexadecimal digits
+    except ValueError:  # Python does not write an integer of thousands of digits
         raise BadRequest(f"{shown(where)} has too many digits") from None
 
 
@@ -363,7 +363,7 @@ class Materials:
             key = material.name.casefold()
             if len(meanings[key]) == 1:
                 named[key] = material
-        for others in self._meanings.values():  # a material that takes over a name also takes over the aliases
+        for others in self._meanings.values():  # whoever takes over a material's name also takes over its aliases
             others[:] = [named.get(other.name.casefold(), other) for other in others]
         self._materials |= named
         self._meanings |= meanings
@@ -371,8 +371,8 @@ class Materials:
     def __getitem__(self, word: str) -> Material:
         """Return a material by its name or alias, in any case.
 
-        Raises UnknownMaterial, UnclearMaterial for a name that several materials share, and MaterialsFileError for a
-        material with a mistake.
+        Raises UnknownMaterial, UnclearMaterial for a name that several materials share or continue with a hyphen, and
+        MaterialsFileError for a material with a mistake.
         """
         word = str(word)
         key = word.strip().casefold()

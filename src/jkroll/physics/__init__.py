@@ -1,17 +1,20 @@
 """The formulas of Dominik & Tielens, and of other laws of attraction: plain functions of SI numbers, floats or arrays.
 
-A formula's name and its parameters' names are names of the nomenclature, except a few that only derivations use: that
-is all the wiring there is. Parameters are passed by name, because three radii, two energies per area (γ and w = 2γ) and
-five forces are easily exchanged.
+The names of formulas and of their parameters are names of the nomenclature, which alone connects the formulas; only
+derivations use the few other names. Parameters are passed by name, because three radii, two energies per area (γ and
+w = 2γ) and five forces are easily exchanged.
 
-A formula gives a float for floats, and an array for arrays, which broadcast. Its annotations give the units, by
-their names in `dimensions`. Unless its docstring says otherwise, its arguments are positive, with these exceptions:
+A formula gives a float for floats, and an array for arrays, which broadcast. Its annotations are dimensions, with their
+SI units in `dimensions`. "As Eq (25)" after "Valid:" means: as the formula that has Eq (25) after "Source:". Unless a
+docstring says otherwise, the arguments of a formula are positive, with these exceptions:
 
-- loads, approaches, pressures, positions and `load_constant` have a sign, and tension is negative;
+- loads, approaches, pressures, positions and `load_constant` have a sign; a load or a pressure is negative in tension;
 - `radius2` is infinite for a plane, Young's moduli for rigid bodies, `mass2` and `moment_of_inertia2` for a fixed body;
+- Rayleigh frequencies are 0 for a plane and for rigid bodies;
 - `radius_ratio` is 0 on a plane, edge ratios and `contact_radius_at_load` are 0 without contact;
 - `load_margin` is 0 at pull-off, and negative between pull-off and the fold;
-- Poisson's ratios lie between −1 and 1/2, filling factors below 0.74, humidities below 1, contact angles below π/2.
+- Poisson's ratios lie between −1 and 1/2, filling factors below 0.74, humidities below 1; contact angles
+  are below π/2, and may be 0.
 """
 
 from collections.abc import Callable, Mapping

@@ -5,7 +5,7 @@ The tests check this accuracy for floats and for arrays, against references of 5
 
 USUAL = "3 ulp"
 # The formulas with another accuracy. "Of the larger term": the error is relative to that term, as terms may cancel. The
-# accuracy of a state at an approach also holds at the fold, where the state itself is ill-conditioned.
+# condition in an argument is the factor from a relative error of this argument to that of the result.
 _OTHERS = {
     "1 ulp of 2x": "load_margin_of_factor",
     "1.5 ulp, for the two forces as they are given": "load_margin",

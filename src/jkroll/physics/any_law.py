@@ -1,9 +1,10 @@
 """Rolling under any law of attraction, from one force: F_a = P_H − P, Hertz' load at the contact radius minus the load.
 
 The moment of a contact whose attraction lags behind by ξ is F_aξ to first order in ξ, whatever the law: 4P_c â^(3/2) ξ
-in JKR, which is Eq (25), and 2πwRξ in DMT at every load. This module also has the parameter of the transition from JKR
-to DMT, the cohesive stress, a force and energies for Lennard-Jones' 3-9 law, the pull-off force of rough spheres, and
-the work of adhesion and atomic spacing that follow from a Hamaker constant and a cutoff distance.
+in JKR, which is Eq (25), and 2πwRξ in DMT at every load. This module also has the moment by hysteresis of
+adhesion, the parameter of the transition from JKR to DMT, the cohesive stress, a force and energies for Lennard-Jones'
+3-9 law, the pull-off force of rough spheres, and the work of adhesion and atomic spacing that follow from a Hamaker
+constant and a cutoff distance.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from .dimensions import Energy, Force, Frequency, Length, Mass, Moment, MomentPe
 from .elementary import cbrt, cube, pi, sqrt, within
 
 _WELL_OF_RIGID = 16 / 7 * cbrt(2.0)  # energy to part rigid spheres that attract by the 3-9 law, in πwRz0
-_WORK_OF_RIGID = 0.3083909711882815195  # the part up to the largest pull: (16/7)∛2 - 18/7 without cancellation
+_WORK_OF_RIGID = 0.3083909711882815195  # of it, up to the largest pull: (16/7)∛2 - 18/7 without cancellation
 
 
 def adhesive_force(*, pull_off_force: Force, load_factor: Number) -> Force:
@@ -21,7 +22,7 @@ def adhesive_force(*, pull_off_force: Force, load_factor: Number) -> Force:
         F_a = 4E*a³/(3R) − P = 4P_c â^(3/2)
 
     Source:   Eq (5).
-    Valid:    As Eq (5).
+    Valid:    JKR, both branches.
     """
     return 4 * pull_off_force * load_factor
 
@@ -33,7 +34,7 @@ def unloaded_moment_of_radius(
 
         M = 4E*a0³ξ/(3R)
 
-    Source:   As the moment; without load, F_a is Hertz' load.
+    Source:   M = F_aξ; without load, F_a is Hertz' load.
     Valid:    |P| ≪ P_c.
     """
     return 4 / 3 * contact_modulus * cube(contact_radius) * yield_displacement / reduced_radius
@@ -54,7 +55,7 @@ def yield_force_ratio_of_forces(*, yield_force: Force, pull_off_force: Force) ->
 
         Q/P_c
 
-    Source:   As Eq (27).
+    Source:   Eq (27), for any law.
     """
     return yield_force / pull_off_force
 
@@ -62,11 +63,11 @@ def yield_force_ratio_of_forces(*, yield_force: Force, pull_off_force: Force) ->
 def rolling_frequency_no_slip_of_stiffness(
     *, rolling_stiffness: MomentPerAngle, reduced_radius: Length, rolling_mass: Mass
 ) -> Frequency:
-    """Return the frequency at which two free spheres that do not slip roll back and forth over each other, from k.
+    """Return the frequency at which two free spheres that do not slip roll to and fro, from the stiffness k.
 
         f_free = (1/2π)√(k/(R² m_eff))
 
-    Source:   Eqs (37)-(39), with the motion of the centres that no slip demands.
+    Source:   Eqs (37)-(39), with the motion of the centres that rolling without slip demands.
     Valid:    Homogeneous spheres; body 2 may be a plane, which is held.
     """
     return sqrt(rolling_stiffness / (rolling_mass * reduced_radius**2)) / (2 * pi)
@@ -77,7 +78,7 @@ def yield_energy_of_moment(*, yield_moment: Moment, yield_displacement: Length, 
 
         M²/(2k) = Mξ/(2R)
 
-    Source:   As the moment and its stiffness.
+    Source:   M = F_aξ and k = F_aR.
     """
     return yield_moment * yield_displacement / (2 * reduced_radius)
 
@@ -92,7 +93,7 @@ def hysteresis_moment(*, zone_radius: Length, reduced_radius: Length, adhesion_h
 
     adhesion_hysteresis  [J/m²]  ≥ 0
 
-    Source:   The zone of attraction sweeps an area 2c per unit of path; exact for any law and any ξ.
+    Source:   The zone of attraction sweeps an area 2c per unit of path, whatever the law and ξ.
     Valid:    Δw = w_open − w_close ≤ w.
     """
     return 2 * zone_radius * reduced_radius * adhesion_hysteresis
@@ -165,7 +166,7 @@ def cohesive_stress(*, work_of_adhesion: SurfaceEnergy, atomic_spacing: Length) 
         σ0 = 16w/(9√3 z0)
 
     Source:   The peak of the 3-9 law that the Lennard-Jones potential gives for two half-spaces.
-    Valid:    Its range, w/σ0 = 0.974 z0, follows from it.
+    Valid:    As the constant stress of Maugis' law, which then acts over gaps up to w/σ0 = 0.974 z0.
     """
     return 1.0264004785593346 * work_of_adhesion / atomic_spacing
 
@@ -235,17 +236,17 @@ def work_of_adhesion_of_hamaker(*, hamaker: Energy, hamaker2: Energy, cutoff: Le
         w = A/(12πD0²), A = √(A1A2)
 
     Source:   Hamaker's energy of two half-spaces at the distance D0, pairwise sum; D0 = 0.165 nm is in common use.
-    Valid:    Dispersion forces alone: no water, no hydrogen bonds, no metals. It goes with D0⁻²: at 0.4 nm, w is 5.9
-              times less.
+    Valid:    Dispersion forces alone: no water, no hydrogen bonds, no metals. As w ∝ D0⁻², it is 5.9 times less at
+              0.4 nm than at 0.165 nm.
     """
     return sqrt(hamaker * hamaker2) / (12 * pi * cutoff**2)
 
 
 def atomic_spacing_of_cutoff(*, cutoff: Length) -> Length:
-    """Return the atomic spacing of the 3-9 law with the Hamaker constant and work of adhesion that go with a cutoff.
+    """Return the atomic spacing that gives the 3-9 law the same work of adhesion as the cutoff, for one solid.
 
         z0 = (√3/2)D0
 
-    Source:   The 3-9 law has w = A/(16πz0²); with w = A/(12πD0²).
+    Source:   w = A/(16πz0²) by the 3-9 law, w = A/(12πD0²) with the cutoff.
     """
     return sqrt(0.75) * cutoff

@@ -1,11 +1,11 @@
-"""Two spheres, their JKR contact, Eqs 1-6, and the numbers that limit the model.
+"""Two spheres, their JKR contact and its pressure (Eqs 1-15), and the numbers that limit the model.
 
 Sphere 2 may be a plane (`radius2` infinite), may be rigid (`youngs_modulus2` infinite), and may be held fixed (`mass2`
 infinite).
 
-A load is positive in compression and negative in tension; the formulas are for the stable branch. The state of the
-contact depends on the load only through s = √(1 + P/P_c) (`load_margin`). This margin is 1 without load, and 0 at
-pull-off, where it loses no digits.
+A load is positive in compression and negative in tension. The state on the stable branch depends on the load only
+through s = √(1 + P/P_c) (`load_margin`). This margin is 1 without load and 0 at pull-off. No digits are lost near
+pull-off, where P + P_c is exact.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def work_of_adhesion(*, surface_energy: SurfaceEnergy, surface_energy2: SurfaceE
 
         w = 2√(γ1 γ2), which is 2γ for identical solids
 
-    Source:   Text below Eq (1), where 2γ is the energy of adhesion; the text below Eq (2) does not fit it.
+    Source:   Text below Eq (1), where 2γ is the energy of adhesion; the text below Eq (2) contradicts this.
     Valid:    Identical solids: exact. Different solids: an estimate, best where dispersion forces dominate; a measured
               work of adhesion is better.
     """
@@ -88,11 +88,11 @@ def contact_modulus(
 
 
 def modulus_over_energy(*, contact_modulus: Stress, work_of_adhesion: SurfaceEnergy) -> PerLength:
-    """Return the contact modulus over the surface energy, the only material constant in n_roll at W0 = P_cδ0.
+    """Return the contact modulus over the surface energy.
 
         E*/γ = 2E*/w
 
-    Source:   Eq (49).
+    Source:   Eq (49): without load, n_roll at W0 = P_cδ0 depends on the solids through this ratio alone.
     """
     return 2 * contact_modulus / work_of_adhesion
 
@@ -182,7 +182,7 @@ def rolling_mass(*, mass: Mass, mass2: Mass, radius_ratio: Number) -> Mass:
 
         m_eff = (14/5) / [5/(m1 + m2) + 2(1/m1 + q²/m2)/(1 + q)²], q = R1/R2
 
-    It is I1/R1² + I2/R2² − (I1/R1 − I2/R2)²/(m(R1+R2)² + I1 + I2) for homogeneous spheres, without the cancellation:
+    It is I1/R1² + I2/R2² − (I1/R1 − I2/R2)²/(m(R1+R2)² + I1 + I2), m the reduced mass, without the cancellation:
     (4/5)m1 for identical spheres, (7/5)m1(1 + q)² where body 2 is held.
 
     Source:   Eqs (37)-(40) without their assumption that each sphere turns about its own centre.
@@ -212,17 +212,17 @@ def pull_off_force_dmt(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Lengt
         P_DMT = 4πγR = 2πwR
 
     Source:   Text below Eq (1): "for very hard spheres, this factor should rather be 4".
-    Valid:    Small, hard spheres (Tabor parameter well below 0.1).
+    Valid:    Small, hard spheres: within 5 % of Maugis' law for a Tabor parameter below 0.14.
     """
     return 2 * pi * work_of_adhesion * reduced_radius
 
 
 def pull_off_force_ratio(*, pull_off_force: Force, work_of_adhesion: SurfaceEnergy, reduced_radius: Length) -> Number:
-    """Return the pull-off force in units in which laws of attraction are compared: 3/2 for JKR, 2 for DMT.
+    """Return the pull-off force over πwR, to compare laws of attraction: 3/2 in JKR, 2 in DMT.
 
         P_c/(πwR)
 
-    Source:   Maugis 1992, whose unit of loads it is.
+    Source:   Maugis 1992, whose unit of loads is πwR.
     Valid:    Any law of attraction.
     """
     return pull_off_force / (pi * work_of_adhesion * reduced_radius)
@@ -270,7 +270,7 @@ def load_factor(*, load_margin: Number) -> Number:
         x = â^(3/2) = (1 + s)/2
 
     Source:   Eq (5).
-    Valid:    The stable branch.
+    Valid:    s > −1; below 0 only fixed grips hold the contact.
     """
     return (1 + load_margin) / 2
 
@@ -283,7 +283,7 @@ def contact_radius_at_load(
         a = a0 x^(2/3) = (9πwR²x²/2E*)^(1/3)
 
     Source:   Eq (5).
-    Valid:    As Eq (2); the stable branch.
+    Valid:    As Eq (2).
     """
     return cbrt(9 / 2 * pi * work_of_adhesion * (reduced_radius * load_factor) ** 2 / contact_modulus)
 
@@ -294,7 +294,7 @@ def approach_at_load(*, approach: Length, load_factor: Number) -> Length:
         δ = δ0(3â² − 2√â) = δ0 √â(3x − 2), x = â^(3/2)
 
     Source:   Eq (6).
-    Valid:    x > 0. It passes through 0 at P = −(8/9)P_c.
+    Valid:    x > 0. On the stable branch δ is 0 at P = −(8/9)P_c.
     """
     return approach * cbrt(load_factor) * (3 * load_factor - 2)
 
@@ -316,7 +316,7 @@ def load_ratio(*, load: Force, pull_off_force: Force) -> Number:
         P/P_c
 
     Source:   Eq (4).
-    Valid:    −1 at pull-off.
+    Valid:    Any law of attraction; −1 at pull-off.
     """
     return load / pull_off_force
 
@@ -327,7 +327,7 @@ def contact_radius_ratio(*, contact_radius_at_load: Length, contact_radius: Leng
         a/a0
 
     Source:   Eq (4).
-    Valid:    In JKR 0.630 at pull-off and 0.303 where fixed grips let go.
+    Valid:    Any law of attraction; in JKR 0.630 at pull-off and 0.303 where fixed grips let go.
     """
     return contact_radius_at_load / contact_radius
 
@@ -338,7 +338,7 @@ def approach_ratio(*, approach_at_load: Length, approach: Length) -> Number:
         δ/δ0
 
     Source:   Eq (4).
-    Valid:    In JKR −0.397 at pull-off and −0.825 where fixed grips let go.
+    Valid:    Any law of attraction; in JKR −0.397 at pull-off and −0.825 where fixed grips let go.
     """
     return approach_at_load / approach
 
@@ -385,7 +385,7 @@ def boussinesq_pressure(*, hertz_pressure: Stress, load_factor: Number) -> Stres
         p_B = −2P_c/(πa0²√â) = −p_H/(3x)
 
     Source:   Eqs (8) and (9).
-    Valid:    JKR equilibrium at the load; the stable branch.
+    Valid:    JKR, in equilibrium.
     """
     return -hertz_pressure / (3 * load_factor)
 
@@ -412,7 +412,7 @@ def boussinesq_pressure_at_approach(
 
         p_B = E*δ/(πa) − p_H/2
 
-    Source:   Eq (14); put into Eq (12) it is Eq (15).
+    Source:   Eq (14); Eq (12) with this p_B is Eq (15).
     Valid:    Any circular contact.
     """
     return contact_modulus * approach_at_load / (pi * contact_radius_at_load) - hertz_pressure / 2
@@ -440,14 +440,14 @@ def displacement_limit(*, contact_radius: Length, load_factor: Number) -> Length
 
         a0/(3√â)
 
-    Source:   Stress intensity at the edge of the exact shifted circle, ∝ 1 − 3(ξ/a0)√â cos φ.
+    Source:   Stress intensity at the edge of the exact shifted circle, ∝ 1 − 3(ξ/a0)√â cos φ, φ from the leading edge.
     Valid:    Circular contact.
     """
     return contact_radius / cbrt(27 * load_factor)
 
 
 def displacement_ratio(*, yield_displacement: Length, displacement_limit: Length) -> Number:
-    """Return the displacement over its limit: above 1 the rolling moment has no meaning.
+    """Return the yield displacement over its limit: above 1 the rolling moment has no meaning.
 
         3ξ√â/a0
 

@@ -1,8 +1,7 @@
 """Energies, speeds and strengths of contacts and of aggregates, as papers and public codes define them.
 
-The nomenclature names the paper or the code of each formula. The energies to break a contact, to roll it and to stick
-hold for a contact that carries no load at first. An aggregate has N identical grains. Two equal aggregates collide, and
-the impact energy is that of their relative motion, ½(N m1/2)v².
+The energies to break a contact and to roll it are those of a contact that carries no load at first. An aggregate has N
+identical grains. Two equal aggregates collide, and the impact energy is that of their relative motion, ½(N m1/2)v².
 """
 
 from __future__ import annotations
@@ -62,7 +61,7 @@ def roll_energy_half_turn(*, unloaded_moment: Moment) -> Energy:
 
 
 def sticking_energy_paszun_dominik(*, adhesion_energy: Energy) -> Energy:
-    """Return the largest energy of relative motion at which spheres stick, as in DustSimulation.
+    """Return the largest energy of relative motion at which spheres stick, as in Paszun & Dominik.
 
         E_stick = ½mv² = (8π/3) 1.07² γ^(5/3) R^(4/3)/E*^(2/3) = 0.3290 P_cδ0, v = 1.07 (γ/R)^(5/6)/(E*^(1/3)ρ^(1/2))
 
@@ -77,8 +76,8 @@ def sticking_energy_pencil_code(*, adhesion_energy: Energy) -> Energy:
 
         E_stick = 2·9.6 γ^(5/3) R^(4/3)/E*^(2/3) = 0.6585 P_cδ0
 
-    Source:   As coded in pencil-code/pencil-code, dustvelocity.f90, which has the 2 from Dominik & Tielens 1997, Sect.
-              3.2.
+    Source:   As coded in pencil-code/pencil-code, dustvelocity.f90, which takes the factor 2 from Dominik & Tielens
+              1997, Sect. 3.2.
     Valid:    Equal spheres.
     """
     return STICKING_PENCIL_CODE * adhesion_energy
@@ -87,7 +86,7 @@ def sticking_energy_pencil_code(*, adhesion_energy: Energy) -> Energy:
 def sticking_speed(*, sticking_energy: Energy, reduced_mass: Mass) -> Speed:
     """Return the largest relative speed at which spheres stick if only jump-in and the fold dissipate energy.
 
-        v = √(2U_stick/m) = √(14.18/m) (w⁵R⁴/E*²)^(1/6)
+        v = √(2U_stick/m), which is √(14.18/m) (w⁵R⁴/E*²)^(1/6) in JKR
 
     Source:   Thornton & Ning 1998, Eq 54.
     Valid:    A head-on collision without other loss.
@@ -121,7 +120,7 @@ def sticking_speed_pencil_code(*, sticking_energy_pencil_code: Energy, reduced_m
 
 
 def contacts(*, monomers: Number) -> Number:
-    """Return the number of contacts of an aggregate, by default one for each grain.
+    """Return the number of contacts of an aggregate if it is not known: one for each grain.
 
         n_c = N
 
@@ -169,7 +168,8 @@ def disruption_energy(*, pull_off_work: Energy, contacts: Number) -> Energy:
 
         E_disr = 10·2n_c E_break, E_break = U_grips = 1.5426 F_cδ_c
 
-    Source:   Wada et al. 2007: "approximately 10 times the energy necessary to break all contacts", here 2n_c.
+    Source:   Wada et al. 2007: "approximately 10 times the energy necessary to break all contacts", here 2n_c
+              contacts.
     Valid:    Two-dimensional aggregates of equal masses, head-on. The abstract does not say which E_break it takes.
     """
     return 20 * contacts * pull_off_work
@@ -180,7 +180,7 @@ def disruption_energy_dust_simulation(*, break_energy_dust_simulation: Energy, c
 
         E_disr = 10·2n_c E_break, E_break = 1.8 F_cδ_c
 
-    Source:   Wada et al. 2007, of which the abstract was read; E_break as coded in Lumajord/DustSimulation.
+    Source:   Wada et al. 2007, as cited for `disruption_energy`; E_break as coded in Lumajord/DustSimulation.
     Valid:    Two-dimensional aggregates of equal masses, head-on. The abstract does not say which E_break it takes.
     """
     return 20 * contacts * break_energy_dust_simulation

@@ -38,7 +38,7 @@ def load_per_length(*, cylinder_radius: Length, plane_strain_modulus: Stress, lo
 
         P = πE′C/(2R), so that C = 2PR/(πE′)
 
-    Source:   Eqs (59) and (65): it does not depend on ξ.
+    Source:   Eqs (59) and (65), in which ξ has no effect.
     Valid:    a ≪ R.
     """
     return pi / 2 * plane_strain_modulus * load_constant / cylinder_radius
@@ -69,7 +69,7 @@ def contact_point_moment(
 
         M(x = 0) = M(X = 0) − ξP = (π/4)(E′/R)ξ(a² − 2C)
 
-    Source:   Eqs (69) and (70), which has +2C for −2C and ≈ for =.
+    Source:   Eqs (69) and (70); Eq (70) has +2C for −2C and ≈ for =.
     Valid:    As Eq (64). Without adhesion it vanishes.
     """
     area = contact_half_width**2 - 2 * load_constant
@@ -91,8 +91,8 @@ def half_strips_moment(
 
         M = M½(a − ξ) − M½(a + ξ) = (E′/2R)ξ(a² − 2C + ξ²/3)
 
-    Source:   Eqs (76) and (77), multiplied out so that no digit is lost.
-    Valid:    ξ < a. Where ξ ≪ a it is Eq (78), 2/π of the exact Eq (70) for any load.
+    Source:   Eqs (76) and (77), multiplied out, so that the two moments do not cancel.
+    Valid:    ξ < a. Without the term ξ²/3 this is Eq (78), 2/π of the exact Eq (70) at any load.
     """
     area = contact_half_width * contact_half_width - 2 * load_constant + yield_displacement * yield_displacement / 3
     return plane_strain_modulus / (2 * cylinder_radius) * yield_displacement * area

@@ -1,9 +1,9 @@
 """The dimension of every parameter and result, as an annotation that carries the SI unit.
 
-A value is a float, or an array of floats; floats give a float, and arrays broadcast. The annotation is for the reader,
-for type checkers, for the help texts and for the tests, which feed each formula pint Quantities and compare the units
-of the nomenclature (`typing.get_type_hints` with the names of this module). At run time it costs nothing: aliases are
-texts, and the formulas import `annotations` from `__future__`, so that `help` shows the dimension by its name.
+A value is a float or an array of floats; floats give a float, and arrays broadcast. Readers, type checkers and help
+texts use the annotation. The tests call each formula with pint Quantities, and compare the unit of its annotation with
+that of the nomenclature (`typing.get_type_hints` with the names of this module). Evaluating a formula costs no more:
+aliases are texts, and the formulas import `annotations` from `__future__`, so that `help` shows the dimension by name.
 """
 
 from typing import Annotated, TypeAlias

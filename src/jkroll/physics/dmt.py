@@ -14,7 +14,7 @@ def contact_radius_dmt(
         a = (3R(P + 2πwR)/(4E*))^(1/3)
 
     Source:   Derjaguin, Muller & Toporov 1975.
-    Valid:    P ≥ −2πwR; small, hard spheres. Below, a float raises ValueError and an array holds NaN.
+    Valid:    Small, hard spheres; P ≥ −2πwR. Below, a float raises ValueError and an array holds NaN.
     """
     pressed = load + 2 * pi * work_of_adhesion * reduced_radius
     return cbrt(3 / 4 * reduced_radius * within(pressed >= 0, pressed) / contact_modulus)

@@ -5,8 +5,8 @@ The traction σ0 acts for a < r < c, where the gap is below w/σ0. Lengths along
 
 Maugis (J. Colloid Interface Sci. 150, 243, 1992) has two equations for a and c at a load. Here one variable describes a
 state, the edge ratio v = a/√(c² − a²): it is large where the ring is narrow (JKR), small where the ring is wide (DMT),
-and 0 where the spheres do not touch. All else is explicit in v, and so are the equations for both extremes of the curve
-and for the state without load:
+and 0 where the spheres do not touch. All else about a contact is explicit in v and λ. At both extremes of the curve and
+in the state without load, q is a function of v alone:
 
     T = √(c² − a²) = 1/(⅔λ²G2 + √((⅔λ²G2)² + λG1/2))    a = vT    c = nT    q = 4λ/(3T)
     P = a³ − λT²G3    δ = a² − (4/3)λT    dP/dδ = (3/2)T(vG3 − qD)/(G3 − qh)
@@ -38,17 +38,17 @@ from .elementary import (
 )
 
 FOLD_WITHOUT_CONTACT = 0.9379474572107123  # (9π/(16(π − 1)))^(1/3): for λ below, a vanishes before fixed grips let go
-JUMP_WITHOUT_CONTACT = 0.6551853485522241  # (9/32)^(1/3): for λ below, approaching spheres attract before they touch
+JUMP_WITHOUT_CONTACT = 0.6551853485522241  # (9/32)^(1/3): for λ below, spheres that approach jump in without contact
 
 _ROUNDING = 8 * 2.0**-52  # relative error of a pull-off load or a fold approach that a caller passes
 _STEPS = 3  # of Newton's method; each squares the error
 _FAR = 32.0  # √(1 + P/P_c) beyond which another start is taken, and twice as many steps
 _TINY = 1e-300  # instead of a slope of 0
-_LAST_OF_FRACTION = 21  # the terms left out are below 1e-17 of the fraction, up to θ = π/2
+_LAST_OF_FRACTION = 21  # last odd number of the continued fraction; the rest is below 1e-17 of it, up to θ = π/2
 
 
 class Shape:
-    """The shape of a ring: the functions of its edge ratio v ≥ 0 that the module names."""
+    """The shape of a ring: n, θ, h, G2, G3 and D at its edge ratio v ≥ 0; `g1` gives G1."""
 
     def __init__(self, v: FloatOrArray) -> None:
         square = 1 + v * v
@@ -74,7 +74,7 @@ def g1(ring: Shape) -> FloatOrArray:
 
 
 def span(transition: FloatOrArray, ring: Shape) -> FloatOrArray:
-    """Return T of a contact, from λ and its shape."""
+    """Return T of a contact, from λ and the shape of its ring."""
     half = 2 / 3 * (transition * transition) * ring.g2
     return 1 / (half + sqrt(half * half + transition / 2 * g1(ring)))
 
@@ -85,9 +85,9 @@ def span_at_fold_apart(transition: FloatOrArray) -> FloatOrArray:
 
 
 def span_apart(transition: FloatOrArray, approach: FloatOrArray) -> FloatOrArray:
-    """Return T of spheres that attract without contact, where it is c.
+    """Return T of spheres that attract without contact, which equals c there.
 
-    c²/2 − bc = δ + 2/(πλ); fixed grips hold the larger root.
+    c²/2 − bc = δ + 2/(πλ), b = 8λ/3π; fixed grips hold the larger root.
     """
     b = span_at_fold_apart(transition)
     square = b * b + 2 * (approach + 2 / (pi * transition))
@@ -107,7 +107,7 @@ def approach(transition: FloatOrArray, ring: Shape, span: FloatOrArray) -> Float
 
 
 def unloaded_radius(transition: FloatOrArray, ring: Shape, span: FloatOrArray) -> FloatOrArray:
-    """Return a of a contact without load: a³ = λT²G3, as P is 0; vT would have 3/2 times the relative error of v."""
+    """Return a of a contact without load: a³ = λT²G3, as P is 0. In vT, an error of v would have a greater effect."""
     return cbrt(transition * span * span * ring.g3)
 
 
@@ -156,7 +156,7 @@ def pull_off_ratio(transition: FloatOrArray) -> FloatOrArray:
 
 
 def fold_ratio(transition: FloatOrArray) -> FloatOrArray:
-    """Return v where fixed grips let go; 0 where they still hold spheres without contact. The start is within 5e-5."""
+    """Return v where fixed grips let go; 0 if they also hold spheres without contact. The start is within 5e-5."""
     beyond = at_least(transition - FOLD_WITHOUT_CONTACT, 0.0)
     rise = 2.180274 + beyond * (24.2586 + beyond * (53.43513 + beyond * 23.90279))
     v = beyond * (rise / (1 + beyond * (15.02757 + beyond * (51.30233 + beyond * 39.46094))))
@@ -167,7 +167,7 @@ def fold_ratio(transition: FloatOrArray) -> FloatOrArray:
 
 
 def lowest_approach(transition: FloatOrArray, least: FloatOrArray) -> FloatOrArray:
-    """Return δ at the fold, in contact or apart, from its v."""
+    """Return δ at the fold, in contact or apart; `least` is v there."""
     ring = Shape(least)
     apart = approach_apart(transition, span_at_fold_apart(transition))
     return where(least == 0, apart, approach(transition, ring, span(transition, ring)))
@@ -186,8 +186,9 @@ def unloaded_ratio(transition: FloatOrArray) -> FloatOrArray:
 def _step_to(transition: FloatOrArray, ring: Shape, q: FloatOrArray, growth: FloatOrArray) -> FloatOrArray:
     """Return v after a step of Halley's method towards the v of an extreme, or of the unloaded state, at λ.
 
-    `q` is the q of this state if it had the present v, such as vG3/D at pull-off; `growth` is d ln q/dv. The present
-    v is the solution at another λ, with λ³ = 9q²/(8(G1 + 2qG2)), as λ = ¾qT and T³ = 8/(3q(G1 + 2qG2)).
+    `q` is the function of v that gives q in the sought state, such as vG3/D at pull-off, at the present v; `growth` is
+    d ln q/dv. The present v is the solution at another λ, with λ³ = 9q²/(8(G1 + 2qG2)), as λ = ¾qT and
+    T³ = 8/(3q(G1 + 2qG2)).
     """
     v, n = ring.v, ring.n
     g = g1(ring) + 2 * q * ring.g2
@@ -205,10 +206,11 @@ def _step_to(transition: FloatOrArray, ring: Shape, q: FloatOrArray, growth: Flo
 def ratio_at_load(
     transition: FloatOrArray, load_in_units: FloatOrArray, least: FloatOrArray, tension: FloatOrArray
 ) -> FloatOrArray:
-    """Return v of the stable contact at a load; there is none beyond pull-off, except within rounding.
+    """Return v of the stable contact at a load. Beyond pull-off, a float raises ValueError and an array holds nan.
 
-    `least` and `tension` are v and −P at pull-off. The start is a fit within 15 % up to 10³ pull-off forces, and in a
-    wide contact follows from Hertz' radius; the steps reduce its error to 1e-16.
+    `least` and `tension` are v and −P at pull-off. A load beyond pull-off by no more than rounding counts as pull-off.
+    The start is a fit within 15 % up to 10³ pull-off forces, and follows from Hertz' radius beyond; the steps reduce
+    its error to 1e-16.
     """
     margin = load_in_units + tension
     aim = sqrt(within(margin >= -_ROUNDING * tension, at_least(margin, 0.0)))
@@ -236,9 +238,9 @@ def ratio_at_load(
 def ratio_at_approach(
     transition: FloatOrArray, approach_in_units: FloatOrArray, least: FloatOrArray, fold: FloatOrArray
 ) -> FloatOrArray:
-    """Return v of the state that fixed grips hold at an approach: 0 without contact; there is none beyond the fold.
+    """Return v of the state that fixed grips hold at an approach: 0 without contact.
 
-    `least` and `fold` are v and δ at the fold.
+    `least` and `fold` are v and δ at the fold. Beyond it, a float raises ValueError and an array holds nan.
     """
     ring = Shape(least)
     lowest = approach(transition, ring, span(transition, ring))
@@ -282,8 +284,9 @@ def _root(
 ) -> FloatOrArray:
     """Return the v where the square root of a curve is `aim`, by Newton's method in v^(1/power).
 
-    The curve is the load or the approach above its least value. Its square root has a slope even there, and for a load
-    is almost a straight line over v^(1/power). The bounds matter only where rounding decides.
+    The curve is the load or the approach above its least value, which it has at v = `least`. Its square root has a
+    finite slope even there, and for a load is almost a straight line over v^(1/power). The bounds of v matter only
+    where rounding decides.
     """
     v, most = start, start + (start - least)
     for _ in range(_STEPS):

@@ -1,8 +1,8 @@
 """Elementary functions for numbers and arrays: `math` for a number, numpy for anything else.
 
-The type of the value decides, so that a float needs no import of numpy, and an array (or a pint Quantity, which follows
-numpy's protocol) no loop. Numbers and arrays go through the same operations in the same order, and agree to the last
-digit or the one before.
+The type of the value decides: a float needs no import of numpy, and an array (or a pint Quantity, which follows
+numpy's protocol) needs no loop. Numbers and arrays go through the same operations in the same order, and agree to the
+last digit or the one before.
 """
 
 from __future__ import annotations
@@ -182,7 +182,7 @@ def quotient(value: FloatOrArray, divisor: FloatOrArray, otherwise: float) -> Fl
 
 
 def where(condition: Truth, value: FloatOrArray, otherwise: FloatOrArray) -> FloatOrArray:
-    """Return one value or the other, element by element for arrays."""
+    """Return `value` where a condition holds and `otherwise` elsewhere, element by element for arrays."""
     if isinstance(condition, bool):
         return value if condition else otherwise
     import numpy
@@ -191,14 +191,14 @@ def where(condition: Truth, value: FloatOrArray, otherwise: FloatOrArray) -> Flo
 
 
 def is_anywhere(condition: Truth) -> bool:
-    """Return whether a condition holds, for arrays in any element."""
+    """Return whether a condition holds; for an array, whether it holds in any element."""
     return condition if isinstance(condition, bool) else bool(condition.any())
 
 
 def within(condition: Truth, value: FloatOrArray) -> FloatOrArray:
-    """Return a value that is defined under a condition.
+    """Return a value where a condition holds. Elsewhere a number raises ValueError, and an array holds nan.
 
-    Elsewhere a number raises ValueError, and an array holds nan.
+    The condition is that under which the value is defined.
     """
     if isinstance(condition, bool) and not condition:
         raise ValueError("outside the domain of the formula")

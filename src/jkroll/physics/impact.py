@@ -1,11 +1,13 @@
 """The peak pressure of a head-on impact, and the speeds at which it reaches the pressures that a solid bears.
 
-Without loss the relative energy ½mv² is that of JKR's curve from first touch, δ = 0, to the state of largest load:
+At first touch, δ = 0, the spheres jump into contact. From there to the state of largest load, the relative energy ½mv²
+is spent along JKR's curve without loss:
 
-    ½mv² = P_cδ0 (Û(â) − Û_s)    Û = 4(6â⁵/5 − 2â^(7/2) + â²/2)    Û_s at â = (2/3)^(2/3)
+    ½mv² = P_cδ0 (Û(â) − Û_s)    Û = 4(6â⁵/5 − 2â^(7/2) + â²/2)    Û_s is Û after the jump, at â = (2/3)^(2/3)
 
-The pressure at the centre is p(0) = P_c/(πa0²) (6â − 2/√â). In units of P_c/(πa0²) it is 4 at rest, and 5.0823 at the
-peak of a touch at v → 0; at speeds well above the sticking speed it is Hertz'. The pull at the rim is left out.
+The pressure at the centre is p(0) = P_c/(πa0²) (6â − 2/√â). In units of P_c/(πa0²) it is 4 at rest without load, and
+5.0823 at the peak of a touch at v → 0; at speeds well above the sticking speed it is Hertz'. The pull at the rim is
+left out.
 """
 
 from __future__ import annotations
@@ -15,12 +17,12 @@ from .elementary import FloatOrArray, arctan, at_least, at_most, pi, sqrt, withi
 
 TOUCH = 5.0823043295739116  # p(0) of the peak of a touch at v → 0, in P_c/(πa0²)
 _AT_TOUCH = -0.6988643717890391  # Û_s
-_PEAK_OF_TOUCH = 1.0756163614276605  # √â there
+_PEAK_OF_TOUCH = 1.0756163614276605  # √â at this peak
 _STEPS = 12  # of Newton's method, enough from every start below
 
 
 def _energy(root: FloatOrArray) -> FloatOrArray:
-    """Return Û of y = √â."""
+    """Return Û at y = √â."""
     fourth = root * root * root * root
     return fourth * (2 + root * root * root * (24 / 5 * root * root * root - 8))
 
@@ -49,7 +51,7 @@ def impact_pressure(
 
 
 def _beyond(root: FloatOrArray, energy: FloatOrArray) -> FloatOrArray:
-    """Return by how much y = √â lies beyond the peak of an impact, from the slope of Û at y."""
+    """Return a step of Newton's method: by how much y = √â lies beyond the peak of an impact, by the slope of Û."""
     third = root * root * root
     return (_energy(root) - _AT_TOUCH - energy) / (8 * third * (6 * third - 1) * (third - 1))
 
@@ -127,8 +129,8 @@ def yield_speed(
         v_y = √(2P_cδ0 (Û(â_y) − Û_s)/m), 6â_y − 2/√â_y = p_y πa0²/P_c
 
     Source:   As the peak pressure; without adhesion (πp_y/2E*)^(5/2) √(16E*R³/(15m)).
-    Valid:    JKR; p_y above 5.0823 P_c/(πa0²). Below, touching alone yields (below 4 the contact at rest), and a float
-              raises ValueError, an array holds NaN.
+    Valid:    JKR; p_y above 5.0823 P_c/(πa0²). Below, a touch alone makes the solid yield (with 4 for 5.0823, even the
+              contact at rest): a float raises ValueError and an array holds NaN.
     """
     return _speed_at(first_yield_pressure, touch_pressure, adhesion_energy, reduced_mass)
 
@@ -176,7 +178,7 @@ def speed_over_sound(
 
         v/√(E/ρ)
 
-    Source:   The contact is that of a static one, and waves in the spheres have no energy.
+    Source:   Assumptions of the laws of impact: a static contact, and no energy in waves in the spheres.
     Valid:    The coefficient of restitution holds for a ratio well below 1.
     """
     slowness = at_least(density / youngs_modulus, density2 / youngs_modulus2)

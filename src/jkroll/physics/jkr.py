@@ -24,7 +24,7 @@ STICKING: float = 2 / 15 / CBRT_6 + 4 / 5 * (2 / 3) ** (1 / 3)
 
 
 def load_margin_of_factor(*, load_factor: Number) -> Number:
-    """Return √(1 + P/P_c) on the stable branch, and its negative beyond pull-off, where only fixed grips hold.
+    """Return √(1 + P/P_c), or its negative for x < 1/2, beyond pull-off.
 
         s = 2x − 1
 
@@ -46,7 +46,7 @@ def load_at_factor(*, pull_off_force: Force, load_factor: Number) -> Force:
 
 
 def load_factor_at_approach(*, approach_at_load: Length, approach: Length) -> Number:
-    """Return the state on the stable branch, x = â^(3/2), at an approach of the centres.
+    """Return the state that fixed grips hold at an approach of the centres, as x = â^(3/2).
 
         3x^(4/3) − 2x^(1/3) = δ/δ0
 
@@ -58,19 +58,18 @@ def load_factor_at_approach(*, approach_at_load: Length, approach: Length) -> Nu
 
 
 def load_margin_at_approach(*, approach_at_load: Length, approach: Length) -> Number:
-    """Return √(1 + P/P_c) at an approach of the centres, and its negative beyond pull-off.
+    """Return √(1 + P/P_c) at an approach of the centres, or its negative between pull-off and the fold.
 
         s = 2x − 1 = (1 + 2(δ/δ0)/x^(1/3))/3
 
-    Source:   Eqs (5) and (6), as `load_factor_at_approach`; where δ passes through 0 it keeps the digits that 2x − 1
-              loses.
+    Source:   Eqs (5) and (6), as `load_factor_at_approach`; the last form has smaller rounding errors than 2x − 1.
     Valid:    δ̂ ≥ −(3/4)^(2/3). Beyond, a float raises ValueError and an array holds NaN.
     """
     return (1 + 2 * _approach_over_root(approach_at_load / approach)) / 3
 
 
 def _approach_over_root(approach_ratio: FloatOrArray) -> FloatOrArray:
-    """Return δ̂/y = 3x − 2 on the stable branch, y = x^(1/3), at δ̂ ≥ δ̂_fold; it has the relative error of y."""
+    """Return δ̂/y = 3x − 2, y = x^(1/3), of the state that fixed grips hold at δ̂; it has the relative error of y."""
     excess = _excess(approach_ratio)
     start = where(excess < 3, sqrt(excess / 3), sqrt(sqrt(2 * excess)))
     y = (1 + _root_of_excess(start, excess)) / CBRT_6
@@ -78,13 +77,13 @@ def _approach_over_root(approach_ratio: FloatOrArray) -> FloatOrArray:
 
 
 def _excess(approach_ratio: FloatOrArray) -> FloatOrArray:
-    """Return 6^(1/3)(δ̂ − δ̂_fold), with the digits of δ̂_fold beyond a double; the domain ends at the fold."""
+    """Return 6^(1/3)(δ̂ − δ̂_fold), δ̂_fold with more digits than a double; below the fold it is not defined."""
     above_fold = approach_ratio - FOLD_APPROACH
     return within(above_fold >= 0, where(above_fold > 0, above_fold - FOLD_APPROACH_REST, 0.0) * CBRT_6)
 
 
 def _root_of_excess(eta: FloatOrArray, excess: FloatOrArray) -> FloatOrArray:
-    """Return the root of the convex η²(3 + 2η + η²/2) = excess by Newton's method, from a start beyond it."""
+    """Return the root of the convex η²(3 + 2η + η²/2) − excess, by Newton's method from a start beyond the root."""
     for _ in range(NEWTON_STEPS):
         slope = eta * (6 + eta * (6 + 2 * eta))
         eta = eta - (eta * eta * (3 + eta * (2 + eta / 2)) - excess) / where(slope == 0, 1.0, slope)
@@ -164,12 +163,12 @@ def contact_area_at_fold(*, contact_radius_at_fold: Length) -> Area:
 
 
 def adhesion_energy(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Energy:
-    """Return the typical energy of adhesion, as much as a slow head-on collision dissipates, to an order of magnitude.
+    """Return the typical energy of adhesion, about as much as a slow head-on collision dissipates.
 
         W = P_c δ0 = (3/2)πwR (3π²w²R/(4E*²))^(1/3) = wR (81π⁵w²R/(32E*²))^(1/3)
 
     Source:   Text below Eq (48), with JKR's P_c and δ0, Eqs (1) and (3).
-    Valid:    The largest energy that sticks is 0.7722 P_cδ0.
+    Valid:    An order of magnitude; by JKR, spheres stick up to 0.7722 P_cδ0.
     """
     length = cbrt(81 / 32 * pi**5 * work_of_adhesion**2 * reduced_radius / contact_modulus**2)
     return work_of_adhesion * reduced_radius * length
@@ -222,7 +221,7 @@ def sticking_energy(*, adhesion_energy: Energy) -> Energy:
 
 
 def fold_energy(*, adhesion_energy: Energy) -> Energy:
-    """Return the product of the pull-off force and the approach at the fold, a unit of energies.
+    """Return the pull-off force times the stretch −δ at which fixed grips let go, a unit of energies.
 
         F_cδ_c = (9/16)^(1/3) P_cδ0, F_c = P_c, δ_c = a0²/(2·6^(1/3)R) = |δ_min|
 

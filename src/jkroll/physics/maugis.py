@@ -89,8 +89,8 @@ def zone_span(*, edge_ratio: Number, length_unit_maugis: Length, transition_para
 
         T = (πwR²/K)^(1/3)/(⅔λ²G2 + √((⅔λ²G2)² + λG1/2))
 
-    Source:   Maugis 1992, solved for T.
-    Valid:    Contact.
+    Source:   Maugis 1992, solved for T; λ, G1 and G2 are those of `dugdale`.
+    Valid:    In contact.
     """
     return dugdale.span(transition_parameter, dugdale.Shape(edge_ratio)) * length_unit_maugis
 
@@ -105,7 +105,8 @@ def zone_span_at_approach(
 ) -> Length:
     """Return the span √(c² − a²) of the ring of attraction; without contact, the radius c of the zone of attraction.
 
-        c²/2 − bc = δ + 2/(πλ), b = 8λ/3π without contact, in the units of `dugdale`
+        T of `zone_span` in contact
+        T = c apart, with c²/2 − bc = δ + 2/(πλ), b = 8λ/3π, in the units of `dugdale`
 
     Source:   Maugis 1992; Johnson & Greenwood 1997.
     Valid:    Approaches above the fold.
@@ -130,7 +131,7 @@ def contact_radius_maugis(*, edge_ratio: Number, zone_span: Length) -> Length:
 
 
 def zone_radius(*, edge_ratio: Number, zone_span: Length) -> Length:
-    """Return the radius of the edge of the ring of attraction, where bonds break.
+    """Return the radius of the outer edge of the ring of attraction, where bonds break.
 
         c = T√(1 + v²)
 
@@ -148,7 +149,7 @@ def approach_maugis(
         δ = a²/R − 2σ0T/E*
 
     Source:   Maugis 1992.
-    Valid:    Contact.
+    Valid:    In contact.
     """
     a = edge_ratio * zone_span
     return a * a / reduced_radius - 2 * cohesive_stress / contact_modulus * zone_span
@@ -165,11 +166,11 @@ def approach_maugis_at_load(
 ) -> Length:
     """Return the approach of the centres of a contact whose load is known.
 
-        δ = 3P/(4E*a) + (σ0T/(2E*))(3(v + 1/v)θ − 1), θ = arctan(1/v), in which less cancels where v > 1
-        δ of `approach_maugis` elsewhere
+        δ = 3P/(4E*a) + (σ0T/(2E*))(3(v + 1/v)θ − 1), θ = arctan(1/v), for v > 1, where less cancels in this form
+        δ of `approach_maugis` for v ≤ 1
 
     Source:   Maugis 1992.
-    Valid:    Contact.
+    Valid:    In contact.
     """
     depth = cohesive_stress / contact_modulus * zone_span
     v = at_least(edge_ratio, 1.0)
@@ -230,7 +231,7 @@ def contact_displacement_maugis(
 
         ξ_contact = ξ/(1 + E*T/(σ0R))
 
-    Source:   First order in ξ.
+    Source:   Maugis' contact with a ring that is displaced by ξ, to first order in ξ.
     Valid:    ξ ≪ a. Without contact, a float raises ValueError and an array holds NaN.
     """
     lag = within(edge_ratio > 0, yield_displacement)
@@ -245,7 +246,7 @@ def unloaded_edge_ratio(*, transition_parameter: Number) -> Number:
 
         v where P = 0: q = 4v³/(3G3), q = 4λ/(3T)
 
-    Source:   Maugis 1992; in closed form at a given v.
+    Source:   Maugis 1992, by Halley's method; G3 and T are those of `dugdale`.
     """
     return dugdale.unloaded_ratio(transition_parameter)
 
@@ -285,7 +286,7 @@ def edge_ratio_at_pull_off(*, transition_parameter: Number) -> Number:
 
         q = vG3/D, q = 4λ/(3T)
 
-    Source:   Maugis 1992; in closed form at a given v.
+    Source:   Maugis 1992, by Halley's method; G3, D and T are those of `dugdale`.
     """
     return dugdale.pull_off_ratio(transition_parameter)
 
@@ -301,8 +302,8 @@ def pull_off_force_maugis(
 
         P_c = 2σ0(aT + c²θ) − 4E*a³/(3R)
 
-    Source:   Maugis 1992; stationary in v.
-    Valid:    Always; a Lennard-Jones pair lets go up to 6 % later.
+    Source:   Maugis 1992; P is stationary in v.
+    Valid:    Always; the pull-off force of a Lennard-Jones pair is up to 6 % larger.
     """
     ring = dugdale.Shape(edge_ratio_at_pull_off)
     load = dugdale.load(transition_parameter, ring, dugdale.span(transition_parameter, ring))
@@ -314,7 +315,7 @@ def edge_ratio_at_fold(*, transition_parameter: Number) -> Number:
 
         q = G3/h, q = 4λ/(3T), if λ > (9π/(16(π − 1)))^(1/3) = 0.938
 
-    Source:   Maugis 1992; Johnson & Greenwood 1997; in closed form at a given v.
+    Source:   Maugis 1992; Johnson & Greenwood 1997; by Halley's method, with G3, h and T of `dugdale`.
     """
     return dugdale.fold_ratio(transition_parameter)
 
@@ -336,7 +337,7 @@ def contact_radius_at_pull_off_maugis(
 ) -> Length:
     """Return the radius of the contact circle at which a constant tension breaks the contact.
 
-        a_pull = v_c T
+        a_pull = v_pull T
 
     Source:   Maugis 1992.
     Valid:    Always; it tends to 0 in DMT.
@@ -363,7 +364,7 @@ def approach_at_pull_off_maugis(
 ) -> Length:
     """Return the approach of the centres at which a constant tension breaks the contact.
 
-        δ_pull = (a_pull² − (4/3)λT)/R, lengths in the units of `dugdale`
+        δ_pull = a_pull² − (4/3)λT, in the units of `dugdale`
 
     Source:   Maugis 1992.
     Valid:    Always. It is negative, and tends to 0 in DMT.
@@ -478,7 +479,7 @@ def sticking_energy_maugis(
 
 
 def fold_energy_maugis(*, pull_off_force: Force, fold_approach_maugis: Length) -> Energy:
-    """Return the product of the pull-off force and the depth at which fixed grips let go.
+    """Return the pull-off force times the stretch −δ at which fixed grips let go, a unit of energies.
 
         F_cδ_c = −P_c δ_fold
 

@@ -2,7 +2,8 @@
 
 Water at 25 °C has a surface tension of 0.0720 N/m (IAPWS R1-76) and a molar volume of 18.07 cm³ (18.015 g/mol over
 0.99705 g/cm³), so that γ_L V_m/(R_g T) is 0.5248 nm. The shape of the meniscus is a nodoid, whose force is
-4πRγ_L cosθ (1 − q + …), q = κ√(r_K/R). The tests compare this with the integrated shape.
+4πRγ_L cosθ (1 − q + …), q = κ√(r_K/R) with κ of `meniscus_size`. The tests compare this force with that of the
+integrated shape.
 """
 
 from __future__ import annotations
@@ -22,12 +23,12 @@ def _elevation(contact_angle: FloatOrArray) -> FloatOrArray:
 
 
 def kelvin_radius(*, humidity: Number) -> Length:
-    """Return the radius of a surface of water that is in equilibrium with air of a relative humidity.
+    """Return the inverse of the total curvature of a water surface in equilibrium with air of a relative humidity.
 
         r_K = γ_L V_m/(R_g T ln(1/h)) = 0.5248 nm/ln(1/h)
 
     Source:   Kelvin's equation, water at 25 °C; measured for water from 9 nm on (Fisher, Gamble & Middlehurst 1981).
-    Valid:    0 < h < 1. r_K well above the 0.31 nm that a molecule of water takes.
+    Valid:    0 < h < 1. r_K well above 0.31 nm, the size of a molecule of water.
     """
     return -KELVIN_LENGTH / ln(within((humidity > 0) & (humidity < 1), humidity))
 
@@ -52,7 +53,7 @@ def meniscus_force(*, reduced_radius: Length, contact_angle: Angle, meniscus_siz
         F = 4πRγ_L cosθ (1 − q)
 
     Source:   First order of the nodoid; for q → 0 4πRγ_L cosθ, whatever the humidity.
-    Valid:    q ≤ 1/2, where the exact force is between this, within 0.1 %, and (1 + 2q²) times this. No gap between the
+    Valid:    q ≤ 1/2, where the exact force lies between F, less 0.1 % at most, and (1 + 2q²)F. No gap between the
               bodies.
     """
     part = 1 - within(meniscus_size <= WIDEST, meniscus_size)

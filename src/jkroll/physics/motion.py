@@ -1,4 +1,7 @@
-"""Motion: vibrations (Eqs 31-42), the roll after a collision (Eqs 45-49) and head-on losses. Frequencies are in Hz."""
+"""Motion: vibrations (Eqs 31-42) and time steps, the roll after a collision (Eqs 45-49), and head-on losses.
+
+Frequencies are in Hz, cycles per second; the paper calls them Ω.
+"""
 
 from __future__ import annotations
 
@@ -30,7 +33,7 @@ def vertical_frequency(*, stiffness: Stiffness, reduced_mass: Mass) -> Frequency
 
         f_z = (1/2π)√((dP/dδ)/m) = (1/2π)√((6/5)E*a0/m) without load
 
-    Source:   Eqs (31)-(35), where a frequency is Ω and Eq (34) lost its sign; with the stiffness at the load.
+    Source:   Eqs (31)-(35), with the stiffness at the load; Eq (34) lost its sign in print.
     Valid:    Free spheres, amplitudes well below δ0, dP/dδ ≥ 0.
     """
     return sqrt(stiffness / reduced_mass) / (2 * pi)
@@ -59,11 +62,11 @@ def rolling_frequency_as_printed(*, work_of_adhesion: SurfaceEnergy, radius: Len
 
 
 def rolling_frequency_no_slip(*, work_of_adhesion: SurfaceEnergy, load_factor: Number, rolling_mass: Mass) -> Frequency:
-    """Return the frequency at which two free spheres that do not slip roll back and forth over each other.
+    """Return the frequency at which two free spheres that do not slip roll to and fro over each other.
 
         f_free = (1/2π)√(4P_c â^(3/2)/(R m_eff)) = √(3w â^(3/2)/(2π m_eff))
 
-    Source:   Eqs (25) and (37)-(39), with the motion of the centres that no slip demands.
+    Source:   Eqs (25) and (37)-(39), with the motion of the centres that rolling without slip demands.
     Valid:    Homogeneous spheres; body 2 may be a plane, which is held. Equal to Eq (40) for identical spheres.
     """
     return sqrt(3 / (2 * pi) * work_of_adhesion * load_factor / rolling_mass)
@@ -118,7 +121,7 @@ def rayleigh_frequency(*, radius: Length, density: Density, youngs_modulus: Stre
 def time_step(*, sliding_frequency: Frequency, rayleigh_frequency: Frequency, rayleigh_frequency2: Frequency) -> Time:
     """Return a time step for simulations of many spheres: the shorter of the steps by two rules.
 
-        Δt = min(1/(20 f_slide), t_R/5), t_R of either sphere
+        Δt = min(1/(20 f_slide), t_R/5), with the shorter t_R of the two spheres
 
     Source:   Verlet's method is stable up to 2/ω; the fastest mode of spheres with n contacts has ω ≤ √n 2πf_slide.
               A fifth of the Rayleigh time is the rule of codes for grains that collide.
@@ -147,7 +150,7 @@ def kinetic_energy(*, mass: Mass, speed: Speed) -> Energy:
         W0 = m1v²/2
 
     Source:   Caption of Fig. 7.
-    Valid:    A sphere that does not spin, moving along the surface of the fixed one.
+    Valid:    A sphere that does not spin, moving along the surface of a fixed body 2.
     """
     return mass * speed**2 / 2
 
@@ -192,7 +195,7 @@ def n_roll_after_impact(*, energy: Energy, mean_rolling_moment: Moment) -> Numbe
         n = (5/7)W0/(2π⟨M⟩), which is 5/2 of Eq (48)
 
     Source:   The angular momentum about the contact is kept while friction spins the sphere up: 5/7 of W0 remain.
-    Valid:    A tangential impact on a fixed body 2, short beside the rolling; no slip after it.
+    Valid:    A tangential impact on a fixed body 2, short compared with the rolling; no slip after it.
     """
     return energy / (14 / 5 * pi * mean_rolling_moment)
 
@@ -214,11 +217,11 @@ def flight_ratio(*, energy: Energy, radius: Length, radius2: Length, pull_off_fo
 def restitution(*, speed: Speed, sticking_speed: Speed) -> Number:
     """Return the speed after a head-on collision over that before it: 0 for spheres that stick.
 
-        e = √(1 − U_stick/W) = √(1 − (v_stick/v)²), W = ½mv²
+        e = √(1 − (v_stick/v)²), which is √(1 − U_stick/W) without viscous damping, W = ½mv²
 
-    Source:   Energy: they lose U_stick at any speed. Thornton & Ning 1998 have this loss.
-    Valid:    An upper bound where the law is right: every other loss lowers e. Speeds well below √(E/ρ). It is
-              an upper bound with viscous damping, too.
+    Source:   Energy: the spheres lose ½m v_stick² at any speed above v_stick. Thornton & Ning 1998 have this loss.
+    Valid:    An upper bound where the law is right, as every other loss lowers e; viscous damping raises v_stick, and
+              e remains an upper bound. Speeds well below √(E/ρ).
 
     >>> restitution(speed=5.0, sticking_speed=3.0)
     0.8
@@ -228,7 +231,7 @@ def restitution(*, speed: Speed, sticking_speed: Speed) -> Number:
 
 
 def speed_over_sticking(*, speed: Speed, sticking_speed: Speed) -> Number:
-    """Return the relative speed over the largest at which spheres stick: above 1, a free pair bounces apart.
+    """Return the relative speed over the largest speed at which spheres stick: above 1, a free pair bounces apart.
 
         v/v_stick
 
@@ -241,7 +244,7 @@ def speed_over_sticking(*, speed: Speed, sticking_speed: Speed) -> Number:
 def lost_energy(*, speed: Speed, sticking_speed: Speed, reduced_mass: Mass) -> Energy:
     """Return the relative energy that a head-on collision dissipates: all of ½mv² if the spheres stick.
 
-        W_lost = ½m min(v, v_stick)², which is U_stick from v_stick on
+        W_lost = ½m min(v, v_stick)²; without viscous damping, U_stick from v_stick on
 
     Source:   Energy, as `restitution`.
     Valid:    A lower bound where the law is right.

@@ -101,8 +101,7 @@ def yield_force_fixed_load(
         Q = M/R1 − Pξ/R2
 
     Source:   The moments about the contact; Eq (26) has a load that turns with the line of centres.
-    Valid:    As Eq (25), with body 2 held. On a plane it is M/R1. It is negative where the load alone overturns sphere
-              1.
+    Valid:    As Eq (25), with body 2 held. Q is M/R1 on a plane, and negative where the load alone overturns sphere 1.
     """
     return yield_moment / radius - load * yield_displacement / radius2
 
@@ -135,7 +134,7 @@ def contact_displacement(*, load_factor: Number, yield_displacement: Length) -> 
         ξ_contact = ξ
 
     Source:   Eq (25), of a circle that is displaced by ξ.
-    Valid:    0 < x: in contact. As Eq (25).
+    Valid:    In contact, x > 0; as Eq (25).
     """
     return within(load_factor > 0, yield_displacement)
 
@@ -187,7 +186,7 @@ def half_circles_moment(
 ) -> Moment:
     """Return the moment of two half-circles of radius a + ξ and a − ξ at the same approach, not linearised.
 
-        M_half = M½(a − ξ) − M½(a + ξ) = 2ξE*a((a² + ξ²)/R − δ) = M + 2E*aξ³/R
+        M_half = M½(a − ξ) − M½(a + ξ) = 2ξE*a((a² + ξ²)/R − δ) = M + 2E*aξ³/R, M½ of a half-circle of that radius
 
     Source:   Eqs (19) and (23); with Eqs (6) and (25), the last form, which does not cancel.
     Valid:    ξ < a. It exceeds the exact moment at a fixed approach by E*aξ³/R.
@@ -235,7 +234,7 @@ def gravity_moment(*, monomers: Number, mass: Mass, gravity: Acceleration, radiu
         M_grav = m1 g R1 N²
 
     Source:   Eq (29).
-    Valid:    A straight chain, all of one mass. It rolls where M_grav exceeds M, beyond N_grav spheres.
+    Valid:    A straight chain, all of one mass. It rolls where M_grav exceeds M, beyond N_grav of Eq (30).
     """
     return mass * gravity * radius * monomers**2
 
@@ -243,7 +242,7 @@ def gravity_moment(*, monomers: Number, mass: Mass, gravity: Acceleration, radiu
 def n_grav(*, yield_moment: Moment, mass: Mass, gravity: Acceleration, radius: Length) -> Number:
     """Return the number of spheres, each like sphere 1, above which a level chain rolls at its first contact.
 
-        N = √(M/(m1 g R1)) = √(9γRξ/(R1⁴ρg)), which is √(9γξ/(2R1³ρg)) for identical spheres
+        N = √(M/(m1 g R1)); √(9γRξ/(R1⁴ρg)) in JKR without load, √(9γξ/(2R1³ρg)) for identical spheres
 
     Source:   Eqs (29) and (30).
     Valid:    A straight chain, all of one mass. Below 1, even one sphere rolls down; it falls off where Bo is below 1.

@@ -1,4 +1,4 @@
-"""Pressures of a shifted contact for pictures, exact and by two half-circles, and the width of an unloaded strip.
+"""Pressures of a shifted contact for pictures, exact and by two half-circles, and half the width of an unloaded strip.
 
 The centre of the circle, X = 0, lags by ξ behind the contact point, x = X − ξ = 0, as in Fig. 2; x points ahead.
 """
@@ -24,7 +24,7 @@ def exact_pressure(
 
         p = p_H √(1 − X²/a²) + (p_B + (2E*ξ/πR)(X/a))/√(1 − X²/a²)
 
-    Source:   Hertz, flat punch and tilted flat punch on one circle; Eq (64) in three dimensions.
+    Source:   Hertz, flat punch and tilted flat punch on one circle: in three dimensions what Eq (64) is in two.
     Valid:    |X| < a, ξ < a0/(3√â).
     """
     a, x = contact_radius_at_load, position_in_circle

@@ -8,14 +8,15 @@ Lengths are in units of the sphere's radius R and loads in E*R². Two numbers gi
     adhesion       u = √(2πκx)           δ = δ_H − u                           P = P_H − 2xu
     slopes         dδ/dx = δ_H′ − u/(2x)                                       dP/dx = 2xδ_H′ − 3u
 
-δ_H and P_H are Sneddon's, as in the code AFM-analysis/nanite. G = w at the edge gives u; for a ≪ R this is JKR.
+δ_H and P_H are Sneddon's, as in the code AFM-analysis/nanite. An energy release rate G = w at the edge gives u; for
+a ≪ R this is JKR.
 
 A machine holds a state by gδ + cP: fixed grips by δ (c = 0), a dead load by P (g = 0), a lever of stiffness k by
 δ + P/k, which is g = 1 and c = E*R/k here. It loses the contact where g dδ/dx + c dP/dx = 0. For every κ > 0 there is
 one such state, and one stable state for each larger gδ + cP.
 
-All functions take numbers or arrays, which broadcast. They hold where the half-space is nearly incompressible
-(ν ≥ 0.45); otherwise terms of order a/R exceed the effect of the sphere's shape, which is of order (a/R)².
+All functions take numbers or arrays, which broadcast. They are meant for a nearly incompressible half-space
+(ν ≥ 0.45); in others, neglected terms of order a/R exceed the effect of the sphere's shape, which is of order (a/R)².
 """
 
 from .elementary import (
@@ -115,8 +116,8 @@ def last_state(ratio: FloatOrArray, grips: FloatOrArray, dead_load: FloatOrArray
 
         (g + 2cx) δ_H′ = (g + 6cx) u/(2x)
 
-    Newton's method solves the logarithm of the squared equation, a smooth function of ln L: its slope is 3 where the
-    sphere is a paraboloid, and 4L near a = R.
+    Newton's method in L solves the logarithm of the squared equation, whose slope is smooth: 3/L where the sphere is a
+    paraboloid, and 4 near a = R.
     """
     artanh = arsinh(cbrt(9 / 8 * pi * ratio))
     for _ in range(_STEPS):

@@ -11,7 +11,7 @@ from .dimensions import Force, Length, Number, Stiffness, Stress, SurfaceEnergy
 from .elementary import cbrt, pi, tanh, within
 
 STIFFER = 100.0  # ratio of the moduli of sphere and plane at and above which the sphere counts as rigid
-INCOMPRESSIBLE = 0.45  # Poisson's ratio of the plane at and above which the shape of the sphere matters most
+INCOMPRESSIBLE = 0.45  # Poisson's ratio of the plane at and above which terms of order a/R are small
 
 _GRIPS, _DEAD_LOAD = (1.0, 0.0), (0.0, 1.0)  # the g and c of `sneddon`
 
@@ -40,11 +40,11 @@ def indenter_radius(
 def elastoadhesive_ratio(
     *, work_of_adhesion: SurfaceEnergy, indenter_radius: Length, contact_modulus: Stress
 ) -> Number:
-    """Return the elasto-adhesive length over the radius of a sphere on a plane: its contact depends on this alone.
+    """Return the elasto-adhesive length w/E* over the radius of a sphere on a plane.
 
         κ = w/(E*R)
 
-    Source:   JKR with a rigid sphere depends on w, E* and R through κ alone.
+    Source:   In units of R and E*R², JKR with a rigid sphere depends on w, E* and R through κ alone.
     """
     return work_of_adhesion / (contact_modulus * indenter_radius)
 
@@ -55,7 +55,7 @@ def elastoadhesive_ratio(
 def artanh_at_pull_off(*, elastoadhesive_ratio: Number) -> Number:
     """Return L of the contact that a constant tension breaks.
 
-        δ_H′ = 3u/(2a)
+        δ_H′ = 3u/(2a), in the symbols of `sneddon`
 
     Source:   Sneddon's sphere with G = w at the edge.
     """
@@ -65,7 +65,7 @@ def artanh_at_pull_off(*, elastoadhesive_ratio: Number) -> Number:
 def artanh_at_fold(*, elastoadhesive_ratio: Number) -> Number:
     """Return L of the contact at which fixed grips let go.
 
-        δ_H′ = u/(2a)
+        δ_H′ = u/(2a), in the symbols of `sneddon`
 
     Source:   Sneddon's sphere with G = w at the edge.
     """
@@ -110,7 +110,7 @@ def unloaded_artanh(*, elastoadhesive_ratio: Number, artanh_at_pull_off: Number)
 
         (1 + x²)L − x = x√(8πκx), x = tanh L
 
-    Source:   As at a load.
+    Source:   As `artanh_at_load`, with P = 0.
     """
     return sneddon.state_at(0.0, elastoadhesive_ratio, artanh_at_pull_off, *_DEAD_LOAD)
 
@@ -251,7 +251,7 @@ def contact_over_sphere_of_ratio(*, elastoadhesive_ratio: Number) -> Number:
         a0/R = (9πκ/2)^(1/3)
 
     Source:   Eq (2). The contact of a sphere of true shape is always narrower than the sphere.
-    Valid:    Above 1 the surface tension of the solid shapes so soft a sphere.
+    Valid:    Below 1. Above, the surface tension of so soft a plane shapes the contact.
     """
     return cbrt(9 / 2 * pi * elastoadhesive_ratio)
 

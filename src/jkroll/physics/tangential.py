@@ -16,8 +16,8 @@ def shear_strength(
 
         τ = G/(4π²), G = E/(2(1 + ν)), of the softer solid
 
-    Source:   Lumajord/DustSimulation, whose thresholds of sliding and of twisting are both this strength; for unlike
-              solids, the softer one is a rule of this program.
+    Source:   Lumajord/DustSimulation, whose thresholds of sliding and of twisting both follow from this strength. That
+              the softer of unlike solids counts is a rule of this program.
     Valid:    An order of magnitude: 9 to 15 MPa were measured for polystyrene on glass (Sümer & Sitti), where this is
               29 MPa.
     """
@@ -132,7 +132,7 @@ def peeling_radius(
 
         a_T = (3R(P + 2P_c)/(4E*))^(1/3) = a0((1 + s²)/4)^(1/3)
 
-    Source:   As the peeling force: the root of the sum of both release rates is double there.
+    Source:   As the peeling force, at which the two solutions for a coincide.
     Valid:    As the peeling force.
     """
     margin = within(load_margin >= 0, load_margin)
@@ -159,8 +159,8 @@ def sliding_or_peeling_force(*, peeling_force: Force, peeling_over_sliding: Numb
               area that is left.
     Valid:    As the peeling force. A contact that keeps its area slides at F_slide, which is larger.
     """
-    # With T = T_peel √(1 − c²), the area left is g² times that of the peeled contact, g³ = 1 + ec: c lies between 0 and
-    # 1. The unknown t = (g − 1)/e needs no root, and loses no digits where e is small.
+    # With T = T_peel √(1 − c²), the area left is g² times the area at peeling, g³ = 1 + ec: c lies between 0 and 1. The
+    # unknown t = (g − 1)/e makes the equation rational, and loses no digits where e is small.
     e = 2 * load_margin / (1 + load_margin**2)
     ratio = at_least(peeling_over_sliding, 1.0)
     share, rest = 1 / ratio**2, (ratio - 1) / ratio * ((ratio + 1) / ratio)
@@ -196,7 +196,7 @@ def sliding_friction_coefficient(*, sliding_force: Force, load: Force, pull_off_
         μ_slide = F_slide/(P + 2P_c)
 
     Source:   LAMMPS, pair_style granular, tangential mindlin_rescale: the spring's force is at most μ_slide(P + 2P_c).
-    Valid:    This load: LAMMPS multiplies it with every load.
+    Valid:    At this load; LAMMPS takes one μ_slide for every load.
     """
     return sliding_force / (load + 2 * pull_off_force)
 
@@ -207,6 +207,6 @@ def twisting_friction_coefficient(*, twisting_moment: Moment, load: Force, pull_
         μ_twist = M_twist/(P + 2P_c)
 
     Source:   LAMMPS, pair_style granular, twisting sds: the spring's moment is at most μ_twist(P + 2P_c).
-    Valid:    This load: LAMMPS multiplies it with every load.
+    Valid:    At this load; LAMMPS takes one μ_twist for every load.
     """
     return twisting_moment / (load + 2 * pull_off_force)

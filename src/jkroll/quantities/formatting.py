@@ -19,22 +19,23 @@ _PREFIXES = dict(
 )
 _KNOWN = range(-12, 10)  # powers of ten written as a prefix in texts
 _ON_AXES = range(-15, 13)  # powers of ten written as a prefix on axes, from f to T
+# SI units that take a prefix
 WITH_PREFIXES = ("m", "s", "N", "J", "Pa", "Hz", "rad", "m/s", "N m", "N/m", "J/m^2", "N m/rad")
 
 
 class Format:
-    """The units and the number of digits of written results."""
+    """The units and digits of written values, and the texts of inputs as typed."""
 
     def __init__(
         self,
         units: Mapping[str, tuple[str, Unit]] | None = None,  # by quantity: the unit to convert to
         digits: int | None = None,
-        typed: Mapping[str, str] | None = None,  # inputs as typed; an empty text for several values
+        typed: Mapping[str, str] | None = None,  # inputs as typed; an empty text if an input has several values
     ) -> None:
         self.units, self.digits, self.typed = units or {}, digits, typed or {}
 
     def with_digits(self, digits: int) -> "Format":
-        """Return a format with the same units, and with a number of digits unless one is set."""
+        """Return a format with the same units, without typed inputs, and with a number of digits unless one is set."""
         return Format(self.units, self.digits or digits)
 
     def unit(self, name: str) -> str:
@@ -42,7 +43,7 @@ class Format:
         return self.units[name][0] if name in self.units else NOMENCLATURE[name].unit
 
     def changes(self, name: str) -> bool:
-        """Return whether the numbers of a quantity are rounded, or are written in a unit other than the SI unit."""
+        """Return whether the numbers of a quantity are rounded, or converted to a chosen unit."""
         return name in self.units or self.digits is not None
 
     def number(self, name: str, value: float) -> float:
@@ -56,7 +57,7 @@ class Format:
         return header(name, self.unit(name))
 
     def rounded(self, name: str, value: float | str | Uncertain) -> tuple[str, str]:
-        """Return a rounded value, with its uncertainty if it has one, and its unit with a suitable prefix."""
+        """Return a rounded value with any uncertainty, and its unit with a suitable prefix; a word has no unit."""
         if not isinstance(value, Uncertain):
             value = in_words(name, value)
         if isinstance(value, str):
@@ -65,7 +66,7 @@ class Format:
         return self.in_unit(value, unit), unit[0]
 
     def common_unit(self, name: str, values: Sequence[float | str | Uncertain | None]) -> tuple[str, Unit]:
-        """Return the name and the factor of the unit that suits the median of values; words and None are ignored."""
+        """Return the chosen unit of a quantity, or else that which suits the median of values; words are ignored."""
         if name in self.units:
             return self.units[name]
         si = NOMENCLATURE[name].unit
@@ -115,7 +116,7 @@ def engineering(value: float, unit: str, digits: int = DIGITS, known: range = _K
 
 
 def _power(value: float, unit: str, digits: int) -> int:
-    """Return the power of ten of the prefix that suits a value after rounding to significant digits."""
+    """Return the power of ten of the prefix that suits a value, rounded to significant digits; 0 without a prefix."""
     exponent = f"{value:.{digits - 1}e}".partition("e")[2]
     power = 3 * (int(exponent or 0) // 3)
     return power if unit in WITH_PREFIXES and power in _PREFIXES else 0
@@ -226,8 +227,8 @@ def _shift(size: float) -> int:
 def _plus_minus(value: float, minus: float, plus: float) -> str:
     """Return a value with its standard uncertainty.
 
-    The smaller side of the uncertainty has two digits, and all numbers end at the same decimal place. If the two sides
-    differ, both are shown.
+    The smaller side of the uncertainty that is not 0 has two digits, and all numbers end at the same decimal
+    place. If the two sides differ, both are shown.
     """
     shift = _shift(abs(value))
     numbers = [number * 10.0**-shift for number in (value, minus, plus)]
@@ -249,8 +250,9 @@ def in_words(name: str, value: float | str) -> float | str:
 
 
 def in_units(unit: str, values: Sequence[float], digits: int = ROUND_DIGITS, *, is_log: bool) -> tuple[list[str], str]:
-    """Return the values of an axis as texts, and their common unit; empty if each text has a unit, or needs none.
+    """Return the values of an axis as texts, and their common unit.
 
+    The common unit is empty if each text has a unit, or needs none.
     On a logarithmic scale, all texts have the same form: numbers with prefixed units, with exponents, or with neither.
     >>> in_units("Hz", [1e9, 1e12], is_log=True), in_units("J", [1e-18, 1e-15], is_log=True)
     ((['1 GHz', '1 THz'], ''), (['1e-18', '1e-15'], 'J'))
@@ -302,7 +304,10 @@ def first_symbols(names: list[str]) -> str:
 
 
 def symbol_among(name: str, inputs: Collection[str]) -> str:
-    """Return the symbol of a quantity, without the index of sphere 1 if sphere 2 has no value of its own."""
+    """Return the symbol of a quantity, without the index of sphere 1 if sphere 2 has no value of its own among inputs.
+
+    The radius keeps its index.
+    """
     quantity, symbol = NOMENCLATURE[name], symbol_of(name)
     if quantity.sphere == 1 and quantity.twin not in inputs and name != "radius":
         return symbol.removesuffix("1")

@@ -10,8 +10,8 @@ The profile of body 1 is also part of a law: JKR's law of a paraboloid and JKR's
 and the profile selects one.
 
 A new law needs a `Law` here, its formulas in `physics`, and its reference in `write/references.toml`. If its force
-curve has several states at a load, `report.curve` computes them, and if its formulas lack results, `model.reasons` has
-the reasons. The nomenclature takes the names of its formulas from the routes.
+curve has several states at a load, `report.curve` must compute them. If it lacks quantities, `model.reasons` must give
+the reasons. The nomenclature takes the names of the law's formulas from the routes.
 """
 
 from collections.abc import Collection, Mapping
@@ -105,7 +105,7 @@ _JKR = Law(
 _PEAK_OF_JKR = ("impact_pressure", "touch_pressure", "yield_speed", "plastic_speed")  # computed from JKR's energies
 
 # Routes of Maugis' law and of DMT: to formulas that use the law's own force and radius, and None for quantities that
-# only JKR has.
+# are given in JKR only.
 _OUTSIDE_JKR: Routes = {
     "unloaded_moment": "unloaded_moment_of_radius",
     "yield_force": "yield_force_of_moment",
@@ -118,7 +118,7 @@ _OUTSIDE_JKR: Routes = {
     "displacement_limit": None,
     "viscosity_number": None,
     **dict.fromkeys(_PEAK_OF_JKR),
-    # the area that slides may be the contact, or the zone of attraction: 6 times as large for quartz spheres of 100 nm
+    # the area that slides may be the contact, or the zone of attraction, 6 times as large for quartz spheres of 100 nm
     "sliding_force": None,
     "sliding_displacement": None,
     "sliding_energy": None,

@@ -19,7 +19,7 @@ _TOKEN = re.compile(
     rf"|(?P<exponent>[{_SUPERSCRIPTS}]+)|\^\((?P<power>[^)]*)\)|[\d.]+|[-+−/·=<>≤()⟨⟩√]"
 )
 # A formula in a sentence: a root; the argument of artanh; a word with a Greek letter or one of the signs _, ^ and *; a
-# single letter, perhaps with a digit.
+# single letter, perhaps with a digit, but not the article "a".
 _IN_SENTENCE = re.compile(
     r"2?√\([^()]*\)|(?<=artanh)\([^()]*\)|(?<!\S)(?:(?=[^\s,]*[_^*α-ω])|(?=[A-Za-z]\d?(?![^\s,]))(?!a ))[^\s,]+"
 )

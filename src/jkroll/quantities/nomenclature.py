@@ -28,7 +28,7 @@ ABOVE_MINUS_1 = Range(-1.0, INFINITY, False, False, "must lie above -1")
 FINITE = Range(-INFINITY, INFINITY, False, False, "must be finite")
 
 
-# --- Quantities of a single law ---------------------------------------------------------------------------------------
+# --- Quantities of Maugis' law, and of a sphere of true shape ---------------------------------------------------------
 
 OF_SPHERE: Mapping[str, Quantity] = {  # for a rigid sphere of true shape on a soft plane
     "indenter_radius": Quantity("R_s", "m", "radius of the rigid sphere"),
@@ -413,7 +413,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
 
 
 def _variants() -> dict[str, Quantity]:
-    """Return a variant for each formula that has no entry above, by name; no variant has an equation in the paper."""
+    """Return the formulas of routes that have no entry above, by name, as variants of the quantities of the routes."""
     variants = {}
     for name, quantity in _QUANTITIES.items():
         symbol, unit, sentence, may_be_zero = quantity.symbol, quantity.unit, quantity.sentence, quantity.may_be_zero
@@ -567,7 +567,7 @@ def nearest(word: str) -> str | None:
 
 
 class UnknownQuantity(JkrollError):
-    """Error raised for a word that does not mean a single quantity."""
+    """Error raised for a word that does not mean a single quantity with a number as its value."""
 
     def __init__(self, name: str) -> None:
         super().__init__(name)

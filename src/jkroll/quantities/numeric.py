@@ -39,7 +39,7 @@ def _backward(operation: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]
 class Numeric:
     """A quantity that acts as its number in SI units, with its uncertainty in arithmetic.
 
-    `float` and numpy's functions use the bare number.
+    `float`, formats, comparisons by size and numpy's functions use the number without its uncertainty.
     """
 
     name: str

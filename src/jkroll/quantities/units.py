@@ -1,4 +1,4 @@
-"""Units: their texts, read as exact multiples of SI units, and the conversion of numbers from one unit to another.
+"""Units: their texts, read as exact multiples of SI units, and the conversion of SI values to other units.
 
 A unit has at most eight names with integer powers. pint never sees a user's text: it is asked only for the meaning of
 a single, validated name that is not in the table below. Names in the table have pint's meaning. Names that mean
@@ -47,6 +47,7 @@ def _by_name(meanings: dict[str, Unit]) -> dict[str, Unit]:
     return by_name
 
 
+# Units with or without a prefix
 PREFIXABLE = _by_name({
     "m meter meters metre metres": (1, 1, _LENGTH),
     "g gram grams": (1, 1000, _MASS),
@@ -68,6 +69,7 @@ PREFIXABLE = _by_name({
     "Eh E_h": (43597447222060, 10**31, _ENERGY),
     "Ry": (21798723611030, 10**31, _ENERGY),
 })  # fmt: skip
+# Units that take no prefix
 PLAIN = _by_name({
     "Å angstrom angstroms": (1, 10**10, _LENGTH),
     "micron microns": (1, 10**6, _LENGTH),
@@ -318,7 +320,7 @@ _UNLIKE = frozenset(
     proton_mass quarter rod rydberg rydberg_constant square_league square_rod thomson_cross_section
     unified_atomic_mass_unit unit_pole vacuum_permeability vacuum_permittivity x_unit_Cu x_unit_Mo""".split()
 )
-# Excluded names: the astronomical unit, the grain and the short ton, and lengths named like objects: rod, chain.
+# Excluded names and symbols: the astronomical unit, the grain and the short ton, and units named like objects, as rod.
 _OTHER_WORDS = frozenset(
     """au ch gr ton tons chain chains hand hands link links perch point points pole poles rod rods bp fur li pp rd sft
     smi th""".split()
@@ -337,12 +339,12 @@ def _registry() -> Any:
 
 @lru_cache(maxsize=1000)
 def lookup(name: str) -> Unit | None:
-    """Return pint's meaning of a unit name; None for a long name, or a unit without a simple factor to the SI unit.
+    """Return pint's meaning of a unit name; None for an unknown, long or excluded name, or without a simple factor.
 
-    Temperatures with an offset, logarithmic units and units outside the SI (a bit, a dollar) have no such factor. Some
-    meanings are excluded because nobody intends them: a prefix before a speed (kmph is not a kilo-mile per hour), the
-    yarn count Nm, the px of a screen, and words with another meaning in this field or for most people. Units that
-    depend on the version of pint are also excluded.
+    Temperatures with an offset, logarithmic units and units outside the SI (a bit, a dollar) have no simple factor to
+    an SI unit. Some meanings are excluded because nobody intends them: a prefix before a speed (kmph is not a kilo-mile
+    per hour), the plural of a symbol (GPas is not a pressure), the yarn count Nm, the px of a screen, and words with
+    another meaning in this field or for most people. Units that depend on the version of pint are also excluded.
     >>> lookup("nm")
     (1, 1000000000, (0, 1, 0, 0, 0, 0, 0, 0))
     """
@@ -357,7 +359,7 @@ def lookup(name: str) -> Unit | None:
             return None
         prefix, unit_name, _ = candidates[0]
         symbol = exact.get_symbol(unit_name)
-        is_plural_of_symbol = symbol != unit_name and name.endswith(symbol + "s")  # GPas is not a unit of pressure
+        is_plural_of_symbol = symbol != unit_name and name.endswith(symbol + "s")
         try:
             unit = exact.Unit(prefix + unit_name)
             zero = exact.Quantity(Decimal(0), unit).to_root_units()

@@ -239,7 +239,7 @@ def ends_of(value: Any) -> tuple[Any, Any]:
 
 
 def with_sides(value: float, sides: Mapping[str, float]) -> float | Uncertain:
-    """Return a value with its uncertainty on each side; a side that is nan is left out."""
+    """Return a value with those sides of its uncertainty that are not nan; without any, the value alone."""
     known = {side: number for side, number in sides.items() if not isnan(number)}
     if not known:
         return value
@@ -249,10 +249,11 @@ def with_sides(value: float, sides: Mapping[str, float]) -> float | Uncertain:
 # --- Texts to numbers -------------------------------------------------------------------------------------------------
 
 _Decimal = tuple[int, int]  # an integer and a power of ten
-_UnitIn = Callable[[str], Unit]  # returns the unit that a text means; an empty text means the default unit
+_UnitIn = Callable[[str], Unit]  # returns the unit that a text means; an empty text means the default unit, if any
 _NUMBER = re.compile(r"([+-]?)([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?")
 _LETTER_AND_DIGITS = re.compile(r"([^\W\d_])([+-]?[0-9]+)")  # as in 1.25d1, which is never a unit
-_SECOND = re.compile(r" ?(?:[-–—…] ?)+[0-9]| ?([^-–—…]+?) ?[-–—…] ?[0-9.]+ ?\1$")  # -6 of 5-6 nm, nm-6nm of 5nm-6nm
+# After a number, a second one: -6 nm of 5-6 nm, nm-6nm of 5nm-6nm
+_SECOND = re.compile(r" ?(?:[-–—…] ?)+[0-9]| ?([^-–—…]+?) ?[-–—…] ?[0-9.]+ ?\1$")
 _MARKS = ("±", "(", "+-", "+−", "/-", "/−", "/ -", "/ −", " to ")  # /- occurs in +/- and in +6/-4
 
 
@@ -278,8 +279,7 @@ def value_of(text: str, name: str, unit: Unit | None = None) -> float | Uncertai
     >>> value_of("20 to 30 nm", "radius")
     Interval(value=2.5e-08, low=2e-08, high=3e-08)
 
-    `unit`: the default unit. Raises a `QuantityError` that names the quantity, quotes the text and shows the right
-    form.
+    `unit`: the default unit. Raises a `QuantityError` that names the quantity and says what to write instead.
     """
     quantity = NOMENCLATURE[name]
     if quantity.infinity and text.strip().lower() in (quantity.infinity, "inf", "infinity", "∞"):
@@ -292,7 +292,7 @@ def value_of(text: str, name: str, unit: Unit | None = None) -> float | Uncertai
 
 
 def checked(value: float | Uncertain, name: str, text: str) -> float | Uncertain:
-    """Return a checked value, without an uncertainty of 0. Raises QuantityError for a bad value or uncertainty."""
+    """Return a value without an uncertainty of 0. Raises QuantityError for a bad value or uncertainty."""
     limits = NOMENCLATURE[name].range
     if not limits.admits(middle(value)):
         raise QuantityError(name, text, limits.words)
@@ -311,7 +311,7 @@ _TWO_POWERS = r"([+-]?[0-9.]+) ?(±|\+[0-9.]+ ?/ ?-) ?([0-9.]+)([eE][+-]?[0-9]+)
 
 
 def normalized_value(text: str) -> str:
-    """Return a text with uniform signs, uncertainties and powers of ten. Raises a `BadUnit` if it is ambiguous.
+    """Return a text with uniform signs, uncertainties and powers of ten. Raises a `BadUnit` for an ambiguous text.
 
     >>> normalized_value("1.2×10⁻⁷ m"), normalized_value("1E−07"), normalized_value("(1.00+/-0.05)e-07")
     ('1.2e-7 m', '1E-07', '(1.00±0.05)e-07')
@@ -437,7 +437,7 @@ _TWO_SIDES = rf"{_SIGNED} ?\+ ?{_SIGNED} ?/ ?- ?{_SIGNED}( ?[^±()]*)"  # 25 +6/
 
 
 def _read(text: str, unit_in: _UnitIn) -> float | Uncertain:
-    """Return a value, with its uncertainty in one of the notations above or as 25±5 nm, 25 nm ± 20% or 20 to 30 nm."""
+    """Return a value with any uncertainty, in a notation above or as 25±5 nm, 25 nm ± 20% or 20 to 30 nm."""
     if not has_uncertainty(text):
         return _value(text, unit_in)
     if match := re.fullmatch(_IN_BRACKETS, text):
@@ -526,7 +526,7 @@ class Spread:
     def __init__(
         self, low: float, high: float, size: int = 1, *, is_log: bool = False, uncertainty: Uncertain | None = None
     ) -> None:
-        """Take `size` values from `low` to `high`, in equal steps or equal ratios."""
+        """Take `size` values from `low` to `high`, in equal steps or ratios, or a single value with an uncertainty."""
         self.low, self.high, self.size, self.is_log, self.uncertainty = low, high, size, is_log, uncertainty
 
     def __len__(self) -> int:
@@ -585,7 +585,7 @@ def between(first: str, last: str, count: str = "", scale: str = "", *more: str,
     """Return the range between two values. `text`: the whole text, for errors.
 
     The values have equal ratios with the scale "log" and equal differences with "lin". Without a scale they have equal
-    ratios if both ends are positive.
+    ratios if both ends are positive, and otherwise equal differences.
     """
     if more or not (count.isascii() and count.isdigit()) or scale not in ("", "log", "lin"):
         raise QuantityError(name, text, "is not a range", "write FROM:TO:COUNT, as 1nm:1um:7, and :lin for equal steps")
