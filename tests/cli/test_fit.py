@@ -105,7 +105,7 @@ SWAPPED = "are columns or units swapped"
             "z [nm],F [nN]",  # z is an approach
             (1.0, 1.0),
             (
-                f"and no solid has that: {SWAPPED}, is the spring wrong or is the travel an approach (--column "
+                f"which no solid has: {SWAPPED}, is the spring wrong or is the travel an approach (--column "
                 "'HEADER=approach_at_load [UNIT]')? read: lever_travel [nm] from z [nm], lever_force [nN] from F [nN]"
             ),
         ),
@@ -113,13 +113,13 @@ SWAPPED = "are columns or units swapped"
             "approach [um],F [nN]",
             (1.0, 1.0),
             (
-                f"jkroll: the fit gives a/R = 11, and no sphere has that: {SWAPPED}? read: approach_at_load [um] from "
+                f"jkroll: the fit gives a/R = 11, which no sphere has: {SWAPPED}? read: approach_at_load [um] from "
                 "approach [um], lever_force [nN] from F [nN]"
             ),
         ),
-        ("approach [nm],F [nN]", (1e3, 1e-3), "jkroll: the fit gives E* = 84.4 mPa, and no solid has that: "),
-        ("approach [nm],F [nN]", (1.0, 1e6), "jkroll: the fit gives w = 50 kJ/m², and no solid has that: "),
-        ("F [nN],approach [nm]", (1.0, 1.0), "jkroll: the fit gives E* = 1.25e-15 Pa, and no solid has that: "),
+        ("approach [nm],F [nN]", (1e3, 1e-3), "jkroll: the fit gives E* = 84.4 mPa, which no solid has: "),
+        ("approach [nm],F [nN]", (1.0, 1e6), "jkroll: the fit gives w = 50 kJ/m², which no solid has: "),
+        ("F [nN],approach [nm]", (1.0, 1.0), "jkroll: the fit gives E* = 1.25e-15 Pa, which no solid has: "),
     ],
 )
 def test_results_that_no_solid_can_have_are_refused(

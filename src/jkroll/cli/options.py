@@ -162,7 +162,7 @@ class Options:
     infer = _text("--infer", "Infer this input of each row from a measured quantity", "INPUT", group="Measured")
     pass_rest = _switch("--pass-rest", "Pass through all columns that are not read")
     strict = _switch("--strict", "Stop at the first row that fails")
-    resume = _switch("--resume", "Of many tables, skip those with a newer output")
+    resume = _switch("--resume", "Of many tables, skip those whose output is not older")
     uncertainty = _switch("--uncertainty", "Add columns of uncertainties even if the first rows have none")
     jobs = Option(0, "--jobs", "Number of processes (default: one per core, at most 16)", "N", 64)
     dask = Option("", "--dask", "Convert many tables on a Dask cluster", "ADDRESS")

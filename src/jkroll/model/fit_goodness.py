@@ -98,7 +98,7 @@ def _on_spring(result: Fit, softer: Results, stiffer: Results) -> Iterator[tuple
     if 0 < hysteresis < inf and not result.is_scaled:
         text += f", and Δw by up to {amount('adhesion_hysteresis', hysteresis, _TWO_DIGITS)}"
     if known.stiffness_error:
-        yield "lever-decides", f"{text}: more than any other error"
+        yield "lever-decides", f"{text}: more than the noise and the model do"
     else:
         typed = f"{known.stiffness:.4g}±{known.stiffness * size:.2g}N/m"
         yield "lever-decides", f"{text}: give the spring's error, as in --spring {typed}"

@@ -139,7 +139,7 @@ OF_DEM: Mapping[str, Quantity] = {
         note="E_roll is that of 180 degrees, 6π²γR1ξ, twice as much", definition="E_roll(π)/R1³ (1/φ − 1/0.74)⁻³",
         of_identical=True, reference="Tatsuuma et al. 2023"),
     "tensile_strength": Quantity("P_tens", "Pa", "tensile strength", definition="0.6φ^1.8 γ/R1",
-        note="without the volume of the aggregate, on which its strength depends (Kimura et al. 2020)",
+        note="leaves out the effect of the aggregate's volume on its strength (Kimura et al. 2020)",
         of_identical=True, reference="Tatsuuma et al. 2019"),
 }  # fmt: skip
 
@@ -250,8 +250,8 @@ _QUANTITIES: Mapping[str, Quantity] = {
     "pull_off_force": Quantity("P_c", "N", "pull-off force", "1", range=SIZE),
     "pull_off_force_dmt": Quantity("P_DMT", "N", "pull-off force, DMT", "1"),
     "pull_off_force_rough": Quantity("P_rough", "N", "pull-off force, one asperity",
-        note="P_DMT with one hard hemisphere on the line of centres, by Rumpf's pairwise sum; s is an asperity's own "
-            "radius, no rms height", shown_with=["asperity_radius"]),
+        note="P_DMT with one hard hemisphere on the line of centres, by Rumpf's pairwise sum; s is the radius of the "
+            "asperity, not an rms height", shown_with=["asperity_radius"]),
     "contact_radius": Quantity("a0", "m", "unloaded contact radius", "2", range=POSITIVE),
     "approach": Quantity("δ0", "m", "approach without load", "3", range=POSITIVE),
     "pull_off_force_lennard_jones": Quantity("P_LJ", "N", "pull-off force, Lennard-Jones", "",
@@ -371,7 +371,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
     "lost_energy": Quantity("W_lost", "J", "loss by adhesion alone"),
     "viscosity_number": Quantity("T*", "1", "viscous time over impact time", shown_with=["viscous_time"]),
     "impact_pressure": Quantity("p_max", "Pa", "peak pressure of the impact"),
-    "touch_pressure": Quantity("p_touch", "Pa", "peak pressure of a touch at no speed"),
+    "touch_pressure": Quantity("p_touch", "Pa", "peak pressure of a touch at zero speed"),
     "first_yield_pressure": Quantity("p_y", "Pa", "pressure of first yield",
         note="peak pressure at which a point below the surface yields", shown_with=["yield_strength"]),
     "plastic_pressure": Quantity("p_pl", "Pa", "pressure of full yield",
@@ -382,7 +382,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
     "fold_energy": Quantity("F_cδ_c", "J", "unit of energy, Wada 2007", definition="0.82548 P_cδ0",
         reference="code Lumajord/DustSimulation, after Wada et al. 2007"),
     "break_energy_dust_simulation": Quantity("E_break", "J", "energy to break the contact",
-        note="no path of JKR from P = 0 takes as much", definition="1.8 F_cδ_c = 1.4859 P_cδ0",
+        note="more than by JKR: at most 1.5426 F_cδ_c, with fixed grips", definition="1.8 F_cδ_c = 1.4859 P_cδ0",
         reference="code Lumajord/DustSimulation"),
     "rolling_angle": Quantity("θ", "rad", "turn of sphere 1, body 2 held", range=POSITIVE, option="--angle",
         example="90deg"),

@@ -107,11 +107,11 @@ def _check_sizes(fitted: Fit, reading: str) -> None:
     # force is close to the measured one.
     is_too_stiff = modulus > stiffest and values.get("pull_off_force_fitted", inf) > 2 * force
     if w > SIZES["work_of_adhesion"][1]:
-        problem = f"w = {amount('work_of_adhesion', w, _FORM)}, and no solid has that"
+        problem = f"w = {amount('work_of_adhesion', w, _FORM)}, which no solid has"
     elif modulus < softest or is_too_stiff:
-        problem = f"E* = {amount('contact_modulus', modulus, _FORM)}, and no solid has that"
+        problem = f"E* = {amount('contact_modulus', modulus, _FORM)}, which no solid has"
     elif width > _WIDEST:
-        problem = f"a/R = {width:.2g}, and no sphere has that"
+        problem = f"a/R = {width:.2g}, which no sphere has"
     else:
         return
     causes = ["are columns or units swapped"]

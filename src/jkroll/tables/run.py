@@ -332,7 +332,7 @@ def _convert_many(path: str, job: Job) -> tuple[Tally, int]:
     if not job.quiet:
         kept = len(pairs) - len(left)
         if kept:
-            say(f"note: {kept} of {len(pairs)} files are newer than their tables and were kept", sys.stderr)
+            say(f"note: {kept} of {len(pairs)} files are not older than their tables, and were kept", sys.stderr)
         for line, count in Counter(tally.remarks).most_common(MAX_NOTES):
             say_wrapped(line if count == len(left) else f"{line}: {count} of {len(left)} files", sys.stderr)
     code = 0
