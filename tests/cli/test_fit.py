@@ -195,7 +195,10 @@ def test_a_column_of_branches_divides_a_curve(run: Run, curve: str) -> None:
 
 
 def test_a_fit_by_either_law_agrees_with_an_independent_fit(run: Run) -> None:
-    """A fit of `jkroll.solve` by scipy gave γ = 27.84 ± 0.11 (JKR) and 26.41 ± 0.11 mJ/m² (Maugis), E = 5.95 GPa."""
+    """A fit of `jkroll.solve` by scipy gave γ = 27.84 ± 0.11 (JKR) and 26.41 ± 0.11 mJ/m² (Maugis).
+
+    E was 5.95 GPa; the test allows 0.8 % around 5.96 GPa.
+    """
     for law, gamma in (("jkr", 27.84e-3), ("maugis", 26.41e-3)):
         found = values(run("fit", str(FORCE_CURVE), *"--radius 1um --radius2 plane --json --model".split(), law).out)
         assert found["work_of_adhesion_opening"] == approx(2 * gamma, rel=0.008)
