@@ -10,7 +10,7 @@ from jkroll.quantities.nomenclature import nearest
 from jkroll.quantities.units import PLAIN, PREFIXABLE, PREFIXES, dimension_of, kind_of, lookup
 from jkroll.quantities.values import QuantityError, parse_quantity, unit_of
 
-# Names of the table that some versions of pint lack, or define with other values.
+# Names in the table of units.py that some versions of pint lack, or define with other values.
 UNLIKE = frozenset(
     """gf gram_force pond ponds kgf kilogram_force kilopond kiloponds Da dalton daltons u amu bohr bohrs hartree
     hartrees Eh E_h rydberg rydbergs Ry fathom fathoms furlong furlongs electronvolt cmHg mmHg""".split()
