@@ -62,6 +62,7 @@ def angle(edge: Exact) -> Exact:
 
 
 def hertz(edge: Exact, T: Exact, R: Exact, E: Exact) -> Exact:
+    """Return Hertz' load 4E*a³/(3R)."""
     return 4 * E * (edge * T) ** 3 / (3 * R)
 
 
@@ -78,7 +79,10 @@ def work(edge: Exact, T: Exact, R: Exact, E: Exact, sigma0: Exact) -> Exact:
 
 
 def slope(edge: Exact, T: Exact, R: Exact, E: Exact, sigma0: Exact) -> Exact:
-    """Return dP/dδ at constant w, from the separate derivatives of P = −πσ0c² and δ = c²/2R − 4σ0c/(πE) − w/σ0."""
+    """Return dP/dδ at constant w, from derivatives of P and δ along the states.
+
+    Without contact, P = −πσ0c² and δ = c²/2R − 4σ0c/(πE) − w/σ0.
+    """
     if not edge:
         return -2 * pi * sigma0 * T / (T / R - 4 * sigma0 / (pi * E))
     step = mpf(10) ** (-digits.dps // 3)
@@ -103,10 +107,12 @@ def state_energy(edge: Exact, T: Exact, l_M: Exact, U_M: Exact, lambda_: Exact) 
 
 
 def well(edge0: Exact, lambda_: Exact) -> Exact:
+    """Return the depth of the well over its unit: the energy that the contact without load has released."""
     return -maugis.contact_energy(maugis.radius_of(1 / edge0, lambda_), 1 / edge0, lambda_)
 
 
 def sticking(lambda_: Exact) -> Exact:
+    """Return Φ(fold) − Φ(δ = −w/σ0) over its unit."""
     return maugis.fold_energy(lambda_) - maugis.energy_held_at(lambda_, -2 / (pi * lambda_))
 
 
@@ -168,7 +174,10 @@ def _root(function: Callable[[Exact], Exact], low: Exact, high: Exact) -> Exact:
 
 
 def sphere_last(kappa: Exact, times: int) -> Exact:
-    """Return L of the last state, where δ_H′ = times·u/(2x), u = √(2πκx): 1 with fixed grips, 3 at a dead load."""
+    """Return L of the last state, where δ_H′ = times·u/(2x), u = √(2πκx).
+
+    `times`: 1 with fixed grips, 3 at a dead load.
+    """
 
     def excess(L: Exact) -> Exact:
         x = digits.tanh(L)

@@ -19,8 +19,8 @@ from maugis_reference import Exact, cbrt, digits, mpf, pi, sqrt
 FOLD = -cbrt(mpf(9) / 16)  # δ̂, where dδ/dâ = 0
 
 # The allowed errors in ulp of a result times 1 plus its condition: the largest; the median over all results; and the
-# median for each name. The first and the last arise from the rounding of moduli and of a contact radius, which products
-# and third powers multiply.
+# median for each name. BOUND and MEDIAN_OF_A_NAME arise from the rounding of moduli and of a contact radius, which
+# products and third powers multiply.
 BOUND, MEDIAN, MEDIAN_OF_A_NAME = 15.0, 0.55, 1.5
 
 
@@ -40,7 +40,7 @@ def root(approach_ratio: Exact) -> Exact:
         raise ValueError("no contact")
     y = 1 + sqrt(sqrt(abs(approach_ratio)))
     step = mpf(1)
-    while abs(step) > abs(y) * mpf(10) ** (-digits.dps // 2):  # the last step squares this
+    while abs(step) > abs(y) * mpf(10) ** (-digits.dps // 2):  # the last step squares the error
         step = (3 * y**4 - 2 * y - approach_ratio) / (12 * y**3 - 2)
         y -= step
     return y
@@ -56,9 +56,9 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
     names = {*EQUATIONS, *OF_A_SCENE, "load"} - {*law_reference.EQUATIONS, *AT_AN_APPROACH.values(), *NO_RESULTS}
     names |= {"adhesive_force", *values.routes.values()}
     results = {name: values.get_exact(name) for name in sorted(names - given.keys())}
-    if abs(values["load_margin"]) < 1e-7:  # rounding of the load may put it at pull-off
+    if abs(values["load_margin"]) < 1e-7:  # rounding of the load may move the state to pull-off
         del results["rolling_over_sliding"]
-    if values["load"] / values["pull_off_force"] < 1e-12:  # within the rounding of an approach
+    if values["load"] / values["pull_off_force"] < 1e-12:  # such a load may be the rounding of an approach
         del results["rolling_resistance_coefficient"]
     return {name: value for name, value in results.items() if value is not None}
 
@@ -114,7 +114,7 @@ ENERGIES = {  # in P_cδ0
 
 
 def conditions(given: Mapping[str, float], results: Mapping[str, Exact]) -> dict[str, float]:
-    """Return κ: the factor from a relative error of a given load or approach, or of v_stick, to that of a result."""
+    """Return κ: the factor from a relative error of the load or approach, of v_stick or of pressures, to a result's."""
     state = "approach_at_load" if "approach_at_load" in given else "load"
     found = dict.fromkeys(results, 0.0)
     if given.get(state):
@@ -147,7 +147,7 @@ def scale(formula: str, arguments: Mapping[str, float]) -> Exact:
 
 
 def formula_error(formula: str, arguments: Mapping[str, float], value: float) -> float:
-    """Return the error of a formula's value in ulp, in the variable for which its accuracy is stated."""
+    """Return the error of a formula's value in ulp over 1 + κ, in the variable for which its accuracy is stated."""
     if formula in OF_A_RATIO:
         arguments = {"approach_at_load": arguments["approach_at_load"] / arguments["approach"], "approach": 1.0}
     if formula in MEASURED:
@@ -275,7 +275,7 @@ def _given_way(T_peel: Exact, T_over_slide: Exact, s: Exact) -> Exact:
 def _root_below(start: Exact, function: Callable[[Exact], Exact], slope: Callable[[Exact], Exact]) -> Exact:
     """Return the root of a convex function by Newton's steps from a start beyond it."""
     root, step = start, mpf(1)
-    while abs(step) > abs(root) * mpf(10) ** (-digits.dps // 2):  # the last step squares this
+    while abs(step) > abs(root) * mpf(10) ** (-digits.dps // 2):  # the last step squares the error
         step = function(root) / slope(root)
         root -= step
     return root
