@@ -54,7 +54,7 @@ class Term(NamedTuple):
     names: tuple[str, ...]
     unit: str
     kind: str = "word"  # or "symbol", or "foreign": a word of another language
-    share: float = 1.0  # the input over its value: a radius is half of a diameter
+    share: float = 1.0  # as in Header
 
 
 # --- Words ------------------------------------------------------------------------------------------------------------

@@ -20,15 +20,18 @@ FORCE_CURVE = Path(__file__).parents[1] / "data" / "force_curve.csv"
 
 
 def table(z: Any, force: Any, head: str = "travel [um],force [nN]") -> str:
+    """Return a curve as CSV."""
     return head + "\n" + "".join(f"{a * 1e6:.6f},{b * 1e9:.5f}\n" for a, b in zip(z, force, strict=True))
 
 
 def values(text: str) -> dict[str, float]:
+    """Return the results of an answer in JSON, by name."""
     return {each["name"]: each["value"] for each in json.loads(text)["results"]}
 
 
 @pytest.fixture
 def curve() -> str:
+    """Write a noisy curve by JKR, with adhesion hysteresis, to curve.csv; return its text."""
     z, force = jkr_curve(count=250)
     text = table(z, force + autoregression(1, len(z), 3e-9, 0.0))
     Path("curve.csv").write_text(text, encoding="utf-8")
@@ -36,6 +39,7 @@ def curve() -> str:
 
 
 def check(found: dict[str, float]) -> None:
+    """Check the results for the curve of the fixture."""
     assert found["work_of_adhesion_opening"] == approx(0.06, rel=5e-3)
     assert found["work_of_adhesion_closing"] == approx(0.047, rel=1e-2)
     assert found["contact_modulus"] == approx(1.75e6, rel=2e-2)

@@ -58,7 +58,10 @@ def test_factors_in_definitions_are_those_of_the_values(name: str) -> None:
 
 
 def test_thornton_and_ning_print_the_exact_sticking_energy() -> None:
-    """Γ is w, P_c = 3/2 πΓR, α_f = 3/4 (π²Γ²R/E*²)^(1/3), W_s = 7.09 (Γ⁵R⁴/E*²)^(1/3), and 14.18 = 2·7.09 in V_s."""
+    """Their Γ is w, P_c = 3/2 πΓR, α_f = 3/4 (π²Γ²R/E*²)^(1/3) and W_s = 7.09 (Γ⁵R⁴/E*²)^(1/3).
+
+    Their sticking speed V_s has 14.18 = 2·7.09.
+    """
     names = ["work_of_adhesion", "reduced_radius", "contact_modulus", "reduced_mass", "fold_energy"]
     w, radius, modulus, mass, fold_energy = solve(names, **PAIR).values()
     pull_off, fold = 1.5 * math.pi * w * radius, 0.75 * (math.pi**2 * w**2 * radius / modulus**2) ** (1 / 3)

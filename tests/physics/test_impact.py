@@ -127,7 +127,7 @@ def test_viscous_time_of_a_measured_sticking_speed(radius: float, speed: float, 
 
 
 def test_viscous_time_agrees_with_that_of_a_public_code() -> None:
-    """Its comments give 31.6 ps for 105.869 cm/s at 0.76 µm, a speed extrapolated from 0.6 µm by a power law."""
+    """Its comments have 31.6 ps for 105.869 cm/s at 0.76 µm: this speed is extrapolated from 0.6 µm by a power law."""
     speed = 1.2 * (0.6 / 0.76) ** 0.53
     assert speed == approx(1.05869, abs=5e-6)
     pair: dict[str, Any] = {

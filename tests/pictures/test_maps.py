@@ -329,7 +329,7 @@ def test_a_material_that_lacks_a_property_is_left_out_and_the_others_are_drawn(r
 
 
 def test_a_caption_states_the_radii_at_which_a_curve_is_doubtful(run: Run) -> None:
-    """The radius up to which the law is inexact agrees with single answers."""
+    """At the radius up to which the law is inexact, a0 by JKR and by Maugis' law differ by 5 %."""
     said = run("map contact_radius quartz --x radius=10nm:1mm").out
     radius = re.search(r"JKR is off by more than 5 % \(quartz, R1 = 10 nm to (\d+) (nm|µm)\)", said)
     assert radius is not None, said

@@ -134,7 +134,7 @@ ASKED = Asked({"radius": "1um", "surface_energy": "25mJ/m2"}, known_materials(),
 
 
 def test_many_found_tables_are_read_without_option_column() -> None:
-    """The other tables are refused for a column or for a missing input."""
+    """The other tables are refused for a separator, for a column or for a missing input."""
     at_once = 0
     for found in TABLES.values():
         with suppress(BadTable):

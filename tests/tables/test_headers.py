@@ -260,7 +260,7 @@ _OF_2 = "D2 [um] | radius [nm].1"
 
 @pytest.mark.parametrize("other", [*_OF_2.split(" | "), "E_sample [GPa]", "surface gamma (J/m2)", "γ12 [mJ/m2]"])
 def test_a_column_that_may_be_of_sphere_2_or_the_pair_is_refused(other: str) -> None:
-    """If the column passed through, sphere 2 would get the values of sphere 1."""
+    """If the column passed through, values of sphere 1 would replace its values."""
     with pytest.raises(BadTable, match=re.escape(f"'{other}': ")):
         understood(["radius_um", "E [GPa]", "gamma_mJ_m2", other])
 
