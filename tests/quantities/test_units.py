@@ -171,7 +171,7 @@ def test_units_of_the_table_agree_with_pint() -> None:
 def test_no_unit_of_pint_has_another_number_in_another_version() -> None:
     """Each version of pint gives a unit its number in the list, which was made with pint 0.25.3, or none.
 
-    If a new version fails here, add the changed names to `_UNLIKE` of units.py, and to its table those that people type.
+    If a new version fails here, add the changed names to `_UNLIKE` of units.py, and common ones to its table as well.
     """
     lines = (Path(__file__).parents[1] / "data" / "units.txt").read_text(encoding="utf-8").splitlines()
     listed = [line.split() for line in lines if not line.startswith("#")]
