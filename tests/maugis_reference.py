@@ -70,6 +70,7 @@ def held_at(transition: Exact, delta: Exact) -> tuple[Exact, Exact]:
 
 
 def folds_in_contact(transition: Exact) -> bool:
+    """Return whether spheres are in contact when fixed grips let them go."""
     return bool(transition > cbrt(9 * pi / (16 * (pi - 1))))
 
 

@@ -40,7 +40,7 @@ def read_rows(name: str) -> list[dict[str, Any]]:
 
 
 def random_table(size: int, seed: int) -> str:
-    """Return a table as CSV, with grains of every kind mixed."""
+    """Return a CSV table of random grains, with empty cells, planes and a load far beyond pull-off."""
     import random
 
     draw = random.Random(seed)

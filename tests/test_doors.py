@@ -238,7 +238,7 @@ def test_doors_agree_on_a_few_random_questions(run: Run) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("numbers", PARTS, ids=str)
 def test_doors_agree_on_fresh_questions(run: Run, numbers: range) -> None:
-    """The header of the run states the seed; setting ACCURACY_SEED to it repeats the questions."""
+    """The header of the run states the seed; setting ACCURACY_SEED to this number repeats the questions."""
     check(run, seed=int(os.environ["ACCURACY_SEED"]), numbers=numbers)
 
 

@@ -35,7 +35,7 @@ LINES = (
     "pull-off quartz 100nm",
     "guide units",
     "pull-off quartz 1nm:1um:20 -o out.csv",
-    "batch grains.csv -o out.csv",  # the output is replaced
+    "batch grains.csv -o out.csv",  # replaces the output of the line above
     "batch grains.csv -o a.csv --jobs 2",
 )
 

@@ -104,6 +104,7 @@ def test_conditions_computed_with_decimals_and_with_mpmath_agree() -> None:
 
 @pytest.fixture
 def _small(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let `bench --quick` compute few points, and print on a wide terminal."""
     monkeypatch.setattr("jkroll.bench.report.QUICK", SMALL._replace(points=20))
     monkeypatch.setenv("COLUMNS", "200")
 

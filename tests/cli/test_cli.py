@@ -275,7 +275,8 @@ def test_option_explain_shows_formula_steps_and_value(run: Run) -> None:
     ):
         assert piece in text
     on_terminal = run("frequencies quartz 100nm --explain", terminal=True).out
-    assert f" N m/rad\n{' ' * 27}k = M/δ_α = F_aR, which" in on_terminal  # below a long value
+    # A long value moves the formula to the next line.
+    assert f" N m/rad\n{' ' * 27}k = M/δ_α = F_aR, which" in on_terminal
 
 
 def test_a_quantity_without_an_equation_in_the_paper_cites_no_equation(run: Run) -> None:
@@ -331,7 +332,8 @@ def test_a_paragraph_for_methods_cites_the_same_sources_as_option_cite(run: Run,
     text = run(f"{words} --cite --tex").out
     keys = {key for keys in re.findall(r"~\\cite\{([^}]*)\}", text) for key in keys.split(",")}
     assert keys == set(re.findall(r"@\w+\{(.*),", run(f"{words} --cite").out))
-    plain = re.sub(r"\$[ -#%-~]*?\$|\\cite\{[^}]*\}|\\[&%_#]|~", "", text)  # without ASCII formulas and commands
+    # Without ASCII formulas, citations, escaped signs and ties.
+    plain = re.sub(r"\$[ -#%-~]*?\$|\\cite\{[^}]*\}|\\[&%_#]|~", "", text)
     assert not re.search(r"[\\&%$#_{}^~⟦⟧]", plain)
 
 
@@ -550,7 +552,7 @@ def test_each_row_of_a_curve_has_its_own_value_of_the_input_that_sets_the_state(
 
 @pytest.mark.parametrize("form", ["--csv", "--json", "--bare"])
 def test_a_curve_whose_states_have_no_result_is_refused(run: Run, form: str) -> None:
-    """The load of a state is an input here, not a result, and all results need a modulus, which gold lacks."""
+    """Gold has no modulus: of its states, only the load is known, which is an input and not a result."""
     ran = run("contact", "gold", "1um", "--curve", "--model", "dmt", form)
     assert (ran.code, ran.out) == (2, "")
     assert "contact needs Young's modulus and Poisson's ratio" in ran.err

@@ -26,9 +26,10 @@ def run_many(count: int, seed: int) -> Counter[int]:
 
 @pytest.fixture
 def _isolated(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Isolate a test; restore the variables, the directory and the limit of file sizes afterwards."""
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     for name in ("XDG_CONFIG_HOME", "COLUMNS", "TERM", "JKROLL_MATERIALS", "_JKROLL_COMPLETE", "FORCE_COLOR"):
-        monkeypatch.setenv(name, "")  # monkeypatch restores the variable
+        monkeypatch.setenv(name, "")  # `isolate` changes the variable, and monkeypatch restores it
     monkeypatch.chdir(tmp_path)
     isolate(str(tmp_path))
     yield

@@ -156,7 +156,7 @@ def test_best_ranges_and_the_caveat_are_in_the_file_or_among_the_notes(run: Run,
     assert re.search(r"best ranges: .*P_c 14[-–]15 nN \(Maugis\)", printed)
     assert re.search("(γ|gamma) of quartz: in air; in vacuum or baked take", printed)
     assert "changes no result here" not in printed
-    assert "--model" not in printed  # no program has this law
+    assert "--model" not in printed  # no program has Maugis' law
     assert quiet.out in ran.out
     if program != "dust-simulation":
         assert ran.out.isascii()
@@ -341,9 +341,10 @@ def test_dust_collider_gets_a_line_with_the_numbers_of_a_material(run: Run) -> N
 
 @pytest.mark.parametrize("program", ["lammps", "liggghts"])
 def test_the_shorter_time_step_of_two_rules_is_exported(run: Run, program: str) -> None:
-    """The step is the shortest of the steps of the pair and of both pairs of like spheres.
+    """The rules are a twentieth of the period of sliding and a fifth of the Rayleigh time of either sphere.
 
-    The speed of a Rayleigh wave is a root of Rayleigh's equation.
+    The least step of the pair and of both pairs of like spheres counts. The square of the speed of a Rayleigh wave,
+    relative to that of shear waves, is a root of Rayleigh's equation.
     """
     from scipy.optimize import brentq  # type: ignore[import-untyped]
 

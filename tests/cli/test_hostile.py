@@ -25,7 +25,7 @@ from jkroll.text import closest, spelled
 from material_files import read
 
 MEGABYTE = 1_000_000
-LARGEST_FILE = 50 * MEGABYTE  # memory for the worst file of materials; 31 MB were measured
+MOST_FOR_A_FILE = 50 * MEGABYTE  # of memory, for the worst file of materials; 31 MB were measured
 
 
 def peak_memory(work: Callable[[], object]) -> int:
@@ -128,7 +128,7 @@ SHAPES: dict[str, Callable[[int], bytes]] = {
 def test_no_shape_of_a_file_takes_much_memory(shape: str, share: float, tmp_path: Path) -> None:
     path = tmp_path / "any.toml"
     path.write_bytes(SHAPES[shape](int(share * MAX_BYTES)))
-    assert peak_memory(lambda: read(path)) < share * LARGEST_FILE
+    assert peak_memory(lambda: read(path)) < share * MOST_FOR_A_FILE
 
 
 def test_a_file_above_the_size_limit_is_read_only_up_to_the_limit(tmp_path: Path) -> None:
@@ -176,7 +176,7 @@ def test_a_long_text_takes_little_memory(piece: str) -> None:
 
 def test_names_of_unknown_units_are_not_kept_in_memory() -> None:
     with pytest.raises(QuantityError):
-        unit_of("zzzzz", "radius")  # this starts pint
+        unit_of("zzzzz", "radius")  # this loads Pint before the measurement
 
     def ask() -> None:
         for number in range(300):

@@ -1,4 +1,4 @@
-"""A call imports only the modules that it uses. benchmarks/startup.py measures the time of a call."""
+"""A call imports only the modules that it uses. tests/benchmarks/startup.py measures the time of a call."""
 
 import os
 import subprocess

@@ -68,8 +68,8 @@ HERE = Path(__file__).parent
 class Error(NamedTuple):
     """The error of a result, and the scene in which it occurs."""
 
-    ulp: float  # divided by 1 + κ: the larger of the errors of the number and of the element of an array
-    of_number: float
+    ulp: float  # over 1 + its condition: the larger of the errors of the number and of the element of an array
+    of_number: float  # likewise, of the number alone
     scene: Frame
 
 
@@ -102,6 +102,7 @@ def worst(errors: Iterable[Error]) -> Error:
     return max(errors, key=lambda error: error.ulp)
 
 
+# Formulas with parameters from `law_values`; those of other formulas are from `parameter_values`.
 LAWS = {module.__name__ for module in (any_law, dmt, maugis, meniscus, sphere)}
 LAW_FORMULAS = {
     *(name for name, formula in physics.FORMULAS.items() if formula.__module__ in LAWS),
@@ -154,7 +155,7 @@ def test_results_of_fresh_scenes_are_within_the_bounds() -> None:
 
 @cache
 def parameter_values() -> list[Frame]:
-    """Return values of every parameter of every formula, of matching magnitudes, each taken as exact."""
+    """Return values of the parameters of formulas that are not in LAW_FORMULAS, by scene, each taken as exact."""
     random = Random(1997)
     return [dict(_values(random, scene)) for scene in random_scenes(COUNT, seed=1998)]
 
@@ -236,7 +237,7 @@ def _of_sphere(random: Random, modulus: float) -> Iterator[tuple[str, Any]]:
 
 @cache
 def law_values() -> list[Frame]:
-    """Return values of every parameter of the formulas of other laws, each taken as exact."""
+    """Return values of every parameter of LAW_FORMULAS, each taken as exact."""
     random = Random(1992)
     return [dict(_law_values(random)) for _ in range(COUNT)]
 
@@ -375,7 +376,7 @@ OUTSIDE: Mapping[str, Callable[[Frame], bool]] = {
 }
 
 
-# Formulas of states that are roots of equations; their references take the longest.
+# Formulas of states that are roots of equations; their exact values take longest to compute.
 OF_ROOTS = [
     name
     for name in LAW_FORMULAS

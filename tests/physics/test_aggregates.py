@@ -48,7 +48,7 @@ def test_strengths_agree_with_the_code_phantom() -> None:
     gamma, radius, modulus, phi = 0.2, 1e-6, 72e9, 0.1
     eroll = 302.455974078 * (gamma**5 * radius**4 / modulus**2) ** (1 / 3)
     pressure = eroll / ((1 / phi - 1 / 0.74048) * radius) ** 3
-    # E_roll of Dominik & Tielens for 90 degrees, with 2γ instead of γ, E* = E/2 and ξ = δ_c
+    # This is E_roll of Dominik & Tielens for 90 degrees, with 2γ instead of γ, E* = E/2 and ξ = δ_c.
     scene: dict[str, Any] = {"surface_energy": 2 * gamma, "radius": radius, "contact_modulus": modulus / 2}
     fold, pull_off = solve(["fold_energy", "pull_off_force"], **scene).values()
     quarter, half = solve(

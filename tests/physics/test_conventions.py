@@ -1,4 +1,4 @@
-"""Energies and speeds by convention: the factors that are printed with them, computed from JKR's curve."""
+"""Energies and speeds by convention, with the factors printed with them; modes of sliding, and the time step."""
 
 import math
 import re
@@ -46,7 +46,7 @@ FACTOR = re.compile(r"(\d+\.\d+|6/5) (P_cδ0|F_cδ_c)")
 
 @pytest.mark.parametrize("name", [name for name in NOMENCLATURE if FACTOR.search(NOMENCLATURE[name].definition)])
 def test_factors_in_definitions_are_those_of_the_values(name: str) -> None:
-    """Each factor in a definition is the value in that unit, within half a unit of its last place."""
+    """A factor before P_cδ0 or F_cδ_c is the value over this energy, rounded to the printed places."""
     units = {"P_cδ0": solve("adhesion_energy", **PAIR), "F_cδ_c": solve("fold_energy", **PAIR)}
     value = solve(name, **PAIR)
     for factor, unit in FACTOR.findall(NOMENCLATURE[name].definition):
@@ -58,7 +58,10 @@ def test_factors_in_definitions_are_those_of_the_values(name: str) -> None:
 
 
 def test_thornton_and_ning_print_the_exact_sticking_energy() -> None:
-    """Γ is w, P_c = 3/2 πΓR, α_f = 3/4 (π²Γ²R/E*²)^(1/3), W_s = 7.09 (Γ⁵R⁴/E*²)^(1/3), and 14.18 = 2·7.09 in V_s."""
+    """Their Γ is w, P_c = 3/2 πΓR, α_f = 3/4 (π²Γ²R/E*²)^(1/3) and W_s = 7.09 (Γ⁵R⁴/E*²)^(1/3).
+
+    Their sticking speed V_s has 14.18 = 2·7.09.
+    """
     names = ["work_of_adhesion", "reduced_radius", "contact_modulus", "reduced_mass", "fold_energy"]
     w, radius, modulus, mass, fold_energy = solve(names, **PAIR).values()
     pull_off, fold = 1.5 * math.pi * w * radius, 0.75 * (math.pi**2 * w**2 * radius / modulus**2) ** (1 / 3)

@@ -17,7 +17,7 @@ SILICA: dict[str, Any] = {**ELASTIC, "hamaker": 6.5e-20}
 
 
 def test_work_and_spacing_from_the_hamaker_constant_of_silica() -> None:
-    """The results are 63.3 mJ/m² and 0.143 nm; with a cutoff of 0.4 nm, w is 10.8 mJ/m²."""
+    """The work is 63.3 mJ/m² and z0 0.143 nm; with a cutoff of 0.4 nm, the work is 10.8 mJ/m²."""
     work, spacing = solve(["work_of_adhesion", "atomic_spacing"], **SILICA).values()
     assert round(1e3 * work, 1) == 63.3
     assert round(1e9 * spacing, 3) == 0.143

@@ -14,12 +14,13 @@ from jkroll.physics.motion import FITTED_UP_TO, STICKS_FROM, sticking_speed_visc
 from relative import approx
 
 QUARTZ: dict[str, Any] = {"material": "quartz", "radius": 1e-6}
-# The motion in units of δ0 and √(P_cδ0/m). With δ̂ = 3y⁴ − 2y, y = z/6^(1/3) and dt = 2·6^(-1/3)(z³ − 1)dσ, its
-# equation is polynomial.
+# The motion in units of δ0 and √(P_cδ0/m). With δ̂ = 3y⁴ − 2y, y = √(a/a0) = z/6^(1/3) and dt = 2·6^(-1/3)(z³ − 1)dσ,
+# its equation is polynomial. C is 6^(-1/3).
 C = 6 ** (-1 / 3)
 
 
 def acceleration(z: float, u: float, viscosity: float) -> float:
+    """Return du/dσ at a state z and a speed u."""
     return 2 * C * (z**3 - 1) * (-(z**3) * (z**3 - 6) / 9 - 2 * viscosity * C**2 * z**2 * u)
 
 
@@ -86,7 +87,7 @@ def test_restitution_bounds_that_of_the_equation_of_motion(viscosity: float, tim
 
 
 def _with(viscosity: float) -> dict[str, Any]:
-    """Return the viscous time for a viscosity number."""
+    """Return the argument `viscous_time` for a viscosity number; no argument for 0."""
     return {"viscous_time": viscosity / solve("viscosity_number", **QUARTZ, viscous_time=1.0)} if viscosity else {}
 
 
@@ -118,7 +119,7 @@ def test_damping_of_grains_that_always_stick_is_refused() -> None:
     ("radius", "speed", "viscous_time"), [(0.6e-6, 1.2, 2.276811e-11), (0.25e-6, 1.9, 7.048843e-12)]
 )
 def test_viscous_time_of_a_measured_sticking_speed(radius: float, speed: float, viscous_time: float) -> None:
-    """Silica on a plane: Runge–Kutta steps backwards in time, from rest at the fold, lead to the measured speed."""
+    """With these times, Runge–Kutta steps from rest at the fold back to the impact give speeds measured for silica."""
     pair: dict[str, Any] = {"material": "quartz", "radius": radius, "radius2": math.inf}
     found = infer("viscous_time", measured={"sticking_speed": speed}, **pair)
     assert found == approx(viscous_time, rel=1e-6)
@@ -126,7 +127,7 @@ def test_viscous_time_of_a_measured_sticking_speed(radius: float, speed: float, 
 
 
 def test_viscous_time_agrees_with_that_of_a_public_code() -> None:
-    """Comments of the code give 31.6 ps for 105.869 cm/s at 0.76 µm: extrapolated by a power law, not measured."""
+    """Its comments have 31.6 ps for 105.869 cm/s at 0.76 µm: this speed is extrapolated from 0.6 µm by a power law."""
     speed = 1.2 * (0.6 / 0.76) ** 0.53
     assert speed == approx(1.05869, abs=5e-6)
     pair: dict[str, Any] = {

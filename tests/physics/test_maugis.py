@@ -1,4 +1,7 @@
-"""Maugis' and Lennard-Jones' laws, beside test_accuracy.py: energies, states near extremes, the moment in 3-D."""
+"""Maugis' and Lennard-Jones' laws: energies, states near extremes and the moment in 3-D.
+
+The errors of the formulas are in test_accuracy.py.
+"""
 
 import math
 from typing import Any
@@ -14,7 +17,7 @@ from maugis_reference import Exact, mpf
 
 
 def state(transition: Any, edge_ratio: Any) -> dict[str, Any]:
-    """Return all quantities of a contact, dimensionless."""
+    """Return the dimensionless quantities of the contact at an edge ratio."""
     at = dugdale.Shape(edge_ratio)
     span = dugdale.span(transition, at)
     approach = dugdale.approach(transition, at, span)
@@ -59,7 +62,7 @@ def test_constants_are_the_nearest_doubles() -> None:
 
 @pytest.mark.parametrize("radius", [1.0559497443981639e-06, 2e-7, 1e-6, 1e-5])
 def test_no_stiffness_near_the_fold_is_positive(radius: float) -> None:
-    """The true slope is negative. Rounding may hide its size; it is then negative or nan, never positive."""
+    """The true slope is negative. Rounding may hide its size; the result is then negative or nan, never positive."""
     iron: dict[str, Any] = {"radius": radius, "atomic_spacing": 4e-10}
     fold = jkroll.solve("fold_approach_maugis", model="maugis", material="iron", **iron)
     near = fold + numpy.arange(-4, 40) * abs(math.ulp(fold))

@@ -75,7 +75,7 @@ def test_the_exact_meniscus_is_in_the_stated_range(degrees: float, is_pair: bool
         assert 0.999 * first <= force <= first * (1 + 2 * size**2) * (1 + 1e-3)
 
 
-def test_the_exact_meniscus_has_the_published_forces() -> None:
+def test_the_exact_meniscus_has_the_forces_of_other_integrals() -> None:
     """The forces, at half-filling angles of 0.02 to 0.4, were computed by other integrals of the same shape."""
     from scipy.optimize import brentq
 

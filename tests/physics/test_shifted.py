@@ -1,4 +1,4 @@
-"""The shifted contact as figures show it: each formula compared with an integral or a condition."""
+"""The shifted contact: the strip without load meets Griffith's criterion, and Figs 2 and 9 follow the formulas."""
 
 import math
 import re
@@ -32,7 +32,7 @@ def test_fig_2_is_two_half_circles_on_a_shifted_one() -> None:
     np.testing.assert_allclose(np.hypot(ahead.x, ahead.y), a - 2e-10, rtol=1e-12)
     assert behind.x.max() < 1e-20 < ahead.x.max()
     exact, half_behind, half_ahead, centred = along.curves
-    assert half_behind.y[np.argmax(half_behind.x)] > half_ahead.y[np.argmin(half_ahead.x)]  # not continuous
+    assert half_behind.y[np.argmax(half_behind.x)] > half_ahead.y[np.argmin(half_ahead.x)]  # a jump between the halves
     assert exact.x.min() == approx(-a - 2e-10, rel=1e-4)
     assert np.nanmax(centred.y) == approx(
         sum(solve(["hertz_pressure", "boussinesq_pressure"], material="quartz", radius=2e-8).values()), rel=1e-4

@@ -18,7 +18,7 @@ digits.dps = 50
 mpf, pi, sqrt = digits.mpf, digits.pi, digits.sqrt
 Exact = Any  # an mpf; mpmath declares no types
 
-# δ_H/R, its two derivatives and P_H/(E*R²) as functions of x = a/R, as in the literature.
+# artanh x, δ_H/R, its two derivatives and P_H/(E*R²) as functions of x = a/R, as in the literature.
 PROFILE: dict[Callable[..., Any], Callable[[Exact], Exact]] = {
     sneddon.artanh_of_contact: digits.atanh,
     sneddon.indentation: lambda x: x * digits.atanh(x),
@@ -26,15 +26,17 @@ PROFILE: dict[Callable[..., Any], Callable[[Exact], Exact]] = {
     sneddon.indentation_curvature: lambda x: 2 / (1 - x**2) + 2 * x**2 / (1 - x**2) ** 2,
     sneddon.hertz_load: lambda x: (1 + x**2) / 2 * digits.log((1 + x) / (1 - x)) - x,
 }
-# g and c of the sum gδ + cP that a machine holds.
+# g and c of the sum gδ + cP that a machine holds constant.
 MACHINES = {"fixed grips": (1.0, 0.0), "dead load": (0.0, 1.0), "lever": (1.0, 3.7)}
 
 
 def approach(x: Exact, ratio: Exact) -> Exact:
+    """Return δ/R at x = a/R; the ratio is w/(E*R)."""
     return x * digits.atanh(x) - sqrt(2 * pi * ratio * x)
 
 
 def load(x: Exact, ratio: Exact) -> Exact:
+    """Return P/(E*R²) at x = a/R; the ratio is w/(E*R)."""
     return PROFILE[sneddon.hertz_load](x) - 2 * x * sqrt(2 * pi * ratio * x)
 
 
@@ -45,7 +47,7 @@ def held(x: Exact, ratio: Exact, machine: str) -> Exact:
 
 
 def contacts(count: int, seed: int) -> list[float]:
-    """Return values of a/R: small, any, near the end of the series, and near 1."""
+    """Return values of a/R: small, any, near 0.3, where the series end, and near 1."""
     random = Random(seed)
     ranges = ((1e-9, 1e-3), (1e-3, 0.9), (0.299, 0.301), (0.9, 1 - 1e-9))
     near = [1 - log_uniform(random, 1e-15, 1e-3) for _ in range(count)]
@@ -123,7 +125,10 @@ def test_there_is_no_state_beyond_the_last_one() -> None:
 
 
 def test_small_contact_is_that_of_a_paraboloid() -> None:
-    """P_pull = (3/2)πwR(1 − (2/5)y + (59/315)y²), y = (9πκ/8)^(2/3), and a(P=0) = a0(1 − (4/15)z + (94/1575)z²)."""
+    """P_pull = (3/2)πwR(1 − (2/5)y + (59/315)y² − 0.08183y³), and a(P=0) = a0(1 − (4/15)z + (94/1575)z²).
+
+    Here y = (9πκ/8)^(2/3), z = (9πκ/2)^(2/3), and κ = w/(E*R).
+    """
     for ratio in (1e-12, 1e-9, 1e-6):
         y, z = (9 / 8 * math.pi * ratio) ** (2 / 3), (9 / 2 * math.pi * ratio) ** (2 / 3)
         last = sneddon.last_state(ratio, 0.0, 1.0)
@@ -147,7 +152,7 @@ def test_wide_contact_tends_to_the_radius_of_the_sphere() -> None:
         assert sneddon.last_state(ratio, 0.0, 1.0) == approx(math.log(72 * math.pi * ratio) / 4, rel=1e-3)
 
 
-# The ratios of a sphere to its paraboloid, by column: w/(E*R), a0/R, δ(P=0), P_pull, a_pull, δ_fold, P_fold.
+# By column: w/(E*R), a0/R, and the ratios of a sphere to its paraboloid in δ(P=0), P_pull, a_pull, δ_fold, P_fold.
 OVER_PARABOLOID = (
     (1e-6, 0.02418, 0.99981, 0.99991, 0.99990, 0.99999, 0.99997),
     (1e-4, 0.11186, 0.9958, 0.99801, 0.9978, 0.99987, 0.9993),

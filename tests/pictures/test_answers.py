@@ -1,4 +1,4 @@
-"""`jkroll.answer` with lists: a table of answers."""
+"""`jkroll.answer` with lists: a table of answers, and pictures of answers."""
 
 import csv
 import io

@@ -223,7 +223,7 @@ def test_the_band_of_a_curve_is_the_best_range_at_each_point(words: str, data: t
 
 
 def test_at_the_edge_of_a_band_a_best_range_ends_at_the_value_of_a_contour() -> None:
-    """At an edge of a band, an end of the best range equals the value of the contour."""
+    """A band is the part of a map where the best range includes the value of its contour."""
     drawn, _, field = map_drawn("contact-radius-at-load quartz --x radius=50nm:1um --y load=0nN:50nN:lin".split())
     with settings(PAPER):
         page = figure_of(drawn, 85 / 25.4, PAPER, has_caption=True)
@@ -282,7 +282,7 @@ def test_the_name_of_a_limit_is_clear_of_the_lines_of_other_limits() -> None:
 
 
 def test_the_teeth_of_a_line_point_to_where_its_limit_is_exceeded() -> None:
-    """They are on the left of the line on the page."""
+    """Matplotlib draws the teeth on the left of the line, so the limit is exceeded there."""
     drawn, page = map_in_a_column(*IMPACT.split())
     _, field = field_of(drawn)
     (axes,) = page.axes
@@ -308,7 +308,7 @@ def test_the_teeth_of_a_line_point_to_where_its_limit_is_exceeded() -> None:
     ],
 )
 def test_a_legend_explains_bands_only_if_they_can_be_seen(words: str, clause: str) -> None:
-    """A band of less than a hundredth of the map is not drawn; bands never cover most of the map."""
+    """Bands that cover less than a hundredth of a map are not drawn."""
     _, page = map_in_a_column(*words.split())
     bands = lines_of(page, "band")
     assert bool(bands) is bool(clause)

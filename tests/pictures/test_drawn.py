@@ -19,6 +19,7 @@ PLOT: Any = jkroll.curve(material="quartz", radius=1e-7).plot
 
 
 def of_command(run: Run, *words: str) -> list[dict[str, str]]:
+    """Return the rows that a command writes with `--data`."""
     assert run(*words, "--data", "a.csv").code == 0
     with Path("a.csv").open(encoding="utf-8") as file:
         return [*csv.DictReader(file)]

@@ -79,7 +79,7 @@ def test_fig_8_shades_the_ratios_that_do_not_roll_at_10_nm_and_none_at_its_large
     def turns(ratio: float, radius: float) -> float:
         return float(solve("n_roll", contact_modulus=ratio, surface_energy=1.0, radius=radius))
 
-    # Eq (48) gives 2πn⟨M⟩ = (2/7)W0, and W_yield = ⟨M⟩ξ/R: they are equal at 2πRn = ξ.
+    # Eq (48) gives 2πn⟨M⟩ = (2/7)W0, and W_yield = ⟨M⟩ξ/R: these two energies are equal at 2πRn = ξ.
     assert 2 * math.pi * 5e-9 * turns(9.2e11, 1e-8) == approx(2e-10, rel=0.03)
     assert turns(1.5e9, 1e-7) == approx(1, rel=0.03)
     drawn, field = panel_of("8"), field_of("8")
@@ -93,7 +93,7 @@ def test_fig_8_shades_the_ratios_that_do_not_roll_at_10_nm_and_none_at_its_large
 
 
 def apart(quantity: str, given: dict[str, Any]) -> Any:
-    """Return the factor between JKR and Maugis' law, by the comparison in which the two laws are farthest apart."""
+    """Return the factor between a quantity by JKR and by another law, in the comparison where it is largest."""
     own = solve(quantity, **given)
     between = {**given, "model": "maugis", "atomic_spacing": 4e-10}
     ratios = [solve(quantity, **between) / own]
@@ -329,7 +329,7 @@ def test_a_material_that_lacks_a_property_is_left_out_and_the_others_are_drawn(r
 
 
 def test_a_caption_states_the_radii_at_which_a_curve_is_doubtful(run: Run) -> None:
-    """The radius up to which the law is inexact agrees with single answers."""
+    """At the radius up to which the law is inexact, a0 by JKR and by Maugis' law differ by 5 %."""
     said = run("map contact_radius quartz --x radius=10nm:1mm").out
     radius = re.search(r"JKR is off by more than 5 % \(quartz, R1 = 10 nm to (\d+) (nm|µm)\)", said)
     assert radius is not None, said

@@ -10,7 +10,7 @@ from jkroll.quantities.nomenclature import nearest
 from jkroll.quantities.units import PLAIN, PREFIXABLE, PREFIXES, dimension_of, kind_of, lookup
 from jkroll.quantities.values import QuantityError, parse_quantity, unit_of
 
-# Names of the table that some versions of pint lack, or define with other values.
+# Names in the table of units.py that some versions of pint lack, or define with other values.
 UNLIKE = frozenset(
     """gf gram_force pond ponds kgf kilogram_force kilopond kiloponds Da dalton daltons u amu bohr bohrs hartree
     hartrees Eh E_h rydberg rydbergs Ry fathom fathoms furlong furlongs electronvolt cmHg mmHg""".split()
@@ -171,7 +171,7 @@ def test_units_of_the_table_agree_with_pint() -> None:
 def test_no_unit_of_pint_has_another_number_in_another_version() -> None:
     """Each version of pint gives a unit its number in the list, which was made with pint 0.25.3, or none.
 
-    If a new version fails here, add its names to `_UNLIKE` of units.py, and names that people type to the table.
+    If a new version fails here, add the changed names to `_UNLIKE` of units.py, and common ones to its table as well.
     """
     lines = (Path(__file__).parents[1] / "data" / "units.txt").read_text(encoding="utf-8").splitlines()
     listed = [line.split() for line in lines if not line.startswith("#")]

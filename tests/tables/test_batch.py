@@ -57,7 +57,10 @@ def batch(run: Run, *words: str) -> list[dict[str, str]]:
 
 @pytest.mark.parametrize("end", ENDS)
 def test_doubts_have_a_column(run: Run, end: str) -> None:
-    """The column lists the codes of the limits that a row exceeds; a failed row has no code."""
+    """The column has the codes of exceeded limits, also where a number without a meaning is left out.
+
+    A failed row has no code.
+    """
     write_rows(
         [
             {"radius [nm]": 100.0, "material": "quartz", "gamma [mJ/m2]": 25.0},
@@ -278,6 +281,7 @@ def test_a_row_with_too_few_or_too_many_cells_keeps_its_cells(run: Run, cells: s
 
 
 def mistaken(text: str, name: str, unit: str = " [UNIT]") -> str:
+    """Return the refusal of a header whose text after the name of an input is not its unit."""
     columns = " or ".join(f"--column '{text}={name}{sphere}{unit}'" for sphere in ("", "2"))
     remedy = f"Write {columns}, or --column '{text}=' to pass it through"
     return f"header: '{text}' (first cell '100'): the text after '{text.partition(' ')[0]}' is not its unit. {remedy}"
@@ -492,7 +496,7 @@ def test_option_excel_safe_leaves_empty_cells_empty(run: Run) -> None:
 
 
 def test_a_formula_may_follow_characters_that_a_spreadsheet_drops(run: Run) -> None:
-    """A line feed, a NUL or blanks may come first, and a sign may be full-width. Numbers are kept."""
+    """A line feed, a NUL or blanks may come first, and a sign may be full-width. Numbers and other text are kept."""
     names = ["\n=1+1", "\nx", "\0=1", " =1+1", "  @x", "＝1+1", "＋x", "－x", "＠x"]
     kept = [" -5", "-5", "+1e3", "x=1", "", " x"]
     cells = [{"name": name, "radius": "1 um"} for name in [*names, *kept]]

@@ -87,7 +87,7 @@ def test_error_bars_of_materials_have_columns_only_if_a_material_in_the_first_ro
     assert run(words).code == 0
     assert found()[0]["pull_off_force_minus [N]"] == close(FORCE * 69 / 25)
     assert found()[1]["pull_off_force_minus [N]"] is None
-    assert run("batch grains.csv -o out.csv --quantities contact_modulus").code == 0  # uncertain by ranges only
+    assert run("batch grains.csv -o out.csv --quantities contact_modulus").code == 0  # E and ν have ranges, not ±
     assert [*found()[0]][2:5] == ["contact_modulus [Pa]", "contact_modulus_low [Pa]", "contact_modulus_high [Pa]"]
 
 

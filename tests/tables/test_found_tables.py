@@ -107,7 +107,7 @@ def of_cell(value: Any) -> Any:
 
 
 def values(found: Found) -> dict[str, list[Any]]:
-    """Return the values of each input in all rows, by the name of the input."""
+    """Return, by name, the cells of each column of materials and the values of each other input, row by row."""
     chosen = found.written or found.named
     options = dict(choice.removeprefix("--").split() for choice in chosen if choice.startswith("--"))
     mark = DELIMITERS[options.get("delimiter", "comma")]
@@ -134,7 +134,7 @@ ASKED = Asked({"radius": "1um", "surface_energy": "25mJ/m2"}, known_materials(),
 
 
 def test_many_found_tables_are_read_without_option_column() -> None:
-    """The other tables are refused for a column or for a missing input."""
+    """The other tables are refused for a separator, for a column or for a missing input."""
     at_once = 0
     for found in TABLES.values():
         with suppress(BadTable):
@@ -143,7 +143,7 @@ def test_many_found_tables_are_read_without_option_column() -> None:
             header = understood(lines.names, lines.sample, given=ASKED.inputs, supply_of=ASKED.supply)
             check_inputs(header)
             at_once += 1
-    assert at_once >= 16  # three more name materials, whose E or ρ would replace a column without a unit
+    assert at_once >= 16  # in three more, E or ρ of the materials would replace a column without a unit
     assert all(len(found.text) < 1000 for found in TABLES.values())
 
 
@@ -175,4 +175,4 @@ def test_few_tables_are_refused_for_a_column_of_another_quantity() -> None:
             why[source] = refusal(found.table, columns)
     refused = {source: problem for source, problem in why.items() if problem}
     assert len(HEADERS) > 20
-    assert len(refused) <= 0.065 * len(why), refused  # one table has moduli of wood along three directions
+    assert len(refused) <= 0.065 * len(why), refused  # one of them has moduli of wood along three directions

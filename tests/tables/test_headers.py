@@ -20,7 +20,7 @@ from jkroll.tables.reading import reading_of
 from random_tables import read_rows, write_rows
 from relative import approx
 
-# Headers, grouped by input and unit (in SI units). Their cells are bare numbers. R needs a column of R2.
+# Headers, grouped by input and unit (in SI units). Their cells are bare numbers. R is R1 only if R2 is known.
 _READ = r"""
 radius 1e-9: radius [nm] | Radius [nm] | R1 (nm) | R_1 [nm] | radius1 [nm] | R1_nm | radius in nm | radius, nm
 radius 1e-9: r1 [nm] | radius/nm | radius / (nm) | R (nm) | R_nm | rad_nm | radii [nm]
@@ -95,7 +95,7 @@ READ = {text: meaning for line in _READ.strip().splitlines() for text, meaning i
 READ |= dict.fromkeys((' "gamma [mJ/m2]"', "\u200fsurface energy [mJ∙m⁻²]\u200e"), ("surface_energy", 1e-3))
 _LACKING = "(first cell '100'): no unit in the header or in the first cell. Write --column"
 _FACTOR = "the name of the quantity or its unit has a sign or a factor"
-# A program without µ may have written m for µm, and a program without capitals m for M.
+# The unit is unclear if a program wrote _m for µm or changed the case of letters: MN may be mN, and Zj zJ.
 LOSSY = ("radius__m_", "Load___N_", "hamakerZj", "load_MN", "speed__m_s_")
 REFUSED = {
     **{
@@ -138,12 +138,12 @@ REFUSED = {
     "asperity tip radius [nm]": "Write a column asperity_radius [UNIT] instead of",
     "rho_w [kg/m3]": "Write a column density [UNIT] or density2 [UNIT] instead of",
     "loadpN": "'loadpN=load [UNIT]'",  # not read as newtons
-    # The text before N may be a prefix of the unit or a part of the name.
+    # The text before N or J may be a prefix of the unit or a part of the name.
     **dict.fromkeys(("load_p_n", "Load.P..N.", "load_micro_N"), "=load [UNIT]'"),
-    # These columns may hold another quantity or a spread.
+    **dict.fromkeys(("Hamaker.A.J.", "hamaker_a_j"), "=hamaker [UNIT]'"),
+    # The next two may hold another quantity or a spread.
     "maxLoad___N_": "Write a column load [UNIT] instead of 'maxLoad___N_', or",
     "load_uncertanty [nN]": "Write a column load [UNIT] instead of 'load_uncertanty [nN]', or",
-    **dict.fromkeys(("Hamaker.A.J.", "hamaker_a_j"), "=hamaker [UNIT]'"),
     "mean\u2009load\n[nN]": "'mean load [nN]=load [nN]'",
     "Young's E (mean $x$) [GPa]": '"Young\'s E (mean \\$x\\$) [GPa]="',
     "E (Young's modulus) [GPa]": "it may be youngs_modulus",
@@ -260,7 +260,7 @@ _OF_2 = "D2 [um] | radius [nm].1"
 
 @pytest.mark.parametrize("other", [*_OF_2.split(" | "), "E_sample [GPa]", "surface gamma (J/m2)", "γ12 [mJ/m2]"])
 def test_a_column_that_may_be_of_sphere_2_or_the_pair_is_refused(other: str) -> None:
-    """If the column passed through, sphere 2 would get the values of sphere 1."""
+    """If the column passed through, values of sphere 1 would replace its values."""
     with pytest.raises(BadTable, match=re.escape(f"'{other}': ")):
         understood(["radius_um", "E [GPa]", "gamma_mJ_m2", other])
 

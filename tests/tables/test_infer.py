@@ -205,7 +205,10 @@ def test_rows_of_statistics_are_not_data(run: Run, end: str, labels: list[str]) 
 
 
 def test_a_row_whose_label_need_not_be_a_statistic_is_data(run: Run) -> None:
-    """N is a statistic only next to other statistics. Rows are data if all are means, or with `--column probe=`."""
+    """N is a statistic only next to other statistics.
+
+    Rows are data if all have labels of statistics, or if `--column probe=` passes the labels through.
+    """
     force, other = 300e-9 / (3 * math.pi * 2e-6), 320e-9 / (3 * math.pi * 2e-6)
     cases = {
         ("Y", "N"): "",

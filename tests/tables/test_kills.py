@@ -140,7 +140,7 @@ def started_by(process: "subprocess.Popen[Any]") -> list[str]:
 
 
 # A process with this code gets a signal right after it has started another process. OpenBLAS has one thread, as under
-# `jkroll.__main__.run`: a second thread would receive a signal that the first one blocks.
+# `jkroll.__main__.run`: a second thread would receive a signal that the first thread blocks.
 STRUCK = """
 import os
 from multiprocessing import util

@@ -76,7 +76,7 @@ def test_a_dump_is_read_as_a_table(run: Run) -> None:
 
 
 def test_the_advice_for_a_radius_without_a_unit_can_be_typed(run: Run) -> None:
-    """A dump does not name the units of its simulation."""
+    """Unless it was asked to, LAMMPS does not name the units of the simulation in a dump."""
     ran = batch(run, DUMP, ASKED, "dump0.liggghts")
     said = "'radius' (first cell '1e-07'): no unit in the header or in the first cell. Write --column 'radius=radius"
     assert (ran.code, said in ran.err) == (2, True)
@@ -124,7 +124,7 @@ def test_the_refusal_of_a_dump_read_as_csv_names_its_separator(run: Run, name: s
             "line 4 says 3 rows, and there are 4: there are extra lines. Write 4 there",
         ),
         (ITEMS.format(0), "line 4 says 3 rows, and there are 0"),
-        # Versions of 2008 write no names of columns.
+        # LAMMPS of 2008 wrote no names of columns.
         (DUMP.replace(" id type type x y z fx fy fz radius c_1[3] v_f", ""), "the table has no header"),
     ],
 )

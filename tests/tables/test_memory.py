@@ -1,4 +1,4 @@
-"""The memory of all processes of a long run; the kernel divides a shared page among the processes that use it."""
+"""The memory of all processes of a long run, in which a page that several processes share counts once."""
 
 import sys
 from pathlib import Path
@@ -26,7 +26,7 @@ BATCH = f"exec '{sys.executable}' -m jkroll batch --quiet --jobs 2"
     ],
 )
 def test_memory_does_not_grow_with_rows(command: str) -> None:
-    # Parquet is read one group of rows at a time: by default, a group has a million rows.
+    # Parquet is read one group of rows at a time, and a group has a million rows: only larger files have several.
     found: list[float] = []
     for rows in (MANY, 3 * MANY) if "parquet" in command else (FEW, MANY):
         write_table(Path("grains.csv"), rows)

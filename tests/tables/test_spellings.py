@@ -27,7 +27,7 @@ def outcome(spelling: Spelling) -> str:
 
 
 def are_read_rightly_or_refused(some: Iterable[Spelling]) -> None:
-    """Check that no spelling is misread or wrongly passed, and that more than 30 % of each kind are read."""
+    """Check that no spelling is misread or wrongly passed, and that more than 30 % are read with each mangling."""
     outcomes = {spelling: outcome(spelling) for spelling in some}
     wrong = {each.text: found for each, found in outcomes.items() if found not in ("read", "refused", "passed")}
     assert not wrong

@@ -1,4 +1,4 @@
-"""Comment lines above a header are counted, and ambiguous text is refused: duplicate members, and unclear cells."""
+"""Comment lines above a header are counted, nan does not count as an empty cell, and ambiguous text is refused."""
 
 from pathlib import Path
 
@@ -111,6 +111,7 @@ CELLS = {
 
 @pytest.mark.parametrize("cell", CELLS)
 def test_a_cell_is_read_or_refused_with_the_true_reason(cell: str) -> None:
+    """The header gives the unit, so no cell is refused for lack of a unit."""
     expected = CELLS[cell]
     (column,) = understood(["radius [m]"]).inputs
     if expected is None:
@@ -176,7 +177,8 @@ def test_a_point_between_semicolons_is_refused_unless_a_point_in_the_table_is_cl
 def test_a_comma_in_a_number_without_a_unit_is_refused(run: Run, words: str) -> None:
     ran = run(words)
     assert (ran.code, "may be a list or a number with a comma" in ran.err) == (2, True)
-    assert ran.err.endswith("as in 1.0,5.0; for a single number, leave the comma out\n")  # 1,000 is not 1.0,000.0
+    # The example is fixed, not made from the typed number.
+    assert ran.err.endswith("as in 1.0,5.0; for a single number, leave the comma out\n")
 
 
 def test_a_power_after_an_error_bar_without_brackets_is_refused(run: Run) -> None:

@@ -1,4 +1,4 @@
-"""Sweeps of any length have the rows of a short sweep, in each format."""
+"""Sweeps: the few rows computed as floats and the many computed as arrays are the same, in each format."""
 
 import csv
 import gzip
@@ -182,7 +182,7 @@ def test_options_of_other_outputs_are_refused_with_a_file_of_rows(run: Run) -> N
     ],
 )
 def test_rows_without_a_result_are_still_a_table(run: Run, line: str, head: str) -> None:
-    """Rows do not need the inputs of quantities that are not shown."""
+    """The rows have dashes for results, and a message names the missing input."""
     ran = run(line, terminal=True)
     assert ran.code == 1
     assert ran.out.startswith(head)
@@ -195,7 +195,7 @@ RADII = [1e-8, 1e-7, 1e-6] * 2
 
 
 def listed(run: Run, way: str, line: str) -> list[dict[str, str]]:
-    """Return the rows of a list in a format: as text in a pipe, by --csv, in a file, or as JSON."""
+    """Return the rows of a list: as text in a pipe, by --csv or in a file; for JSON, only the inputs of each row."""
     if way == "json":
         return [{**each["inputs"]} for each in json.loads(run(f"{line} --json").out)]
     if way in ("ndjson", "parquet", "tsv"):

@@ -202,7 +202,7 @@ def test_argument_columns_gives_meanings_to_names() -> None:
     )
 
 
-def test_a_column_with_a_meaning_keeps_the_unit_of_its_library() -> None:
+def test_argument_columns_without_a_unit_keeps_the_unit_of_a_pint_array() -> None:
     quantity: Any = pint.application_registry.Quantity
     found = jkroll.table({"a": quantity([0.1], "um")}, "P_c", material="quartz", columns={"a": "radius"})
     assert found["pull_off_force [N]"] == approx([jkroll.solve("P_c", material="quartz", radius=1e-7)], rel=1e-15)
@@ -272,7 +272,7 @@ def test_table_imports_only_the_library_of_its_argument() -> None:
 
 
 def test_texts_may_have_decimal_commas() -> None:
-    """Numbers have decimal points, in a column of numbers and among texts."""
+    """A column may mix such texts with floats, and other columns may hold floats only."""
     diameters = numpy.array(["4,91", 10.5, "1.234,5"], dtype=object)
     columns = {"diameter [um]": diameters, "gamma [mJ/m2]": [35.9, 30.0, 30.0]}
     found = jkroll.table(columns, "P_c")

@@ -149,7 +149,7 @@ MOST = {"inputs": 0.03, "plain": 0.04, "sphere 2": 0.07}  # the largest fraction
 
 @pytest.mark.parametrize(("seed", "count"), [(4, 600), pytest.param(5, 12_000, marks=pytest.mark.slow)])
 def test_few_headers_that_mean_an_input_pass_through(seed: int, count: int) -> None:
-    """No header is misread, few headers of each group pass through, and little advice is wrong."""
+    """No header is misread, few that mean an input pass through, most others do, and little advice is wrong."""
     headers = meant_headers(seed, count)
     outcomes = {header.text: outcome(header) for header in headers}
     assert MISREAD not in outcomes.values()
@@ -293,7 +293,7 @@ def test_columns_of_other_lengths_are_not_offered_as_a_radius(run: Run) -> None:
 
 @pytest.mark.parametrize("head", ["Spitzenradius [nm]", "Straal [nm]"])
 def test_the_first_radius_of_a_table_is_that_of_sphere_1(run: Run, head: str) -> None:
-    """With a plane as sphere 2, the column was offered as the radius of sphere 2."""
+    """The column is not offered as the radius of sphere 2, even if sphere 2 is a plane."""
     said = ran(run, f"{head},material", "30,quartz", "--radius2 plane --quantities pull_off_force")
     assert "radius2" not in said
     assert said.startswith("0: ") or f"{MAY_BE} '{head}=radius [nm]'" in said

@@ -123,7 +123,10 @@ UNSOLVED = unknowns.Unsolved.__subclasses__()
 
 
 def test_each_kind_of_reason_has_its_own_code() -> None:
-    """Causes that differ only in their explanation share a phrase and a code."""
+    """Causes that differ only in their explanation share a phrase and a code.
+
+    `guide tables` has all codes except those of limits and that of hidden results.
+    """
     phrases = {(kind.phrase or kind.words): kind.code for kind in KINDS} | {
         kind.phrase: code_of(kind.phrase) for kind in UNSOLVED
     }

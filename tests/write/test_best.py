@@ -108,7 +108,8 @@ def test_explanations_have_the_power_law_of_a_result(run: Run) -> None:
     """f_z goes as γ^(1/6) E^(1/3) R^(-7/6) ρ^(-1/2). The powers of δ under a load are not simple fractions."""
     said = run("frequencies quartz 100nm --quantities f_z --explain").out
     assert "  power law R1^-1.17 γ1^0.167 E1^0.333 ν1^0.0198 ρ1^-0.5\n" in said
-    assert " N^-0.5\n" in run("aggregates quartz 100nm --monomers 2 --filling-factor 0.2 --explain").out  # N ≥ 2
+    # N is at the lower end of its range here.
+    assert " N^-0.5\n" in run("aggregates quartz 100nm --monomers 2 --filling-factor 0.2 --explain").out
     under_load = run("contact quartz 100nm --load -5nN --quantities δ --explain").out
     powers = dict(word.split("^") for word in re.findall(r"power law (.*)", under_load)[0].split())
     ends = [solve("approach_at_load", **QUARTZ, load=load) for load in (-5.001e-9, -4.999e-9)]

@@ -163,7 +163,7 @@ def test_a_speed_along_the_surface_is_not_judged_like_a_head_on_impact(run: Run)
         "impact_pressure",
     ]
     assert "bounces" in {one["code"] for one in hit["validity"]}
-    # A free pair of 100 nm sticks up to 595.6 mm/s. The energy of one sphere would be twice that of relative motion.
+    # A free pair of 100 nm sticks up to 595.6 mm/s, by the energy of relative motion: mv²/4, half that of one sphere.
     for speed, is_above in (("0.59m/s", False), ("0.60m/s", True)):
         found = json.loads(run(f"impact quartz 100nm --speed {speed} --json").out)
         assert ("bounces" in {one["code"] for one in found["validity"]}) is is_above
@@ -256,7 +256,7 @@ def test_a_result_for_identical_spheres_has_no_value_for_unequal_ones(run: Run) 
 
 
 def test_a_state_beyond_pull_off_has_results_if_fixed_grips_hold_it(run: Run) -> None:
-    """At δ = −0.5δ0, 3y⁴ − 2y = −0.5 has the roots y = √â = 0.7657… and 0.2564…; at pull-off, y is 0.7937…."""
+    """With y = √(a/a0), δ = −0.5δ0 means 3y⁴ − 2y = −0.5: y = 0.7657… or 0.2564…, below 0.7937…, y at pull-off."""
     found = json.loads(run("contact quartz 100nm --approach -53.1pm --quantities contact_radius_at_load --json").out)
     assert found["results"][0]["value"] > 0
     said = run("contact quartz 100nm --approach -60pm").err
@@ -340,6 +340,7 @@ def test_real_spheres_hold_less_than_smooth_ones(run: Run, words: str) -> None:
 
 
 def test_a_bend_depends_on_the_surface_energy_although_rolling_forces_were_measured(run: Run) -> None:
+    """Only the answer of `yield-force` says that its best range does not follow from the given γ."""
     said = "measured rolling forces, not from your γ"
     assert said in run("yield-force quartz 1um --gamma 24mJ/m2", terminal=True).out
     assert said not in run("r-min quartz 100nm --gamma 24mJ/m2", terminal=True).out

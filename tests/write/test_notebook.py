@@ -1,4 +1,4 @@
-"""Answers in a notebook: the table of the terminal and the lines around it, as text, HTML and LaTeX."""
+"""Answers, materials, quantities and fits in a notebook: the words of the terminal, as text, HTML and LaTeX."""
 
 import re
 import shutil

@@ -20,7 +20,7 @@ def test_measurements_that_disagree_most_come_first() -> None:
 
 
 def test_computed_numbers_are_those_of_the_formulas() -> None:
-    """Numbers follow from P_c = 3πγR1 on a plane, F_roll = 6πγξ, and powers of the radius."""
+    """By hand: P_c = 3πγR1 on a plane, F_roll = 6πγξ, w = 2√(γ1γ2), powers of the radius; for water ice, `solve`."""
     found = {(each.row.solids, each.row.given.get("radius"), each.row.quantity): each for each in COMPARED}
     smooth = found["SiO2 on smooth glass, dry", "2.5 um", "pull_off_force"]
     assert smooth.computed == approx(3 * math.pi * 0.025 * 2.5e-6)
