@@ -90,7 +90,8 @@ def test_a_table_that_cannot_be_read_is_named_and_a_resumed_run_converts_it(run:
     Path(grains[3]).rmdir()
     Path("away.csv").rename(grains[3])
     ran = run(*words, "-o", "forces/", "--resume")
-    assert (ran.code, ran.err.splitlines()[0]) == (1, "note: 4 of 5 files are not older than their tables, and were kept")
+    note = "note: 4 of 5 files are not older than their tables, and were kept"
+    assert (ran.code, ran.err.splitlines()[0]) == (1, note)
     assert before.items() < times("forces").items()
     assert whole("forces") == whole("whole")
 

@@ -237,7 +237,7 @@ def _of_a_sphere(frame: Frame) -> str:
     if not of_sphere:
         return ""
     less = f"{significant(100 * (1 - of_sphere / of_paraboloid), 2)} %"
-    difference = f"for a true sphere P_c is {less} smaller, so w inferred from a measured P_c is {less} too low (--profile sphere)"
+    difference = f"for a true sphere P_c is {less} smaller, so w inferred from P_c is {less} too low (--profile sphere)"
     return f"contact too wide for a paraboloid: {difference}"
 
 

@@ -62,7 +62,8 @@ write T_first/(P + 2P_c) = {peels:.6g}. Both are due to adhesion at the P above:
 coefficient of your solid.
 """,
     "dmt": """\
-# P_c is 4 pi gamma R here. The rolling moment is 4 pi gamma R xi at any load; the one in LAMMPS equals it at the P above only.
+# P_c is 4 pi gamma R here. The rolling moment is 4 pi gamma R xi at any load; the one in LAMMPS equals it at the P \
+above only.
 # The contact does not slip: for the 1e9, write your coefficient of friction. Twisting is left out.
 """,
 }
