@@ -9,7 +9,7 @@ from pathlib import Path
 
 PATIENCE = 30  # seconds to wait for a shell
 
-# The options of each shell, without the user's configuration, and the first input: jkroll's completion.
+# The options that start each shell without the user's configuration, and its first input, which loads the completion.
 SHELLS = {
     "bash": (["--norc", "--noprofile", "-i"], "PS1='ready> '; eval \"$(_JKROLL_COMPLETE=source_bash jkroll)\""),
     "zsh": (
@@ -56,9 +56,9 @@ class Shell:
         os.write(self.terminal, keys.encode())
 
     def words_of(self, keys: str) -> list[str]:
-        """Type keys and Return; return the words of the command that this calls."""
+        """Type keys and press Enter; return the arguments with which the command is called."""
         self.words.unlink(missing_ok=True)
-        self.type(keys + "\n")  # a shell continues to read after a completion
+        self.type(keys + "\n")  # Enter may follow a TAB at once: the shell reads it after the completion
         self._wait_for(self.words)
         return self.words.read_text(encoding="utf-8").splitlines()
 

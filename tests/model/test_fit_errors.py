@@ -73,7 +73,7 @@ def soft_lever() -> ForceCurve:
     return ForceCurve(TRAVEL, z, force + numpy.random.default_rng(3).normal(0, 1.5e-9, len(z)))
 
 
-def test_the_error_of_the_spring_is_the_larger_change_of_fits_with_both_ends_of_its_range() -> None:
+def test_the_error_from_the_spring_is_the_larger_change_of_a_result_at_both_ends_of_its_stiffness() -> None:
     """E* and the hysteresis are not linear in k: a lever that is too soft gives a hysteresis that is not there."""
     curve, known = soft_lever(), Known(radius=5e-6, stiffness=0.6, stiffness_error=0.1)
     here = fit_curve(curve, known)
@@ -107,7 +107,7 @@ def test_a_spring_without_an_error_has_a_remark_on_its_influence() -> None:
 
 
 def test_w_of_a_noisier_branch_has_a_larger_error() -> None:
-    """E* and the contact point are from the main branch, so an offset in the loads of the other one changes its w."""
+    """Noise makes the baseline uncertain, and all loads of a branch shift with it; E* and z_c stay."""
     z, force = jkr_curve()
     noise = numpy.random.default_rng(4).normal(0, 3e-9, len(z))
     uneven = numpy.where(numpy.arange(len(z)) < len(z) // 2, 10 * noise, noise)  # loading is ten times as noisy
@@ -334,7 +334,7 @@ def jkr_of_lever(z: Any, adhesion: float, modulus: float, point: float, stiffnes
 
 
 def test_scipy_finds_the_same_fit_of_a_measured_afm_curve() -> None:
-    """Both fits use the same points. Expressed as forces, the two errors of a point are equal: σ_z = σ_F/k."""
+    """Both fits use the same points, with errors of force and travel that are equal as forces: kσ_z = σ_F."""
     optimize = pytest.importorskip("scipy.optimize")
     path = Path(__file__).parents[1] / "data" / "afm_retract.csv"
     fitted, stiffness = fit(str(path), spring="0.31451 N/m"), 0.31451

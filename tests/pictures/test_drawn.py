@@ -124,7 +124,7 @@ def test_invalid_calls_for_pictures_are_refused(call: Any, words: str) -> None:
 
 
 def fitted_probe() -> Any:
-    """Return the fit of a measured curve with both branches."""
+    """Return the fit of a computed curve with noise and with both branches."""
     path = Path(__file__).parents[1] / "data/probe.csv"
     return jkroll.fit(path, radius="7.5 um", radius2="plane", spring="3.01±0.1N/m", poisson_ratio2=0.5)
 
@@ -153,7 +153,7 @@ def test_measured_points_and_the_fitted_line_look_different() -> None:
 
 
 def test_a_caption_fits_the_page() -> None:
-    """Capital letters and figures are wider than the mean letter, by which lines are broken first."""
+    """Lines are broken by the mean width of a letter; with capitals and digits, they must be shortened."""
     wide = "JKR MAUGIS 558 mJ/m² " * 30
     drawn = jkroll.figure("laws")
     page = Drawn(drawn._picture._replace(caption=(wide,))).figure(caption=True)

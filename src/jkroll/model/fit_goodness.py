@@ -20,7 +20,7 @@ _WIDEST = 0.9  # a/R above which no theory of a half-space applies
 
 
 def goodness_of(solution: Solution, pull_off: float | None) -> dict[str, float]:
-    """Return the measures of goodness by name; points beyond the jump are compared with the last state of the model."""
+    """Return the measures of goodness by name; points past the jump-off are compared with the load just before it."""
     main, found = solution.main, solution.main.minimum
     misfit = main.points.force - found.residuals.loads
     rms, count = float(sqrt(numpy.mean(misfit**2))), len(main.points.z)
@@ -43,7 +43,7 @@ def _longest_run(misfit: numpy.ndarray) -> int:
 def remarks_on(solution: Solution, result: Fit, by_spring: list[Results]) -> Iterator[tuple[str, str]]:
     """Iterate over remarks as codes and sentences.
 
-    `by_spring`: the moves of the results for a softer and a stiffer spring, see `_on_spring`.
+    `by_spring`: the changes of the results for a softer and a stiffer spring; empty if they were not computed.
     """
     main, good, errors = solution.main, result.goodness, result.errors
     has_adhesion = ADHESION in main.free

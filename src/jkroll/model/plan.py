@@ -3,7 +3,7 @@
 If several formulas give a quantity, the law of attraction and the given inputs decide (see `quantities.laws`).
 
 A quantity of sphere 2 (`mass2`) has the same formula as for sphere 1 (`mass`). An input of sphere 2 that is not given
-equals that of sphere 1, unless sphere 2 has its own material, which should provide it.
+equals that of sphere 1. If sphere 2 has its own material, this material should provide the inputs in `OF_A_SOLID`.
 """
 
 from collections.abc import Collection, Mapping
@@ -68,7 +68,7 @@ def plan_for(wanted: str, known: frozenset[str], own_material2: bool, model: str
 
 @lru_cache(maxsize=KEPT)
 def taken_by(names: tuple[str, ...], *plan_key: Any) -> frozenset[str]:
-    """Return the names of quantities and of the arguments of all their steps; `plan_key`: see `plan_for`."""
+    """Return these names, and those of all arguments in their plans; `plan_key`: further arguments of `plan_for`."""
     plans = [plan_for(name, *plan_key) for name in names]
     return frozenset(names).union(*(step.arguments for plan in plans for step in plan.steps.values()))
 
@@ -117,7 +117,7 @@ def in_order(names: Collection[str]) -> tuple[str, ...]:
 
 @cache
 def depends_on(names: tuple[str, ...], models: tuple[str, ...] = (DEFAULT_LAW,)) -> frozenset[str]:
-    """Return every name that quantities can depend on under some laws, for any inputs.
+    """Return these names, and every name on which they can depend under these laws, whatever the inputs.
 
     Inputs that are converted to one of these are included.
     """

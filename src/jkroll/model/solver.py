@@ -122,8 +122,8 @@ def solve(
     The value of a single name, or a dict of values by name. Values are floats or arrays in SI units; Quantities if an
     input was a Quantity; a Series of pandas or a DataArray of xarray with the labels of the inputs, if an input was
     such a container. A result has the shape of the arrays that it depends on: for a fixed ξ, `yield_force` is a float
-    even for an array of radii, since it does not depend on them. If a given value is uncertain, so are the results:
-    `Measured` or `Interval` in SI units.
+    even for an array of radii, since it does not depend on them. With a list of materials or laws, all results have the
+    common shape of all arrays. If a given value is uncertain, so are the results: `Measured` or `Interval` in SI units.
 
     Raises
     ------

@@ -1,7 +1,7 @@
 """Pictures with fixed content: the curves of a contact, and the figures of the paper.
 
-The paper has data in its maps, and in Figs. 2 and 9 of the shifted contact; its other figures are sketches. A further
-figure, which is not in the paper, shows the pull-off force by each law.
+Of the paper's figures, the maps and Figs. 2 and 9 (the shifted contact) show computed values; the others are sketches.
+Two figures are not in the paper: the pull-off force by each law, and a sketch of the symbols.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -113,7 +113,10 @@ def _pressure(frames: Sequence[Frame], _: Loads | None) -> Panel:
 
 
 def _moment(frames: Sequence[Frame], _: Loads | None) -> Panel:
-    """Return the panel of moment without load against displacement, up to where JKR's leading edges interpenetrate."""
+    """Return the panel of the moment without load against displacement.
+
+    By JKR, the bodies would interpenetrate at the leading edge of the contact beyond its end.
+    """
     limit = frames[0].replace(model=DEFAULT_LAW)["displacement_limit"]
     points: list[Mark] = []
     if len(frames) == 1:
@@ -176,7 +179,8 @@ def curves_of_contact(
 ) -> tuple[Picture, tuple[str, ...]]:
     """Return a picture with one panel, or with all panels that the laws of the frames have, and its notes.
 
-    The notes name the laws that lack a panel, assumptions and data; for one law, they also give best ranges and doubts.
+    The notes give the assumptions and the sources of data, and name the laws that lack a panel. For one law, they also
+    give best ranges and doubts.
     """
     is_one = len(frames) == 1
     asked = [PANELS[panel]] if panel is not None else [*PANELS.values()]
@@ -274,7 +278,7 @@ PAPER_MAPS: Mapping[str, PaperMap] = {
     ),
     "8": PaperMap(
         "n_roll",
-        "The energy is ⟦W0 = P_cδ0⟧; for any other, the contours are ⟦n_roll/(W0/P_cδ0)⟧. An energy balance gives 7/2 "
+        "The energy is ⟦W0 = P_cδ0⟧; for another, multiply n_roll by ⟦W0/P_cδ0⟧. An energy balance gives 7/2 "
         "of Eq (49). Spheres below 10 nm do not roll if ⟦E*/γ⟧ is above 9·10¹¹ m⁻¹; spheres below 100 nm roll a full "
         "turn only if it is below 1.5·10⁹ m⁻¹.",
         x=Axis("modulus_over_energy", 1e9, 1e13, needs={"surface_energy": 1.0}),  # only E*/γ affects the result
@@ -298,13 +302,13 @@ def paper_map(
     title, remarks = f"Fig. {name}: {symbol(declared.quantity)}{bracketed(unit)}", (*drawn.remarks, declared.remark)
     caption = [*drawn.caption]
     if printed:
-        caption.append(f"Dashed in files: Eq ({NOMENCLATURE[printed].equation}), each below its contour.")
+        caption.append(f"Dashed in files: Eq ({NOMENCLATURE[printed].equation}), below the contour of the same value.")
     return Picture(title, drawn.panels, tuple(caption), drawn.doubts, remarks)
 
 
 # --- Figs. 2 and 9: the shifted contact in three and two dimensions ---------------------------------------------------
 
-SPHERES = {"radius": 2e-8}  # in Fig. 2; small enough that ξ is visible
+SPHERES = {"radius": 2e-8}  # in Figs. 2 and 9; small enough that ξ is visible
 
 
 def figure_2(materials: Materials) -> Picture:

@@ -20,7 +20,7 @@ _RESULTS = ("work_of_adhesion_opening", "work_of_adhesion_closing", "contact_mod
 _ADVICE = (re.compile(r" \(--[^()]*\)"), re.compile(r"[:;] [^:;()]*--[^:;()]*"))
 _SYMBOL = re.compile(r"(?<![\w/*])(?:wR?_open|wR?_close|wR?|E\*√R|E\*|E[12]|a0?/R|P_c|R|G|k|z0/2)(?![\w*/'])")
 _INK = -1  # colour of measured points under the coloured line of their fit
-_MOST = 600  # a drawn curve has fewer than twice as many points
+_MOST = 600  # curves of twice as many points are thinned to this number or more
 _X = {"contact radius": "contact_radius_at_load", "approach": "approach_at_load", "travel": "lever_travel"}
 
 

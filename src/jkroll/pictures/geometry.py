@@ -43,7 +43,7 @@ class _Pair(NamedTuple):
 
 
 def sketch() -> Picture:
-    """Return the sketch: the pair with its forces, and the contact enlarged. Neither is to scale."""
+    """Return the sketch: the pair with its forces, and the contact enlarged. Their sizes are not in proportion."""
     whole, near = _Pair(0.9, 1.2, 0.36, 0.0), _Pair(2.2, 2.9, 1.15, 0.3)
     terms = (f"{symbol(name)}: {NOMENCLATURE[name].sentence.partition(';')[0]}" for name in _SHOWN)
     caption = (f"{'; '.join(terms)}.", "Not to scale.")

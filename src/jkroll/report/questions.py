@@ -16,13 +16,13 @@ class Question:
 
     def __init__(
         self,
-        headline: tuple[str, ...],  # the main results, and all that --bare writes
+        headline: tuple[str, ...],  # the main results; --bare writes only these
         quantities: tuple[str, ...],  # all quantities shown, in this order
         named: tuple[str, ...] = (),  # asked for by name: always shown
         without_row: tuple[str, ...] = (),  # for programs only: not in the table of an answer
-        leads: Sequence[str] = (),  # the answering sentences; a name in braces stands for a best range
+        leads: Sequence[str] = (),  # sentences of the answer; words in braces are filled in by `report.leads`
         groups: Mapping[str, Sequence[str]] = MappingProxyType({}),  # at the end of a table: quantities by title
-        if_stated: Mapping[str, tuple[str, ...]] = MappingProxyType({}),  # by quantity: shown only with one such input
+        if_stated: Mapping[str, tuple[str, ...]] = MappingProxyType({}),  # by quantity: it needs one of these inputs
     ) -> None:
         self.headline, self.quantities, self.named, self.without_row = headline, quantities, named, without_row
         self.leads, self.groups, self.if_stated = leads, groups, if_stated
@@ -82,9 +82,10 @@ _QUESTIONS = {
     "n-roll": _question(
         "n_roll",
         "n_roll_after_impact n_roll n_roll_energy_balance",
-        leads="at this speed, take n_imp: it makes {n_roll_after_impact} turns after it hits body 2, if it rolls\n"
-        "it makes {n_roll_energy_balance} turns if it never slips (n_bal), {n_roll} if it slides freely, as Dominik & "
-        "Tielens have it (n_roll){or_none}",
+        leads="at this speed, take n_imp: after the sphere hits body 2, it makes {n_roll_after_impact} turns, if it "
+        "rolls\n"
+        "it makes {n_roll_energy_balance} turns if it never slips (n_bal), {n_roll} if it slides freely, by Dominik & "
+        "Tielens (n_roll){or_none}",
     ),
     "contact": _question(
         "contact_radius_at_load approach_at_load",
@@ -105,7 +106,7 @@ _QUESTIONS = {
         "it rolls in steps, with half of that as the mean moment, {mean_rolling_moment}",
     ),
 }
-# Turns that contradict `n_roll` are in the report, too; Eq (41) as printed is in `frequencies` alone.
+# The report also has the other numbers of turns, since they contradict `n_roll`.
 _CONTRARY = ("n_roll_energy_balance", "n_roll_after_impact")
 _TURNS = ("n_roll", *_CONTRARY)
 _REPORT = Question(

@@ -49,7 +49,8 @@ class Column(NamedTuple):
     name: str
     unit_text: str
     unit: Unit | None
-    sides: tuple[tuple[str, int], ...] = ()  # the part (see `Reading`) and position of the columns of ±, or of the ends
+    # The part, as in `reading.Reading`, and the position of each column with an uncertainty or an end of a range.
+    sides: tuple[tuple[str, int], ...] = ()
     error_unit: str = ""  # the unit of ± cells; empty if it is the unit of the values
     coverage: float = 1.0  # the coverage factor of the uncertainties, as in k = 2
 
@@ -306,7 +307,7 @@ def scaled(values: Floats, exponent: int) -> Floats:
 
 # --- Materials --------------------------------------------------------------------------------------------------------
 
-LABEL = Material("", "", "")  # a placeholder without properties, for a name that gives an error
+LABEL = Material("", "", "")  # without properties: for a cell with an error, and the base of combined materials
 
 Indices = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.int64]]
 
@@ -341,7 +342,7 @@ class Lookup:
 
     @property
     def remarks(self) -> list[str]:
-        """Remarks on names that several materials share, and on aliases of materials if any cell has an error."""
+        """Remarks on ambiguous names; if any cell has an error, also the material of each alias in the column."""
         remarks = [str(error) for error in self.errors.values() if isinstance(error, UnclearMaterial)]
         if not self.errors:
             return remarks
