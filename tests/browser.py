@@ -60,6 +60,7 @@ class Browser:
         options = {"binary": CHROMIUM, "args": [*QUIET, f"--user-data-dir={profile}", f"--log-net-log={log}"]}
         wanted = {"capabilities": {"alwaysMatch": {"browserName": "chrome", "goog:chromeOptions": options}}}
         self.session = f"/session/{self.call('POST', '/session', wanted)['sessionId']}"
+        self._spare = self._new_tab()
 
     def call(self, method: str, path: str, body: Any = None) -> Any:
         """Send a command of the protocol; return its value."""
@@ -72,8 +73,22 @@ class Browser:
             error.add_note(error.read().decode())  # the driver's message
             raise
 
+    def _new_tab(self) -> Any:
+        """Open a tab in the background; return its handle."""
+        return self.call("POST", f"{self.session}/window/new", {"type": "tab"})["handle"]
+
     def open(self, address: str, width: int = 1000, height: int = 900) -> None:
-        """Open a page in a window of a given size."""
+        """Open a page in a window of a given size, in the spare tab if Chromium's tab has crashed."""
+        try:
+            self._show(address, width, height)
+        except HTTPError as error:
+            if "tab crashed" not in "".join(error.__notes__):
+                raise
+            self.call("POST", f"{self.session}/window", {"handle": self._spare})
+            self._spare = self._new_tab()
+            self._show(address, width, height)
+
+    def _show(self, address: str, width: int, height: int) -> None:
         self.call("POST", f"{self.session}/window/rect", {"width": width, "height": height})
         self.call("POST", f"{self.session}/url", {"url": address})
 

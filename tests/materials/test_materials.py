@@ -544,9 +544,7 @@ def test_each_value_of_the_other_sets_has_its_origin(material: Material) -> None
         origin = material.origins[name]
         assert origin["method"]
         assert origin["reference"] in keys
-        assert ("no uncertainty stated" in origin["method"]) == (
-            name not in material.uncertainties
-        ) or "-16 °C" in origin["method"]
+        assert ("no uncertainty stated" in origin["method"]) == (name not in material.uncertainties)
     if "surface_energy" in material.properties:
         assert material.origins["surface_energy"]["law"]
     else:

@@ -302,7 +302,7 @@ def paper_map(
     title, remarks = f"Fig. {name}: {symbol(declared.quantity)}{bracketed(unit)}", (*drawn.remarks, declared.remark)
     caption = [*drawn.caption]
     if printed:
-        caption.append(f"Dashed in files: Eq ({NOMENCLATURE[printed].equation}), below the contour of the same value.")
+        caption.append(f"Dashed in files: Eq ({NOMENCLATURE[printed].equation}), each below its contour.")
     return Picture(title, drawn.panels, tuple(caption), drawn.doubts, remarks)
 
 

@@ -386,7 +386,7 @@ def _likeliest(tokens: Sequence[str], names: Sequence[str], supply: Supply) -> t
     sphere, is_of_pair = sphere_of(tokens), words.is_of_pair(tokens)
     if is_of_pair:
         names = [name for name in names if name in words.PAIRS.values()]
-    if not sphere and _index(tokens) in "psti":  # particle, sphere, tip, i or no index: rather sphere 1
+    if not sphere and _index(tokens) in ("", *"psti"):  # no index, particle, sphere, tip or i: rather sphere 1
         names = [name for name in names if NOMENCLATURE[name].sphere != 2 or of_sphere(1, name) not in supply.clauses]
     scored = tokens[:1] if _index(tokens) else tokens
     scores = {name: _score(scored, name) for name in names}
