@@ -363,6 +363,12 @@ def test_the_shorter_time_step_of_two_rules_is_exported(run: Run, program: str) 
     assert step("quartz 10nm") == approx(1.8816680e-12, rel=1e-7)  # the period of sliding decides
 
 
+def test_the_advice_names_what_the_input_of_the_program_lacks(run: Run) -> None:
+    wanted = {"lammps": "damping (now 0) and friction (now that of adhesion)", "dust-collider": "viscous time (now 0)"}
+    for program, lacking in wanted.items():
+        assert f"# You must still write your {lacking}.\n" in run(f"export {program} quartz 600nm").out
+
+
 def test_a_note_says_that_the_middle_of_a_range_was_used(run: Run) -> None:
     assert "# note: computed with the middle of gamma1 = 20 to 25 mJ/m^2\n" in run("export lammps silica-humid 5um").out
     assert "computed with the middle" not in run("export lammps quartz 5um").out

@@ -535,8 +535,7 @@ def test_shipped_materials_form_five_sets() -> None:
 def test_each_value_of_the_other_sets_has_its_origin(material: Material) -> None:
     """Each material has a state, and each property an origin.
 
-    An origin has a method and a reference; without an uncertainty, the method says so, except for values of ice at
-    -16 °C. The origin of γ has a law.
+    An origin has a method and a reference; without an uncertainty, the method says so. The origin of γ has a law.
     """
     assert material.state
     keys = {entry["key"] for entry in material.references}

@@ -359,7 +359,10 @@ def run_export(call: Call) -> int:
         for line in (*(f"note: {note}" for note in program.about(frame)), *lines):
             say_wrapped(line, sys.stderr)
         return 0
-    for line in advice_on_inputs(answer):
+    advice = [*advice_on_inputs(answer)]
+    if advice and program.to_write:
+        advice.append(f"You must still write your {program.to_write}.")
+    for line in advice:
         say(comment_of(line), sys.stdout)
     sys.stdout.write(text)
     for line in lines:

@@ -225,6 +225,7 @@ SURFACES: Mapping[str, Surface] = {
 SURFACES_FROM = 1e-6  # radius of the smallest spheres to which these fractions are scaled, in m
 ENERGY_ON_SURFACES = 0.025  # surface energy of the JKR force that these fractions refer to, in J/m²
 FRACTION_HELD = "1/100 to 4/5 of JKR's force"  # all surfaces together
+SIZES_HELD = "5 µm and more"  # the measured spheres
 
 
 _ENERGIES = frozenset({"surface_energy", "surface_energy2", "work_of_adhesion", "hamaker"})
@@ -244,7 +245,7 @@ def on_surfaces(frame: Frame, ends: tuple[float, float] | None = None) -> Mappin
     if is_silica and not has_given_energy(frame):
         low = high = force * 2 * ENERGY_ON_SURFACES / energy
     forces = {name: (low * surface.low, high * surface.high) for name, surface in SURFACES.items()}
-    if is_silica and not is_below_measured(frame):
+    if is_silica and not is_below_scaled(frame):
         return forces
     lows, highs = zip(*forces.values(), strict=True)
     return {LIKE_SIO2: (min(lows), max(highs))}
@@ -255,7 +256,7 @@ def has_given_energy(frame: Frame) -> bool:
     return not _ENERGIES.isdisjoint(frame.stated)
 
 
-def is_below_measured(frame: Frame) -> bool:
+def is_below_scaled(frame: Frame) -> bool:
     """Return whether the smaller sphere is smaller than those to which the measured fractions are scaled."""
     radii = frame.numbers("radius", "radius2").values()
     return bool(min(radii, default=2 * frame["reduced_radius"]) < SURFACES_FROM)

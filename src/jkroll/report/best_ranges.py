@@ -28,9 +28,10 @@ from ..model.measured import (
     FRACTION_HELD,
     LIKE_SIO2,
     MOST_SEEN,
+    SIZES_HELD,
     SURFACES,
     has_given_energy,
-    is_below_measured,
+    is_below_scaled,
     on_surfaces,
     solid_of_pair,
     solid_that_rolled,
@@ -107,7 +108,7 @@ def held_on_surfaces(
     """Return the pull-off force of real surfaces: as measured, or else a guess from SiO2 after the words `hold`."""
     forces = on_surfaces(frame, ends)
     if LIKE_SIO2 in forces:
-        like = "of 5 µm and more (not measured at this size)" if is_below_measured(frame) else f"({FRACTION_HELD})"
+        like = f"of {SIZES_HELD} (not measured at this size)" if is_below_scaled(frame) else f"({FRACTION_HELD})"
         return f"{hold} {span('pull_off_force', *forces[LIKE_SIO2], form)} if like SiO2 {like}"
     held = (f"{span('pull_off_force', *ends, form)} ({surface})" for surface, ends in forces.items())
     return f"real surfaces hold {', '.join(held)}"
@@ -117,14 +118,14 @@ def about_surfaces(frame: Frame) -> str:
     """Return the fractions of JKR's pull-off force that were measured, and the surfaces they belong to."""
     energy = amount("surface_energy", ENERGY_ON_SURFACES)
     if LIKE_SIO2 in on_surfaces(frame):
-        return f"{FRACTION_HELD}, as SiO2 of 5 µm and more held at {energy}"
+        return f"{FRACTION_HELD}, as SiO2 of {SIZES_HELD} held at {energy}"
     parts = "; ".join(f"{name} {surface.fraction} ({surface.spheres})" for name, surface in SURFACES.items())
     of_energy = "" if has_given_energy(frame) else f" at γ = {energy}"
     return f"fractions of JKR's force{of_energy}, scaled to {amount('radius', frame['radius'])}: {parts}"
 
 
 _OF_SMOOTH = "P_c is that of smooth, dry spheres: rough ones hold less"
-_SHRINKS = "τ/3 to 3τ (--shear-strength); take T_first: the edge may peel early"
+_OF_FIRST = "τ/3 to 3τ (--shear-strength); take T_first: the edge may peel early"
 _SEEN = f"hard spheres were seen to stick at 1–{MOST_SEEN} times JKR's speed"
 _WORDS: Mapping[int, str] = {
     MEASURED: f"hard spheres stuck at 1 to {MOST_SEEN} times JKR's speed, SiO2 at measured ones",
@@ -160,7 +161,7 @@ def _kelvin(answer: Answer) -> Iterator[str]:
 
 
 def _friction(answer: Answer) -> Iterator[str]:
-    yield _SHRINKS if "sliding_or_peeling_force" in answer.estimates else _WORDS[FRICTION_ASSUMED]
+    yield _OF_FIRST if "sliding_or_peeling_force" in answer.estimates else _WORDS[FRICTION_ASSUMED]
     radius = answer.frame.numbers("contact_radius_at_load").get("contact_radius_at_load", 0.0)
     if radius and not answer.described.uncertainties:
         better = Ranges.of(answer.frame, "contact_radius_at_load").by_better_law("contact_radius_at_load")

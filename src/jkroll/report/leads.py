@@ -19,7 +19,7 @@ from ..model.estimate import (
 )
 from ..model.frame import IN_ITS_PLACE, Frame
 from ..model.limits import FLIES_OFF, GAP_STAYS_DRY, ROUGH_MATTERS, may_be_rough
-from ..model.measured import FRACTION_HELD, has_given_energy, what_rolled, what_stuck
+from ..model.measured import FRACTION_HELD, SIZES_HELD, has_given_energy, what_rolled, what_stuck
 from ..physics.elementary import is_anywhere
 from ..quantities.formatting import Format, amount, from_to, significant, symbol_among, with_unit
 from ..quantities.nomenclature import XI
@@ -72,7 +72,7 @@ def lead_of_rows(groups: Sequence[Shown], names: Collection[str]) -> str:
     if "meniscus_force" in names:
         return "take the larger of P_c and F_men, not their sum"
     is_rough = any(is_anywhere(may_be_rough(frame)) for frame, _ in groups)
-    real = f"real spheres hold {FRACTION_HELD}: measured on SiO2 of 5 µm and more, a guess for others"
+    real = f"real spheres hold {FRACTION_HELD}: measured on SiO2 of {SIZES_HELD}, a guess for others"
     limit = f"{real}; P_c below is the upper limit, for ideally smooth spheres"
     return limit if is_rough else ""
 
@@ -95,7 +95,6 @@ def advice_on_inputs(answer: Answer) -> Iterator[str]:
     if answer.is_in_doubt(ROUGH_MATTERS):
         yield f"  {_options_for_middle(answer, 0.1)} for rough ones (a tenth of P_c, the same M)"
     yield "These are fitted to P_c and M, and are no properties of the solid."
-    yield "You must still write your damping (now 0) and friction (now that of adhesion)."
 
 
 def _options_for_middle(answer: Answer, fraction: float = 1.0) -> str:

@@ -309,12 +309,21 @@ class Program(NamedTuple):
     quantities: tuple[str, ...]  # the results to which the notes refer
     models: tuple[str, ...] = (DEFAULT_LAW,)
     about: Callable[[Frame], Iterable[str]] | None = None  # returns notes, for an input that cannot have comments
+    to_write: str = ""  # what the user must still write into the input, under the default law
 
 
 PROGRAMS: Mapping[str, Program] = {
-    "lammps": Program("LAMMPS", lammps_input, (*USUAL, *THRESHOLDS), tuple(_REMARKS_ON)),
+    "lammps": Program(
+        "LAMMPS",
+        lammps_input,
+        (*USUAL, *THRESHOLDS),
+        tuple(_REMARKS_ON),
+        to_write="damping (now 0) and friction (now that of adhesion)",
+    ),
     "liggghts": Program("LIGGGHTS", liggghts_input, ("pull_off_force",)),
-    "dust-collider": Program("DustCollider", dust_collider_material, ("pull_off_force", "yield_moment")),
+    "dust-collider": Program(
+        "DustCollider", dust_collider_material, ("pull_off_force", "yield_moment"), to_write="viscous time (now 0)"
+    ),
     "dust-simulation": Program(
         "DustSimulation", dust_simulation_material, (*USUAL, *THRESHOLDS), about=_about_dust_simulation
     ),
