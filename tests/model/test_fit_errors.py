@@ -151,7 +151,9 @@ def sloping(force: Any, z: Any, slope: float) -> ForceCurve:
     return ForceCurve(TRAVEL, z, force + slope * z + noise)
 
 
-@pytest.mark.parametrize("last", [-2.5e-6, -0.6e-6])  # with a jump-off, and without
+@pytest.mark.parametrize(
+    "last", [-0.6e-6, pytest.param(-2.5e-6, marks=pytest.mark.slow)]
+)  # without a jump-off, and with
 def test_a_sloping_baseline_has_a_remark_until_a_line_is_subtracted(last: float) -> None:
     z, force = jkr_curve(count=500)
     is_kept = (numpy.arange(len(z)) < 500) | (z > last)
@@ -184,7 +186,10 @@ def test_a_moving_baseline_has_a_remark_that_names_no_option() -> None:
 # --- Model ------------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(("w", "modulus", "radius", "stiffness"), [(0.02, 1e10, 5e-8, 40.0), (0.02, 1e9, 5e-8, 4.0)])
+@pytest.mark.parametrize(
+    ("w", "modulus", "radius", "stiffness"),
+    [(0.02, 1e9, 5e-8, 4.0), pytest.param(0.02, 1e10, 5e-8, 40.0, marks=pytest.mark.slow)],
+)
 def test_below_a_tabor_parameter_of_5_the_model_error_includes_the_difference_from_maugis(
     w: float, modulus: float, radius: float, stiffness: float
 ) -> None:
@@ -216,7 +221,7 @@ def test_a_fit_with_a_sphere_also_gives_the_laws_of_a_paraboloid() -> None:
     assert fit.values[OPENING] > 1.01 * of_paraboloid
 
 
-@pytest.mark.parametrize("law", ["maugis", "dmt"])
+@pytest.mark.parametrize("law", ["dmt", pytest.param("maugis", marks=pytest.mark.slow)])
 def test_the_error_from_the_shape_of_the_sphere_does_not_depend_on_the_law(law: str) -> None:
     """JKR gives the effect of the shape on every law."""
     z, force = jkr_curve(count=250)

@@ -181,7 +181,7 @@ def test_every_figure_is_drawn_with_its_printed_description(run: Run, tmp_path: 
     assert STYLES["dark"].paper in text
 
 
-@pytest.mark.parametrize("kind", ["svg", "pdf", "png"])
+@pytest.mark.parametrize("kind", ["svg", "png", pytest.param("pdf", marks=pytest.mark.slow)])
 def test_a_file_names_the_program_and_the_command_that_drew_it(run: Run, tmp_path: Path, kind: str) -> None:
     run(f"map pull-off quartz --x radius=10nm:1um --style dark -o out.{kind} --quiet")
     content = (tmp_path / f"out.{kind}").read_bytes()

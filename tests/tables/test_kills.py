@@ -209,7 +209,9 @@ def test_an_interrupt_of_many_tables_leaves_only_complete_files() -> None:
     assert 2 < len(left) < 30
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+@pytest.mark.parametrize(
+    "number", [signal.SIGINT, *(pytest.param(each, marks=pytest.mark.slow) for each in (signal.SIGTERM, signal.SIGHUP))]
+)
 def test_a_signal_while_processes_start_ends_the_run_silently(number: int) -> None:
     Path("grains.csv").write_text(grains(20_000), encoding="utf-8")
     with in_two_processes("grains.csv", "out.csv", STRUCK.format(number)) as process:

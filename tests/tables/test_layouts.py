@@ -158,7 +158,7 @@ def test_the_incomplete_last_row_of_a_dump_fails(run: Run) -> None:
     assert ran.err.splitlines()[1].startswith("jkroll: line 11: radius: 'x' does not begin with a number")
 
 
-@pytest.mark.parametrize("size", [1, 30_000])
+@pytest.mark.parametrize("size", [1, pytest.param(30_000, marks=pytest.mark.slow)])
 def test_a_second_step_is_refused_with_a_command_that_splits_the_dump(run: Run, size: int) -> None:
     """The second step may begin in a later block."""
     step = DUMP.replace("\n3\n", f"\n{3 * size}\n").replace(ATOMS, ATOMS * size)

@@ -127,7 +127,9 @@ def test_doubts_are_sorted_by_the_factor_beyond_their_limit(run: Run) -> None:
     assert places == sorted(places)
 
 
-@pytest.mark.parametrize("command", ["yield-force", "n-grav", "report"])
+@pytest.mark.parametrize(
+    "command", ["yield-force", *(pytest.param(each, marks=pytest.mark.slow) for each in ("n-grav", "report"))]
+)
 def test_the_best_range_calls_xi_unknown_for_a_solid_that_was_never_rolled(run: Run, command: str) -> None:
     name = "n_grav" if command == "n-grav" else "yield_force"
     for solid, by in (("silica-dry", "ξ unknown"), ("silica-humid", "scaled")):
