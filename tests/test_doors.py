@@ -100,8 +100,7 @@ def _in_refusals(run: Run, ask: Ask, error: JkrollError) -> Iterator[str]:
                 yield f"{form} does not refuse: {error}"
         except Refused as other:
             refusals.add(str(other))
-    is_last = error.phrase == "± and range together"  # other errors of a single pair precede this one
-    if len(refusals) > 1 or not (is_last or all(said in other or _lacks(other) for other in refusals)):
+    if len(refusals) > 1 or not all(said in other or _lacks(other) for other in refusals):
         yield f"{error} and {refusals}"  # for a single pair, a missing input precedes other errors
     try:
         found = of_table(run, sheet_of(ask))

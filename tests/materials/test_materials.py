@@ -483,17 +483,15 @@ def test_a_changed_property_keeps_the_solid_and_its_displacement(own: str) -> No
 
 
 def test_the_error_bar_of_a_radius_includes_the_displacement(run: Run, own: str) -> None:
-    found = [
-        json.loads(run(f"yield-force own {radius} {own} --json").out)["results"][0] for radius in ("90nm", "110nm")
-    ]
-    middle = json.loads(run(f"yield-force own 100±10nm {own} --json").out)["results"][0]
-    low, high = (one["value"] for one in found)
-    assert middle["uncertainty"]["plus"] + middle["uncertainty"]["minus"] == approx(high - low)
-    assert (
-        "error bars leave out ξ: ± and ranges cannot be combined"
-        in run(f"yield-force own 100±10nm {own} --explain").out
-    )
-    inferred = run(f"infer radius own --measured yield_force={high!r}N {own} --bare --quiet").out
+    """The ends are those of ξ at the middle radius, extended by the change of the force with the radius."""
+    ends = [forces_of(run, f"own {radius} {own}") for radius in ("90nm", "100nm", "110nm")]
+    (_, low_below, high_below), (_, low, high), (_, low_above, high_above) = ends
+    _, least, most = forces_of(run, f"own 100±10nm {own}")
+    assert least == approx(low - (low_above - low_below) / 2)
+    assert most == approx(high + (high_above - high_below) / 2)
+    inferred = run(
+        f"infer radius own --measured yield_force={forces_of(run, f'own 110nm {own}')[0]!r}N {own} --bare --quiet"
+    ).out
     assert float(inferred) == approx(110e-9)
 
 

@@ -276,10 +276,10 @@ def test_an_uncertain_measurement_gives_an_uncertain_result() -> None:
 
 @pytest.mark.parametrize("stiffness", [1e3, [1e3, 2e3]])
 def test_uncertainties_of_a_material_alone_give_no_error_bars(stiffness: Any) -> None:
-    """The γ of warm ice has error bars, which enter only together with those of a measured value."""
+    """The γ of warm ice has ± and its E a range, which enter only together with an error bar of a measured value."""
     values = infer("radius", measured={"stiffness": stiffness}, material="ice-warm")
     assert isinstance(values, float if isinstance(stiffness, float) else numpy.ndarray)
-    assert isinstance(infer("radius", measured={"stiffness": "1000±10 N/m"}, material="ice-warm"), Measured)
+    assert isinstance(infer("radius", measured={"stiffness": "1000±10 N/m"}, material="ice-warm"), Interval)
 
 
 def test_each_source_enters_an_inferred_value_once() -> None:

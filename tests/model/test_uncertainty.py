@@ -14,12 +14,13 @@ from typing import Any
 import numpy
 import pint
 import pytest
+from numpy import cbrt
 
 from harness import Run
 from jkroll import Interval, Material, Materials, Measured, infer, known_materials, solve
 from jkroll.errors import BadRequest
 from jkroll.model.frame import Frame
-from jkroll.model.uncertainty import error_bars, sources_of_results
+from jkroll.model.uncertainty import error_bars
 from jkroll.quantities.values import QuantityError, Uncertain, value_of
 from relative import approx
 from scenes import QUARTZ
@@ -203,32 +204,45 @@ def test_both_spheres_of_one_material_vary_together() -> None:
     assert error_bars(stated, ["pull_off_force"]) == {}
 
 
-def test_mixed_or_too_many_uncertainties_are_refused() -> None:
-    mixed: dict[str, Uncertain] = {"radius": Interval(1e-7, 5e-8, 2e-7), "surface_energy": relative(0.025, 0.1)}
-    with pytest.raises(
-        BadRequest, match=r"γ1 has a standard uncertainty .±. and R1 a range; give both as ± or both as ranges"
-    ):
-        found("pull_off_force", QUARTZ, mixed)
+def test_too_many_ranges_are_refused() -> None:
     more = {"radius2": 1e-7, "youngs_modulus2": 1e10, "surface_energy2": 0.02, "density2": 1e3, "load": 1e-9}
     many = {name: Interval(value, 0.9 * value, 1.1 * value) for name, value in {**QUARTZ, **more}.items()}
     with pytest.raises(BadRequest, match="go together"):
         found("vertical_frequency", {**QUARTZ, **more}, many)
 
 
-def test_a_material_s_uncertainty_of_the_other_kind_is_left_out(run: Run) -> None:
+def test_ranges_and_standard_uncertainties_together_give_a_range() -> None:
+    """The force is proportional to γR: it ends at half and twice the radius, each extended by 10 % for γ."""
+    mixed: dict[str, Uncertain] = {"radius": Interval(1e-7, 5e-8, 2e-7), "surface_energy": relative(0.025, 0.1)}
+    result = found("pull_off_force", QUARTZ, mixed)
+    assert isinstance(result.uncertainty, Interval)
+    ends = result.uncertainty.low / result.uncertainty.value, result.uncertainty.high / result.uncertainty.value
+    assert ends == approx((0.5 * 0.9, 2 * 1.1))
+    assert list(result.shares) == ["radius", "surface_energy"]
+
+
+def test_standard_uncertainties_add_in_quadrature_at_each_corner_of_the_ranges() -> None:
+    """Errors of 3 % and 4 % of the force make 5 %: F ∝ (γ1 γ2)^(1/2) R at both ends of R."""
+    mixed: dict[str, Uncertain] = {
+        "radius": Interval(1e-7, 0.9e-7, 1.2e-7),
+        "surface_energy": relative(0.025, 0.06),
+        "surface_energy2": relative(0.03, 0.08),
+    }
+    result = found("pull_off_force", QUARTZ, mixed)
+    assert result.uncertainty.low / result.uncertainty.value == approx(0.9 * 0.95, rel=2e-4)
+    assert result.uncertainty.high / result.uncertainty.value == approx(1.2 * 1.05, rel=2e-4)
+
+
+def test_both_kinds_of_uncertainty_of_a_material_enter_a_result() -> None:
+    """The contact radius is proportional to (γ/E)^(1/3)."""
     both: dict[str, Uncertain] = {"surface_energy": relative(0.025, 0.1), "youngs_modulus": Interval(54e9, 50e9, 60e9)}
     material = known_materials()["quartz"]._replace(uncertainties=both)
-    scene = Frame({"radius": 1e-7}, material)
-    sources = sources_of_results(scene, ["contact_radius"])
-    assert ([source.names for source in sources.entering], [source.names for source in sources.left_out]) == (
-        [("surface_energy",)],
-        [("youngs_modulus",)],
-    )
-    assert error_bars(scene, ["contact_radius"])["contact_radius"].sides
-    ranges = {"radius": Interval(1e-7, 9e-8, 1.1e-7)}
-    assert list(found("contact_radius", {}, ranges, material).shares) == ["radius", "youngs_modulus"]
-    ran = run("contact", "polystyrene-glassy", "1um", "--json")
-    assert "error bars leave out E1: ± and ranges cannot be combined" in json.loads(ran.out)["notes"]
+    bar = error_bars(Frame({"radius": 1e-7}, material), ["contact_radius"])["contact_radius"]
+    value = Frame({"radius": 1e-7}, material)["contact_radius"]
+    for_gamma = (cbrt(1.1) - cbrt(0.9)) / 2
+    assert bar.sides["low"] / value == approx(cbrt(54 / 60) * (1 - for_gamma))
+    assert bar.sides["high"] / value == approx(cbrt(54 / 50) * (1 + for_gamma))
+    assert list(bar.shares) == ["surface_energy", "youngs_modulus"]
 
 
 def test_a_note_explains_a_missing_uncertainty_where_an_end_has_no_value(run: Run) -> None:
@@ -342,17 +356,16 @@ def test_a_change_by_rounding_is_not_an_uncertainty(gamma: str) -> None:
     assert isinstance(solve("energy_over_sticking", **{**QUARTZ, "surface_energy": gamma}), float)
 
 
-def test_a_material_s_scaled_displacement_cannot_be_combined_with_a_range_of_radii(tmp_path: Path) -> None:
-    """At each radius the displacement has a range; with ± for the radius, the displacement changes to first order."""
+@pytest.mark.parametrize("radius", ["0.8 to 1.2 um", "1 um ± 20%"])
+def test_a_material_s_displacement_has_its_range_at_each_radius(tmp_path: Path, radius: str) -> None:
+    """The force is proportional to ξ, which grows as R^(2/3) or as R: the least and the largest ξ grow as R."""
     path = tmp_path / "mine.toml"
     path.write_text(
         '[materials.bead]\nsurface_energy = "25 mJ/m2"\nyield_displacement = { value = "2 nm", radius = "1 um" }\n'
     )
     bead: dict[str, Any] = {"material": "bead", "materials": Materials(path)}
-    with pytest.raises(BadRequest, match="ξ of the material is scaled with the radius"):
-        solve("yield_force", radius="0.8 to 1.2 um", **bead)
-    assert isinstance(solve("pull_off_force", radius="0.8 to 1.2 um", **bead), Interval)
-    assert solve("yield_force", radius="1 um ± 20%", **bead).minus == approx(1.5729e-10, rel=1e-4)
+    force = solve("yield_force", radius=radius, **bead)
+    assert (force.low / force.value, force.high / force.value) == approx((0.8, 1.2))
     assert solve("r_min", radius="0.8 to 1.2 um", yield_displacement=2e-9, **bead).low == approx(320e-6, rel=1e-9)
 
 

@@ -3,19 +3,20 @@
 Each source, an uncertain input, moves over its whole uncertainty, and the quantities are computed again at every point.
 There are no derivatives, so a result may respond differently upwards and downwards. Ranges span a box, and a result
 takes its least and its largest value from points along the edges. These extremes are accurate to 1 % of the width of
-the result's range if the result varies smoothly.
+the result's range if the result varies smoothly. With sources of both kinds, a result has a range: from the values at
+the corners of the box, each extended by the standard uncertainty there.
 """
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import reduce
-from itertools import chain, product
+from itertools import product
 from math import fsum, nan
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from ..errors import BadRequest
 from ..physics.elementary import absolute, at_least, at_most, hypot, is_anywhere, where
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
+from ..quantities.nomenclature import INFINITY, XI
 from ..quantities.values import Interval, Measured, Uncertain
 from .column import Column, at_row
 from .frame import Frame, Variant, itself
@@ -39,48 +40,54 @@ class Source(NamedTuple):
 
 
 class Sources(NamedTuple):
-    """The sources that enter a result; sources of materials are left out if they are of the other kind (± or range)."""
+    """The sources that enter a result."""
 
     entering: Sequence[Source]
-    left_out: Sequence[Source] = ()
+
+    @property
+    def ranges(self) -> list[Source]:
+        """The sources that are ranges."""
+        return [source for source in self.entering if isinstance(source.given, Interval)]
+
+    @property
+    def standard(self) -> list[Source]:
+        """The sources that are standard uncertainties."""
+        return [source for source in self.entering if isinstance(source.given, Measured)]
 
     @property
     def given(self) -> dict[str, Uncertain]:
-        """The uncertain values of the entering sources, by input."""
+        """The uncertain values of the sources, by input."""
         given: dict[str, Uncertain] = {}
         for source in self.entering:
             given |= dict.fromkeys(source.names, source.given)
         return given
 
     @property
+    def type(self) -> type[Uncertain]:
+        """The type of a result's uncertainty: a range if any source is one."""
+        return Interval if self.ranges else Measured
+
+    @property
+    def steps(self) -> int:
+        """The steps of a range along an edge of the box: only one for sources of both kinds, which need more points."""
+        return 1 if self.standard else STEPS
+
+    @property
     def sides(self) -> set[str]:
-        """The sides of the entering sources: minus and plus, or low and high."""
-        sides: set[str] = set()
-        for source in self.entering:
-            sides |= source.given.sides.keys()
-        return sides
+        """The sides of a result's uncertainty: low and high, or minus and plus; empty without a source."""
+        return {*_SIDES[self.type]} if self.entering else set()
+
+
+_SIDES: Mapping[type[Uncertain], tuple[str, str]] = {Interval: ("low", "high"), Measured: ("minus", "plus")}
 
 
 def sources_of(frame: Frame, used: Collection[str]) -> Sources:
-    """Return the sources of quantities that depend on the inputs `used`.
-
-    The sources of stated values must be of one kind; those of materials enter only if they are of this kind. If only
-    materials have uncertainties, ± takes precedence over ranges. Raises BadRequest for sources that cannot be combined.
-    """
-    sources = [source for source in _sources(frame) if not set(used).isdisjoint(source.names)]
-    stated = [source for source in sources if source.names[0] not in frame.data]
-    of_materials = [source for source in sources if source.names[0] in frame.data]
-    of_kind = {type(source.given): source for source in stated}
-    if len(of_kind) > 1:
-        standard, ranged = (NOMENCLATURE[of_kind[kind].names[0]].symbol for kind in (Measured, Interval))
-        mixed = f"{standard} has a standard uncertainty (±) and {ranged} a range"
-        raise BadRequest(f"{mixed}; give both as ± or both as ranges", "± and range together")
-    is_standard = any(isinstance(source.given, Measured) for source in stated or of_materials)
-    kind = Measured if is_standard else Interval
-    entering = [source for source in (*stated, *of_materials) if isinstance(source.given, kind)]
-    if kind is Interval:
-        _check_ranges(frame, entering)
-    return Sources(entering, [source for source in of_materials if not isinstance(source.given, kind)])
+    """Return the sources of quantities that depend on the inputs `used`. Raises BadRequest for too many ranges."""
+    sources = Sources([source for source in _sources(frame) if not set(used).isdisjoint(source.names)])
+    if len(sources.ranges) > MAX_RANGES:
+        problem = f"{len(sources.ranges)} inputs have ranges, but {MAX_RANGES} at most go together; give single values"
+        raise BadRequest(problem, "too many ranges")
+    return sources
 
 
 def _sources(frame: Frame) -> list[Source]:
@@ -98,17 +105,6 @@ def _sources(frame: Frame) -> list[Source]:
     if "radius" in names_of and "radius2" not in frame.given:
         names_of["radius"].append("radius2")
     return [Source(tuple(names), frame.uncertainties[names[0]]) for names in names_of.values()]
-
-
-def _check_ranges(frame: Frame, sources: Sequence[Source]) -> None:
-    """Raise BadRequest for ranges that cannot be combined."""
-    if len(sources) > MAX_RANGES:
-        problem = f"{len(sources)} inputs have ranges, but {MAX_RANGES} at most go together; give single values"
-        raise BadRequest(problem, "too many ranges")
-    names = Sources(sources).given.keys()
-    if XI in names - frame.stated.keys() and not names.isdisjoint(("radius", "radius2")):
-        remedy = "give --xi, or single radii"
-        raise BadRequest(f"ξ of the material is scaled with the radius, which has a range here; {remedy}")
 
 
 def sources_of_results(frame: Frame, names: Sequence[str]) -> Sources:
@@ -153,16 +149,12 @@ class ErrorBar(NamedTuple):
 
 
 def number_of_points(frame: Frame, names: Sequence[str]) -> int:
-    """Return the number of points at which quantities are computed, as their sources move.
-
-    Raises a JkrollError for sources that cannot be combined.
-    """
-    sources = sources_of_results(frame, names).entering
-    if not sources:
-        return 1
-    if isinstance(sources[0].given, Measured):
-        return 2 * len(sources)
-    return len(sources) * ((STEPS + 1) << (len(sources) - 1))
+    """Return the number of points at which quantities are computed, as their sources move. Raises a JkrollError."""
+    sources = sources_of_results(frame, names)
+    ranges, standard = len(sources.ranges), len(sources.standard)
+    on_edges = ranges * (sources.steps + 1) << max(ranges - 1, 0)
+    around_corners = (bool(ranges) + 2 * standard) << ranges if standard else 0
+    return max(on_edges + around_corners, 1)
 
 
 def error_bars(
@@ -175,15 +167,13 @@ def error_bars(
     """
     middle, names = made_of(frame), [*names]
     columns = {name: column for name, column in middle.columns(names).items() if not column.is_empty}
-    entering = (sources or sources_of_results(middle, names)).entering
-    if not (entering and columns):
+    sources = sources or sources_of_results(middle, names)
+    if not (sources.entering and columns):
         return {}
-    edges = edges_of(entering)
-    points = [*chain.from_iterable(edges)]
-    moved = _at_points(frame, points, made_of, [*columns])
+    moved = _at_points(frame, points_of(frame, sources), made_of, [*columns])
     bars = {}
     for name, column in columns.items():
-        bar = _error_bar(column, moved[name], entering, len(edges))
+        bar = _error_bar(column, moved[name], sources)
         if bar is not None:
             bars[name] = bar
     return bars
@@ -191,8 +181,7 @@ def error_bars(
 
 def no_error_bar(frame: Frame, name: str, bar: ErrorBar, row: int = 0, sources: Sources | None = None) -> NoErrorBar:
     """Return the error of a row without an uncertainty, which states why the quantity has no value at a point."""
-    entering = (sources or sources_of_results(frame, [name])).entering
-    points = [*chain.from_iterable(edges_of(entering))]
+    points = points_of(frame, sources or sources_of_results(frame, [name]))
     index = at_row(bar.open_at, row) - 1
     # Computed on its own, the point may have a value because of rounding.
     reasons = _at_points(frame, points, itself, [name])[name].reasons
@@ -227,22 +216,20 @@ def _at_points(
     return moved
 
 
-def _error_bar(column: Column, moved: Column, sources: Sequence[Source], edges: int) -> ErrorBar | None:
-    """Return the uncertainty of a column, from its values at all points on edges; None if no row has an uncertainty."""
-    of_type, value = type(sources[0].given), column.values
-    on_edges = _divided(moved.values, len(moved.values) // edges)
-    extents = [(_least(values), _most(values)) for values in on_edges]
-    of_sources = _divided(extents, edges // len(sources))
-    sides, parts = _range(value, of_sources) if of_type is Interval else _quadrature(value, of_sources)
-    is_still = reduce(at_least, parts) <= ROUNDING * absolute(value)
+def _error_bar(column: Column, moved: Column, sources: Sources) -> ErrorBar | None:
+    """Return the uncertainty of a column, from its values at all points; None if no row has an uncertainty."""
+    value, parts = column.values, dict[str, Any]()
+    if sources.ranges:
+        sides = _range(value, moved.values, sources, parts)
+    else:
+        sides = _quadrature(value, moved.values, sources, parts)
+    is_still = reduce(at_least, parts.values()) <= ROUNDING * absolute(value)
     lacks_value = (column.reasons != 0) | (absolute(value) == INFINITY)
     open_at = where(lacks_value, 0, _first(moved.reasons))
     is_open = is_still | lacks_value | (open_at != 0)
     if is_open is True:
-        return ErrorBar(of_type, {}, open_at=open_at) if open_at else None
-    sides = {side: where(is_open, nan, end) for side, end in sides.items()}
-    by_source = {source.names[0]: part for source, part in zip(sources, parts, strict=True)}
-    return ErrorBar(of_type, sides, by_source, open_at)
+        return ErrorBar(sources.type, {}, open_at=open_at) if open_at else None
+    return ErrorBar(sources.type, {side: where(is_open, nan, end) for side, end in sides.items()}, parts, open_at)
 
 
 def _least(values: Any) -> Any:
@@ -263,39 +250,72 @@ def _first(reasons: Any) -> Any:
     return where(reasons.any(axis=0), reasons.astype(bool).argmax(axis=0) + 1, 0)
 
 
-def edges_of(sources: Sequence[Source]) -> list[list[dict[str, Any]]]:
-    """Return the edges along which the sources move, as lists of points; each source has the same number of edges.
+def points_of(frame: Frame, sources: Sources) -> list[dict[str, Any]]:
+    """Return the points to which the sources move. The ξ of a material moves within its range at the point's radii."""
+    if XI not in sources.given or XI not in frame.data:
+        return _points_of(sources)
+    shares = []
+    for source in sources.entering:
+        shares.append(source._replace(given=_SHARE) if XI in source.names else source)
+    return [_at_share(frame, point) for point in _points_of(Sources(shares))]
 
-    A standard uncertainty moves to both of its ends, with the others at their middles. A range moves in steps, with the
-    others at each corner of their box. A quantity without a turning point is largest at a corner. A quantity set by
-    the weaker body has a ridge where the two bodies are equally weak; it is largest at a corner, or where the ridge
-    meets an edge.
+
+_SHARE = Interval(0.5, 0.0, 1.0)  # the position within a range, on a logarithmic scale
+
+
+def _at_share(frame: Frame, point: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a point that has ξ in place of its position within the range of the material's ξ."""
+    radii = {name: point[name] for name in ("radius", "radius2") if name in point}
+    displacement: Any = (frame.replace(**radii) if radii else frame).displacement
+    return {**point, XI: displacement.low * (displacement.high / displacement.low) ** point[XI]}
+
+
+def _points_of(sources: Sources) -> list[dict[str, Any]]:
+    """Return the points of sources: those on the edges of the box of ranges, then those around its corners.
+
+    A range moves in steps along an edge, with the others at a corner of their box; each range has the same number of
+    edges. A quantity without a turning point is largest at a corner. A quantity set by the weaker body has a ridge
+    where the two bodies are equally weak; it is largest at a corner, or where the ridge meets an edge.
+
+    A standard uncertainty moves to both of its ends at each corner of the whole box, with the others at their middles.
+    If there are both kinds, the corner itself comes first.
     """
-    edges = []
-    for source in sources:
-        low, high = source.given.low, source.given.high
-        others = [other for other in sources if other is not source]
-        if isinstance(source.given, Interval):
-            steps = _steps(low, high)
-            corners = [*product(*((other.given.low, other.given.high) for other in others))]
-        else:
-            steps = [low, high]
-            corners = [tuple(other.given.value for other in others)]
-        for corner in corners:
-            fixed: dict[str, Any] = {}
-            for other, value in zip(others, corner, strict=True):
-                fixed |= dict.fromkeys(other.names, value)
-            edges.append([{**fixed, **dict.fromkeys(source.names, value)} for value in steps])
-    return edges
+    middles = {name: source.given.value for source in sources.standard for name in source.names}
+    points = []
+    for source in sources.ranges:
+        for corner in _corners([other for other in sources.ranges if other is not source]):
+            for value in _steps(source.given.low, source.given.high, sources.steps):
+                points.append({**middles, **corner, **dict.fromkeys(source.names, value)})
+    if not sources.standard:
+        return points
+    for corner in _corners(sources.ranges):
+        if sources.ranges:
+            points.append({**middles, **corner})
+        for source in sources.standard:
+            for value in (source.given.low, source.given.high):
+                points.append({**middles, **corner, **dict.fromkeys(source.names, value)})
+    return points
 
 
-def _steps(low: Any, high: Any) -> list[Any]:
-    """Return values across a range: in equal ratios if its ends have the same sign, otherwise in equal steps."""
+def _corners(ranges: Sequence[Source]) -> Iterator[dict[str, Any]]:
+    """Iterate over the corners of a box of ranges."""
+    for ends in product(*((source.given.low, source.given.high) for source in ranges)):
+        corner: dict[str, Any] = {}
+        for source, value in zip(ranges, ends, strict=True):
+            corner |= dict.fromkeys(source.names, value)
+        yield corner
+
+
+def _steps(low: Any, high: Any, count: int) -> list[Any]:
+    """Return values across a range: in equal ratios if its ends have the same sign, otherwise at equal distances.
+
+    `count`: the number of steps.
+    """
     is_by_ratio = low * high > 0
     ratio = where(is_by_ratio, high, 1.0) / where(is_by_ratio, low, 1.0)
     values = [low]
-    for step in range(1, STEPS):
-        share = step / STEPS
+    for step in range(1, count):
+        share = step / count
         values.append(where(is_by_ratio, low * ratio**share, low + share * (high - low)))
     return [*values, high]
 
@@ -305,25 +325,42 @@ def _divided(values: Any, size: int) -> list[Any]:
     return [values[start : start + size] for start in range(0, len(values), size)]
 
 
-def _quadrature(value: Any, of_sources: Sequence[Sequence[Any]]) -> tuple[Mapping[str, Any], Sequence[Any]]:
-    """Return the two sides of a standard uncertainty, and the size of the change that each source causes.
+def _quadrature(value: Any, moved: Any, sources: Sources, parts: dict[str, Any]) -> Mapping[str, Any]:
+    """Return the two sides of a standard uncertainty, from the values at both ends of each source.
 
-    Changes in the same direction add in quadrature. If the sides differ by at most 10 %, both are their mean.
+    Changes in the same direction add in quadrature. If the sides differ by at most 10 %, both are their mean. `parts`
+    gets the size of the change that each source causes.
     """
-    changes = [(at_least(value - low, 0.0), at_least(high - value, 0.0)) for ((low, high),) in of_sources]
+    changes = []
+    for source, pair in zip(sources.standard, _divided(moved, 2), strict=True):
+        change = at_least(value - _least(pair), 0.0), at_least(_most(pair) - value, 0.0)
+        changes.append(change)
+        parts[source.names[0]] = hypot(*change)
     minus, plus = (hypot(*sizes) for sizes in zip(*changes, strict=True))
     alike = absolute(plus - minus) <= ASYMMETRIC * at_least(plus, minus)
     middle = (minus + plus) / 2
-    sides = {"minus": where(alike, middle, minus), "plus": where(alike, middle, plus)}
-    return sides, [hypot(*change) for change in changes]
+    return {"minus": where(alike, middle, minus), "plus": where(alike, middle, plus)}
 
 
-def _range(value: Any, of_sources: Sequence[Sequence[Any]]) -> tuple[Mapping[str, Any], Sequence[Any]]:
-    """Return the least and the largest value on all edges, and the mean width along the edges of each source."""
-    least, most, parts = value, value, []
-    for extents in of_sources:
+def _range(value: Any, moved: Any, sources: Sources, parts: dict[str, Any]) -> Mapping[str, Any]:
+    """Return the least and the largest value at all points; a standard uncertainty extends the value at a corner.
+
+    `parts` gets the mean width along the edges of each range, and the mean width of each standard uncertainty.
+    """
+    least, most, edges = value, value, 1 << (len(sources.ranges) - 1)
+    on_edge = sources.steps + 1
+    size = len(sources.ranges) * edges * on_edge
+    around = _divided(moved[size:], 1 + 2 * len(sources.standard))
+    for source, values in zip(sources.ranges, _divided(moved[:size], edges * on_edge), strict=True):
         width: Any = 0
-        for low, high in extents:
+        for edge in _divided(values, on_edge):
+            low, high = _least(edge), _most(edge)
             least, most, width = at_most(least, low), at_least(most, high), width + (high - low)
-        parts.append(width / len(extents))
-    return {"low": least, "high": most}, parts
+        parts[source.names[0]] = width / edges
+    for at_corner in around:
+        sizes = dict[str, Any]()
+        sides = _quadrature(at_corner[0], at_corner[1:], sources, sizes)
+        least, most = at_most(least, at_corner[0] - sides["minus"]), at_least(most, at_corner[0] + sides["plus"])
+        for name, size in sizes.items():
+            parts[name] = parts.get(name, 0) + 2 * size / len(around)
+    return {"low": least, "high": most}

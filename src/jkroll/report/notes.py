@@ -1,7 +1,6 @@
 """Notes on an answer or on rows, such as assumptions, doubts and missing inputs, and the lines that show them."""
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from contextlib import suppress
 from math import sqrt
 from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
 
@@ -11,7 +10,6 @@ from ..model.limits import ENDING, ENDING_MEANING, LIMITS, MEANINGS, Doubt, doub
 from ..model.measured import SIO2, rolling, solid_of_pair
 from ..model.plan import depends_on
 from ..model.reasons import MissingInput, grouped
-from ..model.uncertainty import Sources, sources_of_results
 from ..physics.elementary import is_anywhere
 from ..quantities.formatting import Format, amount, first_symbols, significant, symbol_among, symbol_of
 from ..quantities.laws import BETWEEN
@@ -231,16 +229,6 @@ def about_missing(errors: Mapping[str, JkrollError]) -> Iterator[Note]:
         yield Note(severity, f"{subjects}: {reason}")
 
 
-def about_left_out(*every: Sources | None) -> Iterator[Note]:
-    """Iterate over at most one note: the inputs that uncertainties leave out, since ± and ranges cannot be combined."""
-    symbols: dict[str, None] = {}
-    for sources in every:
-        if sources is not None:
-            symbols |= dict.fromkeys(symbol_of(source.names[0]) for source in sources.left_out)
-    if symbols:
-        yield Note("remark", f"error bars leave out {', '.join(symbols)}: ± and ranges cannot be combined")
-
-
 # --- Rows -------------------------------------------------------------------------------------------------------------
 
 
@@ -305,9 +293,6 @@ def notes_on_rows(groups: Sequence[Shown], tally: "Tally", reported: int) -> lis
     every = [*about_rows(tally, reported, "jkroll guide doubts")]
     for frame, names in groups:
         possible = frame.possible(names)
-        if frame.uncertainties:
-            with suppress(JkrollError):  # each row gives the reason itself
-                every += about_left_out(sources_of_results(frame, possible))
         every += about_given(frame, possible, frame.inputs_of(*possible))
         every += about_limits(doubts(frame, frame.columns(possible)))
     return [*dict.fromkeys(every), *about_idle(idle_in(groups)), *about_assumed(assumed_in(groups))]

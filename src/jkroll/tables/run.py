@@ -137,9 +137,9 @@ def about(table: Table) -> Iterator[str]:
     """Iterate over lines about a table as a whole.
 
     The lines name assumed inputs, unclear names and aliases of materials, a missing radius or surface energy, options
-    that fill empty cells or have no effect, and inputs that the uncertainties leave out.
+    that fill empty cells or have no effect.
     """
-    from ..report.notes import about_idle, about_left_out, assumed_in, idle_in
+    from ..report.notes import about_idle, assumed_in, idle_in
 
     texts = assumed_in(table.groups, judges=table.wanted.doubts)
     assumed = [text for name, text in texts.items() if name not in table.given]
@@ -154,7 +154,7 @@ def about(table: Table) -> Iterator[str]:
     # An infinite value is not idle: it may make a body rigid in some rows.
     every_idle = idle_in(table.groups, judges=table.wanted.doubts)
     idle = [name for name in every_idle if table.fixed.get(name, INFINITY) != INFINITY]
-    notes += [note.text for note in (*about_idle(idle), *about_left_out(*table.sources))]
+    notes += [note.text for note in about_idle(idle)]
     yield from (f"note: {text}" for text in notes)
 
 
