@@ -23,6 +23,7 @@ from ..model.measured import FRACTION_HELD, SIZES_HELD, has_given_energy, what_r
 from ..physics.elementary import is_anywhere
 from ..quantities.formatting import Format, amount, from_to, significant, symbol_among, with_unit
 from ..quantities.nomenclature import XI
+from ..quantities.values import Interval
 from ..text import listed
 from .answer import Answer
 from .best_ranges import held_on_surfaces, of_silica, range_in_words
@@ -124,7 +125,7 @@ def _what_it_means(answer: Answer) -> str:
         if result.name not in answer.described.unknowns:
             continue
         estimate, symbol = answer.estimates[result.name], symbol_among(result.name, answer.inputs)
-        if estimate.by in (BETTER_LAW, ADHESION_ONLY):
+        if estimate.by in (BETTER_LAW, ADHESION_ONLY) or isinstance(result.measure, Interval):
             text = range_in_words(result.name, estimate, answer.form)
             texts.append(f"{symbol} {text}" if text.startswith("≤") else f"{symbol} = {text}")
         else:
