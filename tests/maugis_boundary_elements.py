@@ -1,8 +1,9 @@
 """Rolling of a paraboloid on an elastic half-space in three dimensions, by boundary elements on a square grid.
 
 Dugdale's constant traction pulls on a disc whose centre lags behind the apex. The conjugate gradients of Polonsky &
-Keer (Wear 231, 206, 1999) find the contact pressure at a given load. Love's formula gives the displacements by square
-patches, as a discrete convolution on a doubled grid. Units as in `maugis_reference`: E* = 3/4, R = 1, πw = 1.
+Keer (Wear 231, 206, 1999) find the contact pressure at a given load. Love's formula gives the displacement under a
+uniform pressure on one square cell; a discrete convolution on a doubled grid sums the cells. Units as in
+`maugis_reference`: E* = 3/4, R = 1, πw = 1.
 """
 
 from typing import Any
@@ -13,7 +14,10 @@ MODULUS = 0.75
 
 
 def rolling_moment(*, transition: float, load: float, zone_radius: float, lag: float, points: int) -> float:
-    """Return the moment about the apex, in units of πwR times the unit of length, if the zone lags behind by `lag`."""
+    """Return the moment about the apex, in units of πwR times the unit of length.
+
+    `zone_radius`: the radius of the disc; `lag`: the distance of its centre behind the apex.
+    """
     half = 1.04 * zone_radius
     step = 2 * half / points
     middle = (numpy.arange(points) + 0.5) * step - half

@@ -105,7 +105,9 @@ def _in_refusals(run: Run, ask: Ask, error: JkrollError) -> Iterator[str]:
     try:
         found = of_table(run, sheet_of(ask))
     except Refused as other:
-        in_option = bool(ask.options) and said in str(other)  # an option applies to all rows
+        # An option applies to all rows, and may be at fault besides the input of the first error.
+        options = [NOMENCLATURE[name].option or f"--{name}" for name in ask.options]
+        in_option = options and (said in str(other) or any(f"{option}: " in str(other) for option in options))
         if not in_option and not _lacks(str(other)):
             yield f"table: {error} and {other}"
         return

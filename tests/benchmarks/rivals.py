@@ -1,12 +1,13 @@
 """Compare the speed of `jkroll batch` with that of C++, polars, duckdb, pyarrow, pandas and Python's csv module.
 
-    python tests/benchmarks/rivals.py [ROWS] [NAME...]          QUANTITIES=12 for only the first twelve quantities
+    python tests/benchmarks/rivals.py [ROWS] [NAME...]
 
 Every rival reads the same table and writes the same results; all but jkroll use the formulas in formulas.txt. The
-rivals run in turn, ROUNDS times (3 by default), and the shortest time by the clock counts for each. polars, duckdb and
+rivals run in turn, three times, and the shortest time by the clock counts for each. polars, duckdb and
 pyarrow use a thread for each core, `jkroll` a process for each core, and the other rivals one thread. Memory is the
 largest sum of the proportional set sizes of all processes of a run. The comparison needs g++ and the libraries:
-`pip install 'jkroll[rivals]'`.
+`pip install 'jkroll[rivals]'`. The environment variable QUANTITIES=12 limits the results to the first twelve
+quantities, and ROUNDS=5 runs each rival five times.
 """
 
 import contextlib
@@ -38,7 +39,7 @@ def formulas() -> list[tuple[str, str]]:
 
 
 def results() -> list[str]:
-    """Return the quantities to write: those of `jkroll batch` that formulas.txt has, or the first of these."""
+    """Return the default quantities of `jkroll batch` that are in formulas.txt; QUANTITIES=n keeps the first n."""
     from jkroll.report.questions import BY_DEFAULT
 
     known = {name for name, _ in formulas()}
@@ -190,7 +191,7 @@ def rivals(folder: Path, table: Path) -> list[Rival]:
         Rival("jkroll", [*batch, str(table), "-o", str(folder / "jkroll.csv")]),
         Rival("jkroll, 1 process", [*batch, str(table), "-o", str(folder / "one.csv"), "--jobs", "1"]),
         Rival("the same, --no-doubt", [*batch, str(table), "-o", str(folder / "one.csv"), "--jobs", "1", "--no-doubt"]),
-    ]  # the other rivals check no limits
+    ]
     if importlib.util.find_spec("pyarrow"):
         write_parquet(folder / "grains.parquet", table)
         words = [str(folder / "grains.parquet"), "-o", str(folder / "jkroll.parquet")]
@@ -267,13 +268,12 @@ def main(words: Sequence[str]) -> None:
                     max(taken.memory, before.memory),
                 )
         own = best["jkroll"].clock if "jkroll" in best else math.nan
-        print(f"{'rows/s':>12}  {'jkroll is':>10}  {'us of CPU a row':>15}  {'MB':>6}")
+        print(f"{'rows/s':>12}  {'jkroll is':>16}  {'us of CPU a row':>15}  {'MB':>6}")
         for rival in chosen:
             taken = best[rival.name]
             us = taken.processor / rows * 1e6
-            print(
-                f"{rows / taken.clock:12,.0f}  {taken.clock / own:9.2f}x  {us:15.2f}  {taken.memory:6.0f}  {rival.name}"
-            )
+            ratio = f"{taken.clock / own:.2f}x as fast"
+            print(f"{rows / taken.clock:12,.0f}  {ratio:>16}  {us:15.2f}  {taken.memory:6.0f}  {rival.name}")
 
 
 if __name__ == "__main__":

@@ -254,7 +254,7 @@ def test_the_range_that_an_error_states_has_exact_ends(measured: float) -> None:
         ("gamma", None, "'None' does not give a quantity and its value"),
         ("gamma", "pull_off_force=3nN", "does not give a quantity and its value"),
         ("gamma", {3: 3e-9}, "'3' is not a quantity"),
-        ("gamma", {"pull_off_force": math.nan}, "pull_off_force: nan must be finite"),
+        ("gamma", {"pull_off_force": math.nan}, "pull_off_force: nan must be a number"),
         ("gamma", {"pull_off_force": [3e-9, -3e-9]}, "pull_off_force: -3e-09 at index 1 must be positive"),
         ("gamma", {"pull_off_force": 1e300}, "must lie between 1e-30 and 1e30"),
     ],

@@ -36,7 +36,7 @@ def test_a_number_beyond_the_range_is_refused(name: str, value: float) -> None:
         if name in STATES and value < 1:
             assert np.all(solve("pull_off_force", **scene) > 0)
             continue
-        with pytest.raises(QuantityError, match=r"must lie between 1e-30 and 1e30 in SI units"):
+        with pytest.raises(QuantityError, match=r"1e30 in SI units"):
             solve("yield_moment", **scene)
 
 

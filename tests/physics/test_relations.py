@@ -234,8 +234,8 @@ def test_impossible_contacts_raise_their_reason(given: dict[str, float], words: 
 @pytest.mark.parametrize(
     ("scene", "words"),
     [
-        ({"radius": [1e-7, math.nan]}, "radius: nan at index 1 must be finite"),
-        ({"radius": 1e-7, "load": [[0.0, 0.0], [math.nan, 0.0]]}, "load: nan at index 1, 0 must be finite"),
+        ({"radius": [1e-7, math.nan]}, "radius: nan at index 1 must be a number"),
+        ({"radius": 1e-7, "load": [[0.0, 0.0], [math.nan, 0.0]]}, "load: nan at index 1, 0 must be a number"),
         ({"radius": np.array([1e-7, 1e300])}, "radius: 1e+300 at index 1 must lie between 1e-30 and 1e30 in SI units"),
     ],
 )

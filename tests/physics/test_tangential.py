@@ -45,8 +45,8 @@ def test_twisting_frequency_is_an_eigenvalue(radius2: float) -> None:
 def energy(a: Any, load: float, force: Any, scene: dict[str, float]) -> Any:
     """Return the energy of a contact of radius a under dead loads: of the solids, of both loads and of the surfaces.
 
-    The elastic energy at an approach δ, that of a sphere plus or minus a flat punch, is E*(δ²a − 2δa³/(3R) + a⁵/(5R²));
-    its derivative is the load. The tangential spring is 8G*a.
+    At a fixed radius a and an approach δ, Hertz' contact and a flat punch together have the elastic energy
+    E*(δ²a − 2δa³/(3R) + a⁵/(5R²)). Its derivative by δ is the load. The tangential spring is 8G*a.
     """
     radius, modulus, shear = scene["reduced_radius"], scene["contact_modulus"], scene["contact_shear_modulus"]
     approach = load / (2 * modulus * a) + a**2 / (3 * radius)
@@ -68,7 +68,7 @@ def force_at(a: Any, load: float, scene: dict[str, float]) -> Any:
 
 
 def largest(function: Callable[[Any], Any], low: float, high: float) -> tuple[float, float]:
-    """Return the position and the value of a maximum, by a parabola through the best of many points."""
+    """Return the position and the value of a maximum, from a parabola fitted to the points around the largest."""
     x = np.linspace(low, high, 4001)
     y = function(x)
     best = int(np.nanargmax(y))

@@ -1,4 +1,4 @@
-"""Pictures in files: contours follow the formulas, labels cover nothing, and a call always gives the same bytes."""
+"""Pictures in files: contours follow the formulas, labels cover no label or contour, and a call repeats its bytes."""
 
 import csv
 import itertools
@@ -84,8 +84,8 @@ def in_a_column(name: str, width: int = 85) -> tuple[Picture, Figure]:
 
 
 @cache
-def map_in_a_column(*words: str) -> tuple[Picture, Figure]:
-    """Return a map of a user, and its page; drawn once for all tests."""
+def user_map(*words: str) -> tuple[Picture, Figure]:
+    """Return a map drawn by a command, and its page of 120 mm; drawn once for all tests."""
     drawn, *_ = map_drawn([*words])
     with settings(PAPER):
         return drawn, figure_of(drawn, 120 / 25.4, PAPER, has_caption=True)
@@ -147,7 +147,7 @@ def test_contours_of_the_figures_of_the_paper_follow_the_formula(name: str) -> N
 def test_contours_of_a_users_map_follow_the_formula(
     words: list[str], axes: tuple[str, str], given: dict[str, Any]
 ) -> None:
-    drawn, page = map_in_a_column(*words, "--x", axes[0], "--y", axes[1])
+    drawn, page = user_map(*words, "--x", axes[0], "--y", axes[1])
     panel, field = field_of(drawn)
     spacing = (levels_of(field)[-1] - levels_of(field)[0]) / len(levels_of(field))
     for value, (x, y) in contours(field, page):
@@ -170,7 +170,7 @@ def test_a_command_always_writes_the_same_bytes(run: Run, tmp_path: Path, kind: 
     "name",
     ["laws", *(pytest.param(name, marks=pytest.mark.slow) for name in (*PAPER_MAPS, "2", "9"))],
 )
-def test_every_figure_is_drawn_with_its_printed_description(run: Run, tmp_path: Path, name: str) -> None:
+def test_every_figure_has_the_description_that_the_command_prints(run: Run, tmp_path: Path, name: str) -> None:
     ran = run("figure", name, "-o", "figure.svg", "--width", "85mm", "--style", "dark")
     assert (ran.code, ran.err) == (0, "")
     text = (tmp_path / "figure.svg").read_text(encoding="utf-8")
@@ -246,7 +246,7 @@ def test_the_edge_of_a_band_is_smooth_at_a_kink_of_the_best_range() -> None:
 
     On the page, this speed over the radius is a straight line.
     """
-    _, page = map_in_a_column(*IMPACT.split())
+    _, page = user_map(*IMPACT.split())
     (axes,) = page.axes
     lowest = min(lines_of(page, "band"), key=lambda line: line[:, 1].max())
     x, y = axes.transData.transform(lowest).T
@@ -255,7 +255,7 @@ def test_the_edge_of_a_band_is_smooth_at_a_kink_of_the_best_range() -> None:
 
 
 def test_a_legend_has_a_scale_if_contours_are_too_close_for_labels() -> None:
-    _, page = map_in_a_column(*IMPACT.split())
+    _, page = user_map(*IMPACT.split())
     assert "in the order of these colours: 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9" in legend_of(page)
     _, page = in_a_column("8")
     assert "these colours" not in legend_of(page)
@@ -268,7 +268,7 @@ def legend_of(page: Figure) -> str:
 
 
 def test_the_name_of_a_limit_is_clear_of_the_lines_of_other_limits() -> None:
-    drawn, page = map_in_a_column(*IMPACT.split())
+    drawn, page = user_map(*IMPACT.split())
     _, field = field_of(drawn)
     (axes,) = page.axes
     bounds = {typeset(region.name): region for region in field.regions if not region.hatch}
@@ -283,7 +283,7 @@ def test_the_name_of_a_limit_is_clear_of_the_lines_of_other_limits() -> None:
 
 def test_the_teeth_of_a_line_point_to_where_its_limit_is_exceeded() -> None:
     """Matplotlib draws the teeth on the left of the line, so the limit is exceeded there."""
-    drawn, page = map_in_a_column(*IMPACT.split())
+    drawn, page = user_map(*IMPACT.split())
     _, field = field_of(drawn)
     (axes,) = page.axes
     bounds: list[Any] = [one for one in axes.collections if one.get_path_effects()]
@@ -309,7 +309,7 @@ def test_the_teeth_of_a_line_point_to_where_its_limit_is_exceeded() -> None:
 )
 def test_a_legend_explains_bands_only_if_they_can_be_seen(words: str, clause: str) -> None:
     """Bands that cover less than a hundredth of a map are not drawn."""
-    _, page = map_in_a_column(*words.split())
+    _, page = user_map(*words.split())
     bands = lines_of(page, "band")
     assert bool(bands) is bool(clause)
     assert ("best range" in legend_of(page)) is bool(clause)
@@ -407,7 +407,7 @@ def test_a_caption_has_the_inputs_of_the_drawn_panels_and_laws(
     assert ("assumed: z0" in ran.err) is ("z0" in held)
     assert "(--xi)" not in ran.err
     shown = texts_of((tmp_path / "contact.svg").read_text(encoding="utf-8"))
-    moments = ("M: ", "Mhalf: ", "Mδ: ")  # indices of these labels are separate texts of another size
+    moments = ("M: ", "Mhalf: ", "Mδ: ")  # their subscripts are separate texts of another size
     if options in ("", "--panel force"):
         assert {"fold", "pull-off", "jump-in", "stable", "unstable", "fixed grips"} <= {*shown}
         assert all(any(moment in text for text in shown) for moment in moments) is (not options)
@@ -520,7 +520,7 @@ def test_the_edge_of_a_gap_lies_where_the_contact_breaks(model: str) -> None:
 
 
 def test_a_limit_exceeded_in_part_of_a_map_has_its_name_at_its_line() -> None:
-    drawn, page = map_in_a_column(*"n-roll quartz --x radius=10nm:1um --y speed=1cm/s:1m/s".split())
+    drawn, page = user_map(*"n-roll quartz --x radius=10nm:1um --y speed=1cm/s:1m/s".split())
     _, field = field_of(drawn)
     (axes,) = page.axes
     (region,) = (region for region in field.regions if region.name == "⟦M/2cRw > 1⟧")
@@ -628,6 +628,7 @@ def test_no_letter_lies_outside_a_narrow_page(name: str) -> None:
     assert box.x0 > -0.01
     assert box.x1 < 85 / 25.4 + 0.01
     assert box.y0 > -0.01
+    assert box.y1 < page.get_figheight() + 0.01
 
 
 def test_the_largest_number_of_curves_differ_in_colour_or_line_style() -> None:
@@ -893,14 +894,8 @@ def test_the_manual_has_a_command_for_every_kept_picture() -> None:
     assert [file for _, file, _ in SHOWN] == [path.name for path in KEPT.glob("*.svg")]
 
 
-if __name__ == "__main__":
-    written("figure geometry", "--no-caption", PAGE.parent / "geometry.svg")
-    for words, file, rest in SHOWN:
-        written(words, rest, KEPT / file)
-
-
 @pytest.mark.slow
-def test_labels_of_marks_overlap_neither_each_other_nor_contours_nor_the_frame() -> None:
+def test_labels_of_marks_overlap_neither_each_other_nor_labels_of_contours_nor_the_frame() -> None:
     """A line leads from a label to its dot if another dot is nearer."""
     marks = "quartz@100nm,silica-dry@100nm,iron@1um,gold@10nm,graphite@10um,ice-warm@1um,polystyrene@1um"
     names = re.findall(r"[^,]+, \d+ .m", re.sub(r"@(\d+)(.)m", r", \1 \2m", marks).replace("um", "µm"))
@@ -924,3 +919,9 @@ def test_labels_of_marks_overlap_neither_each_other_nor_contours_nor_the_frame()
         far = {other: math.hypot(*(np.clip(dot, box.min, box.max) - dot)) for other, dot in dots.items()}
         assert far[text] == min(far.values()) or any(np.allclose(start, dots[text]) for start in led)
     assert len(led) >= 2
+
+
+if __name__ == "__main__":
+    written("figure geometry", "--no-caption", PAGE.parent / "geometry.svg")
+    for words, file, rest in SHOWN:
+        written(words, rest, KEPT / file)

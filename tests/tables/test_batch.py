@@ -366,7 +366,8 @@ def test_an_empty_file_and_utf_16_are_refused(run: Run) -> None:
 def test_a_compressed_table_with_the_extension_of_plain_text_is_refused(run: Run, kind: str, text: bytes) -> None:
     Path(f"grains.{kind}").write_bytes(text)
     ran = run("batch", f"grains.{kind}")
-    assert (ran.code, "a compressed one has a name such as x.csv.gz, or --format csv.gz" in ran.err) == (2, True)
+    remedy = "the table is compressed: give it a name such as x.csv.gz, or write --format csv.gz"
+    assert (ran.code, remedy in ran.err) == (2, True)
 
 
 def test_option_quantities_takes_names_and_commands(run: Run) -> None:
@@ -403,7 +404,8 @@ ODD_TABLES = {
 
 @pytest.mark.usefixtures("small_chunks")
 @pytest.mark.parametrize("kind", ODD_TABLES)
-def test_input_passes_through_byte_for_byte(run: Run, kind: str) -> None:
+def test_cells_pass_through_unchanged(run: Run, kind: str) -> None:
+    """Line ends become those of the header, and blank lines are left out."""
     text = ODD_TABLES[kind].encode()
     Path("grains.csv").write_bytes(text)
     ran = run("batch grains.csv --quantities r_min --no-doubt -o out.csv --jobs 1")
@@ -496,7 +498,10 @@ def test_option_excel_safe_leaves_empty_cells_empty(run: Run) -> None:
 
 
 def test_a_formula_may_follow_characters_that_a_spreadsheet_drops(run: Run) -> None:
-    """A line feed, a NUL or blanks may come first, and a sign may be full-width. Numbers and other text are kept."""
+    """A line feed, a NUL or blanks may come first, and a sign may be full-width.
+
+    Text that begins with a line feed is escaped in any case; numbers and all other text are kept.
+    """
     names = ["\n=1+1", "\nx", "\0=1", " =1+1", "  @x", "＝1+1", "＋x", "－x", "＠x"]
     kept = [" -5", "-5", "+1e3", "x=1", "", " x"]
     cells = [{"name": name, "radius": "1 um"} for name in [*names, *kept]]

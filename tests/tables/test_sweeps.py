@@ -244,3 +244,12 @@ def test_a_list_on_a_terminal_shows_its_radii(run: Run) -> None:
         first = next(place for place, line in enumerate(lines) if line.startswith("quartz "))
         assert lines[first - 2].split()[1:3] == ["R1", "[nm]"]
         assert [line.split()[1] for line in lines[first : first + 6]] == ["10", "100", "1000"] * 2
+
+
+@pytest.mark.parametrize("energies", ["25mJ/m2,30mJ/m2", "30mJ/m2,25mJ/m2"])
+def test_columns_of_identical_spheres_do_not_depend_on_the_order_of_a_list(run: Run, energies: str) -> None:
+    """With 25 mJ/m², sphere 2 equals sphere 1 of quartz, so the row has the frequency of Eq (31) as printed."""
+    of_csv = run(f"frequencies quartz 100nm --gamma2 {energies} --csv").out.splitlines()
+    by_energy = {row["surface_energy2 [J/m^2]"]: row for row in csv.DictReader(of_csv)}
+    assert by_energy["0.025"]["rolling_frequency_as_printed [Hz]"]
+    assert not by_energy["0.03"]["rolling_frequency_as_printed [Hz]"]

@@ -1,6 +1,6 @@
 """The ranges of numbers that a frame accepts as inputs, and that it gives as results."""
 
-from math import isfinite
+from math import isfinite, isnan
 from typing import Any
 
 from ..physics.elementary import NUMBER
@@ -31,9 +31,21 @@ def check_range(name: str, value: Any) -> None:
         position = tuple(indices[0].item() for indices in are_refused.nonzero())
         value = value[position].item()
     if not takes(name, value):
-        limits = NOMENCLATURE[name].range
-        words = "must lie between 1e-30 and 1e30 in SI units" if limits.admits(value) else limits.words
-        raise QuantityError(name, value, words if isfinite(value) else "must be finite", position=position)
+        raise QuantityError(name, value, _problem_of(name, value), position=position)
+
+
+def _problem_of(name: str, value: float) -> str:
+    """Return the reason why a number is refused."""
+    limits = NOMENCLATURE[name].range
+    if isnan(value):
+        return "must be a number"
+    if not isfinite(value) and not limits.admits(INFINITY):
+        return "must be finite"
+    if not limits.admits(value):
+        return limits.words
+    if limits.admits(0.0):
+        return "must have a magnitude of at most 1e30 in SI units"
+    return "must lie between 1e-30 and 1e30 in SI units"
 
 
 def takes(name: str, value: Any) -> Any:

@@ -13,7 +13,7 @@ class Column(NamedTuple):
     """The values of a quantity, nan where missing, and the reasons for nan. A number stands for all rows."""
 
     values: Any
-    reasons: Any = 0
+    reasons: Any = 0  # 0 where there is a value
 
     @property
     def is_empty(self) -> bool:

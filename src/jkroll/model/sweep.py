@@ -1,6 +1,7 @@
 """The rows of lists and ranges: the combinations of pairs of materials, values of inputs and laws.
 
-Few rows are frames of numbers. Many rows are frames of arrays, if single frames would take longer than importing numpy.
+Each of a few rows is a frame of numbers. Rows become frames of arrays if single frames would take longer than importing
+numpy.
 """
 
 from bisect import bisect, bisect_left
@@ -110,7 +111,10 @@ class Sweep:
 
     @cached_property
     def groups(self) -> list[Frame]:
-        """A frame from each group of rows, which share the materials, the law and the sort of value of each input."""
+        """A frame from each group of rows: those with the same materials, law, and kind of value of each input.
+
+        For the kinds, see `_examples`.
+        """
         materials: dict[Material, None] = {}
         for pair in self.pairs:
             materials |= dict.fromkeys(material for material in pair if material is not None)
@@ -136,7 +140,7 @@ class Sweep:
         return Wanted(names, named=named, inputs=inputs_shown, sides=sides_in(groups), keeps_all=keeps_all)
 
     def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> Wanted:
-        """Return the columns of the headline only, which keep numbers without a meaning.
+        """Return the columns of a question's main results only, as for `--bare`; numbers without a meaning are kept.
 
         Where the spheres differ, quantities of identical spheres are shown only if they were asked for by name.
         """
@@ -144,7 +148,10 @@ class Sweep:
         return Wanted(quantities, named=shown, doubts=doubts, keeps_all=True)
 
     def noted(self, wanted: Wanted) -> Iterable[tuple[Frame, Sequence[str]]]:
-        """Return a frame of each group of rows, with the quantities to show; an unknown gives way to measured ones."""
+        """Return a frame of each group of rows, with the quantities that notes judge.
+
+        These are the quantities to show; the measured quantities replace an inferred input.
+        """
         return [(frame.filled, frame.judged(self.shown(frame, wanted.names, wanted.named))) for frame in self.groups]
 
     def shown(self, frame: Frame, quantities: Sequence[str], named: Collection[str]) -> list[str]:
@@ -162,13 +169,17 @@ class Sweep:
             if computed_as(other) == of_first:
                 first = other
                 break
-        spreads, spreads_of_1 = self.spreads[name], self.spreads.get(first, ())
-        if sum(map(len, (*spreads, *spreads_of_1))) <= 2:
+        sizes = [sum(map(len, self.spreads.get(each, ()))) for each in (name, first)]
+        if max(sizes) <= 1:
             return False
         if {name, first} in _MODULI_OF_TWO_KINDS:  # E = 2G(1 + ν)
             return True
+        ends_of_1 = self._ends(first)
+        if not first:
+            values = (solid.properties.get(of_first) for solid, _ in self.pairs if solid is not None)
+            ends_of_1 = [(value, value) for value in values if value is not None]
         for low, high in self._ends(name):
-            for low_of_1, high_of_1 in self._ends(first):
+            for low_of_1, high_of_1 in ends_of_1:
                 if low <= high_of_1 and low_of_1 <= high:
                     return True
         return False
@@ -194,9 +205,10 @@ class Sweep:
 
 
 def _examples(name: str, spreads: Sequence[Spread], noted: Iterable[Interval] = ()) -> list[Any]:
-    """Return an example of each sort of value that an input has.
+    """Return an example of each kind of value that an input has.
 
-    The sorts are: a number, an uncertain value, a special value, and a radius in each of the `noted` ranges.
+    The kinds are: a number, each kind of uncertainty, a special value (see `FOLLOWS`), and a radius in each of the
+    ranges `noted`, to which notes of the materials apply.
     """
     special = FOLLOWS[name][0] if name in FOLLOWS else None
     values: dict[object, Any] = {}
@@ -212,7 +224,7 @@ def _examples(name: str, spreads: Sequence[Spread], noted: Iterable[Interval] = 
 
 
 def _value_in(low: float, high: float, spreads: Iterable[Spread]) -> float | Uncertain | None:
-    """Return a value of lists and ranges between two numbers, or None."""
+    """Return the least value from `low` up to `high` in the first list or range that has one; else None."""
     for spread in spreads:
         rising = range(len(spread))[:: 1 if spread.low <= spread.high else -1]
         above = rising[bisect_left(rising, low, key=spread.value) :]

@@ -1,8 +1,8 @@
 """Units: their texts, read as exact multiples of SI units, and the conversion of SI values to other units.
 
 A unit has at most eight names with integer powers. pint never sees a user's text: it is asked only for the meaning of
-a single, validated name that is not in the table below. Names in the table have pint's meaning. Names that mean
-different units in different versions of pint are defined in the table, or refused.
+a single, validated name that is not in the table below. Names in the table have pint's meaning, except kmph, which is
+km/h here. Names that mean different units in different versions of pint are defined in the table, or refused.
 """
 
 import re
@@ -134,7 +134,7 @@ RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
 _OF_POWERS = "0123456789-+⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺"
 
-_MICRO_INSIDE = r"[A-Za-zÅ][µμ]"  # mµm once meant the nanometre, but pint reads micrometre
+_MICRO_INSIDE = r"[A-Za-zÅ][µμ]"  # mµm once meant the nanometre; as mum, it would be read as a micrometre
 
 
 def normalized(text: str) -> str:
@@ -320,7 +320,8 @@ _UNLIKE = frozenset(
     proton_mass quarter rod rydberg rydberg_constant square_league square_rod thomson_cross_section
     unified_atomic_mass_unit unit_pole vacuum_permeability vacuum_permittivity x_unit_Cu x_unit_Mo""".split()
 )
-# Excluded names and symbols: the astronomical unit, the grain and the short ton, and units named like objects, as rod.
+# Names that mean something else to most people: the astronomical unit, the grain, the short ton, units of surveyors and
+# printers, and units named like objects, such as hand and point.
 _OTHER_WORDS = frozenset(
     """au ch gr ton tons chain chains hand hands link links perch point points pole poles rod rods bp fur li pp rd sft
     smi th""".split()
@@ -339,12 +340,15 @@ def _registry() -> Any:
 
 @lru_cache(maxsize=1000)
 def lookup(name: str) -> Unit | None:
-    """Return pint's meaning of a unit name; None for an unknown, long or excluded name, or without a simple factor.
+    """Return pint's meaning of a unit name.
 
-    Temperatures with an offset, logarithmic units and units outside the SI (a bit, a dollar) have no simple factor to
-    an SI unit. Some meanings are excluded because nobody intends them: a prefix before a speed (kmph is not a kilo-mile
-    per hour), the plural of a symbol (GPas is not a pressure), the yarn count Nm, the px of a screen, and words with
-    another meaning in this field or for most people. Units that depend on the version of pint are also excluded.
+    Return None if the name is unknown, too long or excluded, or if its unit has no simple factor.
+
+    Temperatures with an offset, logarithmic units and units that are no product of SI units (a bit) have no simple
+    factor to an SI unit. Some meanings are excluded because nobody intends them: a prefix before a speed (kmph is not a
+    kilo-mile per hour), the plural of a symbol (GPas is not a pressure), the yarn count Nm, the px of a screen, and
+    words with another meaning in this field or for most people. Units that depend on the version of pint are also
+    excluded.
     >>> lookup("nm")
     (1, 1000000000, (0, 1, 0, 0, 0, 0, 0, 0))
     """

@@ -480,7 +480,7 @@ class Delimited:
             raise BadTable("the table has no header; begin with a line of the columns' names")
         text, *names = map(text_of, (line.strip(_BLANKS), *(cells or [line])))
         if "\0" in text or "\ufffd" in text:  # the latter replaces bytes that are not UTF-8
-            raise BadTable(f"the table is not UTF-8; {_remedy_of_encoding(line.encode(BYTES))}")
+            raise BadTable(_problem_of_encoding(line.encode(BYTES)))
         if not any(map(is_read, names)):
             self._check_separator(text, len(names), is_read)
         if problem:
@@ -566,16 +566,16 @@ def as_lines(text: bytes) -> list[str]:
     return io.StringIO(text.decode(BYTES), newline="\n").readlines()
 
 
-def _remedy_of_encoding(text: bytes) -> str:
-    """Return the remedy for a table whose first line is not UTF-8."""
+def _problem_of_encoding(text: bytes) -> str:
+    """Return the problem of a table whose first line is not UTF-8, with its remedy."""
     if text.startswith((b"\x1f\x8b", b"\x28\xb5\x2f\xfd")):  # gzip, Zstandard
-        return "a compressed one has a name such as x.csv.gz, or --format csv.gz"
+        return "the table is compressed: give it a name such as x.csv.gz, or write --format csv.gz"
     encoding = "latin1"
     if text.startswith((b"\xff\xfe", b"\xfe\xff")):
         encoding = "utf-16"
     elif b"\0" in text:
         encoding = "utf-16be" if text.startswith(b"\0") else "utf-16le"
-    return f"save it as UTF-8, as with iconv -f {encoding} -t utf-8 in.csv > out.csv"
+    return f"the table is not UTF-8; save it as UTF-8, as with iconv -f {encoding} -t utf-8 in.csv > out.csv"
 
 
 def _problem(error: str) -> str:

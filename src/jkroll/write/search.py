@@ -32,7 +32,7 @@ class Match(NamedTuple, Generic[Thing]):
 
 
 def words_in(text: str) -> list[str]:
-    """Return the words and numbers of a text in lower case, with Greek letters and units spelt out.
+    """Return the words and numbers of a text in lower case, with Greek letters, and signs such as Å, as words.
 
     >>> words_in("ξ of R_min, 0.2 nm or 2Å")
     ['xi', 'of', 'r', 'min', '0.2', 'nm', 'or', '2', 'angstrom']
