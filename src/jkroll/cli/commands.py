@@ -82,7 +82,7 @@ FIT = (
     Options.columns,
     Options.format,
     Options.delimiter,
-    Options.curve.but(help="Write the points: residuals and energy release rate", excludes=[]),
+    Options.curve.but(help="Write the points: residuals and energy release rate"),
     *_LISTED,
     Options.target.but(help="Write a file; a picture as x.svg, .pdf or .png"),
     Options.cite.but(help="BibTeX of the law; with --tex a paragraph for Methods"),

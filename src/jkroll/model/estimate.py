@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
 from ..physics.elementary import at_least, at_most, is_anywhere, where
-from ..quantities.laws import BETWEEN, LAWS
+from ..quantities.laws import BETWEEN, LAWS, RESULTS_BY_LENNARD_JONES
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
 from ..quantities.values import ends_of
 from .accepted import LEAST, MOST
@@ -46,10 +46,7 @@ WORDS = (
     *(law.short for law in LAWS.values()),
 )  # fmt: skip
 
-_LAWS_THEMSELVES = (
-    "pull_off_force_dmt", "pull_off_force_lennard_jones", "well_energy_lennard_jones",
-    "dead_load_work_lennard_jones",
-)  # fmt: skip
+_LAWS_THEMSELVES = ("pull_off_force_dmt", *RESULTS_BY_LENNARD_JONES)
 _OF_WATER = ("meniscus_force", "kelvin_radius", "threshold_humidity")
 _STICKING = {"sticking_speed": 1, "sticking_energy": 2}  # powers of the speed
 _OF_COLLISIONS = ("restitution", "lost_energy")

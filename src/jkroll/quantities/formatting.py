@@ -97,22 +97,9 @@ def _sizes(values: Sequence[float | str | Uncertain | None]) -> list[float]:
     return sorted(sizes)
 
 
-def _multiple(unit: str, power: int, known: range = _KNOWN) -> str:
+def _multiple(unit: str, power: int) -> str:
     """Return a unit times a power of ten: with a prefix if it is well known, otherwise with the power itself."""
-    return _PREFIXES[power] + unit.removeprefix("1") if power in known else f"1e{power} {unit}"
-
-
-def engineering(value: float, unit: str, digits: int = DIGITS, known: range = _KNOWN) -> tuple[str, str]:
-    """Return a value rounded to significant digits, and its unit with a well-known prefix if one suits.
-
-    `known`: the powers of ten with such a prefix.
-    >>> engineering(1.1780972e-08, "N"), engineering(2e-17, "J")
-    (('11.781', 'nN'), ('2e-17', 'J'))
-    """
-    power = _power(value, unit, digits)
-    if power not in known:
-        power = 0
-    return significant(convert(value, (*power_of_ten(power), ())), digits), _multiple(unit, power, known)
+    return _PREFIXES[power] + unit.removeprefix("1") if power in _KNOWN else f"1e{power} {unit}"
 
 
 def _power(value: float, unit: str, digits: int) -> int:
@@ -266,8 +253,9 @@ def in_units(unit: str, values: Sequence[float], digits: int = ROUND_DIGITS, *, 
     texts = []
     if unit in WITH_PREFIXES and all(_power(value, unit, digits) in _ON_AXES for value in values):
         for value in values:
-            number, multiple = engineering(value, unit, digits, _ON_AXES)
-            texts.append(f"{number} {pretty(multiple)}")
+            power = _power(value, unit, digits)
+            number = significant(convert(value, (*power_of_ten(power), ())), digits)
+            texts.append(f"{number} {pretty(_PREFIXES[power] + unit)}")
         return texts, ""
     digits = min(digits, DIGITS)  # without prefixes, six digits show round values in full
     texts = [significant(value, digits) for value in values]

@@ -60,7 +60,7 @@ class Law:
 
 
 ALWAYS = ""  # the key of a table that needs no input
-_BY_LENNARD_JONES = (
+RESULTS_BY_LENNARD_JONES = (
     "pull_off_force_lennard_jones", "well_energy_lennard_jones", "dead_load_work_lennard_jones"
 )  # fmt: skip
 _OF_EVERY_LAW: Mapping[str, Routes] = {
@@ -99,7 +99,7 @@ _JKR = Law(
             "load_margin": "load_margin_at_approach",
         },
     },
-    omits=frozenset(_BY_LENNARD_JONES),
+    omits=frozenset(RESULTS_BY_LENNARD_JONES),
 )
 
 _PEAK_OF_JKR = ("impact_pressure", "touch_pressure", "yield_speed", "plastic_speed")  # computed from JKR's energies
@@ -193,7 +193,7 @@ _DMT = Law(
         },
         "approach_at_load": {"load": "load_dmt", "contact_radius_at_load": "contact_radius_dmt_at_approach"},
     },
-    omits=frozenset({"rolling_frequency_as_printed", *_BY_LENNARD_JONES, "pull_off_force_dmt", *_PEAK_OF_JKR}),
+    omits=frozenset({"rolling_frequency_as_printed", *RESULTS_BY_LENNARD_JONES, "pull_off_force_dmt", *_PEAK_OF_JKR}),
 )
 
 # JKR's law for a rigid sphere of true shape on a soft plane. It gives the contact, but no quantity that depends on
@@ -230,7 +230,7 @@ _OF_SPHERE = Law(
         },
         "approach_at_load": {"load": "load_sphere", "contact_artanh": "artanh_at_approach"},
     },
-    omits=frozenset({*_BY_LENNARD_JONES, "pull_off_force_dmt", "pull_off_force_rough"}),
+    omits=frozenset({*RESULTS_BY_LENNARD_JONES, "pull_off_force_dmt", "pull_off_force_rough"}),
     profile=SPHERE,
 )
 

@@ -6,6 +6,7 @@
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from functools import cache
 from math import log
 from typing import Any, TextIO
 
@@ -175,7 +176,8 @@ def _meaning(name: str, frame: Frame) -> str:
 Entry = Mapping[str, str]  # a BibTeX entry: its key, its type and its fields
 
 
-def references() -> dict[str, Entry]:
+@cache
+def references() -> Mapping[str, Entry]:
     """Return the BibTeX entries of this program, of the paper, of laws and of conventions, by name."""
     entries = {**data_of(os.path.join(os.path.dirname(__file__), "references.toml"))}
     entries["program"] = {**entries["program"], "howpublished": f"Computer program, version {__version__}"}

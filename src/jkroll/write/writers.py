@@ -321,7 +321,7 @@ def _formatted(columns: Columns, form: Format) -> Iterator[Any]:
     for name in columns.wanted.names:
         for key in columns.wanted.keys_of(name):
             column = columns.column(key)
-            if key.endswith("_best_by"):
+            if has_texts(key):
                 column = [WORDS[int(by)] if by > NONE else None for by in as_list(column)]
             elif form.changes(name):
                 column = [value if isnan(value) else form.number(name, value) for value in as_list(column)]
