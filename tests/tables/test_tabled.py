@@ -153,7 +153,7 @@ def test_a_named_index_is_a_column() -> None:
         found = jkroll.table(data.set_index(names), "r_min")
         assert [*found.index.names] == names
         assert values(found, "r_min [m]") == expected
-    with pytest.raises(jkroll.JkrollError, match="'foo .GPa.': not read, and E is the material's"):
+    with pytest.raises(jkroll.JkrollError, match=r"'foo .GPa.': not read, and E is the material's"):
         jkroll.table(data.rename(columns={"E [GPa]": "foo [GPa]"}).set_index("foo [GPa]"), "r_min")
 
 
