@@ -293,7 +293,9 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
         if reading is not None and not reading.is_symbol:
             unit = _with_prefix(split.unit) if split.is_explicit and without_factor.word == split.word else ""
             meant = [headed(reading.name, unit)] if fits(unit, reading.name) else ()
-            return Reading(reading.name, problem=FACTOR, meant=meant)
+            numbered = re.search(r"\(([12])\)$", split.word)  # as in R(2)
+            name = of_sphere(int(numbered[1]), reading.name) if numbered else reading.name
+            return Reading(name, problem=FACTOR, meant=meant)
         word, is_slip = _word_in(split.word, known, split.unit)
         word = word or (words.with_index(split.word) if split.unit else "")
         if not word:
@@ -307,7 +309,10 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
         behind = re.findall(r"[a-z]{3,}|(?<=[#(])[12]", split.unit.casefold())  # as in modulus of the wall, GPa
         sphere = words.sphere_of(words.tokens_of(split.word)) or words.sphere_of(behind)
         name = of_sphere(sphere, name) if sphere else name
-        is_open = not sphere and not is_slip and NOMENCLATURE[name].sphere == 1
+        # A large sphere may be either, but its other quantities may also be two quantities of sphere 1.
+        is_size = name in ("radius", "diameter") and "1" not in split.word
+        is_either = is_size and not _beside(split.word, word) <= words.NEUTRAL
+        is_open = (not sphere or (sphere == 1 and is_either)) and not is_slip and NOMENCLATURE[name].sphere == 1
         names = [name, NOMENCLATURE[name].twin] if is_open else [name]
         if meaning.names[1:]:
             names = [of_sphere(sphere, each) if sphere else each for each in meaning.names]

@@ -69,8 +69,8 @@ _DOUBTFUL_SYMBOLS = {
     **dict.fromkeys("d D dp Dp".split(), _DIAMETER),
     **dict.fromkeys("Fn FN".split(), _FORCE),
     "gamma12": Meaning(["work_of_adhesion"], "it may be of the interface: w = γ1 + γ2 - γ12", has_remedy=False),
-    **dict.fromkeys("R* Reff".split(), Meaning(["reduced_radius"], "it may be the reduced radius")),
-    **dict.fromkeys("w12 W12 wa Wa".split(), Meaning(["work_of_adhesion"], "it may be the work of adhesion")),
+    **dict.fromkeys("R* Reff Rred Req".split(), Meaning(["reduced_radius"], "it may be the reduced radius")),
+    **dict.fromkeys("w12 W12 wa Wa wad Wad".split(), Meaning(["work_of_adhesion"], "it may be the work of adhesion")),
     "2gamma": Meaning(["work_of_adhesion"], "it may be the work of adhesion, w = 2γ"),
     "Rp": Meaning(["radius"], "it may be the radius of a particle"),
     "Eeff": _MODULUS,
@@ -457,7 +457,7 @@ def is_like_unit(token: str) -> bool:
 
 def headed(name: str, unit_text: str = "UNIT") -> str:
     """Return the header of an input, with its unit if it needs one."""
-    return f"{name} [{unit_text}]" if NOMENCLATURE[name].unit not in ("", "1") else name
+    return f"{name} [{unit_text}]" if unit_text == "%" or NOMENCLATURE[name].unit not in ("", "1") else name
 
 
 # --- Words of columns that are not read -------------------------------------------------------------------------------
@@ -476,6 +476,12 @@ _MEANT_BY = {
     "mJ/qm": "mJ/m2",
     "sec": "s",
 }
+# Units of technical systems, and units that lack a power, by the SI unit that they mean after the name of an input.
+TECHNICAL_UNITS: Mapping[str, frozenset[str]] = {
+    "Pa": frozenset("kg/mm2 kg/cm2 kg/m2 t/cm2 t/mm2 kgf/mm2 kgf/cm2 kp/mm2 kp/cm2".split()),
+    "kg/m^3": frozenset("g/cm g/cm2 kg/m kg/m2".split()),
+    "J": frozenset("kT kBT kbT k_BT k_B T".split()),
+}
 # Words that turn the quantity next to them into another: a multiple, a part, a power or a ratio.
 SENSES = {*"half double twice fwhm hwhm squared square inv times per ratio rel relative change rate".split()}
 # SI units so common that a unit alone does not point to an input: a word must.
@@ -484,16 +490,18 @@ _OF_BODIES = """size groess gross grain partic sphere bead kugel korn partikel c
     taille tip probe ball""".split()
 # Symbols, and parts of words, that point to an input with a common unit, or to some other inputs.
 POINTERS: Mapping[str, tuple[Sequence[str], Sequence[str]]] = {
+    "humidity": (["rh"], "humid feucht umid".split()),
+    "yield_strength": ("sigmay sy ys rp02".split(), "yield streck fliess".split()),
     "poisson_ratio": ("nu pr".split(), "poiss querkontrak".split()),
     "hysteresis_fraction": ((), ["hyst"]),
     "hamaker": ("a ah".split(), ["hamaker"]),
     "adhesion_hysteresis": ("dw deltaw".split(), ["hyst"]),
     "radius": (
-        "r a rp rs rt rw ri rj rm rad roc".split(),
+        "r a rp rs rt rw ri rj rm rb rad roc".split(),
         ["radi", "rayon", "raggi", "halbmess", "raio", "straal", *_OF_BODIES],
     ),
     "diameter": ("d d32 d43 dp ds dt dw di dj dv x10 x50 x90 vmd dia".split(), ["diam", "durchm", *_OF_BODIES]),
-    "reduced_radius": ("r reff rstar".split(), "radi rayon raggi".split()),
+    "reduced_radius": ("reff rstar".split(), "radi rayon raggi".split()),
     "yield_displacement": ("xi ksi".split(), "displac verschieb deplac crit krit roll".split()),
     "atomic_spacing": (
         "z0 d0 h0 hmin dmin eps".split(),
