@@ -143,6 +143,20 @@ def test_a_column_in_place_of_which_an_option_would_be_used_is_refused(
     assert f"is {option}. Write --column '{head}={meant}', or" in said
 
 
+@pytest.mark.parametrize("head", ["θ (°)", "theta_deg", "angle [°]"])
+def test_an_angle_in_humid_air_is_refused_unless_it_is_clear(run: Run, head: str) -> None:
+    """It would be read as the angle of rolling, and the contact angle of water would be 0 by default."""
+    options = "--quantities meniscus_force,roll_energy"
+    for columns, cells, option in ((f"{OTHERS},RH (%)", "quartz,100,50", ""), (OTHERS, "quartz,100", "--humidity 50%")):
+        said = ran(run, f"{columns},{head}", f"{cells},20", f"{option} {options}")
+        assert f"'{head}' (first cell '20'): with a humidity it may be the contact angle of water. Write" in said
+        for name in ("contact_angle", "rolling_angle"):
+            way = re.search(rf"--column '[^']*={name} [^']*'", said)
+            assert way
+            assert f"{name} [" in ran(run, f"{columns},{head}", f"{cells},20", f"{option} {options} {way[0]}")
+    assert "rolling_angle [" in ran(run, f"{OTHERS},{head}", "quartz,100,20", "--quantities roll_energy")
+
+
 def test_a_column_on_which_no_result_depends_passes_through(run: Run) -> None:
     """A pull-off force depends on the reduced radius and w only."""
     said = ran(run, f"{OTHERS},bar (g/cm3),foo (m/s)", "quartz,100,2,3", "--quantities pull_off_force")

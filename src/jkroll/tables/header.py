@@ -381,6 +381,7 @@ def _in_context(readings: Sequence[Reading], given: Collection[str]) -> Iterator
     """Iterate over readings, each revised in view of the other headers of the table."""
     names = {*given, *(reading.name for reading in readings if reading.is_input)}
     is_of_two = not names.isdisjoint(("radius2", "diameter2"))
+    is_of_water = "humidity" in names and "contact_angle" not in names
     moduli = [reading for reading in readings if of_sphere(1, reading.name) in ("youngs_modulus", "shear_modulus")]
     directional = []
     if moduli:
@@ -391,10 +392,18 @@ def _in_context(readings: Sequence[Reading], given: Collection[str]) -> Iterator
         elif directional and reading in moduli and not reading.is_stated:
             problem = f"with {quoted(directional[0])} in the table it may be a modulus along one direction"
             yield reading._replace(problem=problem, meant=())
+        elif reading.name == "rolling_angle" and is_of_water and not reading.is_stated and _is_any_angle(reading.text):
+            angles = [headed(name, reading.unit_text or "UNIT") for name in ("contact_angle", "rolling_angle")]
+            yield reading._replace(problem="with a humidity it may be the contact angle of water", meant=angles)
         elif reading.is_input and reading.meant and not is_of_two:
             yield reading._replace(problem="R may be the radius of a sphere or the reduced radius")
         else:
             yield reading
+
+
+def _is_any_angle(text: str) -> bool:
+    """Return whether a header names an angle without saying which, as θ does."""
+    return words.tokens_of(text)[:1] in (["theta"], ["angle"])
 
 
 def _used(name: str, columns: _Parts) -> _Parts:
