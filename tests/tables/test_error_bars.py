@@ -201,6 +201,55 @@ def test_a_cell_of_blanks_is_empty(run: Run, head: str, cells: str, force: float
     assert found()[1]["status"] == (None if force else "bad surface_energy")
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "radius [nm],gamma [mJ/m2],SD (nm),SD (mJ/m2)\n100,25,10,5",
+        "radius [nm],n,SD (nm),gamma [mJ/m2],SD\n100,3,10,25,5",
+        "radius [nm],s.d.,gamma [mJ/m2],S.D.\n100,10,25,5",
+        "radius [nm],Stabw.,gamma [mJ/m2],STABW.S\n100,10,25,5",
+        "radius [nm],Desv. est.,gamma [mJ/m2],dev. st.\n100,10,25,5",
+        "radius [nm],Desviación estándar (nm),gamma [mJ/m2],Deviazione standard\n100,10,25,5",
+        "radius [nm],,gamma [mJ/m2],\n100,±10,25,+/- 5",
+        "radius,,gamma,\nnm,± nm,mJ/m2,±\n100,10,25,5",
+    ],
+)
+def test_an_uncertainty_without_a_name_belongs_to_the_adjacent_column_or_to_that_with_its_unit(
+    run: Run, text: str
+) -> None:
+    Path("x.csv").write_text(f"{text}\n", encoding="utf-8")
+    run("batch x.csv --quantities pull_off_force -o out.csv")
+    *_, row = found()
+    assert [row[side] for side in SIDES] == [close(FORCE), *[close(FORCE * math.hypot(0.1, 0.2))] * 2]
+
+
+@pytest.mark.parametrize(
+    ("text", "way"),
+    [
+        ("radius [nm],gamma [mJ/m2],n,SD\n100,25,5,10", "SD=surface_energy_err [mJ/m2]"),
+        ("radius [nm],N,SD,gamma [mJ/m2]\n100,5,10,25", "SD=radius_err [nm]"),
+        ("n,SD,radius [nm],gamma [mJ/m2]\n5,10,100,25", "SD=radius_err [nm]"),
+        ("radius [nm],gamma [mJ/m2],note,SD\n100,25,a,10", "SD=surface_energy_err [mJ/m2]"),
+        ("height (nm),radius [nm],gamma [mJ/m2],SD (nm)\n5,100,25,10", "SD (nm)=radius_err [nm]"),
+        ("radius [nm],radius2 [nm],gamma [mJ/m2],SD (um)\n9,9,25,1", "SD (um)=radius2_err [um]"),
+        ("radius [nm],gamma [mJ/m2],2*SD gamma\n9,25,1", "2*SD gamma="),
+    ],
+)
+def test_an_uncertainty_that_may_belong_to_several_columns_is_refused(run: Run, text: str, way: str) -> None:
+    Path("x.csv").write_text(f"{text}\n", encoding="utf-8")
+    ran = run("batch x.csv --quantities pull_off_force -o out.csv")
+    said = " ".join(ran.err.split())
+    assert (ran.code, f"--column '{way}'" in said, "it may be an uncertainty of " in said) == (2, True, True)
+
+
+@pytest.mark.parametrize("head", ["hardness (GPa),SD", "height (nm),SD (nm)", "n,note", "E [GPa],rho [g/cm3],σ [MPa]"])
+def test_an_uncertainty_of_a_column_that_is_not_read_passes_through(run: Run, head: str) -> None:
+    cells = ",".join("1" * len(head.split(",")))
+    Path("x.csv").write_text(f"radius [nm],gamma [mJ/m2],{head}\n100,25,{cells}\n", encoding="utf-8")
+    assert run("batch x.csv --quantities pull_off_force -o out.csv").code == 0
+    assert [*found()[0]][-3:] == ["pull_off_force [N]", "doubt", "status"]
+
+
 def test_per_cent_in_a_header_applies_to_all_forms_of_cells(run: Run) -> None:
     """Padded cells, cells with an error bar and columns of error bars are each read by separate code."""
     cells = ["40", "40 ", "40±5", "40+-5", "(40±5)", "40(5)", "35 to 45", "40 %", "0.4 "]

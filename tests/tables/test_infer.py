@@ -188,6 +188,13 @@ SCATTER = "; mean 16.446 mJ/m², scatter 530.516 µJ/m²"
         ["Median"],
         ["count", "mean", "std", "min", "25%", "50%", "75%", "max"],
         ["", "Total", "Mittelwert", "Standardabweichung"],
+        ["Minimum", "25% Percentile", "Std. Deviation", "Std. Error of Mean", "Lower 95% CI of mean", "N total"],
+        ["Mean", "Geo. factor", "Skewness"],
+        *map(str.split, ["Std", "STABW.S", "SD=0.7", "Mean σ s CI95 CV%", "Среднее", "平均 标准差"]),
+        *map(str.splitlines, ["Overall mean\nSD of 5", "Standard dev.\nMode", "Uncertainty\nRSD %", "Écart-type"]),
+        *map(str.splitlines, ["Media\nDesviación estándar", "Deviazione standard", "Odchylenie standardowe\nSuma"]),
+        "Mean,Standard Error,Median,Mode,Standard Deviation,Sample Variance,Kurtosis,Range,Sum,Count".split(","),
+        "Mittelwert,Standardfehler,Modus,Stichprobenvarianz,Schiefe,Wertebereich,Summe,Anzahl".split(","),
     ],
 )
 def test_rows_of_statistics_are_not_data(run: Run, end: str, labels: list[str]) -> None:
@@ -216,11 +223,21 @@ def test_a_row_whose_label_need_not_be_a_statistic_is_data(run: Run) -> None:
         ("a", "mean"): "--column probe=",
         ("min", "max"): "",
         ("Se", "CV"): "",
+        ("Sample 5", "σ"): "",
+        ("mean grain", "standard 1"): "",
     }
     for labels, option in cases.items():
         path = table([[labels[0], "2", "300", ""], [labels[1], "2", "320", ""]])
         assert run(f"batch {path} -o out.csv {WORDS} {option}").code == 0
         assert [float(row["surface_energy [J/m^2]"]) for row in results("out.csv")] == approx([force, other])
+
+
+def test_a_row_between_the_statistics_of_two_groups_is_data(run: Run) -> None:
+    """A single row between two statistics is one of them, unless a statistic repeats below it."""
+    labels = ["a", "Mean", "SD", "b", "Mean", "SD"]
+    run(f"batch {table([[label, '2', '300', ''] for label in labels])} -o out.csv {WORDS}")
+    statistics = ["row of statistics"] * 2
+    assert [row["status"] for row in results("out.csv")] == ["", *statistics, "", *statistics]
 
 
 def test_a_standard_deviation_is_not_a_contact_in_a_table_without_measured_values(run: Run) -> None:

@@ -236,6 +236,26 @@ def test_rows_with_another_number_of_cells_than_the_header_fail(run: Run) -> Non
 R_ROWS = [['"1"', "100", "25", '"a b"'], ['"2"', "50", "25", "NA"], ['"3"', "100", "50", '"c"']]
 
 
+@pytest.mark.parametrize("other", ["radius [um],gamma [mJ/m2]", "gamma [mJ/m2],radius [nm]", "radius,gamma"])
+@pytest.mark.parametrize("rows", [1, 20_000])
+def test_another_header_below_rows_is_refused(run: Run, rows: int, other: str) -> None:
+    """The rows below would be read in the units, or in the order, of the header above."""
+    above = "a,100,25\n" * rows
+    Path("x.csv").write_text(f"probe,radius [nm],gamma [mJ/m2]\n{above}probe,{other}\nb,1,25\n")
+    ran = run("batch x.csv --quantities pull_off_force -o out.csv")
+    heads = f"'{other.replace(',', ', ')}' instead of 'radius [nm], gamma [mJ/m2]'"
+    assert (ran.code, f"a row below the header is another header: {heads}" in " ".join(ran.err.split())) == (2, True)
+    assert not Path("out.csv").exists()
+
+
+def test_the_same_header_below_rows_fails_alone(run: Run) -> None:
+    Path("x.csv").write_text("radius [nm],gamma [mJ/m2]\n100,25\n" * 2)
+    assert run("batch x.csv --quantities pull_off_force --no-doubt -o out.csv").code == 1
+    lines = Path("out.csv").read_text().splitlines()
+    assert lines[2] == "radius [nm],gamma [mJ/m2],,bad radius"
+    assert lines[1] == lines[3]
+
+
 @pytest.mark.parametrize(("mark", "words"), [(" ", "--delimiter blank"), ("\t", "--format tsv"), (",", "--format csv")])
 @pytest.mark.parametrize("names", [['"1"', '"2"', '"3"'], ['"Mazda RX4"', '"Datsun 710"', '"a ""b"""']])
 def test_row_names_of_r_are_a_column(run: Run, mark: str, words: str, names: list[str]) -> None:

@@ -138,6 +138,25 @@ def test_table_keeps_the_index_of_a_data_frame() -> None:
     assert [*found.columns] == [*data.columns, *ADDED]
 
 
+def test_the_statistics_of_a_data_frame_are_not_contacts() -> None:
+    data = of_pandas()
+    for statistics, count in ((data.describe(), 8), (data[[*NUMBERS][:2]].agg(["mean", "std"]), 2)):
+        found = jkroll.table(statistics, "P_c")
+        assert values(found, "pull_off_force [N]") == [None] * count
+        assert [*found["status"]] == ["row of statistics"] * count
+
+
+def test_a_named_index_is_a_column() -> None:
+    data = of_pandas().assign(**{"E [GPa]": [10.0, 20.0, 30.0], "probe": "a"})
+    expected = values(jkroll.table(data, "r_min"), "r_min [m]")
+    for names in (["E [GPa]"], ["probe", "E [GPa]"], ["radius [nm]", "gamma [mJ/m2]"]):
+        found = jkroll.table(data.set_index(names), "r_min")
+        assert [*found.index.names] == names
+        assert values(found, "r_min [m]") == expected
+    with pytest.raises(jkroll.JkrollError, match=r"'foo .GPa.': not read, and E is the material's"):
+        jkroll.table(data.rename(columns={"E [GPa]": "foo [GPa]"}).set_index("foo [GPa]"), "r_min")
+
+
 def test_results_in_a_dataset_have_the_dimensions_of_their_inputs() -> None:
     xarray = pytest.importorskip("xarray")
     data = xarray.Dataset(

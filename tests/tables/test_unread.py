@@ -20,10 +20,20 @@ ADVISED = {
     "crit. displacement [nm]": "yield_displacement [nm]",
     "F_set (nN)": "load [nN]",
     "sample surface energy (mJ/m2)": "surface_energy [mJ/m2]",
+    "E (lit.) (GPa)": "youngs_modulus [GPa]",
+    "E DFT (GPa)": "youngs_modulus [GPa]",
+    "rho lit. (g/cm3)": "density [g/cm3]",
+    "w lit. (mJ/m2)": "work_of_adhesion [mJ/m2]",
+    "gamma model (mJ/m2)": "surface_energy [mJ/m2]",
+    "R2um": "radius2 [um]",
+    "R2micron": "radius2 [micron]",
+    "equivalent radius [nm]": "reduced_radius [nm]",
 }
 PASSING = (
     "stiffness [N/m]", "hertz_pressure [Pa]", "lost_energy [J]", "hardness (GPa)", "yield stress (MPa)", "x [um]",
     "spring constant (N/m)", "height (nm)", "pull-off force (nN)", "heat of fusion (J)", "sound speed (m/s)", "T [K]",
+    "equivalent diameter (um)", "particle hydrodynamic radius (nm)", "Ra (nm)", "areal density (g/cm2)", "E index",
+    "tensile strength (MPa)", "binding energy (kT)", "size [px]",
     "time [s]", "contact radius (nm)", "roughness Rq (nm)", "wavelength_nm", "tap rho_b (kg/m3)", "material_id",
 )  # fmt: skip
 
@@ -87,6 +97,9 @@ def test_all_possible_diameters_are_refused_together(run: Run) -> None:
     ("head", "meant"),
     [("d2 [mikrometer]", "diameter2 [UNIT]"), ("R2 [mikrometer]", "radius2 [UNIT]"),
      ("d2 in Mikrometern", "diameter2 [UNIT]"), ("d2 [µ]", "diameter2 [UNIT]"), ("R2_mikrometer", "radius2 [UNIT]"),
+     ("E [kg/mm2]", "youngs_modulus [UNIT]"), ("modulus (t/cm2)", "youngs_modulus [UNIT]"),
+     ("rho [g/cm]", "density [UNIT]"), ("ρ (g/cm²)", "density [UNIT]"), ("A_H (kT)", "hamaker [UNIT]"),
+     ("Er", "contact_modulus [UNIT]"), ("E*", "contact_modulus [UNIT]"),
      ("rho [g/ccm]", "density [UNIT]"), ("E wall [kN/qmm]", "youngs_modulus2 [UNIT]"), ("P [kp]", "load [UNIT]")],
 )  # fmt: skip
 def test_a_symbol_with_an_unknown_unit_is_refused(run: Run, head: str, meant: str) -> None:
@@ -98,6 +111,50 @@ def test_a_symbol_with_an_unknown_unit_is_refused(run: Run, head: str, meant: st
 @pytest.mark.parametrize("head", ["R2", "R2 [-]", "rho [ohm m]", "A [mm^2]", "P [mbar]", "E [kcal/mol]"])
 def test_a_symbol_without_a_unit_or_with_that_of_another_quantity_passes_through(run: Run, head: str) -> None:
     assert f"passed through: {head}" in ran(run, f"material,radius [um],{head}", "quartz,1,3").replace('"', "")
+
+
+SECOND_RADII = """R(2)|sphere j radius|grain j radius|particle B radius|other sphere radius|host sphere radius|RB|R*|
+large grain radius|large sphere diameter|Reff|R_eff|Rred|Req|R2 lit.|big sphere radius|harmonic mean radius"""
+
+
+@pytest.mark.parametrize("head", " ".join(SECOND_RADII.split()).replace("| ", "|").split("|"))
+def test_a_second_radius_is_refused_unless_the_table_has_both(run: Run, head: str) -> None:
+    said = ran(run, f"radius [um],{head} (um),gamma [mJ/m2]", "1,50,25", "--quantities pull_off_force")
+    assert said.startswith(f"2: jkroll: header: '{head} (um)' (first cell '50'): ")
+    said = ran(run, f"radius [um],radius2 [um],{head} (um),gamma [mJ/m2]", "1,50,25,25", "--quantities pull_off_force")
+    assert f"passed through: {head} (um)" in said.replace('"', "")
+
+
+@pytest.mark.parametrize(
+    ("head", "option", "meant"),
+    [
+        ("σ_y (MPa)", "--yield-strength 1GPa", "yield_strength [MPa]"),
+        ("sigma_y (GPa)", "--yield-strength 1GPa", "yield_strength [GPa]"),
+        ("yield stress (MPa)", "--yield-strength 1GPa", "yield_strength [MPa]"),
+        ("rh (%)", "--humidity 30%", "humidity [%]"),
+        ("RH%", "--humidity 30%", "humidity"),
+    ],
+)
+def test_a_column_in_place_of_which_an_option_would_be_used_is_refused(
+    run: Run, head: str, option: str, meant: str
+) -> None:
+    said = ran(run, f"{OTHERS},speed [m/s],{head}", "quartz,100,1,50", f"{option} --quantities v_y,meniscus_force")
+    assert said.startswith(f"2: jkroll: header: '{head}' (first cell '50'): not read, and ")
+    assert f"is {option}. Write --column '{head}={meant}', or" in said
+
+
+@pytest.mark.parametrize("head", ["θ (°)", "theta_deg", "angle [°]"])
+def test_an_angle_in_humid_air_is_refused_unless_it_is_clear(run: Run, head: str) -> None:
+    """It would be read as the angle of rolling, and the contact angle of water would be 0 by default."""
+    options = "--quantities meniscus_force,roll_energy"
+    for columns, cells, option in ((f"{OTHERS},RH (%)", "quartz,100,50", ""), (OTHERS, "quartz,100", "--humidity 50%")):
+        said = ran(run, f"{columns},{head}", f"{cells},20", f"{option} {options}")
+        assert f"'{head}' (first cell '20'): with a humidity it may be the contact angle of water. Write" in said
+        for name in ("contact_angle", "rolling_angle"):
+            way = re.search(rf"--column '[^']*={name} [^']*'", said)
+            assert way
+            assert f"{name} [" in ran(run, f"{columns},{head}", f"{cells},20", f"{option} {options} {way[0]}")
+    assert "rolling_angle [" in ran(run, f"{OTHERS},{head}", "quartz,100,20", "--quantities roll_energy")
 
 
 def test_a_column_on_which_no_result_depends_passes_through(run: Run) -> None:

@@ -33,6 +33,7 @@ _NUMBER = rb"[-+]?(?:0|[1-9][0-9]{0,19})(?:\.[0-9]{1,20})?(?:[eE][-+]?[0-9]{1,2}
 # A number, with or without a unit; d1 in 1.25d1 is not a unit.
 _CELL = re.compile(rb"\s*(" + _NUMBER + rb")((?![A-Za-z][-+]?[0-9]) ?[^\s0-9.,][^,]*)?\s*")
 _NUMBER_FIRST = re.compile(r"^[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
+PLUS_MINUS = re.compile(r"^(?:±|\+/?-)\s*")
 _POWER = rb"e([+-]?[0-9]{1,3})"
 _TINY = re.compile(rb"[eE]-[0-9]{3}")
 _HAS_UNIT = re.compile(r"[^\W\d_eEx⁰¹²³⁴⁵⁶⁷⁸⁹]|[%°]")  # a letter that is not part of a power of ten, or %, or °
@@ -73,7 +74,7 @@ class Column(NamedTuple):
         for cell in cells:
             if cell.strip() and has_no_value(cell):
                 return cell
-        first, *others = (cell.strip() for cell in cells)
+        first, *others = (PLUS_MINUS.sub("", cell.strip()) for cell in cells)
         is_single = first == others[0] if self.is_range else not any(others)
         if self.is_range and all(map(is_number, cells)):
             is_single = float(first) == float(others[0])  # 25 and 25.0

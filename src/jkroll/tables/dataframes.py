@@ -78,6 +78,17 @@ class Data:
 
 
 class _Pandas(Data):
+    def _items(self) -> Any:
+        """Iterate over the levels of the index and the columns; an index without names is read only if it has texts."""
+        index = self.data.index
+        for number, name in enumerate(index.names):
+            level = index.get_level_values(number)
+            if name is not None and name not in self.data.columns:
+                yield name, level
+            elif name is None and level.dtype.kind == "O":
+                yield "index", level
+        yield from self.data.items()
+
     def _filled(self, column: Any) -> Any:
         if hasattr(column.dtype, "units"):  # a column of pint
             column = column.pint.magnitude

@@ -11,7 +11,6 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from ..errors import BadRequest, BadTable
-from ..model.frame import EXCLUSIVE
 from ..quantities.formatting import significant
 from ..quantities.laws import MODELS
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, of_sphere
@@ -19,24 +18,22 @@ from ..quantities.nomenclature import header as head_of
 from ..quantities.values import NO_UNIT, QuantityError, middle, unit_of, value_of
 from ..text import first_of, listed, quoted, shown
 from . import words
-from .cells import Column, has_no_value, is_number
+from .cells import PLUS_MINUS, Column, has_no_value, is_number
+from .error_columns import ENDS, with_owners
 from .reading import (
     FACTOR,
-    NO_FACTOR,
-    SPREAD,
     UNREAD,
     Reading,
     means_other,
     normalized,
     reading_of,
     splits_of,
-    stems_of,
     symbol_of,
     unit_in,
     words_in,
 )
 from .unread import NOT_READ, Supply, decided_by, judged
-from .words import MATERIALS, fits, headed, key, unit_for
+from .words import MATERIALS, headed, key, unit_for
 
 _NOT_USED = "a value takes one ± column, or a minus and a plus column; a range takes only a low and a high column"
 _ROUNDED = 0.4  # largest difference between D/R and 2 that is due to rounding
@@ -45,8 +42,7 @@ _MAX_LISTED = 60  # maximum number of columns that a message names
 _OF_DIRECTIONS = r"(?i)\s*((G|nu|ν)_?(12|13|23|xy|xz|yz)|E_?3)(?![^\W_])"
 _MARKS = {"both": "± ", "minus": "− ", "plus": "+ ", "low": "from ", "high": "to "}
 _HEADER_AND_INPUT = r"(.*)(?<!\(k)(?<!\(k )=(.*)"  # the = of (k=2) is part of a header
-_ENDS = ("low", "high")
-_SHAPES = (("", "both"), ("", "minus", "plus"), ("",), _ENDS)  # the parts whose columns together give one value
+_SHAPES = (("", "both"), ("", "minus", "plus"), ("",), ENDS)  # the parts whose columns together give one value
 _Parts = Mapping[str, Reading]  # the columns of an input by part (see `Reading`); "" for the value
 _VALUE, _UNIT, _NO_UNIT = "value", "unit", "no unit in the header or in the first cell"  # kinds of cells
 
@@ -104,9 +100,9 @@ def typed(text: str) -> str:
 
 
 def _easy(text: str) -> str:
-    """Return a header as messages show it: in quotes if a blank or bracket would make the sentence unclear."""
+    """Return a header as messages show it: in quotes if it is empty, or a blank or bracket would confuse."""
     text = typed(text)
-    if " " not in text.replace(" [", "[") and "(" not in text:
+    if text and " " not in text.replace(" [", "[") and "(" not in text:
         return text
     return f'"{text}"'
 
@@ -152,14 +148,15 @@ def understood(
     readings = []
     for position, text in enumerate(texts):
         readings.append(meaning_of(text, [row[position] for row in rows], stated, measured))
-    readings = [reading._replace(position=position) for position, reading in enumerate(_in_context(readings, given))]
+    readings = [*_in_context([*with_owners(readings, given)], given)]
+    readings = [reading._replace(position=position) for position, reading in enumerate(readings)]
     inputs = _by_input(readings)
     used = _used_inputs(inputs, rows)
     known = dict.fromkeys(given, "")  # the header of each known input, "" for one given by an option
     values: list[Reading] = []
     for name, parts in used.items():
         known[name] = next(iter(parts.values())).text
-        values += [reading for part, reading in parts.items() if part in ("", *_ENDS)]
+        values += [reading for part, reading in parts.items() if part in ("", *ENDS)]
     readings = [_with_suffix(reading, known, measured) for reading in readings]
     held = {*used, *decided_by(used)}
     without_part = {reading.name for reading in readings if not reading.part}
@@ -338,7 +335,9 @@ def meaning_of(text: str, cells: Sequence[str], stated: Mapping[str, str], measu
     """
     cells = [cell.strip() for cell in cells if not has_no_value(cell)]
     cell = cells[0] if cells else ""
-    reading = reading_of(stated.get(typed(text), text), measured)._replace(is_stated=typed(text) in stated)
+    mark = PLUS_MINUS.match(cell) if not text.strip() else None
+    head = mark[0] if mark else text  # cells such as ±5 need no header
+    reading = reading_of(stated.get(typed(text), head), measured)._replace(is_stated=typed(text) in stated)
     if reading.is_symbol and not reading.part:
         kinds = {_kind(each, reading.name) for each in dict.fromkeys(cells) if not is_number(each)}
         if kinds.isdisjoint((_VALUE, _UNIT)):
@@ -382,84 +381,29 @@ def _in_context(readings: Sequence[Reading], given: Collection[str]) -> Iterator
     """Iterate over readings, each revised in view of the other headers of the table."""
     names = {*given, *(reading.name for reading in readings if reading.is_input)}
     is_of_two = not names.isdisjoint(("radius2", "diameter2"))
+    is_of_water = "humidity" in names and "contact_angle" not in names
     moduli = [reading for reading in readings if of_sphere(1, reading.name) in ("youngs_modulus", "shear_modulus")]
     directional = []
     if moduli:
         directional = [reading.text for reading in readings if re.match(_OF_DIRECTIONS, reading.text)]
-    values = _values_in(readings)
-    left = Reading()
     for reading in readings:
-        left = left if reading.part else reading
-        if reading.part or (reading.of and not reading.is_input):
-            yield _of_value(reading, left, values, given)
+        if reading.part:
+            yield reading
         elif directional and reading in moduli and not reading.is_stated:
             problem = f"with {quoted(directional[0])} in the table it may be a modulus along one direction"
             yield reading._replace(problem=problem, meant=())
+        elif reading.name == "rolling_angle" and is_of_water and not reading.is_stated and _is_any_angle(reading.text):
+            angles = [headed(name, reading.unit_text or "UNIT") for name in ("contact_angle", "rolling_angle")]
+            yield reading._replace(problem="with a humidity it may be the contact angle of water", meant=angles)
         elif reading.is_input and reading.meant and not is_of_two:
             yield reading._replace(problem="R may be the radius of a sphere or the reduced radius")
-        elif other := _uncertain_instead(reading, values):
-            yield Reading(other, part=UNREAD, problem=SPREAD.format(other), text=reading.text, cell=reading.cell)
         else:
             yield reading
 
 
-def _values_in(readings: Sequence[Reading]) -> dict[str, Reading]:
-    """Return the column of each input's value; for a range without a value, the last of its two end columns."""
-    values = {reading.name: reading for reading in readings if reading.is_input and not reading.part}
-    ends: dict[str, Reading] = {}
-    for reading in readings:
-        if reading.is_input and reading.part in _ENDS and values.keys().isdisjoint(reading.names):
-            ends[reading.name] = reading
-    return ends | values
-
-
-def _of_value(reading: Reading, left: Reading, values: Mapping[str, Reading], given: Collection[str]) -> Reading:
-    """Return the reading of an uncertainty, with the input to which it belongs.
-
-    An uncertainty without a name belongs to the column on its left, if that has values of a fitting unit. If a symbol
-    may mean several inputs and only one of them has a column, it means that one. A header that repeats one given by
-    `--column`, with a suffix, is refused. Without a column of the value, an unread uncertainty has the meaning that
-    `otherwise` states.
-    """
-    name, part = reading.name, reading.part
-    if not reading.of and not name:
-        is_value = left.is_input and left.name not in MATERIALS and (part != UNREAD or is_number(reading.cell or "0"))
-        if is_value and (reading.unit_text in ("", "%") or fits(reading.unit_text, left.name)):
-            name = left.name
-    elif name not in {*values, *given} and not reading.is_stated:
-        others = [each for each in reading.names if each in values]
-        name = others[0] if len(others) == 1 else name
-        stems = stems_of(reading.of)
-        for value in values.values():
-            if value.is_stated and not stems.isdisjoint(stems_of(value.text)):
-                name, part = value.name, UNREAD
-    if reading.is_relative and name in values and values[name].unit_text == "%":
-        part = UNREAD  # 5 % of 40 %, or 40 ± 5 %
-    if part != UNREAD:
-        return reading._replace(name=name)
-    if name not in {*values, *given}:
-        return (reading.otherwise or Reading())._replace(text=reading.text, cell=reading.cell)
-    meant = [f"{_error_column(name, values)} (k=K)"] if reading.problem == NO_FACTOR and name in values else ()
-    return reading._replace(name=name, part=part, problem=(reading.problem or SPREAD).format(name), meant=meant)
-
-
-def _error_column(name: str, values: Mapping[str, Reading]) -> str:
-    """Return the header for the uncertainty of an input, in the unit of its values."""
-    return headed(name, values[name].unit_text or "UNIT").replace(name, f"{name}_err", 1)
-
-
-def _uncertain_instead(reading: Reading, values: Mapping[str, Reading]) -> str:
-    """Return the input of which a header such as Δγ gives an uncertainty; "" if there is none.
-
-    Δγ is first read as w. In a table with a column of γ, which excludes w, it is an uncertainty of γ.
-    """
-    text = normalized(reading.text)
-    rest = re.sub(words.DIFFERENCE, "", text)
-    is_difference = rest != text and reading.is_input and not reading.is_stated
-    name = reading_of(rest).name if is_difference else ""
-    is_other = name in values and name != reading.name  # the d of diameter is not a difference
-    excludes = is_other and any({name, reading.name} <= {*names} for names in EXCLUSIVE)
-    return name if excludes else ""
+def _is_any_angle(text: str) -> bool:
+    """Return whether a header names an angle without saying which, as θ does."""
+    return words.tokens_of(text)[:1] in (["theta"], ["angle"])
 
 
 def _used(name: str, columns: _Parts) -> _Parts:
@@ -473,7 +417,7 @@ def _used(name: str, columns: _Parts) -> _Parts:
             shape = each
             break
     others = [reading for part, reading in columns.items() if part not in shape]
-    is_end = "" not in columns and not columns.keys().isdisjoint(_ENDS)
+    is_end = "" not in columns and not columns.keys().isdisjoint(ENDS)
     if others and ((is_end and not shape) or any(reading.is_stated for reading in others)):
         raise BadTable(f"header: {quoted(others[0].text)} does not complete an uncertainty of {name}: {_NOT_USED}")
     return {part: columns[part] for part in shape}

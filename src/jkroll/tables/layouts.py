@@ -13,6 +13,7 @@ from ..errors import BadTable
 from ..quantities.units import is_in_table
 from ..quantities.values import unit_of
 from ..text import quoted
+from .cells import PLUS_MINUS
 from .header import typed
 from .reading import UNREAD, Reading, reading_of
 from .words import MATERIALS, unit_for
@@ -292,6 +293,9 @@ def with_units(names: Sequence[str], row: Row, stated: Mapping[str, str], measur
 def _below(name: str, text: str, stated: Mapping[str, str], measured: str) -> _Cell:
     """Return a header and the cell below it, with the role of the cell."""
     unit = _without_brackets(text)
+    mark = PLUS_MINUS.match(unit)
+    if mark and not name.strip():
+        name, unit = "±", unit[mark.end() :]  # as in ± nm
     if unit in _NO_UNIT:
         return _Cell(name, _OTHER_TEXT)
     whole = f"{name.strip()} [{unit}]"

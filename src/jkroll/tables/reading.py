@@ -16,7 +16,7 @@ from typing import NamedTuple
 from ..quantities.nomenclature import NOMENCLATURE, of_sphere
 from ..quantities.units import PREFIXES, SUPERSCRIPTS, is_in_table
 from ..text import ascii_text, composed, quoted
-from . import words
+from . import error_words, words
 from .words import MATERIALS, Meaning, fits, headed, key, spelt_out, squeezed, unit_for
 
 
@@ -210,20 +210,20 @@ def _of_part(text: str, measured: str) -> Reading:
 
     A notation that is not clearly an uncertainty is UNREAD. A header that is not about a spread has no part.
     """
-    factor = re.search(words.COVERAGE, text)
-    plain = re.sub(words.COVERAGE, "", text)
-    bare = re.sub(words.PERCENT, "", plain)
+    factor = re.search(error_words.COVERAGE, text)
+    plain = re.sub(error_words.COVERAGE, "", text)
+    bare = re.sub(error_words.PERCENT, "", plain)
     share = "%" if bare != plain else ""
-    mark = re.search(words.PART, bare)
-    if mark is None or re.search(words.LEVEL, plain):
+    mark = re.search(error_words.PART, bare)
+    if mark is None or re.search(error_words.LEVEL, plain):
         return _of_spread(text, measured)
-    word = re.sub(rf"\s+{words.OF}$", "", mark[0].strip(" _.").casefold())
-    part = words.PARTS.get(word, "both")
+    word = re.sub(rf"\s+{error_words.OF}$", "", mark[0].strip(" _.").casefold())
+    part = error_words.PARTS.get(word, "both")
     rest = (bare[: mark.start()] + (mark[1] or "") + bare[mark.end() :]).strip(" _.")
     coverage = float(factor[1].replace(",", ".")) if factor else 1.0
-    if not coverage or (re.search(words.EXPANDED, bare) and not factor):
+    if not coverage or (re.search(error_words.EXPANDED, bare) and not factor):
         return _unread(rest, measured)._replace(problem=NO_FACTOR)
-    is_relative = re.fullmatch(words.RELATIVE, word, re.IGNORECASE) is not None
+    is_relative = re.fullmatch(error_words.RELATIVE, word, re.IGNORECASE) is not None
     is_certain = bool(share) or not is_relative
     in_brackets = re.fullmatch(r"[\[(](.*)[\])]|", rest)
     if in_brackets and _is_unit(in_brackets[1] or ""):
@@ -243,10 +243,10 @@ def _of_part(text: str, measured: str) -> Reading:
 
 def _of_spread(text: str, measured: str) -> Reading:
     """Return the meaning of a header about a spread that is not read; other headers have no name and no part."""
-    if re.search(words.SPREAD, text):
+    if re.search(error_words.SPREAD, text):
         return _unread(text, measured, text)
-    is_beside = re.search(words.SPREAD_BESIDE, text) or re.search(words.DIFFERENCE, text)
-    reading = _unread(re.sub(words.DIFFERENCE, "", text), measured, text) if is_beside else Reading()
+    is_beside = re.search(error_words.SPREAD_BESIDE, text) or re.search(error_words.DIFFERENCE, text)
+    reading = _unread(re.sub(error_words.DIFFERENCE, "", text), measured, text) if is_beside else Reading()
     return reading if reading.name else Reading()
 
 
@@ -258,7 +258,7 @@ def _unread(text: str, measured: str, whole: str = "") -> Reading:
     `whole`: the whole header, which is not read again.
     """
     rest = text
-    for pattern in (words.SPREAD, words.SPREAD_BESIDE, words.FILLER, words.SHARE):
+    for pattern in (error_words.SPREAD, error_words.SPREAD_BESIDE, error_words.FILLER, error_words.SHARE):
         rest = re.sub(_LEFT_OVER, " ", re.sub(pattern, " ", rest)).strip(" _.,;:-")
         for word in (rest, rest.replace("(", "", 1).replace(")", "", 1)):  # as in SE(γ)
             reading = reading_of(word, measured) if word != whole else Reading()
@@ -293,7 +293,9 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
         if reading is not None and not reading.is_symbol:
             unit = _with_prefix(split.unit) if split.is_explicit and without_factor.word == split.word else ""
             meant = [headed(reading.name, unit)] if fits(unit, reading.name) else ()
-            return Reading(reading.name, problem=FACTOR, meant=meant)
+            numbered = re.search(r"\(([12])\)$", split.word)  # as in R(2)
+            name = of_sphere(int(numbered[1]), reading.name) if numbered else reading.name
+            return Reading(name, problem=FACTOR, meant=meant)
         word, is_slip = _word_in(split.word, known, split.unit)
         word = word or (words.with_index(split.word) if split.unit else "")
         if not word:
@@ -307,7 +309,10 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
         behind = re.findall(r"[a-z]{3,}|(?<=[#(])[12]", split.unit.casefold())  # as in modulus of the wall, GPa
         sphere = words.sphere_of(words.tokens_of(split.word)) or words.sphere_of(behind)
         name = of_sphere(sphere, name) if sphere else name
-        is_open = not sphere and not is_slip and NOMENCLATURE[name].sphere == 1
+        # A large sphere may be either, but its other quantities may also be two quantities of sphere 1.
+        is_size = name in ("radius", "diameter") and "1" not in split.word
+        is_either = is_size and not _beside(split.word, word) <= words.NEUTRAL
+        is_open = (not sphere or (sphere == 1 and is_either)) and not is_slip and NOMENCLATURE[name].sphere == 1
         names = [name, NOMENCLATURE[name].twin] if is_open else [name]
         if meaning.names[1:]:
             names = [of_sphere(sphere, each) if sphere else each for each in meaning.names]

@@ -2,23 +2,40 @@
 
 import re
 from collections.abc import Sequence
-from itertools import groupby
 
+from .reading import without_accents
 from .words import MATERIALS
 
 LABEL_OF = "label of column "  # the name of the cells of a column; the index of the column follows
-MEANS = {*"mean average avg median meansd meanstd meanstdev meansem mittelwert moyenne".split()}
-SPREADS = {
-    *"""sd stdev stddev standarddeviation stdeviation sem stderr stderror standarderror rsd variance
-    standardabweichung écarttype ecarttype""".split()
-}
 
+# Names of statistics in lower case, without blanks, marks and accents.
+MEANS = {
+    *"""mean average avg median meansd meanstd meanstdev meansem mittelwert mittel moyenne mediane media promedio
+    mediana gemiddelde medelvarde medel srednia среднее медиана 平均 平均值 平均値 中位数 中央値""".split()
+}
+SPREADS = {
+    *(first + second for first in ("st", "std", "standard") for second in "dev deviation err error".split()),
+    *"""sd std stdevs stdevp sem rsd variance uncertainty unsicherheit incertitude stabw stabws stabwn
+    standardabweichung standardfehler stichprobenvarianz ecarttype erreurtype desviacionestandar desviaciontipica
+    desvest deviazionestandard devst scartotipo desviopadrao standaardafwijking standaarddeviatie standardavvikelse
+    odchyleniestandardowe стандартноеотклонение стандартнаяошибка 标准差 標準差 标准偏差 標準偏差 标准误差""".split(),
+}
 # Words that name statistics next to the words above, but otherwise label data.
-_COMPANIONS = {*"n count number se std cv var ci iqr min max minimum maximum sum total range error".split()}
+_COMPANIONS = {
+    *"""n count number s se σ sigma cv var vars varp ci ci95 iqr min max minimum maximum sum total range error mode
+    kurtosis skewness percentile quartile quantile 1stqu 3rdqu coefficientvariation confidenceinterval confidencelevel
+    modus schiefe wertebereich summe suma anzahl konfidenzniveau konfidenzintervall""".split()
+}
 _STATISTICS = MEANS | SPREADS | _COMPANIONS
+_MOST_WORDS = 3  # maximum number of words in a name of a statistic
+_FILLERS = "of the overall grand sample arithmetic value values lower upper de la значение".split()
 _PERCENTILE = re.compile(r"\d[\d.]*\s*%|q[1-3]")
+_BESIDES = re.compile(r"\(.*\)|\[.*\]|[\d.]+\s*%|%|[=:]\s*[\d.,]*$|\bof\s+\d+$")  # (n-1), 95 %, = 0.7, of 5
 # The beginning of a cell that may name a mean or a spread.
-_MAY_NAME = re.compile(rb"\n[^\na-z0-9]*(?:mean|average|avg|median|mittel|moyenne|rsd|s\W?d|st|s\W?e\W?m|var|cart)")
+_BEGINNINGS = sorted({name[:3] for name in MEANS | SPREADS})
+_MAY_NAME = re.compile(
+    rf"\n[\d.%\W]*(?:(?:{'|'.join(_FILLERS)})[\W_]+)*(?:{'|'.join(_BEGINNINGS)}|s\W?d|st\W|s\W?e\W?m)"
+)
 
 
 def is_of_text(name: str) -> bool:
@@ -29,20 +46,35 @@ def is_of_text(name: str) -> bool:
 def statistic(cell: bytes) -> str:
     """Return the statistic that a cell names, in lower case without blanks and marks; "" for any other cell.
 
-    >>> statistic(b"Mean:"), statistic(b"Std. dev. (n=5)"), statistic(b"75%"), statistic(b"grain 5")
-    ('mean', 'stddev', 'percentile', '')
+    >>> statistic(b"Mean:"), statistic(b"Std. dev. (n=5)"), statistic(b"Std. Error of Mean"), statistic(b"75%")
+    ('mean', 'stddev', 'stderror', 'percentile')
+    >>> statistic(b"Sample SD = 0.7"), statistic(b"Sample 5"), statistic(b"mean grain")
+    ('sd', '', '')
     """
-    plain = cell.decode(errors="replace").strip().casefold()
+    plain = _plain(cell).strip()
     if _PERCENTILE.fullmatch(plain):
         return "percentile"
-    bare = re.sub(r"\(.*\)|\[.*\]|^[\d.]+\s*%", "", plain)
-    word = re.sub(r"[\s_.:=±+/-]", "", bare)
-    return word if word in _STATISTICS else ""
+    words = [word for word in re.split(r"[\s_.:=±+/-]+", _BESIDES.sub(" ", plain)) if word and word not in _FILLERS]
+    first = ""
+    while words:
+        names = ["".join(words[:size]) for size in range(_MOST_WORDS, 0, -1)]  # the longest first
+        name = next((name for name in names if name in _STATISTICS), "")
+        if not name:
+            return ""
+        first = first or name
+        while name:
+            name = name.removeprefix(words.pop(0))
+    return first
+
+
+def _plain(cells: bytes) -> str:
+    """Return texts in lower case and without accents."""
+    return without_accents(cells.decode(errors="replace").casefold())
 
 
 def _may_name(cells: Sequence[bytes]) -> bool:
     """Return whether some cells may name a mean or a spread: a fast test, since few columns have such cells."""
-    return _MAY_NAME.search(b"\n" + b"\n".join(cells).lower()) is not None
+    return _MAY_NAME.search("\n" + _plain(b"\n".join(cells))) is not None
 
 
 def are_kinds_of_data(cells: Sequence[bytes]) -> bool:
@@ -59,9 +91,26 @@ def rows_of_statistics(cells: Sequence[bytes], *, alone: bool) -> list[int]:
     if not _may_name(cells):
         return []
     names, rows = [*map(statistic, cells)], list[int]()
-    for is_named, run in groupby(range(len(names)), lambda row: bool(names[row])):
-        adjacent = [*run]
-        found = {names[row] for row in adjacent}
-        if is_named and (found & SPREADS or (found & MEANS and (alone or len(found) > 1))):
-            rows += adjacent
+    for block in _blocks(names):
+        found = {names[row] for row in block} - {""}
+        if found & SPREADS or (found & MEANS and (alone or len(found) > 1)):
+            rows += block
     return rows
+
+
+def _blocks(names: Sequence[str]) -> list[list[int]]:
+    """Return blocks of rows that name statistics. `names`: the statistic that each row names, or "".
+
+    A single other row within a block belongs to it, unless the row below repeats a statistic: it then begins the data
+    of another group.
+    """
+    blocks: list[list[int]] = []
+    for row in [row for row, name in enumerate(names) if name]:
+        block = blocks[-1] if blocks else [-3]
+        is_next = row - block[-1] == 1
+        is_after_one = row - block[-1] == 2 and names[row] not in {names[each] for each in block}
+        if is_next or is_after_one:
+            block += range(block[-1] + 1, row + 1)
+        else:
+            blocks.append([row])
+    return blocks

@@ -315,6 +315,7 @@ class TableBlock:
         """`records`: the cells of the columns that the table reads."""
         self.table, self.cells, self.odd = table, records.cells, records.odd
         self.numbers: Mapping[str, Numbers] = {each.name: each.numbers(self.cells) for each in table.columns.inputs}
+        self._check_header()
         self.indices = {name: table.lookups[name].indices(self.cells[name]) for name in MATERIALS if name in self.cells}
         are_rows = numpy.zeros(len(records.before), dtype=numpy.int64)
         self.statistics: dict[int, str] = {}
@@ -325,6 +326,22 @@ class TableBlock:
         marks = [table.lookups[name].marks(indices) for name, indices in self.indices.items()]
         self.size = len(are_rows)
         self.marks: Sequence[Any] = [are_rows, *marks]
+
+    def _check_header(self) -> None:
+        """Raise BadTable for a row that is a header with other units, or another order, than that of the table."""
+        if not self.numbers:
+            return
+        first, *_ = self.numbers.values()
+        texts, positions = self.table.columns.texts, self.table.columns.positions
+        heads = {name: typed(texts[position]) for name, position in positions.items() if name not in MATERIALS}
+        for row in first.odd:
+            others = [typed(self.cells[name][row].decode(errors="replace")) for name in heads]
+            if others != [*heads.values()] and all(is_input(each, self.table.asked.measured) for each in others):
+                other, above = (quoted(", ".join(each)) for each in (others, heads.values()))
+                raise BadTable(
+                    f"a row below the header is another header: {other} instead of {above}. Split the file there, and "
+                    "convert each part"
+                )
 
     @property
     def half_bars(self) -> dict[int, JkrollError]:

@@ -60,7 +60,7 @@ def table(
         input is a column with a unit, either in its name ("radius [nm]", "E_GPa") or stated by the library, as in the
         attribute "units" or in a column of pint or astropy. Columns "material" and "material2" have names of materials,
         and a column "gamma_err [mJ/m2]" is an uncertainty. In columns of numbers, nan is an empty cell.
-        Columns of texts may have decimal commas.
+        Columns of texts may have decimal commas. In pandas, an index with a name is a column, too.
     quantities
         Names or symbols of quantities, or commands such as "pull-off". By default, the table gets all quantities that
         its columns allow.

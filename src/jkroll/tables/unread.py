@@ -26,7 +26,7 @@ from ..text import ascii_text, shown
 from . import words
 from .cells import has_no_value, is_number
 from .reading import FACTOR_INSIDE, FACTOR_OF_UNIT, Reading, Split, normalized, reading_of, splits_of
-from .words import INPUTS, MATERIALS, fits, headed, key, sphere_of, tokens_of, unit_for
+from .words import INPUTS, MATERIALS, fits, headed, key, sphere_of, squeezed, tokens_of, unit_for
 
 # Inputs that replace each other, in addition to EXCLUSIVE.
 _OF_MODULI = tuple(("contact_modulus", name) for name in ("youngs_modulus", "youngs_modulus2"))
@@ -34,6 +34,7 @@ _OF_MODULI = tuple(("contact_modulus", name) for name in ("youngs_modulus", "you
 _OF_INPUTS = {*INPUTS, *chain.from_iterable(routes_anywhere().get(name, ()) for name in INPUTS)}
 # Inputs whose columns may also have words for other quantities.
 _OF_PARTS = (
+    "yield_strength",
     "approach_at_load",
     "atomic_spacing",
     "yield_displacement",
@@ -109,13 +110,15 @@ def _replaced(names: Sequence[str], columns: Set[str], clauses: Mapping[str, str
 def decided_by(columns: Collection[str]) -> set[str]:
     """Return the inputs that columns determine.
 
-    A load determines the approach, and radii determine the reduced radius; but γ does not determine w of two solids.
+    A load determines the approach, and the radii of both spheres determine the reduced radius; but γ does not determine
+    w of two solids.
     """
     decided: set[str] = set()
     for group in EXCLUSIVE:
         if "work_of_adhesion" not in group and not {*group}.isdisjoint(columns):
             decided |= {*group}
-    return decided
+    is_of_two = not {"radius2", "diameter2", "reduced_radius"}.isdisjoint(columns)
+    return decided if is_of_two else decided - {"reduced_radius"}
 
 
 def _supplier(name: str, columns: Collection[str], options: Mapping[str, Any], known: Materials) -> str:
@@ -247,16 +250,32 @@ def _without_unit(text: str, cells: Sequence[str], supply: Supply) -> list[str]:
         return ratios
     reading = reading_of(text)
     is_symbol = reading.is_symbol and NOMENCLATURE[reading.name].unit not in words.COMMON_UNITS
-    return [reading.name] if is_symbol and reading.name in supply.direct else []
+    is_short = len(text.strip().rstrip("12")) == 1  # w and A are symbols of too many quantities
+    is_supplied = reading.name in (supply.direct if is_short else supply.clauses)
+    return [reading.name] if is_symbol and is_supplied else []
 
 
 def _with_unread_unit(text: str) -> tuple[Split, Sequence[str]]:
-    """Return a header divided before an unknown unit, as in d2 [mikrometer], and the inputs that its symbol means."""
-    for split in splits_of(text):
-        symbol = words.with_symbol(words.without_body(split.word))
-        if symbol and split.is_explicit and not _is_known(split.unit):
-            return split, [name for name in symbol.names if NOMENCLATURE[name].unit != "1"]
+    """Return a header divided before an unknown or a technical unit, and the inputs that its word means.
+
+    Before an unknown unit, only a symbol counts, as in d2 [mikrometer].
+    """
+    for split in filter(lambda split: split.is_explicit, splits_of(text)):
+        word = words.without_body(split.word)
+        symbol = words.with_symbol(word)
+        meaning = symbol or words.meanings("").get(key(word), words.Meaning())
+        names = [name for name in meaning.names if _is_technical(split.unit, name)]
+        if not names and symbol and not _is_known(split.unit):
+            names = [name for name in symbol.names if NOMENCLATURE[name].unit != "1"]
+        if names:
+            return split, names
     return Split(text, ""), []
+
+
+def _is_technical(unit: str, name: str) -> bool:
+    """Return whether a text means a unit of an input in a technical system, as kg/mm² does for a pressure."""
+    spelt = {squeezed(text) for text in words.TECHNICAL_UNITS.get(NOMENCLATURE[name].unit, ())}
+    return squeezed(unit) in spelt
 
 
 @lru_cache(maxsize=5000)
@@ -315,7 +334,8 @@ def _with_unit(text: str) -> Split:
 
 
 def _with_powers(text: str) -> str:
-    """Return a header with square and cubic metres written as powers: m2 for sq m."""
+    """Return a header with square and cubic metres written as powers, m2 for sq m, and a gap after a sphere: R2um."""
+    text = re.sub(r"^([a-zA-Z]{1,5}[12])(?=[a-zµ])", r"\1 ", text)
     pattern = r"(?i)(?<![a-z])(sq|cu)[\s._]*(c?m)(?![a-z])"
     return re.sub(pattern, lambda found: f"{found[2]}{_POWERS[found[1].lower()]}", text)
 
@@ -369,8 +389,9 @@ def _is_of_other(tokens: Sequence[str], name: str) -> bool:
     """Return whether the words of a header show that it is another quantity than this input."""
     first = of_sphere(1, name)
     if first not in _OF_PARTS:
-        if not words.LABELS.isdisjoint(tokens):
-            return True
+        symbol = words.with_symbol(tokens[0]) if tokens else None
+        if not words.LABELS.isdisjoint(tokens) and not (symbol and name in symbol.names):
+            return True  # but E (lit.) is a modulus
         others = words.NO_INPUTS.get(NOMENCLATURE[name].unit, frozenset())
         long_words = [word for word in others if len(word) > 4]
         if any(word in token for word, token in product(long_words, tokens)):

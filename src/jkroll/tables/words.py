@@ -69,8 +69,8 @@ _DOUBTFUL_SYMBOLS = {
     **dict.fromkeys("d D dp Dp".split(), _DIAMETER),
     **dict.fromkeys("Fn FN".split(), _FORCE),
     "gamma12": Meaning(["work_of_adhesion"], "it may be of the interface: w = γ1 + γ2 - γ12", has_remedy=False),
-    **dict.fromkeys("R* Reff".split(), Meaning(["reduced_radius"], "it may be the reduced radius")),
-    **dict.fromkeys("w12 W12 wa Wa".split(), Meaning(["work_of_adhesion"], "it may be the work of adhesion")),
+    **dict.fromkeys("R* Reff Rred Req".split(), Meaning(["reduced_radius"], "it may be the reduced radius")),
+    **dict.fromkeys("w12 W12 wa Wa wad Wad".split(), Meaning(["work_of_adhesion"], "it may be the work of adhesion")),
     "2gamma": Meaning(["work_of_adhesion"], "it may be the work of adhesion, w = 2γ"),
     "Rp": Meaning(["radius"], "it may be the radius of a particle"),
     "Eeff": _MODULUS,
@@ -130,50 +130,6 @@ LABELS = {*"""id ids no nr num number name names type types class classes case c
     description quality flag status unit units method model formula cost price date color colour grade out
     ratio lit dft calc""".split()}  # fmt: skip
 INDICES = ("in", "bar")  # units in brackets; elsewhere, "in" may be inside, and "bar" a mean
-# Words for a side of an uncertainty, or for an end of a range.
-PARTS = {
-    "minus": "minus",
-    "plus": "plus",
-    **dict.fromkeys(("min", "low", "lower"), "low"),
-    **dict.fromkeys(("max", "high", "upper"), "high"),
-}
-# Notations of an uncertainty in a header. Few tables need these patterns, so they are compiled on first use.
-PERCENT = r"(?i)(?<![\d\s_.,/])[\s_.,/]*[\[(]?(?:%|percent|pct)(?![a-z])[\])]?"  # a percentage of the value
-SHARE = r"(?i)[\s_.,/]*[\[(]?(?:%|percent|pct)[\])]?"
-LEVEL = r"\d\s*(?:%|percent|pct)"  # a confidence level
-# The coverage factor of an expanded uncertainty.
-COVERAGE = r"(?i)[\s,;_]*[\[(]?\s*(?<![^\W_])k\s*=\s*(\d+(?:[.,]\d+)?)\s*[\])]?"
-EXPANDED = r"^U(?![^\W_])|(?i:expanded|erweiterte|elargie)"
-_ERROR = "|".join([
-    r"(?:standard|std?)[\s_.]*(?:dev(?:iation)?|err(?:or)?|unc(?:ertainty)?)\.?",
-    r"(?:(?:expanded|erweiterte)[\s_.]+)?(?:uncertainty|unsicherheit)", r"incertitude(?:[\s_.]+elargie)?",
-    r"(?:ecart|erreur)[\s_.-]*type",
-    *"""stderror standardabweichung standardfehler messunsicherheit messfehler fehler erreur error err stdev std sd sem
-        se unc""".split(),
-])  # fmt: skip
-RELATIVE = rf"rsd|cv|coefficient[\s_.]of[\s_.]variation|rel(?:ative|\.)?[\s_.]+(?:{_ERROR})"  # only with %
-OF = "(?:of|von|de|sur)"
-PART = (
-    rf"(?i)^(?:u|σ|sigma)\s*\(([^()]+)\)|^(?:±|\+/?-)|^(?:σ|sigma|{RELATIVE}|{_ERROR})(?:\s+{OF})?(?=$|[\s_(\[])"
-    rf"|[\s_.]*(?:±|\+/?-)(?=$|[\s_.,/(\[])|[\s_.]+(?:{RELATIVE}|{_ERROR}|{'|'.join(PARTS)})(?=$|[\s_.,/(\[])"
-)
-# Other words for a spread; words that mean a spread only next to a value; and words that accompany words for a spread.
-_SPREADS = "errors errm errp errorbar plusminus stdv dev deviation uncert sigma var variance ci iqr mad rmse".split()
-_SPREADS_BESIDE = """change difference lo hi minimum maximum neg pos confidence limit limits bound bounds range spread
-    scatter tolerance tol accuracy precision resolution residual rms quartile quantile percentile noise
-    fluctuation halfwidth half conf""".split()
-_FILLERS = """of von de sur the rel relative delta standard expanded coverage credible interval level full width fit
-    th u mean median stat statistical syst systematic sys combined total bar bars""".split()
-_SPREAD = "|".join([RELATIVE, _ERROR, *_SPREADS, *PARTS])
-_LETTER = r"[^\W\d_]"
-SPREAD = (
-    rf"(?i)(?:(?<![^\W_])\d+)?(?:(?<!{_LETTER})(?:{_SPREAD})(?!{_LETTER})|(?<!{_LETTER})(?:{_SPREAD})"
-    rf"|(?:{_SPREAD})(?!{_LETTER}))\d*|\d+(?:\.\d+)?\s*(?:%|percent|pct|σ)|[±σ]|\+/?-"
-)
-SPREAD_BESIDE = rf"(?i)(?<!{_LETTER})(?:{'|'.join(_SPREADS_BESIDE)}|[qp]\d+)(?!{_LETTER})"
-FILLER = rf"(?i)(?<!{_LETTER})(?:{'|'.join(_FILLERS)})(?!{_LETTER})|(?<![^\W_])k\s*=\s*[\d.,]+"
-# A prefix that usually marks the uncertainty of a symbol.
-DIFFERENCE = rf"^(?:(?i:delta|d|u)(?=[\s_(])|[Δδ](?=[\s_(]*{_LETTER})|d(?={_LETTER}))"
 
 _WORD = re.compile(r"[^\W\d_](?:[\w\s.'-]*[\w\s.-])?")
 
@@ -501,7 +457,7 @@ def is_like_unit(token: str) -> bool:
 
 def headed(name: str, unit_text: str = "UNIT") -> str:
     """Return the header of an input, with its unit if it needs one."""
-    return f"{name} [{unit_text}]" if NOMENCLATURE[name].unit not in ("", "1") else name
+    return f"{name} [{unit_text}]" if unit_text == "%" or NOMENCLATURE[name].unit not in ("", "1") else name
 
 
 # --- Words of columns that are not read -------------------------------------------------------------------------------
@@ -520,6 +476,12 @@ _MEANT_BY = {
     "mJ/qm": "mJ/m2",
     "sec": "s",
 }
+# Units of technical systems, and units that lack a power, by the SI unit that they mean after the name of an input.
+TECHNICAL_UNITS: Mapping[str, frozenset[str]] = {
+    "Pa": frozenset("kg/mm2 kg/cm2 kg/m2 t/cm2 t/mm2 kgf/mm2 kgf/cm2 kp/mm2 kp/cm2".split()),
+    "kg/m^3": frozenset("g/cm g/cm2 kg/m kg/m2".split()),
+    "J": frozenset("kT kBT kbT k_BT k_B T".split()),
+}
 # Words that turn the quantity next to them into another: a multiple, a part, a power or a ratio.
 SENSES = {*"half double twice fwhm hwhm squared square inv times per ratio rel relative change rate".split()}
 # SI units so common that a unit alone does not point to an input: a word must.
@@ -528,16 +490,18 @@ _OF_BODIES = """size groess gross grain partic sphere bead kugel korn partikel c
     taille tip probe ball""".split()
 # Symbols, and parts of words, that point to an input with a common unit, or to some other inputs.
 POINTERS: Mapping[str, tuple[Sequence[str], Sequence[str]]] = {
+    "humidity": (["rh"], "humid feucht umid".split()),
+    "yield_strength": ("sigmay sy ys rp02".split(), "yield streck fliess".split()),
     "poisson_ratio": ("nu pr".split(), "poiss querkontrak".split()),
     "hysteresis_fraction": ((), ["hyst"]),
     "hamaker": ("a ah".split(), ["hamaker"]),
     "adhesion_hysteresis": ("dw deltaw".split(), ["hyst"]),
     "radius": (
-        "r a rp rs rt rw ri rj rm rad roc".split(),
+        "r a rp rs rt rw ri rj rm rb rad roc".split(),
         ["radi", "rayon", "raggi", "halbmess", "raio", "straal", *_OF_BODIES],
     ),
     "diameter": ("d d32 d43 dp ds dt dw di dj dv x10 x50 x90 vmd dia".split(), ["diam", "durchm", *_OF_BODIES]),
-    "reduced_radius": ("r reff rstar".split(), "radi rayon raggi".split()),
+    "reduced_radius": ("reff rstar".split(), "radi rayon raggi".split()),
     "yield_displacement": ("xi ksi".split(), "displac verschieb deplac crit krit roll".split()),
     "atomic_spacing": (
         "z0 d0 h0 hmin dmin eps".split(),
