@@ -82,11 +82,10 @@ class _Pandas(Data):
         """Iterate over the levels of the index and the columns; an index without names is read only if it has texts."""
         index = self.data.index
         for number, name in enumerate(index.names):
-            level = index.get_level_values(number)
-            if name is not None and name not in self.data.columns:
-                yield name, level
-            elif name is None and level.dtype.kind == "O":
-                yield "index", level
+            level, head = index.get_level_values(number), "index" if name is None else name
+            is_read = name is not None or level.dtype.kind == "O"
+            if is_read and head not in self.data.columns:
+                yield head, level
         yield from self.data.items()
 
     def _filled(self, column: Any) -> Any:
