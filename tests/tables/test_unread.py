@@ -182,8 +182,10 @@ def test_an_unread_column_of_materials_is_refused(run: Run, head: str, name: str
 
 
 def test_labels_and_letters_are_not_materials(run: Run) -> None:
-    assert ran(run, f"{OTHERS},grade", "quartz,100,C").startswith("0: ")
-    assert ran(run, f"{OTHERS},lab", "quartz,100,Zurich").startswith("0: ")
+    """A header such as grade labels its cells, even if they name a material."""
+    assert ran(run, f"{OTHERS},grade", "quartz,100,iron").startswith("0: ")
+    assert ran(run, f"{OTHERS},foo", "quartz,100,iron").startswith("2: ")
+    assert ran(run, f"{OTHERS},foo", "quartz,100,C").startswith("0: ")
 
 
 def test_a_column_of_materials_passes_through_only_if_columns_give_the_properties_of_both_spheres(run: Run) -> None:
@@ -251,8 +253,8 @@ MANGLED = {
 
 
 @pytest.mark.parametrize("head", MANGLED)
-def test_a_mangled_unit_is_recognized(head: str) -> None:
-    """Capitals are changed, signs and powers are lost, and Å is written as A."""
+def test_a_header_with_a_mangled_word_or_unit_is_refused(head: str) -> None:
+    """It is neither misread nor passed through. Capitals are changed, signs and powers lost, and Å is written as A."""
     assert outcome(Header(head, MANGLED[head], 1.0, is_plain=False, is_of_2=False)) == REFUSED
 
 

@@ -133,6 +133,6 @@ def _uncertain_instead(reading: Reading, values: Mapping[str, Reading]) -> str:
     rest = re.sub(error_words.DIFFERENCE, "", text)
     is_difference = rest != text and reading.is_input and not reading.is_stated
     name = reading_of(rest).name if is_difference else ""
-    is_other = name in values and name != reading.name  # the d of diameter is not a difference
+    is_other = name in values and name != reading.name  # "iameter" is read as a diameter, so its d is no difference
     excludes = is_other and any({name, reading.name} <= {*names} for names in EXCLUSIVE)
     return name if excludes else ""

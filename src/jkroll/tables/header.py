@@ -53,7 +53,8 @@ class Header(NamedTuple):
     texts: tuple[str, ...]
     inputs: tuple[Column, ...]
     materials: tuple[Column, ...]  # columns with names of materials
-    clauses: Mapping[int, str] = MappingProxyType({})  # on values used instead of passed columns, by position
+    # For a passed column, by its position: the value used instead, as in "ρ is --density 2g/cm3".
+    clauses: Mapping[int, str] = MappingProxyType({})
 
     @property
     def names(self) -> frozenset[str]:
@@ -85,7 +86,10 @@ class Header(NamedTuple):
         return f" ({self.clauses[position]})" if position in self.clauses else ""
 
     def _from(self, column: Column) -> str:
-        """Return the standard header of an input, its header in the table if that differs, and those of its sides."""
+        """Return the standard header of an input, and its headers in the table if they differ.
+
+        The latter are those of the value and of the uncertainty.
+        """
         text = self.texts[column.position]
         parts = [head_of(column.name, column.unit_text)]
         if not column.is_range and typed(text) not in (parts[0], column.name):
@@ -311,8 +315,9 @@ def _with_symbol(symbol: str, known: Mapping[str, str]) -> list[str]:
 def _may_pass(reading: Reading, held: Collection[str], known: Collection[str]) -> bool:
     """Return whether a column with a problem may pass through, since other columns or options give its inputs.
 
-    Its likeliest input must be in `held`, the inputs that columns give or determine. Its other possible inputs may also
-    be in `known`, the inputs with columns or options. A column that changes the meaning of a value must not pass.
+    Its likeliest input must be in `held`, the inputs that columns give or determine. Its other possible inputs must be
+    in `held` or in `known`, the inputs with columns or options. A column that changes the meaning of a value must not
+    pass.
     """
     return reading.name in held and reading.part != UNREAD and {*reading.names} <= {*held, *known}
 
@@ -424,7 +429,9 @@ def _used(name: str, columns: _Parts) -> _Parts:
 
 
 def _column(name: str, parts: _Parts) -> Column:
-    """Return the column of an input. Raises BadTable if units, except that of a ± column, or coverage factors differ.
+    """Return the column of an input. Raises BadTable if the units or the coverage factors of its parts differ.
+
+    Only a ± column may have a unit of its own.
 
     In a column without a unit, each cell states its own unit, or the input is a ratio.
     """
