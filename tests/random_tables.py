@@ -64,8 +64,8 @@ def random_table(size: int, seed: int) -> str:
     return "\n".join(lines) + "\n"
 
 
-# A program that runs jkroll with small blocks, all but the first two in other processes, so that kills during a short
-# run meet every state of a run.
+# A program that runs jkroll with small blocks, so that tests can kill a short run at every stage. With --jobs, all
+# blocks of a table except the first two go to other processes.
 IN_SMALL_BLOCKS = """
 import signal
 import jkroll.__main__

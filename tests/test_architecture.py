@@ -24,7 +24,7 @@ MODULES = sorted(SOURCE.rglob("*.py"))
 
 # From the top down: a folder imports only from folders below it. Files outside of folders are the ground.
 FOLDERS = "cli bench pictures tables write report model materials quantities physics ground".split()
-# Files of the ground that pass on names from all folders.
+# Files of the ground that may import from all folders.
 PUBLIC = {"__init__", "__main__", "formulas"}
 # The folders that import each library.
 ONLY = {
@@ -39,7 +39,7 @@ ONLY = {
     "zstandard": {"tables"},
 }
 
-# The paper's equations between the quantities, which `solve` does not need; the manual names them.
+# Formulas of the paper that are steps of a derivation: `solve` does not need them; the guide lists them.
 DERIVATION = {"pressure", "boussinesq_pressure_at_approach", "initial_angular_speed"}
 
 
@@ -51,7 +51,7 @@ def part(path: Path) -> str:
 
 @cache
 def imports(path: Path) -> dict[str, str]:
-    """Return the modules that a file imports when it runs, each with its folder ("" for other libraries)."""
+    """Return the modules and names that a file imports when it runs, each with its folder ("" for a library)."""
     package = ["jkroll", *path.relative_to(SOURCE).parts[:-1]]
     found: dict[str, str] = {}
     tree = ast.parse(path.read_text(encoding="utf-8"))
@@ -248,7 +248,7 @@ def test_pyright_infers_the_same_types_as_mypy(tmp_path: Path) -> None:
 
 
 def modules_of_tests(path: Path) -> set[str]:
-    """Return what a file of tests imports, modules and names; those of the program without prefix, as "model.rows"."""
+    """Return the modules and names that a test imports from jkroll, without this prefix, and modules imported whole."""
     found: set[str] = set()
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom) and node.module is not None and node.module.startswith("jkroll"):

@@ -106,7 +106,7 @@ def test_the_error_names_all_solutions() -> None:
 @pytest.mark.parametrize("model", ["jkr", "maugis"])
 @pytest.mark.parametrize("quantity", ["rolling_frequency", "n_grav", "sliding_frequency"])
 def test_two_solutions_between_pull_off_and_the_next_value_of_the_scan_are_found(quantity: str, model: str) -> None:
-    """In tension, the quantity of a small sphere rises from pull-off to a maximum before the next value of the scan."""
+    """Under tension, as R grows from pull-off, the quantity has a maximum before the next radius of the scan."""
     scene = Frame({"load": -5e-9}, known_materials()["quartz"], model=model)
     least = 4e-8 if model == "jkr" else 3e-8
     radii = numpy.geomspace(least, 1.3 * least, 4000)
@@ -163,9 +163,9 @@ def test_the_search_ends_if_only_rounding_changes_the_quantity(quantity: str) ->
     """The load is given and computed back from its state, so γ changes only its last digits, up and down."""
     given = {**QUARTZ, "radius": 1e-4, "youngs_modulus": 8e7, "load": 1e-12}
     del given["surface_energy"]
-    with pytest.raises(NoResult) as caught:
+    with pytest.raises(SeveralSolutions) as caught:
         solution("surface_energy", quantity, 1e-12 * (1 + 1e-13), Frame(given))
-    assert len(getattr(caught.value, "values", ())) < 200
+    assert 1 < len(caught.value.values) < 200
 
 
 @pytest.mark.parametrize("ulp", [-4, 0, 4])
@@ -176,7 +176,7 @@ def test_a_range_of_radii_with_the_same_sticking_speed_is_reported(ulp: int) -> 
     with pytest.raises(Undetermined, match=r"every value from 1 pm to 7\.187\d* µm gives sticking_speed") as caught:
         infer("radius", measured={"sticking_speed": speed}, **given)
     parameter = solve("transition_parameter", radius=caught.value.span[1], **given)
-    assert parameter == approx((9 / 32) ** (1 / 3), rel=1e-3)  # below, spheres attract before they touch
+    assert parameter == approx((9 / 32) ** (1 / 3), rel=1e-3)  # for smaller ones, spheres jump in before they touch
     assert math.isnan(infer("radius", measured={"sticking_speed": [speed, speed]}, **given)[0])
 
 
@@ -238,7 +238,7 @@ def test_a_solution_beyond_the_usual_values_has_a_warning(run: Run) -> None:
 
 @pytest.mark.parametrize("measured", [1.0, 1e-30])
 def test_the_range_that_an_error_states_has_exact_ends(measured: float) -> None:
-    """The weaker body sets the sliding energy, which is largest where E1 = E2, between two values of the scan."""
+    """The softer body sets the shear strength, so the sliding energy has a maximum at E1 = E2, inside the scan."""
     given: dict[str, Any] = {"radius": 1e-6, "surface_energy": 0.03, "poisson_ratio": 0.3, "youngs_modulus2": 2e9}
     ends = [solve("sliding_energy", **given, youngs_modulus=modulus) for modulus in (1.0, 2e9)]
     with pytest.raises(NoSolution) as error:
@@ -348,8 +348,8 @@ def test_inferred_values_are_not_listed_as_inputs(run: Run, words: str, inferred
     header, *rows = csv.reader(run(f"infer {words} --csv").out.splitlines())
     assert inferred & {*header} == {header[-3]}
     assert all(row[-3] for row in rows)
-    (one,) = (json.loads(run(f"infer {words.replace(',4nN', '')} --json").out)["inputs"],)
-    assert inferred.isdisjoint(one)
+    inputs = json.loads(run(f"infer {words.replace(',4nN', '')} --json").out)["inputs"]
+    assert inferred.isdisjoint(inputs)
 
 
 def test_the_uncertainty_of_sphere_2_enters_the_inferred_value_of_sphere_1() -> None:

@@ -35,7 +35,7 @@ def test_lines_that_are_not_objects_are_failed_rows(run: Run, monkeypatch: pytes
 
 
 def test_each_line_must_be_one_object(run: Run) -> None:
-    """Two objects in a line and one object in two lines would give the right number of objects."""
+    """If all lines were read as one JSON array, the middle three would give three objects."""
     lines = ['{"radius [nm]": 1}, {"radius [nm]": 2}', '{"radius [nm]": [{"x": 3}', '{"y": 4}]}', '{"radius [nm]": 5}']
     found = converted(run, "\n".join(['{"radius [nm]": 0.5}', *lines]), "--quantities", "r_min")
     assert [one["status"] for one in found] == [None, *["is not a JSON object"] * 3, None]

@@ -71,7 +71,7 @@ def test_a_plane_in_a_written_list_is_read_as_a_plane(run: Run) -> None:
 
 @pytest.mark.parametrize("kind", ["float64", "float32", "float16", "int64", "int16", "uint8"])
 def test_numbers_of_any_type_and_nulls_are_read_as_in_csv(run: Run, monkeypatch: pytest.MonkeyPatch, kind: str) -> None:
-    """The file is read in several blocks, so some reads of a column begin at a later row."""
+    """The file is read in several blocks, so each column comes in several parts."""
     from jkroll.tables import parquet as batch
 
     values = [None if row % 5 == 3 else row % 50 + 50 for row in range(100)]
@@ -176,7 +176,7 @@ def test_the_metadata_of_a_file_is_kept(run: Run) -> None:
 
 
 def test_a_dictionary_of_materials_may_use_all_of_its_codes(run: Run) -> None:
-    """A data frame of pandas writes 128 categories with codes of 8 bits."""
+    """Codes of 8 bits, from 0 to 127, can number 128 materials."""
     words = ["quartz", *(f"stone{number}" for number in range(127))]
     codes = pyarrow.array([0, None, 127], pyarrow.int8())
     material = pyarrow.DictionaryArray.from_arrays(codes, words)
@@ -245,7 +245,10 @@ def test_a_table_without_columns_is_refused(run: Run) -> None:
 
 
 def test_the_size_of_each_batch_is_taken_once() -> None:
-    """Otherwise the time would grow as the square of the number of batches; small groups of rows give many batches."""
+    """Otherwise the time would grow as the square of the number of batches.
+
+    In a column with a dictionary, each group of rows begins a new batch, so there may be many.
+    """
     batches, sizes = [Mock() for _ in range(500)], [PropertyMock(return_value=1) for _ in range(500)]
     for batch, size in zip(batches, sizes, strict=True):
         type(batch).nbytes = size

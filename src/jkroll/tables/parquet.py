@@ -1,4 +1,4 @@
-"""Parquet: batches of a file as records, and rows as batches."""
+"""Parquet: read the batches of a file as records, and write rows as batches."""
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -28,7 +28,10 @@ class Batches:
     is_plain, has_words, digits = False, False, None
 
     def header(self, heads: Sequence[str], before: Sequence[Any] = ()) -> Any:
-        """Return the empty batch with the types of all columns. `before`: the schema of the columns before these."""
+        """Return the empty batch with the types of all columns.
+
+        `before`: the schema of the columns before these, as the only element; empty if there are none.
+        """
         (schema,) = before or (pyarrow.schema([]),)
         new = [pyarrow.field(head, pyarrow.string() if has_texts(head) else pyarrow.float64()) for head in heads]
         full_schema = pyarrow.schema([*schema, *new], metadata=schema.metadata)
@@ -47,10 +50,10 @@ class Batches:
     @contextmanager
     def sink(self, stream: BinaryIO, header: Any) -> Iterator[Callable[[Any], None]]:
         """Yield a function that writes batches in groups of similar size. `header`: a batch with the schema."""
-        texts = [field.name for field in header.schema if not pyarrow.types.is_floating(field.type)]
+        others = [field.name for field in header.schema if not pyarrow.types.is_floating(field.type)]
         group: list[Any] = []
-        size = 0  # bytes in the group; memory that batches share counts in each batch
-        with pyarrow.parquet.ParquetWriter(stream, header.schema, use_dictionary=texts) as file:
+        size = 0  # bytes in the group; memory that several batches share counts for each of them
+        with pyarrow.parquet.ParquetWriter(stream, header.schema, use_dictionary=others) as file:
 
             def flush() -> None:
                 file.write_table(pyarrow.Table.from_batches(group, header.schema))
