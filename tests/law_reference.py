@@ -1,4 +1,4 @@
-"""The exact value of each formula of the laws of attraction, in its plainest form and in 120-digit arithmetic.
+"""Exact values of formulas beyond the paper's, in 120-digit arithmetic: other laws, Sneddon's sphere, water, damping.
 
 The parameters are symbols, which `reference` translates. For Maugis' law, the formulas follow from his own equations;
 a contact of radius a in a zone of radius c has T = √(c² − a²) and the edge ratio v = a/T.
@@ -31,7 +31,7 @@ KELVIN_LENGTH = mpf(5.248e-10)  # γ_L V_m/(R_g T) of water at 25 °C
 
 
 def first_order(theta_c: Exact) -> Exact:
-    """Return κ of a meniscus between touching bodies: its force is 4πRγ_L cos θ_c, lower by the fraction κ√(r_K/R)."""
+    """Return κ of a meniscus between touching bodies, whose force is 4πRγ_L cos θ_c (1 − κ√(r_K/R))."""
     return (pi / 2 - theta_c + digits.sin(2 * theta_c) / 2) / (4 * digits.cos(theta_c) ** mpf(1.5))
 
 
@@ -333,7 +333,7 @@ TERMS: Mapping[str, Callable[..., Exact]] = {
     "state_energy_maugis": lambda edge, T, l_M, U_M, lambda_: max(map(abs, state_energy(edge, T, l_M, U_M, lambda_))),
 }
 
-# The parameters whose errors enter κ: the accuracy of these formulas is stated in ulp·(1 + κ).
+# The parameters of the condition number of a formula; its error is stated in ulp·(1 + condition number).
 CONDITIONED: Mapping[str, tuple[str, ...]] = {
     "contact_radius_dmt": ("load",),
     "threshold_humidity": ("roughness_gap",),

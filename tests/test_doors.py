@@ -1,8 +1,8 @@
 """The same rows at every door: the prompt, lists, files, tables and Python give the same answers.
 
 Rows computed with floats are the reference. Arrays may differ from these within the stated accuracy; all other doors
-agree exactly. The prompt has two additions: the values at two atomic spacings of a quantity that depends on z0, and
-the pull-off force by Maugis' law in the reason for a load beyond pull-off.
+agree exactly. The prompt adds two things: a quantity that depends on z0 is also given at a second atomic spacing, and
+the reason for a load beyond pull-off has the pull-off force by Maugis' law.
 """
 
 import math
@@ -59,8 +59,8 @@ from jkroll.report.answer import with_force_by_maugis
 from jkroll.report.questions import QUESTIONS
 from questions import SPHERES, Ask, Sheet, any_ask, ask_of, mixed_sheet, sheet_of
 
-FEW, MANY = range(10, 14), 1000  # the numbers of the questions of a quick test; how many a slow test has
-PARTS = [range(first, first + MANY // 5) for first in range(0, MANY, MANY // 5)]  # the numbers of these, in parts
+FEW, MANY = range(10, 14), 1000  # the numbers of the questions in a quick test; the count of questions in a slow test
+PARTS = [range(first, first + MANY // 5) for first in range(0, MANY, MANY // 5)]  # the latter in five parts
 UNITS = ["nm", "angstrom", "nN", "lbf", "eV", "GPa", "cm/s", "N ym4", "m ym3", "J Ym-1", "kHz"]
 
 Cells = Mapping[str, Any]
@@ -91,7 +91,8 @@ def _in_refusals(run: Run, ask: Ask, error: JkrollError) -> Iterator[str]:
 
     A table refuses it row by row. So do arrays if a value is out of range only after its conversion.
     """
-    said = str(error).partition(": ")[2] or str(error)  # after the name of an input, which the prompt has as typed
+    # Without the name of the input: at the prompt, the name of the option stands there.
+    said = str(error).partition(": ")[2] or str(error)
     refusals: set[str] = set()
     for form in ("--json", "--csv", "ndjson"):
         try:
@@ -105,7 +106,7 @@ def _in_refusals(run: Run, ask: Ask, error: JkrollError) -> Iterator[str]:
     try:
         found = of_table(run, sheet_of(ask))
     except Refused as other:
-        # An option applies to all rows, and may be at fault besides the input of the first error.
+        # An option applies to all rows, so a table may report an option instead of the input in the first error.
         options = [NOMENCLATURE[name].option or f"--{name}" for name in ask.options]
         in_option = options and (said in str(other) or any(f"{option}: " in str(other) for option in options))
         if not in_option and not _lacks(str(other)):
@@ -117,7 +118,7 @@ def _in_refusals(run: Run, ask: Ask, error: JkrollError) -> Iterator[str]:
 
 
 def _lacks(text: str) -> bool:
-    """Return whether a table is refused for a quantity that cannot be computed, or for unlike spheres."""
+    """Return whether a refusal is for a quantity that cannot be computed, or for unlike spheres."""
     return " needs " in text or " not in " in text or "identical spheres only" in text
 
 
@@ -131,11 +132,11 @@ FOUND: Mapping[str, str] = {
         "report quartz '8e-8 to 1.6e-7 m,1e-8 to 3e-7 m' --load '-4e-9 to 4e-9 N,(0±1e-9) N' --quantities "
         "yield_force,load_margin"
     ),
-    "groups of rows by a law without any value": (
+    "a quantity that the law does not have, in two groups of rows": (
         "n-grav ice-warm,iron '1e-7 m' --adhesion-hysteresis '0.006 J/m^2' --model dmt"
     ),
     "rigid grains of a micrometre, which JKR excludes": "n-grav silica-dry '1e-6 m,2e-6 m' --young rigid --model dmt",
-    "a headline that does not concern the scene": "yield-force quartz '1e-7 m' --quantities yield_force,contact",
+    "main results that do not exist for the pair": "yield-force quartz '1e-7 m' --quantities yield_force,contact",
     "an infinite result under another law": (
         "report quartz '1e-7 m' --radius2 plane --model dmt --quantities mass2,pull_off_force"
     ),
@@ -228,7 +229,7 @@ def test_doors_agree_on_questions_that_failed_once(run: Run, name: str) -> None:
     assert [*disagreements(run, ask_of(FOUND[name]))] == []
 
 
-def test_doors_agree_on_an_error_bar_that_no_double_holds_in_a_unit(run: Run) -> None:
+def test_doors_agree_on_an_uncertainty_that_is_rounded_in_another_unit(run: Run) -> None:
     assert [*disagreements(run, ask_of("moment ice-warm '1e-7 m,1e-6 m'"), "J Ym-1")] == []
 
 
@@ -381,7 +382,8 @@ def _in_answer(ask: Ask, texts: Mapping[str, str], floats: Rows, row: int) -> It
         of_json = found.as_dict()
     except JkrollError:
         return
-    if not (reasons and any(map(is_uncertain, given.values()))):  # a row has the sources of all its quantities
+    # The uncertainties of a row come from the inputs of all its quantities.
+    if not (reasons and any(map(is_uncertain, given.values()))):
         every = {result["name"]: result.get("best", {}) for result in of_json["results"]}
         for name in names:
             expected = _best_in(values, name)
@@ -410,7 +412,8 @@ LENNARD_JONES = {
     "pull_off_work": "well_energy_lennard_jones",
     "pull_off_work_at_dead_load": "dead_load_work_lennard_jones",
 }
-IN_PROPORTION = ("bond_number", "disruption_energy", "disruption_speed")  # to a quantity of LENNARD_JONES, or its root
+# In proportion to a quantity in LENNARD_JONES, or to its square root.
+IN_PROPORTION = ("bond_number", "disruption_energy", "disruption_speed")
 
 
 def _in_scene(scene: Frame, values: Mapping[str, float]) -> Iterator[str]:
@@ -419,14 +422,14 @@ def _in_scene(scene: Frame, values: Mapping[str, float]) -> Iterator[str]:
         return
     for key in (key for key in values if key.endswith("_best_by") and WORDS[int(values[key])] in ("Maugis", "JKR")):
         name = best_of(key)
+        if name in IN_PROPORTION:
+            continue
         other = Frame(scene.stated, scene.material, scene.material2, model="maugis")
         spacings = [other["atomic_spacing"]]
         if {"atomic_spacing", "hamaker"}.isdisjoint(scene.given):
             spacings.append(spacings[0] / 2)
         scenes = [other.replace(atomic_spacing=spacing) for spacing in spacings]
         ends = [outcomes(each, (name,))[name] for each in scenes]
-        if name in IN_PROPORTION:
-            continue
         if WORDS[int(values[key])] == "JKR" and name in values:  # the value has a meaning
             ends.append(values[name])
         numbers = [end for end in ends if isinstance(end, float)]
@@ -446,7 +449,7 @@ def _in_lines(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
     ran = answered(run, *ask.words("--best"))
     ended = {name for name, error in floats.reasons[0].items() if is_end_of_meaning(error)}
     if ran.code or (ended and scenes_of(ask)[0].uncertainties):
-        return  # without a contact there are no lines; in lines, numbers without a meaning add sources of uncertainty
+        return  # no contact, no lines; lines also have numbers without a meaning, whose inputs change the uncertainties
     lines = dict(line.split(" ", 1) for line in ran.out.splitlines())
     for key in [key for key in floats.keys if best_of(key) and best_of(key) not in ended]:
         cell, expected = lines.get(key), _as_cell(key, floats.values[0])
@@ -572,7 +575,7 @@ def _read(cell: Any, head: str) -> Any:
     if cell in ("", None):
         return None
     name = head.partition(" ")[0]
-    if name in NOMENCLATURE and cell and cell == NOMENCLATURE[name].infinity:
+    if name in NOMENCLATURE and cell == NOMENCLATURE[name].infinity:
         return math.inf
     try:
         return float(cell)
@@ -662,14 +665,15 @@ def _in_solve(ask: Ask, floats: Rows) -> Iterator[str]:
         results: dict[str, Any] = {}
         try:
             results = solve(names, model=ask.model, **given)
-        except NoErrorBar:  # with reasons in the row, the sources here are not those of all quantities
+        except NoErrorBar:  # some quantities of the row are not asked for here, so its uncertain inputs may differ
             if not reasons:
                 raise
         for name, found in results.items():
             sides = found.sides if hasattr(found, "sides") else {}
             if (found.value if sides else found) != values[name]:
                 yield f"row {row}: {name} = {values[name]!r} and {found!r}"
-            for side, number in sides.items() if not reasons else ():  # sources are those of all quantities together
+            # Uncertainties depend on which quantities are computed together.
+            for side, number in sides.items() if not reasons else ():
                 if values.get(f"{name}_{side}") != number:
                     yield f"row {row}: {name}_{side} = {values.get(f'{name}_{side}')!r} and {number!r}"
         for name, error in reasons.items():
@@ -685,11 +689,11 @@ def _in_solve(ask: Ask, floats: Rows) -> Iterator[str]:
 def _is_element(scene: Frame, name: str, found: Any, element: float, *, is_special: bool) -> bool:
     """Return whether an element of an array is right for the value of a row, or for the error of a row without a value.
 
-    `is_special`: True if the arrays have a special value, 0 or infinity, for which some quantities need no contact.
+    `is_special`: True if the arrays contain 0 or infinity, with which some quantities need fewer inputs.
     """
     is_gap = math.isnan(element)
     if isinstance(found, JkrollError) and is_end_of_meaning(found):
-        return not is_gap or is_at_its_end(scene)  # solve returns all numbers
+        return not is_gap or is_at_its_end(scene)  # solve also returns numbers without a meaning
     if is_gap and is_special and scene.is_rigid:
         return True
     if isinstance(found, float):
@@ -717,7 +721,7 @@ def _in_arrays_of_solve(ask: Ask, floats: Rows) -> Iterator[str]:
                 elements = np.broadcast_to(solve(name, model=ask.model, **given), len(places)).tolist()
             except JkrollError as error:
                 if is_special and isinstance(error, MissingInput):
-                    continue  # a special value needs less
+                    continue  # with 0 or infinity, fewer inputs are needed
                 for row in places:
                     expected = floats.values[row].get(name, floats.reasons[row].get(name))
                     if expected is not None and str(expected) != str(error) and not _is_of_another(expected, name):

@@ -90,7 +90,7 @@ def test_an_answer_is_that_of_the_program_on_a_terminal(page: tuple[Browser, str
 
 @pytest.mark.parametrize("line", ["pull-off quartz 1nm:1um:5000 --csv", "map r-min --x radius=1nm:1um"])
 def test_an_answer_that_needs_numpy_is_that_of_the_program(page: tuple[Browser, str], line: str) -> None:
-    """The address has a new port, so nothing of numpy is in the browser's cache."""
+    """The first of these lines loads numpy, which the new profile of the browser does not have in its cache."""
     found, (printed, code) = answer(opened(page), line), script(line)
     assert rounded(found["shown"]) == rounded(without_colours(printed))
     assert found["code"] == code == 0
@@ -194,7 +194,7 @@ def test_a_curve_chosen_by_the_keyboard_is_fitted(
 def test_a_picture_is_shown_below_its_line(
     page: tuple[Browser, str], line: str, title: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    pytest.importorskip("matplotlib", reason="the script draws with it")
+    pytest.importorskip("matplotlib", reason="jkroll draws with matplotlib on the terminal")
     monkeypatch.chdir(tmp_path)
     window = opened(page)
     found, (printed, code) = answer(window, line), script(line)
@@ -297,6 +297,6 @@ def test_the_page_fits_a_narrow_screen(page: tuple[Browser, str]) -> None:
 
 
 def test_the_page_is_small() -> None:
-    """The page has at most 450 lines of HTML, CSS and JavaScript, and no framework."""
+    """The page has at most 450 lines of HTML, CSS and JavaScript."""
     files = [path for path in (DOCS / "prompt").iterdir() if path.suffix in (".html", ".css", ".js")]
     assert sum(len(path.read_text(encoding="utf-8").splitlines()) for path in files) <= 450

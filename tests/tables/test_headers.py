@@ -348,7 +348,7 @@ def test_option_column_applies_to_many_files_and_to_a_resumed_run(run: Run) -> N
         Path(f"in/{name}.csv").write_text("size,material\n100,quartz\n", encoding="utf-8")
     words = ["batch", "in/*.csv", "-o", "out/", "--column", "size=radius [nm]", "--quantities", "pull_off_force"]
     assert run(*words).code == 0
-    assert run(*words, "--resume") == (0, "", "note: 2 of 2 files are not older than their tables, and were kept\n")
+    assert run(*words, "--resume") == (0, "", "note: 2 of 2 output files are up to date and were kept\n")
 
 
 @pytest.mark.parametrize(

@@ -90,7 +90,7 @@ def test_a_table_that_cannot_be_read_is_named_and_a_resumed_run_converts_it(run:
     Path(grains[3]).rmdir()
     Path("away.csv").rename(grains[3])
     ran = run(*words, "-o", "forces/", "--resume")
-    note = "note: 4 of 5 files are not older than their tables, and were kept"
+    note = "note: 4 of 5 output files are up to date and were kept"
     assert (ran.code, ran.err.splitlines()[0]) == (1, note)
     assert before.items() < times("forces").items()
     assert whole("forces") == whole("whole")
@@ -253,7 +253,7 @@ def test_a_lost_cluster_is_reported_in_a_line(run: Run, grains: list[str], lost:
                 each.wait()
     said = {
         "scheduler": "was lost; --resume converts the remaining tables",
-        "workers": "has no worker left; each needs this version of jkroll",
+        "workers": "has no worker left; all need this version of jkroll",
     }
     assert message == f"jkroll: --dask: the scheduler at '{address}' {said[lost]}\n"
     assert batch.returncode == 1

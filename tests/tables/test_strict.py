@@ -178,7 +178,7 @@ def test_a_comma_in_a_number_without_a_unit_is_refused(run: Run, words: str) -> 
     ran = run(words)
     assert (ran.code, "may be a list or a number with a comma" in ran.err) == (2, True)
     # The example is fixed, not made from the typed number.
-    assert ran.err.endswith("as in 1.0,5.0; for a single number, leave the comma out\n")
+    assert ran.err.endswith("as in 1.0,5.0; for a single number, write 1.5 or 2500\n")
 
 
 def test_a_power_after_an_error_bar_without_brackets_is_refused(run: Run) -> None:

@@ -13,7 +13,7 @@ from .elementary import FloatOrArray, exp, ln, pi, sin, sqrt, within
 
 WATER_TENSION = 0.072  # N/m
 KELVIN_LENGTH = 5.248e-10  # m
-WIDEST = 0.5  # q up to which the exact force lies between the first-order force and (1 + 2q²) times this
+WIDEST = 0.5  # q up to which the exact force lies between 0.999 and (1 + 2q²) times the first-order force
 _PI_BELOW = 6.123233995736766e-17  # π/2 minus the double nearest to it
 
 
@@ -52,9 +52,8 @@ def meniscus_force(*, reduced_radius: Length, contact_angle: Angle, meniscus_siz
 
         F = 4πRγ_L cosθ (1 − q)
 
-    Source:   First order of the nodoid; for q → 0 4πRγ_L cosθ, whatever the humidity.
-    Valid:    q ≤ 1/2, where the exact force lies between F, less 0.1 % at most, and (1 + 2q²)F. No gap between the
-              bodies.
+    Source:   First order of the nodoid; F tends to 4πRγ_L cosθ as q → 0, at any humidity.
+    Valid:    q ≤ 1/2, where the exact force lies between 0.999F and (1 + 2q²)F. No gap between the bodies.
     """
     part = 1 - within(meniscus_size <= WIDEST, meniscus_size)
     return 4 * pi * reduced_radius * WATER_TENSION * sin(_elevation(contact_angle)) * part

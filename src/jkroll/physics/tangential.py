@@ -6,7 +6,7 @@ from .dimensions import Angle, Energy, Force, Length, Moment, MomentPerAngle, Nu
 from .elementary import at_least, cbrt, cube, pi, sqrt, within
 
 _NEWTON_STEPS = 3
-_TINY = 1e-300  # instead of a root of 0
+_TINY = 1e-300  # lower bound that avoids a division by 0
 
 
 def shear_strength(
@@ -30,7 +30,7 @@ def sliding_force(*, shear_strength: Stress, contact_radius_at_load: Length) -> 
 
         F_slide = πa²τ, which is Ga²/(4π) with the default τ
 
-    Source:   Lumajord/DustSimulation, without load.
+    Source:   Lumajord/DustSimulation, which has no load.
     Valid:    A contact that does not peel before, and that bears its shear strength everywhere.
     """
     return pi * shear_strength * contact_radius_at_load**2
@@ -81,7 +81,7 @@ def twisting_moment(*, shear_strength: Stress, contact_radius_at_load: Length) -
 
         M_twist = (2/3)πa³τ, which is Ga³/(6π) with the default τ
 
-    Source:   Lumajord/DustSimulation, without load.
+    Source:   Lumajord/DustSimulation, which has no load.
     Valid:    A contact that does not peel before. For nm-thick contacts of ice, larger torques were measured than
               scaled-down models predict (arXiv:1311.1957).
     """
@@ -159,8 +159,8 @@ def sliding_or_peeling_force(*, peeling_force: Force, peeling_over_sliding: Numb
               area that is left.
     Valid:    As the peeling force. A contact that keeps its area slides at F_slide, which is larger.
     """
-    # With T = T_peel √(1 − c²), the area left is g² times the area at peeling, g³ = 1 + ec: c lies between 0 and 1. The
-    # unknown t = (g − 1)/e makes the equation rational, and loses no digits where e is small.
+    # Let T = T_peel √(1 − c²), 0 ≤ c ≤ 1, and e = 2s/(1 + s²). The area left is then g² times the area at peeling, with
+    # g³ = 1 + ec. The unknown t = (g − 1)/e makes the equation rational, and loses no digits where e is small.
     e = 2 * load_margin / (1 + load_margin**2)
     ratio = at_least(peeling_over_sliding, 1.0)
     share, rest = 1 / ratio**2, (ratio - 1) / ratio * ((ratio + 1) / ratio)
@@ -178,11 +178,11 @@ def sliding_or_peeling_force(*, peeling_force: Force, peeling_over_sliding: Numb
 
 
 def rolling_over_sliding(*, yield_force: Force, sliding_or_peeling_force: Force) -> Number:
-    """Return the force that starts sphere 1 rolling over the tangential force that slides or peels the contact.
+    """Return the ratio of the force that starts sphere 1 rolling to the tangential force that slides or peels it.
 
         Q/T_first
 
-    Source:   Forces at the centre of sphere 1: below 1, it rolls first.
+    Source:   Both forces act at the centre of sphere 1. It rolls first if the ratio is below 1.
     """
     return yield_force / sliding_or_peeling_force
 

@@ -203,7 +203,7 @@ class Interval(Uncertain):
 def _is_exact(other: object) -> bool:
     """Return whether a value is a number; raise BadRequest if it is uncertain."""
     if isinstance(other, Uncertain):
-        remedy = "write a.ufloat() and b.ufloat() if they are, or pass the inputs to solve(), which combines them"
+        remedy = "pass the inputs to solve(), which combines them; independent ± may also be added as ufloat()"
         raise BadRequest(f"two uncertain values are not assumed to be independent; {remedy}")
     return isinstance(other, int | float) and not isinstance(other, bool)
 
@@ -251,8 +251,8 @@ def with_sides(value: float, sides: Mapping[str, float]) -> float | Uncertain:
 _Decimal = tuple[int, int]  # an integer and a power of ten
 _UnitIn = Callable[[str], Unit]  # returns the unit that a text means; an empty text means the default unit, if any
 _NUMBER = re.compile(r"([+-]?)([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?")
-_LETTER_AND_DIGITS = re.compile(r"([^\W\d_])([+-]?[0-9]+)")  # as in 1.25d1, which is never a unit
-# After a number, a second one: -6 nm of 5-6 nm, nm-6nm of 5nm-6nm
+_LETTER_AND_DIGITS = re.compile(r"([^\W\d_])([+-]?[0-9]+)")  # directly after a number, as d1 in 1.25d1; never a unit
+# The text after a number, if it has a second number: -6 nm in 5-6 nm, nm-6nm in 5nm-6nm
 _SECOND = re.compile(r" ?(?:[-–—…] ?)+[0-9]| ?([^-–—…]+?) ?[-–—…] ?[0-9.]+ ?\1$")
 _MARKS = ("±", "(", "+-", "+−", "/-", "/−", "/ -", "/ −", " to ")  # /- occurs in +/- and in +6/-4
 
@@ -292,7 +292,7 @@ def value_of(text: str, name: str, unit: Unit | None = None) -> float | Uncertai
 
 
 def checked(value: float | Uncertain, name: str, text: str) -> float | Uncertain:
-    """Return a value without an uncertainty of 0. Raises QuantityError for a bad value or uncertainty."""
+    """Return a valid value; an uncertainty of 0 is removed. Raises QuantityError for a bad value or uncertainty."""
     limits = NOMENCLATURE[name].range
     if not limits.admits(middle(value)):
         raise QuantityError(name, text, limits.words)
@@ -347,7 +347,7 @@ def unit_meant(text: str, dimension: Dimension) -> Unit:
 
 
 def _unit_in(text: str, dimension: Dimension, otherwise: Unit | None = None) -> Unit:
-    """Return the unit of a dimension that a text means; an empty text means the default. Raises a `BadUnit`."""
+    """Return the unit that a text means, which must have the dimension; "" means the default. Raises a `BadUnit`."""
     if not text and otherwise is not None:
         return otherwise
     if not text and any(dimension):
@@ -559,7 +559,7 @@ def spreads_of(text: str, name: str) -> list[Spread]:
     [1e-09, 1e-08, 1e-07, 1e-06]
     """
     if NOMENCLATURE[name].unit == "1" and "," in text and re.fullmatch(_LIST_OR_NUMBER, text.strip()):
-        remedy = "for a list, write decimal points, as in 1.0,5.0; for a single number, leave the comma out"
+        remedy = "for a list, write decimal points, as in 1.0,5.0; for a single number, write 1.5 or 2500"
         raise QuantityError(name, text, "may be a list or a number with a comma", remedy)
     items = text.split(",")
     try:

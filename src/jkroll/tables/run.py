@@ -332,7 +332,7 @@ def _convert_many(path: str, job: Job) -> tuple[Tally, int]:
     if not job.quiet:
         kept = len(pairs) - len(left)
         if kept:
-            say(f"note: {kept} of {len(pairs)} files are not older than their tables, and were kept", sys.stderr)
+            say(f"note: {kept} of {len(pairs)} output files are up to date and were kept", sys.stderr)
         for line, count in Counter(tally.remarks).most_common(MAX_NOTES):
             say_wrapped(line if count == len(left) else f"{line}: {count} of {len(left)} files", sys.stderr)
     code = 0
@@ -426,7 +426,7 @@ def _on_cluster(address: str, task: Task, pairs: list[Pair]) -> Iterator[Outcome
                 _await(future, client)
             except OSError:
                 if client.status == "running":
-                    raise LostWorker(f"{scheduler} has no worker left; each needs this version of jkroll") from None
+                    raise LostWorker(f"{scheduler} has no worker left; all need this version of jkroll") from None
             try:
                 yield future.result()
             except KilledWorker as error:
