@@ -388,7 +388,7 @@ def test_wrong_options_of_fit_are_refused_with_a_reason(run: Run, curve: str, wo
         ("t,q\n1,2\n3,4\n", "no column has the contact radius, approach or travel"),
         ("travel [um],signal [V]\n1,2\n3,4\n", "force of the curve; 'signal [V]' is in volts: multiply its numbers by"),
         ("travel [um],Defl (mV)\n1,2\n3,4\n", "force of the curve; 'Defl (mV)' is in volts: multiply its numbers by"),
-        ("travel [um],force [nN],branch\n1,2,up\n3,4,down\n", "is not one of: loading and unloading"),
+        ("travel [um],force [nN],branch\n1,2,up\n3,4,down\n", "branch: 'up' is not one of: loading and unloading"),
         (
             "distance (nm),force (nN)\n1,2\n3,4\n",
             (
@@ -413,6 +413,51 @@ def test_a_table_without_a_curve_is_refused_with_a_reason(run: Run, text: str, s
     ran = run(f"fit curve.csv {KNOWN}")
     assert ran.code == 2
     assert said in " ".join(ran.err.split())
+
+
+COMMA = "has a comma: write a decimal point, and no thousands separators; expected a value in N"
+NO_UNIT = "is not a number and a unit; expected a value in N"
+VOLTS = "is in volts: multiply its numbers by the sensitivity (nm/V), and write the new unit into the header"
+
+
+@pytest.mark.parametrize(
+    ("head", "row", "said"),
+    [
+        ("z [um],F [nN]", '2,"-1,144.4"', f"line 4: lever_force: '-1,144.4' {COMMA}"),
+        ("z [um],F [nN]", "2,-1,144.4", "line 4: '2,-1,144.4' has 3 cells, and the header 2"),
+        ("z [um]\tF [nN]", "2\t-1,144.4", f"line 4: lever_force: '-1,144.4' {COMMA}"),
+        ("z [um]\tF [nN]", "2\t-1 144.4", f"line 4: lever_force: '-1 144.4' {NO_UNIT}"),
+        ("z [um]\tF [nN]", "2\t-1'144.4", f"line 4: lever_force: '-1'144.4' {NO_UNIT}"),
+        ("z [um],F [nN]", "2,-1144.4*", f"line 4: lever_force: '-1144.4*' {NO_UNIT}"),
+        ("z [um],F [nN],F_err", "2,-1144.4*,", f"line 4: lever_force: '-1144.4*' {NO_UNIT}"),
+        ("z [um],F [nN]", "2.0.1,-1144.4", "line 4: lever_travel: '2.0.1' "),
+        ("z [um],deflection", "2,0.036 V", f"line 4: lever_deflection: '0.036 V' {VOLTS}"),
+        ("z [um],deflection", "2,36mV", f"line 4: lever_deflection: '36mV' {VOLTS}"),
+    ],
+)
+def test_a_filled_cell_that_is_no_number_is_refused_with_its_line(run: Run, head: str, row: str, said: str) -> None:
+    mark, path = ("\t", "curve.tsv") if "\t" in head else (",", "curve.csv")
+    cells = ("1", "1.5" if "[nN]" in head else "1.5 nm", "0.1")[: head.count(mark) + 1]
+    Path(path).write_text("\n".join([head, *[mark.join(cells)] * 2, row, row, ""]), encoding="utf-8")
+    ran = run(f"fit {path} {KNOWN}")
+    assert (ran.code, ran.out) == (1, "")
+    assert said in " ".join(ran.err.split())
+
+
+def test_marks_for_missing_values_and_comments_between_rows_are_gaps(run: Run, curve: str) -> None:
+    lines = curve.splitlines()
+    lines[20:20] = ["-2.4,", "-2.4,nan", "-,-2.4", "-2.4,NA", "# segment: approach", "# z, F"]
+    Path("curve.csv").write_text("\n".join(lines), encoding="utf-8")
+    ran = run(f"fit curve.csv {KNOWN} --json")
+    check(values(ran.out))
+    (note,) = (note["text"] for note in json.loads(ran.out)["notes"] if note["code"] == "gaps")
+    assert note == "6 of 506 points have no number and are left out"
+
+
+def test_a_text_that_is_no_number_in_a_python_table_is_refused_with_its_row() -> None:
+    columns = {"z [um]": [1.0, 2.0, 3.0], "F [nN]": ["1.0", "-2.0", "-1'144.4"]}
+    with pytest.raises(jkroll.JkrollError, match=r"^row 2, counted from 0: lever_force: '-1'144\.4' is not a number"):
+        jkroll.fit(columns, radius="7.5 um", radius2="plane", spring="3.01 N/m")
 
 
 def test_words_for_a_load_in_other_languages_are_read(run: Run) -> None:
