@@ -390,6 +390,13 @@ def test_wrong_options_of_fit_are_refused_with_a_reason(run: Run, curve: str, wo
         ("travel [um],Defl (mV)\n1,2\n3,4\n", "force of the curve; 'Defl (mV)' is in volts: multiply its numbers by"),
         ("travel [um],force [nN],branch\n1,2,up\n3,4,down\n", "branch: 'up' is not one of: loading and unloading"),
         (
+            "travel [um],force [nN],Direction\n1,2,1\n3,4,0\n",
+            (
+                "branch: '1' is not one of: loading and unloading, approach and retract, pause; write these words, or "
+                "--column 'Direction=' to divide the curve where it turns"
+            ),
+        ),
+        (
             "distance (nm),force (nN)\n1,2\n3,4\n",
             (
                 "header: no column has the contact radius, approach or travel of the curve; write "

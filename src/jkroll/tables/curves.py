@@ -30,8 +30,8 @@ _BRANCH, _TIME = "branch", "time"
 _LABELS = {_BRANCH: r"(?i)branch|segment|direction", _TIME: r"(?i)(time|t)\s*([\[(].*)?"}
 _VOLTS = r"([\[(/_.\d]|\s|^)\s*([mµμu]?V|(milli)?[vV]olts?)\s*[\])]?$"  # at the end of a header or a cell
 _WORDS = {
-    **dict.fromkeys("loading load approach approaching extend extension trace advance closing in 0".split(), LOADING),
-    **dict.fromkeys("unloading unload retract retraction withdraw retrace opening out 1".split(), UNLOADING),
+    **dict.fromkeys("loading load approach approaching extend extension trace advance closing in".split(), LOADING),
+    **dict.fromkeys("unloading unload retract retraction withdraw retrace opening out".split(), UNLOADING),
     **dict.fromkeys("pause dwell hold holding".split(), PAUSE),
 }
 
