@@ -13,6 +13,8 @@ import pytest
 import jkroll
 from curves import autoregression, jkr_curve, jkr_force, jkr_state
 from harness import Run
+from jkroll.cli.call import Call
+from jkroll.cli.commands import COMMANDS
 from relative import approx
 
 KNOWN = "--radius 7.5um --radius2 plane --spring 3.01N/m"
@@ -540,6 +542,13 @@ def test_wrong_arguments_of_fit_in_python_are_refused_with_a_reason(
 
 
 # --- Output and arguments ---------------------------------------------------------------------------------------------
+
+
+def test_the_command_line_on_a_picture_has_an_option_that_repeats_once_for_each_value() -> None:
+    options = {"radius": "7.5um", "columns": ("z=lever_travel [um]", "F=load [nN]"), "curve": True, "target": "fit.pdf"}
+    assert Call(COMMANDS["fit"], ["curve.csv"], options).line == (
+        "jkroll fit curve.csv --radius=7.5um '--column=z=lever_travel [um]' '--column=F=load [nN]' --curve"
+    )
 
 
 def test_a_meaning_in_nanometres_for_a_header_in_volts_is_refused(run: Run) -> None:
