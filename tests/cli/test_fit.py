@@ -192,6 +192,19 @@ def test_the_suggested_command_has_a_hysteresis_only_if_its_error_is_small(run: 
         assert run(*command.split()).code == 0
 
 
+def test_a_curve_in_reverse_order_of_time_has_a_code_and_no_next_command(run: Run, curve: str) -> None:
+    head, *rows = curve.splitlines()
+    Path("curve.csv").write_text("\n".join([head, *reversed(rows)]), encoding="utf-8")
+    out = " ".join(run(f"fit curve.csv {KNOWN}", terminal=True).out.split())
+    assert (
+        "negative-hysteresis: the loading branch needs more work than the unloading one, which no contact does: the "
+        "branches may be exchanged; check the order of the points, or the column of branches"
+    ) in out
+    assert "then:" not in out
+    (row,) = csv.DictReader(io.StringIO(run(f"fit curve.csv {KNOWN} --csv").out))
+    assert "negative-hysteresis" in row["codes"].split()
+
+
 def test_a_column_of_branches_divides_a_curve(run: Run, curve: str) -> None:
     rows = curve.splitlines()
     names = ["approach"] * 250 + ["retract"] * 250

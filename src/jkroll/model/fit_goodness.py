@@ -15,6 +15,7 @@ from .fit_result import Errors, Fit
 USUAL_ERROR = 0.05  # relative error of a spring, if none is given
 _TWO_DIGITS = Format(digits=2)
 _UNDETERMINED = 0.5  # standard deviation of ln E* above which E* is undetermined
+_SURE = 2.0  # errors of a hysteresis below 0 that is not due to chance
 _POOR = 0.1  # rms misfit over the pull-off force, above which the curve is not that of a contact
 _WIDEST = 0.9  # a/R above which no theory of a half-space applies
 
@@ -53,6 +54,13 @@ def remarks_on(solution: Solution, result: Fit, by_spring: list[Results]) -> Ite
     if good.get("rms_over_pull_off", 0.0) > _POOR:
         share = f"{good['rms_over_pull_off']:.0%} of the pull-off force"
         yield "poor-fit", f"the misfit is {share}: this is not the curve of one contact"
+    hysteresis = result.values.get("adhesion_hysteresis", 0.0)
+    if hysteresis < 0 and -hysteresis > _SURE * errors["adhesion_hysteresis"].total:
+        yield (
+            "negative-hysteresis",
+            "the loading branch needs more work than the unloading one, which no contact does: the branches may be "
+            "exchanged; check the order of the points, or the column of branches",
+        )
     modulus = result.values["contact_modulus"]
     if not (errors["contact_modulus"].statistical or 0.0) < _UNDETERMINED * modulus:
         yield (
