@@ -11,10 +11,11 @@ import numpy
 import pytest
 
 import jkroll
-from curves import autoregression, jkr_curve, jkr_force, jkr_state
+from curves import autoregression, dmt_force, jkr_curve, jkr_force, jkr_state, ramp
 from harness import Run
 from jkroll.cli.call import Call
 from jkroll.cli.commands import COMMANDS
+from jkroll.model.fit_branches import LOADING, UNLOADING
 from relative import approx
 
 KNOWN = "--radius 7.5um --radius2 plane --spring 3.01N/m"
@@ -233,6 +234,24 @@ def test_the_output_ends_with_a_command_for_the_next_step_that_works(run: Run, c
     ran = run(*command.split())
     assert ran.code == 0
     assert ran.out.startswith("yield_force ")
+
+
+def test_a_fit_by_a_law_that_does_not_hold_is_followed_by_a_fit_by_the_better_law(run: Run) -> None:
+    """A tip of 100 nm with w = 20 mJ/m² and E* = 50 GPa has a Tabor parameter of 0.06."""
+    z = numpy.concatenate([ramp(-4e-9, 4e-9, 200, name) for name in (LOADING, UNLOADING)])
+    force = dmt_force(z, 0.02, 50e9, 1e-7, 40.0) + autoregression(1, len(z), 1e-10, 0.0)
+    Path("tip.csv").write_text(table(z, force), encoding="utf-8")
+    known = "fit tip.csv --radius 100nm --radius2 plane --spring 40N/m"
+    lines = run(known, terminal=True).out.splitlines()
+    assert lines[0] == "law-off: JKR does not hold with a Tabor parameter of 0.078: give --model maugis"
+    assert lines[-2:] == [
+        "then: jkroll fit tip.csv --radius=100nm --radius2=plane --spring=40N/m",
+        "  --model=maugis",
+    ]
+    (row,) = csv.DictReader(io.StringIO(run(f"{known} --csv").out))
+    assert "law-off" in row["codes"].split()
+    then = " ".join(run(f"{known} --model maugis", terminal=True).out.split()).partition("then: ")[2]
+    assert then.startswith("jkroll yield-force 100nm --radius2 plane --work-of-adhesion 20.6±1.1mJ/m2")
 
 
 def test_a_fit_cites_its_law_and_describes_its_method(run: Run, curve: str) -> None:

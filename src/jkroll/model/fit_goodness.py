@@ -5,13 +5,15 @@ from collections.abc import Iterator, Mapping
 import numpy
 from numpy import exp, inf, sqrt
 
-from ..quantities.formatting import Format, amount
+from ..quantities.formatting import Format, amount, significant
+from ..quantities.laws import LAWS
 from .fit_branches import LEAST_POINTS, LOADING, RADIUS, running_median
 from .fit_errors import Results, Solution
 from .fit_minimum import ADHESION, FEW_INDEPENDENT
 from .fit_problem import NAMES
 from .fit_result import Errors, Fit
 
+LAW_OFF = "law-off"  # the code of a law that does not hold
 USUAL_ERROR = 0.05  # relative error of a spring, if none is given
 _TWO_DIGITS = Format(digits=2)
 _UNDETERMINED = 0.5  # standard deviation of ln E* above which E* is undetermined
@@ -46,7 +48,7 @@ def remarks_on(solution: Solution, result: Fit, by_spring: list[Results]) -> Ite
 
     `by_spring`: the changes of the results for a softer and a stiffer spring; empty if they were not computed.
     """
-    main, good, errors = solution.main, result.goodness, result.errors
+    main, known, good, errors = solution.main, result.known, result.goodness, result.errors
     has_adhesion = ADHESION in main.free
     if has_adhesion and main.branch.name == LOADING and result.kind != RADIUS:
         yield "loading-only", "without an unloading branch, w is hardly separated from E*: their errors are correlated"
@@ -58,9 +60,14 @@ def remarks_on(solution: Solution, result: Fit, by_spring: list[Results]) -> Ite
     if hysteresis < 0 and -hysteresis > _SURE * errors["adhesion_hysteresis"].total:
         yield (
             "negative-hysteresis",
-            "the loading branch needs more work than the unloading one, which no contact does: the branches may be "
-            "exchanged; check the order of the points, or the column of branches",
+            (
+                "the loading branch needs more work than the unloading one, which no contact does: the branches may be "
+                "exchanged; check the order of the points, or the column of branches"
+            ),
         )
+    if result.better_law:
+        tabor = f"with a Tabor parameter of {significant(good['tabor_parameter'], 2)}"
+        yield LAW_OFF, f"{LAWS[known.law].short} does not hold {tabor}: give --model {result.better_law}"
     modulus = result.values["contact_modulus"]
     if not (errors["contact_modulus"].statistical or 0.0) < _UNDETERMINED * modulus:
         yield (

@@ -111,6 +111,12 @@ class Fit:
         return "jkr" if self.goodness.get("tabor_parameter", inf) >= STRONG else "maugis"
 
     @property
+    def better_law(self) -> str:
+        """The law to fit instead; "" if the fitted law holds, as Maugis' does for any Tabor parameter."""
+        is_judged = self.known.law != "maugis" and "tabor_parameter" in self.goodness
+        return self.law_that_holds if is_judged and self.law_that_holds != self.known.law else ""
+
+    @property
     def other_modulus(self) -> tuple[str, float] | None:
         """The name and the value of the unknown Young's modulus; None if other elastic constants are missing.
 

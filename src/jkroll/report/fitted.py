@@ -4,7 +4,8 @@ from collections.abc import Iterator, Sequence
 from math import floor, isfinite, isnan, log10, nan
 
 from ..model.fit_branches import LOADING
-from ..model.fit_result import RESULTS, Fit
+from ..model.fit_goodness import LAW_OFF
+from ..model.fit_result import RESULTS, STRONG, Fit
 from ..quantities.formatting import Format, amount, bar_digits, significant, with_unit
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE
@@ -143,10 +144,17 @@ def _rounded(value: float, error: float) -> str:
 
 
 def sentences(fitted: Fit) -> Iterator[str]:
-    """Iterate over the sentences below the table of a fit: its findings, and its remarks with their codes."""
+    """Iterate over the sentences below the table of a fit: its findings, and its other remarks with their codes."""
     yield from findings(fitted)
     for code, text in fitted.remarks.items():
-        yield f"{code}: {text}"
+        if code != LAW_OFF:
+            yield f"{code}: {text}"
+
+
+def warnings(fitted: Fit) -> Iterator[str]:
+    """Iterate over the sentences above the table of a fit: what to do if the fitted law does not hold."""
+    if LAW_OFF in fitted.remarks:
+        yield f"{LAW_OFF}: {fitted.remarks[LAW_OFF]}"
 
 
 def findings(fitted: Fit) -> Iterator[str]:
@@ -188,8 +196,7 @@ def _about_laws(fitted: Fit) -> Iterator[str]:
         number = amount("work_of_adhesion", fitted.by_law[key][name], Format(digits=3))
         texts.append(f"{LAWS[law].short}{_VARIANTS[variant]} {number}")
     tabor = significant(fitted.goodness["tabor_parameter"], 2)
-    advice = "" if best == fitted.known.law else f": take --model {best}"
-    yield f"w by law, the best one first: {', '.join(texts)} (Tabor parameter {tabor}; JKR needs 5{advice})"
+    yield f"w by law, the best one first: {', '.join(texts)} (Tabor parameter {tabor}; JKR needs {STRONG:.0f})"
     if profile == "sphere":
         yield "only JKR is known for a sphere: the other laws are fitted for a paraboloid"
 
