@@ -501,6 +501,41 @@ def test_a_text_that_is_no_number_in_a_python_table_is_refused_with_its_row() ->
         jkroll.fit(columns, radius="7.5 um", radius2="plane", spring="3.01 N/m")
 
 
+@pytest.mark.parametrize(
+    ("head", "cell", "said"),
+    [
+        ("radius (um)", "5", "column 'radius (um)': it is 5 µm there, and --radius gives 7.5 µm; correct one, or"),
+        ("R_tip [nm]", "7600", "column 'R_tip [nm]': it is 7.6 µm there, and --radius gives 7.5 µm; correct one, or"),
+        ("diameter (um)", "7.5", "column 'diameter (um)': it is 7.5 µm there, and --radius gives 7.5 µm; correct one"),
+        ("k (N/m)", "2", "column 'k (N/m)': it is 2 N/m there, and --spring gives 3.01 N/m; correct one, or --column"),
+        ("radius (um)", "7.52", ""),
+        ("diameter (um)", "15", ""),
+        ("k (N/m)", "3.01", ""),
+        ("radius2 (um)", "5", ""),
+        ("k", "2", ""),
+    ],
+)
+def test_a_column_that_contradicts_an_option_is_refused(run: Run, curve: str, head: str, cell: str, said: str) -> None:
+    first, *rows = curve.splitlines()
+    Path("curve.csv").write_text("\n".join([f"{first},{head}", *(f"{row},{cell}" for row in rows)]), encoding="utf-8")
+    ran = run(f"fit curve.csv --radius 7.5um --spring 3.01N/m {'--radius2 plane' * ('2' not in head)} --json")
+    assert ran.code == (2 if said else 0)
+    assert said in " ".join(ran.err.split())
+
+
+@pytest.mark.parametrize(("unit", "said"), [("pN", "is 3.01 mN/m in the columns"), ("nN", "")])
+def test_a_force_that_is_not_the_deflection_times_the_spring_has_a_code(run: Run, unit: str, said: str) -> None:
+    z, force = jkr_curve(count=250)
+    rows = "".join(f"{a * 1e6:.6f},{b * 1e9 / 3.01 - 20:.5f},{b * 1e9:.5f}\n" for a, b in zip(z, force, strict=True))
+    Path("curve.csv").write_text(f"z (um),Defl (nm),Force ({unit})\n{rows}", encoding="utf-8")
+    ran = run(f"fit curve.csv {KNOWN} --json")
+    answer = json.loads(ran.out)
+    notes = [note["text"] for note in answer["notes"] if note["code"] == "spring-differs"]
+    assert [said in note for note in notes] == [True] * bool(said)
+    assert bool(answer["next"]) == (not said)
+    assert 'passed through: "Defl (nm)"' in " ".join(ran.err.split())
+
+
 def test_words_for_a_load_in_other_languages_are_read(run: Run) -> None:
     for word in ("Last", "Charge", "Auflast"):
         Path("curve.csv").write_text(f"a (um),{word} (mN)\n1,2\n", encoding="utf-8")

@@ -54,6 +54,7 @@ class ForceCurve(NamedTuple):
     `z` is a contact radius, an approach or a travel, as `kind` states. Errors are standard deviations, None if unknown.
     `branch` names the branch of each point, or is PAUSE for points between branches; None if no column states it.
     `time` has any unit. `is_deflection`: the force is a measured deflection times the stiffness of the lever.
+    `force_over_deflection`: the slope of the force over a column of deflections; None without such a column.
     """
 
     kind: str
@@ -64,6 +65,7 @@ class ForceCurve(NamedTuple):
     branch: Array | None = None
     time: Array | None = None
     is_deflection: bool = False
+    force_over_deflection: float | None = None
 
     def chosen(self, which: Array) -> Self:
         """Return the points at some indices, or where a mask is True."""

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 import numpy
-from numpy import exp, inf, sqrt
+from numpy import exp, inf, isfinite, sqrt
 
 from ..quantities.formatting import Format, amount, significant
 from ..quantities.laws import LAWS
@@ -15,7 +15,8 @@ from .fit_result import Errors, Fit
 
 LAW_OFF = "law-off"  # the code of a law that does not hold
 USUAL_ERROR = 0.05  # relative error of a spring, if none is given
-_TWO_DIGITS = Format(digits=2)
+_TWO_DIGITS, _THREE_DIGITS = Format(digits=2), Format(digits=3)
+_UNLIKE = 1.2  # ratio of two stiffnesses above which they are not those of one spring
 _UNDETERMINED = 0.5  # standard deviation of ln E* above which E* is undetermined
 _SURE = 2.0  # errors of a hysteresis below 0 that is not due to chance
 _POOR = 0.1  # rms misfit over the pull-off force, above which the curve is not that of a contact
@@ -117,6 +118,14 @@ def _on_spring(result: Fit, softer: Results, stiffer: Results) -> Iterator[tuple
     else:
         typed = f"{known.stiffness:.4g}±{known.stiffness * size:.2g}N/m"
         yield "lever-decides", f"{text}: give the spring's error, as in --spring {typed}"
+
+
+def on_deflection(slope: float | None, stiffness: float) -> Iterator[tuple[str, str]]:
+    """Yield a remark if the slope of the force over the deflection is not the stiffness of the spring."""
+    if slope is not None and isfinite(stiffness) and not 1 / _UNLIKE <= slope / stiffness <= _UNLIKE:
+        there, here = (amount("lever_stiffness", value, _THREE_DIGITS) for value in (slope, stiffness))
+        differ = f"force over deflection is {there} in the columns of the table, and the spring has {here}"
+        yield "spring-differs", f"{differ}: check the units of both columns, and --spring"
 
 
 def on_profile(values: Results, sphere: Results, errors: Mapping[str, Errors], width: float) -> Iterator[str]:

@@ -181,8 +181,9 @@ def findings(fitted: Fit) -> Iterator[str]:
 
 
 def is_sure(fitted: Fit) -> bool:
-    """Return whether w and E* can be trusted: the branches and the fit are good, and the curve determines E*."""
-    return {"negative-hysteresis", "poor-fit", "modulus-undetermined"}.isdisjoint(fitted.remarks)
+    """Return whether w and E* can be trusted: forces, branches and fit are good, and the curve determines E*."""
+    doubts = {"spring-differs", "negative-hysteresis", "poor-fit", "modulus-undetermined"}
+    return doubts.isdisjoint(fitted.remarks)
 
 
 def _about_laws(fitted: Fit) -> Iterator[str]:

@@ -25,7 +25,10 @@ from .table import Asked, Records
 # The columns that can give the x of a curve and its force, both in order of preference.
 _X = {"contact_radius_at_load": RADIUS, "approach_at_load": APPROACH, "lever_travel": TRAVEL}
 _FORCES = ("load", "lever_force", "lever_deflection")
-MEASURED = "contact_radius_at_load,approach_at_load,lever_travel,lever_force,lever_deflection"
+_DEFLECTION = "lever_deflection"
+MEASURED = "contact_radius_at_load,approach_at_load,lever_travel,lever_force,lever_deflection,lever_stiffness"
+_SAME = 0.01  # relative range of a column below which all its numbers are the same, except for rounding
+_INDICES = ("k", "K")  # headers that, without a unit, number the rows
 _BRANCH, _TIME = "branch", "time"
 _LABELS = {_BRANCH: r"(?i)branch|segment|direction", _TIME: r"(?i)(time|t)\s*([\[(].*)?"}
 _VOLTS = r"([\[(/_.\d]|\s|^)\s*([mµμu]?V|(milli)?[vV]olts?)\s*[\])]?$"  # at the end of a header or a cell
@@ -40,18 +43,32 @@ class CurveTable(NamedTuple):
     """The columns of a table that a curve needs, with the attributes that file formats expect of a table."""
 
     names: tuple[str, ...]  # the headers
-    columns: Header
+    columns: Header  # of x and the force, and behind them of other inputs, with which they are compared
     asked: Asked
     positions: Mapping[str, int]
     labels: Mapping[str, int]
     added: tuple[str, ...] = ()
 
+    @property
+    def pair(self) -> Sequence[Column]:
+        """The columns of x and the force."""
+        return self.columns.inputs[:2]
+
+    def reading(self, *remarks: str) -> str:
+        """Return the sentence that says how the table is read, with remarks."""
+        texts = ["" if position == self.labels.get(_BRANCH) else text for position, text in enumerate(self.names)]
+        return self.columns._replace(texts=(*texts,), inputs=(*self.pair,)).reading(*remarks)
+
 
 class ReadCurve(NamedTuple):
-    """A curve, and the sentence that says how its table is read."""
+    """A curve, the sentence that says how its table is read, and the inputs that columns give.
+
+    `stated`: inputs with the same number in all rows, each with the header of its column.
+    """
 
     curve: ForceCurve
     reading: str
+    stated: Mapping[str, tuple[str, float]]
 
 
 def read_curve(
@@ -76,7 +93,7 @@ def read_curve(
                 raise BadRow(line + 1 + row, reason) from None
             line += records.size
     branches = [f"branches from {lines.names[table.labels[_BRANCH]]}"] if _BRANCH in table.labels else []
-    return ReadCurve(_curve(table, rows, stiffness), table.columns.reading(*branches, *lines.remarks))
+    return ReadCurve(_curve(table, rows, stiffness), table.reading(*branches, *lines.remarks), _stated(table, rows))
 
 
 def curve_of_columns(columns: Any, known: Materials, stiffness: float | None) -> ReadCurve:
@@ -89,21 +106,24 @@ def curve_of_columns(columns: Any, known: Materials, stiffness: float | None) ->
     except BadRow as error:
         row, reason = error.args
         raise BadRequest(f"row {row}, counted from 0: {reason}") from None
-    return ReadCurve(_curve(table, [rows], stiffness), table.columns.reading())
+    return ReadCurve(_curve(table, [rows], stiffness), table.reading(), _stated(table, [rows]))
 
 
 def _table(
     names: Sequence[str], sample: Sequence[Sequence[str]], stated: Mapping[str, str], asked: Asked
 ) -> CurveTable:
     """Return the columns of a curve in a table. Raises BadTable if x or the force is missing or in volts."""
-    header = understood(names, sample, stated, (), asked.measured, pass_rest=True)
+    indices = {name: "" for name in map(typed, names) if name in _INDICES}
+    header = understood(names, sample, {**indices, **stated}, (), asked.measured, pass_rest=True)
     found = {column.name: column for column in header.inputs}
     x_name = next((name for name in _X if name in found), "")
     force_name = next((name for name in _FORCES if name in found), "")
     if not x_name or not force_name:
         raise _lacking("force" if x_name else "contact radius, approach or travel", x_name, header)
-    columns = header._replace(inputs=(found[x_name], found[force_name]), materials=())
-    in_volts = _on_volts([names[column.position] for column in columns.inputs])
+    pair = found.pop(x_name), found.pop(force_name)
+    others = [column for name, column in found.items() if name not in _X]
+    columns = header._replace(inputs=(*pair, *others), materials=())
+    in_volts = _on_volts([names[column.position] for column in pair])
     if in_volts:
         raise BadTable(f"header: {in_volts}")
     labels: dict[str, int] = {}
@@ -112,8 +132,6 @@ def _table(
             if re.fullmatch(pattern, text.strip()) and typed(text) not in stated:
                 labels[label] = position
                 break
-    used = labels.get(_BRANCH)
-    columns = columns._replace(texts=tuple("" if position == used else text for position, text in enumerate(names)))
     return CurveTable(tuple(names), columns, asked, {**columns.positions, **labels}, labels)
 
 
@@ -168,7 +186,7 @@ def _rows(table: CurveTable, records: Records) -> _Rows:
     """
     numbers = {column.name: column.numbers(records.cells) for column in table.columns.inputs}
     problems = dict(records.odd)
-    for column in table.columns.inputs:
+    for column in table.pair:
         for row in numbers[column.name].odd:
             problem = _problem_in(column, records, row)
             if problem is not None:
@@ -197,8 +215,7 @@ def _problem_in(column: Column, records: Records, row: int) -> JkrollError | Non
 
 def _curve(table: CurveTable, rows: list[_Rows], stiffness: float | None) -> ForceCurve:
     """Return the curve in blocks of a table. Raises BadTable for a travel or a deflection without a stiffness."""
-    x, force_column = table.columns.inputs
-    x_name, force_name = x.name, force_column.name
+    x_name, force_name = (column.name for column in table.pair)
     if x_name == "lever_travel" and stiffness is None:
         raise BadTable(
             "a travel includes the bending of the lever: give the lever's stiffness with --spring, as in 3.01N/m"
@@ -215,7 +232,31 @@ def _curve(table: CurveTable, rows: list[_Rows], stiffness: float | None) -> For
         force_error = None if force_error is None else force_error * stiffness
     branch = _branch_of(table, rows) if _BRANCH in table.labels else None
     time = _time_of(rows) if _TIME in table.labels else None
-    return ForceCurve(_X[x_name], z, force, z_error, force_error, branch, time, is_deflection)
+    ratio = None
+    if not is_deflection and _DEFLECTION in table.positions:
+        ratio = _slope(_joined([block.numbers[_DEFLECTION] for block in rows])[0], force)
+    return ForceCurve(_X[x_name], z, force, z_error, force_error, branch, time, is_deflection, ratio)
+
+
+def _slope(x: Any, y: Any) -> float | None:
+    """Return the size of the slope of the best line through points; None if x is constant."""
+    is_known = numpy.isfinite(x) & numpy.isfinite(y)
+    x, y = x[is_known], y[is_known]
+    if not len(x) or numpy.ptp(x) == 0:
+        return None
+    x = x - x.mean()
+    return float(abs(x @ y) / (x @ x))
+
+
+def _stated(table: CurveTable, rows: list[_Rows]) -> dict[str, tuple[str, float]]:
+    """Return the inputs with the same number in all rows, each with the header of its column."""
+    stated = {}
+    for column in table.columns.inputs[2:]:
+        values, _ = _joined([block.numbers[column.name] for block in rows])
+        values = values[numpy.isfinite(values)]
+        if len(values) and numpy.ptp(values) <= _SAME * abs(values).max():
+            stated[column.name] = table.names[column.position], float(numpy.median(values))
+    return stated
 
 
 def _joined(blocks: list[Numbers]) -> tuple[Any, Any]:
