@@ -353,6 +353,28 @@ def test_an_error_that_was_not_computed_is_a_dash(run: Run, curve: str) -> None:
     assert parts["calibration"] is None
 
 
+def test_a_part_of_an_error_that_is_rounding_is_0(run: Run, curve: str) -> None:
+    """The contact point does not depend on the radius, except for the limits of the fit."""
+    assert curve
+    out = run("fit curve.csv --radius 7.5±0.1um --radius2 plane --spring 3.01N/m", terminal=True).out
+    row = next(line for line in out.splitlines() if line.startswith("contact point"))
+    assert row.split()[-2] == "0"
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ("", "w +2.6%, E* -0.5% by JKR with --profile sphere --poisson2 0.5"),
+        ("--poisson2 0.5", "w +2.6%, E* -0.5% by JKR with --profile sphere"),
+    ],
+)
+def test_the_advice_on_a_sphere_has_the_options_that_it_needs(run: Run, curve: str, given: str, said: str) -> None:
+    assert curve
+    out = " ".join(run(f"fit curve.csv {KNOWN} {given}", terminal=True).out.split())
+    assert f"where a sphere is no paraboloid: {said} lever-decides" in out
+    assert run(f"fit curve.csv {KNOWN} {given} {said.partition('with ')[2]}").code == 0
+
+
 def test_fit_in_python_takes_files_and_columns(run: Run, curve: str) -> None:
     known = {"radius": "7.5 um", "radius2": "plane", "spring": "3.01 N/m"}
     fitted = jkroll.fit("curve.csv", **known)

@@ -133,7 +133,7 @@ def _result(solution: Solution, remarks: dict[str, str], by_spring: list[Results
         result.goodness["tabor_parameter"] = models.tabor_parameter
     sphere = models.by_law.get("jkr, sphere")
     if sphere is not None and problem.known.profile == "paraboloid":
-        for text in on_profile(models.by_law["jkr"], sphere, result.errors, width):
+        for text in on_profile(models.by_law["jkr"], sphere, result.errors, width, problem.known):
             result.remarks["profile-matters"] = text
     _add(result, "model", models.moves)
     result.remarks |= dict(remarks_on(solution, result, by_spring))

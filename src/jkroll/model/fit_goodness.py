@@ -11,7 +11,7 @@ from .fit_branches import LEAST_POINTS, LOADING, RADIUS, running_median
 from .fit_errors import Results, Solution
 from .fit_minimum import ADHESION, FEW_INDEPENDENT
 from .fit_problem import NAMES
-from .fit_result import Errors, Fit
+from .fit_result import Errors, Fit, Known
 
 LAW_OFF = "law-off"  # the code of a law that does not hold
 USUAL_ERROR = 0.05  # relative error of a spring, if none is given
@@ -128,18 +128,31 @@ def on_deflection(slope: float | None, stiffness: float) -> Iterator[tuple[str, 
         yield "spring-differs", f"{differ}: check the units of both columns, and --spring"
 
 
-def on_profile(values: Results, sphere: Results, errors: Mapping[str, Errors], width: float) -> Iterator[str]:
+def on_profile(
+    values: Results, sphere: Results, errors: Mapping[str, Errors], width: float, known: Known
+) -> Iterator[str]:
     """Yield a sentence if w or E* for a sphere by JKR differs from that for a paraboloid by more than its error.
 
-    `values`: the results for a paraboloid by JKR, whichever law is fitted.
+    `values`: the results for a paraboloid by JKR, whichever law is fitted. The sentence has the options for a fit of
+    the sphere, which needs a Poisson's ratio.
     """
-    names = [name for name in (*NAMES.values(), "contact_modulus") if name in values]
-    if not any(abs(sphere[name] - values[name]) > errors[name].total for name in names[:1] + names[-1:]):
+    adhesion = [name for name in NAMES.values() if name in values][:1]
+    symbols = {**dict.fromkeys(adhesion, "w"), "contact_modulus": "E*"}
+    if not any(abs(sphere[name] - values[name]) > errors[name].total for name in symbols):
         return
-    shares = {name: sphere[name] / values[name] - 1 for name in names}
-    texts = [f"{'E*' if name == 'contact_modulus' else 'w'} {shares[name]:+.1%}" for name in names[:1] + names[-1:]]
-    moved = ", ".join(dict.fromkeys(texts))
-    yield f"a/R is up to {width:.2f}, where a sphere is no paraboloid: {moved} by JKR with --profile sphere"
+    moved = ", ".join(f"{symbol} {_percent(sphere[name] / values[name] - 1)}" for name, symbol in symbols.items())
+    ratio = "" if {"poisson_ratio", "poisson_ratio2"} & known.given.keys() else " --poisson2 0.5"
+    yield f"a/R is up to {width:.2f}, where a sphere is no paraboloid: {moved} by JKR with --profile sphere{ratio}"
+
+
+def _percent(share: float) -> str:
+    """Return a change in percent with its sign.
+
+    >>> _percent(0.0231), _percent(-0.0002)
+    ('+2.3%', '0.0%')
+    """
+    text = f"{share:+.1%}"
+    return "0.0%" if text[1:] == "0.0%" else text
 
 
 def _on_pinned_edge(solution: Solution, points: Mapping[str, numpy.ndarray]) -> Iterator[tuple[str, str]]:

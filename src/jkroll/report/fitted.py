@@ -21,6 +21,7 @@ WORDS = {
     "pull_off_force_measured": ("pull-off, measured", "P_min"),
 }
 HEADS = ("quantity", "symbol", "fit", "unit", "noise", "calibration", "model")
+_ROUNDING = 1e-4  # share of the total below which a part of an error is shown as 0
 _ABSENT, _UNBOUNDED = "–", "∞"
 _SCALED = {"J/m^2": "J/m", "Pa": "Pa m^0.5"}  # units of wR and E*√R, by those of w and E*
 _WITHOUT_RADIUS = {"work_of_adhesion_opening": "wR_open", "work_of_adhesion_closing": "wR_close",
@@ -109,6 +110,7 @@ def _cells(fitted: Fit, name: str, errors: Sequence[float | None]) -> tuple[list
     known = [nan if error is None else error for error in errors]
     total = known[-1] if known and isfinite(known[-1]) else 0.0
     unit, factor = _unit_of(fitted, name, value, total)
+    known = [0.0 if error < _ROUNDING * total else error for error in known]
     texts = [_error_in_words(error * factor) for error in known]
     return [_rounded(value * factor, total * factor), *texts], unit
 
@@ -116,7 +118,7 @@ def _cells(fitted: Fit, name: str, errors: Sequence[float | None]) -> tuple[list
 def _error_in_words(error: float) -> str:
     """Return an error with two digits; a dash stands for nan, an error that was not computed."""
     if isfinite(error):
-        return significant(error, 2, zeros=True)
+        return significant(error, 2, zeros=True) if error else "0"
     return _ABSENT if isnan(error) else _UNBOUNDED
 
 
