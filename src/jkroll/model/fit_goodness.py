@@ -78,9 +78,10 @@ def remarks_on(solution: Solution, result: Fit, by_spring: list[Results]) -> Ite
     if by_spring:
         yield from _on_spring(result, *by_spring)
     if has_adhesion and result.kind != RADIUS and int((main.points.force < 0).sum()) < LEAST_POINTS:
-        yield "few-below-zero", "fewer than 5 points are in tension: w is hardly determined"
+        yield "few-below-zero", f"fewer than {LEAST_POINTS} points are in tension: w is hardly determined"
     if not result.is_scaled and good["contact_over_radius"] > _WIDEST:
-        yield "wide-contact", "the contact radius is above 0.9 of the sphere's: theories of a half-space do not apply"
+        wide = f"the contact radius is above {_WIDEST} of the sphere's"
+        yield "wide-contact", f"{wide}: theories of a half-space do not apply"
     if has_adhesion:
         yield from _on_pinned_edge(solution, result.points)
 
@@ -98,10 +99,10 @@ def _on_noise(good: Mapping[str, float]) -> Iterator[tuple[str, str]]:
 
 
 def _on_spring(result: Fit, softer: Results, stiffer: Results) -> Iterator[tuple[str, str]]:
-    """Yield a remark if the error of the spring moves E* by more than its statistical and its model error.
+    """Yield a remark if the error of the spring moves E* by more than both the statistical and the model error of E*.
 
-    `softer`, `stiffer`: the moves for springs that differ by the error of the given one. If this error is unknown, they
-    differ by 5 %, and the remark asks for it.
+    `softer`, `stiffer`: the changes of the results if the spring is softer or stiffer by its error, or by 5 % if no
+    error is given; the remark then asks for the error.
     """
     known, errors, modulus = result.known, result.errors["contact_modulus"], result.values["contact_modulus"]
     shares = [move["contact_modulus"] / modulus for move in (softer, stiffer)]
@@ -156,7 +157,11 @@ def _percent(share: float) -> str:
 
 
 def _on_pinned_edge(solution: Solution, points: Mapping[str, numpy.ndarray]) -> Iterator[tuple[str, str]]:
-    """Yield a remark if the edge is pinned: G changes by more than w/5, the contact radius by less than 1 %."""
+    """Yield a remark if the edge is pinned.
+
+    It is pinned if, over some run of points, G changes by more than w/5 and 10 times its noise, but the contact radius
+    by less than 1 %.
+    """
     is_own = (points["branch"] == solution.main.branch.name) & numpy.isfinite(points["release_rate"])
     if is_own.sum() < LEAST_POINTS:
         return
