@@ -49,7 +49,7 @@ def remarks_on(solution: Solution, result: Fit, by_spring: list[Results]) -> Ite
 
     `by_spring`: the changes of the results for a softer and a stiffer spring; empty if they were not computed.
     """
-    main, known, good, errors = solution.main, result.known, result.goodness, result.errors
+    main, good, errors = solution.main, result.goodness, result.errors
     has_adhesion = ADHESION in main.free
     if has_adhesion and main.branch.name == LOADING and result.kind != RADIUS:
         yield "loading-only", "without an unloading branch, w is hardly separated from E*: their errors are correlated"
@@ -67,8 +67,7 @@ def remarks_on(solution: Solution, result: Fit, by_spring: list[Results]) -> Ite
             ),
         )
     if result.better_law:
-        tabor = f"with a Tabor parameter of {significant(good['tabor_parameter'], 2)}"
-        yield LAW_OFF, f"{LAWS[known.law].short} does not hold {tabor}: give --model {result.better_law}"
+        yield LAW_OFF, _on_law(result, NAMES[main.branch.name])
     modulus = result.values["contact_modulus"]
     if not (errors["contact_modulus"].statistical or 0.0) < _UNDETERMINED * modulus:
         yield (
@@ -84,6 +83,15 @@ def remarks_on(solution: Solution, result: Fit, by_spring: list[Results]) -> Ite
         yield "wide-contact", f"{wide}: theories of a half-space do not apply"
     if has_adhesion:
         yield from _on_pinned_edge(solution, result.points)
+
+
+def _on_law(result: Fit, name: str) -> str:
+    """Return the sentence on a fitted law that does not hold. `name`: the work of adhesion of the main branch."""
+    law, better = LAWS[result.known.law].short, LAWS[result.better_law].short
+    share = result.values[name] / result.by_law[result.better_law][name] - 1
+    off = f"w by {law} is {abs(share):.0%} {'above' if share > 0 else 'below'} w by {better}"
+    tabor = significant(result.goodness["tabor_parameter"], 2)
+    return f"{off}, which holds at a Tabor parameter of {tabor}: give --model {result.better_law}"
 
 
 def _on_noise(good: Mapping[str, float]) -> Iterator[tuple[str, str]]:
