@@ -94,7 +94,7 @@ class BadTable(JkrollError):
 
 
 class BadRow(JkrollError):
-    """Error raised with `--strict` for the first row that fails.
+    """Error raised for the first row that fails, with `--strict` or in a measured curve.
 
     Its arguments are the reason, and before it the line: counted from 0 in a block of rows, from 1 in the table.
     """

@@ -11,8 +11,11 @@ import numpy
 import pytest
 
 import jkroll
-from curves import autoregression, jkr_curve, jkr_force, jkr_state
+from curves import autoregression, dmt_force, jkr_curve, jkr_force, jkr_state, ramp
 from harness import Run
+from jkroll.cli.call import Call
+from jkroll.cli.commands import COMMANDS
+from jkroll.model.fit_branches import LOADING, UNLOADING
 from relative import approx
 
 KNOWN = "--radius 7.5um --radius2 plane --spring 3.01N/m"
@@ -190,6 +193,19 @@ def test_the_suggested_command_has_a_hysteresis_only_if_its_error_is_small(run: 
         assert run(*command.split()).code == 0
 
 
+def test_a_curve_in_reverse_order_of_time_has_a_code_and_no_next_command(run: Run, curve: str) -> None:
+    head, *rows = curve.splitlines()
+    Path("curve.csv").write_text("\n".join([head, *reversed(rows)]), encoding="utf-8")
+    out = " ".join(run(f"fit curve.csv {KNOWN}", terminal=True).out.split())
+    assert (
+        "negative-hysteresis: the loading branch needs more work than the unloading one, which no contact does: the "
+        "branches may be exchanged; check the order of the points, or the column of branches"
+    ) in out
+    assert "then:" not in out
+    (row,) = csv.DictReader(io.StringIO(run(f"fit curve.csv {KNOWN} --csv").out))
+    assert "negative-hysteresis" in row["codes"].split()
+
+
 def test_a_column_of_branches_divides_a_curve(run: Run, curve: str) -> None:
     rows = curve.splitlines()
     names = ["approach"] * 250 + ["retract"] * 250
@@ -218,6 +234,26 @@ def test_the_output_ends_with_a_command_for_the_next_step_that_works(run: Run, c
     ran = run(*command.split())
     assert ran.code == 0
     assert ran.out.startswith("yield_force ")
+
+
+def test_a_fit_by_a_law_that_does_not_hold_is_followed_by_a_fit_by_the_better_law(run: Run) -> None:
+    """A tip of 100 nm with w = 20 mJ/m² and E* = 50 GPa has a Tabor parameter of 0.06."""
+    z = numpy.concatenate([ramp(-4e-9, 4e-9, 200, name) for name in (LOADING, UNLOADING)])
+    force = dmt_force(z, 0.02, 50e9, 1e-7, 40.0) + autoregression(1, len(z), 1e-10, 0.0)
+    Path("tip.csv").write_text(table(z, force), encoding="utf-8")
+    known = "fit tip.csv --radius 100nm --radius2 plane --spring 40N/m"
+    lines = run(known, terminal=True).out.splitlines()
+    assert " ".join(" ".join(lines[:2]).split()) == (
+        "law-off: w by JKR is 36% above w by Maugis, which holds at a Tabor parameter of 0.078: give --model maugis"
+    )
+    assert lines[-2:] == [
+        "then: jkroll fit tip.csv --radius=100nm --radius2=plane --spring=40N/m",
+        "  --model=maugis",
+    ]
+    (row,) = csv.DictReader(io.StringIO(run(f"{known} --csv").out))
+    assert "law-off" in row["codes"].split()
+    then = " ".join(run(f"{known} --model maugis", terminal=True).out.split()).partition("then: ")[2]
+    assert then.startswith("jkroll yield-force 100nm --radius2 plane --work-of-adhesion 20.6±1.1mJ/m2")
 
 
 def test_a_fit_cites_its_law_and_describes_its_method(run: Run, curve: str) -> None:
@@ -319,6 +355,28 @@ def test_an_error_that_was_not_computed_is_a_dash(run: Run, curve: str) -> None:
     assert parts["calibration"] is None
 
 
+def test_a_part_of_an_error_that_is_rounding_is_0(run: Run, curve: str) -> None:
+    """The contact point does not depend on the radius, except for the limits of the fit."""
+    assert curve
+    out = run("fit curve.csv --radius 7.5±0.1um --radius2 plane --spring 3.01N/m", terminal=True).out
+    row = next(line for line in out.splitlines() if line.startswith("contact point"))
+    assert row.split()[-2] == "0"
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ("", "w +2.6%, E* -0.5% by JKR with --profile sphere --poisson2 0.5"),
+        ("--poisson2 0.5", "w +2.6%, E* -0.5% by JKR with --profile sphere"),
+    ],
+)
+def test_the_advice_on_a_sphere_has_the_options_that_it_needs(run: Run, curve: str, given: str, said: str) -> None:
+    assert curve
+    out = " ".join(run(f"fit curve.csv {KNOWN} {given}", terminal=True).out.split())
+    assert f"where a sphere is no paraboloid: {said} lever-decides" in out
+    assert run(f"fit curve.csv {KNOWN} {given} {said.partition('with ')[2]}").code == 0
+
+
 def test_fit_in_python_takes_files_and_columns(run: Run, curve: str) -> None:
     known = {"radius": "7.5 um", "radius2": "plane", "spring": "3.01 N/m"}
     fitted = jkroll.fit("curve.csv", **known)
@@ -388,7 +446,14 @@ def test_wrong_options_of_fit_are_refused_with_a_reason(run: Run, curve: str, wo
         ("t,q\n1,2\n3,4\n", "no column has the contact radius, approach or travel"),
         ("travel [um],signal [V]\n1,2\n3,4\n", "force of the curve; 'signal [V]' is in volts: multiply its numbers by"),
         ("travel [um],Defl (mV)\n1,2\n3,4\n", "force of the curve; 'Defl (mV)' is in volts: multiply its numbers by"),
-        ("travel [um],force [nN],branch\n1,2,up\n3,4,down\n", "is not one of: loading and unloading"),
+        ("travel [um],force [nN],branch\n1,2,up\n3,4,down\n", "branch: 'up' is not one of: loading and unloading"),
+        (
+            "travel [um],force [nN],Direction\n1,2,1\n3,4,0\n",
+            (
+                "branch: '1' is not one of: loading and unloading, approach and retract, pause; write these words, or "
+                "--column 'Direction=' to divide the curve where it turns"
+            ),
+        ),
         (
             "distance (nm),force (nN)\n1,2\n3,4\n",
             (
@@ -413,6 +478,86 @@ def test_a_table_without_a_curve_is_refused_with_a_reason(run: Run, text: str, s
     ran = run(f"fit curve.csv {KNOWN}")
     assert ran.code == 2
     assert said in " ".join(ran.err.split())
+
+
+COMMA = "has a comma: write a decimal point, and no thousands separators; expected a value in N"
+NO_UNIT = "is not a number and a unit; expected a value in N"
+VOLTS = "is in volts: multiply its numbers by the sensitivity (nm/V), and write the new unit into the header"
+
+
+@pytest.mark.parametrize(
+    ("head", "row", "said"),
+    [
+        ("z [um],F [nN]", '2,"-1,144.4"', f"line 4: lever_force: '-1,144.4' {COMMA}"),
+        ("z [um],F [nN]", "2,-1,144.4", "line 4: '2,-1,144.4' has 3 cells, and the header 2"),
+        ("z [um]\tF [nN]", "2\t-1,144.4", f"line 4: lever_force: '-1,144.4' {COMMA}"),
+        ("z [um]\tF [nN]", "2\t-1 144.4", f"line 4: lever_force: '-1 144.4' {NO_UNIT}"),
+        ("z [um]\tF [nN]", "2\t-1'144.4", f"line 4: lever_force: '-1'144.4' {NO_UNIT}"),
+        ("z [um],F [nN]", "2,-1144.4*", f"line 4: lever_force: '-1144.4*' {NO_UNIT}"),
+        ("z [um],F [nN],F_err", "2,-1144.4*,", f"line 4: lever_force: '-1144.4*' {NO_UNIT}"),
+        ("z [um],F [nN]", "2.0.1,-1144.4", "line 4: lever_travel: '2.0.1' "),
+        ("z [um],deflection", "2,0.036 V", f"line 4: lever_deflection: '0.036 V' {VOLTS}"),
+        ("z [um],deflection", "2,36mV", f"line 4: lever_deflection: '36mV' {VOLTS}"),
+    ],
+)
+def test_a_filled_cell_that_is_no_number_is_refused_with_its_line(run: Run, head: str, row: str, said: str) -> None:
+    mark, path = ("\t", "curve.tsv") if "\t" in head else (",", "curve.csv")
+    cells = ("1", "1.5" if "[nN]" in head else "1.5 nm", "0.1")[: head.count(mark) + 1]
+    Path(path).write_text("\n".join([head, *[mark.join(cells)] * 2, row, row, ""]), encoding="utf-8")
+    ran = run(f"fit {path} {KNOWN}")
+    assert (ran.code, ran.out) == (1, "")
+    assert said in " ".join(ran.err.split())
+
+
+def test_marks_for_missing_values_and_comments_between_rows_are_gaps(run: Run, curve: str) -> None:
+    lines = curve.splitlines()
+    lines[20:20] = ["-2.4,", "-2.4,nan", "-,-2.4", "-2.4,NA", "# segment: approach", "# z, F"]
+    Path("curve.csv").write_text("\n".join(lines), encoding="utf-8")
+    ran = run(f"fit curve.csv {KNOWN} --json")
+    check(values(ran.out))
+    (note,) = (note["text"] for note in json.loads(ran.out)["notes"] if note["code"] == "gaps")
+    assert note == "6 of 506 points have no number and are left out"
+
+
+def test_a_text_that_is_no_number_in_a_python_table_is_refused_with_its_row() -> None:
+    columns = {"z [um]": [1.0, 2.0, 3.0], "F [nN]": ["1.0", "-2.0", "-1'144.4"]}
+    with pytest.raises(jkroll.JkrollError, match=r"^row 2, counted from 0: lever_force: '-1'144\.4' is not a number"):
+        jkroll.fit(columns, radius="7.5 um", radius2="plane", spring="3.01 N/m")
+
+
+@pytest.mark.parametrize(
+    ("head", "cell", "said"),
+    [
+        ("radius (um)", "5", "column 'radius (um)': it is 5 µm there, and --radius gives 7.5 µm; correct one, or"),
+        ("R_tip [nm]", "7600", "column 'R_tip [nm]': it is 7.6 µm there, and --radius gives 7.5 µm; correct one, or"),
+        ("diameter (um)", "7.5", "column 'diameter (um)': it is 7.5 µm there, and --radius gives 7.5 µm; correct one"),
+        ("k (N/m)", "2", "column 'k (N/m)': it is 2 N/m there, and --spring gives 3.01 N/m; correct one, or --column"),
+        ("radius (um)", "7.52", ""),
+        ("diameter (um)", "15", ""),
+        ("k (N/m)", "3.01", ""),
+        ("radius2 (um)", "5", ""),
+        ("k", "2", ""),
+    ],
+)
+def test_a_column_that_contradicts_an_option_is_refused(run: Run, curve: str, head: str, cell: str, said: str) -> None:
+    first, *rows = curve.splitlines()
+    Path("curve.csv").write_text("\n".join([f"{first},{head}", *(f"{row},{cell}" for row in rows)]), encoding="utf-8")
+    ran = run(f"fit curve.csv --radius 7.5um --spring 3.01N/m {'--radius2 plane' * ('2' not in head)} --json")
+    assert ran.code == (2 if said else 0)
+    assert said in " ".join(ran.err.split())
+
+
+@pytest.mark.parametrize(("unit", "said"), [("pN", "is 3.01 mN/m in the columns"), ("nN", "")])
+def test_a_force_that_is_not_the_deflection_times_the_spring_has_a_code(run: Run, unit: str, said: str) -> None:
+    z, force = jkr_curve(count=250)
+    rows = "".join(f"{a * 1e6:.6f},{b * 1e9 / 3.01 - 20:.5f},{b * 1e9:.5f}\n" for a, b in zip(z, force, strict=True))
+    Path("curve.csv").write_text(f"z (um),Defl (nm),Force ({unit})\n{rows}", encoding="utf-8")
+    ran = run(f"fit curve.csv {KNOWN} --json")
+    answer = json.loads(ran.out)
+    notes = [note["text"] for note in answer["notes"] if note["code"] == "spring-differs"]
+    assert [said in note for note in notes] == [True] * bool(said)
+    assert bool(answer["next"]) == (not said)
+    assert 'passed through: "Defl (nm)"' in " ".join(ran.err.split())
 
 
 def test_words_for_a_load_in_other_languages_are_read(run: Run) -> None:
@@ -488,6 +633,13 @@ def test_wrong_arguments_of_fit_in_python_are_refused_with_a_reason(
 
 
 # --- Output and arguments ---------------------------------------------------------------------------------------------
+
+
+def test_the_command_line_on_a_picture_has_an_option_that_repeats_once_for_each_value() -> None:
+    options = {"radius": "7.5um", "columns": ("z=lever_travel [um]", "F=load [nN]"), "curve": True, "target": "fit.pdf"}
+    assert Call(COMMANDS["fit"], ["curve.csv"], options).line == (
+        "jkroll fit curve.csv --radius=7.5um '--column=z=lever_travel [um]' '--column=F=load [nN]' --curve"
+    )
 
 
 def test_a_meaning_in_nanometres_for_a_header_in_volts_is_refused(run: Run) -> None:

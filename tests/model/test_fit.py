@@ -99,6 +99,9 @@ def test_contact_radii_need_no_contact_point() -> None:
     assert fit.values["work_of_adhesion_opening"] == approx(w, rel=1e-6)
     assert fit.values["contact_modulus"] == approx(modulus, rel=1e-6)
     assert "contact_point" not in fit.values
+    a, load = numpy.append(a, [0.0, 0.0]), numpy.append(load, [0.0, 0.0])
+    remark = fit_curve(ForceCurve(RADIUS, a, load), Known(radius=radius)).remarks["gaps"]
+    assert remark == "2 of 42 points have no positive radius or no load and are left out"
 
 
 def test_contact_radii_with_a_resting_edge_are_left_out_of_the_fit() -> None:

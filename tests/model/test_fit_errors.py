@@ -9,6 +9,7 @@ from numpy import pi
 
 from curves import autoregression, jkr_curve, jkr_force, ramp
 from jkroll import fit
+from jkroll.model.fit_baseline import baseline_of
 from jkroll.model.fit_branches import (
     APPROACH,
     LOADING,
@@ -319,7 +320,20 @@ def test_points_of_a_pause_are_left_out_and_gaps_in_time_have_a_remark() -> None
     assert fit.remarks["pause"].startswith("50 points")
     assert "time-gaps" not in fit.remarks
     time[1400:] += 100.0
-    assert "time-gaps" in fit_curve(ForceCurve(TRAVEL, z, force, branch=names, time=time), PROBE).remarks
+    time[300:] += 50.0
+    time[350:] += 50.0
+    fit = fit_curve(ForceCurve(TRAVEL, z, force, branch=names, time=time), PROBE)
+    assert fit.remarks["time-gaps"] == (
+        "loading: the time has 2 gaps, the longest of 51 usual steps; unloading: the time has 1 gap of 101 usual "
+        "steps: points may be missing"
+    )
+
+
+@pytest.mark.parametrize("tilt", [False, True])
+def test_a_baseline_without_noise_has_the_least_standard_deviation_around_line_and_level(tilt: bool) -> None:
+    baseline = baseline_of(numpy.linspace(0, 1e-6, 20), numpy.zeros(20), 1e-15, tilt=tilt)
+    assert (baseline.noise, baseline.scatter) == (1e-15, 1e-15)
+    assert baseline.error > 0
 
 
 # --- A measured curve -------------------------------------------------------------------------------------------------

@@ -73,13 +73,19 @@ class Call(Options):
     @property
     def line(self) -> str:
         """The command line as written on pictures, without output files and `--quiet`."""
+        return self.line_with()
+
+    def line_with(self, **inputs: str | None) -> str:
+        """Return the command line as `line`, with these inputs in place of those given; None leaves an input out."""
         from .commands import COMMANDS
 
         flags = {option.name: flag for flag, option in COMMANDS[self.command].flags().items()}
         words = ["jkroll", self.command, *filter(None, (self.subject,)), *self.words]
-        for name, value in {**self.inputs, **self.given}.items():
-            if name in flags and name not in ("target", "data", "quiet"):
-                words.append(flags[name] if value is True else f"{flags[name]}={value}")
+        for name, value in {**self.inputs, **self.given, **inputs}.items():
+            if name not in flags or name in ("target", "data", "quiet") or value is None:
+                continue
+            for each in value if isinstance(value, tuple) else (value,):
+                words.append(flags[name] if each is True else f"{flags[name]}={each}")
         return shlex.join(words)
 
     # --- Frames -------------------------------------------------------------------------------------------------------

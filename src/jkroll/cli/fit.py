@@ -13,7 +13,7 @@ from ..materials.library import Materials
 from ..model.fit_result import RESULTS, Fit, Known
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import value_of
-from ..report.fitted import WORDS, in_words, is_sure, line_on_known, sentences
+from ..report.fitted import WORDS, in_words, is_sure, line_on_known, sentences, warnings
 from ..tables.files import output_format
 from ..tables.fitted import fit_of_file, known_of
 from ..text import ascii_text, ending, listed, quoted, say, say_wrapped
@@ -145,7 +145,7 @@ def _write_single(call: Call, path: str, outcome: FileFit, form: str) -> int:
             from ..pictures.picture import write_picture
 
             drawn = picture_of_fit(fitted, os.path.basename(path), ())
-            write_picture(drawn._replace(remarks=(*sentences(fitted),)), out)
+            write_picture(drawn._replace(remarks=(*warnings(fitted), *sentences(fitted))), out)
         elif call.curve:
             heads, columns = curve_columns(fitted)
             write_columns(heads, columns, form, out)
@@ -168,7 +168,12 @@ def _heading(call: Call, path: str, fitted: Fit) -> str:
 
 
 def following_command(call: Call, fitted: Fit) -> str:
-    """Return the command that continues from a fit to rolling; empty without a radius, or if w or E* is uncertain."""
+    """Return the command that continues from a fit to rolling; empty without a radius, or if w or E* is uncertain.
+
+    If the fitted law does not hold, the command fits again by the better law.
+    """
+    if fitted.better_law:
+        return call.line_with(model=fitted.better_law, profile=None)
     radii = [name for name in _RADII if name in call.inputs]
     are_known = all(_is_known(fitted, name) for name in _NECESSARY)
     if not are_known or not radii or fitted.is_scaled or not is_sure(fitted):
@@ -199,7 +204,7 @@ def _on_following(fitted: Fit, following: str) -> Iterator[str]:
     """Iterate over the lines on the next command: the results whose errors keep them out of it, and the command."""
     names = [name for name in (*_NECESSARY, "adhesion_hysteresis") if name in fitted.values]
     uncertain = [WORDS[name][1] for name in names if not _is_known(fitted, name)]
-    if uncertain and is_sure(fitted) and not fitted.is_scaled:
+    if uncertain and is_sure(fitted) and not (fitted.is_scaled or fitted.better_law):
         start = "left out of the next command" if following else "no command follows"
         yield f"{start}: an error above {_LARGEST_ERROR:.0%} ({listed(uncertain)})"
     if following:

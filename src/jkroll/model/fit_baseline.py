@@ -18,8 +18,8 @@ _SMALL_SHARE = 0.1  # share of the noise below which an error of the baseline do
 class Baseline(NamedTuple):
     """The force out of contact as a line over z: a level, or a sloping line.
 
-    `noise` is the standard deviation around the sloping line, `scatter` around the baseline itself. The steepness of
-    the force is that of the sloping line, even if the baseline is a level.
+    A line is always fitted; the baseline is this line or a level. `noise` is the standard deviation around the line,
+    `scatter` that around the baseline. `steepness` is the slope of the line, also if the baseline is a level.
     """
 
     force: float  # at the middle of the line
@@ -29,7 +29,7 @@ class Baseline(NamedTuple):
     scatter: float
     z: float = 0.0  # the position of the middle
     slope_error: float = 0.0
-    length: float = 0.0  # of the free part
+    length: float = 0.0  # of the points out of contact
     steepness: float = 0.0
     steepness_error: float = 0.0
 
@@ -49,11 +49,14 @@ class Baseline(NamedTuple):
 
 
 def baseline_of(z: Array, force: Array, floor: float, *, tilt: bool) -> Baseline:
-    """Return the baseline of a free part: its median, or a line if `tilt`. `floor`: the least standard deviation."""
+    """Return the baseline of points out of contact: their median, or a line if `tilt`.
+
+    `floor`: the least standard deviation of the force, around the line and around the baseline.
+    """
     middle, length = float(numpy.mean(z)), float(numpy.ptp(z))
     steepness = float(numpy.polyfit(z - middle, force, 1)[0]) if length > 0 else 0.0
     rest = force - steepness * (z - middle)
-    size, phi = max(_scatter(rest), floor), _correlation(rest, 2)
+    size, phi = _scatter(rest, floor), _correlation(rest, 2)
     steepness_error = size * sqrt(Noise(phi).correlation_time) / float(numpy.linalg.norm(z - middle)) if length else 0.0
     line = Baseline(
         float(numpy.median(rest)), steepness, size * _error_of_median(phi, len(force)), size, size, middle,
@@ -61,14 +64,14 @@ def baseline_of(z: Array, force: Array, floor: float, *, tilt: bool) -> Baseline
     )  # fmt: skip
     if tilt:
         return line
-    scatter = _scatter(force)
+    scatter = _scatter(force, floor)
     error = scatter * _error_of_median(_correlation(force, 1), len(force))
     return line._replace(force=float(numpy.median(force)), slope=0.0, slope_error=0.0, error=error, scatter=scatter)
 
 
-def _scatter(values: Array) -> float:
-    """Return the standard deviation of values about their median, from their median absolute deviation."""
-    return 1.4826 * float(numpy.median(abs(values - numpy.median(values))))
+def _scatter(values: Array, floor: float) -> float:
+    """Return the standard deviation of values, from their median absolute deviation: `floor` or more."""
+    return max(1.4826 * float(numpy.median(abs(values - numpy.median(values)))), floor)
 
 
 def _correlation(values: Array, unknowns: int) -> float:
@@ -98,7 +101,7 @@ def remark_on_baselines(baselines: Mapping[str, Baseline | None], remarks: dict[
             f"{name}: the force out of contact changes by {change * 1e9:.3g} nN over {length * 1e6:.3g} µm: "
             "--baseline tilt subtracts a line instead of the median"
         )
-        return  # levels of sloping baselines differ
+        return  # sloping baselines have different levels even if nothing moved
     if len(known) < 2:
         return
     one, other = known.values()

@@ -22,8 +22,8 @@ LEAST_POINTS = 5
 _NOISE = 5.0  # standard deviations of the noise above which a force is a signal
 _SMOOTH = 9  # points of a running median
 _END = 0.1  # fraction of a branch that counts as its end
-# As shares of the range of forces: the largest change over a free end (a straight branch changes by 0.1 there), and the
-# least bend of a concave branch.
+# A share of the range of forces with two uses: the largest change over a free end (a straight branch changes by 0.1
+# there), and the least bend of a concave branch.
 _FLATTER = 0.05
 _LOST = 0.5  # the contact is lost where less than this share of the largest tension is left
 _RISE = 0.05  # rise of the force where a lever lets go, as a share of the depth of the minimum
@@ -54,6 +54,7 @@ class ForceCurve(NamedTuple):
     `z` is a contact radius, an approach or a travel, as `kind` states. Errors are standard deviations, None if unknown.
     `branch` names the branch of each point, or is PAUSE for points between branches; None if no column states it.
     `time` has any unit. `is_deflection`: the force is a measured deflection times the stiffness of the lever.
+    `force_over_deflection`: the slope of the force over a column of deflections; None without such a column.
     """
 
     kind: str
@@ -64,6 +65,7 @@ class ForceCurve(NamedTuple):
     branch: Array | None = None
     time: Array | None = None
     is_deflection: bool = False
+    force_over_deflection: float | None = None
 
     def chosen(self, which: Array) -> Self:
         """Return the points at some indices, or where a mask is True."""
@@ -154,7 +156,7 @@ def branches_of(curve: ForceCurve, stiffness: float, *, tilt: bool = False, only
         inside = _in_contact(load, name, max(own.scatter, noise))
         branches[name] = Branch(name, Points(part.z, load, *errors), *inside, own, baselines[name] is not None)
     _check(branches, max(noise, *(baseline.scatter for baseline in known)), remarks)
-    return Branches(branches, max(known[0].noise, floor), max(known[0].scatter, floor), remarks, sign)
+    return Branches(branches, known[0].noise, known[0].scatter, remarks, sign)
 
 
 def _without_pause(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
@@ -169,7 +171,8 @@ def _without_pause(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
 
 
 def _check_time(parts: Mapping[str, ForceCurve], remarks: dict[str, str]) -> None:
-    """Add a remark on gaps in time within a branch, where points may be missing."""
+    """Add a remark on gaps in time within the branches, where points may be missing."""
+    found = []
     for name, part in parts.items():
         if part.time is None:
             continue
@@ -179,7 +182,9 @@ def _check_time(parts: Mapping[str, ForceCurve], remarks: dict[str, str]) -> Non
         if count:
             longest = float(steps.max()) / usual
             many = "1 gap" if count == 1 else f"{count} gaps, the longest"
-            remarks["time-gaps"] = f"{name}: the time has {many} of {longest:.0f} usual steps: points may be missing"
+            found.append(f"{name}: the time has {many} of {longest:.0f} usual steps")
+    if found:
+        remarks["time-gaps"] = f"{'; '.join(found)}: points may be missing"
 
 
 def _finite(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
@@ -193,7 +198,8 @@ def _finite(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
     count = int(is_known.sum())
     left_out = len(is_known) - count
     if left_out:
-        remarks["gaps"] = f"{left_out} of {len(is_known)} points have no number and are left out"
+        lacking = "no positive radius or no load" if curve.kind == RADIUS else "no number"
+        remarks["gaps"] = f"{left_out} of {len(is_known)} points have {lacking} and are left out"
     if count < LEAST_POINTS:
         raise BadCurve(f"the curve has {count} points, and a fit needs {LEAST_POINTS}", "too few points")
     curve = curve.chosen(is_known)
@@ -225,18 +231,18 @@ def _sign(curve: ForceCurve) -> float:
     """Return the sign that makes z rise into the contact.
 
     If the force is much flatter at one end of z, that end is free. Otherwise, if the force is flat over the first or
-    the last points and z turns far from both, z turns in the contact. Otherwise the end with the larger force is in
-    contact, unless the force is concave there: a pressed contact gets stiffer. Raises BadCurve if the forces at both
-    ends of z are the same.
+    the last points and z turns far from where it begins and ends, the turning point is in the contact. Otherwise the
+    end with the larger force is in contact, unless the force is concave there: a pressed contact gets stiffer. Raises
+    BadCurve if the forces at both ends of z are the same.
     """
     order = numpy.argsort(curve.z, kind="stable")
     count = max(3, len(order) // 10)
     ends = [curve.force[which] for which in (order[:count], order[-count:])]
     low, high = (float(numpy.median(end)) for end in ends)
-    bend_low, bend_high = (abs(float(numpy.polyfit(numpy.arange(count), end, 1)[0])) * count for end in ends)
+    rise_low, rise_high = (abs(float(numpy.polyfit(numpy.arange(count), end, 1)[0])) * count for end in ends)
     spread = float(numpy.ptp(curve.force))
-    if max(bend_low, bend_high) > max(_STEEPER * min(bend_low, bend_high), 0.02 * spread):
-        return 1.0 if bend_high > bend_low else -1.0
+    if max(rise_low, rise_high) > max(_STEEPER * min(rise_low, rise_high), 0.02 * spread):
+        return 1.0 if rise_high > rise_low else -1.0
     if _is_flat(curve.force[:count], spread) or _is_flat(curve.force[-count:], spread):
         first, last = sorted((float(curve.z[0]), float(curve.z[-1])))
         above, below = float(curve.z.max()) - last, first - float(curve.z.min())
@@ -405,7 +411,9 @@ def _errors(part: ForceCurve, noise: float, give: float) -> tuple[Array, Array]:
 
 
 def _in_contact(load: Array, name: str, noise: float) -> tuple[slice, slice]:
-    """Return the slice of a branch from the largest to the least load, and the slice that may be in contact.
+    """Return the slice of a branch in contact, and the slice that may be in contact.
+
+    The first ends just past the least load, or at the last pressed point.
 
     After the least load, a stiff lever still holds the contact, while a soft lever is already snapping off.
     """

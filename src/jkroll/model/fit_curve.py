@@ -21,7 +21,7 @@ from .fit_errors import (
     statistical_errors,
     with_baselines,
 )
-from .fit_goodness import USUAL_ERROR, goodness_of, on_profile, remarks_on
+from .fit_goodness import USUAL_ERROR, goodness_of, on_deflection, on_profile, remarks_on
 from .fit_laws import Array, Grip
 from .fit_minimum import ADHESION, MODULUS, residuals
 from .fit_problem import Problem, Solved, release_rate, solved, solved_with, solved_without_adhesion
@@ -49,7 +49,8 @@ def _solution(curve: ForceCurve, known: Known) -> tuple[Solution, dict[str, str]
     only = {"load": LOADING, "unload": UNLOADING}.get(known.branch, "")
     stiffness = known.stiffness if curve.kind == TRAVEL else numpy.inf
     branches = branches_of(curve, stiffness, tilt=known.tilt, only=only)
-    problem, remarks = Problem(curve.kind, known, branches, curve.is_deflection), {**branches.remarks}
+    problem = Problem(curve.kind, known, branches, curve.is_deflection)
+    remarks = {**branches.remarks, **dict(on_deflection(curve.force_over_deflection, known.stiffness))}
     chosen = [only] if only else [UNLOADING, LOADING]
     found = [branches.by_name[name] for name in chosen if name in branches.by_name]
     if not found:
@@ -132,7 +133,7 @@ def _result(solution: Solution, remarks: dict[str, str], by_spring: list[Results
         result.goodness["tabor_parameter"] = models.tabor_parameter
     sphere = models.by_law.get("jkr, sphere")
     if sphere is not None and problem.known.profile == "paraboloid":
-        for text in on_profile(models.by_law["jkr"], sphere, result.errors, width):
+        for text in on_profile(models.by_law["jkr"], sphere, result.errors, width, problem.known):
             result.remarks["profile-matters"] = text
     _add(result, "model", models.moves)
     result.remarks |= dict(remarks_on(solution, result, by_spring))

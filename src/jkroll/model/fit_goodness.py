@@ -3,18 +3,22 @@
 from collections.abc import Iterator, Mapping
 
 import numpy
-from numpy import exp, inf, sqrt
+from numpy import exp, inf, isfinite, sqrt
 
-from ..quantities.formatting import Format, amount
+from ..quantities.formatting import Format, amount, significant
+from ..quantities.laws import LAWS
 from .fit_branches import LEAST_POINTS, LOADING, RADIUS, running_median
 from .fit_errors import Results, Solution
 from .fit_minimum import ADHESION, FEW_INDEPENDENT
 from .fit_problem import NAMES
-from .fit_result import Errors, Fit
+from .fit_result import Errors, Fit, Known
 
+LAW_OFF = "law-off"  # the code of a law that does not hold
 USUAL_ERROR = 0.05  # relative error of a spring, if none is given
-_TWO_DIGITS = Format(digits=2)
+_TWO_DIGITS, _THREE_DIGITS = Format(digits=2), Format(digits=3)
+_UNLIKE = 1.2  # ratio of two stiffnesses above which they are not those of one spring
 _UNDETERMINED = 0.5  # standard deviation of ln E* above which E* is undetermined
+_SURE = 2.0  # errors of a hysteresis below 0 that is not due to chance
 _POOR = 0.1  # rms misfit over the pull-off force, above which the curve is not that of a contact
 _WIDEST = 0.9  # a/R above which no theory of a half-space applies
 
@@ -53,6 +57,17 @@ def remarks_on(solution: Solution, result: Fit, by_spring: list[Results]) -> Ite
     if good.get("rms_over_pull_off", 0.0) > _POOR:
         share = f"{good['rms_over_pull_off']:.0%} of the pull-off force"
         yield "poor-fit", f"the misfit is {share}: this is not the curve of one contact"
+    hysteresis = result.values.get("adhesion_hysteresis", 0.0)
+    if hysteresis < 0 and -hysteresis > _SURE * errors["adhesion_hysteresis"].total:
+        yield (
+            "negative-hysteresis",
+            (
+                "the loading branch needs more work than the unloading one, which no contact does: the branches may be "
+                "exchanged; check the order of the points, or the column of branches"
+            ),
+        )
+    if result.better_law:
+        yield LAW_OFF, _on_law(result, NAMES[main.branch.name])
     modulus = result.values["contact_modulus"]
     if not (errors["contact_modulus"].statistical or 0.0) < _UNDETERMINED * modulus:
         yield (
@@ -62,11 +77,21 @@ def remarks_on(solution: Solution, result: Fit, by_spring: list[Results]) -> Ite
     if by_spring:
         yield from _on_spring(result, *by_spring)
     if has_adhesion and result.kind != RADIUS and int((main.points.force < 0).sum()) < LEAST_POINTS:
-        yield "few-below-zero", "fewer than 5 points are in tension: w is hardly determined"
+        yield "few-below-zero", f"fewer than {LEAST_POINTS} points are in tension: w is hardly determined"
     if not result.is_scaled and good["contact_over_radius"] > _WIDEST:
-        yield "wide-contact", "the contact radius is above 0.9 of the sphere's: theories of a half-space do not apply"
+        wide = f"the contact radius is above {_WIDEST} of the sphere's"
+        yield "wide-contact", f"{wide}: theories of a half-space do not apply"
     if has_adhesion:
         yield from _on_pinned_edge(solution, result.points)
+
+
+def _on_law(result: Fit, name: str) -> str:
+    """Return the sentence on a fitted law that does not hold. `name`: the work of adhesion of the main branch."""
+    law, better = LAWS[result.known.law].short, LAWS[result.better_law].short
+    share = result.values[name] / result.by_law[result.better_law][name] - 1
+    off = f"w by {law} is {abs(share):.0%} {'above' if share > 0 else 'below'} w by {better}"
+    tabor = significant(result.goodness["tabor_parameter"], 2)
+    return f"{off}, which holds at a Tabor parameter of {tabor}: give --model {result.better_law}"
 
 
 def _on_noise(good: Mapping[str, float]) -> Iterator[tuple[str, str]]:
@@ -82,10 +107,10 @@ def _on_noise(good: Mapping[str, float]) -> Iterator[tuple[str, str]]:
 
 
 def _on_spring(result: Fit, softer: Results, stiffer: Results) -> Iterator[tuple[str, str]]:
-    """Yield a remark if the error of the spring moves E* by more than its statistical and its model error.
+    """Yield a remark if the error of the spring moves E* by more than both the statistical and the model error of E*.
 
-    `softer`, `stiffer`: the moves for springs that differ by the error of the given one. If this error is unknown, they
-    differ by 5 %, and the remark asks for it.
+    `softer`, `stiffer`: the changes of the results if the spring is softer or stiffer by its error, or by 5 % if no
+    error is given; the remark then asks for the error.
     """
     known, errors, modulus = result.known, result.errors["contact_modulus"], result.values["contact_modulus"]
     shares = [move["contact_modulus"] / modulus for move in (softer, stiffer)]
@@ -104,22 +129,47 @@ def _on_spring(result: Fit, softer: Results, stiffer: Results) -> Iterator[tuple
         yield "lever-decides", f"{text}: give the spring's error, as in --spring {typed}"
 
 
-def on_profile(values: Results, sphere: Results, errors: Mapping[str, Errors], width: float) -> Iterator[str]:
+def on_deflection(slope: float | None, stiffness: float) -> Iterator[tuple[str, str]]:
+    """Yield a remark if the slope of the force over the deflection is not the stiffness of the spring."""
+    if slope is not None and isfinite(stiffness) and not 1 / _UNLIKE <= slope / stiffness <= _UNLIKE:
+        there, here = (amount("lever_stiffness", value, _THREE_DIGITS) for value in (slope, stiffness))
+        differ = f"force over deflection is {there} in the columns of the table, and the spring has {here}"
+        yield "spring-differs", f"{differ}: check the units of both columns, and --spring"
+
+
+def on_profile(
+    values: Results, sphere: Results, errors: Mapping[str, Errors], width: float, known: Known
+) -> Iterator[str]:
     """Yield a sentence if w or E* for a sphere by JKR differs from that for a paraboloid by more than its error.
 
-    `values`: the results for a paraboloid by JKR, whichever law is fitted.
+    `values`: the results for a paraboloid by JKR, whichever law is fitted. The sentence has the options for a fit of
+    the sphere, which needs a Poisson's ratio.
     """
-    names = [name for name in (*NAMES.values(), "contact_modulus") if name in values]
-    if not any(abs(sphere[name] - values[name]) > errors[name].total for name in names[:1] + names[-1:]):
+    adhesion = [name for name in NAMES.values() if name in values][:1]
+    symbols = {**dict.fromkeys(adhesion, "w"), "contact_modulus": "E*"}
+    if not any(abs(sphere[name] - values[name]) > errors[name].total for name in symbols):
         return
-    shares = {name: sphere[name] / values[name] - 1 for name in names}
-    texts = [f"{'E*' if name == 'contact_modulus' else 'w'} {shares[name]:+.1%}" for name in names[:1] + names[-1:]]
-    moved = ", ".join(dict.fromkeys(texts))
-    yield f"a/R is up to {width:.2f}, where a sphere is no paraboloid: {moved} by JKR with --profile sphere"
+    moved = ", ".join(f"{symbol} {_percent(sphere[name] / values[name] - 1)}" for name, symbol in symbols.items())
+    ratio = "" if {"poisson_ratio", "poisson_ratio2"} & known.given.keys() else " --poisson2 0.5"
+    yield f"a/R is up to {width:.2f}, where a sphere is no paraboloid: {moved} by JKR with --profile sphere{ratio}"
+
+
+def _percent(share: float) -> str:
+    """Return a change in percent with its sign.
+
+    >>> _percent(0.0231), _percent(-0.0002)
+    ('+2.3%', '0.0%')
+    """
+    text = f"{share:+.1%}"
+    return "0.0%" if text[1:] == "0.0%" else text
 
 
 def _on_pinned_edge(solution: Solution, points: Mapping[str, numpy.ndarray]) -> Iterator[tuple[str, str]]:
-    """Yield a remark if the edge is pinned: G changes by more than w/5, the contact radius by less than 1 %."""
+    """Yield a remark if the edge is pinned.
+
+    It is pinned if, over some run of points, G changes by more than w/5 and 10 times its noise, but the contact radius
+    by less than 1 %.
+    """
     is_own = (points["branch"] == solution.main.branch.name) & numpy.isfinite(points["release_rate"])
     if is_own.sum() < LEAST_POINTS:
         return

@@ -8,10 +8,13 @@ from typing import Any, NamedTuple, Self
 from numpy import inf, sqrt
 
 from ..quantities.nomenclature import DEFAULTS
+from ..quantities.values import middle
 from .fit_branches import RADIUS, LoadRange
 from .fit_laws import Array
 
 STRONG = 5.0  # Tabor parameter above which JKR gives w and E*
+
+BODIES = ("youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2")
 
 # The name of each result, and the quantity of the nomenclature that gives its unit and meaning.
 RESULTS: Mapping[str, str] = {
@@ -29,8 +32,8 @@ RESULTS: Mapping[str, str] = {
 class Known(NamedTuple):
     """The known data of an instrument and a contact, with relative standard deviations, and the options of a fit.
 
-    Without a radius the fit gives wR and E*√R. `stiffness` is that of the lever; `bodies` has Young's moduli and
-    Poisson's ratios by name.
+    Without a radius the fit gives wR and E*√R. `stiffness` is that of the lever; `given` has the inputs by
+    name, some with uncertainties.
     """
 
     radius: float | None = None
@@ -43,7 +46,12 @@ class Known(NamedTuple):
     branch: str = "both"
     range: LoadRange | None = None
     tilt: bool = False
-    bodies: Mapping[str, float] = MappingProxyType({})
+    given: Mapping[str, Any] = MappingProxyType({})
+
+    @property
+    def bodies(self) -> dict[str, float]:
+        """The given Young's moduli and Poisson's ratios by name."""
+        return {name: float(middle(self.given[name])) for name in BODIES if name in self.given}
 
 
 class Errors(NamedTuple):
@@ -109,6 +117,12 @@ class Fit:
     def law_that_holds(self) -> str:
         """The law that gives the best w and E*: Maugis' law if the Tabor parameter is small, otherwise JKR."""
         return "jkr" if self.goodness.get("tabor_parameter", inf) >= STRONG else "maugis"
+
+    @property
+    def better_law(self) -> str:
+        """The law to fit instead; "" if the fitted law holds, as Maugis' does for any Tabor parameter."""
+        is_judged = self.known.law != "maugis" and "tabor_parameter" in self.goodness
+        return self.law_that_holds if is_judged and self.law_that_holds != self.known.law else ""
 
     @property
     def other_modulus(self) -> tuple[str, float] | None:

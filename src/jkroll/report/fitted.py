@@ -4,7 +4,8 @@ from collections.abc import Iterator, Sequence
 from math import floor, isfinite, isnan, log10, nan
 
 from ..model.fit_branches import LOADING
-from ..model.fit_result import RESULTS, Fit
+from ..model.fit_goodness import LAW_OFF
+from ..model.fit_result import RESULTS, STRONG, Fit
 from ..quantities.formatting import Format, amount, bar_digits, significant, with_unit
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE
@@ -20,6 +21,7 @@ WORDS = {
     "pull_off_force_measured": ("pull-off, measured", "P_min"),
 }
 HEADS = ("quantity", "symbol", "fit", "unit", "noise", "calibration", "model")
+_ROUNDING = 1e-4  # share of the total below which a part of an error is shown as 0
 _ABSENT, _UNBOUNDED = "–", "∞"
 _SCALED = {"J/m^2": "J/m", "Pa": "Pa m^0.5"}  # units of wR and E*√R, by those of w and E*
 _WITHOUT_RADIUS = {"work_of_adhesion_opening": "wR_open", "work_of_adhesion_closing": "wR_close",
@@ -108,6 +110,7 @@ def _cells(fitted: Fit, name: str, errors: Sequence[float | None]) -> tuple[list
     known = [nan if error is None else error for error in errors]
     total = known[-1] if known and isfinite(known[-1]) else 0.0
     unit, factor = _unit_of(fitted, name, value, total)
+    known = [0.0 if error < _ROUNDING * total else error for error in known]
     texts = [_error_in_words(error * factor) for error in known]
     return [_rounded(value * factor, total * factor), *texts], unit
 
@@ -115,7 +118,7 @@ def _cells(fitted: Fit, name: str, errors: Sequence[float | None]) -> tuple[list
 def _error_in_words(error: float) -> str:
     """Return an error with two digits; a dash stands for nan, an error that was not computed."""
     if isfinite(error):
-        return significant(error, 2, zeros=True)
+        return significant(error, 2, zeros=True) if error else "0"
     return _ABSENT if isnan(error) else _UNBOUNDED
 
 
@@ -143,10 +146,17 @@ def _rounded(value: float, error: float) -> str:
 
 
 def sentences(fitted: Fit) -> Iterator[str]:
-    """Iterate over the sentences below the table of a fit: its findings, and its remarks with their codes."""
+    """Iterate over the sentences below the table of a fit: its findings, and its other remarks with their codes."""
     yield from findings(fitted)
     for code, text in fitted.remarks.items():
-        yield f"{code}: {text}"
+        if code != LAW_OFF:
+            yield f"{code}: {text}"
+
+
+def warnings(fitted: Fit) -> Iterator[str]:
+    """Iterate over the sentences above the table of a fit: what to do if the fitted law does not hold."""
+    if LAW_OFF in fitted.remarks:
+        yield f"{LAW_OFF}: {fitted.remarks[LAW_OFF]}"
 
 
 def findings(fitted: Fit) -> Iterator[str]:
@@ -173,8 +183,9 @@ def findings(fitted: Fit) -> Iterator[str]:
 
 
 def is_sure(fitted: Fit) -> bool:
-    """Return whether w and E* can be trusted: the fit is good, and the curve determines E*."""
-    return {"poor-fit", "modulus-undetermined"}.isdisjoint(fitted.remarks)
+    """Return whether w and E* can be trusted: forces, branches and fit are good, and the curve determines E*."""
+    doubts = {"spring-differs", "negative-hysteresis", "poor-fit", "modulus-undetermined"}
+    return doubts.isdisjoint(fitted.remarks)
 
 
 def _about_laws(fitted: Fit) -> Iterator[str]:
@@ -188,8 +199,7 @@ def _about_laws(fitted: Fit) -> Iterator[str]:
         number = amount("work_of_adhesion", fitted.by_law[key][name], Format(digits=3))
         texts.append(f"{LAWS[law].short}{_VARIANTS[variant]} {number}")
     tabor = significant(fitted.goodness["tabor_parameter"], 2)
-    advice = "" if best == fitted.known.law else f": take --model {best}"
-    yield f"w by law, the best one first: {', '.join(texts)} (Tabor parameter {tabor}; JKR needs 5{advice})"
+    yield f"w by law, the best one first: {', '.join(texts)} (Tabor parameter {tabor}; JKR needs {STRONG:.0f})"
     if profile == "sphere":
         yield "only JKR is known for a sphere: the other laws are fitted for a paraboloid"
 

@@ -1,21 +1,23 @@
 """Force curves from tables: columns of lengths and forces, headed as for `batch`, become arrays in SI units."""
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 from typing import Any, NamedTuple
 
 import numpy
 
-from ..errors import BadTable
+from ..errors import BadRequest, BadRow, BadTable, JkrollError
 from ..materials.library import Materials
 from ..model.fit_branches import APPROACH, LOADING, PAUSE, RADIUS, TRAVEL, UNLOADING, ForceCurve
+from ..model.rows import Numbers
 from ..quantities.nomenclature import header as head_of
 from ..text import first_of, listed, quoted
-from .cells import Column
+from .cells import Column, has_no_value
 from .dataframes import Memory, data_of
 from .files import Input, input_format
 from .header import Header, check_has_names, option_of, typed, understood
+from .layouts import is_comment
 from .opened import opened
 from .reading import unit_in
 from .table import Asked, Records
@@ -23,13 +25,16 @@ from .table import Asked, Records
 # The columns that can give the x of a curve and its force, both in order of preference.
 _X = {"contact_radius_at_load": RADIUS, "approach_at_load": APPROACH, "lever_travel": TRAVEL}
 _FORCES = ("load", "lever_force", "lever_deflection")
-MEASURED = "contact_radius_at_load,approach_at_load,lever_travel,lever_force,lever_deflection"
+_DEFLECTION = "lever_deflection"
+MEASURED = "contact_radius_at_load,approach_at_load,lever_travel,lever_force,lever_deflection,lever_stiffness"
+_SAME = 0.01  # relative range of a column below which all its numbers are the same, except for rounding
+_INDICES = ("k", "K")  # headers that, without a unit, number the rows
 _BRANCH, _TIME = "branch", "time"
 _LABELS = {_BRANCH: r"(?i)branch|segment|direction", _TIME: r"(?i)(time|t)\s*([\[(].*)?"}
-_VOLTS = r"([\[(/_.]|\s|^)\s*([mµμu]?V|(milli)?[vV]olts?)\s*[\])]?$"  # at the end of a header
+_VOLTS = r"([\[(/_.\d]|\s|^)\s*([mµμu]?V|(milli)?[vV]olts?)\s*[\])]?$"  # at the end of a header or a cell
 _WORDS = {
-    **dict.fromkeys("loading load approach approaching extend extension trace advance closing in 0".split(), LOADING),
-    **dict.fromkeys("unloading unload retract retraction withdraw retrace opening out 1".split(), UNLOADING),
+    **dict.fromkeys("loading load approach approaching extend extension trace advance closing in".split(), LOADING),
+    **dict.fromkeys("unloading unload retract retraction withdraw retrace opening out".split(), UNLOADING),
     **dict.fromkeys("pause dwell hold holding".split(), PAUSE),
 }
 
@@ -37,18 +42,33 @@ _WORDS = {
 class CurveTable(NamedTuple):
     """The columns of a table that a curve needs, with the attributes that file formats expect of a table."""
 
-    columns: Header
+    names: tuple[str, ...]  # the headers
+    columns: Header  # of x and the force, and behind them of other inputs, with which they are compared
     asked: Asked
     positions: Mapping[str, int]
     labels: Mapping[str, int]
     added: tuple[str, ...] = ()
 
+    @property
+    def pair(self) -> Sequence[Column]:
+        """The columns of x and the force."""
+        return self.columns.inputs[:2]
+
+    def reading(self, *remarks: str) -> str:
+        """Return the sentence that says how the table is read, with remarks."""
+        texts = ["" if position == self.labels.get(_BRANCH) else text for position, text in enumerate(self.names)]
+        return self.columns._replace(texts=(*texts,), inputs=(*self.pair,)).reading(*remarks)
+
 
 class ReadCurve(NamedTuple):
-    """A curve, and the sentence that says how its table is read."""
+    """A curve, the sentence that says how its table is read, and the inputs that columns give.
+
+    `stated`: inputs with the same number in all rows, each with the header of its column.
+    """
 
     curve: ForceCurve
     reading: str
+    stated: Mapping[str, tuple[str, float]]
 
 
 def read_curve(
@@ -63,31 +83,47 @@ def read_curve(
     with file.file:
         lines, blocks = opened(file, input_format(path, "-", form, mark), asked)
         table = _table(lines.names, lines.sample, lines.stated, asked)
-        records = [lines.read(block, table) for block in blocks]
+        line, rows = lines.lines, []
+        for block in blocks:
+            records = lines.read(block, table)
+            try:
+                rows.append(_rows(table, records))
+            except BadRow as error:
+                row, reason = error.args
+                raise BadRow(line + 1 + row, reason) from None
+            line += records.size
     branches = [f"branches from {lines.names[table.labels[_BRANCH]]}"] if _BRANCH in table.labels else []
-    return ReadCurve(_curve(table, records, stiffness), table.columns.reading(*branches, *lines.remarks))
+    return ReadCurve(_curve(table, rows, stiffness), table.reading(*branches, *lines.remarks), _stated(table, rows))
 
 
 def curve_of_columns(columns: Any, known: Materials, stiffness: float | None) -> ReadCurve:
     """Return the curve in a Python table, with the sentence on how the table is read. Raises BadTable."""
     asked = Asked({}, known, measured=MEASURED, pass_rest=True)
-    rows = Memory(data_of(columns), asked)
-    table = _table(rows.names, rows.sample, {}, asked)
-    return ReadCurve(_curve(table, [rows.read(range(rows.size), table)], stiffness), table.columns.reading())
+    memory = Memory(data_of(columns), asked)
+    table = _table(memory.names, memory.sample, {}, asked)
+    try:
+        rows = _rows(table, memory.read(range(memory.size), table))
+    except BadRow as error:
+        row, reason = error.args
+        raise BadRequest(f"row {row}, counted from 0: {reason}") from None
+    return ReadCurve(_curve(table, [rows], stiffness), table.reading(), _stated(table, [rows]))
 
 
 def _table(
     names: Sequence[str], sample: Sequence[Sequence[str]], stated: Mapping[str, str], asked: Asked
 ) -> CurveTable:
     """Return the columns of a curve in a table. Raises BadTable if x or the force is missing or in volts."""
-    header = understood(names, sample, stated, (), asked.measured, pass_rest=True)
+    indices = {name: "" for name in map(typed, names) if name in _INDICES}
+    header = understood(names, sample, {**indices, **stated}, (), asked.measured, pass_rest=True)
     found = {column.name: column for column in header.inputs}
     x_name = next((name for name in _X if name in found), "")
     force_name = next((name for name in _FORCES if name in found), "")
     if not x_name or not force_name:
         raise _lacking("force" if x_name else "contact radius, approach or travel", x_name, header)
-    columns = header._replace(inputs=(found[x_name], found[force_name]), materials=())
-    in_volts = _on_volts([names[column.position] for column in columns.inputs])
+    pair = found.pop(x_name), found.pop(force_name)
+    others = [column for name, column in found.items() if name not in _X]
+    columns = header._replace(inputs=(*pair, *others), materials=())
+    in_volts = _on_volts([names[column.position] for column in pair])
     if in_volts:
         raise BadTable(f"header: {in_volts}")
     labels: dict[str, int] = {}
@@ -96,13 +132,11 @@ def _table(
             if re.fullmatch(pattern, text.strip()) and typed(text) not in stated:
                 labels[label] = position
                 break
-    used = labels.get(_BRANCH)
-    columns = columns._replace(texts=tuple("" if position == used else text for position, text in enumerate(names)))
-    return CurveTable(columns, asked, {**columns.positions, **labels}, labels)
+    return CurveTable(tuple(names), columns, asked, {**columns.positions, **labels}, labels)
 
 
 def _on_volts(texts: Iterable[str]) -> str:
-    """Return the problem and the remedy for the first header in volts; "" without one.
+    """Return the problem and the remedy for the first text in volts, a header or a cell; "" without one.
 
     A header in volts is a problem even if `--column` states another unit.
     """
@@ -138,10 +172,50 @@ def _lacking(missing: str, x_name: str, header: Header) -> BadTable:
     return BadTable(f"{problem}; write {listed(options, 'or')}")
 
 
-def _curve(table: CurveTable, records: list[Records], stiffness: float | None) -> ForceCurve:
+class _Rows(NamedTuple):
+    """A block of a table: its numbers by the names of their columns, and the cells of its labels."""
+
+    numbers: Mapping[str, Numbers]
+    labels: Mapping[str, Sequence[bytes]]
+
+
+def _rows(table: CurveTable, records: Records) -> _Rows:
+    """Return the rows of a block. Raises BadRow for the first row with a filled cell that is not a number.
+
+    The line in the error is counted from 0 in the block. Lines with comments become rows without numbers.
+    """
+    numbers = {column.name: column.numbers(records.cells) for column in table.columns.inputs}
+    problems = dict(records.odd)
+    for column in table.pair:
+        for row in numbers[column.name].odd:
+            problem = _problem_in(column, records, row)
+            if problem is not None:
+                problems.setdefault(row, problem)
+    for row in sorted(problems):
+        line = records.before[row]
+        if not (isinstance(line, bytes) and is_comment(line.decode(errors="replace"))):
+            raise BadRow(records.starts[row], str(problems[row]))
+    for each in numbers.values():
+        each.values[[*problems]] = numpy.nan
+    return _Rows(numbers, {label: records.cells[label] for label in table.labels})
+
+
+def _problem_in(column: Column, records: Records, row: int) -> JkrollError | None:
+    """Return the error of a value that is not a number; None for an empty cell, or a mark for a missing value."""
+    text = column.joined(*(records.cells[name][row].decode(errors="replace") for name in column.positions))
+    if has_no_value(text):
+        return None
+    try:
+        column.value(text)
+    except JkrollError as error:
+        in_volts = _on_volts([text])
+        return BadTable(f"{column.name}: {in_volts}") if in_volts else error
+    return None
+
+
+def _curve(table: CurveTable, rows: list[_Rows], stiffness: float | None) -> ForceCurve:
     """Return the curve in blocks of a table. Raises BadTable for a travel or a deflection without a stiffness."""
-    x, force_column = table.columns.inputs
-    x_name, force_name = x.name, force_column.name
+    x_name, force_name = (column.name for column in table.pair)
     if x_name == "lever_travel" and stiffness is None:
         raise BadTable(
             "a travel includes the bending of the lever: give the lever's stiffness with --spring, as in 3.01N/m"
@@ -150,32 +224,53 @@ def _curve(table: CurveTable, records: list[Records], stiffness: float | None) -
         raise BadTable(
             "a deflection becomes a force only with the lever's stiffness: give it with --spring, as in 3.01N/m"
         )
-    z, z_error = _numbers(x, records)
-    force, force_error = _numbers(force_column, records)
+    z, z_error = _joined([block.numbers[x_name] for block in rows])
+    force, force_error = _joined([block.numbers[force_name] for block in rows])
     is_deflection = force_name == "lever_deflection"
     if is_deflection and stiffness is not None:
         force = force * stiffness
         force_error = None if force_error is None else force_error * stiffness
-    branch = _branch_of(records) if _BRANCH in table.labels else None
-    time = _time_of(records) if _TIME in table.labels else None
-    return ForceCurve(_X[x_name], z, force, z_error, force_error, branch, time, is_deflection)
+    branch = _branch_of(table, rows) if _BRANCH in table.labels else None
+    time = _time_of(rows) if _TIME in table.labels else None
+    ratio = None
+    if not is_deflection and _DEFLECTION in table.positions:
+        ratio = _slope(_joined([block.numbers[_DEFLECTION] for block in rows])[0], force)
+    return ForceCurve(_X[x_name], z, force, z_error, force_error, branch, time, is_deflection, ratio)
 
 
-def _numbers(column: Column, records: list[Records]) -> tuple[Any, Any]:
+def _slope(x: Any, y: Any) -> float | None:
+    """Return the size of the slope of the best line through points; None if x is constant."""
+    is_known = numpy.isfinite(x) & numpy.isfinite(y)
+    x, y = x[is_known], y[is_known]
+    if not len(x) or numpy.ptp(x) == 0:
+        return None
+    x = x - x.mean()
+    return float(abs(x @ y) / (x @ x))
+
+
+def _stated(table: CurveTable, rows: list[_Rows]) -> dict[str, tuple[str, float]]:
+    """Return the inputs with the same number in all rows, each with the header of its column."""
+    stated = {}
+    for column in table.columns.inputs[2:]:
+        values, _ = _joined([block.numbers[column.name] for block in rows])
+        values = values[numpy.isfinite(values)]
+        if len(values) and numpy.ptp(values) <= _SAME * abs(values).max():
+            stated[column.name] = table.names[column.position], float(numpy.median(values))
+    return stated
+
+
+def _joined(blocks: list[Numbers]) -> tuple[Any, Any]:
     """Return the SI numbers of a column and their errors; None in place of the errors if no number has one.
 
     An error is half the width of an uncertainty. A cell without a number is nan; an error that is missing or zero is
     replaced by the median of the others.
     """
     values, errors = [], []
-    for block in records:
-        numbers = column.numbers(block.cells)
-        array = numpy.array(numbers.values, dtype=float)
-        error = numpy.full(len(array), numpy.nan)
+    for numbers in blocks:
+        error = numpy.full(len(numbers.values), numpy.nan)
         for row, uncertain in numbers.uncertain.items():
             error[row] = (uncertain.high - uncertain.low) / 2
-        array[[*block.odd]] = numpy.nan
-        values.append(array)
+        values.append(numbers.values)
         errors.append(error)
     joined = numpy.concatenate(values) if values else numpy.empty(0)
     bars = numpy.concatenate(errors) if errors else numpy.empty(0)
@@ -185,21 +280,29 @@ def _numbers(column: Column, records: list[Records]) -> tuple[Any, Any]:
     return joined, numpy.where(known, bars, numpy.median(bars[known]))
 
 
-def _branch_of(records: list[Records]) -> Any:
-    """Return the branch of each row, from the word, 0 or 1 in its cell. Raises BadTable for any other cell."""
-    cells = []
-    for block in records:
-        cells += [cell.decode(errors="replace").strip() for cell in block.cells[_BRANCH]]
+def _branch_of(table: CurveTable, rows: list[_Rows]) -> Any:
+    """Return the branch of each row, from the word in its cell. Raises BadTable for a number or any other cell.
+
+    Numbers are refused, since instruments differ: 1 may be the retraction, the approach or a pause.
+    """
+    cells = [cell.decode(errors="replace").strip() for cell in _cells(rows, _BRANCH)]
     for cell in dict.fromkeys(cells):
         if cell.casefold() not in _WORDS:
-            known = "loading and unloading, approach and retract, 0 and 1, pause"
-            raise BadTable(f"branch: {quoted(cell)} is not one of: {known}")
+            head = typed(table.names[table.labels[_BRANCH]])
+            known = "loading and unloading, approach and retract, pause"
+            remedy = f"write these words, or --column {quoted(f'{head}=')} to divide the curve where it turns"
+            raise BadTable(f"branch: {quoted(cell)} is not one of: {known}; {remedy}")
     return numpy.array([_WORDS[cell.casefold()] for cell in cells], dtype=object)
 
 
-def _time_of(records: list[Records]) -> Any:
+def _time_of(rows: list[_Rows]) -> Any:
     """Return the time of each row, in the unit of the column; None if a cell is not a number."""
     try:
-        return numpy.array([float(cell) for cell in chain.from_iterable(block.cells[_TIME] for block in records)])
+        return numpy.array([*map(float, _cells(rows, _TIME))])
     except ValueError:
         return None
+
+
+def _cells(rows: list[_Rows], label: str) -> Iterator[bytes]:
+    """Iterate over the cells of a label."""
+    return chain.from_iterable(block.labels[label] for block in rows)

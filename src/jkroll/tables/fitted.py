@@ -12,25 +12,25 @@ from ..model.containers import Reader, warn_of_metres
 from ..model.fit_branches import TRAVEL, BadCurve, LoadRange
 from ..model.fit_curve import fit_curve
 from ..model.fit_problem import NAMES
-from ..model.fit_result import Fit, Known
+from ..model.fit_result import BODIES, Fit, Known
 from ..model.reasons import MissingInput
 from ..model.solver import solve
 from ..model.unknowns import SIZES
 from ..physics.sphere import INCOMPRESSIBLE, STIFFER
 from ..quantities.formatting import Format, amount
 from ..quantities.laws import DEFAULT_LAW, JKR_OF_SPHERE, PARABOLOID, SPHERE, law_given
-from ..quantities.nomenclature import DEFAULTS, as_input
-from ..quantities.values import QuantityError, is_uncertain, middle, value_of
+from ..quantities.nomenclature import DEFAULTS, NOMENCLATURE, as_input, computed_as
+from ..quantities.values import QuantityError, ends_of, is_uncertain, middle, value_of
 from ..text import as_arguments, listed, quoted
 from .curves import ReadCurve, curve_of_columns, read_curve
 
 _BRANCHES = ("both", "load", "unload")
 _BASELINES = ("median", "tilt")
 _RADII = ("radius", "radius2", "diameter", "diameter2", "reduced_radius")
-_BODIES = ("youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2")
 _WIDEST = 2.0  # largest a/R of a fitted contact
 _FORM = Format(digits=3)
-_TAKEN = (*_RADII, *_BODIES, "atomic_spacing")
+_TAKEN = (*_RADII, *BODIES, "atomic_spacing")
+_LIKE = 1.01  # ratio of two numbers that are the same except for rounding
 
 
 def fit_given(curve: Any, words: Mapping[str, str | None], spring: Any, given: Mapping[str, Any]) -> Fit:
@@ -77,6 +77,7 @@ def _fitted(read: ReadCurve, known: Known) -> Fit:
     With a known radius, a fit is refused if no solid has its values. With the profile of a sphere, it is refused if the
     moduli are known and the sphere is not STIFFER times as stiff as the plane.
     """
+    _check_stated(read.stated, known.given)
     fitted = fit_curve(read.curve, known)
     if not fitted.is_scaled:
         _check_sizes(fitted, read.reading)
@@ -84,7 +85,7 @@ def _fitted(read: ReadCurve, known: Known) -> Fit:
     if fitted.other_modulus is not None:
         name, modulus = fitted.other_modulus
         moduli[name] = modulus
-    first, second = (moduli.get(name) for name in _BODIES[:2])
+    first, second = (moduli.get(name) for name in BODIES[:2])
     if known.profile == SPHERE and first is not None and second is not None and not first >= STIFFER * second:
         here = f"E1 is {first / second:.3g} times E2 here"
         raise BadCurve(
@@ -92,6 +93,24 @@ def _fitted(read: ReadCurve, known: Known) -> Fit:
             "sphere is not rigid",
         )
     return fitted
+
+
+def _check_stated(stated: Mapping[str, tuple[str, float]], given: Mapping[str, Any]) -> None:
+    """Raise BadTable if a column states another number than the option for the same input."""
+    for name, (head, number) in stated.items():
+        for other, value in given.items():
+            if computed_as(name) != computed_as(other):
+                continue
+            there, (low, high) = _computed(name, number), ends_of(_computed(other, value))
+            if not low / _LIKE <= there <= high * _LIKE:
+                option = "--spring" if other == "lever_stiffness" else NOMENCLATURE[other].option or f"--{other}"
+                both = f"it is {amount(name, number, _FORM)} there, and {option} gives {amount(other, value, _FORM)}"
+                raise BadTable(f"column {quoted(head)}: {both}; correct one, or --column {quoted(f'{head}=')}")
+
+
+def _computed(name: str, value: Any) -> Any:
+    """Return the value of the input to which an input is converted, as a radius for a diameter."""
+    return value if computed_as(name) == name else solve(computed_as(name), **{name: value})
 
 
 def _check_sizes(fitted: Fit, reading: str) -> None:
@@ -154,7 +173,7 @@ def known_of(words: Mapping[str, str | None], spring: Any, given: Mapping[str, A
         branch=str(words["branch"]),
         range=_range(words.get("range")),
         tilt=words["baseline"] == "tilt",
-        bodies={name: float(middle(given[name])) for name in _BODIES if name in given},
+        given={**given} if stiffness is None else {**given, "lever_stiffness": stiffness},
     )
 
 

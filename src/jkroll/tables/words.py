@@ -31,6 +31,7 @@ _OF_CURVES = {
     **dict.fromkeys(OF_CURVES, ""),
     "contact_radius_at_load": "a",
     "lever_force": "F",
+    "lever_stiffness": "k spring spring_constant",
     "lever_deflection": "d",
     "approach_at_load": """indentation depth penetration indentation_depth penetration_depth tip_sample_separation
         tip_sample_distance""",

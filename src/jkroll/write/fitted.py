@@ -22,6 +22,7 @@ from ..report.fitted import (
     sentences,
     unit_of_result,
     unit_without_radius,
+    warnings,
 )
 from ..text import as_arguments, json_text, listed, say, say_wrapped, text_columns, write_table
 from .sources import bibtex, cite_command, references
@@ -30,8 +31,9 @@ FILE, LIMIT, REASON = "file", "largest_work_of_adhesion", "status"
 
 
 def write_fit(fitted: Fit, out: TextIO, *, heading: str, following: Sequence[str]) -> None:
-    """Write a fit as a table, with sentences below. `following`: the lines on the command to run next."""
-    say_wrapped(heading, out)
+    """Write a fit as a table, with sentences around it. `following`: the lines on the command to run next."""
+    for line in (*warnings(fitted), heading):
+        say_wrapped(line, out)
     write_table(text_columns(rows_of_results(fitted), words=len(HEADS)), [], out)
     for line in (*sentences(fitted), *following):
         say_wrapped(line, out)
@@ -40,7 +42,8 @@ def write_fit(fitted: Fit, out: TextIO, *, heading: str, following: Sequence[str
 def parts_of_fit(fitted: Fit) -> list[Part]:
     """Return the lines and the table of a fit for a notebook, in which arguments replace options."""
     columns = text_columns(rows_of_results(fitted), words=len(HEADS))
-    return [line_on_known(fitted), (columns, []), *map(as_arguments, sentences(fitted))]
+    above = map(as_arguments, warnings(fitted))
+    return [*above, line_on_known(fitted), (columns, []), *map(as_arguments, sentences(fitted))]
 
 
 # --- JSON -------------------------------------------------------------------------------------------------------------
