@@ -233,6 +233,25 @@ def test_standard_uncertainties_add_in_quadrature_at_each_corner_of_the_ranges()
     assert result.uncertainty.high / result.uncertainty.value == approx(1.2 * 1.05, rel=2e-4)
 
 
+def test_a_standard_uncertainty_does_not_narrow_the_range_of_a_quantity_with_a_ridge() -> None:
+    """The softer body sets the shear strength, so the force is largest inside the box, where both are alike."""
+    given: dict[str, Any] = {"radius": 1e-6, "poisson_ratio": 0.2, "poisson_ratio2": 0.2}
+    moduli = {"youngs_modulus": "1 to 10 GPa", "youngs_modulus2": "1 to 30 GPa"}
+    exact = solve("sliding_force", **given, **moduli, surface_energy=0.025)
+    uncertain = solve("sliding_force", **given, **moduli, surface_energy="25±0.01 mJ/m2")
+    assert exact.high > 1.25 * solve(
+        "sliding_force", **given, surface_energy=0.025, youngs_modulus=1e10, youngs_modulus2=3e10
+    )
+    assert uncertain.high == approx(exact.high, rel=0.03)
+    assert uncertain.low == approx(exact.low, rel=1e-3)
+
+
+def test_shares_of_both_kinds_are_those_of_the_widths() -> None:
+    """γ changes the force by 40 % from end to end, and the radius by 20 %."""
+    mixed: dict[str, Uncertain] = {"radius": Interval(1e-7, 9e-8, 1.1e-7), "surface_energy": relative(0.025, 0.2)}
+    assert found("pull_off_force", QUARTZ, mixed).shares == approx({"surface_energy": 2 / 3, "radius": 1 / 3})
+
+
 def test_both_kinds_of_uncertainty_of_a_material_enter_a_result() -> None:
     """The contact radius is proportional to (γ/E)^(1/3)."""
     both: dict[str, Uncertain] = {"surface_energy": relative(0.025, 0.1), "youngs_modulus": Interval(54e9, 50e9, 60e9)}
@@ -367,6 +386,19 @@ def test_a_material_s_displacement_has_its_range_at_each_radius(tmp_path: Path, 
     force = solve("yield_force", radius=radius, **bead)
     assert (force.low / force.value, force.high / force.value) == approx((0.8, 1.2))
     assert solve("r_min", radius="0.8 to 1.2 um", yield_displacement=2e-9, **bead).low == approx(320e-6, rel=1e-9)
+
+
+def test_a_radius_inferred_from_a_rolling_force_has_the_error_bar_of_the_force(tmp_path: Path) -> None:
+    """The range of the material's ξ depends on the radius, which is unknown, so ξ has its middle value."""
+    path = tmp_path / "mine.toml"
+    path.write_text(
+        '[materials.bead]\nsurface_energy = "25 mJ/m2"\nyield_displacement = { value = "3 to 5 nm", radius = "2 um" }\n'
+    )
+    bead: dict[str, Any] = {"material": "bead", "materials": Materials(path)}
+    force = solve("yield_force", radius=1e-6, **bead)
+    radius = infer("radius", measured={"yield_force": Measured(force, 0.1 * force)}, **bead)
+    assert radius.value == approx(1e-6)
+    assert radius.plus == approx(1.1**1.2 * 1e-6 - 1e-6, rel=0.05)
 
 
 @pytest.mark.parametrize("size", [1e29, 1e-29])

@@ -3,19 +3,19 @@
 Each source, an uncertain input, moves over its whole uncertainty, and the quantities are computed again at every point.
 There are no derivatives, so a result may respond differently upwards and downwards. Ranges span a box, and a result
 takes its least and its largest value from points along the edges. These extremes are accurate to 1 % of the width of
-the result's range if the result varies smoothly. With sources of both kinds, a result has a range: from the values at
-the corners of the box, each extended by the standard uncertainty there.
+the result's range if the result varies smoothly. With sources of both kinds, a result has a range: that of the box,
+extended by the standard uncertainty at each corner.
 """
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import reduce
 from itertools import product
-from math import fsum, nan
+from math import ceil, fsum, log10, nan
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from ..errors import BadRequest
-from ..physics.elementary import absolute, at_least, at_most, hypot, is_anywhere, where
+from ..physics.elementary import NUMBER, absolute, at_least, at_most, hypot, is_anywhere, where
 from ..quantities.nomenclature import INFINITY, XI
 from ..quantities.values import Interval, Measured, Uncertain
 from .column import Column, at_row
@@ -25,7 +25,7 @@ from .reasons import NoErrorBar, explanation_of
 
 MAX_RANGES = 8  # in one problem, since every corner of their box is computed
 ASYMMETRIC = 0.1  # relative difference of minus and plus above which both are given
-STEPS = 64  # along each edge of the box of ranges
+STEPS = 64  # along each edge of the box of ranges; with sources of both kinds, in each decade of an edge
 ROUNDING = 4e-15  # relative change of a value that may come from rounding
 
 
@@ -68,11 +68,6 @@ class Sources(NamedTuple):
         return Interval if self.ranges else Measured
 
     @property
-    def steps(self) -> int:
-        """The steps of a range along an edge of the box: only one for sources of both kinds, which need more points."""
-        return 1 if self.standard else STEPS
-
-    @property
     def sides(self) -> set[str]:
         """The sides of a result's uncertainty: low and high, or minus and plus; empty without a source."""
         return {*_SIDES[self.type]} if self.entering else set()
@@ -97,6 +92,8 @@ def _sources(frame: Frame) -> list[Source]:
     """
     names_of: dict[Any, list[str]] = {}  # by input, or by material and property
     for name in in_order(frame.uncertainties):
+        if name == XI and name in frame.data and not {"radius", "radius2"}.isdisjoint(frame.unknowns):
+            continue  # the range of ξ depends on the unknown radius
         value: Any = name
         if name in frame.data:
             material, of_material = frame.data[name]
@@ -151,10 +148,8 @@ class ErrorBar(NamedTuple):
 def number_of_points(frame: Frame, names: Sequence[str]) -> int:
     """Return the number of points at which quantities are computed, as their sources move. Raises a JkrollError."""
     sources = sources_of_results(frame, names)
-    ranges, standard = len(sources.ranges), len(sources.standard)
-    on_edges = ranges * (sources.steps + 1) << max(ranges - 1, 0)
-    around_corners = (bool(ranges) + 2 * standard) << ranges if standard else 0
-    return max(on_edges + around_corners, 1)
+    corners, interior = 1 << len(sources.ranges), sum(steps - 1 for steps in _steps_of(sources))
+    return max((bool(sources.ranges) + 2 * len(sources.standard)) * corners + interior * corners // 2, 1)
 
 
 def error_bars(
@@ -232,12 +227,9 @@ def _error_bar(column: Column, moved: Column, sources: Sources) -> ErrorBar | No
     return ErrorBar(sources.type, {side: where(is_open, nan, end) for side, end in sides.items()}, parts, open_at)
 
 
-def _least(values: Any) -> Any:
-    return min(values) if isinstance(values, list) else values.min(axis=0)
-
-
-def _most(values: Any) -> Any:
-    return max(values) if isinstance(values, list) else values.max(axis=0)
+def _largest(values: Any) -> float:
+    """Return the largest element; a number itself."""
+    return values if isinstance(values, NUMBER) else float(values.max())
 
 
 def _first(reasons: Any) -> Any:
@@ -271,30 +263,44 @@ def _at_share(frame: Frame, point: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _points_of(sources: Sources) -> list[dict[str, Any]]:
-    """Return the points of sources: those on the edges of the box of ranges, then those around its corners.
+    """Return the points of sources: those of each corner of the box of ranges, then those inside its edges.
 
-    A range moves in steps along an edge, with the others at a corner of their box; each range has the same number of
-    edges. A quantity without a turning point is largest at a corner. A quantity set by the weaker body has a ridge
-    where the two bodies are equally weak; it is largest at a corner, or where the ridge meets an edge.
+    At a corner, each standard uncertainty moves to both of its ends, with the others at their middles. With ranges, the
+    corner itself comes first; without them, the only corner is known.
 
-    A standard uncertainty moves to both of its ends at each corner of the whole box, with the others at their middles.
-    If there are both kinds, the corner itself comes first.
+    A range moves along an edge, with the others at a corner of their box. A quantity without a turning point is largest
+    at a corner. A quantity set by the weaker body has a ridge where the two bodies are equally weak; it is largest at a
+    corner, or where the ridge meets an edge.
     """
     middles = {name: source.given.value for source in sources.standard for name in source.names}
     points = []
-    for source in sources.ranges:
-        for corner in _corners([other for other in sources.ranges if other is not source]):
-            for value in _steps(source.given.low, source.given.high, sources.steps):
-                points.append({**middles, **corner, **dict.fromkeys(source.names, value)})
-    if not sources.standard:
-        return points
     for corner in _corners(sources.ranges):
         if sources.ranges:
             points.append({**middles, **corner})
         for source in sources.standard:
             for value in (source.given.low, source.given.high):
                 points.append({**middles, **corner, **dict.fromkeys(source.names, value)})
+    for source, steps in zip(sources.ranges, _steps_of(sources), strict=True):
+        for corner in _corners([other for other in sources.ranges if other is not source]):
+            for value in _between(source.given.low, source.given.high, steps):
+                points.append({**middles, **corner, **dict.fromkeys(source.names, value)})
     return points
+
+
+def _steps_of(sources: Sources) -> list[int]:
+    """Return the number of steps of each range along an edge.
+
+    With sources of both kinds, narrow ranges have fewer steps, since each corner needs more points.
+    """
+    if not sources.standard:
+        return [STEPS] * len(sources.ranges)
+    steps = []
+    for source in sources.ranges:
+        low, high = source.given.low, source.given.high
+        ratio = where(low * high > 0, high, 10.0) / where(low * high > 0, low, 1.0)
+        decades = log10(_largest(at_least(ratio, 1 / ratio)))
+        steps.append(max(1, min(ceil(STEPS * decades), STEPS)))
+    return steps
 
 
 def _corners(ranges: Sequence[Source]) -> Iterator[dict[str, Any]]:
@@ -306,18 +312,15 @@ def _corners(ranges: Sequence[Source]) -> Iterator[dict[str, Any]]:
         yield corner
 
 
-def _steps(low: Any, high: Any, count: int) -> list[Any]:
-    """Return values across a range: in equal ratios if its ends have the same sign, otherwise at equal distances.
-
-    `count`: the number of steps.
-    """
+def _between(low: Any, high: Any, steps: int) -> list[Any]:
+    """Return the values inside a range: in equal ratios if its ends have the same sign, else equally spaced."""
     is_by_ratio = low * high > 0
     ratio = where(is_by_ratio, high, 1.0) / where(is_by_ratio, low, 1.0)
-    values = [low]
-    for step in range(1, count):
-        share = step / count
+    values = []
+    for step in range(1, steps):
+        share = step / steps
         values.append(where(is_by_ratio, low * ratio**share, low + share * (high - low)))
-    return [*values, high]
+    return values
 
 
 def _divided(values: Any, size: int) -> list[Any]:
@@ -328,18 +331,32 @@ def _divided(values: Any, size: int) -> list[Any]:
 def _quadrature(value: Any, moved: Any, sources: Sources, parts: dict[str, Any]) -> Mapping[str, Any]:
     """Return the two sides of a standard uncertainty, from the values at both ends of each source.
 
-    Changes in the same direction add in quadrature. If the sides differ by at most 10 %, both are their mean. `parts`
-    gets the size of the change that each source causes.
+    `parts` gets the size of the change that each source causes.
     """
-    changes = []
-    for source, pair in zip(sources.standard, _divided(moved, 2), strict=True):
-        change = at_least(value - _least(pair), 0.0), at_least(_most(pair) - value, 0.0)
-        changes.append(change)
+    changes = _changes(value, moved)
+    for source, change in zip(sources.standard, changes, strict=True):
         parts[source.names[0]] = hypot(*change)
+    minus, plus = _sides(changes)
+    return {"minus": minus, "plus": plus}
+
+
+def _changes(value: Any, moved: Any) -> list[tuple[Any, Any]]:
+    """Return the changes of a value downwards and upwards for each source, from the values at both ends of each."""
+    changes = []
+    for one, other in _divided(moved, 2):
+        low, high = at_most(one, other), at_least(one, other)
+        changes.append((at_least(value - low, 0.0), at_least(high - value, 0.0)))
+    return changes
+
+
+def _sides(changes: Sequence[tuple[Any, Any]]) -> tuple[Any, Any]:
+    """Return the changes downwards and upwards, added in quadrature; their mean if they differ by at most 10 %."""
+    if not changes:
+        return 0.0, 0.0
     minus, plus = (hypot(*sizes) for sizes in zip(*changes, strict=True))
     alike = absolute(plus - minus) <= ASYMMETRIC * at_least(plus, minus)
     middle = (minus + plus) / 2
-    return {"minus": where(alike, middle, minus), "plus": where(alike, middle, plus)}
+    return where(alike, middle, minus), where(alike, middle, plus)
 
 
 def _range(value: Any, moved: Any, sources: Sources, parts: dict[str, Any]) -> Mapping[str, Any]:
@@ -347,20 +364,28 @@ def _range(value: Any, moved: Any, sources: Sources, parts: dict[str, Any]) -> M
 
     `parts` gets the mean width along the edges of each range, and the mean width of each standard uncertainty.
     """
-    least, most, edges = value, value, 1 << (len(sources.ranges) - 1)
-    on_edge = sources.steps + 1
-    size = len(sources.ranges) * edges * on_edge
-    around = _divided(moved[size:], 1 + 2 * len(sources.standard))
-    for source, values in zip(sources.ranges, _divided(moved[:size], edges * on_edge), strict=True):
+    count, size = len(sources.ranges), 1 + 2 * len(sources.standard)
+    corners, first = _divided(moved[: size << count], size), size << count
+    least, most = value, value
+    for middle, *ends in corners:
+        changes = _changes(middle, ends)
+        minus, plus = _sides(changes)
+        least, most = at_most(least, middle - minus), at_least(most, middle + plus)
+        for source, change in zip(sources.standard, changes, strict=True):
+            parts[source.names[0]] = parts.get(source.names[0], 0.0) + sum(change) / len(corners)
+    for number, (source, steps) in enumerate(zip(sources.ranges, _steps_of(sources), strict=True)):
         width: Any = 0
-        for edge in _divided(values, on_edge):
-            low, high = _least(edge), _most(edge)
+        for low_corner, high_corner in _edges(corners, count - 1 - number):
+            edge = [low_corner[0], *moved[first : first + steps - 1], high_corner[0]]
+            low, high = reduce(at_most, edge), reduce(at_least, edge)
             least, most, width = at_most(least, low), at_least(most, high), width + (high - low)
-        parts[source.names[0]] = width / edges
-    for at_corner in around:
-        sizes = dict[str, Any]()
-        sides = _quadrature(at_corner[0], at_corner[1:], sources, sizes)
-        least, most = at_most(least, at_corner[0] - sides["minus"]), at_least(most, at_corner[0] + sides["plus"])
-        for name, size in sizes.items():
-            parts[name] = parts.get(name, 0) + 2 * size / len(around)
+            first += steps - 1
+        parts[source.names[0]] = width / (len(corners) / 2)
     return {"low": least, "high": most}
+
+
+def _edges(corners: Sequence[Any], bit: int) -> Iterator[tuple[Any, Any]]:
+    """Iterate over the pairs of corners that an edge connects. `bit`: that of the range in the number of a corner."""
+    for number, corner in enumerate(corners):
+        if not number >> bit & 1:
+            yield corner, corners[number | 1 << bit]

@@ -19,7 +19,7 @@ from ..model.limits import (
     touched,
 )
 from ..model.measured import on_surfaces
-from ..model.uncertainty import error_bars
+from ..model.uncertainty import Sources, error_bars
 from ..quantities.formatting import significant, symbol_among
 from ..quantities.laws import DEFAULT_LAW, JKR_OF_SPHERE
 from ..text import first_of
@@ -246,7 +246,7 @@ def _about_lost_contacts(answer: Answer) -> Iterator[Note]:
     forces = answer.frame.numbers("load", "pull_off_force")
     if len(forces) < 2 or answer.open_bars():
         return
-    bars = error_bars(answer.frame, forces, sources=answer.sources).values()
+    bars = error_bars(answer.frame, forces, sources=Sources(answer.sources.standard)).values()
     spread = hypot(*(bar.sides["minus"] for bar in bars if "minus" in bar.sides))
     if not spread:
         return
