@@ -136,7 +136,7 @@ _WORDS: Mapping[int, str] = {
     SPACING_ASSUMED: "from z0 = 2 Å to 4 Å; --z0 narrows it",
     BOUNDS: "JKR's force for soft spheres, DMT's for hard ones; E and ν decide",
     LAW_ONLY: "no better law gives it here",
-    KELVIN: "water at 25 °C between smooth bodies; F_men does not add to P_c",
+    KELVIN: "water at 25 °C; F_men is the upper limit, between smooth bodies",
     GAP: "a gap lowers the force, to zero where water only just fills it",
     BETTER_LAW: "the better law here, over z0 = 2–4 Å unless given",
     LAW_IN_USE: "within 5 % of Maugis' law; the range covers both",

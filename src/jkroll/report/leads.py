@@ -32,6 +32,7 @@ from .notes import Note, Shown
 _THREE = Format(digits=3)
 _AFTER_IMPACT = "n_roll_after_impact"
 _FORCE_AND_MOMENT = ("pull_off_force", "yield_moment")
+_LIMIT_OF_WATER = "is the upper limit with a meniscus; do not add it to P_c"
 _WIDE = 2  # ranges whose ends differ by at least this factor are followed by a single number
 
 
@@ -39,10 +40,7 @@ def leads(answer: Answer) -> Iterator[Note]:
     """Iterate over the sentences that answer the question of a command."""
     if answer.described.unknowns and answer.values:
         yield from [*about_library(answer)] or [Note("lead", _what_it_means(answer))]
-    water = [*_water_or_dry(answer)]
-    yield from water
-    if answer.is_on_pull_off and answer.estimates["pull_off_force"].by != NONE and not water:
-        yield Note("lead", _pulled_apart(answer))
+    yield from _pulled_apart(answer)
     if "sliding_or_peeling_force" in answer.values and "yield_force" in answer.estimates:
         yield Note("lead", _first_to_give_way(answer))
     if answer.is_of_impact and answer.estimates["sticking_speed"].by != NONE:
@@ -69,12 +67,14 @@ def lead_of_rows(groups: Sequence[Shown], names: Collection[str]) -> str:
     """Return the sentence on water or roughness, which the pull-off force of rows leaves out; empty if none matters."""
     if "pull_off_force" not in names:
         return ""
-    if "meniscus_force" in names:
-        return "take the larger of P_c and F_men, not their sum"
-    is_rough = any(is_anywhere(may_be_rough(frame)) for frame, _ in groups)
-    real = f"real spheres hold {FRACTION_HELD}: measured on SiO2 of {SIZES_HELD}, a guess for others"
-    limit = f"{real}; P_c below is the upper limit, for ideally smooth spheres"
-    return limit if is_rough else ""
+    sentences = []
+    is_wet = "meniscus_force" in names
+    if any(is_anywhere(may_be_rough(frame)) for frame, _ in groups):
+        sentences.append(f"real spheres hold {FRACTION_HELD}: measured on SiO2 of {SIZES_HELD}, a guess for others")
+        sentences.append(f"P_c below is the upper limit, for ideally smooth{', dry' * is_wet} spheres")
+    if is_wet:
+        sentences.append(f"F_men {_LIMIT_OF_WATER}")
+    return "; ".join(sentences)
 
 
 def advice_on_inputs(answer: Answer) -> Iterator[str]:
@@ -137,9 +137,25 @@ def _what_it_means(answer: Answer) -> str:
     return f"the measurement implies {listed(texts)}{of_both}{error}"
 
 
-def _pulled_apart(answer: Answer) -> str:
-    force = range_in_words("pull_off_force", answer.estimates["pull_off_force"], answer.form)
-    return f"{_held(answer)}; ideally smooth spheres hold {force}, the upper limit"
+def _pulled_apart(answer: Answer) -> Iterator[Note]:
+    """Iterate over at most one sentence: the pull-off force of real surfaces, and that of smooth ones as its limit.
+
+    In humid air, the force of a meniscus is a second limit. Its sentence is part of every answer with both forces.
+    """
+    dry, wet = (answer.estimates.get(name) for name in ("pull_off_force", "meniscus_force"))
+    stays_dry = answer.is_in_doubt(GAP_STAYS_DRY)
+    if dry is None or dry.by == NONE or not (answer.is_on_pull_off or stays_dry or wet):
+        return
+    smooth = f"ideally smooth spheres hold {range_in_words('pull_off_force', dry, answer.form)}"
+    fills, held = _filled_gap(answer.frame), _held(answer) if answer.shows_surfaces else ""
+    if stays_dry:
+        fills, limit = f"the dry contact alone pulls: {fills}", f"{smooth}, the upper limit"
+    elif wet:
+        most = range_in_words("meniscus_force", wet._replace(low=wet.high), answer.form)
+        limit = f"{smooth} dry; F_men, {most}, {_LIMIT_OF_WATER}"
+    else:
+        limit = f"{smooth}, the upper limit"
+    yield Note("lead", "; ".join(filter(None, [fills, held, limit])))
 
 
 def _held(answer: Answer) -> str:
@@ -213,25 +229,6 @@ def _first_to_give_way(answer: Answer) -> str:
     if not decides:
         return f"a pushed sphere may roll first, at {rolls}, or not: {gives}"
     return f"whether a pushed sphere rolls first ({rolls}) depends on {listed(decides)}; if it does not, {gives}"
-
-
-def _water_or_dry(answer: Answer) -> Iterator[Note]:
-    """Iterate over at most one sentence: whether the dry contact or a meniscus of water pulls harder."""
-    dry = answer.estimates.get("pull_off_force")
-    if dry is None or dry.by == NONE:
-        return
-    force = f"the dry contact with {range_in_words('pull_off_force', dry, answer.form)}"
-    fills = _filled_gap(answer.frame)
-    if answer.is_in_doubt(GAP_STAYS_DRY):
-        yield Note("lead", f"the dry contact alone pulls: {fills}")
-    elif "meniscus_force" in answer.values:
-        wet = answer.estimates["meniscus_force"]
-        meniscus = range_in_words("meniscus_force", wet, answer.form).replace("≤", "at most")
-        is_wet, is_dry = wet.low > dry.high, wet.high < dry.low
-        which = "water pulls" if is_wet else "the dry contact pulls" if is_dry else "either may pull"
-        verdict = f"{which} harder; take the larger force, not the sum"
-        less = "; roughness weakens both" if answer.is_on_pull_off and not fills else ""
-        yield Note("lead", f"{verdict}: {fills and fills + '; '}a meniscus pulls with {meniscus}, {force}{less}")
 
 
 def _filled_gap(frame: Frame) -> str:
