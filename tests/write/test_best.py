@@ -92,6 +92,32 @@ def test_a_best_range_in_a_list_includes_the_range_of_an_input(run: Run) -> None
     assert float(row["pull_off_force_best_high [N]"]) == approx(solve("pull_off_force_lennard_jones", **given))
 
 
+@pytest.mark.parametrize(
+    ("line", "lead"),
+    [
+        (
+            "impact lactose-crystalline 50um --poisson 0.3 --speed 0.5m/s --yield-strength 60MPa",
+            (
+                "the spheres may or may not yield; if they do, e is an upper bound: the peak pressure is 76–120 MPa; "
+                "yielding starts below the surface at 96.77 MPa"
+            ),
+        ),
+        ("impact quartz 1um --speed 0.45±0.1m/s", "at 450 ± 100 mm/s the spheres may stick or bounce"),
+        ("impact quartz 1um --speed 0.2±0.05m/s", "at 200 ± 50 mm/s the spheres stick"),
+        ("n-roll quartz 1um --speed 2.2cm/s", "the sphere may or may not roll: it has 2.636e-18 J"),
+        ("n-roll quartz 1um --speed 1.2±0.5cm/s", "the sphere may or may not roll: it has (0.27–1.6)e-18 J"),
+        ("contact quartz 100nm --load -10±1nN", "real ones may have parted, as they hold 0.12–9.4 nN"),
+        ("contact quartz 100nm --load -11nN", "real ones have parted, as they hold 0.12–9.4 nN"),
+        ("resistances quartz 1um", "it slides or peels off at"),
+        ("resistances quartz 1um --shear-strength 100MPa", "it slides at"),
+        ("resistances quartz 1um --shear-strength 20GPa", "it peels off at"),
+        ("resistances quartz 1um --shear-strength 330±60MPa", "it slides or peels off at"),
+    ],
+)
+def test_leads_compare_the_whole_ranges_of_two_numbers(run: Run, line: str, lead: str) -> None:
+    assert lead in " ".join(run(line, terminal=True).out.split())
+
+
 def test_explanations_have_the_values_that_make_up_a_best_range(run: Run) -> None:
     """The line has the forces by JKR, and by Maugis' law at two atomic spacings."""
     said = run("pull-off quartz 100nm --explain").out
@@ -101,7 +127,7 @@ def test_explanations_have_the_values_that_make_up_a_best_range(run: Run) -> Non
     ]
     (line,) = re.findall(r"^  made of +(.*)", said, re.MULTILINE)
     for law, force in zip(("JKR", "Maugis at 4 Å", "at 2 Å"), forces, strict=True):
-        assert f"{law} {significant(force, 2)} nN" in line
+        assert f"{law} {significant(force, 4, zeros=True)} nN" in line
 
 
 def test_explanations_have_the_power_law_of_a_result(run: Run) -> None:

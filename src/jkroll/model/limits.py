@@ -331,7 +331,7 @@ INEXACT = (
     ),
     Limit(
         "impact_over_yield", _IMPACT, ">", {1.0: "impact-yields"},
-        "the solid yields below its surface; e is an upper bound",
+        "the pressure exceeds that of first yield below the surface; e is an upper bound",
         lambda frame, _: {"speed", "yield_strength"} <= frame.stated.keys(),
     ),
     Limit(

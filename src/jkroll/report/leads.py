@@ -7,7 +7,6 @@ from ..model.estimate import (
     ADHESION_ONLY,
     BETTER_LAW,
     FRICTION_ASSUMED,
-    FRICTION_FACTOR,
     LAW_IN_USE,
     MEASURED,
     NONE,
@@ -25,13 +24,15 @@ from ..quantities.formatting import Format, amount, from_to, significant, symbol
 from ..quantities.nomenclature import XI
 from ..text import listed
 from .answer import Answer
-from .best_ranges import held_on_surfaces, of_silica, range_in_words
+from .best_ranges import held_on_surfaces, of_silica, order, range_in_words
 from .inferred import about_library
 from .notes import Note, Shown
 
 _THREE = Format(digits=3)
 _AFTER_IMPACT = "n_roll_after_impact"
 _FORCE_AND_MOMENT = ("pull_off_force", "yield_moment")
+_PRESSURES = ("impact_pressure", "hertz_pressure", "touch_pressure", "first_yield_pressure", "plastic_pressure")
+_ONE = Estimate(1.0, 1.0, NONE)
 _LIMIT_OF_WATER = "is the upper limit with a meniscus; do not add it to P_c"
 _WIDE = 2  # ranges whose ends differ by at least this factor are followed by a single number
 
@@ -49,7 +50,7 @@ def leads(answer: Answer) -> Iterator[Note]:
         yield from _enough_to_roll(answer.frame, answer.form)
     if "impact_pressure" in answer.values:
         is_known = not answer.frame.missing(["first_yield_pressure"])
-        yield Note("lead" if is_known else "more", _elastic_or_not(answer.frame, answer.form))
+        yield Note("lead" if is_known else "more", _elastic_or_not(answer))
     answers = [lead for lead in (_filled(sentence, answer) for sentence in answer.question.leads) if lead]
     yield from (Note("lead", lead) for lead in answers)
     if answers and _is_from_forces(answer):
@@ -219,10 +220,11 @@ def _first_to_give_way(answer: Answer) -> str:
     if rolling.by == NONE:
         return f"if a pushed sphere cannot roll, {gives}"
     rolls = range_in_words("yield_force", rolling, answer.form)
-    if rolling.high < sliding.low:
+    first = order(rolling, sliding)
+    if first < 0:
         rolls += _middle("yield_force", rolling, answer.form, is_short=True)
         return f"a pushed sphere rolls first, at {rolls}; if it cannot roll, {gives}"
-    if rolling.low > sliding.high:
+    if first > 0:
         return f"a pushed sphere does not roll, since {gives}; rolling would take {rolls}"
     assumed = {"ξ": rolling.by in (XI_UNKNOWN, SCALED), "τ": sliding.by == FRICTION_ASSUMED}
     decides = [symbol for symbol, is_open in assumed.items() if is_open]
@@ -245,78 +247,75 @@ def _slides_or_peels(answer: Answer) -> str:
 
     Under a pressing load, the contact remains after its adhesion has peeled off.
     """
-    is_assumed = answer.estimates["sliding_or_peeling_force"].by == FRICTION_ASSUMED
-    margin = FRICTION_FACTOR if is_assumed else 1.0
-    peeling_over_sliding = answer.frame["peeling_over_sliding"]
-    is_pressed = answer.frame["load"] > 0
-    if peeling_over_sliding >= margin:
-        return "it slides"
-    if peeling_over_sliding * margin < 1 or not is_assumed:
-        return "its adhesion alone peels off" if is_pressed else "it peels off"
-    return "it slides, or its adhesion alone peels off," if is_pressed else "it slides or peels off"
+    ratio = _estimate(answer.frame, "peeling_over_sliding")
+    peels = "its adhesion alone peels off" if answer.frame["load"] > 0 else "it peels off"
+    either = "it slides, or its adhesion alone peels off," if answer.frame["load"] > 0 else "it slides or peels off"
+    return {-1: peels, 0: either, 1: "it slides"}[order(ratio, _ONE)]
 
 
 def _stick_or_bounce(answer: Answer) -> str:
-    speed = answer.frame["speed"]
     sticking = answer.estimates["sticking_speed"]
     sides = range_in_words("sticking_speed", sticking, answer.form)
-    is_below, is_above = speed < sticking.low, speed > sticking.high
-    verdict = "stick" if is_below else "bounce" if is_above else "may stick or bounce"
+    above = order(_estimate(answer.frame, "speed"), sticking)
+    verdict = {-1: "stick", 0: "may stick or bounce", 1: "bounce"}[above]
+    speed = amount("speed", answer.measures.get("speed", answer.frame["speed"]))
     stuck = what_stuck(answer.frame)
     is_carried = stuck is not None and stuck.counts(answer.frame) and not stuck.is_near(answer.frame)
     source = "scaled from measured speeds" if is_carried and sticking.by == MEASURED else WORDS[sticking.by]
-    text = f"at {amount('speed', speed)} the spheres {verdict}: the sticking speed is {sides} ({source})"
+    text = f"at {speed} the spheres {verdict}: the sticking speed is {sides} ({source})"
     left, alone = answer.estimates["restitution"], answer.values.get("restitution", 0.0)
-    if is_below and alone > 0:
+    if above < 0 and alone > 0:
         return f"{text}; without losses in the solids they would bounce (e = {significant(alone, 2)})"
-    if is_below or isnan(left.high) or left.by != ADHESION_ONLY:
+    if above < 0 or isnan(left.high) or left.by != ADHESION_ONLY:
         return text
-    if_needed = "" if is_above else "if they bounce, "
+    if_needed = "" if above > 0 else "if they bounce, "
     return f"{text}; {if_needed}adhesion alone leaves e = {from_to(answer.values['restitution'], left.high)}"
 
 
 def _enough_to_roll(frame: Frame, form: Format) -> Iterator[Note]:
     """Iterate over at most one sentence: whether the energy of a sphere is enough to begin rolling."""
-    energy = frame.numbers("energy").get("energy")
-    if energy is None or not frame.possible(["yield_energy"]):
+    if frame.missing(["energy"]) or not frame.possible(["yield_energy"]):
         return
-    least = Ranges.of(frame, "yield_energy").estimate("yield_energy")
+    energy, least = _estimate(frame, "energy"), _estimate(frame, "yield_energy")
     if least.by == NONE or isnan(least.low):
         return
-    verdict = "probably rolls" if energy > sqrt(least.low * least.high) else "probably does not roll"
-    if energy < least.low:
-        verdict = "does not roll"
-    elif energy > least.high:
-        verdict = "rolls"
-    elif isnan(least.high):
-        verdict = "may roll"
-    has, needs = amount("energy", energy, form.with_digits(2)), _spoken("yield_energy", least, form)
+    verdict = {-1: "does not roll", 0: "may or may not roll", 1: "rolls"}[order(energy, least)]
+    has, needs = range_in_words("energy", energy, form), _spoken("yield_energy", least, form)
     needs += _middle("yield_energy", least, form, is_short=True)
     yield Note("lead", f"the sphere {verdict}: it has {has}, and to begin rolling it needs {needs}")
 
 
 def _law_that_holds(answer: Answer) -> str:
-    force = Ranges.of(answer.frame, "pull_off_force").estimate("pull_off_force")
+    force = _estimate(answer.frame, "pull_off_force")
     if force.by == BETTER_LAW:
         return "Maugis' law holds here: the pull-off force of JKR is more than 5 % off"
     return "JKR holds here: Maugis' law is within 5 % of its pull-off force"
 
 
-def _elastic_or_not(frame: Frame, form: Format) -> str:
+def _estimate(frame: Frame, name: str) -> Estimate:
+    """Return the best range of a quantity or of an input."""
+    return Ranges.of(frame, name).estimate(name)
+
+
+def _elastic_or_not(answer: Answer) -> str:
     """Return the sentence on whether an impact stays elastic; without a yield strength, on its pressures alone."""
-    peak = _pressure(frame, form, "impact_pressure")
-    if frame.missing(["first_yield_pressure"]):
-        rest = _pressure(frame, form, "hertz_pressure")
-        bear = f"the impact is elastic if the solids bear {peak}, its peak pressure (at rest: {rest})"
-        return f"{bear}; --yield-strength decides"
-    first, full = _pressure(frame, form, "first_yield_pressure"), _pressure(frame, form, "plastic_pressure")
-    limits = f"the peak pressure is {peak}; yielding starts below the surface at {first}, and is complete at {full}"
-    if frame["impact_pressure"] < frame["first_yield_pressure"]:
+    found = {name: _estimate(answer.frame, name) for name in answer.frame.possible(_PRESSURES)}
+    found.update(answer.estimates)
+    words = {name: range_in_words(name, found[name], answer.form) for name in _PRESSURES if name in found}
+    peak = words["impact_pressure"]
+    if "first_yield_pressure" not in found:
+        at_rest = f"its peak pressure (at rest: {words['hertz_pressure']})"
+        return f"the impact is elastic if the solids bear {peak}, {at_rest}; --yield-strength decides"
+    first, full = found["first_yield_pressure"], found["plastic_pressure"]
+    limits = (
+        f"the peak pressure is {peak}; yielding starts below the surface at {words['first_yield_pressure']}, and is "
+        f"complete at {words['plastic_pressure']}"
+    )
+    yields = order(found["impact_pressure"], first)
+    if yields < 0:
         return f"the impact stays elastic: {limits}"
-    how = "fully" if frame["impact_pressure"] >= frame["plastic_pressure"] else "below the surface"
-    at_rest = ", even if they touch at zero speed" if frame["touch_pressure"] >= frame["first_yield_pressure"] else ""
+    if yields == 0:
+        return f"the spheres may or may not yield; if they do, e is an upper bound: {limits}"
+    how = {-1: "below the surface", 0: "below the surface or fully", 1: "fully"}[order(found["impact_pressure"], full)]
+    at_rest = ", even if they touch at zero speed" if order(found["touch_pressure"], first) > 0 else ""
     return f"the spheres yield {how}{at_rest}, so e is an upper bound: {limits}"
-
-
-def _pressure(frame: Frame, form: Format, name: str) -> str:
-    return amount(name, frame[name], form.with_digits(3))

@@ -24,7 +24,7 @@ from ..quantities.formatting import significant, symbol_among
 from ..quantities.laws import DEFAULT_LAW, JKR_OF_SPHERE
 from ..text import first_of
 from .answer import Answer
-from .best_ranges import held_on_surfaces, range_in_words, reasons_for
+from .best_ranges import held_on_surfaces, order, range_in_words, reasons_for
 from .inferred import about_inferred, about_limit
 from .leads import leads
 from .notes import (
@@ -197,22 +197,24 @@ class Report(Answer):
         """Iterate over at most one note: the pull on the contact may be more than rough spheres hold."""
         if "load" not in self.frame.stated:
             return
-        pull = -self.frame.values["load"]
+        load = Ranges.of(self.frame, "load").estimate("load")
+        pull = Estimate(-load.high, -load.low, load.by)
         has_force = not self.frame.missing(["pull_off_force_dmt"])
-        if not (pull > 0 and has_force and may_be_rough(self.frame)):
+        if not (pull.high > 0 and has_force and may_be_rough(self.frame)):
             return
-        if not any(pull > low for low, _ in on_surfaces(self.frame).values()):
+        if not any(pull.high > low for low, _ in on_surfaces(self.frame).values()):
             return
         smooth = Ranges.of(self.frame, *self.frame.possible(["pull_off_force"]))
         held = "rough spheres may have parted at this pull; "
         for name in smooth.names:
             force = smooth.estimate(name)
             part = "" if name in self.question.headline else f" (they part at {range_in_words(name, force, self.form)})"
-            if pull < force.low:
+            pulls_off = order(pull, force)
+            if pulls_off < 0:
                 held = f"smooth spheres hold this pull{part}; "
-            elif pull <= force.high:
+            elif pulls_off == 0:
                 held = f"even smooth spheres may have parted at this pull{part}; "
-        may_hold = any(pull <= high for _, high in on_surfaces(self.frame).values())
+        may_hold = any(pull.low <= high for _, high in on_surfaces(self.frame).values())
         parted = f"real ones {'may have' if may_hold else 'have'} parted, as they hold"
         yield Note("lead", f"{held}{held_on_surfaces(self.frame, self.form, parted)}")
 

@@ -28,9 +28,7 @@ from ..quantities.formatting import (
     RESULT_DIGITS,
     Format,
     amount,
-    from_to,
     in_words,
-    significant,
     symbol_among,
     with_unit,
 )
@@ -39,7 +37,7 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, STATE_OR_LOAD, X
 from ..quantities.shown import Rows, cell, columns_of
 from ..quantities.units import Unit, convert
 from ..quantities.values import Uncertain, middle, with_sides
-from ..report.best_ranges import about_surfaces, lines_on_rules
+from ..report.best_ranges import about_surfaces, lines_on_rules, range_in_unit
 from ..report.inferred import about_library, laws_of, library_values, solids_of
 from ..report.notes import lines_above, lines_on_codes
 from ..text import TextColumn, first_of, fit_terminal, listed, say_wrapped, text_columns, write_table
@@ -53,7 +51,6 @@ if TYPE_CHECKING:
 # A row keeps the unit of the rows above if its smallest number in that unit lies between _LEAST and _MOST, and its
 # largest is at most _LARGEST.
 _LEAST, _MOST, _LARGEST = 0.25, 2000, 10000
-_SAME = 1e-12  # a range with a smaller relative width is shown as one number
 _BEST_RANGE = "best range"
 _ON_SURFACE = "surface"  # the rule shown for a pull-off force of real spheres
 _OF_LAW = f" by {LAWS[DEFAULT_LAW].short}"  # suffix of the header of JKR's column, which is adjacent to the best range
@@ -285,26 +282,7 @@ def _range(estimate: "Estimate | None", unit: _ShownUnit, form: Format) -> list[
     """Return the best range of a result and its rule, in words; an open end is left out."""
     if estimate is None or not estimate.by > NONE:  # by is nan in a row without this quantity
         return ["–", "–"]
-    low, high = _converted(estimate.low, unit), _converted(estimate.high, unit)
-    digits = form.digits or 2
-    if estimate.by in (LAW_ONLY, KELVIN) and form.digits is None:  # only approximate
-        return [f"≈ {from_to(low, high)}", WORDS[int(estimate.by)]]
-    if abs(high - low) <= _SAME * abs(high):
-        text = significant(low, form.digits or RESULT_DIGITS, zeros=form.digits is None and low != 0)
-    elif isnan(low) and isnan(high):
-        text = "–"
-    elif isnan(high):
-        text = f"≥ {significant(low, digits + 1)}"
-    elif isnan(low):
-        text = f"≤ {significant(high, digits)}"
-    else:
-        text = from_to(low, high, form.digits)
-    return [text, WORDS[int(estimate.by)]]
-
-
-def _converted(end: float, unit: _ShownUnit) -> float:
-    """Return an end of a range in a unit; nan, for an open end, stays."""
-    return end if isnan(end) else convert(end, unit[1])
+    return ["".join(range_in_unit(estimate, unit, form)), WORDS[int(estimate.by)]]
 
 
 # --- Inferred values --------------------------------------------------------------------------------------------------
