@@ -29,7 +29,6 @@ from .inferred import about_library
 from .notes import Note, Shown
 
 _THREE = Format(digits=3)
-_AFTER_IMPACT = "n_roll_after_impact"
 _FORCE_AND_MOMENT = ("pull_off_force", "yield_moment")
 _PRESSURES = ("impact_pressure", "hertz_pressure", "touch_pressure", "first_yield_pressure", "plastic_pressure")
 _ONE = Estimate(1.0, 1.0, NONE)
@@ -175,8 +174,8 @@ def _filled(sentence: str, answer: Answer) -> str:
     (first, *others) = answer.question.headline
     for name, estimate in found.items():
         words[name] += _middle(name, estimate, answer.form, is_short=bool(others) or name != first)
-    if _AFTER_IMPACT in words:  # a speed asks for the turns after hitting body 2; the table has the other counts
-        words.pop("n_roll", None)
+    for name in {*answer.question.headline}.difference(answer.question.taken(words)):  # others are to be taken
+        words.pop(name, None)
     is_open = any(isnan(found[name].low) for name in answer.question.headline if name in found)
     is_rough = answer.shows_surfaces and "pull_off_force" in found
     words["real"] = f"; {_held(answer)}" if is_rough else ""

@@ -70,9 +70,9 @@ class Report(Answer):
                 yield f"{WORDS[by]}: {reason}"
 
     def notes_on_ranges(self) -> Iterator[Note]:
-        """Iterate over a note for each rule that gives the headline a range and has a reason, for output as lines."""
+        """Iterate over a note for each rule that gives a range to take and has a reason, for output as lines."""
         texts: dict[int, list[str]] = {}
-        for name, estimate in self._estimates_of_headline.items():
+        for name, estimate in self._estimates_to_take.items():
             text = f"{symbol_among(name, self.inputs)}: {range_in_words(name, estimate, self.form)}"
             texts.setdefault(estimate.by, []).append(text)
         for by, of_rule in texts.items():
@@ -81,16 +81,16 @@ class Report(Answer):
 
     @property
     def best_ranges(self) -> str:
-        """The best ranges of the headline, as a text of one line."""
+        """The best ranges to take, as a text of one line."""
         texts = []
-        for name, estimate in self._estimates_of_headline.items():
+        for name, estimate in self._estimates_to_take.items():
             text = f"{symbol_among(name, self.inputs)} {range_in_words(name, estimate, self.form)}"
             texts.append(f"{text} ({WORDS[estimate.by]})")
         return ", ".join(texts)
 
     @property
-    def _estimates_of_headline(self) -> Mapping[str, Estimate]:
-        return {name: estimate for name, estimate in self.estimates.items() if name in self.question.headline}
+    def _estimates_to_take(self) -> Mapping[str, Estimate]:
+        return {name: self.estimates[name] for name in self.question.taken(self.estimates)}
 
     @cached_property
     def notes(self) -> tuple[Note, ...]:
