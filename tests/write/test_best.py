@@ -51,7 +51,9 @@ def test_lists_have_the_best_range_of_the_headline_unless_they_compare_laws(run:
     out = run("pull-off quartz 100nm,200nm --quantities P_c", terminal=True).out
     row = next(line for line in out.splitlines() if line.split()[:1] == ["100"])
     assert row.split()[1:3] == [f"{significant(least * 1e9, 2)}–{significant(most * 1e9, 2)}", "Maugis"]
-    assert "best" not in run("pull-off quartz 100nm --model jkr,maugis", terminal=True).out
+    out = run("pull-off quartz 100nm --model jkr,maugis", terminal=True).out
+    assert "\nof these laws, maugis is the better one; best ranges: leave out --model\n" in out
+    assert "best P_c" not in out
     out = run("yield-force quartz 2nm 1um", terminal=True).out  # the force at 2 nm has no meaning
     assert re.search(r"^best Q \[pN\] +– +710–1700$", out, re.MULTILINE)
     assert re.search(r"^by +– +scaled$", out, re.MULTILINE)

@@ -357,7 +357,7 @@ def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str], 
     yield from _about_inputs(count, common, assumed, form, several)
     if BETWEEN in models and "model" in several:
         of_parameter = "; μ is the Tabor parameter" if "tabor_parameter" in names else ""
-        yield f"take the rows of maugis{of_parameter}"
+        yield f"of these laws, {BETWEEN} is the better one; best ranges: leave out --model{of_parameter}"
     exact, leading = Format(form.units, form.digits or DIGITS), list[TextColumn]()
     following = _FOLLOWING | STATE_OR_LOAD if "state" in inputs else _FOLLOWING
     for name in several:
