@@ -604,7 +604,7 @@ def test_every_answer_says_how_far_it_can_be_trusted(run: Run) -> None:
     assert validity["energy_over_yield"]["holds"]
     assert "adhesion hysteresis cannot supply this moment" in run("yield-force quartz 6nm --explain").out
     doubts = run("yield-force quartz 3nm").err
-    assert "warning: ξ is too large for the formula" in doubts
+    assert "warning: by JKR, ξ is too large for the formula" in doubts
     assert "(ξ/ξ_max = 1.56)" in doubts
     assert "(ξ/ξ_max = 1.56)" in run("yield-force quartz 3nm --quiet").err  # --quiet keeps warnings
     assert run("yield-force quartz 3nm --bare --quiet").err == ""

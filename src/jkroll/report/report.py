@@ -5,7 +5,15 @@ from functools import cached_property
 from math import erfc, hypot, sqrt
 
 from ..errors import JkrollError
-from ..model.estimate import ADHESION_ONLY, FRICTION_ASSUMED, MEASURED, NONE, WORDS, Estimate, Ranges
+from ..model.estimate import (
+    ADHESION_ONLY,
+    FRICTION_ASSUMED,
+    MEASURED,
+    NONE,
+    WORDS,
+    Estimate,
+    Ranges,
+)
 from ..model.frame import Frame
 from ..model.limits import (
     LAW,
@@ -18,10 +26,11 @@ from ..model.limits import (
     may_be_rough,
     touched,
 )
-from ..model.measured import on_surfaces
+from ..model.measured import on_surfaces, rolling
 from ..model.uncertainty import error_bars
-from ..quantities.formatting import significant, symbol_among
+from ..quantities.formatting import amount, significant, symbol_among
 from ..quantities.laws import DEFAULT_LAW, JKR_OF_SPHERE
+from ..quantities.nomenclature import XI
 from ..text import first_of
 from .answer import Answer
 from .best_ranges import held_on_surfaces, order, range_in_words, reasons_for
@@ -130,18 +139,22 @@ class Report(Answer):
             if has_leads and self._is_in_leads(doubt):
                 severity = "caveat"
             elif doubt.limit.ends_meaning:
-                severity, text = "warning", text + self._by_law_alone
+                severity, text = "warning", self._by_law_alone(doubt) + text
             elif doubt.limit.is_shown and not self._is_in_ranges(doubt):
                 severity = "caveat"
             notes.append(Note(severity, text))
         return notes
 
-    @cached_property
-    def _by_law_alone(self) -> str:
-        """The suffix of a warning about meaningless results that says by which law; empty if one has no best range."""
-        if any(self.estimates[name].by == NONE for name in self.ended):
+    def _by_law_alone(self, doubt: Doubt) -> str:
+        """Return the law, and its ξ if that matters, as the prefix of a warning about results that have best ranges.
+
+        It is empty if one of the results has no best range.
+        """
+        if any(self.estimates[name].by == NONE for name in self.ended_by(doubt)):
             return ""
-        return f", by {self.frame.law.short}"
+        depends_on_shift = rolling([doubt.limit.name]) and XI not in doubt.limit.touches
+        with_shift = f" with ξ = {amount(XI, self.frame[XI])}" if depends_on_shift else ""
+        return f"by {self.frame.law.short}{with_shift}, "
 
     def _is_in_leads(self, doubt: Doubt) -> bool:
         """Return whether the answering sentences already say whether the energy is enough for rolling."""
