@@ -120,6 +120,22 @@ def test_leads_compare_the_whole_ranges_of_two_numbers(run: Run, line: str, lead
     assert lead in " ".join(run(line, terminal=True).out.split())
 
 
+@pytest.mark.parametrize(
+    ("line", "lead", "cell"),
+    [
+        ("n-grav polystyrene-glassy 10um --xi 42nm", "held at one end: 27.61 ± 0.66;", "27.61 ± 0.66"),
+        ("contact lactose-crystalline 20um --poisson 0.3 --load 1uN", "a radius of 348 +38/-28 nm", "348 +38/-28"),
+        ("frequencies pdms 10um", "vibrate with 180–240 kHz along their centres", "180–240"),
+        ("r-min quartz 1um --xi 2angstrom", "R_min is 5.000 mm", "5.000"),
+        ("yield-force quartz 100nm --model dmt", "a push of 31.42 pN at its centre", "31.42"),
+    ],
+)
+def test_leads_have_the_digits_and_uncertainties_of_the_table(run: Run, line: str, lead: str, cell: str) -> None:
+    out = run(line, terminal=True).out
+    assert lead in " ".join(out.split())
+    assert re.search(rf" {re.escape(cell)}( |$)", out[out.index("───") :], re.MULTILINE)
+
+
 def test_explanations_have_the_values_that_make_up_a_best_range(run: Run) -> None:
     """The line has the forces by JKR, and by Maugis' law at two atomic spacings."""
     said = run("pull-off quartz 100nm --explain").out

@@ -22,6 +22,7 @@ from ..model.measured import FRACTION_HELD, SIZES_HELD, has_given_energy, what_r
 from ..physics.elementary import is_anywhere
 from ..quantities.formatting import Format, amount, from_to, significant, symbol_among, with_unit
 from ..quantities.nomenclature import XI
+from ..quantities.values import Measured, ends_of
 from ..text import listed
 from .answer import Answer
 from .best_ranges import held_on_surfaces, of_silica, order, range_in_words
@@ -166,14 +167,15 @@ def _held(answer: Answer) -> str:
 def _filled(sentence: str, answer: Answer) -> str:
     """Return a sentence of the question, with best ranges filled in; empty if a necessary one is missing."""
     found = {name: estimate for name, estimate in answer.estimates.items() if estimate.by != NONE}
-    words = {name: _spoken(name, each, answer.form) for name, each in found.items()}
+    words = {name: _as_shown(name, answer) for name in found}
     if "{or_none}" in sentence:  # the sentence can say "none", but is left out if no result has a meaning
         if answer.ended.keys() >= answer.computed.keys():
             return ""
         words |= dict.fromkeys(answer.ended, "none")
     (first, *others) = answer.question.headline
     for name, estimate in found.items():
-        words[name] += _middle(name, estimate, answer.form, is_short=bool(others) or name != first)
+        if answer.shows_ranges:
+            words[name] += _middle(name, estimate, answer.form, is_short=bool(others) or name != first)
     for name in {*answer.question.headline}.difference(answer.question.taken(words)):  # others are to be taken
         words.pop(name, None)
     is_open = any(isnan(found[name].low) for name in answer.question.headline if name in found)
@@ -196,6 +198,16 @@ def _is_from_forces(answer: Answer) -> bool:
     if rolled is None or rolled.name == XI or not has_given_energy(answer.frame) or "r_min" in answer.question.headline:
         return False
     return {answer.estimates[name].by for name in answer.question.headline if name in answer.estimates} == {SCALED}
+
+
+def _as_shown(name: str, answer: Answer) -> str:
+    """Return a result as the table shows it: its best range, or its value with the uncertainty if that suffices."""
+    measure = answer.result(name).measure
+    if answer.shows_ranges or measure is None:
+        return _spoken(name, answer.estimates[name], answer.form)
+    if isinstance(measure, Measured):
+        return amount(name, measure, answer.form)
+    return range_in_words(name, Estimate(*ends_of(measure), LAW_IN_USE), answer.form)
 
 
 def _spoken(name: str, estimate: Estimate, form: Format) -> str:
@@ -254,7 +266,7 @@ def _slides_or_peels(answer: Answer) -> str:
 
 def _stick_or_bounce(answer: Answer) -> str:
     sticking = answer.estimates["sticking_speed"]
-    sides = range_in_words("sticking_speed", sticking, answer.form)
+    sides = _as_shown("sticking_speed", answer)
     above = order(_estimate(answer.frame, "speed"), sticking)
     verdict = {-1: "stick", 0: "may stick or bounce", 1: "bounce"}[above]
     speed = amount("speed", answer.measures.get("speed", answer.frame["speed"]))

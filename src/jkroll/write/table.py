@@ -5,7 +5,6 @@ from math import isnan
 from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 
 from ..model.estimate import (
-    ANY_LAW,
     BETTER_LAW,
     DEFINITION,
     FRICTION_ASSUMED,
@@ -51,7 +50,6 @@ if TYPE_CHECKING:
 # A row keeps the unit of the rows above if its smallest number in that unit lies between _LEAST and _MOST, and its
 # largest is at most _LARGEST.
 _LEAST, _MOST, _LARGEST = 0.25, 2000, 10000
-_BEST_RANGE = "best range"
 _ON_SURFACE = "surface"  # the rule shown for a pull-off force of real spheres
 _OF_LAW = f" by {LAWS[DEFAULT_LAW].short}"  # suffix of the header of JKR's column, which is adjacent to the best range
 _CODES = 24  # codes with more characters are shortened in a narrow table
@@ -148,9 +146,8 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
         return
     law, rows = answer.frame.law.short, _rows(answer, form)
     if rows:
-        columns = _of_results(_grouped(rows, answer.question), law)
-        yield columns
-        if any(column.head == _BEST_RANGE for column in columns):
+        yield _of_results(_grouped(rows, answer.question), law, has_ranges=answer.shows_ranges)
+        if answer.shows_ranges:
             yield from answer.lines_on_ranges(rows)
     if answer.shows_surfaces:
         yield f"{_ON_SURFACE}: {about_surfaces(answer.frame)}"
@@ -263,17 +260,17 @@ def _with_surfaces(rows: _Rows, answer: "Report", form: Format) -> _Rows:
     return extended
 
 
-def _of_results(rows: Sequence[Sequence[str]], law: str) -> list[TextColumn]:
+def _of_results(rows: Sequence[Sequence[str]], law: str, *, has_ranges: bool) -> list[TextColumn]:
     """Return the columns of rows of results.
 
-    If all ranges come from the law in use, from a definition or from any law, the column of the law replaces them and
-    shows the uncertainties. Otherwise the ranges include the uncertainties, and the column has bare values.
+    Best ranges include the uncertainties, and the column of the law then has bare values. Without ranges, this column
+    shows the uncertainties.
     """
-    if {row[3] for row in rows} <= {law, WORDS[DEFINITION], WORDS[ANY_LAW], "–", ""}:
-        heads, rows = ["quantity", "symbol", law, "unit"], [[*row[:2], *row[5:]] for row in rows]
-    else:
-        heads = ["quantity", "symbol", _BEST_RANGE, "by", law, "unit"]
+    if has_ranges:
+        heads = ["quantity", "symbol", "best range", "by", law, "unit"]
         rows = [[*row[:5], row[6]] for row in rows]
+    else:
+        heads, rows = ["quantity", "symbol", law, "unit"], [[*row[:2], *row[5:]] for row in rows]
     columns = text_columns([heads, *rows], words=2)
     return [column._replace(is_right=column.head not in (*heads[:2], "by", "unit")) for column in columns]
 
