@@ -265,6 +265,23 @@ def test_a_list_with_long_names_fits_the_terminal_and_is_complete(run: Run, monk
     assert "variantofrolling_frequency_no_slip" in "".join(line[left:].replace(" ", "") for line in lines)
 
 
+@pytest.mark.parametrize("is_table", [True, False])
+@pytest.mark.parametrize(
+    ("line", "note"),
+    [
+        ("energies ice-warm 100nm --quantities U_grips,E_roll", "energy to roll by the angle: needs turn of sphere 1"),
+        ("energies ice-warm 100nm,200nm --quantities U_grips,E_roll", "E_roll: needs turn of sphere 1"),
+        ("pull-off ice-warm 5um --quantities P_c,F_men", "force of a water meniscus: needs relative humidity"),
+    ],
+)
+def test_the_first_note_has_the_reason_for_a_missing_quantity_that_was_named(
+    run: Run, line: str, note: str, *, is_table: bool
+) -> None:
+    lines = run(line, terminal=is_table).err.replace("\n  ", " ").splitlines()
+    first = next(text for text in lines if text.startswith("note: ") and "best range" not in text)
+    assert first.startswith(f"note: {note}")
+
+
 def test_a_conflict_with_data_is_the_first_note_and_roughness_is_noted_for_1_um_or_more(run: Run) -> None:
     of_ice = run("pull-off ice-cold 1um").err.splitlines()
     assert of_ice[1].startswith("note: γ of ice-cold (R = 0.5 to 5 µm): in conflict with µm grains")

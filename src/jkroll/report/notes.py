@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 Severity = Literal[
     "warning",  # a number has no meaning
     "lead",  # the answer to the question
+    "gap",  # the reason for a missing result that was asked for by name, or for an empty cell of a list
     "against",  # a material's note that casts doubt on one of its values
     "caveat",  # a limitation that may change a decision
     "remark",  # a limitation of less importance
@@ -220,11 +221,16 @@ def about_limits(every: Iterable[Doubt]) -> Iterator[Note]:
         yield Note("more", f"not checked: {first_of(codes, _MAX_CODES)}: {reason}")
 
 
-def about_missing(errors: Mapping[str, JkrollError]) -> Iterator[Note]:
-    """Iterate over notes with the reasons for missing values, each after its quantities."""
+def about_missing(errors: Mapping[str, JkrollError], named: Collection[str] = ()) -> Iterator[Note]:
+    """Iterate over notes with the reasons for missing values, each after its quantities.
+
+    `named`: the quantities that were asked for by name.
+    """
     for names, reason in grouped(errors):
         lacks_input = isinstance(errors[names[0]], MissingInput)
         severity: Severity = "remark" if lacks_input else "caveat"
+        if not {*named}.isdisjoint(names):
+            severity = "gap"
         subjects = first_symbols(names)
         if lacks_input and len(names) <= _MOST_IN_WORDS:  # the table has no row with their symbols
             subjects = listed(NOMENCLATURE[name].sentence for name in names)
@@ -266,7 +272,7 @@ def about_rows(tally: "Tally", reported: int, where: str) -> Iterator[Note]:
             yield Note(severity, f"{subject} in {fraction} ({where}): {first_of(texts, most)}")
     for number, first, words in tally.gaps.values():
         others = f" and {number - 1} other{'s' * (number > 2)}" if number > 1 else ""
-        yield Note("caveat", f"{words}: row {first}{others}")
+        yield Note("gap", f"{words}: row {first}{others}")
 
 
 def lines_on_codes(codes: Iterable[str]) -> Iterator[str]:
@@ -346,7 +352,7 @@ def lines_of(
     if quiet:
         return warning
     answers, data = texts["lead"], texts["data"]
-    others = [*texts["against"], *texts["caveat"], *texts["remark"]]
+    others = [*texts["gap"], *texts["against"], *texts["caveat"], *texts["remark"]]
     if has_head:
         assumptions, others_shown = [], [*others[:_MAX_NOTES], *data]
     else:

@@ -111,7 +111,7 @@ class Report(Answer):
             *about_inferred(self),
             *leads(self),
             *about_assumed(self.assumed),
-            *about_missing({**self._lacking_in_table, **self.open_bars()}),
+            *about_missing({**self._lacking_in_table, **self.open_bars()}, self.question.named),
             *about_left_out(self.sources),
             *about_given(self.frame, self._possible, inputs),
             *about_idle(idle),
