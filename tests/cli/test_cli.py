@@ -602,7 +602,8 @@ def test_every_answer_says_how_far_it_can_be_trusted(run: Run) -> None:
     assert not validity["tabor_parameter"]["holds"]
     assert validity["displacement_ratio"]["holds"]
     assert validity["energy_over_yield"]["holds"]
-    assert "adhesion hysteresis cannot supply this moment" in run("yield-force quartz 6nm --explain").out
+    supplied = "adhesion hysteresis cannot supply this moment; at most 2cRw, c the radius of attraction"
+    assert supplied in run("yield-force quartz 6nm --explain").out
     doubts = run("yield-force quartz 3nm").err
     assert "warning: by JKR, ξ is too large for the formula" in doubts
     assert "(ξ/ξ_max = 1.56)" in doubts

@@ -336,7 +336,8 @@ INEXACT = (
     ),
     Limit(
         "hysteresis_ratio", frozenset({"yield_moment", "yield_force"}), ">", {1.0: "moment-unexplained"},
-        "adhesion hysteresis cannot supply this moment; viscous, plastic or capillary loss could",
+        "adhesion hysteresis cannot supply this moment; at most 2cRw, c the radius of attraction; viscous, plastic or "
+        "capillary loss could",
     ),
     Limit(
         "tabor_parameter", frozenset({"sticking_energy", "sticking_speed"}), "<", {JUMP: STICKING_UNSURE},

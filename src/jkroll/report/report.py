@@ -194,12 +194,17 @@ class Report(Answer):
         return held_on_surfaces(self.frame, self.form) if doubt.code == ROUGH_MATTERS else doubt.text
 
     @property
+    def every_sentence(self) -> list[Note]:
+        """All sentences about the answer, for output without its table."""
+        return [*self.notes, *self.doubts(has_leads=True)]
+
+    @property
     def sentences(self) -> list[Note]:
         """All sentences about the answer, each once."""
-        every, above = [*self.notes, *self.doubts(has_leads=True)], set[str]()
+        above = set[str]()
         if self.shows_surfaces:
-            above.add(held_on_surfaces(self.frame, self.form))  # a part of the first sentence
-        return [note for note in every if note.severity in ABOVE or note.text not in above]
+            above.add(held_on_surfaces(self.frame, self.form))  # a part of the first sentence, or rows of the table
+        return [note for note in self.every_sentence if note.severity in ABOVE or note.text not in above]
 
     @property
     def sentences_below(self) -> list[Note]:
