@@ -661,7 +661,7 @@ def test_notes_are_few_and_count_their_rows(run: Run) -> None:
         of_notes = [line for line in lines if not line.startswith("warning: ")]
         assert max(map(len, of_notes)) <= 160, name  # at most two lines
     doubts, last = run("pull-off quartz 0.5nm 1nm 5um").err.splitlines()
-    assert doubts.startswith("note: doubts in 3 of 3 rows (jkroll guide doubts): ")
+    assert doubts.startswith("note: doubts in 3 of 3 rows (jkroll guide doubts; best ranges: --best): ")
     assert all(word in doubts for word in ("few-atoms 2", "more"))
     assert last == "more: --explain"
 

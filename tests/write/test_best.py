@@ -94,6 +94,17 @@ def test_a_best_range_in_a_list_includes_the_range_of_an_input(run: Run) -> None
     assert float(row["pull_off_force_best_high [N]"]) == approx(solve("pull_off_force_lennard_jones", **given))
 
 
+def test_a_list_as_text_whose_law_is_off_names_the_option_of_best_ranges(run: Run) -> None:
+    hint = "(jkroll guide doubts; best ranges: --best): law-off"
+    for line, is_off in (
+        ("energies quartz 50nm,100nm --csv", True),
+        ("energies quartz 50nm,100nm --csv --best", False),
+        ("pull-off quartz 50nm,100nm --model jkr", False),
+        ("pull-off pdms 50um,100um", False),
+    ):
+        assert (hint in run(line).err) is is_off
+
+
 @pytest.mark.parametrize(
     ("line", "lead"),
     [

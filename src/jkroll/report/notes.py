@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
 
 from ..errors import JkrollError
 from ..model.frame import Frame
-from ..model.limits import ENDING, ENDING_MEANING, LIMITS, MEANINGS, Doubt, doubts, touched
+from ..model.limits import ENDING, ENDING_MEANING, LAW, LIMITS, MEANINGS, Doubt, doubts, touched
 from ..model.measured import SIO2, rolling, solid_of_pair
 from ..model.plan import depends_on
 from ..model.reasons import MissingInput, grouped
@@ -253,23 +253,24 @@ def about_left_out(*every: Sources | None) -> Iterator[Note]:
 Shown = tuple[Frame, Sequence[str]]  # the frame of rows with the same inputs, and the quantities that they show
 
 
-def about_rows(tally: "Tally", reported: int, where: str) -> Iterator[Note]:
+def about_rows(tally: "Tally", reported: int, where: str, hint: str = "") -> Iterator[Note]:
     """Iterate over notes on rows: how many have results without a meaning or in doubt, and why cells are empty.
 
-    `reported`: the bits of the doubts to report; `where`: the place in which the codes stand or are explained.
+    `reported`: the bits of the doubts to report; `where`: the place in which the codes stand or are explained;
+    `hint`: its suffix for results in doubt.
     """
-    severities: tuple[tuple[Severity, str, int, int], ...] = (
-        ("warning", "numbers have no meaning", reported & ENDING_MEANING, 2),  # few codes, since each is explained
-        ("remark", "doubts", reported & ~ENDING_MEANING, _MAX_CODES),
+    severities: tuple[tuple[Severity, str, int, int, str], ...] = (
+        ("warning", "numbers have no meaning", reported & ENDING_MEANING, 2, where),  # few codes: each is explained
+        ("remark", "doubts", reported & ~ENDING_MEANING, _MAX_CODES, where + hint),
     )
-    for severity, subject, bits, most in severities:
+    for severity, subject, bits, most, where_told in severities:
         texts = []
         for code, rows in tally.counted(bits):
             meaning = f" ({MEANINGS[code]})" if code in MEANINGS else ""
             texts.append(f"{code} {rows}{meaning}")
         if texts:
             fraction = f"{tally.with_doubts(bits)} of {tally.rows} rows"
-            yield Note(severity, f"{subject} in {fraction} ({where}): {first_of(texts, most)}")
+            yield Note(severity, f"{subject} in {fraction} ({where_told}): {first_of(texts, most)}")
     for number, first, words in tally.gaps.values():
         others = f" and {number - 1} other{'s' * (number > 2)}" if number > 1 else ""
         yield Note("gap", f"{words}: row {first}{others}")
@@ -308,7 +309,9 @@ def notes_on_rows(groups: Sequence[Shown], tally: "Tally", reported: int) -> lis
 
     `reported`: the bits of the doubts to report.
     """
-    every = [*about_rows(tally, reported, "jkroll guide doubts")]
+    is_off = tally.with_doubts(reported & LAW.bits) and not any(frame.stated_model for frame, _ in groups)
+    hint = "; best ranges: --best" if is_off else ""
+    every = [*about_rows(tally, reported, "jkroll guide doubts", hint)]
     for frame, names in groups:
         possible = frame.possible(names)
         if frame.uncertainties:
