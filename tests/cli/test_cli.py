@@ -602,9 +602,10 @@ def test_every_answer_says_how_far_it_can_be_trusted(run: Run) -> None:
     assert not validity["tabor_parameter"]["holds"]
     assert validity["displacement_ratio"]["holds"]
     assert validity["energy_over_yield"]["holds"]
-    assert "adhesion hysteresis cannot supply this moment" in run("yield-force quartz 6nm --explain").out
+    supplied = "adhesion hysteresis cannot supply this moment; at most 2cRw, c the radius of attraction"
+    assert supplied in run("yield-force quartz 6nm --explain").out
     doubts = run("yield-force quartz 3nm").err
-    assert "warning: ξ is too large for the formula" in doubts
+    assert "warning: by JKR, ξ is too large for the formula" in doubts
     assert "(ξ/ξ_max = 1.56)" in doubts
     assert "(ξ/ξ_max = 1.56)" in run("yield-force quartz 3nm --quiet").err  # --quiet keeps warnings
     assert run("yield-force quartz 3nm --bare --quiet").err == ""
@@ -660,7 +661,7 @@ def test_notes_are_few_and_count_their_rows(run: Run) -> None:
         of_notes = [line for line in lines if not line.startswith("warning: ")]
         assert max(map(len, of_notes)) <= 160, name  # at most two lines
     doubts, last = run("pull-off quartz 0.5nm 1nm 5um").err.splitlines()
-    assert doubts.startswith("note: doubts in 3 of 3 rows (jkroll guide doubts): ")
+    assert doubts.startswith("note: doubts in 3 of 3 rows (jkroll guide doubts; best ranges: --best): ")
     assert all(word in doubts for word in ("few-atoms 2", "more"))
     assert last == "more: --explain"
 

@@ -363,6 +363,18 @@ def test_the_shorter_time_step_of_two_rules_is_exported(run: Run, program: str) 
     assert step("quartz 10nm") == approx(1.8816680e-12, rel=1e-7)  # the period of sliding decides
 
 
+@pytest.mark.parametrize(
+    ("words", "held"),
+    [
+        ("quartz 25um", "real surfaces hold 0.74-1.5 uN (smooth glass, dry air)"),
+        ("quartz 25um --model dmt", "real surfaces hold 0.74-1.5 uN (smooth glass, dry air)"),
+        ("lactose-crystalline 40um --poisson 0.3", "real spheres hold 0.044-3.5 uN if like SiO2"),
+    ],
+)
+def test_an_export_says_what_real_surfaces_hold(run: Run, words: str, held: str) -> None:
+    assert f"# note: {held}" in run(f"export lammps {words}").out
+
+
 def test_the_advice_names_what_the_input_of_the_program_lacks(run: Run) -> None:
     wanted = {"lammps": "damping (now 0) and friction (now that of adhesion)", "dust-collider": "viscous time (now 0)"}
     for program, lacking in wanted.items():

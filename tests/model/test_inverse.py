@@ -325,7 +325,7 @@ def test_infer_answers_on_the_command_line(run: Run) -> None:
     ]
     assert "no value gives pull_off_force = 1e26 N" in table.err
     doubted = run(*words, "pull_off_force=300nN,310nN", "--csv").err
-    assert "note: doubts in 2 of 2 rows (jkroll guide doubts): law-off-5% 2, rough-matters 2" in doubted
+    assert "(jkroll guide doubts; best ranges: --best): law-off-5% 2, rough-matters 2" in doubted
     assert (table.code, table.err.splitlines()[-1]) == (1, "jkroll: 1 of 2 rows failed")
 
 
@@ -368,10 +368,7 @@ def test_rows_have_the_doubts_of_the_inferred_value(run: Run) -> None:
         run("pull-off", "quartz", radii.replace(",", "m,") + "m", "--csv").out, "doubt"
     )
     assert column(ran.out, "doubt") == ["law-off-25% few-atoms may-yield", "law-off-25%", "rough-matters"]
-    assert (
-        "doubts in 3 of 3 rows (jkroll guide doubts): law-off-25% 2, rough-matters 1, few-atoms 1, may-yield 1"
-        in ran.err
-    )
+    assert "best ranges: --best): law-off-25% 2, rough-matters 1, few-atoms 1, may-yield 1" in ran.err
     assert not any(column(run("infer gamma quartz 1um --measured pull_off_force=1e26N,2e26N --csv").out, "doubt"))
 
 

@@ -113,7 +113,7 @@ def test_option_column_gives_the_measured_column_of_many_files(run: Run) -> None
         "\n  ", " "
     )
     ran = run("batch", "runs/*.csv", "-o", "out/", *WORDS.split(), "--column", "F [nN]=pull_off_force [nN]")
-    assert (ran.code, "surface_energy: 3 of 3 rows; median 15.9155 mJ/m²" in ran.err) == (0, True), ran.err
+    assert (ran.code, "surface_energy by JKR: 3 of 3 rows; median 15.9155 mJ/m²" in ran.err) == (0, True), ran.err
 
 
 def test_columns_with_units_of_the_measured_quantity_are_offered(run: Run) -> None:
@@ -174,7 +174,7 @@ def test_names_of_samples_are_labels_if_no_property_is_needed(run: Run, names: l
 
 DATA = [["a", "2", "300", ""], ["b", "2", "310", ""], ["c", "2", "320", ""]]
 # γ = P_c/(3πR) of spheres of 2 µm on a plane, from three forces with a median of 310 nN and a scatter of 10 nN.
-SUMMARY = "surface_energy: 3 of {} rows; median 16.446 mJ/m², "
+SUMMARY = "surface_energy by JKR: 3 of {} rows; median 16.446 mJ/m², "
 SCATTER = "; mean 16.446 mJ/m², scatter 530.516 µJ/m²"
 
 

@@ -495,7 +495,7 @@ def test_a_row_of_units_is_not_a_contact(run: Run) -> None:
     measured = "--infer gamma --measured pull_off_force --column 'F=pull_off_force'"
     Path("pulled.csv").write_text("radius,F,n\num,nN,\n2,300,a\n2,290,b\n", encoding="utf-8")
     ran = run("batch", "pulled.csv", *shlex.split(measured), "--radius2", "plane", "-o", "out.csv")
-    assert (ran.code, "note: surface_energy: 2 of 2 rows" in ran.err) == (0, True)
+    assert (ran.code, "note: surface_energy by JKR: 2 of 2 rows" in ran.err) == (0, True)
     assert written()[1] == "um,nN,,,,row of units"
 
 

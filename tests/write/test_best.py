@@ -51,7 +51,9 @@ def test_lists_have_the_best_range_of_the_headline_unless_they_compare_laws(run:
     out = run("pull-off quartz 100nm,200nm --quantities P_c", terminal=True).out
     row = next(line for line in out.splitlines() if line.split()[:1] == ["100"])
     assert row.split()[1:3] == [f"{significant(least * 1e9, 2)}–{significant(most * 1e9, 2)}", "Maugis"]
-    assert "best" not in run("pull-off quartz 100nm --model jkr,maugis", terminal=True).out
+    out = run("pull-off quartz 100nm --model jkr,maugis", terminal=True).out
+    assert "\nof these laws, maugis is the better one; best ranges: leave out --model\n" in out
+    assert "best P_c" not in out
     out = run("yield-force quartz 2nm 1um", terminal=True).out  # the force at 2 nm has no meaning
     assert re.search(r"^best Q \[pN\] +– +710–1700$", out, re.MULTILINE)
     assert re.search(r"^by +– +scaled$", out, re.MULTILINE)
@@ -92,6 +94,59 @@ def test_a_best_range_in_a_list_includes_the_range_of_an_input(run: Run) -> None
     assert float(row["pull_off_force_best_high [N]"]) == approx(solve("pull_off_force_lennard_jones", **given))
 
 
+def test_a_list_as_text_whose_law_is_off_names_the_option_of_best_ranges(run: Run) -> None:
+    hint = "(jkroll guide doubts; best ranges: --best): law-off"
+    for line, is_off in (
+        ("energies quartz 50nm,100nm --csv", True),
+        ("energies quartz 50nm,100nm --csv --best", False),
+        ("pull-off quartz 50nm,100nm --model jkr", False),
+        ("pull-off pdms 50um,100um", False),
+    ):
+        assert (hint in run(line).err) is is_off
+
+
+@pytest.mark.parametrize(
+    ("line", "lead"),
+    [
+        (
+            "impact lactose-crystalline 50um --poisson 0.3 --speed 0.5m/s --yield-strength 60MPa",
+            (
+                "the spheres may or may not yield; if they do, e is an upper bound: the peak pressure is 76–120 MPa; "
+                "yielding starts below the surface at 96.77 MPa"
+            ),
+        ),
+        ("impact quartz 1um --speed 0.45±0.1m/s", "at 450 ± 100 mm/s the spheres may stick or bounce"),
+        ("impact quartz 1um --speed 0.2±0.05m/s", "at 200 ± 50 mm/s the spheres stick"),
+        ("n-roll quartz 1um --speed 2.2cm/s", "the sphere may or may not roll: it has 2.636e-18 J"),
+        ("n-roll quartz 1um --speed 1.2±0.5cm/s", "the sphere may or may not roll: it has (0.27–1.6)e-18 J"),
+        ("contact quartz 100nm --load -10±1nN", "real ones may have parted, as they hold 0.12–9.4 nN"),
+        ("contact quartz 100nm --load -11nN", "real ones have parted, as they hold 0.12–9.4 nN"),
+        ("resistances quartz 1um", "it slides or peels off at"),
+        ("resistances quartz 1um --shear-strength 100MPa", "it slides at"),
+        ("resistances quartz 1um --shear-strength 20GPa", "it peels off at"),
+        ("resistances quartz 1um --shear-strength 330±60MPa", "it slides or peels off at"),
+    ],
+)
+def test_leads_compare_the_whole_ranges_of_two_numbers(run: Run, line: str, lead: str) -> None:
+    assert lead in " ".join(run(line, terminal=True).out.split())
+
+
+@pytest.mark.parametrize(
+    ("line", "lead", "cell"),
+    [
+        ("n-grav polystyrene-glassy 10um --xi 42nm", "held at one end: 27.61 ± 0.66;", "27.61 ± 0.66"),
+        ("contact lactose-crystalline 20um --poisson 0.3 --load 1uN", "a radius of 348 +38/-28 nm", "348 +38/-28"),
+        ("frequencies pdms 10um", "vibrate with 180–240 kHz along their centres", "180–240"),
+        ("r-min quartz 1um --xi 2angstrom", "R_min is 5.000 mm", "5.000"),
+        ("yield-force quartz 100nm --model dmt", "a push of 31.42 pN at its centre", "31.42"),
+    ],
+)
+def test_leads_have_the_digits_and_uncertainties_of_the_table(run: Run, line: str, lead: str, cell: str) -> None:
+    out = run(line, terminal=True).out
+    assert lead in " ".join(out.split())
+    assert re.search(rf" {re.escape(cell)}( |$)", out[out.index("───") :], re.MULTILINE)
+
+
 def test_explanations_have_the_values_that_make_up_a_best_range(run: Run) -> None:
     """The line has the forces by JKR, and by Maugis' law at two atomic spacings."""
     said = run("pull-off quartz 100nm --explain").out
@@ -101,7 +156,7 @@ def test_explanations_have_the_values_that_make_up_a_best_range(run: Run) -> Non
     ]
     (line,) = re.findall(r"^  made of +(.*)", said, re.MULTILINE)
     for law, force in zip(("JKR", "Maugis at 4 Å", "at 2 Å"), forces, strict=True):
-        assert f"{law} {significant(force, 2)} nN" in line
+        assert f"{law} {significant(force, 4, zeros=True)} nN" in line
 
 
 def test_explanations_have_the_power_law_of_a_result(run: Run) -> None:

@@ -98,7 +98,7 @@ def test_only_bare_numbers_and_plain_lines_show_a_number_without_a_meaning(run: 
     # Bare numbers and plain lines keep the numbers, with a warning on stderr.
     bare, plain = run(f"{words_of(call, last=True)} --bare"), run(words_of(call, last=True))
     assert (bare.code, plain.code) == (0, 0)
-    assert re.search(rf"warning: (n_roll: )?{re.escape(phrase)}", plain.err)
+    assert re.search(rf"warning: (by JKR, )?(n_roll: )?{re.escape(phrase)}", plain.err)
     assert "warning: " in bare.err
     assert "-" not in bare.out.split()
     assert ended <= {line.split()[0] for line in plain.out.splitlines()}
@@ -327,6 +327,22 @@ def test_each_row_is_judged_rough_by_its_own_solid(run: Run) -> None:
     assert run("batch in.csv -o out.csv --quantities pull_off_force").code == 0
     rows = list(csv.DictReader(Path("out.csv").read_text(encoding="utf-8").splitlines()))
     assert ["rough-matters" in row["doubt"].split() for row in rows] == [True, False, False]
+
+
+@pytest.mark.parametrize(
+    ("line", "warning"),
+    [
+        (
+            "report lactose-crystalline 20um --poisson 0.3",
+            "warning: by JKR with ξ = 200 pm, not even one sphere can be held out level",
+        ),
+        ("n-grav quartz 1mm", "warning: not even one sphere can be held out level"),
+        ("yield-force quartz 3nm", "warning: by JKR, ξ is too large for the formula"),
+        ("n-roll quartz 1um --speed 4.66m/s", "warning: by JKR, too fast to roll around body 2"),
+    ],
+)
+def test_a_warning_names_the_law_and_xi_if_the_best_range_has_a_meaning(run: Run, line: str, warning: str) -> None:
+    assert warning in run(line).err
 
 
 @pytest.mark.parametrize("words", ["quartz 100nm --gamma 1mJ/m2", "quartz 1um --gamma 1mJ/m2", "quartz 1um"])

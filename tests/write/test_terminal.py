@@ -169,9 +169,23 @@ def test_a_list_of_laws_has_doubts_in_the_rows_of_laws_that_do_not_hold(run: Run
     assert "law-off" not in run("pull-off quartz 100nm,1um --quantities P_c", terminal=True).out
 
 
-def test_lists_and_curves_name_the_values_to_take(run: Run) -> None:
-    ran = run("report quartz 100nm,1um --quantities P_c,a0", terminal=True)
-    assert "\ntake best P_c and best a0; columns by JKR are for comparison\n" in ran.out
+@pytest.mark.parametrize(
+    ("line", "taken", "cells"),
+    [
+        ("report quartz 100nm,1um --quantities P_c,a0", "take best P_c and best a0;", "14–15"),
+        ("n-roll polystyrene-glassy 2um --speed 1m/s,5m/s --xi 5nm", "take best n_imp;", "0.49–0.57"),
+        ("n-roll polystyrene-glassy 2um,3um --energy 1e-15J --xi 5nm", "take best n_roll;", "best n_"),
+        ("n-roll quartz 1um,2um --speed 1m/s --quantities n_roll,n_imp", "take best n_roll and best n_imp;", "0.69"),
+        ("impact ice-warm 0.5um --speed 1m/s,20m/s", "take best e and best v_stick;", "1.7–32"),
+    ],
+)
+def test_lists_have_the_best_ranges_of_the_values_to_take(run: Run, line: str, taken: str, cells: str) -> None:
+    out = run(line, terminal=True).out
+    assert f"\n{taken}" in out
+    assert cells in out
+
+
+def test_curves_name_the_values_to_take(run: Run) -> None:
     curve = run("contact quartz 100nm --curve", terminal=True)
     ranges = "best ranges: P_c 14–15 nN (Maugis), a0 3.0–3.2 nm (Maugis), δ0 115–121 pm (Maugis)"
     assert f"{ranges}; take the curve by Maugis' law: --model maugis" in " ".join(curve.out.split())
@@ -249,6 +263,23 @@ def test_a_list_with_long_names_fits_the_terminal_and_is_complete(run: Run, monk
     assert max(map(len, lines)) <= 80
     left = lines[0].index("meaning")
     assert "variantofrolling_frequency_no_slip" in "".join(line[left:].replace(" ", "") for line in lines)
+
+
+@pytest.mark.parametrize("is_table", [True, False])
+@pytest.mark.parametrize(
+    ("line", "note"),
+    [
+        ("energies ice-warm 100nm --quantities U_grips,E_roll", "energy to roll by the angle: needs turn of sphere 1"),
+        ("energies ice-warm 100nm,200nm --quantities U_grips,E_roll", "E_roll: needs turn of sphere 1"),
+        ("pull-off ice-warm 5um --quantities P_c,F_men", "force of a water meniscus: needs relative humidity"),
+    ],
+)
+def test_the_first_note_has_the_reason_for_a_missing_quantity_that_was_named(
+    run: Run, line: str, note: str, *, is_table: bool
+) -> None:
+    lines = run(line, terminal=is_table).err.replace("\n  ", " ").splitlines()
+    first = next(text for text in lines if text.startswith("note: ") and "best range" not in text)
+    assert first.startswith(f"note: {note}")
 
 
 def test_a_conflict_with_data_is_the_first_note_and_roughness_is_noted_for_1_um_or_more(run: Run) -> None:

@@ -353,7 +353,7 @@ def run_export(call: Call) -> int:
     answer = Report(Question(names, names), frame)
     ranges = Note("lead", f"best ranges: {answer.best_ranges}")
     lines = [note.line for note in (ranges, *about_middles(answer.uncertain))]
-    lines += [note.line for note in by_severity(answer.sentences) if note.severity != "more"]
+    lines += [note.line for note in by_severity(answer.every_sentence) if note.severity != "more"]
     if program.about:
         sys.stdout.write(text)
         for line in (*(f"note: {note}" for note in program.about(frame)), *lines):

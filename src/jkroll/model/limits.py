@@ -331,12 +331,13 @@ INEXACT = (
     ),
     Limit(
         "impact_over_yield", _IMPACT, ">", {1.0: "impact-yields"},
-        "the solid yields below its surface; e is an upper bound",
+        "the pressure exceeds that of first yield below the surface; e is an upper bound",
         lambda frame, _: {"speed", "yield_strength"} <= frame.stated.keys(),
     ),
     Limit(
         "hysteresis_ratio", frozenset({"yield_moment", "yield_force"}), ">", {1.0: "moment-unexplained"},
-        "adhesion hysteresis cannot supply this moment; viscous, plastic or capillary loss could",
+        "adhesion hysteresis cannot supply this moment; at most 2cRw, c the radius of attraction; viscous, plastic or "
+        "capillary loss could",
     ),
     Limit(
         "tabor_parameter", frozenset({"sticking_energy", "sticking_speed"}), "<", {JUMP: STICKING_UNSURE},

@@ -8,7 +8,7 @@ from math import isfinite
 from typing import Any, Self
 
 from ..errors import JkrollError
-from ..model.estimate import Estimate, Ranges
+from ..model.estimate import ANY_LAW, DEFINITION, NONE, WORDS, Estimate, Ranges
 from ..model.frame import Frame
 from ..model.limits import (
     CONTACT_EXCEEDS_SPHERE,
@@ -38,6 +38,8 @@ from ..quantities.numeric import Numeric
 from ..quantities.values import Uncertain, is_uncertain, middle
 from .notes import assumed, entering
 from .questions import Question
+
+_OF_ONE_LAW = (NONE, DEFINITION, ANY_LAW)  # rules for which the value of the law in use suffices
 
 # --- Results ----------------------------------------------------------------------------------------------------------
 
@@ -353,6 +355,15 @@ class Answer(Results):
         """
         is_asked = "pull_off_force" in self.question.headline and "pull_off_force" in self.values
         return is_asked and not self.frame.stated_model and bool(may_be_rough(self.frame))
+
+    @property
+    def shows_ranges(self) -> bool:
+        """True if the table has best ranges: some come neither from the law in use, nor a definition, nor any law.
+
+        Without them, the column of the law has the uncertainties.
+        """
+        words = {WORDS[self.estimates[name].by] for name in self.names_in_table if name in self.estimates}
+        return self.shows_surfaces or not words <= {self.frame.law.short, *(WORDS[by] for by in _OF_ONE_LAW)}
 
     @property
     def is_on_pull_off(self) -> bool:

@@ -39,14 +39,26 @@ from ..model.measured import (
     what_stuck,
 )
 from ..model.other_law import least_spacing
-from ..quantities.formatting import AS_USUAL, Format, amount, from_to, significant, span, symbol_among
+from ..quantities.formatting import (
+    AS_USUAL,
+    RESULT_DIGITS,
+    Format,
+    amount,
+    from_to,
+    significant,
+    span,
+    symbol_among,
+    with_unit,
+)
 from ..quantities.nomenclature import INFINITY, XI
+from ..quantities.units import Unit, convert
 from ..quantities.values import middle
 from ..text import first_of
 from .answer import Answer
 from .inferred import lack_by_better_law
 
 _MOST = 3  # results in a note
+_SAME = 1e-12  # a range with a smaller relative width is shown as one number
 _ALIKE = 0.01  # relative difference of radii below which a measurement is not scaled
 
 
@@ -58,14 +70,40 @@ def lines_on_rules(rules: Iterable[int]) -> Iterator[str]:
 
 
 def range_in_words(name: str, estimate: Estimate, form: Format = AS_USUAL) -> str:
-    """Return a best range with its unit: "14–15 nN", "≥ 1.5e-18 J", or "none"."""
+    """Return a best range with its unit, as in a table: "14–15 nN", "≥ 1.5e-18 J", or "none"."""
     low, high = estimate.low, estimate.high
     if isnan(low) and isnan(high):
         return "none"
-    if isnan(low) or isnan(high):
-        end = low if isnan(high) else high
-        return f"{'≥' if isnan(high) else '≤'} {span(name, end, end, form)}"
-    return span(name, low, high, form)
+    unit = form.common_unit(name, [high if high > 0 else low])
+    sign, text = range_in_unit(estimate, unit, form)
+    return sign.removeprefix("≈ ") + with_unit(text, unit[0])
+
+
+def range_in_unit(estimate: Estimate, unit: tuple[str, Unit], form: Format) -> tuple[str, str]:
+    """Return a sign such as "≥ ", or an empty text, and the numbers of a range in a unit; "–" for a range without ends.
+
+    A range with equal ends is a number with as many digits as a result, unless it is only approximate.
+    """
+    low, high = (end if isnan(end) else convert(end, unit[1]) for end in estimate[:2])
+    digits = form.digits or 2
+    if estimate.by in (LAW_ONLY, KELVIN) and form.digits is None:
+        return "≈ ", from_to(low, high)
+    if abs(high - low) <= _SAME * abs(high):
+        return "", significant(low, form.digits or RESULT_DIGITS, zeros=form.digits is None and low != 0)
+    if isnan(low) and isnan(high):
+        return "", "–"
+    if isnan(high):
+        return "≥ ", significant(low, digits + 1)
+    if isnan(low):
+        return "≤ ", significant(high, digits)
+    return "", from_to(low, high, form.digits)
+
+
+def order(first: Estimate, second: Estimate) -> int:
+    """Return -1 or 1 if the first range lies below or above the second, or 0 if they overlap or an end is open."""
+    if first.high < second.low:
+        return -1
+    return 1 if first.low > second.high else 0
 
 
 def reasons_for(by: int, answer: Answer) -> Iterator[str]:
@@ -91,8 +129,8 @@ def made_of(name: str, answer: Answer) -> str:
     parts = zip(laws, answer.ranges.of_laws(name, estimate.by), strict=False)
     texts = [f"{law} {range_in_words(name, Estimate(*ends, estimate.by), answer.form)}" for law, ends in parts]
     if name == "pull_off_force":
-        forces = answer.frame.numbers("pull_off_force_lennard_jones").values()
-        texts += [f"Lennard-Jones {span(name, force, force, answer.form)}" for force in forces]
+        for force in answer.frame.numbers("pull_off_force_lennard_jones").values():
+            texts.append(f"Lennard-Jones {range_in_words(name, Estimate(force, force, estimate.by), answer.form)}")
     return "; ".join(texts)
 
 
@@ -136,7 +174,7 @@ _WORDS: Mapping[int, str] = {
     SPACING_ASSUMED: "from z0 = 2 Å to 4 Å; --z0 narrows it",
     BOUNDS: "JKR's force for soft spheres, DMT's for hard ones; E and ν decide",
     LAW_ONLY: "no better law gives it here",
-    KELVIN: "water at 25 °C between smooth bodies; F_men does not add to P_c",
+    KELVIN: "water at 25 °C; F_men is the upper limit, between smooth bodies",
     GAP: "a gap lowers the force, to zero where water only just fills it",
     BETTER_LAW: "the better law here, over z0 = 2–4 Å unless given",
     LAW_IN_USE: "within 5 % of Maugis' law; the range covers both",

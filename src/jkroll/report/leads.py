@@ -7,7 +7,6 @@ from ..model.estimate import (
     ADHESION_ONLY,
     BETTER_LAW,
     FRICTION_ASSUMED,
-    FRICTION_FACTOR,
     LAW_IN_USE,
     MEASURED,
     NONE,
@@ -23,16 +22,18 @@ from ..model.measured import FRACTION_HELD, SIZES_HELD, has_given_energy, what_r
 from ..physics.elementary import is_anywhere
 from ..quantities.formatting import Format, amount, from_to, significant, symbol_among, with_unit
 from ..quantities.nomenclature import XI
-from ..quantities.values import Interval
+from ..quantities.values import Interval, Measured, ends_of
 from ..text import listed
 from .answer import Answer
-from .best_ranges import held_on_surfaces, of_silica, range_in_words
+from .best_ranges import held_on_surfaces, of_silica, order, range_in_words
 from .inferred import about_library
 from .notes import Note, Shown
 
 _THREE = Format(digits=3)
-_AFTER_IMPACT = "n_roll_after_impact"
 _FORCE_AND_MOMENT = ("pull_off_force", "yield_moment")
+_PRESSURES = ("impact_pressure", "hertz_pressure", "touch_pressure", "first_yield_pressure", "plastic_pressure")
+_ONE = Estimate(1.0, 1.0, NONE)
+_LIMIT_OF_WATER = "is the upper limit with a meniscus; do not add it to P_c"
 _WIDE = 2  # ranges whose ends differ by at least this factor are followed by a single number
 
 
@@ -40,10 +41,7 @@ def leads(answer: Answer) -> Iterator[Note]:
     """Iterate over the sentences that answer the question of a command."""
     if answer.described.unknowns and answer.values:
         yield from [*about_library(answer)] or [Note("lead", _what_it_means(answer))]
-    water = [*_water_or_dry(answer)]
-    yield from water
-    if answer.is_on_pull_off and answer.estimates["pull_off_force"].by != NONE and not water:
-        yield Note("lead", _pulled_apart(answer))
+    yield from _pulled_apart(answer)
     if "sliding_or_peeling_force" in answer.values and "yield_force" in answer.estimates:
         yield Note("lead", _first_to_give_way(answer))
     if answer.is_of_impact and answer.estimates["sticking_speed"].by != NONE:
@@ -52,7 +50,7 @@ def leads(answer: Answer) -> Iterator[Note]:
         yield from _enough_to_roll(answer.frame, answer.form)
     if "impact_pressure" in answer.values:
         is_known = not answer.frame.missing(["first_yield_pressure"])
-        yield Note("lead" if is_known else "more", _elastic_or_not(answer.frame, answer.form))
+        yield Note("lead" if is_known else "more", _elastic_or_not(answer))
     answers = [lead for lead in (_filled(sentence, answer) for sentence in answer.question.leads) if lead]
     yield from (Note("lead", lead) for lead in answers)
     if answers and _is_from_forces(answer):
@@ -70,12 +68,14 @@ def lead_of_rows(groups: Sequence[Shown], names: Collection[str]) -> str:
     """Return the sentence on water or roughness, which the pull-off force of rows leaves out; empty if none matters."""
     if "pull_off_force" not in names:
         return ""
-    if "meniscus_force" in names:
-        return "take the larger of P_c and F_men, not their sum"
-    is_rough = any(is_anywhere(may_be_rough(frame)) for frame, _ in groups)
-    real = f"real spheres hold {FRACTION_HELD}: measured on SiO2 of {SIZES_HELD}, a guess for others"
-    limit = f"{real}; P_c below is the upper limit, for ideally smooth spheres"
-    return limit if is_rough else ""
+    sentences = []
+    is_wet = "meniscus_force" in names
+    if any(is_anywhere(may_be_rough(frame)) for frame, _ in groups):
+        sentences.append(f"real spheres hold {FRACTION_HELD}: measured on SiO2 of {SIZES_HELD}, a guess for others")
+        sentences.append(f"P_c below is the upper limit, for ideally smooth{', dry' * is_wet} spheres")
+    if is_wet:
+        sentences.append(f"F_men {_LIMIT_OF_WATER}")
+    return "; ".join(sentences)
 
 
 def advice_on_inputs(answer: Answer) -> Iterator[str]:
@@ -138,9 +138,25 @@ def _what_it_means(answer: Answer) -> str:
     return f"the measurement implies {listed(texts)}{of_both}{error}"
 
 
-def _pulled_apart(answer: Answer) -> str:
-    force = range_in_words("pull_off_force", answer.estimates["pull_off_force"], answer.form)
-    return f"{_held(answer)}; ideally smooth spheres hold {force}, the upper limit"
+def _pulled_apart(answer: Answer) -> Iterator[Note]:
+    """Iterate over at most one sentence: the pull-off force of real surfaces, and that of smooth ones as its limit.
+
+    In humid air, the force of a meniscus is a second limit. Its sentence is part of every answer with both forces.
+    """
+    dry, wet = (answer.estimates.get(name) for name in ("pull_off_force", "meniscus_force"))
+    stays_dry = answer.is_in_doubt(GAP_STAYS_DRY)
+    if dry is None or dry.by == NONE or not (answer.is_on_pull_off or stays_dry or wet):
+        return
+    smooth = f"ideally smooth spheres hold {range_in_words('pull_off_force', dry, answer.form)}"
+    fills, held = _filled_gap(answer.frame), _held(answer) if answer.shows_surfaces else ""
+    if stays_dry:
+        fills, limit = f"the dry contact alone pulls: {fills}", f"{smooth}, the upper limit"
+    elif wet:
+        most = range_in_words("meniscus_force", wet._replace(low=wet.high), answer.form)
+        limit = f"{smooth} dry; F_men, {most}, {_LIMIT_OF_WATER}"
+    else:
+        limit = f"{smooth}, the upper limit"
+    yield Note("lead", "; ".join(filter(None, [fills, held, limit])))
 
 
 def _held(answer: Answer) -> str:
@@ -151,16 +167,17 @@ def _held(answer: Answer) -> str:
 def _filled(sentence: str, answer: Answer) -> str:
     """Return a sentence of the question, with best ranges filled in; empty if a necessary one is missing."""
     found = {name: estimate for name, estimate in answer.estimates.items() if estimate.by != NONE}
-    words = {name: _spoken(name, each, answer.form) for name, each in found.items()}
+    words = {name: _as_shown(name, answer) for name in found}
     if "{or_none}" in sentence:  # the sentence can say "none", but is left out if no result has a meaning
         if answer.ended.keys() >= answer.computed.keys():
             return ""
         words |= dict.fromkeys(answer.ended, "none")
     (first, *others) = answer.question.headline
     for name, estimate in found.items():
-        words[name] += _middle(name, estimate, answer.form, is_short=bool(others) or name != first)
-    if _AFTER_IMPACT in words:  # a speed asks for the turns after hitting body 2; the table has the other counts
-        words.pop("n_roll", None)
+        if answer.shows_ranges:
+            words[name] += _middle(name, estimate, answer.form, is_short=bool(others) or name != first)
+    for name in {*answer.question.headline}.difference(answer.question.taken(words)):  # others are to be taken
+        words.pop(name, None)
     is_open = any(isnan(found[name].low) for name in answer.question.headline if name in found)
     is_rough = answer.shows_surfaces and "pull_off_force" in found
     words["real"] = f"; {_held(answer)}" if is_rough else ""
@@ -181,6 +198,16 @@ def _is_from_forces(answer: Answer) -> bool:
     if rolled is None or rolled.name == XI or not has_given_energy(answer.frame) or "r_min" in answer.question.headline:
         return False
     return {answer.estimates[name].by for name in answer.question.headline if name in answer.estimates} == {SCALED}
+
+
+def _as_shown(name: str, answer: Answer) -> str:
+    """Return a result as the table shows it: its best range, or its value with the uncertainty if that suffices."""
+    measure = answer.result(name).measure
+    if answer.shows_ranges or measure is None:
+        return _spoken(name, answer.estimates[name], answer.form)
+    if isinstance(measure, Measured):
+        return amount(name, measure, answer.form)
+    return range_in_words(name, Estimate(*ends_of(measure), LAW_IN_USE), answer.form)
 
 
 def _spoken(name: str, estimate: Estimate, form: Format) -> str:
@@ -204,35 +231,17 @@ def _first_to_give_way(answer: Answer) -> str:
     if rolling.by == NONE:
         return f"if a pushed sphere cannot roll, {gives}"
     rolls = range_in_words("yield_force", rolling, answer.form)
-    if rolling.high < sliding.low:
+    first = order(rolling, sliding)
+    if first < 0:
         rolls += _middle("yield_force", rolling, answer.form, is_short=True)
         return f"a pushed sphere rolls first, at {rolls}; if it cannot roll, {gives}"
-    if rolling.low > sliding.high:
+    if first > 0:
         return f"a pushed sphere does not roll, since {gives}; rolling would take {rolls}"
     assumed = {"ξ": rolling.by in (XI_UNKNOWN, SCALED), "τ": sliding.by == FRICTION_ASSUMED}
     decides = [symbol for symbol, is_open in assumed.items() if is_open]
     if not decides:
         return f"a pushed sphere may roll first, at {rolls}, or not: {gives}"
     return f"whether a pushed sphere rolls first ({rolls}) depends on {listed(decides)}; if it does not, {gives}"
-
-
-def _water_or_dry(answer: Answer) -> Iterator[Note]:
-    """Iterate over at most one sentence: whether the dry contact or a meniscus of water pulls harder."""
-    dry = answer.estimates.get("pull_off_force")
-    if dry is None or dry.by == NONE:
-        return
-    force = f"the dry contact with {range_in_words('pull_off_force', dry, answer.form)}"
-    fills = _filled_gap(answer.frame)
-    if answer.is_in_doubt(GAP_STAYS_DRY):
-        yield Note("lead", f"the dry contact alone pulls: {fills}")
-    elif "meniscus_force" in answer.values:
-        wet = answer.estimates["meniscus_force"]
-        meniscus = range_in_words("meniscus_force", wet, answer.form).replace("≤", "at most")
-        is_wet, is_dry = wet.low > dry.high, wet.high < dry.low
-        which = "water pulls" if is_wet else "the dry contact pulls" if is_dry else "either may pull"
-        verdict = f"{which} harder; take the larger force, not the sum"
-        less = "; roughness weakens both" if answer.is_on_pull_off and not fills else ""
-        yield Note("lead", f"{verdict}: {fills and fills + '; '}a meniscus pulls with {meniscus}, {force}{less}")
 
 
 def _filled_gap(frame: Frame) -> str:
@@ -249,78 +258,75 @@ def _slides_or_peels(answer: Answer) -> str:
 
     Under a pressing load, the contact remains after its adhesion has peeled off.
     """
-    is_assumed = answer.estimates["sliding_or_peeling_force"].by == FRICTION_ASSUMED
-    margin = FRICTION_FACTOR if is_assumed else 1.0
-    peeling_over_sliding = answer.frame["peeling_over_sliding"]
-    is_pressed = answer.frame["load"] > 0
-    if peeling_over_sliding >= margin:
-        return "it slides"
-    if peeling_over_sliding * margin < 1 or not is_assumed:
-        return "its adhesion alone peels off" if is_pressed else "it peels off"
-    return "it slides, or its adhesion alone peels off," if is_pressed else "it slides or peels off"
+    ratio = _estimate(answer.frame, "peeling_over_sliding")
+    peels = "its adhesion alone peels off" if answer.frame["load"] > 0 else "it peels off"
+    either = "it slides, or its adhesion alone peels off," if answer.frame["load"] > 0 else "it slides or peels off"
+    return {-1: peels, 0: either, 1: "it slides"}[order(ratio, _ONE)]
 
 
 def _stick_or_bounce(answer: Answer) -> str:
-    speed = answer.frame["speed"]
     sticking = answer.estimates["sticking_speed"]
-    sides = range_in_words("sticking_speed", sticking, answer.form)
-    is_below, is_above = speed < sticking.low, speed > sticking.high
-    verdict = "stick" if is_below else "bounce" if is_above else "may stick or bounce"
+    sides = _as_shown("sticking_speed", answer)
+    above = order(_estimate(answer.frame, "speed"), sticking)
+    verdict = {-1: "stick", 0: "may stick or bounce", 1: "bounce"}[above]
+    speed = amount("speed", answer.measures.get("speed", answer.frame["speed"]))
     stuck = what_stuck(answer.frame)
     is_carried = stuck is not None and stuck.counts(answer.frame) and not stuck.is_near(answer.frame)
     source = "scaled from measured speeds" if is_carried and sticking.by == MEASURED else WORDS[sticking.by]
-    text = f"at {amount('speed', speed)} the spheres {verdict}: the sticking speed is {sides} ({source})"
+    text = f"at {speed} the spheres {verdict}: the sticking speed is {sides} ({source})"
     left, alone = answer.estimates["restitution"], answer.values.get("restitution", 0.0)
-    if is_below and alone > 0:
+    if above < 0 and alone > 0:
         return f"{text}; without losses in the solids they would bounce (e = {significant(alone, 2)})"
-    if is_below or isnan(left.high) or left.by != ADHESION_ONLY:
+    if above < 0 or isnan(left.high) or left.by != ADHESION_ONLY:
         return text
-    if_needed = "" if is_above else "if they bounce, "
+    if_needed = "" if above > 0 else "if they bounce, "
     return f"{text}; {if_needed}adhesion alone leaves e = {from_to(answer.values['restitution'], left.high)}"
 
 
 def _enough_to_roll(frame: Frame, form: Format) -> Iterator[Note]:
     """Iterate over at most one sentence: whether the energy of a sphere is enough to begin rolling."""
-    energy = frame.numbers("energy").get("energy")
-    if energy is None or not frame.possible(["yield_energy"]):
+    if frame.missing(["energy"]) or not frame.possible(["yield_energy"]):
         return
-    least = Ranges.of(frame, "yield_energy").estimate("yield_energy")
+    energy, least = _estimate(frame, "energy"), _estimate(frame, "yield_energy")
     if least.by == NONE or isnan(least.low):
         return
-    verdict = "probably rolls" if energy > sqrt(least.low * least.high) else "probably does not roll"
-    if energy < least.low:
-        verdict = "does not roll"
-    elif energy > least.high:
-        verdict = "rolls"
-    elif isnan(least.high):
-        verdict = "may roll"
-    has, needs = amount("energy", energy, form.with_digits(2)), _spoken("yield_energy", least, form)
+    verdict = {-1: "does not roll", 0: "may or may not roll", 1: "rolls"}[order(energy, least)]
+    has, needs = range_in_words("energy", energy, form), _spoken("yield_energy", least, form)
     needs += _middle("yield_energy", least, form, is_short=True)
     yield Note("lead", f"the sphere {verdict}: it has {has}, and to begin rolling it needs {needs}")
 
 
 def _law_that_holds(answer: Answer) -> str:
-    force = Ranges.of(answer.frame, "pull_off_force").estimate("pull_off_force")
+    force = _estimate(answer.frame, "pull_off_force")
     if force.by == BETTER_LAW:
         return "Maugis' law holds here: the pull-off force of JKR is more than 5 % off"
     return "JKR holds here: Maugis' law is within 5 % of its pull-off force"
 
 
-def _elastic_or_not(frame: Frame, form: Format) -> str:
+def _estimate(frame: Frame, name: str) -> Estimate:
+    """Return the best range of a quantity or of an input."""
+    return Ranges.of(frame, name).estimate(name)
+
+
+def _elastic_or_not(answer: Answer) -> str:
     """Return the sentence on whether an impact stays elastic; without a yield strength, on its pressures alone."""
-    peak = _pressure(frame, form, "impact_pressure")
-    if frame.missing(["first_yield_pressure"]):
-        rest = _pressure(frame, form, "hertz_pressure")
-        bear = f"the impact is elastic if the solids bear {peak}, its peak pressure (at rest: {rest})"
-        return f"{bear}; --yield-strength decides"
-    first, full = _pressure(frame, form, "first_yield_pressure"), _pressure(frame, form, "plastic_pressure")
-    limits = f"the peak pressure is {peak}; yielding starts below the surface at {first}, and is complete at {full}"
-    if frame["impact_pressure"] < frame["first_yield_pressure"]:
+    found = {name: _estimate(answer.frame, name) for name in answer.frame.possible(_PRESSURES)}
+    found.update(answer.estimates)
+    words = {name: range_in_words(name, found[name], answer.form) for name in _PRESSURES if name in found}
+    peak = words["impact_pressure"]
+    if "first_yield_pressure" not in found:
+        at_rest = f"its peak pressure (at rest: {words['hertz_pressure']})"
+        return f"the impact is elastic if the solids bear {peak}, {at_rest}; --yield-strength decides"
+    first, full = found["first_yield_pressure"], found["plastic_pressure"]
+    limits = (
+        f"the peak pressure is {peak}; yielding starts below the surface at {words['first_yield_pressure']}, and is "
+        f"complete at {words['plastic_pressure']}"
+    )
+    yields = order(found["impact_pressure"], first)
+    if yields < 0:
         return f"the impact stays elastic: {limits}"
-    how = "fully" if frame["impact_pressure"] >= frame["plastic_pressure"] else "below the surface"
-    at_rest = ", even if they touch at zero speed" if frame["touch_pressure"] >= frame["first_yield_pressure"] else ""
+    if yields == 0:
+        return f"the spheres may or may not yield; if they do, e is an upper bound: {limits}"
+    how = {-1: "below the surface", 0: "below the surface or fully", 1: "fully"}[order(found["impact_pressure"], full)]
+    at_rest = ", even if they touch at zero speed" if order(found["touch_pressure"], first) > 0 else ""
     return f"the spheres yield {how}{at_rest}, so e is an upper bound: {limits}"
-
-
-def _pressure(frame: Frame, form: Format, name: str) -> str:
-    return amount(name, frame[name], form.with_digits(3))

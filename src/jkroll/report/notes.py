@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
 
 from ..errors import JkrollError
 from ..model.frame import Frame
-from ..model.limits import ENDING, ENDING_MEANING, LIMITS, MEANINGS, Doubt, doubts, touched
+from ..model.limits import ENDING, ENDING_MEANING, LAW, LIMITS, MEANINGS, Doubt, doubts, touched
 from ..model.measured import SIO2, rolling, solid_of_pair
 from ..model.plan import depends_on
 from ..model.reasons import MissingInput, grouped
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 Severity = Literal[
     "warning",  # a number has no meaning
     "lead",  # the answer to the question
+    "gap",  # the reason for a missing result that was asked for by name, or for an empty cell of a list
     "against",  # a material's note that casts doubt on one of its values
     "caveat",  # a limitation that may change a decision
     "remark",  # a limitation of less importance
@@ -218,11 +219,16 @@ def about_limits(every: Iterable[Doubt]) -> Iterator[Note]:
         yield Note("more", f"not checked: {first_of(codes, _MAX_CODES)}: {reason}")
 
 
-def about_missing(errors: Mapping[str, JkrollError]) -> Iterator[Note]:
-    """Iterate over notes with the reasons for missing values, each after its quantities."""
+def about_missing(errors: Mapping[str, JkrollError], named: Collection[str] = ()) -> Iterator[Note]:
+    """Iterate over notes with the reasons for missing values, each after its quantities.
+
+    `named`: the quantities that were asked for by name.
+    """
     for names, reason in grouped(errors):
         lacks_input = isinstance(errors[names[0]], MissingInput)
         severity: Severity = "remark" if lacks_input else "caveat"
+        if not {*named}.isdisjoint(names):
+            severity = "gap"
         subjects = first_symbols(names)
         if lacks_input and len(names) <= _MOST_IN_WORDS:  # the table has no row with their symbols
             subjects = listed(NOMENCLATURE[name].sentence for name in names)
@@ -235,26 +241,27 @@ def about_missing(errors: Mapping[str, JkrollError]) -> Iterator[Note]:
 Shown = tuple[Frame, Sequence[str]]  # the frame of rows with the same inputs, and the quantities that they show
 
 
-def about_rows(tally: "Tally", reported: int, where: str) -> Iterator[Note]:
+def about_rows(tally: "Tally", reported: int, where: str, hint: str = "") -> Iterator[Note]:
     """Iterate over notes on rows: how many have results without a meaning or in doubt, and why cells are empty.
 
-    `reported`: the bits of the doubts to report; `where`: the place in which the codes stand or are explained.
+    `reported`: the bits of the doubts to report; `where`: the place in which the codes stand or are explained;
+    `hint`: its suffix for results in doubt.
     """
-    severities: tuple[tuple[Severity, str, int, int], ...] = (
-        ("warning", "numbers have no meaning", reported & ENDING_MEANING, 2),  # few codes, since each is explained
-        ("remark", "doubts", reported & ~ENDING_MEANING, _MAX_CODES),
+    severities: tuple[tuple[Severity, str, int, int, str], ...] = (
+        ("warning", "numbers have no meaning", reported & ENDING_MEANING, 2, where),  # few codes: each is explained
+        ("remark", "doubts", reported & ~ENDING_MEANING, _MAX_CODES, where + hint),
     )
-    for severity, subject, bits, most in severities:
+    for severity, subject, bits, most, where_told in severities:
         texts = []
         for code, rows in tally.counted(bits):
             meaning = f" ({MEANINGS[code]})" if code in MEANINGS else ""
             texts.append(f"{code} {rows}{meaning}")
         if texts:
             fraction = f"{tally.with_doubts(bits)} of {tally.rows} rows"
-            yield Note(severity, f"{subject} in {fraction} ({where}): {first_of(texts, most)}")
+            yield Note(severity, f"{subject} in {fraction} ({where_told}): {first_of(texts, most)}")
     for number, first, words in tally.gaps.values():
         others = f" and {number - 1} other{'s' * (number > 2)}" if number > 1 else ""
-        yield Note("caveat", f"{words}: row {first}{others}")
+        yield Note("gap", f"{words}: row {first}{others}")
 
 
 def lines_on_codes(codes: Iterable[str]) -> Iterator[str]:
@@ -290,7 +297,9 @@ def notes_on_rows(groups: Sequence[Shown], tally: "Tally", reported: int) -> lis
 
     `reported`: the bits of the doubts to report.
     """
-    every = [*about_rows(tally, reported, "jkroll guide doubts")]
+    is_off = tally.with_doubts(reported & LAW.bits) and not any(frame.stated_model for frame, _ in groups)
+    hint = "; best ranges: --best" if is_off else ""
+    every = [*about_rows(tally, reported, "jkroll guide doubts", hint)]
     for frame, names in groups:
         possible = frame.possible(names)
         every += about_given(frame, possible, frame.inputs_of(*possible))
@@ -331,7 +340,7 @@ def lines_of(
     if quiet:
         return warning
     answers, data = texts["lead"], texts["data"]
-    others = [*texts["against"], *texts["caveat"], *texts["remark"]]
+    others = [*texts["gap"], *texts["against"], *texts["caveat"], *texts["remark"]]
     if has_head:
         assumptions, others_shown = [], [*others[:_MAX_NOTES], *data]
     else:

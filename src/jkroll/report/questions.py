@@ -1,6 +1,6 @@
 """The questions that commands ask of a frame: the headline quantities, and all that are shown."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
@@ -23,9 +23,21 @@ class Question:
         leads: Sequence[str] = (),  # sentences of the answer; words in braces are filled in by `report.leads`
         groups: Mapping[str, Sequence[str]] = MappingProxyType({}),  # at the end of a table: quantities by title
         if_stated: Mapping[str, tuple[str, ...]] = MappingProxyType({}),  # by quantity: it needs one of these inputs
+        decisive: tuple[str, ...] = (),  # they decide the headline: to take like it
     ) -> None:
         self.headline, self.quantities, self.named, self.without_row = headline, quantities, named, without_row
-        self.leads, self.groups, self.if_stated = leads, groups, if_stated
+        self.leads, self.groups, self.if_stated, self.decisive = leads, groups, if_stated, decisive
+
+    def taken(self, names: Collection[str]) -> list[str]:
+        """Return the quantities to take among some with values: of the headline or its better ones, and decisive ones.
+
+        A quantity asked for by name is not replaced.
+        """
+        taken = []
+        for name in (*self.headline, *self.decisive):
+            better = _BETTER.get(name, name)
+            taken.append(better if better in names and name not in self.named else name)
+        return [name for name in taken if name in names]
 
     @property
     def with_row(self) -> list[str]:
@@ -39,6 +51,7 @@ def _question(
     without_row: str = "",
     leads: str = "",
     groups: Mapping[str, str] = MappingProxyType({}),
+    decisive: str = "",
 ) -> Question:
     """Return the question of a command; quantities are separated by blanks, sentences by line breaks.
 
@@ -46,10 +59,14 @@ def _question(
     """
     every = (*(quantities or " ".join(groups.values()) or headline).split(),)
     of_titles = {title: names.split() for title, names in groups.items()}
-    hidden = (*without_row.split(),)
-    return Question((*headline.split(),), every, without_row=hidden, leads=leads.splitlines(), groups=of_titles)
+    return Question(
+        (*headline.split(),), every,
+        without_row=(*without_row.split(),), leads=leads.splitlines(), groups=of_titles, decisive=(*decisive.split(),),
+    )  # fmt: skip
 
 
+# By quantity: the one to take in its place if that has a value. A speed asks for the turns after hitting body 2.
+_BETTER = {"n_roll": "n_roll_after_impact"}
 _QUESTIONS = {
     "pull-off": _question(
         "pull_off_force",
@@ -145,6 +162,7 @@ QUESTIONS: Mapping[str, Question] = {
         "restitution",
         "restitution sticking_speed viscosity_number lost_energy impact_pressure first_yield_pressure plastic_pressure "
         "yield_speed plastic_speed",
+        decisive="sticking_speed",
     ),
     "resistances": _question(
         "yield_force sliding_force twisting_moment",
@@ -213,5 +231,6 @@ def question_about(text: str) -> Question:
 
 
 def columns_in_table(question: Question, sweep: "Sweep") -> "Wanted":
-    """Return the columns of a table on a terminal, with best ranges of the headline."""
-    return sweep.wanted(question.with_row, question.named).with_best(question.headline)
+    """Return the columns of a table on a terminal, with best ranges of the quantities to take."""
+    wanted = sweep.wanted(question.with_row, question.named)
+    return wanted.with_best(question.taken(wanted.names))

@@ -5,7 +5,15 @@ from functools import cached_property
 from math import erfc, hypot, sqrt
 
 from ..errors import JkrollError
-from ..model.estimate import ADHESION_ONLY, FRICTION_ASSUMED, MEASURED, NONE, WORDS, Estimate, Ranges
+from ..model.estimate import (
+    ADHESION_ONLY,
+    FRICTION_ASSUMED,
+    MEASURED,
+    NONE,
+    WORDS,
+    Estimate,
+    Ranges,
+)
 from ..model.frame import Frame
 from ..model.limits import (
     LAW,
@@ -18,13 +26,14 @@ from ..model.limits import (
     may_be_rough,
     touched,
 )
-from ..model.measured import on_surfaces
+from ..model.measured import on_surfaces, rolling
 from ..model.uncertainty import Sources, error_bars
-from ..quantities.formatting import significant, symbol_among
+from ..quantities.formatting import amount, significant, symbol_among
 from ..quantities.laws import DEFAULT_LAW, JKR_OF_SPHERE
+from ..quantities.nomenclature import XI
 from ..text import first_of
 from .answer import Answer
-from .best_ranges import held_on_surfaces, range_in_words, reasons_for
+from .best_ranges import held_on_surfaces, order, range_in_words, reasons_for
 from .inferred import about_inferred, about_limit
 from .leads import leads
 from .notes import (
@@ -69,9 +78,9 @@ class Report(Answer):
                 yield f"{WORDS[by]}: {reason}"
 
     def notes_on_ranges(self) -> Iterator[Note]:
-        """Iterate over a note for each rule that gives the headline a range and has a reason, for output as lines."""
+        """Iterate over a note for each rule that gives a range to take and has a reason, for output as lines."""
         texts: dict[int, list[str]] = {}
-        for name, estimate in self._estimates_of_headline.items():
+        for name, estimate in self._estimates_to_take.items():
             text = f"{symbol_among(name, self.inputs)}: {range_in_words(name, estimate, self.form)}"
             texts.setdefault(estimate.by, []).append(text)
         for by, of_rule in texts.items():
@@ -80,16 +89,16 @@ class Report(Answer):
 
     @property
     def best_ranges(self) -> str:
-        """The best ranges of the headline, as a text of one line."""
+        """The best ranges to take, as a text of one line."""
         texts = []
-        for name, estimate in self._estimates_of_headline.items():
+        for name, estimate in self._estimates_to_take.items():
             text = f"{symbol_among(name, self.inputs)} {range_in_words(name, estimate, self.form)}"
             texts.append(f"{text} ({WORDS[estimate.by]})")
         return ", ".join(texts)
 
     @property
-    def _estimates_of_headline(self) -> Mapping[str, Estimate]:
-        return {name: estimate for name, estimate in self.estimates.items() if name in self.question.headline}
+    def _estimates_to_take(self) -> Mapping[str, Estimate]:
+        return {name: self.estimates[name] for name in self.question.taken(self.estimates)}
 
     @cached_property
     def notes(self) -> tuple[Note, ...]:
@@ -101,7 +110,7 @@ class Report(Answer):
             *about_inferred(self),
             *leads(self),
             *about_assumed(self.assumed),
-            *about_missing({**self._lacking_in_table, **self.open_bars()}),
+            *about_missing({**self._lacking_in_table, **self.open_bars()}, self.question.named),
             *about_given(self.frame, self._possible, inputs),
             *about_idle(idle),
             *about_values(self.frame, self._valued),
@@ -128,18 +137,22 @@ class Report(Answer):
             if has_leads and self._is_in_leads(doubt):
                 severity = "caveat"
             elif doubt.limit.ends_meaning:
-                severity, text = "warning", text + self._by_law_alone
+                severity, text = "warning", self._by_law_alone(doubt) + text
             elif doubt.limit.is_shown and not self._is_in_ranges(doubt):
                 severity = "caveat"
             notes.append(Note(severity, text))
         return notes
 
-    @cached_property
-    def _by_law_alone(self) -> str:
-        """The suffix of a warning about meaningless results that says by which law; empty if one has no best range."""
-        if any(self.estimates[name].by == NONE for name in self.ended):
+    def _by_law_alone(self, doubt: Doubt) -> str:
+        """Return the law, and its ξ if that matters, as the prefix of a warning about results that have best ranges.
+
+        It is empty if one of the results has no best range.
+        """
+        if any(self.estimates[name].by == NONE for name in self.ended_by(doubt)):
             return ""
-        return f", by {self.frame.law.short}"
+        depends_on_shift = rolling([doubt.limit.name]) and XI not in doubt.limit.touches
+        with_shift = f" with ξ = {amount(XI, self.frame[XI])}" if depends_on_shift else ""
+        return f"by {self.frame.law.short}{with_shift}, "
 
     def _is_in_leads(self, doubt: Doubt) -> bool:
         """Return whether the answering sentences already say whether the energy is enough for rolling."""
@@ -179,12 +192,17 @@ class Report(Answer):
         return held_on_surfaces(self.frame, self.form) if doubt.code == ROUGH_MATTERS else doubt.text
 
     @property
+    def every_sentence(self) -> list[Note]:
+        """All sentences about the answer, for output without its table."""
+        return [*self.notes, *self.doubts(has_leads=True)]
+
+    @property
     def sentences(self) -> list[Note]:
         """All sentences about the answer, each once."""
-        every, above = [*self.notes, *self.doubts(has_leads=True)], set[str]()
+        above = set[str]()
         if self.shows_surfaces:
-            above.add(held_on_surfaces(self.frame, self.form))  # a part of the first sentence
-        return [note for note in every if note.severity in ABOVE or note.text not in above]
+            above.add(held_on_surfaces(self.frame, self.form))  # a part of the first sentence, or rows of the table
+        return [note for note in self.every_sentence if note.severity in ABOVE or note.text not in above]
 
     @property
     def sentences_below(self) -> list[Note]:
@@ -195,22 +213,24 @@ class Report(Answer):
         """Iterate over at most one note: the pull on the contact may be more than rough spheres hold."""
         if "load" not in self.frame.stated:
             return
-        pull = -self.frame.values["load"]
+        load = Ranges.of(self.frame, "load").estimate("load")
+        pull = Estimate(-load.high, -load.low, load.by)
         has_force = not self.frame.missing(["pull_off_force_dmt"])
-        if not (pull > 0 and has_force and may_be_rough(self.frame)):
+        if not (pull.high > 0 and has_force and may_be_rough(self.frame)):
             return
-        if not any(pull > low for low, _ in on_surfaces(self.frame).values()):
+        if not any(pull.high > low for low, _ in on_surfaces(self.frame).values()):
             return
         smooth = Ranges.of(self.frame, *self.frame.possible(["pull_off_force"]))
         held = "rough spheres may have parted at this pull; "
         for name in smooth.names:
             force = smooth.estimate(name)
             part = "" if name in self.question.headline else f" (they part at {range_in_words(name, force, self.form)})"
-            if pull < force.low:
+            pulls_off = order(pull, force)
+            if pulls_off < 0:
                 held = f"smooth spheres hold this pull{part}; "
-            elif pull <= force.high:
+            elif pulls_off == 0:
                 held = f"even smooth spheres may have parted at this pull{part}; "
-        may_hold = any(pull <= high for _, high in on_surfaces(self.frame).values())
+        may_hold = any(pull.low <= high for _, high in on_surfaces(self.frame).values())
         parted = f"real ones {'may have' if may_hold else 'have'} parted, as they hold"
         yield Note("lead", f"{held}{held_on_surfaces(self.frame, self.form, parted)}")
 

@@ -21,6 +21,7 @@ from ..errors import ROWS_FAILED, BadRequest, BadRow, BadTable, JkrollError, Mis
 from ..model.limits import EVERY_DOUBT
 from ..model.rows import DOUBT, STATUS, Columns, Tally, Wanted, evaluated, worded
 from ..quantities.formatting import Format, amount
+from ..quantities.laws import DEFAULT_LAW, LAWS, law_given
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, computed_as
 from ..text import quoted, say, say_wrapped, shown
 from ..write.output_file import remove_begun, whole_file
@@ -99,7 +100,7 @@ def notes_on(tally: Tally, asked: Asked) -> Iterator[str]:
     from ..report.notes import about_rows
 
     if tally.inferred:
-        yield _summary(asked.infer, tally)
+        yield _summary(asked, tally)
     # A name that several materials share is already in a remark: its rows are not reported again.
     said = [f"{remark.removeprefix('note: ')}: row" for remark in tally.remarks]
     notes = []
@@ -113,13 +114,17 @@ def notes_on(tally: Tally, asked: Asked) -> Iterator[str]:
         yield f"note: column {STATUS} has {more} more {'reasons' if more > 1 else 'reason'} for empty cells"
 
 
-def _summary(name: str, tally: Tally) -> str:
-    """Return the sentence on an inferred input: the number of its values and, from two on, how they are distributed."""
+def _summary(asked: Asked, tally: Tally) -> str:
+    """Return the sentence on an inferred input: the number of its values and, from two on, how they are distributed.
+
+    The values are those of the law in use, with and without columns of best ranges.
+    """
     import numpy
 
+    name, law = asked.infer, law_given(asked.inputs.get("model"), asked.inputs.get("profile")) or DEFAULT_LAW
     values = numpy.concatenate(tally.inferred)
     known = values[~numpy.isnan(values)]
-    sentence = f"note: {name}: {len(known)} of {len(values)} rows"
+    sentence = f"note: {name} by {LAWS[law].short}: {len(known)} of {len(values)} rows"
     return sentence if len(known) < 2 else f"{sentence}; {scatter_in_words(name, known)}"
 
 

@@ -5,7 +5,6 @@ from math import isnan
 from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 
 from ..model.estimate import (
-    ANY_LAW,
     BETTER_LAW,
     DEFINITION,
     FRICTION_ASSUMED,
@@ -28,9 +27,7 @@ from ..quantities.formatting import (
     RESULT_DIGITS,
     Format,
     amount,
-    from_to,
     in_words,
-    significant,
     symbol_among,
     with_unit,
 )
@@ -39,7 +36,7 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, STATE_OR_LOAD, X
 from ..quantities.shown import Rows, cell, columns_of
 from ..quantities.units import Unit, convert
 from ..quantities.values import Uncertain, middle, with_sides
-from ..report.best_ranges import about_surfaces, lines_on_rules
+from ..report.best_ranges import about_surfaces, lines_on_rules, range_in_unit
 from ..report.inferred import about_library, laws_of, library_values, solids_of
 from ..report.notes import lines_above, lines_on_codes
 from ..text import TextColumn, first_of, fit_terminal, listed, say_wrapped, text_columns, write_table
@@ -53,8 +50,6 @@ if TYPE_CHECKING:
 # A row keeps the unit of the rows above if its smallest number in that unit lies between _LEAST and _MOST, and its
 # largest is at most _LARGEST.
 _LEAST, _MOST, _LARGEST = 0.25, 2000, 10000
-_SAME = 1e-12  # a range with a smaller relative width is shown as one number
-_BEST_RANGE = "best range"
 _ON_SURFACE = "surface"  # the rule shown for a pull-off force of real spheres
 _OF_LAW = f" by {LAWS[DEFAULT_LAW].short}"  # suffix of the header of JKR's column, which is adjacent to the best range
 _CODES = 24  # codes with more characters are shortened in a narrow table
@@ -151,9 +146,8 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
         return
     law, rows = answer.frame.law.short, _rows(answer, form)
     if rows:
-        columns = _of_results(_grouped(rows, answer.question), law)
-        yield columns
-        if any(column.head == _BEST_RANGE for column in columns):
+        yield _of_results(_grouped(rows, answer.question), law, has_ranges=answer.shows_ranges)
+        if answer.shows_ranges:
             yield from answer.lines_on_ranges(rows)
     if answer.shows_surfaces:
         yield f"{_ON_SURFACE}: {about_surfaces(answer.frame)}"
@@ -266,17 +260,17 @@ def _with_surfaces(rows: _Rows, answer: "Report", form: Format) -> _Rows:
     return extended
 
 
-def _of_results(rows: Sequence[Sequence[str]], law: str) -> list[TextColumn]:
+def _of_results(rows: Sequence[Sequence[str]], law: str, *, has_ranges: bool) -> list[TextColumn]:
     """Return the columns of rows of results.
 
-    If all ranges come from the law in use, from a definition or from any law, the column of the law replaces them and
-    shows the uncertainties. Otherwise the ranges include the uncertainties, and the column has bare values.
+    Best ranges include the uncertainties, and the column of the law then has bare values. Without ranges, this column
+    shows the uncertainties.
     """
-    if {row[3] for row in rows} <= {law, WORDS[DEFINITION], WORDS[ANY_LAW], "–", ""}:
-        heads, rows = ["quantity", "symbol", law, "unit"], [[*row[:2], *row[5:]] for row in rows]
-    else:
-        heads = ["quantity", "symbol", _BEST_RANGE, "by", law, "unit"]
+    if has_ranges:
+        heads = ["quantity", "symbol", "best range", "by", law, "unit"]
         rows = [[*row[:5], row[6]] for row in rows]
+    else:
+        heads, rows = ["quantity", "symbol", law, "unit"], [[*row[:2], *row[5:]] for row in rows]
     columns = text_columns([heads, *rows], words=2)
     return [column._replace(is_right=column.head not in (*heads[:2], "by", "unit")) for column in columns]
 
@@ -285,26 +279,7 @@ def _range(estimate: "Estimate | None", unit: _ShownUnit, form: Format) -> list[
     """Return the best range of a result and its rule, in words; an open end is left out."""
     if estimate is None or not estimate.by > NONE:  # by is nan in a row without this quantity
         return ["–", "–"]
-    low, high = _converted(estimate.low, unit), _converted(estimate.high, unit)
-    digits = form.digits or 2
-    if estimate.by in (LAW_ONLY, KELVIN) and form.digits is None:  # only approximate
-        return [f"≈ {from_to(low, high)}", WORDS[int(estimate.by)]]
-    if abs(high - low) <= _SAME * abs(high):
-        text = significant(low, form.digits or RESULT_DIGITS, zeros=form.digits is None and low != 0)
-    elif isnan(low) and isnan(high):
-        text = "–"
-    elif isnan(high):
-        text = f"≥ {significant(low, digits + 1)}"
-    elif isnan(low):
-        text = f"≤ {significant(high, digits)}"
-    else:
-        text = from_to(low, high, form.digits)
-    return [text, WORDS[int(estimate.by)]]
-
-
-def _converted(end: float, unit: _ShownUnit) -> float:
-    """Return an end of a range in a unit; nan, for an open end, stays."""
-    return end if isnan(end) else convert(end, unit[1])
+    return ["".join(range_in_unit(estimate, unit, form)), WORDS[int(estimate.by)]]
 
 
 # --- Inferred values --------------------------------------------------------------------------------------------------
@@ -379,7 +354,7 @@ def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str], 
     yield from _about_inputs(count, common, assumed, form, several)
     if BETWEEN in models and "model" in several:
         of_parameter = "; μ is the Tabor parameter" if "tabor_parameter" in names else ""
-        yield f"take the rows of maugis{of_parameter}"
+        yield f"of these laws, {BETWEEN} is the better one; best ranges: leave out --model{of_parameter}"
     exact, leading = Format(form.units, form.digits or DIGITS), list[TextColumn]()
     following = _FOLLOWING | STATE_OR_LOAD if "state" in inputs else _FOLLOWING
     for name in several:
