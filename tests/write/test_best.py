@@ -134,7 +134,7 @@ def test_leads_compare_the_whole_ranges_of_two_numbers(run: Run, line: str, lead
 @pytest.mark.parametrize(
     ("line", "lead", "cell"),
     [
-        ("n-grav polystyrene-glassy 10um --xi 42nm", "held at one end: 27.61 ± 0.66;", "27.61 ± 0.66"),
+        ("n-grav polystyrene-glassy 10um --xi 42nm --density 1.062g/cm3", "at one end: 27.61 ± 0.66;", "27.61 ± 0.66"),
         ("contact lactose-crystalline 20um --poisson 0.3 --load 1uN", "a radius of 348 +38/-28 nm", "348 +38/-28"),
         ("frequencies pdms 10um", "vibrate with 180–240 kHz along their centres", "180–240"),
         ("r-min quartz 1um --xi 2angstrom", "R_min is 5.000 mm", "5.000"),
