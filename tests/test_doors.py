@@ -59,7 +59,7 @@ from jkroll.report.answer import with_force_by_maugis
 from jkroll.report.questions import QUESTIONS
 from questions import SPHERES, Ask, Sheet, any_ask, ask_of, mixed_sheet, sheet_of
 
-FEW, MANY = range(10, 14), 1000  # the numbers of the questions in a quick test; the count of questions in a slow test
+FEW, MANY = range(10, 13), 1000  # the numbers of the questions in a quick test; the count of questions in a slow test
 PARTS = [range(first, first + MANY // 5) for first in range(0, MANY, MANY // 5)]  # the latter in five parts
 UNITS = ["nm", "angstrom", "nN", "lbf", "eV", "GPa", "cm/s", "N ym4", "m ym3", "J Ym-1", "kHz"]
 

@@ -685,3 +685,10 @@ def test_fit_in_python_takes_the_names_of_options_and_names_arguments_in_errors(
     with pytest.warns(UserWarning, match="radius=10 is a sphere of 10 m") as warned:
         jkroll.fit("curve.csv", radius=10, radius2="plane", spring=3.01)
     assert [warning.filename for warning in warned] == [__file__]
+
+
+@pytest.mark.usefixtures("curve")
+@pytest.mark.parametrize("target", ["", " -o curve.json"])
+def test_the_look_of_a_picture_is_refused_without_a_picture(run: Run, target: str) -> None:
+    ran = run(f"fit curve.csv {KNOWN} --style dark --width 85mm{target}")
+    assert ran == (2, "", "jkroll: --width and --style apply to files; add -o FILE\n")

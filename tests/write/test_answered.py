@@ -13,6 +13,7 @@ from jkroll.errors import code_of
 from jkroll.model import reasons, unknowns
 from jkroll.model.limits import ENDS
 from jkroll.write.manual import page
+from relative import approx
 
 SCENES: list[tuple[str, str | list[str], dict[str, Any]]] = [
     ("pull-off quartz 100nm", "pull-off", {"material": "quartz", "radius": 1e-7}),
@@ -163,3 +164,13 @@ def test_only_results_without_a_value_have_a_reason_and_its_code() -> None:
     assert (found["well_energy"].code, found["contact_radius"].code) == ("not-in-law", "")
     for result in found.as_dict()["results"]:
         assert ("reason" in result) == ("reason_code" in result) == (result["value"] is None)
+
+
+def test_the_pull_off_forces_of_real_surfaces_are_in_json_and_python(run: Run) -> None:
+    """They are those of the rows on a terminal."""
+    result, *_ = json.loads(run("pull-off quartz 5um --json").out)["results"]
+    surfaces = {name: (ends["low"], ends["high"]) for name, ends in result["surfaces"].items()}
+    assert [*surfaces] == ["smooth glass, dry air", "smooth glass, humid air", "rough grains, air"]
+    assert surfaces["rough grains, air"] == approx((5.89e-9, 58.9e-9), rel=1e-3)
+    assert jkroll.answer("pull-off", material="quartz", radius="5 um").surfaces == surfaces
+    assert "surfaces" not in run("pull-off quartz 5um --model dmt --json").out

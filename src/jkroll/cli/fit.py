@@ -65,6 +65,8 @@ class FileFitter(NamedTuple):
 
 def run_fit(call: Call) -> int:
     """Fit the curves in files; return the exit code."""
+    from .draw import check_picture
+
     paths = _paths(call)
     given = {name: value_of(text, name) for name, text in call.inputs.items() if name not in ("model", "profile")}
     words = {
@@ -73,12 +75,9 @@ def run_fit(call: Call) -> int:
     }  # fmt: skip
     known = known_of(words, call.spring, given)
     fitter = FileFitter(known, call.materials, call.columns, call.format, call.delimiter)
-    if call.names_picture:
-        if len(paths) > 1:
-            raise BadRequest(f"a picture shows one curve; {len(paths)} files were given")
-        from .draw import check_picture
-
-        check_picture(call, call.target)
+    if call.names_picture and len(paths) > 1:
+        raise BadRequest(f"a picture shows one curve; {len(paths)} files were given")
+    check_picture(call, call.target if call.names_picture else None)
     form = "" if call.names_picture else _form_of_rows(call)
     if len(paths) == 1:
         return _write_single(call, paths[0], fitter.fitted(paths[0]), form)

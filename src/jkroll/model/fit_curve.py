@@ -49,7 +49,7 @@ def _solution(curve: ForceCurve, known: Known) -> tuple[Solution, dict[str, str]
     only = {"load": LOADING, "unload": UNLOADING}.get(known.branch, "")
     stiffness = known.stiffness if curve.kind == TRAVEL else numpy.inf
     branches = branches_of(curve, stiffness, tilt=known.tilt, only=only)
-    problem = Problem(curve.kind, known, branches, curve.is_deflection)
+    problem = Problem(curve.kind, known, branches)
     remarks = {**branches.remarks, **dict(on_deflection(curve.force_over_deflection, known.stiffness))}
     chosen = [only] if only else [UNLOADING, LOADING]
     found = [branches.by_name[name] for name in chosen if name in branches.by_name]
@@ -58,7 +58,7 @@ def _solution(curve: ForceCurve, known: Known) -> tuple[Solution, dict[str, str]
     if not problem.has_adhesion(found[0]):
         remarks["no-adhesion"] = "no tension above the noise: Hertz' contact, and an upper limit of w"
         main = solved_without_adhesion(problem, found[0])
-        return Solution(problem, problem.without_adhesion(known.profile), main), remarks
+        return Solution(problem, problem.without_adhesion, main), remarks
     main, other = solved(problem, found[0]), None
     if len(found) > 1:
         try:

@@ -33,9 +33,9 @@ _PLATEAUS = 4  # rounds, each of a plateau and a fit, for contact radii
 _BINS = 24  # bins along a branch, in which the plateau is sought
 _LARGEST = 60.0  # ln w or ln E* beyond which a minimum is rejected
 _NO_ADHESION = 5.0  # least tension that counts as adhesion, in standard deviations of the noise
-_NEXT_TO_NOTHING = 1e-12  # share of the upper limit of w; JKR with so little adhesion is Hertz' contact
+_NEXT_TO_NOTHING = 1e-12  # w of Hertz' contact, as a share of `largest_adhesion`; so little adhesion has no effect
 _ROOT_STEPS = 60  # steps of Newton's method for the contact radius of a point
-_ROOT = 1e-6  # largest relative error of the load at which a contact radius counts as a root
+_ROOT = 1e-6  # a contact radius is a root if its load has at most this relative error
 
 NAMES = {UNLOADING: "work_of_adhesion_opening", LOADING: "work_of_adhesion_closing"}
 
@@ -46,7 +46,6 @@ class Problem(NamedTuple):
     kind: str
     known: Known
     branches: Branches
-    is_deflection: bool = False
 
     @property
     def radius(self) -> float:
@@ -64,17 +63,18 @@ class Problem(NamedTuple):
         return self.by_law(self.known.law, self.known.profile)
 
     def by_law(self, law: str, profile: str = "paraboloid", spacing: float | None = None) -> Setting:
-        """Return the setting for a law, a profile and an atomic spacing, by default the known one."""
+        """Return the setting for a law and a profile. `spacing`: the atomic spacing, by default the known one."""
         grip = Grip(self.stiffness, self.kind == RADIUS)
         return Setting(curve_law(law, profile), self.radius, spacing or self.known.spacing, grip)
 
-    def without_adhesion(self, profile: str = "paraboloid") -> Setting:
-        """Return the setting for Hertz' contact: that of JKR, to be used with a w next to 0."""
-        return self.by_law("jkr", profile)
+    @property
+    def without_adhesion(self) -> Setting:
+        """The setting for Hertz' contact: that of JKR, to be used with a w next to 0."""
+        return self.by_law("jkr", self.known.profile)
 
     @property
     def largest_adhesion(self) -> float:
-        """The largest w whose pull-off force the noise and the slope of the baseline hide."""
+        """The largest w that can go unnoticed: its pull-off force is within the noise and the slope of the baseline."""
         return _NO_ADHESION * self.branches.scatter / (1.5 * pi * self.radius)
 
     def has_adhesion(self, branch: Branch) -> bool:
@@ -160,7 +160,7 @@ def solved_with(problem: Problem, branch: Branch, main: Solved) -> Solved:
 def solved_without_adhesion(problem: Problem, branch: Branch) -> Solved:
     """Return the minimum for Hertz' contact. Raises BadCurve."""
     points = branch.points.chosen(problem.range_of(branch, EVERYTHING))
-    setting = problem.without_adhesion(problem.known.profile)
+    setting = problem.without_adhesion
     w = _NEXT_TO_NOTHING * problem.largest_adhesion
     depth = float(numpy.ptp(points.z)) or 1e-9
     modulus = 0.75 * float(points.force.max()) / (sqrt(problem.radius) * depth**1.5)

@@ -71,7 +71,8 @@ class Answered(Shown):
     """The answer to a question about one scene.
 
     `values` holds the results by name, `inputs` the inputs that were given or assumed, `doubts` the limits of the
-    model that are exceeded, `best` the best ranges of the values, and `notes` all other notes. `as_dict()` returns the
+    model that are exceeded, `best` the best ranges of the values, `surfaces` the
+    pull-off forces of real surfaces, and `notes` all other notes. `as_dict()` returns the
     object that `--json` prints. Iteration gives the names of the results, as in a dict.
     """
 
@@ -109,6 +110,11 @@ class Answered(Shown):
     def best(self) -> Mapping[str, Estimate]:
         """The best ranges of the results, by name: `low` and `high`, nan where open, and `by`, the rule."""
         return {name: estimate._replace(by=WORDS[estimate.by]) for name, estimate in self._answer.estimates.items()}
+
+    @cached_property
+    def surfaces(self) -> Mapping[str, tuple[float, float]]:
+        """The least and the largest pull-off force on each kind of real surface, in N; empty for other questions."""
+        return self._answer.surfaces
 
     @cached_property
     def why(self) -> Mapping[str, str]:

@@ -8,7 +8,7 @@ from math import isfinite
 from typing import Any, Self
 
 from ..errors import JkrollError
-from ..model.estimate import ANY_LAW, DEFINITION, NONE, WORDS, Estimate, Ranges
+from ..model.estimate import ANY_LAW, DEFINITION, LAW_IN_USE, NONE, WORDS, Ends, Estimate, Ranges
 from ..model.frame import Frame
 from ..model.limits import (
     CONTACT_EXCEEDS_SPHERE,
@@ -19,6 +19,7 @@ from ..model.limits import (
     may_be_rough,
     touched,
 )
+from ..model.measured import on_surfaces
 from ..model.other_law import at_half_spacing, factor_of_law, has_other_formulas
 from ..model.reasons import (
     BEYOND_JKR,
@@ -364,6 +365,14 @@ class Answer(Results):
         """
         words = {WORDS[self.estimates[name].by] for name in self.names_in_table if name in self.estimates}
         return self.shows_surfaces or not words <= {self.frame.law.short, *(WORDS[by] for by in _OF_ONE_LAW)}
+
+    @cached_property
+    def surfaces(self) -> Mapping[str, Ends]:
+        """The least and the largest pull-off force on each kind of real surface; empty if the table has none."""
+        if not self.shows_surfaces:
+            return {}
+        by_law_in_use, *_ = self.ranges.of_laws("pull_off_force", LAW_IN_USE)
+        return on_surfaces(self.frame, by_law_in_use)
 
     @property
     def is_on_pull_off(self) -> bool:

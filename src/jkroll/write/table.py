@@ -20,7 +20,6 @@ from ..model.estimate import (
     Estimate,
 )  # fmt: skip
 from ..model.limits import codes
-from ..model.measured import on_surfaces
 from ..model.rows import DOUBT, as_list
 from ..quantities.formatting import (
     DIGITS,
@@ -249,9 +248,9 @@ def _with_surfaces(rows: _Rows, answer: "Report", form: Format) -> _Rows:
     extended: _Rows = {}
     for name, row in rows.items():
         if name == "pull_off_force":
-            by_law_in_use, *_ = answer.ranges.of_laws(name, LAW_IN_USE)
-            unit = form.common_unit(name, by_law_in_use[1:])
-            for surface, ends in on_surfaces(answer.frame, by_law_in_use).items():
+            (_, most), *_ = answer.ranges.of_laws(name, LAW_IN_USE)
+            unit = form.common_unit(name, [most])
+            for surface, ends in answer.surfaces.items():
                 shown, _ = _range(Estimate(*ends, SCALED), unit, form)
                 extended[surface] = [surface, row[1], shown, _ON_SURFACE, "–", "–", unit[0]]
             extended[name] = [f"{row[0]}, limit", *row[1:]]
