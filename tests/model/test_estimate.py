@@ -112,9 +112,9 @@ def test_small_hard_spheres_stick_at_1_to_10_times_the_speed_by_jkr_with_or_with
         given: dict[str, Any] = {"material": solid, "radius": 9e-8}
         found = best("sticking_speed sticking_energy restitution", **given, speed=0.5)
         speed, energy = solve("sticking_speed", **given), solve("sticking_energy", **given)
-        assert found["sticking_speed"] == (approx(speed), approx(10 * speed), "measured")
-        assert found["sticking_energy"] == (approx(energy), approx(100 * energy), "measured")
-        assert found["restitution"] == (0.0, 0.0, "measured")
+        assert found["sticking_speed"] == (approx(speed), approx(10 * speed), "1–10 × JKR")
+        assert found["sticking_energy"] == (approx(energy), approx(100 * energy), "1–10 × JKR")
+        assert found["restitution"] == (0.0, 0.0, "1–10 × JKR")
     of_rubber = best("sticking_speed", "pdms", radius=1e-5)["sticking_speed"]
     assert of_rubber.by == "JKR"
 
@@ -210,8 +210,8 @@ def test_other_hard_spheres_stick_at_1_to_10_times_the_speed_by_jkr(other: Mappi
     """Small hard spheres were seen to stick up to such speeds. A given viscous time sets another rule."""
     given = {"material": "quartz", "radius": 0.5e-6, "radius2": inf, **other}
     speed, found = solve("sticking_speed", **given), best("sticking_speed", **given)["sticking_speed"]
-    assert (found.by == "measured") == ("viscous_time" not in other)
-    if found.by == "measured":
+    assert (found.by == "1–10 × JKR") == ("viscous_time" not in other)
+    if found.by == "1–10 × JKR":
         assert found[:2] == (approx(speed), approx(10 * speed))
 
 

@@ -303,8 +303,8 @@ def test_the_teeth_of_a_line_point_to_where_its_limit_is_exceeded() -> None:
     ("words", "clause"),
     [
         ("P_c pdms --x radius=100nm:1mm --y gamma=1mJ/m2:1J/m2", ""),
-        ("v_stick silica-dry --x radius=10nm:100um --y gamma=1mJ/m2:1J/m2", "by the rule “measured”"),
-        (IMPACT, "by the rules “measured” and “adhesion only”"),
+        ("v_stick silica-dry --x radius=10nm:100um --y gamma=1mJ/m2:1J/m2", "by the rules “1–10 × JKR” and “measured”"),
+        (IMPACT, "by the rules “1–10 × JKR” and “adhesion only”"),
     ],
 )
 def test_a_legend_explains_bands_only_if_they_can_be_seen(words: str, clause: str) -> None:

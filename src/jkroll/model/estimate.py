@@ -36,13 +36,13 @@ from .uncertainty import ErrorBar, error_bars
 # --- Rules ------------------------------------------------------------------------------------------------------------
 
 (
-    NONE, DEFINITION, MEASURED, SCALED, XI_UNKNOWN, FRICTION_ASSUMED, SPACING_ASSUMED, ADHESION_ONLY, BOUNDS, LAW_ONLY,
-    KELVIN, GAP, BETTER_LAW, LAW_IN_USE, ANY_LAW,
-) = range(15)  # fmt: skip
+    NONE, DEFINITION, MEASURED, SEEN, SCALED, XI_UNKNOWN, FRICTION_ASSUMED, SPACING_ASSUMED, ADHESION_ONLY, BOUNDS,
+    LAW_ONLY, KELVIN, GAP, BETTER_LAW, LAW_IN_USE, ANY_LAW,
+) = range(16)  # fmt: skip
 _GIVEN = {law: number for number, law in enumerate(LAWS, ANY_LAW + 1)}  # the rule for each given law
 WORDS = (
-    "–", "definition", "measured", "scaled", "ξ unknown", "τ assumed", "z0 assumed", "adhesion only", "JKR to DMT",
-    "JKR only", "Kelvin", "roughness", "Maugis", "JKR", "any law",
+    "–", "definition", "measured", f"1–{MOST_SEEN} × JKR", "scaled", "ξ unknown", "τ assumed", "z0 assumed",
+    "adhesion only", "JKR to DMT", "JKR only", "Kelvin", "roughness", "Maugis", "JKR", "any law",
     *(law.short for law in LAWS.values()),
 )  # fmt: skip
 
@@ -224,7 +224,7 @@ class Ranges:
                 (is_carried, stuck.in_proportion(self.frame)),
             ):
                 yield applies, value * (low / speed) ** power, value * (high / speed) ** power, MEASURED
-        yield self._is_hard, own[0], MOST_SEEN**power * own[1], MEASURED
+        yield self._is_hard, own[0], MOST_SEEN**power * own[1], SEEN
 
     def _of_restitution(self) -> Iterator[Rule]:
         """Iterate over the rules for the coefficient of restitution, which any further loss lowers."""
@@ -233,7 +233,8 @@ class Ranges:
             of_speed = Ranges.of(self.results.described, "sticking_speed")
         if "sticking_speed" in of_speed.names:
             speeds = of_speed.estimate("sticking_speed")
-            yield (speeds.by == MEASURED) & (self.frame["speed"] < speeds.low), 0.0, 0.0, MEASURED
+            for rule in (MEASURED, SEEN):
+                yield (speeds.by == rule) & (self.frame["speed"] < speeds.low), 0.0, 0.0, rule
         is_ended = self.results.ended.get("restitution", False)
         least, most = (where(is_ended, nan, end) for end in (0.0, 1.0))
         yield self.has_no_jump, least, most, ADHESION_ONLY

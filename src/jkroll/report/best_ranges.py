@@ -15,6 +15,7 @@ from ..model.estimate import (
     LAW_ONLY,
     MEASURED,
     SCALED,
+    SEEN,
     SPACING_ASSUMED,
     WORDS,
     XI_UNKNOWN,
@@ -164,9 +165,9 @@ def about_surfaces(frame: Frame) -> str:
 
 _OF_SMOOTH = "P_c is that of smooth, dry spheres: rough ones hold less"
 _OF_FIRST = "τ/3 to 3τ (--shear-strength); take T_first: the edge may peel early"
-_SEEN = f"hard spheres were seen to stick at 1–{MOST_SEEN} times JKR's speed"
 _WORDS: Mapping[int, str] = {
-    MEASURED: f"hard spheres stuck at 1 to {MOST_SEEN} times JKR's speed, SiO2 at measured ones",
+    MEASURED: "speeds at which SiO2 stuck, at other sizes scaled like JKR's speed",
+    SEEN: f"hard spheres were seen to stick at 1 to {MOST_SEEN} times JKR's speed",
     SCALED: "from ξ or forces measured on this solid, scaled as R^(2/3) or as R",
     XI_UNKNOWN: "not measured; ξ of 2 Å (one atom) or more (--xi)",
     ADHESION_ONLY: "adhesion as the only loss; if there are others, this is a limit",
@@ -264,12 +265,14 @@ def _bounds(answer: Answer) -> Iterator[str]:
         yield _OF_SMOOTH
 
 
+def _seen(_: Answer) -> Iterator[str]:
+    yield _WORDS[SEEN]
+    yield "silica, ices and silver were measured; adhesion is not their only loss"
+
+
 def _measured(answer: Answer) -> Iterator[str]:
     stuck = what_stuck(answer.frame)
-    if stuck is None or not stuck.counts(answer.frame):
-        yield _SEEN
-        yield "silica, ices and silver were measured; adhesion is not their only loss"
-        return
+    assert stuck is not None  # the rule applies to a solid whose speeds were measured
     (first, small), (last, large) = (
         (significant(stuck.at(radius), 2), amount("radius", radius)) for radius in stuck.radii
     )
@@ -424,6 +427,7 @@ _OF_ANSWER: Mapping[int, Callable[[Answer], Iterable[str]]] = {
     KELVIN: _kelvin,
     BOUNDS: _bounds,
     MEASURED: _measured,
+    SEEN: _seen,
     SCALED: _scaled,
     XI_UNKNOWN: _xi_unknown,
     FRICTION_ASSUMED: _friction,

@@ -10,6 +10,7 @@ from ..model.estimate import (
     FRICTION_ASSUMED,
     MEASURED,
     NONE,
+    SEEN,
     WORDS,
     Estimate,
     Ranges,
@@ -162,7 +163,7 @@ class Report(Answer):
         """Return whether the best ranges already include the consequence of a limit."""
         if doubt.code == PEELS_FIRST:
             return "sliding_or_peeling_force" in self.estimates
-        return doubt.code == STICKING_UNSURE and not {ADHESION_ONLY, MEASURED}.isdisjoint(self.rules)
+        return doubt.code == STICKING_UNSURE and not {ADHESION_ONLY, MEASURED, SEEN}.isdisjoint(self.rules)
 
     def _subject_of(self, limit: Limit) -> str:
         """Return the prefix of a limit's sentence: the symbol of a meaningless result, if the limit touches no other.
