@@ -31,10 +31,11 @@ _MOST_WORDS = 3  # maximum number of words in a name of a statistic
 _FILLERS = "of the overall grand sample arithmetic value values lower upper de la значение".split()
 _PERCENTILE = re.compile(r"\d[\d.]*\s*%|q[1-3]")
 _BESIDES = re.compile(r"\(.*\)|\[.*\]|[\d.]+\s*%|%|[=:]\s*[\d.,]*$|\bof\s+\d+$")  # (n-1), 95 %, = 0.7, of 5
-# The beginning of a cell that may name a mean or a spread.
+# The beginning of a cell that may name a mean or a spread. The search ends with the line: beyond, it would take a time
+# that grows as the square of the number of lines.
 _BEGINNINGS = sorted({name[:3] for name in MEANS | SPREADS})
 _MAY_NAME = re.compile(
-    rf"\n[\d.%\W]*(?:(?:{'|'.join(_FILLERS)})[\W_]+)*(?:{'|'.join(_BEGINNINGS)}|s\W?d|st\W|s\W?e\W?m)"
+    rf"\n[^a-z\n]*(?:(?:{'|'.join(_FILLERS)})[^a-z\n]+)*(?:{'|'.join(_BEGINNINGS)}|s\W?d|st\W|s\W?e\W?m)"
 )
 
 
