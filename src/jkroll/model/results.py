@@ -125,7 +125,7 @@ class Results:
     def sources(self) -> Sources | None:
         """The sources of uncertainty of the results; None if no input is uncertain.
 
-        Raises a JkrollError for sources that cannot be combined.
+        Raises a JkrollError for too many ranges.
         """
         return sources_of_results(self.described, [*self.computed]) if self.described.uncertainties else None
 

@@ -143,7 +143,7 @@ def has_texts(head: str) -> bool:
 def sides_in(groups: Iterable[tuple[Frame, Sequence[str]]]) -> set[str]:
     """Return the sides of the uncertainties of quantities; `groups`: frames, each with its quantities.
 
-    Raises a JkrollError for sources that cannot be combined.
+    Raises a JkrollError for too many ranges.
     """
     sides: set[str] = set()
     for frame, names in groups:

@@ -296,8 +296,7 @@ def _steps_of(sources: Sources) -> list[int]:
         return [STEPS] * len(sources.ranges)
     steps = []
     for source in sources.ranges:
-        low, high = source.given.low, source.given.high
-        ratio = where(low * high > 0, high, 10.0) / where(low * high > 0, low, 1.0)
+        ratio = _ratio(source.given.low, source.given.high, otherwise=10.0)
         decades = log10(_largest(at_least(ratio, 1 / ratio)))
         steps.append(max(1, min(ceil(STEPS * decades), STEPS)))
     return steps
@@ -312,10 +311,15 @@ def _corners(ranges: Sequence[Source]) -> Iterator[dict[str, Any]]:
         yield corner
 
 
+def _ratio(low: Any, high: Any, *, otherwise: float) -> Any:
+    """Return the ratio of the ends of a range; `otherwise` if they do not have the same sign."""
+    have_same_sign = low * high > 0
+    return where(have_same_sign, high, otherwise) / where(have_same_sign, low, 1.0)
+
+
 def _between(low: Any, high: Any, steps: int) -> list[Any]:
     """Return the values inside a range: in equal ratios if its ends have the same sign, else equally spaced."""
-    is_by_ratio = low * high > 0
-    ratio = where(is_by_ratio, high, 1.0) / where(is_by_ratio, low, 1.0)
+    is_by_ratio, ratio = low * high > 0, _ratio(low, high, otherwise=1.0)
     values = []
     for step in range(1, steps):
         share = step / steps

@@ -141,8 +141,8 @@ def scatter_in_words(name: str, known: Any) -> str:
 def about(table: Table) -> Iterator[str]:
     """Iterate over lines about a table as a whole.
 
-    The lines name assumed inputs, unclear names and aliases of materials, a missing radius or surface energy, options
-    that fill empty cells or have no effect.
+    The lines name assumed inputs, unclear names and aliases of materials, a missing radius or surface energy, and
+    options that fill empty cells or have no effect.
     """
     from ..report.notes import about_idle, assumed_in, idle_in
 
