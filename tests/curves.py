@@ -6,7 +6,7 @@ from typing import Any
 import numpy
 from numpy import cbrt, sqrt
 
-from jkroll.model.fit_branches import LOADING, UNLOADING
+from jkroll.fitting.branches import LOADING, UNLOADING
 
 
 def jkr_state(x: Any, w: Any, modulus: Any, radius: Any) -> Any:

@@ -23,7 +23,7 @@ SOURCE = Path(jkroll.__file__).parent
 MODULES = sorted(SOURCE.rglob("*.py"))
 
 # From the top down: a folder imports only from folders below it. Files outside of folders are the ground.
-FOLDERS = "cli bench pictures tables write report model materials quantities physics ground".split()
+FOLDERS = "cli bench pictures tables write report fitting model materials quantities physics ground".split()
 # Files of the ground that may import from all folders.
 PUBLIC = {"__init__", "__main__", "formulas"}
 # The folders that import each library.

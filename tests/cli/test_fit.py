@@ -15,7 +15,7 @@ from curves import autoregression, dmt_force, jkr_curve, jkr_force, jkr_state, r
 from harness import Run
 from jkroll.cli.call import Call
 from jkroll.cli.commands import COMMANDS
-from jkroll.model.fit_branches import LOADING, UNLOADING
+from jkroll.fitting.branches import LOADING, UNLOADING
 from relative import approx
 
 KNOWN = "--radius 7.5um --radius2 plane --spring 3.01N/m"

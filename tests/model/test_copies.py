@@ -13,8 +13,8 @@ import pytest
 
 import jkroll
 from jkroll.errors import BadRow, BadTable, JkrollError, MissingExtra, NoResult
+from jkroll.fitting.branches import BadCurve
 from jkroll.model import unknowns as of_problems
-from jkroll.model.fit_branches import BadCurve
 from jkroll.model.reasons import BEYOND_PULL_OFF, NoErrorBar
 from jkroll.quantities.numeric import NoValue
 from jkroll.tables.workers import LostWorker

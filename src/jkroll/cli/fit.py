@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 import numpy
 
 from ..errors import ROWS_FAILED, BadRequest, JkrollError
+from ..fitting.result import RESULTS, Fit, Known
 from ..materials.library import Materials
-from ..model.fit_result import RESULTS, Fit, Known
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import value_of
 from ..report.fitted import WORDS, in_words, is_sure, line_on_known, sentences, warnings

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy
 
-from ..model.fit_result import Fit
+from ..fitting.result import Fit
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.shown import Part, Shown
 from ..report.fitted import findings, in_words, line_on_known, sentence_of, symbol_of_result

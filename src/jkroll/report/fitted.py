@@ -3,9 +3,9 @@
 from collections.abc import Iterator, Sequence
 from math import floor, isfinite, isnan, log10, nan
 
-from ..model.fit_branches import LOADING
-from ..model.fit_goodness import LAW_OFF
-from ..model.fit_result import RESULTS, STRONG, Fit
+from ..fitting.branches import LOADING
+from ..fitting.goodness import LAW_OFF
+from ..fitting.result import RESULTS, STRONG, Fit
 from ..quantities.formatting import Format, amount, bar_digits, significant, with_unit
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE

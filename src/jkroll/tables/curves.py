@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 import numpy
 
 from ..errors import BadRequest, BadRow, BadTable, JkrollError
+from ..fitting.branches import APPROACH, LOADING, PAUSE, RADIUS, TRAVEL, UNLOADING, ForceCurve
 from ..materials.library import Materials
-from ..model.fit_branches import APPROACH, LOADING, PAUSE, RADIUS, TRAVEL, UNLOADING, ForceCurve
 from ..model.rows import Numbers
 from ..quantities.nomenclature import header as head_of
 from ..text import first_of, listed, quoted

@@ -6,13 +6,13 @@ from math import inf
 from typing import Any
 
 from ..errors import BadRequest, BadTable
+from ..fitting.branches import TRAVEL, BadCurve, LoadRange
+from ..fitting.fit import fit_curve
+from ..fitting.problem import NAMES
+from ..fitting.result import BODIES, Fit, Known
 from ..materials.library import Materials, materials_of_user
 from ..model.accepted import check_range
 from ..model.containers import Reader, warn_of_metres
-from ..model.fit_branches import TRAVEL, BadCurve, LoadRange
-from ..model.fit_curve import fit_curve
-from ..model.fit_problem import NAMES
-from ..model.fit_result import BODIES, Fit, Known
 from ..model.reasons import MissingInput
 from ..model.solver import solve
 from ..model.unknowns import SIZES

@@ -5,7 +5,7 @@ from math import isfinite
 from typing import Any, TextIO
 
 from .. import __version__
-from ..model.fit_result import RESULTS, Fit
+from ..fitting.result import RESULTS, Fit
 from ..quantities.formatting import Format, amount
 from ..quantities.laws import JKR_OF_SPHERE, LAWS
 from ..quantities.markup import as_latex

@@ -21,7 +21,7 @@ from typing import NamedTuple, Self
 import numpy
 from numpy import exp, inf, log, sqrt
 
-from .fit_laws import Array, Contact, CurveLaw, Grip, state_at
+from .force_curves import Array, Contact, CurveLaw, Grip, state_at
 
 ADHESION, MODULUS, POINT = range(3)  # the indices of ln w, ln E* and z_c among the unknowns
 

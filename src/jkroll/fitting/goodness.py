@@ -7,11 +7,11 @@ from numpy import exp, inf, isfinite, sqrt
 
 from ..quantities.formatting import Format, amount, significant
 from ..quantities.laws import LAWS
-from .fit_branches import LEAST_POINTS, LOADING, RADIUS, running_median
-from .fit_errors import Results, Solution
-from .fit_minimum import ADHESION, FEW_INDEPENDENT
-from .fit_problem import NAMES
-from .fit_result import Errors, Fit, Known
+from .branches import LEAST_POINTS, LOADING, RADIUS, running_median
+from .error_budget import Results, Solution
+from .minimum import ADHESION, FEW_INDEPENDENT
+from .problem import NAMES
+from .result import Errors, Fit, Known
 
 LAW_OFF = "law-off"  # the code of a law that does not hold
 USUAL_ERROR = 0.05  # relative error of a spring, if none is given

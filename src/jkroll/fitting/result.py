@@ -9,8 +9,8 @@ from numpy import inf, sqrt
 
 from ..quantities.nomenclature import DEFAULTS
 from ..quantities.values import middle
-from .fit_branches import RADIUS, LoadRange
-from .fit_laws import Array
+from .branches import RADIUS, LoadRange
+from .force_curves import Array
 
 STRONG = 5.0  # Tabor parameter above which JKR gives w and E*
 

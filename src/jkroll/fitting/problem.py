@@ -9,7 +9,7 @@ from typing import NamedTuple, Self
 import numpy
 from numpy import exp, inf, pi, sqrt
 
-from .fit_branches import (
+from .branches import (
     APPROACH,
     LEAST_POINTS,
     LOADING,
@@ -22,9 +22,9 @@ from .fit_branches import (
     LoadRange,
     running_median,
 )
-from .fit_laws import PROFILES, Array, Grip, curve_law
-from .fit_minimum import ADHESION, MODULUS, POINT, Minimum, Points, Setting, best_of, minimum, with_point
-from .fit_result import Known
+from .force_curves import PROFILES, Array, Grip, curve_law
+from .minimum import ADHESION, MODULUS, POINT, Minimum, Points, Setting, best_of, minimum, with_point
+from .result import Known
 
 FIRST_RANGE = LoadRange(-1.0, 0.3, True)
 EVERYTHING = LoadRange(-inf, inf, False)

@@ -7,11 +7,11 @@ import pytest
 from numpy import exp, log, pi
 
 from curves import autoregression, dmt_force, jkr_curve, jkr_state, ramp
-from jkroll.model.fit_branches import APPROACH, LOADING, RADIUS, TRAVEL, UNLOADING, BadCurve, ForceCurve, LoadRange
-from jkroll.model.fit_curve import fit_curve
-from jkroll.model.fit_laws import Contact, Grip, curve_law, state_at
-from jkroll.model.fit_minimum import Points, Setting, minimum, residuals
-from jkroll.model.fit_result import Known
+from jkroll.fitting.branches import APPROACH, LOADING, RADIUS, TRAVEL, UNLOADING, BadCurve, ForceCurve, LoadRange
+from jkroll.fitting.fit import fit_curve
+from jkroll.fitting.force_curves import Contact, Grip, curve_law, state_at
+from jkroll.fitting.minimum import Points, Setting, minimum, residuals
+from jkroll.fitting.result import Known
 from jkroll.physics import sneddon
 from relative import approx
 
@@ -212,7 +212,7 @@ def test_derivatives_agree_with_finite_differences(name: Any, grip: Any) -> None
 @pytest.mark.parametrize("factor", [0.1, 0.2, 5.0, 10.0])
 @pytest.mark.parametrize("wrong", ["w", "modulus"])
 def test_the_minimum_is_found_from_a_start_that_is_off_by_a_factor_of_up_to_10(factor: Any, wrong: Any) -> None:
-    from jkroll.model.fit_minimum import with_point
+    from jkroll.fitting.minimum import with_point
 
     z, force = jkr_curve(branches=(UNLOADING,), baseline=0.0, count=300)
     held = force != 0

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy
 from numpy import pi, sqrt
 
-from .fit_minimum import Noise, noise_of
+from .minimum import Noise, noise_of
 
 Array = Any
 

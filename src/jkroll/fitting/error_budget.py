@@ -14,12 +14,12 @@ import numpy
 from numpy import exp, inf, sqrt
 
 from ..physics.contact import tabor_parameter
-from .fit_baseline import Baseline
-from .fit_branches import LEAST_POINTS
-from .fit_laws import Array
-from .fit_minimum import ADHESION, MODULUS, POINT, Minimum, Points, Setting, minimum, with_point
-from .fit_problem import NAMES, Problem, Solved
-from .fit_result import STRONG, Errors
+from .baseline import Baseline
+from .branches import LEAST_POINTS
+from .force_curves import Array
+from .minimum import ADHESION, MODULUS, POINT, Minimum, Points, Setting, minimum, with_point
+from .problem import NAMES, Problem, Solved
+from .result import STRONG, Errors
 
 _FEW = 300  # largest number of points of a branch in a refit that computes moves
 _ALIKE = 50.0  # Tabor parameter above which Maugis' law equals JKR's

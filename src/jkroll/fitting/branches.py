@@ -12,8 +12,8 @@ import numpy
 from numpy import sqrt
 
 from ..errors import JkrollError
-from .fit_baseline import Baseline, baseline_of, remark_on_baselines
-from .fit_minimum import Points
+from .baseline import Baseline, baseline_of, remark_on_baselines
+from .minimum import Points
 
 Array = Any
 

@@ -9,8 +9,8 @@ from numpy import pi
 
 from curves import autoregression, jkr_curve, jkr_force, ramp
 from jkroll import fit
-from jkroll.model.fit_baseline import baseline_of
-from jkroll.model.fit_branches import (
+from jkroll.fitting.baseline import baseline_of
+from jkroll.fitting.branches import (
     APPROACH,
     LOADING,
     PAUSE,
@@ -20,13 +20,13 @@ from jkroll.model.fit_branches import (
     ForceCurve,
     branches_of,
 )
-from jkroll.model.fit_curve import fit_curve
-from jkroll.model.fit_errors import Solution
-from jkroll.model.fit_goodness import goodness_of
-from jkroll.model.fit_laws import PROFILES, Contact, Grip, curve_law, state_at
-from jkroll.model.fit_minimum import Noise, Setting, minimum, noise_of, residuals
-from jkroll.model.fit_problem import Problem, Solved, release_rate
-from jkroll.model.fit_result import Known
+from jkroll.fitting.error_budget import Solution
+from jkroll.fitting.fit import fit_curve
+from jkroll.fitting.force_curves import PROFILES, Contact, Grip, curve_law, state_at
+from jkroll.fitting.goodness import goodness_of
+from jkroll.fitting.minimum import Noise, Setting, minimum, noise_of, residuals
+from jkroll.fitting.problem import Problem, Solved, release_rate
+from jkroll.fitting.result import Known
 from jkroll.report.fitted import row_of_result
 from relative import approx
 

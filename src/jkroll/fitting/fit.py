@@ -1,15 +1,16 @@
 """Fit a measured curve: work of adhesion of each branch, contact modulus and contact point, each with three errors.
 
-`fit_branches` divides the curve, `fit_problem` finds the minima of its branches, `fit_errors` computes the errors, and
-`fit_goodness` measures how well the fit describes the points.
+`branches` divides the curve, `problem` finds the minima of its branches, `error_budget` computes the errors, and
+`goodness` measures how well the fit describes the points.
 """
 
 import numpy
 from numpy import exp, inf
 
+from ..model.unknowns import SIZES
 from ..physics.contact import contact_radius
-from .fit_branches import LOADING, RADIUS, TRAVEL, UNLOADING, BadCurve, ForceCurve, branches_of, running_median
-from .fit_errors import (
+from .branches import LOADING, RADIUS, TRAVEL, UNLOADING, BadCurve, ForceCurve, branches_of, running_median
+from .error_budget import (
     Results,
     Solution,
     by_models,
@@ -21,12 +22,11 @@ from .fit_errors import (
     statistical_errors,
     with_baselines,
 )
-from .fit_goodness import USUAL_ERROR, goodness_of, on_deflection, on_profile, remarks_on
-from .fit_laws import Array, Grip
-from .fit_minimum import ADHESION, MODULUS, residuals
-from .fit_problem import Problem, Solved, release_rate, solved, solved_with, solved_without_adhesion
-from .fit_result import Fit, Known
-from .unknowns import SIZES
+from .force_curves import Array, Grip
+from .goodness import USUAL_ERROR, goodness_of, on_deflection, on_profile, remarks_on
+from .minimum import ADHESION, MODULUS, residuals
+from .problem import Problem, Solved, release_rate, solved, solved_with, solved_without_adhesion
+from .result import Fit, Known
 
 _STIFFEST = SIZES["youngs_modulus"][1]  # a larger E* counts as infinite
 
