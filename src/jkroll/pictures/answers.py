@@ -114,7 +114,7 @@ class Answered(Shown):
     @cached_property
     def surfaces(self) -> Mapping[str, tuple[float, float]]:
         """The least and the largest pull-off force on each kind of real surface, in N; empty for other questions."""
-        return self._answer.surfaces
+        return self._answer.surfaces_of("pull_off_force")
 
     @cached_property
     def why(self) -> Mapping[str, str]:

@@ -8,8 +8,8 @@ from math import isfinite
 from typing import Any, Self
 
 from ..errors import JkrollError
-from ..model.estimate import ANY_LAW, DEFINITION, LAW_IN_USE, NONE, WORDS, Ends, Estimate, Ranges
-from ..model.frame import Frame
+from ..model.estimate import ANY_LAW, DEFINITION, NONE, WORDS, Ends, Estimate, Ranges
+from ..model.frame import Frame, itself
 from ..model.limits import (
     CONTACT_EXCEEDS_SPHERE,
     LAW,
@@ -367,12 +367,15 @@ class Answer(Results):
         return self.shows_surfaces or not words <= {self.frame.law.short, *(WORDS[by] for by in _OF_ONE_LAW)}
 
     @cached_property
-    def surfaces(self) -> Mapping[str, Ends]:
-        """The least and the largest pull-off force on each kind of real surface; empty if the table has none."""
-        if not self.shows_surfaces:
-            return {}
-        by_law_in_use, *_ = self.ranges.of_laws("pull_off_force", LAW_IN_USE)
-        return on_surfaces(self.frame, by_law_in_use)
+    def held(self) -> Mapping[str, Ends]:
+        """The least and the largest pull-off force on each kind of real surface."""
+        name = "pull_off_force"
+        low, high = Ranges.of(self.frame.under(DEFAULT_LAW), name).hull(name, itself)
+        return on_surfaces(self.frame, (low, high) if low <= high else None)  # both are nan for rigid bodies
+
+    def surfaces_of(self, name: str) -> Mapping[str, Ends]:
+        """Return `held` for the pull-off force if the table has rows for real surfaces; otherwise an empty mapping."""
+        return self.held if name == "pull_off_force" and self.shows_surfaces else {}
 
     @property
     def is_on_pull_off(self) -> bool:

@@ -138,19 +138,14 @@ def made_of(name: str, answer: Answer) -> str:
 # --- Rules, for many rows ---------------------------------------------------------------------------------------------
 
 
-def held_on_surfaces(
-    frame: Frame,
-    form: Format = AS_USUAL,
-    hold: str = "real spheres hold",
-    ends: tuple[float, float] | None = None,  # the ends of JKR's force
-) -> str:
+def held_on_surfaces(answer: Answer, hold: str = "real spheres hold") -> str:
     """Return the pull-off force of real surfaces: as measured, or else a guess from SiO2 after the words `hold`."""
-    forces = on_surfaces(frame, ends)
+    forces = {surface: span("pull_off_force", *ends, answer.form) for surface, ends in answer.held.items()}
     if LIKE_SIO2 in forces:
-        like = f"of {SIZES_HELD} (not measured at this size)" if is_below_scaled(frame) else f"({FRACTION_HELD})"
-        return f"{hold} {span('pull_off_force', *forces[LIKE_SIO2], form)} if like SiO2 {like}"
-    held = (f"{span('pull_off_force', *ends, form)} ({surface})" for surface, ends in forces.items())
-    return f"real surfaces hold {', '.join(held)}"
+        is_small = is_below_scaled(answer.frame)
+        like = f"of {SIZES_HELD} (not measured at this size)" if is_small else f"({FRACTION_HELD})"
+        return f"{hold} {forces[LIKE_SIO2]} if like SiO2 {like}"
+    return f"real surfaces hold {', '.join(f'{force} ({surface})' for surface, force in forces.items())}"
 
 
 def about_surfaces(frame: Frame) -> str:
@@ -224,7 +219,7 @@ def _better_law(answer: Answer) -> Iterator[str]:
             yield f"{frame.law.short} is {from_to(min(percent), max(percent))} % too {side} ({symbols})"
     is_told = answer.is_in_doubt(ROUGH_MATTERS) or answer.is_on_pull_off
     if "pull_off_force" in answer.estimates and may_be_rough(frame) and not is_told:
-        yield f"P_c is that of smooth, dry spheres; {held_on_surfaces(frame)}"
+        yield f"P_c is that of smooth, dry spheres; {held_on_surfaces(answer)}"
 
 
 _Errors = Mapping[str, dict[str, list[float]]]  # by side and name: relative errors at both ends of a range

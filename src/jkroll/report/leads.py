@@ -148,7 +148,7 @@ def _pulled_apart(answer: Answer) -> Iterator[Note]:
     if dry is None or dry.by == NONE or not (answer.is_on_pull_off or stays_dry or wet):
         return
     smooth = f"ideally smooth spheres hold {range_in_words('pull_off_force', dry, answer.form)}"
-    fills, held = _filled_gap(answer.frame), _held(answer) if answer.shows_surfaces else ""
+    fills, held = _filled_gap(answer.frame), held_on_surfaces(answer) if answer.shows_surfaces else ""
     if stays_dry:
         fills, limit = f"the dry contact alone pulls: {fills}", f"{smooth}, the upper limit"
     elif wet:
@@ -157,11 +157,6 @@ def _pulled_apart(answer: Answer) -> Iterator[Note]:
     else:
         limit = f"{smooth}, the upper limit"
     yield Note("lead", "; ".join(filter(None, [fills, held, limit])))
-
-
-def _held(answer: Answer) -> str:
-    by_law_in_use, *_ = answer.ranges.of_laws("pull_off_force", LAW_IN_USE)
-    return held_on_surfaces(answer.frame, answer.form, ends=by_law_in_use)
 
 
 def _filled(sentence: str, answer: Answer) -> str:
@@ -180,7 +175,7 @@ def _filled(sentence: str, answer: Answer) -> str:
         words.pop(name, None)
     is_open = any(isnan(found[name].low) for name in answer.question.headline if name in found)
     is_rough = answer.shows_surfaces and "pull_off_force" in found
-    words["real"] = f"; {_held(answer)}" if is_rough else ""
+    words["real"] = f"; {held_on_surfaces(answer)}" if is_rough else ""
     words["if_smooth"] = " if the grains are smooth, less if they are rough" if may_be_rough(answer.frame) else ""
     words["or_none"] = ", or not at all" if is_open else ""
     try:

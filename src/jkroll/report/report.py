@@ -27,7 +27,7 @@ from ..model.limits import (
     may_be_rough,
     touched,
 )
-from ..model.measured import on_surfaces, rolling
+from ..model.measured import rolling
 from ..model.uncertainty import Sources, error_bars
 from ..quantities.formatting import amount, significant, symbol_among
 from ..quantities.laws import DEFAULT_LAW, JKR_OF_SPHERE
@@ -190,7 +190,7 @@ class Report(Answer):
             return _of_a_sphere(self.frame) or doubt.text
         if self.described.unknowns:
             return about_limit(doubt, self)
-        return held_on_surfaces(self.frame, self.form) if doubt.code == ROUGH_MATTERS else doubt.text
+        return held_on_surfaces(self) if doubt.code == ROUGH_MATTERS else doubt.text
 
     @property
     def every_sentence(self) -> list[Note]:
@@ -202,7 +202,7 @@ class Report(Answer):
         """All sentences about the answer, each once."""
         above = set[str]()
         if self.shows_surfaces:
-            above.add(held_on_surfaces(self.frame, self.form))  # a part of the first sentence, or rows of the table
+            above.add(held_on_surfaces(self))  # a part of the first sentence, or rows of the table
         return [note for note in self.every_sentence if note.severity in ABOVE or note.text not in above]
 
     @property
@@ -219,7 +219,7 @@ class Report(Answer):
         has_force = not self.frame.missing(["pull_off_force_dmt"])
         if not (pull.high > 0 and has_force and may_be_rough(self.frame)):
             return
-        if not any(pull.high > low for low, _ in on_surfaces(self.frame).values()):
+        if not any(pull.high > low for low, _ in self.held.values()):
             return
         smooth = Ranges.of(self.frame, *self.frame.possible(["pull_off_force"]))
         held = "rough spheres may have parted at this pull; "
@@ -231,9 +231,9 @@ class Report(Answer):
                 held = f"smooth spheres hold this pull{part}; "
             elif pulls_off == 0:
                 held = f"even smooth spheres may have parted at this pull{part}; "
-        may_hold = any(pull.low <= high for _, high in on_surfaces(self.frame).values())
+        may_hold = any(pull.low <= high for _, high in self.held.values())
         parted = f"real ones {'may have' if may_hold else 'have'} parted, as they hold"
-        yield Note("lead", f"{held}{held_on_surfaces(self.frame, self.form, parted)}")
+        yield Note("lead", f"{held}{held_on_surfaces(self, parted)}")
 
     @property
     def _lacking_in_table(self) -> Mapping[str, JkrollError]:

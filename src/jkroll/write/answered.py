@@ -109,11 +109,10 @@ def _result_object(result: Result, answer: Report, form: Format) -> dict[str, An
     if best is not None and best.by != NONE:
         low, high = _number(name, best.low, form), _number(name, best.high, form)
         entry["best"] = {"low": low, "high": high, "by": WORDS[best.by], "why": answer.why(best.by)}
-    if name == "pull_off_force" and answer.surfaces:
-        entry["surfaces"] = {}
-        for surface, (low, high) in answer.surfaces.items():
-            entry["surfaces"][surface] = {"low": _number(name, low, form), "high": _number(name, high, form)}
-    further: dict[str, Any] = {"note": quantity.note}
+    surfaces = {}
+    for surface, (low, high) in answer.surfaces_of(name).items():
+        surfaces[surface] = {"low": _number(name, low, form), "high": _number(name, high, form)}
+    further: dict[str, Any] = {"surfaces": surfaces, "note": quantity.note}
     if not result.law:
         further |= {"definition": quantity.definition, "reference": quantity.reference}
     if result.uncertain:

@@ -247,10 +247,11 @@ def _with_surfaces(rows: _Rows, answer: "Report", form: Format) -> _Rows:
     """Return the rows of results, with a row for each measured surface before that of the pull-off force."""
     extended: _Rows = {}
     for name, row in rows.items():
-        if name == "pull_off_force":
+        surfaces = answer.surfaces_of(name)
+        if surfaces:
             (_, most), *_ = answer.ranges.of_laws(name, LAW_IN_USE)
             unit = form.common_unit(name, [most])
-            for surface, ends in answer.surfaces.items():
+            for surface, ends in surfaces.items():
                 shown, _ = _range(Estimate(*ends, SCALED), unit, form)
                 extended[surface] = [surface, row[1], shown, _ON_SURFACE, "–", "–", unit[0]]
             extended[name] = [f"{row[0]}, limit", *row[1:]]
