@@ -209,12 +209,12 @@ def _write_answers(
         elif call.output is EXPLAIN:
             from ..write.sources import write_explanation
 
-            write_explanation((answer.explained for answer in watched()), out, form)
+            write_explanation(watched(), out, form)
         elif call.output is CITE:
             from ..write.sources import write_citations, write_methods
 
             write_sources = write_methods if call.tex else write_citations
-            write_sources((answer.explained for answer in watched()), out)
+            write_sources(watched(), out)
         elif call.output is TABLE:
             from ..write.table import frame_table
 

@@ -2,10 +2,9 @@
 
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from copy import copy
 from functools import cached_property
 from math import isfinite
-from typing import Any, Self
+from typing import Any
 
 from ..errors import JkrollError
 from ..model.estimate import ANY_LAW, DEFINITION, NONE, WORDS, Ends, Estimate, Ranges
@@ -185,18 +184,6 @@ class Answer(Results):
         return {name: error for name, error in self.reasons.items() if not has_code(error)}
 
     @property
-    def explained(self) -> Self:
-        """The answer for `--explain`: it lists the measured quantities after the inferred values."""
-        measured = tuple(name for name in self.judged if name not in self.computed)
-        if not measured or self.failure is not None:
-            return self
-        forward = type(self)(Question(measured, measured, measured), self.frame)
-        forward.bars = {}  # the uncertainties belong to the unknowns
-        explained = copy(self)
-        explained.results = (*self.results, *forward.results)
-        return explained
-
-    @property
     def has_no_headline(self) -> bool:
         """True if no quantity of the headline has a value."""
         return all(result.value is None for result in self.results if result.name in self.question.headline)
@@ -220,6 +207,16 @@ class Answer(Results):
     def results(self) -> tuple[Result, ...]:
         """The quantities shown; those without a value have the reason."""
         return tuple(map(self.result, self.columns))
+
+    @property
+    def results_to_explain(self) -> tuple[Result, ...]:
+        """The results, and after inferred values the measured quantities, from whose formulas these follow."""
+        measured = tuple(name for name in self.judged if name not in self.computed)
+        if not measured or self.failure is not None:
+            return self.results
+        forward = Answer(Question(measured, measured, named=measured), self.frame)
+        forward.bars = {}  # the uncertainties belong to the unknowns
+        return (*self.results, *forward.results)
 
     def result(self, name: str) -> Result:
         """Return a result, or the reason why it has no value."""

@@ -61,7 +61,7 @@ def write_explanation(answers: Iterable[Report], out: TextIO, form: Format) -> N
     for number, answer in enumerate(answers):
         if number:
             say("", out)
-        for result in answer.results:
+        for result in answer.results_to_explain:
             for line in _explanation(result, answer, form):
                 say_wrapped(line, out, _STEP_INDENT if line.startswith("    ") else _INDENT)
         for line in every_line(answer):
@@ -188,7 +188,7 @@ class Cited:
     """The equations of the paper that an answer uses, and the references of its law, conventions and data."""
 
     def __init__(self, answer: Report) -> None:
-        self.names = [result.name for result in answer.results if result.value is not None]
+        self.names = [result.name for result in answer.results_to_explain if result.value is not None]
         formulas = answer.frame.formulas_to(*self.names)
         self.equations = {NOMENCLATURE[name].equation for name in formulas} - {""}
         known = references()
