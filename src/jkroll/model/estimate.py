@@ -45,6 +45,8 @@ WORDS = (
     "adhesion only", "JKR to DMT", "JKR only", "Kelvin", "roughness", "Maugis", "JKR", "any law",
     *(law.short for law in LAWS.values()),
 )  # fmt: skip
+BEST_BY = "_best_by"
+BEST_KEYS = ("_best_low", "_best_high", BEST_BY)  # the suffixes of a quantity's name in the keys of its best range
 
 _LAWS_THEMSELVES = ("pull_off_force_dmt", *RESULTS_BY_LENNARD_JONES)
 _OF_WATER = ("meniscus_force", "kelvin_radius", "threshold_humidity")

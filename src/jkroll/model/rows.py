@@ -19,7 +19,7 @@ from ..quantities.values import Measured, Uncertain, is_uncertain
 from ..text import first_of, listed
 from .accepted import takes
 from .column import Column, at_row
-from .estimate import estimates
+from .estimate import BEST_BY, BEST_KEYS, estimates
 from .frame import FOLLOWS, Frame
 from .limits import BITS, EVERY_DOUBT, LAW, NOT_JUDGED
 from .reasons import HIDDEN, Failure, MissingInput, grouped, needs_in_words, reason
@@ -43,8 +43,6 @@ DOUBT = "doubt"  # the column with the codes of exceeded limits
 STATUS = "status"  # the column with reasons
 UNCERTAINTY = "±"  # the key of a reason about uncertainties
 _NO_DOUBTS: Counter[int] = Counter()
-_BEST = "_best_"  # in the keys of columns of a best range, after the name of the quantity
-_BY = f"{_BEST}by"
 _TEXTS = {DOUBT, STATUS, *(name for name, quantity in NOMENCLATURE.items() if quantity.is_word)}
 Reasons = Mapping[str, JkrollError]  # for the empty cells of a row, by column
 Gaps = tuple[int, int, str]  # rows with the same faults: their number, the first (from 1), and its reasons in full
@@ -87,14 +85,14 @@ class Wanted:
 
     def best_of(self, name: str) -> list[str]:
         """Return the keys of the columns of a best range: its two ends, and the rule that gives it."""
-        return [f"{name}{_BEST}{part}" for part in ("low", "high", "by")] if name in self.best else []
+        return [name + suffix for suffix in BEST_KEYS] if name in self.best else []
 
     def heads(self, header: Callable[[str], str]) -> list[str]:
         """Return the headers of all columns, such as "radius_minus [nm]"; `header` returns the header of a quantity."""
         heads = []
         for name in self.names:
             for key in self.keys_of(name):
-                heads.append(key if key.endswith(_BY) else header(name).replace(name, key, 1))
+                heads.append(key if key.endswith(BEST_BY) else header(name).replace(name, key, 1))
         return heads
 
     def remarks(self, *, doubt: bool = True) -> tuple[str, ...]:
@@ -137,7 +135,7 @@ def has_texts(head: str) -> bool:
     >>> has_texts("material"), has_texts("radius [m]"), has_texts("n_grav_best_by")
     (True, False, True)
     """
-    return head in _TEXTS or head.endswith(_BY)
+    return head in _TEXTS or head.endswith(BEST_BY)
 
 
 def sides_in(groups: Iterable[tuple[Frame, Sequence[str]]]) -> set[str]:

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 from math import isnan
 from typing import TYPE_CHECKING, Any, TextIO
 
-from ..model.estimate import NONE, WORDS, Estimate
+from ..model.estimate import BEST_KEYS, NONE, WORDS, Estimate
 from ..quantities.formatting import AS_USUAL, Format, in_words
 from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
@@ -33,11 +33,12 @@ def write_plain(answer: Report, out: TextIO, form: Format, *, best: bool = False
 
 def _write_best(name: str, best: Estimate, out: TextIO, form: Format) -> None:
     """Write a line for each known end of a best range, and one for its rule."""
-    for which, end in (("low", best.low), ("high", best.high)):
+    low, high, by = (name + suffix for suffix in BEST_KEYS)
+    for key, end in ((low, best.low), (high, best.high)):
         if not isnan(end):
-            write_measure(name, {f"{name}_best_{which}": end}, out, form)
+            write_measure(name, {key: end}, out, form)
     if best.by != NONE:
-        say(f"{name}_best_by {WORDS[best.by]}", out)
+        say(f"{by} {WORDS[best.by]}", out)
 
 
 def write_measure(quantity: str, measures: Mapping[str, float | Uncertain | None], out: TextIO, form: Format) -> None:
