@@ -292,11 +292,14 @@ def idle_in(groups: Iterable[Shown], *, judges: bool = True) -> list[str]:
     return [name for name in first if name in idle_everywhere]
 
 
-def notes_on_rows(groups: Sequence[Shown], tally: "Tally", reported: int) -> list[Note]:
-    """Return the notes on the counts of rows and on the inputs of their groups.
+def notes_below(groups: Sequence[Shown], tally: "Tally", reported: int, *, is_table: bool) -> list[Note]:
+    """Return the notes to print below rows: on the counts of rows, and on the inputs of their groups.
 
-    `reported`: the bits of the doubts to report.
+    `reported`: the bits of the doubts to report. `is_table`: True below a table, whose other lines explain the codes of
+    doubts; only doubts that make a result meaningless are then reported.
     """
+    if is_table:
+        reported &= ENDING_MEANING
     is_off = tally.with_doubts(reported & LAW.bits) and not any(frame.stated_model for frame, _ in groups)
     hint = "; best ranges: --best" if is_off else ""
     every = [*about_rows(tally, reported, "jkroll guide doubts", hint)]
@@ -305,15 +308,6 @@ def notes_on_rows(groups: Sequence[Shown], tally: "Tally", reported: int) -> lis
         every += about_given(frame, possible, frame.inputs_of(*possible))
         every += about_limits(doubts(frame, frame.columns(possible)))
     return [*dict.fromkeys(every), *about_idle(idle_in(groups)), *about_assumed(assumed_in(groups))]
-
-
-def notes_below(groups: Sequence[Shown], tally: "Tally", reported: int, *, is_table: bool) -> list[Note]:
-    """Return the notes to print below rows.
-
-    `reported`: the bits of the doubts to report; `is_table`: True to report only doubts that make a result meaningless,
-    because other lines explain the other codes of a table.
-    """
-    return notes_on_rows(groups, tally, reported & ENDING_MEANING if is_table else reported)
 
 
 # --- Lines ------------------------------------------------------------------------------------------------------------
