@@ -19,7 +19,7 @@ from ..model.sweep import Sweep
 from ..quantities.formatting import Format, symbol_of
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity
 from ..quantities.values import Spread, spreads_of
-from ..report.notes import Shown, assumed_in, lines_of, notes_below
+from ..report.notes import Noted, assumed_in, lines_of, notes_below
 from ..report.questions import (
     BY_DEFAULT,
     QUESTIONS,
@@ -120,7 +120,7 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, sing
 
 
 def _write_columns(
-    call: Call, wanted: "Wanted", groups: Sequence[Shown], blocks: "Iterable[Columns]", form: Format, *,
+    call: Call, wanted: "Wanted", groups: Sequence[Noted], blocks: "Iterable[Columns]", form: Format, *,
     is_table: bool, single: "Report | None",
 ) -> int:  # fmt: skip
     """Write columns to a file, to stdout as lines, or as a table, with notes; return the exit code.

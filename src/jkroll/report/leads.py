@@ -27,7 +27,7 @@ from ..text import listed
 from .answer import Answer
 from .best_ranges import held_on_surfaces, of_silica, order, range_in_words
 from .inferred import about_library
-from .notes import Note, Shown
+from .notes import Note, Noted
 
 _THREE = Format(digits=3)
 _FORCE_AND_MOMENT = ("pull_off_force", "yield_moment")
@@ -64,7 +64,7 @@ def leads(answer: Answer) -> Iterator[Note]:
         yield Note("lead", _law_that_holds(answer))
 
 
-def lead_of_rows(groups: Sequence[Shown], names: Collection[str]) -> str:
+def lead_of_rows(groups: Sequence[Noted], names: Collection[str]) -> str:
     """Return the sentence on water or roughness, which the pull-off force of rows leaves out; empty if none matters."""
     if "pull_off_force" not in names:
         return ""

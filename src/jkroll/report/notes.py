@@ -238,7 +238,7 @@ def about_missing(errors: Mapping[str, JkrollError], named: Collection[str] = ()
 # --- Rows -------------------------------------------------------------------------------------------------------------
 
 
-Shown = tuple[Frame, Sequence[str]]  # the frame of rows with the same inputs, and the quantities that they show
+Noted = tuple[Frame, Sequence[str]]  # the frame of rows with the same inputs, and the quantities to judge in notes
 
 
 def about_rows(tally: "Tally", reported: int, where: str, hint: str = "") -> Iterator[Note]:
@@ -276,7 +276,7 @@ def lines_on_codes(codes: Iterable[str]) -> Iterator[str]:
             yield f"{', '.join(of_limit)}: {limit.consequence.partition(';')[0]}"
 
 
-def assumed_in(groups: Iterable[Shown], *, judges: bool = True) -> dict[str, str]:
+def assumed_in(groups: Iterable[Noted], *, judges: bool = True) -> dict[str, str]:
     """Return the assumptions of all groups by name, each with the option that replaces it; `judges`: see `entering`."""
     texts: dict[str, str] = {}
     for frame, names in groups:
@@ -285,14 +285,14 @@ def assumed_in(groups: Iterable[Shown], *, judges: bool = True) -> dict[str, str
     return texts
 
 
-def idle_in(groups: Iterable[Shown], *, judges: bool = True) -> list[str]:
+def idle_in(groups: Iterable[Noted], *, judges: bool = True) -> list[str]:
     """Return the inputs that change no result in any group; `judges`: see `entering`."""
     first, *others = (entering(frame, names, judges=judges)[1] for frame, names in groups)
     idle_everywhere = {*first}.intersection(*others)
     return [name for name in first if name in idle_everywhere]
 
 
-def notes_below(groups: Sequence[Shown], tally: "Tally", reported: int, *, is_table: bool) -> list[Note]:
+def notes_below(groups: Sequence[Noted], tally: "Tally", reported: int, *, is_table: bool) -> list[Note]:
     """Return the notes to print below rows: on the counts of rows, and on the inputs of their groups.
 
     `reported`: the bits of the doubts to report. `is_table`: True below a table, whose other lines explain the codes of

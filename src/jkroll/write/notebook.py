@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from ..quantities.formatting import AS_USUAL, Format
 from ..quantities.shown import Part
 from ..report.leads import lead_of_rows
-from ..report.notes import Shown, assumed_in, lines_of, notes_below
+from ..report.notes import Noted, assumed_in, lines_of, notes_below
 from ..text import as_arguments
 from .table import parts_of_frame, parts_of_rows
 
@@ -29,7 +29,7 @@ def parts_of_answer(answer: "Report") -> Iterator[Part]:
 
 
 def parts_of_answers(
-    groups: Sequence[Shown], blocks: "Iterable[Columns]", wanted: "Wanted", tally: "Tally", form: Format
+    groups: Sequence[Noted], blocks: "Iterable[Columns]", wanted: "Wanted", tally: "Tally", form: Format
 ) -> Iterator[Part]:
     """Iterate over the lines and tables of a list of answers: those of each block, then the notes."""
     assumed = assumed_in(groups)
