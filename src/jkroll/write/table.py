@@ -103,7 +103,7 @@ def _about_inputs(
 
 
 def _of_solid(inputs: "Mapping[str, float | str | Uncertain]", several: Sequence[str]) -> str:
-    """Return the solid of sphere 2 in words; empty if it differs between rows or has its own properties."""
+    """Return the solid of sphere 2 in words; empty if it differs between rows, or if only its properties are known."""
     of_sphere_2 = {name for name in (*inputs, *several) if NOMENCLATURE[name].sphere == 2} - {"radius2", "diameter2"}
     solid = inputs.get("material2" if "material2" in of_sphere_2 else "material")
     if solid is not None:
@@ -155,9 +155,10 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
 def rows_in_words(answer: "Report", form: Format) -> dict[str, Row]:
     """Return the rows of the table of an answer, by the names of their quantities."""
     law, words = answer.frame.law.short, {}
-    for name, (quantity, symbol, best, by, value, _, unit) in _rows(answer, form).items():
+    for name, row in _rows(answer, form).items():
         if name in NOMENCLATURE:  # rows of surfaces have no quantity of their own
-            words[name] = Row(quantity, symbol, _in_unit(best, unit), by, _in_unit(value, unit), law)
+            best, value = _in_unit(row.best, row.unit), _in_unit(row.value, row.unit)
+            words[name] = Row(row.quantity, row.symbol, best, row.by, value, law)
     return words
 
 
@@ -184,7 +185,19 @@ def _assumptions(answer: "Report") -> dict[str, str]:
     return texts
 
 
-_Rows = dict[str, list[str]]  # the cells of results, by name
+class _Cells(NamedTuple):
+    """The cells of a result in the table of an answer; one unit holds for all numbers."""
+
+    quantity: str
+    symbol: str
+    best: str = ""
+    by: str = ""
+    value: str = ""
+    measure: str = ""  # the value with its uncertainty
+    unit: str = ""
+
+
+_Rows = dict[str, _Cells]  # the cells of results, by name
 _ShownUnit = tuple[str, Unit]  # the unit of a row: its name, and the unit
 
 
@@ -211,11 +224,12 @@ def _rows(answer: "Report", form: Format) -> _Rows:
             unit = form.common_unit(name, sizes[-1:])
         if sizes[-1]:
             units[quantity.unit] = unit
-        row = [quantity.sentence, symbol_among(name, answer.inputs), *_range(estimate, unit, form)]
-        row += [cell(result.value, unit, form), cell(result.measure, unit, form), unit[0]]
-        if estimate and estimate.by in (KELVIN, GAP):  # no law of adhesion enters
-            row[4] = "–"
-        rows[name] = row
+        best, by = _range(estimate, unit, form)
+        has_law = estimate is None or estimate.by not in (KELVIN, GAP)
+        value = cell(result.value, unit, form) if has_law else "–"
+        measure = cell(result.measure, unit, form)
+        symbol = symbol_among(name, answer.inputs)
+        rows[name] = _Cells(quantity.sentence, symbol, best, by, value, measure, unit[0])
     return _with_surfaces(rows, answer, form) if answer.shows_surfaces else rows
 
 
@@ -223,7 +237,7 @@ def _sizes(measure: "float | Uncertain | None", estimate: "Estimate | None") -> 
     """Return the sorted sizes that determine a row's unit: of its best range, or else of the result."""
     sizes = []
     if estimate is not None:
-        sizes = [abs(float(end)) for end in estimate[:2] if not isnan(end)]
+        sizes = [abs(float(end)) for end in (estimate.low, estimate.high) if not isnan(end)]
     return sorted(sizes) if any(sizes) else [abs(middle(measure or 0.0))]
 
 
@@ -232,14 +246,14 @@ def _suits(unit: _ShownUnit, sizes: Sequence[float]) -> bool:
     return _LEAST <= convert(sizes[0], unit[1]) < _MOST and convert(sizes[-1], unit[1]) <= _LARGEST
 
 
-def _grouped(rows: _Rows, question: "Question") -> list[list[str]]:
+def _grouped(rows: _Rows, question: "Question") -> list[_Cells]:
     """Return the rows of results: first the rows without a group, then each group below its title."""
     of_group = {name: title for title, names in question.groups.items() for name in names}
     grouped = [row for name, row in rows.items() if name not in of_group]
     for title, names in question.groups.items():
         below = [rows[name] for name in names if name in rows]
         if below:
-            grouped += [[f"{title}:", *[""] * (len(below[0]) - 1)], *below]
+            grouped += [_Cells(f"{title}:", ""), *below]
     return grouped
 
 
@@ -252,15 +266,15 @@ def _with_surfaces(rows: _Rows, answer: "Report", form: Format) -> _Rows:
             (_, most), *_ = answer.ranges.of_laws(name, LAW_IN_USE)
             unit = form.common_unit(name, [most])
             for surface, ends in surfaces.items():
-                shown, _ = _range(Estimate(*ends, SCALED), unit, form)
-                extended[surface] = [surface, row[1], shown, _ON_SURFACE, "–", "–", unit[0]]
-            extended[name] = [f"{row[0]}, limit", *row[1:]]
+                held, _ = _range(Estimate(*ends, SCALED), unit, form)
+                extended[surface] = _Cells(surface, row.symbol, held, _ON_SURFACE, "–", "–", unit[0])
+            extended[name] = row._replace(quantity=f"{row.quantity}, limit")
         else:
             extended[name] = row
     return extended
 
 
-def _of_results(rows: Sequence[Sequence[str]], law: str, *, has_ranges: bool) -> list[TextColumn]:
+def _of_results(rows: Sequence[_Cells], law: str, *, has_ranges: bool) -> list[TextColumn]:
     """Return the columns of rows of results.
 
     Best ranges include the uncertainties, and the column of the law then has bare values. Without ranges, this column
@@ -268,18 +282,19 @@ def _of_results(rows: Sequence[Sequence[str]], law: str, *, has_ranges: bool) ->
     """
     if has_ranges:
         heads = ["quantity", "symbol", "best range", "by", law, "unit"]
-        rows = [[*row[:5], row[6]] for row in rows]
+        cells = [[row.quantity, row.symbol, row.best, row.by, row.value, row.unit] for row in rows]
     else:
-        heads, rows = ["quantity", "symbol", law, "unit"], [[*row[:2], *row[5:]] for row in rows]
-    columns = text_columns([heads, *rows], words=2)
-    return [column._replace(is_right=column.head not in (*heads[:2], "by", "unit")) for column in columns]
+        heads = ["quantity", "symbol", law, "unit"]
+        cells = [[row.quantity, row.symbol, row.measure, row.unit] for row in rows]
+    columns = text_columns([heads, *cells], words=2)
+    return [column._replace(is_right=column.head in ("best range", law)) for column in columns]
 
 
-def _range(estimate: "Estimate | None", unit: _ShownUnit, form: Format) -> list[str]:
-    """Return the best range of a result and its rule, in words; an open end is left out."""
+def _range(estimate: "Estimate | None", unit: _ShownUnit, form: Format) -> tuple[str, str]:
+    """Return the best range of a result and its rule, in words; "–" for an estimate without a range."""
     if estimate is None or not estimate.by > NONE:  # by is nan in a row without this quantity
-        return ["–", "–"]
-    return ["".join(range_in_unit(estimate, unit, form)), WORDS[int(estimate.by)]]
+        return "–", "–"
+    return "".join(range_in_unit(estimate, unit, form)), WORDS[int(estimate.by)]
 
 
 # --- Inferred values --------------------------------------------------------------------------------------------------
@@ -301,7 +316,8 @@ def _of_inferred(answer: "Report", form: Format) -> list[TextColumn]:
             inferred, short = cell(result.measure, unit, form), LAWS[law].short
             if law != answer.frame.law.name:
                 better = Estimate(*answer.ranges.by_better_law(name), BETTER_LAW)
-                inferred, short = _range(better, unit, form)[0], f"{short}{best}"
+                inferred, _ = _range(better, unit, form)
+                short += best
             of_library = "–"
             if known is not None:
                 of_library = Format(form.units, form.digits or RESULT_DIGITS).in_unit(known, unit)
@@ -310,12 +326,15 @@ def _of_inferred(answer: "Report", form: Format) -> list[TextColumn]:
     solids: dict[str, None] = {}
     for name in library:
         solids |= dict.fromkeys(solids_of(answer.described, name))
-    heads = ["quantity", "symbol", "law", "inferred", f"{listed(solids or ['library'])} has", "unit"]
-    columns = [column._replace(is_right=column.head in heads[3:5]) for column in text_columns([heads, *rows], words=3)]
+    head_of_library = f"{listed(solids or ['library'])} has"
+    heads = ["quantity", "symbol", "law", "inferred", head_of_library, "unit"]
+    columns = text_columns([heads, *rows], words=3)
+    columns = [column._replace(is_right=column.head in ("inferred", head_of_library)) for column in columns]
+    index = heads.index(head_of_library)
     if len(solids) > 1 or not fit_terminal(columns):
-        columns[4] = columns[4]._replace(head="library has")
+        columns[index] = columns[index]._replace(head="library has")
     if not library:
-        del columns[4]
+        del columns[index]
     return columns
 
 
