@@ -86,7 +86,7 @@ def _branches(frame: Frame, most: float) -> Iterator[tuple[str, Any, Any]]:
     """
     path = states(frame, Loads(-inf, most), POINTS)
     groups = []
-    for given, group in groupby(path, key=lambda state: state.given):
+    for given, group in groupby(path, key=lambda state: state.set_by):
         at_states = numpy.array([state.value for state in group])
         groups.append(values_of(frame.replace(**{given: at_states}), _FORCE))
     x, y = (numpy.concatenate([group[name] for group in groups]) for name in _FORCE)

@@ -112,7 +112,7 @@ _MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_app
 
 
 def model_error(name: str, frame: Frame) -> float | None:
-    """Return the relative error of an approximate moment; None for the exact moment, other quantities and no value.
+    """Return the relative error of an approximate moment; None for the exact moment and for other quantities.
 
     Eq (25) is exact at a fixed load. At a fixed approach the exact moment has a further term in ξ³.
     """
@@ -129,16 +129,17 @@ def with_force_by_maugis(error: Failure, frame: Frame) -> Failure:
     """Return the error for a load beyond pull-off; for JKR, with Maugis' pull-off force if that is known."""
     if not frame.law.is_default:
         return error
-    other = frame.replace(model=BETWEEN)
-    frames = [other]
+    by_maugis = frame.replace(model=BETWEEN)
+    variants = [by_maugis]
     if frame.assumes_spacing:
-        frames.append(at_half_spacing(other))
+        variants.append(at_half_spacing(by_maugis))
     forces: list[float] = []
-    for each in frames:
-        forces += each.numbers("pull_off_force").values()
-    if len(forces) < len(frames):
+    for variant in variants:
+        forces += variant.numbers("pull_off_force").values()
+    if len(forces) < len(variants):
         return error
-    cause = HELD_BY_MAUGIS if forces[0] >= -error.numbers[0] else BEYOND_JKR
+    load, *_ = error.numbers
+    cause = HELD_BY_MAUGIS if forces[0] >= -load else BEYOND_JKR
     return Failure(cause, numbers=(*error.numbers, -max(forces)))
 
 
@@ -168,10 +169,8 @@ class Answer(Results):
     @property
     def condition(self) -> float | None:
         """The condition number of a pair of inferred inputs; None without a pair."""
-        condition: float | None = None
-        if len(self.described.unknowns) > 1 and self.failure is None:
-            condition = self.described.solution.condition
-        return condition
+        is_pair = len(self.described.unknowns) > 1
+        return self.described.solution.condition if is_pair and self.failure is None else None
 
     @cached_property
     def reasons(self) -> Mapping[str, JkrollError]:
@@ -205,7 +204,7 @@ class Answer(Results):
 
     @cached_property
     def results(self) -> tuple[Result, ...]:
-        """The quantities shown; those without a value have the reason."""
+        """The results of the quantities shown."""
         return tuple(map(self.result, self.columns))
 
     @property
@@ -219,7 +218,7 @@ class Answer(Results):
         return (*self.results, *forward.results)
 
     def result(self, name: str) -> Result:
-        """Return a result, or the reason why it has no value."""
+        """Return a result; without a value, it has the reason."""
         is_inferred = name in self.described.unknowns
         law = "" if self.frame.law.is_default or is_inferred else self.frame.law.name
         if name in self.reasons:
@@ -326,7 +325,8 @@ class Answer(Results):
     @cached_property
     def assumed(self) -> Mapping[str, str]:
         """The assumptions by name, each with the option that replaces it."""
-        texts = assumed(self.frame, self._entering[0], self._possible, has_values=True)
+        inputs, _ = self._entering
+        texts = assumed(self.frame, inputs, self._possible, has_values=True)
         return {name: text for name, text in texts.items() if name not in self.judged}
 
     @property
@@ -356,9 +356,10 @@ class Answer(Results):
 
     @property
     def shows_ranges(self) -> bool:
-        """True if the table has best ranges: some come neither from the law in use, nor a definition, nor any law.
+        """True if the table has best ranges: it has rows for real surfaces, or another rule than the law in use.
 
-        Without them, the column of the law has the uncertainties.
+        Definitions and formulas that hold under any law do not count. Without best ranges, the column of the law has
+        the uncertainties.
         """
         words = {WORDS[self.estimates[name].by] for name in self.names_in_table if name in self.estimates}
         return self.shows_surfaces or not words <= {self.frame.law.short, *(WORDS[by] for by in _OF_ONE_LAW)}

@@ -1,6 +1,7 @@
-"""Sentences that explain best ranges: the rule that gives a range, and the effects it includes or leaves out."""
+"""Best ranges in words: their numbers, the rule that gives them, and the effects they include or leave out."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from itertools import chain
 from math import isnan, nan
 
 from ..materials.library import known_materials
@@ -64,10 +65,10 @@ _ALIKE = 0.01  # relative difference of radii below which a measurement is not s
 
 
 def lines_on_rules(rules: Iterable[int]) -> Iterator[str]:
-    """Iterate over a line for each rule that gives ranges in a table."""
+    """Iterate over a line with the reason for each rule of a table; rules without a reason have no line."""
     for by in dict.fromkeys(rules):
-        if by in _WORDS:
-            yield f"{WORDS[by]}: {_WORDS[by]}"
+        if by in _REASONS:
+            yield f"{WORDS[by]}: {_REASONS[by]}"
 
 
 def range_in_words(name: str, estimate: Estimate, form: Format = AS_USUAL) -> str:
@@ -85,7 +86,7 @@ def range_in_unit(estimate: Estimate, unit: tuple[str, Unit], form: Format) -> t
 
     A range with equal ends is a number with as many digits as a result, unless it is only approximate.
     """
-    low, high = (end if isnan(end) else convert(end, unit[1]) for end in estimate[:2])
+    low, high = (end if isnan(end) else convert(end, unit[1]) for end in (estimate.low, estimate.high))
     digits = form.digits or 2
     if estimate.by in (LAW_ONLY, KELVIN) and form.digits is None:
         return "≈ ", from_to(low, high)
@@ -111,8 +112,8 @@ def reasons_for(by: int, answer: Answer) -> Iterator[str]:
     """Iterate over the reasons for the ranges by one rule: first the line for a table, then the details."""
     if by in _OF_ANSWER:
         yield from filter(None, _OF_ANSWER[by](answer))
-    elif by in _WORDS:
-        yield _WORDS[by]
+    elif by in _REASONS:
+        yield _REASONS[by]
 
 
 def made_of(name: str, answer: Answer) -> str:
@@ -135,7 +136,7 @@ def made_of(name: str, answer: Answer) -> str:
     return "; ".join(texts)
 
 
-# --- Rules, for many rows ---------------------------------------------------------------------------------------------
+# --- Real surfaces ----------------------------------------------------------------------------------------------------
 
 
 def held_on_surfaces(answer: Answer, hold: str = "real spheres hold") -> str:
@@ -158,9 +159,9 @@ def about_surfaces(frame: Frame) -> str:
     return f"fractions of JKR's force{of_energy}, scaled to {amount('radius', frame['radius'])}: {parts}"
 
 
-_OF_SMOOTH = "P_c is that of smooth, dry spheres: rough ones hold less"
-_OF_FIRST = "τ/3 to 3τ (--shear-strength); take T_first: the edge may peel early"
-_WORDS: Mapping[int, str] = {
+# --- Rules, for many rows ---------------------------------------------------------------------------------------------
+
+_REASONS: Mapping[int, str] = {
     MEASURED: "speeds at which SiO2 stuck, at other sizes scaled like JKR's speed",
     SEEN: f"hard spheres were seen to stick at 1 to {MOST_SEEN} times JKR's speed",
     SCALED: "from ξ or forces measured on this solid, scaled as R^(2/3) or as R",
@@ -188,19 +189,23 @@ def _kelvin(answer: Answer) -> Iterator[str]:
     if "meniscus_force" not in answer.values:
         yield "water condensed at 25 °C"
         return
-    yield _WORDS[KELVIN]
+    yield _REASONS[KELVIN]
     yield "water changes γ, too"
     yield "roughness lowers P_c and F_men: SiO2 of 10 µm on smooth glass had 1/8–1/5 of F_men at 67 % humidity"
     yield "with --roughness 2nm, the answer has the humidity at which the gap fills"
 
 
 def _friction(answer: Answer) -> Iterator[str]:
-    yield _OF_FIRST if "sliding_or_peeling_force" in answer.estimates else _WORDS[FRICTION_ASSUMED]
+    if "sliding_or_peeling_force" in answer.estimates:
+        yield "τ/3 to 3τ (--shear-strength); take T_first: the edge may peel early"
+    else:
+        yield _REASONS[FRICTION_ASSUMED]
     radius = answer.frame.numbers("contact_radius_at_load").get("contact_radius_at_load", 0.0)
     if radius and not answer.described.uncertainties:
         better = Ranges.of(answer.frame, "contact_radius_at_load").by_better_law("contact_radius_at_load")
         if all(end > 0 for end in better):  # nan if Maugis' law has no contact at this load
-            yield f"Maugis' contact area is {from_to(*((end / radius) ** 2 for end in better))} of JKR's"
+            areas = [(end / radius) ** 2 for end in better]
+            yield f"Maugis' contact area is {from_to(*areas)} of JKR's"
 
 
 def _better_law(answer: Answer) -> Iterator[str]:
@@ -213,7 +218,7 @@ def _better_law(answer: Answer) -> Iterator[str]:
         over = "z0 (--z0) and the errors" if frame.assumes_spacing else "the errors"
     yield f"the better law {where}, over {over}"
     for side, of_side in _errors(answer).items():
-        percent = [100 * error for pair in of_side.values() for error in pair]
+        percent = [100 * error for error in chain.from_iterable(of_side.values())]
         symbols = ", ".join(symbol_among(name, answer.inputs) for name in of_side)
         if percent:
             yield f"{frame.law.short} is {from_to(min(percent), max(percent))} % too {side} ({symbols})"
@@ -237,7 +242,7 @@ def _errors(answer: Answer) -> _Errors:
         if estimate.by != BETTER_LAW or name in answer.question.without_row or value in seen:
             continue
         seen.add(value)
-        ratios = [value / end if end else nan for end in estimate[:2]]
+        ratios = [value / end if end else nan for end in (estimate.low, estimate.high)]
         is_outside = min(ratios) >= 1 or 0 < max(ratios) <= 1
         if not is_outside or any(map(isnan, ratios)) or answer.described.uncertainties:
             return {}
@@ -257,20 +262,19 @@ def _bounds(answer: Answer) -> Iterator[str]:
     if answer.described.uncertainties:
         yield "the range includes the error bars"
     if not answer.is_on_pull_off:
-        yield _OF_SMOOTH
+        yield "P_c is that of smooth, dry spheres: rough ones hold less"
 
 
 def _seen(_: Answer) -> Iterator[str]:
-    yield _WORDS[SEEN]
+    yield _REASONS[SEEN]
     yield "silica, ices and silver were measured; adhesion is not their only loss"
 
 
 def _measured(answer: Answer) -> Iterator[str]:
     stuck = what_stuck(answer.frame)
     assert stuck is not None  # the rule applies to a solid whose speeds were measured
-    (first, small), (last, large) = (
-        (significant(stuck.at(radius), 2), amount("radius", radius)) for radius in stuck.radii
-    )
+    first, last = (significant(stuck.at(radius), 2) for radius in stuck.radii)
+    small, large = (amount("radius", radius) for radius in stuck.radii)
     solid, bar = solid_of_pair(answer.frame), f"±{100 * stuck.error:.0f} %"
     seen = f"{first} m/s at R = {small}, {last} m/s at {large} on {solid}"
     if stuck.is_near(answer.frame):
@@ -322,12 +326,11 @@ def _as_displacement(answer: Answer) -> str:
 
 def _ceiling(answer: Answer) -> str:
     """Return the clause on the largest force that adhesion alone can cause; empty unless the best range exceeds it."""
-    ceiling = answer.ranges.at_full_hysteresis("yield_force")
-    found = answer.estimates.get("yield_force")
-    if found is None or not found.high > ceiling[1]:
+    _, most = answer.ranges.at_full_hysteresis("yield_force")
+    best = answer.estimates.get("yield_force")
+    if best is None or not best.high > most:
         return ""
-    most = span("yield_force", ceiling[1], ceiling[1], answer.form)
-    return f"the most that adhesion alone can cause is {most}"
+    return f"the most that adhesion alone can cause is {span('yield_force', most, most, answer.form)}"
 
 
 def _xi_unknown(answer: Answer) -> Iterator[str]:
@@ -335,7 +338,7 @@ def _xi_unknown(answer: Answer) -> Iterator[str]:
     if frame.missing(["hysteresis_ratio"]):
         yield "ξ of 2 Å (one atom) or more; --xi or a material narrows it"
         return
-    most = answer.ranges.at_full_hysteresis(XI)[1]
+    _, most = answer.ranges.at_full_hysteresis(XI)
     limit = "the ξ" if isnan(most) else span(XI, most, most)
     limit += " (all adhesion lost), by Maugis' law"
     ends = f"ξ from 2 Å (one atom) to {limit}"
@@ -357,12 +360,11 @@ def of_silica(answer: Answer) -> str:
     if not isinstance(answer.frame.given.get("radius"), float):
         return ""
     ranges = Ranges.of(silica, *silica.possible(answer.question.headline))
-    found = {name: ranges.estimate(name) for name in ranges.names}
-    scaled = [
-        f"{symbol_among(name, answer.inputs)} = {range_in_words(name, estimate, answer.form)}"
-        for name, estimate in found.items()
-        if estimate.by == SCALED
-    ]
+    scaled = []
+    for name in ranges.names:
+        estimate = ranges.estimate(name)
+        if estimate.by == SCALED:
+            scaled.append(f"{symbol_among(name, answer.inputs)} = {range_in_words(name, estimate, answer.form)}")
     return f"if it is SiO2, which was measured, {first_of(scaled, _MOST)}; else name your material" if scaled else ""
 
 
@@ -373,9 +375,9 @@ def _of_measured_solid(answer: Answer) -> str:
         return ""
     radius = 2 * answer.frame["reduced_radius"]
     if rolled.has_energy(answer.frame):
-        at, here = (amount("radius", each) for each in (rolled.radius, radius))
         what = "ξ" if rolled.name == XI else "the forces"
-        return f"the range also includes {what} measured on {solid} at {at}, scaled to {here}"
+        measured = f"{what} measured on {solid} at {amount('radius', rolled.radius)}"
+        return f"the range also includes {measured}, scaled to {amount('radius', radius)}"
     if not rolled.has_size(radius) or "yield_force" not in answer.estimates:
         return ""
     energies = span("surface_energy", *rolled.energies)
@@ -400,10 +402,10 @@ def _adhesion_only(answer: Answer) -> Iterator[str]:
 
 def _by_dmt(answer: Answer) -> str:
     """Return the clause on inferred values by DMT's law, which needs no modulus; it may be empty."""
-    found = answer.by_law.get("dmt", {})
-    texts = [
-        f"{symbol_among(name, answer.inputs)} = {span(name, *2 * (middle(value),))}" for name, value in found.items()
-    ]
+    texts = []
+    for name, measure in answer.by_law.get("dmt", {}).items():
+        value = middle(measure)
+        texts.append(f"{symbol_among(name, answer.inputs)} = {span(name, value, value)}")
     return f"; by DMT's law, for hard spheres, {', '.join(texts)}" if texts else ""
 
 
@@ -414,7 +416,7 @@ def _law_only(answer: Answer) -> Iterator[str]:
     elif answer.frame.missing(["tabor_parameter"]):
         yield f"Young's modulus and Poisson's ratio decide which law holds{_by_dmt(answer)}"
     else:
-        yield _WORDS[LAW_ONLY]
+        yield _REASONS[LAW_ONLY]
 
 
 _OF_ANSWER: Mapping[int, Callable[[Answer], Iterable[str]]] = {

@@ -37,13 +37,13 @@ _SET_BY = {
 class State(NamedTuple):
     """A state of the curve: the input that sets it, the value of the input, and the name of the state."""
 
-    given: str
+    set_by: str
     value: float
     name: str
 
     def in_frame(self, frame: Frame) -> Frame:
         """Return a frame at the state."""
-        frame = frame.replace(**{self.given: self.value}, state=self.name)
+        frame = frame.replace(**{self.set_by: self.value}, state=self.name)
         if self.name == FOLD:  # the stiffness is infinite at the fold; the formula would give a rounding error
             frame.drop("stiffness", NO_STIFFNESS)
         return frame
@@ -79,7 +79,7 @@ def states(frame: Frame, loads: Loads | None = None, steps: int = STEPS) -> list
     the pull-off force is unknown, or if even the last load is beyond it, the curve has one state.
     """
     try:
-        given, at_load = _SET_BY.get(frame.law.name, ("load", "load"))
+        set_by, at_load = _SET_BY.get(frame.law.name, ("load", "load"))
         named, force = _named(frame), frame["pull_off_force"]
         low, high = loads or Loads(-inf, MAX_LOAD * force)
         first = frame.replace(load=low)[at_load] if low > -force else named[PULL_OFF]
@@ -89,14 +89,14 @@ def states(frame: Frame, loads: Loads | None = None, steps: int = STEPS) -> list
             return [State("load", loads.high, "stable")]
         return [State("load", 0.0, EQUILIBRIUM)]
     half = steps // 2
-    every = [State(given, first + (last - first) * step / steps, "stable") for step in range(steps + 1)]
+    every = [State(set_by, first + (last - first) * step / steps, "stable") for step in range(steps + 1)]
     if FOLD in named:
         for step in range(1, half):
             value = named[PULL_OFF] * (step / half) ** 3
-            every.append(State(given, value, "unstable" if value < named[FOLD] else "fixed grips"))
+            every.append(State(set_by, value, "unstable" if value < named[FOLD] else "fixed grips"))
     for name, value in named.items():
         if value or name != FOLD:
-            every.append(State(given, value, name))
+            every.append(State(set_by, value, name))
     by_value = {float(f"{state.value:.12g}"): state for state in every}  # a named state replaces an unnamed one
     path = [by_value[value] for value in sorted(by_value)]
     if named.get(FOLD) == 0:
@@ -144,7 +144,9 @@ def lead_of_curve(report: Report) -> str:
 def answer_at_state(question: Question, frame: Frame) -> Report:
     """Return the answer at a state. The quantity that sets the state is an input, not a result."""
     sets_state = STATE_OR_LOAD & frame.stated.keys()
-    names = tuple(name for name in question.quantities if name not in sets_state) or question.quantities
+    names = tuple(name for name in question.quantities if name not in sets_state)
+    if not names:
+        names = question.quantities
     return Report(Question(question.headline, names, names), frame)
 
 

@@ -76,19 +76,20 @@ def about_library(answer: Answer) -> Iterator[Note]:
         ends = [answer.values[name]]
         if by_maugis:
             positive = [end for end in answer.ranges.by_better_law(name) if end > 0]  # nan if the law has no value
-            ends = positive or ends
+            if positive:
+                ends = positive
         factors = sorted((end / middle(usual) for end in ends), key=_distance)
         nearest, farthest = factors[0], factors[-1]
         if answer.estimates[name].by == ADHESION_ONLY and nearest > 1:  # other losses probably make the value large
             continue
-        limit, question = _FAR.get(name, (INFINITY, ""))
+        limit, remark = _FAR.get(name, (INFINITY, ""))
         if 1 / limit <= nearest <= limit:
             continue
         sizes = from_to(max(nearest, 1 / nearest), max(farthest, 1 / farthest))
         times = f"{sizes} times" if nearest > 1 else f"1/{sizes.replace('–', ' to 1/')} of"
         whose = f"{listed(solids_of(answer.described, name))}'s ({amount(name, usual, Format(digits=3))})"
         symbol = symbol_among(name, answer.inputs)
-        yield Note("lead", f"{symbol} is {times} {whose}: {question} see jkroll guide measurements")
+        yield Note("lead", f"{symbol} is {times} {whose}: {remark} see jkroll guide measurements")
 
 
 def _distance(factor: float) -> float:

@@ -51,7 +51,7 @@ def leads(answer: Answer) -> Iterator[Note]:
     if "impact_pressure" in answer.values:
         is_known = not answer.frame.missing(["first_yield_pressure"])
         yield Note("lead" if is_known else "more", _elastic_or_not(answer))
-    answers = [lead for lead in (_filled(sentence, answer) for sentence in answer.question.leads) if lead]
+    answers = [*filter(None, (_filled(sentence, answer) for sentence in answer.question.leads))]
     yield from (Note("lead", lead) for lead in answers)
     if answers and _is_from_forces(answer):
         yield Note("lead", "this range comes from measured rolling forces, not from your γ or the assumed ξ")
@@ -65,7 +65,7 @@ def leads(answer: Answer) -> Iterator[Note]:
 
 
 def lead_of_rows(groups: Sequence[Noted], names: Collection[str]) -> str:
-    """Return the sentence on water or roughness, which the pull-off force of rows leaves out; empty if none matters."""
+    """Return the sentence on roughness and water, which the pull-off force of rows leaves out; it may be empty."""
     if "pull_off_force" not in names:
         return ""
     sentences = []
@@ -171,7 +171,7 @@ def _filled(sentence: str, answer: Answer) -> str:
     for name, estimate in found.items():
         if answer.shows_ranges:
             words[name] += _middle(name, estimate, answer.form, is_short=bool(others) or name != first)
-    for name in {*answer.question.headline}.difference(answer.question.taken(words)):  # others are to be taken
+    for name in {*answer.question.headline}.difference(answer.question.taken(words)):  # better ones replace these
         words.pop(name, None)
     is_open = any(isnan(found[name].low) for name in answer.question.headline if name in found)
     is_rough = answer.shows_surfaces and "pull_off_force" in found
@@ -261,21 +261,21 @@ def _slides_or_peels(answer: Answer) -> str:
 
 def _stick_or_bounce(answer: Answer) -> str:
     sticking = answer.estimates["sticking_speed"]
-    sides = _as_shown("sticking_speed", answer)
+    limit = _as_shown("sticking_speed", answer)
     above = order(_estimate(answer.frame, "speed"), sticking)
     verdict = {-1: "stick", 0: "may stick or bounce", 1: "bounce"}[above]
     speed = amount("speed", answer.measures.get("speed", answer.frame["speed"]))
     stuck = what_stuck(answer.frame)
     is_carried = stuck is not None and stuck.counts(answer.frame) and not stuck.is_near(answer.frame)
     source = "scaled from measured speeds" if is_carried and sticking.by == MEASURED else WORDS[sticking.by]
-    text = f"at {speed} the spheres {verdict}: the sticking speed is {sides} ({source})"
-    left, alone = answer.estimates["restitution"], answer.values.get("restitution", 0.0)
-    if above < 0 and alone > 0:
-        return f"{text}; without losses in the solids they would bounce (e = {significant(alone, 2)})"
-    if above < 0 or isnan(left.high) or left.by != ADHESION_ONLY:
+    text = f"at {speed} the spheres {verdict}: the sticking speed is {limit} ({source})"
+    best, by_law = answer.estimates["restitution"], answer.values["restitution"]
+    if above < 0 and by_law > 0:
+        return f"{text}; without losses in the solids they would bounce (e = {significant(by_law, 2)})"
+    if above < 0 or isnan(best.high) or best.by != ADHESION_ONLY:
         return text
     if_needed = "" if above > 0 else "if they bounce, "
-    return f"{text}; {if_needed}adhesion alone leaves e = {from_to(answer.values['restitution'], left.high)}"
+    return f"{text}; {if_needed}adhesion alone leaves e = {from_to(by_law, best.high)}"
 
 
 def _enough_to_roll(frame: Frame, form: Format) -> Iterator[Note]:

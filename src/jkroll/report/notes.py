@@ -76,8 +76,8 @@ def entering(frame: Frame, names: Sequence[str], *, judges: bool = True) -> tupl
     limits = touched(frame, frame.possible(names), LIMITS if judges else ENDING)
     judged = [*names, *(limit.name for limit in limits)]
     inputs = {*frame.inputs_of(*frame.possible(names))}
-    used = {*frame.inputs_of(*frame.possible(judged))}
-    needed = used - (STATE_OR_LOAD - inputs) | depends_on((*frame.missing(judged),), (frame.law.name,))
+    of_limits_only = {*frame.inputs_of(*frame.possible(judged))} - inputs
+    needed = inputs | (of_limits_only - STATE_OR_LOAD) | depends_on(tuple(frame.missing(judged)), (frame.law.name,))
     idle = [name for name in frame.described if needed.isdisjoint((name, computed_as(name)))]
     return inputs, idle
 
@@ -244,8 +244,8 @@ Noted = tuple[Frame, Sequence[str]]  # the frame of rows with the same inputs, a
 def about_rows(tally: "Tally", reported: int, where: str, hint: str = "") -> Iterator[Note]:
     """Iterate over notes on rows: how many have results without a meaning or in doubt, and why cells are empty.
 
-    `reported`: the bits of the doubts to report; `where`: the place in which the codes stand or are explained;
-    `hint`: its suffix for results in doubt.
+    `reported`: the bits of the doubts to report; `where`: the place in which the codes stand or are explained; `hint`:
+    a text after `where`, for results in doubt only.
     """
     severities: tuple[tuple[Severity, str, int, int, str], ...] = (
         ("warning", "numbers have no meaning", reported & ENDING_MEANING, 2, where),  # few codes: each is explained

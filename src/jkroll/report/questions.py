@@ -1,6 +1,7 @@
 """The questions that commands ask of a frame: the headline quantities, and all that are shown."""
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from itertools import chain
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
@@ -22,22 +23,25 @@ class Question:
         without_row: tuple[str, ...] = (),  # for programs only: not in the table of an answer
         leads: Sequence[str] = (),  # sentences of the answer; words in braces are filled in by `report.leads`
         groups: Mapping[str, Sequence[str]] = MappingProxyType({}),  # at the end of a table: quantities by title
-        if_stated: Mapping[str, tuple[str, ...]] = MappingProxyType({}),  # by quantity: it needs one of these inputs
-        decisive: tuple[str, ...] = (),  # they decide the headline: to take like it
+        if_stated: Mapping[str, tuple[str, ...]] = MappingProxyType({}),  # by quantity: a row needs one of these inputs
+        decisive: tuple[str, ...] = (),  # quantities that decide the headline; a reader takes them, too
     ) -> None:
         self.headline, self.quantities, self.named, self.without_row = headline, quantities, named, without_row
         self.leads, self.groups, self.if_stated, self.decisive = leads, groups, if_stated, decisive
 
     def taken(self, names: Collection[str]) -> list[str]:
-        """Return the quantities to take among some with values: of the headline or its better ones, and decisive ones.
+        """Return the quantities in `names` that a reader takes: those of the headline, then the decisive ones.
 
-        A quantity asked for by name is not replaced.
+        A better quantity in `names` replaces one that was not asked for by name.
         """
         taken = []
         for name in (*self.headline, *self.decisive):
             better = _BETTER.get(name, name)
-            taken.append(better if better in names and name not in self.named else name)
-        return [name for name in taken if name in names]
+            if better in names and name not in self.named:
+                taken.append(better)
+            elif name in names:
+                taken.append(name)
+        return taken
 
     @property
     def with_row(self) -> list[str]:
@@ -65,7 +69,7 @@ def _question(
     )  # fmt: skip
 
 
-# By quantity: the one to take in its place if that has a value. A speed asks for the turns after hitting body 2.
+# By quantity: the better one. With a speed, `n_roll_after_impact` has a value: the turns after hitting body 2.
 _BETTER = {"n_roll": "n_roll_after_impact"}
 _QUESTIONS = {
     "pull-off": _question(
@@ -123,15 +127,23 @@ _QUESTIONS = {
         "it rolls in steps, with half of that as the mean moment, {mean_rolling_moment}",
     ),
 }
-# The report also has the other numbers of turns, since they contradict `n_roll`.
-_CONTRARY = ("n_roll_energy_balance", "n_roll_after_impact")
+BY_DEFAULT = tuple(dict.fromkeys(chain.from_iterable(question.quantities for question in _QUESTIONS.values())))
+_CONTRARY = ("n_roll_energy_balance", "n_roll_after_impact")  # other numbers of turns, which contradict `n_roll`
 _TURNS = ("n_roll", *_CONTRARY)
+
+
+def _quantities_of_report() -> Iterator[str]:
+    """Iterate over the headlines of the questions above and the other numbers of turns; two quantities are added."""
+    for question in _QUESTIONS.values():
+        for name in question.quantities:
+            if name in (*question.headline, *_CONTRARY):
+                yield name
+    yield from ("roll_energy_quarter_turn", "sticking_speed")
+
+
 _REPORT = Question(
-    tuple(name for question in _QUESTIONS.values() for name in question.headline),
-    (
-        *(name for asked in _QUESTIONS.values() for name in asked.quantities if name in (*asked.headline, *_CONTRARY)),
-        *("roll_energy_quarter_turn", "sticking_speed"),
-    ),
+    tuple(chain.from_iterable(question.headline for question in _QUESTIONS.values())),
+    tuple(_quantities_of_report()),
     leads=[
         "ideally smooth spheres are pulled apart by {pull_off_force}{real}",
         "a push of {yield_force} starts rolling",
@@ -186,7 +198,6 @@ QUESTIONS: Mapping[str, Question] = {
         "they begin to break up at a relative speed of {disruption_speed}{if_smooth}, by Wada et al. 2007",
     ),
 }
-BY_DEFAULT = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities))
 
 
 def quantity_named(word: str) -> str:
