@@ -171,22 +171,32 @@ def test_explanations_have_the_power_law_of_a_result(run: Run) -> None:
     assert float(powers["P"]) == approx(2500 * (ends[0] - ends[1]) / ends[0], rel=0.01)
 
 
-REASONED = [
-    "report {} {}", "impact {} {} --speed 1m/s", "energies {} {}", "resistances {} {}", "pull-off {} {} --humidity 60%",
-    "pull-off {} {} --humidity 60% --roughness 2nm",
-    pytest.param("infer gamma {} {} --measured v_stick=1m/s", marks=pytest.mark.slow),
-]  # fmt: skip
+REASONED = (
+    "report {}", "impact {} --speed 1m/s", "energies {}", "resistances {}", "pull-off {} --humidity 60%",
+    "pull-off {} --humidity 60% --roughness 2nm",
+)  # fmt: skip
+# Each kind of reason occurs for one of these, in its longest form.
+LONGEST = (
+    "quartz 2nm", "quartz 100nm", "quartz 20um", "silica-dry 100nm", "ice-warm 20um", "polystyrene 20um", "mica 2nm",
+)  # fmt: skip
+MATERIALS = ("quartz", "silica-dry", "iron", "ice-warm", "polystyrene", "mica")
+EVERY = tuple(f"{material} {size}" for material, size in product(MATERIALS, ("2nm", "100nm", "20um")))
 
 
-@pytest.mark.parametrize("words", REASONED)
-def test_each_rule_has_a_reason_of_one_line(run: Run, words: str) -> None:
+@pytest.mark.parametrize(
+    ("words", "spheres"),
+    [
+        *product(REASONED, [LONGEST]),
+        *(pytest.param(words, EVERY, marks=pytest.mark.slow) for words in REASONED),
+        pytest.param("infer gamma {} --measured v_stick=1m/s", EVERY, marks=pytest.mark.slow),
+    ],
+)
+def test_each_rule_has_a_reason_of_one_line(run: Run, words: str, spheres: tuple[str, ...]) -> None:
     """The rule `surface` is an exception: its reason has fractions for three sorts of spheres."""
-    for material, size in product(("quartz", "silica-dry", "iron", "ice-warm", "PS", "mica"), ("2nm", "100nm", "20um")):
-        ran = run(words.format(material, size), terminal=True)
-        table = ran.out.partition("───\n")[2].splitlines()
-        below = [line for line in table if re.match(rf"({'|'.join(map(re.escape, WORDS[1:]))}): ", line)]
-        follows = [table[table.index(line) + 1] for line in below if table.index(line) + 1 < len(table)]
-        assert not [line for line in follows if line.startswith("  ")], (material, size)
+    rules = "|".join(map(re.escape, WORDS[1:]))
+    for pair in spheres:
+        _, _, below = run(words.format(pair), terminal=True).out.partition("───\n")
+        assert not re.findall(rf"^(?:{rules}): .*\n  .*", below, re.MULTILINE), pair
 
 
 def test_reasons_of_a_list_have_one_line() -> None:

@@ -5,6 +5,7 @@ import json
 import math
 import re
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -29,6 +30,7 @@ def bisected(forward: Callable[[float], float], level: float, low: float, high: 
     return low
 
 
+@cache
 def by_maugis(force: float, spacing: float) -> float:
     """Return the surface energy that gives quartz on a plane a pull-off force, by Maugis' law at an atomic spacing."""
 

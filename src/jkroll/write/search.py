@@ -31,13 +31,14 @@ class Match(NamedTuple, Generic[Thing]):
     has_all: bool  # the thing has all words
 
 
-def words_in(text: str) -> list[str]:
+@cache
+def words_in(text: str) -> tuple[str, ...]:
     """Return the words and numbers of a text in lower case, with Greek letters, and signs such as Å, as words.
 
     >>> words_in("ξ of R_min, 0.2 nm or 2Å")
-    ['xi', 'of', 'r', 'min', '0.2', 'nm', 'or', '2', 'angstrom']
+    ('xi', 'of', 'r', 'min', '0.2', 'nm', 'or', '2', 'angstrom')
     """
-    return re.findall(r"\d+(?:\.\d+)+|[^\W_]+", ascii_text(text).casefold())
+    return tuple(re.findall(r"\d+(?:\.\d+)+|[^\W_]+", ascii_text(text).casefold()))
 
 
 def words_sought(text: str) -> list[str]:
@@ -79,10 +80,10 @@ class Search(Generic[Thing]):
     """The things that can be found, with the words of their fields."""
 
     def __init__(self, things: Iterable[Thing], fields_of: Callable[[Thing], Iterable[Field]]) -> None:
-        self._things: list[tuple[Thing, list[tuple[float, list[str]]]]] = []
+        self._things: list[tuple[Thing, list[tuple[float, Sequence[str]]]]] = []
         self.vocabulary: set[str] = set()
         for thing in things:
-            fields = []
+            fields: list[tuple[float, Sequence[str]]] = []
             for weight, text in fields_of(thing):
                 words = words_in(text)
                 fields.append((weight, words))
