@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from itertools import chain
 from pathlib import Path
 
 import pytest
@@ -35,7 +36,8 @@ def changes(section: str) -> list[tuple[str, str, str]]:
         for path, hunks in re.findall(r"^\+\+\+ (\S+)\n((?:(?!\+\+\+ ).*\n)*)", block, re.MULTILINE):
             for hunk in hunks.split("@@\n")[1:]:
                 lines = hunk.splitlines(keepends=True)
-                before, after = ("".join(line[1:] for line in lines if line[0] in kinds) for kinds in (" -", " +"))
+                before = "".join(line[1:] for line in lines if line[0] in " -")
+                after = "".join(line[1:] for line in lines if line[0] in " +")
                 found.append((path, before, after))
     return found
 
@@ -46,10 +48,13 @@ def copy_with(folder: Path, *sections: str, only: str = "") -> Path:
     for name in ("src", "tests"):
         shutil.copytree(ROOT / name, copy / name, ignore=shutil.ignore_patterns("__pycache__"))
     for name in ("materials.toml", "pyproject.toml", "README.md", "LICENSE", ".github"):
-        source = ROOT / name
-        (shutil.copytree if source.is_dir() else shutil.copy)(source, copy / name)
-    every = [change for section in sections for change in changes(SECTIONS[section])]
-    for path, before, after in (change for change in every if change[0].startswith(only)):
+        if (ROOT / name).is_dir():
+            shutil.copytree(ROOT / name, copy / name)
+        else:
+            shutil.copy(ROOT / name, copy / name)
+    for path, before, after in chain.from_iterable(changes(SECTIONS[section]) for section in sections):
+        if not path.startswith(only):
+            continue
         text = (copy / path).read_text(encoding="utf-8")
         assert text.count(before) == 1, f"CONTRIBUTING.md changes lines that {path} does not have once:\n{before}"
         (copy / path).write_text(text.replace(before, after), encoding="utf-8")

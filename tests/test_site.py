@@ -18,7 +18,7 @@ from built_site import DOCS, MARKS, ROOT, SITE, axe, site_in_browser
 from jkroll import __version__
 from jkroll.write.manual import page, topics
 from terminal import script, without_colours
-from transcripts import commands, rounded, with_file
+from transcripts import commands, rounded, write_shown_file
 
 pytestmark = MARKS
 GALLERY = [
@@ -121,7 +121,7 @@ def test_every_run_button_answers_as_the_program_does(
     titles = window.script("return [...document.querySelectorAll('.run button')].map((button) => button.title)")
     assert titles == [f"jkroll {line}" for line, _ in runnable(topic)]
     for place, (line, part) in enumerate(runnable(topic)):
-        with_file(part)
+        write_shown_file(part)
         window.script("document.querySelectorAll('.run button')[arguments[0]].click()", place)
         window.wait("document.querySelector('pre.ran[aria-busy=false]')")
         text, code = window.script("""

@@ -15,6 +15,7 @@ import sys
 import tempfile
 from collections.abc import Iterator
 from contextlib import chdir, nullcontext, redirect_stderr, redirect_stdout
+from itertools import chain
 from math import inf
 from pathlib import Path
 from typing import Any
@@ -42,11 +43,11 @@ def commands(block: str) -> list[str]:
     return [line.removeprefix("$ ") for line in block.splitlines() if line.startswith("$ ")]
 
 
-def with_file(block: str) -> str:
-    """Return a block; first write the file whose text begins the block, if there is one."""
-    if match := re.match(r"\$ cat (\S+)\n((?:(?!\$ ).*\n)*)", block):
-        Path(match[1]).write_text(match[2], encoding="utf-8")
-    return block
+def write_shown_file(block: str) -> None:
+    """Write the file whose text a block shows first, with `cat`; other blocks write nothing."""
+    shown = re.match(r"\$ cat (\S+)\n((?:(?!\$ ).*\n)*)", block)
+    if shown:
+        Path(shown[1]).write_text(shown[2], encoding="utf-8")
 
 
 def transcript(command: str) -> str:
@@ -70,8 +71,9 @@ def rounded(text: str) -> str:
 
 
 def printed(block: str) -> str:
-    """Return the commands of a console block with their output; write the file first whose text begins the block."""
-    return "".join(map(transcript, commands(with_file(block))))
+    """Write the file that a console block shows first, and return the commands of the block with their output."""
+    write_shown_file(block)
+    return "".join(map(transcript, commands(block)))
 
 
 def transcripts(text: str) -> list[str]:
@@ -81,7 +83,7 @@ def transcripts(text: str) -> list[str]:
 
 def copied(text: str) -> Iterator[str]:
     """Iterate over the commands of a text outside of transcripts, without pipes, redirections and those in _NOT_RUN."""
-    lines = [line for block in _COPIED.findall(text) for line in block.splitlines()]
+    lines = "".join(_COPIED.findall(text)).splitlines()
     lines += _IN_TEXT.findall(_BLOCK.sub("", text))
     for line in lines:
         if not line.startswith(_NOT_RUN) and "…" not in line:
@@ -92,9 +94,9 @@ def copied_once(*texts: str) -> list[Any]:
     """Return the commands of texts outside of transcripts, as test parameters; commands that draw a file are slow."""
     import pytest
 
-    every = dict.fromkeys(command for text in texts for command in copied(text))
+    every = dict.fromkeys(chain.from_iterable(map(copied, texts)))
     draws = re.compile(r" -o \S+\.(svg|pdf|png)")
-    return [pytest.param(each, marks=pytest.mark.slow if draws.search(each) else ()) for each in every]
+    return [pytest.param(command, marks=pytest.mark.slow if draws.search(command) else ()) for command in every]
 
 
 def exit_code(command: str) -> int:

@@ -19,7 +19,7 @@ from jkroll.quantities.values import value_of
 
 PAGE = Path(__file__).parents[2] / "src" / "jkroll" / "guide" / "validation.md"
 HEAD = "| row | solids | R1 | quantity | measured | computed | ratio |\n|---|---|---|---|---|---|---|\n"
-END = "\n*abstract*:"  # the first word below the table and its origins
+END = "\n*abstract*:"  # the beginning of the text below the table and its origins
 
 _OF_RATIOS = "yield_force_ratio"  # a quantity without a unit, to read and print ratios
 _ROUNDED = Format(digits=3)
@@ -44,7 +44,7 @@ class Measurement(NamedTuple):
 
 
 class Compared(NamedTuple):
-    """A measurement with the middle of the measured value and the computed number."""
+    """A measurement: the middle of the measured value, and the computed value."""
 
     row: Measurement
     measured: float
@@ -216,28 +216,28 @@ MEASUREMENTS = (
 
 def comparisons() -> list[Compared]:
     """Return all measurements with their measured and computed numbers, the largest disagreement first."""
-    return sorted((_compared(row) for row in MEASUREMENTS), key=lambda each: -abs(log(each.ratio)))
+    return sorted(map(_compared, MEASUREMENTS), key=lambda compared: -abs(log(compared.ratio)))
 
 
 def measurements_table() -> str:
     """Return the measurements as a table in Markdown, with the origin of each row below it."""
     rows, origins = [], []
-    for place, each in enumerate(comparisons(), 1):
-        row = each.row
+    for number, compared in enumerate(comparisons(), 1):
+        row = compared.row
         radius = amount("radius", value_of(row.given["radius"], "radius")) if "radius" in row.given else "—"
         symbol = NOMENCLATURE[row.quantity].symbol
         unit_of = _OF_RATIOS if row.other_radius else row.quantity
         cells = (
-            str(place),
+            str(number),
             row.solids,
             radius,
             f"{symbol}, ratio" if row.other_radius else symbol,
             amount(unit_of, value_of(row.measured, unit_of)),
-            amount(unit_of, each.computed, _ROUNDED),
-            significant(each.ratio, 2),
+            amount(unit_of, compared.computed, _ROUNDED),
+            significant(compared.ratio, 2),
         )
         rows.append(f"| {' | '.join(cells)} |")
-        origins.append(f"{place}. {row.source} ({row.read}). Computed for {each.scene}. {row.remark}.")
+        origins.append(f"{number}. {row.source} ({row.read}). Computed for {compared.scene}. {row.remark}.")
     return HEAD + "\n".join([*rows, "", *origins, ""])
 
 

@@ -41,7 +41,7 @@ def test_scenes_are_rows_columns_or_several_tables_depending_on_the_width_of_the
 def test_scenes_as_columns_have_a_line_for_each_input_that_differs(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COLUMNS", "120")
     table = run("report quartz,iron 50nm 100nm --gamma 75mJ/m2 --quiet", terminal=True).out.splitlines()
-    table = table[next(place for place, line in enumerate(table) if " material " in f" {line}") :]
+    table = table[next(index for index, line in enumerate(table) if line.startswith("material ")) :]
     assert table[0].split() == ["material", "quartz", "quartz", "iron", "iron"]
     assert table[2].split()[-6:] == ["R1", "[nm]", "50", "100", "50", "100"]
 
@@ -93,7 +93,7 @@ def test_only_values_by_jkr_have_its_definition(run: Run, monkeypatch: pytest.Mo
     others = json.loads(run(f"{words} --model {law} --json").out)["results"]
     # Without `--model`, `energies` shows no energies by Lennard-Jones.
     others = [one for one in others if not one["name"].endswith("lennard_jones")]
-    assert {one["value"] for one in others if "jkr" in one} >= {None}
+    assert None in [one["value"] for one in others if "jkr" in one]
     for one, other in zip(energies, others, strict=True):
         assert one["definition"] in re.sub(r"\s+", " ", explained)
         is_of_jkr = one["value"] == other["value"]
@@ -110,14 +110,12 @@ def test_one_warning_has_all_reasons_why_numbers_have_no_meaning_even_with_quiet
         [warning] = [line for line in run(f"report quartz 0.3nm {options}").err.splitlines() if "warning: " in line]
         assert all(limit.consequence in warning for limit in ending)
     explained = run("report quartz 0.3nm --explain").out
-    numbers = {
-        one["symbol"]: one["code"]
-        for one in json.loads(run("report quartz 0.3nm --json").out)["validity"]
-        if not one["holds"]
-    }
-    assert len(numbers) > 7
-    for symbol, code in numbers.items():
-        assert f"({symbol} = " in explained or code.startswith(("law", "does-not-roll")), symbol
+    limits = json.loads(run("report quartz 0.3nm --json").out)["validity"]
+    exceeded = [limit for limit in limits if not limit["holds"]]
+    assert len(exceeded) > 7
+    for limit in exceeded:
+        is_told = f"({limit['symbol']} = " in explained
+        assert is_told or limit["code"].startswith(("law", "does-not-roll")), limit["symbol"]
 
 
 def test_doubts_are_sorted_by_the_factor_beyond_their_limit(run: Run) -> None:
@@ -133,12 +131,8 @@ def test_doubts_are_sorted_by_the_factor_beyond_their_limit(run: Run) -> None:
 def test_the_best_range_calls_xi_unknown_for_a_solid_that_was_never_rolled(run: Run, command: str) -> None:
     name = "n_grav" if command == "n-grav" else "yield_force"
     for solid, by in (("silica-dry", "ξ unknown"), ("silica-humid", "scaled")):
-        (best,) = (
-            one["best"]
-            for one in json.loads(run(f"{command} {solid} 100nm --json").out)["results"]
-            if one["name"] == name
-        )
-        assert best["by"] == by
+        results = json.loads(run(f"{command} {solid} 100nm --json").out)["results"]
+        assert [result["best"]["by"] for result in results if result["name"] == name] == [by]
         assert "assumed: ξ = 200 pm (--xi)" in run(f"{command} {solid} 100nm").err
 
 
@@ -153,10 +147,9 @@ def test_powers_of_ten_have_one_form(run: Run) -> None:
     """Tables and sentences write powers alike. A column has one unit, however much its values differ."""
     assert re.search(r" U_grips .* 1\.593  1e-18 J$", run("energies quartz 100nm", terminal=True).out, re.MULTILINE)
     assert "U_grips = 1.5928e-18 J\n" in run("energies quartz 100nm --explain").out
-    row = next(
-        line for line in run("energies quartz 100nm 1mm", terminal=True).out.splitlines() if line.startswith("U_load ")
-    )
-    assert row.split() == ["U_load", "[1e-18", "J]", "1.104", "237800"]
+    lines = run("energies quartz 100nm 1mm", terminal=True).out.splitlines()
+    (row,) = [line.split() for line in lines if line.startswith("U_load ")]
+    assert row == ["U_load", "[1e-18", "J]", "1.104", "237800"]
     curve = run("contact quartz 100nm --curve --quiet", terminal=True).out
     assert "δ [pm]   P [nN]" in re.sub(" {2,}", "   ", curve)
 

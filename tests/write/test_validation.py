@@ -1,6 +1,7 @@
 """The table of `jkroll guide validation` agrees with the measurements."""
 
 import math
+from pathlib import Path
 
 from jkroll import solve
 from relative import approx
@@ -48,7 +49,5 @@ def test_silica_has_sticking_speeds_at_the_two_measured_sizes() -> None:
 
 
 def test_the_readme_names_the_page_before_the_section_install() -> None:
-    from pathlib import Path
-
     text = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
     assert "`jkroll guide validation`" in text.partition("## Install")[0]

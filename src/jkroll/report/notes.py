@@ -61,6 +61,7 @@ _UNLIKE = 3.0  # ratio of two surface energies above which their geometric mean 
 _MAX_NOTES = 1  # answering sentences below results, and as many other notes, in addition to the warning
 _MAX_LENGTH = 154  # characters of a note: two lines of a terminal
 _MAX_CODES = 4  # codes of doubts in a note
+MORE = "more: --explain"  # the last line, if there is more
 _MOST_IN_WORDS = 2  # largest number of quantities that a note names in words; it gives the symbols of more quantities
 
 
@@ -343,7 +344,7 @@ def lines_of(
     shown = [_first_clauses(f"note: {text}") for text in (*answers[:_MAX_NOTES], *others_shown)]
     lines = [*assumptions, *warning, *shown]
     if shown != every or texts["more"] or has_more:
-        lines.append("more: --explain")
+        lines.append(MORE)
     return lines
 
 

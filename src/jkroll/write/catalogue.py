@@ -252,7 +252,7 @@ def quantity_as_object(name: str) -> dict[str, Any]:
 
 
 def _related(name: str) -> list[str]:
-    """Return the other quantities whose names contain each word of a name, or a longer word that begins with it."""
+    """Return the other quantities, without variants, whose names have each word of a name or a word that begins so."""
     prefixes = words_in(name)
     related = []
     for other, words in _words_of_names().items():

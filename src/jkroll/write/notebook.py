@@ -6,15 +6,13 @@ from typing import TYPE_CHECKING
 from ..quantities.formatting import AS_USUAL, Format
 from ..quantities.shown import Part
 from ..report.leads import lead_of_rows
-from ..report.notes import Noted, assumed_in, lines_of, notes_below
+from ..report.notes import MORE, Noted, assumed_in, lines_of, notes_below
 from ..text import as_arguments
 from .table import parts_of_frame, parts_of_rows
 
 if TYPE_CHECKING:
     from ..model.rows import Columns, Tally, Wanted
     from ..report.report import Report
-
-_MORE = "more: --explain"  # the last line on a terminal, if there is more
 
 
 def parts_of_answer(answer: "Report") -> Iterator[Part]:
@@ -44,6 +42,6 @@ def _in_python(parts: Iterable[Part], more: str) -> Iterator[Part]:
     """Iterate over parts in which arguments replace options. `more`: the attributes with further notes."""
     for part in parts:
         if isinstance(part, str):
-            yield f"more: {more}" if part == _MORE else as_arguments(part)
+            yield f"more: {more}" if part == MORE else as_arguments(part)
         else:
             yield part
