@@ -28,26 +28,22 @@ SCENES: list[tuple[str, str | list[str], dict[str, Any]]] = [
 ]
 
 
-@pytest.mark.parametrize(("words", "wanted", "scene"), SCENES, ids=lambda each: str(each)[:30])
+@pytest.mark.parametrize(("words", "wanted", "scene"), SCENES, ids=lambda value: str(value)[:30])
 def test_as_dict_equals_the_json_object_of_the_command(
     run: Run, words: str, wanted: str | list[str], scene: dict[str, Any]
 ) -> None:
     printed = json.loads(run(*words.split(), "--json").out)
     found = jkroll.answer(wanted, **scene)
     assert json.loads(json.dumps(found.as_dict())) == printed
-    assert {name: value.value for name, value in found.values.items()} == {
-        each["name"]: each["value"] for each in printed["results"]
-    }
-    assert [value.unit for value in found.values.values()] == [each["unit"] for each in printed["results"]]
+    results = [(result["name"], result["value"], result["unit"]) for result in printed["results"]]
+    assert [(name, result.value, result.unit) for name, result in found.values.items()] == results
     assert [*found.notes] == printed["notes"]
-    unmet = [each for each in printed["validity"] if not each["holds"]]
-    assert len(found.doubts) == len(unmet)
-    assert {one.code: (one.value, one.limit, one.factor) for one in found.doubts} == {
-        each["code"]: (each["value"], each["limit"], each["factor"]) for each in unmet
-    }
-    texts = {one.code: str(one) for one in found.doubts}
-    for each in unmet:
-        assert each["text"] in texts[each["code"]]
+    exceeded = {limit["code"]: limit for limit in printed["validity"] if not limit["holds"]}
+    assert sorted(exceeded) == sorted(doubt.code for doubt in found.doubts)
+    for doubt in found.doubts:
+        limit = exceeded[doubt.code]
+        assert (doubt.value, doubt.limit, doubt.factor) == (limit["value"], limit["limit"], limit["factor"])
+        assert limit["text"] in str(doubt)
 
 
 def test_an_answer_has_uncertainties_and_units() -> None:

@@ -62,38 +62,38 @@ def test_only_bare_numbers_and_plain_lines_show_a_number_without_a_meaning(run: 
     shown = {one["name"] for one in json.loads(run(f"{words_of(call, last=True)} --json").out)["results"]}
     ended = shown if ended is None else ended
     # A list as CSV: the first row has the values, the last row has gaps and the reason.
-    assert all(rows[0][heads[each]] for each in ended)
-    assert {each for each in shown if not rows[1][heads[each]]} == ended
+    assert all(rows[0][heads[quantity]] for quantity in ended)
+    assert {quantity for quantity in shown if not rows[1][heads[quantity]]} == ended
     assert phrase in rows[1]["status"].split("; ")
     assert code in rows[1]["doubt"].split()
     for words in (words_of(call), words_of(call, last=True)):  # a list, and a single pair
         one = run(f"{words} --csv")
         assert (one.code, "failed" in one.err) == (0, False)
-        assert (
-            list(csv.DictReader(one.out.splitlines()))[-1].items()
-            >= {key: cell for key, cell in rows[1].items() if key in one.out}.items()
-        )
+        *_, last_row = csv.DictReader(one.out.splitlines())
+        assert last_row == {head: rows[1][head] for head in last_row}
         # JSON
         every = json.loads(run(f"{words} --json").out)
         found = every[-1] if isinstance(every, list) else every
-        results = {each["name"]: each for each in found["results"]}
-        assert {each for each, result in results.items() if result["value"] is None} == ended
-        assert all(results[each]["reason"] == phrase for each in ended)
-        for each in ended:  # by another law or displacement, an end of a best range may have a meaning
-            ends = {results[each].get("best", {}).get(end) for end in ("low", "high")}
+        results = {result["name"]: result for result in found["results"]}
+        assert {quantity for quantity, result in results.items() if result["value"] is None} == ended
+        assert all(results[quantity]["reason"] == phrase for quantity in ended)
+        for quantity in ended:  # by another law or displacement, an end of a best range may have a meaning
+            best = results[quantity].get("best", {})
+            ends = {best.get("low"), best.get("high")}
             assert ends == {None} or name in {"a sphere that does not begin to roll", "a sphere that flies off"}
         # A terminal
         table = run(words, terminal=True)
         assert table.code == 0
         assert phrase in " ".join((table.out + table.err).split())
     for line in run(words_of(call, last=True), terminal=True).out.splitlines():
-        if any(f" {NOMENCLATURE[each].symbol} " in line and NOMENCLATURE[each].sentence in line for each in ended):
+        cells = [(NOMENCLATURE[quantity].sentence, NOMENCLATURE[quantity].symbol) for quantity in ended]
+        if any(sentence in line and f" {symbol} " in line for sentence, symbol in cells):
             assert " –" in line
             assert not re.search(r"\d{3}", line.rpartition(" –")[2]), line
     # A file with rows
     assert run(f"{words_of(call)} -o out.ndjson").code == 0
     *_, last = map(json.loads, Path("out.ndjson").read_text(encoding="utf-8").splitlines())
-    assert all(last[heads[each]] is None for each in ended)
+    assert all(last[heads[quantity]] is None for quantity in ended)
     assert phrase in last["status"]
     # Bare numbers and plain lines keep the numbers, with a warning on stderr.
     bare, plain = run(f"{words_of(call, last=True)} --bare"), run(words_of(call, last=True))

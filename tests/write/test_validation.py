@@ -16,13 +16,13 @@ def test_the_page_has_the_table_of_the_measurements() -> None:
 
 
 def test_measurements_that_disagree_most_come_first() -> None:
-    sizes = [abs(math.log(each.measured / each.computed)) for each in COMPARED]
+    sizes = [abs(math.log(one.measured / one.computed)) for one in COMPARED]
     assert sizes == sorted(sizes, reverse=True)
 
 
 def test_computed_numbers_are_those_of_the_formulas() -> None:
     """By hand: P_c = 3πγR1 on a plane, F_roll = 6πγξ, w = 2√(γ1γ2), powers of the radius; for water ice, `solve`."""
-    found = {(each.row.solids, each.row.given.get("radius"), each.row.quantity): each for each in COMPARED}
+    found = {(one.row.solids, one.row.given.get("radius"), one.row.quantity): one for one in COMPARED}
     smooth = found["SiO2 on smooth glass, dry", "2.5 um", "pull_off_force"]
     assert smooth.computed == approx(3 * math.pi * 0.025 * 2.5e-6)
     assert smooth.measured == 314e-9
@@ -31,7 +31,7 @@ def test_computed_numbers_are_those_of_the_formulas() -> None:
     assert found["polystyrene on polyurethane", "6 um", "contact_radius"].computed == approx(2 ** (2 / 3))
     silica = found["vitreous silica, closing cracks", None, "work_of_adhesion"]
     assert {silica.computed, silica.measured} == {0.4, 0.15}
-    tips = [each.computed for each in COMPARED if each.row.solids == "fused quartz on steel"]
+    tips = [one.computed for one in COMPARED if one.row.solids == "fused quartz on steel"]
     assert tips == approx([2 * math.sqrt(0.025 * 3), 2 * math.sqrt(0.025 * 0.0305)])
     mica = found["mica on mica, dry", "1 cm", "pull_off_force"]
     assert mica.computed == approx(3 * math.pi * 0.15 * 0.01)
@@ -41,8 +41,8 @@ def test_computed_numbers_are_those_of_the_formulas() -> None:
 
 def test_silica_has_sticking_speeds_at_the_two_measured_sizes() -> None:
     """The JKR speed is √(2U/m) with U = 0.7722405 P_cδ0."""
-    speeds = {each.row.given["radius"]: each for each in COMPARED if each.row.solids == "silica"}
-    assert {radius: each.measured for radius, each in speeds.items()} == {"0.6 um": 1.2, "0.25 um": 1.9}
+    speeds = {one.row.given["radius"]: one for one in COMPARED if one.row.solids == "silica"}
+    assert {radius: one.measured for radius, one in speeds.items()} == {"0.6 um": 1.2, "0.25 um": 1.9}
     assert speeds["0.6 um"].computed == approx(0.150207, rel=1e-5)
     assert speeds["0.25 um"].computed == approx(0.311554, rel=1e-5)
     assert speeds["0.6 um"].ratio == approx(7.98898, rel=1e-5)
