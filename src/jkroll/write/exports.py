@@ -52,7 +52,7 @@ where collisions press harder, give their largest force as --load. Each line is 
 _EARLY = 0.7028  # sticking speed of LAMMPS' JKR contact, which breaks early, over that of JKR
 _OF_COLLISIONS = """\
 # LAMMPS drops a contact at the largest pull, where fixed grips would hold it on: its grains stick only below \
-{slow:.3g} m/s{place}, 0.7028 of JKR's v_stick.
+{slow:.3g} m/s{place}, {early} of JKR's v_stick.
 """
 _REMARKS_ON = {  # by law
     "jkr": """\
@@ -115,7 +115,7 @@ def lammps_input(frame: Frame) -> str:
 
 def _on_collisions(frame: Frame, place: str) -> str:
     """Return the comment on the speed below which grains stick in LAMMPS. `place`: the pair, if there are several."""
-    return _OF_COLLISIONS.format(slow=_EARLY * frame["sticking_speed"], place=place.partition(",")[0])
+    return _OF_COLLISIONS.format(early=_EARLY, slow=_EARLY * frame["sticking_speed"], place=place.partition(",")[0])
 
 
 def _peeling_coefficient(frame: Frame) -> float:
