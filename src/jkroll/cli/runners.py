@@ -12,11 +12,12 @@ from typing import TYPE_CHECKING, TextIO
 
 from ..errors import ROWS_FAILED, BadRequest, JkrollError, repeated_input
 from ..materials.library import UnknownMaterial
-from ..model.frame import HELD_BY_LOAD, Frame
+from ..model.frame import Frame
 from ..model.limits import ENDING_MEANING
 from ..model.plan import formula_of
 from ..model.sweep import Sweep
 from ..quantities.formatting import Format, symbol_of
+from ..quantities.laws import HELD_BY_LOAD
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity
 from ..quantities.values import Spread, spreads_of
 from ..report.notes import Shown, assumed_in, lines_of, notes_below

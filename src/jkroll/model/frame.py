@@ -17,7 +17,7 @@ from ..errors import BadRequest, JkrollError
 from ..materials.library import Material
 from ..physics.contact import reduced_radius
 from ..physics.elementary import NUMBER, where
-from ..quantities.laws import ALWAYS, DEFAULT_LAW, LAWS, Law, other_law
+from ..quantities.laws import ALWAYS, DEFAULT_LAW, HELD_BY_LOAD, LAWS, Law, other_law
 from ..quantities.nomenclature import CONVERTED, DEFAULTS, INFINITY, NOMENCLATURE, PROPERTIES, STATE, XI, of_sphere
 from ..quantities.values import Interval, Uncertain, is_uncertain, middle
 from ..text import listed
@@ -55,7 +55,6 @@ FOLLOWS: Mapping[str, tuple[float, Mapping[str, float]]] = {
     "load": (0.0, {"load_margin": 1.0}),
 }
 
-HELD_BY_LOAD = frozenset({"stable", "pull-off", "jump-in", "equilibrium"})  # states of a force curve that need no grips
 _OF_ONE_LAW = STATE - {"approach_at_load"}  # inputs that exist in one law only
 
 # Inputs that exclude each other, since one follows from the other.

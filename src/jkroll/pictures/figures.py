@@ -22,10 +22,10 @@ from ..physics.cylinder import asymmetric_pressure, contact_point_moment, half_s
 from ..physics.maugis import edge_ratio_at_pull_off, pull_off_force_maugis
 from ..physics.shifted import exact_pressure, half_circle_pressure, unloaded_half_width
 from ..quantities.formatting import Format, amount
-from ..quantities.laws import DEFAULT_LAW
+from ..quantities.laws import DEFAULT_LAW, EQUILIBRIUM, FIXED_GRIPS, PULL_OFF, STABLE, UNSTABLE, WITHOUT_CONTACT
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import DEFAULTS, NOMENCLATURE, bracketed
-from ..report.curve import EQUILIBRIUM, MAX_LOAD, NAMED, PULL_OFF, WHOLE_CURVE, Loads, states
+from ..report.curve import MAX_LOAD, NAMED, WHOLE_CURVE, Loads, states
 from ..report.questions import Question
 from ..report.report import Report
 from ..text import quoted
@@ -45,7 +45,7 @@ _OF_MOMENTS = {
     "fixed_approach_moment": "exact, at a fixed approach",
 }
 _NO_LOAD = "⟦P = 0⟧"
-_BRANCHES = ("stable", "fixed grips", "unstable", "without contact")  # of force curves, each with its own colour
+_BRANCHES = (STABLE, FIXED_GRIPS, UNSTABLE, WITHOUT_CONTACT)  # of force curves, each with its own colour
 
 
 def _force(frames: Sequence[Frame], loads: Loads | None) -> Panel:
@@ -105,7 +105,7 @@ def _pressure(frames: Sequence[Frame], _: Loads | None) -> Panel:
     """Return the panel of pressure across the contact, without load and at pull-off. Only JKR gives it."""
     (frame,) = frames
     curves = []
-    for text, name, branch in ((_NO_LOAD, EQUILIBRIUM, "stable"), (PULL_OFF, PULL_OFF, "fixed grips")):
+    for text, name, branch in ((_NO_LOAD, EQUILIBRIUM, STABLE), (PULL_OFF, PULL_OFF, FIXED_GRIPS)):
         state = values_of(frame.replace(load_factor=NAMED[name]), AREA_AND_PRESSURES)
         x = across(-state["contact_radius_at_load"], state["contact_radius_at_load"])
         curves.append(Curve(text, x, pressure(distance=abs(x), **state), _BRANCHES.index(branch)))

@@ -23,8 +23,12 @@ from ..text import closest, quoted
 
 Routes = Mapping[str, str | None]
 
-
 PARABOLOID, SPHERE = PROFILES = ("paraboloid", "sphere")  # shapes of body 1
+
+# The names of states of a force curve: single states, and the branches between them.
+FOLD, PULL_OFF, JUMP_IN, EQUILIBRIUM = "fold", "pull-off", "jump-in", "equilibrium"
+STABLE, FIXED_GRIPS, UNSTABLE, WITHOUT_CONTACT = "stable", "fixed grips", "unstable", "without contact"
+HELD_BY_LOAD = frozenset({STABLE, PULL_OFF, JUMP_IN, EQUILIBRIUM})  # states that need no grips
 
 
 class Law:
@@ -39,8 +43,9 @@ class Law:
         omits: frozenset[str] = frozenset(),  # quantities not shown under this law
         by_spacing: frozenset[str] = frozenset(),  # formulas whose values rest on the atomic spacing if Maugis' λ < 1
         profile: str = PARABOLOID,
+        set_by: str = "load",  # the input that sets a state of the force curve
     ) -> None:
-        self.name, self.title, self.source, self.profile = name, title, source, profile
+        self.name, self.title, self.source, self.profile, self.set_by = name, title, source, profile, set_by
         self.tables, self.omits, self.by_spacing = tables, omits, by_spacing
 
     @property
@@ -100,6 +105,7 @@ _JKR = Law(
         },
     },
     omits=frozenset(RESULTS_BY_LENNARD_JONES),
+    set_by="load_factor",
 )
 
 _PEAK_OF_JKR = ("impact_pressure", "touch_pressure", "yield_speed", "plastic_speed")  # computed from JKR's energies
@@ -163,6 +169,7 @@ _MAUGIS = Law(
     },
     omits=frozenset({"rolling_frequency_as_printed", *_PEAK_OF_JKR}),
     by_spacing=frozenset({"sticking_energy_maugis"}),
+    set_by="edge_ratio",
 )
 
 _DMT = Law(
@@ -194,6 +201,7 @@ _DMT = Law(
         "approach_at_load": {"load": "load_dmt", "contact_radius_at_load": "contact_radius_dmt_at_approach"},
     },
     omits=frozenset({"rolling_frequency_as_printed", *RESULTS_BY_LENNARD_JONES, "pull_off_force_dmt", *_PEAK_OF_JKR}),
+    set_by="approach_at_load",
 )
 
 # JKR's law for a rigid sphere of true shape on a soft plane. It gives the contact, but no quantity that depends on
