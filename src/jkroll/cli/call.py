@@ -14,11 +14,12 @@ from ..model.accepted import check_range
 from ..model.frame import check_exclusive
 from ..model.reasons import MissingInput
 from ..model.sweep import Pair, Sweep
-from ..quantities.formatting import Format, amount
+from ..quantities.formatting import Format, amount, as_typed
 from ..quantities.laws import law_given
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE
+from ..quantities.spreads import Spread, spreads_of
 from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
-from ..quantities.values import QuantityError, Spread, as_typed, spreads_of
+from ..quantities.values import QuantityError
 from ..report.questions import QUESTIONS, quantity_named
 from ..text import ending, quoted, say_wrapped, shown
 from .options import Options

@@ -19,7 +19,7 @@ from ..model.sweep import Sweep
 from ..quantities.formatting import Format, symbol_of
 from ..quantities.laws import HELD_BY_LOAD
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity
-from ..quantities.values import Spread, spreads_of
+from ..quantities.spreads import Spread, spreads_of
 from ..report.notes import Shown, assumed_in, lines_of, notes_below
 from ..report.questions import (
     BY_DEFAULT,

@@ -13,7 +13,8 @@ from typing import Any, NamedTuple
 
 from ..materials.library import Material
 from ..quantities.nomenclature import NOMENCLATURE, computed_as, of_sphere
-from ..quantities.values import Interval, Spread, Uncertain
+from ..quantities.spreads import Spread
+from ..quantities.values import Interval, Uncertain
 from .frame import FOLLOWS, Frame
 from .plan import in_order
 from .reasons import OF_IDENTICAL_SPHERES, Failure
@@ -88,7 +89,7 @@ class Sweep:
         starts = self.starts[name]
         number = bisect(starts, position) - 1
         spread = self.spreads[name][number]
-        return spread.uncertainty or spread.value(position - starts[number])
+        return spread.uncertain or spread.value(position - starts[number])
 
     def __len__(self) -> int:
         """Return the number of rows."""
@@ -213,8 +214,8 @@ def _examples(name: str, spreads: Sequence[Spread], noted: Iterable[Interval] = 
     special = FOLLOWS[name][0] if name in FOLLOWS else None
     values: dict[object, Any] = {}
     for spread in spreads:
-        mark = spread.uncertainty.kind if spread.uncertainty is not None else spread.low == special
-        values.setdefault(mark, spread.uncertainty or spread.low)
+        mark = spread.uncertain.kind if spread.uncertain is not None else spread.low == special
+        values.setdefault(mark, spread.uncertain or spread.low)
     if name in _RADII:
         for radii in noted:
             example = _value_in(radii.low / _RADII[name], radii.high / _RADII[name], spreads)
@@ -229,7 +230,7 @@ def _value_in(low: float, high: float, spreads: Iterable[Spread]) -> float | Unc
         rising = range(len(spread))[:: 1 if spread.low <= spread.high else -1]
         above = rising[bisect_left(rising, low, key=spread.value) :]
         if above and spread.value(above[0]) <= high:
-            return spread.uncertainty or spread.value(above[0])
+            return spread.uncertain or spread.value(above[0])
     return None
 
 

@@ -22,7 +22,8 @@ from ..quantities.laws import law_given
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, named
 from ..quantities.numeric import Numeric
 from ..quantities.shown import Part, Shown, as_text
-from ..quantities.values import QuantityError, Spread, Uncertain, is_uncertain, middle
+from ..quantities.spreads import Spread
+from ..quantities.values import QuantityError, Uncertain, middle
 from ..report.answer import Result
 from ..report.questions import QUESTIONS, Question, columns_in_table, question_about
 from ..report.report import Report
@@ -460,9 +461,8 @@ def _spreads(name: str, values: Iterable[Any]) -> list[Spread]:
     """Return the values of an input as spreads. Raises QuantityError for a value outside its range."""
     spreads = []
     for value in values:
-        number = middle(value)
-        check_range(name, number)
-        spreads.append(Spread(number, number, uncertainty=value if is_uncertain(value) else None))
+        check_range(name, middle(value))
+        spreads.append(Spread.of(value))
     return spreads
 
 

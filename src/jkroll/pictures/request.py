@@ -23,7 +23,8 @@ from ..quantities.formatting import AS_USUAL, Format, amount, in_words, symbol_o
 from ..quantities.laws import BETWEEN
 from ..quantities.markup import marked, symbol
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, as_input, computed_as
-from ..quantities.values import QuantityError, between, parse_quantity
+from ..quantities.spreads import between
+from ..quantities.values import QuantityError, parse_quantity
 from ..report.answer import equation_of
 from ..report.best_ranges import range_in_words
 from ..report.notes import about_assumed, about_data, about_given, about_idle, about_middles, assumed, entering

@@ -1,12 +1,13 @@
 """Values as text: rounded, with a suitable prefix of the unit and with their uncertainty."""
 
+import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from math import floor, isinf, log10
 
 from ..text import first_of
 from .nomenclature import INFINITY, NOMENCLATURE, header
-from .units import Unit, convert, power_of_ten
-from .values import Measured, Uncertain, ends_of, middle
+from .units import RAISED, Unit, convert, power_of_ten
+from .values import Measured, Uncertain, ends_of, middle, normalized_value
 
 DIGITS = 6  # significant digits of a rounded value
 RESULT_DIGITS = 4  # digits of a result in a table for readers
@@ -160,6 +161,30 @@ def amount(name: str, value: float | str | Uncertain, form: Format = AS_USUAL) -
     """
     typed = form.typed.get(name)
     return typed or with_unit(*form.rounded(name, value))
+
+
+# Replacements that turn a typed value into a printed one: a space after the number, but none before a power of ten.
+_AS_WRITTEN = {
+    r" ?± ?": " ± ",
+    r"(?<=[0-9.)])(?![eE][-+]?[0-9])(?=[^\W\d_]|[%°])": " ",
+    r"\bangstroms?\b": "Å",
+    r"\bu(?=[mgsNJP])": "µ",
+}
+_TYPED_POWER = r"(?<=[A-DF-Za-df-z])(?:\^|\*\*)?(-?[0-9]+)"
+
+
+def as_typed(text: str) -> str:
+    """Return a typed value with its unit as printed; a word is unchanged.
+
+    >>> as_typed("2angstrom"), as_typed("0.03 J/m^2"), as_typed("1um"), as_typed("40%"), as_typed("plane")
+    ('2 Å', '0.03 J/m²', '1 µm', '40 %', 'plane')
+    >>> as_typed("25±5mJ/m2"), as_typed("25(5)mJ/m2"), as_typed("100nm +/- 5%"), as_typed("20 to 30 mJ/m2")
+    ('25 ± 5 mJ/m²', '25(5) mJ/m²', '100 nm ± 5 %', '20 to 30 mJ/m²')
+    """
+    text = normalized_value(" ".join(text.split()))
+    for typed, as_written in _AS_WRITTEN.items():
+        text = re.sub(typed, as_written, text)
+    return re.sub(_TYPED_POWER, lambda power: power[1].translate(RAISED), text)
 
 
 def span(name: str, low: float, high: float, form: Format = AS_USUAL) -> str:
