@@ -29,7 +29,7 @@ Path = str | os.PathLike[str]
 
 
 class MaterialsFileError(BadRequest):
-    """Error raised for a materials file that cannot be read, or that contains anything other than materials."""
+    """Error raised for a materials file that cannot be read, or for a mistake in it."""
 
     def __init__(self, path: object, problem: str) -> None:
         super().__init__(f"materials file {quoted(str(path))}: {problem}", "bad materials file")
@@ -44,7 +44,7 @@ class UnclearMaterial(BadRequest):
 
     @property
     def fault(self) -> str:
-        """The message as the key of rows: rows with different names need different remedies."""
+        """The message: a note counts failed rows by their names, as each name needs another remedy."""
         return str(self)
 
 
@@ -461,7 +461,8 @@ def _decoded(paths: Path | Iterable[Path]) -> list[str]:
 def _unclear(word: str, materials: Sequence[Material]) -> UnclearMaterial:
     """Return the error for a name that materials share, with the surface energy and the state or set of each."""
     first, last, name = materials[0], materials[-1], quoted(word)
-    if first.path == SHIPPED != last.path and word.strip().casefold() in last.words:
+    is_shipped_and_added = first.path == SHIPPED and last.path != SHIPPED
+    if is_shipped_and_added and word.strip().casefold() in last.words:
         title, file = first.title, shown(last.path)
         meanings = f"shipped ({title}) and also in {file}; rename it, or pass --materials {file}"
         return UnclearMaterial(f"material {name} is {meanings}", "unclear material")

@@ -51,7 +51,8 @@ class Format:
         """Return the number to write for an SI value: in its unit, with its digits."""
         if name in self.units:
             value = convert(value, self.units[name][1])
-        return value + 0.0 if self.digits is None else float(f"{value + 0.0:.{self.digits}g}")
+        value += 0.0  # -0.0 becomes 0.0
+        return value if self.digits is None else float(f"{value:.{self.digits}g}")
 
     def header(self, name: str) -> str:
         """Return a column header: name and unit."""
@@ -72,9 +73,8 @@ class Format:
             return self.units[name]
         si = NOMENCLATURE[name].unit
         sizes = _sizes(values)
-        plain = pretty(si.removeprefix("1")), (1, 1, ())
-        if not plain[0] or not sizes:
-            return plain
+        if si in ("", "1") or not sizes:
+            return pretty(si.removeprefix("1")), (1, 1, ())
         power = _power(sizes[(len(sizes) - 1) // 2], si, self.digits or DIGITS)
         return pretty(_multiple(si, power)), (*power_of_ten(power), ())
 

@@ -44,8 +44,8 @@ class Spread:
         if self.is_log:
             return to_15_digits(self.low * (self.high / self.low) ** share)
         value = self.low * (1 - share) + self.high * share
-        is_error = abs(value) < 1e-15 * max(abs(self.low), abs(self.high))
-        return 0.0 if is_error else to_15_digits(value)
+        is_rounding_error = abs(value) < 1e-15 * max(abs(self.low), abs(self.high))
+        return 0.0 if is_rounding_error else to_15_digits(value)
 
 
 _LIST_OR_NUMBER = r"[+-]?[0-9]+,[0-9]+|[+-]?[0-9]{1,3}(?:,[0-9]{3})+"  # 1,5 and 2,500,000

@@ -195,7 +195,8 @@ def convert(value: float, unit: Unit) -> float:
     250.0
     """
     numerator, denominator = value.as_integer_ratio()
-    return numerator * unit[1] / (denominator * unit[0])
+    above, below, _ = unit
+    return numerator * below / (denominator * above)
 
 
 def power_of_ten(exponent: int) -> tuple[int, int]:

@@ -239,12 +239,12 @@ def _is_exact(other: object) -> bool:
 def _checked_number(owner: str, value: object) -> float:
     """Return a number as a float; raise BadRequest for anything else."""
     may_have_unit = any(hasattr(value, word) for word in ("attrs", "dims", "unit", "units"))
-    is_number = hasattr(value, "__float__") and not isinstance(value, bool)
-    is_number = is_number and getattr(getattr(value, "dtype", None), "kind", "f") in "fiu"  # no durations or booleans
+    dtype = getattr(value, "dtype", None)
+    is_other = isinstance(value, bool) or getattr(dtype, "kind", "f") not in "fiu"  # a boolean, or numpy's duration
     number = nan
-    if is_number and not may_have_unit:
+    if hasattr(value, "__float__") and not is_other and not may_have_unit:
         with suppress(TypeError, ValueError, OverflowError):
-            number = float(value)  # type: ignore[arg-type]
+            number = float(value)
     if isnan(number):
         problem = f"{quoted(str(value))} is not a number in SI units"
         raise BadRequest(f"{owner}: {problem}; a text with a unit, such as '25±5 mJ/m2', needs no {owner}()")
@@ -313,7 +313,7 @@ def value_of(text: str, name: str, unit: Unit | None = None) -> float | Uncertai
     if quantity.infinity and text.strip().lower() in (quantity.infinity, "inf", "infinity", "∞"):
         return INFINITY
     try:
-        value = _read(normalized_value(text), partial(_unit_in, dimension=dimension_of(quantity.unit), otherwise=unit))
+        value = _read(normalized_value(text), partial(_unit_in, dimension=dimension_of(quantity.unit), default=unit))
     except BadUnit as error:
         raise _error_about(name, text, error) from None
     return checked(value, name, text)
@@ -374,10 +374,10 @@ def unit_meant(text: str, dimension: Dimension) -> Unit:
     return parse_unit(text)
 
 
-def _unit_in(text: str, dimension: Dimension, otherwise: Unit | None = None) -> Unit:
+def _unit_in(text: str, dimension: Dimension, default: Unit | None = None) -> Unit:
     """Return the unit that a text means, which must have the dimension; "" means the default. Raises a `BadUnit`."""
-    if not text and otherwise is not None:
-        return otherwise
+    if not text and default is not None:
+        return default
     if not text and any(dimension):
         raise BadUnit(NO_UNIT)
     unit = unit_meant(text, dimension)
@@ -465,7 +465,8 @@ def _read(text: str, unit_in: _UnitIn) -> float | Uncertain:
         low, high = _value(_with_unit_of(right, left), unit_in), _value(right, unit_in)
         if low >= high:
             raise BadUnit("does not rise: write the smaller value first")
-        return Interval(min(max(low, to_15_digits(low / 2 + high / 2)), high), low, high)
+        centre = to_15_digits(low / 2 + high / 2)
+        return Interval(min(max(low, centre), high), low, high)  # rounding may move the centre out of a narrow range
     if re.search(r"[^\d\s]\s*\(", text):
         raise BadUnit("has brackets in its unit", "leave them out, as in mJ/m2")
     raise BadUnit("has an uncertainty in an unknown form", "write it as in 25±5 mJ/m2 or 20 to 30 mJ/m2")
