@@ -46,8 +46,8 @@ def test_the_turns_after_an_impact_are_the_first_row_for_a_given_speed(run: Run)
     assert names == ["n_roll_after_impact", "n_roll", "n_roll_energy_balance"]
     shown = run("n-roll quartz 1um --speed 5cm/s", terminal=True).out
     rows = ("turns after hitting a body", "turns while it slides", "turns without slip")
-    places = [shown.index(f"\n{row} ") for row in rows]
-    assert places == sorted(places)
+    positions = [shown.index(f"\n{row} ") for row in rows]
+    assert positions == sorted(positions)
     assert "body held" not in run("n-roll quartz 1um --energy 1aJ", terminal=True).out
 
 
@@ -133,7 +133,11 @@ def test_sources_of_aggregates_are_cited(run: Run) -> None:
 def test_softer_grains_keep_a_quantity_and_the_yield_moment(
     power: float, step: float, slide: float, slide_at_strength: float, kept: str
 ) -> None:
-    """The recipes of `guide dem`: with E·q, γ·q^power and ξ·q^−power, a quantity and the yield moment stay the same."""
+    """The recipes of `guide dem`: with E·q, γ·q^power and ξ·q^−power, a quantity and the yield moment stay the same.
+
+    `step`, `slide`, `slide_at_strength`: the powers of q by which the time step, the force that slides, and this force
+    at a fixed shear strength change.
+    """
     q, xi = 0.01, 2e-10
     names = [kept, "yield_moment", "sliding_frequency", "sliding_force"]
     before = solve(names, **QUARTZ, xi=xi)
