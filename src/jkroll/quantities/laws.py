@@ -10,8 +10,9 @@ The profile of body 1 is also part of a law: JKR's law of a paraboloid and JKR's
 and the profile selects one.
 
 A new law needs a `Law` here, its formulas in `physics`, and its reference in `write/references.toml`. If its force
-curve has several states at a load, `report.curve` must compute them. If it lacks quantities, `model.reasons` must give
-the reasons. The nomenclature takes the names of the law's formulas from the routes.
+curve has several states at a load, `set_by` is an input that tells them apart, and `report.curve` must name them. If it
+lacks quantities, `model.reasons` must give the reasons. The nomenclature takes the names of the law's formulas from the
+routes.
 """
 
 from collections.abc import Collection, Mapping

@@ -36,11 +36,13 @@ class Spread:
             return iter([self.uncertain])
         return map(self.value, range(self.size))
 
-    def value(self, position: int) -> float:
+    def value(self, index: int) -> float:
         """Return the value at an index, rounded to 15 digits: four values from 1e-9 to 1e-6 include 1e-8 and 1e-7."""
-        if position in (0, self.size - 1):
-            return self.high if position else self.low
-        share = position / (self.size - 1)
+        if index == 0:
+            return self.low
+        if index == self.size - 1:
+            return self.high
+        share = index / (self.size - 1)
         if self.is_log:
             return to_15_digits(self.low * (self.high / self.low) ** share)
         value = self.low * (1 - share) + self.high * share
