@@ -16,21 +16,12 @@ from scenes import QUARTZ
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (
-            "quartz 100nm",
-            "slides or peels off at 9.4–22 nN",
-        ),
-        (
-            "quartz 1um",
-            "slides or peels off at 180–220 nN",
-        ),
+        ("quartz 100nm", "slides or peels off at 9.4–22 nN"),
+        ("quartz 1um", "slides or peels off at 180–220 nN"),
         ("quartz 1um --shear-strength 10MPa", "if it cannot roll, it slides at"),
         ("quartz 100nm --xi 1nm", "a pushed sphere rolls first"),
         # πa0²τ, a0 = 3.991 nm · 10^(2/3), which is less than the 0.7 nN at which SiO2 rolled
-        (
-            "quartz 1um --shear-strength 0.4MPa",
-            "since it slides at 430 pN",
-        ),
+        ("quartz 1um --shear-strength 0.4MPa", "since it slides at 430 pN"),
         ("quartz 100nm --shear-strength 584.5MPa", "at 22 nN"),  # the whole area slides at 29.2 nN
         ("steel-304 1mm --load 5kN", "its adhesion alone peels off at 1.3–1.8 N"),  # the load still holds it
     ],

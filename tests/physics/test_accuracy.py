@@ -75,20 +75,20 @@ class Error(NamedTuple):
 
 def errors_of(scenes: Iterable[Frame]) -> dict[str, list[Error]]:
     """Return the errors of results, computed scene by scene, and as arrays of all scenes with the same inputs."""
-    alike = defaultdict(list)
+    groups = defaultdict(list)  # by inputs and results
     for scene in scenes:
         exact = {name: value for name, value in exact_results(scene).items() if abs(value) < math.inf}
-        alike[frozenset(scene), frozenset(exact)].append((scene, exact, conditions(scene, exact)))
-    found: dict[str, list[Error]] = {}
-    for (given, wanted), same in alike.items():
-        arrays: Frame = {name: np.array([scene[name] for scene, _, _ in same]) for name in given}
+        groups[frozenset(scene), frozenset(exact)].append((scene, exact, conditions(scene, exact)))
+    by_name: dict[str, list[Error]] = {}
+    for (given, wanted), group in groups.items():
+        arrays: Frame = {name: np.array([scene[name] for scene, _, _ in group]) for name in given}
         columns = solve(wanted, **arrays)
-        for row, (scene, exact, condition) in enumerate(same):
+        for row, (scene, exact, condition) in enumerate(group):
             for name, value in solve(wanted, **scene).items():
-                element = float(np.broadcast_to(columns[name], len(same))[row])
+                element = float(np.broadcast_to(columns[name], len(group))[row])
                 errors = [ulp_error(each, exact[name]) / (1 + condition[name]) for each in (value, element)]
-                found.setdefault(name, []).append(Error(max(errors), errors[0], scene))
-    return found
+                by_name.setdefault(name, []).append(Error(max(errors), errors[0], scene))
+    return by_name
 
 
 @cache

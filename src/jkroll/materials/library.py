@@ -296,6 +296,7 @@ def _notes(name: str, table: Mapping[str, Any]) -> tuple[dict[str, str], dict[st
 
 
 def _refuse_unknown_keys(where: str, table: Mapping[str, Any], known: Sequence[str]) -> None:
+    """Raise BadRequest for an unknown key of a table. `where`: the text before the key, empty for a whole file."""
     unknown = [key for key in table if key not in known]
     if unknown:
         guess = closest(named(unknown[0]), known)
@@ -348,7 +349,7 @@ class Materials:
     def _add(self, materials: Sequence[Material], *, takes: bool) -> None:
         """Add the materials of a file, which take over earlier names. `takes`: True to take over even shipped names."""
         meanings: dict[str, list[Material]] = {}
-        named: dict[str, Material] = {}
+        unshared: dict[str, Material] = {}  # by name, case folded: the materials that their names mean alone
         for material in materials:
             overrides: dict[str, None] = {}
             for key, word in material.words.items():
@@ -362,10 +363,10 @@ class Materials:
             self.overrides += overrides
             key = material.name.casefold()
             if len(meanings[key]) == 1:
-                named[key] = material
+                unshared[key] = material
         for others in self._meanings.values():  # whoever takes over a material's name also takes over its aliases
-            others[:] = [named.get(other.name.casefold(), other) for other in others]
-        self._materials |= named
+            others[:] = [unshared.get(other.name.casefold(), other) for other in others]
+        self._materials |= unshared
         self._meanings |= meanings
 
     def __getitem__(self, word: str) -> Material:

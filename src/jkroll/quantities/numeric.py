@@ -23,6 +23,8 @@ class NoValue(NoResult):
 
 
 def _forward(operation: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
+    """Return the method for an operation with the result as the first operand."""
+
     def apply(self: Any, other: Any) -> Any:
         return operation(self.number, number_in(other))
 
@@ -30,6 +32,8 @@ def _forward(operation: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
 
 
 def _backward(operation: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
+    """Return the method for an operation with the result as the second operand."""
+
     def apply(self: Any, other: Any) -> Any:
         return operation(number_in(other), self.number)
 

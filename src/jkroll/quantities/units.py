@@ -41,6 +41,7 @@ PREFIXES = dict(zip(_SYMBOLS + _WORDS.split(), _POWERS * 2, strict=True))  # pow
 
 
 def _by_name(meanings: dict[str, Unit]) -> dict[str, Unit]:
+    """Return the units by single names, from units by all their names, separated by blanks."""
     by_name: dict[str, Unit] = {}
     for names, meaning in meanings.items():
         by_name |= dict.fromkeys(names.split(), meaning)

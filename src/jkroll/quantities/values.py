@@ -451,7 +451,8 @@ def _read(text: str, unit_in: _UnitIn) -> float | Uncertain:
         value, digits, end = match.groups()
         decimals = len(value.partition(".")[2])
         bar = f"{int(digits) / 10**decimals:.{decimals}f}"
-        if not re.match(r"[eE][+-]?[0-9]", end) and 2 * int(digits) > abs(float(value)):
+        may_be_power = 2 * int(digits) > abs(float(value)) and not re.match(r"[eE][+-]?[0-9]", end)
+        if may_be_power:  # as in 3.4(9), which is 3.4e9 in the paper
             raise BadUnit(f"can be read as {value}±{bar} or as {value}e{digits}", "write the one that is meant")
         return _measured(_value(value + end, unit_in), _value(bar + end, unit_in))
     if match := re.fullmatch(_TWO_SIDES, text):
