@@ -1,7 +1,8 @@
 """Conversion of texts that users type to SI numbers: a strict grammar and exact arithmetic.
 
 A text is one decimal number and a unit. Its value is computed as a ratio of integers and rounded to a double once. The
-text may state an uncertainty, as in 25±5 mJ/m2, 25(5) mJ/m2, 25 mJ/m2 ± 20% and 20 to 30 mJ/m2.
+text may state an uncertainty, as in 25±5 mJ/m2, 25(5) mJ/m2, 25 mJ/m2 ± 20% and 20 to 30 mJ/m2: the value is then
+`Measured` or an `Interval`.
 """
 
 import re
@@ -381,8 +382,9 @@ def _unit_in(text: str, dimension: Dimension, default: Unit | None = None) -> Un
     if not text and any(dimension):
         raise BadUnit(NO_UNIT)
     unit = unit_meant(text, dimension)
-    if unit[2] != dimension:
-        raise BadUnit(f"is {kind_of(unit[2])}")
+    _, _, dimension_of_unit = unit
+    if dimension_of_unit != dimension:
+        raise BadUnit(f"is {kind_of(dimension_of_unit)}")
     return unit
 
 
