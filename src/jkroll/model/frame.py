@@ -386,13 +386,12 @@ class Frame:
         if not plan.is_possible:
             return Column(nan, reason(NOT_IN_LAW if plan.lacking else MISSING))
         if plan.name not in self.values:
-            for step in plan.steps.values():
-                if step.name not in self.values:
-                    self._take(step)
+            self._take(plan)
         column = Column(self.values[plan.name], self.reasons.get(plan.name, 0))
-        if not self.law.by_spacing or column.is_empty:
+        if not self.may_rest_on_spacing(name) or column.is_empty:
             return column
-        return column.without(self.rests_on_spacing(name), reason(RESTS_ON_SPACING, name))
+        rests_on_spacing = self.column("transition_parameter").values < 1
+        return column.without(rests_on_spacing, reason(RESTS_ON_SPACING, name))
 
     def shown(self, names: Iterable[str], named: Collection[str]) -> dict[str, Column]:
         """Return the columns of quantities that apply to some row; infinite numbers become empty cells.
@@ -416,11 +415,8 @@ class Frame:
 
     def may_rest_on_spacing(self, name: str) -> bool:
         """Return whether a quantity depends on an assumed atomic spacing if the spheres are small and hard."""
-        return self.assumes_spacing and not self.law.by_spacing.isdisjoint(self.plan(name).steps.keys() - {name})
-
-    def rests_on_spacing(self, name: str) -> Any:
-        """Return the rows in which a quantity depends on an assumed atomic spacing; False if there are none."""
-        return self.may_rest_on_spacing(name) and self.column("transition_parameter").values < 1
+        others = self.law.by_spacing - {name}
+        return bool(others) and not others.isdisjoint(self.plan(name).steps) and self.assumes_spacing
 
     def drop(self, name: str, cause: Cause) -> None:
         """Replace the value of a quantity by a reason."""
@@ -428,7 +424,10 @@ class Frame:
         self.values[step.name], self.reasons[step.name], self.steps[step.name] = nan, reason(cause, name), step
 
     def _take(self, step: Plan) -> None:
-        """Compute a step; arrays are reused if the step had the same arguments before."""
+        """Compute a step, after its arguments; arrays are reused if the step had the same arguments before."""
+        for argument in step.plans:
+            if argument.name not in self.values:
+                self._take(argument)
         given = {parameter: self.values[name] for parameter, name in step.arguments.items()}
         reasons = self._inherited(step) if self.reasons or self.is_rigid is not False else 0  # usually there are none
         if isinstance(reasons, int) and reasons:

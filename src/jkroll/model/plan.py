@@ -37,6 +37,7 @@ class Plan:
         lacking: frozenset[str] = frozenset(),  # quantities that the law of attraction does not have
     ) -> None:
         self.name, self.formula = name, formula
+        self.plans = [*plans.values()]
         self.arguments = {parameter: plan.name for parameter, plan in plans.items()}
         self.missing, self.lacking = missing, lacking
         self.steps: dict[str, Plan] = {}  # all intermediate values in order of evaluation, this one last
