@@ -22,7 +22,7 @@ from ..quantities.nomenclature import CONVERTED, DEFAULTS, INFINITY, NOMENCLATUR
 from ..quantities.values import Interval, Uncertain, is_uncertain, middle
 from ..text import listed
 from .accepted import OF_A_PLANE, SMALLEST, check_range, is_answer
-from .column import Column, at_row, broadcast, first_of
+from .column import Column, at_row, broadcast, first_reasons
 from .conversions import converted, lacked
 from .plan import KEPT, OF_A_SOLID, Plan, depends_on, in_order, plan_for
 from .reasons import (
@@ -453,9 +453,9 @@ class Frame:
         """
         reasons: Any = 0
         for name in step.arguments.values():
-            reasons = first_of(reasons, self.reasons.get(name, 0))
+            reasons = first_reasons(reasons, self.reasons.get(name, 0))
         if step.name in _ON_AREA and self.is_rigid is not False:
-            reasons = first_of(reasons, where(self.is_rigid, reason(TWO_RIGID_BODIES), 0))
+            reasons = first_reasons(reasons, where(self.is_rigid, reason(TWO_RIGID_BODIES), 0))
         return reasons
 
     # --- Numbers and errors -------------------------------------------------------------------------------------------
@@ -525,7 +525,7 @@ def made_of(step: Plan, given: Mapping[str, Any], reasons: Any) -> tuple[Any, An
         return values, 0
     has_answer = is_answer(step.name, values)
     if not _all(has_answer | (reasons != 0)):
-        reasons = first_of(reasons, where(has_answer, 0, reason_for(step.name, given)))
+        reasons = first_reasons(reasons, where(has_answer, 0, reason_for(step.name, given)))
     return where(reasons == 0, values, nan), reasons
 
 

@@ -8,7 +8,7 @@ from typing import Any
 from ..errors import JkrollError
 from ..physics.elementary import is_anywhere, where
 from ..quantities.nomenclature import NOMENCLATURE
-from .column import Column, at_row, first_of
+from .column import Column, at_row, first_reasons
 from .frame import Frame
 from .limits import (
     ENDING,
@@ -79,20 +79,20 @@ class Results:
         if column.is_empty:
             return column
         for touched in touching:
-            reasons = first_of(reasons, self._ends_of(touched))
+            reasons = first_reasons(reasons, self._ends_of(touched))
             if NOMENCLATURE[touched].of_identical:
                 of_another_pair = where(self.frame.is_identical, 0, reason(OF_ANOTHER_PAIR))
-                reasons = first_of(reasons, of_another_pair)
+                reasons = first_reasons(reasons, of_another_pair)
         if isinstance(reasons, int) and not reasons:
             return column
-        return Column(where(reasons == 0, column.values, nan), first_of(column.reasons, reasons))
+        return Column(where(reasons == 0, column.values, nan), first_reasons(column.reasons, reasons))
 
     def _ends_of(self, name: str) -> Any:
         """Return the reasons of rows where limits make a quantity meaningless, computed once for each set of limits."""
         ending = () if name in NUMBERS_OF_LIMITS else self.ending
         concerned = tuple(index for index, doubt in enumerate(ending) if concerns(doubt.limit, self.frame, [name]))
         if concerned not in self._ends:
-            self._ends[concerned] = reduce(first_of, (ending[index].ends for index in concerned), 0)
+            self._ends[concerned] = reduce(first_reasons, (ending[index].ends for index in concerned), 0)
         return self._ends[concerned]
 
     @cached_property
