@@ -65,7 +65,7 @@ class Sweep:
         return SEARCHED if self.unknowns else COMPUTED
 
     def frame(self, given: Mapping[str, Any], *spheres: Material | None, model: str | None) -> Frame:
-        """Return the frame of some inputs, the materials of its spheres, and a law."""
+        """Return the frame of inputs, the materials of the spheres, and a law; an `Inverse` if inputs are unknown."""
         if not self.unknowns:
             return Frame(given, *spheres, model=model)
         from .inverse import Inverse  # which imports numpy
@@ -85,7 +85,7 @@ class Sweep:
         return [len(self.pairs), *(starts[-1] for starts in self.starts.values()), len(self.models)]
 
     def value(self, name: str, position: int) -> Any:
-        """Return the value of an input by its index over all lists and ranges."""
+        """Return the value of an input by its index among the values of all its lists and ranges."""
         starts = self.starts[name]
         number = bisect(starts, position) - 1
         return _value_at(self.spreads[name][number], position - starts[number])
@@ -95,13 +95,13 @@ class Sweep:
         return prod(self.counts)
 
     def row(self, position: int) -> Frame:
-        """Return a row as a frame of numbers."""
-        position, law = divmod(position, len(self.models))
+        """Return a row as a frame of numbers. The law changes fastest from row to row, then the last input."""
+        rest, law = divmod(position, len(self.models))
         given = {}
-        for name in reversed([*self.spreads]):  # the last input changes fastest
-            position, of_input = divmod(position, self.starts[name][-1])
-            given[name] = self.value(name, of_input)
-        return self.frame({name: given[name] for name in self.spreads}, *self.pairs[position], model=self.models[law])
+        for name in reversed([*self.spreads]):
+            rest, index = divmod(rest, self.starts[name][-1])
+            given[name] = self.value(name, index)
+        return self.frame({name: given[name] for name in self.spreads}, *self.pairs[rest], model=self.models[law])
 
     def frames(self) -> Iterator[Frame]:
         """Iterate over the rows as frames of numbers."""
@@ -143,7 +143,8 @@ class Sweep:
             keeps_all=keeps_all,
         )
 
-    def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> Wanted:
+    @staticmethod
+    def headline(quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> Wanted:
         """Return the columns of a question's main results only, as for `--bare`; numbers without a meaning are kept.
 
         Where the spheres differ, quantities of identical spheres are shown only if they were asked for by name.
@@ -154,12 +155,12 @@ class Sweep:
     def noted(self, wanted: Wanted) -> Iterable[tuple[Frame, Sequence[str]]]:
         """Return a frame of each group of rows, with the quantities that notes judge.
 
-        These are the quantities to show; the measured quantities replace an inferred input.
+        These are the quantities to show, with the measured quantities in place of an inferred input.
         """
         return [(frame.filled, frame.judged(self.shown(frame, wanted.names, wanted.named))) for frame in self.groups]
 
     def shown(self, frame: Frame, quantities: Sequence[str], named: Collection[str]) -> list[str]:
-        """Return the quantities that were asked for by name, or apply to some row of a group."""
+        """Return the quantities that were asked for by name, or apply to some row of the frame's group."""
         shows = frame.shows_to_identical if any(map(self._may_be_alike, self.spreads)) else frame.shows
         return [name for name in quantities if name in named or shows(name)]
 
@@ -178,8 +179,8 @@ class Sweep:
         else:
             values = (solid.properties.get(of_first) for solid, _ in self.pairs if solid is not None)
             ends_of_1 = [(value, value) for value in values if value is not None]
-        for least, most in self._ends(name):
-            if any(least <= most_of_1 and least_of_1 <= most for least_of_1, most_of_1 in ends_of_1):
+        for (least, most), (least_of_1, most_of_1) in product(self._ends(name), ends_of_1):
+            if least <= most_of_1 and least_of_1 <= most:
                 return True
         return False
 
@@ -256,18 +257,20 @@ class BlockOfSweep:
         import numpy
 
         pairs, *positions, laws = numpy.unravel_index(numpy.arange(start, stop), sweep.counts)
-        self.sweep, self.start, self.pairs, self.laws = sweep, start, pairs, laws
-        self.fixed = {name: sweep.value(name, 0) for name, starts in sweep.starts.items() if starts[-1] == 1}
-        self.size = stop - start
+        self.sweep, self.start, self.size = sweep, start, stop - start
+        self.pairs, self.laws = pairs, laws  # indices, for each row
+        self.fixed: dict[str, Any] = {}  # inputs with a single value
         numbers = {}
-        for name, of_input in zip(sweep.spreads, positions, strict=True):
-            if name not in self.fixed:
-                numbers[name] = self._numbers(name, of_input)
+        for name, of_rows in zip(sweep.spreads, positions, strict=True):
+            if sweep.starts[name][-1] == 1:
+                self.fixed[name] = sweep.value(name, 0)
+            else:
+                numbers[name] = self._numbers(name, of_rows)
         self.numbers: Mapping[str, Numbers] = numbers
         self.marks: Sequence[Any] = [pairs, laws]
 
     def frame(self, given: Mapping[str, Any], rows: Indices) -> Any:
-        """Return the frame of the inputs of rows in a group."""
+        """Return the frame of some rows of a group. `given`: their inputs, without those in `fixed`."""
         pair, model = self.sweep.pairs[self.pairs[rows[0]]], self.sweep.models[self.laws[rows[0]]]
         return self.sweep.frame({**self.fixed, **given}, *pair, model=model)
 
