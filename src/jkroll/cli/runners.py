@@ -128,10 +128,10 @@ def _write_columns(
 
     `groups`: the groups of the rows; `single`: the answer that provides the notes; None if the rows do.
     """
-    from ..model.rows import Tally, counted
+    from ..model.rows import Tally, tallied
 
     tallies: list[Tally] = []
-    every = counted(blocks, tallies, symbol_of)
+    every = tallied(blocks, tallies, symbol_of)
     if call.target is not None:
         from ..tables.run import write_file
 
