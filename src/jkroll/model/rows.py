@@ -426,7 +426,10 @@ class Group(NamedTuple):
 
 
 def groups(block: Block) -> Iterator[Group]:
-    """Iterate over groups of rows that have the same inputs, and the same special values; BAD rows are left out."""
+    """Iterate over groups of rows with the same law and solid, and the same inputs, whose values are of one kind.
+
+    BAD rows are left out.
+    """
     import numpy
 
     marks = {name: _marks(name, column) for name, column in block.numbers.items()}
@@ -439,15 +442,12 @@ def groups(block: Block) -> Iterator[Group]:
 
 
 def alike(rows: Indices, columns: Iterable[Any]) -> Iterator[Indices]:
-    """Iterate over groups of rows that have the same integers in all columns.
-
-    `rows`: the indices of the rows.
-    """
+    """Iterate over groups of row indices; the rows of a group have the same integers in all columns."""
     import numpy
 
     if not len(rows):
         return
-    keys, size = numpy.zeros(len(rows), dtype=numpy.int64), 1
+    keys, size = numpy.zeros(len(rows), dtype=numpy.int64), 1  # a key for each row; the number of possible keys
     for column in columns:
         numbers = column[rows]
         least, most = int(numbers.min()), int(numbers.max())
