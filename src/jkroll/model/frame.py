@@ -115,7 +115,7 @@ class Frame:
         the law of the paper. `moved`: values that override those of a material without counting as stated; None removes
         an input. `state`: the name of a state of a force curve. The frame computes with the middle of an uncertain
         value; `model.uncertainty` adds the uncertainties of results. Raises QuantityError, or BadRequest for inputs
-        that exclude each other and for arrays that do not broadcast.
+        that exclude each other or are correlated, and for arrays that do not broadcast.
         """
         self.law = LAWS[DEFAULT_LAW if model is None else model]
         self.stated_model = None if model is None else self.law.name

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property, reduce
 from math import nan
-from typing import Any
+from typing import Any, TypeGuard
 
 from ..errors import JkrollError
 from ..physics.elementary import is_anywhere, where
@@ -75,9 +75,9 @@ class Results:
 
         A quantity of identical spheres is also meaningless where sphere 2 differs.
         """
-        reasons: Any = 0
         if column.is_empty:
             return column
+        reasons: Any = 0
         for touched in touching:
             reasons = first_reasons(reasons, self._ends_of(touched))
             if NOMENCLATURE[touched].of_identical:
@@ -176,7 +176,8 @@ class Results:
         inexact = [doubt for doubt in self.validity if not doubt.limit.ends_meaning]
         bits = bits_of(self.frame, _rows_with_values(self.judged_meant), inexact)
         rests = [(_lacks_spacing(name, column), [name]) for name, column in self._without_spacing.items()]
-        return self._bits_of_ending | bits | bits_of(self.frame, rests, self._doubts_without_spacing) & NOT_JUDGED
+        unjudged = bits_of(self.frame, rests, self._doubts_without_spacing) & NOT_JUDGED
+        return self._bits_of_ending | bits | unjudged
 
     @property
     def ending_bits(self) -> Any:
@@ -222,11 +223,11 @@ def _rows_with_values(columns: Mapping[str, Column]) -> list[tuple[Any, list[str
     return [(columns[names[0]].reasons == 0, names) for names in names_of.values()]
 
 
-def is_end_of_meaning(error: JkrollError) -> bool:
+def is_end_of_meaning(error: JkrollError) -> TypeGuard[Failure]:
     """Return whether an error states that a number has no meaning."""
     return isinstance(error, Failure) and isinstance(error.cause, EndOfMeaning)
 
 
 def has_code(error: JkrollError) -> bool:
     """Return whether the code of a doubt already reports an error."""
-    return is_end_of_meaning(error) and error.args[0] != OF_ANOTHER_PAIR
+    return is_end_of_meaning(error) and error.cause != OF_ANOTHER_PAIR
