@@ -36,8 +36,8 @@ class Results:
     def __init__(self, described: Frame, computed: Mapping[str, Column], *, keeps_all: bool = False) -> None:
         """`described`: the frame; `computed`: its columns; `keeps_all`: True to keep values without a meaning.
 
-        Uncertainties come from `described`. Limits are judged on `frame`, where every input has a value: for the
-        results, with the measured quantities in place of inferred inputs.
+        Uncertainties come from `described`. Limits are judged on `frame`, where every input has a value. They are the
+        limits of the results, with the measured quantities in place of inferred inputs.
         """
         self.described, self.computed, self.keeps_all = described, computed, keeps_all
         self.frame = described.found
@@ -102,7 +102,7 @@ class Results:
 
     @cached_property
     def ended(self) -> dict[str, Any]:
-        """The rows in which a limit makes a result meaningless, for each quantity that has such rows."""
+        """The rows in which a value has no meaning, for each quantity that has such rows."""
         ended = {}
         for name, column in self.computed.items():
             meant = self.meant[name]
