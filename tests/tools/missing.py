@@ -123,7 +123,7 @@ def _of_input(name: str) -> Iterator[Lack]:
     shown = f"{quantity.option} {quantity.example}"
     too_long = [command for command in QUESTIONS if shown in help_of(command) and is_too_long(help_of(command))]
     if too_long:
-        yield Lack("src/jkroll/cli/commands.py", f'_FURTHER: "{name}", as the help of {too_long[0]} is too long')
+        yield Lack("src/jkroll/cli/commands.py", f'WITHOUT_TEXT: "{name}", as the help of {too_long[0]} is too long')
     word = _word_of(name)
     for other, words in SYNONYMS.items():
         if other != name and word in words:

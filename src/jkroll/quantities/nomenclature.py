@@ -164,10 +164,6 @@ OF_WATER: Mapping[str, Quantity] = {
 
 # --- All quantities ---------------------------------------------------------------------------------------------------
 
-# Inputs that replace the properties of two spheres. The help lists them as further options, since users know the radii
-# of their spheres.
-OF_THE_PAIR = ("reduced_radius", "contact_modulus")
-
 # Inputs that set the state of the contact; without them the state follows from the load.
 STATE = frozenset({"approach_at_load", "load_factor", "load_margin", "edge_ratio"})
 STATE_OR_LOAD = STATE | {"load"}
