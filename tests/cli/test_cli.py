@@ -83,6 +83,9 @@ REFUSED = {
     ),
     "pull-off quartz 100nm --to nm": "--to: 'nm' fits none of the results, which are in: N",
     "pull-off quartz 100nm --json --csv": "--json and --csv exclude each other",
+    "pull-off quartz 100nm --csv -o x.tsv.gz": (
+        "-o 'x.tsv.gz' and --csv exclude each other; redirect the output: > FILE"
+    ),
     "pull-off quartz 100nm --digits ٣": "--digits: '٣' is not a whole number from 1 to 17",
     "contact quartz 100nm --laod 5nN": "no such option '--laod'; did you mean --load?",
     "pull-off 100nm --surface-tension 25mJ/m2": "no such option '--surface-tension'; did you mean --gamma?",
