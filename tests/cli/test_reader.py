@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from harness import Run
 from jkroll.cli.call import Call
 from jkroll.cli.commands import COMMANDS, OUTPUT, flags_of
-from jkroll.cli.options import EVERY, Option
+from jkroll.cli.options import ALL_OPTIONS, Option
 from jkroll.cli.process import HINTS, SYNONYMS, action_of
 from jkroll.errors import BadRequest, JkrollError
 from jkroll.quantities.nomenclature import NOMENCLATURE
@@ -162,7 +162,7 @@ def test_a_synonym_stands_for_a_command_or_an_option(typed: str) -> None:
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_option_is_a_quantity_or_one_of_the_listed_options(name: str) -> None:
     for option in COMMANDS[name].options():
-        assert option.name in {*NOMENCLATURE, *(known.name for known in EVERY)}, option.flag
+        assert option.name in {*NOMENCLATURE, *(known.name for known in ALL_OPTIONS)}, option.flag
 
 
 def test_the_command_of_every_question_takes_all_options_for_output() -> None:

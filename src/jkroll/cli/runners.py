@@ -72,7 +72,8 @@ def answer_rows(call: Call, sweep: Sweep, question: Question, form: Format) -> i
     single = answer(next(sweep.frames())) if count == 1 else None
     if single is not None and output is not EXPLAIN and single.failure is not None and single.has_no_headline:
         raise single.failure
-    if output.has_rows and not (single is not None and output.has_answers):
+    is_answer = single is not None and output.has_answers
+    if output.has_rows and not is_answer:
         return _write_rows(call, sweep, question, form, single)
     if count > sizes.most_answers:
         most = f"--{output.name} writes at most {sizes.most_answers} pairs, not {count}"
@@ -192,7 +193,7 @@ def _write_answers(
 ) -> int:
     """Write answers one after another; return the exit code.
 
-    `single`: the answer if there is only one. Its notes follow on stderr unless the output includes them.
+    `single`: the answer if there is only one. Its notes follow on stderr, except with JSON, `--explain` and `--cite`.
     """
     failures: list[JkrollError] = []
 
