@@ -2,9 +2,9 @@
 
 The ways are those of this package, the equations of the paper, an inversion and a fit in other codes, and a table of
 values. The equations are written in their simplest form, for doubles and for decimals of 60 digits, which give the
-exact values. By JKR, a load is given with the pull-off force, and an approach with that of an unloaded contact. Errors
-are in ulp/(1 + κ), where κ is the condition of a quantity (see `exact`), and ulp the distance of its value to the next
-double.
+exact values. Under JKR, they take a load together with the pull-off force, and an approach together with that of the
+unloaded contact. Errors are in ulp/(1 + κ), where κ is the condition of a quantity (see `exact`), and ulp the distance
+of its value to the next double.
 """
 
 # ruff: noqa: D102, N803, N806  (names of quantities and the paper's symbols)
@@ -162,13 +162,17 @@ def exact(quantity: str, point: Mapping[str, float]) -> tuple[Decimal, float]:
     names = inputs_taken(equation)
 
     def value_of(moved: str = "") -> Decimal:
-        value: Decimal = equation(*(Decimal(point[name]) * (1 - _STEP * (name == moved)) for name in names))
+        """Return the quantity, with one of the inputs moved by a step."""
+        inputs = {name: Decimal(point[name]) for name in names}
+        if moved:
+            inputs[moved] *= 1 - _STEP
+        value: Decimal = equation(*inputs.values())
         return value
 
     with localcontext(prec=DIGITS):
         value = value_of()
-        states = {"load", "approach_at_load", "atomic_spacing"}.intersection(names)
-        slopes = [abs(value_of(name) / value - 1) / _STEP for name in states] if value else []
+        varied = {"load", "approach_at_load", "atomic_spacing"}.intersection(names)  # λ is inverse to z0
+        slopes = [abs(value_of(name) / value - 1) / _STEP for name in varied] if value else []
     return value, float(sum(slopes))
 
 
@@ -404,8 +408,8 @@ def _best(runs: Mapping[str, Callable[[], Any]], repeats: int) -> dict[str, floa
 
 HEADS = (
     "quantity", "way", "ns_per_point", "cube_roots",
-    *(f"{which}_{region}" for region in ("ordinary", "pull_off", "fold", "zero_approach", "extreme")
-      for which in ("median", "worst")),
+    "median_ordinary", "worst_ordinary", "median_pull_off", "worst_pull_off", "median_fold", "worst_fold",
+    "median_zero_approach", "worst_zero_approach", "median_extreme", "worst_extreme",
 )  # fmt: skip
 LEGEND = f"""ns      nanoseconds per point
 × cbrt  the same, in units of numpy's time for a cube root on this machine
@@ -449,8 +453,10 @@ def _in_short(row: Row) -> list[Cell]:
     """Return the cells of a row with two digits, since errors and times are not known more precisely."""
     errors: list[Cell] = []
     for region in REGIONS:
-        pair = row.errors.get(region)
-        errors.append(pair and " ".join(significant(number, 2) for number in pair))
+        if region in row.errors:
+            errors.append(" ".join(significant(number, 2) for number in row.errors[region]))
+        else:
+            errors.append(None)
     return [row.way, significant(row.cost, 2), significant(row.cube_roots, 2), *errors]
 
 

@@ -160,7 +160,8 @@ def _input(name: str, *, hidden: bool = False) -> Option[Any]:
 
 Action = Callable[[], int]  # runs a command line and returns the exit code
 
-JOBS = CONTACT, ROLLING, DUST, DEM, ALL, OTHERS = "Contact", "Rolling", "Dust", "DEM", "All", "Look up"
+CONTACT, ROLLING, DUST, DEM, ALL, OTHERS = "Contact", "Rolling", "Dust", "DEM", "All", "Look up"
+TASKS = (CONTACT, ROLLING, DUST, DEM, ALL, OTHERS)
 
 
 class Command:
@@ -172,10 +173,10 @@ class Command:
 
     def __init__(
         self, name: str, sentence: str, words: str, options: Callable[[], tuple[Option[Any], ...]], runner: str,
-        example: str, job: str = OTHERS,
+        example: str, task: str = OTHERS,
     ) -> None:  # fmt: skip
         self.name, self.sentence, self.words, self.options = name, sentence, words, options
-        self.runner, self.example, self.job = runner, example, job
+        self.runner, self.example, self.task = runner, example, task
         self.placeholders = tuple(word.strip("[].") for word in words.split())  # MATERIAL, RADIUS and so on
         can_vary = "[" in words or "..." in words
         self.most_words = INFINITY if can_vary else len(self.placeholders)
@@ -215,7 +216,7 @@ _PAIR = "[MATERIAL] [RADIUS]..."
 
 
 def _question(
-    name: str, job: str, sentence: str, example: str, *others: Option[Any], runner: str = "runners:run_question"
+    name: str, task: str, sentence: str, example: str, *others: Option[Any], runner: str = "runners:run_question"
 ) -> Command:
     """Return the command of a question. `others`: its own options, between those of inputs and of the output."""
     quantities = () if name == "report" else QUESTIONS[name].quantities
@@ -223,7 +224,7 @@ def _question(
     def options() -> tuple[Option[Any], ...]:
         return (*input_options(quantities), *others, Options.quantities, *OUTPUT)
 
-    return Command(name, sentence, _PAIR, options, runner, example, job)
+    return Command(name, sentence, _PAIR, options, runner, example, task)
 
 
 _COMMANDS = (
@@ -317,11 +318,11 @@ def _of_program(width: int) -> list[str]:
         *_listed("", EXAMPLES, width),
         "",
     ]
-    for job in JOBS:
-        rows = [(command.name, command.sentence) for command in COMMANDS.values() if command.job == job]
-        if job == OTHERS:
+    for task in TASKS:
+        rows = [(command.name, command.sentence) for command in COMMANDS.values() if command.task == task]
+        if task == OTHERS:
             rows = [(", ".join([name for name, _ in rows]), "")]
-        lines += _listed(job, rows, width)
+        lines += _listed(task, rows, width)
     return [*lines, *_listed("Options", [(", ".join([option.flag for option in PROGRAM]), "")], width)]
 
 

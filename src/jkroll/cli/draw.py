@@ -63,11 +63,11 @@ def run_map(call: Call) -> int:
     check_picture(call, call.target)
     request = map_request(call)
     drawn, notes = picture_of(request)
-    ends: dict[str, Any] = {}
+    corner: dict[str, Any] = {}  # its sources stand for those of all points
     for axis in (request.x, request.y):
         if axis is not None:
-            ends |= axis.inputs(axis.high)
-    frames = [frame.replace(**ends) for _, frame in request.frames]
+            corner |= axis.inputs(axis.high)
+    frames = [frame.replace(**corner) for _, frame in request.frames]
     return _deliver(_with_sources(drawn, [request.quantity], frames, call), notes, call)
 
 
@@ -81,8 +81,9 @@ def run_figure(call: Call) -> int:
     drawn = figure_named(name, call.materials, marks, as_printed=call.as_printed, is_plain=call.plain)
     if declared is None:
         return _deliver(_with_sources(drawn, (), (), call), (), call)
-    ends = {**declared.given, **declared.x.inputs(declared.x.high), "radius": 1e-7}
-    return _deliver(_with_sources(drawn, [declared.quantity], [Frame(ends)], call), (), call)
+    # A point of the figure; its sources stand for those of all points.
+    point = {**declared.given, **declared.x.inputs(declared.x.high), "radius": 1e-7}
+    return _deliver(_with_sources(drawn, [declared.quantity], [Frame(point)], call), (), call)
 
 
 def _with_sources(drawn: Picture, names: Sequence[str], frames: Iterable[Frame], call: Call) -> Picture:
@@ -93,7 +94,8 @@ def _with_sources(drawn: Picture, names: Sequence[str], frames: Iterable[Frame],
     from ..report.report import Report
     from ..write.sources import citations_in_words
 
-    answers = [Report(Question((*names,), (*names,)), frame) for frame in frames]
+    question = Question(tuple(names), tuple(names))
+    answers = [Report(question, frame) for frame in frames]
     return drawn._replace(doubts=(*drawn.doubts, citations_in_words(answers)))
 
 
