@@ -174,9 +174,8 @@ def _refuse(constant: str) -> NoReturn:
 # --- Outputs that a person has read -----------------------------------------------------------------------------------
 
 
-def output(line: Line) -> str:
-    """Run a line; return it with its output in the form of tests/corpus/outputs.txt."""
-    outcome = run(line)
+def output(line: Line, outcome: Outcome) -> str:
+    """Return a line with its output, in the form of tests/corpus/outputs.txt."""
     files = [("> ", f"{name}\n{content.decode(errors='replace')}") for name, content in outcome.files.items()]
     printed = [
         f"{mark}{text}".rstrip()
@@ -200,7 +199,7 @@ def write_outputs(count: int | None) -> int:
     runnable = [line for line in lines() if line.can_run]
     chosen = [line for line in runnable if line.typed in outputs()] if count is None else spread(runnable, count)
     with among_input_files():
-        found = [(output(line), output(line)) for line in chosen]
+        found = [(output(line, run(line)), output(line, run(line))) for line in chosen]
     kept = [
         first
         for first, second in found
