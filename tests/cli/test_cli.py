@@ -680,7 +680,7 @@ def test_notes_are_few_and_count_their_rows(run: Run) -> None:
 def test_a_sweep_is_one_table_with_units_in_its_header(run: Run) -> None:
     lines = run("yield-force quartz,iron 100nm", terminal=True).out.splitlines()
     assert lines[0].startswith("2 pairs, ")
-    table = next(place for place, line in enumerate(lines) if "quartz" in line)
+    table = next(index for index, line in enumerate(lines) if "quartz" in line)
     assert lines[table].split() == ["material", "quartz", "iron"]
     assert lines[1].startswith("assumed: ξ = 200 pm (--xi), no load (--load)")
     assert lines[table + 2].startswith("γ [mJ/m²] ")
@@ -751,7 +751,8 @@ def test_a_stable_state_of_a_curve_has_the_doubts_of_a_single_contact(
     words = f"quartz {radius} --model {model} --csv"
     rows = [*csv.DictReader(run(f"contact {words} --curve").out.splitlines())]
     name, unit = {"load": ("load [N]", "N"), "approach": ("approach_at_load [m]", "m")}[sets]
-    for row in [row for row in rows if row["state"] == "stable"][1::16]:
+    stable = [row for row in rows if row["state"] == "stable"]
+    for row in stable[1::16]:
         state = f"--{sets}={row[name]}{unit} --quantities {result},contact_radius_at_load,stiffness"
         (single,) = csv.DictReader(run(f"contact {words} {state}").out.splitlines())
         assert row["doubt"] == single["doubt"]

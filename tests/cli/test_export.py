@@ -262,7 +262,7 @@ def liggghts_force(
 
 
 @pytest.mark.parametrize(
-    ("words", "place", "radii"),
+    ("words", "index", "radii"),
     [
         ("quartz 1um", 0, (1e-6, 1e-6)),
         ("quartz 1um --radius2 3um --material2 iron", 0, (1e-6, 1e-6)),
@@ -272,15 +272,17 @@ def liggghts_force(
     ],
 )
 def test_the_exported_cohesion_gives_liggghts_the_pull_off_force_of_jkr(
-    run: Run, words: str, place: int, radii: tuple[float, float]
+    run: Run, words: str, index: int, radii: tuple[float, float]
 ) -> None:
     """The strongest pull by sjkr2 is JKR's pull-off force. With sjkr, two spheres need twice k, up to terms in δ/R."""
     text = run(f"export liggghts {words}").out
-    solids = [[*map(float, re.findall(rf"{name} peratomtype (.*)", text)[0].split())] for name in ("Modulus", "Ratio")]
+    moduli, ratios = (
+        [*map(float, re.findall(rf"{name} peratomtype (.*)", text)[0].split())] for name in ("Modulus", "Ratio")
+    )
     count, *densities = re.findall(r"peratomtypepair (.*)", text)[0].split()
-    assert len(densities) == int(count) ** 2 == len(solids[0]) ** 2
-    types = divmod(place, int(count))
-    modulus = 1 / sum((1 - solids[1][one] ** 2) / solids[0][one] for one in types)
+    assert len(densities) == int(count) ** 2 == len(moduli) ** 2
+    types = divmod(index, int(count))
+    modulus = 1 / sum((1 - ratios[number] ** 2) / moduli[number] for number in types)
     materials = ["quartz", "iron"]
     scene: dict[str, Any] = {
         "material": materials[types[0]], "material2": materials[types[1]], "radius": radii[0], "radius2": radii[1]
@@ -288,7 +290,7 @@ def test_the_exported_cohesion_gives_liggghts_the_pull_off_force_of_jkr(
     force, approach = solve(["pull_off_force", "approach"], **scene).values()
     overlaps = [approach * step / 2000 for step in range(1, 8000)]
     for exact_circle, factor in ((False, 1), (True, 1 if math.isinf(radii[1]) else 2)):
-        density = factor * float(densities[place])
+        density = factor * float(densities[index])
         least = min(liggghts_force(at, modulus, radii, density, exact_circle=exact_circle) for at in overlaps)
         assert -least == approx(force, rel=2e-2 if exact_circle else 1e-6)
 

@@ -269,8 +269,8 @@ def _units_of(quantities: Sequence[str], text: str) -> dict[str, tuple[str, Unit
         _, _, dimension = unit
         fitting = [name for name in si if dimension_of(si[name]) == dimension]
         if not (fitting and word.strip()):
-            every = ", ".join(dict.fromkeys(si.values()))
-            raise BadRequest(f"--to: {quoted(word)} fits none of the results, which are in: {every}")
+            si_units = ", ".join(dict.fromkeys(si.values()))
+            raise BadRequest(f"--to: {quoted(word)} fits none of the results, which are in: {si_units}")
         if fitting[0] in units:
             both = f"{quoted(units[fitting[0]][0])} and {quoted(word)}"
             raise BadRequest(f"--to: {both} are units of one dimension; give one of them")

@@ -132,24 +132,24 @@ def _write_columns(
     from ..model.rows import Tally, tallied
 
     tallies: list[Tally] = []
-    every = tallied(blocks, tallies, symbol_of)
+    blocks = tallied(blocks, tallies, symbol_of)  # adds to `tallies` as the blocks are written
     if call.target is not None:
         from ..tables.run import write_file
 
-        write_file(wanted, every, form, call.target, doubt=not call.no_doubt, quiet=call.quiet)
+        write_file(wanted, blocks, form, call.target, doubt=not call.no_doubt, quiet=call.quiet)
     elif is_table:
         from ..report.curve import lead_of_curve
         from ..report.leads import lead_of_rows
         from ..write.table import sweep_table
 
-        for columns in every:
+        for columns in blocks:
             lead = lead_of_rows(groups, wanted.names) if single is None else lead_of_curve(single)
             sweep_table(columns, sys.stdout, form, assumed_in(groups), lead)
     else:
         from ..write.writers import WRITERS, written
 
         writer = WRITERS[PLAIN.name if call.output is TABLE else call.output.name]
-        for text in written(writer, wanted, every, form, doubt=not call.no_doubt):
+        for text in written(writer, wanted, blocks, form, doubt=not call.no_doubt):
             sys.stdout.write(text.decode())
         sys.stdout.flush()
     tally = reduce(Tally.plus, tallies, Tally())
@@ -290,8 +290,9 @@ def _write_curve(call: Call) -> int:
     if is_table and loads is not None:  # a table shows the states that a load holds
         states = (state for state in states if state.state in HELD_BY_LOAD)
     if call.output is JSON:
-        every = [*states]
-        return _write_answers(call, (answer_at_state(question, state) for state in every), len(every), form)
+        all_states = [*states]
+        answers = (answer_at_state(question, state) for state in all_states)
+        return _write_answers(call, answers, len(all_states), form)
     names = question.quantities
     if call.output is BARE:
         wanted = Wanted(names, named=names, doubts=not call.quiet, keeps_all=True)
