@@ -352,33 +352,39 @@ def _measure_quantity(quantity: str, points: Mapping[str, Arrays], size: Size, r
 
     The package's way is that of `jkroll.solve`. `root`: the time of a cube root, in ns.
     """
-    others = OTHER_WAYS[quantity]
+    other_ways = OTHER_WAYS[quantity]
 
-    def ours(given: Arrays) -> Any:
-        return Frame(given)[quantity]
+    def by_jkroll(inputs: Mapping[str, Any]) -> Any:
+        return Frame(inputs)[quantity]
+
+    def by_jkroll_from_floats(arrays: Arrays) -> list[float]:
+        return [*map(by_jkroll, as_rows(arrays))]
 
     names = set(inputs_taken(getattr(DECIMALS, quantity)))
-    for way in others.values():
+    for way in other_ways.values():
         names.update(inputs_taken(way))
-    given = {}
+    inputs_of_region = {}
+    exacts = {}
     for region, arrays in points.items():
         if names <= arrays.keys():
-            given[region] = {name: arrays[name] for name in names}
-    exacts = {}
-    for region, arrays in given.items():
-        exacts[region] = [exact(quantity, point) for point in as_rows(arrays)]
-    ways: dict[str, Way] = {DEFAULT: ours, **{name: partial(_by_symbols, way) for name, way in others.items()}}
-    many = {name: numpy.resize(values, size.elements) for name, values in given["ordinary"].items()}
-    few = as_rows(given["ordinary"])
-    runs = {name: partial(way, many) for name, way in ways.items()} | {FLOATS: lambda: [*map(ours, few)]}
-    counts = dict.fromkeys(ways, size.elements) | {FLOATS: len(few)}
-    ways[FLOATS] = lambda arrays: [*map(ours, as_rows(arrays))]
+            inputs_of_region[region] = {name: arrays[name] for name in names}
+            exacts[region] = [exact(quantity, point) for point in as_rows(inputs_of_region[region])]
+    ways: dict[str, Way] = {DEFAULT: by_jkroll}
+    ways |= {name: partial(_by_symbols, way) for name, way in other_ways.items()}
+    ways[FLOATS] = by_jkroll_from_floats
+    ordinary = inputs_of_region["ordinary"]
+    timed = {name: numpy.resize(values, size.elements) for name, values in ordinary.items()}
+    timed_rows = as_rows(ordinary)
+    runs: dict[str, Callable[[], Any]] = {name: partial(way, timed) for name, way in ways.items()}
+    runs[FLOATS] = lambda: [*map(by_jkroll, timed_rows)]
+    counts = dict.fromkeys(ways, size.elements) | {FLOATS: len(timed_rows)}
     for name, time in _best(runs, size.repeats).items():
-        errors = {region: _error(ways[name](arrays), exacts[region]) for region, arrays in given.items()}
+        errors = {region: _error(ways[name](arrays), exacts[region]) for region, arrays in inputs_of_region.items()}
         yield Row(quantity, name, time / counts[name], time / counts[name] / root, errors)
 
 
 def _by_symbols(way: Way, arrays: Arrays) -> Any:
+    """Return the values of a way whose parameters are the paper's symbols."""
     return way(*(arrays[name] for name in inputs_taken(way)))
 
 
