@@ -107,7 +107,7 @@ IN_FIT = (
     "radius radius2 diameter diameter2 reduced_radius youngs_modulus youngs_modulus2 poisson_ratio poisson_ratio2 "
     "model profile atomic_spacing"
 ).split()
-# Inputs whose options are in the help of questions without a text, so that it fits on a screen.
+# Inputs whose options the help lists without a text, to fit on a screen. The help of fit has all texts.
 WITHOUT_TEXT = (
     "diameter2 shear_modulus surface_energy2 youngs_modulus2 shear_modulus2 poisson_ratio2 density2 atomic_spacing "
     "reduced_radius contact_modulus energy_ratio adhesion_hysteresis hysteresis_fraction hamaker hamaker2 cutoff "
