@@ -57,7 +57,7 @@ from jkroll.quantities.nomenclature import NOMENCLATURE, header
 from jkroll.quantities.values import is_uncertain, value_of
 from jkroll.report.answer import with_force_by_maugis
 from jkroll.report.questions import QUESTIONS
-from questions import SPHERES, Ask, Sheet, any_ask, ask_of, mixed_sheet, sheet_of
+from questions import SOLIDS, Ask, Sheet, any_ask, ask_of, mixed_sheet, sheet_of
 
 FEW, MANY = range(10, 13), 1000  # the numbers of the questions in a quick test; the count of questions in a slow test
 PARTS = [range(first, first + MANY // 5) for first in range(0, MANY, MANY // 5)]  # the latter in five parts
@@ -374,7 +374,7 @@ def _in_answer(ask: Ask, texts: Mapping[str, str], floats: Rows, row: int) -> It
     values, reasons = floats.values[row], floats.reasons[row]
     names = [key for key in floats.keys if key in NOMENCLATURE and key in values]
     names += [name for name, error in reasons.items() if is_end_of_meaning(error)]
-    given: dict[str, Any] = {name: text if name in SPHERES else value_of(text, name) for name, text in texts.items()}
+    given: dict[str, Any] = {name: text if name in SOLIDS else value_of(text, name) for name, text in texts.items()}
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", UserWarning)  # for radii of a metre or more
@@ -656,9 +656,7 @@ def _in_solve(ask: Ask, floats: Rows) -> Iterator[str]:
     """Iterate over the differences between rows and calls of `solve` with the same values."""
     for row, texts in enumerate(ask.rows()):
         values, reasons = floats.values[row], floats.reasons[row]
-        given: dict[str, Any] = {
-            name: text if name in SPHERES else value_of(text, name) for name, text in texts.items()
-        }
+        given: dict[str, Any] = {name: text if name in SOLIDS else value_of(text, name) for name, text in texts.items()}
         names = [key for key in floats.keys if not side_of(key) and key in values]
         if any(side_of(key) for key in reasons):
             names = []  # some value has no uncertainty, which raises an error here
@@ -707,15 +705,15 @@ def _in_arrays_of_solve(ask: Ask, floats: Rows) -> Iterator[str]:
     groups: dict[tuple[str | None, ...], list[int]] = {}
     rows, scenes = ask.rows(), scenes_of(ask)
     for row, texts in enumerate(rows):
-        groups.setdefault(tuple(texts.get(name) for name in SPHERES), []).append(row)
+        groups.setdefault(tuple(texts.get(name) for name in SOLIDS), []).append(row)
     for materials, places in groups.items():
         arrays = {
             name: np.array([getattr(one, "value", one) for one in (value_of(rows[row][name], name) for row in places)])
             for name in rows[places[0]]
-            if name not in SPHERES
+            if name not in SOLIDS
         }
         is_special = any(np.isin(values, [0.0, math.inf]).any() for values in arrays.values())
-        given: dict[str, Any] = {**dict(zip(SPHERES, materials, strict=True)), **arrays}
+        given: dict[str, Any] = {**dict(zip(SOLIDS, materials, strict=True)), **arrays}
         for name in (key for key in floats.keys if not side_of(key)):
             try:
                 elements = np.broadcast_to(solve(name, model=ask.model, **given), len(places)).tolist()
