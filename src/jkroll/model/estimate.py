@@ -154,7 +154,7 @@ class Ranges:
                 yield self.has_no_jump, nan, own[1], ADHESION_ONLY
             if name in _BREAKING:
                 yield self._tabor_parameter >= JUMP, *own, DEFINITION
-            yield from self._of_laws(name, own)
+            yield from self._of_attraction(name, own)
 
     def _is_of_any_law(self, name: str) -> bool:
         """Return whether a result follows from the same formulas under the law in use and under Maugis' law."""
@@ -175,7 +175,7 @@ class Ranges:
             yield is_wider, low, high, SPACING_ASSUMED
         yield True, *own, rule
 
-    def _of_laws(self, name: str, own: Ends) -> Iterator[Rule]:
+    def _of_attraction(self, name: str, own: Ends) -> Iterator[Rule]:
         """Iterate over the rules for results that depend on the law of attraction."""
         if name not in self._ends(_between):
             if name in _AS_PULL_OFF:  # the contact modulus is missing
@@ -391,6 +391,7 @@ def _ends_by(make: Variant, frame: Frame, names: Iterable[str]) -> dict[str, tup
 
 
 def _with_bar(value: Any, bar: ErrorBar | None) -> Ends:
+    """Return the ends of an uncertainty; the value twice in rows without one."""
     if bar is None or not bar.sides:
         return value, value
     low, high = ends_of(bar.of(value))

@@ -89,6 +89,7 @@ def _scales(ratio: Any) -> tuple[Any, Any]:
 
 @cache
 def _end_of(rolled: Rolled, end: Callable[[Rolled, Any], Any]) -> Variant:
+    """Return `_rolled_at` for an end of a measurement; the same end gives the same function."""
     return partial(_rolled_at, rolled, end)
 
 
@@ -208,6 +209,9 @@ def what_stuck(frame: Frame) -> Stuck | None:
 MOST_SEEN = 10  # largest speed at which hard spheres were seen to stick, in units of the speed by JKR
 
 
+# --- Measured pull-off ------------------------------------------------------------------------------------------------
+
+
 class Surface(NamedTuple):
     """The range of the measured fraction of JKR's pull-off force on SiO2, this range in words, and the spheres."""
 
@@ -262,7 +266,7 @@ def is_below_scaled(frame: Frame) -> bool:
     return bool(min(radii, default=2 * frame["reduced_radius"]) < SURFACES_FROM)
 
 
-# --- Rolling ---
+# --- Quantities that depend on the displacement ----------------------------------------------------------------------
 
 
 def rolling(names: Iterable[str]) -> list[str]:
