@@ -294,7 +294,9 @@ BEST: Mapping[str, str] = {
     "an uncertain load": "n-roll quartz '1e-7 m,1e-6 m' --load '1e-9±1e-10 N,1e-8±1e-10 N' --model maugis",
     "an uncertain atomic spacing": "pull-off quartz '1e-7 m,1e-6 m' --z0 '3e-10±1e-10 m,2e-10 to 4e-10 m'",
     "sources of two kinds": "pull-off quartz '1e-7 m,1e-6 m' --gamma '0.022±0.002 J/m^2' --z0 '2e-10 to 4e-10 m'",
-    "uncertain inputs of missing results": "report ice-warm '4e-6 m' --load '-5.4e-6 N' --gravity '1 to 4 m/s^2'",
+    "uncertain inputs of missing results": (
+        "report ice-warm '4e-6 m' --load '-5.4e-6 N' --gravity '1 to 4 m/s^2' --quantities n_grav,pull_off_force,r_min"
+    ),
     "another law": "yield-force quartz '1e-7 m,1e-6 m' --model dmt",
     "a displacement that was given": "yield-force quartz '1e-7 m,1e-6 m' --xi '1e-10 m'",
     "one pair with an open end": "r-min '1e-7 m'",
