@@ -342,9 +342,14 @@ class Lookup:
         return numpy.array([*map(self._indices.__getitem__, cells)], dtype=numpy.int64)
 
     @property
+    def unclear(self) -> list[str]:
+        """The messages on names that several materials share."""
+        return [error.fault for error in self.errors.values() if isinstance(error, UnclearMaterial)]
+
+    @property
     def remarks(self) -> list[str]:
         """Remarks on ambiguous names; if any cell has an error, also the material of each alias in the column."""
-        remarks = [str(error) for error in self.errors.values() if isinstance(error, UnclearMaterial)]
+        remarks = self.unclear
         if not self.errors:
             return remarks
         for cell, index in self._indices.items():

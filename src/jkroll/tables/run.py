@@ -101,12 +101,7 @@ def notes_on(tally: Tally, asked: Asked) -> Iterator[str]:
 
     if tally.inferred:
         yield _summary(asked, tally)
-    # A name that several materials share is already in a remark: its rows are not reported again.
-    said = [f"{remark.removeprefix('note: ')}: row" for remark in tally.remarks]
-    notes = []
-    for note in about_rows(tally, EVERY_DOUBT, f"column {DOUBT if asked.doubt else STATUS}"):
-        if not any(remark in note.text for remark in said):
-            notes.append(note)
+    notes = [*about_rows(tally, EVERY_DOUBT, f"column {DOUBT if asked.doubt else STATUS}")]
     for note in notes[:MAX_NOTES]:
         yield note.line
     more = len(notes) - MAX_NOTES
@@ -212,6 +207,8 @@ class Converter(NamedTuple):
         added = [*table.law_words.values(), *result_columns(columns, form, table.wanted.remarks())]
         output = compressed(self.source.writer.rows(table.added, added, records.before), self.compression)
         tally = Tally.of(columns)
+        # `about` explains unclear names, so the gaps that they leave are not counted.
+        tally = tally._replace(gaps={fault: rows for fault, rows in tally.gaps.items() if fault not in table.unclear})
         unknown = table.asked.infer
         if unknown:
             tally = tally._replace(inferred=(columns.column(unknown).copy(),))

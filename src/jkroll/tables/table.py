@@ -107,6 +107,8 @@ class Table:
         for name, position in self.positions.items():
             cells[name] = [row[position].encode() for row in rows]
         sample = TableBlock(self, Records(rows, cells))  # the lookups then know the materials of these rows
+        # The messages on names in these rows that several materials share.
+        self.unclear = frozenset(chain.from_iterable(lookup.unclear for lookup in self.lookups.values()))
         frames = self._frames(cells)
         self.rows = rows
         try:
