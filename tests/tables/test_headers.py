@@ -355,7 +355,7 @@ def test_option_column_applies_to_many_files_and_to_a_resumed_run(run: Run) -> N
     ("column", "problem"),
     [
         ("R", "is not of the form"),
-        ("=radius [nm]", "is not of the form"),
+        ("", "is not of the form"),
         ("R=nonsense", "is not an input"),
         ("R=R", "is not an input"),
         ("R=radiuss [nm]", "it may be radius; write one, as in radius [nm]"),
@@ -449,6 +449,17 @@ def test_a_column_of_plus_or_minus_belongs_to_the_input_on_its_left() -> None:
     assert header.positions == {"radius": 2, "surface_energy": 4, "surface_energy_both": 5}
     coded = understood(["gamma [mJ/m2]", "error"], [["25", "E07"]])
     assert not coded.inputs[0].sides
+
+
+@pytest.mark.parametrize("empty", ["", "Unnamed: 2"])
+def test_an_empty_header_may_have_a_name_of_pandas(empty: str) -> None:
+    """`pandas.read_csv` names an empty header by its position."""
+    names = ["radius [nm]", empty, "gamma [mJ/m2]"]
+    assert understood(names, [["100", "±5", "25"]]).positions == {"radius": 0, "radius_both": 1, "surface_energy": 2}
+    assert understood(["radius [nm]", empty, "sd [nm]"]).positions == {"radius": 0, "radius_both": 2}
+    assert reading_of(empty) == reading_of("")
+    named = understood(names, [["100", "ice", "25"]], stated_meanings([f"{empty}=material"]))
+    assert named.names == {"radius", "material", "surface_energy"}
 
 
 def test_the_name_of_the_measured_quantity_matches_no_other_column() -> None:

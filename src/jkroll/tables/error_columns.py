@@ -70,7 +70,7 @@ def _owners(
         return [], False
     if left.is_input and (is_bare or fits(unit, left.name)):
         return [left.name], is_adjacent or not is_bare
-    if reading.part == UNREAD or (left.text and not left.is_input):
+    if reading.part == UNREAD or (normalized(left.text) and not left.is_input):
         return [], False  # σ [MPa] may be a stress, and ± may belong to a column that is not read
     if is_bare:
         return [*values][:1], False  # no column on the left may have it

@@ -120,7 +120,7 @@ def stated_meanings(texts: Iterable[str], measured: str = "") -> dict[str, str]:
     for text in texts:
         pair = re.fullmatch(_HEADER_AND_INPUT, text, re.DOTALL)
         head, meaning = map(typed, pair.groups()) if pair else ("", "")
-        if not head:
+        if pair is None:
             raise BadRequest(f"--column: {quoted(text)} is not of the form HEADER=INPUT, as in 'R2 (nm)=radius2 [nm]'")
         reading = reading_of(meaning, measured)
         if meaning and (not reading.is_input or reading.is_symbol or reading.meant):
@@ -340,8 +340,8 @@ def meaning_of(text: str, cells: Sequence[str], stated: Mapping[str, str], measu
     """
     cells = [cell.strip() for cell in cells if not has_no_value(cell)]
     cell = cells[0] if cells else ""
-    mark = PLUS_MINUS.match(cell) if not text.strip() else None
-    head = mark[0] if mark else text  # cells such as ±5 need no header
+    mark = PLUS_MINUS.match(cell)
+    head = mark[0] if mark and not normalized(text) else text  # cells such as ±5 need no header
     reading = reading_of(stated.get(typed(text), head), measured)._replace(is_stated=typed(text) in stated)
     if reading.is_symbol and not reading.part:
         kinds = {_kind(each, reading.name) for each in dict.fromkeys(cells) if not is_number(each)}

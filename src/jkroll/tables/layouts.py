@@ -15,7 +15,7 @@ from ..quantities.values import unit_of
 from ..text import quoted
 from .cells import PLUS_MINUS
 from .header import typed
-from .reading import UNREAD, Reading, reading_of
+from .reading import UNREAD, Reading, normalized, reading_of
 from .words import MATERIALS, unit_for
 
 BYTES = "latin-1"  # a character for each byte, since the csv module reads characters
@@ -294,7 +294,7 @@ def _below(name: str, text: str, stated: Mapping[str, str], measured: str) -> _C
     """Return a header and the cell below it, with the role of the cell."""
     unit = _without_brackets(text)
     mark = PLUS_MINUS.match(unit)
-    if mark and not name.strip():
+    if mark and not normalized(name):
         name, unit = "±", unit[mark.end() :]  # as in ± nm
     if unit in _NO_UNIT:
         return _Cell(name, _OTHER_TEXT)

@@ -77,6 +77,7 @@ _CUT = re.compile(
 _ACRONYM = r"(?<=[A-Z]{3})(?=[A-Z][a-z]{3})"  # as in DMTModulus
 _PLAIN_GAP = re.compile(r"(?:[\s_.-]?|\s-\s)(?:(?:in|IN)[\s_.])?")
 _QUOTED = r"^([\"'])\s*(.*?)\s*\1$"
+_UNNAMED = r"^Unnamed: \d+$"  # pandas' name for an empty header
 _EDGES = " _.,:;/|-·"
 _FACTORS = r"^[\d\s.*/^+()−-]+|\s*[*/^+(−-][\d\s.()]*(?:(?<=\d)[eE][+-]?\d+)?$|[⁰¹²³]+$"
 _FACTOR_BEHIND = r"\s*(?:(?<![^\W\d_])x|[×*·/^+−-])\s*\(?\d[\d.,eE^+⁰¹²³⁴⁵⁶⁷⁸⁹⁻−-]*\)?$"  # as in radius (nm) x 10
@@ -119,12 +120,12 @@ def reading_of(text: str, measured: str = "") -> Reading:
 
 
 def normalized(text: str) -> str:
-    """Return a header without accents, and with a single form of its marks, blanks and brackets."""
+    """Return a header without accents, and with a single form of its marks, blanks and brackets; "" for Unnamed: 2."""
     text = decoded(text)
     for mark, plain in _LATEX.items():
         text = re.sub(mark, plain, text)
     text = re.sub(_QUOTED, r"\2", " ".join(without_accents(composed(text)).translate(_SPELT).split()))
-    return _PLUS_MINUS.sub("±", text)
+    return _PLUS_MINUS.sub("±", re.sub(_UNNAMED, "", text))
 
 
 def without_accents(text: str) -> str:
