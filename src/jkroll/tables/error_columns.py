@@ -1,4 +1,7 @@
-"""The columns of uncertainties in a table, with the inputs to which they belong."""
+"""The columns of uncertainties in a table, with the inputs to which they belong.
+
+`reading` recognizes the header of an uncertainty; this module finds its owner among the other columns.
+"""
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
@@ -8,7 +11,8 @@ from ..model.frame import EXCLUSIVE
 from . import error_words, words
 from .cells import is_number
 from .reading import NO_FACTOR, SPREAD, UNREAD, Reading, normalized, reading_of, stems_of, unit_in
-from .words import MATERIALS, fits, headed
+from .unit_spellings import fits
+from .words import MATERIALS, headed
 
 ENDS = ("low", "high")  # the parts of a range
 

@@ -1,4 +1,4 @@
-"""The words and notations of uncertainties in headers."""
+"""The words and notations of uncertainties in headers. `statistic_rows` has the names of statistics in rows."""
 
 # Words of columns that count, such as N or number of samples.
 COUNTS = {*"n no nr num number count counts of samples measurements values replicates anzahl".split()}

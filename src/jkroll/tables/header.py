@@ -1,7 +1,8 @@
 """The header of a table: columns of inputs with their units, columns that pass through, and columns that are refused.
 
 `reading` reads each header by itself. This module compares the headers with each other: it finds the input to which
-an uncertainty belongs, the columns that repeat an input, and the columns that change the meaning of an input.
+an uncertainty belongs, the columns that repeat an input, and the columns that change the meaning of an input. A header
+that is refused because of other headers, or because of its cells, is refused here.
 """
 
 import re
@@ -32,8 +33,9 @@ from .reading import (
     unit_in,
     words_in,
 )
+from .unit_spellings import unit_for
 from .unread import NOT_READ, Supply, decided_by, judged
-from .words import MATERIALS, headed, key, unit_for
+from .words import MATERIALS, headed, key
 
 _NOT_USED = "a value takes one ± column, or a minus and a plus column; a range takes only a low and a high column"
 _ROUNDED = 0.4  # largest difference between D/R and 2 that is due to rounding

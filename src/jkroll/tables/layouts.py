@@ -16,7 +16,8 @@ from ..text import quoted
 from .cells import PLUS_MINUS
 from .header import typed
 from .reading import UNREAD, Reading, normalized, reading_of
-from .words import MATERIALS, unit_for
+from .unit_spellings import unit_for
+from .words import MATERIALS
 
 BYTES = "latin-1"  # a character for each byte, since the csv module reads characters
 SAMPLE = 200  # lines or rows that decide how a table is read

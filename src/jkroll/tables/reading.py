@@ -17,7 +17,8 @@ from ..quantities.nomenclature import NOMENCLATURE, of_sphere
 from ..quantities.units import PREFIXES, SUPERSCRIPTS, is_in_table
 from ..text import ascii_text, composed, quoted
 from . import error_words, words
-from .words import MATERIALS, Meaning, fits, headed, key, spelt_out, squeezed, unit_for
+from .unit_spellings import fits, is_like_unit, squeezed, unit_for
+from .words import MATERIALS, Meaning, headed, key, spelt_out
 
 
 class Reading(NamedTuple):
@@ -324,7 +325,7 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
             if meaning.problem or ((is_label or is_other) and not split.is_explicit):
                 return None
             of_body = names if split.is_explicit else names[:1]
-            meant = [*map(headed, of_body)] if split.unit[0].isalpha() and all(map(words.is_like_unit, tail)) else []
+            meant = [*map(headed, of_body)] if split.unit[0].isalpha() and all(map(is_like_unit, tail)) else []
             problem = f"the text after {quoted(split.word)} is not its unit"
             return Reading(name, problem=problem, meant=meant, names=of_body)
         unit_text = unit_for(split.unit, name, is_explicit=split.is_explicit and is_in_table(split.unit))

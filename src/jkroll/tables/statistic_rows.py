@@ -1,4 +1,7 @@
-"""Rows of statistics in a table, such as a mean or a standard deviation below the data."""
+"""Rows of statistics in a table, such as a mean or a standard deviation below the data.
+
+The name of a new kind of statistics belongs in MEANS, in SPREADS or, if it may also be a label, in _COMPANIONS.
+"""
 
 import re
 from collections.abc import Sequence

@@ -2,8 +2,8 @@
 
 The unit of a column tells which inputs it may be, and its words choose among them. If a material, an option, a default
 or sphere 1 supplies such an input, the column is refused until the user states its meaning. Lengths, forces, times and
-ratios are often not inputs, so the words of such a column must point to an input. A text column may be an input if its
-cells are materials.
+ratios are often not inputs, so the words of such a column must point to an input: `words` has these words. A text
+column may be an input if its cells are materials.
 """
 
 import re
@@ -26,7 +26,8 @@ from ..text import ascii_text, shown
 from . import words
 from .cells import has_no_value, is_number
 from .reading import FACTOR_INSIDE, FACTOR_OF_UNIT, Reading, Split, normalized, reading_of, splits_of
-from .words import INPUTS, MATERIALS, fits, headed, key, sphere_of, squeezed, tokens_of, unit_for
+from .unit_spellings import TECHNICAL_UNITS, fits, may_be_unit, squeezed, unit_for
+from .words import INPUTS, MATERIALS, headed, key, sphere_of, tokens_of
 
 # Inputs that replace each other, in addition to EXCLUSIVE.
 _OF_MODULI = tuple(("contact_modulus", name) for name in ("youngs_modulus", "youngs_modulus2"))
@@ -237,7 +238,7 @@ def _unit(split: Split, name: str) -> str:
         return unit
     has_sphere_first = re.match(r"[12][\W_]*(?!e[-\d])[^\W\d]", split.unit)
     spelt = re.sub(FACTOR_OF_UNIT, "", split.unit) + "_" * split.is_mangled
-    return "UNIT" if not has_sphere_first and words.may_be_unit(spelt, name) else ""
+    return "UNIT" if not has_sphere_first and may_be_unit(spelt, name) else ""
 
 
 def _without_unit(text: str, cells: Sequence[str], supply: Supply) -> list[str]:
@@ -274,7 +275,7 @@ def _with_unread_unit(text: str) -> tuple[Split, Sequence[str]]:
 
 def _is_technical(unit: str, name: str) -> bool:
     """Return whether a text means a unit of an input in a technical system, as kg/mm² does for a pressure."""
-    spelt = {squeezed(text) for text in words.TECHNICAL_UNITS.get(NOMENCLATURE[name].unit, ())}
+    spelt = {squeezed(text) for text in TECHNICAL_UNITS.get(NOMENCLATURE[name].unit, ())}
     return squeezed(unit) in spelt
 
 
