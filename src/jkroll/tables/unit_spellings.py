@@ -5,7 +5,7 @@ A spelling that values may have, too, belongs in `quantities.units` instead.
 
 import re
 from collections.abc import Mapping
-from functools import cache
+from functools import cache, partial
 
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.units import PREFIXES, SUPERSCRIPTS, BadUnit, dimension_of, is_in_table
@@ -90,15 +90,22 @@ def unit_for(text: str, name: str, *, is_explicit: bool = False) -> str:
         units += [unit for unit in others if not (is_explicit and "/" in unit and text.isalnum())]  # Nm is not N/m
     parted = re.match(r"([^\W\d_])[\W_]+\w", text)
     if parted:
-        # m_j is mJ, split at its capital. But c_m is not cm, which has no capital; and P / N is a load P in N, not pN.
-        is_index = not is_of_one_case
-        is_symbol = parted[1].casefold() == NOMENCLATURE[name].symbol.rstrip("12").casefold()
-        units = [unit for unit in units if unit == text or not (is_index and unit[1:2].isalpha())]
-        units = [unit for unit in units if unit == text or not (is_symbol or unit[1:2].islower())]
+        is_symbol = parted[1].casefold() == NOMENCLATURE[name].symbol.rstrip("12").casefold()  # P / N is not pN
+        may_be_parted = partial(_may_be_parted, is_of_one_case=is_of_one_case)
+        units = [unit for unit in units if unit == text or (not is_symbol and may_be_parted(unit))]
     for unit in units:
         if fits(unit, name):
             return unit
     return ""
+
+
+def _may_be_parted(unit: str, *, is_of_one_case: bool) -> bool:
+    """Return whether a gap may stand after the first letter of a unit: m_j is mJ, but c_m is not cm.
+
+    `is_of_one_case`: True if the text with the gap has only small or only capital letters.
+    """
+    second = unit[1:2]
+    return not second.isalpha() or (second.isupper() and is_of_one_case)
 
 
 _IN_ANY_CASE = str.maketrans("µμΜÅå", "uuuaa")
@@ -131,8 +138,8 @@ def _units_by_parts() -> dict[_Parts, list[str]]:
         spelt = {parts, (*parts[:-1], (parts[-1][0], "lost"))}
         if parts[-1][1]:
             spelt.add(_joined(parts))
-        for each in spelt:
-            units.setdefault(each, []).append(_MEANT_BY.get(unit, unit))
+        for spelling in spelt:
+            units.setdefault(spelling, []).append(_MEANT_BY.get(unit, unit))
     return units
 
 

@@ -16,8 +16,10 @@ from ..text import ascii_text
 
 MATERIALS = ("material", "material2")
 INPUTS = ("radius", *(name for name, quantity in NOMENCLATURE.items() if quantity.option and quantity.unit))
-SYMBOLS_TOO = {"E": "energy", "Er": "contact_modulus", "W": "work_of_adhesion"}  # more symbols, or meanings of a symbol
-SYMBOLS_TOO |= {
+_MORE_SYMBOLS = {  # in addition to those of the nomenclature, or with a second meaning
+    "E": "energy",
+    "Er": "contact_modulus",
+    "W": "work_of_adhesion",
     "SFE": "surface_energy",
     "rad": "radius",
     "Ered": "contact_modulus",
@@ -26,9 +28,9 @@ SYMBOLS_TOO |= {
     "AH": "hamaker",
     "A11": "hamaker",
     "A22": "hamaker2",
-    **dict.fromkeys("last charge carga carico".split(), "load"),  # words for other quantities with other units
+    **dict.fromkeys("last charge carga carico".split(), "load"),  # charge [C] is another quantity
 }
-# Quantities of curves, with words that, like their synonyms, count only in a table where the quantity is measured.
+# Words for quantities of curves. Like the synonyms of these quantities, they are read only if the quantity is measured.
 _OF_CURVES = {
     **dict.fromkeys(OF_CURVES, ""),
     "contact_radius_at_load": "a",
@@ -126,6 +128,7 @@ FUNCTIONS = {*"log ln lg exp inv inverse reciprocal sqrt normalized".split()}
 # Words, and stems of words, for a quantity of the pair of spheres.
 _INDICES_OF_PAIR = {*"eff red eq star".split()}
 _STEMS_OF_PAIR = re.compile("redu[czi]|ridott|effe[ck]|equiv|combined|composite|harmoni")
+# The quantity of the pair that corresponds to an input of one sphere.
 PAIRS = {"radius": "reduced_radius", "youngs_modulus": "contact_modulus", "surface_energy": "work_of_adhesion"}
 # Words that turn the word before them into a label or a count: material_id, load case.
 LABELS = {*"""id ids no nr num number name names type types class classes case cases code codes key group category kind
@@ -148,7 +151,7 @@ def key(word: str) -> str:
 
 
 def spelt_out(word: str) -> str:
-    """Return a symbol with Greek letters spelt out, without gaps; Rho with a capital is the same as rho."""
+    """Return a symbol with Greek letters spelt out, without gaps; Rho and some others are written in lower case."""
     spelt = ascii_text(word).replace(" ", "").replace("_", "")
     return spelt.lower() if spelt.rstrip("12").title() in ("Gamma", "Nu", "Rho", "Xi", "Tau", "Theta") else spelt
 
@@ -185,7 +188,7 @@ def symbols() -> dict[str, Meaning]:
     for name in INPUTS:
         if name in RATIOS or NOMENCLATURE[name].unit != "1":
             names.setdefault(spelt_out(NOMENCLATURE[name].symbol).removesuffix("1"), []).append(name)
-    for symbol, name in SYMBOLS_TOO.items():
+    for symbol, name in _MORE_SYMBOLS.items():
         names.setdefault(symbol, []).append(name)
     return _of_spheres({symbol: Meaning(inputs) for symbol, inputs in names.items()} | _DOUBTFUL_SYMBOLS) | _DISTANCE
 
@@ -369,7 +372,7 @@ POINTERS: Mapping[str, tuple[Sequence[str], Sequence[str]]] = {
         "load last charge setpoint applied norm carg caric trigger press aufl belast".split(),
     ),
 }
-# Words that do not distinguish the inputs of a dimension.
+# Words that do not distinguish inputs of the same dimension.
 GENERIC = {
     *"energy energie energia modulus module modulo modul coefficient constante rate radius rayon radio work of".split(),
     *"roughness gap".split(),
