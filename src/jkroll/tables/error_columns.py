@@ -79,7 +79,7 @@ def _owners(
     if is_bare:
         return [*values][:1], False  # no column on the left may have it
     owners = [name for name in values if fits(unit, name)]
-    others = [each.text for each in readings if not each.part and not each.is_input]
+    others = [other.text for other in readings if not other.part and not other.is_input]
     is_of_others = any(unit_in(text, name) for text, name in product(others, owners))
     return owners, len(owners) == 1 and not is_of_others
 

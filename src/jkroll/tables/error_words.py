@@ -11,6 +11,7 @@ PARTS = {
 }
 # Notations of an uncertainty in a header. Few tables need these patterns, so they are compiled on first use.
 PERCENT = r"(?i)(?<![\d\s_.,/])[\s_.,/]*[\[(]?(?:%|percent|pct)(?![a-z])[\])]?"  # a percentage of the value
+# The same in an uncertainty that is not read, also after a number.
 SHARE = r"(?i)[\s_.,/]*[\[(]?(?:%|percent|pct)[\])]?"
 LEVEL = r"\d\s*(?:%|percent|pct)"  # a confidence level
 # The coverage factor of an expanded uncertainty.

@@ -79,7 +79,7 @@ class Header(NamedTuple):
         passed: dict[str, None] = {}
         for position, text in enumerate(self.texts):
             if position not in used and text.strip():
-                passed[_easy(text) + self._clause(position)] = None
+                passed[_as_shown(text) + self._clause(position)] = None
         if passed:
             sentence += f"; passed through: {first_of([*passed], _MAX_LISTED)}"
         return sentence
@@ -88,15 +88,12 @@ class Header(NamedTuple):
         return f" ({self.clauses[position]})" if position in self.clauses else ""
 
     def _from(self, column: Column) -> str:
-        """Return the standard header of an input, and its headers in the table if they differ.
-
-        The latter are those of the value and of the uncertainty.
-        """
+        """Return the standard header of an input, its header in the table if another, and those of its uncertainty."""
         text = self.texts[column.position]
         parts = [head_of(column.name, column.unit_text)]
         if not column.is_range and typed(text) not in (parts[0], column.name):
-            parts.append(f"from {_easy(text)}")
-        parts += [f"{_MARKS[part]}{_easy(self.texts[position])}" for part, position in column.sides]
+            parts.append(f"from {_as_shown(text)}")
+        parts += [f"{_MARKS[part]}{_as_shown(self.texts[position])}" for part, position in column.sides]
         return " ".join(parts)
 
 
@@ -105,7 +102,7 @@ def typed(text: str) -> str:
     return shown(" ".join(text.split()))
 
 
-def _easy(text: str) -> str:
+def _as_shown(text: str) -> str:
     """Return a header as messages show it: in quotes if it is empty, or a blank or bracket would confuse."""
     text = typed(text)
     if text and " " not in text.replace(" [", "[") and "(" not in text:
@@ -164,11 +161,7 @@ def understood(
         known[name] = next(iter(parts.values())).text
         values += [reading for part, reading in parts.items() if part in ("", *ENDS)]
     readings = [_with_suffix(reading, known, measured) for reading in readings]
-    held = {*used, *decided_by(used)}
-    without_part = {reading.name for reading in readings if not reading.part}
-    for name, other in CONVERTED.items():
-        if other in without_part:
-            held.add(name)  # a column of G may pass through if there is one of E
+    held = _held(used, readings)
     clauses: Mapping[str, str] = {}
     if supply_of is not None:
         supply = supply_of(used)
@@ -196,6 +189,16 @@ def understood(
     return Header(tuple(texts), tuple(numbers), tuple(materials), passed)
 
 
+def _held(used: Collection[str], readings: Iterable[Reading]) -> set[str]:
+    """Return the inputs that columns give or determine, and those that are converted to an input with a column."""
+    held = {*used, *decided_by(used)}
+    without_part = {reading.name for reading in readings if not reading.part}
+    for name, other in CONVERTED.items():
+        if other in without_part:
+            held.add(name)  # a column of G may pass through if there is one of E
+    return held
+
+
 def _judged(readings: Iterable[Reading], rows: Sequence[Sequence[str]], supply: Supply) -> list[Reading]:
     """Return readings, each with a problem if its column is unread and may be a supplied input."""
     return [judged(reading, [row[reading.position] for row in rows], supply) for reading in readings]
@@ -206,7 +209,7 @@ def _check_stated(stated: Iterable[str], texts: Sequence[str]) -> None:
     typed_texts = {*map(typed, texts)}
     for text in stated:
         if text not in typed_texts:
-            columns_of_table = first_of([*map(_easy, texts)], _MAX_LISTED)
+            columns_of_table = first_of([*map(_as_shown, texts)], _MAX_LISTED)
             raise BadTable(f"--column: the table has no column {quoted(text)}; it has {columns_of_table}")
 
 
@@ -256,7 +259,8 @@ def _contradicting(inputs: Mapping[str, _Parts], used: Collection[str], rows: Se
     """Return the columns of diameters that repeat a radius, but are not twice the radius in one of the rows."""
     contradicting = []
     for name in ("diameter", "diameter2"):
-        diameter, radius = (inputs.get(each, {}).get("") for each in (name, CONVERTED[name]))
+        diameter = inputs.get(name, {}).get("")
+        radius = inputs.get(CONVERTED[name], {}).get("")
         if name in used or diameter is None or radius is None:
             continue
         ratios = [_value_in(row, diameter) / _value_in(row, radius) for row in rows]
@@ -418,11 +422,7 @@ def _used(name: str, columns: _Parts) -> _Parts:
 
     Raises BadTable for half a range, and for an unused column that `--column` gives.
     """
-    shape: Sequence[str] = ()
-    for each in _SHAPES:
-        if columns.keys() >= {*each}:
-            shape = each
-            break
+    shape = next((shape for shape in _SHAPES if columns.keys() >= {*shape}), ())
     others = [reading for part, reading in columns.items() if part not in shape]
     is_end = "" not in columns and not columns.keys().isdisjoint(ENDS)
     if others and ((is_end and not shape) or any(reading.is_stated for reading in others)):
@@ -513,7 +513,7 @@ def check_inputs(header: Header, measured: str = "") -> None:
             unit = unit_in(text, measured)
             if unit and position not in used:
                 options.append(option_of(text, headed(measured, unit)))
-        table = "" if options else f" (the table has {first_of([*map(_easy, header.texts)], _MAX_LISTED)})"
+        table = "" if options else f" (the table has {first_of([*map(_as_shown, header.texts)], _MAX_LISTED)})"
         ways = listed(options or [option_of("HEADER", headed(measured))], "or")
         raise BadTable(f"header: no column has the measured {measured}{table}; write {ways}")
     raise BadTable(

@@ -77,8 +77,9 @@ class Job(NamedTuple):
 
     def say(self, lines: Iterable[str]) -> None:
         """Print lines on stderr, unless the run is quiet."""
-        for line in () if self.quiet else lines:
-            say_wrapped(line, sys.stderr)
+        if not self.quiet:
+            for line in lines:
+                say_wrapped(line, sys.stderr)
 
 
 def run(path: str, job: Job) -> int:
