@@ -35,7 +35,7 @@ class Header(NamedTuple):
     text: str
     name: str  # the input that it means; "" if none
     factor: float  # from numbers in the column to the input in SI units
-    is_plain: bool  # ASCII, with the unit in brackets
+    is_plain: bool  # ASCII as a person types it, with the unit in brackets
     is_of_2: bool  # means sphere 2 only
     others: tuple[str, ...] = ()  # other inputs that it may mean
     share: float = 1.0  # the input over the number in the column: a radius is half of a diameter
@@ -392,6 +392,7 @@ def _ascii(text: str) -> str:
 
 
 def _by_janitor(text: str) -> str:
+    """Return a text as the R package janitor cleans a header."""
     parted = re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "_", _ascii(text).replace("'", ""))
     return re.sub(r"[^a-z0-9]+", "_", parted.lower()).strip("_")
 

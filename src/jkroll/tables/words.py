@@ -1,7 +1,7 @@
 """The words and symbols of headers: for inputs, for quantities that may be inputs, and for other quantities.
 
-Synonyms of quantities belong in `quantities.synonyms`. All other words belong here, for example doubtful words, symbols
-and names of bodies; but words for uncertainties belong in `error_words`, and units in `unit_spellings`.
+Another name of a quantity belongs in `quantities.synonyms`. The reason to refuse a doubtful name, a symbol, and a word
+that changes the meaning of a header belong here; words for uncertainties in `error_words`, units in `unit_spellings`.
 """
 
 import re
