@@ -118,9 +118,9 @@ def stated_meanings(texts: Iterable[str], measured: str = "") -> dict[str, str]:
     meanings: dict[str, str] = {}
     for text in texts:
         pair = re.fullmatch(_HEADER_AND_INPUT, text, re.DOTALL)
-        head, meaning = map(typed, pair.groups()) if pair else ("", "")
         if pair is None:
             raise BadRequest(f"--column: {quoted(text)} is not of the form HEADER=INPUT, as in 'R2 (nm)=radius2 [nm]'")
+        head, meaning = map(typed, pair.groups())
         reading = reading_of(meaning, measured)
         if meaning and (not reading.is_input or reading.is_symbol or reading.meant):
             problem = f": {reading.problem}" if reading.problem else ""
@@ -167,12 +167,12 @@ def understood(
         supply = supply_of(used)
         clauses = supply.clauses
         readings = _judged(readings, rows, supply)
-    left = [reading for reading in readings if reading.problem and not _may_pass(reading, held, known)]
+    left = _without_passing(readings, held, known)
     refused = [] if pass_rest else [*left]
     if refused and supply_of is not None:  # judge the other columns as if the refused ones were read
         meant = {reading.name for reading in refused if reading.name}
         readings = _judged(readings, rows, supply_of({*used, *meant}))
-        refused = [reading for reading in readings if reading.problem and not _may_pass(reading, held, known)]
+        refused = _without_passing(readings, held, known)
     refused += [reading for reading in map(_with_problem, values) if reading.problem]
     refused += [] if pass_rest else _contradicting(inputs, used, rows)
     for name, columns in inputs.items():
@@ -316,6 +316,11 @@ def _with_symbol(symbol: str, known: Mapping[str, str]) -> list[str]:
         if symbol in map(symbol_of, words_in(text)):
             names.append(name)
     return names
+
+
+def _without_passing(readings: Iterable[Reading], held: Collection[str], known: Collection[str]) -> list[Reading]:
+    """Return the columns with a problem that may not pass through; `held`, `known`: see `_may_pass`."""
+    return [reading for reading in readings if reading.problem and not _may_pass(reading, held, known)]
 
 
 def _may_pass(reading: Reading, held: Collection[str], known: Collection[str]) -> bool:
