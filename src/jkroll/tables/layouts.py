@@ -315,7 +315,7 @@ def _below(name: str, text: str, stated: Mapping[str, str], measured: str) -> _C
         return _Cell(name, _A_UNIT, f"{meaning} [{unit}]") if is_stated else _Cell(whole, _A_UNIT)
     if _is_read(reading):
         return _Cell(name, _NO_ROW_OF_UNITS)
-    if name.strip() and is_in_table(unit) and not re.search(r"[\[(]", name) and not is_stated:
+    if normalized(name) and is_in_table(unit) and not re.search(r"[\[(]", name) and not is_stated:
         name = whole  # another quantity, with its unit
     return _Cell(name, _OTHER_TEXT)
 
