@@ -375,3 +375,12 @@ def test_the_points_of_a_short_branch_are_counted_and_the_largest_load_is_fitted
     a, load = (numpy.append(column, column[[-1, -2, -3]]) for column in (a, load))
     turned = fit_curve(ForceCurve(RADIUS, a, load), Known(radius=0.01))
     assert turned.remarks["branch-left-out"] == "3 points are left out at one end of the curve, since a branch needs 5"
+
+
+def test_a_branch_that_never_touches_is_left_out() -> None:
+    """Loading ends before the contact point at 0.2 µm, and unloading is held in tension beyond it."""
+    z, force = jkr_curve(count=250, high=0.199e-6)
+    fit = fit_curve(ForceCurve(TRAVEL, z, force + autoregression(1, len(z), 3e-9, 0.0)), PROBE)
+    assert fit.remarks["branch-left-out"] == "loading: fewer than 5 points are in contact; the branch is left out"
+    assert fit.values["work_of_adhesion_opening"] == approx(0.06, rel=5e-3)
+    assert "work_of_adhesion_closing" not in fit.values

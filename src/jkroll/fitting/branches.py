@@ -411,11 +411,11 @@ def _errors(part: ForceCurve, noise: float, give: float) -> tuple[Array, Array]:
 
 
 def _in_contact(load: Array, name: str, noise: float) -> tuple[slice, slice]:
-    """Return the slice of a branch in contact, and the slice that may be in contact.
+    """Return the slice of a branch in contact, and the slice that may be in contact, both up to an end.
 
-    The first ends just past the least load, or at the last pressed point.
-
-    After the least load, a stiff lever still holds the contact, while a soft lever is already snapping off.
+    If a branch has tension, the first slice ends just past the least load, and the second where half of the tension is
+    lost: there a stiff lever still holds the contact, while a soft lever is already snapping off. Otherwise both slices
+    end at the last pressed point, and are empty if there is none.
     """
     forward = load if name == UNLOADING else load[::-1]
     smooth = running_median(forward, 5)
@@ -428,7 +428,7 @@ def _in_contact(load: Array, name: str, noise: float) -> tuple[slice, slice]:
         ends = tuple(least + int(beyond[0]) if len(beyond) else count for beyond in (risen, lost))
     else:
         pressed = numpy.nonzero(smooth > _NOISE * noise)[0]
-        ends = (int(pressed[-1]) + 1 if len(pressed) else count,) * 2
+        ends = (int(pressed[-1]) + 1 if len(pressed) else 0,) * 2
     near, far = (slice(0, end) if name == UNLOADING else slice(count - end, count) for end in ends)
     return near, far
 
