@@ -19,7 +19,7 @@ from ..physics.contact import contact_radius, tabor_parameter
 Array = Any  # a float, or an array of floats
 
 _STEPS = 60  # most steps of Newton's method, which usually takes about 6
-_NEAR = 1e-10  # a smaller relative step is rounding
+_NEAR = 1e-7  # a smaller relative step is the last one, since the next would be its square
 _SECANTS = 60  # most steps of the Illinois method
 _STRETCH = 1e-5  # relative step of numerical derivatives
 _WIDEST = 1 - 1e-9  # largest a/R of a sphere
@@ -99,21 +99,23 @@ def state_at(law: CurveLaw, x: Array, contact: Contact, grip: Grip) -> tuple[Arr
     last, most = law.last(contact, grip), law.most(contact)
     x_last = float(grip.x(law.values(last, contact)[0]))
     is_held = x > x_last
-    low, high = numpy.full_like(x, last), numpy.full_like(x, most)
-    q = numpy.clip(law.start(x, contact, grip, last, x_last), last, most)
+    held = x[is_held]
+    low, high = numpy.full_like(held, last), numpy.full_like(held, most)
+    root = numpy.clip(law.start(held, contact, grip, last, x_last), last, most)
     for _ in range(_STEPS):
-        values, slopes = law.values(q, contact)
-        excess, slope = grip.x(values) - x, grip.x(slopes)
-        low, high = numpy.where(excess < 0, q, low), numpy.where(excess < 0, high, q)
-        step = excess / numpy.where(slope > 0, slope, 1.0)
-        new = q - step
-        middle = numpy.where(high < inf, (low + high) / 2, 2 * q)
-        is_step = (slope > 0) & (new >= low) & (new <= high)
-        new = numpy.where(is_held, numpy.where(is_step, new, middle), last)
-        is_done = bool(numpy.all(abs(new - q) <= _NEAR * q))
-        q = new
+        values, slopes = law.values(root, contact)
+        excess = grip.x(values) - held
+        low, high = numpy.where(excess < 0, root, low), numpy.where(excess < 0, high, root)
+        new = root - excess / grip.x(slopes)
+        is_inside = (new >= low) & (new <= high)
+        if not is_inside.all():
+            new = numpy.where(is_inside, new, numpy.where(high < inf, (low + high) / 2, 2 * root))
+        is_done = bool((abs(new - root) <= _NEAR * root).all())
+        root = new
         if is_done:
             break
+    q = numpy.full_like(x, last)
+    q[is_held] = root
     return q, last, x_last
 
 

@@ -33,7 +33,7 @@ _ROUNDS = 5  # most rounds, each with a minimum and its noise
 _SAME_PHI = 0.01  # the rounds end at smaller changes of φ and smaller relative changes of the noise
 FEW_INDEPENDENT = 20.0  # independent points, n/τ; with fewer, residuals count as a misfit of the model
 _STEPS = 100  # most steps of the minimiser
-_SAME = 1e-7  # relative decrease of the sum of squares at which the minimiser stops
+_SAME = 1e-6  # relative decrease of the sum of squares at which the minimiser stops
 _LEAST_DAMPING, _MOST_DAMPING = 1e-12, 1e10
 _LONGEST = 4.0  # the longest step of ln w and ln E*, a factor of 55
 
