@@ -76,7 +76,9 @@ class ForceCurve(NamedTuple):
         return self._replace(**columns)
 
 
-RADIUS, APPROACH, TRAVEL = "contact radius", "approach", "travel"
+RADIUS, APPROACH, TRAVEL = "contact radius", "approach", "travel"  # kinds of z
+# The quantity of each kind of z. A table with several of these columns is read by the first of them.
+QUANTITIES = {RADIUS: "contact_radius_at_load", APPROACH: "approach_at_load", TRAVEL: "lever_travel"}
 
 
 class Branch(NamedTuple):

@@ -14,12 +14,13 @@ import numpy
 from numpy import exp, inf, sqrt
 
 from ..physics.contact import tabor_parameter
+from ..quantities.laws import DMT, JKR, MAUGIS, PARABOLOID, SPHERE
 from .baseline import Baseline
 from .branches import LEAST_POINTS
 from .force_curves import Array
 from .minimum import ADHESION, MODULUS, POINT, Minimum, Points, Setting, minimum, with_point
 from .problem import NAMES, Problem, Solved
-from .result import STRONG, Errors
+from .result import HALF_SPACING, STRONG, Errors, best_law, key_of
 
 _FEW = 300  # largest number of points of a branch in a refit that computes moves
 _ALIKE = 50.0  # Tabor parameter above which Maugis' law equals JKR's
@@ -205,11 +206,6 @@ class Models(NamedTuple):
     tabor_parameter: float = inf
 
 
-def key_of(law: str, profile: str) -> str:
-    """Return the key of a law and profile among results by law."""
-    return law if profile == "paraboloid" else f"{law}, {profile}"
-
-
 def by_models(solution: Solution, few: Solution, width: float) -> Models:
     """Return the results by each law and for a sphere, and the moves that count as errors of the model.
 
@@ -218,12 +214,12 @@ def by_models(solution: Solution, few: Solution, width: float) -> Models:
     """
     problem, known, values, here = solution.problem, solution.problem.known, solution.values, few.values
     has_adhesion = ADHESION in few.main.free
-    own = key_of(known.law if has_adhesion else "jkr", known.profile)
+    own = key_of(known.law if has_adhesion else JKR, known.profile)
     by_law: dict[str, Results] = {own: values}
 
-    def moved(law: str, profile: str = "paraboloid", spacing: float | None = None) -> Results:
+    def moved(law: str, profile: str = PARABOLOID, spacing: float | None = None) -> Results:
         setting = problem.by_law(law, profile, spacing)
-        there = _refitted_anew(few, setting) if "dmt" in (law, known.law) else few.refitted(setting)
+        there = _refitted_anew(few, setting) if DMT in (law, known.law) else few.refitted(setting)
         return {name: values[name] + there[name] - here[name] for name in there}
 
     if problem.known.radius is None:
@@ -231,20 +227,20 @@ def by_models(solution: Solution, few: Solution, width: float) -> Models:
     contact = solution.setting.contact(solution.main.unknowns)
     tabor = float(tabor_parameter(**contact._asdict())) if has_adhesion else inf
     moves: list[Results] = []
-    for law in ("jkr", "maugis", "dmt") if has_adhesion else ("jkr",):
-        if law not in by_law and not (law == "maugis" and tabor > _ALIKE):
+    for law in (JKR, MAUGIS, DMT) if has_adhesion else (JKR,):
+        if law not in by_law and not (law == MAUGIS and tabor > _ALIKE):
             by_law[law] = moved(law)
     if has_adhesion:
-        by_law.setdefault("maugis", by_law["jkr"])
+        by_law.setdefault(MAUGIS, by_law[JKR])
     if has_adhesion and tabor < STRONG:
-        by_law["maugis, z0/2"] = moved("maugis", spacing=known.spacing / 2)
-        moves.append(difference(by_law["maugis, z0/2"], by_law["maugis"]))
-    holds = "jkr" if tabor >= STRONG else "maugis"
-    if holds != known.law and has_adhesion:
-        moves.append(difference(by_law[holds], by_law[known.law]))
-    if width > _WIDE and known.profile == "paraboloid":  # the shape matters to every law, but only JKR has spheres
-        by_law["jkr, sphere"] = moved("jkr", "sphere")
-        moves.append(difference(by_law["jkr, sphere"], by_law["jkr"]))
+        at_half = by_law[key_of(MAUGIS, HALF_SPACING)] = moved(MAUGIS, spacing=known.spacing / 2)
+        moves.append(difference(at_half, by_law[MAUGIS]))
+    best = best_law(tabor)
+    if best != known.law and has_adhesion:
+        moves.append(difference(by_law[best], by_law[known.law]))
+    if width > _WIDE and known.profile == PARABOLOID:  # the shape matters to every law, but only JKR has spheres
+        of_sphere = by_law[key_of(JKR, SPHERE)] = moved(JKR, SPHERE)
+        moves.append(difference(of_sphere, by_law[JKR]))
     return Models(by_law, moves, tabor)
 
 

@@ -9,6 +9,7 @@ from numpy import exp, inf
 
 from ..model.unknowns import SIZES
 from ..physics.contact import contact_radius
+from ..quantities.laws import JKR, PARABOLOID, SPHERE
 from .branches import LOADING, RADIUS, TRAVEL, UNLOADING, BadCurve, ForceCurve, branches_of, running_median
 from .error_budget import (
     Results,
@@ -26,7 +27,7 @@ from .force_curves import Array, Grip
 from .goodness import USUAL_ERROR, goodness_of, on_deflection, on_profile, remarks_on
 from .minimum import ADHESION, MODULUS, residuals
 from .problem import Problem, Solved, release_rate, solved, solved_with, solved_without_adhesion
-from .result import Fit, Known
+from .result import Fit, Known, key_of
 
 _STIFFEST = SIZES["youngs_modulus"][1]  # a larger E* counts as infinite
 
@@ -131,9 +132,9 @@ def _result(solution: Solution, remarks: dict[str, str], by_spring: list[Results
         result.remarks["radius-free"] = "no radius is given: w is wR and E* is E*√R, for a paraboloid by JKR"
     elif has_adhesion:
         result.goodness["tabor_parameter"] = models.tabor_parameter
-    sphere = models.by_law.get("jkr, sphere")
-    if sphere is not None and problem.known.profile == "paraboloid":
-        for text in on_profile(models.by_law["jkr"], sphere, result.errors, width, problem.known):
+    sphere = models.by_law.get(key_of(JKR, SPHERE))
+    if sphere is not None and problem.known.profile == PARABOLOID:
+        for text in on_profile(models.by_law[JKR], sphere, result.errors, width, problem.known):
             result.remarks["profile-matters"] = text
     _add(result, "model", models.moves)
     result.remarks |= dict(remarks_on(solution, result, by_spring))

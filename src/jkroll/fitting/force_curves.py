@@ -15,6 +15,7 @@ from numpy import inf, pi, sqrt
 
 from ..physics import any_law, dugdale, jkr, maugis, sneddon
 from ..physics.contact import contact_radius, tabor_parameter
+from ..quantities.laws import DMT, MAUGIS, PARABOLOID, SPHERE
 
 Array = Any  # a float, or an array of floats
 
@@ -164,7 +165,7 @@ def _sphere(a: Array, radius: float) -> tuple[Array, Array, Array, Array]:
     return depth, sneddon.indentation_slope(artanh), curvature, radius * radius * sneddon.hertz_load(artanh)
 
 
-PROFILES: Mapping[str, Profile] = {"paraboloid": Profile(_paraboloid, inf), "sphere": Profile(_sphere, _WIDEST)}
+PROFILES: Mapping[str, Profile] = {PARABOLOID: Profile(_paraboloid, inf), SPHERE: Profile(_sphere, _WIDEST)}
 
 
 class Jkr(NamedTuple):
@@ -327,5 +328,5 @@ def _difference(below: Values, above: Values, step: Array) -> Values:
 
 def curve_law(name: str, profile: str) -> CurveLaw:
     """Return the force curve of the law jkr, dmt or maugis; dmt and maugis exist for a paraboloid only."""
-    others: Mapping[str, CurveLaw] = {"dmt": Dmt(), "maugis": Maugis()}
+    others: Mapping[str, CurveLaw] = {DMT: Dmt(), MAUGIS: Maugis()}
     return others.get(name) or Jkr(PROFILES[profile])

@@ -9,6 +9,7 @@ from typing import NamedTuple, Self
 import numpy
 from numpy import exp, inf, pi, sqrt
 
+from ..quantities.laws import JKR, PARABOLOID
 from .branches import (
     APPROACH,
     LEAST_POINTS,
@@ -62,7 +63,7 @@ class Problem(NamedTuple):
         """The setting for the chosen law."""
         return self.by_law(self.known.law, self.known.profile)
 
-    def by_law(self, law: str, profile: str = "paraboloid", spacing: float | None = None) -> Setting:
+    def by_law(self, law: str, profile: str = PARABOLOID, spacing: float | None = None) -> Setting:
         """Return the setting for a law and a profile. `spacing`: the atomic spacing, by default the known one."""
         grip = Grip(self.stiffness, self.kind == RADIUS)
         return Setting(curve_law(law, profile), self.radius, spacing or self.known.spacing, grip)
@@ -70,7 +71,7 @@ class Problem(NamedTuple):
     @property
     def without_adhesion(self) -> Setting:
         """The setting for Hertz' contact: that of JKR, to be used with a w next to 0."""
-        return self.by_law("jkr", self.known.profile)
+        return self.by_law(JKR, self.known.profile)
 
     @property
     def largest_adhesion(self) -> float:
@@ -176,8 +177,8 @@ def _first_minimum(problem: Problem, points: Points) -> Minimum:
     """Return the best minimum from some starts; laws other than JKR also start from JKR's minimum. Raises BadCurve."""
     starts, setting = _starts(problem, points), problem.setting
     try:
-        if problem.known.law != "jkr":
-            by_jkr = best_of(starts, points, problem.by_law("jkr")).unknowns
+        if problem.known.law != JKR:
+            by_jkr = best_of(starts, points, problem.by_law(JKR)).unknowns
             starts.append(with_point(points, setting, *exp(by_jkr[:POINT]).tolist()))
         found = best_of(starts, points, setting)
     except ValueError:

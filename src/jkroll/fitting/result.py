@@ -7,12 +7,14 @@ from typing import Any, NamedTuple, Self
 
 from numpy import inf, sqrt
 
+from ..quantities.laws import DEFAULT_LAW, JKR, MAUGIS, PARABOLOID
 from ..quantities.nomenclature import DEFAULTS
 from ..quantities.values import middle
 from .branches import RADIUS, LoadRange
 from .force_curves import Array
 
-STRONG = 5.0  # Tabor parameter above which JKR gives w and E*
+STRONG = 5.0  # Tabor parameter from which on JKR gives w and E*
+HALF_SPACING = "z0/2"  # a variant of Maugis' law: at half the atomic spacing
 
 BODIES = ("youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2")
 
@@ -41,8 +43,8 @@ class Known(NamedTuple):
     stiffness: float = inf
     stiffness_error: float = 0.0
     spacing: float = DEFAULTS["atomic_spacing"]
-    law: str = "jkr"
-    profile: str = "paraboloid"
+    law: str = DEFAULT_LAW
+    profile: str = PARABOLOID
     branch: str = "both"
     range: LoadRange | None = None
     tilt: bool = False
@@ -72,6 +74,22 @@ class Errors(NamedTuple):
             return self
         old = getattr(self, part) or 0.0
         return self._replace(**{part: float(sqrt(old * old + sum(move * move for move in moves)))})
+
+
+def best_law(tabor_parameter: float) -> str:
+    """Return the law that gives the best w and E*: Maugis' law if the Tabor parameter is small, otherwise JKR."""
+    return JKR if tabor_parameter >= STRONG else MAUGIS
+
+
+def key_of(law: str, variant: str = PARABOLOID) -> str:
+    """Return the key of a law in `Fit.by_law`. `variant`: a profile, or HALF_SPACING."""
+    return law if variant == PARABOLOID else f"{law}, {variant}"
+
+
+def law_and_variant(key: str) -> tuple[str, str]:
+    """Return the law and the variant of a key in `Fit.by_law`."""
+    law, _, variant = key.partition(", ")
+    return law, variant or PARABOLOID
 
 
 @dataclass
@@ -115,13 +133,13 @@ class Fit:
 
     @property
     def law_that_holds(self) -> str:
-        """The law that gives the best w and E*: Maugis' law if the Tabor parameter is small, otherwise JKR."""
-        return "jkr" if self.goodness.get("tabor_parameter", inf) >= STRONG else "maugis"
+        """The law that gives the best w and E*; JKR if the Tabor parameter is not known."""
+        return best_law(self.goodness.get("tabor_parameter", inf))
 
     @property
     def better_law(self) -> str:
         """The law to fit instead; "" if the fitted law holds, as Maugis' does for any Tabor parameter."""
-        is_judged = self.known.law != "maugis" and "tabor_parameter" in self.goodness
+        is_judged = self.known.law != MAUGIS and "tabor_parameter" in self.goodness
         return self.law_that_holds if is_judged and self.law_that_holds != self.known.law else ""
 
     @property

@@ -244,10 +244,10 @@ _OF_SPHERE = Law(
 )
 
 LAWS: Mapping[str, Law] = {law.name: law for law in (_JKR, _MAUGIS, _DMT, _OF_SPHERE)}
-JKR_OF_SPHERE = _OF_SPHERE.name
+JKR, MAUGIS, DMT, JKR_OF_SPHERE = _JKR.name, _MAUGIS.name, _DMT.name, _OF_SPHERE.name
 MODELS = tuple(name for name, law in LAWS.items() if law.profile == PARABOLOID)  # the values of --model
-DEFAULT_LAW = _JKR.name
-BETWEEN = _MAUGIS.name  # the law for contacts between JKR and DMT
+DEFAULT_LAW = JKR
+BETWEEN = MAUGIS  # the law for contacts between JKR and DMT
 
 
 def other_law(name: str) -> str:

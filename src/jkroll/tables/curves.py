@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy
 
 from ..errors import BadRequest, BadRow, BadTable, JkrollError
-from ..fitting.branches import APPROACH, LOADING, PAUSE, RADIUS, TRAVEL, UNLOADING, ForceCurve
+from ..fitting.branches import LOADING, PAUSE, QUANTITIES, UNLOADING, ForceCurve
 from ..materials.library import Materials
 from ..model.rows import Numbers
 from ..quantities.nomenclature import header as head_of
@@ -23,7 +23,7 @@ from .reading import unit_in
 from .table import Asked, Records
 
 # The columns that can give the x of a curve and its force, both in order of preference.
-_X = {"contact_radius_at_load": RADIUS, "approach_at_load": APPROACH, "lever_travel": TRAVEL}
+_X = {quantity: kind for kind, quantity in QUANTITIES.items()}
 _FORCES = ("load", "lever_force", "lever_deflection")
 _DEFLECTION = "lever_deflection"
 MEASURED = "contact_radius_at_load,approach_at_load,lever_travel,lever_force,lever_deflection,lever_stiffness"
