@@ -244,8 +244,7 @@ def _plus_minus(value: float, minus: float, plus: float) -> str:
     """
     shift = _shift(abs(value))
     numbers = [number * 10.0**-shift for number in (value, minus, plus)]
-    last = int(f"{min(filter(None, numbers[1:])):.1e}".partition("e")[2]) - 1  # the power of ten of the second digit
-    middle, below, above = [f"{round(number, -last):.{max(-last, 0)}f}" for number in numbers]
+    middle, below, above = rounded_at_error(numbers, min(filter(None, numbers[1:])))
     text = f"{middle} ± {above}" if above == below else f"{middle} +{above}/-{below}"
     return f"({text})e{shift}" if shift else text
 
@@ -332,13 +331,11 @@ def symbol_of(name: str) -> str:
     return NOMENCLATURE[name].symbol or name
 
 
-def bar_digits(value: float, error: float) -> str:
-    """Return a value rounded to the second digit of its error; to four digits if the error is 0 or exceeds the value.
+def rounded_at_error(numbers: Iterable[float], error: float) -> list[str]:
+    """Return numbers as texts, rounded at the second digit of an error.
 
-    >>> bar_digits(61.7234, 0.24), bar_digits(1749.6, 190.0), bar_digits(0.21666, 0.0)
-    ('61.72', '1750', '0.2167')
+    >>> rounded_at_error([61.7234, 0.24], 0.24), rounded_at_error([1749.6, -55.0], 190.0)
+    (['61.72', '0.24'], ['1750', '-60'])
     """
-    if not 0 < error < abs(value):
-        return significant(value, RESULT_DIGITS)
-    last = int(f"{error:.1e}".partition("e")[2]) - 1
-    return f"{round(value, -last):.{max(-last, 0)}f}"
+    last = int(f"{error:.1e}".partition("e")[2]) - 1  # the power of ten of the second digit
+    return [f"{round(number, -last) + 0.0:.{max(-last, 0)}f}" for number in numbers]  # + 0.0 makes a rounded -0 a 0

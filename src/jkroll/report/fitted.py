@@ -6,7 +6,7 @@ from math import floor, isfinite, isnan, log10, nan
 from ..fitting.branches import LOADING, RADIUS, TRAVEL
 from ..fitting.goodness import LAW_OFF
 from ..fitting.result import HALF_SPACING, RESULTS, STRONG, Fit, law_and_variant
-from ..quantities.formatting import Format, amount, bar_digits, significant, with_unit
+from ..quantities.formatting import RESULT_DIGITS, Format, amount, rounded_at_error, significant, with_unit
 from ..quantities.laws import LAWS, PARABOLOID, SPHERE
 from ..quantities.nomenclature import NOMENCLATURE
 
@@ -135,11 +135,8 @@ def _unit_of(fitted: Fit, name: str, value: float, error: float) -> tuple[str, f
 
 
 def _rounded(value: float, error: float) -> str:
-    """Return a value, rounded to the second digit of its error, which may be larger than the value."""
-    if error <= abs(value):
-        return bar_digits(value, error)
-    digits = max(1 - floor(log10(error)), 0)
-    return f"{round(value, digits) + 0.0:.{digits}f}"  # + 0.0 makes a rounded -0 a 0
+    """Return a value rounded at the second digit of its error; to four digits if the error is 0."""
+    return rounded_at_error([value], error)[0] if error else significant(value, RESULT_DIGITS)
 
 
 # --- Sentences --------------------------------------------------------------------------------------------------------
