@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy
 from numpy import pi, sqrt
 
-from .minimum import Noise, noise_of
+from .minimum import Noise, noise_of, robust_deviation
 
 Array = Any
 
@@ -70,8 +70,8 @@ def baseline_of(z: Array, force: Array, floor: float, *, tilt: bool) -> Baseline
 
 
 def _scatter(values: Array, floor: float) -> float:
-    """Return the standard deviation of values, from their median absolute deviation: `floor` or more."""
-    return max(1.4826 * float(numpy.median(abs(values - numpy.median(values)))), floor)
+    """Return the standard deviation of values by a robust estimate: `floor` or more."""
+    return max(robust_deviation(values - numpy.median(values)), floor)
 
 
 def _correlation(values: Array, unknowns: int) -> float:

@@ -13,7 +13,7 @@ from numpy import sqrt
 
 from ..errors import JkrollError
 from .baseline import Baseline, baseline_of, remark_on_baselines
-from .minimum import Points
+from .minimum import Points, robust_deviation
 
 Array = Any
 
@@ -367,7 +367,7 @@ def _white_noise(force: Array) -> float:
     sizes = []
     for order, square in ((2, 6), (3, 20), (4, 70)):
         if len(force) > order:
-            sizes.append(1.4826 * float(numpy.median(abs(numpy.diff(force, order)))) / square**0.5)
+            sizes.append(robust_deviation(numpy.diff(force, order)) / square**0.5)
     return float(min(sizes))
 
 
@@ -379,7 +379,7 @@ def _free(part: ForceCurve, name: str, noise: float) -> slice:
         return slice(0, 0)
     end = force[-count:]
     level = float(numpy.median(end))
-    spread = max(noise, 1.4826 * float(numpy.median(abs(end - level))))
+    spread = max(noise, robust_deviation(end - level))
     smooth = running_median(force, 5)
     least = int(numpy.argmin(smooth))
     depth = level - float(smooth[least])

@@ -9,7 +9,7 @@ from ..quantities.formatting import Format, amount, significant
 from ..quantities.laws import LAWS
 from .branches import LEAST_POINTS, LOADING, RADIUS, running_median
 from .error_budget import Results, Solution
-from .minimum import ADHESION, FEW_INDEPENDENT
+from .minimum import ADHESION, FEW_INDEPENDENT, robust_deviation
 from .problem import NAMES
 from .result import Errors, Fit, Known
 
@@ -176,7 +176,7 @@ def _on_pinned_edge(solution: Solution, points: Mapping[str, numpy.ndarray]) -> 
     rate, radius = (running_median(points[name][is_own]) for name in ("release_rate", "contact_radius"))
     size = max(LEAST_POINTS, len(rate) // 15)
     w = float(exp(solution.main.unknowns[ADHESION]))
-    noise = 1.4826 * float(numpy.median(abs(points["release_rate"][is_own] - rate)))
+    noise = robust_deviation(points["release_rate"][is_own] - rate)
     for start in range(0, len(rate) - size, max(1, size // 2)):
         moved_rate = float(numpy.ptp(rate[start : start + size]))
         moved_radius = float(numpy.ptp(radius[start : start + size]))

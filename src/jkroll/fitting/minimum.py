@@ -153,6 +153,11 @@ def noise_of(values: Array, unknowns: int) -> Noise:
     return Noise(phi, _spread(Noise(phi).whitened(values), unknowns))
 
 
+def robust_deviation(differences: Array) -> float:
+    """Return the standard deviation of normal differences with mean 0, from the median of their sizes."""
+    return 1.4826 * float(numpy.median(abs(differences)))
+
+
 def _spread(values: Array, unknowns: int) -> float:
     """Return the standard deviation of residuals, clipped at 3 standard deviations."""
     freedom = max(len(values) - unknowns, 1)

@@ -24,7 +24,7 @@ from .branches import (
     running_median,
 )
 from .force_curves import PROFILES, Array, Grip, curve_law
-from .minimum import ADHESION, MODULUS, POINT, Minimum, Points, Setting, best_of, minimum, with_point
+from .minimum import ADHESION, MODULUS, POINT, Minimum, Points, Setting, best_of, minimum, robust_deviation, with_point
 from .result import Known
 
 FIRST_RANGE = LoadRange(-1.0, 0.3, True)
@@ -245,12 +245,12 @@ def _plateau(problem: Problem, branch: Branch, unknowns: Array) -> slice:
     rate, _ = release_rate(problem, branch.in_contact, unknowns)
     size = max(LEAST_POINTS, len(rate) // _BINS)
     middles = [_median(rate[start : start + size]) for start in range(0, len(rate) - size + 1, size)]
-    lower = middles[len(middles) // 2 :]
-    if len(lower) < 2:
+    lower = numpy.array(middles[len(middles) // 2 :])
+    known = lower[numpy.isfinite(lower)]
+    if len(lower) < 2 or not len(known):
         return branch.contact
-    level = _median(numpy.array(lower))
-    scatter = 1.4826 * _median(abs(numpy.array(lower) - level))
-    tolerance = max(_PLATEAU * level, 3 * scatter)
+    level = float(numpy.median(known))
+    tolerance = max(_PLATEAU * level, 3 * robust_deviation(known - level))
     off = [index for index, value in enumerate(middles[:-3]) if abs(value - level) > tolerance]
     first = (off[-1] + 1) * size if off else 0
     start = min(branch.contact.start + first, branch.contact.stop - 4 * LEAST_POINTS)
