@@ -20,12 +20,12 @@ from jkroll.fitting.branches import (
     ForceCurve,
     branches_of,
 )
-from jkroll.fitting.error_budget import Solution
+from jkroll.fitting.error_budget import Minima
 from jkroll.fitting.fit import fit_curve
 from jkroll.fitting.force_curves import PROFILES, Contact, Grip, curve_law, state_at
 from jkroll.fitting.goodness import goodness_of
+from jkroll.fitting.measurement import FittedBranch, Measurement, release_rate
 from jkroll.fitting.minimum import Noise, Setting, minimum, noise_of, residuals
-from jkroll.fitting.problem import Problem, Solved, release_rate
 from jkroll.fitting.result import Known
 from jkroll.report.fitted import row_of_result
 from relative import approx
@@ -273,12 +273,12 @@ def test_exact_zeros_are_not_taken_for_saturation() -> None:
 def test_the_misfit_counts_points_past_the_jump() -> None:
     """The contact point is 30 nm off, so that the jump of the model comes before the last points."""
     z, force = jkr_curve(branches=(UNLOADING,), baseline=0.0)
-    problem = Problem(TRAVEL, PROBE, branches_of(ForceCurve(TRAVEL, z, force), 3.01))
-    branch = problem.branches.by_name[UNLOADING]
+    measurement = Measurement(TRAVEL, PROBE, branches_of(ForceCurve(TRAVEL, z, force), 3.01))
+    branch = measurement.branches.by_name[UNLOADING]
     points, unknowns = branch.in_contact, numpy.array([numpy.log(0.06), numpy.log(1.75e6), 2.3e-7])
-    found = minimum(points, problem.setting, unknowns, noise=Noise())
-    found = found._replace(residuals=residuals(points, unknowns, problem.setting))
-    good = goodness_of(Solution(problem, problem.setting, Solved(branch, points, found, (0, 1, 2))), 2e-6)
+    found = minimum(points, measurement.setting, unknowns, noise=Noise())
+    found = found._replace(residuals=residuals(points, unknowns, measurement.setting))
+    good = goodness_of(Minima(measurement, measurement.setting, FittedBranch(branch, points, found, (0, 1, 2))), 2e-6)
     shifted = jkr_force(points.z - 2.3e-7, 0.06, 1.75e6, 7.5e-6, 3.01)
     past = (shifted == 0).sum()
     shifted = numpy.where(shifted == 0, shifted.min(), shifted)  # the load of the last state
@@ -299,14 +299,14 @@ def test_points_without_a_contact_radius_have_no_release_rate() -> None:
     """No contact with adhesion has a larger load than Hertz' contact at the same approach."""
     z, force = jkr_curve(branches=(UNLOADING,), baseline=0.0)
     curve = ForceCurve(TRAVEL, z, force)
-    problem = Problem(TRAVEL, PROBE, branches_of(curve, 3.01))
-    points = problem.branches.by_name[UNLOADING].in_contact
+    measurement = Measurement(TRAVEL, PROBE, branches_of(curve, 3.01))
+    points = measurement.branches.by_name[UNLOADING].in_contact
     unknowns = numpy.log([0.06, 1.75e6, 1.0])
     unknowns[2] = 2e-7
-    rate, radius = release_rate(problem, points._replace(force=points.force + 1e-5), unknowns)
+    rate, radius = release_rate(measurement, points._replace(force=points.force + 1e-5), unknowns)
     assert numpy.isnan(rate).all()
     assert numpy.isnan(radius).all()
-    assert release_rate(problem, points, unknowns)[0] == approx(0.06 + 0 * points.z, rel=1e-3)
+    assert release_rate(measurement, points, unknowns)[0] == approx(0.06 + 0 * points.z, rel=1e-3)
 
 
 def test_points_of_a_pause_are_left_out_and_gaps_in_time_have_a_remark() -> None:

@@ -359,6 +359,11 @@ def running_median(values: Array, size: int = _SMOOTH) -> Array:
     return numpy.median(numpy.lib.stride_tricks.sliding_window_view(padded, size), axis=-1)
 
 
+def largest_tension(points: Points) -> float:
+    """Return the largest tension of points, as a median over three of them; negative if all are pressed."""
+    return -float(running_median(points.force, 3).min())
+
+
 def _white_noise(force: Array) -> float:
     """Return the standard deviation of white noise: the least of the estimates from differences of three orders.
 

@@ -265,7 +265,7 @@ def _descended(points: Points, setting: Setting, start: Array, free: Sequence[in
 
 
 def _solved(matrix: Array, target: Array) -> Array:
-    """Return the solution of a linear system; by least squares if it is singular."""
+    """Return the minima of a linear system; by least squares if it is singular."""
     try:
         return numpy.linalg.solve(matrix, target)
     except numpy.linalg.LinAlgError:

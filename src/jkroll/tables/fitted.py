@@ -8,7 +8,7 @@ from typing import Any
 from ..errors import BadRequest, BadTable
 from ..fitting.branches import TRAVEL, BadCurve, LoadRange
 from ..fitting.fit import fit_curve
-from ..fitting.problem import NAMES
+from ..fitting.measurement import NAMES
 from ..fitting.result import BODIES, Fit, Known
 from ..materials.library import Materials, materials_of_user
 from ..model.accepted import check_range
