@@ -1,14 +1,13 @@
 """The baseline of a curve, its force out of contact: a level or a sloping line, its noise, and remarks on baselines."""
 
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy
 from numpy import pi, sqrt
 
+from .force_curves import Array
 from .minimum import Noise, noise_of, robust_deviation
-
-Array = Any
 
 _MOST_PHI = 0.99  # largest correlation of neighbours in the baseline
 _SURE = 4.0  # standard errors; a slope of more is not due to chance

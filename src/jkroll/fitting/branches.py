@@ -9,13 +9,12 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple, Self
 
 import numpy
-from numpy import sqrt
+from numpy import inf, sqrt
 
 from ..errors import JkrollError
 from .baseline import Baseline, baseline_of, remark_on_baselines
+from .force_curves import Array
 from .minimum import Points, robust_deviation
-
-Array = Any
 
 LOADING, UNLOADING, PAUSE = "loading", "unloading", "pause"
 LEAST_POINTS = 5
@@ -151,12 +150,13 @@ def branches_of(curve: ForceCurve, stiffness: float, *, tilt: bool = False, only
     remark_on_baselines(baselines, remarks, tilt=tilt)
     branches = {}
     for name, part in parts.items():
-        own = baselines[name] or known[0]
-        load = part.force - own.at(part.z)
-        give = 1 / stiffness or float(numpy.ptp(part.z)) / float(numpy.ptp(load))
-        errors = _errors(part, max(own.noise, noise), give)
-        inside = _in_contact(load, name, max(own.scatter, noise))
-        branches[name] = Branch(name, Points(part.z, load, *errors), *inside, own, baselines[name] is not None)
+        own = baselines[name]
+        baseline = known[0] if own is None else own
+        load = part.force - baseline.at(part.z)
+        give = 1 / stiffness if stiffness < inf else float(numpy.ptp(part.z)) / float(numpy.ptp(load))
+        points = Points(part.z, load, *_errors(part, max(baseline.noise, noise), give))
+        contact, reach = _in_contact(load, name, max(baseline.scatter, noise))
+        branches[name] = Branch(name, points, contact, reach, baseline, has_free_part=own is not None)
     _check(branches, max(noise, *(baseline.scatter for baseline in known)), remarks)
     return Branches(branches, known[0].noise, known[0].scatter, remarks, sign)
 
@@ -474,16 +474,14 @@ def _of_radii(curve: ForceCurve, remarks: dict[str, str]) -> Branches:
         remarks["equal-errors"] = (
             "radii and loads are assumed to have equal errors, relative to their ranges, unless columns give errors"
         )
-    ranges = [float(numpy.ptp(column)) / 200 for column in (curve.z, curve.force)]
+    z_error, force_error = (float(numpy.ptp(column)) / 200 for column in (curve.z, curve.force))
     branches = {}
     for name, part in parts.items():
-        errors = [
-            column if column is not None else numpy.full(len(part.z), size)
-            for column, size in zip((part.z_error, part.force_error), ranges, strict=True)
-        ]
-        points = Points(part.z, part.force, errors[1], errors[0])
+        z_errors = numpy.full(len(part.z), z_error) if part.z_error is None else part.z_error
+        force_errors = numpy.full(len(part.z), force_error) if part.force_error is None else part.force_error
+        points = Points(part.z, part.force, force_errors, z_errors)
         branches[name] = Branch(name, points, slice(0, len(part.z)), slice(0, len(part.z)))
-    return Branches(branches, ranges[1], ranges[1], remarks, 1.0)
+    return Branches(branches, force_error, force_error, remarks, 1.0)
 
 
 # --- The fitted range -------------------------------------------------------------------------------------------------
@@ -509,7 +507,7 @@ class LoadRange(NamedTuple):
         BadCurve if it has too few points.
         """
         load = branch.in_contact.force
-        low, high = map(self._load, (self.low, self.high), [load] * 2)
+        low, high = self._load(self.low, load), self._load(self.high, load)
         smooth = running_median(load)
         order = smooth if branch.name == UNLOADING else smooth[::-1]
         below = numpy.nonzero(order <= high)[0]

@@ -8,6 +8,7 @@ and the atomic spacing. A change of a result is called its move.
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
+from math import ceil
 from typing import NamedTuple
 
 import numpy
@@ -71,7 +72,7 @@ class Minima(NamedTuple):
         return values
 
     def refitted(self, setting: Setting, change: Callable[[FittedBranch], Points] = _unchanged) -> ByResult:
-        """Return the results with another setting or changed points; fits start from the minima with their noise."""
+        """Return the results for another setting or changed points. Fits start from the minima and keep their noise."""
         main = minimum(change(self.main), setting, self.main.unknowns, self.main.free, self.main.minimum.noise)
         if self.other is None:
             return self.results(main, None)
@@ -84,13 +85,14 @@ class Minima(NamedTuple):
 
     def thinned(self) -> "Minima":
         """Return the minima for at most 300 points of each branch; their moves are nearly those of all points."""
-        parts: list[FittedBranch] = []
-        for part in self.parts:
-            step = -(-len(part.points.z) // _FEW)
-            points, noise = part.points.thinned(step), part.minimum.noise.thinned(step)
-            start = part.unknowns if not parts else parts[0].unknowns
-            parts.append(part.at(points, minimum(points, self.setting, start, part.free, noise)))
-        return self._replace(main=parts[0], other=parts[1] if parts[1:] else None)
+        main = self._thinned(self.main, self.main.unknowns)
+        return self._replace(main=main, other=None if self.other is None else self._thinned(self.other, main.unknowns))
+
+    def _thinned(self, part: FittedBranch, start: Array) -> FittedBranch:
+        """Return a branch with at most 300 points, fitted from a start."""
+        step = ceil(len(part.points.z) / _FEW)
+        points, noise = part.points.thinned(step), part.minimum.noise.thinned(step)
+        return part.at(points, minimum(points, self.setting, start, part.free, noise))
 
 
 # --- Statistical ------------------------------------------------------------------------------------------------------
@@ -99,10 +101,10 @@ class Minima(NamedTuple):
 def covariance_of(minima: Minima) -> tuple[tuple[str, ...], Array]:
     """Return the names of the fitted results, and their covariance from noise."""
     main, other = minima.main, minima.other
-    every = {ADHESION: NAMES[main.branch.name], MODULUS: "contact_modulus", POINT: "contact_point"}
+    name_of = {ADHESION: NAMES[main.branch.name], MODULUS: "contact_modulus", POINT: "contact_point"}
     scales = {ADHESION: exp(main.unknowns[ADHESION]), MODULUS: exp(main.unknowns[MODULUS])}
     scale = numpy.array([scales.get(unknown, minima.measurement.branches.sign) for unknown in main.free])
-    names, matrix = tuple(every[unknown] for unknown in main.free), main.minimum.covariance
+    names, matrix = tuple(name_of[unknown] for unknown in main.free), main.minimum.covariance
     covariance = matrix * numpy.outer(scale, scale)
     if other is None:
         return names, covariance
@@ -162,7 +164,7 @@ def statistical_errors(minima: Minima, names: tuple[str, ...], covariance: Array
 
 
 def by_radius(few: Minima) -> ByResult:
-    """Return the larger move of each result if the radius is smaller or larger by its error."""
+    """Return the larger move of each result if the radius is smaller or larger by its error; empty without an error."""
     known = few.measurement.known
     if known.radius is None or not known.radius_error:
         return {}
@@ -171,7 +173,7 @@ def by_radius(few: Minima) -> ByResult:
 
 
 def ends(error: float) -> tuple[float, float]:
-    """Return the factors that lead from a value to its two ends. `error`: its relative error."""
+    """Return the factors from a value to both ends of its uncertainty. `error`: the relative error of the value."""
     return 1 - error, 1 + error
 
 
@@ -186,7 +188,11 @@ def largest(moves: Sequence[ByResult]) -> ByResult:
 
 
 def by_range(few: Minima) -> ByResult:
-    """Return half the spread of the results over ranges of the main branch; empty if there is only one range."""
+    """Return half the spread of the results over ranges of the main branch; empty if there is only one range.
+
+    Two shorter ranges end at half the largest load, and at a tenth of the largest tension; without adhesion, at half
+    and at a quarter of the largest load. A range with too few points is left out.
+    """
     points, here = few.main.points, few.values
     spread = {name: [0.0] for name in here}
     most, least = float(points.force.max()), float(points.force.min())
@@ -212,9 +218,9 @@ class Models(NamedTuple):
 def by_models(minima: Minima, few: Minima, width: float) -> Models:
     """Return the results by each law and for a sphere, and the moves that count as errors of the model.
 
-    Without a radius or adhesion, some or all other laws are left out. A sphere is fitted only by JKR, if the contact is
-    wide (`width` is a/R). The results by another law are those
-    of the fit plus their moves in a refit of fewer points.
+    Without a radius, other laws are left out; without adhesion, all but JKR. If the contact is wide (`width` is a/R),
+    JKR is also fitted for a sphere. The results by another law are those of the fit plus their moves in a refit of
+    fewer points.
     """
     measurement, known, values, here = minima.measurement, minima.measurement.known, minima.values, few.values
     has_adhesion = ADHESION in few.main.free

@@ -70,9 +70,10 @@ def _minima(curve: ForceCurve, known: Known) -> tuple[Minima, dict[str, str]]:
 
 
 def _by_spring(curve: ForceCurve, minima: Minima, error: float) -> list[ByResult]:
-    """Return the changes of the results (moves) for a softer and a stiffer spring; none if no spring enters.
+    """Return the moves of the results for a softer and a stiffer spring; none if no spring enters.
 
-    The curve is fitted anew, since the results are not linear in the stiffness: a soft spring may make E* infinite.
+    The curve is fitted anew, since the results are not linear in the stiffness: a soft spring may make E* infinite. All
+    moves are infinite if this fit fails.
     `error`: the relative error of the stiffness.
     """
     if curve.kind != TRAVEL and not curve.is_deflection:
@@ -83,12 +84,13 @@ def _by_spring(curve: ForceCurve, minima: Minima, error: float) -> list[ByResult
         force_error = None if curve.force_error is None else forces * curve.force_error
         known = minima.measurement.known._replace(stiffness=factor * minima.measurement.known.stiffness)
         try:
-            there = {**_minima(curve._replace(force=forces * curve.force, force_error=force_error), known)[0].values}
+            there, _ = _minima(curve._replace(force=forces * curve.force, force_error=force_error), known)
+            values = there.values
         except (ArithmeticError, BadCurve, ValueError):
-            there = {}
-        if there.get("contact_modulus", inf) >= _STIFFEST:
-            there["contact_modulus"] = inf
-        moves.append({name: there.get(name, inf) - value for name, value in minima.values.items()})
+            values = {}
+        if values.get("contact_modulus", inf) >= _STIFFEST:
+            values["contact_modulus"] = inf
+        moves.append({name: values.get(name, inf) - value for name, value in minima.values.items()})
     return moves
 
 

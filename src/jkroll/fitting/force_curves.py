@@ -19,7 +19,7 @@ from ..quantities.laws import DMT, MAUGIS, PARABOLOID, SPHERE
 
 Array = Any  # a float, or an array of floats
 
-_STEPS = 60  # most steps of Newton's method, which usually takes about 6
+_STEPS = 60  # most steps of Newton's method, which usually takes about 5
 _NEAR = 1e-7  # a smaller relative step is the last one, since the next would be its square
 _SECANTS = 60  # most steps of the Illinois method
 _STRETCH = 1e-5  # relative step of numerical derivatives
@@ -92,7 +92,7 @@ class CurveLaw(Protocol):
 
 
 def state_at(law: CurveLaw, x: Array, contact: Contact, grip: Grip) -> tuple[Array, float, float]:
-    """Return q of the stable states at x, with q and x of the last state. Lower x get q of the last state.
+    """Return q of the stable states at x, with q and x of the last state. An x below the last state gets its q.
 
     Newton's method runs between bounds, and bisects where a step would leave the bounds. In JKR with a paraboloid, no
     step leaves the bounds, since x is convex in a.
@@ -295,7 +295,7 @@ class Maugis:
         if grip.is_radius:
             return _LEAST_RATIO
         transition, *_ = _scales(contact)
-        low, high = (float(each(transition)) for each in (dugdale.fold_ratio, dugdale.pull_off_ratio))
+        low, high = (float(ratio(transition)) for ratio in (dugdale.fold_ratio, dugdale.pull_off_ratio))
 
         def slope(v: float) -> float:
             return float(grip.x(self.values(v, contact)[1]))
@@ -314,11 +314,12 @@ class Maugis:
         return inf
 
 
-def _scales(of: Contact) -> tuple[float, float, float]:
+def _scales(contact: Contact) -> tuple[float, float, float]:
     """Return λ and the units of length and approach of Maugis' curve."""
-    tabor, given = tabor_parameter(**of._asdict()), of.without_spacing
-    lengths = maugis.length_unit_maugis(**given), maugis.approach_unit_maugis(**given)
-    return float(any_law.transition_parameter(tabor_parameter=tabor)), float(lengths[0]), float(lengths[1])
+    transition = any_law.transition_parameter(tabor_parameter=tabor_parameter(**contact._asdict()))
+    length = maugis.length_unit_maugis(**contact.without_spacing)
+    depth = maugis.approach_unit_maugis(**contact.without_spacing)
+    return float(transition), float(length), float(depth)
 
 
 def _difference(below: Values, above: Values, step: Array) -> Values:

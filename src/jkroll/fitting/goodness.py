@@ -18,7 +18,7 @@ USUAL_ERROR = 0.05  # relative error of a spring, if none is given
 _TWO_DIGITS, _THREE_DIGITS = Format(digits=2), Format(digits=3)
 _UNLIKE = 1.2  # ratio of two stiffnesses above which they are not those of one spring
 _UNDETERMINED = 0.5  # standard deviation of ln E* above which E* is undetermined
-_SURE = 2.0  # errors of a hysteresis below 0 that is not due to chance
+_SURE = 2.0  # a hysteresis that is below 0 by more than this number of its errors is not due to chance
 _POOR = 0.1  # rms misfit over the pull-off force, above which the curve is not that of a contact
 _WIDEST = 0.9  # a/R above which no theory of a half-space applies
 

@@ -218,6 +218,7 @@ def _starts(measurement: Measurement, points: Points) -> list[Array]:
     least = int(numpy.argmin(points.force))
     pressed = points.force > 0.3 * points.force.max()
     zero = int(numpy.argmin(abs(points.force)))
+    # In units of a0²/R, JKR's approach is 1/3 without load and −(1/3)/4^(2/3) at pull-off.
     width = abs(float(approach[zero] - approach[least])) / (1 / 3 + 1 / 3 / 4 ** (2 / 3))
     if width == 0 and pressed.any():
         width = float(numpy.ptp(approach))
@@ -268,24 +269,24 @@ def release_rate(measurement: Measurement, points: Points, unknowns: Array) -> t
     Both are nan where no contact radius fits the approach and load of a point.
     """
     modulus, radius, grip = float(exp(unknowns[MODULUS])), measurement.radius, measurement.setting.grip
-    depth_of = PROFILES[measurement.known.profile]
+    profile = PROFILES[measurement.known.profile]
     if grip.is_radius:
         a = points.z
-        hertz = modulus * depth_of.without_adhesion(a, radius)[3]
+        hertz = modulus * profile.without_adhesion(a, radius)[3]
         return (hertz - points.force) ** 2 / (8 * pi * modulus * a**3), a
     approach = points.z - unknowns[POINT] - points.force / grip.stiffness
     root = sqrt(numpy.maximum(radius * approach, 0))
     a = numpy.maximum(1.5 * root, numpy.cbrt(abs(points.force) * radius * 3 / modulus)) + 2 * root
-    a = numpy.clip(a, 1e-9 * radius, 0.999999 * depth_of.most * radius)
+    a = numpy.clip(a, 1e-9 * radius, 0.999999 * profile.most * radius)
     for _ in range(_ROOT_STEPS):
-        depth, _, _, hertz = depth_of.without_adhesion(a, radius)
+        depth, _, _, hertz = profile.without_adhesion(a, radius)
         excess = 2 * modulus * a * (depth - approach) - modulus * hertz + points.force
         new = numpy.maximum(a - excess / (2 * modulus * (depth - approach)), 1e-9 * radius)
         is_done = bool((abs(new - a) <= 1e-10 * a).all())
         a = new
         if is_done:
             break
-    depth, _, _, hertz = depth_of.without_adhesion(a, radius)
+    depth, _, _, hertz = profile.without_adhesion(a, radius)
     pull = 2 * modulus * a * (depth - approach)
     has_root = abs(pull - modulus * hertz + points.force) <= _ROOT * (abs(pull) + abs(points.force))
     rate = modulus * (depth - approach) ** 2 / (2 * pi * a)

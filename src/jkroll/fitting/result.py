@@ -13,9 +13,10 @@ from ..quantities.values import middle
 from .branches import RADIUS, LoadRange
 from .force_curves import Array
 
-STRONG = 5.0  # Tabor parameter from which on JKR gives w and E*
+STRONG = 5.0  # least Tabor parameter at which JKR gives the best w and E*
 HALF_SPACING = "z0/2"  # a variant of Maugis' law: at half the atomic spacing
 
+# The inputs that are elastic constants of the bodies.
 BODIES = ("youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2")
 
 # The name of each result, and the quantity of the nomenclature that gives its unit and meaning.
@@ -65,8 +66,8 @@ class Errors(NamedTuple):
 
     @property
     def total(self) -> float:
-        """The root of the sum of the squares of the three errors."""
-        return float(sqrt(sum(each * each for each in self if each is not None)))
+        """The root of the sum of the squares of the computed errors."""
+        return float(sqrt(sum(error * error for error in self if error is not None)))
 
     def plus(self, part: str, moves: Sequence[float]) -> Self:
         """Return the errors with moves of the result added to one part, in quadrature."""
