@@ -49,7 +49,7 @@ def maugis_curve(w: float, modulus: float, radius: float, stiffness: float) -> F
 
 def test_w_and_modulus_from_a_deflection_are_proportional_to_the_stiffness() -> None:
     """The force is kd, and the deflection d is a known part of the travel, so w and E* are proportional to k."""
-    z, force = jkr_curve()
+    z, force = jkr_curve(count=250)
     known = PROBE._replace(stiffness_error=0.05)
     errors = fit_curve(ForceCurve(TRAVEL, z, force, is_deflection=True), known).errors
     assert errors[OPENING].calibration == approx(0.05 * 0.06, rel=5e-3)
@@ -109,7 +109,7 @@ def test_a_spring_without_an_error_has_a_remark_on_its_influence() -> None:
 
 def test_w_of_a_noisier_branch_has_a_larger_error() -> None:
     """Noise makes the baseline uncertain, and all loads of a branch shift with it; E* and z_c stay."""
-    z, force = jkr_curve()
+    z, force = jkr_curve(count=250)
     noise = numpy.random.default_rng(4).normal(0, 3e-9, len(z))
     uneven = numpy.where(numpy.arange(len(z)) < len(z) // 2, 10 * noise, noise)  # loading is ten times as noisy
     errors = fit_curve(ForceCurve(TRAVEL, z, force + uneven), PROBE).errors
@@ -124,7 +124,7 @@ def test_the_error_of_a_baseline_agrees_with_its_scatter(phi: Any) -> None:
     z, force = jkr_curve(count=400)
     found = [
         branch.baseline
-        for seed in range(300)
+        for seed in range(200)
         for branch in [
             branches_of(ForceCurve(TRAVEL, z, force + autoregression(seed, len(z), 3e-9, phi)), 3.01).by_name[UNLOADING]
         ]
@@ -140,7 +140,7 @@ def test_the_error_of_the_slope_of_a_baseline_agrees_with_its_scatter() -> None:
         branches_of(ForceCurve(TRAVEL, z, force + autoregression(seed, len(z), 3e-9, 0.0)), 3.01, tilt=True)
         .by_name[UNLOADING]
         .baseline
-        for seed in range(300)
+        for seed in range(200)
     ]
     scatter = numpy.std([each.slope for each in found if each is not None])
     assert numpy.median([each.slope_error for each in found if each is not None]) == approx(scatter, rel=0.12)
@@ -213,7 +213,7 @@ def test_thinned_noise_agrees_with_the_noise_of_thinned_residuals() -> None:
 
 
 def test_a_fit_with_a_sphere_also_gives_the_laws_of_a_paraboloid() -> None:
-    z, force = jkr_curve()
+    z, force = jkr_curve(count=250)
     fit = fit_curve(ForceCurve(TRAVEL, z, force), PROBE._replace(profile="sphere"))
     assert set(fit.by_law) == {"jkr, sphere", "jkr", "maugis", "dmt"}
     assert fit.by_law["jkr, sphere"][OPENING] == fit.values[OPENING]
@@ -311,18 +311,19 @@ def test_points_without_a_contact_radius_have_no_release_rate() -> None:
 
 def test_points_of_a_pause_are_left_out_and_gaps_in_time_have_a_remark() -> None:
     z, force = jkr_curve()
+    unloading = PROBE._replace(branch="unload")
     top = int(numpy.argmax(z)) + 1
     names = numpy.array([LOADING] * top + [PAUSE] * 50 + [UNLOADING] * (len(z) - top), dtype=object)
     z, force = (numpy.concatenate([column[:top], numpy.full(50, column[top]), column[top:]]) for column in (z, force))
     time = numpy.arange(len(names), dtype=float)
-    fit = fit_curve(ForceCurve(TRAVEL, z, force, branch=names, time=time), PROBE)
+    fit = fit_curve(ForceCurve(TRAVEL, z, force, branch=names, time=time), unloading)
     assert fit.values[OPENING] == approx(0.06, rel=1e-3)
     assert fit.remarks["pause"].startswith("50 points")
     assert "time-gaps" not in fit.remarks
     time[1400:] += 100.0
     time[300:] += 50.0
     time[350:] += 50.0
-    fit = fit_curve(ForceCurve(TRAVEL, z, force, branch=names, time=time), PROBE)
+    fit = fit_curve(ForceCurve(TRAVEL, z, force, branch=names, time=time), unloading)
     assert fit.remarks["time-gaps"] == (
         "loading: the time has 2 gaps, the longest of 51 usual steps; unloading: the time has 1 gap of 101 usual "
         "steps: points may be missing"

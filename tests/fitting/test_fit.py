@@ -135,7 +135,7 @@ def test_contact_radii_give_w_without_tension() -> None:
 
 
 def test_a_named_branch_may_be_sorted_by_travel() -> None:
-    z, force = jkr_curve()
+    z, force = jkr_curve(count=250)
     top = int(numpy.argmax(z))
     names = numpy.where(numpy.arange(len(z)) < top, LOADING, UNLOADING).astype(object)
     order = numpy.concatenate([numpy.arange(top), numpy.arange(top, len(z))[::-1]])
@@ -145,7 +145,7 @@ def test_a_named_branch_may_be_sorted_by_travel() -> None:
 
 
 def test_a_single_branch_is_fitted_as_the_branch_that_the_user_names() -> None:
-    z, force = jkr_curve()
+    z, force = jkr_curve(count=250)
     back = slice(int(numpy.argmax(z)) + 1, None)
     alone = ForceCurve(TRAVEL, z[back][::-1], force[back][::-1])
     assert "one-branch" in fit_curve(alone, PROBE).remarks
@@ -154,7 +154,7 @@ def test_a_single_branch_is_fitted_as_the_branch_that_the_user_names() -> None:
 
 
 def test_covariances_with_the_contact_point_change_sign_with_the_travel() -> None:
-    z, force = jkr_curve()
+    z, force = jkr_curve(count=250)
     force = force + numpy.random.default_rng(3).normal(0, 1e-9, len(z))
     one, other = (fit_curve(ForceCurve(TRAVEL, sign * z, force), PROBE).covariance for sign in (1, -1))
     assert one[1, 2] == approx(-other[1, 2], rel=1e-3)
@@ -170,7 +170,7 @@ def test_without_a_radius_the_fit_gives_products_with_the_radius() -> None:
 
 def test_a_curve_by_dmt_gives_back_its_inputs() -> None:
     z = ramp(-4e-9, 6e-9, 500, UNLOADING)
-    force = dmt_force(z, 0.02, 1e10, 5e-8, 40.0)
+    force = dmt_force(z, 0.02, 1e10, 5e-8, 40.0) + autoregression(1, len(z), 1e-12, 0.0)
     fit = fit_curve(ForceCurve(TRAVEL, z, force), Known(radius=5e-8, stiffness=40.0, law="dmt"))
     assert fit.values["work_of_adhesion_opening"] == approx(0.02, rel=1e-3)
     assert fit.values["contact_modulus"] == approx(1e10, rel=3e-3)
@@ -179,7 +179,7 @@ def test_a_curve_by_dmt_gives_back_its_inputs() -> None:
 
 def test_maugis_law_gives_back_the_inputs_of_a_jkr_curve() -> None:
     z, force = jkr_curve(branches=(UNLOADING,), count=250)
-    fit = fit_curve(ForceCurve(TRAVEL, z, force), PROBE._replace(law="maugis"))
+    fit = fit_curve(ForceCurve(TRAVEL, z, force + autoregression(1, len(z), 3e-10, 0.0)), PROBE._replace(law="maugis"))
     assert fit.values["work_of_adhesion_opening"] == approx(0.06, rel=1e-3)
     assert fit.values["contact_modulus"] == approx(1.75e6, rel=3e-3)
 
@@ -258,8 +258,8 @@ def test_about_two_thirds_of_the_fits_lie_within_the_statistical_error(phi: Any)
 
 
 def test_the_calibration_error_is_the_change_that_a_wrong_radius_or_spring_causes() -> None:
-    z, force = jkr_curve(branches=(UNLOADING,))
-    curve = ForceCurve(TRAVEL, z, force)
+    z, force = jkr_curve(branches=(UNLOADING,), count=250)
+    curve = ForceCurve(TRAVEL, z, force + autoregression(1, len(z), 1e-9, 0.0))
     errors = fit_curve(curve, PROBE._replace(radius_error=0.01)).errors
     assert errors["work_of_adhesion_opening"].calibration == approx(0.01 * 0.06, rel=0.05)
     by_spring = fit_curve(curve, PROBE._replace(stiffness_error=0.05))
@@ -270,7 +270,7 @@ def test_the_calibration_error_is_the_change_that_a_wrong_radius_or_spring_cause
 
 
 def test_errors_add_in_quadrature() -> None:
-    z, force = jkr_curve()
+    z, force = jkr_curve(count=250)
     fit = fit_curve(
         ForceCurve(TRAVEL, z, force + autoregression(3, len(z), 3e-9, 0.5)), PROBE._replace(radius_error=0.01)
     )
@@ -323,10 +323,11 @@ def test_the_fit_withstands_gaps_and_outliers() -> None:
 
 def test_a_sphere_is_distinguished_from_a_paraboloid() -> None:
     setting = Setting(curve_law("jkr", "sphere"), 7.5e-6, 4e-10, Grip(3.01))
-    z = ramp(-2.5e-6, 1.2e-6, 500, UNLOADING)
+    z = ramp(-2.5e-6, 1.2e-6, 250, UNLOADING)
     contact = Contact(0.06, 1.0e6, 7.5e-6, 4e-10)
     q, _, last = state_at(setting.law, z, contact, setting.grip)
     force = numpy.where(z < last, 0.0, setting.law.values(q, contact)[0].load)
+    force += autoregression(1, len(z), 1e-9, 0.0)
     by_sphere = fit_curve(ForceCurve(TRAVEL, z, force), PROBE._replace(profile="sphere"))
     assert by_sphere.values["work_of_adhesion_opening"] == approx(0.06, rel=1e-3)
     assert by_sphere.values["contact_modulus"] == approx(1.0e6, rel=3e-3)
