@@ -68,10 +68,10 @@ def jkr_curve(
 
 
 def autoregression(seed: Any, count: Any, scale: Any, phi: Any) -> Any:
-    """Return noise of standard deviation scale/√(1 − φ²) in which successive values have the correlation φ."""
+    """Return noise of standard deviation scale/√(1 − φ²), in which neighbours have the correlation φ."""
     steps = numpy.random.default_rng(seed).normal(0, scale, count)
     noise = numpy.empty(count)
     noise[0] = steps[0] / sqrt(1 - phi * phi)
-    for place in range(1, count):
-        noise[place] = phi * noise[place - 1] + steps[place]
+    for index in range(1, count):
+        noise[index] = phi * noise[index - 1] + steps[index]
     return noise

@@ -29,7 +29,7 @@ def table(z: Any, force: Any, head: str = "travel [um],force [nN]") -> str:
 
 def values(text: str) -> dict[str, float]:
     """Return the results of an answer in JSON, by name."""
-    return {each["name"]: each["value"] for each in json.loads(text)["results"]}
+    return {result["name"]: result["value"] for result in json.loads(text)["results"]}
 
 
 @pytest.fixture
@@ -386,8 +386,8 @@ def test_fit_in_python_takes_files_and_columns(run: Run, curve: str) -> None:
     check(fitted.values)
     at_prompt = values(run(f"fit curve.csv {KNOWN} --json").out)
     assert at_prompt == approx(fitted.values)
-    place = fitted.names.index("contact_modulus")
-    assert fitted.covariance[place, place] ** 0.5 == approx(fitted.errors["contact_modulus"].statistical)
+    index = fitted.names.index("contact_modulus")
+    assert fitted.covariance[index, index] ** 0.5 == approx(fitted.errors["contact_modulus"].statistical)
 
 
 def test_each_of_many_files_gets_a_row(run: Run) -> None:
@@ -583,8 +583,8 @@ def broken(text: str, seed: int) -> bytes:
         lines = lines[: int(rng.integers(1, 12))]
     elif kind == 5:
         data = bytearray(text.encode())
-        for place in rng.integers(0, len(data), 30):
-            data[place] = int(rng.integers(0, 256))
+        for index in rng.integers(0, len(data), 30):
+            data[index] = int(rng.integers(0, 256))
         return bytes(data)
     elif kind == 6:
         lines = [lines[0], *(f"{line.split(',')[0]},{10 ** rng.uniform(-300, 300):g}" for line in lines[1:])]

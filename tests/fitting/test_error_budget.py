@@ -9,7 +9,7 @@ from numpy import pi
 
 from curves import autoregression, jkr_curve, jkr_force, ramp
 from jkroll import fit
-from jkroll.fitting.baseline import baseline_of
+from jkroll.fitting.baseline import Baseline, baseline_of
 from jkroll.fitting.branches import (
     APPROACH,
     LOADING,
@@ -64,8 +64,8 @@ def test_the_calibration_error_is_absent_if_radius_and_stiffness_have_no_errors(
     z, force = jkr_curve(branches=(UNLOADING,), baseline=0.0)
     held = force != 0
     errors = fit_curve(ForceCurve(TRAVEL, z[held], force[held]), PROBE).errors
-    assert {each.calibration for each in errors.values()} == {None}
-    assert all(each.statistical is not None and each.model is not None for each in errors.values())
+    assert {error.calibration for error in errors.values()} == {None}
+    assert all(error.statistical is not None and error.model is not None for error in errors.values())
 
 
 def soft_lever() -> ForceCurve:
@@ -119,31 +119,29 @@ def test_w_of_a_noisier_branch_has_a_larger_error() -> None:
     assert closing > 3 * opening
 
 
+def noisy_baselines(phi: float, *, tilt: bool) -> list[Baseline]:
+    """Return the baselines of an unloading branch under 200 samples of noise, correlated by `phi`."""
+    z, force = jkr_curve(count=400)
+    baselines = []
+    for seed in range(200):
+        curve = ForceCurve(TRAVEL, z, force + autoregression(seed, len(z), 3e-9, phi))
+        baseline = branches_of(curve, 3.01, tilt=tilt).by_name[UNLOADING].baseline
+        assert baseline is not None
+        baselines.append(baseline)
+    return baselines
+
+
 @pytest.mark.parametrize("phi", [0.0, 0.7])
 def test_the_error_of_a_baseline_agrees_with_its_scatter(phi: Any) -> None:
-    z, force = jkr_curve(count=400)
-    found = [
-        branch.baseline
-        for seed in range(200)
-        for branch in [
-            branches_of(ForceCurve(TRAVEL, z, force + autoregression(seed, len(z), 3e-9, phi)), 3.01).by_name[UNLOADING]
-        ]
-    ]
-    scatter = numpy.std([each.force for each in found if each is not None])
-    stated = numpy.median([each.error for each in found if each is not None])
-    assert stated == approx(scatter, rel=0.12)
+    baselines = noisy_baselines(phi, tilt=False)
+    scatter = numpy.std([baseline.force for baseline in baselines])
+    assert numpy.median([baseline.error for baseline in baselines]) == approx(scatter, rel=0.12)
 
 
 def test_the_error_of_the_slope_of_a_baseline_agrees_with_its_scatter() -> None:
-    z, force = jkr_curve(count=400)
-    found = [
-        branches_of(ForceCurve(TRAVEL, z, force + autoregression(seed, len(z), 3e-9, 0.0)), 3.01, tilt=True)
-        .by_name[UNLOADING]
-        .baseline
-        for seed in range(200)
-    ]
-    scatter = numpy.std([each.slope for each in found if each is not None])
-    assert numpy.median([each.slope_error for each in found if each is not None]) == approx(scatter, rel=0.12)
+    baselines = noisy_baselines(0.0, tilt=True)
+    scatter = numpy.std([baseline.slope for baseline in baselines])
+    assert numpy.median([baseline.slope_error for baseline in baselines]) == approx(scatter, rel=0.12)
 
 
 def sloping(force: Any, z: Any, slope: float) -> ForceCurve:

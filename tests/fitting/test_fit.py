@@ -10,7 +10,7 @@ from curves import autoregression, dmt_force, jkr_curve, jkr_state, ramp
 from jkroll.fitting.branches import APPROACH, LOADING, RADIUS, TRAVEL, UNLOADING, BadCurve, ForceCurve, LoadRange
 from jkroll.fitting.fit import fit_curve
 from jkroll.fitting.force_curves import Contact, Grip, curve_law, state_at
-from jkroll.fitting.minimum import Points, Setting, minimum, residuals
+from jkroll.fitting.minimum import Points, Setting, minimum, residuals, with_point
 from jkroll.fitting.result import Known
 from jkroll.physics import sneddon
 from relative import approx
@@ -20,7 +20,7 @@ TRUE = {"work_of_adhesion_opening": 0.06, "work_of_adhesion_closing": 0.047, "co
 
 
 def deviations(fit: Any) -> Any:
-    """Return the errors of the fitted values, over the statistical errors that the fit states."""
+    """Return the deviations of the fitted values from the true ones, over their statistical errors."""
     return [(fit.values[name] - value) / fit.errors[name].statistical for name, value in TRUE.items()]
 
 
@@ -59,8 +59,8 @@ def test_positive_tension_is_recognized_in_incomplete_curves(
     z, force = jkr_curve(low=low, high=high, stiffness=stiffness, branches=branches, count=300, baseline=0.0)
     noise = numpy.random.default_rng(1).normal(0, 3e-9, len(z))
     known = Known(radius=7.5e-6, stiffness=stiffness)
-    for each, is_reversed in ((force + noise, False), (-force - noise, True)):
-        fit = fit_curve(ForceCurve(TRAVEL, sign * z, each), known)
+    for measured, is_reversed in ((force + noise, False), (-force - noise, True)):
+        fit = fit_curve(ForceCurve(TRAVEL, sign * z, measured), known)
         assert fit.values["work_of_adhesion_opening"] == approx(0.06, rel=1e-2)
         assert ("force-reversed" in fit.remarks) == is_reversed
 
@@ -198,22 +198,20 @@ def test_derivatives_agree_with_finite_differences(name: Any, grip: Any) -> None
     here = residuals(points, unknowns, setting)
     slopes = setting.law.values(state_at(setting.law, z, contact, grip)[0], contact)[1]
     weights = grip.x(slopes)[2:] / numpy.hypot(grip.x(slopes) * 1e-9, slopes.load * 3e-10)[2:]
-    for place, step in enumerate((1e-4, 1e-4, 1e-12)[: len(setting.names)]):
+    for index, step in enumerate((1e-4, 1e-4, 1e-12)[: len(setting.names)]):
         ends = []
         for side in (-1, 1):
             other = unknowns.copy()
-            other[place] += side * step
+            other[index] += side * step
             ends.append(residuals(points, other, setting).loads)
         expected = weights * ((ends[1] - ends[0]) / (2 * step))[2:]
         assert not here.is_beyond[2:].any()
-        assert numpy.allclose(here.derivatives[2:, place], expected, rtol=1e-4, atol=1e-4 * abs(expected).max())
+        assert numpy.allclose(here.derivatives[2:, index], expected, rtol=1e-4, atol=1e-4 * abs(expected).max())
 
 
 @pytest.mark.parametrize("factor", [0.1, 0.2, 5.0, 10.0])
 @pytest.mark.parametrize("wrong", ["w", "modulus"])
 def test_the_minimum_is_found_from_a_start_that_is_off_by_a_factor_of_up_to_10(factor: Any, wrong: Any) -> None:
-    from jkroll.fitting.minimum import with_point
-
     z, force = jkr_curve(branches=(UNLOADING,), baseline=0.0, count=300)
     held = force != 0
     points = Points(z[held], force[held], numpy.full(held.sum(), 3e-9), numpy.full(held.sum(), 1e-9))
@@ -248,11 +246,11 @@ def test_scipy_finds_the_same_minimum() -> None:
 def test_about_two_thirds_of_the_fits_lie_within_the_statistical_error(phi: Any) -> None:
     known = PROBE._replace(range=LoadRange(-1.0, 0.3, True))
     z, force = jkr_curve()
-    every = [
+    found = [
         deviations(fit_curve(ForceCurve(TRAVEL, z, force + autoregression(seed, len(z), 3e-9, phi)), known))
         for seed in range(300)
     ]
-    inside = (abs(numpy.array(every)) < 1).mean(axis=0)
+    inside = (abs(numpy.array(found)) < 1).mean(axis=0)
     assert (inside > 0.6).all()
     assert (inside < 0.75).all()
 
@@ -276,9 +274,10 @@ def test_errors_add_in_quadrature() -> None:
     )
     for errors in fit.errors.values():
         assert None not in errors
-        assert errors.total == approx(numpy.linalg.norm([each or 0.0 for each in errors]))
-    place = [fit.names.index(name) for name in ("work_of_adhesion_opening", "work_of_adhesion_closing")]
-    variance = sum(fit.covariance[i, i] for i in place) - 2 * fit.covariance[place[0], place[1]]
+        assert errors.total == approx(numpy.linalg.norm([error or 0.0 for error in errors]))
+    opening, closing = (fit.names.index(f"work_of_adhesion_{way}") for way in ("opening", "closing"))
+    covariance = fit.covariance
+    variance = covariance[opening, opening] + covariance[closing, closing] - 2 * covariance[opening, closing]
     assert fit.errors["adhesion_hysteresis"].statistical == approx(variance**0.5)
 
 

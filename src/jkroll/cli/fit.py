@@ -240,9 +240,7 @@ def _write_rows(call: Call, paths: Sequence[str], outcomes: Sequence[FileFit], k
     """Write a row or a JSON object for each file, and a summary on stderr; return the exit code."""
     rows = []
     for path, outcome in zip(paths, outcomes, strict=True):
-        reason = ""
-        if outcome.error is not None:
-            reason = outcome.error.phrase or str(outcome.error)
+        reason = "" if outcome.error is None else outcome.error.phrase or str(outcome.error)
         rows.append(row_of(path, outcome.fitted, reason))
     fits = [outcome.fitted for outcome in outcomes if outcome.fitted is not None]
     with text_output(call.target or "-") as out:

@@ -220,10 +220,11 @@ def heads_of(*, is_scaled: bool) -> list[str]:
 
 
 def row_of(path: str, fitted: Fit | None, reason: str = "") -> list[Any]:
-    """Return the row of a file, with empty cells for missing results."""
-    row: list[Any] = [path]
+    """Return the row of a file, with None for missing results. `reason`: why there is no fit."""
     if fitted is None:
-        return [*row, *[None] * (len(heads_of(is_scaled=False)) - 2), reason or None]
+        empty = [None] * (len(heads_of(is_scaled=False)) - 2)  # all columns but the file and the reason
+        return [path, *empty, reason or None]
+    row: list[Any] = [path]
     for name in RESULTS:
         row.append(_finite(fitted.values.get(name)))
         if not name.startswith("pull_off"):
