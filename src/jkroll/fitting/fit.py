@@ -52,18 +52,18 @@ def _minima(curve: ForceCurve, known: Known) -> tuple[Minima, dict[str, str]]:
     branches = branches_of(curve, stiffness, tilt=known.tilt, only=only)
     measurement = Measurement(curve.kind, known, branches)
     remarks = {**branches.remarks, **dict(on_deflection(curve.force_over_deflection, known.stiffness))}
-    chosen = [only] if only else [UNLOADING, LOADING]
-    found = [branches.by_name[name] for name in chosen if name in branches.by_name]
-    if not found:
-        raise BadCurve(f"the curve has no {chosen[0]} branch", "branch is missing")
-    if not measurement.has_adhesion(found[0]):
+    names = [only] if only else [UNLOADING, LOADING]
+    to_fit = [branches.by_name[name] for name in names if name in branches.by_name]
+    if not to_fit:
+        raise BadCurve(f"the curve has no {names[0]} branch", "branch is missing")
+    if not measurement.has_adhesion(to_fit[0]):
         remarks["no-adhesion"] = "no tension above the noise: Hertz' contact, and an upper limit of w"
-        main = fitted_without_adhesion(measurement, found[0])
+        main = fitted_without_adhesion(measurement, to_fit[0])
         return Minima(measurement, measurement.without_adhesion, main), remarks
-    main, other = fitted_branch(measurement, found[0]), None
-    if len(found) > 1:
+    main, other = fitted_branch(measurement, to_fit[0]), None
+    if len(to_fit) > 1:
         try:
-            other = fitted_with(measurement, found[1], main)
+            other = fitted_with(measurement, to_fit[1], main)
         except BadCurve as error:  # this branch has too few points in the range
             remarks["branch-left-out"] = f"{error}; the branch is left out"
     return Minima(measurement, measurement.setting, main, other), remarks
@@ -73,18 +73,17 @@ def _by_spring(curve: ForceCurve, minima: Minima, error: float) -> list[ByResult
     """Return the moves of the results for a softer and a stiffer spring; none if no spring enters.
 
     The curve is fitted anew, since the results are not linear in the stiffness: a soft spring may make E* infinite. All
-    moves are infinite if this fit fails.
-    `error`: the relative error of the stiffness.
+    moves are infinite if this fit fails. `error`: the relative error of the stiffness.
     """
     if curve.kind != TRAVEL and not curve.is_deflection:
         return []
     moves = list[ByResult]()
     for factor in ends(error):
-        forces = factor if curve.is_deflection else 1.0
-        force_error = None if curve.force_error is None else forces * curve.force_error
+        scale = factor if curve.is_deflection else 1.0  # of the forces, which are deflections times the stiffness
+        force_error = None if curve.force_error is None else scale * curve.force_error
         known = minima.measurement.known._replace(stiffness=factor * minima.measurement.known.stiffness)
         try:
-            there, _ = _minima(curve._replace(force=forces * curve.force, force_error=force_error), known)
+            there, _ = _minima(curve._replace(force=scale * curve.force, force_error=force_error), known)
             values = there.values
         except (ArithmeticError, BadCurve, ValueError):
             values = {}
