@@ -37,7 +37,7 @@ OPENING, CLOSING, MODULUS = "work_of_adhesion_opening", "work_of_adhesion_closin
 def maugis_curve(w: float, modulus: float, radius: float, stiffness: float) -> ForceCurve:
     """Return a curve by Maugis' law at a spacing of 4 Å, with little noise."""
     setting = Setting(curve_law("maugis", "paraboloid"), radius, 4e-10, Grip(stiffness))
-    z = ramp(-20e-9, 20e-9, 800, UNLOADING)
+    z = ramp(-20e-9, 20e-9, 300, UNLOADING)
     contact = Contact(w, modulus, radius, 4e-10)
     q, _, last = state_at(setting.law, z, contact, setting.grip)
     force = numpy.where(z < last, 0, setting.law.values(q, contact)[0].load)

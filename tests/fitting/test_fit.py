@@ -169,7 +169,7 @@ def test_without_a_radius_the_fit_gives_products_with_the_radius() -> None:
 
 
 def test_a_curve_by_dmt_gives_back_its_inputs() -> None:
-    z = ramp(-4e-9, 6e-9, 500, UNLOADING)
+    z = ramp(-4e-9, 6e-9, 200, UNLOADING)
     force = dmt_force(z, 0.02, 1e10, 5e-8, 40.0) + autoregression(1, len(z), 1e-12, 0.0)
     fit = fit_curve(ForceCurve(TRAVEL, z, force), Known(radius=5e-8, stiffness=40.0, law="dmt"))
     assert fit.values["work_of_adhesion_opening"] == approx(0.02, rel=1e-3)
@@ -178,7 +178,7 @@ def test_a_curve_by_dmt_gives_back_its_inputs() -> None:
 
 
 def test_maugis_law_gives_back_the_inputs_of_a_jkr_curve() -> None:
-    z, force = jkr_curve(branches=(UNLOADING,), count=250)
+    z, force = jkr_curve(branches=(UNLOADING,), count=150)
     fit = fit_curve(ForceCurve(TRAVEL, z, force + autoregression(1, len(z), 3e-10, 0.0)), PROBE._replace(law="maugis"))
     assert fit.values["work_of_adhesion_opening"] == approx(0.06, rel=1e-3)
     assert fit.values["contact_modulus"] == approx(1.75e6, rel=3e-3)
