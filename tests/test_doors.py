@@ -53,8 +53,8 @@ from jkroll.model.reasons import (
 )
 from jkroll.model.results import Results, is_end_of_meaning
 from jkroll.model.rows import DOUBT, STATUS
+from jkroll.pictures.maps import MapRequest, picture_of
 from jkroll.pictures.picture import Axis, over
-from jkroll.pictures.request import PlotRequest, picture_of
 from jkroll.quantities.nomenclature import NOMENCLATURE, header
 from jkroll.quantities.values import is_uncertain, middle, value_of
 from jkroll.report.answer import with_force_by_maugis
@@ -485,7 +485,7 @@ def _in_lines(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
 def test_a_map_marks_doubts_exactly_where_its_points_have_them(quantity: str) -> None:
     (texts,) = ask_of(f"report {PROPERTIES}").rows()
     scene, x, y = Frame(_given(texts)), Axis("radius", 1e-9, 1e-5, size=9), Axis("surface_energy", 1e-3, 1e0, size=7)
-    request = PlotRequest(quantity, x, y, (("", scene),), (), known_materials())
+    request = MapRequest(quantity, x, y, (("", scene),), (), known_materials())
     (panel,) = picture_of(request)[0].panels
     assert panel.field is not None
     marks = {"a/z0": "few-atoms", "more than 5 %": "law-off", "more than a factor of 2": "law-off-2x"}

@@ -21,8 +21,8 @@ import pytest
 from browser import CHROMIUM, DRIVER, Browser, browser, served
 from doors import call_of
 from jkroll.cli.draw import map_request
+from jkroll.pictures.maps import picture_of
 from jkroll.pictures.picture import Axis, Curve, Mark, Panel, Picture
-from jkroll.pictures.request import picture_of
 from terminal import script, without_colours
 from transcripts import CURVE, TABLE, rounded
 

@@ -30,8 +30,8 @@ from jkroll.pictures.picture import (
     is_flat,
     one_further,
     over,
-    shown_values,
 )
+from jkroll.pictures.picture_as_text import shown_values
 from jkroll.quantities.markup import plain
 from jkroll.quantities.units import RAISED
 from jkroll.text import NO_BREAK_SPACE, with_units_joined

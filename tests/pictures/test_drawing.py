@@ -21,9 +21,10 @@ from jkroll.cli.draw import map_request
 from jkroll.cli.process import main
 from jkroll.model.estimate import WORDS, Estimate
 from jkroll.model.frame import Frame
-from jkroll.pictures.figures import PAPER_MAPS, PROFILES, curves_of_contact, paper_map
+from jkroll.pictures.contact_curves import curves_of_contact
+from jkroll.pictures.figures import PAPER_MAPS, PROFILES, paper_map
+from jkroll.pictures.maps import MAX_CURVES, picture_of
 from jkroll.pictures.picture import Curve, Field, Panel, Picture, described
-from jkroll.pictures.request import MAX_CURVES, picture_of
 from jkroll.quantities.markup import lines, plain, symbol, typeset
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.values import parse_quantity

@@ -17,7 +17,8 @@ from jkroll.model.frame import Frame
 from jkroll.model.limits import LIMITS
 from jkroll.model.plan import depends_on
 from jkroll.pictures.figures import paper_map
-from jkroll.pictures.picture import Axis, Field, Panel, Picture, axis_around, evaluate, is_flat, over, shown_values
+from jkroll.pictures.picture import Axis, Field, Panel, Picture, axis_around, evaluate, is_flat, over
+from jkroll.pictures.picture_as_text import shown_values
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from relative import approx
 

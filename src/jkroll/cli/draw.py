@@ -9,9 +9,11 @@ import numpy
 from ..errors import BadRequest, missing_extra
 from ..model.frame import Frame
 from ..model.limits import LIMITS
-from ..pictures.figures import PANELS, PAPER_MAPS, check_figure, curves_of_contact, figure_named
-from ..pictures.picture import STYLES, Picture, evaluate, opening, say_texts, write_picture
-from ..pictures.request import MAX_CURVES, PlotRequest, axis_of, check_axes, distinction, picture_of
+from ..pictures.contact_curves import PANELS, curves_of_contact
+from ..pictures.figures import PAPER_MAPS, check_figure, figure_named
+from ..pictures.maps import MAX_CURVES, MapRequest, axis_of, check_axes, distinction, picture_of
+from ..pictures.picture import STYLES, Picture, evaluate
+from ..pictures.picture_as_text import opening, say_texts, write_picture
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.markup import plain
 from ..quantities.nomenclature import header
@@ -168,7 +170,7 @@ def _write_data(drawn: Picture, path: str) -> None:
 # --- Requests for maps ------------------------------------------------------------------------------------------------
 
 
-def map_request(call: Call) -> PlotRequest:
+def map_request(call: Call) -> MapRequest:
     """Return the request of a call: a quantity, axes, frames to draw, marks and limits. Raises BadRequest."""
     if not call.subject:
         raise BadRequest("map needs a quantity, such as pull_off_force")
@@ -188,4 +190,4 @@ def map_request(call: Call) -> PlotRequest:
     frames = tuple((distinction(frame, several, call.models), frame) for frame in call.sweep.frames())
     limits = () if call.plain else LIMITS
     marks = [*filter(None, call.mark.split(","))]
-    return PlotRequest(quantity, x, y, frames, marks, call.materials, limits, has_best=not call.plain)
+    return MapRequest(quantity, x, y, frames, marks, call.materials, limits, has_best=not call.plain)

@@ -135,7 +135,7 @@ def _write_single(call: Call, path: str, outcome: FileFit, form: str) -> int:
             write_json([json_of(fitted, path, outcome.reading, following, curve=call.curve)], out)
         elif call.curve and output is TABLE:
             from ..pictures.fitted import picture_of_fit
-            from ..pictures.picture import write_picture
+            from ..pictures.picture_as_text import write_picture
 
             drawn = picture_of_fit(fitted, os.path.basename(path), ())
             write_picture(drawn._replace(remarks=(*warnings(fitted), *sentences(fitted))), out)

@@ -152,7 +152,7 @@ class Answered(Shown):
     @property
     def drawn(self) -> "Drawn":
         """The force against the approach, as in `jkroll contact --curve`, with a mark at the state of the answer."""
-        from .answer_pictures import curve_with_state
+        from .drawn import curve_with_state
 
         return curve_with_state(self._answer.frame)
 
@@ -263,7 +263,7 @@ class Answers(Shown):
         If no input has several values, the picture has the force curves by each law for a single pair of materials; for
         several pairs, BadRequest is raised.
         """
-        from .answer_pictures import lines_over_input
+        from .drawn import lines_over_input
 
         return lines_over_input(self._question.headline[0], self._sweep)
 

@@ -1,4 +1,4 @@
-"""The picture of a user's request, a field or curves, with its caption, notes, and the limits that are exceeded."""
+"""`jkroll map`: a quantity over one input as curves, or over two as a field, with a caption, notes and limits."""
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
@@ -32,7 +32,6 @@ from ..report.questions import quantity_named
 from ..text import capital, quoted
 from .bands import band_of
 from .picture import (
-    CURVE_ROWS,
     SAME,
     Axis,
     Curve,
@@ -48,8 +47,8 @@ from .picture import (
     extent,
     is_flat,
     over,
-    shown_values,
 )
+from .picture_as_text import CURVE_ROWS, shown_values
 
 MAX_CURVES = 24  # more cannot be distinguished
 SIDE = 201  # points along each side of the grid for captions and limits; also the default for a map's numbers
@@ -70,7 +69,7 @@ _FARTHEST = log(1e3)  # largest excess of a limit on a map
 _TWO, _THREE, _FOUR = (Format(digits=digits) for digits in (2, 3, 4))
 
 
-class PlotRequest(NamedTuple):
+class MapRequest(NamedTuple):
     """A quantity to draw, over one axis as curves or over two as a field."""
 
     quantity: str
@@ -84,12 +83,12 @@ class PlotRequest(NamedTuple):
     has_best: bool = True  # True to draw the best ranges
 
 
-def picture_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
+def picture_of(request: MapRequest) -> tuple[Picture, tuple[str, ...]]:
     """Return the picture of a request, and its notes."""
     return _curves_of(request) if request.y is None else _map_of(request, request.y)
 
 
-def _map_of(request: PlotRequest, upright: Axis) -> tuple[Picture, tuple[str, ...]]:
+def _map_of(request: MapRequest, upright: Axis) -> tuple[Picture, tuple[str, ...]]:
     """Return the picture of a field, with its limits as regions, and its notes."""
     quantity, ((_, frame),) = request.quantity, request.frames
     x, y = (axis._replace(size=axis.size or SIDE) for axis in (request.x, upright))
@@ -111,7 +110,7 @@ def _map_of(request: PlotRequest, upright: Axis) -> tuple[Picture, tuple[str, ..
     return Picture(described(quantity, unit), (panel,), caption, beyond, remarks), tuple(layer.notes)
 
 
-def _curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
+def _curves_of(request: MapRequest) -> tuple[Picture, tuple[str, ...]]:
     """Return the picture of curves, and its notes."""
     quantity, x = request.quantity, request.x._replace(size=request.x.size or ALONG)
     layers: list[Layer] = []
@@ -255,7 +254,7 @@ def _material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[list[Mark],
     return placed, (f"Not shown: {', '.join(others)}.",) if placed and others else ()
 
 
-def _about_marks(request: PlotRequest, panel: Panel) -> Iterator[str]:
+def _about_marks(request: MapRequest, panel: Panel) -> Iterator[str]:
     """Iterate over texts: the position of a mark on one axis, or the value for a marked grain with its own inputs."""
     quantity, ((_, frame),) = request.quantity, request.frames
     typed = {_name_of(text): text for text in request.marks}
@@ -279,7 +278,7 @@ class Layer:
     Raises MissingInput if the quantity cannot be computed, and NoResult if it has no value.
     """
 
-    def __init__(self, request: PlotRequest, text: str, frame: Frame, axes: Sequence[Axis]) -> None:
+    def __init__(self, request: MapRequest, text: str, frame: Frame, axes: Sequence[Axis]) -> None:
         """Evaluate the quantity of a request in a frame. `text`: the label of the curve."""
         quantity = request.quantity
         self.text, self.given, self.quantity, self.axes = text, frame, quantity, axes
