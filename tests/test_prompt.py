@@ -242,8 +242,8 @@ def test_a_map_has_hatches_best_ranges_and_the_edge_of_a_part_without_values() -
         "eh > 0.01: contact too wide for the formulas",
     ]
     assert keys[4:7] == [
-        "contours: JKR; bands: where the best range includes their",
-        "value, by the rule “Maugis”",
+        "contours: JKR; bands: where they may lie (best ranges by",
+        "the rule “Maugis”)",
         "no value: beyond pull-off",
     ]
 
