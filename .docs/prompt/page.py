@@ -188,7 +188,7 @@ class _Axes:
         levels = [] if is_flat(field.values) else _round_values(ends, CONTOURS)
         heights = [float(scaled(level)) for level in levels]
         bounds = [numpy.nanmin(around) - 1, *heights, numpy.nanmax(around) + 1]
-        for colour, (low, high) in zip(_between(self.style.bands, len(bounds) - 1), pairwise(bounds), strict=True):
+        for colour, (low, high) in zip(_between(self.style.scale, len(bounds) - 1), pairwise(bounds), strict=True):
             inside = numpy.minimum(around - low, high - around)
             yield self._area(inside, f'fill="{colour}" shape-rendering="crispEdges"')
         regions = [*self._regions(field, known, over(field.frame, x, y))]
@@ -253,7 +253,9 @@ class _Axes:
             for end in (low, high):
                 drawn.append(self._contour(numpy.where(abs(end) < far, end, numpy.nan), height, edge))
         line = _stroke(self.style.ink, "", THIN if step == 1 else THICK)
-        self.keys["best"] = _Key(best.key(step, field.frame.law.short), line, f'fill="{self.style.paper}" {edge}')
+        self.keys["best"] = _Key(
+            best.key_of_map(step, field.frame.law.short), line, f'fill="{self.style.paper}" {edge}'
+        )
         return step, drawn
 
     def _area(self, values: Any, look: str) -> str:

@@ -437,8 +437,8 @@ def test_each_limit_has_its_own_strokes_of_hatching() -> None:
 
 
 @pytest.mark.parametrize("style", [PAPER, DARK])
-def test_coloured_bands_differ_in_grey_and_text_on_them_is_legible(style: Style) -> None:
-    greys = [0.299 * red + 0.587 * green + 0.114 * blue for red, green, blue in map(to_rgb, style.bands)]
+def test_the_colours_of_a_map_differ_in_grey_and_text_on_them_is_legible(style: Style) -> None:
+    greys = [0.299 * red + 0.587 * green + 0.114 * blue for red, green, blue in map(to_rgb, style.scale)]
     steps = np.diff(greys)
     assert (steps < -0.01).all() or (steps > 0.01).all()
     ink = int(style.ink[1:3], 16) / 255

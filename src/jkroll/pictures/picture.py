@@ -264,16 +264,16 @@ def clipped(curve: Curve, low: float, high: float) -> Curve:
 
 
 class Style(NamedTuple):
-    """The colours of a page: paper, ink, hatches, the bands of a map from low to high, and curves.
+    """The colours of a page: paper, ink, hatches, the scale of a map from low to high values, and curves.
 
-    The lightness of the bands changes steadily, so that their order shows in grey and to the colour-blind, and ink is
-    legible on each of them.
+    The lightness changes steadily along the scale, so that the order of its colours shows in grey and to the
+    colour-blind, and ink is legible on each of them.
     """
 
     paper: str
     ink: str
     hatch: str
-    bands: tuple[str, ...]
+    scale: tuple[str, ...]
     lines: tuple[str, ...]
 
 
