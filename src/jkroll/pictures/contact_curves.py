@@ -20,7 +20,7 @@ from ..report.report import Report
 from .maps import fixed_inputs, inputs_as_texts, notes_on
 from .picture import Axis, Curve, Mark, Panel, Picture, axis_around, clipped
 
-POINTS = 401
+POINTS = 401  # of a curve
 AREA_AND_PRESSURES = ("contact_radius_at_load", "hertz_pressure", "boussinesq_pressure")
 _FORCE = ("approach_at_load", "load")
 # The names of the models of the moment without load, short enough for a legend below a panel.
@@ -100,7 +100,7 @@ def _pressure(frames: Sequence[Frame], _: Loads | None) -> Panel:
 def _moment(frames: Sequence[Frame], _: Loads | None) -> Panel:
     """Return the panel of the moment without load against displacement.
 
-    By JKR, the bodies would interpenetrate at the leading edge of the contact beyond its end.
+    It ends where, by JKR, the bodies begin to interpenetrate at the leading edge of the contact.
     """
     limit = frames[0].replace(model=DEFAULT_LAW)["displacement_limit"]
     points: list[Mark] = []
@@ -164,23 +164,23 @@ def curves_of_contact(
 ) -> tuple[Picture, tuple[str, ...]]:
     """Return a picture with one panel, or with all panels that the laws of the frames have, and its notes.
 
-    The notes give the assumptions and the sources of data, and name the laws that lack a panel. For one law, they also
-    give best ranges and doubts.
+    `frames`: one contact by each law. The notes give the assumptions and the sources of data, and name the laws that
+    lack a panel. For one law, they also give best ranges and doubts.
     """
     is_one = len(frames) == 1
     asked = [PANELS[panel]] if panel is not None else [*PANELS.values()]
     missing: list[NotInLaw] = []
     drawn: list[ContactPanel] = []
     names: list[str] = []
-    for each in asked:
-        errors = each.missing(frames)
+    for contact_panel in asked:
+        errors = contact_panel.missing(frames)
         missing += errors
         if not errors:
-            drawn.append(each)
-            names += [*each.needed, *each.further] if is_one else each.needed
+            drawn.append(contact_panel)
+            names += [*contact_panel.needed, *contact_panel.further] if is_one else contact_panel.needed
     if not drawn:
         raise missing[0]
-    panels = tuple(each.draw(frames, loads) for each in drawn)
+    panels = tuple(contact_panel.draw(frames, loads) for contact_panel in drawn)
     varied = ("load",) if is_one else ("load", "yield_displacement")
     fixed: dict[str, None] = {}
     notes = dict.fromkeys(f"no curve: {error}" for error in missing)

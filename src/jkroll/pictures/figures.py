@@ -24,14 +24,14 @@ from ..quantities.nomenclature import DEFAULTS, NOMENCLATURE, bracketed
 from ..text import quoted
 from .contact_curves import AREA_AND_PRESSURES, POINTS, across, pressure_panel
 from .geometry import sketch
-from .maps import DRAWN_LIMITS, MapRequest, mark_at, picture_of
+from .maps import HATCHED_LIMITS, MapRequest, mark_at, picture_of
 from .picture import Axis, Curve, Mark, Panel, Picture
 
 # --- Maps: Figs. 3, 6 and 8 -------------------------------------------------------------------------------------------
 
 RADII = Axis("radius", 5e-10, 1e-3)
 _ENERGIES = Axis("surface_energy", 1e-3, 1e1)
-# E1* = E1/(1 - ν1²) is 10 GPa in Fig. 6a; in the other maps it affects only the limits of the model.
+# E1* = E1/(1 - ν1²) is 10 GPa in Fig. 6a; in Figs. 3 and 6b it affects only the limits of the model.
 _SOFT = {"youngs_modulus": 1e10, "poisson_ratio": 0.0}
 _LIGHT = {**_SOFT, "density": 2000.0}
 
@@ -95,14 +95,17 @@ def paper_map(
 ) -> Picture:
     """Return a map of the paper with marked grains. `is_plain`: True to leave out the limits of the model."""
     declared = PAPER_MAPS[name]
-    frames, printed = (("", Frame(declared.given)),), declared.printed if as_printed else ""
-    limits = () if is_plain else DRAWN_LIMITS
+    frames = (("", Frame(declared.given)),)
+    printed = declared.printed if as_printed else ""
+    limits = () if is_plain else HATCHED_LIMITS
     drawn, _ = picture_of(
         MapRequest(declared.quantity, declared.x, RADII, frames, marks, materials, limits, printed, has_best=False)
     )
-    field = drawn.panels[0].field
-    unit = field.in_words([])[1] if field is not None else ""
-    title, remarks = f"Fig. {name}: {symbol(declared.quantity)}{bracketed(unit)}", (*drawn.remarks, declared.remark)
+    (panel,) = drawn.panels
+    assert panel.field is not None
+    _, unit = panel.field.in_words([])
+    title = f"Fig. {name}: {symbol(declared.quantity)}{bracketed(unit)}"
+    remarks = (*drawn.remarks, declared.remark)
     caption = [*drawn.caption]
     if printed:
         caption.append(f"Dashed in files: Eq ({NOMENCLATURE[printed].equation}), each below its contour.")
@@ -146,10 +149,10 @@ def figure_2(materials: Materials) -> Picture:
         Curve("not shifted", centred, pressure(distance=abs(centred), **circle), 3),
     ]
     along = pressure_panel(curves, state["hertz_pressure"], "pressure along the rolling direction")
-    moments = [amount(name, state[name]) for name in ("yield_moment", "half_circles_moment")]
+    moment, half_circles = (amount(name, state[name]) for name in ("yield_moment", "half_circles_moment"))
     caption = (
         f"Two quartz spheres of 20 nm that have rolled by ⟦ξ⟧ = {amount('yield_displacement', shift)}, without load.",
-        f"Moment: exact {moments[0]}, Eq (25); half-circles {moments[1]}, Eq (19).",
+        f"Moment: exact {moment}, Eq (25); half-circles {half_circles}, Eq (19).",
     )
     remarks = (
         "The circle lags behind the contact point. The pull at its rim is weaker ahead and stronger behind.",
@@ -162,10 +165,11 @@ def figure_2(materials: Materials) -> Picture:
 def _halves(word: str, a: float, shift: float, pressure_of: Callable[[Any, float], Any]) -> Iterator[Curve]:
     """Iterate over the pressures behind and ahead of the contact point, each from half of a symmetric contact.
 
-    `pressure_of` returns the pressure at positions, given the size of the symmetric contact.
+    `pressure_of` returns the pressure at positions, given half the width of the symmetric contact.
     """
-    for sign, size, x in (("+", a + shift, across(-a - shift, 0.0)), ("−", a - shift, across(0.0, a - shift))):
-        yield Curve(f"{word} ⟦a {sign} ξ⟧", x, pressure_of(x, size), 1 if sign == "+" else 2)
+    behind, ahead = across(-a - shift, 0.0), across(0.0, a - shift)
+    yield Curve(f"{word} ⟦a + ξ⟧", behind, pressure_of(behind, a + shift), 1)
+    yield Curve(f"{word} ⟦a − ξ⟧", ahead, pressure_of(ahead, a - shift), 2)
 
 
 def figure_9(materials: Materials) -> Picture:
@@ -186,9 +190,9 @@ def figure_9(materials: Materials) -> Picture:
     exact = Curve("exact, Eq (64)", shifted, strip(shifted + shift, a, shift))
     curves = [exact, *_halves("half-strip", a, shift, strip)]
     shifted_strip = {"contact_half_width": a, "yield_displacement": shift, **size}
-    moments = contact_point_moment(**shifted_strip), half_strips_moment(**shifted_strip)
+    exact_moment, half_strips = contact_point_moment(**shifted_strip), half_strips_moment(**shifted_strip)
     shifted_by = amount("yield_displacement", shift)
-    ratio = f"{moments[0] / moments[1]:.3f}"
+    ratio = f"{exact_moment / half_strips:.3f}"
     caption = (
         f"Quartz cylinder of 20 nm on a rigid plane without load (⟦C = 0⟧), shifted by ⟦ξ⟧ = {shifted_by}.",
         "Exact: Eq (64). Half-strips: two halves of symmetric strips, Eq (71).",
@@ -196,8 +200,8 @@ def figure_9(materials: Materials) -> Picture:
     remarks = (
         f"Griffith's criterion gives ⟦a⟧ = {amount('contact_radius', a)}.",
         "The half-strips are not continuous at ⟦x = 0⟧.",
-        f"Moment per length about the contact point: exact {moments[0]:.3g} N, Eq (70) with its sign corrected.",
-        f"Half-strips {moments[1]:.3g} N, Eq (77): lower by a factor of {ratio}, which tends to ⟦π/2⟧ for ⟦ξ⟧ ≪ ⟦a⟧.",
+        f"Moment per length about the contact point: exact {exact_moment:.3g} N, Eq (70) with its sign corrected.",
+        f"Half-strips {half_strips:.3g} N, Eq (77): lower by a factor of {ratio}, which tends to ⟦π/2⟧ for ⟦ξ⟧ ≪ ⟦a⟧.",
     )
     highest = modulus * a / (2 * radius)
     panels = (pressure_panel([symmetric], highest, "symmetric"), pressure_panel(curves, highest, "shifted by ⟦ξ⟧"))
