@@ -1,4 +1,4 @@
-"""`jkroll.curve`, `jkroll.map` and `jkroll.figure`: the commands' pictures as arrays and on matplotlib axes."""
+"""Pictures in Python: `jkroll.curve`, `jkroll.map`, `jkroll.figure` and the pictures of answers."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
@@ -64,7 +64,7 @@ class Drawn:
 
     @property
     def points(self) -> dict[str, tuple[float | None, float | None]]:
-        """The x and y of each mark; a mark on one axis has None for the other."""
+        """The x and y of each mark, by label; a mark on one axis has None for the other."""
         points: dict[str, tuple[float | None, float | None]] = {}
         for panel in self._picture.panels:
             points |= {plain(mark.text): (mark.x, mark.y) for mark in panel.marks}
@@ -86,12 +86,10 @@ class Drawn:
         _check(style)
         with missing_extra("plot"):
             from .page import draw_on
-        every = [*ax] if isinstance(ax, Iterable) else [ax]
-        if len(every) != len(self._picture.panels):
-            raise BadRequest(
-                f"ax: the picture has {len(self._picture.panels)} panels, and {len(every)} axes were given"
-            )
-        for panel, axes in zip(self._picture.panels, every, strict=True):
+        given, panels = [*ax] if isinstance(ax, Iterable) else [ax], self._picture.panels
+        if len(given) != len(panels):
+            raise BadRequest(f"ax: the picture has {len(panels)} panels, and {len(given)} axes were given")
+        for panel, axes in zip(panels, given, strict=True):
             draw_on(axes, panel, STYLES[style])
         return ax
 
@@ -111,7 +109,8 @@ class Drawn:
         with missing_extra("plot"):
             from .page import draw
         content = draw(self._picture, "png", None, "paper", has_caption=True)
-        return content, {"width": int.from_bytes(content[16:20]) // 2}  # bytes 16 to 19 of a PNG are its width
+        width_in_pixels = int.from_bytes(content[16:20])  # these four bytes of a PNG
+        return content, {"width": width_in_pixels // 2}
 
     def __repr__(self) -> str:
         return f"<Drawn: {listed([*self.lines] or [plain(self._picture.title)])}>"
@@ -172,11 +171,20 @@ def curve(
     described = _inputs_of_one_contact(given)
     solids = materials_of(material, material2, materials)
     models = [model] if model is None or isinstance(model, str) else [*model]
-    frames = [Frame(described, *solids, model=law_given(each, profile)) for each in models]
-    loads = loads_of(load) if isinstance(load, str) else load and Loads(float(load[0]), float(load[1]))
-    if loads and not loads.low < loads.high:
+    frames = [Frame(described, *solids, model=law_given(name, profile)) for name in models]
+    return Drawn(*curves_of_contact(frames, _loads(load), panel))
+
+
+def _loads(load: str | tuple[float, float] | None) -> Loads | None:
+    """Return the loads at the ends of a curve; None without `load`. Raises BadRequest and QuantityError."""
+    if isinstance(load, str):
+        return loads_of(load)
+    if not load:
+        return None
+    low, high = load
+    if not low < high:
         raise BadRequest("load: write the lower end first, as in (-5e-9, 20e-9)")
-    return Drawn(*curves_of_contact(frames, loads or None, panel))
+    return Loads(float(low), float(high))
 
 
 def map(
@@ -220,11 +228,12 @@ def map(
     ((2, 3), '4.712e-10 N')
     """
     described = _inputs_of_one_contact(given)
-    known, law, name = materials or known_materials(), law_given(model, profile), quantity_named(quantity)
-    across, up = axis_of(x, "x"), axis_of(y, "y") if y is not None else None
-    check_axes(name, [axis for axis in (across, up) if axis is not None], described, (law or DEFAULT_LAW,))
+    law, name = law_given(model, profile), quantity_named(quantity)
+    across = axis_of(x, "x")
+    up = axis_of(y, "y") if y is not None else None
+    check_axes(name, [across] if up is None else [across, up], described, (law or DEFAULT_LAW,))
     frame = Frame(described, *materials_of(material, material2, materials), model=law)
-    return Drawn(*picture_of(MapRequest(name, across, up, (("", frame),), marks, known)))
+    return Drawn(*picture_of(MapRequest(name, across, up, (("", frame),), marks, materials or known_materials())))
 
 
 def figure(
@@ -235,13 +244,13 @@ def figure(
     Parameters
     ----------
     name
-        "2", "3a" to "3d", "6a", "6b", "8", "9", "laws", or "geometry", a sketch without data.
+        "2", "3a" to "3d", "6a", "6b", "8", "9", "laws", or "geometry", a sketch without values.
     marks
         Grains to mark, as "quartz@100nm".
     materials
         The library in which materials are looked up.
     as_printed
-        Also draw the curves as printed in the paper, where they differ.
+        True to draw also the curves as printed in the paper; for figure "6b" only.
 
     Returns
     -------

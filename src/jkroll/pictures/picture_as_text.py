@@ -18,10 +18,10 @@ from .picture import SAME, Axis, Curve, Field, Panel, Picture, Rows, described, 
 ROWS, COLUMNS = 13, 9  # largest size of the table of a field
 CURVE_ROWS = 11  # largest number of rows for a curve
 DIGITS = 3
-_DIGITS = ("1 2 5", "1 3", "1")  # in each decade; the first set that fits is used
-# Sets with more digits, for axes on which no set of _DIGITS gives _FEW values.
-_MORE = (" ".join(f"{digit / 10:g}" for digit in range(10, 100)), "1 1.2 1.5 2 2.5 3 4 5 6 8", "1 1.5 2 3 5 7")
-_FEW = 4  # number of values below which an axis takes more digits
+_DIGITS = ("1 2 5", "1 3", "1")  # round values of a decade; the first set that fits is used
+# Sets with more values, for axes on which no set of _DIGITS gives _FEW values.
+_MORE = (" ".join(f"{tenths / 10:g}" for tenths in range(10, 100)), "1 1.2 1.5 2 2.5 3 4 5 6 8", "1 1.5 2 3 5 7")
+_FEW = 4  # number of values below which an axis takes a set with more values
 _NARROW = 1.5  # ratio of the ends below which the steps of a logarithmic axis are equal
 NO_VALUE = "—"
 _GAP = "  "  # between columns
@@ -77,7 +77,7 @@ def shown_values(axis: Axis, most: int) -> Any:
 
 
 def _write_field(panel: Panel, field: Field, out: TextIO) -> None:
-    """Write a row for each value of y, with a sign after each number in a region, and a key of the signs below.
+    """Write a row for each value of y, with the signs of its regions after each number, and a key of the signs below.
 
     The table has as many columns as fit the terminal.
     """
@@ -97,8 +97,8 @@ def _write_field(panel: Panel, field: Field, out: TextIO) -> None:
         if width_of(_GAP.join(head)) <= terminal_width():
             break
     axes = f"Down: {described(panel.y.name, unit_of_y)}. Across: {described(panel.x.name, unit_of_x)}."
-    of_like = " R2 = R1." if {"radius", "radius2"} & frame.given.keys() == {"radius"} else ""
-    say_texts([axes + of_like], out)
+    equal_spheres = " R2 = R1." if {"radius", "radius2"} & frame.given.keys() == {"radius"} else ""
+    say_texts([axes + equal_spheres], out)
     say(_GAP.join(head).rstrip(), out)
     has_colours = out.isatty() and "NO_COLOR" not in os.environ and os.environ.get("TERM", "dumb") != "dumb"
     for (head_of_row, *texts), numbers in zip(rows, values, strict=True):
@@ -131,10 +131,10 @@ def _painted(field: Field, texts: Sequence[str], numbers: Any) -> list[str]:
     scale = numpy.log10 if field.is_log else numpy.asarray
     low, high = extent(field.values)
     edges = numpy.linspace(scale(low), scale(high), len(_PAPERS) + 1)[1:-1]
-    bands = [*numpy.digitize(scale(numbers), edges)]
+    steps = [*numpy.digitize(scale(numbers), edges)]
     painted = []
-    for text, number, band in zip(texts, numbers, bands, strict=True):
-        painted.append(f"\x1b[30;48;5;{_PAPERS[band]}m{text}\x1b[0m" if isfinite(number) else text)
+    for text, number, step in zip(texts, numbers, steps, strict=True):
+        painted.append(f"\x1b[30;48;5;{_PAPERS[step]}m{text}\x1b[0m" if isfinite(number) else text)
     return painted
 
 
