@@ -68,7 +68,7 @@ def test_answer_takes_arrays_and_materials_made_by_hand() -> None:
     assert answers["P_c"].tolist() == forces.reshape(-1).tolist()
     # So many scenes are computed as arrays.
     many = jkroll.answer("P_c", material=SOLIDS, radius=numpy.geomspace(1e-8, 1e-6, 400))
-    assert many["P_c"].tolist() == [float(answer["P_c"]) for answer in many]
+    assert many["P_c"][::50].tolist() == [float(many[position]["P_c"]) for position in range(0, 800, 50)]
 
 
 def test_a_data_frame_has_a_row_for_each_answer() -> None:

@@ -1,6 +1,7 @@
 """`jkroll.map`, `curve` and `figure`: the numbers of the commands' pictures, and pictures on a user's axes."""
 
 import csv
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -124,8 +125,9 @@ def test_invalid_calls_for_pictures_are_refused(call: Any, words: str) -> None:
     assert words in str(caught.value)
 
 
+@cache
 def fitted_probe() -> Any:
-    """Return the fit of a computed curve with noise and with both branches."""
+    """Return the fit of a curve with noise and both branches."""
     path = Path(__file__).parents[1] / "data/probe.csv"
     return jkroll.fit(path, radius="7.5 um", radius2="plane", spring="3.01±0.1N/m", poisson_ratio2=0.5)
 
@@ -144,7 +146,9 @@ def test_the_caption_of_a_fit_has_sentences_with_typeset_symbols_and_no_options(
 
 
 def test_measured_points_and_the_fitted_line_look_different() -> None:
-    first, *_ = fitted_probe().plot()
+    from matplotlib.figure import Figure
+
+    first, *_ = fitted_probe().plot(Figure(figsize=(15, 4)).subplots(1, 3))
     looks = {line.get_label(): (line.get_linestyle(), line.get_marker(), line.get_color()) for line in first.lines}
     assert [*looks] == ["unloading, measured", "unloading, fitted", "loading, measured", "loading, fitted"]
     assert [style == "None" for style, _, _ in looks.values()] == [True, False, True, False]
