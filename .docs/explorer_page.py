@@ -37,11 +37,11 @@ LAWS = {"": "best of all", "jkr": "JKR alone", "maugis": "Maugis alone", "dmt": 
 
 def explorer() -> str:
     """Return the explorer as HTML, with the first contact's numbers in it."""
-    shown = json.loads(explore(json.dumps(FIRST)))
-    first = {**shown, "curve": json.loads(curve(json.dumps(FIRST)))["lines"]}
+    first = json.loads(explore(json.dumps(FIRST)))
+    first["curve"] = json.loads(curve(json.dumps(FIRST)))["lines"]
     parts = {
         "menus": "\n".join(_menus()),
-        "sliders": "\n".join(_slider(each, first) for each in SLIDERS),
+        "sliders": "\n".join(_slider(slider, first) for slider in SLIDERS),
         "cards": "\n".join(_cards(first["results"])),
         "why": "".join(f"<li><b>{escape(by)}</b>: {escape(text)}</li>" for by, text in first["why"].items()),
         "poisson": first["inputs"]["poisson"]["text"],
@@ -57,10 +57,10 @@ def explorer() -> str:
 
 
 def _menus() -> Iterator[str]:
-    groups = "".join(
-        f'<optgroup label="{escape(title)}">{"".join(f"<option>{escape(name)}</option>" for name in names)}</optgroup>'
-        for title, names in materials()
-    )
+    groups = ""
+    for title, names in materials():
+        options = "".join(f"<option>{escape(name)}</option>" for name in names)
+        groups += f'<optgroup label="{escape(title)}">{options}</optgroup>'
     chosen = groups.replace("<option>quartz<", "<option selected>quartz<")
     laws = "".join(f'<option value="{name}">{words}</option>' for name, words in LAWS.items())
     yield _menu("material", "solid of sphere 1", f'{chosen}<option value="">my own: γ, E, ν, ρ</option>')
@@ -72,14 +72,14 @@ def _menu(word: str, label: str, options: str) -> str:
     return f'<div class="row menu"><label for="{word}">{label}</label><select id="{word}">{options}</select></div>'
 
 
-def _slider(each: Slider, first: dict[str, Any]) -> str:
-    known = first["inputs"][each.word]
-    value = FIRST.get(each.word, "")
-    plane = '<label class="check"><input type="checkbox" id="plane"> a plane</label>' if each.word == "radius2" else ""
-    return f"""<div class="row"><label for="{each.word}">{each.label}</label>
-<input id="{each.word}" value="{value}" placeholder="{known["text"]}" spellcheck="false" autocapitalize="off">
-<input type="range" data-of="{each.word}" data-unit="{each.unit}" min="{each.low}" max="{each.high}" step="{each.step}"
- aria-label="{each.word}, slider">{plane}</div>"""
+def _slider(slider: Slider, first: dict[str, Any]) -> str:
+    word, low, high, step = slider.word, slider.low, slider.high, slider.step
+    value, placeholder = FIRST.get(word, ""), first["inputs"][word]["text"]
+    plane = '<label class="check"><input type="checkbox" id="plane"> a plane</label>' if word == "radius2" else ""
+    return f"""<div class="row"><label for="{word}">{slider.label}</label>
+<input id="{word}" value="{value}" placeholder="{placeholder}" spellcheck="false" autocapitalize="off">
+<input type="range" data-of="{word}" data-unit="{slider.unit}" min="{low}" max="{high}" step="{step}"
+ aria-label="{word}, slider">{plane}</div>"""
 
 
 def _cards(results: dict[str, Any]) -> Iterator[str]:
@@ -92,8 +92,8 @@ def _cards(results: dict[str, Any]) -> Iterator[str]:
 def _result(name: str, result: dict[str, str]) -> str:
     symbol, _, foot = result["symbol"].partition("_")
     sign = f"<i>{symbol}<sub>{foot}</sub></i>" if foot else f"<i>{symbol}</i>"
-    plain = f"{escape(result['by'])} · plain {result['law']} {escape(result['value'])}"
+    below = f"{escape(result['by'])} · {result['law']} alone {escape(result['value'])}"
     return (
         f'<output data-result="{name}" title="{escape(result["quantity"])}">{sign} <b>{escape(result["best"])}</b>'
-        f"<small>{plain}</small></output>"
+        f"<small>{below}</small></output>"
     )

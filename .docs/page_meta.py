@@ -1,4 +1,4 @@
-"""The heads of the site's pages: a description, and a policy that forbids requests to other hosts."""
+"""The heads of the site's pages: a title and a description, and a policy against requests to other hosts."""
 
 import re
 from base64 import b64encode
@@ -6,13 +6,14 @@ from hashlib import sha256
 from html import escape, unescape
 from typing import Any
 
+_NOT_PROSE = ("```", *"#<|-!>")  # how code, headings, HTML, tables, lists, pictures and quotations begin
 _INLINE = re.compile(r"<script(?![^>]*(?:\bsrc=|application/json))[^>]*>(.*?)</script>", re.DOTALL)
 
 
 def with_policy(html: str) -> str:
     """Return a page with a content security policy that allows its own files and, by their hashes, inline scripts."""
-    hashes = {b64encode(sha256(script.encode()).digest()).decode() for script in _INLINE.findall(html)}
-    scripts = " ".join(["'self'", "'wasm-unsafe-eval'", *(f"'sha256-{each}'" for each in sorted(hashes))])
+    digests = {b64encode(sha256(script.encode()).digest()).decode() for script in _INLINE.findall(html)}
+    scripts = " ".join(["'self'", "'wasm-unsafe-eval'", *(f"'sha256-{digest}'" for digest in sorted(digests))])
     policy = (
         f"default-src 'self'; script-src {scripts}; style-src 'self' 'unsafe-inline'; img-src 'self' data:; "
         "object-src 'none'; base-uri 'self'"
@@ -32,7 +33,7 @@ def with_card(html: str, page: Any) -> str:
 def described(text: str) -> str:
     """Return the first paragraph of a page, without its marks, as a description of at most 160 characters."""
     blocks = (block.strip() for block in re.split(r"\n\s*\n", text))
-    first = next((block for block in blocks if block and not block.startswith(("```", *"#<|-!>"))), "")
+    first = next((block for block in blocks if block and not block.startswith(_NOT_PROSE)), "")
     unmarked = re.sub(r"\[([^]]*)\]\([^)]*\)|[`*]|</?[a-z][^>]*>", r"\1", first)
     plain = unescape(re.sub(r"\s+", " ", unmarked))
     return plain if len(plain) <= 160 else plain[:157].rpartition(" ")[0] + " …"

@@ -17,7 +17,7 @@ import zipfile
 from pathlib import Path
 
 HERE = Path(__file__).parent
-# Python for the browser, pinned: a page that runs code that nobody has read is not a manual.
+# Python for the browser, pinned by its hash, so that the page runs no other code.
 PYODIDE, PYODIDE_SHA256 = "314.0.3", "d7f7d24f8db486c7eda7280f3b0f7517524c8e43e8b086c6ee6ae8016658b484"
 PYODIDE_FILES = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json")
 # Pyodide's release has the wheel of numpy; if it cannot be reached, the file is taken from a package that carries it.
@@ -29,9 +29,9 @@ def put_prompt(folder: Path) -> None:
     """Write the prompt into a folder."""
     shutil.copytree(HERE / "prompt", folder, dirs_exist_ok=True)
     wheels, python = folder / "python", folder / "pyodide"
-    for each in (wheels, python):
-        shutil.rmtree(each, ignore_errors=True)
-        each.mkdir()
+    for subfolder in (wheels, python):
+        shutil.rmtree(subfolder, ignore_errors=True)
+        subfolder.mkdir()
     pip = [sys.executable, "-m", "pip", "--quiet"]
     subprocess.run([*pip, "wheel", "--no-deps", "--wheel-dir", wheels, HERE.parent], check=True)
     pins = HERE / "prompt-requirements.txt"
@@ -52,7 +52,10 @@ def put_prompt(folder: Path) -> None:
 
 
 def put_list(folder: Path) -> None:
-    """Write the list of the wheels, and the bytes that the first answer needs, without numpy and tables."""
+    """Write the list of the wheels, with the number of bytes that are loaded before the first answer.
+
+    Numpy and the wheels for tables are loaded later.
+    """
     wheels = folder / "python"
     own, *tables = sorted((path.name for path in wheels.glob("*.whl")), key=lambda name: not name.startswith("jkroll"))
     first = [wheels / own, *folder.glob("*.py"), *(folder / "pyodide" / name for name in PYODIDE_FILES)]

@@ -31,7 +31,7 @@ from jkroll.write.sources import docstring_fields
 from jkroll.write.writers import in_markdown, in_row
 
 _EXAMPLES = re.compile(r"^```python\n(.*?)^```\n", re.DOTALL | re.MULTILINE)
-_PRINTED = re.compile(r"print\(([\w.]+)\)\n")  # an object of which a notebook shows more than the text
+_PRINTED = re.compile(r"print\(([\w.]+)\)\n")  # a notebook shows more of the printed object than its text
 
 
 class Cell(NamedTuple):
@@ -42,7 +42,7 @@ class Cell(NamedTuple):
 
 
 def cells_of(page: str) -> Iterator[Cell]:
-    """Iterate over the cells of a page: a cell of code ends where the page shows a value."""
+    """Iterate over the cells of a page: a cell of code ends where the page shows a value or the example ends."""
     for number, part in enumerate(_EXAMPLES.split(page)):
         if number % 2 == 0:
             yield from [Cell(part.strip())] if part.strip() else []
@@ -64,9 +64,11 @@ def notebook(page: str) -> dict[str, Any]:
     cells: list[dict[str, Any]] = []
     for number, cell in enumerate(cells_of(page)):
         entry: dict[str, Any] = {"id": f"cell-{number}", "metadata": {}, "source": cell.source}
-        is_text = cell.shown is None
-        code = {"cell_type": "code", "outputs": [], "execution_count": None}
-        cells.append({**entry, **({"cell_type": "markdown"} if is_text else code)})
+        if cell.shown is None:
+            entry["cell_type"] = "markdown"
+        else:
+            entry |= {"cell_type": "code", "outputs": [], "execution_count": None}
+        cells.append(entry)
     return {"nbformat": 4, "nbformat_minor": 5, "metadata": {"kernelspec": kernel}, "cells": cells}
 
 

@@ -62,9 +62,9 @@ def _tables() -> Iterator[str]:
     for title, names in groups_of_quantities().items():
         yield f"| {title} | symbol | unit | meaning | Eq |\n|---|---|---|---|---|"
         for name in names:
-            each = NOMENCLATURE[name]
-            symbol = "" if each.is_word else mathml(each.symbol)
-            cells = [symbol, *map(_escaped, (pretty(each.unit), each.sentence, each.equation))]
+            quantity = NOMENCLATURE[name]
+            symbol = "" if quantity.is_word else mathml(quantity.symbol)
+            cells = [symbol, *map(_escaped, (pretty(quantity.unit), quantity.sentence, quantity.equation))]
             yield f"| [`{name}`](#{name}) | {' | '.join(cells)} |"
         yield ""
 
@@ -79,26 +79,33 @@ def _sections() -> Iterator[str]:
 
 def _section(name: str) -> str:
     record = quantity_as_object(name)
-    both = [each for each in (name, NOMENCLATURE[name].twin) if each]
-    symbols = ", ".join(filter(None, (NOMENCLATURE[each].symbol for each in both)))
-    options = [NOMENCLATURE[each].option for each in both if NOMENCLATURE[each].option]
-    title = f"{f'{symbols}: ' if symbols else ''}{record['meaning']}"
-    heads = " · ".join([_escaped(title), *(f"`{option}`" for option in options)])
-    names = ", ".join(f"<code>{each}</code>" if each == name else f'<code id="{each}">{each}</code>' for each in both)
+    twin = NOMENCLATURE[name].twin
+    both = [NOMENCLATURE[name], *([NOMENCLATURE[twin]] if twin else [])]
+    symbols = ", ".join(quantity.symbol for quantity in both if quantity.symbol)
+    title = f"{symbols}: {record['meaning']}" if symbols else record["meaning"]
+    heads = " · ".join([_escaped(title), *(f"`{quantity.option}`" for quantity in both if quantity.option)])
+    names = f"<code>{name}</code>"
+    if twin:
+        names += f', <code id="{twin}">{twin}</code>'
     unit = {"": "a word", "1": "a number"}.get(record["unit"], f"in {pretty(record['unit'])}")
     first = f"In Python and tables {names}, {unit}"
     equation = shown_equation(record["formula"], record["equation"]) if record["formula"] else ""
-    facts = (f"- {fact.replace('_', ' ')}: {shown}" for fact in _FACTS if (shown := _fact(fact, record[fact])))
+    facts = []
+    for fact in _FACTS:
+        text = _fact(fact, record[fact])
+        if text:
+            facts.append(f"- {fact.replace('_', ' ')}: {text}")
     return f"### {heads} {{#{name}}}\n\n{first}\n\n{equation}\n\n" + "\n".join(facts) + "\n"
 
 
 def _fact(fact: str, known: Any) -> str:
+    """Return a fact on a quantity as Markdown, with links; empty if nothing is known."""
     if fact == "commands":
         return ", ".join(f"[{command}](commands.md#{command})" for command in known)
     if fact == "variants":
-        return ", ".join(f'<code id="{each}">{each}</code>' for each in known)
+        return ", ".join(f'<code id="{name}">{name}</code>' for name in known)
     if fact in _OF_NAMES:
-        return ", ".join(f"[`{each}`](#{each})" for each in known)
+        return ", ".join(f"[`{name}`](#{name})" for name in known)
     return _escaped(known)
 
 

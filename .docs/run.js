@@ -1,4 +1,4 @@
-// Each command of a console block or of a table gets a "run", which prints below what the program says; one Python a page.
+// A run button for each command in a console block or a table; the output appears below. A page has one Python.
 import { ask, coloured, inWords, linkTo, listen, stop } from "./prompt/python.js";
 const needsFiles = (command) =>
   /^(batch|fit) | (-o|--output|--plot|--data|--materials|--resume)[ =]/.test(`${command} `);
@@ -57,20 +57,20 @@ for (const code of document.querySelectorAll("article td > code")) {
   code.after(" ", place);
 }
 
-// The copy button of a transcript copies what was typed: the lines behind $, >>> and ..., without these marks.
+// The copy button of a transcript copies what was typed: the text after $, >>> and ....
 for (const block of document.querySelectorAll(".highlight")) {
   const typed = [...block.textContent.matchAll(/^(?:\$|>>>|\.\.\.)(?: (.*))?$/gm)].map((match) => match[1] ?? "");
   if (typed.length) block.dataset.copy = typed.join("\n");
 }
 
-// What scrolls by itself is reached by the keyboard.
+// The keyboard can reach and scroll these boxes.
 const reach = () => {
   for (const each of document.querySelectorAll("pre > code, .equation, .md-typeset__scrollwrap")) each.tabIndex = 0;
 };
 reach();
 addEventListener("load", reach);
 
-// The search takes a hyphen before a word for "without it": `--load` is looked for as `load`.
+// To the search, a hyphen before a word means "without it", so `--load` is searched for as `load`.
 document.querySelector(".md-search__input")?.addEventListener("input", ({ target }) => {
   target.value = target.value.replace(/(^|\s)-+(?=\w)/g, "$1");
 });

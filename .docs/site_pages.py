@@ -83,8 +83,8 @@ def on_files(files: Files, config: Any) -> Files:
         "gallery/contact.svg": (CHECKOUT / "tests" / "data" / "contact.svg").read_bytes(),
         **dict(pictures()),
     }
-    for path, each in content.items():
-        files.append(File.generated(config, path, content=each))
+    for path, text in content.items():
+        files.append(File.generated(config, path, content=text))
     return files
 
 
@@ -92,7 +92,7 @@ def explore() -> str:
     """Return the first page: a line of introduction, and the explorer."""
     head = "---\nhide: [navigation, toc]\n---\n\n# Two elastic spheres touch and stick\n\n"
     words = (
-        "What pulls them apart, rolls them and shakes them, each number with its best range and the reason for it. "
+        "See what pulls them apart, rolls them and shakes them, each with its best range and the reason for it. "
         "Drag a slider, or [read how to start](start.md).\n\n"
     )
     files = '<link rel="stylesheet" href="explorer.css"><script type="module" src="explorer.js"></script>\n\n'
@@ -108,7 +108,7 @@ def start() -> str:
 
 
 def get() -> str:
-    """Return the page on how to get the program: install, repository, citation, licence."""
+    """Return the page on how to get the program: installation, repository, citation, licence."""
     project = tomllib.loads((CHECKOUT / "pyproject.toml").read_text(encoding="utf-8"))
     address = project["tool"]["hatch"]["metadata"]["hooks"]["custom"]["address"]
     wheel = f"jkroll-{__version__}-py3-none-any.whl"
@@ -119,9 +119,9 @@ def get() -> str:
     )
     parts = {
         "Install": f"You need Python {project['project']['requires-python'].removeprefix('>=')} or later and "
-        f'<a href="../prompt/python/{wheel}">{wheel}</a>, the file that runs on this site, too. Where you saved it:\n\n'
+        f'<a href="../prompt/python/{wheel}">{wheel}</a>, which runs on this site, too. In the folder of this file:\n\n'
         f"```sh\npython3 -m venv .venv\n.venv/bin/pip install ./{wheel}\n.venv/bin/jkroll report quartz 100nm\n```\n\n"
-        f"`'./{wheel}[plot]'` adds pictures in files. From the source code it goes as at "
+        f"`'./{wheel}[plot]'` adds pictures in files. To install from the source code, see "
         "[the start](start.md#thirty-seconds-to-the-first-number); [the prompt](try.md) needs no installation.",
         "The repository": source,
         "Cite": "Cite the program and the sources of what you used: each command prints them with `--cite`.\n\n"
@@ -138,7 +138,7 @@ def materials() -> str:
 
 
 def on_page_markdown(markdown: str, page: Any, config: Any, files: Files) -> str:  # noqa: ARG001
-    """Describe a page by its first paragraph; turn `jkroll guide X` and quantities into links; typeset formulas."""
+    """Describe a page by its first paragraph; make links of `jkroll guide X` and of quantities; typeset formulas."""
     page.meta.setdefault("description", escape(described(markdown)))
     name = Path(page.file.src_uri).stem
     page.meta["search"] = {"boost": BOOSTS.get(name, 1)}

@@ -8,6 +8,7 @@ import re
 from html import escape
 
 _FUNCTIONS = "arccot|arctanh|artanh|tanh|min|max|exp|ln|sin|cos"
+# Words of fewer than four letters; longer ones need no list.
 _SHORT = "is|in|if|of|at|as|no|nm|JKR|Eq|the|for|and|its|has|a(?= [a-z]{4})"
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789−+")
 _TOKEN = re.compile(
@@ -15,14 +16,17 @@ _TOKEN = re.compile(
     r"|(?P<letter>[A-Za-zΑ-Ωα-ωâÛδ∞])(?:_(?P<foot>[a-z]+|[A-Z]+\d?|\d+|[α-ω])|(?P<index>\d+))?(?P<star>\*?′?)"
     r"|(?P<number>[\d.]*\d|[½⅔¼])|\^(?P<power>[-−]?[\d.]+|[A-Z]+|[a-z])|(?P<raised>[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]+)|(?P<sign>.)"
 )
-_OF_MARKDOWN = str.maketrans({"*": "&#42;", "|": "&#124;"})  # Markdown would take them for its own marks
+_OF_MARKDOWN = str.maketrans({"*": "&#42;", "|": "&#124;"})  # signs that Markdown would take for its own marks
 _CLOSING = {"(": ")", "[": "]", "{": "}", "⟨": "⟩"}
 _BETWEEN = "+−-=≈<>≤≥≪≫±,;:∫"
 _SIGNS = {*"√/·|×⟨⟩()[]{}", *_BETWEEN}
 
 
 def mathml(formula: str, *, is_block: bool = False, is_inline: bool = False) -> str:
-    """Return a formula, with the words in it, as a MathML element; in a line of prose, fractions keep the slash."""
+    """Return a formula, with the words in it, as a MathML element.
+
+    `is_block`: True for a formula on its own line; `is_inline`: True in a sentence, where fractions keep the slash.
+    """
     row = _Reader([*_TOKEN.finditer(formula)], has_slashes=is_inline).row("").translate(_OF_MARKDOWN)
     look = " display=block" if is_block else ""
     return f'<math displaystyle="{str(not is_inline).lower()}"{look}>{row}</math>'
@@ -40,14 +44,14 @@ class _Reader:
     def __init__(self, tokens: list[re.Match[str]], *, has_slashes: bool) -> None:
         self.tokens, self.place, self.has_slashes = tokens, 0, has_slashes
 
-    def next(self) -> str:
+    def next_text(self) -> str:
         """Return the next token, or an empty text at the end."""
         return self.tokens[self.place][0] if self.place < len(self.tokens) else ""
 
     def row(self, end: str) -> str:
         """Return the part up to a closing bracket, as terms and the signs between them."""
         parts = []
-        while (text := self.next()) and text != end:
+        while (text := self.next_text()) and text != end:
             token = self.tokens[self.place]
             if token["word"]:
                 before = "&nbsp;" if self.place else ""
@@ -66,7 +70,9 @@ class _Reader:
     def product(self, end: str) -> str:
         """Return a product of adjacent factors, with its fractions."""
         factors: list[str] = []
-        while (text := self.next()) and text != end and text not in _BETWEEN and not self.tokens[self.place]["word"]:
+        while (
+            (text := self.next_text()) and text != end and text not in _BETWEEN and not self.tokens[self.place]["word"]
+        ):
             if text == "/" and self.has_slashes:
                 factors.append('<mo lspace="0" rspace="0">/</mo>')
                 self.place += 1
@@ -86,7 +92,7 @@ class _Reader:
         return _grouped(factors)
 
     def _is_factor(self, end: str) -> bool:
-        text = self.next()
+        text = self.next_text()
         if not text or text == end or text.isspace() or self.tokens[self.place]["word"]:
             return False
         return text not in _BETWEEN and text not in "/·|′%" and text not in _CLOSING.values()
@@ -99,7 +105,7 @@ class _Reader:
             return self._raised(f"<msqrt>{_bare([self.factor()])}</msqrt>", "")
         if token[0] in _CLOSING:
             inner = self.row(_CLOSING[token[0]])
-            closing = self.next()
+            closing = self.next_text()
             self.place += 1
             return self._raised(f"<mrow><mo>{token[0]}</mo>{inner}<mo>{closing}</mo></mrow>", "")
         if token["function"]:
@@ -107,9 +113,11 @@ class _Reader:
         if not token["letter"]:
             return self._raised(f"<mn>{escape(token[0])}</mn>", "")
         letter = f"<mi>{token['letter']}</mi>"
-        if token["foot"] or token["index"]:
-            kind = "mn" if token["index"] else "mtext" if len(token["foot"]) > 1 else "mi"
-            letter = f"<msub>{letter}<{kind}>{token['foot'] or token['index']}</{kind}></msub>"
+        if token["index"]:
+            letter = f"<msub>{letter}<mn>{token['index']}</mn></msub>"
+        elif token["foot"]:
+            tag = "mtext" if len(token["foot"]) > 1 else "mi"
+            letter = f"<msub>{letter}<{tag}>{token['foot']}</{tag}></msub>"
         return self._raised(letter, "".join(f"<mo>{sign}</mo>" for sign in token["star"]))
 
     def _raised(self, base: str, star: str) -> str:
@@ -121,9 +129,10 @@ class _Reader:
                 power = f"<mn>{token['power'] or token['raised'].translate(_SUPERSCRIPTS)}</mn>"
                 self.place += 1
             elif token[0] == "^":  # as in ^(1/3), which stays on one line: a fraction would be too small
-                last = next(n for n in range(self.place, len(self.tokens)) if self.tokens[n][0] == ")")
-                power = f"<mn>{''.join(each[0] for each in self.tokens[self.place + 2 : last])}</mn>"
-                self.place = last + 1
+                closing = next(n for n in range(self.place, len(self.tokens)) if self.tokens[n][0] == ")")
+                exponent = "".join(inner[0] for inner in self.tokens[self.place + 2 : closing])
+                power = f"<mn>{exponent}</mn>"
+                self.place = closing + 1
         if not (star or power):
             return base
         above = f"<mrow>{star}{power}</mrow>"

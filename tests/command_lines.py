@@ -83,38 +83,42 @@ HOSTILE = (
     "quartz=iron",
 )  # fmt: skip
 LONGEST = 8  # most options of a line
+TAKE_SECONDS = ("dask", "plot")  # options that are not drawn
 
 
 def command_line(source: Random) -> list[str]:
     """Return a command line: a command, words and options, some of them with mistakes."""
     (name,) = source.choices([*WEIGHTS], [*WEIGHTS.values()])
     words = [name, *_words(source, name)]
-    options = [
-        option for option in COMMANDS[name].options() if option.name not in ("dask", "plot")
-    ]  # these take seconds
+    options = [option for option in COMMANDS[name].options() if option.name not in TAKE_SECONDS]
     for _ in range(min(LONGEST, int(source.expovariate(0.7))) if options else 0):
         words += _option(source, name, source.choice(options))
     if source.random() < 0.12:
-        place = source.randrange(len(words) + 1)
-        words[place:place] = [source.choice(HOSTILE)]
+        index = source.randrange(len(words) + 1)
+        words[index:index] = [source.choice(HOSTILE)]
     if source.random() < 0.12:
-        place = source.randrange(len(words))
-        words[place] = _mutated(source, words[place])
+        index = source.randrange(len(words))
+        words[index] = _mutated(source, words[index])
     if source.random() < 0.03:
         source.shuffle(words)
     return words
 
 
+def _sometimes(source: Random, share: float, *words: str) -> list[str]:
+    """Return words in this share of the calls, otherwise nothing."""
+    return [*words] if source.random() < share else []
+
+
 def _words(source: Random, name: str) -> list[str]:
-    """Return the words of a command, mostly correct."""
-    scene = [_material(source)] * (source.random() < 0.85) + [_value(source, "radius")] * (source.random() < 0.9)
+    """Return the arguments of a command, mostly correct, and the options that it needs."""
+    scene = _sometimes(source, 0.85, _material(source)) + _sometimes(source, 0.9, _value(source, "radius"))
     words = {
-        "materials": [_material(source)] * (source.random() < 0.5),
+        "materials": _sometimes(source, 0.5, _material(source)),
         "figure": [source.choice(FIGURES)],
         "infer": [source.choice(UNKNOWN), *scene],
         "export": [source.choice(PROGRAMS), *scene],
-        "quantities": [source.choice(QUANTITIES)] * (source.random() < 0.5),
-        "guide": [source.choice(("dem", "units", "nowhere"))] * (source.random() < 0.9),
+        "quantities": _sometimes(source, 0.5, source.choice(QUANTITIES)),
+        "guide": _sometimes(source, 0.9, source.choice(("dem", "units", "nowhere"))),
         "fit": [source.choice(TABLES)],
         "bench": ["nothing"],  # it takes seconds, so it is always called incorrectly
     }
@@ -122,15 +126,15 @@ def _words(source: Random, name: str) -> list[str]:
         measured = source.choice([*MEASURED, f"{source.choice(QUANTITIES)}={_value(source, 'load')}"])
         return [*words[name], "--measured", measured]
     if name == "batch":
-        jobs = ["--jobs", "1"] * (source.random() < 0.97)
-        return [source.choice(TABLES), *["-o", source.choice(TARGETS)] * (source.random() < 0.8), *jobs]
+        jobs = _sometimes(source, 0.97, "--jobs", "1")
+        return [source.choice(TABLES), *_sometimes(source, 0.8, "-o", source.choice(TARGETS)), *jobs]
     if name == "map":
-        axes = ["--x", _axis(source), *["--y", _axis(source)] * (source.random() < 0.4)]
+        axes = ["--x", _axis(source), *_sometimes(source, 0.4, "--y", _axis(source))]
         return [source.choice([*QUANTITIES, *(*QUESTIONS,) * 9]), *scene[: source.choice((0, 1, 1, 1, 2))], *axes]
     if name == "contact" and source.random() < 0.003:
         return [*scene, "--curve", "-o", source.choice(PICTURES)]
     if name in QUESTIONS:
-        return [*scene, *["-o", source.choice(TARGETS)] * (source.random() < 0.5)]
+        return [*scene, *_sometimes(source, 0.5, "-o", source.choice(TARGETS))]
     return words.get(name, scene)
 
 
@@ -200,7 +204,7 @@ def _unit(source: Random) -> str:
 
 def _mutated(source: Random, word: str) -> str:
     """Return a word with a typing error: a letter lost, doubled, in another case or too early, or an odd character."""
-    place = source.randrange(len(word) + 1)
-    head, letter, tail = word[:place], word[place : place + 1], word[place + 1 :]
+    index = source.randrange(len(word) + 1)
+    head, letter, tail = word[:index], word[index : index + 1], word[index + 1 :]
     odd = source.choice("\x00\x07\x1b\x7f\u00ad\u200b\u202e\ufeff\ud83d\U000e0001=-,.:/^ ")
     return head + source.choice(("", letter * 2, letter.swapcase(), odd, letter + odd, tail[:1] + letter)) + tail

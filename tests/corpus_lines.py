@@ -83,20 +83,22 @@ def lines() -> list[Line]:
 
 def spread(corpus: Sequence[Line], count: int) -> list[Line]:
     """Return at most `count` lines spread over the corpus, the same at every call."""
-    return [corpus[place * len(corpus) // count] for place in range(min(count, len(corpus)))]
+    count = min(count, len(corpus))
+    return [corpus[index * len(corpus) // count] for index in range(count)]
 
 
 def commands(typed: str) -> Iterator[Command]:
     """Iterate over the commands of a line."""
-    for is_separator, group in groupby(shlex.split(typed), ";".__eq__):
+    for is_separator, group in groupby(shlex.split(typed), lambda word: word == ";"):
         if is_separator:
             continue
         words = [*group]
         program = words.index("jkroll")
         variables = dict(word.split("=", 1) for word in words[:program])
         words = words[program + 1 :]
-        if is_piped := words[-2:] == ["|", "cat"]:
-            del words[-2:]
+        is_piped = words[-2:] == ["|", "cat"]
+        if is_piped:
+            words = words[:-2]
         standard_input = os.devnull
         if words[-2:-1] == ["<"]:
             *words, _, standard_input = words
@@ -174,16 +176,13 @@ def _refuse(constant: str) -> NoReturn:
 # --- Outputs that a person has read -----------------------------------------------------------------------------------
 
 
-def output(line: Line) -> str:
-    """Run a line; return it with its output in the form of tests/corpus/outputs.txt."""
-    outcome = run(line)
+def output(line: Line, outcome: Outcome) -> str:
+    """Return a line with its output, in the form of tests/corpus/outputs.txt."""
     files = [("> ", f"{name}\n{content.decode(errors='replace')}") for name, content in outcome.files.items()]
-    printed = [
-        f"{mark}{text}".rstrip()
-        for mark, whole in [("  ", outcome.out), ("! ", outcome.err), *files]
-        for text in whole.splitlines()
-    ]
-    return rounded("\n".join([f"$ {line.typed}", *printed]) + "\n")
+    printed = [f"$ {line.typed}"]
+    for mark, text in [("  ", outcome.out), ("! ", outcome.err), *files]:
+        printed += [f"{mark}{piece}".rstrip() for piece in text.splitlines()]
+    return rounded("\n".join(printed) + "\n")
 
 
 def outputs() -> Mapping[str, str]:
@@ -199,12 +198,12 @@ def write_outputs(count: int | None) -> int:
     """
     runnable = [line for line in lines() if line.can_run]
     chosen = [line for line in runnable if line.typed in outputs()] if count is None else spread(runnable, count)
+    kept = []
     with among_input_files():
-        found = [(output(line), output(line)) for line in chosen]
-    kept = [
-        first
-        for first, second in found
-        if first == second and first.count("\n") <= LONGEST and "\N{REPLACEMENT CHARACTER}" not in first
-    ]
+        for line in chosen:
+            first, second = output(line, run(line)), output(line, run(line))
+            is_text = "\N{REPLACEMENT CHARACTER}" not in first
+            if first == second and is_text and first.count("\n") <= LONGEST:
+                kept.append(first)
     OUTPUTS.write_text("".join(kept), encoding="utf-8")
     return len(kept)

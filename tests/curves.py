@@ -22,7 +22,7 @@ def jkr_force(z: Any, w: Any, modulus: Any, radius: Any, stiffness: Any, *, has_
 
     `has_contact_below`: True if the contact lasts below the contact point until the lever jumps off, as in unloading.
     """
-    x = numpy.geomspace(1 / 6, 500, 100_000)
+    x = numpy.geomspace(1 / 6, 500, 20_000)
     approach, load = jkr_state(x, w, modulus, radius)
     travel = approach + load / stiffness
     last = int(numpy.argmin(travel))
@@ -32,7 +32,7 @@ def jkr_force(z: Any, w: Any, modulus: Any, radius: Any, stiffness: Any, *, has_
 
 def dmt_force(z: Any, w: Any, modulus: Any, radius: Any, stiffness: Any) -> Any:
     """Return the force of a lever by DMT; 0 without contact."""
-    approach = numpy.linspace(0, 3 * max(z.max(), 1e-12), 100_000)
+    approach = numpy.linspace(0, 3 * max(z.max(), 1e-12), 20_000)
     load = 4 / 3 * modulus * sqrt(radius) * approach**1.5 - 2 * pi * w * radius
     travel = approach + load / stiffness
     return numpy.where(z < travel[0], 0.0, numpy.interp(z, travel, load))
@@ -68,10 +68,10 @@ def jkr_curve(
 
 
 def autoregression(seed: Any, count: Any, scale: Any, phi: Any) -> Any:
-    """Return noise of standard deviation scale/√(1 − φ²) in which successive values have the correlation φ."""
+    """Return noise of standard deviation scale/√(1 − φ²), in which neighbours have the correlation φ."""
     steps = numpy.random.default_rng(seed).normal(0, scale, count)
     noise = numpy.empty(count)
     noise[0] = steps[0] / sqrt(1 - phi * phi)
-    for place in range(1, count):
-        noise[place] = phi * noise[place - 1] + steps[place]
+    for index in range(1, count):
+        noise[index] = phi * noise[index - 1] + steps[index]
     return noise

@@ -4,7 +4,7 @@ import csv
 import json
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from functools import partial
 from itertools import product
 from pathlib import Path
@@ -13,7 +13,6 @@ from unittest.mock import patch
 
 import numpy as np
 
-import jkroll.model.rows
 import jkroll.tables.run
 from frames import outcomes
 from harness import Ran, Run
@@ -40,10 +39,10 @@ ULP = 2.0**-52
 # Largest difference of two evaluations in ulp·(1 + κ), with κ of `_condition`. `guide accuracy` states an error of 15
 # for a result, and of 40 by Maugis' law; the errors of two evaluations may add up.
 STATED = 80.0
-SURE = 2.0  # largest difference in ulp that is allowed without κ
+SURE = 2.0  # largest difference in ulp for which κ is not computed
 STEP = 2.0**-45  # relative step of an input, small enough to find κ close to pull-off
-AT_END = 2.0**-43  # relative distance from the end of a contact at which rounding decides whether there is a state
-FILES = ("csv", "tsv", "ndjson", "parquet")
+AT_END = 2.0**-43  # relative distance from the end of a contact within which rounding decides whether a state exists
+FILES = ("csv", "tsv", "ndjson", "parquet")  # suffixes
 
 Scenes = Sequence[Frame | None]  # of rows; None for a row without a scene
 
@@ -53,37 +52,40 @@ class Refused(Exception):
 
 
 class Rows(NamedTuple):
-    """The answer of a door: for each row its values without gaps, its doubts as bits, the reasons for gaps, its status.
+    """The answer of a door, row by row.
 
-    Rows that were computed as arrays have the reasons of the first row with the same gaps.
+    If the rows were computed as arrays, rows with the same gaps all have the reasons of the first of them.
     """
 
     keys: Sequence[str]  # of the columns
-    values: Sequence[Mapping[str, float]]
-    doubts: Sequence[int]
-    reasons: Sequence[Mapping[str, JkrollError]]
+    values: Sequence[Mapping[str, float]]  # by key, without the empty cells
+    doubts: Sequence[int]  # as bits
+    reasons: Sequence[Mapping[str, JkrollError]]  # for the empty cells, by key
     status: Sequence[str]
 
 
-def rows_of(every: Sequence[Columns]) -> Rows:
+def rows_of(blocks: Sequence[Columns]) -> Rows:
     """Return the rows of several blocks of columns."""
-    found = Rows(every[0].wanted.keys, [], [], [], [])
-    rules = {key for key in found.keys if key.endswith("_best_by")}
+    keys = blocks[0].wanted.keys
     values, doubts, reasons, status = [], [], [], []
-    for columns in every:
-        numbers = {key: np.asarray(columns.column(key), dtype=float).tolist() for key in found.keys}
+    for columns in blocks:
+        numbers = {key: np.asarray(columns.column(key), dtype=float).tolist() for key in keys}
         for row in range(len(columns)):
-            of_row = {key: own[row] for key, own in numbers.items() if not math.isnan(own[row])}
-            values.append({key: number for key, number in of_row.items() if key not in rules or number != NONE})
+            values.append({key: numbers[key][row] for key in keys if not _is_empty(key, numbers[key][row])})
             doubts.append(int(columns.doubts[row]))
             gap = columns.gap_of(row)
             reasons.append({} if gap is None else dict(_by_key(gap.reasons)))
             status.append("" if gap is None else gap.phrase)
-    return Rows(found.keys, values, doubts, reasons, status)
+    return Rows(keys, values, doubts, reasons, status)
+
+
+def _is_empty(key: str, number: float) -> bool:
+    """Return whether a number stands for an empty cell: nan or, in a column of rules, NONE."""
+    return math.isnan(number) or (key.endswith("_best_by") and number == NONE)
 
 
 def _by_key(reasons: Mapping[str, JkrollError]) -> Iterator[tuple[str, JkrollError]]:
-    """Iterate over reasons by key; for a value without an uncertainty, the key is that of one side."""
+    """Iterate over reasons by key; a value without an uncertainty has the key of one of the sides."""
     for name, error in reasons.items():
         yield f"{name}_{SIDES[0]}" if isinstance(error, NoErrorBar) else name, error
 
@@ -126,12 +128,15 @@ def of_list(ask: Ask, *, by_arrays: bool, best: bool = False) -> Rows:
         rows = rows_of([*sweep.columns(wanted)])
     if by_arrays:
         return rows
-    each = rows_of([of_single_row(wanted, wanted.results(scene)) for scene in sweep.frames()])
-    return rows._replace(reasons=each.reasons)
+    singles = rows_of([of_single_row(wanted, wanted.results(scene)) for scene in sweep.frames()])
+    return rows._replace(reasons=singles.reasons)
 
 
 def printed(run: Run, ask: Ask, form: str, *more: str, by_arrays: bool) -> tuple[Ran, list[dict[str, Any]]]:
-    """Return the output of a call, and its cells by header; `form`: an option as `--json`, or the suffix of a file."""
+    """Return the output of a call, and the cells of each row by header, or its object of JSON.
+
+    `form`: `--csv` or `--json`, or the suffix of a file.
+    """
     path = Path(f"out.{form}")
     path.unlink(missing_ok=True)
     with computed(by_arrays=by_arrays):
@@ -140,12 +145,14 @@ def printed(run: Run, ask: Ask, form: str, *more: str, by_arrays: bool) -> tuple
         import pyarrow.parquet
 
         return ran, pyarrow.parquet.read_table(path).to_pylist()
-    text = ran.out if form not in FILES else path.read_text(encoding="utf-8") if path.exists() else ""
+    text = ran.out
+    if form in FILES:
+        text = path.read_text(encoding="utf-8") if path.exists() else ""
     if ran.code == 2 or not text:
         raise Refused(ran.err)
     if form == "--json":
-        found = strict_json(text)
-        return ran, found if isinstance(found, list) else [found]
+        objects = strict_json(text)
+        return ran, objects if isinstance(objects, list) else [objects]
     if form == "ndjson":
         return ran, [*map(strict_json, text.splitlines())]
     return ran, [*csv.DictReader(text.splitlines(), delimiter="\t" if form == "tsv" else ",")]
@@ -183,21 +190,21 @@ def of_table(run: Run, sheet: Sheet, *, sample: int = 200) -> Converted:
     floats: list[Columns] = []
     scenes: list[Frame | None] = []
 
-    def observed(wanted: Wanted, block: Block) -> Columns:
+    def evaluated_twice(wanted: Wanted, block: Block) -> Columns:
         arrays.append(evaluated(wanted, block))
-        for place in range(block.size):
-            alone = Columns(wanted, 1, few=True)
-            floats.append(alone)
-            put_single_rows(alone, partial(_at, block, place), [0])
-            scenes.append(_scene_of(block, place))
+        for row in range(block.size):
+            single = Columns(wanted, 1, few=True)
+            put_single_rows(single, partial(_frame_at, block, row), [0])
+            floats.append(single)
+            scenes.append(_scene_of(block, row))
         return arrays[-1]
 
-    def of_sample(columns: Any, rows: Any, *others: Any, **options: Any) -> Any:
+    def table_of_sample(columns: Any, rows: Any, *others: Any, **options: Any) -> Any:
         return Table(columns, rows[:sample], *others, **options)
 
     with ExitStack() as stack:
-        stack.enter_context(patch.object(jkroll.tables.run, "evaluated", observed))
-        stack.enter_context(patch.object(jkroll.tables.run, "Table", of_sample))
+        stack.enter_context(patch.object(jkroll.tables.run, "evaluated", evaluated_twice))
+        stack.enter_context(patch.object(jkroll.tables.run, "Table", table_of_sample))
         ran = answered(run, "batch", "in.csv", "-o", "out.csv", "--jobs", "1", *sheet.options)
     if ran.code == 2:
         raise Refused(ran.err)
@@ -205,16 +212,15 @@ def of_table(run: Run, sheet: Sheet, *, sample: int = 200) -> Converted:
         return Converted(rows_of(arrays), [*csv.DictReader(file)], rows_of(floats), scenes)
 
 
-def _at(block: Block, place: int, _: int) -> Frame:
-    scene: Frame = block.frame_of(place)
-    return scene
+def _frame_at(block: Block, row: int, _: int = 0) -> Frame:
+    frame: Frame = block.frame_of(row)
+    return frame
 
 
-def _scene_of(block: Block, place: int) -> Frame | None:
+def _scene_of(block: Block, row: int) -> Frame | None:
     """Return the scene of a row in a block; None for a row without a scene."""
     try:
-        scene: Frame = block.frame_of(place)
-        return scene
+        return _frame_at(block, row)
     except JkrollError:
         return None
 
@@ -224,32 +230,37 @@ def _scene_of(block: Block, place: int) -> Frame | None:
 
 def agree(scene: Frame, name: str, one: float, other: float) -> bool:
     """Return whether two values of a quantity agree within its accuracy."""
-    if abs(one - other) <= _rounding(scene, name):
+    difference = abs(one - other)
+    if difference <= _rounding(scene, name):
         return True
-    off = abs(one - other) / ULP / (max(abs(one), abs(other)) or 1)
-    return off <= SURE or off <= STATED * (1 + _condition(scene, name, one))
+    ulps = difference / ULP / max(abs(one), abs(other))
+    return ulps <= SURE or ulps <= STATED * (1 + _condition(scene, name, one))
 
 
 def _rounding(scene: Frame, name: str) -> float:
     """Return the rounding error allowed for forces and lengths, whose terms may cancel; 0 for other quantities."""
-    whole = {"N": "pull_off_force", "m": "approach"}.get(NOMENCLATURE[name].unit, "")
-    return STATED * ULP * float(scene.numbers(whole).get(whole, 0.0)) if whole else 0.0
+    term = {"N": "pull_off_force", "m": "approach"}.get(NOMENCLATURE[name].unit, "")
+    return STATED * ULP * float(scene.numbers(term).get(term, 0.0)) if term else 0.0
 
 
 def _condition(scene: Frame, name: str, value: float) -> float:
     """Return κ: the factor from relative errors of the inputs to that of a quantity; infinite where a contact ends."""
-    inputs = {source: scene.given[source] for source in scene.inputs_of(name) if source in scene.given}
-    return sum(_growth(scene, name, value, *one) for one in inputs.items() if one[1] and math.isfinite(one[1]))
+    condition = 0.0
+    for source in scene.inputs_of(name):
+        given = scene.given.get(source, 0.0)
+        if given and math.isfinite(given):
+            condition += _growth(scene, name, value, source, given)
+    return condition
 
 
 def _growth(scene: Frame, name: str, value: float, source: str, given: float) -> float:
-    changes = []
+    """Return the factor from the relative error of one input to that of a quantity."""
+    growths = []
     for factor in (1 + STEP, 1 - STEP):
-        try:
-            changes.append(abs(scene.replace(**{source: given * factor})[name] - value) / (abs(value) or 1) / STEP)
-        except JkrollError:
-            continue
-    return max(changes, default=math.inf)
+        with suppress(JkrollError):
+            change = scene.replace(**{source: given * factor})[name] - value
+            growths.append(abs(change) / (abs(value) or 1.0) / STEP)
+    return max(growths, default=math.inf)
 
 
 def sides_agree(scene: Frame, name: str, one: float | None, other: float | None) -> bool:
@@ -257,15 +268,17 @@ def sides_agree(scene: Frame, name: str, one: float | None, other: float | None)
 
     None, for inputs without influence, agrees with an error bar of 0 and with an end at the value, up to rounding.
     """
-    error = 4 * max((_error(each, name) for each in _ends(scene, name)), default=0.0) + _rounding(scene, name)
+    errors = [_allowed_error(at_end, name) for at_end in _ends(scene, name)]
+    error = 4 * max(errors) + _rounding(scene, name)  # with a margin, since several values make a side
+    if one is not None and other is not None:
+        return abs(one - other) <= error
+    side = one if one is not None else other
     value = outcomes(scene, (name,))[name]
-    numbers = [number for number in (one, other) if number is not None]
-    if len(numbers) == 2:
-        return abs(numbers[0] - numbers[1]) <= error
-    return abs(numbers[0]) <= error or (isinstance(value, float) and abs(numbers[0] - value) <= error)
+    return side is None or abs(side) <= error or (isinstance(value, float) and abs(side - value) <= error)
 
 
-def _error(scene: Frame, name: str) -> float:
+def _allowed_error(scene: Frame, name: str) -> float:
+    """Return the largest allowed difference of two evaluations of a quantity; 0 if it has no value."""
     value = outcomes(scene, (name,))[name]
     return abs(value) * STATED * ULP * (1 + _condition(scene, name, value)) if isinstance(value, float) else 0.0
 
@@ -275,26 +288,30 @@ def _ends(scene: Frame, *names: str) -> Iterator[Frame]:
     yield scene
     sources = sources_of(scene, scene.inputs_of(*names)).entering
     for source in sources:
-        yield from (scene.replace(**dict.fromkeys(source.names, end)) for end in (source.given.low, source.given.high))
+        for end in (source.given.low, source.given.high):
+            yield scene.replace(**dict.fromkeys(source.names, end))
     for corner in product(*((source.given.low, source.given.high) for source in sources)):
-        ends = zip(sources, corner, strict=True)
-        yield scene.replace(**{each: end for source, end in ends for each in source.names})
+        moved: dict[str, float] = {}
+        for source, end in zip(sources, corner, strict=True):
+            moved |= dict.fromkeys(source.names, end)
+        yield scene.replace(**moved)
 
 
 def bits_agree(scene: Frame, names: Sequence[str], one: int, other: int) -> bool:
     """Return whether doubts agree, except for limits whose number is at a threshold within its accuracy."""
-    unlike = one ^ other
-    return not unlike & NOT_JUDGED and all(
-        _is_at_threshold(limit, scene, names) for limit in LIMITS if unlike & limit.bits
-    )
+    differing = one ^ other
+    if differing & NOT_JUDGED:
+        return False
+    return all(_is_at_threshold(limit, scene, names) for limit in LIMITS if differing & limit.bits)
 
 
 def _is_at_threshold(limit: Limit, scene: Frame, names: Sequence[str]) -> bool:
-    """Return whether the number that a limit judges, or the factor between two laws, is at a threshold."""
+    """Return whether the number that a limit judges, or the factor that it computes, is at a threshold."""
     if limit.factor is not None:
-        factor = limit.factor(scene, scene.columns(names))
-        laws = scene, scene.by_law
-        error = STATED * ULP * sum(1 + _condition(law, *item) for law in laws for item in law.numbers(*names).items())
+        factor, error = limit.factor(scene, scene.columns(names)), 0.0
+        for by_law in (scene, scene.by_law):
+            for name, value in by_law.numbers(*names).items():
+                error += STATED * ULP * (1 + _condition(by_law, name, value))
         return any(abs(factor - threshold) <= error * threshold for threshold in limit.codes)
     value = outcomes(scene, (limit.name,))[limit.name]
     if isinstance(value, JkrollError):
@@ -307,12 +324,17 @@ def is_at_its_end(scene: Frame) -> bool:
     states = {name: middle(scene.stated[name]) for name in ("load", "approach_at_load") if name in scene.stated}
     for name, value in states.items():
         step = AT_END * abs(value) or LEAST
-        for wanted in ("contact_radius_at_load", "load_at_factor", "edge_ratio", "load_maugis"):
-            around = [scene.replace(**{name: each}) for each in (value - step, value + step)]
-            found = [outcomes(each, (wanted,))[wanted] for each in around]
-            if len({isinstance(outcome, Failure) and not outcome.cause.has_contact for outcome in found}) > 1:
+        below, above = scene.replace(**{name: value - step}), scene.replace(**{name: value + step})
+        for quantity in ("contact_radius_at_load", "load_at_factor", "edge_ratio", "load_maugis"):
+            if _has_no_contact(below, quantity) != _has_no_contact(above, quantity):
                 return True
     return False
+
+
+def _has_no_contact(scene: Frame, name: str) -> bool:
+    """Return whether a quantity has no value because there is no contact."""
+    outcome = outcomes(scene, (name,))[name]
+    return isinstance(outcome, Failure) and not outcome.cause.has_contact
 
 
 def differences(one: Rows, other: Rows, scenes: Scenes | None = None) -> Iterator[str]:
@@ -320,45 +342,54 @@ def differences(one: Rows, other: Rows, scenes: Scenes | None = None) -> Iterato
     if len(one.values) != len(other.values):
         yield f"{len(one.values)} and {len(other.values)} rows"
         return
-    both = [key for key in one.keys if key in other.keys]
-    sides = [key for key in dict.fromkeys((*one.keys, *other.keys)) if key not in both and side_of(key) in both]
+    shared = [key for key in one.keys if key in other.keys]
+    sides = [key for key in dict.fromkeys((*one.keys, *other.keys)) if key not in shared and side_of(key) in shared]
     for row in range(len(one.values)):
         scene = scenes[row] if scenes is not None else None
-        found = [*_in_rows(one, other, row, [*both, *sides], scene)]
-        if found and not (scene is not None and is_at_its_end(scene)):
-            yield from (f"row {row}: {text}" for text in found)
+        texts = [*_in_rows(one, other, row, [*shared, *sides], scene)]
+        if texts and not (scene is not None and is_at_its_end(scene)):
+            yield from (f"row {row}: {text}" for text in texts)
 
 
 def _in_rows(one: Rows, other: Rows, row: int, keys: Sequence[str], scene: Frame | None) -> Iterator[str]:
+    """Iterate over the differences of two doors in one row; given its scene, only over those beyond accuracy."""
     values, others = one.values[row], other.values[row]
     for key in keys:
-        if not _same(scene, key, values.get(key), others.get(key)):
+        if not _is_same(scene, key, values.get(key), others.get(key)):
             yield f"{key} = {values.get(key)!r} and {others.get(key)!r}"
+    if {*one.keys} != {*other.keys}:
+        return  # doubts and status concern all columns of a row
     bits, other_bits = one.doubts[row], other.doubts[row]
-    is_judged = {*one.keys} == {*other.keys} and bits != other_bits
     names = [key for key in one.keys if key in NOMENCLATURE]
-    if is_judged and not (scene is not None and bits_agree(scene, names, bits, other_bits)):
+    if bits != other_bits and not (scene is not None and bits_agree(scene, names, bits, other_bits)):
         yield f"doubts {bits:b} and {other_bits:b}"
-    if {*one.keys} == {*other.keys} and one.status[row] != other.status[row]:
+    if one.status[row] != other.status[row]:
         yield f"{one.status[row]!r} and {other.status[row]!r}"
 
 
-def _same(scene: Frame | None, key: str, one: float | None, other: float | None) -> bool:
+def _is_same(scene: Frame | None, key: str, one: float | None, other: float | None) -> bool:
+    """Return whether two cells of a column are the same; given their scene, within the accuracy."""
     if one == other or scene is None:
         return one == other
     if side_of(key):
         return sides_agree(scene, side_of(key), one, other)
+    if best_of(key):
+        return _is_same_best(scene, key, one, other)
+    return one is not None and other is not None and agree(scene, key, one, other)
+
+
+def _is_same_best(scene: Frame, key: str, one: float | None, other: float | None) -> bool:
+    """Return whether two cells with the same part of a best range are the same within the accuracy."""
     if key == "load_maugis_best_by" and STATE_OR_LOAD.isdisjoint(scene.stated):
         return True  # without a load, rounding alone decides whether the atomic spacing widens the range of this load
     if one is None or other is None or key.endswith("_best_by"):
         return False
-    name = best_of(key)
-    if name and len({*map(type, scene.uncertainties.values())}) > 1:
+    if len({*map(type, scene.uncertainties.values())}) > 1:
         return True  # whether ± or ranges count depends on the inputs that the whole row uses
-    return any(agree(each, name or key, one, other) for each in (_ends_of_best(scene) if name else [scene]))
+    return any(agree(at_end, best_of(key), one, other) for at_end in _ends_of_best(scene))
 
 
 def _ends_of_best(scene: Frame) -> Iterator[Frame]:
     """Iterate over scenes at the ends of uncertain inputs, by the law in use and by the better law at two spacings."""
-    for each in _ends(scene, *scene.possible(["pull_off_force", "yield_force"])):
-        yield from (each, each.by_law_at_spacing, at_half_spacing(each.by_law_at_spacing))
+    for at_end in _ends(scene, *scene.possible(["pull_off_force", "yield_force"])):
+        yield from (at_end, at_end.by_law_at_spacing, at_half_spacing(at_end.by_law_at_spacing))

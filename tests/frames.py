@@ -21,17 +21,17 @@ def outcomes(scene: Frame, names: Iterable[str]) -> dict[str, Any]:
 
 
 def doubts(scene: Frame, names: Iterable[str], judged: Iterable[limits.Limit] = limits.LIMITS) -> list[limits.Doubt]:
-    """Return the doubts about quantities, one for each limit."""
+    """Return the doubts about quantities, one for each limit that concerns them."""
     return limits.doubts(scene, scene.columns(names), judged)
 
 
 def factor_of_law(scene: Frame, names: Iterable[str]) -> Any:
-    """Return the largest factor between quantities and their values under the law that holds."""
+    """Return the largest factor between quantities and their values under Maugis' law."""
     return other_law.factor_of_law(scene, scene.columns(names))
 
 
 def bits(scene: Frame, names: Sequence[str]) -> Any:
-    """Return the codes of the limits of quantities as bits, for every row."""
+    """Return the codes of the exceeded limits of quantities as bits, for every row."""
     return reduce(or_, (doubt.bits for doubt in doubts(scene, names)), 0)
 
 

@@ -60,14 +60,15 @@ def unit(data: bytes) -> None:
     """Check that a text is a unit with a positive factor, or is refused in one line."""
     text = _text(data)
     try:
-        _, _, dimension = found = unit_of(text, "pull_off_force")
+        of_text = unit_of(text, "pull_off_force")
     except QuantityError as error:
         assert is_one_line(str(error)), text
         return
-    assert min(found[:2]) > 0, text
+    numerator, denominator, dimension = of_text
+    assert min(numerator, denominator) > 0, text
     assert len(dimension) == len(dimension_of("1")), text
-    assert convert(0.0, found) == 0, text
-    assert convert(1.0, found) >= 0, text
+    assert convert(0.0, of_text) == 0, text
+    assert convert(1.0, of_text) >= 0, text
 
 
 def materials(data: bytes) -> None:
@@ -76,11 +77,11 @@ def materials(data: bytes) -> None:
         file.write(data)
         file.flush()
         try:
-            found = read(file.name)
+            of_file = read(file.name)
         except MaterialsFileError as error:
             assert is_one_line(str(error)), data
             return
-    for material in found:
+    for material in of_file:
         assert all(is_material_name(word) for word in (material.name, *material.aliases)), data
         assert material.title.isprintable(), data
         for name, value in material.properties.items():
@@ -88,13 +89,13 @@ def materials(data: bytes) -> None:
 
 
 def words(data: bytes) -> None:
-    """Check the invariants of a command line, whose words are separated by NUL; only the first twelve words count."""
-    check_call([_text(word) for word in data.split(b"\0")][:12])
+    """Check the invariants of a command line whose words are separated by NUL; only the first twelve words count."""
+    check_call([_text(word) for word in data.split(b"\0")[:12]])
 
 
 def check_call(arguments: list[str]) -> int:
     """Run a command line in this process, check the invariants of all command lines, and return its exit code."""
-    code, said, err = captured(arguments)
+    code, out, err = captured(arguments)
     lines = err.splitlines()
     if "--debug" in arguments and code:  # a traceback precedes the line
         lines = lines[-1:]
@@ -109,9 +110,9 @@ def check_call(arguments: list[str]) -> int:
     assert len(errors) <= 1 or has_files, (arguments, lines)
     assert not any("this is a bug in jkroll" in line for line in errors), (arguments, lines)
     if code == JkrollError.exit_code:
-        assert said == "", arguments
+        assert out == "", arguments
         assert lines == errors or "batch" in arguments, arguments  # notes on the tables precede the errors
-    assert "\x1b" not in said, arguments
+    assert "\x1b" not in out, arguments
     return code
 
 
@@ -127,8 +128,9 @@ def kept(target: str) -> list[bytes]:
     """Return the inputs of a target in tests/corpus: the files of a folder or, for materials, entries of a table."""
     if target != "materials":
         return [path.read_bytes() for path in sorted((CORPUS / target).iterdir())]
-    files = [file for entry in MATERIALS["refused"] for file in entry["files"]]
-    files += [entry["file"] for entry in MATERIALS["read"]]
+    files = [entry["file"] for entry in MATERIALS["read"]]
+    for entry in MATERIALS["refused"]:
+        files += entry["files"]
     return [file.encode() for file in files]
 
 
@@ -151,9 +153,9 @@ def isolate(directory: str) -> None:
         os.environ.pop(name, None)
     with open(os.devnull, encoding="utf-8") as nothing:
         os.dup2(nothing.fileno(), 0)
-    place = Path(directory, "with", "in")  # ../.. stays within the directory
-    place.mkdir(parents=True)
-    os.chdir(place)
+    inner = Path(directory, "with", "in")  # ../.. stays within the directory
+    inner.mkdir(parents=True)
+    os.chdir(inner)
     for name, content in CONTENTS.items():
         Path(name).write_bytes(content)
     for name, device in DEVICES.items():

@@ -41,7 +41,7 @@ def length_unit(w: Exact, R: Exact, E: Exact) -> Exact:
 
 
 def ratio(_a: Exact, t: Exact) -> Exact:
-    """Return the edge ratio v of a state; 0 without contact."""
+    """Return the edge ratio v = 1/t of a state; 0 without contact."""
     return 1 / t
 
 
@@ -103,14 +103,16 @@ def state_energy(edge: Exact, T: Exact, l_M: Exact, U_M: Exact, lambda_: Exact) 
     a, t = edge * T / l_M, T / l_M
     b = 8 * lambda_ / (3 * pi)
     delta = a**2 - 4 * lambda_ * t / 3 if edge else t**2 / 2 - b * t - 2 / (pi * lambda_)
-    return [U_M * each for each in maugis.energy_terms(a, t, delta, lambda_)]
+    return [U_M * term for term in maugis.energy_terms(a, t, delta, lambda_)]
 
 
 def well(edge0: Exact, lambda_: Exact) -> Exact:
+    """Return the depth of the energy well over the unit of energies."""
     return -maugis.contact_energy(maugis.radius_of(1 / edge0, lambda_), 1 / edge0, lambda_)
 
 
 def sticking(lambda_: Exact) -> Exact:
+    """Return the sticking energy over the unit of energies."""
     return maugis.fold_energy(lambda_) - maugis.energy_held_at(lambda_, -2 / (pi * lambda_))
 
 
@@ -166,9 +168,8 @@ def _root(function: Callable[[Exact], Exact], low: Exact, high: Exact) -> Exact:
     for _ in range(60):
         middle = (low + high) / 2
         low, high = (middle, high) if function(digits.exp(middle)) < 0 else (low, middle)
-    return digits.exp(
-        digits.findroot(lambda each: function(digits.exp(each)), (low, high), tol=mpf(10) ** -150, verify=False)
-    )
+    ln_L = digits.findroot(lambda ln_L: function(digits.exp(ln_L)), (low, high), tol=mpf(10) ** -150, verify=False)
+    return digits.exp(ln_L)
 
 
 def sphere_last(kappa: Exact, times: int) -> Exact:

@@ -105,22 +105,22 @@ def fold(transition: Exact) -> tuple[Exact, Exact]:
     return _least(approach, transition)
 
 
-def _state(place: Exact, transition: Exact) -> tuple[Exact, Exact]:
-    t = digits.exp(place)
+def _state(position: Exact, transition: Exact) -> tuple[Exact, Exact]:
+    t = digits.exp(position)
     return radius_of(t, transition), t
 
 
-def _slope(of_state: OfState, place: Exact, transition: Exact) -> Exact:
+def _slope(of_state: OfState, position: Exact, transition: Exact) -> Exact:
     """Return the slope of a function along the curve, to two thirds of the digits that cancellation leaves."""
     step = mpf(10) ** (-digits.dps // 3)
-    before, after = (of_state(*_state(place + side, transition), transition) for side in (-step, step))
+    before, after = (of_state(*_state(position + side, transition), transition) for side in (-step, step))
     return (after - before) / (2 * step)
 
 
 @cache
 def _end_of_fall(of_state: OfState, transition: Exact) -> Exact:
     """Return a position just before the end of a function's fall along the curve."""
-    return _bisect(lambda place: _slope(of_state, place, transition) < 0, mpf(digits.dps))
+    return _bisect(lambda position: _slope(of_state, position, transition) < 0, mpf(digits.dps))
 
 
 def _bisect(is_before: Callable[[Exact], bool], high: Exact) -> Exact:
@@ -136,17 +136,17 @@ def _bisect(is_before: Callable[[Exact], bool], high: Exact) -> Exact:
 
 
 def _solve(of_state: OfState, wanted: Exact, transition: Exact) -> tuple[Exact, Exact]:
-    def excess(place: Exact) -> Exact:
-        return of_state(*_state(place, transition), transition) - wanted
+    def excess(position: Exact) -> Exact:
+        return of_state(*_state(position, transition), transition) - wanted
 
-    place = _root(excess, _bisect(lambda place: excess(place) > 0, _end_of_fall(of_state, transition)))
-    assert abs(excess(place)) <= mpf(10) ** -50 * (1 + abs(wanted))
-    return _state(place, transition)
+    position = _root(excess, _bisect(lambda position: excess(position) > 0, _end_of_fall(of_state, transition)))
+    assert abs(excess(position)) <= mpf(10) ** -50 * (1 + abs(wanted))
+    return _state(position, transition)
 
 
 def _least(of_state: OfState, transition: Exact) -> tuple[Exact, Exact]:
-    place = _root(lambda place: _slope(of_state, place, transition), _end_of_fall(of_state, transition))
-    return _state(place, transition)
+    position = _root(lambda position: _slope(of_state, position, transition), _end_of_fall(of_state, transition))
+    return _state(position, transition)
 
 
 def _root(function: Callable[[Exact], Exact], start: Exact) -> Exact:

@@ -35,7 +35,7 @@ class Header(NamedTuple):
     text: str
     name: str  # the input that it means; "" if none
     factor: float  # from numbers in the column to the input in SI units
-    is_plain: bool  # ASCII, with the unit in brackets
+    is_plain: bool  # ASCII as a person types it, with the unit in brackets
     is_of_2: bool  # means sphere 2 only
     others: tuple[str, ...] = ()  # other inputs that it may mean
     share: float = 1.0  # the input over the number in the column: a radius is half of a diameter
@@ -338,21 +338,25 @@ def _terms_of_none() -> Iterator[Term]:
 
 def _camel(text: str) -> str:
     first, *others = re.split(r"[\s_-]+", text)
-    return first + "".join(word[:1].upper() + word[1:] for word in others)
+    return first + "".join(map(_capitalized, others))
+
+
+def _capitalized(text: str) -> str:
+    return text[:1].upper() + text[1:]
 
 
 _CASES: Mapping[str, Callable[[str], str]] = {
     "as it is": str,
     "small": str.lower,
-    "title": lambda text: " ".join(word[:1].upper() + word[1:] for word in text.split(" ")),
-    "first": lambda text: text[:1].upper() + text[1:],
+    "title": lambda text: " ".join(map(_capitalized, text.split(" "))),
+    "first": _capitalized,
     "capital": str.upper,
     "snake": lambda text: re.sub(r"[\s-]+", "_", text.replace("'", "").lower()),
-    "title snake": lambda text: "_".join(word[:1].upper() + word[1:] for word in text.replace("'", "").split()),
+    "title snake": lambda text: "_".join(map(_capitalized, text.replace("'", "").split())),
     "capital snake": lambda text: re.sub(r"[\s-]+", "_", text.upper()),
     "kebab": lambda text: re.sub(r"\s+", "-", text.lower()),
     "camel": lambda text: _camel(text.replace("'", "").lower()),
-    "pascal": lambda text: (joined := _camel(text.replace("'", "")))[:1].upper() + joined[1:],
+    "pascal": lambda text: _capitalized(_camel(text.replace("'", ""))),
     "joined": lambda text: re.sub(r"[\s'-]+", "", text.lower()),
     "dots": lambda text: text.replace(" ", "."),
 }  # fmt: skip
@@ -388,6 +392,7 @@ def _ascii(text: str) -> str:
 
 
 def _by_janitor(text: str) -> str:
+    """Return a text as the R package janitor cleans a header."""
     parted = re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "_", _ascii(text).replace("'", ""))
     return re.sub(r"[^a-z0-9]+", "_", parted.lower()).strip("_")
 
@@ -546,8 +551,10 @@ def outcome(header: Header) -> str:
 def advised(message: str) -> set[str]:
     """Return the inputs that a message suggests for a column."""
     columns = re.findall(r"--column '(?:[^']*)=(\w+)|--column \"(?:[^\"]*)=(\w+)", message)
-    places = re.findall(r"a column (.*?) instead of", message)
-    return {*map("".join, columns), *(name for place in places for name in re.findall(r"[a-z]\w+", place))} - {"or"}
+    names = {*map("".join, columns)}
+    for alternatives in re.findall(r"a column (.*?) instead of", message):
+        names.update(re.findall(r"[a-z]\w+", alternatives))
+    return names - {"or"}
 
 
 def counts(headers: Iterable[Header]) -> Counter[str]:

@@ -1,9 +1,9 @@
-"""Random questions about rows, as texts: any command, law, materials, pair, state, energy and uncertainty."""
+"""Questions about rows, as texts: written out, or random in command, law, solids, pair, state, energy, uncertainty."""
 
 import math
 import shlex
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from itertools import product
+from collections.abc import Callable, Mapping, Sequence
+from itertools import chain, product
 from random import Random
 from typing import Any, NamedTuple
 
@@ -19,8 +19,10 @@ from jkroll.report.questions import QUESTIONS
 from scenes import log_uniform
 
 MATERIALS = ["quartz", "iron", "gold", "PS", "graphite", "silica-dry", "silica-humid", "ice-warm", "ice-cold"]
-SPHERES = ("material", "material2")
+SOLIDS = ("material", "material2")
 NAMES = [name for name in NOMENCLATURE if formula_of(name) is not None]
+# Loads in units of P_c, or approaches in units of the depth at which a contact ends: at the end, beyond it, and where
+# δ = 0 by JKR.
 NEAR_PULL_OFF = [
     -1.0,
     -1 + 1e-15,
@@ -30,7 +32,7 @@ NEAR_PULL_OFF = [
     -1.001,
     -1.5,
     -8 / 9,
-]  # loads over P_c, or approaches over the depth at which a contact ends: at the end, beyond, and where δ = 0 by JKR
+]
 ODD_CELLS = ["abc", "-1 m", "0", "1e-9", "nan", "inf", "1e-9 kg", "1e90 m", "5±1", "3 to 4", "10%"]
 MOST_ROWS = 6
 
@@ -57,8 +59,7 @@ class Ask(NamedTuple):
 
     def rows(self) -> list[dict[str, str]]:
         """Return the texts of each row by input, in the program's order."""
-        first = [name for name in SPHERES if name in self.inputs]
-        names = first + [name for name in NOMENCLATURE if name in self.inputs and name not in first]
+        names = [name for name in dict.fromkeys((*SOLIDS, *NOMENCLATURE)) if name in self.inputs]
         return [dict(zip(names, row, strict=True)) for row in product(*(self.inputs[name] for name in names))]
 
 
@@ -66,27 +67,30 @@ def ask_of(line: str) -> Ask:
     """Return the question of a command line; in a table, a single material of sphere 2 becomes an option."""
     command, *words = shlex.split(line)
     inputs: dict[str, list[str]] = {}
-    others = {"--quantities": "", "--model": None}
+    quantities, model = "", None
     while words:
         word = words.pop(0)
-        if word in others:
-            others[word] = words.pop(0)
+        if word == "--quantities":
+            quantities = words.pop(0)
+        elif word == "--model":
+            model = words.pop(0)
+        elif word in _INPUT_OF_OPTION:
+            inputs[_INPUT_OF_OPTION[word]] = words.pop(0).split(",")
         else:
-            name = _OF_OPTION.get(word) or ("radius" if word[0].isdigit() else "material")
-            inputs[name] = (words.pop(0) if word in _OF_OPTION else word).split(",")
-    options = [name for name in SPHERES[1:] if len(inputs.get(name, ())) == 1]
-    return Ask(command, inputs, others["--quantities"] or "", others["--model"], options)
+            inputs["radius" if word[0].isdigit() else "material"] = word.split(",")
+    options = ["material2"] if len(inputs.get("material2", ())) == 1 else []
+    return Ask(command, inputs, quantities, model, options)
 
 
-_OF_OPTION = {quantity.option: name for name, quantity in NOMENCLATURE.items() if quantity.option}
+_INPUT_OF_OPTION = {quantity.option: name for name, quantity in NOMENCLATURE.items() if quantity.option}
 
 
 class Sheet(NamedTuple):
     """A table, and the options with which it is read."""
 
     columns: Sequence[str]
-    rows: Sequence[Mapping[str, str]]  # missing cells are empty
-    options: Sequence[str]
+    rows: Sequence[Mapping[str, str]]  # by column; missing cells are empty
+    options: Sequence[str]  # with their values, as words of a command line
 
     def text(self) -> str:
         """Return the table as CSV."""
@@ -97,36 +101,41 @@ class Sheet(NamedTuple):
 
 def sheet_of(ask: Ask) -> Sheet:
     """Return a table that asks a question: the same rows, with some inputs as options."""
-    fixed = [word for name in ask.options for word in (NOMENCLATURE[name].option or f"--{name}", ask.inputs[name][0])]
+    options = []
+    for name in ask.options:
+        options += [NOMENCLATURE[name].option or f"--{name}", ask.inputs[name][0]]
     columns = [name for name in ask.inputs if name not in ask.options]
-    return Sheet(columns, ask.rows(), [*fixed, *ask.law(), "--quantities", ask.quantities or ask.command])
+    return Sheet(columns, ask.rows(), [*options, *ask.law(), "--quantities", ask.quantities or ask.command])
 
 
-def mixed_sheet(random: Random, asks: Iterable[Ask]) -> Sheet:
+def mixed_sheet(random: Random, asks: Sequence[Ask]) -> Sheet:
     """Return a table with rows from several questions and some odd cells, by the law of the first question."""
-    rows = [dict(row) for ask in asks for row in ask.rows()]
+    rows = [*chain.from_iterable(ask.rows() for ask in asks)]
     random.shuffle(rows)
-    columns = [name for name in ("material", "material2", *NOMENCLATURE) if any(name in row for row in rows)]
-    columns = [*dict.fromkeys(columns)]
+    names = {*chain.from_iterable(rows)}
+    columns = [name for name in dict.fromkeys((*SOLIDS, *NOMENCLATURE)) if name in names]
     for row in rows:
         if row and random.random() < 0.1:
             row[random.choice([*row])] = random.choice(ODD_CELLS)
-    words = [*(["--uncertainty"] if random.random() < 0.2 else []), *(["--no-doubt"] if random.random() < 0.1 else [])]
-    first = next(iter(asks))
-    return Sheet(columns, rows, [*words, *first.law(), "--quantities", first.quantities or first.command])
+    options = []
+    if random.random() < 0.2:
+        options.append("--uncertainty")
+    if random.random() < 0.1:
+        options.append("--no-doubt")
+    first = asks[0]
+    return Sheet(columns, rows, [*options, *first.law(), "--quantities", first.quantities or first.command])
 
 
 # --- At random --------------------------------------------------------------------------------------------------------
 
 
 def any_ask(random: Random, command: str = "", model: str | None = "") -> Ask:
-    """Return a random question, with the given command and the given law if there are any."""
-    command = command or random.choice([*QUESTIONS, "contact", "moment", "report"])
+    """Return a random question. `command`, `model`: those of the question, random ones if empty."""
+    command = command or random.choice([*QUESTIONS, "contact", "moment", "report"])  # some commands are likelier
     taken = {option.name for option in COMMANDS[command].options()} | {"material", "radius"}
     model = random.choice([None, None, *MODELS]) if model == "" else model
     model = model if "model" in taken else None
-    found = _Values(random, model).inputs()
-    inputs = {name: texts for name, texts in found.items() if name in taken}
+    inputs = {name: texts for name, texts in _Values(random, model).inputs().items() if name in taken}
     quantities = ""
     if random.random() < 0.3:
         names = [name for name in random.sample(NAMES, random.randint(1, 4)) if name not in inputs]
@@ -142,11 +151,11 @@ class _Values:
 
     def __init__(self, random: Random, model: str | None) -> None:
         self.random, self.model = random, model
-        self.wider = random.choice([1.0] * 6 + [1e4, 1e4, 1e20])  # times the sizes of grains
+        self.wider = random.choice([1.0] * 6 + [1e4, 1e4, 1e20])  # factor beyond the usual sizes, at both ends
         self.kinds = random.choice([[], [], [], [], ["±"], ["±"], ["to"], ["±", "to"]])  # of uncertainties
         self.part = random.choice([0.1, 0.2, 0.2, 0.5])  # share of the values with an uncertainty
-        self.found: dict[str, tuple[str, ...]] = {}
-        self.count = 1
+        self.texts: dict[str, tuple[str, ...]] = {}  # by input
+        self.rows = 1  # the number of combinations of these texts
 
     def inputs(self) -> dict[str, tuple[str, ...]]:
         """Return the texts of the values of each input."""
@@ -161,23 +170,23 @@ class _Values:
             if self._is(often):
                 self._sizes(name, low, high)
         if self._is(often):
-            self._add("poisson_ratio", self._ratio)
+            self._add("poisson_ratio", self._poisson_ratio)
         if self._is(0.5):
             self._sphere_2(has_own_energy=energy == "surface_energy")
         self._convert()
         self._state()
         self._others()
-        return self.found
+        return self.texts
 
     def _convert(self) -> None:
         """Rename some radii to diameters and some Young's moduli to shear moduli.
 
         This draws from its own random numbers, so that all other inputs remain as they were.
         """
-        random = Random(str(self.found))
+        random = Random(str(self.texts))
         for name, other in CONVERTED.items():
-            if other in self.found and "rigid" not in self.found[other] and random.random() < 0.3:
-                self.found = {name if each == other else each: texts for each, texts in self.found.items()}
+            if other in self.texts and "rigid" not in self.texts[other] and random.random() < 0.3:
+                self.texts = {name if old == other else old: texts for old, texts in self.texts.items()}
 
     def _sphere_2(self, *, has_own_energy: bool) -> None:
         if self._is(0.3):
@@ -189,18 +198,18 @@ class _Values:
         if self._is(0.15):
             self._sizes("youngs_modulus2", 1e8, 1e12, "rigid")
         if self._is(0.15):
-            self._add("poisson_ratio2", self._ratio)
+            self._add("poisson_ratio2", self._poisson_ratio)
         if self._is(0.15):
             self._sizes("density2", 1e2, 2e4)
-        if self._is(0.1) and "youngs_modulus" in self.found:
-            self._add("youngs_modulus", lambda: "rigid", others=self.found["youngs_modulus"])
+        if self._is(0.1) and "youngs_modulus" in self.texts:
+            self._add("youngs_modulus", lambda: "rigid", others=self.texts["youngs_modulus"])
 
     def _state(self) -> None:
         """Add loads or approaches, many of them near or beyond the end of the contact."""
         kind = self.random.choice(["", "", "load", "load", "approach_at_load"])
         if not kind:
             return
-        size, least = self._held(kind)
+        size, least = self._end_of_contact(kind)
 
         def text() -> str:
             part = self.random.choice(
@@ -215,17 +224,18 @@ class _Values:
 
         self._add(kind, text)
 
-    def _held(self, kind: str) -> tuple[float, float]:
+    def _end_of_contact(self, kind: str) -> tuple[float, float]:
         """Return a unit of loads or approaches, and how far below 0 the first row's contact ends, in this unit."""
-        texts: dict[str, Any] = {name: own[0] for name, own in self.found.items() if not has_uncertainty(own[0])}
-        name, fold = ("pull_off_force", "") if kind == "load" else ("approach", "fold_approach_maugis")
+        texts: dict[str, Any] = {name: own[0] for name, own in self.texts.items() if not has_uncertainty(own[0])}
         try:
-            size = solve(name, **texts, model=self.model)
-            if kind == "load" or self.model != "maugis":
-                return size, 1.0 if kind == "load" else 0.0 if self.model == "dmt" else -FOLD_APPROACH
-            return size, -solve(fold, **texts, model=self.model) / size
+            if kind == "load":
+                return solve("pull_off_force", **texts, model=self.model), 1.0
+            approach = solve("approach", **texts, model=self.model)
+            if self.model == "maugis":
+                return approach, -solve("fold_approach_maugis", **texts, model=self.model) / approach
         except JkrollError:
             return (1e-8 if kind == "load" else 1e-10), 1.0
+        return approach, 0.0 if self.model == "dmt" else -FOLD_APPROACH
 
     def _others(self) -> None:
         for alternatives in (
@@ -241,13 +251,13 @@ class _Values:
     def _is(self, probability: float) -> bool:
         return self.random.random() < probability
 
-    def _ratio(self) -> str:
+    def _poisson_ratio(self) -> str:
         return repr(self.random.choice([0.5, -0.99, 0.3, self.random.uniform(-0.9, 0.5)]))
 
     def _sizes(self, name: str, low: float, high: float, special: str = "") -> None:
         """Add values of any size, some with few digits, some equal to those of sphere 1, and some special values."""
         low, high = low / self.wider, high * self.wider
-        first = self.found.get(name.removesuffix("2"), ())
+        first = self.texts.get(name.removesuffix("2"), ())
 
         def text() -> str:
             if name.endswith("2") and first and self._is(0.3):
@@ -262,10 +272,10 @@ class _Values:
     def _add(self, name: str, text: Callable[[], str], others: Sequence[str] = ()) -> None:
         """Add one or several values; only the last of them if there were too many rows."""
         count = self.random.choice([1, 1, 1, 1, 2, 3])
-        self.found[name] = tuple(dict.fromkeys([*others, *(text() for _ in range(count))]))
-        if self.count * len(self.found[name]) > MOST_ROWS:
-            self.found[name] = self.found[name][-1:]
-        self.count *= len(self.found[name])
+        self.texts[name] = tuple(dict.fromkeys([*others, *(text() for _ in range(count))]))
+        if self.rows * len(self.texts[name]) > MOST_ROWS:
+            self.texts[name] = self.texts[name][-1:]
+        self.rows *= len(self.texts[name])
 
     def _about_zero(self, name: str, size: float) -> str:
         """Return 0 as text, perhaps with an uncertainty up to some size."""

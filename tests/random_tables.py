@@ -33,14 +33,16 @@ def read_rows(name: str) -> list[dict[str, Any]]:
     if end == "parquet":
         import pyarrow.parquet
 
-        found: list[dict[str, Any]] = pyarrow.parquet.read_table(name).to_pylist()
-        return found
+        rows: list[dict[str, Any]] = pyarrow.parquet.read_table(name).to_pylist()
+        return rows
     lines = Path(name).read_text(encoding="utf-8").splitlines(keepends=True)
-    return [json.loads(line) for line in lines] if end == "ndjson" else [*csv.DictReader(lines, delimiter=_MARKS[end])]
+    if end == "ndjson":
+        return [json.loads(line) for line in lines]
+    return [*csv.DictReader(lines, delimiter=_MARKS[end])]
 
 
 def random_table(size: int, seed: int) -> str:
-    """Return a CSV table of random grains, with empty cells, planes and a load far beyond pull-off."""
+    """Return a CSV table of random grains, with empty cells, planes and loads far beyond pull-off."""
     import random
 
     draw = random.Random(seed)

@@ -155,10 +155,9 @@ def formula_error(formula: str, arguments: Mapping[str, float], value: float) ->
     if formula in OF_A_RATIO:
         arguments = {"approach_at_load": arguments["approach_at_load"] / arguments["approach"], "approach": 1.0}
     if formula in MEASURED:
-        root = MEASURED[formula]
-        wanted = root(exact(formula, arguments))
-        nearest = float(wanted)
-        return float(abs(root(mpf(value)) - wanted)) / math.ulp(nearest)
+        variable_of = MEASURED[formula]
+        wanted = variable_of(exact(formula, arguments))
+        return float(abs(variable_of(mpf(value)) - wanted)) / math.ulp(float(wanted))
     error = ulp_error(value, exact(formula, arguments), of=scale(formula, arguments))
     return error / (1 + condition(formula, arguments))
 
@@ -265,9 +264,8 @@ def _given_way(T_peel: Exact, T_over_slide: Exact, s: Exact) -> Exact:
     if T_over_slide <= 1:
         return T_peel
 
-    def excess(
-        angle: Exact,
-    ) -> Exact:  # T over the strength of the remaining area, relative to that of the peeled contact
+    def excess(angle: Exact) -> Exact:
+        """Return how far T exceeds the strength of the remaining area, over that of the area at peeling."""
         left = (1 + s**2 + 2 * s * digits.cos(angle)) / (1 + s**2)
         return T_over_slide * digits.sin(angle) - cbrt(left) ** 2
 
@@ -287,7 +285,7 @@ def _root_below(start: Exact, function: Callable[[Exact], Exact], slope: Callabl
 
 def _gained(y: Exact) -> Exact:
     """Return the energy from first touch to √â = y, in P_cδ0."""
-    return released(JUMP_IN_ROOT, y) * -1
+    return -released(JUMP_IN_ROOT, y)
 
 
 def _pressure_in_units(y: Exact) -> Exact:

@@ -12,12 +12,12 @@ from jkroll.quantities.laws import LAWS
 from jkroll.quantities.nomenclature import DEFAULTS, NOMENCLATURE
 from jkroll.quantities.values import parse_quantity
 
-Frame = dict[str, Any]  # SI numbers by name
+Scene = dict[str, Any]  # SI numbers by name
 
-QUARTZ: Frame = {
+QUARTZ: Scene = {
     "radius": 1e-7, "surface_energy": 0.025, "youngs_modulus": 54e9, "poisson_ratio": 0.17, "density": 2600.0
 }  # fmt: skip
-OTHER: Frame = {
+OTHER: Scene = {
     "radius2": 3.7e-6, "surface_energy2": 3.0, "youngs_modulus2": 210e9, "poisson_ratio2": 0.27, "density2": 7700.0
 }  # fmt: skip
 
@@ -45,7 +45,7 @@ def _inputs_of_every_scene() -> list[str]:
     ]
 
 
-def any_sphere(random: Random) -> Frame:
+def any_sphere(random: Random) -> Scene:
     """Return a sphere of any size and material."""
     return {
         "radius": log_uniform(random, 1e-12, 1e3),
@@ -56,8 +56,8 @@ def any_sphere(random: Random) -> Frame:
     }
 
 
-def any_scene(random: Random) -> Frame:
-    """Return two spheres or a sphere on a plane, where body 2 may be rigid, in any state, with any energy."""
+def any_scene(random: Random) -> Scene:
+    """Return two spheres or a sphere on a plane, where body 2 may be rigid, in any state, with any other inputs."""
     scene = any_sphere(random)
     kind = random.choice(["identical", "unequal", "unequal", "similar", "plane", "rigid", "rigid plane"])
     if kind != "identical":
@@ -93,7 +93,7 @@ def _any_ratio(random: Random) -> float:
     return random.choice([random.uniform(-0.8, 1), log_uniform(random, 1e-18, 1e6), -log_uniform(random, 1e-18, 0.8)])
 
 
-def random_scenes(count: int, seed: int) -> Iterator[Frame]:
+def random_scenes(count: int, seed: int) -> Iterator[Scene]:
     """Iterate over scenes of any kind."""
     random = Random(seed)
     return (any_scene(random) for _ in range(count))
@@ -106,20 +106,22 @@ def steps_from(value: float, *counts: float) -> list[float]:
 
 def hard_loads(force: float) -> Iterator[float]:
     """Iterate over loads near −P_c, near −8/9 P_c (where the approach is 0), and of any magnitude."""
-    yield from (
-        -force + count * math.ulp(force) for count in (0, 1, 2, 3, 10, *(10.0**power for power in range(2, 16)))
-    )
-    yield from steps_from(-8 * (force / 9), 1, 2, 10, *(10.0**power for power in range(2, 15)))
-    yield from (ratio * force for power in range(-24, 25, 4) for ratio in (10.0**power, -(10.0**power)) if ratio >= -1)
+    powers = [10.0**power for power in range(2, 16)]
+    yield from (-force + count * math.ulp(force) for count in (0, 1, 2, 3, 10, *powers))
+    yield from steps_from(-8 * (force / 9), 1, 2, 10, *powers[:-1])
+    ratios = [10.0**power for power in range(-24, 25, 4)]
+    yield from (ratio * force for ratio in ratios)
+    yield from (-ratio * force for ratio in ratios if ratio <= 1)
 
 
 def hard_approaches(approach: float, fold: float) -> Iterator[float]:
-    """Iterate over approaches near the fold, 0, equilibrium and the border of two formulas, and of any magnitude."""
+    """Iterate over approaches near the fold, 0, δ0 and the borders between formulas, and of any magnitude."""
     yield from (approach * (fold + 10.0**power) for power in range(-14, 0))
-    meeting = (0.5 / 6 ** (1 / 3) + fold, 3 / 6 ** (1 / 3) + fold)
-    yield from (approach * ratio for middle in (1.0, *meeting) for ratio in steps_from(middle, 1, 1e3, 1e6, 1e9))
-    yield from (sign * approach * 10.0**power for power in range(-24, 0, 4) for sign in (1, -1))
-    yield from (approach * 10.0**power for power in range(0, 25, 4))
+    borders = (0.5 / 6 ** (1 / 3) + fold, 3 / 6 ** (1 / 3) + fold)
+    for middle in (1.0, *borders):
+        yield from (approach * ratio for ratio in steps_from(middle, 1, 1e3, 1e6, 1e9))
+    yield from (approach * 10.0**power for power in range(-24, 25, 4))
+    yield from (-approach * 10.0**power for power in range(-24, 0, 4))
 
 
 ENDS: dict[str, tuple[float, ...]] = {
@@ -133,31 +135,32 @@ ENDS: dict[str, tuple[float, ...]] = {
 OF_HARD_SCENES = {*QUARTZ, *OTHER, *ENDS, *DEFAULTS, "load", "approach_at_load"}  # inputs of hard scenes
 
 
-def hard_scenes(fold: float) -> Iterator[Frame]:
-    """Iterate over scenes in hard states, and over scenes with an input at the end of its range."""
+def hard_scenes(fold: float) -> Iterator[Scene]:
+    """Iterate over scenes in hard states, with an input at the end of its range, or with two radii at their ends."""
     for scene in (QUARTZ, QUARTZ | OTHER):
         force, approach = solve(["pull_off_force", "approach"], **scene).values()
         yield from ({**scene, "load": load} for load in hard_loads(force))
-        yield from ({**scene, "approach_at_load": each} for each in hard_approaches(approach, fold))
-    yield from ({**QUARTZ, **OTHER, name: value} for name, values in ENDS.items() for value in values)
+        yield from ({**scene, "approach_at_load": hard} for hard in hard_approaches(approach, fold))
+    for name, ends in ENDS.items():
+        yield from ({**QUARTZ, **OTHER, name: end} for end in ends)
     for radius, radius2 in ((1e-12, 1e3), (1e3, 1e-12), (1e-12, 1e-12), (1e3, math.inf)):
         yield {**QUARTZ, **OTHER, "radius": radius, "radius2": radius2}
 
 
-def strip_contacts(count: int) -> list[Frame]:
+def strip_contacts(count: int) -> list[Scene]:
     """Return strip contacts of any size, shift and load, always the same."""
     random = Random(1995)
     return [_strip_contact(random) for _ in range(count)]
 
 
-def _strip_contact(random: Random) -> Frame:
+def _strip_contact(random: Random) -> Scene:
     radius = log_uniform(random, 1e-9, 1e3)
     half_width = radius * log_uniform(random, 1e-6, 0.3)
-    place = random.choice([-1, 1]) * half_width * random.choice([random.random(), 1 - log_uniform(random, 1e-14, 1)])
+    position = random.choice([-1, 1]) * half_width * random.choice([random.random(), 1 - log_uniform(random, 1e-14, 1)])
     shares = [random.uniform(-2, 1), 1 - log_uniform(random, 1e-15, 1), log_uniform(random, 1e-9, 1e9)]
     constant = half_width**2 / 2 * random.choice(shares)
     return {
-        "position_in_strip": place, "contact_half_width": half_width, "load_constant": constant,
+        "position_in_strip": position, "contact_half_width": half_width, "load_constant": constant,
         "cylinder_radius": radius, "yield_displacement": half_width * log_uniform(random, 1e-9, 1),
         "plane_strain_modulus": log_uniform(random, 1e5, 1e13),
         "work_of_adhesion": log_uniform(random, 1e-6, 1e2),

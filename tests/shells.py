@@ -68,14 +68,11 @@ class Shell:
         os.waitpid(self.process, 0)
 
     def _wait_for(self, path: Path) -> None:
+        """Read what the shell writes until a file exists; raise TimeoutError after PATIENCE seconds."""
         deadline = time.monotonic() + PATIENCE
         while not path.exists():
             if time.monotonic() > deadline:
                 raise TimeoutError(self.screen.decode("utf-8", "replace"))
-            self._read(0.02)
-
-    def _read(self, patience: float) -> bool:
-        ready, _, _ = select.select([self.terminal], [], [], patience)
-        if ready:
-            self.screen += os.read(self.terminal, 65536)
-        return bool(ready)
+            ready, _, _ = select.select([self.terminal], [], [], 0.02)
+            if ready:
+                self.screen += os.read(self.terminal, 65536)

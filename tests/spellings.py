@@ -72,7 +72,7 @@ MANGLINGS: Mapping[str, Callable[[str], str]] = {
 
 
 class Spelling(NamedTuple):
-    """A header, its input, its unit in SI units, whether it may pass as a bare symbol, and how it is mangled."""
+    """A header, its input, the factor of its unit, whether it may pass as a bare symbol, and how it is mangled."""
 
     text: str
     name: str
@@ -101,8 +101,8 @@ def spellings() -> Iterator[Spelling]:
     seen: set[str] = set()
     for name in INPUTS:
         units = UNITS.get(NOMENCLATURE[name].unit, [])  # a ratio has no units
-        for place, (word, is_symbol) in enumerate(words_of(name) if units else ()):
-            unit, factor = units[place % len(units)]
+        for index, (word, is_symbol) in enumerate(words_of(name) if units else ()):
+            unit, factor = units[index % len(units)]
             for notation in NOTATIONS:
                 for how, mangled in MANGLINGS.items():
                     text = mangled(notation.format(word=word, unit=unit))

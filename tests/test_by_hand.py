@@ -58,6 +58,7 @@ OF_IDENTICAL_QUARTZ = approx(2.0938217872665e7, rel=1e-12)
     [
         ("100nm --radius2 200nm,100nm", ["", OF_IDENTICAL_QUARTZ]),
         ("100nm --radius2 50nm:200nm:3", ["", OF_IDENTICAL_QUARTZ, ""]),
+        ("100nm --radius2 200nm:50nm:3", ["", OF_IDENTICAL_QUARTZ, ""]),
         ("200nm,100nm --radius2 100nm", ["", OF_IDENTICAL_QUARTZ]),
         ("100nm --radius2 200nm,300nm", [None, None]),
     ],
@@ -68,6 +69,13 @@ def test_only_rows_of_identical_spheres_have_eq_41(run: Run, words: str, cells: 
     texts = [row.get("rolling_frequency_as_printed [Hz]") for row in found]
     assert [text and float(text) for text in texts] == cells
     assert all(row["rolling_frequency [Hz]"] and not row["status"] for row in found)
+
+
+@pytest.mark.parametrize(("loads", "energies"), [("0nN:1nN:2", ["", "0.025"]), ("1nN:0nN:2", ["0.025", ""])])
+def test_a_range_of_loads_has_a_column_for_an_input_of_some_rows(run: Run, loads: str, energies: list[str]) -> None:
+    """√(1 + P/P_c) is 1 without a load, whatever γ is."""
+    found = rows(run(f"contact quartz 10nm --load {loads} --quantities load_margin --csv").out)
+    assert [row["surface_energy [J/m^2]"] for row in found] == energies
 
 
 def test_a_reduced_radius_excludes_the_radius_of_sphere_2() -> None:

@@ -130,7 +130,6 @@ def test_a_shear_modulus_needs_poissons_ratio() -> None:
 
 
 def test_youngs_modulus_of_a_material_does_not_replace_a_given_shear_modulus() -> None:
-    """Without Poisson's ratio, E of the material must not replace the given shear modulus."""
     quartz = known_materials()["quartz"]
     bare = quartz._replace(properties={"surface_energy": GAMMA, "youngs_modulus": 54e9})
     scene = Frame({"radius": 1e-7, "shear_modulus": 30e9}, bare)

@@ -16,21 +16,12 @@ from scenes import QUARTZ
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (
-            "quartz 100nm",
-            "slides or peels off at 9.4–22 nN",
-        ),
-        (
-            "quartz 1um",
-            "slides or peels off at 180–220 nN",
-        ),
+        ("quartz 100nm", "slides or peels off at 9.4–22 nN"),
+        ("quartz 1um", "slides or peels off at 180–220 nN"),
         ("quartz 1um --shear-strength 10MPa", "if it cannot roll, it slides at"),
         ("quartz 100nm --xi 1nm", "a pushed sphere rolls first"),
         # πa0²τ, a0 = 3.991 nm · 10^(2/3), which is less than the 0.7 nN at which SiO2 rolled
-        (
-            "quartz 1um --shear-strength 0.4MPa",
-            "since it slides at 430 pN",
-        ),
+        ("quartz 1um --shear-strength 0.4MPa", "since it slides at 430 pN"),
         ("quartz 100nm --shear-strength 584.5MPa", "at 22 nN"),  # the whole area slides at 29.2 nN
         ("steel-304 1mm --load 5kN", "its adhesion alone peels off at 1.3–1.8 N"),  # the load still holds it
     ],
@@ -46,8 +37,8 @@ def test_the_turns_after_an_impact_are_the_first_row_for_a_given_speed(run: Run)
     assert names == ["n_roll_after_impact", "n_roll", "n_roll_energy_balance"]
     shown = run("n-roll quartz 1um --speed 5cm/s", terminal=True).out
     rows = ("turns after hitting a body", "turns while it slides", "turns without slip")
-    places = [shown.index(f"\n{row} ") for row in rows]
-    assert places == sorted(places)
+    positions = [shown.index(f"\n{row} ") for row in rows]
+    assert positions == sorted(positions)
     assert "body held" not in run("n-roll quartz 1um --energy 1aJ", terminal=True).out
 
 
@@ -133,7 +124,11 @@ def test_sources_of_aggregates_are_cited(run: Run) -> None:
 def test_softer_grains_keep_a_quantity_and_the_yield_moment(
     power: float, step: float, slide: float, slide_at_strength: float, kept: str
 ) -> None:
-    """The recipes of `guide dem`: with E·q, γ·q^power and ξ·q^−power, a quantity and the yield moment stay the same."""
+    """The recipes of `guide dem`: with E·q, γ·q^power and ξ·q^−power, a quantity and the yield moment stay the same.
+
+    `step`, `slide`, `slide_at_strength`: the powers of q by which the time step, the force that slides, and this force
+    at a fixed shear strength change.
+    """
     q, xi = 0.01, 2e-10
     names = [kept, "yield_moment", "sliding_frequency", "sliding_force"]
     before = solve(names, **QUARTZ, xi=xi)

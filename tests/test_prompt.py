@@ -21,8 +21,8 @@ import pytest
 from browser import CHROMIUM, DRIVER, Browser, browser, served
 from doors import call_of
 from jkroll.cli.draw import map_request
+from jkroll.pictures.maps import picture_of
 from jkroll.pictures.picture import Axis, Curve, Mark, Panel, Picture
-from jkroll.pictures.request import picture_of
 from terminal import script, without_colours
 from transcripts import CURVE, TABLE, rounded
 
@@ -242,8 +242,8 @@ def test_a_map_has_hatches_best_ranges_and_the_edge_of_a_part_without_values() -
         "eh > 0.01: contact too wide for the formulas",
     ]
     assert keys[4:7] == [
-        "contours: JKR; bands: where the best range includes their",
-        "value, by the rule “Maugis”",
+        "contours: JKR; bands: where they may lie (best ranges by",
+        "the rule “Maugis”)",
         "no value: beyond pull-off",
     ]
 

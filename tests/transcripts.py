@@ -58,7 +58,7 @@ def transcript(command: str) -> str:
     assert program == "jkroll"
     stream, is_table = Stream(terminal=True), words[:1] == ["batch"]
     # A progress bar, which appears on a slow machine, is not part of the text.
-    without_bar = mock.patch("jkroll.tables.run.WAIT", inf) if is_table else nullcontext()
+    without_bar = mock.patch("jkroll.tables.progress.WAIT", inf) if is_table else nullcontext()
     with redirect_stdout(stream), redirect_stderr(stream), without_bar:
         main(words)
     lines = [line.rstrip() for line in stream.text().splitlines()]

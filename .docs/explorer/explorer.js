@@ -148,8 +148,8 @@ function numbers() {
     output.title = quantity;
     const isNone = best === "–" && value === "–";
     output.classList.toggle("none", isNone);
-    const plain = isNone ? reason : `${by} · plain ${law} ${value}`;
-    output.replaceChildren(symbol(sign), " ", element("b", isNone ? "–" : best === "–" ? value : best), element("small", plain));
+    const below = isNone ? reason : `${by} · ${law} alone ${value}`;
+    output.replaceChildren(symbol(sign), " ", element("b", isNone ? "–" : best === "–" ? value : best), element("small", below));
   }
   const reasons = found.doubts.map(({ text, ends }) => {
     const signs = ends.map((name) => found.results[name]?.symbol ?? name).join(", ");
@@ -173,7 +173,7 @@ function arrow(x1, y1, x2, y2, kind) {
   return `<path class="l ${kind}" d="M${x1},${y1}L${x2},${y2}M${tip[0]}L${x2},${y2}L${tip[1]}"/>`;
 }
 
-function ball(x, y, radius, side, half, sunk) { // side: 1 above the contact, -1 below; half: half its width
+function ball(x, y, radius, side, half, sunk) { // side: 1 above the contact, -1 below; half: half the contact's width
   const far = Math.min(half * 1.3 + 9, radius * 0.93);
   const rise = Math.max(radius - sunk - Math.sqrt(radius ** 2 - far ** 2), 0);
   const tip = y - side * rise;
@@ -190,7 +190,7 @@ function ball(x, y, radius, side, half, sunk) { // side: 1 above the contact, -1
 function sketch() {
   const { contact_radius_at_load: a, approach_at_load: d, pull_off_force: pull, yield_force: roll, reduced_radius: r } = found.results;
   const { radius, radius2 } = found.inputs;
-  const [xi, load] = ["xi", "load"].map((name) => found.inputs[name] ?? { value: 0, text: "0" }); // what enters no result
+  const [xi, load] = ["xi", "load"].map((name) => found.inputs[name] ?? { value: 0, text: "0" }); // absent if no result needs it
   const isPlane = radius2?.value == null;
   const [x, y] = [190, isPlane ? 190 : 150];
   const ratio = isPlane ? 1 : radius2.value / radius.value;
@@ -227,7 +227,7 @@ function sketch() {
 const [LEFT, RIGHT, TOP, BOTTOM] = [64, 620, 12, 196];
 const scale = ([low, high], from, to) => (value) => from + ((value - low) / (high - low)) * (to - from);
 const range = (values) => [Math.min(...values), Math.max(...values)];
-let stable; // the states that a load holds, and where they are drawn, for dragging
+let stable; // the points of the stable branch for dragging: x on the screen, and load
 
 function drawCurve(lines) {
   const { pull_off_force: pull, approach_at_load: d } = found.results;

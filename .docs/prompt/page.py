@@ -1,13 +1,12 @@
-"""Draw pictures as SVG, in place of the program's module of this name, which needs matplotlib: the prompt lacks it.
+"""Draw pictures as SVG in the prompt, in place of `jkroll.pictures.page`: the prompt lacks matplotlib.
 
-It draws axes, curves with their bands, contours, limits and best ranges of maps, marks and sketches; the names of lines
-are in the legend only.
+The names of limits are in the legend only.
 """
 
 from collections.abc import Iterator, Sequence
 from itertools import cycle, pairwise
 from math import ceil, floor, isfinite, log10
-from re import sub
+from re import Match, sub
 from textwrap import wrap
 from typing import Any, NamedTuple
 from xml.sax.saxutils import escape
@@ -30,29 +29,31 @@ from jkroll.pictures.picture import (
     is_flat,
     one_further,
     over,
-    shown_values,
 )
+from jkroll.pictures.picture_as_text import shown_values
 from jkroll.quantities.markup import plain
 from jkroll.quantities.units import RAISED
 from jkroll.text import NO_BREAK_SPACE, with_units_joined
 
 WIDTH, HEIGHT = 330, 250  # of axes
-LEFT, RIGHT, TOP, BOTTOM = 88, 22, 30, 44  # around them
+LEFT, RIGHT, TOP, BOTTOM = 88, 22, 30, 44  # margins around the axes
 LINE = 15  # height of a line of text
 LETTER = 6.0  # width of a letter, on average
+LEGEND_LETTERS = 58  # largest number of letters in a line of a legend
 SLOPE = 0.87  # height of a sloping text above the axes, over its length
-COLUMNS = 2  # panels in a row, at most
+COLUMNS = 2  # largest number of panels in a row
 DASHES = ("", "7 3", "7 3 2 3", "2 3", "7 3 2 3 2 3", "12 4")
-DOTS = "1 2"  # in place of points
-TICKS, CONTOURS = 5, 9  # at most
-THIN, THICK = 0.9, 1.5  # contours
+DOTS = "1 2"  # dashes of a line that stands for measured points
+TICKS, CONTOURS = 5, 9  # largest numbers: of ticks on an axis, of contours on a map
+THIN, THICK = 0.9, 1.5  # widths of contours
 MESH, FINE = 121, 401  # points along each side of a map: for its values, and to find the edge of a part without values
 COARSE = 41  # points along each side for best ranges, if inputs have error bars
-FARTHEST = 20.0  # least distance of an infinite end of a best range from every contour
-# The lines of a hatch in a square of size 1; the more often its sign is repeated, the smaller the square is drawn.
+FARTHEST = 20.0  # an infinite end of a best range is drawn at least this far from every contour
+FAR_OUTSIDE = 9e3  # largest coordinate of a line that leaves the axes
+# The lines of a hatch in a square of size 1, by its sign; the more often the sign is repeated, the smaller the square.
 HATCHES = {"|": "M.5,0v1", "-": "M0,.5h1", "/": "M-.5,.5l1,-1M0,1l1,-1M.5,1.5l1,-1", ".": "M.5,.5h0"}
-ASIDE = 20  # cost of a distance of a text from its contour, over that of one from the middle of the axes
 HATCH = 20  # size of the square of a sign that is not repeated
+ASIDE = 20  # cost of a distance from the contour, over that of a distance from the middle of the axes
 
 _Point = tuple[float, float]
 
@@ -75,10 +76,10 @@ def draw(
             x = column * (LEFT + WIDTH + RIGHT) + LEFT
             body.append(f'<g transform="translate({x},{y + top})">{"".join(drawing.parts())}</g>')
         y += top + max(drawing.height for drawing in row) + LINE
-    said = [line for text in (" ".join(drawn.caption), *drawn.doubts) for line in _wrapped(text, int(width / LETTER))]
-    for line in said if has_caption else ():
-        y += LINE
-        body.append(_text(8, y, line))
+    for text in (" ".join(drawn.caption), *drawn.doubts) if has_caption else ():
+        for line in _wrapped(text, int(width / LETTER)):
+            y += LINE
+            body.append(_text(8, y, line))
     title = plain(drawn.title or "; ".join(panel.title for panel in drawn.panels) or "picture")
     about = f"<title>{escape(title)}</title><desc>{escape(plain(' '.join(drawn.caption)))} {escape(command)}</desc>"
     size = f'viewBox="0 0 {width} {y + LINE}" width="{width}" height="{y + LINE}"'
@@ -89,7 +90,7 @@ def draw(
 
 
 class _Key(NamedTuple):
-    """A text of a legend, and the attributes of the line, the box or the line on a box before it."""
+    """A text of a legend, and the SVG attributes of the line and the box before it; empty without a line or a box."""
 
     text: str
     line: str = ""
@@ -109,14 +110,17 @@ class _Axes:
         spans = [axis.high - axis.low for axis in (panel.x, panel.y)]
         self.high = round(WIDTH * spans[1] / spans[0]) if panel.is_true_to_scale else HEIGHT
         self.keys: dict[str, _Key] = {}
-        self.taken: list[tuple[float, float, float]] = []  # middle and half the width of the texts inside
+        self.taken: list[tuple[float, float, float]] = []  # of each text inside: x and y of its middle, half its width
         self.marks = [*self._marks()]
         self.texts: list[str] = []  # of contours
         on_top = [len(plain(mark.text)) for mark in panel.marks if mark.y is None]
         self.top = TOP + SLOPE * LETTER * max(on_top, default=0)
         self.inner = [*(self._field(panel.field) if panel.field else self._curves()), *self._arrows()]
-        self.lines = [(n, key, line) for key in self.keys.values() for n, line in enumerate(_wrapped(key.text, 58))]
-        self.height = self.high + BOTTOM + LINE * len(self.lines)
+        self.legend: list[tuple[_Key | None, str]] = []  # the lines of all texts, the first of each with its key
+        for key in self.keys.values():
+            for number, line in enumerate(_wrapped(key.text, LEGEND_LETTERS)):
+                self.legend.append((key if number == 0 else None, line))
+        self.height = self.high + BOTTOM + LINE * len(self.legend)
 
     def parts(self) -> Iterator[str]:
         """Iterate over the parts of the panel: the content of the axes, ticks, marks, legend."""
@@ -127,20 +131,22 @@ class _Axes:
             yield f'<rect width="{WIDTH}" height="{self.high}" fill="none" stroke="{self.style.ink}"/>'
             yield from self._ticks()
         yield from (*self.texts, *self.marks)
-        for number, (position, key, line) in enumerate(self.lines):
+        for number, (key, line) in enumerate(self.legend):
             y = self.high + BOTTOM + LINE * (number + 0.5)
-            yield (key.drawn(y) if position == 0 else "") + _text(32, y, line)
+            yield (key.drawn(y) if key is not None else "") + _text(32, y, line)
 
     def place(self, x: Any, y: Any) -> tuple[Any, Any]:
         """Return the positions on the picture of values on both axes."""
         return WIDTH * _share(self.panel.x, x), self.high * (1 - _share(self.panel.y, y))
 
     def _path(self, x: Any, y: Any) -> str:
+        """Return the line through points as path data, with a gap where a point has no place."""
         parts, pen = [], "M"
         for point in zip(*self.place(numpy.asarray(x), numpy.asarray(y)), strict=True):
             is_known = all(map(isfinite, point))
             if is_known:
-                parts.append(f"{pen}{min(max(point[0], -9e3), 9e3):.1f},{min(max(point[1], -9e3), 9e3):.1f}")
+                across, down = numpy.clip(point, -FAR_OUTSIDE, FAR_OUTSIDE)
+                parts.append(f"{pen}{across:.1f},{down:.1f}")
             pen = "L" if is_known else "M"
         return "".join(parts)
 
@@ -188,7 +194,7 @@ class _Axes:
         levels = [] if is_flat(field.values) else _round_values(ends, CONTOURS)
         heights = [float(scaled(level)) for level in levels]
         bounds = [numpy.nanmin(around) - 1, *heights, numpy.nanmax(around) + 1]
-        for colour, (low, high) in zip(_between(self.style.bands, len(bounds) - 1), pairwise(bounds), strict=True):
+        for colour, (low, high) in zip(_between(self.style.scale, len(bounds) - 1), pairwise(bounds), strict=True):
             inside = numpy.minimum(around - low, high - around)
             yield self._area(inside, f'fill="{colour}" shape-rendering="crispEdges"')
         regions = [*self._regions(field, known, over(field.frame, x, y))]
@@ -214,7 +220,7 @@ class _Axes:
             yield self._contour(missing, 0.0, edge)
 
     def _regions(self, field: Field, known: Any, here: Any) -> Iterator[str]:
-        """Draw the regions beyond limits of the model: hatched, or bounded by a line."""
+        """Iterate over the regions beyond limits of the model as SVG: hatched, or bounded by a line."""
         dashes = cycle(DASHES[1:])
         for number, region in enumerate(field.regions):
             excess = one_further(numpy.where(known, region.excess(here), numpy.nan))
@@ -233,7 +239,10 @@ class _Axes:
                 yield self._contour(excess, 0.0, look)
 
     def _best(self, field: Field, heights: list[float], scaled: Any) -> tuple[int, list[str]]:
-        """Return n if every n-th contour has a band, where the best range includes its value; and the bands as SVG."""
+        """Return n if every n-th contour has a band, and the bands as SVG: where the best range includes its value.
+
+        Without bands, n is 1.
+        """
         size = COARSE if field.frame.uncertainties else MESH
         here = over(field.frame, *(axis._replace(size=size) for axis in (self.panel.x, self.panel.y)))
         best = band_of(here, field.quantity, (size, size))
@@ -248,12 +257,15 @@ class _Axes:
             return 1, []
         pale, edge = f'fill="{self.style.paper}" opacity="0.55"', _stroke(self.style.hatch, "", 0.5)
         drawn = []
-        for excess, height in [*zip(inside, heights, strict=True)][step // 2 :: step]:
+        with_band = slice(step // 2, None, step)
+        for excess, height in zip(inside[with_band], heights[with_band], strict=True):
             drawn.append(self._area(excess, pale))
             for end in (low, high):
                 drawn.append(self._contour(numpy.where(abs(end) < far, end, numpy.nan), height, edge))
         line = _stroke(self.style.ink, "", THIN if step == 1 else THICK)
-        self.keys["best"] = _Key(best.key(step, field.frame.law.short), line, f'fill="{self.style.paper}" {edge}')
+        self.keys["best"] = _Key(
+            best.key_of_map(step, field.frame.law.short), line, f'fill="{self.style.paper}" {edge}'
+        )
         return step, drawn
 
     def _area(self, values: Any, look: str) -> str:
@@ -277,7 +289,8 @@ class _Axes:
 
     def _label(self, values: Any, level: float, text: str) -> None:
         """Write a text on the lines along which values are at a level, at a free place near the middle of the axes."""
-        if not (lines := self._lines(values, level)):
+        lines = self._lines(values, level)
+        if not lines:
             return
         points, half = numpy.concatenate(lines), LETTER * len(text) / 2
         places = points.clip((half + 4, LINE), (WIDTH - half - 4, self.high - LINE / 2))
@@ -289,8 +302,11 @@ class _Axes:
                 return
 
     def _is_free(self, x: float, y: float, half: float) -> bool:
-        """Return whether a text is clear of the others; `half`: its width on each side of the point."""
-        return all(abs(x - other[0]) > half + other[2] + 2 or abs(y - other[1]) > LINE for other in self.taken)
+        """Return whether a text is clear of the others; `half`: half its width."""
+        return all(
+            abs(x - other_x) > half + other_half + 2 or abs(y - other_y) > LINE
+            for other_x, other_y, other_half in self.taken
+        )
 
     def _ticks(self) -> Iterator[str]:
         ink = f'stroke="{self.style.ink}"'
@@ -311,7 +327,7 @@ class _Axes:
             yield f'<g transform="{place}">{_text(0, 0, title, "middle")}</g>'
 
     def _marks(self) -> Iterator[str]:
-        """Draw the marks with their texts: above the axes, or next to a point, clear of other points and texts."""
+        """Iterate over the marks as SVG, each with its text above the axes, or next to its point at a free place."""
         ends = self.panel.x.low, self.panel.y.high
         points = [
             self.place(*((end if at is None else at) for at, end in zip((mark.x, mark.y), ends, strict=True)))
@@ -332,7 +348,7 @@ class _Axes:
             yield _text(*place, mark.text, "middle", self._halo())
 
     def _halo(self) -> str:
-        """Return the look of a text on a map."""
+        """Return the attributes that surround a text on a map with the colour of the paper."""
         return f'stroke="{self.style.paper}" stroke-width="3" paint-order="stroke"'
 
 
@@ -352,11 +368,11 @@ def _round_values(axis: Axis, most: int) -> list[float]:
 
 
 class _Squares(NamedTuple):
-    """The squares between the points of a mesh, and where values on it are above a level."""
+    """The squares between the points of a mesh, and how many corners of each have values above a level."""
 
     values: Any
     level: float
-    above: Any
+    above: Any  # for each point, True if its value is above the level
     count: Any  # for each square, the number of corners above the level; -1 if a corner has no value
 
     def cut(self) -> Iterator[tuple[list[_Point], list[_Point]]]:
@@ -408,25 +424,27 @@ def _lines(values: Any, level: float) -> list[Any]:
             neighbours.setdefault(other, []).append(one)
     lines = []
     while neighbours:
-        ends = (each for each, others in neighbours.items() if len(others) == 1)
+        ends = (point for point, others in neighbours.items() if len(others) == 1)
         line = [next(ends, next(iter(neighbours)))]
-        after_first = neighbours[line[0]]
+        next_to_first = neighbours[line[0]]
         while others := neighbours.pop(line[-1], []):
-            line += [each for each in others if each in neighbours][:1]
-        lines.append(numpy.array(line + line[:1] * (len(line) > 2 and line[-1] in after_first)))
+            line += [point for point in others if point in neighbours][:1]
+        if len(line) > 2 and line[-1] in next_to_first:  # a closed line
+            line.append(line[0])
+        lines.append(numpy.array(line))
     return lines
 
 
 def _between(colours: Sequence[str], count: int) -> list[str]:
     """Return colours at equal distances between the first and the last of a scale."""
-    known = numpy.array([[int(each[n : n + 2], 16) for n in (1, 3, 5)] for each in colours])
-    places, every = numpy.linspace(0, len(colours) - 1, count), numpy.arange(len(colours))
-    mixed = numpy.stack([numpy.interp(places, every, part) for part in known.T], axis=1).round().astype(int)
+    known = numpy.array([[*bytes.fromhex(colour.removeprefix("#"))] for colour in colours])
+    places, of_known = numpy.linspace(0, len(colours) - 1, count), numpy.arange(len(colours))
+    mixed = numpy.stack([numpy.interp(places, of_known, part) for part in known.T], axis=1).round().astype(int)
     return [f"#{red:02x}{green:02x}{blue:02x}" for red, green, blue in mixed]
 
 
 def _pattern(name: str, hatch: str, colour: str) -> str:
-    """Return the pattern of a hatch: its sign, the denser the more often it is repeated."""
+    """Return the pattern of a hatch, which is the denser the more often its sign is repeated."""
     size = HATCH / len(hatch)
     look = f'stroke="{colour}" stroke-width="{(1.4 if hatch[0] == "." else 0.6) / size:.3g}" stroke-linecap="round"'
     place = f'width="1" height="1" patternUnits="userSpaceOnUse" patternTransform="scale({size:.3g})"'
@@ -455,13 +473,13 @@ def _text(x: float, y: float, text: str, anchor: str = "start", look: str = "") 
 
 def _formula(text: str) -> str:
     """Return an escaped formula with its letters in italics and its indices below the line."""
-    return sub(
-        r"&\w+;|([^\W\d_])(?:_([A-Za-z]+|[α-ω])|(\d+))?",
-        lambda match: (
-            f'<tspan font-style="italic">{match[1]}</tspan>{_index(match[2] or match[3])}' if match[1] else match[0]
-        ),
-        text,
-    )
+
+    def in_italics(match: Match[str]) -> str:
+        if not match[1]:  # an escaped sign
+            return match[0]
+        return f'<tspan font-style="italic">{match[1]}</tspan>{_index(match[2] or match[3])}'
+
+    return sub(r"&\w+;|([^\W\d_])(?:_([A-Za-z]+|[α-ω])|(\d+))?", in_italics, text)
 
 
 def _raised(text: str) -> str:
@@ -478,4 +496,5 @@ def _wrapped(text: str, letters: int) -> list[str]:
 
 
 def _index(text: str | None) -> str:
+    """Return an index below the line; an empty text without an index."""
     return f'<tspan dy="3" font-size="9">{text}</tspan><tspan dy="-3">\u200b</tspan>' if text else ""

@@ -31,7 +31,7 @@ form.onsubmit = (event) => {
   event.preventDefault();
   if (go.textContent === "stop") {
     stop();
-    return given.forEach((file) => ask({ file })); // to the fresh Python
+    return given.forEach((file) => ask({ file })); // the fresh Python needs the files again
   }
   const text = line.value.trim();
   hide();

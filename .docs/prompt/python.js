@@ -3,10 +3,10 @@ let worker;
 let waiting = new Map();
 let last = 0;
 const listeners = new Set();
-let news = { part: 0, name: "" }; // the newest of its start: {part, name}, {ready} or {error}
+let news = { part: 0, name: "" }; // the latest about the start of Python: {part, name}, {ready} or {error}
 
 const tell = (newest) => {
-  if (news.error) return; // what comes after it helps nobody
+  if (news.error) return; // the first error stays on the page
   news = newest;
   for (const listener of listeners) listener(news);
 };
@@ -51,7 +51,7 @@ export function listen(listener) {
   listener(news);
 }
 
-// What is said while Python starts; empty when it runs.
+// The text of the status while Python starts; empty when it runs.
 export const inWords = ({ part, name, error }) => {
   if (error) return `Python could not be started: ${error}`;
   return part < 1 ? `loading Python: ${Math.round(100 * part)} % ${name ? `(${name.split("/").pop()}) ` : ""}…` : "";
@@ -83,7 +83,7 @@ export function coloured(text) {
   return fragment;
 }
 
-// A link that saves a file which a line wrote, behind the picture that is in it.
+// A link that saves a file written by a line; for an SVG, the picture comes first.
 export function linkTo({ name, content }) {
   const link = document.createElement("a");
   Object.assign(link, { href: URL.createObjectURL(new Blob([content])), download: name, textContent: `save ${name}` });

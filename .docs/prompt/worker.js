@@ -4,18 +4,18 @@ import { loadPyodide } from "./pyodide/pyodide.mjs";
 const here = (path) => new URL(path, self.location).href;
 const send = (id, answer) => postMessage({ id, ...answer });
 
-// Every file that is fetched is counted while it comes, and named if it does not.
-const plain = self.fetch;
+// Here fetch also counts the bytes that arrive, and names a file that cannot be loaded.
+const plainFetch = self.fetch;
 let loaded = 0;
 let total = Infinity;
-let told = 0;
-let absent = "";
+let told = 0; // when progress was last sent; Infinity when Python runs
+let absent = ""; // the sentence about a file that could not be loaded
 self.fetch = async (from, options) => {
   const name = String(from.url ?? from).replace(here("./"), "");
-  const response = await plain(from, options).catch(() => ({ status: "no answer, or not the pinned file" }));
+  const response = await plainFetch(from, options).catch(() => ({ status: "no answer, or not the pinned file" }));
   if (!response.ok) {
     absent = `prompt/${name} could not be loaded (${response.status})`;
-    if (told < Infinity) postMessage({ progress: { error: absent } }); // Pyodide itself keeps silent of some
+    if (told < Infinity) postMessage({ progress: { error: absent } }); // Pyodide does not report every such file
     throw new Error(absent);
   }
   count(response.clone().body.getReader(), name);
@@ -51,7 +51,7 @@ async function begin() {
 const ready = begin();
 ready.catch((error) => absent || postMessage({ progress: { error: String(error.message ?? error) } }));
 
-// What comes when it is first needed: numpy, and what a terminal's tables take.
+// Loaded when first needed: numpy, and the packages for tables.
 const silent = () => {};
 const loadNumpy = async (python) => {
   await python.loadPackage("numpy", { messageCallback: silent, errorCallback: silent });

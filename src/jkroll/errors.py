@@ -96,7 +96,7 @@ class BadTable(JkrollError):
 class BadRow(JkrollError):
     """Error raised for the first row that fails, with `--strict` or in a measured curve.
 
-    Its arguments are the reason, and before it the line: counted from 0 in a block of rows, from 1 in the table.
+    Its arguments are the line and the reason. Lines count from 0 within a block of rows, and from 1 in a table.
     """
 
     exit_code = 1

@@ -118,7 +118,7 @@ NO_BREAK_SPACE = "\N{NO-BREAK SPACE}"
 def wrapped(text: str, width: int, indent: int = 0) -> list[str]:
     """Return a sentence as wrapped lines, indented from the second on.
 
-    No line breaks where `with_units_joined` puts a no-break space.
+    A line never ends where `with_units_joined` puts a no-break space.
 
     >>> wrapped("load 0 N", 5), wrapped("load P = 0 N", 9, 2)
     (['load', '0 N'], ['load', '  P = 0 N'])

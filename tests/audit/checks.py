@@ -92,7 +92,7 @@ def across(function: Function, a: float) -> float:
 def over_disc(function: Callable[[float, float], float], a: float) -> float:
     """Return the integral over a circle of a function of x and y that may have a factor √(a − r) or 1/√(a − r)."""
     turn = 2 * pi / _DIRECTIONS
-    angles = [(place + 0.5) * turn for place in range(_DIRECTIONS)]
+    angles = [(index + 0.5) * turn for index in range(_DIRECTIONS)]
     return to_rim(lambda r: turn * r * sum(function(r * cos(angle), r * sin(angle)) for angle in angles), a)
 
 
@@ -102,7 +102,7 @@ def principal_value(function: Function, x: float, a: float) -> float:
     The value is 0 for a constant f. So f(x) is subtracted, which removes the singularity.
     """
     at_x = function(x)
-    nodes = [a * cos(pi * (place + 0.5) / _NODES) for place in range(_NODES)]
+    nodes = [a * cos(pi * (index + 0.5) / _NODES) for index in range(_NODES)]
     return pi / _NODES * sum((function(s) - at_x) / (x - s) for s in nodes)
 
 

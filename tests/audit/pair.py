@@ -29,7 +29,7 @@ class Pair:
         gravity: float = 0.0021,
         energy: float = 0.0037,
     ) -> None:
-        """Evaluate Eqs 1-6 and the text around them."""
+        """Evaluate Eqs 1-6 at a load, and the masses and moments of inertia."""
         self.r1, self.r2, self.e, self.gamma, self.rho, self.xi = r1, r2, e, gamma, rho, xi
         self.stretch, self.gravity, self.energy = stretch, gravity, energy
         self.r = 1 / (1 / r1 + 1 / r2)  # reduced radius
@@ -179,7 +179,7 @@ def statics() -> tuple[Check, ...]:
               printed=3000.0, follows=2 * pi / (2 * silicate.xi / silicate.r1), hedge=3),
         Check("29", "M = m g R1 N²", "holds", "weights times arms, N = 17",
               printed=twins.m1 * twins.gravity * twins.r1 * 17**2,
-              follows=sum(twins.m1 * twins.gravity * (2 * place + 1) * twins.r1 for place in range(17))),
+              follows=sum(twins.m1 * twins.gravity * (2 * index + 1) * twins.r1 for index in range(17))),
         Check("30", "N = √(9γξ/(2R1³ρg))", "holds", "(29) = (25)",
               printed=sqrt(9 * twins.gamma * twins.xi / (2 * twins.r1**3 * twins.rho * twins.gravity)),
               follows=_level_chain(twins)),
@@ -195,14 +195,14 @@ def factor_at(load_ratio: float) -> float:
     return root(lambda x: 4 * (x**2 - x) - load_ratio, 0.5, 10)
 
 
-def _ring(of: Pair) -> float:
+def _ring(spheres: Pair) -> float:
     """Return the radius of the polygon of centres in which every contact is shifted by ξ on both of its spheres."""
-    return of.r1 / sin(of.xi / of.r1)
+    return spheres.r1 / sin(spheres.xi / spheres.r1)
 
 
-def _level_chain(of: Pair) -> float:
+def _level_chain(spheres: Pair) -> float:
     """Return the number of spheres whose weight has the largest moment that the contact bears."""
-    return sqrt(4 * of.p_c * of.xi / (of.m1 * of.gravity * of.r1))
+    return sqrt(4 * spheres.p_c * spheres.xi / (spheres.m1 * spheres.gravity * spheres.r1))
 
 
 def _single_grain(gamma: float) -> float:
@@ -252,33 +252,37 @@ def vibrations() -> tuple[Check, ...]:
     )  # fmt: skip
 
 
-def _slope(of: Pair) -> float:
+def _slope(spheres: Pair) -> float:
     """Return dU/dδ, from the area U under (5) over (6), in y = √â."""
 
     def energy(y: complex) -> complex:
-        return of.p_c * of.delta0 * (24 / 5 * y**10 - 8 * y**7 + 2 * y**4)
+        return spheres.p_c * spheres.delta0 * (24 / 5 * y**10 - 8 * y**7 + 2 * y**4)
 
-    return slope(energy, of.stretch**0.5) / slope(lambda y: of.delta0 * (3 * y**4 - 2 * y), of.stretch**0.5)
+    def approach(y: complex) -> complex:
+        return spheres.delta0 * (3 * y**4 - 2 * y)
+
+    y = sqrt(spheres.stretch)
+    return slope(energy, y) / slope(approach, y)
 
 
-def _stiffness(of: Pair) -> float:
+def _stiffness(spheres: Pair) -> float:
     """Return dP/dδ at P = 0, from (5) and (6), in y = √â."""
-    return of.p_c / of.delta0 * slope(lambda y: 4 * (y**6 - y**3), 1) / slope(lambda y: 3 * y**4 - 2 * y, 1)
+    return spheres.p_c / spheres.delta0 * slope(lambda y: 4 * (y**6 - y**3), 1) / slope(lambda y: 3 * y**4 - 2 * y, 1)
 
 
-def _vertical(of: Pair) -> float:
+def _vertical(spheres: Pair) -> float:
     """Return the frequency of vibration along the line of centres."""
-    return sqrt(_stiffness(of) / of.m) / (2 * pi)
+    return sqrt(_stiffness(spheres) / spheres.m) / (2 * pi)
 
 
-def _restoring(of: Pair) -> float:
+def _restoring(spheres: Pair) -> float:
     """Return −dU/dδ_α of the elastic energy U = 2P_cξ²/R, with ξ = Rδ_α."""
-    return -slope(lambda angle: 2 * of.p_c * of.r * angle**2, of.xi / of.r)
+    return -slope(lambda angle: 2 * spheres.p_c * spheres.r * angle**2, spheres.xi / spheres.r)
 
 
-def _free_rolling(of: Pair) -> float:
+def _free_rolling(spheres: Pair) -> float:
     """Return the frequency of an oscillator of energy ½ m v² + ½ (4P_c/R)ξ², where v is the rate of ξ."""
-    return sqrt(4 * of.p_c / of.r / of.rolling_mass) / (2 * pi)
+    return sqrt(4 * spheres.p_c / spheres.r / spheres.rolling_mass) / (2 * pi)
 
 
 # --- Collisions -------------------------------------------------------------------------------------------------------
@@ -290,6 +294,7 @@ def collisions() -> tuple[Check, ...]:
     """Return the checks of the claims on collisions, of the conclusions and of Table 1."""
     mean, stiffer = 2 * pair.p_c * pair.xi, Pair(e=2 * pair.e)
     rolling = _kinetic_energy(pair, pair.r1, 1.0)  # over ω1²
+    (poisson_ratio,) = [value for value in QUARTZ if -1 <= value <= 0.5]
     eq_48 = pair.energy / (14 * pi * pair.p_c * pair.xi)
     eq_49 = 3 / (14 * (9 * pi) ** (1 / 3)) * (pair.gamma / pair.e) ** (2 / 3) * pair.r ** (1 / 3) / pair.xi
     lost = -integral(lambda y: 4 * (y**6 - y**3) * (12 * y**3 - 2), 6 ** (-1 / 3), (2 / 3) ** (1 / 3))
@@ -320,17 +325,16 @@ def collisions() -> tuple[Check, ...]:
               printed=_factor_at_approach(pair.delta / stiffer.delta0) / pair.x,
               follows=factor_at(pair.p / stiffer.p_c) / pair.x),
         Check("Table 1", "quartz: ν = 5.4(10) by the column heading", "misprint", "scrambled in the copy",
-              printed=QUARTZ[1], restated=QUARTZ[2],
-              follows=sum(value for value in QUARTZ if -1 <= value <= 0.5)),  # only one can be a Poisson's ratio
+              printed=QUARTZ[1], restated=QUARTZ[2], follows=poisson_ratio),
     )  # fmt: skip
 
 
-def _kinetic_energy(of: Pair, speed: float, spin: float) -> float:
+def _kinetic_energy(spheres: Pair, speed: float, spin: float) -> float:
     """Return the kinetic energy of sphere 1: ½ρ|v + ω × r|², integrated by cylindrical shells about its axis."""
 
     def shell(angle: float) -> float:
-        distance, height = of.r1 * sin(angle), of.r1 * cos(angle)
-        return 2 * pi * of.rho * distance * (speed**2 + (spin * distance) ** 2) * height * height
+        distance, height = spheres.r1 * sin(angle), spheres.r1 * cos(angle)
+        return 2 * pi * spheres.rho * distance * (speed**2 + (spin * distance) ** 2) * height * height
 
     return integral(shell, 0, pi / 2)
 

@@ -34,8 +34,11 @@ SCALES = dict(zip(NAMES, ("1e-9", "1e-9", "1e-3", "1e9", "1", "1e3", "1e-9", "1e
 
 def formulas() -> list[tuple[str, str]]:
     """Return the name and the expression of each line of formulas.txt."""
-    lines = (HERE / "formulas.txt").read_text(encoding="utf-8").splitlines()
-    return [(name.strip(), expression.strip()) for name, _, expression in (line.partition("=") for line in lines)]
+    pairs = []
+    for line in (HERE / "formulas.txt").read_text(encoding="utf-8").splitlines():
+        name, _, expression = line.partition("=")
+        pairs.append((name.strip(), expression.strip()))
+    return pairs
 
 
 def results() -> list[str]:
@@ -44,7 +47,7 @@ def results() -> list[str]:
 
     known = {name for name, _ in formulas()}
     names = [name for name in BY_DEFAULT if name in known]
-    return names[: int(os.environ.get("QUANTITIES", "0")) or None]
+    return names[: int(os.environ.get("QUANTITIES", len(names)))]
 
 
 def write_table(path: Path, rows: int) -> None:
@@ -59,7 +62,7 @@ def write_table(path: Path, rows: int) -> None:
             size = min(100_000, rows - start)
             columns = [numpy.round(draw.uniform(*ends, size), 3).tolist() for ends in ranges]
             file.writelines(
-                f"{start + place},{','.join(map(repr, row))}\n" for place, row in enumerate(zip(*columns, strict=True))
+                f"{number},{','.join(map(repr, row))}\n" for number, row in enumerate(zip(*columns, strict=True), start)
             )
 
 
@@ -107,7 +110,7 @@ from numpy import cbrt, fmax, fmin, pi, sqrt
 {source}
 table = pandas.read_csv(sys.stdin)
 scales = {scales}
-columns = [table.iloc[:, place + 1] * scale for place, scale in enumerate(scales)]
+columns = [table.iloc[:, index] * scale for index, scale in enumerate(scales, 1)]
 for name, values in zip({names}, function(*columns)):
     table[name] = values
 table["status"] = ""

@@ -2,14 +2,14 @@
 
 import resource
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from pathlib import Path
 from random import Random
 
 import pytest
 
 from command_lines import WEIGHTS, command_line
-from corpus_lines import Line, among_input_files, commands, faults, lines, output, outputs, run, spread
+from corpus_lines import Line, among_input_files, commands, faults, lines, output, outputs, run
 from invariants import check_call, isolate
 from jkroll.cli.commands import COMMANDS, flags_of
 from jkroll.quantities.laws import MODELS
@@ -38,8 +38,8 @@ def _isolated(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]
 
 @pytest.mark.usefixtures("_isolated")
 def test_generated_command_lines_have_documented_exit_codes() -> None:
-    codes = run_many(150, seed=1)
-    assert min(codes[code] for code in (0, 1, 2)) > 5
+    codes = run_many(60, seed=1)
+    assert min(codes[code] for code in (0, 1, 2)) > 3
 
 
 @pytest.mark.slow
@@ -49,42 +49,39 @@ def test_very_many_generated_command_lines_have_documented_exit_codes(seed: int)
     run_many(10_000, seed=100 + seed)
 
 
-def wrong(count: int) -> dict[str, list[str]]:
-    """Return the faults of some lines of the corpus, by line."""
-    with among_input_files():
-        found = {line.typed: faults(line, run(line)) for line in spread(lines(), count) if line.can_run}
+def wrong(tried: Iterable[Line]) -> dict[str, list[str]]:
+    """Run lines among input files; return the faults of lines that have some, by line."""
+    found = {line.typed: faults(line, run(line)) for line in tried}
     return {typed: what for typed, what in found.items() if what}
-
-
-def test_some_lines_of_the_corpus_have_no_faults() -> None:
-    assert wrong(60) == {}
 
 
 @pytest.mark.slow
 def test_no_line_of_the_corpus_has_a_fault() -> None:
-    assert wrong(len(lines())) == {}
+    with among_input_files():
+        assert wrong(line for line in lines() if line.can_run) == {}
 
 
 def test_lines_of_the_corpus_print_the_outputs_that_were_checked_by_reading() -> None:
     kept = outputs()
     assert kept.keys() <= {line.typed for line in lines()}
     with among_input_files():
-        found = {line.typed: output(line) for line in lines() if line.typed in kept and line.can_run}
-    assert found == {typed: kept[typed] for typed in found}
+        outcomes = {line: run(line) for line in lines() if line.typed in kept and line.can_run}
+    found = {line.typed: (output(line, outcome), faults(line, outcome)) for line, outcome in outcomes.items()}
+    assert found == {typed: (kept[typed], []) for typed in found}
 
 
-def wrong_with_inputs(name: str | None, inputs: Iterable[str]) -> dict[str, list[str]]:
+def wrong_with_inputs(command: str | None, inputs: Collection[str]) -> dict[str, list[str]]:
     """Return faults by line; each line is the example of a command with one more input.
 
     Each line must have the exit code of the example.
     """
-    example = f"jkroll {name} {COMMANDS[name].example}" if name else "jkroll pull-off quartz 100nm"
+    if not inputs:
+        return {}
+    example = f"jkroll {command} {COMMANDS[command].example}" if command else "jkroll pull-off quartz 100nm"
     with among_input_files():
         code = run(Line(0, example)).code
-        options = [NOMENCLATURE[each] for each in inputs]
-        tried = [Line(code, f"{example} {option.option} {option.example}") for option in options]
-        found = {line.typed: faults(line, run(line)) for line in tried}
-    return {typed: what for typed, what in found.items() if what}
+        options = [NOMENCLATURE[name] for name in inputs]
+        return wrong(Line(code, f"{example} {option.option} {option.example}") for option in options)
 
 
 def test_the_corpus_has_every_command_option_and_law() -> None:

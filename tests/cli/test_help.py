@@ -1,6 +1,7 @@
 """The help lists exactly the options that the reader of command lines accepts and typer declares."""
 
 import re
+from functools import cache
 from typing import Any
 
 import pytest
@@ -15,9 +16,15 @@ from jkroll.report.questions import QUESTIONS
 NAMES = [None, *COMMANDS]
 
 
+@cache
+def group_of_commands() -> Any:
+    """Return typer's application as a group of commands, which takes long to build."""
+    return typer.main.get_command(app)
+
+
 def taken(name: str | None) -> dict[str, bool]:
     """Return the flags of a command, or of the program, in typer's application; True for a hidden flag."""
-    group: Any = typer.main.get_command(app)
+    group = group_of_commands()
     command = group if name is None else group.commands[name]
     return {
         flag: parameter.hidden

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from harness import Run
 from jkroll.cli.call import Call
 from jkroll.cli.commands import COMMANDS, OUTPUT, flags_of
-from jkroll.cli.options import EVERY, Option
+from jkroll.cli.options import ALL_OPTIONS, Option
 from jkroll.cli.process import HINTS, SYNONYMS, action_of
 from jkroll.errors import BadRequest, JkrollError
 from jkroll.quantities.nomenclature import NOMENCLATURE
@@ -27,18 +27,14 @@ ALIKE = [
     ["pull-off quartz 100nm -o x.csv", "pull-off quartz 100nm --output x.csv", "pull-off quartz 100nm --out=x.csv"],
     ["batch in.csv -o x.csv", "batch -ox.csv in.csv", "batch --output=x.csv -- in.csv"],
     ["batch -1.csv -o -2.csv", "batch -o-2.csv -- -1.csv", "batch -1.csv --output=-2.csv"],
-    ["pull-off quartz 100nm --json", "pull-off quartz 100nm --format json", (
-        "pull-off quartz 100nm --format=json "
-        "--json"
-    )],
+    ["pull-off quartz 100nm --json", "pull-off quartz 100nm --format json",
+    "pull-off quartz 100nm --format=json --json"],
     ["pull-off quartz 100nm", "pull-off --R1 100nm quartz", "pull-off --radius=100nm --material quartz",
     "pull-off R1=100nm quartz"],
     ["contact quartz 1um --radius2 2um", "contact quartz 1um --R2 2um", "contact quartz R1=1um R2=2um"],
     ["infer gamma 2um --measured pull_off_force=1uN", "infer --R1 2um gamma --measured pull_off_force=1uN"],
-    ["pull-off 1um --gamma 25mJ/m2", "pull-off 1um --surface-energy 25mJ/m2", "pull-off 1um --GAMMA=25mJ/m2", (
-        "pull-off gamma=25mJ/m2 "
-        "1um"
-    )],
+    ["pull-off 1um --gamma 25mJ/m2", "pull-off 1um --surface-energy 25mJ/m2", "pull-off 1um --GAMMA=25mJ/m2",
+    "pull-off gamma=25mJ/m2 1um"],
     ["contact 1um --young 1GPa --poisson 0.3", "contact 1um --E 1GPa --nu 0.3", "contact 1um E=1GPa nu=0.3"],
     ["version", "--version"],
     ["help", "--help", "-h", ""],
@@ -103,10 +99,10 @@ def test_a_line_without_a_meaning_is_refused(run: Run, line: str) -> None:
     assert [*Path().iterdir()] == []
 
 
-@pytest.mark.parametrize("line", ["pull-off quartz 100 nm", "pull-off 100 nm quartz --gamma 0.025 J/m2", (
-    "contact quartz 1um --load -5 "
-    "nN"
-)])  # fmt: skip
+@pytest.mark.parametrize(
+    "line",
+    ["pull-off quartz 100 nm", "pull-off 100 nm quartz --gamma 0.025 J/m2", "contact quartz 1um --load -5 nN"],
+)
 def test_a_unit_may_be_a_word_of_its_own(line: str) -> None:
     words = line.replace(" nm", "nm").replace(" J", "J").replace(" nN", "nN").split()
     function, (call,) = meaning(line.split())
@@ -116,10 +112,15 @@ def test_a_unit_may_be_a_word_of_its_own(line: str) -> None:
     assert {name: text.replace(" ", "") for name, text in call.inputs.items()} == joined.inputs
 
 
-@pytest.mark.parametrize("line", ["contact quartz 1um --poisson 0.3 iron", "report --digits 3 quartz 1um", (
-    "pull-off 1um --young 5 "
-    "plane"
-), "batch --jobs 2 in.csv"])  # fmt: skip
+@pytest.mark.parametrize(
+    "line",
+    [
+        "contact quartz 1um --poisson 0.3 iron",
+        "report --digits 3 quartz 1um",
+        "pull-off 1um --young 5 plane",
+        "batch --jobs 2 in.csv",
+    ],
+)
 def test_the_word_after_a_number_that_needs_no_unit_is_not_its_unit(line: str) -> None:
     _, (call,) = meaning(line.split())
     assert all(" " not in text for text in (*call.words, *call.inputs.values()))
@@ -162,7 +163,7 @@ def test_a_synonym_stands_for_a_command_or_an_option(typed: str) -> None:
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_option_is_a_quantity_or_one_of_the_listed_options(name: str) -> None:
     for option in COMMANDS[name].options():
-        assert option.name in {*NOMENCLATURE, *(known.name for known in EVERY)}, option.flag
+        assert option.name in {*NOMENCLATURE, *(known.name for known in ALL_OPTIONS)}, option.flag
 
 
 def test_the_command_of_every_question_takes_all_options_for_output() -> None:

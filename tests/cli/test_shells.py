@@ -22,12 +22,11 @@ pull-off
 pull-off é 100nm
 pull-off quartz 100nm -o x.png
 pull-off quartz 100nm --digits 3 --json --quiet
-pull-off quartz 100nm --to nm
 infer gamma quartz 2um --measured P_c=300nN
 batch missing.csv --column a=radius --column b=load
 r-min 100nm --xi -3nm
 yield-force quartz 100nm --load -20nN
-guide no such page
+guide units
 """.splitlines()
 
 

@@ -10,7 +10,7 @@ from curves import autoregression, dmt_force, jkr_curve, jkr_state, ramp
 from jkroll.fitting.branches import APPROACH, LOADING, RADIUS, TRAVEL, UNLOADING, BadCurve, ForceCurve, LoadRange
 from jkroll.fitting.fit import fit_curve
 from jkroll.fitting.force_curves import Contact, Grip, curve_law, state_at
-from jkroll.fitting.minimum import Points, Setting, minimum, residuals
+from jkroll.fitting.minimum import Points, Setting, minimum, residuals, with_point
 from jkroll.fitting.result import Known
 from jkroll.physics import sneddon
 from relative import approx
@@ -20,7 +20,7 @@ TRUE = {"work_of_adhesion_opening": 0.06, "work_of_adhesion_closing": 0.047, "co
 
 
 def deviations(fit: Any) -> Any:
-    """Return the errors of the fitted values, over the statistical errors that the fit states."""
+    """Return the deviations of the fitted values from the true ones, over their statistical errors."""
     return [(fit.values[name] - value) / fit.errors[name].statistical for name, value in TRUE.items()]
 
 
@@ -59,8 +59,8 @@ def test_positive_tension_is_recognized_in_incomplete_curves(
     z, force = jkr_curve(low=low, high=high, stiffness=stiffness, branches=branches, count=300, baseline=0.0)
     noise = numpy.random.default_rng(1).normal(0, 3e-9, len(z))
     known = Known(radius=7.5e-6, stiffness=stiffness)
-    for each, is_reversed in ((force + noise, False), (-force - noise, True)):
-        fit = fit_curve(ForceCurve(TRAVEL, sign * z, each), known)
+    for measured, is_reversed in ((force + noise, False), (-force - noise, True)):
+        fit = fit_curve(ForceCurve(TRAVEL, sign * z, measured), known)
         assert fit.values["work_of_adhesion_opening"] == approx(0.06, rel=1e-2)
         assert ("force-reversed" in fit.remarks) == is_reversed
 
@@ -135,7 +135,7 @@ def test_contact_radii_give_w_without_tension() -> None:
 
 
 def test_a_named_branch_may_be_sorted_by_travel() -> None:
-    z, force = jkr_curve()
+    z, force = jkr_curve(count=250)
     top = int(numpy.argmax(z))
     names = numpy.where(numpy.arange(len(z)) < top, LOADING, UNLOADING).astype(object)
     order = numpy.concatenate([numpy.arange(top), numpy.arange(top, len(z))[::-1]])
@@ -145,7 +145,7 @@ def test_a_named_branch_may_be_sorted_by_travel() -> None:
 
 
 def test_a_single_branch_is_fitted_as_the_branch_that_the_user_names() -> None:
-    z, force = jkr_curve()
+    z, force = jkr_curve(count=250)
     back = slice(int(numpy.argmax(z)) + 1, None)
     alone = ForceCurve(TRAVEL, z[back][::-1], force[back][::-1])
     assert "one-branch" in fit_curve(alone, PROBE).remarks
@@ -154,7 +154,7 @@ def test_a_single_branch_is_fitted_as_the_branch_that_the_user_names() -> None:
 
 
 def test_covariances_with_the_contact_point_change_sign_with_the_travel() -> None:
-    z, force = jkr_curve()
+    z, force = jkr_curve(count=250)
     force = force + numpy.random.default_rng(3).normal(0, 1e-9, len(z))
     one, other = (fit_curve(ForceCurve(TRAVEL, sign * z, force), PROBE).covariance for sign in (1, -1))
     assert one[1, 2] == approx(-other[1, 2], rel=1e-3)
@@ -169,8 +169,8 @@ def test_without_a_radius_the_fit_gives_products_with_the_radius() -> None:
 
 
 def test_a_curve_by_dmt_gives_back_its_inputs() -> None:
-    z = ramp(-4e-9, 6e-9, 500, UNLOADING)
-    force = dmt_force(z, 0.02, 1e10, 5e-8, 40.0)
+    z = ramp(-4e-9, 6e-9, 200, UNLOADING)
+    force = dmt_force(z, 0.02, 1e10, 5e-8, 40.0) + autoregression(1, len(z), 1e-12, 0.0)
     fit = fit_curve(ForceCurve(TRAVEL, z, force), Known(radius=5e-8, stiffness=40.0, law="dmt"))
     assert fit.values["work_of_adhesion_opening"] == approx(0.02, rel=1e-3)
     assert fit.values["contact_modulus"] == approx(1e10, rel=3e-3)
@@ -178,8 +178,8 @@ def test_a_curve_by_dmt_gives_back_its_inputs() -> None:
 
 
 def test_maugis_law_gives_back_the_inputs_of_a_jkr_curve() -> None:
-    z, force = jkr_curve(branches=(UNLOADING,), count=250)
-    fit = fit_curve(ForceCurve(TRAVEL, z, force), PROBE._replace(law="maugis"))
+    z, force = jkr_curve(branches=(UNLOADING,), count=150)
+    fit = fit_curve(ForceCurve(TRAVEL, z, force + autoregression(1, len(z), 3e-10, 0.0)), PROBE._replace(law="maugis"))
     assert fit.values["work_of_adhesion_opening"] == approx(0.06, rel=1e-3)
     assert fit.values["contact_modulus"] == approx(1.75e6, rel=3e-3)
 
@@ -198,22 +198,20 @@ def test_derivatives_agree_with_finite_differences(name: Any, grip: Any) -> None
     here = residuals(points, unknowns, setting)
     slopes = setting.law.values(state_at(setting.law, z, contact, grip)[0], contact)[1]
     weights = grip.x(slopes)[2:] / numpy.hypot(grip.x(slopes) * 1e-9, slopes.load * 3e-10)[2:]
-    for place, step in enumerate((1e-4, 1e-4, 1e-12)[: len(setting.names)]):
+    for index, step in enumerate((1e-4, 1e-4, 1e-12)[: len(setting.names)]):
         ends = []
         for side in (-1, 1):
             other = unknowns.copy()
-            other[place] += side * step
+            other[index] += side * step
             ends.append(residuals(points, other, setting).loads)
         expected = weights * ((ends[1] - ends[0]) / (2 * step))[2:]
         assert not here.is_beyond[2:].any()
-        assert numpy.allclose(here.derivatives[2:, place], expected, rtol=1e-4, atol=1e-4 * abs(expected).max())
+        assert numpy.allclose(here.derivatives[2:, index], expected, rtol=1e-4, atol=1e-4 * abs(expected).max())
 
 
 @pytest.mark.parametrize("factor", [0.1, 0.2, 5.0, 10.0])
 @pytest.mark.parametrize("wrong", ["w", "modulus"])
 def test_the_minimum_is_found_from_a_start_that_is_off_by_a_factor_of_up_to_10(factor: Any, wrong: Any) -> None:
-    from jkroll.fitting.minimum import with_point
-
     z, force = jkr_curve(branches=(UNLOADING,), baseline=0.0, count=300)
     held = force != 0
     points = Points(z[held], force[held], numpy.full(held.sum(), 3e-9), numpy.full(held.sum(), 1e-9))
@@ -248,18 +246,18 @@ def test_scipy_finds_the_same_minimum() -> None:
 def test_about_two_thirds_of_the_fits_lie_within_the_statistical_error(phi: Any) -> None:
     known = PROBE._replace(range=LoadRange(-1.0, 0.3, True))
     z, force = jkr_curve()
-    every = [
+    found = [
         deviations(fit_curve(ForceCurve(TRAVEL, z, force + autoregression(seed, len(z), 3e-9, phi)), known))
         for seed in range(300)
     ]
-    inside = (abs(numpy.array(every)) < 1).mean(axis=0)
+    inside = (abs(numpy.array(found)) < 1).mean(axis=0)
     assert (inside > 0.6).all()
     assert (inside < 0.75).all()
 
 
 def test_the_calibration_error_is_the_change_that_a_wrong_radius_or_spring_causes() -> None:
-    z, force = jkr_curve(branches=(UNLOADING,))
-    curve = ForceCurve(TRAVEL, z, force)
+    z, force = jkr_curve(branches=(UNLOADING,), count=250)
+    curve = ForceCurve(TRAVEL, z, force + autoregression(1, len(z), 1e-9, 0.0))
     errors = fit_curve(curve, PROBE._replace(radius_error=0.01)).errors
     assert errors["work_of_adhesion_opening"].calibration == approx(0.01 * 0.06, rel=0.05)
     by_spring = fit_curve(curve, PROBE._replace(stiffness_error=0.05))
@@ -270,15 +268,16 @@ def test_the_calibration_error_is_the_change_that_a_wrong_radius_or_spring_cause
 
 
 def test_errors_add_in_quadrature() -> None:
-    z, force = jkr_curve()
+    z, force = jkr_curve(count=250)
     fit = fit_curve(
         ForceCurve(TRAVEL, z, force + autoregression(3, len(z), 3e-9, 0.5)), PROBE._replace(radius_error=0.01)
     )
     for errors in fit.errors.values():
         assert None not in errors
-        assert errors.total == approx(numpy.linalg.norm([each or 0.0 for each in errors]))
-    place = [fit.names.index(name) for name in ("work_of_adhesion_opening", "work_of_adhesion_closing")]
-    variance = sum(fit.covariance[i, i] for i in place) - 2 * fit.covariance[place[0], place[1]]
+        assert errors.total == approx(numpy.linalg.norm([error or 0.0 for error in errors]))
+    opening, closing = (fit.names.index(f"work_of_adhesion_{way}") for way in ("opening", "closing"))
+    covariance = fit.covariance
+    variance = covariance[opening, opening] + covariance[closing, closing] - 2 * covariance[opening, closing]
     assert fit.errors["adhesion_hysteresis"].statistical == approx(variance**0.5)
 
 
@@ -323,10 +322,11 @@ def test_the_fit_withstands_gaps_and_outliers() -> None:
 
 def test_a_sphere_is_distinguished_from_a_paraboloid() -> None:
     setting = Setting(curve_law("jkr", "sphere"), 7.5e-6, 4e-10, Grip(3.01))
-    z = ramp(-2.5e-6, 1.2e-6, 500, UNLOADING)
+    z = ramp(-2.5e-6, 1.2e-6, 250, UNLOADING)
     contact = Contact(0.06, 1.0e6, 7.5e-6, 4e-10)
     q, _, last = state_at(setting.law, z, contact, setting.grip)
     force = numpy.where(z < last, 0.0, setting.law.values(q, contact)[0].load)
+    force += autoregression(1, len(z), 1e-9, 0.0)
     by_sphere = fit_curve(ForceCurve(TRAVEL, z, force), PROBE._replace(profile="sphere"))
     assert by_sphere.values["work_of_adhesion_opening"] == approx(0.06, rel=1e-3)
     assert by_sphere.values["contact_modulus"] == approx(1.0e6, rel=3e-3)
@@ -375,3 +375,12 @@ def test_the_points_of_a_short_branch_are_counted_and_the_largest_load_is_fitted
     a, load = (numpy.append(column, column[[-1, -2, -3]]) for column in (a, load))
     turned = fit_curve(ForceCurve(RADIUS, a, load), Known(radius=0.01))
     assert turned.remarks["branch-left-out"] == "3 points are left out at one end of the curve, since a branch needs 5"
+
+
+def test_a_branch_that_never_touches_is_left_out() -> None:
+    """Loading ends before the contact point at 0.2 µm, and unloading is held in tension beyond it."""
+    z, force = jkr_curve(count=250, high=0.199e-6)
+    fit = fit_curve(ForceCurve(TRAVEL, z, force + autoregression(1, len(z), 3e-9, 0.0)), PROBE)
+    assert fit.remarks["branch-left-out"] == "loading: fewer than 5 points are in contact; the branch is left out"
+    assert fit.values["work_of_adhesion_opening"] == approx(0.06, rel=5e-3)
+    assert "work_of_adhesion_closing" not in fit.values

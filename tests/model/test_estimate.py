@@ -1,6 +1,7 @@
 """The best range of each result: every rule is checked against values by `solve` or by hand."""
 
 from collections.abc import Mapping
+from itertools import product
 from math import inf, isnan, nan, pi
 from typing import Any
 
@@ -76,10 +77,11 @@ def test_measured_rolling_forces_scale_with_r_or_r_to_the_two_thirds(radius: flo
 def test_r_min_covers_the_displacements_that_all_laws_derive_from_measured_forces() -> None:
     """ξ is proportional to the force, with a different factor for each law."""
     low, high, by = best("r_min", **QUARTZ)["r_min"]
-    every = {**QUARTZ, "yield_displacement": 2e-10}
-    forces = [solve("yield_force", **every), *by_maugis("yield_force", **every)]
+    at_an_atom = {**QUARTZ, "yield_displacement": 2e-10}
+    forces = [solve("yield_force", **at_an_atom), *by_maugis("yield_force", **at_an_atom)]
     ends = (0.69e-9 * 1e-7 / 0.95e-6, 1.57e-9 * (1e-7 / 0.95e-6) ** (2 / 3))
-    displacements = [max(2e-10 * end / force, 2e-10) for force in forces for end in ends]  # ξ of an atom, 2 Å, at least
+    # A displacement is at least 2 Å, that of an atom.
+    displacements = [max(2e-10 * end / force, 2e-10) for force, end in product(forces, ends)]
     bends = [1e-7**2 / displacement for displacement in displacements]
     assert (low, high, by) == (approx(min(bends), rel=1e-9), approx(max(bends), rel=1e-9), "scaled")
 
@@ -89,8 +91,8 @@ def test_unknown_xi_ranges_from_one_atom_to_loss_of_all_work_of_adhesion() -> No
     force = best("yield_force", **given)["yield_force"]
     at_an_atom = by_maugis("yield_force", yield_displacement=2e-10, **given)
     ratios = by_maugis("hysteresis_ratio", yield_displacement=2e-10, **given)
-    at_most = [value / ratio for value, ratio in zip(at_an_atom, ratios, strict=True)]
-    assert force == (approx(min(at_an_atom)), approx(max(at_most)), "ξ unknown")
+    at_full_loss = [value / ratio for value, ratio in zip(at_an_atom, ratios, strict=True)]
+    assert force == (approx(min(at_an_atom)), approx(max(at_full_loss)), "ξ unknown")
 
 
 def test_r_min_has_only_an_upper_end_if_only_the_radius_is_given() -> None:
@@ -258,16 +260,19 @@ def test_conventions_are_exact_and_quantities_of_another_law_have_no_range() -> 
 
 def test_arrays_have_the_ranges_of_single_rows() -> None:
     radii = numpy.geomspace(1e-9, 1e-3, 60)
-    names = "pull_off_force yield_force r_min sticking_speed pull_off_work rolling_frequency contact_radius_at_load"
+    names = [
+        "pull_off_force", "yield_force", "r_min", "sticking_speed", "pull_off_work", "rolling_frequency",
+        "contact_radius_at_load",
+    ]  # fmt: skip
     solid = known_materials()["quartz"]
     frame = Frame({"radius": radii}, solid)
-    every = estimates(Results(frame, frame.shown(names.split(), names.split())), names.split())
+    of_arrays = estimates(Results(frame, frame.shown(names, names)), names)
     for row, radius in enumerate(radii.tolist()):
         single = Frame({"radius": radius}, solid)
-        found = estimates(Results(single, single.shown(names.split(), names.split())), names.split())
-        for name in names.split():
-            of_row = [numpy.broadcast_to(part, radii.shape)[row] for part in every[name]]
-            expected = found.get(name, Estimate(nan, nan, 0))
+        of_floats = estimates(Results(single, single.shown(names, names)), names)
+        for name in names:
+            of_row = [numpy.broadcast_to(part, radii.shape)[row] for part in of_arrays[name]]
+            expected = of_floats.get(name, Estimate(nan, nan, 0))
             assert of_row == [approx(part, rel=1e-12, nan_ok=True) for part in expected], (name, radius)
 
 

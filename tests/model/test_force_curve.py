@@ -27,9 +27,9 @@ def test_the_fit_recovers_the_inputs_as_accurately_as_the_guide_says(law: str, s
     assert fitted.other_modulus[1] == approx(made.YOUNGS_MODULUS, rel=0.01)
     assert fitted.values["contact_point"] == approx(made.ZERO - made.SPACING, abs=0.02e-9)
     assert fitted.goodness["rms"] == approx(made.NOISE, rel=0.2)
-    left = fitted.curve["residual [N]"]
-    thirds = [abs(part.mean()) for part in numpy.array_split(left, 3)]
-    assert max(thirds) < 2 * made.NOISE / len(left) ** 0.5  # no trend
+    residuals = fitted.curve["residual [N]"]
+    means_of_thirds = [abs(third.mean()) for third in numpy.array_split(residuals, 3)]
+    assert max(means_of_thirds) < 2 * made.NOISE / len(residuals) ** 0.5  # no trend
     if spacing == 4:  # the spacing of the curve
         total = fitted.errors["work_of_adhesion_opening"].total
         assert abs(fitted.values["work_of_adhesion_opening"] - 2 * made.GAMMA) < 2 * total

@@ -66,20 +66,22 @@ def assert_as_single_elements(
     Values may differ by rounding errors times the condition number.
     """
     ulps = 40 if "maugis" in (scene.law.name, *quantity.split("_")) else 9  # as stated by the formulas
-    rows = [scene.replace(**{each: float(one[row]) for each, one in arrays.items()}) for row in range(len(measured))]
-    found = solved((name,), {quantity: numpy.array(measured)}, scene.replace(**arrays))
-    expected = [single(name, quantity, level, row) for level, row in zip(measured, rows, strict=True)]
-    for place, other in enumerate(expected):
-        if isinstance(other, Solution):
-            value = float(found.values[name][place])
-            assert value == approx(other.values[name], rel=ulps * 2**-52 * (1 + other.condition)), quantity
-        elif isinstance(other, NoSolution):  # next to pull-off, the least value is a rounding error
-            failure = found.failures[place]
+    of_arrays = solved((name,), {quantity: numpy.array(measured)}, scene.replace(**arrays))
+    outcomes = []
+    for row, level in enumerate(measured):
+        of_row = scene.replace(**{given: float(array[row]) for given, array in arrays.items()})
+        expected = single(name, quantity, level, of_row)
+        if isinstance(expected, Solution):
+            value = float(of_arrays.values[name][row])
+            assert value == approx(expected.values[name], rel=ulps * 2**-52 * (1 + expected.condition)), quantity
+        elif isinstance(expected, NoSolution):  # next to pull-off, the least value is a rounding error
+            failure = of_arrays.failures[row]
             assert isinstance(failure, NoSolution)
-            assert failure.span == approx(other.span, rel=1e-9, abs=1e-14 * max(map(abs, other.span)))
+            assert failure.span == approx(expected.span, rel=1e-9, abs=1e-14 * max(map(abs, expected.span)))
         else:
-            assert str(found.failures[place]) == str(other)
-    return expected
+            assert str(of_arrays.failures[row]) == str(expected)
+        outcomes.append(expected)
+    return outcomes
 
 
 def test_the_tables_of_this_file_have_every_input() -> None:
@@ -92,34 +94,32 @@ def test_a_quantity_that_the_law_lacks_is_refused_for_arrays() -> None:
         solved(("adhesion_hysteresis",), {"yield_moment": numpy.array([1e-17])}, scene)
 
 
-FAST = {("surface_energy", "jkr"), ("load", "jkr"), ("shear_strength", "jkr")}
+FAST = [("surface_energy", "jkr"), ("load", "jkr"), ("shear_strength", "jkr")]
+SLOW = [case for case in product(MEASURED, MODELS) if case not in (*FAST, *LACKING)]
 
 
-@pytest.mark.parametrize(
-    ("name", "model"),
-    [
-        each if each in FAST else pytest.param(*each, marks=pytest.mark.slow)
-        for each in product(MEASURED, MODELS)
-        if each not in LACKING
-    ],
-)
+@pytest.mark.parametrize(("name", "model"), [*FAST, *(pytest.param(*case, marks=pytest.mark.slow) for case in SLOW)])
 def test_arrays_give_what_floats_give(name: str, model: str) -> None:
     """Only the measured value varies, or some inputs as well, or all inputs except Poisson's ratios."""
     random = Random(f"{name} {model}")
     energies = {"surface_energy", "surface_energy2"} if name in ("work_of_adhesion", "hamaker") else set()
-    given = {each: one for each, one in {**QUARTZ, **OTHER, "load": -1e-9}.items() if each not in {name, *energies}}
-    spread = {each: one * numpy.array([random.uniform(0.5, 2) for _ in range(COUNT)]) for each, one in given.items()}
+    given = {**QUARTZ, **OTHER, "load": -1e-9}
+    for excluded in {name, *energies}.intersection(given):
+        del given[excluded]
+    spread = {}
+    for varied, value in given.items():
+        spread[varied] = value * numpy.array([random.uniform(0.5, 2) for _ in range(COUNT)])
     scene = Frame(given, model=model)
-    found: list[Solution | NoResult] = []
+    outcomes: list[Solution | NoResult] = []
     for quantity in MEASURED[name]:
-        for varied in ([], ["density", "radius2"], [*given]):
-            arrays = {each: spread[each] for each in varied if not each.startswith("poisson_ratio")}
+        for inputs in ([], ["density", "radius2"], [*given]):
+            arrays = {varied: spread[varied] for varied in inputs if not varied.startswith("poisson_ratio")}
             values = [TYPICAL[name] * log_uniform(random, 0.3, 3) for _ in range(COUNT)]
             levels = [float(scene.replace(**{name: value})[quantity]) for value in values]
-            found += assert_as_single_elements(
-                name, quantity, [*levels[2:], 1e20 * levels[0], 1e-20 * levels[1]], arrays, scene
-            )
-    assert 2 * sum(isinstance(one, Solution) for one in found) > len(found)
+            too_large, too_small = 1e20 * levels[0], 1e-20 * levels[1]
+            measured = [*levels[2:], too_large, too_small]
+            outcomes += assert_as_single_elements(name, quantity, measured, arrays, scene)
+    assert 2 * sum(isinstance(outcome, Solution) for outcome in outcomes) > len(outcomes)
 
 
 def test_the_errors_of_arrays_name_all_solutions() -> None:
@@ -128,7 +128,7 @@ def test_the_errors_of_arrays_name_all_solutions() -> None:
     least = min(scene.replace(radius=1e-9 * radius)["approach_at_load"] for radius in range(400, 700))
     measured = [3e-10, 1.00001 * least, 0.9 * least, 1e-9]
     expected = assert_as_single_elements("radius", "approach_at_load", measured, {}, scene)
-    assert [type(one) for one in expected] == [SeveralSolutions, SeveralSolutions, NoSolution, SeveralSolutions]
+    assert [type(outcome) for outcome in expected] == [SeveralSolutions, SeveralSolutions, NoSolution, SeveralSolutions]
     loads = {"load": numpy.array([5e-8, 5e-8, 5e-8, 6e-8])}
     assert_as_single_elements("radius", "approach_at_load", measured, loads, scene)
 
@@ -138,8 +138,9 @@ def test_loads_are_found_up_to_pull_off() -> None:
     scene = Frame({"radius2": math.inf}, known_materials()["quartz"])
     force = scene.replace(radius=radii)["pull_off_force"]
     least = scene.replace(radius=radii, load=-force)["contact_radius_at_load"] * (1 + 1e-13)
-    found = assert_as_single_elements("load", "contact_radius_at_load", [*least], {"radius": radii}, scene)
-    assert [one.values["load"] for one in found if isinstance(one, Solution)] == approx([*-force], rel=1e-9)
+    solutions = assert_as_single_elements("load", "contact_radius_at_load", [*least], {"radius": radii}, scene)
+    loads = [solution.values["load"] for solution in solutions if isinstance(solution, Solution)]
+    assert loads == approx([*-force], rel=1e-9)
 
 
 def test_only_the_element_whose_contact_breaks_has_a_reason() -> None:

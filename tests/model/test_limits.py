@@ -22,7 +22,7 @@ from scenes import OTHER, QUARTZ
 
 def verdicts(*names: str, **given: Any) -> dict[str, str]:
     """Return the codes of the limits judged for some quantities, by the limited number; of several, the last one."""
-    return {one.limit.name: one.code for one in doubts(Frame({**QUARTZ, **given}), names)}
+    return {doubt.limit.name: doubt.code for doubt in doubts(Frame({**QUARTZ, **given}), names)}
 
 
 THRESHOLDS = [(limit, threshold) for limit in LIMITS for threshold in limit.codes]
@@ -45,19 +45,19 @@ def test_the_code_changes_at_a_threshold(limit: Limit, threshold: float) -> None
 
 
 def test_an_excess_is_the_logarithm_of_a_factor() -> None:
-    (few,) = [one for one in doubts(Frame({**QUARTZ, "radius": 1e-9}), ["pull_off_force"]) if one.code == "few-atoms"]
+    of_small = doubts(Frame({**QUARTZ, "radius": 1e-9}), ["pull_off_force"])
+    (few,) = [doubt for doubt in of_small if doubt.code == "few-atoms"]
     assert few.excess == approx(np.log(3 / few.value))
     assert few.factor == approx(3 / few.value)
-    (law,) = [one for one in doubts(Frame(QUARTZ), ["pull_off_force"]) if one.code.startswith("law")]
-    of_laws = [solve("pull_off_force", model=model, atomic_spacing=4e-10, **QUARTZ) for model in ("jkr", "maugis")]
-    fit = solve("pull_off_force_lennard_jones", **QUARTZ)
-    assert law.factor == approx(max(of_laws[1], fit) / of_laws[0] / 1.05)
+    (law,) = [doubt for doubt in doubts(Frame(QUARTZ), ["pull_off_force"]) if doubt.code.startswith("law")]
+    jkr, maugis = (solve("pull_off_force", model=model, atomic_spacing=4e-10, **QUARTZ) for model in ("jkr", "maugis"))
+    lennard_jones = solve("pull_off_force_lennard_jones", **QUARTZ)
+    assert law.factor == approx(max(maugis, lennard_jones) / jkr / 1.05)
 
 
 def test_a_limit_that_is_not_exceeded_has_a_value_too() -> None:
-    (few,) = [
-        one for one in doubts(Frame(QUARTZ), ["pull_off_force"]) if one.limit.name == "contact_radius_in_spacings"
-    ]
+    every = doubts(Frame(QUARTZ), ["pull_off_force"])
+    (few,) = [doubt for doubt in every if doubt.limit.name == "contact_radius_in_spacings"]
     assert (few.text, few.factor) == ("within the limit", approx(3 / few.value))
     assert few.value == approx(9.98, rel=1e-3)
 
@@ -220,7 +220,7 @@ def test_no_wave_runs_around_a_rigid_sphere(run: Run) -> None:
     assert np.isnan(times).tolist() == [True, False]
 
 
-# --- Texts of answers -------------------------------------------------------------------------------------------------
+# --- Answers ----------------------------------------------------------------------------------------------------------
 
 
 def test_a_note_lists_the_limits_that_could_not_be_judged(run: Run) -> None:
@@ -259,8 +259,8 @@ def test_a_sphere_rolls_by_itself_beyond_eight_pull_off_forces(run: Run) -> None
     of_a_plane = {"load": 1e-6, "radius2": math.inf}
     assert verdicts("yield_force_fixed_load", **of_a_plane)["yield_force_fixed_load"] == ""
     iron = json.loads(run("yield-force iron 1um --load 1mN --json").out)["validity"]
-    [doubt] = [each for each in iron if each["code"] == "rolls-by-itself"]
-    assert doubt["value"] == approx(-1.464502e-7, rel=1e-6)
+    [verdict] = [verdict for verdict in iron if verdict["code"] == "rolls-by-itself"]
+    assert verdict["value"] == approx(-1.464502e-7, rel=1e-6)
     ran = run("yield-force iron 1um --load 1mN").err
     assert "a load of fixed direction is enough to roll sphere 1" in " ".join(ran.split())
 
@@ -289,11 +289,8 @@ def test_a_note_of_n_grav_on_another_body_says_where_the_contact_between_the_sph
 @pytest.mark.parametrize(
     ("name", "given", "code"),
     [
-        (
-            "pull_off_force",
-            {"material": "iron", "radius": 1e-7},
-            "law-off-5%",
-        ),  # 3.7 % by Maugis, 8.7 % by Lennard-Jones
+        # 3.7 % by Maugis, 8.7 % by Lennard-Jones
+        ("pull_off_force", {"material": "iron", "radius": 1e-7}, "law-off-5%"),
         ("pull_off_force", {"material": "quartz", "radius": 1e-7}, "law-off-25%"),
         ("pull_off_force", {"material": "quartz", "radius": 1e-7, "model": "dmt"}, ""),
         ("pull_off_force", {"material": "quartz", "radius": 1e-4, "model": "dmt"}, "law-off-25%"),
@@ -308,7 +305,8 @@ def test_the_law_of_adhesion_is_judged_by_its_effect_on_each_result(
 ) -> None:
     model = given.pop("model", "jkr")
     scene = Frame({"radius": given["radius"]}, known_materials()[given["material"]], model=model)
-    assert {one for one in codes(bits(scene, [name])).split() if one.startswith("law")} == ({code} if code else set())
+    of_law = [doubt for doubt in codes(bits(scene, [name])).split() if doubt.startswith("law")]
+    assert of_law == ([code] if code else [])
 
 
 def test_a_contact_that_exists_only_under_dmt_is_doubtful() -> None:
@@ -331,10 +329,10 @@ def test_a_result_of_zero_is_not_compared_with_that_of_another_law(
     model: str, name: str, value: float, other: float, names: tuple[str, ...]
 ) -> None:
     zero, both = (Frame({**QUARTZ, name: given}, model=model) for given in (value, np.array([value, other])))
-    for one in names:
-        assert zero[one] == both[one][0] == 0
-        assert factor_of_law(zero, [one]) == factor_of_law(both, [one])[0] == 1
-        assert factor_of_law(both, [one])[1] != 1
+    for result in names:
+        assert zero[result] == both[result][0] == 0
+        assert factor_of_law(zero, [result]) == factor_of_law(both, [result])[0] == 1
+        assert factor_of_law(both, [result])[1] != 1
 
 
 def test_a_dmt_contact_at_an_approach_is_doubtful_although_it_does_not_depend_on_w() -> None:
@@ -355,10 +353,8 @@ def test_the_other_law_has_the_spacing_that_follows_from_the_cutoff() -> None:
 
 @pytest.mark.parametrize(("contacts", "is_possible"), [(998, False), (999, True), (6000, True), (6001, False)])
 def test_an_aggregate_of_a_thousand_grains_has_999_to_6000_contacts(contacts: float, is_possible: bool) -> None:
-    found = doubts(
-        Frame({**QUARTZ, "density": 2600.0, "monomers": 1000.0, "contacts": contacts}), ["disruption_energy"]
-    )
-    assert ("contacts-out-of-range" in [doubt.code for doubt in found]) is not is_possible
+    codes = verdicts("disruption_energy", monomers=1000.0, contacts=contacts).values()
+    assert ("contacts-out-of-range" in codes) is not is_possible
 
 
 def test_a_doubt_comes_before_missing_inputs_and_partial_error_bars(run: Run) -> None:

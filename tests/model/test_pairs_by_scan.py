@@ -31,16 +31,15 @@ QUANTITIES = (
 )  # fmt: skip
 
 
-def above(scene: Frame, names: tuple[str, ...], measured: dict[str, float], places: Any) -> Any:
+def sides(scene: Frame, names: tuple[str, ...], measured: dict[str, float], points: Any) -> Any:
     """Return, for each quantity, 1 above its measured value, −1 below it, 0 at it, and nan where it has no value."""
-    found = outcomes(scene.replace(**dict(zip(names, places, strict=True))), [*measured])
-    signs = [
-        numpy.full(places.shape[1:], numpy.nan)
-        if isinstance(found[name], JkrollError)
-        else numpy.sign(found[name] - level)
-        for name, level in measured.items()
-    ]
-    return numpy.array([numpy.broadcast_to(sign, places.shape[1:]) for sign in signs])
+    quantities = outcomes(scene.replace(**dict(zip(names, points, strict=True))), [*measured])
+    rows = []
+    for name, level in measured.items():
+        value = quantities[name]
+        side = numpy.nan if isinstance(value, JkrollError) else numpy.sign(value - level)
+        rows.append(numpy.broadcast_to(side, points.shape[1:]))
+    return numpy.array(rows)
 
 
 def scanned(names: tuple[str, ...], measured: dict[str, float], scene: Frame) -> list[tuple[float, ...]] | None:
@@ -55,7 +54,7 @@ def scanned(names: tuple[str, ...], measured: dict[str, float], scene: Frame) ->
     parts = numpy.arange(PARTS) / PARTS
     for _ in range(ROUNDS):
         corners = [numpy.array([x, y]) for x in (low[0], high[0]) for y in (low[1], high[1])]
-        signs = numpy.array([above(scene, names, measured, corner) for corner in corners])
+        signs = numpy.array([sides(scene, names, measured, corner) for corner in corners])
         passes = (signs.min(axis=0) < signs.max(axis=0)).all(axis=0)
         low, high = low[:, passes], high[:, passes]
         if not low.size:
@@ -76,7 +75,7 @@ def is_near(one: tuple[float, ...], other: tuple[float, ...]) -> bool:
 
 
 def solved(names: tuple[str, ...], measured: dict[str, float], scene: Frame) -> list[tuple[float, ...]] | None:
-    """Return the pairs that the program names; None if it says that the quantities do not determine both unknowns."""
+    """Return the pairs that the program finds; None if it refuses quantities that do not determine both unknowns."""
     try:
         inverse = Inverse(names, measured, scene)
         return [tuple(inverse[name] for name in names)]
@@ -91,8 +90,8 @@ def solved(names: tuple[str, ...], measured: dict[str, float], scene: Frame) -> 
 def compared(random: Random) -> str:
     """Return the outcome of a random problem.
 
-    Fails if the program does not name a pair that the scan finds, names a pair that is not a solution, or gives another
-    answer if the measured quantities change places.
+    Fails if the program misses a pair that the scan finds, names a pair that is not a solution, or gives another answer
+    if the measured quantities change places.
     """
     given: dict[str, Any] = {name: log_uniform(random, *span) for name, span in SPANS.items()}
     given |= {"radius2": math.inf, "poisson_ratio": 0.2, "density": 2e3, "shear_strength": 1e7, "atomic_spacing": 4e-10}
@@ -101,9 +100,8 @@ def compared(random: Random) -> str:
     names = tuple(random.sample([*SPANS, "load"], 2))
     if random.random() < 0.3:
         given["radius2"] = log_uniform(random, 1e-8, 1e-3)
-    measured = {
-        name: float(value) for name, value in Frame(given, model=law).numbers(*random.sample(QUANTITIES, 2)).items()
-    }
+    values = Frame(given, model=law).numbers(*random.sample(QUANTITIES, 2))
+    measured = {name: float(value) for name, value in values.items()}
     if len(measured) < 2:
         return "not in this law"
     scene = Frame({name: value for name, value in given.items() if name not in names}, model=law)

@@ -36,14 +36,14 @@ def test_quantities_computed_together_equal_those_computed_separately() -> None:
 def test_a_quantity_that_fails_does_not_affect_the_others() -> None:
     scene = Frame({**QUARTZ, "radius2": float("inf"), "load": -1.0}).replace(density=1e-30)
     values = outcomes(scene, ("r_min", "pull_off_force", "yield_force", "n_grav", "mass", "speed"))
-    kinds = {name: value.cause if isinstance(value, Failure) else type(value) for name, value in values.items()}
-    assert kinds == {
+    outcome_of = {name: value.cause if isinstance(value, Failure) else type(value) for name, value in values.items()}
+    assert outcome_of == {
         "r_min": NO_CHAIN, "pull_off_force": float, "yield_force": BEYOND_PULL_OFF, "n_grav": BEYOND_PULL_OFF,
         "mass": float,
         "speed": MissingInput,
     }  # fmt: skip
-    for name, kind in kinds.items():
-        if kind is not float:
+    for name, outcome in outcome_of.items():
+        if outcome is not float:
             with pytest.raises((Failure, MissingInput)):
                 scene[name]
 
@@ -97,12 +97,8 @@ def test_every_parameter_leads_back_to_an_input() -> None:
     wanted = [name for name in NOMENCLATURE if name in FORMULAS]
     ends = {name for name in depends_on(tuple(wanted)) if formula_of(name) is None}
     without_option = {name for name in ends if name not in NOMENCLATURE or not NOMENCLATURE[name].option}
-    assert without_option == {
-        "radius",
-        "edge_ratio",
-        "contact_artanh",
-        "restructuring_energy_ormel",
-    }  # the last three have routes
+    have_routes = {"edge_ratio", "contact_artanh", "restructuring_energy_ormel"}
+    assert without_option == {"radius", *have_routes}
 
 
 def test_a_load_margin_sets_the_same_state_as_its_load() -> None:

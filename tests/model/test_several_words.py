@@ -71,9 +71,8 @@ def test_results_have_the_labels_of_pandas() -> None:
         assert forces["a"] == jkroll.solve("P_c", material="quartz", radius=1e-7)
     again = jkroll.solve("contact_radius_at_load", material="quartz", radius=data["radius"], load=-forces / 2)
     assert again.index.equals(data.index)
-    assert isinstance(
-        jkroll.solve("yield_force", material="quartz", radius=data["radius"]), float
-    )  # the same for all radii
+    same_for_all_radii = jkroll.solve("yield_force", material="quartz", radius=data["radius"])
+    assert isinstance(same_for_all_radii, float)
 
 
 def test_results_have_the_dimensions_of_xarray() -> None:
@@ -97,9 +96,8 @@ def test_results_are_returned_as_quantities_of_pint() -> None:
 def test_quantities_of_astropy_are_accepted_and_returned() -> None:
     units = pytest.importorskip("astropy.units")
     found = jkroll.solve("P_c", gamma=25 * units.mJ / units.m**2, radius=[100, 200] * units.nm)
-    assert found.to_value("N").tolist() == approx(
-        [jkroll.solve("P_c", gamma=0.025, radius=each) for each in (1e-7, 2e-7)]
-    )
+    forces = [jkroll.solve("P_c", gamma=0.025, radius=radius) for radius in (1e-7, 2e-7)]
+    assert found.to_value("N").tolist() == approx(forces)
     assert jkroll.solve("n_grav", material="quartz", radius=1e-7, units="astropy").unit == units.dimensionless_unscaled
     force = jkroll.formulas.pull_off_force(work_of_adhesion=50 * units.mJ / units.m**2, reduced_radius=5e-8)
     assert isinstance(force, units.Quantity)

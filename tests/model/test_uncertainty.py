@@ -26,7 +26,7 @@ from relative import approx
 from scenes import QUARTZ
 
 
-def found(
+def combined(
     name: str, given: Mapping[str, float], uncertain: Mapping[str, Uncertain], *materials: Material
 ) -> SimpleNamespace:
     """Return a quantity with its uncertainty, and the shares of its sources."""
@@ -35,11 +35,11 @@ def found(
     return SimpleNamespace(uncertainty=bar.of(scene[name]), shares=bar.shares)
 
 
-def assert_spans(one: Uncertain, values: Any, *, inner: float = 0.01, outer: float = 0.0) -> None:
+def assert_spans(span: Uncertain, values: Any, *, inner: float = 0.01, outer: float = 0.0) -> None:
     """Check the ends of a range: short of the extreme values by `inner` of its width at most, or beyond by `outer`."""
-    width = one.high - one.low
-    assert max(values) - inner * width <= one.high <= max(values) + (outer + 1e-12) * width
-    assert min(values) - (outer + 1e-12) * width <= one.low <= min(values) + inner * width
+    width = span.high - span.low
+    assert max(values) - inner * width <= span.high <= max(values) + (outer + 1e-12) * width
+    assert min(values) - (outer + 1e-12) * width <= span.low <= min(values) + inner * width
 
 
 def relative(value: float, part: float) -> Measured:
@@ -60,31 +60,32 @@ def relative(value: float, part: float) -> Measured:
 )
 def test_small_uncertainties_follow_the_power_law(name: str, exponents: dict[str, float]) -> None:
     given = {**QUARTZ, "yield_displacement": 2e-10}
-    parts = {each: 1e-4 * (1 + place) for place, each in enumerate(given) if each != "poisson_ratio"}
-    one = found(name, given, {each: relative(given[each], part) for each, part in parts.items()})
-    squares = {each: (exponent * parts[each]) ** 2 for each, exponent in exponents.items()}
-    expected = math.sqrt(sum(squares.values())) * one.uncertainty.value
-    assert isinstance(one.uncertainty, Measured)
-    assert one.uncertainty.plus == one.uncertainty.minus == approx(expected, rel=1e-3)
-    for each, square in squares.items():
-        assert one.shares[each] == approx(square / sum(squares.values()), rel=1e-2)
-    assert sum(one.shares.values()) == approx(1, rel=1e-12)
+    sources = [source for source in given if source != "poisson_ratio"]
+    parts = {source: 1e-4 * number for number, source in enumerate(sources, 1)}
+    result = combined(name, given, {source: relative(given[source], part) for source, part in parts.items()})
+    squares = {source: (exponent * parts[source]) ** 2 for source, exponent in exponents.items()}
+    expected = math.sqrt(sum(squares.values())) * result.uncertainty.value
+    assert isinstance(result.uncertainty, Measured)
+    assert result.uncertainty.plus == result.uncertainty.minus == approx(expected, rel=1e-3)
+    for source, square in squares.items():
+        assert result.shares[source] == approx(square / sum(squares.values()), rel=1e-2)
+    assert sum(result.shares.values()) == approx(1, rel=1e-12)
 
 
 def test_unequal_sides_of_an_uncertainty_are_given_separately() -> None:
-    one = found("sticking_energy", QUARTZ, {"surface_energy": relative(0.025, 0.3)}).uncertainty
-    assert isinstance(one, Measured)
-    assert one.plus == approx((1.3 ** (5 / 3) - 1) * one.value, rel=1e-12)
-    assert one.minus == approx((1 - 0.7 ** (5 / 3)) * one.value, rel=1e-12)
+    result = combined("sticking_energy", QUARTZ, {"surface_energy": relative(0.025, 0.3)}).uncertainty
+    assert isinstance(result, Measured)
+    assert result.plus == approx((1.3 ** (5 / 3) - 1) * result.value, rel=1e-12)
+    assert result.minus == approx((1 - 0.7 ** (5 / 3)) * result.value, rel=1e-12)
 
 
 def test_the_lower_side_may_be_the_longer_one() -> None:
     """Near pull-off, √(1 + P/P_c) falls by more than it rises."""
     force = solve("pull_off_force", **QUARTZ)
-    one = found("load_margin", QUARTZ, {"load": Measured(-0.75 * force, 0.2 * force, 0.2 * force)}).uncertainty
-    assert isinstance(one, Measured)
-    assert one.minus == approx(0.5 - math.sqrt(0.05), rel=1e-12)
-    assert one.plus == approx(math.sqrt(0.45) - 0.5, rel=1e-12)
+    result = combined("load_margin", QUARTZ, {"load": Measured(-0.75 * force, 0.2 * force, 0.2 * force)}).uncertainty
+    assert isinstance(result, Measured)
+    assert result.minus == approx(0.5 - math.sqrt(0.05), rel=1e-12)
+    assert result.plus == approx(math.sqrt(0.45) - 0.5, rel=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -92,21 +93,23 @@ def test_the_lower_side_may_be_the_longer_one() -> None:
 )
 def test_a_side_is_zero_if_both_ends_change_the_result_in_one_direction(name: str, minus: float, plus: float) -> None:
     """1 − ν² is largest at ν = 0."""
-    one = found(name, {**QUARTZ, "poisson_ratio": 0.0}, {"poisson_ratio": Measured(0.0, 0.1, 0.1)}).uncertainty
-    assert isinstance(one, Measured)
-    assert one.minus == approx(minus * one.value, rel=1e-9)
-    assert one.plus == approx(plus * one.value, rel=1e-9)
+    result = combined(name, {**QUARTZ, "poisson_ratio": 0.0}, {"poisson_ratio": Measured(0.0, 0.1, 0.1)}).uncertainty
+    assert isinstance(result, Measured)
+    assert result.minus == approx(minus * result.value, rel=1e-9)
+    assert result.plus == approx(plus * result.value, rel=1e-9)
 
 
 def test_quadrature_agrees_with_sampling() -> None:
     random = Random(7)
     uncertain = {"radius": relative(1e-7, 0.05), "surface_energy": relative(0.025, 0.08)}
-    one = found("well_energy", QUARTZ, uncertain).uncertainty
-    drawn = {name: [random.gauss(each.value, each.plus) for _ in range(40_000)] for name, each in uncertain.items()}
+    result = combined("well_energy", QUARTZ, uncertain).uncertainty
+    drawn = {}
+    for name, source in uncertain.items():
+        drawn[name] = [random.gauss(source.value, source.plus) for _ in range(40_000)]
     samples = sorted(solve("well_energy", **{**QUARTZ, **drawn}))
-    assert isinstance(one, Measured)
-    assert one.high == approx(samples[round(0.8413 * len(samples))], rel=0.01)
-    assert one.low == approx(samples[round(0.1587 * len(samples))], rel=0.01)
+    assert isinstance(result, Measured)
+    assert result.high == approx(samples[round(0.8413 * len(samples))], rel=0.01)
+    assert result.low == approx(samples[round(0.1587 * len(samples))], rel=0.01)
 
 
 @pytest.mark.parametrize(
@@ -121,12 +124,14 @@ def test_quadrature_agrees_with_sampling() -> None:
 def test_turning_points_inside_a_range_are_included(
     name: str, given: dict[str, float], ranges: dict[str, Interval]
 ) -> None:
-    one = found(name, given, ranges).uncertainty
-    assert isinstance(one, Interval)
+    result = combined(name, given, ranges).uncertainty
+    assert isinstance(result, Interval)
     random = Random(3)
-    drawn = {each: [random.uniform(span.low, span.high) for _ in range(20_000)] for each, span in ranges.items()}
+    drawn = {}
+    for source, span in ranges.items():
+        drawn[source] = [random.uniform(span.low, span.high) for _ in range(20_000)]
     scene: dict[str, Any] = {**given, **drawn}
-    assert_spans(one, solve(name, **scene), outer=0.02)
+    assert_spans(result, solve(name, **scene), outer=0.02)
 
 
 def test_a_range_of_loads_around_0_is_not_taken_for_no_load() -> None:
@@ -138,9 +143,9 @@ def test_a_range_of_loads_around_0_is_not_taken_for_no_load() -> None:
         factor = (1 + math.sqrt(1 + load / pull_off)) / 2
         return 6 * math.pi * 0.025 * 2e-10 * factor
 
-    one = found("yield_force", QUARTZ, ranges).uncertainty
+    result = combined("yield_force", QUARTZ, ranges).uncertainty
     ends = sorted(force(load, 8e-8) for load in (-4e-9, 4e-9))
-    assert [one.low, one.high] == approx(ends, rel=1e-12)
+    assert [result.low, result.high] == approx(ends, rel=1e-12)
     scene: dict[str, Any] = {name: value for name, value in QUARTZ.items() if name != "yield_displacement"} | ranges
     displacement = infer("xi", measured={"yield_force": 9e-11}, **scene)
     assert [displacement.high, displacement.low] == approx([2e-10 * 9e-11 / end for end in ends], rel=1e-12)
@@ -165,8 +170,8 @@ def test_the_ridge_of_a_quantity_that_the_weaker_body_sets_is_found(
     moduli = ("youngs_modulus", "youngs_modulus2")
     ranges: dict[str, Any] = {each: Interval(sum(span) / 2, *span) for each, span in zip(moduli, spans, strict=True)}
     known = solve(name, **{**given, **dict.fromkeys(moduli, extreme)})
-    one = solve(name, **given, **ranges)
-    assert known - 0.02 * (known - one.low) <= one.high <= known * (1 + 1e-12)
+    result = solve(name, **given, **ranges)
+    assert known - 0.02 * (known - result.low) <= result.high <= known * (1 + 1e-12)
 
 
 @pytest.mark.parametrize("name", ["twisting_energy", "sliding_displacement", "peeling_over_sliding", "sliding_force"])
@@ -177,28 +182,28 @@ def test_ranges_agree_with_those_of_a_dense_grid(name: str, count: int) -> None:
     given |= {"youngs_modulus2": 4e9}
     spans = {"youngs_modulus": (1.9e9, 4.8e9), "poisson_ratio": (0.03, 0.46), "youngs_modulus2": (2.2e9, 5e9)}
     ranges = {each: Interval(sum(span) / 2, *span) for each, span in [*spans.items()][:count]}
-    one = solve(name, **{**given, **ranges})
+    result = solve(name, **{**given, **ranges})
     axes = [numpy.linspace(span.low, span.high, 201 if count == 2 else 41) for span in ranges.values()]
     grid = dict(zip(ranges, numpy.meshgrid(*axes), strict=True))
     values = solve(name, **{**given, **grid})
-    assert_spans(one, values.ravel(), outer=0.03)
+    assert_spans(result, values.ravel(), outer=0.03)
 
 
 def test_an_input_copied_to_sphere_2_varies_with_that_of_sphere_1() -> None:
     surface = {"surface_energy": relative(0.025, 0.1)}
-    assert found("pull_off_force", QUARTZ, surface).uncertainty.high == approx(1.1 * 1.1780972450961723e-8)
+    assert combined("pull_off_force", QUARTZ, surface).uncertainty.high == approx(1.1 * 1.1780972450961723e-8)
     both = {**surface, "surface_energy2": relative(0.025, 0.1)}
-    one = found("pull_off_force", {**QUARTZ, "surface_energy2": 0.025}, both).uncertainty
-    assert isinstance(one, Measured)
-    assert one.plus / one.value == approx(0.1 / math.sqrt(2), rel=0.01)
+    result = combined("pull_off_force", {**QUARTZ, "surface_energy2": 0.025}, both).uncertainty
+    assert isinstance(result, Measured)
+    assert result.plus / result.value == approx(0.1 / math.sqrt(2), rel=0.01)
 
 
 def test_both_spheres_of_one_material_vary_together() -> None:
     material = known_materials()["quartz"]._replace(uncertainties={"surface_energy": relative(0.025, 0.1)})
-    once = found("pull_off_force", {"radius": 1e-7}, {}, material)
-    twice = found("pull_off_force", {"radius": 1e-7}, {}, material, material)
+    once = combined("pull_off_force", {"radius": 1e-7}, {}, material)
+    twice = combined("pull_off_force", {"radius": 1e-7}, {}, material, material)
     assert once.uncertainty.high == approx(twice.uncertainty.high, rel=1e-15)
-    apart = found("pull_off_force", {"radius": 1e-7}, {}, material, material._replace(name="another"))
+    apart = combined("pull_off_force", {"radius": 1e-7}, {}, material, material._replace(name="another"))
     assert apart.uncertainty.high < once.uncertainty.high
     stated = Frame({"radius": 1e-7, "surface_energy": 0.03}, material)
     assert error_bars(stated, ["pull_off_force"]) == {}
@@ -208,13 +213,13 @@ def test_too_many_ranges_are_refused() -> None:
     more = {"radius2": 1e-7, "youngs_modulus2": 1e10, "surface_energy2": 0.02, "density2": 1e3, "load": 1e-9}
     many = {name: Interval(value, 0.9 * value, 1.1 * value) for name, value in {**QUARTZ, **more}.items()}
     with pytest.raises(BadRequest, match="go together"):
-        found("vertical_frequency", {**QUARTZ, **more}, many)
+        combined("vertical_frequency", {**QUARTZ, **more}, many)
 
 
 def test_ranges_and_standard_uncertainties_together_give_a_range() -> None:
     """The force is proportional to γR: it ends at half and twice the radius, each extended by 10 % for γ."""
     mixed: dict[str, Uncertain] = {"radius": Interval(1e-7, 5e-8, 2e-7), "surface_energy": relative(0.025, 0.1)}
-    result = found("pull_off_force", QUARTZ, mixed)
+    result = combined("pull_off_force", QUARTZ, mixed)
     assert isinstance(result.uncertainty, Interval)
     ends = result.uncertainty.low / result.uncertainty.value, result.uncertainty.high / result.uncertainty.value
     assert ends == approx((0.5 * 0.9, 2 * 1.1))
@@ -228,7 +233,7 @@ def test_standard_uncertainties_add_in_quadrature_at_each_corner_of_the_ranges()
         "surface_energy": relative(0.025, 0.06),
         "surface_energy2": relative(0.03, 0.08),
     }
-    result = found("pull_off_force", QUARTZ, mixed)
+    result = combined("pull_off_force", QUARTZ, mixed)
     assert result.uncertainty.low / result.uncertainty.value == approx(0.9 * 0.95, rel=2e-4)
     assert result.uncertainty.high / result.uncertainty.value == approx(1.2 * 1.05, rel=2e-4)
 
@@ -249,7 +254,7 @@ def test_a_standard_uncertainty_does_not_narrow_the_range_of_a_quantity_with_a_r
 def test_shares_of_both_kinds_are_those_of_the_widths() -> None:
     """γ changes the force by 40 % from end to end, and the radius by 20 %."""
     mixed: dict[str, Uncertain] = {"radius": Interval(1e-7, 9e-8, 1.1e-7), "surface_energy": relative(0.025, 0.2)}
-    assert found("pull_off_force", QUARTZ, mixed).shares == approx({"surface_energy": 2 / 3, "radius": 1 / 3})
+    assert combined("pull_off_force", QUARTZ, mixed).shares == approx({"surface_energy": 2 / 3, "radius": 1 / 3})
 
 
 def test_both_kinds_of_uncertainty_of_a_material_enter_a_result() -> None:

@@ -37,7 +37,7 @@ from reference import (
 )
 from scenes import (
     OF_HARD_SCENES,
-    Frame,
+    Scene,
     hard_approaches,
     hard_loads,
     hard_scenes,
@@ -70,25 +70,25 @@ class Error(NamedTuple):
 
     ulp: float  # over 1 + its condition: the larger of the errors of the number and of the element of an array
     of_number: float  # likewise, of the number alone
-    scene: Frame
+    scene: Scene
 
 
-def errors_of(scenes: Iterable[Frame]) -> dict[str, list[Error]]:
+def errors_of(scenes: Iterable[Scene]) -> dict[str, list[Error]]:
     """Return the errors of results, computed scene by scene, and as arrays of all scenes with the same inputs."""
-    alike = defaultdict(list)
+    groups = defaultdict(list)  # by inputs and results
     for scene in scenes:
         exact = {name: value for name, value in exact_results(scene).items() if abs(value) < math.inf}
-        alike[frozenset(scene), frozenset(exact)].append((scene, exact, conditions(scene, exact)))
-    found: dict[str, list[Error]] = {}
-    for (given, wanted), same in alike.items():
-        arrays: Frame = {name: np.array([scene[name] for scene, _, _ in same]) for name in given}
+        groups[frozenset(scene), frozenset(exact)].append((scene, exact, conditions(scene, exact)))
+    by_name: dict[str, list[Error]] = {}
+    for (given, wanted), group in groups.items():
+        arrays: Scene = {name: np.array([scene[name] for scene, _, _ in group]) for name in given}
         columns = solve(wanted, **arrays)
-        for row, (scene, exact, condition) in enumerate(same):
+        for row, (scene, exact, condition) in enumerate(group):
             for name, value in solve(wanted, **scene).items():
-                element = float(np.broadcast_to(columns[name], len(same))[row])
+                element = float(np.broadcast_to(columns[name], len(group))[row])
                 errors = [ulp_error(each, exact[name]) / (1 + condition[name]) for each in (value, element)]
-                found.setdefault(name, []).append(Error(max(errors), errors[0], scene))
-    return found
+                by_name.setdefault(name, []).append(Error(max(errors), errors[0], scene))
+    return by_name
 
 
 @cache
@@ -154,10 +154,10 @@ def test_results_of_fresh_scenes_are_within_the_bounds() -> None:
 
 
 @cache
-def parameter_values() -> list[Frame]:
+def parameter_values(count: int) -> list[Scene]:
     """Return values of the parameters of formulas that are not in LAW_FORMULAS, by scene, each taken as exact."""
     random = Random(1997)
-    return [dict(_values(random, scene)) for scene in random_scenes(COUNT, seed=1998)]
+    return [dict(_values(random, scene)) for scene in random_scenes(count, seed=1998)]
 
 
 def test_values_are_the_same_in_every_process() -> None:
@@ -169,7 +169,7 @@ def test_values_are_the_same_in_every_process() -> None:
     assert ran.stdout == f"{dict(_values(Random(1), *random_scenes(1, seed=1)))}\n"
 
 
-def _values(random: Random, scene: Frame) -> Iterator[tuple[str, Any]]:
+def _values(random: Random, scene: Scene) -> Iterator[tuple[str, Any]]:
     for name in ("radius", "surface_energy", "youngs_modulus", "poisson_ratio", "density"):
         yield name + "2", scene.get(name + "2", scene[name])
     results = {name: float(value) for name, value in exact_results(scene).items()}
@@ -236,10 +236,10 @@ def _of_sphere(random: Random, modulus: float) -> Iterator[tuple[str, Any]]:
 
 
 @cache
-def law_values() -> list[Frame]:
-    """Return values of every parameter of LAW_FORMULAS, each taken as exact."""
+def law_values(count: int) -> list[Scene]:
+    """Return values of every parameter of LAW_FORMULAS, by scene, each taken as exact."""
     random = Random(1992)
-    return [dict(_law_values(random)) for _ in range(COUNT)]
+    return [dict(_law_values(random)) for _ in range(count)]
 
 
 def _law_values(random: Random) -> Iterator[tuple[str, Any]]:
@@ -288,24 +288,22 @@ def _law_values(random: Random) -> Iterator[tuple[str, Any]]:
     yield "approach_at_load", random.choice([0.0, -depth * nearly, beyond]) * length**2 / radius
 
 
-def values_of(name: str) -> list[Frame]:
+def values_of(name: str, count: int) -> list[Scene]:
     """Return values of a formula's parameters, by scene; inputs that no scene has are drawn near their examples."""
     random = Random(1999)
     inputs = [each for each in parameters_of(FORMULAS[name]) if each in NOMENCLATURE and NOMENCLATURE[each].example]
-    return [{each: near_example(each, random) for each in inputs} | values for values in _scenes_of(name)]
+    return [{each: near_example(each, random) for each in inputs} | values for values in _scenes_of(name, count)]
 
 
-def _scenes_of(name: str) -> list[Frame]:
+def _scenes_of(name: str, count: int) -> list[Scene]:
     if FORMULAS[name].__module__ == cylinder.__name__ or name == "unloaded_half_width":
-        return strip_contacts(COUNT)
-    if name not in LAW_FORMULAS:
-        return parameter_values()
-    return law_values()
+        return strip_contacts(count)
+    return law_values(count) if name in LAW_FORMULAS else parameter_values(count)
 
 
 # The worst of thousands of arguments: each had an error beyond the accuracy that was then stated. The force that slides
 # or peels was computed as a square, which doubles a rounding error.
-WORST: list[tuple[str, Frame]] = [
+WORST: list[tuple[str, Scene]] = [
     (
         "sliding_or_peeling_force",
         {"peeling_force": force, "peeling_over_sliding": over_sliding, "load_margin": margin},
@@ -342,12 +340,12 @@ WORST: list[tuple[str, Frame]] = [
 
 
 @pytest.mark.parametrize(("name", "given"), WORST)
-def test_formula_is_as_accurate_as_stated_at_the_worst_arguments(name: str, given: Frame) -> None:
+def test_formula_is_as_accurate_as_stated_at_the_worst_arguments(name: str, given: Scene) -> None:
     assert formula_error(name, given, float(FORMULAS[name](**given))) <= float(accuracy_of(name).partition(" ulp")[0])
 
 
 # Arguments for which some formulas have no value, or state no accuracy.
-OUTSIDE: Mapping[str, Callable[[Frame], bool]] = {
+OUTSIDE: Mapping[str, Callable[[Scene], bool]] = {
     "load_margin": lambda values: values["load"] < -values["pull_off_force"],
     "stiffness": lambda values: values["load_margin"] < 0,
     "vertical_frequency": lambda values: values["stiffness"] < 0,
@@ -386,16 +384,16 @@ OF_ROOTS = [
 
 @pytest.mark.parametrize("name", FORMULAS)
 def test_formula_is_as_accurate_as_stated(name: str) -> None:
-    is_accurate_in(name, values_of(name)[: FEW_ROOTS if name in OF_ROOTS else FEW])
+    is_accurate_in(name, values_of(name, FEW)[: FEW_ROOTS if name in OF_ROOTS else FEW])
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", FORMULAS)
 def test_formula_is_as_accurate_as_stated_in_every_scene(name: str) -> None:
-    is_accurate_in(name, values_of(name))
+    is_accurate_in(name, values_of(name, COUNT))
 
 
-def is_accurate_in(name: str, values_of_scenes: Iterable[Frame]) -> None:
+def is_accurate_in(name: str, values_of_scenes: Iterable[Scene]) -> None:
     """Check the accuracy of a formula in scenes, for floats and for arrays."""
     formula, parameters = FORMULAS[name], parameters_of(FORMULAS[name])
     bound = float(accuracy_of(name).partition(" ulp")[0])

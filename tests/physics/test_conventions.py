@@ -100,12 +100,10 @@ def test_sliding_frequency_is_an_eigenvalue(radius2: float) -> None:
     """Two spheres have the motions x1, x2, θ1, θ2, and their spring has the energy k_s (x1 − R1θ1 − x2 − R2θ2)²/2."""
     scene = {**PAIR, "radius2": radius2}
     stiffness, mass, mass2 = solve(["tangential_stiffness", "mass", "mass2"], **scene).values()
-    radii, masses = [1e-7, radius2], [mass, mass2]
-    moving = [place for place in (0, 1) if math.isfinite(radii[place])]
-    direction = np.array([*((1.0, -1.0)[place] for place in moving), *(-radii[place] for place in moving)])
-    inertia = np.array(
-        [*(masses[place] for place in moving), *(0.4 * masses[place] * radii[place] ** 2 for place in moving)]
-    )
+    spheres = np.array([(1.0, 1e-7, mass), (-1.0, radius2, mass2)])  # direction, radius, mass
+    signs, radii, masses = spheres[np.isfinite(spheres).all(axis=1)].T  # a plane does not move
+    direction = np.concatenate([signs, -radii])
+    inertia = np.concatenate([masses, 0.4 * masses * radii**2])
     matrix = stiffness * np.outer(direction, direction) / np.sqrt(np.outer(inertia, inertia))
     highest = math.sqrt(float(np.linalg.eigvalsh(matrix)[-1])) / (2 * math.pi)
     assert math.isclose(solve("sliding_frequency", **scene), highest, rel_tol=1e-12)

@@ -27,17 +27,18 @@ def nodoid(kelvin: float, contact_angle: float, *, is_pair: bool) -> tuple[float
     reduced = 0.5 if is_pair else 1.0
     radius = kelvin * reduced
 
-    def double(top: float) -> float:
-        return 2 * radius * math.sin(top) * math.sin(top + contact_angle) + math.sin(top) ** 2  # 2r_K F/(2πγ_L)
+    def pull(top: float) -> float:
+        """Return 2r_K F/(2πγ_L)."""
+        return 2 * radius * math.sin(top) * math.sin(top + contact_angle) + math.sin(top) ** 2
 
     def excess(logarithm: float) -> float:
         top = math.exp(logarithm)
-        held, first = double(top), top + contact_angle if is_pair else contact_angle
+        pulled, first = pull(top), top + contact_angle if is_pair else contact_angle
 
         def rise(slope: float) -> float:
             down = radius * math.sin(slope)
-            root = math.hypot(down, math.sqrt(held))
-            return down * held / (root * (root + down))
+            root = math.hypot(down, math.sqrt(pulled))
+            return down * pulled / (root * (root + down))
 
         spanned = quad(rise, first, math.pi - top - contact_angle, epsabs=0, epsrel=1e-11)[0]
         return float(math.log(spanned / ((2 if is_pair else 1) * 2 * math.sin(top / 2) ** 2)))
@@ -45,7 +46,7 @@ def nodoid(kelvin: float, contact_angle: float, *, is_pair: bool) -> tuple[float
     most = (math.pi / 2 - contact_angle) * (1 if is_pair else 2)
     least = 0.1 * min(most, math.sqrt(radius * math.cos(contact_angle)))
     top = math.exp(brentq(excess, math.log(least), math.log(most * 0.9999), xtol=1e-13))
-    return float(double(top) / (2 * radius) / (2 * reduced * math.cos(contact_angle))), float(top)
+    return float(pull(top) / (2 * radius) / (2 * reduced * math.cos(contact_angle))), float(top)
 
 
 def by_first_order(ratio: float, contact_angle: float) -> tuple[float, float]:
@@ -68,9 +69,9 @@ def test_the_first_order_is_that_of_the_exact_meniscus(degrees: float, is_pair: 
 @pytest.mark.parametrize("degrees", ANGLES)
 def test_the_exact_meniscus_is_in_the_stated_range(degrees: float, is_pair: bool) -> None:
     angle = math.radians(degrees)
-    of_ratio_1 = float(meniscus_size(kelvin_radius=1.0, reduced_radius=1.0, contact_angle=angle))
+    kappa = float(meniscus_size(kelvin_radius=1.0, reduced_radius=1.0, contact_angle=angle))
     for size in (0.01, 0.03, 0.05, 0.1, 0.2, 0.3, 0.4, WIDEST):
-        force, _ = nodoid((size / of_ratio_1) ** 2, angle, is_pair=is_pair)
+        force, _ = nodoid((size / kappa) ** 2, angle, is_pair=is_pair)
         first = 1 - size
         assert 0.999 * first <= force <= first * (1 + 2 * size**2) * (1 + 1e-3)
 

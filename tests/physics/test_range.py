@@ -119,10 +119,12 @@ class ExactScene:
         self.in_doubles = set(self.given)  # names of values that doubles hold, with all intermediate values
         for name, step in steps.items():
             known = {parameter: self.values[argument] for parameter, argument in step.arguments.items()}
-            value = self.values[name] = None if None in known.values() else _exact_or_none(step.formula.__name__, known)
+            value = None if None in known.values() else _exact_or_none(step.formula.__name__, known)
+            self.values[name] = value
             is_zero = value == 0 and NOMENCLATURE[name].may_be_zero
-            if value is not None and (is_zero or SMALLEST < abs(value) < LARGEST):
-                self.in_doubles |= {name} if self.in_doubles.issuperset(step.arguments.values()) else set()
+            is_double = value is not None and (is_zero or SMALLEST < abs(value) < LARGEST)
+            if is_double and self.in_doubles.issuperset(step.arguments.values()):
+                self.in_doubles.add(name)
 
     def is_right(self, name: str, value: Any, bound: float) -> bool:
         """Return whether a number is accurate, or is missing because doubles cannot hold it."""

@@ -104,8 +104,8 @@ def test_a_formula_returns_the_stated_dimension(name: str, monkeypatch: pytest.M
     units = {parameter: hint.__metadata__[0] for parameter, hint in hints.items()}
     wanted = units.pop("return")
     values = {
-        parameter: UREG.Quantity(place / 10, unit).to_base_units()
-        for place, (parameter, unit) in enumerate(units.items(), 2)
+        parameter: UREG.Quantity(index / 10, unit).to_base_units()
+        for index, (parameter, unit) in enumerate(units.items(), 2)
     } | {parameter: UREG.Quantity(value, units[parameter]) for parameter, value in IN_DOMAIN.get(name, {}).items()}
     result = formula(**values)
     assert UREG.Quantity(result).is_compatible_with(UREG.Quantity(1.0, wanted))

@@ -47,7 +47,7 @@ def held(x: Exact, ratio: Exact, machine: str) -> Exact:
 
 
 def contacts(count: int, seed: int) -> list[float]:
-    """Return values of a/R: small, any, near 0.3, where the series end, and near 1."""
+    """Return values of a/R: small, any, near 0.3, where the series ends, and near 1."""
     random = Random(seed)
     ranges = ((1e-9, 1e-3), (1e-3, 0.9), (0.299, 0.301), (0.9, 1 - 1e-9))
     near = [1 - log_uniform(random, 1e-15, 1e-3) for _ in range(count)]

@@ -20,10 +20,10 @@ SOLIDS, RADII = ["quartz", "iron"], ["100 nm", "1 um"]
 def test_lists_are_combined_as_by_the_command() -> None:
     answers = jkroll.answer("pull-off", material=SOLIDS, radius=RADII)
     assert len(answers) == 4
-    each = [jkroll.answer("pull-off", material=solid, radius=radius) for solid in SOLIDS for radius in RADII]
-    assert [answer.as_dict() for answer in answers] == [answer.as_dict() for answer in each]
-    assert answers["P_c"].tolist() == [float(answer["P_c"]) for answer in each]
-    assert (str(answers[-1]), repr(answers)) == (str(each[-1]), "<Answers: P_c of 4 scenes>")
+    singles = [jkroll.answer("pull-off", material=solid, radius=radius) for solid in SOLIDS for radius in RADII]
+    assert [answer.as_dict() for answer in answers] == [answer.as_dict() for answer in singles]
+    assert answers["P_c"].tolist() == [float(answer["P_c"]) for answer in singles]
+    assert (str(answers[-1]), repr(answers)) == (str(singles[-1]), "<Answers: P_c of 4 scenes>")
     with pytest.raises(IndexError, match="4 answers"):
         answers[4]
     with pytest.raises(jkroll.JkrollError, match="'a0' is not in these answers, which have pull_off_force"):
@@ -36,17 +36,19 @@ def test_columns_are_those_of_csv(run: Run) -> None:
         "contact", material=SOLIDS, radius=RADII, radius2="plane", load="-20nN", model=["jkr", "maugis"]
     )
     heads, *rows = csv.reader(io.StringIO(run(*words.split()).out))
-    found = answers.to_dict()
-    assert [*found] == heads
+    columns = answers.to_dict()
+    assert [*columns] == heads
     for head, texts in zip(heads, zip(*rows, strict=True), strict=True):
-        assert [as_csv(head, cell) for cell in found[head]] == [*texts], head
+        assert [as_csv(head, cell) for cell in columns[head]] == [*texts], head
 
 
 def as_csv(head: str, cell: Any) -> str:
     """Return a cell as CSV writes it."""
-    if isinstance(cell, float):
-        return "" if math.isnan(cell) else "plane" if head == "radius2 [m]" else spelled(cell)
-    return cell or ""
+    if cell is None or (isinstance(cell, float) and math.isnan(cell)):
+        return ""
+    if head == "radius2 [m]":
+        return "plane"
+    return spelled(cell) if isinstance(cell, float) else str(cell)
 
 
 def test_a_list_of_one_material_gives_a_list_of_one_answer() -> None:
@@ -66,16 +68,16 @@ def test_answer_takes_arrays_and_materials_made_by_hand() -> None:
     assert answers["P_c"].tolist() == forces.reshape(-1).tolist()
     # So many scenes are computed as arrays.
     many = jkroll.answer("P_c", material=SOLIDS, radius=numpy.geomspace(1e-8, 1e-6, 400))
-    assert many["P_c"].tolist() == [float(answer["P_c"]) for answer in many]
+    assert many["P_c"][::50].tolist() == [float(many[position]["P_c"]) for position in range(0, 800, 50)]
 
 
 def test_a_data_frame_has_a_row_for_each_answer() -> None:
     pandas = pytest.importorskip("pandas")
-    found = jkroll.answer("pull-off", material=SOLIDS, radius=RADII).to_pandas()
-    assert found["material"].tolist() == ["quartz", "quartz", "iron", "iron"]
-    assert pandas.api.types.is_float_dtype(found["pull_off_force_best_low [N]"])
-    again = jkroll.table(found[["material", "radius [m]", "radius2 [m]", "surface_energy [J/m^2]"]], "P_c")
-    assert again["pull_off_force [N]"].tolist() == found["pull_off_force [N]"].tolist()
+    frame = jkroll.answer("pull-off", material=SOLIDS, radius=RADII).to_pandas()
+    assert frame["material"].tolist() == ["quartz", "quartz", "iron", "iron"]
+    assert pandas.api.types.is_float_dtype(frame["pull_off_force_best_low [N]"])
+    again = jkroll.table(frame[["material", "radius [m]", "radius2 [m]", "surface_energy [J/m^2]"]], "P_c")
+    assert again["pull_off_force [N]"].tolist() == frame["pull_off_force [N]"].tolist()
 
 
 def test_columns_of_a_data_frame_are_not_combined() -> None:
@@ -129,8 +131,9 @@ def test_answers_can_be_pickled() -> None:
 
 def same_lines(drawn: Any, other: Any) -> bool:
     """Return whether two pictures have the same lines."""
-    pairs = zip(drawn.lines.items(), other.lines.items(), strict=True)
-    return all(name == same and numpy.array_equal(line, like, equal_nan=True) for (name, line), (same, like) in pairs)
+    return [*drawn.lines] == [*other.lines] and all(
+        numpy.array_equal(line, other.lines[label], equal_nan=True) for label, line in drawn.lines.items()
+    )
 
 
 def test_an_answer_is_drawn_as_the_force_curve_of_its_contact() -> None:

@@ -1,6 +1,7 @@
 """`jkroll.map`, `curve` and `figure`: the numbers of the commands' pictures, and pictures on a user's axes."""
 
 import csv
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -13,9 +14,6 @@ from jkroll.pictures.drawn import Drawn
 from relative import approx
 
 pytest.importorskip("matplotlib")
-
-
-PLOT: Any = jkroll.curve(material="quartz", radius=1e-7).plot
 
 
 def of_command(run: Run, *words: str) -> list[dict[str, str]]:
@@ -54,8 +52,8 @@ def test_approaches_of_a_curve_are_those_of_solve_at_its_loads(model: str) -> No
     drawn = jkroll.curve(material="quartz", radius="100 nm", model=model, load=(-5e-9, 20e-9))
     approaches, loads = drawn.lines["stable"]
     assert [loads.min(), loads.max()] == approx([-5e-9, 20e-9], rel=1e-12)
-    found = jkroll.solve("approach_at_load", material="quartz", radius=1e-7, model=model, load=loads[1:-1])
-    assert found.tolist() == approx(approaches[1:-1].tolist(), rel=1e-9)  # the ends are interpolated
+    solved = jkroll.solve("approach_at_load", material="quartz", radius=1e-7, model=model, load=loads[1:-1])
+    assert solved.tolist() == approx(approaches[1:-1].tolist(), rel=1e-9)  # the ends are interpolated
 
 
 def test_each_of_several_laws_is_one_line_with_gaps_between_branches() -> None:
@@ -76,17 +74,18 @@ def test_the_stable_branch_ends_at_the_pull_off_force() -> None:
     assert "quartz" in drawn.caption
 
 
-@pytest.mark.parametrize("name", ["2", "3a", *(pytest.param(name, marks=pytest.mark.slow) for name in ("6b", "laws"))])
-def test_a_figure_is_drawn_on_axes_of_a_user(name: str) -> None:
+@pytest.mark.parametrize(
+    ("name", "panels"),
+    [("2", 2), ("3a", 1), *(pytest.param(name, 1, marks=pytest.mark.slow) for name in ("6b", "laws"))],
+)
+def test_a_figure_is_drawn_on_axes_of_a_user(name: str, panels: int) -> None:
     from matplotlib.figure import Figure
 
-    drawn = jkroll.figure(name)
-    panels = len(drawn.figure().axes) if name == "2" else 1
     axes = Figure(figsize=(5 * panels, 4)).subplots(1, panels)
-    assert drawn.plot(axes) is axes
-    for each in numpy.ravel(axes):
-        assert each.get_xlabel()
-        assert each.has_data()
+    assert jkroll.figure(name).plot(axes) is axes
+    for one in numpy.ravel(axes):
+        assert one.get_xlabel()
+        assert one.has_data()
 
 
 def test_a_notebook_shows_a_picture() -> None:
@@ -99,6 +98,9 @@ def test_without_axes_plot_makes_a_new_figure() -> None:
     axes = jkroll.curve(material="quartz", radius="100 nm").plot()
     assert len(axes.lines) >= 3
     assert len(jkroll.curve(material="quartz", radius="100 nm", panel=None).plot()) == 3
+
+
+plot_curve: Any = jkroll.curve(material="quartz", radius=1e-7).plot
 
 
 @pytest.mark.parametrize(
@@ -114,7 +116,7 @@ def test_without_axes_plot_makes_a_new_figure() -> None:
         (lambda: jkroll.map("P_c", x="radius=1nm:1um", radius=1e-7), "leave out its single value"),
         (lambda: jkroll.map("P_c", x="density=1g/cm3:2g/cm3"), "pull_off_force does not depend on density"),
         (lambda: jkroll.map("P_c", x="radius"), "x: write a quantity and its range"),
-        (lambda: PLOT([1, 2]), "has 1 panels, and 2 axes were given"),
+        (lambda: plot_curve([1, 2]), "has 1 panels, and 2 axes were given"),
     ],
 )
 def test_invalid_calls_for_pictures_are_refused(call: Any, words: str) -> None:
@@ -123,8 +125,9 @@ def test_invalid_calls_for_pictures_are_refused(call: Any, words: str) -> None:
     assert words in str(caught.value)
 
 
+@cache
 def fitted_probe() -> Any:
-    """Return the fit of a computed curve with noise and with both branches."""
+    """Return the fit of a curve with noise and both branches."""
     path = Path(__file__).parents[1] / "data/probe.csv"
     return jkroll.fit(path, radius="7.5 um", radius2="plane", spring="3.01±0.1N/m", poisson_ratio2=0.5)
 
@@ -135,7 +138,7 @@ def test_the_caption_of_a_fit_has_sentences_with_typeset_symbols_and_no_options(
     sentences = caption_of_fit(fitted_probe())
     assert sentences[0] == "Travel and force, by JKR, ⟦R⟧ = 7.5 µm, ⟦k⟧ = 3.01 N/m, paraboloid, 15 points."
     assert sentences[1].startswith("Work of adhesion on opening, ⟦w_open⟧ = 61.7 ± 1.7 mJ/m²; work of adhesion on ")
-    assert all(each[0] in "⟦15" or each[0].isupper() for each in sentences)
+    assert all(sentence[0] in "⟦15" or sentence[0].isupper() for sentence in sentences)
     text = " ".join(sentences)
     assert "⟦a0/R⟧ = " in text
     assert " a sphere is no paraboloid." in text
@@ -143,7 +146,9 @@ def test_the_caption_of_a_fit_has_sentences_with_typeset_symbols_and_no_options(
 
 
 def test_measured_points_and_the_fitted_line_look_different() -> None:
-    first, *_ = fitted_probe().plot()
+    from matplotlib.figure import Figure
+
+    first, *_ = fitted_probe().plot(Figure(figsize=(15, 4)).subplots(1, 3))
     looks = {line.get_label(): (line.get_linestyle(), line.get_marker(), line.get_color()) for line in first.lines}
     assert [*looks] == ["unloading, measured", "unloading, fitted", "loading, measured", "loading, fitted"]
     assert [style == "None" for style, _, _ in looks.values()] == [True, False, True, False]

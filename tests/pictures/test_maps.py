@@ -1,4 +1,4 @@
-"""Maps and curves as data and in a terminal: they follow the formulas, and show what the paper says of its figures."""
+"""Maps and curves as data and in a terminal: they follow the formulas, and agree with the text of the paper."""
 
 import csv
 import io
@@ -17,7 +17,8 @@ from jkroll.model.frame import Frame
 from jkroll.model.limits import LIMITS
 from jkroll.model.plan import depends_on
 from jkroll.pictures.figures import paper_map
-from jkroll.pictures.picture import Axis, Field, Panel, Picture, axis_around, evaluate, is_flat, over, shown_values
+from jkroll.pictures.picture import Axis, Field, Panel, Picture, axis_around, evaluate, is_flat, over
+from jkroll.pictures.picture_as_text import shown_values
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from relative import approx
 
@@ -239,9 +240,9 @@ OVERLAPPING = ["figure 3a", "figure 8", "map moment quartz --x xi=0.01nm:1nm --y
 def test_a_sign_stands_for_one_limit_on_every_map(run: Run) -> None:
     texts: dict[str, set[str]] = {}
     for line in OVERLAPPING:
-        found = KEY.findall(run(line).out)
-        assert len(found) >= 2
-        for sign, text in found:
+        keys = KEY.findall(run(line).out)
+        assert len(keys) >= 2
+        for sign, text in keys:
             texts.setdefault(sign, set()).add(text)
     assert [len(several) for several in texts.values()] == [1] * len(texts)
     assert len(texts) == len(set.union(*texts.values()))
@@ -286,7 +287,7 @@ def test_data_have_an_empty_cell_for_each_missing_value(run: Run, tmp_path: Path
 
 
 def test_data_have_the_requested_number_of_points(run: Run) -> None:
-    """Contours and limits need fewer points than the output has."""
+    """The axes of contours and limits have other numbers of points."""
     out = run("map r_min --x radius=1nm:1um:300 --y xi=1angstrom:1nm:3 --data -").out
     rows = [tuple(map(float, row.values())) for row in csv.DictReader(io.StringIO(out))]
     assert len({*rows}) == 900
@@ -557,7 +558,7 @@ def test_every_mark_is_on_the_screen(run: Run, monkeypatch: pytest.MonkeyPatch, 
     ],
 )
 def test_a_caption_has_every_doubt_of_the_rows(run: Run, words: str, axis: str) -> None:
-    """Doubts without a region or line on a map are included; `--plain` leaves out all doubts."""
+    """`--plain` leaves out all doubts."""
     quantity, *scene = words.split()
     name, ends = axis.split("=")
     option = f"--{name} {ends}:41" if name != "radius" else f"{ends}:41"
@@ -569,13 +570,12 @@ def test_a_caption_has_every_doubt_of_the_rows(run: Run, words: str, axis: str) 
         re.sub(r"\s|=", "", run(f"map {words} --x {axis} {option}", terminal=True).out).lower()
         for option in ("", "--plain")
     )
-    conditions = {
-        code: f"{NOMENCLATURE[limit.name].symbol}{limit.sign[0]}"
-        if limit.factor is None
-        else re.sub(r"\s", "", limit.consequence.partition(";")[0])
-        for limit in LIMITS
-        for code in limit.codes.values()
-    }
+    conditions: dict[str, str] = {}
+    for limit in LIMITS:
+        condition = f"{NOMENCLATURE[limit.name].symbol}{limit.sign[0]}"
+        if limit.factor is not None:
+            condition = re.sub(r"\s", "", limit.consequence.partition(";")[0])
+        conditions |= dict.fromkeys(limit.codes.values(), condition)
     for code in codes:
         said = "jkrisoff" if code.startswith("law") else conditions[code].lower()
         assert (said in drawn, said in plain) == (True, False), code

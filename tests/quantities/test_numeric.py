@@ -78,10 +78,10 @@ def test_using_a_result_without_a_value_raises_its_reason() -> None:
 
 def test_a_result_without_a_meaning_points_to_its_best_range() -> None:
     found = jkroll.answer("contact", gamma=0.05, young=1e4, poisson=0.49, radius=1e-5)
-    ended = next(found[name] for name in found if found[name].value is None and name in found.best)
+    result = next(result for name, result in found.items() if result.value is None and name in found.best)
     with pytest.raises(jkroll.JkrollError, match=r"; \.best has its range"):
-        float(ended)
-    assert ended.best == found.best[ended.name]
+        float(result)
+    assert result.best == found.best[result.name]
 
 
 def test_a_result_can_be_an_input_with_the_same_unit() -> None:

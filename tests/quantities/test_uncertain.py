@@ -37,7 +37,7 @@ def test_one_uncertainty_in_many_spellings(text: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "name", "found"),
+    ("text", "name", "value"),
     [
         ("5.00(1) nm", "radius", Measured(5e-9, 1e-11, 1e-11)),
         ("25 +6/-4 mJ/m2", "surface_energy", Measured(0.025, 0.004, 0.006)),
@@ -57,8 +57,8 @@ def test_one_uncertainty_in_many_spellings(text: str) -> None:
         ("∞", "radius2", float("inf")),
     ],
 )
-def test_texts_are_read_as_uncertain_values(text: str, name: str, found: object) -> None:
-    assert value_of(text, name) == found
+def test_texts_are_read_as_uncertain_values(text: str, name: str, value: object) -> None:
+    assert value_of(text, name) == value
 
 
 REFUSED = {
@@ -183,16 +183,16 @@ def test_invalid_uncertain_values_are_refused(kind: type[Any], values: tuple[Any
         kind(*values)
 
 
-@pytest.mark.parametrize("found", [Measured(0.025, 0.004, 0.006), Interval(0.025, 0.02, 0.03)])
-def test_an_uncertain_value_is_copied_and_pickled(found: Measured | Interval) -> None:
-    for again in (pickle.loads(pickle.dumps(found)), copy.copy(found), copy.deepcopy(found)):
-        assert again == found
-        assert type(again) is type(found)
+@pytest.mark.parametrize("value", [Measured(0.025, 0.004, 0.006), Interval(0.025, 0.02, 0.03)])
+def test_an_uncertain_value_is_copied_and_pickled(value: Measured | Interval) -> None:
+    for again in (pickle.loads(pickle.dumps(value)), copy.copy(value), copy.deepcopy(value)):
+        assert again == value
+        assert type(again) is type(value)
 
 
-@pytest.mark.parametrize("found", [Measured(0.025, 0.005, 0.005), Interval(0.025, 0.02, 0.03)])
-def test_numpy_makes_no_array_of_numbers_from_an_uncertain_value(found: tuple[object, ...]) -> None:
-    assert numpy.asarray(found).dtype.kind not in "fiu"
+@pytest.mark.parametrize("value", [Measured(0.025, 0.005, 0.005), Interval(0.025, 0.02, 0.03)])
+def test_numpy_makes_no_array_of_numbers_from_an_uncertain_value(value: Measured | Interval) -> None:
+    assert numpy.asarray(value).dtype.kind not in "fiu"
 
 
 @pytest.mark.parametrize(

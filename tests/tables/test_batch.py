@@ -122,7 +122,7 @@ def test_in_a_column_without_a_unit_each_cell_needs_a_number_and_a_unit(cells: l
     radii = {b"50 nm": 50e-9, b"7 nm": 7e-9, b"2 um": 2e-6}
     found = Column(0, "radius", "", None).numbers({"radius": cells})
     assert [None if math.isnan(value) else value for value in found.values] == [*map(radii.get, cells)]
-    assert sorted(found.odd) == [place for place, cell in enumerate(cells) if cell.strip() and cell not in radii]
+    assert sorted(found.odd) == [row for row, cell in enumerate(cells) if cell.strip() and cell not in radii]
 
 
 @pytest.mark.parametrize(
@@ -460,11 +460,11 @@ def test_a_decompressor_may_return_nothing_before_the_end(run: Run, compression:
 
     if compression == "zst":
         pytest.importorskip("zstandard")
-    text = random_table(3000, 5).encode()
+    text = b"radius [nm],text\n" + b"".join(b"%d,%s\n" % (100 + row, b"x" * 50) for row in range(3000))
     kind = {"gz": "gzip", "zst": "zstd"}[compression]
     packed = compressed(text, kind) + compressed(text.partition(b"\n")[2], kind) + bytes(2000)
     Path(f"grains.csv.{compression}").write_bytes(packed)
-    assert run(f"batch grains.csv.{compression} --quantities r_min -o out.csv --jobs 1").code == 1
+    assert run(f"batch grains.csv.{compression} --quantities r_min -o out.csv --jobs 1").code == 0
     assert Path("out.csv").read_bytes().count(b"\n") == 6001
 
 
@@ -587,17 +587,13 @@ def test_a_closed_pipe_ends_the_run() -> None:
 
 def test_commands_need_no_posix_module() -> None:
     script = "import sys; sys.modules.update(dict.fromkeys(['fcntl', 'resource', 'termios', 'pwd', 'grp', 'pty']));"
-    script += "import jkroll; from jkroll.cli.process import main; sys.exit(main(sys.argv[1:]))"
-    for words in ("pull-off quartz 100nm --bare", "report quartz 1nm:1um:3 --csv", "materials quartz", "batch --help"):
-        assert subprocess.run([sys.executable, "-c", script, *words.split()], capture_output=True).returncode == 0
+    script += "from jkroll.cli.process import main; print(*[main(line.split()) for line in sys.argv[1:]])"
     table(GRAINS)
-    ran = subprocess.run(
-        [sys.executable, "-c", script, "batch", "grains.csv", "-o", "out.csv"], capture_output=True, text=True
-    )
-    assert (ran.returncode, ran.stderr.splitlines()[:1]) == (
-        0,
-        ["read: material, radius [nm], load [nN]; passed through: name"],
-    )
+    lines = ["pull-off quartz 100nm --bare", "report quartz 1nm:1um:3 --csv", "materials quartz", "batch --help"]
+    lines.append("batch grains.csv -o out.csv")
+    ran = subprocess.run([sys.executable, "-c", script, *lines], capture_output=True, text=True)
+    assert (ran.returncode, ran.stdout.splitlines()[-1]) == (0, "0 0 0 0 0")
+    assert "read: material, radius [nm], load [nN]; passed through: name" in ran.stderr.splitlines()
 
 
 def test_a_table_without_a_radius_gets_a_note(run: Run, tmp_path: Path) -> None:
@@ -645,7 +641,7 @@ def test_output_to_dev_stdout_keeps_the_lines_of_a_file_that_the_shell_appends_t
 def test_the_first_block_holds_the_whole_sample_even_if_each_piece_holds_one_row() -> None:
     from jkroll.tables.layouts import SAMPLE
 
-    rows = [b"%d," % place + b"x" * 1000 + b"\n" for place in range(500)]
+    rows = [b"%d," % row + b"x" * 1000 + b"\n" for row in range(500)]
     first = next(files.blocks(iter([b"a,b\n", *rows]), lambda text: text.rfind(b"\n") + 1))
     assert first.count(b"\n") > SAMPLE
 

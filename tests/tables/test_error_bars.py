@@ -212,6 +212,8 @@ def test_a_cell_of_blanks_is_empty(run: Run, head: str, cells: str, force: float
         "radius [nm],Desviación estándar (nm),gamma [mJ/m2],Deviazione standard\n100,10,25,5",
         "radius [nm],,gamma [mJ/m2],\n100,±10,25,+/- 5",
         "radius,,gamma,\nnm,± nm,mJ/m2,±\n100,10,25,5",
+        "radius,Unnamed: 1,gamma,Unnamed: 3\nnm,± nm,mJ/m2,±\n100,10,25,5",
+        "radius,Unnamed: 1,SD,gamma,±\nnm,nm,nm,mJ/m2,\n100,7,10,25,5",
     ],
 )
 def test_an_uncertainty_without_a_name_belongs_to_the_adjacent_column_or_to_that_with_its_unit(

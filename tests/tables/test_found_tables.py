@@ -122,7 +122,7 @@ def values(found: Found) -> dict[str, list[Any]]:
 
 def value(column: Column, row: Sequence[str]) -> Any:
     """Return the value of an input in a row, or "" if the row gives no value."""
-    text = column.joined(*(row[place] for place in column.positions.values()))
+    text = column.joined(*(row[position] for position in column.positions.values()))
     try:
         found = column.value(text) if text else ""
     except QuantityError:
@@ -164,15 +164,15 @@ def refusal(table: str, columns: Sequence[str]) -> str:
 
 def test_few_tables_are_refused_for_a_column_of_another_quantity() -> None:
     """Option --column gives each column of an input its unit, or passes the column through."""
-    why = {
-        f"{each['repository']} {each['path']}": refusal(each["table"], [f"{text}=" for text in each["inputs"]])
-        for each in HEADERS
-    }
+    problems = {}
+    for record in HEADERS:
+        passed = [f"{text}=" for text in record["inputs"]]
+        problems[f"{record['repository']} {record['path']}"] = refusal(record["table"], passed)
     for source, found in TABLES.items():
         pairs = zip(found.named, found.written or found.named, strict=True)
         columns = [said for text, said in pairs if not text.startswith("--") and not text.endswith("=")]
         if "has no header" not in found.ends:
-            why[source] = refusal(found.table, columns)
-    refused = {source: problem for source, problem in why.items() if problem}
+            problems[source] = refusal(found.table, columns)
+    refused = {source: problem for source, problem in problems.items() if problem}
     assert len(HEADERS) > 20
-    assert len(refused) <= 0.065 * len(why), refused  # one of them has moduli of wood along three directions
+    assert len(refused) <= 0.065 * len(problems), refused  # one of them has moduli of wood along three directions

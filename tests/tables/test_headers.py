@@ -228,7 +228,7 @@ def test_a_wrong_or_ambiguous_header_is_refused_with_a_remedy(run: Run, text: st
 
 @pytest.mark.parametrize("text", PASSING)
 def test_a_header_that_passes_through_is_named(run: Run, text: str) -> None:
-    others = ",".join(f"x{place}" for place in range(20))
+    others = ",".join(f"x{number}" for number in range(20))
     Path("x.csv").write_text(f"{others},{text},radius [um]\n{','.join('1' * 22)}\n", encoding="utf-8")
     ran = run("batch", "x.csv", "--material", "quartz", "--quantities", "pull_off_force_dmt", "-o", "out.csv")
     said = ran.err.splitlines()[0].replace('"', "")
@@ -255,10 +255,7 @@ def test_a_prime_is_part_of_a_symbol_and_quotes_are_not() -> None:
         assert understood([text], [["3 GPa"]]).names == {"youngs_modulus"}
 
 
-_OF_2 = "D2 [um] | radius [nm].1"
-
-
-@pytest.mark.parametrize("other", [*_OF_2.split(" | "), "E_sample [GPa]", "surface gamma (J/m2)", "γ12 [mJ/m2]"])
+@pytest.mark.parametrize("other", ["D2 [um]", "radius [nm].1", "E_sample [GPa]", "surface gamma (J/m2)", "γ12 [mJ/m2]"])
 def test_a_column_that_may_be_of_sphere_2_or_the_pair_is_refused(other: str) -> None:
     """If the column passed through, values of sphere 1 would replace its values."""
     with pytest.raises(BadTable, match=re.escape(f"'{other}': ")):
@@ -355,7 +352,7 @@ def test_option_column_applies_to_many_files_and_to_a_resumed_run(run: Run) -> N
     ("column", "problem"),
     [
         ("R", "is not of the form"),
-        ("=radius [nm]", "is not of the form"),
+        ("", "is not of the form"),
         ("R=nonsense", "is not an input"),
         ("R=R", "is not an input"),
         ("R=radiuss [nm]", "it may be radius; write one, as in radius [nm]"),
@@ -449,6 +446,17 @@ def test_a_column_of_plus_or_minus_belongs_to_the_input_on_its_left() -> None:
     assert header.positions == {"radius": 2, "surface_energy": 4, "surface_energy_both": 5}
     coded = understood(["gamma [mJ/m2]", "error"], [["25", "E07"]])
     assert not coded.inputs[0].sides
+
+
+@pytest.mark.parametrize("empty", ["", "Unnamed: 2"])
+def test_an_empty_header_may_have_a_name_of_pandas(empty: str) -> None:
+    """`pandas.read_csv` names an empty header by its position."""
+    names = ["radius [nm]", empty, "gamma [mJ/m2]"]
+    assert understood(names, [["100", "±5", "25"]]).positions == {"radius": 0, "radius_both": 1, "surface_energy": 2}
+    assert understood(["radius [nm]", empty, "sd [nm]"]).positions == {"radius": 0, "radius_both": 2}
+    assert reading_of(empty) == reading_of("")
+    named = understood(names, [["100", "ice", "25"]], stated_meanings([f"{empty}=material"]))
+    assert named.names == {"radius", "material", "surface_energy"}
 
 
 def test_the_name_of_the_measured_quantity_matches_no_other_column() -> None:
@@ -775,7 +783,7 @@ def test_a_point_that_may_separate_thousands_is_refused_even_below_the_first_row
     run: Run, word: str, mark: str, end: str
 ) -> None:
     """The radii rise from 800 to 999 nm, and the next one is 1.000. A column that passes through has decimal commas."""
-    rows = [f"{800 + place};25;0,5" for place in range(200)] + ["1.000;25;0,5", "1.000 nm;25;0,5", "1000.5;25;0,5"]
+    rows = [f"{800 + row};25;0,5" for row in range(200)] + ["1.000;25;0,5", "1.000 nm;25;0,5", "1000.5;25;0,5"]
     text = "\n".join(["R1 (nm);gamma (mJ/m2);n", *rows, ""]).replace(";", mark)
     Path("x.tsv").write_text(text, encoding="utf-8")
     assert run(f"batch x.tsv -o out.{end} --delimiter {word} --quantities pull_off_force --no-doubt").code == 1

@@ -73,11 +73,11 @@ def test_each_row_of_a_random_table_gets_the_results_of_infer(run: Run) -> None:
             "radius2 [nm]": lambda: random.choice(["", "plane", "300"]),
             "load [nN]": lambda: f"{random.uniform(-5, 50):.4g}",
         }
-        used = [
-            head for place, head in enumerate(columns)
-            if not head.startswith(f"{name} ") and (name, head) != ("radius",
-            "R1 [nm]") and (place < 2 or random.random() < 0.4)
-        ]  # fmt: skip
+        used = []
+        for position, head in enumerate(columns):
+            is_inferred = head.startswith(f"{name} ") or (name, head) == ("radius", "R1 [nm]")
+            if not is_inferred and (position < 2 or random.random() < 0.4):
+                used.append(head)
         rows = [{head: columns[head]() for head in used} for _ in range(4)]
         measured = [f"{10 ** random.uniform(*decades):.5g}" for _ in rows]
         bars = [f"{0.08 * float(value):.3g}" for value in measured] if random.random() < 0.3 else [""] * len(rows)
@@ -95,13 +95,14 @@ def test_each_row_of_a_random_table_gets_the_results_of_infer(run: Run) -> None:
                     words += option.format(f"{row[head]}nm" if row[head] == "300" else row[head]).split()
             words += ["--measured", f"{quantity}={value}{bar and '±'}{bar}{unit}", *law.split(), "--csv"]
             single = next(csv.DictReader(run(*words).out.splitlines()), {})
+            value_head = next(head for head in found if head.startswith(f"{name} ["))
             for head in [head for head in found if head.startswith(name) and head not in row] + ["doubt"]:
-                here, there = found[head], single.get(head, "")
-                if head != "doubt" and here and there:
-                    assert float(here) == approx(float(there), rel=1e-9), words
+                cell, single_cell = found[head], single.get(head, "")
+                if head != "doubt" and cell and single_cell:
+                    assert float(cell) == approx(float(single_cell), rel=1e-9), words
                     compared += 1
-                elif head != "doubt" or found[next(head for head in found if head.startswith(f"{name} ["))]:
-                    assert here == there, words
+                elif head != "doubt" or found[value_head]:
+                    assert cell == single_cell, words
     assert compared > 2 * count
 
 
@@ -178,26 +179,27 @@ SUMMARY = "surface_energy by JKR: 3 of {} rows; median 16.446 mJ/m², "
 SCATTER = "; mean 16.446 mJ/m², scatter 530.516 µJ/m²"
 
 
-@pytest.mark.parametrize("end", ENDS)
+LABELS = [
+    ["Mean", "SD", "N"],
+    ["N", "Average:", "St. dev. (n-1)"],
+    ["mean ± SD"],
+    ["Median"],
+    ["count", "mean", "std", "min", "25%", "50%", "75%", "max"],
+    ["", "Total", "Mittelwert", "Standardabweichung"],
+    ["Minimum", "25% Percentile", "Std. Deviation", "Std. Error of Mean", "Lower 95% CI of mean", "N total"],
+    ["Mean", "Geo. factor", "Skewness"],
+    *map(str.split, ["Std", "STABW.S", "SD=0.7", "Mean σ s CI95 CV%", "Среднее", "平均 标准差"]),
+    *map(str.splitlines, ["Overall mean\nSD of 5", "Standard dev.\nMode", "Uncertainty\nRSD %", "Écart-type"]),
+    *map(str.splitlines, ["Media\nDesviación estándar", "Deviazione standard", "Odchylenie standardowe\nSuma"]),
+    "Mean,Standard Error,Median,Mode,Standard Deviation,Sample Variance,Kurtosis,Range,Sum,Count".split(","),
+    "Mittelwert,Standardfehler,Modus,Stichprobenvarianz,Schiefe,Wertebereich,Summe,Anzahl".split(","),
+]
+
+
 @pytest.mark.parametrize(
-    "labels",
-    [
-        ["Mean", "SD", "N"],
-        ["N", "Average:", "St. dev. (n-1)"],
-        ["mean ± SD"],
-        ["Median"],
-        ["count", "mean", "std", "min", "25%", "50%", "75%", "max"],
-        ["", "Total", "Mittelwert", "Standardabweichung"],
-        ["Minimum", "25% Percentile", "Std. Deviation", "Std. Error of Mean", "Lower 95% CI of mean", "N total"],
-        ["Mean", "Geo. factor", "Skewness"],
-        *map(str.split, ["Std", "STABW.S", "SD=0.7", "Mean σ s CI95 CV%", "Среднее", "平均 标准差"]),
-        *map(str.splitlines, ["Overall mean\nSD of 5", "Standard dev.\nMode", "Uncertainty\nRSD %", "Écart-type"]),
-        *map(str.splitlines, ["Media\nDesviación estándar", "Deviazione standard", "Odchylenie standardowe\nSuma"]),
-        "Mean,Standard Error,Median,Mode,Standard Deviation,Sample Variance,Kurtosis,Range,Sum,Count".split(","),
-        "Mittelwert,Standardfehler,Modus,Stichprobenvarianz,Schiefe,Wertebereich,Summe,Anzahl".split(","),
-    ],
+    ("labels", "end"), [*((labels, "csv") for labels in LABELS), *((LABELS[0], end) for end in ENDS if end != "csv")]
 )
-def test_rows_of_statistics_are_not_data(run: Run, end: str, labels: list[str]) -> None:
+def test_rows_of_statistics_are_not_data(run: Run, labels: list[str], end: str) -> None:
     """Such rows have the status "row of statistics", and the summary leaves them out."""
     rows = [*DATA, *([label, "2", "50", ""] for label in labels if label)]
     path = write_rows([dict(zip(HEAD, row, strict=True)) for row in rows], f"forces.{end}")

@@ -75,8 +75,8 @@ def test_a_kill_leaves_no_partial_file(words: str, end: str, kills: int, *, whol
     before = {*os.listdir(), "__pycache__"}
     draw = random.Random(1)
     killed = 0
-    for place in range(kills):
-        if place % 2:
+    for number in range(kills):
+        if number % 2:
             out.write_text("of before", encoding="utf-8")
         process = subprocess.Popen([*command, out], stderr=subprocess.DEVNULL, start_new_session=True)
         try:
@@ -85,8 +85,8 @@ def test_a_kill_leaves_no_partial_file(words: str, end: str, kills: int, *, whol
             (os.killpg if whole_group else os.kill)(process.pid, signal.SIGKILL)
             process.wait()
             killed += 1
-            texts = [whole.read_bytes(), *([b"of before"] if place % 2 else [])]
-            assert out.read_bytes() in texts if out.exists() else not place % 2
+            texts = [whole.read_bytes(), *([b"of before"] if number % 2 else [])]
+            assert out.read_bytes() in texts if out.exists() else not number % 2
         else:
             assert out.read_bytes() == whole.read_bytes()
         assert len(begun(out.name)) <= killed
@@ -181,8 +181,8 @@ def test_the_temporary_file_of_a_lost_process_is_removed() -> None:
     Path("grains").mkdir()
     Path("forces").mkdir()
     Path("forces/.0.csv.0123456789abcdef").write_text("another's", encoding="utf-8")
-    for place in range(4):
-        Path(f"grains/{place}.csv").write_text(random_table(5_000, place), encoding="utf-8")
+    for number in range(4):
+        Path(f"grains/{number}.csv").write_text(random_table(5_000, number), encoding="utf-8")
     with in_two_processes("grains/*.csv", "forces/") as process:
         workers = started_by(process)
         wait_until(lambda: len([*Path("forces").glob(".*.csv.*")]) == 3, process)
@@ -197,8 +197,8 @@ def test_the_temporary_file_of_a_lost_process_is_removed() -> None:
 
 def test_an_interrupt_of_many_tables_leaves_only_complete_files() -> None:
     Path("grains").mkdir()
-    for place in range(30):
-        Path(f"grains/{place:02}.csv").write_text(grains(2_000), encoding="utf-8")
+    for number in range(30):
+        Path(f"grains/{number:02}.csv").write_text(grains(2_000), encoding="utf-8")
     with in_two_processes("grains/*.csv", "forces/") as process:
         wait_until(lambda: len([*Path("forces").glob("[0-9]*.csv")]) > 2, process)
         process.send_signal(signal.SIGINT)
@@ -226,14 +226,14 @@ def test_no_process_outlives_its_parent() -> None:
     """The processes are in the middle of large files when their parent is killed. A resumed run is not affected."""
     Path("grains").mkdir()
     small, large = grains(3), random_table(5_000, 7)
-    for place in range(12):
-        Path(f"grains/{place:02}.csv").write_text(small if place < 9 else large, encoding="utf-8")
+    for number in range(12):
+        Path(f"grains/{number:02}.csv").write_text(small if number < 9 else large, encoding="utf-8")
     with in_two_processes("grains/*.csv", "forces/") as process:
         workers = started_by(process)
         wait_until(lambda: len([*Path("forces").glob(".09.csv.*"), *Path("forces").glob(".10.csv.*")]) == 2, process)
         process.kill()
-    for place in range(9, 12):
-        Path(f"grains/{place:02}.csv").write_text(small, encoding="utf-8")
+    for number in range(9, 12):
+        Path(f"grains/{number:02}.csv").write_text(small, encoding="utf-8")
     command = [*BATCH, "grains/*.csv", "-o", "forces/", "--material", "quartz", "--jobs", "1", "--resume"]
     assert subprocess.run(command, capture_output=True).returncode == 1
     assert [len(path.read_text().splitlines()) for path in Path("forces").glob("*.csv")] == [4] * 12

@@ -231,9 +231,7 @@ def test_rows_with_another_number_of_cells_than_the_header_fail(run: Run) -> Non
     ]
 
 
-# --- Headers that lack a name -----------------------------------------------------------------------------------------
-
-R_ROWS = [['"1"', "100", "25", '"a b"'], ['"2"', "50", "25", "NA"], ['"3"', "100", "50", '"c"']]
+# --- Headers below rows -----------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("other", ["radius [um],gamma [mJ/m2]", "gamma [mJ/m2],radius [nm]", "radius,gamma"])
@@ -254,6 +252,11 @@ def test_the_same_header_below_rows_fails_alone(run: Run) -> None:
     lines = Path("out.csv").read_text().splitlines()
     assert lines[2] == "radius [nm],gamma [mJ/m2],,bad radius"
     assert lines[1] == lines[3]
+
+
+# --- Headers that lack a name -----------------------------------------------------------------------------------------
+
+R_ROWS = [['"1"', "100", "25", '"a b"'], ['"2"', "50", "25", "NA"], ['"3"', "100", "50", '"c"']]
 
 
 @pytest.mark.parametrize(("mark", "words"), [(" ", "--delimiter blank"), ("\t", "--format tsv"), (",", "--format csv")])
@@ -368,9 +371,12 @@ UNITS = [
 ]
 
 
-@pytest.mark.parametrize(("head", "units", "row"), UNITS)
 @pytest.mark.parametrize(
-    ("mark", "words"), [(",", ""), ("\t", "--delimiter tab"), (";", "--delimiter semicolon"), ("|", "--delimiter bar")]
+    ("head", "units", "row", "mark", "words"),
+    [
+        *((*cells, ",", "") for cells in UNITS),
+        *((*UNITS[2], mark, f"--delimiter {word}") for mark, word in (("\t", "tab"), (";", "semicolon"), ("|", "bar"))),
+    ],
 )
 def test_a_row_of_units_is_read(run: Run, head: str, units: str, row: str, mark: str, words: str) -> None:
     lines = [line.replace(",", mark) for line in (head, units, row, row)]

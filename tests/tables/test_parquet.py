@@ -130,15 +130,15 @@ def test_parquet_is_not_compressed_again(run: Run) -> None:
 def test_a_broken_file_gives_an_error_of_one_line(run: Run) -> None:
     name = write({"radius [nm]": [100.0 + row for row in range(1000)], "material": ["iron"] * 1000})
     text = bytearray(Path(name).read_bytes())
-    for place in range(4, len(text), 291):
+    for offset in range(4, len(text), 291):
         broken = text[:]
-        broken[place : place + 3] = b"\xff\x00\xff"
+        broken[offset : offset + 3] = b"\xff\x00\xff"
         Path("broken.parquet").write_bytes(broken)
         ran = run("batch broken.parquet -o out.parquet --jobs 1 --quiet")
         assert ran.code in (0, 1, 2)
-        assert ran.err.count("\n") == bool(ran.code), place
-        assert ran.code != 2 or "'broken.parquet'" in ran.err or "header" in ran.err, place
-        assert "this is a bug in jkroll" not in ran.err, place
+        assert ran.err.count("\n") == bool(ran.code), offset
+        assert ran.code != 2 or "'broken.parquet'" in ran.err or "header" in ran.err, offset
+        assert "this is a bug in jkroll" not in ran.err, offset
     odd: list[list[object]] = [[["iron"]], [{"a": 1}], [datetime.date(2026, 1, 1)]]
     for values in odd:
         ran = run("batch", write({"radius [nm]": [1.0], "material": values}), "-o", "out.parquet")
@@ -207,9 +207,9 @@ def test_option_strict_writes_no_file_if_a_row_is_bad(run: Run) -> None:
     assert not Path("y.parquet").exists()
 
 
-@pytest.mark.parametrize("rows", [0, 1000])
-@pytest.mark.parametrize("group", [7, 100, 450, 1000])
-@pytest.mark.parametrize("jobs", [1, 3])
+@pytest.mark.parametrize(
+    ("rows", "group", "jobs"), [(0, 7, 1), (1000, 7, 1), (1000, 100, 3), (1000, 450, 1), (1000, 1000, 1)]
+)
 def test_a_run_of_several_pieces_has_all_rows(
     run: Run, monkeypatch: pytest.MonkeyPatch, rows: int, group: int, jobs: int
 ) -> None:

@@ -25,9 +25,9 @@ PARTS = 5
 def grains() -> list[str]:
     """Write some tables, and return their names."""
     Path("grains").mkdir()
-    names = [f"grains/part-{place}.csv" for place in range(PARTS)]
-    for place, name in enumerate(names):
-        Path(name).write_text(random_table(20 + place, place), encoding="utf-8")
+    names = [f"grains/part-{part}.csv" for part in range(PARTS)]
+    for part, name in enumerate(names):
+        Path(name).write_text(random_table(20 + part, part), encoding="utf-8")
     return names
 
 
@@ -86,7 +86,7 @@ def test_a_table_that_cannot_be_read_is_named_and_a_resumed_run_converts_it(run:
     assert len(gaps) == 5
     assert failed == "jkroll: 18 of 87 rows failed; column status has the reasons"
     before = times("forces")
-    assert sorted(before) == [f"part-{place}.csv" for place in (0, 1, 2, 4)]
+    assert sorted(before) == [f"part-{part}.csv" for part in (0, 1, 2, 4)]
     Path(grains[3]).rmdir()
     Path("away.csv").rename(grains[3])
     ran = run(*words, "-o", "forces/", "--resume")
@@ -206,8 +206,8 @@ def worker(address: str) -> "subprocess.Popen[bytes]":
 def test_dask_workers_write_the_same_files_as_one_process(
     run: Run, grains: list[str], scheduler: str, *, kill: bool
 ) -> None:
-    for place, name in enumerate(grains):
-        Path(name).write_text(random_table(4000, place), encoding="utf-8")
+    for part, name in enumerate(grains):
+        Path(name).write_text(random_table(4000, part), encoding="utf-8")
     assert run("batch", "grains/*.csv", "-o", "whole/", "--jobs", "1").code == 1
     workers = [worker(scheduler), worker(scheduler)]
     try:
@@ -232,8 +232,8 @@ def test_dask_workers_write_the_same_files_as_one_process(
 def test_a_lost_cluster_is_reported_in_a_line(run: Run, grains: list[str], lost: str, number: int) -> None:
     """Temporary files are removed, and --resume makes the missing files."""
     pytest.importorskip("distributed")
-    for place, name in enumerate(grains):
-        Path(name).write_text(random_table(1000, place), encoding="utf-8")
+    for part, name in enumerate(grains):
+        Path(name).write_text(random_table(1000, part), encoding="utf-8")
     with cluster() as (process, address):
         workers = [worker(address)]
         try:

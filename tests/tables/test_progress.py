@@ -9,7 +9,8 @@ import pytest
 from harness import Run, Stream
 from jkroll.model.rows import Tally
 from jkroll.tables.files import Input
-from jkroll.tables.run import Converted, progress_of, with_progress
+from jkroll.tables.progress import with_progress
+from jkroll.tables.run import Converted, progress_of
 
 
 def test_the_line_shows_the_share_read_and_the_rows(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -18,9 +19,9 @@ def test_the_line_shows_the_share_read_and_the_rows(monkeypatch: pytest.MonkeyPa
     with file.file:
         out = Stream(terminal=True)
         monkeypatch.setattr("sys.stderr", out)
-        monkeypatch.setattr("jkroll.tables.run.WAIT", 0)
+        monkeypatch.setattr("jkroll.tables.progress.WAIT", 0)
         seconds = iter([0.0, 10.0])  # at the beginning, and after a block
-        monkeypatch.setattr("jkroll.tables.run.monotonic", seconds.__next__)
+        monkeypatch.setattr("jkroll.tables.progress.monotonic", seconds.__next__)
         monkeypatch.setattr(file, "share_read", lambda rows: rows / 200_000)
         every = [Converted(b"", 0, Tally(rows=50_000))] * 2
         blocks = with_progress(every, lambda block: block.tally.rows, partial(progress_of, file))

@@ -140,8 +140,8 @@ def test_a_letter_and_digits_directly_after_a_number_are_not_a_unit(
     """The cells of a column are read together."""
     (column,) = understood([head]).inputs
     numbers = column.numbers({column.name: [cell.encode() for cell in cells]})
-    assert [*numbers.odd] == [place for place, value in enumerate(values) if value is None]
-    assert [numbers.values[place] for place, value in enumerate(values) if value is not None] == approx(
+    assert [*numbers.odd] == [row for row, value in enumerate(values) if value is None]
+    assert [numbers.values[row] for row, value in enumerate(values) if value is not None] == approx(
         [value for value in values if value is not None], rel=1e-15
     )
 

@@ -50,8 +50,9 @@ def main() -> None:
         seeds.mkdir()
         for number, data in enumerate(kept(target)):
             (seeds / str(number)).write_bytes(data)
+        crashes = f"-artifact_prefix={Path.cwd()}/"  # since `isolate` changes the directory
         isolate(directory)
-        atheris.Setup([sys.argv[0], *options, str(found), str(seeds)], TARGETS[target])
+        atheris.Setup([sys.argv[0], crashes, *options, str(found), str(seeds)], TARGETS[target])
         atheris.Fuzz()
 
 

@@ -13,6 +13,7 @@ import tomllib
 from collections.abc import Iterator
 from contextlib import chdir
 from functools import cache
+from inspect import unwrap
 from pathlib import Path
 from random import Random
 from typing import Any, NamedTuple
@@ -102,11 +103,7 @@ def _is_made_by_a_law(name: str) -> bool:
 
 def _units(name: str) -> dict[str, str]:
     """Return the units of a formula's parameters, and of its value under `return`."""
-    return dict(units_of(_plain(name)))
-
-
-def _plain(name: str) -> object:
-    return getattr(FORMULAS[name], "__wrapped__", FORMULAS[name])
+    return dict(units_of(unwrap(FORMULAS[name])))
 
 
 # --- An input ---------------------------------------------------------------------------------------------------------
@@ -126,12 +123,12 @@ def _of_input(name: str) -> Iterator[Lack]:
     shown = f"{quantity.option} {quantity.example}"
     too_long = [command for command in QUESTIONS if shown in help_of(command) and is_too_long(help_of(command))]
     if too_long:
-        yield Lack("src/jkroll/cli/commands.py", f'_FURTHER: "{name}", as the help of {too_long[0]} is too long')
+        yield Lack("src/jkroll/cli/commands.py", f'WITHOUT_TEXT: "{name}", as the help of {too_long[0]} is too long')
     word = _word_of(name)
     for other, words in SYNONYMS.items():
         if other != name and word in words:
             yield Lack("src/jkroll/quantities/synonyms.py", f"{other} without {word}, which is an option now")
-    for repository in tables_read_as(name):
+    for repository in records_without(name):
         yield Lack("tests/tables/found_tables.toml", f"{name} in `reads` of [[{repository}]]")
 
 
@@ -152,7 +149,7 @@ def is_too_long(text: str) -> bool:
     return len([line for line in text.splitlines() if not OPTIONS_ALONE.fullmatch(line)]) > HELP_LINES
 
 
-def tables_read_as(name: str) -> list[str]:
+def records_without(name: str) -> list[str]:
     """Return the repositories whose found tables have a column of an input, while their record does not name the input.
 
     Inputs that are converted to another input, such as a shear modulus, are left out: their column passes through in a

@@ -117,16 +117,15 @@ def _differences(before: Outcome, after: Outcome) -> Iterator[str]:
     yield from _texts("stdout", before.out, after.out)
     yield from _texts("stderr", before.err, after.err)
     for name in sorted({*before.files, *after.files}):
-        contents = [one.files.get(name) for one in (before, after)]
-        if None in contents and contents[0] != contents[1]:
-            yield f"{name} is {'new' if contents[0] is None else 'no longer written'}"
+        old, new = before.files.get(name), after.files.get(name)
+        if old is None or new is None:
+            yield f"{name} is {'new' if old is None else 'no longer written'}"
             continue
-        old, new = (content or b"" for content in contents)
         try:
             yield from _texts(name, old.decode(), new.decode())
         except UnicodeDecodeError:
             if old != new:
-                yield f"{name}: other {len(new)} bytes than the {len(old)} before"
+                yield f"{name}: {len(old)} bytes before, {len(new)} different bytes now"
 
 
 def _texts(name: str, before: str, after: str) -> Iterator[str]:
@@ -135,7 +134,7 @@ def _texts(name: str, before: str, after: str) -> Iterator[str]:
     for text in found[:LONGEST]:
         yield text.removesuffix("\n")[:WIDEST]
     if len(found) > LONGEST:
-        yield f"... and {len(found) - LONGEST} lines more"
+        yield f"... and {len(found) - LONGEST} more lines"
 
 
 def main() -> int:

@@ -2,9 +2,9 @@
 
 The ways are those of this package, the equations of the paper, an inversion and a fit in other codes, and a table of
 values. The equations are written in their simplest form, for doubles and for decimals of 60 digits, which give the
-exact values. By JKR, a load is given with the pull-off force, and an approach with that of an unloaded contact. Errors
-are in ulp/(1 + κ), where κ is the condition of a quantity (see `exact`), and ulp the distance of its value to the next
-double.
+exact values. Under JKR, they take a load together with the pull-off force, and an approach together with that of the
+unloaded contact. Errors are in ulp/(1 + κ), where κ is the condition of a quantity (see `exact`), and ulp the distance
+of its value to the next double.
 """
 
 # ruff: noqa: D102, N803, N806  (names of quantities and the paper's symbols)
@@ -162,13 +162,17 @@ def exact(quantity: str, point: Mapping[str, float]) -> tuple[Decimal, float]:
     names = inputs_taken(equation)
 
     def value_of(moved: str = "") -> Decimal:
-        value: Decimal = equation(*(Decimal(point[name]) * (1 - _STEP * (name == moved)) for name in names))
+        """Return the quantity, with one of the inputs moved by a step."""
+        inputs = {name: Decimal(point[name]) for name in names}
+        if moved:
+            inputs[moved] *= 1 - _STEP
+        value: Decimal = equation(*inputs.values())
         return value
 
     with localcontext(prec=DIGITS):
         value = value_of()
-        states = {"load", "approach_at_load", "atomic_spacing"}.intersection(names)
-        slopes = [abs(value_of(name) / value - 1) / _STEP for name in states] if value else []
+        varied = {"load", "approach_at_load", "atomic_spacing"}.intersection(names)  # λ is inverse to z0
+        slopes = [abs(value_of(name) / value - 1) / _STEP for name in varied] if value else []
     return value, float(sum(slopes))
 
 
@@ -348,33 +352,39 @@ def _measure_quantity(quantity: str, points: Mapping[str, Arrays], size: Size, r
 
     The package's way is that of `jkroll.solve`. `root`: the time of a cube root, in ns.
     """
-    others = OTHER_WAYS[quantity]
+    other_ways = OTHER_WAYS[quantity]
 
-    def ours(given: Arrays) -> Any:
-        return Frame(given)[quantity]
+    def by_jkroll(inputs: Mapping[str, Any]) -> Any:
+        return Frame(inputs)[quantity]
+
+    def by_jkroll_from_floats(arrays: Arrays) -> list[float]:
+        return [*map(by_jkroll, as_rows(arrays))]
 
     names = set(inputs_taken(getattr(DECIMALS, quantity)))
-    for way in others.values():
+    for way in other_ways.values():
         names.update(inputs_taken(way))
-    given = {}
+    inputs_of_region = {}
+    exacts = {}
     for region, arrays in points.items():
         if names <= arrays.keys():
-            given[region] = {name: arrays[name] for name in names}
-    exacts = {}
-    for region, arrays in given.items():
-        exacts[region] = [exact(quantity, point) for point in as_rows(arrays)]
-    ways: dict[str, Way] = {DEFAULT: ours, **{name: partial(_by_symbols, way) for name, way in others.items()}}
-    many = {name: numpy.resize(values, size.elements) for name, values in given["ordinary"].items()}
-    few = as_rows(given["ordinary"])
-    runs = {name: partial(way, many) for name, way in ways.items()} | {FLOATS: lambda: [*map(ours, few)]}
-    counts = dict.fromkeys(ways, size.elements) | {FLOATS: len(few)}
-    ways[FLOATS] = lambda arrays: [*map(ours, as_rows(arrays))]
+            inputs_of_region[region] = {name: arrays[name] for name in names}
+            exacts[region] = [exact(quantity, point) for point in as_rows(inputs_of_region[region])]
+    ways: dict[str, Way] = {DEFAULT: by_jkroll}
+    ways |= {name: partial(_by_symbols, way) for name, way in other_ways.items()}
+    ways[FLOATS] = by_jkroll_from_floats
+    ordinary = inputs_of_region["ordinary"]
+    timed = {name: numpy.resize(values, size.elements) for name, values in ordinary.items()}
+    timed_rows = as_rows(ordinary)
+    runs: dict[str, Callable[[], Any]] = {name: partial(way, timed) for name, way in ways.items()}
+    runs[FLOATS] = lambda: [*map(by_jkroll, timed_rows)]
+    counts = dict.fromkeys(ways, size.elements) | {FLOATS: len(timed_rows)}
     for name, time in _best(runs, size.repeats).items():
-        errors = {region: _error(ways[name](arrays), exacts[region]) for region, arrays in given.items()}
+        errors = {region: _error(ways[name](arrays), exacts[region]) for region, arrays in inputs_of_region.items()}
         yield Row(quantity, name, time / counts[name], time / counts[name] / root, errors)
 
 
 def _by_symbols(way: Way, arrays: Arrays) -> Any:
+    """Return the values of a way whose parameters are the paper's symbols."""
     return way(*(arrays[name] for name in inputs_taken(way)))
 
 
@@ -404,8 +414,8 @@ def _best(runs: Mapping[str, Callable[[], Any]], repeats: int) -> dict[str, floa
 
 HEADS = (
     "quantity", "way", "ns_per_point", "cube_roots",
-    *(f"{which}_{region}" for region in ("ordinary", "pull_off", "fold", "zero_approach", "extreme")
-      for which in ("median", "worst")),
+    "median_ordinary", "worst_ordinary", "median_pull_off", "worst_pull_off", "median_fold", "worst_fold",
+    "median_zero_approach", "worst_zero_approach", "median_extreme", "worst_extreme",
 )  # fmt: skip
 LEGEND = f"""ns      nanoseconds per point
 × cbrt  the same, in units of numpy's time for a cube root on this machine
@@ -449,8 +459,10 @@ def _in_short(row: Row) -> list[Cell]:
     """Return the cells of a row with two digits, since errors and times are not known more precisely."""
     errors: list[Cell] = []
     for region in REGIONS:
-        pair = row.errors.get(region)
-        errors.append(pair and " ".join(significant(number, 2) for number in pair))
+        if region in row.errors:
+            errors.append(" ".join(significant(number, 2) for number in row.errors[region]))
+        else:
+            errors.append(None)
     return [row.way, significant(row.cost, 2), significant(row.cube_roots, 2), *errors]
 
 

@@ -14,11 +14,12 @@ from ..model.accepted import check_range
 from ..model.frame import check_exclusive
 from ..model.reasons import MissingInput
 from ..model.sweep import Pair, Sweep
-from ..quantities.formatting import Format, amount
+from ..quantities.formatting import Format, amount, as_typed
 from ..quantities.laws import law_given
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE
+from ..quantities.spreads import Spread, spreads_of
 from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
-from ..quantities.values import QuantityError, Spread, as_typed, spreads_of
+from ..quantities.values import QuantityError
 from ..report.questions import QUESTIONS, quantity_named
 from ..text import ending, quoted, say_wrapped, shown
 from .options import Options
@@ -84,8 +85,8 @@ class Call(Options):
         for name, value in {**self.inputs, **self.given, **inputs}.items():
             if name not in flags or name in ("target", "data", "quiet") or value is None:
                 continue
-            for each in value if isinstance(value, tuple) else (value,):
-                words.append(flags[name] if each is True else f"{flags[name]}={each}")
+            texts = value if isinstance(value, tuple) else [value]
+            words += [flags[name] if text is True else f"{flags[name]}={text}" for text in texts]
         return shlex.join(words)
 
     # --- Frames -------------------------------------------------------------------------------------------------------
@@ -100,7 +101,7 @@ class Call(Options):
 
     @cached_property
     def models(self) -> Sequence[str | None]:
-        """The names of the given laws; a single None if none was given."""
+        """The names of the given laws, adapted to the profile; a single None for the default."""
         text, profile = self.inputs.get("model"), self.inputs.get("profile")
         if text is None:
             return [law_given(None, profile)]
@@ -226,7 +227,8 @@ class Call(Options):
         if self.target is None:
             return chosen or (TABLE if sys.stdout.isatty() else PLAIN)
         of_file = {"json": JSON, "md": MARKDOWN}.get(ending(self.target), FILE)
-        if chosen not in (None, of_file) and (chosen, of_file) != (CSV, FILE):
+        is_csv = chosen is CSV and of_file is FILE and _is_written_as_csv(self.target)
+        if chosen not in (None, of_file) and not is_csv:
             remedy = "redirect the output: > FILE"
             raise BadRequest(f"-o {quoted(self.target)} and --{chosen.name} exclude each other; {remedy}")
         return of_file
@@ -245,6 +247,14 @@ class Call(Options):
 PICTURES = ("svg", "pdf", "png")
 
 
+def _is_written_as_csv(path: str) -> bool:
+    """Return whether a file of this name is written as CSV, as are files without a known extension."""
+    from ..tables.files import format_of_name
+
+    named = format_of_name(path)
+    return named is None or named.name == "csv"
+
+
 def _units_of(quantities: Sequence[str], text: str) -> dict[str, tuple[str, Unit]]:
     """Return the units for quantities, from a list with at most one unit for each dimension."""
     units: dict[str, tuple[str, Unit]] = {}
@@ -256,10 +266,11 @@ def _units_of(quantities: Sequence[str], text: str) -> dict[str, tuple[str, Unit
             remedy = error.remedy([*map(dimension_of, si.values())])
             remedy = remedy or f"expected a unit such as {si[quantities[0]]}"
             raise QuantityError("--to", word, str(error), remedy) from None
-        fitting = [name for name in si if dimension_of(si[name]) == unit[2]]
+        _, _, dimension = unit
+        fitting = [name for name in si if dimension_of(si[name]) == dimension]
         if not (fitting and word.strip()):
-            every = ", ".join(dict.fromkeys(si.values()))
-            raise BadRequest(f"--to: {quoted(word)} fits none of the results, which are in: {every}")
+            si_units = ", ".join(dict.fromkeys(si.values()))
+            raise BadRequest(f"--to: {quoted(word)} fits none of the results, which are in: {si_units}")
         if fitting[0] in units:
             both = f"{quoted(units[fitting[0]][0])} and {quoted(word)}"
             raise BadRequest(f"--to: {both} are units of one dimension; give one of them")
@@ -268,7 +279,7 @@ def _units_of(quantities: Sequence[str], text: str) -> dict[str, tuple[str, Unit
 
 
 def message_of(error: JkrollError, command: str, options: Collection[str]) -> str:
-    """Return the message of an error, which names the command that lacks an input, or the option with a bad value."""
+    """Return the message of an error. It names the command that lacks an input, or the option with a bad value."""
     if type(error) is MissingInput and command in QUESTIONS:
         return f"{command} {error.explanation()}"
     name, _, problem = str(error).partition(": ")

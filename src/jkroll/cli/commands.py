@@ -5,12 +5,14 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache
 from typing import Any
 
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, OF_THE_PAIR
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..report.questions import QUESTIONS
 from ..text import terminal_width, wrapped
 from .options import HELP, PROGRAM, Option, Options
 
-_OUTPUT = (
+# --- Options that are not inputs --------------------------------------------------------------------------------------
+
+OUTPUT = (
     Options.to,
     Options.digits,
     Options.json,
@@ -26,18 +28,21 @@ _OUTPUT = (
     Options.file,
     Options.quiet,
 )
-OUTPUT = (Options.quantities, *_OUTPUT)
-_CURVE = (
+FORCE_CURVE = (
     Options.curve,
     Option(None, "--xi", "Displacement that the panel of moments marks", "2angstrom", name="yield_displacement",
         hidden=True),
     *(option.but(hidden=True) for option in (Options.width, Options.style, Options.uncaptioned, Options.panel)),
 )  # fmt: skip
 _AS_TEXT = "Output as JSON, CSV or Markdown"
-_LISTED = (Options.json.but(help=_AS_TEXT), Options.csv.but(help=_AS_TEXT), Options.md.but(help=_AS_TEXT))
-_CITE = Options.cite.but(help="Show the BibTeX entries of the data")
+TEXT_FORMATS = (Options.json.but(help=_AS_TEXT), Options.csv.but(help=_AS_TEXT), Options.md.but(help=_AS_TEXT))
+MATERIALS = (
+    *TEXT_FORMATS,
+    Options.cite.but(help="Show the BibTeX entries of the data"),
+    Options.file,
+    Options.quiet,
+)
 _IN_CAPTION = "End the caption with sources; suppress notes"
-AXES = (Options.x, Options.y)
 PICTURE = (
     Options.mark,
     Options.data,
@@ -50,7 +55,7 @@ PICTURE = (
     Options.cite.but(help=_IN_CAPTION),
     Options.quiet.but(help=_IN_CAPTION),
 )
-TABLE = (
+BATCH = (
     Options.target.but(flag="--output", short="-o", help="Output file (written atomically)"),
     Options.format,
     Options.delimiter,
@@ -70,10 +75,6 @@ TABLE = (
     Option(None, "--material", "Material of rows with an empty cell; the inputs below fill such cells, too", "NAME",
         name="material"),
 )  # fmt: skip
-_OF_CURVES = (
-    "radius radius2 diameter diameter2 reduced_radius youngs_modulus youngs_modulus2 poisson_ratio poisson_ratio2 "
-    "model profile atomic_spacing"
-).split()
 FIT = (
     Options.spring,
     Options.branch,
@@ -83,7 +84,7 @@ FIT = (
     Options.format,
     Options.delimiter,
     Options.curve.but(help="Write the points: residuals and energy release rate"),
-    *_LISTED,
+    *TEXT_FORMATS,
     Options.target.but(help="Write a file; a picture as x.svg, .pdf or .png"),
     Options.cite.but(help="BibTeX of the law; with --tex a paragraph for Methods"),
     Options.tex.but(hidden=True),
@@ -92,46 +93,61 @@ FIT = (
     Options.file,
     Options.quiet,
 )
-BENCH = (Options.quick, Options.plot, Options.width, Options.style, Options.uncaptioned, *_LISTED)
+BENCH = (Options.quick, Options.plot, Options.width, Options.style, Options.uncaptioned, *TEXT_FORMATS)
 
-_OF_SPHERE_2 = ("surface_energy2", "youngs_modulus2", "shear_modulus2", "poisson_ratio2", "density2")
-# Inputs that every question accepts.
-_ALWAYS = ("radius2", "diameter", "diameter2", "material2", "surface_energy", "work_of_adhesion", "youngs_modulus",
-    "shear_modulus", "poisson_ratio", "density", *_OF_SPHERE_2, "atomic_spacing")  # fmt: skip
-# Inputs that the help lists among the further options even for commands that use them.
-_FURTHER = ("diameter2", "shear_modulus", *_OF_SPHERE_2, "atomic_spacing", *OF_THE_PAIR, "energy_ratio",
-    "adhesion_hysteresis", "hysteresis_fraction", "hamaker", "hamaker2", "cutoff", "viscous_time",
-    "asperity_radius", "profile", "yield_strength", "contact_angle", "roughness_gap")  # fmt: skip
+
+# --- Options of inputs ------------------------------------------------------------------------------------------------
+
+# Inputs that every question takes, in the order of the help. Other inputs follow, in the order of the nomenclature.
+IN_EVERY_QUESTION = (
+    "radius2 diameter diameter2 material2 surface_energy work_of_adhesion youngs_modulus shear_modulus poisson_ratio "
+    "density surface_energy2 youngs_modulus2 shear_modulus2 poisson_ratio2 density2 atomic_spacing"
+).split()
+IN_FIT = (
+    "radius radius2 diameter diameter2 reduced_radius youngs_modulus youngs_modulus2 poisson_ratio poisson_ratio2 "
+    "model profile atomic_spacing"
+).split()
+# Inputs whose options the help lists without a text, to fit on a screen. The help of fit has all texts.
+WITHOUT_TEXT = (
+    "diameter2 shear_modulus surface_energy2 youngs_modulus2 shear_modulus2 poisson_ratio2 density2 atomic_spacing "
+    "reduced_radius contact_modulus energy_ratio adhesion_hysteresis hysteresis_fraction hamaker hamaker2 cutoff "
+    "viscous_time asperity_radius profile yield_strength contact_angle roughness_gap"
+).split()
+# Inputs in the group "Pair" of the help, in addition to those of one sphere. The other inputs are in "Assumed".
+IN_GROUP_PAIR = (
+    "work_of_adhesion reduced_radius contact_modulus monomers contacts filling_factor asperity_radius yield_strength "
+    "humidity contact_angle roughness_gap"
+).split()
 
 
 @cache
 def input_options(quantities: tuple[str, ...] = ()) -> tuple[Option[Any], ...]:
-    """Return the options of inputs on which quantities depend; without quantities, the options of all inputs.
+    """Return the options of the inputs on which quantities depend, and of those that every question takes.
 
-    Every command accepts the properties of materials, but its help shows only the options that matter. Without
-    quantities, the help shows the inputs of the report.
+    Without quantities, return the options of all inputs. The help then has texts for the inputs of the report, except
+    the diameter and the density.
     """
+    used = _depends_on(quantities or QUESTIONS["report"].quantities)
+    with_text = {*used, "material2"}.difference(WITHOUT_TEXT)
+    others = [name for name in NOMENCLATURE if name in used]
+    if not quantities:
+        others = [*NOMENCLATURE]
+        with_text -= {"diameter", "density"}
+    names = dict.fromkeys((*IN_EVERY_QUESTION, *others))
+    return tuple([_input(name, hidden=name not in with_text) for name in names if NOMENCLATURE[name].option])
+
+
+def _depends_on(quantities: tuple[str, ...]) -> set[str]:
+    """Return quantities and all names on which they depend under any law; `model` and `profile` if these matter."""
     from ..model.plan import depends_on
     from ..quantities.laws import LAWS, has_profile, varies_by_law
 
-    of_results = quantities or QUESTIONS["report"].quantities
-    depends = depends_on(of_results, tuple(LAWS))
-    if any(map(varies_by_law, depends_on(of_results))):
-        depends |= {"model"}
-    if has_profile(of_results[0]):  # the question is about the contact itself
-        depends |= {"profile"}
-    shown = {*depends, "material2", "radius2"}.difference(_FURTHER)
-    if quantities:
-        used = [name for name in NOMENCLATURE if name in depends]
-        shown.add("diameter")
-    else:
-        used = [*NOMENCLATURE]
-        shown -= {"diameter", "density"}
-    options = []
-    for name in dict.fromkeys((*_ALWAYS, *used)):
-        if NOMENCLATURE[name].option:
-            options.append(_input(name, hidden=name not in shown))
-    return tuple(options)
+    used = {*depends_on(quantities, tuple(LAWS))}
+    if any(map(varies_by_law, depends_on(quantities))):
+        used.add("model")
+    if has_profile(quantities[0]):  # the question is about the contact itself
+        used.add("profile")
+    return used
 
 
 def _input(name: str, *, hidden: bool = False) -> Option[Any]:
@@ -144,7 +160,8 @@ def _input(name: str, *, hidden: bool = False) -> Option[Any]:
 
 Action = Callable[[], int]  # runs a command line and returns the exit code
 
-JOBS = CONTACT, ROLLING, DUST, DEM, ALL, OTHERS = "Contact", "Rolling", "Dust", "DEM", "All", "Look up"
+CONTACT, ROLLING, DUST, DEM, ALL, OTHERS = "Contact", "Rolling", "Dust", "DEM", "All", "Look up"
+TASKS = (CONTACT, ROLLING, DUST, DEM, ALL, OTHERS)
 
 
 class Command:
@@ -156,10 +173,10 @@ class Command:
 
     def __init__(
         self, name: str, sentence: str, words: str, options: Callable[[], tuple[Option[Any], ...]], runner: str,
-        example: str, job: str = OTHERS,
+        example: str, task: str = OTHERS,
     ) -> None:  # fmt: skip
         self.name, self.sentence, self.words, self.options = name, sentence, words, options
-        self.runner, self.example, self.job = runner, example, job
+        self.runner, self.example, self.task = runner, example, task
         self.placeholders = tuple(word.strip("[].") for word in words.split())  # MATERIAL, RADIUS and so on
         can_vary = "[" in words or "..." in words
         self.most_words = INFINITY if can_vary else len(self.placeholders)
@@ -186,24 +203,28 @@ def _options_of_export() -> tuple[Option[Any], ...]:
     return (*inputs, law, Options.file, Options.quiet)
 
 
-def _options_of_table() -> tuple[Option[Any], ...]:
+def _options_of_batch() -> tuple[Option[Any], ...]:
     inputs = [_input(name, hidden=True) for name, quantity in NOMENCLATURE.items() if quantity.example]
-    return (*TABLE, *inputs, Options.file, Options.quiet)
+    return (*BATCH, *inputs, Options.file, Options.quiet)
 
 
 def _options_of_fit() -> tuple[Option[Any], ...]:
-    return (*map(_input, _OF_CURVES), *FIT)
+    return (*map(_input, IN_FIT), *FIT)
 
 
 _PAIR = "[MATERIAL] [RADIUS]..."
 
 
 def _question(
-    name: str, job: str, sentence: str, example: str, *others: Option[Any], runner: str = "runners:run_question"
+    name: str, task: str, sentence: str, example: str, *others: Option[Any], runner: str = "runners:run_question"
 ) -> Command:
     """Return the command of a question. `others`: its own options, between those of inputs and of the output."""
     quantities = () if name == "report" else QUESTIONS[name].quantities
-    return Command(name, sentence, _PAIR, lambda: (*input_options(quantities), *others, *OUTPUT), runner, example, job)
+
+    def options() -> tuple[Option[Any], ...]:
+        return (*input_options(quantities), *others, Options.quantities, *OUTPUT)
+
+    return Command(name, sentence, _PAIR, options, runner, example, task)
 
 
 _COMMANDS = (
@@ -214,7 +235,7 @@ _COMMANDS = (
     _question("frequencies", CONTACT, "Vibration frequencies of the contact.", "quartz 100nm --radius2 plane"),
     _question("n-roll", DUST, "Turns of a sphere over a fixed one after a collision.", "quartz 1um --speed 10cm/s"),
     _question("contact", CONTACT, "Contact radius, indentation, stiffness and pressure.", "quartz 100nm --load -5nN",
-        *_CURVE,
+        *FORCE_CURVE,
         runner="runners:run_contact"),
     _question("moment", ROLLING, "Moment that starts rolling, by model.", "quartz 100nm --xi 1angstrom"),
     _question("energies", DUST, "Energies and speeds to break, stick and roll, by author.",
@@ -228,21 +249,21 @@ _COMMANDS = (
     Command("export", "Input of LAMMPS, LIGGGHTS, DustSimulation or DustCollider.", "PROGRAM [MATERIAL] [RADIUS]",
         _options_of_export, "runners:run_export", "lammps quartz 100nm --model dmt", DEM),
     Command("infer", "Inputs from measured values.", "INPUT [MATERIAL] [RADIUS]...",
-        lambda: (Options.measured, *input_options(), *_OUTPUT), "runners:run_infer",
+        lambda: (Options.measured, *input_options(), *OUTPUT), "runners:run_infer",
         "gamma quartz 2um --radius2 plane --measured pull_off_force=300±20nN", CONTACT),
     Command("fit", "Work of adhesion and modulus of a force curve.", "FILE...",
         _options_of_fit, "fit:run_fit", "curve.csv --radius 7.5um --radius2 plane --spring 3.01N/m", CONTACT),
     Command("batch", "Results for each row of a table.", "IN",
-        _options_of_table, "runners:run_batch", "grains.csv -o forces.csv", ALL),
+        _options_of_batch, "runners:run_batch", "grains.csv -o forces.csv", ALL),
     Command("map", "Draw a quantity over two inputs as a map, or over one as curves.",
-        "QUANTITY [MATERIAL] [RADIUS]...", lambda: (*AXES, *input_options(), *PICTURE), "draw:run_map",
+        "QUANTITY [MATERIAL] [RADIUS]...", lambda: (Options.x, Options.y, *input_options(), *PICTURE), "draw:run_map",
         "pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2"),
     Command("figure", "Draw a figure of the paper from its equations.", "FIGURE",
         lambda: (Options.as_printed, *PICTURE), "draw:run_figure", "3a --mark quartz@100nm"),
     Command("materials", "List the known materials, find them by words, or show one in full.", "[MATERIAL]...",
-        lambda: (*_LISTED, _CITE, Options.file, Options.quiet), "runners:run_materials", "quartz"),
+        lambda: MATERIALS, "runners:run_materials", "quartz"),
     Command("quantities", "List quantities, find them by words, or show one in full.", "[NAME]...",
-        lambda: _LISTED, "runners:run_quantities", "tabor"),
+        lambda: TEXT_FORMATS, "runners:run_quantities", "tabor"),
     Command("guide", "List the pages of the manual, show one, or search it by words.", "[TOPIC]...",
         tuple, "runners:run_guide", "models"),
     Command("bench", "Measure speed and error of each method.", "",
@@ -280,11 +301,6 @@ MIN_WIDTH = 48
 MIN_TEXT = 20
 GUTTER = 10  # width of the names of groups
 
-_WITH_THE_PAIR = (
-    "material material2 work_of_adhesion monomers contacts filling_factor asperity_radius yield_strength humidity "
-    "contact_angle roughness_gap"
-)
-
 Row = tuple[str, str]  # what to type, and its meaning
 
 
@@ -302,11 +318,11 @@ def _of_program(width: int) -> list[str]:
         *_listed("", EXAMPLES, width),
         "",
     ]
-    for job in JOBS:
-        rows = [(command.name, command.sentence) for command in COMMANDS.values() if command.job == job]
-        if job == OTHERS:
+    for task in TASKS:
+        rows = [(command.name, command.sentence) for command in COMMANDS.values() if command.task == task]
+        if task == OTHERS:
             rows = [(", ".join([name for name, _ in rows]), "")]
-        lines += _listed(job, rows, width)
+        lines += _listed(task, rows, width)
     return [*lines, *_listed("Options", [(", ".join([option.flag for option in PROGRAM]), "")], width)]
 
 
@@ -331,7 +347,7 @@ def _group(option: Option[Any]) -> str:
     quantity = NOMENCLATURE.get(option.name)
     if quantity is None:
         return option.group
-    if quantity.sphere or option.name in (*OF_THE_PAIR, *_WITH_THE_PAIR.split()):
+    if quantity.sphere or option.name in IN_GROUP_PAIR:
         return "Pair"
     return "Assumed"
 

@@ -38,10 +38,10 @@ def main() -> int:
 def _write() -> int:
     """Write the candidates; for fish, which first asks whether there are any, write nothing. Return the exit code."""
     _, _, shell = os.environ["_JKROLL_COMPLETE"].partition("_")
-    of_shell = list(candidates(*_typed(shell)))
+    offered = list(candidates(*_typed(shell)))
     if shell == "fish" and os.environ.get("_TYPER_COMPLETE_FISH_ACTION") == "is-args":
-        return 0 if of_shell else FAILED  # without candidates fish offers files
-    say(_written(shell, of_shell), sys.stdout)
+        return 0 if offered else FAILED  # without candidates fish offers files
+    say(_written(shell, offered), sys.stdout)
     return 0
 
 

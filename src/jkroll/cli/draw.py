@@ -9,9 +9,11 @@ import numpy
 from ..errors import BadRequest, missing_extra
 from ..model.frame import Frame
 from ..model.limits import LIMITS
-from ..pictures.figures import PANELS, PAPER_MAPS, check_figure, curves_of_contact, figure_named
-from ..pictures.picture import STYLES, Picture, evaluate, opening, say_texts, write_picture
-from ..pictures.request import MAX_CURVES, PlotRequest, axis_of, check_axes, distinction, picture_of
+from ..pictures.contact_curves import PANELS, curves_of_contact
+from ..pictures.figures import PAPER_MAPS, check_figure, figure_named
+from ..pictures.maps import MAX_CURVES, MapRequest, axis_of, check_axes, distinction, picture_of
+from ..pictures.picture import STYLES, Picture, evaluate
+from ..pictures.picture_as_text import opening, say_texts, write_picture
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.markup import plain
 from ..quantities.nomenclature import header
@@ -63,11 +65,11 @@ def run_map(call: Call) -> int:
     check_picture(call, call.target)
     request = map_request(call)
     drawn, notes = picture_of(request)
-    ends: dict[str, Any] = {}
+    corner: dict[str, Any] = {}  # its sources stand for those of all points
     for axis in (request.x, request.y):
         if axis is not None:
-            ends |= axis.inputs(axis.high)
-    frames = [frame.replace(**ends) for _, frame in request.frames]
+            corner |= axis.inputs(axis.high)
+    frames = [frame.replace(**corner) for _, frame in request.frames]
     return _deliver(_with_sources(drawn, [request.quantity], frames, call), notes, call)
 
 
@@ -81,8 +83,9 @@ def run_figure(call: Call) -> int:
     drawn = figure_named(name, call.materials, marks, as_printed=call.as_printed, is_plain=call.plain)
     if declared is None:
         return _deliver(_with_sources(drawn, (), (), call), (), call)
-    ends = {**declared.given, **declared.x.inputs(declared.x.high), "radius": 1e-7}
-    return _deliver(_with_sources(drawn, [declared.quantity], [Frame(ends)], call), (), call)
+    # A point of the figure; its sources stand for those of all points.
+    point = {**declared.given, **declared.x.inputs(declared.x.high), "radius": 1e-7}
+    return _deliver(_with_sources(drawn, [declared.quantity], [Frame(point)], call), (), call)
 
 
 def _with_sources(drawn: Picture, names: Sequence[str], frames: Iterable[Frame], call: Call) -> Picture:
@@ -93,7 +96,8 @@ def _with_sources(drawn: Picture, names: Sequence[str], frames: Iterable[Frame],
     from ..report.report import Report
     from ..write.sources import citations_in_words
 
-    answers = [Report(Question((*names,), (*names,)), frame) for frame in frames]
+    question = Question(tuple(names), tuple(names))
+    answers = [Report(question, frame) for frame in frames]
     return drawn._replace(doubts=(*drawn.doubts, citations_in_words(answers)))
 
 
@@ -166,7 +170,7 @@ def _write_data(drawn: Picture, path: str) -> None:
 # --- Requests for maps ------------------------------------------------------------------------------------------------
 
 
-def map_request(call: Call) -> PlotRequest:
+def map_request(call: Call) -> MapRequest:
     """Return the request of a call: a quantity, axes, frames to draw, marks and limits. Raises BadRequest."""
     if not call.subject:
         raise BadRequest("map needs a quantity, such as pull_off_force")
@@ -186,4 +190,4 @@ def map_request(call: Call) -> PlotRequest:
     frames = tuple((distinction(frame, several, call.models), frame) for frame in call.sweep.frames())
     limits = () if call.plain else LIMITS
     marks = [*filter(None, call.mark.split(","))]
-    return PlotRequest(quantity, x, y, frames, marks, call.materials, limits, has_best=not call.plain)
+    return MapRequest(quantity, x, y, frames, marks, call.materials, limits, has_best=not call.plain)

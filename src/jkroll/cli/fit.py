@@ -4,6 +4,7 @@ import glob
 import os
 import sys
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy
@@ -45,24 +46,6 @@ class FileFit(NamedTuple):
     error: JkrollError | None
 
 
-class FileFitter(NamedTuple):
-    """The known data and the options with which files are fitted; a fitter can be sent to another process."""
-
-    known: Known
-    materials: Materials
-    columns: tuple[str, ...]
-    form: str  # the value of --format
-    mark: str  # the value of --delimiter
-
-    def fitted(self, path: str) -> FileFit:
-        """Return the fit of a file, or its error."""
-        try:
-            fitted, reading = fit_of_file(path, self.known, self.materials, self.columns, self.form, self.mark)
-        except JkrollError as error:
-            return FileFit(None, "", error.with_traceback(None))
-        return FileFit(fitted, reading, None)
-
-
 def run_fit(call: Call) -> int:
     """Fit the curves in files; return the exit code."""
     from .draw import check_picture
@@ -74,18 +57,29 @@ def run_fit(call: Call) -> int:
         "range": call.range, "baseline": call.baseline,
     }  # fmt: skip
     known = known_of(words, call.spring, given)
-    fitter = FileFitter(known, call.materials, call.columns, call.format, call.delimiter)
+    fit_file = partial(
+        _fit_file, known=known, materials=call.materials, columns=call.columns, form=call.format, mark=call.delimiter
+    )
     if call.names_picture and len(paths) > 1:
         raise BadRequest(f"a picture shows one curve; {len(paths)} files were given")
     check_picture(call, call.target if call.names_picture else None)
     form = "" if call.names_picture else _form_of_rows(call)
     if len(paths) == 1:
-        return _write_single(call, paths[0], fitter.fitted(paths[0]), form)
+        return _write_single(call, paths[0], fit_file(paths[0]), form)
     if call.curve:
         raise BadRequest("--curve writes the points of one file")
     if call.output is CITE:
         raise BadRequest(f"--cite takes one curve; {len(paths)} files were given")
-    return _write_rows(call, paths, [*_outcomes(call, fitter, paths)], known, form)
+    return _write_rows(call, paths, [*_outcomes(call, fit_file, paths)], known, form)
+
+
+def _fit_file(path: str, known: Known, materials: Materials, columns: tuple[str, ...], form: str, mark: str) -> FileFit:
+    """Return the fit of a file, or its error. `columns`, `form`, `mark`: see `read_curve`."""
+    try:
+        fitted, reading = fit_of_file(path, known, materials, columns, form, mark)
+    except JkrollError as error:
+        return FileFit(None, "", error.with_traceback(None))
+    return FileFit(fitted, reading, None)
 
 
 def _form_of_rows(call: Call) -> str:
@@ -141,7 +135,7 @@ def _write_single(call: Call, path: str, outcome: FileFit, form: str) -> int:
             write_json([json_of(fitted, path, outcome.reading, following, curve=call.curve)], out)
         elif call.curve and output is TABLE:
             from ..pictures.fitted import picture_of_fit
-            from ..pictures.picture import write_picture
+            from ..pictures.picture_as_text import write_picture
 
             drawn = picture_of_fit(fitted, os.path.basename(path), ())
             write_picture(drawn._replace(remarks=(*warnings(fitted), *sentences(fitted))), out)
@@ -228,30 +222,25 @@ def _draw(call: Call, path: str, fitted: Fit) -> int:
 # --- Many files -------------------------------------------------------------------------------------------------------
 
 
-def _outcomes(call: Call, fitter: FileFitter, paths: Sequence[str]) -> Iterator[FileFit]:
-    """Iterate over the fits of files, with a progress line on a terminal."""
-    answered: Iterator[FileFit]
-    run: Callable[[Any], Any] = fitter.fitted
+def _outcomes(call: Call, fit_file: Callable[[str], FileFit], paths: Sequence[str]) -> Iterator[FileFit]:
+    """Iterate over the fits of files, in several processes with --jobs, and with a line of progress on a terminal."""
+    outcomes: Iterator[FileFit] = map(fit_file, paths)
     if (call.jobs or 1) > 1:
         from ..tables.workers import answers
 
-        answered = answers(min(call.jobs, len(paths)), run, paths)
-    else:
-        answered = map(run, paths)
+        outcomes = answers(min(call.jobs, len(paths)), fit_file, paths)
     if not sys.stderr.isatty() or call.quiet:
-        return answered
-    from ..tables.run import with_progress
+        return outcomes
+    from ..tables.progress import with_progress
 
-    return with_progress(answered, lambda _: 1, lambda done, _: f"{done} of {len(paths)} files")
+    return with_progress(outcomes, lambda _: 1, lambda done, _: f"{done} of {len(paths)} files")
 
 
 def _write_rows(call: Call, paths: Sequence[str], outcomes: Sequence[FileFit], known: Known, form: str) -> int:
     """Write a row or a JSON object for each file, and a summary on stderr; return the exit code."""
     rows = []
     for path, outcome in zip(paths, outcomes, strict=True):
-        reason = ""
-        if outcome.error is not None:
-            reason = outcome.error.phrase or str(outcome.error)
+        reason = "" if outcome.error is None else outcome.error.phrase or str(outcome.error)
         rows.append(row_of(path, outcome.fitted, reason))
     fits = [outcome.fitted for outcome in outcomes if outcome.fitted is not None]
     with text_output(call.target or "-") as out:
@@ -281,7 +270,7 @@ def _json_of_outcome(path: str, outcome: FileFit) -> dict[str, Any]:
 
 def _summary(fits: Sequence[Fit], files: int) -> Iterator[str]:
     """Iterate over sentences on the results of many curves: median, quartiles, mean and scatter."""
-    from ..tables.run import scatter_in_words
+    from ..report.scatter import scatter_in_words
 
     for name in _SUMMARY:
         values = numpy.array([fit.values[name] for fit in fits if name in fit.values])

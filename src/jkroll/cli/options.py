@@ -10,8 +10,8 @@ from ..text import capital, quoted
 
 Value = TypeVar("Value")
 
-# Defaults and alternatives that the help adds to the sentence of an input.
-_WITH = {
+# Alternatives and defaults that the help adds to the sentence of an input.
+_ADDED_TO_SENTENCE = {
     "material2": ", or --gamma2, --young2, --shear-modulus2, --poisson2, --density2",
     "surface_energy": ", or --work-of-adhesion",
     "diameter": ", --diameter2 of sphere 2",
@@ -29,7 +29,7 @@ class Option(Generic[Value]):
 
     An option without a `metavar` is a switch. Otherwise its value is an integer from 1 to `most`, a text if `most` is
     0, or a tuple of texts if the option `repeats`. The help lists options by `group`, and `hidden` options by their
-    flags alone. The option of an input has no `help`: its meaning is the sentence of the nomenclature.
+    flags alone. Without `help`, the option of an input has the sentence of the nomenclature.
     """
 
     def __init__(
@@ -74,7 +74,7 @@ class Option(Generic[Value]):
         return int(text)
 
     def sentence(self) -> str:
-        """Return the help text: meaning, range and default."""
+        """Return the help text: the meaning, the accepted range or the default, and alternatives."""
         if self.help:
             span = f", 1 to {self.most}" if self.most else ""
             return f"{self.help}{span}."
@@ -82,7 +82,7 @@ class Option(Generic[Value]):
 
         meaning = NOMENCLATURE[self.name].sentence
         default = f", default {amount(self.name, DEFAULTS[self.name])}" if self.name in DEFAULTS else ""
-        return f"{capital(meaning)}{default}{_WITH.get(self.name, '')}."
+        return f"{capital(meaning)}{default}{_ADDED_TO_SENTENCE.get(self.name, '')}."
 
 
 def _switch(flag: str, help: str, **others: Any) -> Option[bool]:
@@ -109,16 +109,16 @@ _AXIS = "NAME=FROM:TO, with :lin for a linear axis"
 
 
 class Options:
-    """The values of the options of a call, except for inputs. A command takes the options that it lists."""
+    """The values of the options of a call, except for inputs. `commands.py` lists the options of each command."""
 
     def __init__(self, given: Mapping[str, Any]) -> None:
         """`given`: values by the names of options. Raises BadRequest for options that exclude or need others."""
         self.given = given
-        for option in EVERY:
+        for option in ALL_OPTIONS:
             if option.name in given:
                 _check(option, given)
 
-    # For all commands
+    # For most commands
     file = _text("--materials", "Read your own materials as well", "FILE")
     quiet = _switch("--quiet", "Suppress notes")
 
@@ -182,7 +182,7 @@ class Options:
     plot = _text("--plot", "Draw error against cost (needs the plot extra)", "FILE")
 
 
-EVERY: list[Option[Any]] = [option for option in vars(Options).values() if isinstance(option, Option)]
+ALL_OPTIONS: list[Option[Any]] = [option for option in vars(Options).values() if isinstance(option, Option)]
 
 
 def _check(option: Option[Any], given: Mapping[str, Any]) -> None:
@@ -195,7 +195,7 @@ def _check(option: Option[Any], given: Mapping[str, Any]) -> None:
         raise BadRequest(f"{option.flag} goes with {needed}")
 
 
-# Options of every command, and options of the program itself.
+# --help is an option of every command and of the program, the others only of the program.
 HELP = _switch("--help", "Show this message and exit", name="help", short="-h")
 VERSION = _switch("--version", "Show the version and exit", name="version")
 DEBUG = _switch("--debug", "Show where an error comes from", name="debug")

@@ -25,7 +25,7 @@ from .options import DEBUG, HELP, VERSION, Option
 
 BROKEN_PIPE = 141  # exit code if the reader of stdout ends: in a shell, 128 + SIGPIPE
 
-# Words of other programs that are understood here. Options may also be names and symbols of quantities.
+# Words of other programs that are understood here. An input may also be given by its name or symbol: see `_option`.
 SYNONYMS: Mapping[str, str] = {
     "help": "--help",
     "manual": "guide",

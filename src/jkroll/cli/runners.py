@@ -12,13 +12,14 @@ from typing import TYPE_CHECKING, TextIO
 
 from ..errors import ROWS_FAILED, BadRequest, JkrollError, repeated_input
 from ..materials.library import UnknownMaterial
-from ..model.frame import HELD_BY_LOAD, Frame
+from ..model.frame import Frame
 from ..model.limits import ENDING_MEANING
 from ..model.plan import formula_of
 from ..model.sweep import Sweep
 from ..quantities.formatting import Format, symbol_of
+from ..quantities.laws import HELD_BY_LOAD
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity
-from ..quantities.values import Spread, spreads_of
+from ..quantities.spreads import Spread, spreads_of
 from ..report.notes import Noted, assumed_in, lines_of, notes_below
 from ..report.questions import (
     BY_DEFAULT,
@@ -71,7 +72,8 @@ def answer_rows(call: Call, sweep: Sweep, question: Question, form: Format) -> i
     single = answer(next(sweep.frames())) if count == 1 else None
     if single is not None and output is not EXPLAIN and single.failure is not None and single.has_no_headline:
         raise single.failure
-    if output.has_rows and not (single is not None and output.has_answers):
+    is_answer = single is not None and output.has_answers
+    if output.has_rows and not is_answer:
         return _write_rows(call, sweep, question, form, single)
     if count > sizes.most_answers:
         most = f"--{output.name} writes at most {sizes.most_answers} pairs, not {count}"
@@ -127,27 +129,27 @@ def _write_columns(
 
     `groups`: the groups of the rows; `single`: the answer that provides the notes; None if the rows do.
     """
-    from ..model.rows import Tally, counted
+    from ..model.rows import Tally, tallied
 
     tallies: list[Tally] = []
-    every = counted(blocks, tallies, symbol_of)
+    blocks = tallied(blocks, tallies, symbol_of)  # adds to `tallies` as the blocks are written
     if call.target is not None:
         from ..tables.run import write_file
 
-        write_file(wanted, every, form, call.target, doubt=not call.no_doubt, quiet=call.quiet)
+        write_file(wanted, blocks, form, call.target, doubt=not call.no_doubt, quiet=call.quiet)
     elif is_table:
         from ..report.curve import lead_of_curve
         from ..report.leads import lead_of_rows
         from ..write.table import sweep_table
 
-        for columns in every:
+        for columns in blocks:
             lead = lead_of_rows(groups, wanted.names) if single is None else lead_of_curve(single)
             sweep_table(columns, sys.stdout, form, assumed_in(groups), lead)
     else:
         from ..write.writers import WRITERS, written
 
         writer = WRITERS[PLAIN.name if call.output is TABLE else call.output.name]
-        for text in written(writer, wanted, every, form, doubt=not call.no_doubt):
+        for text in written(writer, wanted, blocks, form, doubt=not call.no_doubt):
             sys.stdout.write(text.decode())
         sys.stdout.flush()
     tally = reduce(Tally.plus, tallies, Tally())
@@ -191,7 +193,7 @@ def _write_answers(
 ) -> int:
     """Write answers one after another; return the exit code.
 
-    `single`: the answer if there is only one. Its notes follow on stderr unless the output includes them.
+    `single`: the answer if there is only one. Its notes follow on stderr, except with JSON, `--explain` and `--cite`.
     """
     failures: list[JkrollError] = []
 
@@ -288,8 +290,9 @@ def _write_curve(call: Call) -> int:
     if is_table and loads is not None:  # a table shows the states that a load holds
         states = (state for state in states if state.state in HELD_BY_LOAD)
     if call.output is JSON:
-        every = [*states]
-        return _write_answers(call, (answer_at_state(question, state) for state in every), len(every), form)
+        all_states = [*states]
+        answers = (answer_at_state(question, state) for state in all_states)
+        return _write_answers(call, answers, len(all_states), form)
     names = question.quantities
     if call.output is BARE:
         wanted = Wanted(names, named=names, doubts=not call.quiet, keeps_all=True)

@@ -1,14 +1,13 @@
 """The baseline of a curve, its force out of contact: a level or a sloping line, its noise, and remarks on baselines."""
 
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy
 from numpy import pi, sqrt
 
-from .minimum import Noise, noise_of
-
-Array = Any
+from .force_curves import Array
+from .minimum import Noise, noise_of, robust_deviation
 
 _MOST_PHI = 0.99  # largest correlation of neighbours in the baseline
 _SURE = 4.0  # standard errors; a slope of more is not due to chance
@@ -70,8 +69,8 @@ def baseline_of(z: Array, force: Array, floor: float, *, tilt: bool) -> Baseline
 
 
 def _scatter(values: Array, floor: float) -> float:
-    """Return the standard deviation of values, from their median absolute deviation: `floor` or more."""
-    return max(1.4826 * float(numpy.median(abs(values - numpy.median(values)))), floor)
+    """Return the standard deviation of values by a robust estimate: `floor` or more."""
+    return max(robust_deviation(values - numpy.median(values)), floor)
 
 
 def _correlation(values: Array, unknowns: int) -> float:

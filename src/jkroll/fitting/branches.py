@@ -9,13 +9,12 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple, Self
 
 import numpy
-from numpy import sqrt
+from numpy import inf, sqrt
 
 from ..errors import JkrollError
 from .baseline import Baseline, baseline_of, remark_on_baselines
-from .minimum import Points
-
-Array = Any
+from .force_curves import Array
+from .minimum import Points, robust_deviation
 
 LOADING, UNLOADING, PAUSE = "loading", "unloading", "pause"
 LEAST_POINTS = 5
@@ -76,7 +75,9 @@ class ForceCurve(NamedTuple):
         return self._replace(**columns)
 
 
-RADIUS, APPROACH, TRAVEL = "contact radius", "approach", "travel"
+RADIUS, APPROACH, TRAVEL = "contact radius", "approach", "travel"  # kinds of z
+# The quantity of each kind of z. A table with several of these columns is read by the first of them.
+QUANTITIES = {RADIUS: "contact_radius_at_load", APPROACH: "approach_at_load", TRAVEL: "lever_travel"}
 
 
 class Branch(NamedTuple):
@@ -149,12 +150,13 @@ def branches_of(curve: ForceCurve, stiffness: float, *, tilt: bool = False, only
     remark_on_baselines(baselines, remarks, tilt=tilt)
     branches = {}
     for name, part in parts.items():
-        own = baselines[name] or known[0]
-        load = part.force - own.at(part.z)
-        give = 1 / stiffness or float(numpy.ptp(part.z)) / float(numpy.ptp(load))
-        errors = _errors(part, max(own.noise, noise), give)
-        inside = _in_contact(load, name, max(own.scatter, noise))
-        branches[name] = Branch(name, Points(part.z, load, *errors), *inside, own, baselines[name] is not None)
+        own = baselines[name]
+        baseline = known[0] if own is None else own
+        load = part.force - baseline.at(part.z)
+        give = 1 / stiffness if stiffness < inf else float(numpy.ptp(part.z)) / float(numpy.ptp(load))
+        points = Points(part.z, load, *_errors(part, max(baseline.noise, noise), give))
+        contact, reach = _in_contact(load, name, max(baseline.scatter, noise))
+        branches[name] = Branch(name, points, contact, reach, baseline, has_free_part=own is not None)
     _check(branches, max(noise, *(baseline.scatter for baseline in known)), remarks)
     return Branches(branches, known[0].noise, known[0].scatter, remarks, sign)
 
@@ -357,6 +359,11 @@ def running_median(values: Array, size: int = _SMOOTH) -> Array:
     return numpy.median(numpy.lib.stride_tricks.sliding_window_view(padded, size), axis=-1)
 
 
+def largest_tension(points: Points) -> float:
+    """Return the largest tension of points, as a median over three of them; negative if all are pressed."""
+    return -float(running_median(points.force, 3).min())
+
+
 def _white_noise(force: Array) -> float:
     """Return the standard deviation of white noise: the least of the estimates from differences of three orders.
 
@@ -365,7 +372,7 @@ def _white_noise(force: Array) -> float:
     sizes = []
     for order, square in ((2, 6), (3, 20), (4, 70)):
         if len(force) > order:
-            sizes.append(1.4826 * float(numpy.median(abs(numpy.diff(force, order)))) / square**0.5)
+            sizes.append(robust_deviation(numpy.diff(force, order)) / square**0.5)
     return float(min(sizes))
 
 
@@ -377,7 +384,7 @@ def _free(part: ForceCurve, name: str, noise: float) -> slice:
         return slice(0, 0)
     end = force[-count:]
     level = float(numpy.median(end))
-    spread = max(noise, 1.4826 * float(numpy.median(abs(end - level))))
+    spread = max(noise, robust_deviation(end - level))
     smooth = running_median(force, 5)
     least = int(numpy.argmin(smooth))
     depth = level - float(smooth[least])
@@ -411,11 +418,11 @@ def _errors(part: ForceCurve, noise: float, give: float) -> tuple[Array, Array]:
 
 
 def _in_contact(load: Array, name: str, noise: float) -> tuple[slice, slice]:
-    """Return the slice of a branch in contact, and the slice that may be in contact.
+    """Return the slice of a branch in contact, and the slice that may be in contact, both up to an end.
 
-    The first ends just past the least load, or at the last pressed point.
-
-    After the least load, a stiff lever still holds the contact, while a soft lever is already snapping off.
+    If a branch has tension, the first slice ends just past the least load, and the second where half of the tension is
+    lost: there a stiff lever still holds the contact, while a soft lever is already snapping off. Otherwise both slices
+    end at the last pressed point, and are empty if there is none.
     """
     forward = load if name == UNLOADING else load[::-1]
     smooth = running_median(forward, 5)
@@ -428,7 +435,7 @@ def _in_contact(load: Array, name: str, noise: float) -> tuple[slice, slice]:
         ends = tuple(least + int(beyond[0]) if len(beyond) else count for beyond in (risen, lost))
     else:
         pressed = numpy.nonzero(smooth > _NOISE * noise)[0]
-        ends = (int(pressed[-1]) + 1 if len(pressed) else count,) * 2
+        ends = (int(pressed[-1]) + 1 if len(pressed) else 0,) * 2
     near, far = (slice(0, end) if name == UNLOADING else slice(count - end, count) for end in ends)
     return near, far
 
@@ -467,16 +474,14 @@ def _of_radii(curve: ForceCurve, remarks: dict[str, str]) -> Branches:
         remarks["equal-errors"] = (
             "radii and loads are assumed to have equal errors, relative to their ranges, unless columns give errors"
         )
-    ranges = [float(numpy.ptp(column)) / 200 for column in (curve.z, curve.force)]
+    z_error, force_error = (float(numpy.ptp(column)) / 200 for column in (curve.z, curve.force))
     branches = {}
     for name, part in parts.items():
-        errors = [
-            column if column is not None else numpy.full(len(part.z), size)
-            for column, size in zip((part.z_error, part.force_error), ranges, strict=True)
-        ]
-        points = Points(part.z, part.force, errors[1], errors[0])
+        z_errors = numpy.full(len(part.z), z_error) if part.z_error is None else part.z_error
+        force_errors = numpy.full(len(part.z), force_error) if part.force_error is None else part.force_error
+        points = Points(part.z, part.force, force_errors, z_errors)
         branches[name] = Branch(name, points, slice(0, len(part.z)), slice(0, len(part.z)))
-    return Branches(branches, ranges[1], ranges[1], remarks, 1.0)
+    return Branches(branches, force_error, force_error, remarks, 1.0)
 
 
 # --- The fitted range -------------------------------------------------------------------------------------------------
@@ -502,7 +507,7 @@ class LoadRange(NamedTuple):
         BadCurve if it has too few points.
         """
         load = branch.in_contact.force
-        low, high = map(self._load, (self.low, self.high), [load] * 2)
+        low, high = self._load(self.low, load), self._load(self.high, load)
         smooth = running_median(load)
         order = smooth if branch.name == UNLOADING else smooth[::-1]
         below = numpy.nonzero(order <= high)[0]

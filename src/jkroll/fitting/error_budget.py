@@ -8,41 +8,46 @@ and the atomic spacing. A change of a result is called its move.
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
+from math import ceil
 from typing import NamedTuple
 
 import numpy
 from numpy import exp, inf, sqrt
 
 from ..physics.contact import tabor_parameter
+from ..quantities.laws import DMT, JKR, MAUGIS, PARABOLOID, SPHERE
 from .baseline import Baseline
 from .branches import LEAST_POINTS
 from .force_curves import Array
+from .measurement import NAMES, FittedBranch, Measurement
 from .minimum import ADHESION, MODULUS, POINT, Minimum, Points, Setting, minimum, with_point
-from .problem import NAMES, Problem, Solved
-from .result import STRONG, Errors
+from .result import HALF_SPACING, STRONG, Errors, best_law, key_of
 
 _FEW = 300  # largest number of points of a branch in a refit that computes moves
 _ALIKE = 50.0  # Tabor parameter above which Maugis' law equals JKR's
 _WIDE = 0.1  # a/R above which the shape of the sphere matters
 
-Results = Mapping[str, float]
+ByResult = Mapping[str, float]  # values of results, or their moves, by name
 
 
-def _unchanged(part: Solved) -> Points:
+def _unchanged(part: FittedBranch) -> Points:
     """Return the fitted points of a branch, unchanged."""
     return part.points
 
 
-class Solution(NamedTuple):
-    """The minima of a curve: of the main branch, and of the other branch with E* and z_c of the main branch."""
+class Minima(NamedTuple):
+    """The minima of a curve: of the main branch, and of the other branch with E* and z_c of the main branch.
 
-    problem: Problem
+    The main branch is the one that `--branch` names; by default unloading, if the curve has it.
+    """
+
+    measurement: Measurement
     setting: Setting
-    main: Solved
-    other: Solved | None = None
+    main: FittedBranch
+    other: FittedBranch | None = None
 
     @property
-    def parts(self) -> list[Solved]:
+    def parts(self) -> list[FittedBranch]:
         """The fitted branches, the main one first."""
         return [self.main] if self.other is None else [self.main, self.other]
 
@@ -59,46 +64,47 @@ class Solution(NamedTuple):
             values[NAMES[self.main.branch.name]] = w
         values["contact_modulus"] = modulus
         if POINT in self.main.free:
-            values["contact_point"] = self.problem.branches.sign * float(main.unknowns[POINT])
+            values["contact_point"] = self.measurement.branches.sign * float(main.unknowns[POINT])
         if self.other is not None and other is not None:
             closing = float(exp(other.unknowns[ADHESION]))
             values[NAMES[self.other.branch.name]] = closing
             values |= {"adhesion_hysteresis": w - closing, "hysteresis_fraction": 1 - closing / w}
         return values
 
-    def refitted(self, setting: Setting, change: Callable[[Solved], Points] = _unchanged) -> Results:
-        """Return the results with another setting or changed points; fits start from the minima with their noise."""
+    def refitted(self, setting: Setting, change: Callable[[FittedBranch], Points] = _unchanged) -> ByResult:
+        """Return the results for another setting or changed points. Fits start from the minima and keep their noise."""
         main = minimum(change(self.main), setting, self.main.unknowns, self.main.free, self.main.minimum.noise)
         if self.other is None:
             return self.results(main, None)
         other = minimum(change(self.other), setting, main.unknowns, self.other.free, self.other.minimum.noise)
         return self.results(main, other)
 
-    def moves(self, setting: Setting, change: Callable[[Solved], Points] = _unchanged) -> Results:
+    def moves(self, setting: Setting, change: Callable[[FittedBranch], Points] = _unchanged) -> ByResult:
         """Return the moves of the results with another setting or changed points."""
         return difference(self.refitted(setting, change), self.values)
 
-    def thinned(self) -> "Solution":
-        """Return the solution for at most 300 points of each branch; its moves are nearly those of all points."""
-        parts: list[Solved] = []
-        for part in self.parts:
-            step = -(-len(part.points.z) // _FEW)
-            points, noise = part.points.thinned(step), part.minimum.noise.thinned(step)
-            start = part.unknowns if not parts else parts[0].unknowns
-            parts.append(part.at(points, minimum(points, self.setting, start, part.free, noise)))
-        return self._replace(main=parts[0], other=parts[1] if parts[1:] else None)
+    def thinned(self) -> "Minima":
+        """Return the minima for at most 300 points of each branch; their moves are nearly those of all points."""
+        main = self._thinned(self.main, self.main.unknowns)
+        return self._replace(main=main, other=None if self.other is None else self._thinned(self.other, main.unknowns))
+
+    def _thinned(self, part: FittedBranch, start: Array) -> FittedBranch:
+        """Return a branch with at most 300 points, fitted from a start."""
+        step = ceil(len(part.points.z) / _FEW)
+        points, noise = part.points.thinned(step), part.minimum.noise.thinned(step)
+        return part.at(points, minimum(points, self.setting, start, part.free, noise))
 
 
 # --- Statistical ------------------------------------------------------------------------------------------------------
 
 
-def covariance_of(solution: Solution) -> tuple[tuple[str, ...], Array]:
+def covariance_of(minima: Minima) -> tuple[tuple[str, ...], Array]:
     """Return the names of the fitted results, and their covariance from noise."""
-    main, other = solution.main, solution.other
-    every = {ADHESION: NAMES[main.branch.name], MODULUS: "contact_modulus", POINT: "contact_point"}
+    main, other = minima.main, minima.other
+    name_of = {ADHESION: NAMES[main.branch.name], MODULUS: "contact_modulus", POINT: "contact_point"}
     scales = {ADHESION: exp(main.unknowns[ADHESION]), MODULUS: exp(main.unknowns[MODULUS])}
-    scale = numpy.array([scales.get(unknown, solution.problem.branches.sign) for unknown in main.free])
-    names, matrix = tuple(every[unknown] for unknown in main.free), main.minimum.covariance
+    scale = numpy.array([scales.get(unknown, minima.measurement.branches.sign) for unknown in main.free])
+    names, matrix = tuple(name_of[unknown] for unknown in main.free), main.minimum.covariance
     covariance = matrix * numpy.outer(scale, scale)
     if other is None:
         return names, covariance
@@ -114,7 +120,7 @@ def covariance_of(solution: Solution) -> tuple[tuple[str, ...], Array]:
     return (*names, NAMES[other.branch.name]), covariance
 
 
-def with_baselines(few: Solution, names: tuple[str, ...], covariance: Array) -> Array:
+def with_baselines(few: Minima, names: tuple[str, ...], covariance: Array) -> Array:
     """Return the covariance with the errors of the baselines added, each through the moves that it causes."""
     for base, offset, slope in _baseline_changes(few):
         moves = few.moves(few.setting, partial(_shifted, base, offset, slope))
@@ -123,16 +129,16 @@ def with_baselines(few: Solution, names: tuple[str, ...], covariance: Array) -> 
     return covariance
 
 
-def _baseline_changes(solution: Solution) -> Iterator[tuple[Baseline, float, float]]:
+def _baseline_changes(minima: Minima) -> Iterator[tuple[Baseline, float, float]]:
     """Iterate over the uncertain baselines, each with a change of its force by an error, then with one of its slope."""
-    for base in dict.fromkeys(part.branch.baseline for part in solution.parts):
+    for base in dict.fromkeys(part.branch.baseline for part in minima.parts):
         if base is not None and base.error:
             yield base, base.error, 0.0
         if base is not None and base.slope_error:
             yield base, 0.0, base.slope_error
 
 
-def _shifted(base: Baseline, offset: float, slope: float, part: Solved) -> Points:
+def _shifted(base: Baseline, offset: float, slope: float, part: FittedBranch) -> Points:
     """Return the points of a branch; if the branch has this baseline, its forces are shifted."""
     points = part.points
     if part.branch.baseline != base:
@@ -140,13 +146,13 @@ def _shifted(base: Baseline, offset: float, slope: float, part: Solved) -> Point
     return points._replace(force=points.force + offset + slope * (points.z - base.z))
 
 
-def statistical_errors(solution: Solution, names: tuple[str, ...], covariance: Array) -> dict[str, Errors]:
+def statistical_errors(minima: Minima, names: tuple[str, ...], covariance: Array) -> dict[str, Errors]:
     """Return the statistical errors of the results, from their covariance."""
     errors = {}
     for name, variance in zip(names, numpy.diag(covariance), strict=True):
         errors[name] = Errors(statistical=float(sqrt(variance)))
-    if solution.other is not None:
-        opening, closing = (solution.values[name] for name in (names[0], names[-1]))
+    if minima.other is not None:
+        opening, closing = (minima.values[name] for name in (names[0], names[-1]))
         first, last, both = covariance[0, 0], covariance[-1, -1], covariance[0, -1]
         relative = first / opening**2 + last / closing**2 - 2 * both / opening / closing
         errors["adhesion_hysteresis"] = Errors(statistical=float(sqrt(max(first + last - 2 * both, 0.0))))
@@ -157,9 +163,9 @@ def statistical_errors(solution: Solution, names: tuple[str, ...], covariance: A
 # --- Calibration ------------------------------------------------------------------------------------------------------
 
 
-def by_radius(few: Solution) -> Results:
-    """Return the larger move of each result if the radius is smaller or larger by its error."""
-    known = few.problem.known
+def by_radius(few: Minima) -> ByResult:
+    """Return the larger move of each result if the radius is smaller or larger by its error; empty without an error."""
+    known = few.measurement.known
     if known.radius is None or not known.radius_error:
         return {}
     radii = [known.radius * factor for factor in ends(known.radius_error)]
@@ -167,11 +173,11 @@ def by_radius(few: Solution) -> Results:
 
 
 def ends(error: float) -> tuple[float, float]:
-    """Return the factors that lead from a value to its two ends. `error`: its relative error."""
+    """Return the factors from a value to both ends of its uncertainty. `error`: the relative error of the value."""
     return 1 - error, 1 + error
 
 
-def largest(moves: Sequence[Results]) -> Results:
+def largest(moves: Sequence[ByResult]) -> ByResult:
     """Return the largest move of each result."""
     if not moves:
         return {}
@@ -181,8 +187,12 @@ def largest(moves: Sequence[Results]) -> Results:
 # --- Model ------------------------------------------------------------------------------------------------------------
 
 
-def by_range(few: Solution) -> Results:
-    """Return half the spread of the results over ranges of the main branch; empty if there is only one range."""
+def by_range(few: Minima) -> ByResult:
+    """Return half the spread of the results over ranges of the main branch; empty if there is only one range.
+
+    Two shorter ranges end at half the largest load, and at a tenth of the largest tension; without adhesion, at half
+    and at a quarter of the largest load. A range with too few points is left out.
+    """
     points, here = few.main.points, few.values
     spread = {name: [0.0] for name in here}
     most, least = float(points.force.max()), float(points.force.min())
@@ -200,55 +210,51 @@ def by_range(few: Solution) -> Results:
 class Models(NamedTuple):
     """The results by other laws and profiles, and the moves that count as errors of the model."""
 
-    by_law: dict[str, Results]
-    moves: list[Results]
+    by_law: dict[str, ByResult]
+    moves: list[ByResult]
     tabor_parameter: float = inf
 
 
-def key_of(law: str, profile: str) -> str:
-    """Return the key of a law and profile among results by law."""
-    return law if profile == "paraboloid" else f"{law}, {profile}"
-
-
-def by_models(solution: Solution, few: Solution, width: float) -> Models:
+def by_models(minima: Minima, few: Minima, width: float) -> Models:
     """Return the results by each law and for a sphere, and the moves that count as errors of the model.
 
-    Without a radius or adhesion, some or all other laws are left out. A sphere is fitted only by JKR, if the contact is
-    wide (`width` is a/R). Results by another law are those of the fit plus their moves in a refit of fewer points.
+    Without a radius, other laws are left out; without adhesion, all but JKR. If the contact is wide (`width` is a/R),
+    JKR is also fitted for a sphere. The results by another law are those of the fit plus their moves in a refit of
+    fewer points.
     """
-    problem, known, values, here = solution.problem, solution.problem.known, solution.values, few.values
+    measurement, known, values, here = minima.measurement, minima.measurement.known, minima.values, few.values
     has_adhesion = ADHESION in few.main.free
-    own = key_of(known.law if has_adhesion else "jkr", known.profile)
-    by_law: dict[str, Results] = {own: values}
+    own = key_of(known.law if has_adhesion else JKR, known.profile)
+    by_law: dict[str, ByResult] = {own: values}
 
-    def moved(law: str, profile: str = "paraboloid", spacing: float | None = None) -> Results:
-        setting = problem.by_law(law, profile, spacing)
-        there = _refitted_anew(few, setting) if "dmt" in (law, known.law) else few.refitted(setting)
+    def moved(law: str, profile: str = PARABOLOID, spacing: float | None = None) -> ByResult:
+        setting = measurement.by_law(law, profile, spacing)
+        there = _refitted_anew(few, setting) if DMT in (law, known.law) else few.refitted(setting)
         return {name: values[name] + there[name] - here[name] for name in there}
 
-    if problem.known.radius is None:
+    if measurement.known.radius is None:
         return Models(by_law, [])
-    contact = solution.setting.contact(solution.main.unknowns)
+    contact = minima.setting.contact(minima.main.unknowns)
     tabor = float(tabor_parameter(**contact._asdict())) if has_adhesion else inf
-    moves: list[Results] = []
-    for law in ("jkr", "maugis", "dmt") if has_adhesion else ("jkr",):
-        if law not in by_law and not (law == "maugis" and tabor > _ALIKE):
+    moves: list[ByResult] = []
+    for law in (JKR, MAUGIS, DMT) if has_adhesion else (JKR,):
+        if law not in by_law and not (law == MAUGIS and tabor > _ALIKE):
             by_law[law] = moved(law)
     if has_adhesion:
-        by_law.setdefault("maugis", by_law["jkr"])
+        by_law.setdefault(MAUGIS, by_law[JKR])
     if has_adhesion and tabor < STRONG:
-        by_law["maugis, z0/2"] = moved("maugis", spacing=known.spacing / 2)
-        moves.append(difference(by_law["maugis, z0/2"], by_law["maugis"]))
-    holds = "jkr" if tabor >= STRONG else "maugis"
-    if holds != known.law and has_adhesion:
-        moves.append(difference(by_law[holds], by_law[known.law]))
-    if width > _WIDE and known.profile == "paraboloid":  # the shape matters to every law, but only JKR has spheres
-        by_law["jkr, sphere"] = moved("jkr", "sphere")
-        moves.append(difference(by_law["jkr, sphere"], by_law["jkr"]))
+        at_half = by_law[key_of(MAUGIS, HALF_SPACING)] = moved(MAUGIS, spacing=known.spacing / 2)
+        moves.append(difference(at_half, by_law[MAUGIS]))
+    best = best_law(tabor)
+    if best != known.law and has_adhesion:
+        moves.append(difference(by_law[best], by_law[known.law]))
+    if width > _WIDE and known.profile == PARABOLOID:  # the shape matters to every law, but only JKR has spheres
+        of_sphere = by_law[key_of(JKR, SPHERE)] = moved(JKR, SPHERE)
+        moves.append(difference(of_sphere, by_law[JKR]))
     return Models(by_law, moves, tabor)
 
 
-def _refitted_anew(few: Solution, setting: Setting) -> Results:
+def _refitted_anew(few: Minima, setting: Setting) -> ByResult:
     """Return the results of a fit that starts from a new z_c, since z_c by DMT differs much from z_c by other laws."""
     main = few.main
     start = with_point(main.points, setting, *exp(main.unknowns[:POINT]).tolist())
@@ -256,6 +262,6 @@ def _refitted_anew(few: Solution, setting: Setting) -> Results:
     return few._replace(main=main.at(main.points, found)).refitted(setting)
 
 
-def difference(one: Results, other: Results) -> Results:
+def difference(one: ByResult, other: ByResult) -> ByResult:
     """Return the results of one set minus those of the other."""
     return {name: one[name] - other[name] for name in one}

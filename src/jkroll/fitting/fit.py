@@ -1,6 +1,6 @@
 """Fit a measured curve: work of adhesion of each branch, contact modulus and contact point, each with three errors.
 
-`branches` divides the curve, `problem` finds the minima of its branches, `error_budget` computes the errors, and
+`branches` divides the curve, `measurement` finds the minima of its branches, `error_budget` computes the errors, and
 `goodness` measures how well the fit describes the points.
 """
 
@@ -9,10 +9,11 @@ from numpy import exp, inf
 
 from ..model.unknowns import SIZES
 from ..physics.contact import contact_radius
-from .branches import LOADING, RADIUS, TRAVEL, UNLOADING, BadCurve, ForceCurve, branches_of, running_median
+from ..quantities.laws import JKR, PARABOLOID, SPHERE
+from .branches import LOADING, RADIUS, TRAVEL, UNLOADING, BadCurve, ForceCurve, branches_of, largest_tension
 from .error_budget import (
-    Results,
-    Solution,
+    ByResult,
+    Minima,
     by_models,
     by_radius,
     by_range,
@@ -24,9 +25,9 @@ from .error_budget import (
 )
 from .force_curves import Array, Grip
 from .goodness import USUAL_ERROR, goodness_of, on_deflection, on_profile, remarks_on
+from .measurement import FittedBranch, Measurement, fitted_branch, fitted_with, fitted_without_adhesion, release_rate
 from .minimum import ADHESION, MODULUS, residuals
-from .problem import Problem, Solved, release_rate, solved, solved_with, solved_without_adhesion
-from .result import Fit, Known
+from .result import Fit, Known, key_of
 
 _STIFFEST = SIZES["youngs_modulus"][1]  # a larger E* counts as infinite
 
@@ -37,135 +38,136 @@ def fit_curve(curve: ForceCurve, known: Known) -> Fit:
         raise BadCurve("w from contact radii needs the radius of the sphere: give --radius", "no radius")
     try:
         with numpy.errstate(all="ignore"):
-            solution, remarks = _solution(curve, known)
-            by_spring = _by_spring(curve, solution, known.stiffness_error or USUAL_ERROR)
-            return _result(solution, remarks, by_spring)
+            minima, remarks = _minima(curve, known)
+            by_spring = _by_spring(curve, minima, known.stiffness_error or USUAL_ERROR)
+            return _result(minima, remarks, by_spring)
     except (ArithmeticError, ValueError):
         raise BadCurve("the fit does not converge; check the radius, the spring and the units", "no fit") from None
 
 
-def _solution(curve: ForceCurve, known: Known) -> tuple[Solution, dict[str, str]]:
+def _minima(curve: ForceCurve, known: Known) -> tuple[Minima, dict[str, str]]:
     """Return the minima of the branches of a curve, and remarks by code. Raises BadCurve."""
     only = {"load": LOADING, "unload": UNLOADING}.get(known.branch, "")
     stiffness = known.stiffness if curve.kind == TRAVEL else numpy.inf
     branches = branches_of(curve, stiffness, tilt=known.tilt, only=only)
-    problem = Problem(curve.kind, known, branches)
+    measurement = Measurement(curve.kind, known, branches)
     remarks = {**branches.remarks, **dict(on_deflection(curve.force_over_deflection, known.stiffness))}
-    chosen = [only] if only else [UNLOADING, LOADING]
-    found = [branches.by_name[name] for name in chosen if name in branches.by_name]
-    if not found:
-        raise BadCurve(f"the curve has no {chosen[0]} branch", "branch is missing")
-    if not problem.has_adhesion(found[0]):
+    names = [only] if only else [UNLOADING, LOADING]
+    to_fit = [branches.by_name[name] for name in names if name in branches.by_name]
+    if not to_fit:
+        raise BadCurve(f"the curve has no {names[0]} branch", "branch is missing")
+    if not measurement.has_adhesion(to_fit[0]):
         remarks["no-adhesion"] = "no tension above the noise: Hertz' contact, and an upper limit of w"
-        main = solved_without_adhesion(problem, found[0])
-        return Solution(problem, problem.without_adhesion, main), remarks
-    main, other = solved(problem, found[0]), None
-    if len(found) > 1:
+        main = fitted_without_adhesion(measurement, to_fit[0])
+        return Minima(measurement, measurement.without_adhesion, main), remarks
+    main, other = fitted_branch(measurement, to_fit[0]), None
+    if len(to_fit) > 1:
         try:
-            other = solved_with(problem, found[1], main)
+            other = fitted_with(measurement, to_fit[1], main)
         except BadCurve as error:  # this branch has too few points in the range
             remarks["branch-left-out"] = f"{error}; the branch is left out"
-    return Solution(problem, problem.setting, main, other), remarks
+    return Minima(measurement, measurement.setting, main, other), remarks
 
 
-def _by_spring(curve: ForceCurve, solution: Solution, error: float) -> list[Results]:
-    """Return the changes of the results (moves) for a softer and a stiffer spring; none if no spring enters.
+def _by_spring(curve: ForceCurve, minima: Minima, error: float) -> list[ByResult]:
+    """Return the moves of the results for a softer and a stiffer spring; none if no spring enters.
 
-    The curve is fitted anew, since the results are not linear in the stiffness: a soft spring may make E* infinite.
-    `error`: the relative error of the stiffness.
+    The curve is fitted anew, since the results are not linear in the stiffness: a soft spring may make E* infinite. All
+    moves are infinite if this fit fails. `error`: the relative error of the stiffness.
     """
     if curve.kind != TRAVEL and not curve.is_deflection:
         return []
-    moves = list[Results]()
+    moves = list[ByResult]()
     for factor in ends(error):
-        forces = factor if curve.is_deflection else 1.0
-        force_error = None if curve.force_error is None else forces * curve.force_error
-        known = solution.problem.known._replace(stiffness=factor * solution.problem.known.stiffness)
+        scale = factor if curve.is_deflection else 1.0  # of the forces, which are deflections times the stiffness
+        force_error = None if curve.force_error is None else scale * curve.force_error
+        known = minima.measurement.known._replace(stiffness=factor * minima.measurement.known.stiffness)
         try:
-            there = {**_solution(curve._replace(force=forces * curve.force, force_error=force_error), known)[0].values}
+            there, _ = _minima(curve._replace(force=scale * curve.force, force_error=force_error), known)
+            values = there.values
         except (ArithmeticError, BadCurve, ValueError):
-            there = {}
-        if there.get("contact_modulus", inf) >= _STIFFEST:
-            there["contact_modulus"] = inf
-        moves.append({name: there.get(name, inf) - value for name, value in solution.values.items()})
+            values = {}
+        if values.get("contact_modulus", inf) >= _STIFFEST:
+            values["contact_modulus"] = inf
+        moves.append({name: values.get(name, inf) - value for name, value in minima.values.items()})
     return moves
 
 
-def _result(solution: Solution, remarks: dict[str, str], by_spring: list[Results]) -> Fit:
+def _result(minima: Minima, remarks: dict[str, str], by_spring: list[ByResult]) -> Fit:
     """Return the fit with its errors, its results by other laws and its remarks.
 
     `by_spring`: see `_by_spring`.
     """
-    problem, main = solution.problem, solution.main
-    names, covariance = covariance_of(solution)
-    few = solution.thinned()
+    measurement, main = minima.measurement, minima.main
+    names, covariance = covariance_of(minima)
+    few = minima.thinned()
     covariance = with_baselines(few, names, covariance)
-    errors = statistical_errors(solution, names, covariance)
+    errors = statistical_errors(minima, names, covariance)
     has_adhesion = ADHESION in main.free
     result = Fit(
-        problem.known, problem.kind, values=solution.values, errors=errors, names=names, covariance=covariance,
-        remarks=remarks, points=_points_of(solution), baselines=_baselines_of(solution),
-        fitted_loads=_fitted_loads(solution),
-        largest_adhesion=None if has_adhesion else problem.largest_adhesion,
+        measurement.known, measurement.kind, values=minima.values, errors=errors, names=names, covariance=covariance,
+        remarks=remarks, points=_points_of(minima), baselines=_baselines_of(minima),
+        fitted_loads=_fitted_loads(minima),
+        largest_adhesion=None if has_adhesion else measurement.largest_adhesion,
     )  # fmt: skip
-    pull_off = _pull_off(solution) if has_adhesion else None
-    tension = -float(running_median(main.branch.in_contact.force, 3).min())
+    pull_off = _pull_off(minima) if has_adhesion else None
+    tension = largest_tension(main.branch.in_contact)
     if pull_off is not None:
         result.values["pull_off_force_fitted"] = pull_off
         if tension > 0:
             result.values["pull_off_force_measured"] = tension
-    result.goodness = goodness_of(solution, pull_off)
-    width = float(main.minimum.residuals.radii.max()) / problem.radius
-    if problem.known.radius is not None:
+    result.goodness = goodness_of(minima, pull_off)
+    width = float(main.minimum.residuals.radii.max()) / measurement.radius
+    if measurement.known.radius is not None:
         result.goodness["contact_over_radius"] = width
         if has_adhesion:
-            contact = solution.setting.contact(main.unknowns).without_spacing
-            result.goodness["unloaded_contact_over_radius"] = float(contact_radius(**contact)) / problem.radius
+            contact = minima.setting.contact(main.unknowns).without_spacing
+            result.goodness["unloaded_contact_over_radius"] = float(contact_radius(**contact)) / measurement.radius
     _add(result, "calibration", [by_radius(few)])
-    if problem.known.stiffness_error:
+    if measurement.known.stiffness_error:
         _add(result, "calibration", [largest(by_spring)])
     _add(result, "model", [by_range(few)])
-    models = by_models(solution, few, width)
+    models = by_models(minima, few, width)
     result.by_law = {law: dict(each) for law, each in models.by_law.items()}
-    if problem.known.radius is None:
+    if measurement.known.radius is None:
         result.remarks["radius-free"] = "no radius is given: w is wR and E* is E*√R, for a paraboloid by JKR"
     elif has_adhesion:
         result.goodness["tabor_parameter"] = models.tabor_parameter
-    sphere = models.by_law.get("jkr, sphere")
-    if sphere is not None and problem.known.profile == "paraboloid":
-        for text in on_profile(models.by_law["jkr"], sphere, result.errors, width, problem.known):
+    sphere = models.by_law.get(key_of(JKR, SPHERE))
+    if sphere is not None and measurement.known.profile == PARABOLOID:
+        for text in on_profile(models.by_law[JKR], sphere, result.errors, width, measurement.known):
             result.remarks["profile-matters"] = text
     _add(result, "model", models.moves)
-    result.remarks |= dict(remarks_on(solution, result, by_spring))
+    result.remarks |= dict(remarks_on(minima, result, by_spring))
     return result
 
 
-def _add(result: Fit, part: str, moves: list[Results]) -> None:
+def _add(result: Fit, part: str, moves: list[ByResult]) -> None:
     """Add moves of the results to one part of their errors, in quadrature."""
     for name, errors in [*result.errors.items()]:
         result.errors[name] = errors.plus(part, [move[name] for move in moves if name in move])
 
 
-def _pull_off(solution: Solution) -> float:
+def _pull_off(minima: Minima) -> float:
     """Return the largest tension of the fitted curve: under a very soft grip, the contact is lost there."""
-    setting, unknowns = solution.setting, solution.main.unknowns
-    soft = Grip(1e-9 * float(exp(unknowns[MODULUS])) * solution.problem.radius)
+    setting, unknowns = minima.setting, minima.main.unknowns
+    soft = Grip(1e-9 * float(exp(unknowns[MODULUS])) * minima.measurement.radius)
     contact = setting.contact(unknowns)
     return -float(setting.law.values(numpy.float64(setting.law.last(contact, soft)), contact)[0].load)
 
 
-def _fitted_loads(solution: Solution) -> dict[str, tuple[float, float]]:
+def _fitted_loads(minima: Minima) -> dict[str, tuple[float, float]]:
     """Return the least and the largest fitted load of each branch."""
     loads = {}
-    for part in solution.parts:
+    for part in minima.parts:
         loads[part.branch.name] = float(part.points.force.min()), float(part.points.force.max())
     return loads
 
 
-def _baselines_of(solution: Solution) -> dict[str, dict[str, float]]:
+def _baselines_of(minima: Minima) -> dict[str, dict[str, float]]:
     """Return the baseline of each branch that has a part out of contact."""
     baselines = {}
-    for name, branch in solution.problem.branches.by_name.items():
+    for name, branch in minima.measurement.branches.by_name.items():
         base = branch.baseline
         if base is not None and branch.has_free_part:
             baselines[name] = {
@@ -174,25 +176,25 @@ def _baselines_of(solution: Solution) -> dict[str, dict[str, float]]:
     return baselines
 
 
-def _points_of(solution: Solution) -> dict[str, Array]:
+def _points_of(minima: Minima) -> dict[str, Array]:
     """Return the points in contact of the fitted branches as columns, see `_columns_of`."""
-    columns = [_columns_of(solution, part) for part in solution.parts]
+    columns = [_columns_of(minima, part) for part in minima.parts]
     return {name: numpy.concatenate([of_branch[name] for of_branch in columns]) for name in columns[0]}
 
 
-def _columns_of(solution: Solution, part: Solved) -> dict[str, Array]:
+def _columns_of(minima: Minima, part: FittedBranch) -> dict[str, Array]:
     """Return the points in contact of one branch as columns.
 
     Besides z and the load, the columns are the fitted load, the difference of both loads, the energy release rate and
     the contact radius.
     """
-    points, main = part.branch.in_contact, solution.main.unknowns
-    loads = residuals(points, part.unknowns, solution.setting).loads
-    rate, radius = release_rate(solution.problem, points, main)
-    if ADHESION not in solution.main.free:
+    points, main = part.branch.in_contact, minima.main.unknowns
+    loads = residuals(points, part.unknowns, minima.setting).loads
+    rate, radius = release_rate(minima.measurement, points, main)
+    if ADHESION not in minima.main.free:
         rate, radius = numpy.full((2, len(rate)), numpy.nan)
     return {
-        "z": points.z * solution.problem.branches.sign, "force": points.force, "model": loads,
+        "z": points.z * minima.measurement.branches.sign, "force": points.force, "model": loads,
         "residual": points.force - loads, "release_rate": rate, "contact_radius": radius,
         "branch": numpy.full(len(points.z), part.branch.name),
     }  # fmt: skip

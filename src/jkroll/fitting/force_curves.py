@@ -15,11 +15,12 @@ from numpy import inf, pi, sqrt
 
 from ..physics import any_law, dugdale, jkr, maugis, sneddon
 from ..physics.contact import contact_radius, tabor_parameter
+from ..quantities.laws import DMT, MAUGIS, PARABOLOID, SPHERE
 
 Array = Any  # a float, or an array of floats
 
-_STEPS = 60  # most steps of Newton's method, which usually takes about 6
-_NEAR = 1e-10  # a smaller relative step is rounding
+_STEPS = 60  # most steps of Newton's method, which usually takes about 5
+_NEAR = 1e-7  # a smaller relative step is the last one, since the next would be its square
 _SECANTS = 60  # most steps of the Illinois method
 _STRETCH = 1e-5  # relative step of numerical derivatives
 _WIDEST = 1 - 1e-9  # largest a/R of a sphere
@@ -91,7 +92,7 @@ class CurveLaw(Protocol):
 
 
 def state_at(law: CurveLaw, x: Array, contact: Contact, grip: Grip) -> tuple[Array, float, float]:
-    """Return q of the stable states at x, with q and x of the last state. Lower x get q of the last state.
+    """Return q of the stable states at x, with q and x of the last state. An x below the last state gets its q.
 
     Newton's method runs between bounds, and bisects where a step would leave the bounds. In JKR with a paraboloid, no
     step leaves the bounds, since x is convex in a.
@@ -99,21 +100,23 @@ def state_at(law: CurveLaw, x: Array, contact: Contact, grip: Grip) -> tuple[Arr
     last, most = law.last(contact, grip), law.most(contact)
     x_last = float(grip.x(law.values(last, contact)[0]))
     is_held = x > x_last
-    low, high = numpy.full_like(x, last), numpy.full_like(x, most)
-    q = numpy.clip(law.start(x, contact, grip, last, x_last), last, most)
+    held = x[is_held]
+    low, high = numpy.full_like(held, last), numpy.full_like(held, most)
+    root = numpy.clip(law.start(held, contact, grip, last, x_last), last, most)
     for _ in range(_STEPS):
-        values, slopes = law.values(q, contact)
-        excess, slope = grip.x(values) - x, grip.x(slopes)
-        low, high = numpy.where(excess < 0, q, low), numpy.where(excess < 0, high, q)
-        step = excess / numpy.where(slope > 0, slope, 1.0)
-        new = q - step
-        middle = numpy.where(high < inf, (low + high) / 2, 2 * q)
-        is_step = (slope > 0) & (new >= low) & (new <= high)
-        new = numpy.where(is_held, numpy.where(is_step, new, middle), last)
-        is_done = bool(numpy.all(abs(new - q) <= _NEAR * q))
-        q = new
+        values, slopes = law.values(root, contact)
+        excess = grip.x(values) - held
+        low, high = numpy.where(excess < 0, root, low), numpy.where(excess < 0, high, root)
+        new = root - excess / grip.x(slopes)
+        is_inside = (new >= low) & (new <= high)
+        if not is_inside.all():
+            new = numpy.where(is_inside, new, numpy.where(high < inf, (low + high) / 2, 2 * root))
+        is_done = bool((abs(new - root) <= _NEAR * root).all())
+        root = new
         if is_done:
             break
+    q = numpy.full_like(x, last)
+    q[is_held] = root
     return q, last, x_last
 
 
@@ -162,7 +165,7 @@ def _sphere(a: Array, radius: float) -> tuple[Array, Array, Array, Array]:
     return depth, sneddon.indentation_slope(artanh), curvature, radius * radius * sneddon.hertz_load(artanh)
 
 
-PROFILES: Mapping[str, Profile] = {"paraboloid": Profile(_paraboloid, inf), "sphere": Profile(_sphere, _WIDEST)}
+PROFILES: Mapping[str, Profile] = {PARABOLOID: Profile(_paraboloid, inf), SPHERE: Profile(_sphere, _WIDEST)}
 
 
 class Jkr(NamedTuple):
@@ -292,7 +295,7 @@ class Maugis:
         if grip.is_radius:
             return _LEAST_RATIO
         transition, *_ = _scales(contact)
-        low, high = (float(each(transition)) for each in (dugdale.fold_ratio, dugdale.pull_off_ratio))
+        low, high = (float(ratio(transition)) for ratio in (dugdale.fold_ratio, dugdale.pull_off_ratio))
 
         def slope(v: float) -> float:
             return float(grip.x(self.values(v, contact)[1]))
@@ -311,11 +314,12 @@ class Maugis:
         return inf
 
 
-def _scales(of: Contact) -> tuple[float, float, float]:
+def _scales(contact: Contact) -> tuple[float, float, float]:
     """Return λ and the units of length and approach of Maugis' curve."""
-    tabor, given = tabor_parameter(**of._asdict()), of.without_spacing
-    lengths = maugis.length_unit_maugis(**given), maugis.approach_unit_maugis(**given)
-    return float(any_law.transition_parameter(tabor_parameter=tabor)), float(lengths[0]), float(lengths[1])
+    transition = any_law.transition_parameter(tabor_parameter=tabor_parameter(**contact._asdict()))
+    length = maugis.length_unit_maugis(**contact.without_spacing)
+    depth = maugis.approach_unit_maugis(**contact.without_spacing)
+    return float(transition), float(length), float(depth)
 
 
 def _difference(below: Values, above: Values, step: Array) -> Values:
@@ -325,5 +329,5 @@ def _difference(below: Values, above: Values, step: Array) -> Values:
 
 def curve_law(name: str, profile: str) -> CurveLaw:
     """Return the force curve of the law jkr, dmt or maugis; dmt and maugis exist for a paraboloid only."""
-    others: Mapping[str, CurveLaw] = {"dmt": Dmt(), "maugis": Maugis()}
+    others: Mapping[str, CurveLaw] = {DMT: Dmt(), MAUGIS: Maugis()}
     return others.get(name) or Jkr(PROFILES[profile])

@@ -8,9 +8,9 @@ from numpy import exp, inf, isfinite, sqrt
 from ..quantities.formatting import Format, amount, significant
 from ..quantities.laws import LAWS
 from .branches import LEAST_POINTS, LOADING, RADIUS, running_median
-from .error_budget import Results, Solution
-from .minimum import ADHESION, FEW_INDEPENDENT
-from .problem import NAMES
+from .error_budget import ByResult, Minima
+from .measurement import NAMES
+from .minimum import ADHESION, FEW_INDEPENDENT, robust_deviation
 from .result import Errors, Fit, Known
 
 LAW_OFF = "law-off"  # the code of a law that does not hold
@@ -18,20 +18,20 @@ USUAL_ERROR = 0.05  # relative error of a spring, if none is given
 _TWO_DIGITS, _THREE_DIGITS = Format(digits=2), Format(digits=3)
 _UNLIKE = 1.2  # ratio of two stiffnesses above which they are not those of one spring
 _UNDETERMINED = 0.5  # standard deviation of ln E* above which E* is undetermined
-_SURE = 2.0  # errors of a hysteresis below 0 that is not due to chance
+_SURE = 2.0  # a hysteresis that is below 0 by more than this number of its errors is not due to chance
 _POOR = 0.1  # rms misfit over the pull-off force, above which the curve is not that of a contact
 _WIDEST = 0.9  # a/R above which no theory of a half-space applies
 
 
-def goodness_of(solution: Solution, pull_off: float | None) -> dict[str, float]:
+def goodness_of(minima: Minima, pull_off: float | None) -> dict[str, float]:
     """Return the measures of goodness by name; points past the jump-off are compared with the load just before it."""
-    main, found = solution.main, solution.main.minimum
+    main, found = minima.main, minima.main.minimum
     misfit = main.points.force - found.residuals.loads
     rms, count = float(sqrt(numpy.mean(misfit**2))), len(main.points.z)
     tau = max(found.correlation_time, 1.0)
     good = {
         "points": float(count), "points_past_jump": float(found.residuals.is_beyond.sum()), "rms": rms,
-        "rms_over_noise": rms / solution.problem.branches.noise, "correlation_time": found.correlation_time,
+        "rms_over_noise": rms / minima.measurement.branches.noise, "correlation_time": found.correlation_time,
         "independent_points": count / tau, "longest_run": float(_longest_run(misfit)),
     }  # fmt: skip
     return good if pull_off is None else good | {"rms_over_pull_off": rms / pull_off}
@@ -44,12 +44,12 @@ def _longest_run(misfit: numpy.ndarray) -> int:
     return int(numpy.diff(ends).max())
 
 
-def remarks_on(solution: Solution, result: Fit, by_spring: list[Results]) -> Iterator[tuple[str, str]]:
+def remarks_on(minima: Minima, result: Fit, by_spring: list[ByResult]) -> Iterator[tuple[str, str]]:
     """Iterate over remarks as codes and sentences.
 
     `by_spring`: the changes of the results for a softer and a stiffer spring; empty if they were not computed.
     """
-    main, good, errors = solution.main, result.goodness, result.errors
+    main, good, errors = minima.main, result.goodness, result.errors
     has_adhesion = ADHESION in main.free
     if has_adhesion and main.branch.name == LOADING and result.kind != RADIUS:
         yield "loading-only", "without an unloading branch, w is hardly separated from E*: their errors are correlated"
@@ -82,7 +82,7 @@ def remarks_on(solution: Solution, result: Fit, by_spring: list[Results]) -> Ite
         wide = f"the contact radius is above {_WIDEST} of the sphere's"
         yield "wide-contact", f"{wide}: theories of a half-space do not apply"
     if has_adhesion:
-        yield from _on_pinned_edge(solution, result.points)
+        yield from _on_pinned_edge(minima, result.points)
 
 
 def _on_law(result: Fit, name: str) -> str:
@@ -106,7 +106,7 @@ def _on_noise(good: Mapping[str, float]) -> Iterator[tuple[str, str]]:
         yield "residual-trend", f"{run}: the model, not the noise, limits the fit"
 
 
-def _on_spring(result: Fit, softer: Results, stiffer: Results) -> Iterator[tuple[str, str]]:
+def _on_spring(result: Fit, softer: ByResult, stiffer: ByResult) -> Iterator[tuple[str, str]]:
     """Yield a remark if the error of the spring moves E* by more than both the statistical and the model error of E*.
 
     `softer`, `stiffer`: the changes of the results if the spring is softer or stiffer by its error, or by 5 % if no
@@ -138,7 +138,7 @@ def on_deflection(slope: float | None, stiffness: float) -> Iterator[tuple[str, 
 
 
 def on_profile(
-    values: Results, sphere: Results, errors: Mapping[str, Errors], width: float, known: Known
+    values: ByResult, sphere: ByResult, errors: Mapping[str, Errors], width: float, known: Known
 ) -> Iterator[str]:
     """Yield a sentence if w or E* for a sphere by JKR differs from that for a paraboloid by more than its error.
 
@@ -164,23 +164,23 @@ def _percent(share: float) -> str:
     return "0.0%" if text[1:] == "0.0%" else text
 
 
-def _on_pinned_edge(solution: Solution, points: Mapping[str, numpy.ndarray]) -> Iterator[tuple[str, str]]:
+def _on_pinned_edge(minima: Minima, points: Mapping[str, numpy.ndarray]) -> Iterator[tuple[str, str]]:
     """Yield a remark if the edge is pinned.
 
     It is pinned if, over some run of points, G changes by more than w/5 and 10 times its noise, but the contact radius
     by less than 1 %.
     """
-    is_own = (points["branch"] == solution.main.branch.name) & numpy.isfinite(points["release_rate"])
+    is_own = (points["branch"] == minima.main.branch.name) & numpy.isfinite(points["release_rate"])
     if is_own.sum() < LEAST_POINTS:
         return
     rate, radius = (running_median(points[name][is_own]) for name in ("release_rate", "contact_radius"))
     size = max(LEAST_POINTS, len(rate) // 15)
-    w = float(exp(solution.main.unknowns[ADHESION]))
-    noise = 1.4826 * float(numpy.median(abs(points["release_rate"][is_own] - rate)))
+    w = float(exp(minima.main.unknowns[ADHESION]))
+    noise = robust_deviation(points["release_rate"][is_own] - rate)
     for start in range(0, len(rate) - size, max(1, size // 2)):
         moved_rate = float(numpy.ptp(rate[start : start + size]))
         moved_radius = float(numpy.ptp(radius[start : start + size]))
         if moved_rate > max(0.2 * w, 10 * noise) and moved_radius < 0.01 * float(radius[start]):
-            pinned = float(radius[start]) / solution.problem.radius
+            pinned = float(radius[start]) / minima.measurement.radius
             yield "edge-pinned", f"G changes at constant a/R = {pinned:.2f}: the edge is pinned there"
             return

@@ -33,8 +33,9 @@ _ROUNDS = 5  # most rounds, each with a minimum and its noise
 _SAME_PHI = 0.01  # the rounds end at smaller changes of φ and smaller relative changes of the noise
 FEW_INDEPENDENT = 20.0  # independent points, n/τ; with fewer, residuals count as a misfit of the model
 _STEPS = 100  # most steps of the minimiser
-_SAME = 1e-7  # relative decrease of the sum of squares at which the minimiser stops
-_LEAST_DAMPING, _MOST_DAMPING = 1e-12, 1e10
+_SAME = 1e-6  # relative decrease of the sum of squares at which the minimiser stops
+_FIRST_DAMPING, _LEAST_DAMPING, _MOST_DAMPING = 1e-3, 1e-12, 1e10
+_SINGULAR = 1e13  # condition number above which a scaled matrix counts as singular
 _LONGEST = 4.0  # the longest step of ln w and ln E*, a factor of 55
 
 
@@ -153,6 +154,11 @@ def noise_of(values: Array, unknowns: int) -> Noise:
     return Noise(phi, _spread(Noise(phi).whitened(values), unknowns))
 
 
+def robust_deviation(differences: Array) -> float:
+    """Return the standard deviation of normal differences with mean 0, from the median of their sizes."""
+    return 1.4826 * float(numpy.median(abs(differences)))
+
+
 def _spread(values: Array, unknowns: int) -> float:
     """Return the standard deviation of residuals, clipped at 3 standard deviations."""
     freedom = max(len(values) - unknowns, 1)
@@ -195,72 +201,81 @@ def minimum(
     and then the noise; the first round assumes white noise.
     """
     chosen = [*(setting.names if free is None else free)]
-    unknowns, found = numpy.array(start, float), noise
-    if noise is None:
-        found = Noise(0.0, _spread(residuals(points, unknowns, setting).values, len(chosen)))
+    unknowns = numpy.array(start, float)
+
+    def white_noise() -> Noise:
+        return Noise(0.0, _spread(residuals(points, unknowns, setting).values, len(chosen)))
+
+    assumed = white_noise() if noise is None else noise
     for _ in range(rounds):
-        assert found is not None
-        at_end = _descended(points, setting, unknowns, chosen, found)
+        at_end = _descended(points, setting, unknowns, chosen, assumed)
         unknowns = at_end.unknowns
         if noise is not None:
             break
-        previous, found = found, noise_of(at_end.residuals.values, len(chosen))
-        if abs(found.phi - previous.phi) < _SAME_PHI and abs(found.scale / previous.scale - 1) < _SAME_PHI:
+        previous, assumed = assumed, noise_of(at_end.residuals.values, len(chosen))
+        if abs(assumed.phi - previous.phi) < _SAME_PHI and abs(assumed.scale / previous.scale - 1) < _SAME_PHI:
             break
     tau = noise_of(at_end.residuals.values, len(chosen)).correlation_time
     count = len(points.z)
     if noise is None and rounds > 1 and count < FEW_INDEPENDENT * tau:  # a misfit of the model, not noise
-        white = Noise(0.0, _spread(residuals(points, unknowns, setting).values, len(chosen)))
-        at_end = _descended(points, setting, unknowns, chosen, white)
+        at_end = _descended(points, setting, unknowns, chosen, white_noise())
         at_end = at_end._replace(covariance=at_end.covariance * min(tau, count / len(chosen)))
     return at_end._replace(correlation_time=tau)
+
+
+class _System(NamedTuple):
+    """The least-squares system at some unknowns: residuals, their normal equations, Huber's weights and the cost."""
+
+    residuals: Residuals
+    matrix: Array
+    target: Array
+    weights: Array
+    cost: float
 
 
 def _descended(points: Points, setting: Setting, start: Array, free: Sequence[int], noise: Noise) -> Minimum:
     """Return the minimum for a given noise, by Levenberg's and Marquardt's method."""
 
-    def system(unknowns: Array) -> tuple[Residuals, Array, Array, Array, float]:
-        here = residuals(points, unknowns, setting)
-        values, rows = noise.whitened(here.values), noise.whitened(here.derivatives[:, [*free]])
+    def system_at(unknowns: Array) -> _System:
+        found = residuals(points, unknowns, setting)
+        values, rows = noise.whitened(found.values), noise.whitened(found.derivatives[:, [*free]])
         size = abs(values)
         weights = numpy.where(size > _HUBER, _HUBER / numpy.maximum(size, _HUBER), 1.0)
         cost = float(numpy.where(size > _HUBER, _HUBER * (size - _HUBER / 2), values * values / 2).sum())
-        return here, values, rows, weights, cost
-
-    unknowns, damping = start, 1e-3
-    here, values, rows, weights, cost = system(unknowns)
-    for _ in range(_STEPS):
         weighted = rows * weights[:, None]
-        matrix, target = weighted.T @ rows, weighted.T @ values
+        return _System(found, weighted.T @ rows, weighted.T @ values, weights, cost)
+
+    unknowns, damping = start, _FIRST_DAMPING
+    system = system_at(unknowns)
+    for _ in range(_STEPS):
+        matrix, target = system.matrix, system.target
         scale = numpy.diag(matrix).copy()
         scale[scale <= 0] = 1.0
         step = _solved(matrix + damping * numpy.diag(scale), target)
         longest = max((abs(step[index]) for index, name in enumerate(free) if name != POINT), default=0.0)
         if longest > _LONGEST:
             step = step * (_LONGEST / longest)
-        if float(target @ step) <= _SAME * cost:
+        if float(target @ step) <= _SAME * system.cost:
             break
         new = unknowns.copy()
         new[[*free]] += step
         with numpy.errstate(over="ignore", invalid="ignore"):
-            there = system(new)
-        if there[-1] <= cost:
-            is_done = cost - there[-1] <= _SAME * cost
-            unknowns, damping = new, max(damping / 10, _LEAST_DAMPING)
-            here, values, rows, weights, cost = there
+            new_system = system_at(new)
+        decrease = system.cost - new_system.cost
+        if decrease >= 0:
+            is_done = decrease <= _SAME * system.cost
+            unknowns, damping, system = new, max(damping / 10, _LEAST_DAMPING), new_system
             if is_done:
                 break
         else:
             damping *= 10
             if damping > _MOST_DAMPING:
                 break
-    weighted = rows * weights[:, None]
-    covariance = _inverse(weighted.T @ rows)
-    return Minimum(unknowns, covariance, noise, here, cost, weights)
+    return Minimum(unknowns, _inverse(system.matrix), noise, system.residuals, system.cost, system.weights)
 
 
 def _solved(matrix: Array, target: Array) -> Array:
-    """Return the solution of a linear system; by least squares if it is singular."""
+    """Return the minima of a linear system; by least squares if it is singular."""
     try:
         return numpy.linalg.solve(matrix, target)
     except numpy.linalg.LinAlgError:
@@ -273,7 +288,7 @@ def _inverse(matrix: Array) -> Array:
     if not (scale > 0).all():
         return numpy.full_like(matrix, inf)
     scaled = matrix / numpy.outer(scale, scale)
-    if numpy.linalg.cond(scaled) > 1e13:
+    if numpy.linalg.cond(scaled) > _SINGULAR:
         return numpy.full_like(matrix, inf)
     return numpy.linalg.inv(scaled) / numpy.outer(scale, scale)
 
@@ -284,7 +299,7 @@ def _inverse(matrix: Array) -> Array:
 def with_point(points: Points, setting: Setting, w: float, modulus: float) -> Array:
     """Return the unknowns for w and E*, with z_c as the median of z − x over points.
 
-    On the curve of the law, the force of a point belongs to x. For contact radii, z_c is 0.
+    The curve of the law has the force of a point at x. For contact radii, z_c is 0.
     """
     unknowns = numpy.array([log(w), log(modulus), 0.0])
     if setting.grip.is_radius:
@@ -303,7 +318,10 @@ def with_point(points: Points, setting: Setting, w: float, modulus: float) -> Ar
 
 
 def best_of(starts: Sequence[Array], points: Points, setting: Setting, free: Sequence[int] | None = None) -> Minimum:
-    """Return the best of the minima that are reached from some starts. Raises ValueError if no minimum is finite."""
+    """Return the minimum from the best of some starts, that with the least spread of residuals after one round.
+
+    Raises ValueError if no minimum is finite.
+    """
     found = []
     for start in starts:
         reached = minimum(points, setting, start, free, rounds=1)

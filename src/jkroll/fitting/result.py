@@ -7,13 +7,16 @@ from typing import Any, NamedTuple, Self
 
 from numpy import inf, sqrt
 
+from ..quantities.laws import DEFAULT_LAW, JKR, MAUGIS, PARABOLOID
 from ..quantities.nomenclature import DEFAULTS
 from ..quantities.values import middle
 from .branches import RADIUS, LoadRange
 from .force_curves import Array
 
-STRONG = 5.0  # Tabor parameter above which JKR gives w and E*
+STRONG = 5.0  # least Tabor parameter at which JKR gives the best w and E*
+HALF_SPACING = "z0/2"  # a variant of Maugis' law: at half the atomic spacing
 
+# The inputs that are elastic constants of the bodies.
 BODIES = ("youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2")
 
 # The name of each result, and the quantity of the nomenclature that gives its unit and meaning.
@@ -41,8 +44,8 @@ class Known(NamedTuple):
     stiffness: float = inf
     stiffness_error: float = 0.0
     spacing: float = DEFAULTS["atomic_spacing"]
-    law: str = "jkr"
-    profile: str = "paraboloid"
+    law: str = DEFAULT_LAW
+    profile: str = PARABOLOID
     branch: str = "both"
     range: LoadRange | None = None
     tilt: bool = False
@@ -63,8 +66,8 @@ class Errors(NamedTuple):
 
     @property
     def total(self) -> float:
-        """The root of the sum of the squares of the three errors."""
-        return float(sqrt(sum(each * each for each in self if each is not None)))
+        """The root of the sum of the squares of the computed errors."""
+        return float(sqrt(sum(error * error for error in self if error is not None)))
 
     def plus(self, part: str, moves: Sequence[float]) -> Self:
         """Return the errors with moves of the result added to one part, in quadrature."""
@@ -72,6 +75,22 @@ class Errors(NamedTuple):
             return self
         old = getattr(self, part) or 0.0
         return self._replace(**{part: float(sqrt(old * old + sum(move * move for move in moves)))})
+
+
+def best_law(tabor_parameter: float) -> str:
+    """Return the law that gives the best w and E*: Maugis' law if the Tabor parameter is small, otherwise JKR."""
+    return JKR if tabor_parameter >= STRONG else MAUGIS
+
+
+def key_of(law: str, variant: str = PARABOLOID) -> str:
+    """Return the key of a law in `Fit.by_law`. `variant`: a profile, or HALF_SPACING."""
+    return law if variant == PARABOLOID else f"{law}, {variant}"
+
+
+def law_and_variant(key: str) -> tuple[str, str]:
+    """Return the law and the variant of a key in `Fit.by_law`."""
+    law, _, variant = key.partition(", ")
+    return law, variant or PARABOLOID
 
 
 @dataclass
@@ -115,13 +134,13 @@ class Fit:
 
     @property
     def law_that_holds(self) -> str:
-        """The law that gives the best w and E*: Maugis' law if the Tabor parameter is small, otherwise JKR."""
-        return "jkr" if self.goodness.get("tabor_parameter", inf) >= STRONG else "maugis"
+        """The law that gives the best w and E*; JKR if the Tabor parameter is not known."""
+        return best_law(self.goodness.get("tabor_parameter", inf))
 
     @property
     def better_law(self) -> str:
         """The law to fit instead; "" if the fitted law holds, as Maugis' does for any Tabor parameter."""
-        is_judged = self.known.law != "maugis" and "tabor_parameter" in self.goodness
+        is_judged = self.known.law != MAUGIS and "tabor_parameter" in self.goodness
         return self.law_that_holds if is_judged and self.law_that_holds != self.known.law else ""
 
     @property

@@ -29,7 +29,7 @@ Path = str | os.PathLike[str]
 
 
 class MaterialsFileError(BadRequest):
-    """Error raised for a materials file that cannot be read, or that contains anything other than materials."""
+    """Error raised for a materials file that cannot be read, or for a mistake in it."""
 
     def __init__(self, path: object, problem: str) -> None:
         super().__init__(f"materials file {quoted(str(path))}: {problem}", "bad materials file")
@@ -44,7 +44,7 @@ class UnclearMaterial(BadRequest):
 
     @property
     def fault(self) -> str:
-        """The message as the key of rows: rows with different names need different remedies."""
+        """The message: a note counts failed rows by their names, as each name needs another remedy."""
         return str(self)
 
 
@@ -296,6 +296,7 @@ def _notes(name: str, table: Mapping[str, Any]) -> tuple[dict[str, str], dict[st
 
 
 def _refuse_unknown_keys(where: str, table: Mapping[str, Any], known: Sequence[str]) -> None:
+    """Raise BadRequest for an unknown key of a table. `where`: the text before the key, empty for a whole file."""
     unknown = [key for key in table if key not in known]
     if unknown:
         guess = closest(named(unknown[0]), known)
@@ -348,7 +349,7 @@ class Materials:
     def _add(self, materials: Sequence[Material], *, takes: bool) -> None:
         """Add the materials of a file, which take over earlier names. `takes`: True to take over even shipped names."""
         meanings: dict[str, list[Material]] = {}
-        named: dict[str, Material] = {}
+        unshared: dict[str, Material] = {}  # by name, case folded: the materials that their names mean alone
         for material in materials:
             overrides: dict[str, None] = {}
             for key, word in material.words.items():
@@ -362,10 +363,10 @@ class Materials:
             self.overrides += overrides
             key = material.name.casefold()
             if len(meanings[key]) == 1:
-                named[key] = material
+                unshared[key] = material
         for others in self._meanings.values():  # whoever takes over a material's name also takes over its aliases
-            others[:] = [named.get(other.name.casefold(), other) for other in others]
-        self._materials |= named
+            others[:] = [unshared.get(other.name.casefold(), other) for other in others]
+        self._materials |= unshared
         self._meanings |= meanings
 
     def __getitem__(self, word: str) -> Material:
@@ -461,7 +462,8 @@ def _decoded(paths: Path | Iterable[Path]) -> list[str]:
 def _unclear(word: str, materials: Sequence[Material]) -> UnclearMaterial:
     """Return the error for a name that materials share, with the surface energy and the state or set of each."""
     first, last, name = materials[0], materials[-1], quoted(word)
-    if first.path == SHIPPED != last.path and word.strip().casefold() in last.words:
+    is_shipped_and_added = first.path == SHIPPED and last.path != SHIPPED
+    if is_shipped_and_added and word.strip().casefold() in last.words:
         title, file = first.title, shown(last.path)
         meanings = f"shipped ({title}) and also in {file}; rename it, or pass --materials {file}"
         return UnclearMaterial(f"material {name} is {meanings}", "unclear material")

@@ -28,7 +28,7 @@ class Column(NamedTuple):
         """Return the column with the cells `is_out` emptied; a cell that has no reason yet gets the reason `number`."""
         if not is_anywhere(is_out):
             return self
-        return Column(where(is_out, nan, self.values), first_of(self.reasons, where(is_out, number, 0)))
+        return Column(where(is_out, nan, self.values), first_reasons(self.reasons, where(is_out, number, 0)))
 
     def hidden(self, is_shown: Any) -> "Column":
         """Return the column with only the cells `is_shown`; all others get the reason HIDDEN, whatever their own."""
@@ -37,7 +37,7 @@ class Column(NamedTuple):
         return Column(where(is_shown, self.values, nan), where(is_shown, self.reasons, reason(HIDDEN)))
 
 
-def first_of(reasons: Any, others: Any) -> Any:
+def first_reasons(reasons: Any, others: Any) -> Any:
     """Return `reasons`, with those of `others` in cells without a reason; both are arrays, or numbers for all rows."""
     if isinstance(reasons, int):
         return reasons or others

@@ -42,15 +42,15 @@ class Reader:
 
     def aligned(self, *groups: Mapping[str, Any]) -> list[dict[str, Any]]:
         """Return groups of inputs; arrays of pandas or xarray are aligned by their own library."""
-        every = [dict(group) for group in groups]
+        copies = [dict(group) for group in groups]
         labelled = []
-        for group in every:
+        for group in copies:
             labelled += [(group, key) for key, value in group.items() if axes_of(value)]
         if len(labelled) > 1:
             arrays, self._outer = aligned([group[key] for group, key in labelled])
             for (group, key), array in zip(labelled, arrays, strict=True):
                 group[key] = array
-        return every
+        return copies
 
     def in_si(self, given: Mapping[str, Any], name_of: Callable[[str], str] = as_input) -> dict[str, Any]:
         """Return the inputs of a frame in SI units by name. `name_of` returns the quantity for a word."""
@@ -141,10 +141,11 @@ class Reader:
         """Return the SI numbers of an array whose unit is an attribute or belongs to a pint column."""
         wanted = self._unit_of(name)
         try:
-            unit = unit_meant(text, dimension_of(wanted)) if text != "1" else (1, 1, dimension_of("1"))
+            unit = (1, 1, dimension_of("1")) if text == "1" else unit_meant(text, dimension_of(wanted))
         except BadUnit as error:
             raise QuantityError(name, text, str(error), error.remedy([dimension_of(wanted)])) from None
-        if unit[2] != dimension_of(wanted):
+        numerator, denominator, dimension = unit
+        if dimension != dimension_of(wanted):
             raise QuantityError(name, text, "has the wrong dimension", f"give a value in {wanted}")
         data = array.data if hasattr(array, "dims") else array
         if hasattr(data, "m_as") or hasattr(data, "to_value"):
@@ -154,7 +155,8 @@ class Reader:
         self._states_units = True
         if hasattr(getattr(array, "dtype", None), "units"):  # a column of pint
             data = data.pint.magnitude
-        return self.number(name, data.to_numpy() if hasattr(data, "to_numpy") else data) * unit[0] / unit[1]
+        numbers = data.to_numpy() if hasattr(data, "to_numpy") else data
+        return self.number(name, numbers) * numerator / denominator
 
     def _measured(self, name: str, number: Any) -> Measured:
         """Return a number of the package uncertainties as a Measured; raise BadRequest if two inputs are correlated."""
@@ -190,14 +192,14 @@ class Reader:
         if container is None or getattr(values, "shape", None) != getattr(container, "shape", None):
             return values
         if hasattr(container, "dims"):
-            found = container.copy(data=values)
+            array = container.copy(data=values)
         else:
-            found = container._constructor(values, **dict(zip(("index", "columns"), container.axes, strict=False)))
-            found = found if self._outer is None else found.reindex_like(self._outer)
-        found.attrs = {"units": unit} if self._states_units else {}
-        if hasattr(found, "name"):
-            found.name = name
-        return found
+            array = container._constructor(values, **dict(zip(("index", "columns"), container.axes, strict=False)))
+            array = array if self._outer is None else array.reindex_like(self._outer)
+        array.attrs = {"units": unit} if self._states_units else {}
+        if hasattr(array, "name"):
+            array.name = name
+        return array
 
     def _floats(self, name: str, value: Any) -> Any:
         """Return a float or an array of floats for a number, a sequence or an array of integers or floats."""

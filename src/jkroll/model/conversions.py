@@ -27,13 +27,13 @@ def converted(given: Mapping[str, Any], of_solids: Mapping[str, Any], *, own_mat
         given = {**given, "shear_modulus2": given[_SHEAR]}
     factors = {"diameter": 0.5, "diameter2": 0.5}
     for sphere in (1, 2):
-        modulus, name = of_sphere(sphere, _SHEAR), of_sphere(sphere, "poisson_ratio")
-        if name not in known and not own_material2:
-            name = "poisson_ratio"
-        ratio = known.get(name)
+        modulus, name_of_ratio = of_sphere(sphere, _SHEAR), of_sphere(sphere, "poisson_ratio")
+        if name_of_ratio not in known and not own_material2:
+            name_of_ratio = "poisson_ratio"
+        ratio = known.get(name_of_ratio)
         if modulus in given and ratio is not None:
-            if is_uncertain(ratio) and (name in given or is_uncertain(given[modulus])):
-                young, poisson = NOMENCLATURE[CONVERTED[modulus]].option, NOMENCLATURE[name].option
+            if is_uncertain(ratio) and (name_of_ratio in given or is_uncertain(given[modulus])):
+                young, poisson = NOMENCLATURE[CONVERTED[modulus]].option, NOMENCLATURE[name_of_ratio].option
                 remedy = f"give {young} with its error bar, or {poisson} without one"
                 raise BadRequest(f"E = 2G(1 + ν) is correlated with ν, which is uncertain; {remedy}", _CORRELATED)
             factors[modulus] = 2 * (1 + middle(ratio))

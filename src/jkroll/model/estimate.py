@@ -156,7 +156,7 @@ class Ranges:
                 yield self.has_no_jump, nan, own[1], ADHESION_ONLY
             if name in _BREAKING:
                 yield self._tabor_parameter >= JUMP, *own, DEFINITION
-            yield from self._of_laws(name, own)
+            yield from self._of_attraction(name, own)
 
     def _is_of_any_law(self, name: str) -> bool:
         """Return whether a result follows from the same formulas under the law in use and under Maugis' law."""
@@ -177,7 +177,7 @@ class Ranges:
             yield is_wider, low, high, SPACING_ASSUMED
         yield True, *own, rule
 
-    def _of_laws(self, name: str, own: Ends) -> Iterator[Rule]:
+    def _of_attraction(self, name: str, own: Ends) -> Iterator[Rule]:
         """Iterate over the rules for results that depend on the law of attraction."""
         if name not in self._ends(_between):
             if name in _AS_PULL_OFF:  # the contact modulus is missing
@@ -220,10 +220,10 @@ class Ranges:
         speed = self.frame.numbers("sticking_speed").get("sticking_speed")
         if stuck is not None and speed is not None:
             value = self.results.computed[name].values
-            is_carried = stuck.counts(self.frame) & self._is_hard
+            can_be_scaled = stuck.can_be_scaled(self.frame) & self._is_hard
             for applies, (low, high) in (
                 (stuck.is_near(self.frame), stuck.ends(self.frame)),
-                (is_carried, stuck.in_proportion(self.frame)),
+                (can_be_scaled, stuck.in_proportion(self.frame)),
             ):
                 yield applies, value * (low / speed) ** power, value * (high / speed) ** power, MEASURED
         yield self._is_hard, own[0], MOST_SEEN**power * own[1], SEEN
@@ -254,14 +254,14 @@ class Ranges:
             ends = (then(law, end) for law in (itself, *_BETTER) for end in rolled.ends)
             least, most = self.hull(name, *ends)
             is_known = rolled.has_energy(self.frame)
-            yield rolled.is_near(self.frame), least, most, SCALED
+            yield rolled.can_be_scaled(self.frame), least, most, SCALED
         laws = _BETTER if name in self._ends(_between) else (itself,)
         at_an_atom = self.hull(name, *laws)
         low, high = self.at_full_hysteresis(name, *laws)
-        is_past = self.hull("hysteresis_ratio", *laws)[1] >= 1  # the assumed ξ loses more energy than w
+        loses_all = self.hull("hysteresis_ratio", *laws)[1] >= 1  # the assumed ξ loses all of w, or more
         rises = self._most(name, *(then(law, _at_twice) for law in laws)) > self._most(name, *laws)
-        low = where(rises, where(is_past, nan, at_an_atom[0]), low)
-        high = where(rises, high, where(is_past, nan, at_an_atom[1]))
+        low = where(rises, where(loses_all, nan, at_an_atom[0]), low)
+        high = where(rises, high, where(loses_all, nan, at_an_atom[1]))
         low, high = where(is_known & (least < low), least, low), where(is_known & (most > high), most, high)
         yield True, low, high, XI_UNKNOWN
 
@@ -273,7 +273,7 @@ class Ranges:
     def of_laws(self, name: str, by: int) -> list[Ends]:
         """Return the ends of a result for a rule, by the law in use and by Maugis' law at z0 and z0/2.
 
-        With a given z0, Maugis' law counts at z0 only.
+        With a given z0, the last two are the same.
         """
         ends: tuple[Variant, ...] = (itself,)
         if by == XI_UNKNOWN:
@@ -355,7 +355,7 @@ class Ranges:
         """The pull-off force of rigid spheres over that of soft ones."""
         return self.frame["pull_off_force_dmt"] / self.frame["pull_off_force"]
 
-    def _by_lennard_jones(self, name: str) -> Ends:
+    def _by_lennard_jones(self, name: str) -> tuple[Any, Any]:
         """Return a result by Lennard-Jones' law, and its upper end.
 
         For energies and speeds, this law applies only to contacts without a jump. Elsewhere the result is that of the
@@ -393,6 +393,7 @@ def _ends_by(make: Variant, frame: Frame, names: Iterable[str]) -> dict[str, tup
 
 
 def _with_bar(value: Any, bar: ErrorBar | None) -> Ends:
+    """Return the ends of an uncertainty; the value twice in rows without one."""
     if bar is None or not bar.sides:
         return value, value
     low, high = ends_of(bar.of(value))

@@ -1,8 +1,8 @@
 """A frame: the inputs of one row or of many, and the quantities that follow from them.
 
 A frame makes two assumptions: sphere 2 is like sphere 1 in every property that is not given for it, and inputs
-that are not given have their defaults. A frame accepts numbers in the range of their quantity, from 1e-30 to 1e30 in SI
-units. Its results are doubles of full precision, 0 where the physics gives 0, and infinite for a plane, as the mass.
+that are not given have their defaults. `accepted` has the ranges of inputs. Results are doubles of full precision, 0
+where the physics gives 0, and infinite for some quantities of a plane, such as its mass.
 """
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
@@ -17,12 +17,12 @@ from ..errors import BadRequest, JkrollError
 from ..materials.library import Material
 from ..physics.contact import reduced_radius
 from ..physics.elementary import NUMBER, where
-from ..quantities.laws import ALWAYS, DEFAULT_LAW, LAWS, Law, other_law
+from ..quantities.laws import ALWAYS, DEFAULT_LAW, HELD_BY_LOAD, LAWS, Law, other_law
 from ..quantities.nomenclature import CONVERTED, DEFAULTS, INFINITY, NOMENCLATURE, PROPERTIES, STATE, XI, of_sphere
 from ..quantities.values import Interval, Uncertain, is_uncertain, middle
 from ..text import listed
 from .accepted import OF_A_PLANE, SMALLEST, check_range, is_answer
-from .column import Column, at_row, broadcast, first_of
+from .column import Column, at_row, broadcast, first_reasons
 from .conversions import converted, lacked
 from .plan import KEPT, OF_A_SOLID, Plan, depends_on, in_order, plan_for
 from .reasons import (
@@ -55,7 +55,6 @@ FOLLOWS: Mapping[str, tuple[float, Mapping[str, float]]] = {
     "load": (0.0, {"load_margin": 1.0}),
 }
 
-HELD_BY_LOAD = frozenset({"stable", "pull-off", "jump-in", "equilibrium"})  # states of a force curve that need no grips
 _OF_ONE_LAW = STATE - {"approach_at_load"}  # inputs that exist in one law only
 
 # Inputs that exclude each other, since one follows from the other.
@@ -116,7 +115,7 @@ class Frame:
         the law of the paper. `moved`: values that override those of a material without counting as stated; None removes
         an input. `state`: the name of a state of a force curve. The frame computes with the middle of an uncertain
         value; `model.uncertainty` adds the uncertainties of results. Raises QuantityError, or BadRequest for inputs
-        that exclude each other and for arrays that do not broadcast.
+        that exclude each other or are correlated, and for arrays that do not broadcast.
         """
         self.law = LAWS[DEFAULT_LAW if model is None else model]
         self.stated_model = None if model is None else self.law.name
@@ -133,11 +132,10 @@ class Frame:
         self.stated = self.described if CONVERTED.keys().isdisjoint(given) else self._converted()
         for name in self.stated.keys() & CONVERTED.keys():  # a shear modulus without ν leaves E unknown
             self.of_materials.pop(CONVERTED[name], None)
-        stated = self.stated.items()
-        self.uncertain: dict[str, Uncertain] = {name: value for name, value in stated if is_uncertain(value)}
-        of_solids = {given: solid.properties[name] for given, (solid, name) in self.of_materials.items()}
-        every = {**of_solids, **self.stated, **moved}
-        self.given: dict[str, Any] = {name: middle(value) for name, value in every.items() if value is not None}
+        self.uncertain = {name: value for name, value in self.stated.items() if is_uncertain(value)}
+        of_solids = {name: solid.properties[of_solid] for name, (solid, of_solid) in self.of_materials.items()}
+        values = {**of_solids, **self.stated, **moved}
+        self.given: dict[str, Any] = {name: middle(value) for name, value in values.items() if value is not None}
         self.arrays = {name: value for name, value in self.given.items() if not isinstance(value, NUMBER)}
         self.shape = broadcast(self.arrays)
         for name, value in self.given.items():
@@ -148,9 +146,9 @@ class Frame:
         has_displacement = any(solid.displacement is not None for solid, _ in self.materials)
         self.values = {**_assumed(frozenset(self.given), has_displacement), **self.given}
         self.sources: dict[str, str] = {}  # by implied value: the input from which it follows
-        for source, values in _implied(self.values, self.law, self.uncertain).items():
-            self.sources |= dict.fromkeys(values.keys() - self.values.keys(), source)
-            self.values = {**values, **self.values}
+        for source, implied in _implied(self.values, self.law, self.uncertain).items():
+            self.sources |= dict.fromkeys(implied.keys() - self.values.keys(), source)
+            self.values = {**implied, **self.values}
         self.known = frozenset(self.values)
         self.plan_key = (self.known, material2 is not None, self.law.name)  # plans depend only on these
         self.reasons: dict[str, Any] = {}  # reasons of nan values, for results that have any
@@ -220,7 +218,7 @@ class Frame:
         return self.by_law.replace(atomic_spacing=self.by_law["atomic_spacing"])
 
     def _converted(self) -> dict[str, Any]:
-        """Return the described inputs after conversion."""
+        """Check the described inputs, and return them after conversion."""
         values = {name: middle(value) for name, value in self.described.items()}
         for name, value in values.items():
             check_range(name, value)
@@ -260,7 +258,7 @@ class Frame:
 
     @cached_property
     def is_rigid(self) -> Any:
-        """True if both bodies are rigid and no contact modulus is given; an array if this is true in some rows only."""
+        """True if both bodies are rigid and no contact modulus is given; row by row for arrays, unless False in all."""
         modulus = self.given.get("youngs_modulus")
         modulus2 = self.given.get("youngs_modulus2", modulus if self.material2 is None else None)
         is_rigid = (modulus == INFINITY) & (modulus2 == INFINITY) & ("contact_modulus" not in self.given)
@@ -367,12 +365,12 @@ class Frame:
         if XI in names and "radius" not in self.given:
             names = names - {XI} | {"radius"}  # the radius scales ξ of the solid
         lacking: dict[str, None] = {}
-        for each in in_order(names):
-            solid = self.material
-            if NOMENCLATURE[each].sphere == 2 and self.material2 is not None:
+        for missing in in_order(names):
+            solid, of_solid = self.material, of_sphere(1, missing)
+            if NOMENCLATURE[missing].sphere == 2 and self.material2 is not None:
                 solid = self.material2
-            if solid is not None and solid.name and of_sphere(1, each) in PROPERTIES:
-                lacking[solid.missing_text(of_sphere(1, each))] = None
+            if solid is not None and solid.name and of_solid in PROPERTIES:
+                lacking[solid.missing_text(of_solid)] = None
         return MissingInput(name, in_order(names), ", ".join(lacking))
 
     # --- Values and reasons -------------------------------------------------------------------------------------------
@@ -387,13 +385,12 @@ class Frame:
         if not plan.is_possible:
             return Column(nan, reason(NOT_IN_LAW if plan.lacking else MISSING))
         if plan.name not in self.values:
-            for step in plan.steps.values():
-                if step.name not in self.values:
-                    self._take(step)
+            self._compute(plan)
         column = Column(self.values[plan.name], self.reasons.get(plan.name, 0))
-        if not self.law.by_spacing or column.is_empty:
+        if not self.may_rest_on_spacing(name) or column.is_empty:
             return column
-        return column.without(self.rests_on_spacing(name), reason(RESTS_ON_SPACING, name))
+        rests_on_spacing = self.column("transition_parameter").values < 1
+        return column.without(rests_on_spacing, reason(RESTS_ON_SPACING, name))
 
     def shown(self, names: Iterable[str], named: Collection[str]) -> dict[str, Column]:
         """Return the columns of quantities that apply to some row; infinite numbers become empty cells.
@@ -417,32 +414,32 @@ class Frame:
 
     def may_rest_on_spacing(self, name: str) -> bool:
         """Return whether a quantity depends on an assumed atomic spacing if the spheres are small and hard."""
-        return self.assumes_spacing and not self.law.by_spacing.isdisjoint(self.plan(name).steps.keys() - {name})
-
-    def rests_on_spacing(self, name: str) -> Any:
-        """Return the rows in which a quantity depends on an assumed atomic spacing; False if there are none."""
-        return self.may_rest_on_spacing(name) and self.column("transition_parameter").values < 1
+        others = self.law.by_spacing - {name}
+        return bool(others) and not others.isdisjoint(self.plan(name).steps) and self.assumes_spacing
 
     def drop(self, name: str, cause: Cause) -> None:
         """Replace the value of a quantity by a reason."""
         step = self.plan(name)
         self.values[step.name], self.reasons[step.name], self.steps[step.name] = nan, reason(cause, name), step
 
-    def _take(self, step: Plan) -> None:
-        """Compute a step; arrays are reused if the step had the same arguments before."""
+    def _compute(self, step: Plan) -> None:
+        """Compute a step, after its arguments; arrays are reused if the step had the same arguments before."""
+        for argument in step.plans:
+            if argument.name not in self.values:
+                self._compute(argument)
         given = {parameter: self.values[name] for parameter, name in step.arguments.items()}
         reasons = self._inherited(step) if self.reasons or self.is_rigid is not False else 0  # usually there are none
         if isinstance(reasons, int) and reasons:
             values: Any = nan
         elif not self.arrays:  # computing a number is faster than a look-up
-            values, reasons = made_of(step, given, reasons)
+            values, reasons = _result_of(step, given, reasons)
         else:
             key = (step.name, *map(id, given.values()), id(self.is_rigid))
             if key not in self._shared:
                 import numpy
 
                 with numpy.errstate(all="ignore"):  # elements without a value are nan or an infinity
-                    self._shared[key] = made_of(step, given, reasons), (given, self.is_rigid)
+                    self._shared[key] = _result_of(step, given, reasons), (given, self.is_rigid)
             values, reasons = self._shared[key][0]
         self.values[step.name] = values
         if not isinstance(reasons, int) or reasons:
@@ -455,9 +452,9 @@ class Frame:
         """
         reasons: Any = 0
         for name in step.arguments.values():
-            reasons = first_of(reasons, self.reasons.get(name, 0))
+            reasons = first_reasons(reasons, self.reasons.get(name, 0))
         if step.name in _ON_AREA and self.is_rigid is not False:
-            reasons = first_of(reasons, where(self.is_rigid, reason(TWO_RIGID_BODIES), 0))
+            reasons = first_reasons(reasons, where(self.is_rigid, reason(TWO_RIGID_BODIES), 0))
         return reasons
 
     # --- Numbers and errors -------------------------------------------------------------------------------------------
@@ -483,8 +480,8 @@ class Frame:
             return self.missing_input(name)
         if not cause.name:
             return Failure(cause, name if isinstance(cause, EndOfMeaning) else step)
-        arguments = self.steps[step].arguments
-        return failure_of(number, {parameter: at_row(self.values[each], row) for parameter, each in arguments.items()})
+        arguments = self.steps[step].arguments.items()
+        return failure_of(number, {parameter: at_row(self.values[argument], row) for parameter, argument in arguments})
 
     def errors(self, columns: Mapping[str, Column], row: int = 0) -> dict[str, JkrollError]:
         """Return, by name, the errors of the columns that have no value in a row; hidden quantities are left out."""
@@ -514,7 +511,7 @@ def once_a_frame(make: Callable[[Frame], Made]) -> Callable[[Frame], Made]:
     return made
 
 
-def made_of(step: Plan, given: Mapping[str, Any], reasons: Any) -> tuple[Any, Any]:
+def _result_of(step: Plan, given: Mapping[str, Any], reasons: Any) -> tuple[Any, Any]:
     """Return the values of a formula, and the reasons of cells without a value.
 
     `reasons`: the reasons of the arguments, which take precedence.
@@ -527,7 +524,7 @@ def made_of(step: Plan, given: Mapping[str, Any], reasons: Any) -> tuple[Any, An
         return values, 0
     has_answer = is_answer(step.name, values)
     if not _all(has_answer | (reasons != 0)):
-        reasons = first_of(reasons, where(has_answer, 0, reason_for(step.name, given)))
+        reasons = first_reasons(reasons, where(has_answer, 0, reason_for(step.name, given)))
     return where(reasons == 0, values, nan), reasons
 
 

@@ -30,7 +30,7 @@ class Inverse(Frame):
     def __init__(
         self, unknowns: Sequence[str], measured: Mapping[str, Any], known: Frame, near: "Inverse | None" = None
     ) -> None:
-        """`measured`: values by quantity, possibly uncertain or arrays; `known`: the frame without the unknowns.
+        """`measured`: values by quantity, possibly uncertain or arrays; `known`: a frame of the known inputs.
 
         `near`: a frame whose solution starts Newton's method, for two unknowns in arrays. Raises BadRequest for invalid
         unknowns or quantities.

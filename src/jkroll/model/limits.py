@@ -1,4 +1,4 @@
-"""The table of the model's limits, and how they are judged for the results of a frame."""
+"""The limits of the model, and the doubts that they raise about the results of a frame."""
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import cache, cached_property, reduce
@@ -115,15 +115,18 @@ class Doubt:
 
     @property
     def text(self) -> str:
-        """The consequence with the number, for an answer: "contact radius below 3 atoms (a/z0 = 2.15, limit 3)"."""
+        """The consequence with the number, for an answer: "contact radius below 3 atoms (a/z0 = 2.15, limit 3)".
+
+        It is "within the limit" if the limit is not exceeded. A number that has no meaning itself is left out.
+        """
         if not self.is_exceeded:
             return "within the limit"
-        has_no_meaning = self.limit.ends_meaning and self.limit.name in self.limit.touches
-        if has_no_meaning or not self.limit.gives_number:
+        number_has_no_meaning = self.limit.ends_meaning and self.limit.name in self.limit.touches
+        if number_has_no_meaning or not self.limit.gives_number:
             return self.limit.consequence
         number = amount(self.limit.name, self.value, Format(digits=3))
-        least = f", limit {self.limit.threshold:g}" if self.limit.needs_threshold else ""
-        return f"{self.limit.consequence} ({NOMENCLATURE[self.limit.name].symbol} = {number}{least})"
+        threshold = f", limit {self.limit.threshold:g}" if self.limit.needs_threshold else ""
+        return f"{self.limit.consequence} ({NOMENCLATURE[self.limit.name].symbol} = {number}{threshold})"
 
     @cached_property
     def is_beyond(self) -> Any:
@@ -428,21 +431,21 @@ def doubts(frame: Frame, columns: Mapping[str, Column], limits: Iterable[Limit] 
     """
     concerned = touched(frame, columns, limits)
     numbers = frame.columns(limit.name for limit in concerned)
-    every = []
+    judged_limits = []
     for limit in concerned:
         values, reasons = column = numbers[limit.name]
         if column.is_empty:
             cause, _ = cause_and_step(reasons)
             if cause is MISSING:
-                every.append(Doubt(limit, nan, nan, frame.missing_input(limit.name)))
+                judged_limits.append(Doubt(limit, nan, nan, frame.missing_input(limit.name)))
             elif cause is RESTS_ON_SPACING:
-                every.append(Doubt(limit, nan, nan, Failure(cause, next(iter(limit.codes.values())))))
+                judged_limits.append(Doubt(limit, nan, nan, Failure(cause, next(iter(limit.codes.values())))))
             continue
         judged = values if limit.factor is None else where(reasons == 0, limit.factor(frame, columns), nan)
         if limit.where is not None:
             judged = where(limit.where(frame), judged, 0.0)
-        every.append(Doubt(limit, values, judged, unjudged=reasons == reason(RESTS_ON_SPACING, limit.name)))
-    return every
+        judged_limits.append(Doubt(limit, values, judged, unjudged=reasons == reason(RESTS_ON_SPACING, limit.name)))
+    return judged_limits
 
 
 def touched(frame: Frame, names: Collection[str], limits: Iterable[Limit] = LIMITS) -> list[Limit]:
@@ -464,10 +467,10 @@ def bits_of(frame: Frame, judged: Sequence[tuple[Any, Sequence[str]]], every: It
     `judged`: pairs of rows and the quantities that are judged in these rows.
     """
     bits: Any = 0
-    is_same = all(rows is True for rows, _ in judged)
+    is_in_all_rows = all(rows is True for rows, _ in judged)
     for doubt in every:
         if not isinstance(doubt.bits, int) or doubt.bits:
-            rows = True if is_same else rows_of(doubt.limit, frame, judged)
+            rows = True if is_in_all_rows else rows_of(doubt.limit, frame, judged)
             bits = bits | where(rows, doubt.bits, 0)
     return bits
 
@@ -479,5 +482,5 @@ def rows_of(limit: Limit, frame: Frame, judged: Sequence[tuple[Any, Sequence[str
 
 @cache  # many rows share their doubts
 def codes(bits: int) -> str:
-    """Return the codes of bits as a text, UNCHECKED last."""
+    """Return the codes of bits, separated by spaces, UNCHECKED last."""
     return " ".join(code for code, bit in BITS.items() if bits & bit)

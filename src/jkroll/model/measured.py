@@ -65,7 +65,7 @@ class Rolled(NamedTuple):
         """The functions that set a frame's displacement to the least and to the largest measured value."""
         return _end_of(self, Rolled.least), _end_of(self, Rolled.most)
 
-    def is_near(self, frame: Frame) -> Any:
+    def can_be_scaled(self, frame: Frame) -> Any:
         """Return whether the measurement can be scaled to a pair, row by row for arrays."""
         radius = frame.numbers("reduced_radius").get("reduced_radius", 0.0)
         return self.has_size(2 * radius) & self.has_energy(frame)
@@ -89,6 +89,7 @@ def _scales(ratio: Any) -> tuple[Any, Any]:
 
 @cache
 def _end_of(rolled: Rolled, end: Callable[[Rolled, Any], Any]) -> Variant:
+    """Return `_rolled_at` for an end of a measurement; the same end gives the same function."""
     return partial(_rolled_at, rolled, end)
 
 
@@ -134,7 +135,7 @@ def what_rolled(frame: Frame) -> Rolled | None:
 class Stuck(NamedTuple):
     """The largest speed at which spheres of some radii stuck to a plane, as a power of the radius.
 
-    For other pairs, in the wider range of radii `carried`, this speed is scaled in proportion to the sticking speed by
+    For other pairs, in the wider range of radii `scaled`, this speed is scaled in proportion to the sticking speed by
     the law in use. It does not count for pairs whose properties are outside the ranges in `properties`.
     """
 
@@ -143,7 +144,7 @@ class Stuck(NamedTuple):
     exponent: float
     error: float  # relative
     radii: tuple[float, float]
-    carried: tuple[float, float]
+    scaled: tuple[float, float]
     properties: Mapping[str, tuple[float, float]]  # the least and the largest value of each
 
     def at(self, radius: Any) -> Any:
@@ -163,9 +164,9 @@ class Stuck(NamedTuple):
         ]
         return at_most(*speeds) * (1 - self.error), at_least(*speeds) * (1 + self.error)
 
-    def counts(self, frame: Frame) -> Any:
-        """Return whether the measurement can be scaled to the pair of a frame."""
-        least, most = self.carried
+    def can_be_scaled(self, frame: Frame) -> Any:
+        """Return whether the measurement can be scaled to a pair, row by row for arrays."""
+        least, most = self.scaled
         radius = 2 * frame["reduced_radius"]
         return (least <= radius) & (radius <= most) & self._is_alike(frame)
 
@@ -178,7 +179,7 @@ class Stuck(NamedTuple):
         return is_alike
 
     def is_near(self, frame: Frame) -> Any:
-        """Return whether the pair is like the measured ones: spheres of these radii on a plane."""
+        """Return whether the pair is like the measured ones: a sphere of these radii on a plane, without damping."""
         least, most = self.radii
         is_measured = (least <= frame["radius"]) & (frame["radius"] <= most)
         is_measured = is_measured & (frame["radius2"] == INFINITY) & (VISCOUS_TIME not in frame.stated)
@@ -193,7 +194,7 @@ STUCK: Mapping[str, Stuck] = {
         -0.53,
         0.3,
         (0.25e-6, 0.6e-6),
-        carried=(1e-7, 3e-6),
+        scaled=(1e-7, 3e-6),
         # silica in humid air to baked silica, and quartz
         properties={"work_of_adhesion": (0.02, 0.5), "contact_modulus": (1e10, 1e11), "density": (1e3, 5e3)},
     ),
@@ -206,6 +207,9 @@ def what_stuck(frame: Frame) -> Stuck | None:
 
 
 MOST_SEEN = 10  # largest speed at which hard spheres were seen to stick, in units of the speed by JKR
+
+
+# --- Measured pull-off ------------------------------------------------------------------------------------------------
 
 
 class Surface(NamedTuple):
@@ -240,7 +244,7 @@ def on_surfaces(frame: Frame, ends: tuple[float, float] | None = None) -> Mappin
     """
     radius, energy = frame["reduced_radius"], frame["work_of_adhesion"]
     force = float(pull_off_force(work_of_adhesion=energy, reduced_radius=radius))  # in a frame, rigid bodies have none
-    low, high = ends or (force, force)
+    low, high = (force, force) if ends is None else ends
     is_silica = solid_of_pair(frame) == SIO2
     if is_silica and not has_given_energy(frame):
         low = high = force * 2 * ENERGY_ON_SURFACES / energy
@@ -262,7 +266,7 @@ def is_below_scaled(frame: Frame) -> bool:
     return bool(min(radii, default=2 * frame["reduced_radius"]) < SURFACES_FROM)
 
 
-# --- Rolling ---
+# --- Quantities that depend on the displacement ----------------------------------------------------------------------
 
 
 def rolling(names: Iterable[str]) -> list[str]:

@@ -32,7 +32,8 @@ def by_law_at_spacing(frame: Frame, names: Iterable[str]) -> Frame:
 
 def has_other_formulas(frame: Frame, name: str, law: str = DEFAULT_LAW) -> bool:
     """Return whether a law and the frame have different formulas for a quantity, or only one of them has a formula."""
-    return frame.plan(name).steps.keys() != plan_for(name, *frame.plan_key[:2], law).steps.keys()
+    known, own_material2, _ = frame.plan_key
+    return frame.plan(name).steps.keys() != plan_for(name, known, own_material2, law).steps.keys()
 
 
 def moved_by_law(frame: Frame, names: Iterable[str]) -> list[str]:

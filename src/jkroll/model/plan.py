@@ -32,11 +32,12 @@ class Plan:
         self,
         name: str,  # the name of the value
         formula: Any = None,
-        plans: Mapping[str, "Plan"] = MappingProxyType({}),  # of its arguments, by parameter
+        plans: Mapping[str, "Plan"] = MappingProxyType({}),  # of the arguments, by parameter
         missing: frozenset[str] = frozenset(),  # inputs that are not known
         lacking: frozenset[str] = frozenset(),  # quantities that the law of attraction does not have
     ) -> None:
         self.name, self.formula = name, formula
+        self.plans = [*plans.values()]  # of its arguments
         self.arguments = {parameter: plan.name for parameter, plan in plans.items()}
         self.missing, self.lacking = missing, lacking
         self.steps: dict[str, Plan] = {}  # all intermediate values in order of evaluation, this one last
@@ -50,7 +51,10 @@ class Plan:
 
 @lru_cache(maxsize=KEPT)
 def plan_for(wanted: str, known: frozenset[str], own_material2: bool, model: str = DEFAULT_LAW) -> Plan:
-    """Return the plan of a quantity under a law of attraction, for the names of the known values."""
+    """Return the plan of a quantity under a law of attraction, for the names of the known values.
+
+    Raises UnknownQuantity for a name outside the nomenclature, and for one whose values are words (`material`).
+    """
     name = _source(wanted, known, own_material2, routes(model, known))
     if name is not None and name in known:
         return Plan(name)
@@ -91,7 +95,7 @@ def _mixes_laws(name: str, known: frozenset[str], own_material2: bool, model: st
         return False
     ours, theirs = routes(model, known), routes(owner, known)
     taken = taken_by((name,), known, own_material2, owner) - known
-    return any(ours.get(each, each) != theirs.get(each, each) for each in taken)
+    return any(ours.get(argument, argument) != theirs.get(argument, argument) for argument in taken)
 
 
 @cache
@@ -128,9 +132,9 @@ def depends_on(names: tuple[str, ...], models: tuple[str, ...] = (DEFAULT_LAW,))
         name = pending.pop()
         if name not in reached:
             reached.add(name)
-            formulas = [each for each in (name, *routes_to.get(name, ())) if formula_of(each) is not None]
-            for formula in formulas:
-                pending += [argument for _, argument in arguments_of(formula)]
+            for source in (name, *routes_to.get(name, ())):
+                if formula_of(source) is not None:
+                    pending += [argument for _, argument in arguments_of(source)]
     return frozenset(reached).union(name for name, other in CONVERTED.items() if other in reached)
 
 

@@ -203,7 +203,7 @@ NO_STIFFNESS = Cause("", "infinite where fixed grips let go", code="infinite-at-
 
 
 # The index of a cause is part of a reason; 0 means no reason.
-_CAUSES = [None, *(each for each in [*globals().values()] if isinstance(each, Cause))]
+_CAUSES = [None, *(value for value in [*globals().values()] if isinstance(value, Cause))]
 _STEPS = ("", *dict.fromkeys((*NOMENCLATURE, *FORMULAS)))
 
 
@@ -247,11 +247,12 @@ class Failure(NoResult):
         """
         if not self.numbers:
             return self.cause.words
+        _, exact_limit, *_ = self.numbers
         for digits in range(_FEWEST, MAX_DIGITS + 1):
-            value, *limits = (amount(self.name, number, Format(digits=digits)) for number in self.numbers)
-            if value != limits[0] and parse_quantity(limits[0], self.name) >= self.numbers[1]:
+            value, limit, *others = (amount(self.name, number, Format(digits=digits)) for number in self.numbers)
+            if value != limit and parse_quantity(limit, self.name) >= exact_limit:
                 break
-        return self.cause.words.format(value, *limits)
+        return self.cause.words.format(value, limit, *others)
 
 
 def reason_of(error: JkrollError) -> int:
@@ -381,4 +382,7 @@ def failure_of(number: int, given: Given) -> Failure:
     """Return the error for a reason, with the numbers from the arguments of its step."""
     cause, step = cause_and_step(number)
     assert cause is not None
-    return Failure(cause, step, (given[cause.name], RULES[step][1](given)) if cause.name else ())
+    if not cause.name:
+        return Failure(cause, step)
+    _, limit_of = RULES[step]
+    return Failure(cause, step, (given[cause.name], limit_of(given)))

@@ -3,12 +3,12 @@
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property, reduce
 from math import nan
-from typing import Any
+from typing import Any, TypeGuard
 
 from ..errors import JkrollError
 from ..physics.elementary import is_anywhere, where
 from ..quantities.nomenclature import NOMENCLATURE
-from .column import Column, at_row, first_of
+from .column import Column, at_row, first_reasons
 from .frame import Frame
 from .limits import (
     ENDING,
@@ -36,8 +36,8 @@ class Results:
     def __init__(self, described: Frame, computed: Mapping[str, Column], *, keeps_all: bool = False) -> None:
         """`described`: the frame; `computed`: its columns; `keeps_all`: True to keep values without a meaning.
 
-        Uncertainties come from `described`. Limits are judged on `frame`, where every input has a value: for the
-        results, with the measured quantities in place of inferred inputs.
+        Uncertainties come from `described`. Limits are judged on `frame`, where every input has a value. They are the
+        limits of the results, with the measured quantities in place of inferred inputs.
         """
         self.described, self.computed, self.keeps_all = described, computed, keeps_all
         self.frame = described.found
@@ -75,24 +75,24 @@ class Results:
 
         A quantity of identical spheres is also meaningless where sphere 2 differs.
         """
-        reasons: Any = 0
         if column.is_empty:
             return column
+        reasons: Any = 0
         for touched in touching:
-            reasons = first_of(reasons, self._ends_of(touched))
+            reasons = first_reasons(reasons, self._ends_of(touched))
             if NOMENCLATURE[touched].of_identical:
                 of_another_pair = where(self.frame.is_identical, 0, reason(OF_ANOTHER_PAIR))
-                reasons = first_of(reasons, of_another_pair)
+                reasons = first_reasons(reasons, of_another_pair)
         if isinstance(reasons, int) and not reasons:
             return column
-        return Column(where(reasons == 0, column.values, nan), first_of(column.reasons, reasons))
+        return Column(where(reasons == 0, column.values, nan), first_reasons(column.reasons, reasons))
 
     def _ends_of(self, name: str) -> Any:
         """Return the reasons of rows where limits make a quantity meaningless, computed once for each set of limits."""
         ending = () if name in NUMBERS_OF_LIMITS else self.ending
         concerned = tuple(index for index, doubt in enumerate(ending) if concerns(doubt.limit, self.frame, [name]))
         if concerned not in self._ends:
-            self._ends[concerned] = reduce(first_of, (ending[index].ends for index in concerned), 0)
+            self._ends[concerned] = reduce(first_reasons, (ending[index].ends for index in concerned), 0)
         return self._ends[concerned]
 
     @cached_property
@@ -102,7 +102,7 @@ class Results:
 
     @cached_property
     def ended(self) -> dict[str, Any]:
-        """The rows in which a limit makes a result meaningless, for each quantity that has such rows."""
+        """The rows in which a value has no meaning, for each quantity that has such rows."""
         ended = {}
         for name, column in self.computed.items():
             meant = self.meant[name]
@@ -176,7 +176,8 @@ class Results:
         inexact = [doubt for doubt in self.validity if not doubt.limit.ends_meaning]
         bits = bits_of(self.frame, _rows_with_values(self.judged_meant), inexact)
         rests = [(_lacks_spacing(name, column), [name]) for name, column in self._without_spacing.items()]
-        return self._bits_of_ending | bits | bits_of(self.frame, rests, self._doubts_without_spacing) & NOT_JUDGED
+        unjudged = bits_of(self.frame, rests, self._doubts_without_spacing) & NOT_JUDGED
+        return self._bits_of_ending | bits | unjudged
 
     @property
     def ending_bits(self) -> Any:
@@ -222,11 +223,11 @@ def _rows_with_values(columns: Mapping[str, Column]) -> list[tuple[Any, list[str
     return [(columns[names[0]].reasons == 0, names) for names in names_of.values()]
 
 
-def is_end_of_meaning(error: JkrollError) -> bool:
+def is_end_of_meaning(error: JkrollError) -> TypeGuard[Failure]:
     """Return whether an error states that a number has no meaning."""
     return isinstance(error, Failure) and isinstance(error.cause, EndOfMeaning)
 
 
 def has_code(error: JkrollError) -> bool:
     """Return whether the code of a doubt already reports an error."""
-    return is_end_of_meaning(error) and error.args[0] != OF_ANOTHER_PAIR
+    return is_end_of_meaning(error) and error.cause != OF_ANOTHER_PAIR

@@ -43,14 +43,13 @@ DOUBT = "doubt"  # the column with the codes of exceeded limits
 STATUS = "status"  # the column with reasons
 UNCERTAINTY = "±"  # the key of a reason about uncertainties
 _NO_DOUBTS: Counter[int] = Counter()
-_TEXTS = {DOUBT, STATUS, *(name for name, quantity in NOMENCLATURE.items() if quantity.is_word)}
+_WITH_TEXTS = {DOUBT, STATUS, *(name for name, quantity in NOMENCLATURE.items() if quantity.is_word)}
 Reasons = Mapping[str, JkrollError]  # for the empty cells of a row, by column
-Gaps = tuple[int, int, str]  # rows with the same faults: their number, the first (from 1), and its reasons in full
 _NONE: Mapping[str, Any] = {}  # an empty mapping that can be pickled, unlike a MappingProxyType
 
 
 class Wanted:
-    """The columns to compute for rows; plans and names determine them before any value is computed."""
+    """The columns to compute for rows, chosen before any value is computed."""
 
     def __init__(
         self,
@@ -105,7 +104,10 @@ class Wanted:
 
         A table with best ranges reports codes of the law only if the law was given.
         """
-        return EVERY_DOUBT ^ NOT_JUDGED ^ (LAW.bits if self.best and "model" not in self.inputs else 0)
+        left_out = NOT_JUDGED
+        if self.best and "model" not in self.inputs:
+            left_out |= LAW.bits
+        return EVERY_DOUBT & ~left_out
 
     # --- Results ------------------------------------------------------------------------------------------------------
 
@@ -121,7 +123,7 @@ class Wanted:
         """Return whether the uncertainties of results have columns."""
         return self.sides is not None and results.sources is not None and results.sources.sides <= {*self.sides}
 
-    def lacks_bars(self, results: Results) -> BadRequest | None:
+    def bars_left_out(self, results: Results) -> BadRequest | None:
         """Return the error for results whose uncertainties have no columns; None for other results."""
         if self.sides is None or results.sources is None or self.has_bars(results):
             return None
@@ -135,7 +137,7 @@ def has_texts(head: str) -> bool:
     >>> has_texts("material"), has_texts("radius [m]"), has_texts("n_grav_best_by")
     (True, False, True)
     """
-    return head in _TEXTS or head.endswith(BEST_BY)
+    return head in _WITH_TEXTS or head.endswith(BEST_BY)
 
 
 def sides_in(groups: Iterable[tuple[Frame, Sequence[str]]]) -> set[str]:
@@ -214,61 +216,56 @@ class Columns:
 
     def refuse(self, row: int, error: JkrollError) -> None:
         """Store the error of a row without a frame."""
-        self._put_gap(row, row, {ROW: error}, is_failed=True)
+        self._put_gap(row, {ROW: error}, is_failed=True)
 
     def _put_inputs(self, rows: Any, inputs: Mapping[str, Any]) -> None:
         """Store the inputs of a frame, with their uncertainties."""
         for name in self.inputs.keys() & inputs.keys():
-            value = inputs[name]
             if isinstance(rows, int):
-                self.inputs[name][rows] = value
-                continue
-            column = rows_of(value, len(rows))
-            if len(rows) == len(self):
-                self.inputs[name] = column
-                continue
-            for row, cell in zip(rows.tolist(), as_list(column), strict=True):
-                self.inputs[name][row] = cell
+                self.inputs[name][rows] = inputs[name]
+            elif len(rows) == len(self):
+                self.inputs[name] = _in_each_row(inputs[name], len(rows))
+            else:
+                for row, cell in zip(rows.tolist(), as_list(_in_each_row(inputs[name], len(rows))), strict=True):
+                    self.inputs[name][row] = cell
 
     def _put_gaps(self, rows: Any, results: Results, bars: Mapping[str, ErrorBar]) -> None:
         """Store the reasons for empty cells of a frame, once for all rows with the same reasons."""
-        wanted, no_bars = self.wanted, self.wanted.lacks_bars(results)
-        columns = [results.columns.get(name, _HIDDEN) for name in wanted.names]
+        columns = [results.columns.get(name, _HIDDEN) for name in self.wanted.names]
         numbers = [column.reasons for column in columns] + [bar.open_at for bar in bars.values()]
         distinct = {id(number): number for number in numbers}.values()  # many columns share their reasons
         arrays = [number for number in distinct if not isinstance(number, int)]
-        if not arrays and not any(distinct) and no_bars is None:
+        left_out = self.wanted.bars_left_out(results)
+        is_in_all_rows = left_out is not None or any(number for number in distinct if isinstance(number, int))
+        if not arrays and not is_in_all_rows:
             return
-        if isinstance(rows, int):
-            parts = [(0, rows, rows)]
-        else:
-            is_in_all = no_bars is not None or any(number for number in distinct if isinstance(number, int))
-            with_gaps = _indices(len(rows)) if is_in_all else reduce(or_, arrays).nonzero()[0]
-            parts = []
-            for part in alike(with_gaps, arrays):
-                if len(part):
-                    parts.append((int(part[0]), int(rows[part[0]]), rows[part]))
-        for row, first, indices in parts:
-            reasons = {**results.errors(row), **(results.open_bars(row) if bars else {})}
-            if no_bars is not None:
-                reasons[UNCERTAINTY] = no_bars
-            if reasons:
-                is_failed = all(at_row(column.reasons, row) for column in columns)
-                self._put_gap(indices, first, reasons, is_failed=is_failed)
+        parts = {0: rows}  # by the first row of each part in the frame: the indices of its rows
+        if not isinstance(rows, int):
+            import numpy
 
-    def _put_gap(self, rows: Any, first: int, reasons: Reasons, *, is_failed: bool) -> None:
+            with_gaps = numpy.arange(len(rows)) if is_in_all_rows else reduce(or_, arrays).nonzero()[0]
+            parts = {int(part[0]): rows[part] for part in alike(with_gaps, arrays)}
+        for row, indices in parts.items():
+            reasons = results.errors(row)
+            if bars:
+                reasons |= results.open_bars(row)
+            if left_out is not None:
+                reasons[UNCERTAINTY] = left_out
+            if reasons:
+                self._put_gap(indices, reasons, is_failed=all(at_row(column.reasons, row) for column in columns))
+
+    def _put_gap(self, rows: Any, reasons: Reasons, *, is_failed: bool) -> None:
         """Store the reasons of rows. `is_failed`: True if these rows have no value."""
+        first = rows if isinstance(rows, int) else int(rows[0])
         has_number = any(map(is_end_of_meaning, reasons.values()))  # a row of numbers without a meaning has not failed
-        is_failed = lack(reasons) is not None or (is_failed and not has_number)
+        is_failed = error_of_row(reasons) is not None or (is_failed and not has_number)
         gap = Gap(status_of(reasons), faults_of(reasons), is_failed, first, reasons)
-        number = self._gap_numbers.setdefault(gap[:3], len(self.gaps) + 1)
+        number = self._gap_numbers.setdefault((gap.phrase, gap.faults, gap.is_failed), len(self.gaps) + 1)
         if number > len(self.gaps):
             self.gaps.append(gap)
         elif first < self.gaps[number - 1].first:
             self.gaps[number - 1] = gap
         self._gap_of[rows] = number
-
-    # --- Counted gaps and doubts --------------------------------------------------------------------------------------
 
     def leave_out_bars(self, rows: Mapping[int, JkrollError]) -> None:
         """Empty the uncertainties of some rows, except rows without a contact or a frame. `rows`: the reason by row."""
@@ -278,11 +275,13 @@ class Columns:
         for row, error in rows.items():
             gap = self.gap_of(row)
             reasons = _NONE if gap is None else gap.reasons
-            if lack(reasons) is None:
+            if error_of_row(reasons) is None:
                 is_failed = gap is not None and gap.is_failed
-                self._put_gap(row, row, {**reasons, UNCERTAINTY: error}, is_failed=is_failed)
+                self._put_gap(row, {**reasons, UNCERTAINTY: error}, is_failed=is_failed)
                 for key in keys:
                     self.column(key)[row] = nan
+
+    # --- Gaps and doubts ----------------------------------------------------------------------------------------------
 
     def gap_of(self, row: int) -> Gap | None:
         """Return the gap of a row, or None."""
@@ -302,13 +301,12 @@ class Columns:
             return []
         counts = Counter(as_list(self._gap_of))
         counted = [(gap, counts[number]) for number, gap in enumerate(self.gaps, 1) if counts[number]]
-        return sorted(counted, key=lambda item: item[0].first)
+        return sorted(counted, key=lambda gap_and_number: gap_and_number[0].first)
 
     @property
     def first_failed(self) -> Gap | None:
         """The gap of the first row without a contact, or without any value; None if there is none."""
-        failed = [gap for gap, _ in self.counted_gaps if gap.is_failed]
-        return failed[0] if failed else None
+        return next((gap for gap, _ in self.counted_gaps if gap.is_failed), None)
 
     @cached_property
     def distinct_doubts(self) -> tuple[Any, Any, Any]:
@@ -329,7 +327,7 @@ class Columns:
 _HIDDEN = Column(nan, reason(HIDDEN))
 
 
-def rows_of(value: Any, size: int) -> Any:
+def _in_each_row(value: Any, size: int) -> Any:
     """Return a column with the value of an input in each row, with its uncertainty."""
     if isinstance(value, str):
         return [value] * size
@@ -337,17 +335,12 @@ def rows_of(value: Any, size: int) -> Any:
 
     if not is_uncertain(value):
         return numpy.broadcast_to(numpy.asarray(value, dtype=float), size)
-    numbers, *sides = (as_list(numpy.broadcast_to(cells, size)) for cells in (value.value, *value.sides.values()))
+    numbers = numpy.broadcast_to(value.value, size).tolist()
+    sides = {side: numpy.broadcast_to(end, size).tolist() for side, end in value.sides.items()}
     return [
-        type(value).of(number, **dict(zip(value.sides, of_row, strict=True)))
-        for number, *of_row in zip(numbers, *sides, strict=True)
+        type(value).of(number, **{side: ends[row] for side, ends in sides.items()})
+        for row, number in enumerate(numbers)
     ]
-
-
-def _indices(size: int) -> Any:
-    import numpy
-
-    return numpy.arange(size)
 
 
 def of_single_row(wanted: Wanted, results: Results) -> Columns:
@@ -431,29 +424,28 @@ class Group(NamedTuple):
 
 
 def groups(block: Block) -> Iterator[Group]:
-    """Iterate over groups of rows that have the same inputs, and the same special values; BAD rows are left out."""
+    """Iterate over groups of rows with the same law and solid, and the same inputs, whose values are of one kind.
+
+    BAD rows are left out.
+    """
     import numpy
 
     marks = {name: _marks(name, column) for name, column in block.numbers.items()}
     columns = [*marks.values(), *block.marks]
     is_bad = reduce(or_, (of_column == BAD for of_column in columns), numpy.zeros(block.size, dtype=bool))
     for rows in alike(numpy.flatnonzero(~is_bad), columns):
-        if len(rows):
-            of_cells = {name: int(of_column[rows[0]]) for name, of_column in marks.items()}
-            yield Group(rows, {name: (block.numbers[name], mark) for name, mark in of_cells.items() if mark != _EMPTY})
+        marks_of_group = {name: int(of_column[rows[0]]) for name, of_column in marks.items()}
+        filled = {name: mark for name, mark in marks_of_group.items() if mark != _EMPTY}
+        yield Group(rows, {name: (block.numbers[name], mark) for name, mark in filled.items()})
 
 
 def alike(rows: Indices, columns: Iterable[Any]) -> Iterator[Indices]:
-    """Iterate over groups of rows that have the same integers in all columns.
-
-    `rows`: the indices of the rows.
-    """
+    """Iterate over groups of row indices; the rows of a group have the same integers in all columns."""
     import numpy
 
-    keys, size = numpy.zeros(len(rows), dtype=numpy.int64), 1
     if not len(rows):
-        yield rows
         return
+    keys, size = numpy.zeros(len(rows), dtype=numpy.int64), 1  # a key for each row; the number of possible keys
     for column in columns:
         numbers = column[rows]
         least, most = int(numbers.min()), int(numbers.max())
@@ -503,7 +495,7 @@ def _values(column: Numbers, rows: Indices, mark: int) -> Any:
 # --- Reasons ----------------------------------------------------------------------------------------------------------
 
 
-def lack(reasons: Reasons) -> JkrollError | None:
+def error_of_row(reasons: Reasons) -> JkrollError | None:
     """Return the error of a row that has no contact or no frame; None for other rows."""
     for name, error in reasons.items():
         has_contact = not isinstance(error, Failure) or error.cause.has_contact
@@ -532,11 +524,11 @@ def faults_of(reasons: Reasons) -> str:
 
 def worded(reasons: Reasons, word_of: Callable[[str], str] = str) -> str:
     """Return reasons in full; `word_of` returns the word for a quantity, by default its name."""
-    error = lack(reasons)
+    error = error_of_row(reasons)
     if error is not None:
         return str(error)
     errors = {name: error for name, error in reasons.items() if name != UNCERTAINTY}
-    clauses = [f"{first_of([*map(word_of, names)])}: {reason}" for names, reason in grouped(errors)]
+    clauses = [f"{first_of([*map(word_of, names)])}: {explanation}" for names, explanation in grouped(errors)]
     if UNCERTAINTY in reasons:
         clauses.append(str(reasons[UNCERTAINTY]))
     return "; ".join(clauses)
@@ -545,12 +537,20 @@ def worded(reasons: Reasons, word_of: Callable[[str], str] = str) -> str:
 # --- Counts -----------------------------------------------------------------------------------------------------------
 
 
+class Fault(NamedTuple):
+    """The rows whose empty cells have the same faults."""
+
+    rows: int  # their number
+    first: int  # the number of the first row, from 1
+    words: str  # the reasons of the first row in full
+
+
 class Tally(NamedTuple):
     """The number of rows of a run, and how many failed, have empty cells, or exceed limits."""
 
     rows: int = 0
     failed: int = 0
-    gaps: Mapping[str, Gaps] = _NONE  # rows with empty cells, by their faults
+    gaps: Mapping[str, Fault] = _NONE  # rows with empty cells, by their faults
     doubts: Counter[int] = _NO_DOUBTS  # numbers of rows, by the bits of their doubts
     inferred: tuple[Any, ...] = ()  # the inferred values of a table, in parts
     remarks: tuple[str, ...] = ()  # on whole tables
@@ -558,23 +558,25 @@ class Tally(NamedTuple):
     @classmethod
     def of(cls, columns: Columns, word_of: Callable[[str], str] = str) -> "Tally":
         """Return the counts of some rows; `word_of`: see `worded`."""
-        gaps: dict[str, Gaps] = {}
+        gaps: dict[str, Fault] = {}
         for gap, number in columns.counted_gaps:
             # Results without a meaning are reported by a code, with its own count.
             reported = {name: error for name, error in gap.reasons.items() if not has_code(error)}
             if reported:
                 faults = faults_of(reported)
-                rows, first, words = gaps.get(faults) or (0, gap.first + 1, worded(reported, word_of))
-                gaps[faults] = (rows + number, first, words)
+                if faults not in gaps:
+                    gaps[faults] = Fault(0, gap.first + 1, worded(reported, word_of))
+                gaps[faults] = gaps[faults]._replace(rows=gaps[faults].rows + number)
         failed = sum(number for gap, number in columns.counted_gaps if gap.is_failed)
         return cls(len(columns), failed, gaps, columns.counted_doubts)
 
     def plus(self, other: "Tally", table: str = "") -> "Tally":
         """Return the sum of the counts. `table`: a prefix that names the other table; its rows are numbered from 1."""
         gaps = dict(self.gaps)
-        for faults, (more, row, text) in other.gaps.items():
-            rows, first, words = gaps.get(faults, (0, row + (0 if table else self.rows), f"{table}{text}"))
-            gaps[faults] = (rows + more, first, words)
+        rows_before = 0 if table else self.rows
+        for faults, more in other.gaps.items():
+            known = gaps.get(faults, Fault(0, rows_before + more.first, f"{table}{more.words}"))
+            gaps[faults] = known._replace(rows=known.rows + more.rows)
         others = [name for name in self._fields if name != "gaps"]
         sums: dict[str, Any] = {name: getattr(self, name) + getattr(other, name) for name in others}
         return Tally(gaps=gaps, **sums)
@@ -589,7 +591,7 @@ class Tally(NamedTuple):
         return [(code, rows) for code, rows in sorted(counts.items(), key=lambda item: -item[1]) if rows]
 
 
-def counted(blocks: Iterable[Columns], tallies: list[Tally], word_of: Callable[[str], str] = str) -> Iterator[Columns]:
+def tallied(blocks: Iterable[Columns], tallies: list[Tally], word_of: Callable[[str], str] = str) -> Iterator[Columns]:
     """Iterate over blocks, and append the counts of each to `tallies`; `word_of`: see `worded`."""
     for columns in blocks:
         tallies.append(Tally.of(columns, word_of))

@@ -66,7 +66,8 @@ class Solution(NamedTuple):
     """The values of the unknowns of a problem: numbers, or arrays with nan in rows that have a reason."""
 
     values: Values  # by unknown
-    growths: Values = MappingProxyType({})  # by unknown: its relative error over that of the measured values, at most
+    # By unknown: the largest ratio of its relative error to that of the measured values.
+    growths: Values = MappingProxyType({})
     condition: Any = nan  # condition number of measured values as functions of the unknowns, both in logarithms
     reasons: Any = 0  # as in columns
     failures: Failures = MappingProxyType({})  # errors of single rows
@@ -146,6 +147,16 @@ class Problem:
         return next(iter(self.filled.errors(columns).values()))
 
 
+class _Table(NamedTuple):
+    """The solutions of all rows of a problem as arrays, with nan in rows without one, and the errors of these rows."""
+
+    values: Any  # with a row for each unknown, as the growths
+    growths: Any
+    condition: Any
+    failures: Failures
+    positions: Any = None  # of two unknowns
+
+
 def solved(problem: Problem, start: Any = None) -> Solution:
     """Return the solution of each row of a problem.
 
@@ -153,23 +164,29 @@ def solved(problem: Problem, start: Any = None) -> Solution:
     error if no row can have a solution, or if the only row has not exactly one.
     """
     problem.check()
-    count = len(problem.unknowns)
-    table, failures = _roots(problem) if count == 1 else _pairs(problem, start)
-    if failures and not problem.shape:
-        raise failures[0]
-    measures, positions = table[: 2 * count + 1], table[2 * count + 1 :]
-    for row in measures[count:]:
-        row[:] = [float(f"{number:.6g}") for number in row]  # further digits come from rounding errors
-    *columns, condition = measures.reshape(2 * count + 1, *problem.shape) if problem.shape else measures[:, 0].tolist()
-    values, growths = (dict(zip(problem.unknowns, part, strict=True)) for part in (columns[:count], columns[count:]))
+    table = _roots(problem) if len(problem.unknowns) == 1 else _pairs(problem, start)
+    if table.failures and not problem.shape:
+        raise table.failures[0]
+
+    def shaped(column: Any) -> Any:
+        return column.reshape(problem.shape) if problem.shape else column.item()
+
+    values = dict(zip(problem.unknowns, map(shaped, table.values), strict=True))
+    growths = dict(zip(problem.unknowns, map(shaped, _rounded(table.growths)), strict=True))
     reasons: Any = 0
     if problem.shape:
         is_unsolved = numpy.isnan([*values.values()]).any(axis=0)
         if is_unsolved.any():
             reasons = numpy.where(is_unsolved, reason(NoSolution.cause), 0)
-            for index, failure in failures.items():
+            for index, failure in table.failures.items():
                 reasons.flat[index] = reason_of(failure)
-    return Solution(values, growths, condition, reasons, failures, positions=positions)
+    condition = shaped(_rounded(table.condition))
+    return Solution(values, growths, condition, reasons, table.failures, positions=table.positions)
+
+
+def _rounded(array: Any) -> Any:
+    """Return an array of numbers with 6 digits; further digits come from rounding errors."""
+    return numpy.array([float(f"{number:.6g}") for number in array.ravel()]).reshape(array.shape)
 
 
 # --- One unknown ------------------------------------------------------------------------------------------------------
@@ -183,13 +200,13 @@ def grid(name: str, sizes: tuple[float, float]) -> Any:
 
 
 def slopes(y: Any) -> Any:
-    """Return slopes from three points a step apart; from two if y is nan at one end; nan if y is nan at both ends."""
+    """Return slopes from three points a step apart; if y is nan at one end, from the other two."""
     low, high = numpy.diff(y, axis=0) / _STEP
     return numpy.where(numpy.isnan(low), high, numpy.where(numpy.isnan(high), low, (low + high) / 2))
 
 
-def _roots(problem: Problem) -> tuple[Any, Failures]:
-    """Return an array with a column for each row (the unknown, its growth and the condition), and the errors.
+def _roots(problem: Problem) -> _Table:
+    """Return the solutions for one unknown.
 
     If no usual size is a solution, all sizes that a frame accepts are scanned.
     """
@@ -209,7 +226,7 @@ def _roots(problem: Problem) -> tuple[Any, Failures]:
     y = problem.rows(numpy.tile(numpy.arange(len(roots)), 3)).quantities({unknown: x.ravel()}).reshape(3, -1)
     with numpy.errstate(divide="ignore", invalid="ignore"):
         condition = numpy.where(numpy.isnan(roots), nan, abs(y[1] / slopes(y)))
-    return numpy.array([roots, condition, condition]), failures
+    return _Table(roots[None], condition[None], condition, failures)
 
 
 class Scan:
@@ -220,7 +237,7 @@ class Scan:
     of gaps and the extremes, and then the roots between them and the grid.
 
     `span` holds the least and the largest value of the quantity in each row, over all points computed. `stretch` holds
-    the first and the last value of the unknown at which the quantity stays at its level, nan if there is none.
+    the least and the largest value of the unknown at which the quantity stays at its level, nan if there is none.
     """
 
     def __init__(self, problem: Problem) -> None:
@@ -236,24 +253,24 @@ class Scan:
 
     def _outcome(self, row: int, roots: list[float]) -> float | JkrollError:
         """Return the root of a row, or the error if it does not have exactly one."""
-        span, stretch = self.span[:, row].tolist(), self.stretch[:, row].tolist()
-        varies = span[1] - span[0] > _ROUNDING * max(map(abs, span))
-        stays = stretch[0] > 0 and stretch[1] >= 10 * stretch[0]
+        (least, most), (first, last) = self.span[:, row].tolist(), self.stretch[:, row].tolist()
+        varies = most - least > _ROUNDING * max(abs(least), abs(most))
+        stays = first > 0 and last >= 10 * first
         if len(roots) == 1 and varies and not stays:
             return roots[0]
         problem = self.problem.rows(row)
-        if isnan(span[0]):
+        if isnan(least):
             return problem.failure()
         if not varies:
             return NoDependence(problem, f"{next(iter(problem.levels))} does not depend on the unknown here")
         if stays:
-            first, last = (amount(self.unknown, end) for end in stretch)
-            return Undetermined(problem, f"every value from {first} to {last} gives {equal(problem.levels)}", stretch)
+            ends = f"{amount(self.unknown, first)} to {amount(self.unknown, last)}"
+            return Undetermined(problem, f"every value from {ends} gives {equal(problem.levels)}", (first, last))
         values = [{self.unknown: root} for root in roots]
-        return SeveralSolutions(problem, values) if values else NoSolution(problem, [span])
+        return SeveralSolutions(problem, values) if values else NoSolution(problem, [(least, most)])
 
     def roots(self, sizes: tuple[float, float]) -> tuple[Any, Any]:
-        """Return the rows and values of all roots between two sizes, in order."""
+        """Return the rows and the values of all roots between two sizes, in rising order."""
         size, x = len(self.levels), grid(self.unknown, sizes)
         points = self._points(numpy.repeat(numpy.arange(size), len(x)), numpy.tile(x, size))
         is_exact = points.y == self.levels[points.row]  # such as an unloaded contact
@@ -322,30 +339,43 @@ class Points(NamedTuple):
 # --- Two unknowns -----------------------------------------------------------------------------------------------------
 
 
-def _pairs(problem: Problem, start: Any = None) -> tuple[Any, Failures]:
-    """Return an array with a column for each row (two unknowns, growths, condition and positions), and the errors.
+def _pairs(problem: Problem, start: Any = None) -> _Table:
+    """Return the solutions for two unknowns.
 
     For arrays, Newton's method starts from the positions of a similar problem, whose rows repeat here. A row in which
     the method fails is solved on its own. Once one repeat of a row has no solution, its other repeats are skipped.
     """
     count = size = prod(problem.shape)
-    table, failures, lost = numpy.full((7, size), nan), dict[int, JkrollError](), set[int]()
+    table, failures, unsolved = numpy.full((7, size), nan), dict[int, JkrollError](), set[int]()
     if problem.shape and start is not None:
         pairs = Pairs(problem)
-        count, lost = start.shape[1], {*numpy.flatnonzero(numpy.isnan(start[0])).tolist()}
+        count, unsolved = start.shape[1], {*numpy.flatnonzero(numpy.isnan(start[0])).tolist()}
         positions, distance = pairs.improved(numpy.tile(numpy.nan_to_num(start), size // count))
         table = pairs.table(positions)
-        table[:, (distance == inf) | (table[4] > MAX_CONDITION)] = nan
-    for row in numpy.flatnonzero(numpy.isnan(table[0])).tolist():
-        if row % count in lost:
+        table[:, (distance == inf) | (table[_CONDITION] > MAX_CONDITION)] = nan
+    for row in numpy.flatnonzero(numpy.isnan(table[_CONDITION])).tolist():
+        if row % count in unsolved:
             continue
         try:
             table[:, [row]] = Pairs(problem.rows(row)).pair()
         except NoResult as error:
             failures[row] = error.with_traceback(None)  # a traceback would keep all arrays alive
             if count < size:
-                lost.add(row % count)
-    return table, failures
+                unsolved.add(row % count)
+    return _Table(table[_VALUES], table[_GROWTHS], table[_CONDITION], failures, table[_POSITIONS])
+
+
+# The rows of an array with a column for each pair.
+_VALUES, _GROWTHS, _CONDITION, _POSITIONS = slice(0, 2), slice(2, 4), 4, slice(5, 7)
+
+
+class Linear(NamedTuple):
+    """The unknowns and the residuals at positions, and a matrix for each position: their derivatives by coordinate."""
+
+    values: Any
+    residuals: Any
+    of_values: Any
+    of_residuals: Any
 
 
 class Pairs:
@@ -379,21 +409,25 @@ class Pairs:
         residuals = numpy.arcsinh(quantities / linear) - numpy.arcsinh(levels / linear)
         return numpy.array([*values.values()]), quantities, residuals
 
-    def slopes(self, positions: Any) -> tuple[Any, Any]:
-        """Return an array of unknowns and residuals at positions, and a matrix of derivatives for each position."""
+    def linear(self, positions: Any) -> Linear:
+        """Return the unknowns, the residuals and their derivatives at positions."""
         count = positions.shape[1]
         steps = _STEP * numpy.array([[0, -1, 1, 0, 0], [0, 0, 0, -1, 1]])
         values, _, residuals = self.points(numpy.tile(positions, 5) + steps.repeat(count, axis=1))
-        points = numpy.concatenate([values, residuals]).reshape(4, 5, count).swapaxes(0, 1)
-        return points[0], numpy.array([slopes(points[[low, 0, low + 1]]) for low in (1, 3)]).T
+        here, *stepped = numpy.concatenate([values, residuals]).reshape(4, 5, count).swapaxes(0, 1)
+        matrices = []
+        for below, above in (stepped[:2], stepped[2:]):
+            matrices.append(slopes(numpy.array([below, here, above])))
+        derivatives = numpy.array(matrices).T
+        return Linear(here[:2], here[2:], derivatives[:, :2], derivatives[:, 2:])
 
     def table(self, positions: Any) -> Any:
-        """Return the unknowns at positions, the growths of errors, the condition and the positions, as a table."""
-        here, matrices = self.slopes(positions)
-        values, changes, matrices = here[:2], matrices[:, :2], numpy.nan_to_num(matrices[:, 2:])
+        """Return an array with a column for each position: unknowns, growths of errors, condition and position."""
+        values, _, of_values, of_residuals = self.linear(positions)
+        matrices = numpy.nan_to_num(of_residuals)
         inverse = numpy.linalg.pinv(matrices, rcond=0.1 / MAX_CONDITION)
         with numpy.errstate(divide="ignore", invalid="ignore"):
-            growths = numpy.linalg.norm(changes @ inverse, axis=2).T / abs(values)
+            growths = numpy.linalg.norm(of_values @ inverse, axis=2).T / abs(values)
         return numpy.array([*values, *growths, numpy.linalg.cond(matrices), *positions])
 
     def improved(self, start: Any) -> tuple[Any, Any]:
@@ -404,13 +438,13 @@ class Pairs:
         best, steps, distance = start, numpy.zeros_like(start), numpy.full(start.shape[1], inf)
         for _ in range(_ROUNDS):
             positions = numpy.clip(best + steps, *self.ends)
-            here, matrices = self.slopes(positions)
-            size = numpy.hypot(*here[2:])
+            _, residuals, _, of_residuals = self.linear(positions)
+            size = numpy.hypot(*residuals)
             is_nearer = size < distance
             best, distance = numpy.where(is_nearer, positions, best), numpy.where(is_nearer, size, distance)
             # If both quantities change in the same direction, the pseudo-inverse gives the shortest step.
-            inverse = numpy.linalg.pinv(numpy.nan_to_num(matrices[:, 2:]), rcond=0.01 / MAX_CONDITION)
-            newton = -numpy.einsum("kij,jk->ik", inverse, numpy.nan_to_num(here[2:]))
+            inverse = numpy.linalg.pinv(numpy.nan_to_num(of_residuals), rcond=0.01 / MAX_CONDITION)
+            newton = -numpy.einsum("kij,jk->ik", inverse, numpy.nan_to_num(residuals))
             limited = newton / numpy.maximum(1.0, numpy.hypot(*newton))
             steps = numpy.where(is_nearer, limited, steps / 2)
             if (abs(steps) <= _LAST_STEP).all():
@@ -418,36 +452,40 @@ class Pairs:
         return best, numpy.where(distance <= _NEAR, distance, inf)
 
     def pair(self) -> Any:
-        """Return the table of the only pair. Raises an error if there is no pair, or more than one."""
+        """Return the only pair as a column of `table`.
+
+        Raises an error if there is no pair, or more than one, or if the quantities do not separate the unknowns.
+        """
         problem, mesh = self.problem, numpy.array(numpy.meshgrid(*self.axes, indexing="ij"))
-        matrices = self.slopes(mesh[:, ::_SAMPLED, ::_SAMPLED].reshape(2, -1))[1][:, 2:]
+        matrices = self.linear(mesh[:, ::_SAMPLED, ::_SAMPLED].reshape(2, -1)).of_residuals
         known = matrices[numpy.isfinite(matrices).all(axis=(1, 2))]
         if len(known) and numpy.linalg.cond(known).min() > MAX_CONDITION / 10:
             raise self._unseparated(known[len(known) // 2])
         _, quantities, residuals = self.points(mesh.reshape(2, -1))
         positions, distance = self.improved(self._starts(mesh, residuals.reshape(mesh.shape)))
-        positions = positions[:, numpy.argsort(distance)[: numpy.isfinite(distance).sum()]]
+        nearest_first, count = numpy.argsort(distance), numpy.isfinite(distance).sum()
+        positions = positions[:, nearest_first[:count]]
         if not positions.size:
             if not numpy.isfinite(quantities.sum(axis=0)).any():
                 raise problem.failure()
             spans = numpy.transpose([numpy.nanmin(quantities, axis=1), numpy.nanmax(quantities, axis=1)])
             raise NoSolution(problem, spans.tolist())
         table = self.table(positions)
-        is_open = table[4] > MAX_CONDITION
+        is_open = table[_CONDITION] > MAX_CONDITION
         if is_open.any():
-            raise self._unseparated(self.slopes(positions[:, is_open])[1][0, 2:])
+            raise self._unseparated(self.linear(positions[:, is_open]).of_residuals[0])
         is_same = (abs(positions[:, :, None] - positions[:, None]) <= _SAME).all(axis=0)
         distinct = numpy.unique(is_same.argmax(axis=0))  # the first of equal pairs is the nearest
         if len(distinct) > 1:
-            rows = sorted(table[:2, distinct].T.tolist())
-            raise SeveralSolutions(problem, [dict(zip(problem.unknowns, row, strict=True)) for row in rows])
+            several = sorted(table[_VALUES, distinct].T.tolist())
+            raise SeveralSolutions(problem, [dict(zip(problem.unknowns, values, strict=True)) for values in several])
         return table[:, :1]
 
     def _starts(self, mesh: Any, residuals: Any) -> Any:
-        """Return starts in cells of a grid: where both measured values lie between those of corners, or next to a gap.
+        """Return starts in the cells of a grid in which each residual changes its sign or has a gap.
 
-        A start is the mean of the corners where both quantities have values. Next to a gap, a position close to its
-        edge is another start.
+        A start is the mean of the corners where both quantities have values. In a cell with a gap, a position close to
+        the edge of the gap is another start.
         """
         corners, ends = (sliding_window_view(grids, (2, 2), axis=(1, 2)) for grids in (residuals, mesh))
         low, high = (extreme.reduce(corners, axis=(3, 4)) for extreme in (numpy.fmin, numpy.fmax))
@@ -476,8 +514,9 @@ class Pairs:
         else:
             if self.load is not None:
                 symbols[self.load] = "(1 + P/P_c)"  # the coordinate of a load
-            direction = numpy.linalg.svd(matrix)[2][-1]  # the direction of the least change
-            remark = f"both are constant along {symbols[0]} ∝ {symbols[1]}^{direction[0] / direction[1]:.3g}"
+            _, _, directions = numpy.linalg.svd(matrix)
+            first, second = directions[-1]  # the direction of the least change
+            remark = f"both are constant along {symbols[0]} ∝ {symbols[1]}^{first / second:.3g}"
         remedy = "measure another quantity, or give one of the two"
         remark += " (the condition number is above 1e8)"
         text = f"{listed(self.problem.levels)} do not determine both unknowns: {remark}; {remedy}"

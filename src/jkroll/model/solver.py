@@ -123,7 +123,8 @@ def solve(
     input was a Quantity; a Series of pandas or a DataArray of xarray with the labels of the inputs, if an input was
     such a container. A result has the shape of the arrays that it depends on: for a fixed ξ, `yield_force` is a float
     even for an array of radii, since it does not depend on them. With a list of materials or laws, all results have the
-    common shape of all arrays. If a given value is uncertain, so are the results: `Measured` or `Interval` in SI units.
+    common shape of all arrays. Results that depend on an uncertain value are uncertain: `Measured` or `Interval` in SI
+    units.
 
     Raises
     ------
@@ -165,6 +166,7 @@ def solve(
 
 
 def _one_or_all(wanted: Any, names: Sequence[str], results: dict[str, Any]) -> Any:
+    """Return the result of a single wanted name, or all results."""
     return results[names[0]] if isinstance(wanted, str) else results
 
 
@@ -268,7 +270,7 @@ def _material(argument: str, material: str | Material | None, materials: Materia
 def values_of(frame: Frame, names: Sequence[str]) -> dict[str, Any]:
     """Return the values of quantities; raise the error of the first without a value.
 
-    Long lists are computed in blocks, to save memory for intermediate results.
+    Long lists are computed in blocks.
     """
     shapes = {value.shape for value in frame.arrays.values()}
     is_long_list = shapes == {frame.shape} and len(frame.shape) == 1 and frame.shape[0] > ELEMENTS_AT_ONCE

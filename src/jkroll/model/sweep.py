@@ -1,19 +1,20 @@
 """The rows of lists and ranges: the combinations of pairs of materials, values of inputs and laws.
 
-Each of a few rows is a frame of numbers. Rows become frames of arrays if single frames would take longer than importing
-numpy.
+A few rows are computed one at a time, each as a frame of numbers. More rows become frames of arrays, since so many
+single frames would take longer than importing numpy.
 """
 
 from bisect import bisect, bisect_left
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from functools import cached_property, partial
+from functools import cached_property
 from itertools import accumulate, chain, product
 from math import prod
 from typing import Any, NamedTuple
 
 from ..materials.library import Material
 from ..quantities.nomenclature import NOMENCLATURE, computed_as, of_sphere
-from ..quantities.values import Interval, Spread, Uncertain
+from ..quantities.spreads import Spread
+from ..quantities.values import Interval, Uncertain, is_uncertain, middle
 from .frame import FOLLOWS, Frame
 from .plan import in_order
 from .reasons import OF_IDENTICAL_SPHERES, Failure
@@ -64,7 +65,7 @@ class Sweep:
         return SEARCHED if self.unknowns else COMPUTED
 
     def frame(self, given: Mapping[str, Any], *spheres: Material | None, model: str | None) -> Frame:
-        """Return the frame of some inputs, the materials of its spheres, and a law."""
+        """Return the frame of inputs, the materials of the spheres, and a law; an `Inverse` if inputs are unknown."""
         if not self.unknowns:
             return Frame(given, *spheres, model=model)
         from .inverse import Inverse  # which imports numpy
@@ -84,24 +85,23 @@ class Sweep:
         return [len(self.pairs), *(starts[-1] for starts in self.starts.values()), len(self.models)]
 
     def value(self, name: str, position: int) -> Any:
-        """Return the value of an input by its index over all lists and ranges."""
+        """Return the value of an input by its index among the values of all its lists and ranges."""
         starts = self.starts[name]
         number = bisect(starts, position) - 1
-        spread = self.spreads[name][number]
-        return spread.uncertainty or spread.value(position - starts[number])
+        return _value_at(self.spreads[name][number], position - starts[number])
 
     def __len__(self) -> int:
         """Return the number of rows."""
         return prod(self.counts)
 
     def row(self, position: int) -> Frame:
-        """Return a row as a frame of numbers."""
-        position, law = divmod(position, len(self.models))
+        """Return a row as a frame of numbers. The law changes fastest from row to row, then the last input."""
+        rest, law = divmod(position, len(self.models))
         given = {}
-        for name in reversed([*self.spreads]):  # the last input changes fastest
-            position, of_input = divmod(position, self.starts[name][-1])
-            given[name] = self.value(name, of_input)
-        return self.frame({name: given[name] for name in self.spreads}, *self.pairs[position], model=self.models[law])
+        for name in reversed([*self.spreads]):
+            rest, index = divmod(rest, self.starts[name][-1])
+            given[name] = self.value(name, index)
+        return self.frame({name: given[name] for name in self.spreads}, *self.pairs[rest], model=self.models[law])
 
     def frames(self) -> Iterator[Frame]:
         """Iterate over the rows as frames of numbers."""
@@ -111,16 +111,16 @@ class Sweep:
 
     @cached_property
     def groups(self) -> list[Frame]:
-        """A frame from each group of rows: those with the same materials, law, and kind of value of each input.
+        """The frame of one row of each group.
 
-        For the kinds, see `_examples`.
+        The rows of a group have the same materials and law, and each input has values of one kind (see `_examples`).
         """
-        materials: dict[Material, None] = {}
-        for pair in self.pairs:
-            materials |= dict.fromkeys(material for material in pair if material is not None)
-        noted = [*chain.from_iterable(material.note_radii.values() for material in materials)]
-        of_inputs = [_examples(name, spreads, noted) for name, spreads in self.spreads.items()]
-        rows = [dict(zip(self.spreads, row, strict=True)) for row in product(*of_inputs)]
+        radii_of_notes: list[Interval] = []
+        for material in dict.fromkeys(chain.from_iterable(self.pairs)):
+            if material is not None:
+                radii_of_notes += material.note_radii.values()
+        examples = [_examples(name, spreads, radii_of_notes) for name, spreads in self.spreads.items()]
+        rows = [dict(zip(self.spreads, row, strict=True)) for row in product(*examples)]
         return [self.frame(row, *pair, model=model) for pair, row, model in product(self.pairs, rows, self.models)]
 
     def wanted(self, quantities: Sequence[str], named: Sequence[str], *, keeps_all: bool = False) -> Wanted:
@@ -128,18 +128,23 @@ class Sweep:
 
         `keeps_all`: True to keep numbers without a meaning. Raises a Failure if no quantity applies to any row.
         """
-        shown = {*named, *chain.from_iterable(self.shown(frame, quantities, named) for frame in self.groups)}
+        groups = [(frame, self.shown(frame, quantities, named)) for frame in self.groups]
+        shown = {*named, *chain.from_iterable(of_group for _, of_group in groups)}
         if not shown:
             raise Failure(OF_IDENTICAL_SPHERES)
-        names = [name for name in quantities if name in shown]
-        groups = [(frame, self.shown(frame, names, named)) for frame in self.groups]
         inputs = set()
         for frame, of_group in groups:
             inputs |= {*frame.echo(frame.inputs_used(of_group))}
-        inputs_shown = in_order(inputs - shown)
-        return Wanted(names, named=named, inputs=inputs_shown, sides=sides_in(groups), keeps_all=keeps_all)
+        return Wanted(
+            [name for name in quantities if name in shown],
+            named=named,
+            inputs=in_order(inputs - shown),
+            sides=sides_in(groups),
+            keeps_all=keeps_all,
+        )
 
-    def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> Wanted:
+    @staticmethod
+    def headline(quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> Wanted:
         """Return the columns of a question's main results only, as for `--bare`; numbers without a meaning are kept.
 
         Where the spheres differ, quantities of identical spheres are shown only if they were asked for by name.
@@ -150,44 +155,43 @@ class Sweep:
     def noted(self, wanted: Wanted) -> Iterable[tuple[Frame, Sequence[str]]]:
         """Return a frame of each group of rows, with the quantities that notes judge.
 
-        These are the quantities to show; the measured quantities replace an inferred input.
+        These are the quantities to show, with the measured quantities in place of an inferred input.
         """
         return [(frame.filled, frame.judged(self.shown(frame, wanted.names, wanted.named))) for frame in self.groups]
 
     def shown(self, frame: Frame, quantities: Sequence[str], named: Collection[str]) -> list[str]:
-        """Return the quantities that were asked for by name, or apply to some row of a group."""
+        """Return the quantities that were asked for by name, or apply to some row of the frame's group."""
         shows = frame.shows_to_identical if any(map(self._may_be_alike, self.spreads)) else frame.shows
         return [name for name in quantities if name in named or shows(name)]
 
     def _may_be_alike(self, name: str) -> bool:
-        """Return whether values of sphere 2 may equal those of sphere 1 in some rows but not in others."""
+        """Return whether an input of sphere 2 may equal that of sphere 1 in some rows, but not in others."""
         if NOMENCLATURE[name].sphere != 2:
             return False
         of_first = computed_as(of_sphere(1, name))
-        first = ""
-        for other in self.spreads:
-            if computed_as(other) == of_first:
-                first = other
-                break
-        sizes = [sum(map(len, self.spreads.get(each, ()))) for each in (name, first)]
-        if max(sizes) <= 1:
+        first = next((other for other in self.spreads if computed_as(other) == of_first), "")
+        if all(starts[-1] == 1 for other, starts in self.starts.items() if other in (name, first)):
             return False
-        if {name, first} in _MODULI_OF_TWO_KINDS:  # E = 2G(1 + ν)
+        if {name, first} in _MODULI_OF_TWO_KINDS:  # ν decides whether they are equal
             return True
-        ends_of_1 = self._ends(first)
-        if not first:
+        if first:
+            ends_of_1 = self._ends(first)
+        else:
             values = (solid.properties.get(of_first) for solid, _ in self.pairs if solid is not None)
             ends_of_1 = [(value, value) for value in values if value is not None]
-        for low, high in self._ends(name):
-            for low_of_1, high_of_1 in ends_of_1:
-                if low <= high_of_1 and low_of_1 <= high:
-                    return True
+        for (least, most), (least_of_1, most_of_1) in product(self._ends(name), ends_of_1):
+            if least <= most_of_1 and least_of_1 <= most:
+                return True
         return False
 
     def _ends(self, name: str) -> list[tuple[float, float]]:
-        """Return the ends of the lists and ranges of an input, converted to radii for a diameter."""
+        """Return the least and the largest value of each list and range of an input; a diameter counts as a radius."""
         factor = _RADII.get(name, 1.0)
-        return [(factor * spread.low, factor * spread.high) for spread in self.spreads.get(name, ())]
+        ends = []
+        for spread in self.spreads[name]:
+            least, most = sorted((spread.low, spread.high))
+            ends.append((factor * least, factor * most))
+        return ends
 
     # --- Columns ------------------------------------------------------------------------------------------------------
 
@@ -201,61 +205,72 @@ class Sweep:
             yield columns
             return
         for start in range(0, size, BLOCK):
-            yield evaluated(wanted, Lists(self, start, min(start + BLOCK, size)))
+            yield evaluated(wanted, BlockOfSweep(self, start, min(start + BLOCK, size)))
 
 
-def _examples(name: str, spreads: Sequence[Spread], noted: Iterable[Interval] = ()) -> list[Any]:
+def _value_at(spread: Spread, position: int) -> float | Uncertain:
+    """Return a value of a list or range by its index, with its uncertainty if it has one."""
+    return spread.value(position) if spread.uncertain is None else spread.uncertain
+
+
+def _examples(name: str, spreads: Sequence[Spread], radii_of_notes: Iterable[Interval] = ()) -> list[Any]:
     """Return an example of each kind of value that an input has.
 
-    The kinds are: a number, each kind of uncertainty, a special value (see `FOLLOWS`), and a radius in each of the
-    ranges `noted`, to which notes of the materials apply.
+    The kinds are: a number, each kind of uncertainty, a special value (see `FOLLOWS`) at an end of a range, and a
+    radius in each of the ranges to which notes of the materials apply.
     """
     special = FOLLOWS[name][0] if name in FOLLOWS else None
-    values: dict[object, Any] = {}
+    examples: dict[object, Any] = {}  # by kind
     for spread in spreads:
-        mark = spread.uncertainty.kind if spread.uncertainty is not None else spread.low == special
-        values.setdefault(mark, spread.uncertainty or spread.low)
+        if spread.uncertain is not None:
+            examples.setdefault(spread.uncertain.kind, spread.uncertain)
+        else:
+            for end in (spread.low, spread.high):
+                examples.setdefault("special" if end == special else "number", end)
     if name in _RADII:
-        for radii in noted:
+        for radii in radii_of_notes:
             example = _value_in(radii.low / _RADII[name], radii.high / _RADII[name], spreads)
             if example is not None:
-                values[radii] = example
-    return [*dict.fromkeys(values.values())]
+                examples[radii] = example
+    return [*dict.fromkeys(examples.values())]
 
 
 def _value_in(low: float, high: float, spreads: Iterable[Spread]) -> float | Uncertain | None:
     """Return the least value from `low` up to `high` in the first list or range that has one; else None."""
     for spread in spreads:
-        rising = range(len(spread))[:: 1 if spread.low <= spread.high else -1]
-        above = rising[bisect_left(rising, low, key=spread.value) :]
-        if above and spread.value(above[0]) <= high:
-            return spread.uncertainty or spread.value(above[0])
+        positions = range(len(spread))
+        rising = positions if spread.low <= spread.high else positions[::-1]
+        from_low = rising[bisect_left(rising, low, key=spread.value) :]
+        if from_low and spread.value(from_low[0]) <= high:
+            return _value_at(spread, from_low[0])
     return None
 
 
 # --- Blocks -----------------------------------------------------------------------------------------------------------
 
 
-class Lists:
-    """A block of rows of a call; rows with the same materials and law are marked alike."""
+class BlockOfSweep:
+    """A block of rows of a sweep; rows with the same materials and law have the same marks."""
 
     def __init__(self, sweep: Sweep, start: int, stop: int) -> None:
         """`start`, `stop`: the rows of the sweep, as in `range`."""
         import numpy
 
         pairs, *positions, laws = numpy.unravel_index(numpy.arange(start, stop), sweep.counts)
-        self.sweep, self.start, self.pairs, self.laws = sweep, start, pairs, laws
-        self.fixed = {name: sweep.value(name, 0) for name, starts in sweep.starts.items() if starts[-1] == 1}
-        self.size = stop - start
+        self.sweep, self.start, self.size = sweep, start, stop - start
+        self.pairs, self.laws = pairs, laws  # indices, for each row
+        self.fixed: dict[str, Any] = {}  # inputs with a single value
         numbers = {}
-        for name, of_input in zip(sweep.spreads, positions, strict=True):
-            if name not in self.fixed:
-                numbers[name] = self._numbers(name, of_input)
+        for name, of_rows in zip(sweep.spreads, positions, strict=True):
+            if sweep.starts[name][-1] == 1:
+                self.fixed[name] = sweep.value(name, 0)
+            else:
+                numbers[name] = self._numbers(name, of_rows)
         self.numbers: Mapping[str, Numbers] = numbers
         self.marks: Sequence[Any] = [pairs, laws]
 
     def frame(self, given: Mapping[str, Any], rows: Indices) -> Any:
-        """Return the frame of the inputs of rows in a group."""
+        """Return the frame of some rows of a group. `given`: their inputs, without those in `fixed`."""
         pair, model = self.sweep.pairs[self.pairs[rows[0]]], self.sweep.models[self.laws[rows[0]]]
         return self.sweep.frame({**self.fixed, **given}, *pair, model=model)
 
@@ -267,11 +282,8 @@ class Lists:
         """Return the values of an input. `positions`: their indices in its lists and ranges."""
         import numpy
 
-        distinct, back = numpy.unique(positions, return_inverse=True)
-        values = [*map(partial(self.sweep.value, name), distinct.tolist())]
-        numbers = numpy.array([value if isinstance(value, float) else value.value for value in values])
-        uncertain = {}
-        for row, position in enumerate(back):
-            if not isinstance(values[position], float):
-                uncertain[row] = values[position]
-        return Numbers(numbers[back], (), uncertain)
+        distinct, index_of = numpy.unique(positions, return_inverse=True)
+        values = [self.sweep.value(name, position) for position in distinct.tolist()]
+        numbers = numpy.array([*map(middle, values)])
+        uncertain = {row: values[index] for row, index in enumerate(index_of) if is_uncertain(values[index])}
+        return Numbers(numbers[index_of], uncertain=uncertain)

@@ -23,9 +23,9 @@ from .frame import Frame, Variant, itself
 from .plan import in_order
 from .reasons import NoErrorBar, explanation_of
 
-MAX_RANGES = 8  # in one problem, since every corner of their box is computed
-ASYMMETRIC = 0.1  # relative difference of minus and plus above which both are given
-STEPS = 64  # along each edge of the box of ranges; with sources of both kinds, in each decade of an edge
+MAX_RANGES = 8  # of quantities that are computed together, since every corner of the box is computed
+ASYMMETRIC = 0.1  # relative difference of minus and plus above which they are not replaced by their mean
+STEPS = 64  # along each edge of the box of ranges; with sources of both kinds, fewer on an edge shorter than a decade
 ROUNDING = 4e-15  # relative change of a value that may come from rounding
 
 
@@ -38,9 +38,14 @@ class Source(NamedTuple):
     names: tuple[str, ...]
     given: Uncertain
 
+    @property
+    def name(self) -> str:
+        """The first of these inputs."""
+        return self.names[0]
+
 
 class Sources(NamedTuple):
-    """The sources that enter a result."""
+    """The sources that enter some results."""
 
     entering: Sequence[Source]
 
@@ -63,17 +68,11 @@ class Sources(NamedTuple):
         return given
 
     @property
-    def type(self) -> type[Uncertain]:
-        """The type of a result's uncertainty: a range if any source is one."""
-        return Interval if self.ranges else Measured
-
-    @property
     def sides(self) -> set[str]:
-        """The sides of a result's uncertainty: low and high, or minus and plus; empty without a source."""
-        return {*_SIDES[self.type]} if self.entering else set()
-
-
-_SIDES: Mapping[type[Uncertain], tuple[str, str]] = {Interval: ("low", "high"), Measured: ("minus", "plus")}
+        """The sides of a result's uncertainty: low and high if any source is a range; empty without a source."""
+        if not self.entering:
+            return set()
+        return {"low", "high"} if self.ranges else {"minus", "plus"}
 
 
 def sources_of(frame: Frame, used: Collection[str]) -> Sources:
@@ -94,18 +93,18 @@ def _sources(frame: Frame) -> list[Source]:
     for name in in_order(frame.uncertainties):
         if name == XI and name in frame.data and not {"radius", "radius2"}.isdisjoint(frame.unknowns):
             continue  # the range of ξ depends on the unknown radius
-        value: Any = name
+        key: Any = name
         if name in frame.data:
             material, of_material = frame.data[name]
-            value = material.key, of_material
-        names_of.setdefault(value, []).append(name)
+            key = material.key, of_material
+        names_of.setdefault(key, []).append(name)
     if "radius" in names_of and "radius2" not in frame.given:
         names_of["radius"].append("radius2")
     return [Source(tuple(names), frame.uncertainties[names[0]]) for names in names_of.values()]
 
 
 def sources_of_results(frame: Frame, names: Sequence[str]) -> Sources:
-    """Return the sources of those quantities that a frame determines."""
+    """Return the sources of those of the quantities that the frame determines."""
     return sources_of(frame, frame.inputs_of(*frame.possible(names)))
 
 
@@ -117,9 +116,9 @@ class ErrorBar(NamedTuple):
 
     type: type[Uncertain]
     sides: Mapping[str, Any]
-    # The change that each source causes, or the mean width of the range, by the first input of the source.
+    # By the first input of each source: the size of the change that it causes or, for a range, the mean width.
     parts: Mapping[str, Any] = MappingProxyType({})
-    open_at: Any = 0  # the number, from 1, of the first point where the quantity has no value; 0 for none
+    open_at: Any = 0  # the number, from 1, of the first point where the quantity has no value; 0 if there is none
 
     def of(self, value: Any) -> Uncertain:
         """Return a value with this uncertainty."""
@@ -148,8 +147,10 @@ class ErrorBar(NamedTuple):
 def number_of_points(frame: Frame, names: Sequence[str]) -> int:
     """Return the number of points at which quantities are computed, as their sources move. Raises a JkrollError."""
     sources = sources_of_results(frame, names)
-    corners, interior = 1 << len(sources.ranges), sum(steps - 1 for steps in _steps_of(sources))
-    return max((bool(sources.ranges) + 2 * len(sources.standard)) * corners + interior * corners // 2, 1)
+    corners = 1 << len(sources.ranges)
+    at_each_corner = 2 * len(sources.standard) + (1 if sources.ranges else 0)
+    inside_edges = corners // 2 * sum(steps - 1 for steps in _steps_of(sources))
+    return max(corners * at_each_corner + inside_edges, 1)
 
 
 def error_bars(
@@ -157,8 +158,8 @@ def error_bars(
 ) -> dict[str, ErrorBar]:
     """Return the uncertainties of quantities of a frame, or of a variant of it.
 
-    Quantities without a finite value are left out, and so are quantities that no source changes. `sources`: the sources
-    to move, by default all that enter the quantities.
+    Quantities without a finite value in any row are left out, and so are quantities that no source changes. `sources`:
+    the sources to move, by default all that enter the quantities.
     """
     middle, names = made_of(frame), [*names]
     columns = {name: column for name, column in middle.columns(names).items() if not column.is_empty}
@@ -178,7 +179,7 @@ def no_error_bar(frame: Frame, name: str, bar: ErrorBar, row: int = 0, sources: 
     """Return the error of a row without an uncertainty, which states why the quantity has no value at a point."""
     points = points_of(frame, sources or sources_of_results(frame, [name]))
     index = at_row(bar.open_at, row) - 1
-    # Computed on its own, the point may have a value because of rounding.
+    # Computed on its own, the row may have a value at this point because of rounding.
     reasons = _at_points(frame, points, itself, [name])[name].reasons
     moved = frame.replace(**points[index])
     moved.column(name)
@@ -188,7 +189,7 @@ def no_error_bar(frame: Frame, name: str, bar: ErrorBar, row: int = 0, sources: 
 def _at_points(
     frame: Frame, points: Sequence[Mapping[str, Any]], made_of: Variant, names: Sequence[str]
 ) -> dict[str, Column]:
-    """Return columns of quantities whose first axis runs over points of the sources; lists for a single row."""
+    """Return a column for each quantity, whose first axis runs over points; for a single row, a list over points."""
     moved = {}
     if not frame.shape and len(points) <= frame.few:
         rows = [made_of(frame.replace(**point)).columns(names) for point in points]
@@ -213,22 +214,19 @@ def _at_points(
 
 def _error_bar(column: Column, moved: Column, sources: Sources) -> ErrorBar | None:
     """Return the uncertainty of a column, from its values at all points; None if no row has an uncertainty."""
-    value, parts = column.values, dict[str, Any]()
-    if sources.ranges:
-        sides = _range(value, moved.values, sources, parts)
-    else:
-        sides = _quadrature(value, moved.values, sources, parts)
-    is_still = reduce(at_least, parts.values()) <= ROUNDING * absolute(value)
+    value, combined = column.values, _range if sources.ranges else _quadrature
+    bar = combined(value, moved.values, sources)
+    is_still = reduce(at_least, bar.parts.values()) <= ROUNDING * absolute(value)
     lacks_value = (column.reasons != 0) | (absolute(value) == INFINITY)
     open_at = where(lacks_value, 0, _first(moved.reasons))
     is_open = is_still | lacks_value | (open_at != 0)
     if is_open is True:
-        return ErrorBar(sources.type, {}, open_at=open_at) if open_at else None
-    return ErrorBar(sources.type, {side: where(is_open, nan, end) for side, end in sides.items()}, parts, open_at)
+        return ErrorBar(bar.type, {}, open_at=open_at) if open_at else None
+    return bar.without(is_open)._replace(open_at=open_at)
 
 
 def _largest(values: Any) -> float:
-    """Return the largest element; a number itself."""
+    """Return the largest element of an array; a number unchanged."""
     return values if isinstance(values, NUMBER) else float(values.max())
 
 
@@ -243,19 +241,19 @@ def _first(reasons: Any) -> Any:
 
 
 def points_of(frame: Frame, sources: Sources) -> list[dict[str, Any]]:
-    """Return the points to which the sources move. The ξ of a material moves within its range at the point's radii."""
+    """Return the points to which the sources move. The range of a material's ξ is that at the radii of each point."""
     if XI not in sources.given or XI not in frame.data:
         return _points_of(sources)
-    shares = []
+    entering = []
     for source in sources.entering:
-        shares.append(source._replace(given=_SHARE) if XI in source.names else source)
-    return [_at_share(frame, point) for point in _points_of(Sources(shares))]
+        entering.append(source._replace(given=_POSITION) if XI in source.names else source)
+    return [_at_position(frame, point) for point in _points_of(Sources(entering))]
 
 
-_SHARE = Interval(0.5, 0.0, 1.0)  # the position within a range, on a logarithmic scale
+_POSITION = Interval(0.5, 0.0, 1.0)  # within a range, on a logarithmic scale
 
 
-def _at_share(frame: Frame, point: Mapping[str, Any]) -> dict[str, Any]:
+def _at_position(frame: Frame, point: Mapping[str, Any]) -> dict[str, Any]:
     """Return a point that has ξ in place of its position within the range of the material's ξ."""
     radii = {name: point[name] for name in ("radius", "radius2") if name in point}
     displacement: Any = (frame.replace(**radii) if radii else frame).displacement
@@ -266,7 +264,7 @@ def _points_of(sources: Sources) -> list[dict[str, Any]]:
     """Return the points of sources: those of each corner of the box of ranges, then those inside its edges.
 
     At a corner, each standard uncertainty moves to both of its ends, with the others at their middles. With ranges, the
-    corner itself comes first; without them, the only corner is known.
+    corner itself comes first; without them, the only corner is the value, which needs no point.
 
     A range moves along an edge, with the others at a corner of their box. A quantity without a turning point is largest
     at a corner. A quantity set by the weaker body has a ridge where the two bodies are equally weak; it is largest at a
@@ -332,16 +330,12 @@ def _divided(values: Any, size: int) -> list[Any]:
     return [values[start : start + size] for start in range(0, len(values), size)]
 
 
-def _quadrature(value: Any, moved: Any, sources: Sources, parts: dict[str, Any]) -> Mapping[str, Any]:
-    """Return the two sides of a standard uncertainty, from the values at both ends of each source.
-
-    `parts` gets the size of the change that each source causes.
-    """
+def _quadrature(value: Any, moved: Any, sources: Sources) -> ErrorBar:
+    """Return a standard uncertainty, from the values at both ends of each source."""
     changes = _changes(value, moved)
-    for source, change in zip(sources.standard, changes, strict=True):
-        parts[source.names[0]] = hypot(*change)
     minus, plus = _sides(changes)
-    return {"minus": minus, "plus": plus}
+    parts = {source.name: hypot(*change) for source, change in zip(sources.standard, changes, strict=True)}
+    return ErrorBar(Measured, {"minus": minus, "plus": plus}, parts)
 
 
 def _changes(value: Any, moved: Any) -> list[tuple[Any, Any]]:
@@ -354,7 +348,10 @@ def _changes(value: Any, moved: Any) -> list[tuple[Any, Any]]:
 
 
 def _sides(changes: Sequence[tuple[Any, Any]]) -> tuple[Any, Any]:
-    """Return the changes downwards and upwards, added in quadrature; their mean if they differ by at most 10 %."""
+    """Return the changes downwards and upwards, added in quadrature.
+
+    If the two sums differ by at most 10 %, both are replaced by their mean.
+    """
     if not changes:
         return 0.0, 0.0
     minus, plus = (hypot(*sizes) for sizes in zip(*changes, strict=True))
@@ -363,33 +360,36 @@ def _sides(changes: Sequence[tuple[Any, Any]]) -> tuple[Any, Any]:
     return where(alike, middle, minus), where(alike, middle, plus)
 
 
-def _range(value: Any, moved: Any, sources: Sources, parts: dict[str, Any]) -> Mapping[str, Any]:
-    """Return the least and the largest value at all points; a standard uncertainty extends the value at a corner.
-
-    `parts` gets the mean width along the edges of each range, and the mean width of each standard uncertainty.
-    """
-    count, size = len(sources.ranges), 1 + 2 * len(sources.standard)
-    corners, first = _divided(moved[: size << count], size), size << count
-    least, most = value, value
+def _range(value: Any, moved: Any, sources: Sources) -> ErrorBar:
+    """Return the range of the values at all points; at a corner, the standard uncertainty extends it."""
+    size = 1 + 2 * len(sources.standard)
+    interior = size << len(sources.ranges)  # the index of the first point inside an edge
+    corners = _divided(moved[:interior], size)
+    low, high = value, value
+    parts: dict[str, Any] = dict.fromkeys((source.name for source in sources.entering), 0.0)
     for middle, *ends in corners:
         changes = _changes(middle, ends)
         minus, plus = _sides(changes)
-        least, most = at_most(least, middle - minus), at_least(most, middle + plus)
+        low, high = at_most(low, middle - minus), at_least(high, middle + plus)
         for source, change in zip(sources.standard, changes, strict=True):
-            parts[source.names[0]] = parts.get(source.names[0], 0.0) + sum(change) / len(corners)
-    for number, (source, steps) in enumerate(zip(sources.ranges, _steps_of(sources), strict=True)):
-        width: Any = 0
-        for low_corner, high_corner in _edges(corners, count - 1 - number):
-            edge = [low_corner[0], *moved[first : first + steps - 1], high_corner[0]]
-            low, high = reduce(at_most, edge), reduce(at_least, edge)
-            least, most, width = at_most(least, low), at_least(most, high), width + (high - low)
-            first += steps - 1
-        parts[source.names[0]] = width / (len(corners) / 2)
-    return {"low": least, "high": most}
+            parts[source.name] += sum(change) / len(corners)
+    edges_per_range = len(corners) // 2
+    for source, edge in _edges([middle for middle, *_ in corners], moved[interior:], sources):
+        least, most = reduce(at_most, edge), reduce(at_least, edge)
+        low, high = at_most(low, least), at_least(high, most)
+        parts[source.name] += (most - least) / edges_per_range
+    return ErrorBar(Interval, {"low": low, "high": high}, parts)
 
 
-def _edges(corners: Sequence[Any], bit: int) -> Iterator[tuple[Any, Any]]:
-    """Iterate over the pairs of corners that an edge connects. `bit`: that of the range in the number of a corner."""
-    for number, corner in enumerate(corners):
-        if not number >> bit & 1:
-            yield corner, corners[number | 1 << bit]
+def _edges(corners: Sequence[Any], interior: Any, sources: Sources) -> Iterator[tuple[Source, Sequence[Any]]]:
+    """Iterate over the edges of the box of ranges: the range that moves along an edge, and the values on this edge.
+
+    `corners`: the values at the corners; `interior`: those inside the edges, in the order of `_points_of`.
+    """
+    first = 0
+    for number, (source, steps) in enumerate(zip(sources.ranges, _steps_of(sources), strict=True), 1):
+        bit = len(corners) >> number  # in the number of a corner, 1 if this range is at its upper end
+        for at_low, value in enumerate(corners):
+            if not at_low & bit:
+                yield source, [value, *interior[first : first + steps - 1], corners[at_low | bit]]
+                first += steps - 1

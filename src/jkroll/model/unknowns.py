@@ -33,10 +33,10 @@ SIZES = {
 class Unsolved(NoResult):
     """Error raised unless exactly one value of the unknowns gives the measured values; subclasses state the reason."""
 
-    cause: Cause  # the cause, in the words of the error
+    cause: Cause  # for reasons in columns
 
     def __init_subclass__(cls) -> None:
-        """Register a cause for each subclass, for reasons in columns."""
+        """Register the cause of a subclass."""
         cls.cause = register(Cause(cls.phrase, cls.phrase))
 
     def __init__(self, problem: "Problem", text: str, span: Sequence[float] = ()) -> None:

@@ -12,7 +12,7 @@ docstring says otherwise, the arguments of a formula are positive, with these ex
 - `radius2` is infinite for a plane, Young's moduli for rigid bodies, `mass2` and `moment_of_inertia2` for a fixed body;
 - Rayleigh frequencies are 0 for a plane and for rigid bodies;
 - `radius_ratio` is 0 on a plane, edge ratios and `contact_radius_at_load` are 0 without contact;
-- `load_margin` is 0 at pull-off, and negative between pull-off and the fold;
+- `load_margin` is 0 at pull-off, and lies between −1 and 0 beyond;
 - Poisson's ratios lie between −1 and 1/2, filling factors below 0.74, humidities below 1; contact angles
   are below π/2, and may be 0.
 """

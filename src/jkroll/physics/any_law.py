@@ -13,7 +13,7 @@ from .dimensions import Energy, Force, Frequency, Length, Mass, Moment, MomentPe
 from .elementary import cbrt, cube, pi, sqrt, within
 
 _WELL_OF_RIGID = 16 / 7 * cbrt(2.0)  # energy to part rigid spheres that attract by the 3-9 law, in πwRz0
-_WORK_OF_RIGID = 0.3083909711882815195  # of it, up to the largest pull: (16/7)∛2 - 18/7 without cancellation
+_WORK_OF_RIGID = 0.3083909711882815195  # the part of this energy up to the largest pull, (16/7)∛2 - 18/7
 
 
 def adhesive_force(*, pull_off_force: Force, load_factor: Number) -> Force:
@@ -243,7 +243,7 @@ def work_of_adhesion_of_hamaker(*, hamaker: Energy, hamaker2: Energy, cutoff: Le
 
 
 def atomic_spacing_of_cutoff(*, cutoff: Length) -> Length:
-    """Return the atomic spacing that gives the 3-9 law the same work of adhesion as the cutoff, for one solid.
+    """Return the atomic spacing with which the 3-9 law has the same work of adhesion as with the cutoff.
 
         z0 = (√3/2)D0
 

@@ -12,7 +12,7 @@ from .elementary import cube, pi, sqrt
 # In units of P_cδ0, which is (81π⁵)^(1/3) γ^(5/3)R^(4/3)/E*^(2/3).
 STICKING_PASZUN_DOMINIK = 0.32895869205467987  # (8π/3) 1.07²/(81π⁵)^(1/3)
 STICKING_PENCIL_CODE = 0.6585009935846583  # 19.2/(81π⁵)^(1/3)
-CLOSEST_PACKING = 0.74  # the largest filling factor of equal spheres
+CLOSEST_PACKING = 0.74  # the largest filling factor of equal spheres, as codes round it
 _BELOW = 8.881784197001253e-18  # 0.74 minus the double nearest to it
 
 

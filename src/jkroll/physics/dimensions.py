@@ -2,8 +2,9 @@
 
 A value is a float or an array of floats; floats give a float, and arrays broadcast. Readers, type checkers and help
 texts use the annotation. The tests call each formula with pint Quantities, and compare the unit of its annotation with
-that of the nomenclature (`typing.get_type_hints` with the names of this module). Evaluating a formula costs no more:
-aliases are texts, and the formulas import `annotations` from `__future__`, so that `help` shows the dimension by name.
+that of the nomenclature (`typing.get_type_hints` with the names of this module). Python does not evaluate the
+annotations: the aliases are texts, and the modules of formulas import `annotations` from `__future__`. So `help` shows
+a dimension by its name.
 """
 
 from typing import Annotated, TypeAlias

@@ -176,7 +176,7 @@ def quotient(value: FloatOrArray, divisor: FloatOrArray, otherwise: float) -> Fl
     (1.5, 1.0)
     """
     is_known = absolute(divisor) > 0
-    if is_known if isinstance(is_known, bool) else is_known.all():  # as nearly always
+    if is_everywhere(is_known):  # as nearly always
         return value / divisor
     return where(is_known, value / where(is_known, divisor, 1.0), otherwise)
 
@@ -188,6 +188,11 @@ def where(condition: Truth, value: FloatOrArray, otherwise: FloatOrArray) -> Flo
     import numpy
 
     return numpy.where(condition, value, otherwise)
+
+
+def is_everywhere(condition: Truth) -> bool:
+    """Return whether a condition holds; for an array, whether it holds in every element."""
+    return condition if isinstance(condition, bool) else bool(condition.all())
 
 
 def is_anywhere(condition: Truth) -> bool:

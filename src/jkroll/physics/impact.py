@@ -91,7 +91,7 @@ def first_yield_pressure(*, yield_strength: Stress, poisson_ratio: Number, poiss
 
         p_y = S_y/max[3/(2(1 + ζ²)) − (1 + ν)(1 − ζ arccot ζ)], which is 1.47 S_y at ν = 0.17, 0.44a deep
 
-    The smaller ν of the two solids is used, as its solid yields first.
+    The smaller ν of the two solids is used, as it gives the lower pressure.
 
     Source:   Hertz' stresses on the axis, by the criterion of von Mises (or Tresca, which is the same there).
     Valid:    0 ≤ ν ≤ 1/2. A contact that is elastic but for a point inside.

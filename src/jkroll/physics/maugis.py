@@ -427,9 +427,8 @@ def pull_off_work_maugis(
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static.
     """
-    fold, unloaded = (
-        _contact_energy(transition_parameter, edge_ratio) for edge_ratio in (edge_ratio_at_fold, unloaded_edge_ratio)
-    )
+    fold = _contact_energy(transition_parameter, edge_ratio_at_fold)
+    unloaded = _contact_energy(transition_parameter, unloaded_edge_ratio)
     return (fold - unloaded) * energy_unit_maugis
 
 

@@ -22,7 +22,8 @@ from ..quantities.laws import law_given
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, named
 from ..quantities.numeric import Numeric
 from ..quantities.shown import Part, Shown, as_text
-from ..quantities.values import QuantityError, Spread, Uncertain, is_uncertain, middle
+from ..quantities.spreads import Spread
+from ..quantities.values import QuantityError, Uncertain, middle
 from ..report.answer import Result
 from ..report.questions import QUESTIONS, Question, columns_in_table, question_about
 from ..report.report import Report
@@ -71,9 +72,9 @@ class Answered(Shown):
     """The answer to a question about one scene.
 
     `values` holds the results by name, `inputs` the inputs that were given or assumed, `doubts` the limits of the
-    model that are exceeded, `best` the best ranges of the values, `surfaces` the
-    pull-off forces of real surfaces, and `notes` all other notes. `as_dict()` returns the
-    object that `--json` prints. Iteration gives the names of the results, as in a dict.
+    model that are exceeded, `best` the best ranges of the values, `surfaces` the pull-off forces of real surfaces, and
+    `notes` all other notes. `as_dict()` returns the object that `--json` prints. Iteration gives the names of the
+    results, as in a dict.
     """
 
     def __init__(self, answer: Report) -> None:
@@ -151,7 +152,7 @@ class Answered(Shown):
     @property
     def drawn(self) -> "Drawn":
         """The force against the approach, as in `jkroll contact --curve`, with a mark at the state of the answer."""
-        from .answer_pictures import curve_with_state
+        from .drawn import curve_with_state
 
         return curve_with_state(self._answer.frame)
 
@@ -262,7 +263,7 @@ class Answers(Shown):
         If no input has several values, the picture has the force curves by each law for a single pair of materials; for
         several pairs, BadRequest is raised.
         """
-        from .answer_pictures import lines_over_input
+        from .drawn import lines_over_input
 
         return lines_over_input(self._question.headline[0], self._sweep)
 
@@ -402,13 +403,13 @@ def answer(
             raise answered.failure
         return Answered(answered)
     _refuse_rows({**words, **given})
-    of_first, of_second, models = (_listed(name, word) for name, word in words.items())
-    firsts = [materials_of(each, None, materials)[0] for each in of_first]
-    seconds = [materials_of(None, each, materials)[1] for each in of_second]
-    laws = [law_given(each, profile) for each in models]
+    solids, solids2, models = (_listed(name, word) for name, word in words.items())
+    firsts = [materials_of(solid, None, materials)[0] for solid in solids]
+    seconds = [materials_of(None, solid, materials)[1] for solid in solids2]
+    laws = [law_given(name, profile) for name in models]
     if len({*laws}) < len(laws):
         raise BadRequest(f"model: {listed(models)} are one law; give each law once")
-    spreads = {name: _spreads(name, each) for name, each in values.items()}
+    spreads = {name: _spreads(name, of_input) for name, of_input in values.items()}
     sweep = Sweep([*product(firsts, seconds)], spreads, laws)
     count = len(sweep)
     if count > sweep.sizes.most_in_table:
@@ -434,22 +435,19 @@ def _is_several(value: Any) -> bool:
 
 def _values(given: Mapping[str, Any]) -> dict[str, list[Any]]:
     """Return the values of inputs in SI units, by name, in the order of the nomenclature. Raises QuantityError."""
-    items = {word: [*value] if isinstance(value, list | tuple) else [value] for word, value in given.items()}
-    for word, each in items.items():
-        if not each:
+    lists = {word: [*value] if isinstance(value, list | tuple) else [value] for word, value in given.items()}
+    for word, of_word in lists.items():
+        if not of_word:
             raise QuantityError(word, "[]", "is an empty list")
-        if isinstance(each[0], list | tuple):
-            raise QuantityError(word, str(each), "is a list of lists", "give a list of values")
-    reader, firsts = Reader(), {word: each[0] for word, each in items.items()}
-    read = reader.in_si(firsts)
+        if isinstance(of_word[0], list | tuple):
+            raise QuantityError(word, str(of_word), "is a list of lists", "give a list of values")
+    reader, firsts = Reader(), {word: of_word[0] for word, of_word in lists.items()}
+    read = reader.in_si(firsts)  # in the order of the words
     warn_of_metres({name: value for name, value in read.items() if isinstance(value, float)}, firsts)
     values: dict[str, list[Any]] = {}
-    for (name, first), (_, *others) in zip(read.items(), items.values(), strict=True):
+    for (name, first), (_, *others) in zip(read.items(), lists.values(), strict=True):
         values[name] = []
-        numbers = [first]
-        for other in others:
-            numbers.append(reader.number(name, other))
-        for value in numbers:
+        for value in [first, *(reader.number(name, other) for other in others)]:
             if getattr(value, "ndim", 0) > 1:
                 raise QuantityError(name, "an array", "has more than one dimension", "give a list of values")
             values[name] += value.tolist() if hasattr(value, "tolist") else [value]
@@ -460,9 +458,8 @@ def _spreads(name: str, values: Iterable[Any]) -> list[Spread]:
     """Return the values of an input as spreads. Raises QuantityError for a value outside its range."""
     spreads = []
     for value in values:
-        number = middle(value)
-        check_range(name, number)
-        spreads.append(Spread(number, number, uncertainty=value if is_uncertain(value) else None))
+        check_range(name, middle(value))
+        spreads.append(Spread.of(value))
     return spreads
 
 

@@ -28,7 +28,10 @@ class Band(NamedTuple):
     by: Any  # the rule of each range, as an index into WORDS
 
     def rules(self, where: Callable[[Any], str] = lambda _: "") -> str:
-        """Return the clause that names the rules in order of appearance, each with the place where it applies."""
+        """Return the clause that names the rules in order of appearance, each with the place that `where` gives it.
+
+        `where`: takes an array that is True where a rule applies; by default, no place is given.
+        """
         rules = [rule for rule in dict.fromkeys(self.by.ravel().tolist()) if rule != NONE]
         words: dict[str, int] = {marked(WORDS[rule]): rule for rule in rules}
         texts = []
@@ -37,29 +40,29 @@ class Band(NamedTuple):
             texts.append(f"“{word}” ({place})" if place else f"“{word}”")
         return f"by the rule{'s' if texts[1:] else ''} {listed(texts)}"
 
-    def key(self, step: int, law: str) -> str:
+    def key_of_map(self, step: int, law: str) -> str:
         """Return the legend's text for a map by this law in which every `step`-th contour has a band."""
         which = "contours" if step == 1 else "thick contours"
-        return f"{which}: {law}; bands: where the best range includes their value, {self.rules()}"
+        return f"{which}: {law}; bands: where they may lie (best ranges {self.rules()})"
 
     def is_seen(self, low: float, high: float, *, is_log: bool) -> bool:
-        """Return True if the band can be seen, in some place, on an axis from `low` to `high`."""
+        """Return True if the band is somewhere wide enough to be seen on an axis from `low` to `high`."""
         scale = numpy.log if is_log else numpy.asarray
-        ends = [scale(numpy.clip(end, low, high)) for end in (self.low, self.high)]
-        return bool(numpy.nanmax(ends[1] - ends[0]) > _SEEN * (scale(high) - scale(low)))
+        bottom, top = (scale(numpy.clip(end, low, high)) for end in (self.low, self.high))
+        return bool(numpy.nanmax(top - bottom) > _SEEN * (scale(high) - scale(low)))
 
     def estimates(self) -> Iterator[Estimate]:
-        """Iterate over the ranges as estimates of single points."""
+        """Iterate over the ranges as the estimates of single points, in which an open end is nan."""
         low, high = (numpy.where(numpy.isinf(end), numpy.nan, end) for end in (self.low, self.high))
         for point in zip(low.tolist(), high.tolist(), self.by.tolist(), strict=True):
             yield Estimate(*point)
 
 
-def band_of(here: Frame, quantity: str, shape: tuple[int, ...]) -> Band | None:
+def band_of(points: Frame, quantity: str, shape: tuple[int, ...]) -> Band | None:
     """Return the best ranges at the points of a frame of arrays; None if there are none, or all are single numbers."""
     best: Estimate | None = None
     with suppress(JkrollError):  # error bars cannot be computed at some points
-        best = estimates(Results(here, here.columns([quantity])), [quantity]).get(quantity)
+        best = estimates(Results(points, points.columns([quantity])), [quantity]).get(quantity)
     if best is None:
         return None
     low, high, by = (numpy.broadcast_to(values, shape) for values in best)

@@ -1,4 +1,4 @@
-"""`jkroll.curve`, `jkroll.map` and `jkroll.figure`: the commands' pictures as arrays and on matplotlib axes."""
+"""Pictures in Python: `jkroll.curve`, `jkroll.map`, `jkroll.figure` and the pictures of answers."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
@@ -10,14 +10,18 @@ from ..materials.library import Material, Materials, known_materials
 from ..model.containers import Reader
 from ..model.frame import Frame
 from ..model.solver import materials_of, refuse_arrays
+from ..model.sweep import Sweep
+from ..quantities.formatting import amount
 from ..quantities.laws import DEFAULT_LAW, law_given
-from ..quantities.markup import plain
+from ..quantities.markup import plain, symbol
+from ..quantities.nomenclature import STATE_OR_LOAD
 from ..report.curve import Loads, loads_of
 from ..report.questions import quantity_named
 from ..text import as_arguments, listed, quoted
-from .figures import PANELS, check_figure, curves_of_contact, figure_named
-from .picture import STYLES, Picture, evaluate
-from .request import SIDE, PlotRequest, axis_of, check_axes, picture_of
+from .contact_curves import PANELS, curves_of_contact
+from .figures import check_figure, figure_named
+from .maps import MAX_CURVES, SIDE, MapRequest, axis_of, check_axes, distinction, picture_of
+from .picture import STYLES, Axis, Mark, Picture, evaluate
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -60,7 +64,7 @@ class Drawn:
 
     @property
     def points(self) -> dict[str, tuple[float | None, float | None]]:
-        """The x and y of each mark; a mark on one axis has None for the other."""
+        """The x and y of each mark, by label; a mark on one axis has None for the other."""
         points: dict[str, tuple[float | None, float | None]] = {}
         for panel in self._picture.panels:
             points |= {plain(mark.text): (mark.x, mark.y) for mark in panel.marks}
@@ -82,12 +86,10 @@ class Drawn:
         _check(style)
         with missing_extra("plot"):
             from .page import draw_on
-        every = [*ax] if isinstance(ax, Iterable) else [ax]
-        if len(every) != len(self._picture.panels):
-            raise BadRequest(
-                f"ax: the picture has {len(self._picture.panels)} panels, and {len(every)} axes were given"
-            )
-        for panel, axes in zip(self._picture.panels, every, strict=True):
+        given, panels = [*ax] if isinstance(ax, Iterable) else [ax], self._picture.panels
+        if len(given) != len(panels):
+            raise BadRequest(f"ax: the picture has {len(panels)} panels, and {len(given)} axes were given")
+        for panel, axes in zip(panels, given, strict=True):
             draw_on(axes, panel, STYLES[style])
         return ax
 
@@ -107,7 +109,8 @@ class Drawn:
         with missing_extra("plot"):
             from .page import draw
         content = draw(self._picture, "png", None, "paper", has_caption=True)
-        return content, {"width": int.from_bytes(content[16:20]) // 2}  # bytes 16 to 19 of a PNG are its width
+        width_in_pixels = int.from_bytes(content[16:20])  # these four bytes of a PNG
+        return content, {"width": width_in_pixels // 2}
 
     def __repr__(self) -> str:
         return f"<Drawn: {listed([*self.lines] or [plain(self._picture.title)])}>"
@@ -168,11 +171,20 @@ def curve(
     described = _inputs_of_one_contact(given)
     solids = materials_of(material, material2, materials)
     models = [model] if model is None or isinstance(model, str) else [*model]
-    frames = [Frame(described, *solids, model=law_given(each, profile)) for each in models]
-    loads = loads_of(load) if isinstance(load, str) else load and Loads(float(load[0]), float(load[1]))
-    if loads and not loads.low < loads.high:
+    frames = [Frame(described, *solids, model=law_given(name, profile)) for name in models]
+    return Drawn(*curves_of_contact(frames, _loads(load), panel))
+
+
+def _loads(load: str | tuple[float, float] | None) -> Loads | None:
+    """Return the loads at the ends of a curve; None without `load`. Raises BadRequest and QuantityError."""
+    if isinstance(load, str):
+        return loads_of(load)
+    if not load:
+        return None
+    low, high = load
+    if not low < high:
         raise BadRequest("load: write the lower end first, as in (-5e-9, 20e-9)")
-    return Drawn(*curves_of_contact(frames, loads or None, panel))
+    return Loads(float(low), float(high))
 
 
 def map(
@@ -216,11 +228,12 @@ def map(
     ((2, 3), '4.712e-10 N')
     """
     described = _inputs_of_one_contact(given)
-    known, law, name = materials or known_materials(), law_given(model, profile), quantity_named(quantity)
-    across, up = axis_of(x, "x"), axis_of(y, "y") if y is not None else None
-    check_axes(name, [axis for axis in (across, up) if axis is not None], described, (law or DEFAULT_LAW,))
+    law, name = law_given(model, profile), quantity_named(quantity)
+    across = axis_of(x, "x")
+    up = axis_of(y, "y") if y is not None else None
+    check_axes(name, [across] if up is None else [across, up], described, (law or DEFAULT_LAW,))
     frame = Frame(described, *materials_of(material, material2, materials), model=law)
-    return Drawn(*picture_of(PlotRequest(name, across, up, (("", frame),), marks, known)))
+    return Drawn(*picture_of(MapRequest(name, across, up, (("", frame),), marks, materials or known_materials())))
 
 
 def figure(
@@ -231,13 +244,13 @@ def figure(
     Parameters
     ----------
     name
-        "2", "3a" to "3d", "6a", "6b", "8", "9", "laws", or "geometry", a sketch without data.
+        "2", "3a" to "3d", "6a", "6b", "8", "9", "laws", or "geometry", a sketch without values.
     marks
         Grains to mark, as "quartz@100nm".
     materials
         The library in which materials are looked up.
     as_printed
-        Also draw the curves as printed in the paper, where they differ.
+        True to draw also the curves as printed in the paper; for figure "6b" only.
 
     Returns
     -------
@@ -253,3 +266,55 @@ def figure(
     """
     check_figure(name, {"marks": marks, "as_printed": as_printed})
     return Drawn(figure_named(name, materials or known_materials(), marks, as_printed=as_printed))
+
+
+# --- The pictures of answers ------------------------------------------------------------------------------------------
+
+
+def curve_with_state(frame: Frame) -> Drawn:
+    """Return the force curve of a contact, with a mark at the stated load or state, if it lies in the panel."""
+    picture, notes = curves_of_contact([_unloaded(frame)], None, "force")
+    state = frame.numbers("approach_at_load", "load") if STATE_OR_LOAD & frame.stated.keys() else {}
+    if len(state) == 2:
+        (panel,) = picture.panels
+        mark = Mark(f"{symbol('load')} = {amount('load', state['load'])}", *state.values())
+        if panel.x.has(mark.x) and panel.y.has(mark.y):
+            picture = picture._replace(panels=(panel._replace(marks=(*panel.marks, mark)),))
+    return Drawn(picture, notes)
+
+
+def _unloaded(frame: Frame) -> Frame:
+    """Return a frame without its load or state."""
+    stated = {name: value for name, value in frame.stated.items() if name not in STATE_OR_LOAD}
+    return Frame(stated, frame.material, frame.material2, model=frame.stated_model)
+
+
+def lines_over_input(quantity: str, sweep: Sweep) -> Drawn:
+    """Return a picture of a quantity over the input with the most values, with a line for each combination of the rest.
+
+    If no input has several values, the laws of one contact are compared by their force curves.
+    """
+    counts = {}
+    for name, spreads in sweep.spreads.items():
+        count = len({spread.low for spread in spreads})
+        if count > 1:
+            counts[name] = count
+    if not counts and len(sweep.pairs) == 1:
+        return Drawn(*curves_of_contact([_unloaded(frame) for frame in sweep.frames()], None, "force"))
+    if not counts:
+        remedy = 'give several values of one, such as radius=["10 nm", "1 um"], or plot one answer'
+        raise BadRequest(f"no input has several values to draw over: {remedy}")
+    name = max(counts, key=counts.__getitem__)
+    values = [spread.low for spread in sweep.spreads[name]]
+    low, high = min(values), max(values)
+    x = Axis(name, low, high, is_log=low > 0)
+    others = {other: spreads for other, spreads in sweep.spreads.items() if other != name}
+    check_axes(quantity, [x], others, tuple(model or DEFAULT_LAW for model in sweep.models))
+    rest = Sweep(sweep.pairs, others, sweep.models)
+    if len(rest) > MAX_CURVES:
+        raise BadRequest(f"{len(rest)} lines are more than the {MAX_CURVES} that can be told apart")
+    several = [other for other in counts if other != name]
+    frames = []
+    for frame in rest.frames():
+        frames.append((distinction(frame, several, sweep.models), frame))
+    return Drawn(*picture_of(MapRequest(quantity, x, None, tuple(frames), (), known_materials())))

@@ -1,4 +1,4 @@
-"""Draw the field of a quantity over two inputs: bands, contours, the limits of the model, and the part without values.
+"""Draw the field of a quantity over two inputs: contours, best ranges, limits of the model, the part without values.
 
 All lines are found on a fine mesh. Positions on the mesh are counted in steps, so that both axes are linear. The edge
 of the part without values is found by bisection between the points of the mesh.
@@ -38,7 +38,7 @@ _ABOUT_TEETH = "the teeth of a line point to where its limit is exceeded"
 _LEAST_LABELLED = 2 / 3  # if fewer of the contours have a text, the legend has a scale
 _PALE = 0.55  # opacity of the paper's colour in a band of best ranges
 _CERTAIN, _UNCERTAIN = 201, 41  # points along each side for best ranges, without and with uncertain inputs
-_ROUGH = 0.1  # second difference above which an end of best ranges is not linear, over the distance of contours
+_ROUGH = 0.1  # second difference, over the distance of contours, above which an end of best ranges is not linear
 _TOOTH, _APART = 2.5, 6.0  # length and distance of the teeth of a bound, in points
 _FARTHEST = 20.0  # an infinite end of a band is drawn farther than this from every contour
 
@@ -55,20 +55,23 @@ class Mesh:
 
     def points(self, steps: Any) -> Any:
         """Return points of the picture, given their positions in steps."""
-        every = []
+        coordinates = []
         for axis, position in zip(self.axes, numpy.asarray(steps).T, strict=True):
             share = position / (axis.size - 1)
-            between = axis.low + (axis.high - axis.low) * share
-            every.append(axis.low * (axis.high / axis.low) ** share if axis.is_log else between)
-        return numpy.stack(every, axis=1)
+            if axis.is_log:
+                coordinates.append(axis.low * (axis.high / axis.low) ** share)
+            else:
+                coordinates.append(axis.low + (axis.high - axis.low) * share)
+        return numpy.stack(coordinates, axis=1)
 
     def steps(self, points: Any) -> Any:
         """Return the positions of points of the picture in steps; the inverse of `points`."""
-        every = []
+        positions = []
         for axis, value in zip(self.axes, numpy.asarray(points).T, strict=True):
             scale = numpy.log if axis.is_log else numpy.asarray
-            every.append((axis.size - 1) * (scale(value) - scale(axis.low)) / (scale(axis.high) - scale(axis.low)))
-        return numpy.stack(every, axis=1)
+            share = (scale(value) - scale(axis.low)) / (scale(axis.high) - scale(axis.low))
+            positions.append((axis.size - 1) * share)
+        return numpy.stack(positions, axis=1)
 
     def lines(self, values: Any, level: float) -> list[Any]:
         """Return the contour lines of values on the mesh at a level, in points of the picture."""
@@ -80,13 +83,11 @@ class Mesh:
 
     def path(self, rings: Sequence[Any]) -> Path:
         """Return the area within closed lines that are given in steps of the mesh."""
-        simple = [self.points(simplified(ring)) for ring in rings]
-        codes = []
-        for ring in simple:
-            codes.append([Path.MOVETO, *[Path.LINETO] * (len(ring) - 2), Path.CLOSEPOLY])
-        if not simple:
+        outlines = [self.points(simplified(ring)) for ring in rings]
+        if not outlines:
             return Path(numpy.empty((0, 2)))
-        return Path(numpy.concatenate(simple), numpy.concatenate(codes))
+        codes = [[Path.MOVETO, *[Path.LINETO] * (len(line) - 2), Path.CLOSEPOLY] for line in outlines]
+        return Path(numpy.concatenate(outlines), numpy.concatenate(codes))
 
 
 def _lines(values: Any, level: float) -> Any:
@@ -133,7 +134,10 @@ def finer(values: Any) -> Any:
 
 
 def rough(values: Any, heights: Sequence[float]) -> Any:
-    """Return which points of the fine mesh are in cells of a coarser one where values cross a height, not linearly."""
+    """Return True for points of the fine mesh in cells of a coarser one where values cross a height and are not linear.
+
+    `values`: those on the coarser mesh.
+    """
     bend = numpy.zeros(values.shape)
     bend[1:-1] = abs(numpy.diff(values, 2, axis=0))
     bend[:, 1:-1] = numpy.maximum(bend[:, 1:-1], abs(numpy.diff(values, 2, axis=1)))
@@ -191,27 +195,24 @@ class Scale(tuple[Patch, ...]):
     __slots__ = ()
 
 
-class Drawn(NamedTuple):
-    """The keys of a drawing's legend, and two functions.
+class Drawing(NamedTuple):
+    """What remains to be done on axes when the lines and areas of a panel are drawn: its legend and texts."""
 
-    One writes the texts inside the axes and returns further keys, for contours without a text; one returns a colour.
-    """
-
-    keys: list[Any]
-    label: Callable[[Labels], list[Any]]
-    ground: Callable[[Any], str]  # colour of the picture in a box in pixels
+    keys: list[Any]  # of the legend
+    label: Callable[[Labels], list[Any]]  # writes the texts of contours; returns further keys, for those without a text
+    ground: Callable[[Any], str]  # returns the colour of the picture in a box in pixels
 
 
-def draw_field(axes: Any, panel: Panel, levels: Sequence[float], style: Style, letters: int) -> Drawn:
+def draw_field(axes: Any, panel: Panel, levels: Sequence[float], style: Style, letters: int) -> Drawing:
     """Draw a field, except for the texts inside the axes.
 
     `levels`: the values of its contours; `letters`: the number of letters in a line of the legend.
     """
-    drawing = _Drawing(axes, panel, levels, style, letters)
+    drawing = _FieldDrawing(axes, panel, levels, style, letters)
     drawing.draw_regions()
     drawing.draw_contours()
     drawing.draw_edge()
-    return Drawn(drawing.keys, drawing.label, drawing.ground)
+    return Drawing(drawing.keys, drawing.label, drawing.ground)
 
 
 def _teeth() -> list[Any]:
@@ -226,11 +227,11 @@ def mixed(colour: str, other: str, share: float) -> str:
     return str(to_hex((red, green, blue)))
 
 
-class _Drawing:
+class _FieldDrawing:
     """A field on axes, with the keys of the legend and the bounds of regions that were drawn so far."""
 
     def __init__(self, axes: Any, panel: Panel, levels: Sequence[float], style: Style, letters: int) -> None:
-        """Fill the axes with the bands of the field."""
+        """Fill the axes with the colours between contours."""
         assert panel.field is not None
         self.axes, self.panel, self.levels, self.style, self.letters = axes, panel, levels, style, letters
         self.mesh, self.field = Mesh(panel.x, panel.y), panel.field
@@ -244,7 +245,7 @@ class _Drawing:
         self.is_pale: Any = numpy.zeros(self.values.shape, dtype=bool)  # within a band of best ranges
         axes.set_axisbelow(False)  # ticks stay visible where there is no value
         shares = numpy.linspace(0, 1, len(self.heights) + 1)
-        self.colours = [to_hex(colour) for colour in LinearSegmentedColormap.from_list("", style.bands)(shares)]
+        self.colours = [to_hex(colour) for colour in LinearSegmentedColormap.from_list("", style.scale)(shares)]
         ends = [numpy.nanmin(self.around) - 1, *self.heights, numpy.nanmax(self.around) + 1]
         for colour, (low, high) in zip(self.colours, pairwise(ends), strict=True):
             self._fill(self.mesh.area(self.around, low, high), facecolor=colour, zorder=1)
@@ -301,13 +302,14 @@ class _Drawing:
         step = spacing(inside)
         if step == 0:
             return 0
-        self.is_pale = numpy.any(inside[step // 2 :: step] > 0, axis=0)
-        for excess, height in [*zip(inside, self.heights, strict=True)][step // 2 :: step]:
+        with_band = slice(step // 2, None, step)
+        self.is_pale = numpy.any(inside[with_band] > 0, axis=0)
+        for excess, height in zip(inside[with_band], self.heights[with_band], strict=True):
             self._fill(self.mesh.area(excess, 0.0, 3 * far), facecolor=self.style.paper, alpha=_PALE, zorder=1.1)
             for end in (low, high):
                 paths = self.mesh.lines(numpy.where(abs(end) < far, end, numpy.nan), height)
                 self._line(paths, color=self.style.hatch, linewidth=0.35, zorder=1.1, gid="band")
-        text = best.key(step, self.field.frame.law.short)
+        text = best.key_of_map(step, self.field.frame.law.short)
         look: dict[str, Any] = {"facecolor": self.style.paper, "edgecolor": self.style.hatch, "linewidth": 0.35}
         line = Line2D([], [], color=self.style.ink, linewidth=_THIN if step == 1 else _THICK)
         self.keys.append((Patch(label=self._in_lines(text), **look), line))

@@ -1,12 +1,10 @@
-"""Pictures with fixed content: the curves of a contact, and the figures of the paper.
+"""The figures of the paper, and two that are not in it: the pull-off force by each law, and a sketch of the symbols.
 
 Of the paper's figures, the maps and Figs. 2 and 9 (the shifted contact) show computed values; the others are sketches.
-Two figures are not in the paper: the pull-off force by each law, and a sketch of the symbols.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from itertools import groupby
-from math import inf, pi
+from math import pi
 from typing import Any, NamedTuple
 
 import numpy
@@ -14,221 +12,26 @@ import numpy
 from ..errors import BadRequest
 from ..materials.library import Materials
 from ..model.frame import Frame
-from ..model.reasons import BEYOND_PULL_OFF, Failure, NotInLaw
 from ..model.solver import values_of
 from ..physics.any_law import pull_off_force_lennard_jones, transition_parameter
 from ..physics.contact import pressure
 from ..physics.cylinder import asymmetric_pressure, contact_point_moment, half_strips_moment
 from ..physics.maugis import edge_ratio_at_pull_off, pull_off_force_maugis
 from ..physics.shifted import exact_pressure, half_circle_pressure, unloaded_half_width
-from ..quantities.formatting import Format, amount
-from ..quantities.laws import DEFAULT_LAW
+from ..quantities.formatting import amount
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import DEFAULTS, NOMENCLATURE, bracketed
-from ..report.curve import EQUILIBRIUM, MAX_LOAD, NAMED, PULL_OFF, WHOLE_CURVE, Loads, states
-from ..report.questions import Question
-from ..report.report import Report
 from ..text import quoted
+from .contact_curves import AREA_AND_PRESSURES, POINTS, across, pressure_panel
 from .geometry import sketch
-from .picture import Axis, Curve, Mark, Panel, Picture, axis_around, clipped
-from .request import DRAWN_LIMITS, PlotRequest, fixed_inputs, inputs_as_texts, mark_at, notes_on, picture_of
-
-# --- The curves of a contact: force, pressure and moment, by one law or several --------------------------------------
-
-POINTS = 401
-AREA_AND_PRESSURES = ("contact_radius_at_load", "hertz_pressure", "boussinesq_pressure")
-_FORCE = ("approach_at_load", "load")
-# The names of the models of the moment without load, short enough for a legend below a panel.
-_OF_MOMENTS = {
-    "yield_moment": "exact",
-    "half_circles_moment": "two half-circles",
-    "fixed_approach_moment": "exact, at a fixed approach",
-}
-_NO_LOAD = "⟦P = 0⟧"
-_BRANCHES = ("stable", "fixed grips", "unstable", "without contact")  # of force curves, each with its own colour
-
-
-def _force(frames: Sequence[Frame], loads: Loads | None) -> Panel:
-    """Return the panel of force against approach; if loads are given, they are the ends of the force axis.
-
-    With one law, each branch has its own colour; with several laws, each law has one.
-    """
-    most = max(0.0, loads.high) if loads else MAX_LOAD * max(frame["pull_off_force"] for frame in frames)
-    is_one = len(frames) == 1
-    curves: list[Curve] = []
-    points: list[Mark] = []
-    for number, frame in enumerate(frames):
-        for name, x, y in _branches(frame, most):
-            if name not in NAMED and is_one:
-                curves.append(Curve(name, x, y, _BRANCHES.index(name)))
-            elif name not in NAMED:
-                curves.append(Curve(frame.law.title, x, y, number))
-            elif is_one:
-                points.append(Mark(_NO_LOAD if name == EQUILIBRIUM else name, x, y))
-    if loads is not None:
-        least = min(float(curve.y.min()) for curve in curves)
-        inside = [clipped(curve, *loads) for curve in curves]
-        curves = [curve for curve in inside if curve.y.size > 1]
-        points = [point for point in points if point.y is not None and loads.low <= point.y <= loads.high]
-        if not curves:
-            raise Failure(BEYOND_PULL_OFF, numbers=(loads.high, least))
-    x = axis_around("approach_at_load", [curve.x for curve in curves])
-    y = axis_around("load", [curve.y for curve in curves], margin=0.15)
-    ends = Axis("load", *loads, is_log=False) if loads is not None else y
-    title = "force, Eqs (5) and (6)" if is_one and frames[0].law.is_default else f"force{_of_law(frames)}"
-    return Panel(x, ends, tuple(curves), tuple(points), title)
-
-
-def _branches(frame: Frame, most: float) -> Iterator[tuple[str, Any, Any]]:
-    """Iterate over the branches and named states of a force curve up to a load, as name, approaches and loads.
-
-    A branch begins at the last state of the previous branch.
-    """
-    path = states(frame, Loads(-inf, most), POINTS)
-    groups = []
-    for given, group in groupby(path, key=lambda state: state.set_by):
-        at_states = numpy.array([state.value for state in group])
-        groups.append(values_of(frame.replace(**{given: at_states}), _FORCE))
-    x, y = (numpy.concatenate([group[name] for group in groups]) for name in _FORCE)
-    starts: dict[str, int] = {}
-    for position, state in enumerate(path):
-        if state.name in NAMED:
-            yield state.name, float(x[position]), float(y[position])
-        else:
-            starts.setdefault(state.name, max(position - 1, 0))
-    ends = [*[*starts.values()][1:], len(path) - 1]
-    for (name, start), end in reversed([*zip(starts.items(), ends, strict=True)]):
-        yield name, x[start : end + 1], y[start : end + 1]
-
-
-def _pressure(frames: Sequence[Frame], _: Loads | None) -> Panel:
-    """Return the panel of pressure across the contact, without load and at pull-off. Only JKR gives it."""
-    (frame,) = frames
-    curves = []
-    for text, name, branch in ((_NO_LOAD, EQUILIBRIUM, "stable"), (PULL_OFF, PULL_OFF, "fixed grips")):
-        state = values_of(frame.replace(load_factor=NAMED[name]), AREA_AND_PRESSURES)
-        x = across(-state["contact_radius_at_load"], state["contact_radius_at_load"])
-        curves.append(Curve(text, x, pressure(distance=abs(x), **state), _BRANCHES.index(branch)))
-    return pressure_panel(curves, state["hertz_pressure"], f"pressure, Eq (12){_of_law(frames)}")
-
-
-def _moment(frames: Sequence[Frame], _: Loads | None) -> Panel:
-    """Return the panel of the moment without load against displacement.
-
-    By JKR, the bodies would interpenetrate at the leading edge of the contact beyond its end.
-    """
-    limit = frames[0].replace(model=DEFAULT_LAW)["displacement_limit"]
-    points: list[Mark] = []
-    if len(frames) == 1:
-        (frame,) = frames
-        models = {name: text for name, text in _OF_MOMENTS.items() if not _lacking(frame, name)}
-        lines = [(f"{symbol(name)}: {text}", frame, name) for name, text in models.items()]
-        shift = float(frame["yield_displacement"])
-        if shift <= limit:
-            points = [Mark(f"⟦ξ⟧ = {amount('yield_displacement', shift)}", shift, frame["yield_moment"])]
-    else:
-        lines = [(frame.law.title, frame, "yield_moment") for frame in frames]
-    shifts = numpy.linspace(0, limit, POINTS)
-    first = 3 if len(frames) == 1 else 0  # a colour that no branch of JKR has in the force panel
-    curves = []
-    for number, (text, frame, name) in enumerate(lines, first):
-        moments = values_of(frame.replace(yield_displacement=shifts[1:]), [name])[name]
-        curves.append(Curve(text, shifts[1:], moments, number))
-    x = Axis("yield_displacement", 0.0, limit, is_log=False)
-    y = axis_around("yield_moment", [shifts[:1], *(curve.y for curve in curves)], margin=0.0)
-    title = f"moment up to ⟦ξ_max⟧ = {amount('yield_displacement', limit, Format(digits=3))}"
-    return Panel(x, y, tuple(curves), tuple(points), title + _of_law(frames))
-
-
-def _of_law(frames: Sequence[Frame]) -> str:
-    """Return the suffix of a panel's title that names the law; empty unless a single law was chosen."""
-    return f", {frames[0].law.title}" if len(frames) == 1 and frames[0].stated_model is not None else ""
-
-
-def _lacking(frame: Frame, *names: str) -> NotInLaw | None:
-    """Return the error about quantities that the frame's law lacks; None if it has them all."""
-    try:
-        frame.plans(*names)
-    except NotInLaw as error:
-        return error
-    return None
-
-
-class ContactPanel(NamedTuple):
-    """A panel of a contact: the function that draws it, and the quantities in it."""
-
-    draw: Callable[[Sequence[Frame], Loads | None], Panel]
-    needed: tuple[str, ...]  # each law must have them
-    further: tuple[str, ...] = ()  # also drawn for a single law, if it has them
-
-    def missing(self, frames: Sequence[Frame]) -> list[NotInLaw]:
-        """Return the errors for frames whose laws lack a quantity of the panel."""
-        errors = (_lacking(frame, *self.needed) for frame in frames)
-        return [error for error in errors if error is not None]
-
-
-PANELS: Mapping[str, ContactPanel] = {
-    "force": ContactPanel(_force, (*_FORCE, "pull_off_force")),
-    "pressure": ContactPanel(_pressure, AREA_AND_PRESSURES),
-    "moment": ContactPanel(_moment, ("yield_moment",), (*_OF_MOMENTS, "displacement_limit")),
-}
-
-
-def curves_of_contact(
-    frames: Sequence[Frame], loads: Loads | None, panel: str | None
-) -> tuple[Picture, tuple[str, ...]]:
-    """Return a picture with one panel, or with all panels that the laws of the frames have, and its notes.
-
-    The notes give the assumptions and the sources of data, and name the laws that lack a panel. For one law, they also
-    give best ranges and doubts.
-    """
-    is_one = len(frames) == 1
-    asked = [PANELS[panel]] if panel is not None else [*PANELS.values()]
-    missing: list[NotInLaw] = []
-    drawn: list[ContactPanel] = []
-    names: list[str] = []
-    for each in asked:
-        errors = each.missing(frames)
-        missing += errors
-        if not errors:
-            drawn.append(each)
-            names += [*each.needed, *each.further] if is_one else each.needed
-    if not drawn:
-        raise missing[0]
-    panels = tuple(each.draw(frames, loads) for each in drawn)
-    varied = ("load",) if is_one else ("load", "yield_displacement")
-    fixed: dict[str, None] = {}
-    notes = dict.fromkeys(f"no curve: {error}" for error in missing)
-    if is_one:
-        about = Question(("yield_moment",), ("yield_moment",)) if panel == "moment" else WHOLE_CURVE
-        answer = Report(about, frames[0])
-        notes |= dict.fromkeys(note.text for note in (*answer.notes_on_ranges(), *answer.doubts()))
-    for frame in frames:
-        held = [name for name in names if not _lacking(frame, name)]
-        unloaded = frame.replace(load=0.0)
-        inputs = [name for name in unloaded.inputs_of(*held) if name not in varied]
-        fixed |= dict.fromkeys(inputs_as_texts(unloaded, inputs))
-        notes |= dict.fromkeys(notes_on(frame, unloaded, inputs, held))
-    return Picture("", panels, fixed_inputs([*fixed])), tuple(notes)
-
-
-def across(first: float, last: float) -> Any:
-    """Return positions between two ends, denser near the ends, where the pressure is steep."""
-    shares = (1 - numpy.cos(numpy.linspace(0, numpy.pi, POINTS)[1:-1])) / 2
-    return first + (last - first) * shares
-
-
-def pressure_panel(curves: Sequence[Curve], highest: float, title: str) -> Panel:
-    """Return a panel of pressures, which diverge at the rim, from −2.5 to 1.5 times the highest Hertz pressure."""
-    x = axis_around("position_across", [curve.x for curve in curves])
-    return Panel(x, Axis("pressure_across", -2.5 * highest, 1.5 * highest, is_log=False), tuple(curves), (), title)
-
+from .maps import HATCHED_LIMITS, MapRequest, mark_at, picture_of
+from .picture import Axis, Curve, Mark, Panel, Picture
 
 # --- Maps: Figs. 3, 6 and 8 -------------------------------------------------------------------------------------------
 
 RADII = Axis("radius", 5e-10, 1e-3)
 _ENERGIES = Axis("surface_energy", 1e-3, 1e1)
-# E1* = E1/(1 - ν1²) is 10 GPa in Fig. 6a; in the other maps it affects only the limits of the model.
+# E1* = E1/(1 - ν1²) is 10 GPa in Fig. 6a; in Figs. 3 and 6b it affects only the limits of the model.
 _SOFT = {"youngs_modulus": 1e10, "poisson_ratio": 0.0}
 _LIGHT = {**_SOFT, "density": 2000.0}
 
@@ -292,14 +95,17 @@ def paper_map(
 ) -> Picture:
     """Return a map of the paper with marked grains. `is_plain`: True to leave out the limits of the model."""
     declared = PAPER_MAPS[name]
-    frames, printed = (("", Frame(declared.given)),), declared.printed if as_printed else ""
-    limits = () if is_plain else DRAWN_LIMITS
+    frames = (("", Frame(declared.given)),)
+    printed = declared.printed if as_printed else ""
+    limits = () if is_plain else HATCHED_LIMITS
     drawn, _ = picture_of(
-        PlotRequest(declared.quantity, declared.x, RADII, frames, marks, materials, limits, printed, has_best=False)
+        MapRequest(declared.quantity, declared.x, RADII, frames, marks, materials, limits, printed, has_best=False)
     )
-    field = drawn.panels[0].field
-    unit = field.in_words([])[1] if field is not None else ""
-    title, remarks = f"Fig. {name}: {symbol(declared.quantity)}{bracketed(unit)}", (*drawn.remarks, declared.remark)
+    (panel,) = drawn.panels
+    assert panel.field is not None
+    _, unit = panel.field.in_words([])
+    title = f"Fig. {name}: {symbol(declared.quantity)}{bracketed(unit)}"
+    remarks = (*drawn.remarks, declared.remark)
     caption = [*drawn.caption]
     if printed:
         caption.append(f"Dashed in files: Eq ({NOMENCLATURE[printed].equation}), each below its contour.")
@@ -343,10 +149,10 @@ def figure_2(materials: Materials) -> Picture:
         Curve("not shifted", centred, pressure(distance=abs(centred), **circle), 3),
     ]
     along = pressure_panel(curves, state["hertz_pressure"], "pressure along the rolling direction")
-    moments = [amount(name, state[name]) for name in ("yield_moment", "half_circles_moment")]
+    moment, half_circles = (amount(name, state[name]) for name in ("yield_moment", "half_circles_moment"))
     caption = (
         f"Two quartz spheres of 20 nm that have rolled by ⟦ξ⟧ = {amount('yield_displacement', shift)}, without load.",
-        f"Moment: exact {moments[0]}, Eq (25); half-circles {moments[1]}, Eq (19).",
+        f"Moment: exact {moment}, Eq (25); half-circles {half_circles}, Eq (19).",
     )
     remarks = (
         "The circle lags behind the contact point. The pull at its rim is weaker ahead and stronger behind.",
@@ -359,10 +165,11 @@ def figure_2(materials: Materials) -> Picture:
 def _halves(word: str, a: float, shift: float, pressure_of: Callable[[Any, float], Any]) -> Iterator[Curve]:
     """Iterate over the pressures behind and ahead of the contact point, each from half of a symmetric contact.
 
-    `pressure_of` returns the pressure at positions, given the size of the symmetric contact.
+    `pressure_of` returns the pressure at positions, given half the width of the symmetric contact.
     """
-    for sign, size, x in (("+", a + shift, across(-a - shift, 0.0)), ("−", a - shift, across(0.0, a - shift))):
-        yield Curve(f"{word} ⟦a {sign} ξ⟧", x, pressure_of(x, size), 1 if sign == "+" else 2)
+    behind, ahead = across(-a - shift, 0.0), across(0.0, a - shift)
+    yield Curve(f"{word} ⟦a + ξ⟧", behind, pressure_of(behind, a + shift), 1)
+    yield Curve(f"{word} ⟦a − ξ⟧", ahead, pressure_of(ahead, a - shift), 2)
 
 
 def figure_9(materials: Materials) -> Picture:
@@ -383,9 +190,9 @@ def figure_9(materials: Materials) -> Picture:
     exact = Curve("exact, Eq (64)", shifted, strip(shifted + shift, a, shift))
     curves = [exact, *_halves("half-strip", a, shift, strip)]
     shifted_strip = {"contact_half_width": a, "yield_displacement": shift, **size}
-    moments = contact_point_moment(**shifted_strip), half_strips_moment(**shifted_strip)
+    exact_moment, half_strips = contact_point_moment(**shifted_strip), half_strips_moment(**shifted_strip)
     shifted_by = amount("yield_displacement", shift)
-    ratio = f"{moments[0] / moments[1]:.3f}"
+    ratio = f"{exact_moment / half_strips:.3f}"
     caption = (
         f"Quartz cylinder of 20 nm on a rigid plane without load (⟦C = 0⟧), shifted by ⟦ξ⟧ = {shifted_by}.",
         "Exact: Eq (64). Half-strips: two halves of symmetric strips, Eq (71).",
@@ -393,8 +200,8 @@ def figure_9(materials: Materials) -> Picture:
     remarks = (
         f"Griffith's criterion gives ⟦a⟧ = {amount('contact_radius', a)}.",
         "The half-strips are not continuous at ⟦x = 0⟧.",
-        f"Moment per length about the contact point: exact {moments[0]:.3g} N, Eq (70) with its sign corrected.",
-        f"Half-strips {moments[1]:.3g} N, Eq (77): lower by a factor of {ratio}, which tends to ⟦π/2⟧ for ⟦ξ⟧ ≪ ⟦a⟧.",
+        f"Moment per length about the contact point: exact {exact_moment:.3g} N, Eq (70) with its sign corrected.",
+        f"Half-strips {half_strips:.3g} N, Eq (77): lower by a factor of {ratio}, which tends to ⟦π/2⟧ for ⟦ξ⟧ ≪ ⟦a⟧.",
     )
     highest = modulus * a / (2 * radius)
     panels = (pressure_panel([symmetric], highest, "symmetric"), pressure_panel(curves, highest, "shifted by ⟦ξ⟧"))

@@ -21,11 +21,22 @@ _TEXT = re.compile(r"<text>\s*((?:<tspan [^>]*>[^<]*</tspan>\s*)+)</text>")
 _SPAN = re.compile(r'<tspan x="([^"]*)" y="([^"]*)" style="([^"]*)">([^<]*)</tspan>')
 _SIZE = re.compile(r"font-size: ([\d.]+)px")
 _FAMILY = re.compile(rf" ?font-family: '{FONT}'")
+# Matplotlib's tile of a hatch, of 72 points, if its path has curves (C), as dots have.
 _DOTS = re.compile(
     r'(<pattern [^>]*width=")72(" height=")72(">\s*<rect [^>]*/>\s*<path d=")([^"]*C[^"]*)(")', re.DOTALL
 )
 _JOINED = 0.02  # largest gap within a word, over the size of its letters
 _TILE = 6  # period of the dots of a hatch, in points
+
+
+class _Run(NamedTuple):
+    """Adjacent letters of one style; `end` is the position after the last letter."""
+
+    x: float
+    y: str
+    style: str
+    text: str
+    end: float
 
 
 class About(NamedTuple):
@@ -73,16 +84,17 @@ def _in_lines(spans: str) -> str:
     letters = []
     for x_as_text, y, style, text in _SPAN.findall(spans):
         letters.append((float(x_as_text), y, style, unescape(text).replace(NO_BREAK_SPACE, " ")))
-    runs: list[list[Any]] = []  # x, y, style, text, the position of the next letter
+    runs: list[_Run] = []
     for x, y, style, text in sorted(letters, key=lambda letter: letter[0]):
         size = float(_SIZE.findall(style)[0])
-        after = x + _advance(text, "italic" if "italic" in style else "normal", size)
-        if runs and runs[-1][1:3] == [y, style] and abs(x - runs[-1][4]) < _JOINED * size:
-            runs[-1][3:] = runs[-1][3] + text, after
+        end = x + _advance(text, "italic" if "italic" in style else "normal", size)
+        last = runs[-1] if runs else None
+        if last is not None and (last.y, last.style) == (y, style) and abs(x - last.end) < _JOINED * size:
+            runs[-1] = last._replace(text=last.text + text, end=end)
         else:
-            runs.append([x, y, style, text, after])
+            runs.append(_Run(x, y, style, text, end))
     return "".join(
-        f'<tspan x="{x:g}" y="{float(y):g}" style="{style}">{escape(text)}</tspan>' for x, y, style, text, _ in runs
+        f'<tspan x="{run.x:g}" y="{float(run.y):g}" style="{run.style}">{escape(run.text)}</tspan>' for run in runs
     )
 
 

@@ -6,8 +6,9 @@ from typing import Any
 
 import numpy
 
+from ..fitting.branches import QUANTITIES
 from ..fitting.result import Fit
-from ..quantities.laws import DEFAULT_LAW
+from ..quantities.laws import DEFAULT_LAW, PARABOLOID
 from ..quantities.shown import Part, Shown
 from ..report.fitted import findings, in_words, line_on_known, sentence_of, symbol_of_result
 from ..tables.fitted import fit_given
@@ -21,7 +22,6 @@ _ADVICE = (re.compile(r" \(--[^()]*\)"), re.compile(r"[:;] [^:;()]*--[^:;()]*"))
 _SYMBOL = re.compile(r"(?<![\w/*])(?:wR?_open|wR?_close|wR?|E\*√R|E\*|E[12]|a0?/R|P_c|R|G|k|z0/2)(?![\w*/'])")
 _INK = -1  # colour of measured points under the coloured line of their fit
 _MOST = 600  # curves of twice as many points are thinned to this number or more
-_X = {"contact radius": "contact_radius_at_load", "approach": "approach_at_load", "travel": "lever_travel"}
 
 
 class FittedCurve(Shown, Fit):
@@ -54,7 +54,7 @@ def fit(
     model: str = DEFAULT_LAW,
     branch: str = "both",
     range: str | None = None,
-    profile: str = "paraboloid",
+    profile: str = PARABOLOID,
     baseline: str = "median",
     **given: Any,
 ) -> FittedCurve:
@@ -139,7 +139,7 @@ def picture_of_fit(fitted: Fit, title: str, caption: Sequence[str]) -> Picture:
         if has_rate.any():
             radius, rate = points["contact_radius"][has_rate], points["release_rate"][has_rate]
             rates.append(Curve(name, radius, rate, colour, has_points=True))
-    x = axis_around(_X[fitted.kind], [points["z"]])
+    x = axis_around(QUANTITIES[fitted.kind], [points["z"]])
     panels = [
         Panel(x, axis_around("load", [points["force"], points["model"]]), (*forces,), title="force"),
         Panel(x, axis_around("residual_load", [points["residual"]]), (*residuals,), title="residual"),

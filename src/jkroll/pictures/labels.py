@@ -12,7 +12,7 @@ from .picture import Mark, Style
 _EDGE = 4.0  # width that the ticks take inside the frame, in points of the page
 _APART = 2.0  # gap between two texts, or between a line and its name, in points of the page
 _CLEAR = 4.0  # least distance of the name of a line from other lines with names, in points of the page
-_ASIDE = 20.0  # cost of a distance from the line, relative to a distance from the middle of the axes
+_ASIDE = 20.0  # cost of a distance from the contour, over that of a distance from the middle of the axes
 _DOT = 3.0  # half the size of a point, in points of the page
 _STEP = 1.5  # between the points of a line, in points of the page
 # Directions of a text from its point, the best first.
@@ -55,7 +55,7 @@ class Labels:
             middles = (dot + steps + half * numpy.sign(steps)).clip(self.frame.min + half, self.frame.max - half)
             boxes = [_box(middle, half) for middle in middles]
             free = self._free(boxes, _APART) or self._free(boxes, 0.5) or boxes
-            box = min(free, key=lambda box: self._crossings(box, dot))  # the first box with the fewest crossings
+            box = min(free, key=lambda box: self._cost(box, dot))  # the first of the best boxes
             leader = numpy.array([dot, dot.clip(box.min, box.max)])
             ends = self.axes.transData.inverted().transform(leader)
             self.drawn = _joined([self.drawn, self._dense(leader)])
@@ -64,8 +64,11 @@ class Labels:
             self.axes.plot(*point, "o", clip_on=False, **look)
             self._put(text, box)
 
-    def _crossings(self, box: Any, dot: Any) -> int:
-        """Return the cost of a text and its leader, which rises with the lines and other texts that they cross."""
+    def _cost(self, box: Any, dot: Any) -> int:
+        """Return the cost of a text in a box, with a leader from its marked point, the dot.
+
+        It is 3 if lines cross the text, and 1 if lines cross the leader, plus 2 for each text that the leader crosses.
+        """
         leader = self._dense(numpy.array([dot, dot.clip(box.min, box.max)]))
         leader = leader[numpy.hypot(*(leader - dot).T) > 2 * _DOT * self.scale]
         texts = sum(bool(other.count_contains(leader)) for other in self.taken)

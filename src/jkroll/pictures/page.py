@@ -23,7 +23,7 @@ from ..errors import BadRequest
 from ..quantities.markup import lines, plain, typeset
 from ..text import quoted
 from .bands import Band
-from .fields import Drawn, Scale, draw_field, mixed
+from .fields import Drawing, Scale, draw_field, mixed
 from .files import FONT, About, content_of
 from .labels import Labels
 from .picture import STYLES, Axis, Curve, Field, Panel, Picture, Style, described, extent, is_flat
@@ -92,11 +92,13 @@ def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption
     for empty in every[count:]:
         empty.remove()
     letters = _letters(inches / columns - 0.4)  # number of letters in a line of a legend
-    drawings: list[Drawn] = []
+    drawings: list[Drawing] = []
     for panel, axes, letter in zip(drawn.panels, every, "abcdef", strict=False):
         _set_axes(axes, panel, inches / columns, _ASPECT if columns == 1 else _ASPECT_BESIDE)
-        title = " ".join((*([f"({letter})"] if count > 1 else []), *([panel.title] if has_caption else [])))
-        axes.set_title(typeset(title), loc="left" if count > 1 else "center", fontsize=LETTER_SIZE)
+        title = [f"({letter})"] if count > 1 else []
+        if has_caption:
+            title.append(panel.title)
+        axes.set_title(typeset(" ".join(title)), loc="left" if count > 1 else "center", fontsize=LETTER_SIZE)
         drawings.append(_drawing_on(axes, panel, style, letters))
     corners = _lay_out(figure, every, [drawing.keys for drawing in drawings])
     for panel, axes, drawing, corner in zip(drawn.panels, every, drawings, corners, strict=False):
@@ -137,14 +139,14 @@ def draw_on(axes: Any, panel: Panel, style: Style) -> None:
         axes.legend(keys, labels, handler_map=_HANDLERS, fontsize="small", framealpha=1.0)
 
 
-def _drawing_on(axes: Any, panel: Panel, style: Style, letters: int) -> Drawn:
+def _drawing_on(axes: Any, panel: Panel, style: Style, letters: int) -> Drawing:
     """Draw a panel, except for the texts inside the axes. `letters`: the number of letters in a line of the legend."""
     if panel.field is not None:
         return draw_field(axes, panel, levels_of(panel.field), style, letters)
     return _draw_curves(axes, panel, style, letters)
 
 
-def _label(axes: Any, panel: Panel, drawing: Drawn, style: Style) -> list[Any]:
+def _label(axes: Any, panel: Panel, drawing: Drawing, style: Style) -> list[Any]:
     """Write the texts inside axes, whose position must be final; return further keys for the legend."""
     labels = Labels(axes, style, drawing.ground)
     labels.of_marks(panel.marks)
@@ -220,7 +222,7 @@ def _set_axes(axes: Any, panel: Panel, inches: float, aspect: float) -> None:
         axes.set(xlim=(panel.x.low, panel.x.high), ylim=(panel.y.low, panel.y.high))
         axes.set_axis_off()
         return
-    letters = _letters(0.77 * inches)  # number of letters in a line of a title
+    letters = _letters(0.77 * inches)  # in the title of an axis; tick labels and gaps take the rest of the width
     _set_axis(axes, panel.x, "x", max(2, int(inches / _TICK_WIDTHS[panel.x.is_log])), letters)
     _set_axis(axes, panel.y, "y", 9, int(1.1 * aspect * letters))
     _mark_edge(axes, "x", [(mark.x, mark.text) for mark in panel.marks if mark.y is None])
@@ -228,7 +230,7 @@ def _set_axes(axes: Any, panel: Panel, inches: float, aspect: float) -> None:
 
 
 def _set_axis(axes: Any, axis: Axis, which: str, most: int, letters: int) -> None:
-    """Set one axis. On a logarithmic axis, each tick has its unit; a linear axis has one unit, in its title."""
+    """Set one axis. The title has its unit, unless the axis is logarithmic and each tick has a unit with a prefix."""
     side = getattr(axes, f"{which}axis")
     axes.set(**{f"{which}scale": "log" if axis.is_log else "linear", f"{which}lim": (axis.low, axis.high)})
     if axis.is_log:
@@ -273,14 +275,14 @@ def levels_of(field: Field) -> list[float]:
     return [float(f"{value:.12g}") for value in ticks.tick_values(low, high) if low < value < high]
 
 
-def _draw_curves(axes: Any, panel: Panel, style: Style, letters: int) -> Drawn:
-    """Draw arrows, and curves that differ in colour and dashes; return the drawing."""
+def _draw_curves(axes: Any, panel: Panel, style: Style, letters: int) -> Drawing:
+    """Draw arrows, and curves that differ in colour and dashes."""
     handles: dict[str, Any] = {}
-    numbers_of: tuple[dict[str, int], dict[str, int]] = {}, {}  # of lines and of points: equal labels look the same
+    of_lines, of_points = dict[str, int](), dict[str, int]()  # numbers by label: equal labels look the same
     has_bands = any(curve.band is not None for curve in panel.curves)
     for curve in panel.curves:
         label = "\n".join(lines(": ".join(filter(None, (curve.text, curve.key))), letters))
-        numbers = numbers_of[curve.has_points]
+        numbers = of_points if curve.has_points else of_lines
         look = line_of(curve, numbers.setdefault(label, len(numbers)), style)
         (line,) = axes.plot(curve.x, curve.y, label=label, **look)
         if curve.band is None:
@@ -293,7 +295,7 @@ def _draw_curves(axes: Any, panel: Panel, style: Style, letters: int) -> Drawn:
         axes.add_patch(line)
         axes.text(*arrow.text_at, typeset(arrow.text), ha="center", va="center")
     keys = [*handles.values()] if len(handles) > 1 or has_bands else []
-    return Drawn(keys, lambda _: [], lambda _: style.paper)
+    return Drawing(keys, lambda _: [], lambda _: style.paper)
 
 
 def _draw_band(axes: Any, panel: Panel, curve: Curve, band: Band, label: str, style: Style) -> Any:

@@ -1,12 +1,13 @@
 """Values as text: rounded, with a suitable prefix of the unit and with their uncertainty."""
 
+import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from math import floor, isinf, log10
 
 from ..text import first_of
 from .nomenclature import INFINITY, NOMENCLATURE, header
-from .units import Unit, convert, power_of_ten
-from .values import Measured, Uncertain, ends_of, middle
+from .units import RAISED, Unit, convert, power_of_ten
+from .values import Measured, Uncertain, ends_of, middle, normalized_value
 
 DIGITS = 6  # significant digits of a rounded value
 RESULT_DIGITS = 4  # digits of a result in a table for readers
@@ -50,7 +51,8 @@ class Format:
         """Return the number to write for an SI value: in its unit, with its digits."""
         if name in self.units:
             value = convert(value, self.units[name][1])
-        return value + 0.0 if self.digits is None else float(f"{value + 0.0:.{self.digits}g}")
+        value += 0.0  # -0.0 becomes 0.0
+        return value if self.digits is None else float(f"{value:.{self.digits}g}")
 
     def header(self, name: str) -> str:
         """Return a column header: name and unit."""
@@ -71,9 +73,8 @@ class Format:
             return self.units[name]
         si = NOMENCLATURE[name].unit
         sizes = _sizes(values)
-        plain = pretty(si.removeprefix("1")), (1, 1, ())
-        if not plain[0] or not sizes:
-            return plain
+        if si in ("", "1") or not sizes:
+            return pretty(si.removeprefix("1")), (1, 1, ())
         power = _power(sizes[(len(sizes) - 1) // 2], si, self.digits or DIGITS)
         return pretty(_multiple(si, power)), (*power_of_ten(power), ())
 
@@ -162,6 +163,30 @@ def amount(name: str, value: float | str | Uncertain, form: Format = AS_USUAL) -
     return typed or with_unit(*form.rounded(name, value))
 
 
+# Replacements that turn a typed value into a printed one: a space after the number, but none before a power of ten.
+_AS_WRITTEN = {
+    r" ?± ?": " ± ",
+    r"(?<=[0-9.)])(?![eE][-+]?[0-9])(?=[^\W\d_]|[%°])": " ",
+    r"\bangstroms?\b": "Å",
+    r"\bu(?=[mgsNJP])": "µ",
+}
+_TYPED_POWER = r"(?<=[A-DF-Za-df-z])(?:\^|\*\*)?(-?[0-9]+)"
+
+
+def as_typed(text: str) -> str:
+    """Return a typed value with its unit as printed; a word is unchanged.
+
+    >>> as_typed("2angstrom"), as_typed("0.03 J/m^2"), as_typed("1um"), as_typed("40%"), as_typed("plane")
+    ('2 Å', '0.03 J/m²', '1 µm', '40 %', 'plane')
+    >>> as_typed("25±5mJ/m2"), as_typed("25(5)mJ/m2"), as_typed("100nm +/- 5%"), as_typed("20 to 30 mJ/m2")
+    ('25 ± 5 mJ/m²', '25(5) mJ/m²', '100 nm ± 5 %', '20 to 30 mJ/m²')
+    """
+    text = normalized_value(" ".join(text.split()))
+    for typed, as_written in _AS_WRITTEN.items():
+        text = re.sub(typed, as_written, text)
+    return re.sub(_TYPED_POWER, lambda power: power[1].translate(RAISED), text)
+
+
 def span(name: str, low: float, high: float, form: Format = AS_USUAL) -> str:
     """Return a range with its unit, for a sentence; see `from_to`.
 
@@ -219,8 +244,7 @@ def _plus_minus(value: float, minus: float, plus: float) -> str:
     """
     shift = _shift(abs(value))
     numbers = [number * 10.0**-shift for number in (value, minus, plus)]
-    last = int(f"{min(filter(None, numbers[1:])):.1e}".partition("e")[2]) - 1  # the power of ten of the second digit
-    middle, below, above = [f"{round(number, -last):.{max(-last, 0)}f}" for number in numbers]
+    middle, below, above = rounded_at_error(numbers, min(filter(None, numbers[1:])))
     text = f"{middle} ± {above}" if above == below else f"{middle} +{above}/-{below}"
     return f"({text})e{shift}" if shift else text
 
@@ -307,13 +331,11 @@ def symbol_of(name: str) -> str:
     return NOMENCLATURE[name].symbol or name
 
 
-def bar_digits(value: float, error: float) -> str:
-    """Return a value rounded to the second digit of its error; to four digits if the error is 0 or exceeds the value.
+def rounded_at_error(numbers: Iterable[float], error: float) -> list[str]:
+    """Return numbers as texts, rounded at the second digit of an error.
 
-    >>> bar_digits(61.7234, 0.24), bar_digits(1749.6, 190.0), bar_digits(0.21666, 0.0)
-    ('61.72', '1750', '0.2167')
+    >>> rounded_at_error([61.7234, 0.24], 0.24), rounded_at_error([1749.6, -55.0], 190.0)
+    (['61.72', '0.24'], ['1750', '-60'])
     """
-    if not 0 < error < abs(value):
-        return significant(value, RESULT_DIGITS)
-    last = int(f"{error:.1e}".partition("e")[2]) - 1
-    return f"{round(value, -last):.{max(-last, 0)}f}"
+    last = int(f"{error:.1e}".partition("e")[2]) - 1  # the power of ten of the second digit
+    return [f"{round(number, -last) + 0.0:.{max(-last, 0)}f}" for number in numbers]  # + 0.0 makes a rounded -0 a 0

@@ -10,8 +10,9 @@ The profile of body 1 is also part of a law: JKR's law of a paraboloid and JKR's
 and the profile selects one.
 
 A new law needs a `Law` here, its formulas in `physics`, and its reference in `write/references.toml`. If its force
-curve has several states at a load, `report.curve` must compute them. If it lacks quantities, `model.reasons` must give
-the reasons. The nomenclature takes the names of the law's formulas from the routes.
+curve has several states at a load, `set_by` is an input that tells them apart, and `report.curve` must name them. If it
+lacks quantities, `model.reasons` must give the reasons. The nomenclature takes the names of the law's formulas from the
+routes.
 """
 
 from collections.abc import Collection, Mapping
@@ -23,8 +24,12 @@ from ..text import closest, quoted
 
 Routes = Mapping[str, str | None]
 
-
 PARABOLOID, SPHERE = PROFILES = ("paraboloid", "sphere")  # shapes of body 1
+
+# The names of states of a force curve: single states, and the branches between them.
+FOLD, PULL_OFF, JUMP_IN, EQUILIBRIUM = "fold", "pull-off", "jump-in", "equilibrium"
+STABLE, FIXED_GRIPS, UNSTABLE, WITHOUT_CONTACT = "stable", "fixed grips", "unstable", "without contact"
+HELD_BY_LOAD = frozenset({STABLE, PULL_OFF, JUMP_IN, EQUILIBRIUM})  # states that need no grips
 
 
 class Law:
@@ -39,8 +44,9 @@ class Law:
         omits: frozenset[str] = frozenset(),  # quantities not shown under this law
         by_spacing: frozenset[str] = frozenset(),  # formulas whose values rest on the atomic spacing if Maugis' λ < 1
         profile: str = PARABOLOID,
+        set_by: str = "load",  # the input that sets a state of the force curve
     ) -> None:
-        self.name, self.title, self.source, self.profile = name, title, source, profile
+        self.name, self.title, self.source, self.profile, self.set_by = name, title, source, profile, set_by
         self.tables, self.omits, self.by_spacing = tables, omits, by_spacing
 
     @property
@@ -100,6 +106,7 @@ _JKR = Law(
         },
     },
     omits=frozenset(RESULTS_BY_LENNARD_JONES),
+    set_by="load_factor",
 )
 
 _PEAK_OF_JKR = ("impact_pressure", "touch_pressure", "yield_speed", "plastic_speed")  # computed from JKR's energies
@@ -163,6 +170,7 @@ _MAUGIS = Law(
     },
     omits=frozenset({"rolling_frequency_as_printed", *_PEAK_OF_JKR}),
     by_spacing=frozenset({"sticking_energy_maugis"}),
+    set_by="edge_ratio",
 )
 
 _DMT = Law(
@@ -194,6 +202,7 @@ _DMT = Law(
         "approach_at_load": {"load": "load_dmt", "contact_radius_at_load": "contact_radius_dmt_at_approach"},
     },
     omits=frozenset({"rolling_frequency_as_printed", *RESULTS_BY_LENNARD_JONES, "pull_off_force_dmt", *_PEAK_OF_JKR}),
+    set_by="approach_at_load",
 )
 
 # JKR's law for a rigid sphere of true shape on a soft plane. It gives the contact, but no quantity that depends on
@@ -235,10 +244,10 @@ _OF_SPHERE = Law(
 )
 
 LAWS: Mapping[str, Law] = {law.name: law for law in (_JKR, _MAUGIS, _DMT, _OF_SPHERE)}
-JKR_OF_SPHERE = _OF_SPHERE.name
+JKR, MAUGIS, DMT, JKR_OF_SPHERE = _JKR.name, _MAUGIS.name, _DMT.name, _OF_SPHERE.name
 MODELS = tuple(name for name, law in LAWS.items() if law.profile == PARABOLOID)  # the values of --model
-DEFAULT_LAW = _JKR.name
-BETWEEN = _MAUGIS.name  # the law for contacts between JKR and DMT
+DEFAULT_LAW = JKR
+BETWEEN = MAUGIS  # the law for contacts between JKR and DMT
 
 
 def other_law(name: str) -> str:

@@ -22,7 +22,7 @@ POISSON = Range(-1.0, 0.5, False, True, "must lie above -1, and be at most 0.5")
 LOOSE = Range(0.0, 0.74, False, False, "must lie between 0 and 0.74, the value of the closest packing")
 FRACTION = Range(0.0, 1.0, False, True, "must lie between 0 and 1 (100 %)")
 HUMIDITY = Range(0.0, 1.0, True, True, "must lie between 0 and 1 (100 %)")
-WETTING = Range(0.0, 3.1415926535897936, True, True, "must lie between 0 and 180deg")
+WETTING = Range(0.0, 3.1415926535897936, True, True, "must lie between 0 and 180deg")  # π and its rounding
 SEVERAL = Range(2.0, INFINITY, True, False, "must be at least 2")
 ABOVE_MINUS_1 = Range(-1.0, INFINITY, False, False, "must lie above -1")
 FINITE = Range(-INFINITY, INFINITY, False, False, "must be finite")
@@ -163,10 +163,6 @@ OF_WATER: Mapping[str, Quantity] = {
 
 
 # --- All quantities ---------------------------------------------------------------------------------------------------
-
-# Inputs that replace the properties of two spheres. The help lists them as further options, since users know the radii
-# of their spheres.
-OF_THE_PAIR = ("reduced_radius", "contact_modulus")
 
 # Inputs that set the state of the contact; without them the state follows from the load.
 STATE = frozenset({"approach_at_load", "load_factor", "load_margin", "edge_ratio"})

@@ -23,6 +23,8 @@ class NoValue(NoResult):
 
 
 def _forward(operation: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
+    """Return the method for an operation with the result as the first operand."""
+
     def apply(self: Any, other: Any) -> Any:
         return operation(self.number, number_in(other))
 
@@ -30,6 +32,8 @@ def _forward(operation: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
 
 
 def _backward(operation: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
+    """Return the method for an operation with the result as the second operand."""
+
     def apply(self: Any, other: Any) -> Any:
         return operation(number_in(other), self.number)
 
@@ -63,11 +67,10 @@ class Numeric:
 
         A result of 11.78 nN gives 11.78 for "nN" and 0.01178 for "uN".
         """
-        read = unit_of(unit, self.name)
-        if read[2] != dimension_of(NOMENCLATURE[self.name].unit):
-            raise QuantityError(
-                self.name, unit, "is a unit of the wrong dimension", f"it is in {NOMENCLATURE[self.name].unit}"
-            )
+        read, si = unit_of(unit, self.name), NOMENCLATURE[self.name].unit
+        _, _, dimension = read
+        if dimension != dimension_of(si):
+            raise QuantityError(self.name, unit, "is a unit of the wrong dimension", f"it is in {si}")
         number = self.number
         if isinstance(number, Uncertain):
             return number.changed(lambda value: convert(float(value), read))

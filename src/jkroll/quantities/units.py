@@ -41,6 +41,7 @@ PREFIXES = dict(zip(_SYMBOLS + _WORDS.split(), _POWERS * 2, strict=True))  # pow
 
 
 def _by_name(meanings: dict[str, Unit]) -> dict[str, Unit]:
+    """Return the units by single names, from units by all their names, separated by blanks."""
     by_name: dict[str, Unit] = {}
     for names, meaning in meanings.items():
         by_name |= dict.fromkeys(names.split(), meaning)
@@ -195,7 +196,8 @@ def convert(value: float, unit: Unit) -> float:
     250.0
     """
     numerator, denominator = value.as_integer_ratio()
-    return numerator * unit[1] / (denominator * unit[0])
+    above, below, _ = unit
+    return numerator * below / (denominator * above)
 
 
 def power_of_ten(exponent: int) -> tuple[int, int]:

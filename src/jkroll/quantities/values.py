@@ -1,12 +1,12 @@
 """Conversion of texts that users type to SI numbers: a strict grammar and exact arithmetic.
 
 A text is one decimal number and a unit. Its value is computed as a ratio of integers and rounded to a double once. The
-text may state an uncertainty, as in 25±5 mJ/m2, 25(5) mJ/m2, 25 mJ/m2 ± 20% and 20 to 30 mJ/m2, or be a list or a range
-of values, as in 1nm,1um and 1nm:1um:50.
+text may state an uncertainty, as in 25±5 mJ/m2, 25(5) mJ/m2, 25 mJ/m2 ± 20% and 20 to 30 mJ/m2: the value is then
+`Measured` or an `Interval`.
 """
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from importlib import import_module
@@ -18,7 +18,6 @@ from ..text import quoted, shown
 from .nomenclature import INFINITY, NOMENCLATURE
 from .units import (
     MAX_TEXT,
-    RAISED,
     SUPERSCRIPTS,
     BadUnit,
     Dimension,
@@ -77,7 +76,7 @@ def _expectation(name: str) -> str:
 
 
 class Uncertain:
-    """A value in SI units with an uncertainty. `sides`: the uncertainty, as minus and plus or as low and high."""
+    """A value in SI units with an uncertainty. `sides`: its two sides by name, below the value and above it."""
 
     kind = ""
     value: Any
@@ -93,36 +92,34 @@ class Uncertain:
     @property
     def low(self) -> Any:
         """The lower end, or the value minus its uncertainty."""
-        return self.sides["low"] if "low" in self.sides else self.value - self.sides["minus"]
+        raise NotImplementedError
 
     @property
     def high(self) -> Any:
         """The upper end, or the value plus its uncertainty."""
-        return self.sides["high"] if "high" in self.sides else self.value + self.sides["plus"]
+        raise NotImplementedError
 
     def changed(self, change: Callable[[Any], Any]) -> Self:
         """Return the value after a proportional change, such as another unit or a factor."""
-        sides = {side: change(number) for side, number in self.sides.items()}
-        if change(1.0) < 0:  # a negative factor swaps the sides
-            first, second = sides.values()
-            new = (second, first) if "low" in sides else (-second, -first)
-            sides = dict(zip(sides, new, strict=True))
-        return type(self).of(change(self.value), **sides)
+        changed = self.of(change(self.value), **{side: change(number) for side, number in self.sides.items()})
+        return changed._swapped() if change(1.0) < 0 else changed
 
-    def _plus(self, number: float) -> Self:
-        sides = self.sides
-        if "low" in sides:
-            sides = {side: end + number for side, end in sides.items()}
-        return type(self).of(self.value + number, **sides)
+    def _swapped(self) -> Self:
+        """Return the value with its sides in order again after a change of sign."""
+        raise NotImplementedError
+
+    def _shifted(self, number: float) -> Self:
+        """Return the sum of the value and a number."""
+        raise NotImplementedError
 
     def __add__(self, other: Any) -> Any:
-        return self._plus(other) if _is_exact(other) else NotImplemented
+        return self._shifted(other) if _is_exact(other) else NotImplemented
 
     def __sub__(self, other: Any) -> Any:
-        return self._plus(-other) if _is_exact(other) else NotImplemented
+        return self._shifted(-other) if _is_exact(other) else NotImplemented
 
     def __rsub__(self, other: Any) -> Any:
-        return (-self)._plus(other) if _is_exact(other) else NotImplemented
+        return (-self)._shifted(other) if _is_exact(other) else NotImplemented
 
     def __mul__(self, other: Any) -> Any:
         return self.changed(lambda number: number * other) if _is_exact(other) else NotImplemented
@@ -182,6 +179,22 @@ class Measured(Uncertain):
         """The uncertainty above the value."""
         return self.sides["plus"]
 
+    @property
+    def low(self) -> Any:
+        """The value minus its uncertainty."""
+        return self.value - self.minus
+
+    @property
+    def high(self) -> Any:
+        """The value plus its uncertainty."""
+        return self.value + self.plus
+
+    def _swapped(self) -> Self:
+        return self.of(self.value, minus=-self.plus, plus=-self.minus)
+
+    def _shifted(self, number: float) -> Self:
+        return self.of(self.value + number, **self.sides)
+
 
 class Interval(Uncertain):
     """A range of possible values in SI units, and a value within it.
@@ -199,6 +212,22 @@ class Interval(Uncertain):
             raise BadRequest(f"Interval: {self.value!r} does not lie in the range from {low!r} to {high!r}")
         self.sides = {"low": low, "high": high}
 
+    @property
+    def low(self) -> Any:
+        """The lower end."""
+        return self.sides["low"]
+
+    @property
+    def high(self) -> Any:
+        """The upper end."""
+        return self.sides["high"]
+
+    def _swapped(self) -> Self:
+        return self.of(self.value, low=self.high, high=self.low)
+
+    def _shifted(self, number: float) -> Self:
+        return self.of(self.value + number, low=self.low + number, high=self.high + number)
+
 
 def _is_exact(other: object) -> bool:
     """Return whether a value is a number; raise BadRequest if it is uncertain."""
@@ -211,12 +240,12 @@ def _is_exact(other: object) -> bool:
 def _checked_number(owner: str, value: object) -> float:
     """Return a number as a float; raise BadRequest for anything else."""
     may_have_unit = any(hasattr(value, word) for word in ("attrs", "dims", "unit", "units"))
-    is_number = hasattr(value, "__float__") and not isinstance(value, bool)
-    is_number = is_number and getattr(getattr(value, "dtype", None), "kind", "f") in "fiu"  # no durations or booleans
+    dtype = getattr(value, "dtype", None)
+    is_other = isinstance(value, bool) or getattr(dtype, "kind", "f") not in "fiu"  # a boolean, or numpy's duration
     number = nan
-    if is_number and not may_have_unit:
+    if hasattr(value, "__float__") and not is_other and not may_have_unit:
         with suppress(TypeError, ValueError, OverflowError):
-            number = float(value)  # type: ignore[arg-type]
+            number = float(value)
     if isnan(number):
         problem = f"{quoted(str(value))} is not a number in SI units"
         raise BadRequest(f"{owner}: {problem}; a text with a unit, such as '25±5 mJ/m2', needs no {owner}()")
@@ -285,7 +314,7 @@ def value_of(text: str, name: str, unit: Unit | None = None) -> float | Uncertai
     if quantity.infinity and text.strip().lower() in (quantity.infinity, "inf", "infinity", "∞"):
         return INFINITY
     try:
-        value = _read(normalized_value(text), partial(_unit_in, dimension=dimension_of(quantity.unit), otherwise=unit))
+        value = _read(normalized_value(text), partial(_unit_in, dimension=dimension_of(quantity.unit), default=unit))
     except BadUnit as error:
         raise _error_about(name, text, error) from None
     return checked(value, name, text)
@@ -346,15 +375,16 @@ def unit_meant(text: str, dimension: Dimension) -> Unit:
     return parse_unit(text)
 
 
-def _unit_in(text: str, dimension: Dimension, otherwise: Unit | None = None) -> Unit:
+def _unit_in(text: str, dimension: Dimension, default: Unit | None = None) -> Unit:
     """Return the unit that a text means, which must have the dimension; "" means the default. Raises a `BadUnit`."""
-    if not text and otherwise is not None:
-        return otherwise
+    if not text and default is not None:
+        return default
     if not text and any(dimension):
         raise BadUnit(NO_UNIT)
     unit = unit_meant(text, dimension)
-    if unit[2] != dimension:
-        raise BadUnit(f"is {kind_of(unit[2])}")
+    _, _, dimension_of_unit = unit
+    if dimension_of_unit != dimension:
+        raise BadUnit(f"is {kind_of(dimension_of_unit)}")
     return unit
 
 
@@ -403,30 +433,6 @@ def split_number(text: str) -> tuple[_Decimal, str]:
     return (int(sign + digits), int(exponent or 0) - len(fraction or "")), rest.removeprefix(" ")
 
 
-# Replacements that turn a typed value into a printed one: a space after the number, but none before a power of ten.
-_AS_WRITTEN = {
-    r" ?± ?": " ± ",
-    r"(?<=[0-9.)])(?![eE][-+]?[0-9])(?=[^\W\d_]|[%°])": " ",
-    r"\bangstroms?\b": "Å",
-    r"\bu(?=[mgsNJP])": "µ",
-}
-_TYPED_POWER = r"(?<=[A-DF-Za-df-z])(?:\^|\*\*)?(-?[0-9]+)"
-
-
-def as_typed(text: str) -> str:
-    """Return a typed value with its unit as printed; a word is unchanged.
-
-    >>> as_typed("2angstrom"), as_typed("0.03 J/m^2"), as_typed("1um"), as_typed("40%"), as_typed("plane")
-    ('2 Å', '0.03 J/m²', '1 µm', '40 %', 'plane')
-    >>> as_typed("25±5mJ/m2"), as_typed("25(5)mJ/m2"), as_typed("100nm +/- 5%"), as_typed("20 to 30 mJ/m2")
-    ('25 ± 5 mJ/m²', '25(5) mJ/m²', '100 nm ± 5 %', '20 to 30 mJ/m²')
-    """
-    text = normalized_value(" ".join(text.split()))
-    for typed, as_written in _AS_WRITTEN.items():
-        text = re.sub(typed, as_written, text)
-    return re.sub(_TYPED_POWER, lambda power: power[1].translate(RAISED), text)
-
-
 # --- Notations of uncertainties ---------------------------------------------------------------------------------------
 
 _SIGNED = r"([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)"
@@ -447,7 +453,8 @@ def _read(text: str, unit_in: _UnitIn) -> float | Uncertain:
         value, digits, end = match.groups()
         decimals = len(value.partition(".")[2])
         bar = f"{int(digits) / 10**decimals:.{decimals}f}"
-        if not re.match(r"[eE][+-]?[0-9]", end) and 2 * int(digits) > abs(float(value)):
+        may_be_power = 2 * int(digits) > abs(float(value)) and not re.match(r"[eE][+-]?[0-9]", end)
+        if may_be_power:  # as in 3.4(9), which is 3.4e9 in the paper
             raise BadUnit(f"can be read as {value}±{bar} or as {value}e{digits}", "write the one that is meant")
         return _measured(_value(value + end, unit_in), _value(bar + end, unit_in))
     if match := re.fullmatch(_TWO_SIDES, text):
@@ -461,7 +468,8 @@ def _read(text: str, unit_in: _UnitIn) -> float | Uncertain:
         low, high = _value(_with_unit_of(right, left), unit_in), _value(right, unit_in)
         if low >= high:
             raise BadUnit("does not rise: write the smaller value first")
-        return Interval(min(max(low, _to_15_digits(low / 2 + high / 2)), high), low, high)
+        centre = to_15_digits(low / 2 + high / 2)
+        return Interval(min(max(low, centre), high), low, high)  # rounding may move the centre out of a narrow range
     if re.search(r"[^\d\s]\s*\(", text):
         raise BadUnit("has brackets in its unit", "leave them out, as in mJ/m2")
     raise BadUnit("has an uncertainty in an unknown form", "write it as in 25±5 mJ/m2 or 20 to 30 mJ/m2")
@@ -497,7 +505,7 @@ def _plus_minus(left: str, right: str, unit_in: _UnitIn) -> Measured:
         if unit_of_bar != "%" or unit_in(unit) == parse_unit("%"):
             raise BadUnit("has a % that can be read in two ways", "write 25 mJ/m2 ± 20%, or (17±1) %")
         value = _value(left, unit_in)
-        return _measured(value, _to_15_digits(abs(value) * _value(right, parse_unit)))
+        return _measured(value, to_15_digits(abs(value) * _value(right, parse_unit)))
     if unit and not unit_of_bar:
         raise BadUnit("has an uncertainty without a unit")
     return _measured(_value(_with_unit_of(right, left), unit_in), _value(right, unit_in))
@@ -510,91 +518,6 @@ def _measured(value: float, *sides: float) -> Measured:
     return Measured(value, *sides)
 
 
-def _to_15_digits(number: float) -> float:
+def to_15_digits(number: float) -> float:
     """Return a number without the rounding error in its last digits: the middle of 0.1 and 0.2 is 0.15."""
     return float(f"{number:.15g}")
-
-
-# --- Lists and ranges -------------------------------------------------------------------------------------------------
-
-MAX_VALUES = 1_000_000_000
-
-
-class Spread:
-    """The values of a range, or a single value, which may be uncertain."""
-
-    def __init__(
-        self, low: float, high: float, size: int = 1, *, is_log: bool = False, uncertainty: Uncertain | None = None
-    ) -> None:
-        """Take `size` values from `low` to `high`, in equal steps or ratios, or a single value with an uncertainty."""
-        self.low, self.high, self.size, self.is_log, self.uncertainty = low, high, size, is_log, uncertainty
-
-    def __len__(self) -> int:
-        return self.size
-
-    def __iter__(self) -> Iterator[float | Uncertain]:
-        if self.uncertainty is not None:
-            return iter([self.uncertainty])
-        return map(self.value, range(self.size))
-
-    def value(self, position: int) -> float:
-        """Return the value at an index, rounded to 15 digits: four values from 1e-9 to 1e-6 include 1e-8 and 1e-7."""
-        if position in (0, self.size - 1):
-            return self.high if position else self.low
-        share = position / (self.size - 1)
-        if self.is_log:
-            return _to_15_digits(self.low * (self.high / self.low) ** share)
-        value = self.low * (1 - share) + self.high * share
-        is_error = abs(value) < 1e-15 * max(abs(self.low), abs(self.high))
-        return 0.0 if is_error else _to_15_digits(value)
-
-
-_LIST_OR_NUMBER = r"[+-]?[0-9]+,[0-9]+|[+-]?[0-9]{1,3}(?:,[0-9]{3})+"  # 1,5 and 2,500,000
-
-
-def spreads_of(text: str, name: str) -> list[Spread]:
-    """Return the comma-separated items of a text: values, and ranges `FROM:TO:COUNT`, perhaps with `:lin` or `:log`.
-
-    >>> [*spreads_of("1nm:1um:4", "radius")[0]]
-    [1e-09, 1e-08, 1e-07, 1e-06]
-    """
-    if NOMENCLATURE[name].unit == "1" and "," in text and re.fullmatch(_LIST_OR_NUMBER, text.strip()):
-        remedy = "for a list, write decimal points, as in 1.0,5.0; for a single number, write 1.5 or 2500"
-        raise QuantityError(name, text, "may be a list or a number with a comma", remedy)
-    items = text.split(",")
-    try:
-        return [_spread(item, name) for item in items]
-    except QuantityError as error:
-        if error.mistake == NO_UNIT and len(items) > 1:
-            mistake = f"has a number without a unit, {error.value}"
-            raise QuantityError(name, text, mistake, "a list has units, and a decimal mark is a point") from None
-        if error.mistake == NO_UNIT and ":" in text:
-            raise QuantityError(name, text, "needs a unit at both ends") from None
-        raise
-
-
-def _spread(text: str, name: str) -> Spread:
-    """Return the value of a text, with its uncertainty if it states one, or the range of a text with colons."""
-    if ":" in text:
-        return between(*text.split(":"), name=name, text=text)
-    value = value_of(text, name)
-    return Spread(middle(value), middle(value), uncertainty=value if is_uncertain(value) else None)
-
-
-def between(first: str, last: str, count: str = "", scale: str = "", *more: str, name: str, text: str) -> Spread:
-    """Return the range between two values. `text`: the whole text, for errors.
-
-    The values have equal ratios with the scale "log" and equal differences with "lin". Without a scale they have equal
-    ratios if both ends are positive, and otherwise equal differences.
-    """
-    if more or not (count.isascii() and count.isdigit()) or scale not in ("", "log", "lin"):
-        raise QuantityError(name, text, "is not a range", "write FROM:TO:COUNT, as 1nm:1um:7, and :lin for equal steps")
-    if len(count) > 10 or not 2 <= int(count) <= MAX_VALUES:
-        raise QuantityError(name, text, f"needs a count from 2 to {MAX_VALUES}")
-    low, high = parse_quantity(first, name), parse_quantity(last, name)
-    is_positive = low > 0 and high > 0
-    if scale == "log" and not is_positive:
-        raise QuantityError(name, text, "has an end that is not positive", "leave :log out: the steps are equal then")
-    if max(abs(low), abs(high)) == INFINITY:
-        raise QuantityError(name, text, "has an infinite end; a range needs two finite ends")
-    return Spread(low, high, int(count), is_log=is_positive and scale != "lin")

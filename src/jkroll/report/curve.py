@@ -10,6 +10,7 @@ from ..model.frame import Frame
 from ..model.plan import in_order
 from ..model.reasons import NO_STIFFNESS, MissingInput
 from ..model.rows import Wanted, sides_in
+from ..quantities.laws import EQUILIBRIUM, FIXED_GRIPS, FOLD, JUMP_IN, PULL_OFF, STABLE, UNSTABLE, WITHOUT_CONTACT
 from ..quantities.nomenclature import STATE_OR_LOAD
 from ..quantities.values import parse_quantity
 from ..text import quoted
@@ -22,16 +23,9 @@ FORCE_CURVE = Question(
 )
 _OF_CURVE = ("pull_off_force", "contact_radius", "approach")
 WHOLE_CURVE = Question(_OF_CURVE, _OF_CURVE)
-FOLD, PULL_OFF, JUMP_IN, EQUILIBRIUM = "fold", "pull-off", "jump-in", "equilibrium"
 NAMED = {FOLD: 1 / 6, PULL_OFF: 1 / 2, JUMP_IN: 2 / 3, EQUILIBRIUM: 1.0}  # the load factor of each named state of JKR
 STEPS, FEW_STEPS = 40, 12  # along the stable branch, in a file and on a terminal
 MAX_LOAD = 16 / 9  # largest load of a curve if no loads are given, over the pull-off force of the law
-# By law: the input that sets a state, and the quantity that gives its value at a load. Other laws use the load.
-_SET_BY = {
-    "jkr": ("load_factor", "load_factor"),
-    "maugis": ("edge_ratio", "edge_ratio_at_load"),
-    "dmt": ("approach_at_load", "approach_at_load"),
-}
 
 
 class State(NamedTuple):
@@ -72,28 +66,28 @@ def loads_of(text: str) -> Loads:
 
 
 def states(frame: Frame, loads: Loads | None = None, steps: int = STEPS) -> list[State]:
-    """Return the states of a frame's force curve, by rising value of the input that sets a state, see `_SET_BY`.
+    """Return the states of a frame's force curve, by rising value of the input that sets a state, see `Law.set_by`.
 
     Without `loads` the curve ends at (16/9)P_c. It has the named states, `steps` steps along the stable branch and, if
     the law has such states, half as many between a vanishing contact and pull-off, and half as many without contact. If
     the pull-off force is unknown, or if even the last load is beyond it, the curve has one state.
     """
     try:
-        set_by, at_load = _SET_BY.get(frame.law.name, ("load", "load"))
+        set_by = frame.law.set_by
         named, force = _named(frame), frame["pull_off_force"]
         low, high = loads or Loads(-inf, MAX_LOAD * force)
-        first = frame.replace(load=low)[at_load] if low > -force else named[PULL_OFF]
-        last = frame.replace(load=high)[at_load]
+        first = frame.replace(load=low)[set_by] if low > -force else named[PULL_OFF]
+        last = frame.replace(load=high)[set_by]
     except (MissingInput, NoResult):  # the answer says what is missing, or that the spheres let go
         if loads:
-            return [State("load", loads.high, "stable")]
+            return [State("load", loads.high, STABLE)]
         return [State("load", 0.0, EQUILIBRIUM)]
     half = steps // 2
-    every = [State(set_by, first + (last - first) * step / steps, "stable") for step in range(steps + 1)]
+    every = [State(set_by, first + (last - first) * step / steps, STABLE) for step in range(steps + 1)]
     if FOLD in named:
         for step in range(1, half):
             value = named[PULL_OFF] * (step / half) ** 3
-            every.append(State(set_by, value, "unstable" if value < named[FOLD] else "fixed grips"))
+            every.append(State(set_by, value, UNSTABLE if value < named[FOLD] else FIXED_GRIPS))
     for name, value in named.items():
         if value or name != FOLD:
             every.append(State(set_by, value, name))
@@ -105,26 +99,27 @@ def states(frame: Frame, loads: Loads | None = None, steps: int = STEPS) -> list
         return path
     slack = 1e-12 * max(abs(end) for end in loads if isfinite(end))  # the load computed for a state has rounding errors
     lowest, highest = low - slack, high + slack
-    return [state for state in path if state.name == "stable" or lowest <= state.in_frame(frame)["load"] <= highest]
+    return [state for state in path if state.name == STABLE or lowest <= state.in_frame(frame)["load"] <= highest]
 
 
 def _named(frame: Frame) -> dict[str, float]:
     """Return the value of the input that sets each named state; it is 0 for a fold without contact."""
     if frame.law.name == "jkr":
         return {**NAMED}
+    unloaded = frame.replace(load=0.0)[frame.law.set_by]
     if frame.law.name == "dmt":
-        return {PULL_OFF: 0.0, EQUILIBRIUM: frame.replace(load=0.0)["approach_at_load"]}
+        return {PULL_OFF: 0.0, EQUILIBRIUM: unloaded}
     if frame.law.name == "maugis":
         ends = {FOLD: frame["edge_ratio_at_fold"], PULL_OFF: frame["edge_ratio_at_pull_off"]}
-        return {**ends, EQUILIBRIUM: frame.replace(load=0.0)["edge_ratio_at_load"]}
-    return {PULL_OFF: -frame["pull_off_force"], EQUILIBRIUM: 0.0}
+        return {**ends, EQUILIBRIUM: unloaded}
+    return {PULL_OFF: -frame["pull_off_force"], EQUILIBRIUM: unloaded}
 
 
 def _without_contact(frame: Frame, ratio: float, steps: int) -> Iterator[State]:
     """Iterate over Maugis' states without contact, from the fold to the contact with this edge ratio (excluded)."""
     fold, touch = frame["fold_approach_maugis"], frame.replace(edge_ratio=ratio)["approach_at_load"]
     for step in range(steps):
-        yield State("approach_at_load", fold + (touch - fold) * step / steps, "without contact" if step else FOLD)
+        yield State("approach_at_load", fold + (touch - fold) * step / steps, WITHOUT_CONTACT if step else FOLD)
 
 
 def frames_of_curve(frame: Frame, loads: Loads | None = None, steps: int = STEPS) -> Iterator[Frame]:

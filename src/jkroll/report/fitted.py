@@ -3,11 +3,11 @@
 from collections.abc import Iterator, Sequence
 from math import floor, isfinite, isnan, log10, nan
 
-from ..fitting.branches import LOADING
+from ..fitting.branches import LOADING, RADIUS, TRAVEL
 from ..fitting.goodness import LAW_OFF
-from ..fitting.result import RESULTS, STRONG, Fit
-from ..quantities.formatting import Format, amount, bar_digits, significant, with_unit
-from ..quantities.laws import LAWS
+from ..fitting.result import HALF_SPACING, RESULTS, STRONG, Fit, law_and_variant
+from ..quantities.formatting import RESULT_DIGITS, Format, amount, rounded_at_error, significant, with_unit
+from ..quantities.laws import LAWS, PARABOLOID, SPHERE
 from ..quantities.nomenclature import NOMENCLATURE
 
 WORDS = {
@@ -26,7 +26,7 @@ _ABSENT, _UNBOUNDED = "–", "∞"
 _SCALED = {"J/m^2": "J/m", "Pa": "Pa m^0.5"}  # units of wR and E*√R, by those of w and E*
 _WITHOUT_RADIUS = {"work_of_adhesion_opening": "wR_open", "work_of_adhesion_closing": "wR_close",
     "adhesion_hysteresis": "ΔwR", "contact_modulus": "E*√R"}  # fmt: skip
-_VARIANTS = {"": "", "sphere": " for a sphere", "z0/2": " at z0/2"}  # variants of a law, in words
+_VARIANTS = {PARABOLOID: "", SPHERE: " for a sphere", HALF_SPACING: " at z0/2"}  # variants of a law, in words
 
 
 def unit_of_result(fitted: Fit, name: str) -> str:
@@ -61,7 +61,7 @@ def line_on_known(fitted: Fit, *, on_radius: str = "", stiffness: str = "") -> s
     texts = [f"{fitted.kind} and force, by {law}"]
     if known.radius is not None:
         texts.append(f"R = {amount('reduced_radius', known.radius)}{on_radius}")
-    if fitted.kind == "travel":
+    if fitted.kind == TRAVEL:
         texts.append(f"k = {stiffness or amount('lever_stiffness', known.stiffness)}")
     texts.append(f"{known.profile}, {int(fitted.goodness['points'])} points")
     return ", ".join(texts)
@@ -135,11 +135,8 @@ def _unit_of(fitted: Fit, name: str, value: float, error: float) -> tuple[str, f
 
 
 def _rounded(value: float, error: float) -> str:
-    """Return a value, rounded to the second digit of its error, which may be larger than the value."""
-    if error <= abs(value):
-        return bar_digits(value, error)
-    digits = max(1 - floor(log10(error)), 0)
-    return f"{round(value, digits) + 0.0:.{digits}f}"  # + 0.0 makes a rounded -0 a 0
+    """Return a value rounded at the second digit of its error; to four digits if the error is 0."""
+    return rounded_at_error([value], error)[0] if error else significant(value, RESULT_DIGITS)
 
 
 # --- Sentences --------------------------------------------------------------------------------------------------------
@@ -192,15 +189,19 @@ def _about_laws(fitted: Fit) -> Iterator[str]:
     """Iterate over the sentence with w by each law, beginning with the law that holds, and one on a true sphere."""
     name = next((name for name in RESULTS if name in fitted.values), "")
     best, profile = fitted.law_that_holds, fitted.known.profile
-    order = sorted(fitted.by_law, key=lambda law: (law.partition(",")[0] != best, profile not in law, law))
+
+    def rank(key: str) -> tuple[bool, bool, str]:
+        law, variant = law_and_variant(key)
+        return law != best, variant != profile, key
+
     texts = []
-    for key in order:
-        law, _, variant = key.partition(", ")
+    for key in sorted(fitted.by_law, key=rank):
+        law, variant = law_and_variant(key)
         number = amount("work_of_adhesion", fitted.by_law[key][name], Format(digits=3))
         texts.append(f"{LAWS[law].short}{_VARIANTS[variant]} {number}")
     tabor = significant(fitted.goodness["tabor_parameter"], 2)
     yield f"w by law, the best one first: {', '.join(texts)} (Tabor parameter {tabor}; JKR needs {STRONG:.0f})"
-    if profile == "sphere":
+    if profile == SPHERE:
         yield "only JKR is known for a sphere: the other laws are fitted for a paraboloid"
 
 
@@ -224,7 +225,7 @@ def _about_misfit(fitted: Fit) -> str:
     text = f"misfit {amount('pull_off_force', good['rms'], Format(digits=2))} rms"
     if "rms_over_pull_off" in good:
         text += f", {good['rms_over_pull_off']:.1%} of P_c"
-    if fitted.kind != "contact radius":
+    if fitted.kind != RADIUS:
         text += f", {significant(good['rms_over_noise'], 2)} times the noise"
     text += f"; {good['points']:.0f} points"
     if good["independent_points"] >= 1.5:

@@ -266,7 +266,7 @@ def _stick_or_bounce(answer: Answer) -> str:
     verdict = {-1: "stick", 0: "may stick or bounce", 1: "bounce"}[above]
     speed = amount("speed", answer.measures.get("speed", answer.frame["speed"]))
     stuck = what_stuck(answer.frame)
-    is_carried = stuck is not None and stuck.counts(answer.frame) and not stuck.is_near(answer.frame)
+    is_carried = stuck is not None and stuck.can_be_scaled(answer.frame) and not stuck.is_near(answer.frame)
     source = "scaled from measured speeds" if is_carried and sticking.by == MEASURED else WORDS[sticking.by]
     text = f"at {speed} the spheres {verdict}: the sticking speed is {limit} ({source})"
     best, by_law = answer.estimates["restitution"], answer.values["restitution"]

@@ -137,11 +137,11 @@ class Column(NamedTuple):
         values = numpy.full(len(cells), numpy.nan)
         by_unit: dict[bytes | None, dict[int, bytes]] = {}
         others: list[int] = []
-        for position, cell in enumerate(cells):
+        for row, cell in enumerate(cells):
             if match := _CELL.fullmatch(cell):
-                by_unit.setdefault(match[2], {})[position] = match[1]
+                by_unit.setdefault(match[2], {})[row] = match[1]
             elif cell and not cell.isspace():
-                others.append(position)
+                others.append(row)
         for unit, texts in by_unit.items():
             exponent = _exponent(unit, self.name) if unit else self.exponent
             numbers = None if exponent is None else plain_numbers([*texts.values()], exponent)
@@ -151,14 +151,14 @@ class Column(NamedTuple):
                 values[[*texts]] = numbers
         odd: list[int] = []
         uncertain: dict[int, Uncertain] = {}
-        for position in others:
-            meaning = _meaning(self, cells[position])
+        for row in others:
+            meaning = _meaning(self, cells[row])
             if isinstance(meaning, JkrollError):
-                odd.append(position)
+                odd.append(row)
                 continue
             if is_uncertain(meaning):
-                uncertain[position] = meaning
-            values[position] = middle(meaning)
+                uncertain[row] = meaning
+            values[row] = middle(meaning)
         return Numbers(values, odd, uncertain)
 
     def value(self, text: str) -> float | Uncertain:
@@ -342,9 +342,14 @@ class Lookup:
         return numpy.array([*map(self._indices.__getitem__, cells)], dtype=numpy.int64)
 
     @property
+    def unclear(self) -> list[str]:
+        """The messages on names that several materials share."""
+        return [error.fault for error in self.errors.values() if isinstance(error, UnclearMaterial)]
+
+    @property
     def remarks(self) -> list[str]:
-        """Remarks on ambiguous names; if any cell has an error, also the material of each alias in the column."""
-        remarks = [str(error) for error in self.errors.values() if isinstance(error, UnclearMaterial)]
+        """Remarks on the names in `unclear`; if any cell has an error, also on the aliases in the column."""
+        remarks = self.unclear
         if not self.errors:
             return remarks
         for cell, index in self._indices.items():

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy
 
 from ..errors import BadRequest, BadRow, BadTable, JkrollError
-from ..fitting.branches import APPROACH, LOADING, PAUSE, RADIUS, TRAVEL, UNLOADING, ForceCurve
+from ..fitting.branches import LOADING, PAUSE, QUANTITIES, UNLOADING, ForceCurve
 from ..materials.library import Materials
 from ..model.rows import Numbers
 from ..quantities.nomenclature import header as head_of
@@ -23,7 +23,7 @@ from .reading import unit_in
 from .table import Asked, Records
 
 # The columns that can give the x of a curve and its force, both in order of preference.
-_X = {"contact_radius_at_load": RADIUS, "approach_at_load": APPROACH, "lever_travel": TRAVEL}
+_X = {quantity: kind for kind, quantity in QUANTITIES.items()}
 _FORCES = ("load", "lever_force", "lever_deflection")
 _DEFLECTION = "lever_deflection"
 MEASURED = "contact_radius_at_load,approach_at_load,lever_travel,lever_force,lever_deflection,lever_stiffness"
@@ -43,7 +43,7 @@ class CurveTable(NamedTuple):
     """The columns of a table that a curve needs, with the attributes that file formats expect of a table."""
 
     names: tuple[str, ...]  # the headers
-    columns: Header  # of x and the force, and behind them of other inputs, with which they are compared
+    columns: Header  # x, the force, and then inputs that the options must not contradict
     asked: Asked
     positions: Mapping[str, int]
     labels: Mapping[str, int]
@@ -161,7 +161,10 @@ def _lacking(missing: str, x_name: str, header: Header) -> BadTable:
     options = []
     for position, text in enumerate(header.texts):
         if position not in used:
-            options += [option_of(text, head_of(name, unit)) for name in names if (unit := unit_in(text, name))]
+            for name in names:
+                unit = unit_in(text, name)
+                if unit:
+                    options.append(option_of(text, head_of(name, unit)))
     problem = f"header: no column has the {missing} of the curve"
     in_volts = _on_volts(text for position, text in enumerate(header.texts) if position not in used)
     if in_volts:
@@ -195,8 +198,8 @@ def _rows(table: CurveTable, records: Records) -> _Rows:
         line = records.before[row]
         if not (isinstance(line, bytes) and is_comment(line.decode(errors="replace"))):
             raise BadRow(records.starts[row], str(problems[row]))
-    for each in numbers.values():
-        each.values[[*problems]] = numpy.nan
+    for of_column in numbers.values():
+        of_column.values[[*problems]] = numpy.nan
     return _Rows(numbers, {label: records.cells[label] for label in table.labels})
 
 

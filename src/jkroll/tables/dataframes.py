@@ -79,7 +79,7 @@ class Data:
 
 class _Pandas(Data):
     def _items(self) -> Any:
-        """Iterate over the levels of the index and the columns; an index without names is read only if it has texts."""
+        """Iterate over the levels of the index and the columns; a level without a name is read only if it has texts."""
         index = self.data.index
         for number, name in enumerate(index.names):
             level, head = index.get_level_values(number), "index" if name is None else name

@@ -1,4 +1,7 @@
-"""The columns of uncertainties in a table, with the inputs to which they belong."""
+"""The columns of uncertainties in a table, with the inputs to which they belong.
+
+`reading` recognizes the header of an uncertainty; this module finds its owner among the other columns.
+"""
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
@@ -8,7 +11,8 @@ from ..model.frame import EXCLUSIVE
 from . import error_words, words
 from .cells import is_number
 from .reading import NO_FACTOR, SPREAD, UNREAD, Reading, normalized, reading_of, stems_of, unit_in
-from .words import MATERIALS, fits, headed
+from .unit_spellings import fits
+from .words import MATERIALS, headed
 
 ENDS = ("low", "high")  # the parts of a range
 
@@ -70,12 +74,12 @@ def _owners(
         return [], False
     if left.is_input and (is_bare or fits(unit, left.name)):
         return [left.name], is_adjacent or not is_bare
-    if reading.part == UNREAD or (left.text and not left.is_input):
+    if reading.part == UNREAD or (normalized(left.text) and not left.is_input):
         return [], False  # σ [MPa] may be a stress, and ± may belong to a column that is not read
     if is_bare:
         return [*values][:1], False  # no column on the left may have it
     owners = [name for name in values if fits(unit, name)]
-    others = [each.text for each in readings if not each.part and not each.is_input]
+    others = [other.text for other in readings if not other.part and not other.is_input]
     is_of_others = any(unit_in(text, name) for text, name in product(others, owners))
     return owners, len(owners) == 1 and not is_of_others
 

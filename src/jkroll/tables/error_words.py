@@ -1,4 +1,4 @@
-"""The words and notations of uncertainties in headers."""
+"""The words and notations of uncertainties in headers. `statistic_rows` has the names of statistics in rows."""
 
 # Words of columns that count, such as N or number of samples.
 COUNTS = {*"n no nr num number count counts of samples measurements values replicates anzahl".split()}
@@ -11,6 +11,7 @@ PARTS = {
 }
 # Notations of an uncertainty in a header. Few tables need these patterns, so they are compiled on first use.
 PERCENT = r"(?i)(?<![\d\s_.,/])[\s_.,/]*[\[(]?(?:%|percent|pct)(?![a-z])[\])]?"  # a percentage of the value
+# The same in an uncertainty that is not read, also after a number.
 SHARE = r"(?i)[\s_.,/]*[\[(]?(?:%|percent|pct)[\])]?"
 LEVEL = r"\d\s*(?:%|percent|pct)"  # a confidence level
 # The coverage factor of an expanded uncertainty.

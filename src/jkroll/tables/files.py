@@ -495,7 +495,8 @@ class Delimited:
         for word, mark in DELIMITERS.items():
             is_blank = mark == " "
             cells = line.replace('"', "").split(None if is_blank else mark)
-            if mark != self.separator and (count == 1 or not is_blank) and sum(map(is_read, cells)) > is_blank:
+            has_inputs = sum(map(is_read, cells)) >= (2 if is_blank else 1)
+            if mark != self.separator and (count == 1 or not is_blank) and has_inputs:
                 raise BadTable(f"header: {quoted(line)} has {word}s between its columns; write --delimiter {word}")
 
     # --- Rows ---------------------------------------------------------------------------------------------------------

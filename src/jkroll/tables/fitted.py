@@ -8,7 +8,7 @@ from typing import Any
 from ..errors import BadRequest, BadTable
 from ..fitting.branches import TRAVEL, BadCurve, LoadRange
 from ..fitting.fit import fit_curve
-from ..fitting.problem import NAMES
+from ..fitting.measurement import NAMES
 from ..fitting.result import BODIES, Fit, Known
 from ..materials.library import Materials, materials_of_user
 from ..model.accepted import check_range
@@ -18,7 +18,7 @@ from ..model.solver import solve
 from ..model.unknowns import SIZES
 from ..physics.sphere import INCOMPRESSIBLE, STIFFER
 from ..quantities.formatting import Format, amount
-from ..quantities.laws import DEFAULT_LAW, JKR_OF_SPHERE, PARABOLOID, SPHERE, law_given
+from ..quantities.laws import DEFAULT_LAW, JKR_OF_SPHERE, MAUGIS, PARABOLOID, SPHERE, law_given
 from ..quantities.nomenclature import DEFAULTS, NOMENCLATURE, as_input, computed_as
 from ..quantities.values import QuantityError, ends_of, is_uncertain, middle, value_of
 from ..text import as_arguments, listed, quoted
@@ -159,7 +159,7 @@ def known_of(words: Mapping[str, str | None], spring: Any, given: Mapping[str, A
         _check_sphere(given)
     stiffness = _stiffness_of(spring)
     radius = _radius(given)
-    if law == "maugis" and radius is None:
+    if law == MAUGIS and radius is None:
         raise BadRequest("--model maugis needs --radius: its curve depends on R and the atomic spacing")
     value = middle(stiffness) if stiffness is not None else inf
     return Known(

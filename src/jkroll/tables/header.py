@@ -1,7 +1,8 @@
 """The header of a table: columns of inputs with their units, columns that pass through, and columns that are refused.
 
 `reading` reads each header by itself. This module compares the headers with each other: it finds the input to which
-an uncertainty belongs, the columns that repeat an input, and the columns that change the meaning of an input.
+an uncertainty belongs, the columns that repeat an input, and the columns that change the meaning of an input. A header
+that is refused because of other headers, or because of its cells, is refused here.
 """
 
 import re
@@ -32,8 +33,9 @@ from .reading import (
     unit_in,
     words_in,
 )
+from .unit_spellings import unit_for
 from .unread import NOT_READ, Supply, decided_by, judged
-from .words import MATERIALS, headed, key, unit_for
+from .words import MATERIALS, headed, key
 
 _NOT_USED = "a value takes one ± column, or a minus and a plus column; a range takes only a low and a high column"
 _ROUNDED = 0.4  # largest difference between D/R and 2 that is due to rounding
@@ -77,7 +79,7 @@ class Header(NamedTuple):
         passed: dict[str, None] = {}
         for position, text in enumerate(self.texts):
             if position not in used and text.strip():
-                passed[_easy(text) + self._clause(position)] = None
+                passed[_as_shown(text) + self._clause(position)] = None
         if passed:
             sentence += f"; passed through: {first_of([*passed], _MAX_LISTED)}"
         return sentence
@@ -86,15 +88,12 @@ class Header(NamedTuple):
         return f" ({self.clauses[position]})" if position in self.clauses else ""
 
     def _from(self, column: Column) -> str:
-        """Return the standard header of an input, and its headers in the table if they differ.
-
-        The latter are those of the value and of the uncertainty.
-        """
+        """Return the standard header of an input, its header in the table if another, and those of its uncertainty."""
         text = self.texts[column.position]
         parts = [head_of(column.name, column.unit_text)]
         if not column.is_range and typed(text) not in (parts[0], column.name):
-            parts.append(f"from {_easy(text)}")
-        parts += [f"{_MARKS[part]}{_easy(self.texts[position])}" for part, position in column.sides]
+            parts.append(f"from {_as_shown(text)}")
+        parts += [f"{_MARKS[part]}{_as_shown(self.texts[position])}" for part, position in column.sides]
         return " ".join(parts)
 
 
@@ -103,7 +102,7 @@ def typed(text: str) -> str:
     return shown(" ".join(text.split()))
 
 
-def _easy(text: str) -> str:
+def _as_shown(text: str) -> str:
     """Return a header as messages show it: in quotes if it is empty, or a blank or bracket would confuse."""
     text = typed(text)
     if text and " " not in text.replace(" [", "[") and "(" not in text:
@@ -119,9 +118,9 @@ def stated_meanings(texts: Iterable[str], measured: str = "") -> dict[str, str]:
     meanings: dict[str, str] = {}
     for text in texts:
         pair = re.fullmatch(_HEADER_AND_INPUT, text, re.DOTALL)
-        head, meaning = map(typed, pair.groups()) if pair else ("", "")
-        if not head:
+        if pair is None:
             raise BadRequest(f"--column: {quoted(text)} is not of the form HEADER=INPUT, as in 'R2 (nm)=radius2 [nm]'")
+        head, meaning = map(typed, pair.groups())
         reading = reading_of(meaning, measured)
         if meaning and (not reading.is_input or reading.is_symbol or reading.meant):
             problem = f": {reading.problem}" if reading.problem else ""
@@ -162,22 +161,18 @@ def understood(
         known[name] = next(iter(parts.values())).text
         values += [reading for part, reading in parts.items() if part in ("", *ENDS)]
     readings = [_with_suffix(reading, known, measured) for reading in readings]
-    held = {*used, *decided_by(used)}
-    without_part = {reading.name for reading in readings if not reading.part}
-    for name, other in CONVERTED.items():
-        if other in without_part:
-            held.add(name)  # a column of G may pass through if there is one of E
+    held = _held(used, readings)
     clauses: Mapping[str, str] = {}
     if supply_of is not None:
         supply = supply_of(used)
         clauses = supply.clauses
         readings = _judged(readings, rows, supply)
-    left = [reading for reading in readings if reading.problem and not _may_pass(reading, held, known)]
+    left = _without_passing(readings, held, known)
     refused = [] if pass_rest else [*left]
     if refused and supply_of is not None:  # judge the other columns as if the refused ones were read
         meant = {reading.name for reading in refused if reading.name}
         readings = _judged(readings, rows, supply_of({*used, *meant}))
-        refused = [reading for reading in readings if reading.problem and not _may_pass(reading, held, known)]
+        refused = _without_passing(readings, held, known)
     refused += [reading for reading in map(_with_problem, values) if reading.problem]
     refused += [] if pass_rest else _contradicting(inputs, used, rows)
     for name, columns in inputs.items():
@@ -194,6 +189,16 @@ def understood(
     return Header(tuple(texts), tuple(numbers), tuple(materials), passed)
 
 
+def _held(used: Collection[str], readings: Iterable[Reading]) -> set[str]:
+    """Return the inputs that columns give or determine, and those that are converted to an input with a column."""
+    held = {*used, *decided_by(used)}
+    without_part = {reading.name for reading in readings if not reading.part}
+    for name, other in CONVERTED.items():
+        if other in without_part:
+            held.add(name)  # a column of G may pass through if there is one of E
+    return held
+
+
 def _judged(readings: Iterable[Reading], rows: Sequence[Sequence[str]], supply: Supply) -> list[Reading]:
     """Return readings, each with a problem if its column is unread and may be a supplied input."""
     return [judged(reading, [row[reading.position] for row in rows], supply) for reading in readings]
@@ -204,7 +209,7 @@ def _check_stated(stated: Iterable[str], texts: Sequence[str]) -> None:
     typed_texts = {*map(typed, texts)}
     for text in stated:
         if text not in typed_texts:
-            columns_of_table = first_of([*map(_easy, texts)], _MAX_LISTED)
+            columns_of_table = first_of([*map(_as_shown, texts)], _MAX_LISTED)
             raise BadTable(f"--column: the table has no column {quoted(text)}; it has {columns_of_table}")
 
 
@@ -254,7 +259,8 @@ def _contradicting(inputs: Mapping[str, _Parts], used: Collection[str], rows: Se
     """Return the columns of diameters that repeat a radius, but are not twice the radius in one of the rows."""
     contradicting = []
     for name in ("diameter", "diameter2"):
-        diameter, radius = (inputs.get(each, {}).get("") for each in (name, CONVERTED[name]))
+        diameter = inputs.get(name, {}).get("")
+        radius = inputs.get(CONVERTED[name], {}).get("")
         if name in used or diameter is None or radius is None:
             continue
         ratios = [_value_in(row, diameter) / _value_in(row, radius) for row in rows]
@@ -312,6 +318,11 @@ def _with_symbol(symbol: str, known: Mapping[str, str]) -> list[str]:
     return names
 
 
+def _without_passing(readings: Iterable[Reading], held: Collection[str], known: Collection[str]) -> list[Reading]:
+    """Return the columns with a problem that may not pass through; `held`, `known`: see `_may_pass`."""
+    return [reading for reading in readings if reading.problem and not _may_pass(reading, held, known)]
+
+
 def _may_pass(reading: Reading, held: Collection[str], known: Collection[str]) -> bool:
     """Return whether a column with a problem may pass through, since other columns or options give its inputs.
 
@@ -340,8 +351,8 @@ def meaning_of(text: str, cells: Sequence[str], stated: Mapping[str, str], measu
     """
     cells = [cell.strip() for cell in cells if not has_no_value(cell)]
     cell = cells[0] if cells else ""
-    mark = PLUS_MINUS.match(cell) if not text.strip() else None
-    head = mark[0] if mark else text  # cells such as ±5 need no header
+    mark = PLUS_MINUS.match(cell)
+    head = mark[0] if mark and not normalized(text) else text  # cells such as ±5 need no header
     reading = reading_of(stated.get(typed(text), head), measured)._replace(is_stated=typed(text) in stated)
     if reading.is_symbol and not reading.part:
         kinds = {_kind(each, reading.name) for each in dict.fromkeys(cells) if not is_number(each)}
@@ -416,11 +427,7 @@ def _used(name: str, columns: _Parts) -> _Parts:
 
     Raises BadTable for half a range, and for an unused column that `--column` gives.
     """
-    shape: Sequence[str] = ()
-    for each in _SHAPES:
-        if columns.keys() >= {*each}:
-            shape = each
-            break
+    shape = next((shape for shape in _SHAPES if columns.keys() >= {*shape}), ())
     others = [reading for part, reading in columns.items() if part not in shape]
     is_end = "" not in columns and not columns.keys().isdisjoint(ENDS)
     if others and ((is_end and not shape) or any(reading.is_stated for reading in others)):
@@ -511,7 +518,7 @@ def check_inputs(header: Header, measured: str = "") -> None:
             unit = unit_in(text, measured)
             if unit and position not in used:
                 options.append(option_of(text, headed(measured, unit)))
-        table = "" if options else f" (the table has {first_of([*map(_easy, header.texts)], _MAX_LISTED)})"
+        table = "" if options else f" (the table has {first_of([*map(_as_shown, header.texts)], _MAX_LISTED)})"
         ways = listed(options or [option_of("HEADER", headed(measured))], "or")
         raise BadTable(f"header: no column has the measured {measured}{table}; write {ways}")
     raise BadTable(

@@ -15,8 +15,9 @@ from ..quantities.values import unit_of
 from ..text import quoted
 from .cells import PLUS_MINUS
 from .header import typed
-from .reading import UNREAD, Reading, reading_of
-from .words import MATERIALS, unit_for
+from .reading import UNREAD, Reading, normalized, reading_of
+from .unit_spellings import unit_for
+from .words import MATERIALS
 
 BYTES = "latin-1"  # a character for each byte, since the csv module reads characters
 SAMPLE = 200  # lines or rows that decide how a table is read
@@ -294,7 +295,7 @@ def _below(name: str, text: str, stated: Mapping[str, str], measured: str) -> _C
     """Return a header and the cell below it, with the role of the cell."""
     unit = _without_brackets(text)
     mark = PLUS_MINUS.match(unit)
-    if mark and not name.strip():
+    if mark and not normalized(name):
         name, unit = "±", unit[mark.end() :]  # as in ± nm
     if unit in _NO_UNIT:
         return _Cell(name, _OTHER_TEXT)
@@ -306,15 +307,15 @@ def _below(name: str, text: str, stated: Mapping[str, str], measured: str) -> _C
     if unit == "1" and not with_unit.unit_text:
         return _Cell(name, _NO_ROW_OF_UNITS)
     if reading.unit_text:
-        roles = {True: _A_UNIT, False: _ANOTHER_UNIT, None: _NO_ROW_OF_UNITS}
+        role = _role_of_unit(unit, reading) or _NO_ROW_OF_UNITS
         if is_stated:
-            roles = {True: _A_UNIT, False: _A_UNIT, None: _OTHER_TEXT}
-        return _Cell(name, roles[_is_unit(unit, reading)])
+            role = _OTHER_TEXT if role == _NO_ROW_OF_UNITS else _A_UNIT
+        return _Cell(name, role)
     if meaning.strip() and with_unit.unit_text:
         return _Cell(name, _A_UNIT, f"{meaning} [{unit}]") if is_stated else _Cell(whole, _A_UNIT)
     if _is_read(reading):
         return _Cell(name, _NO_ROW_OF_UNITS)
-    if name.strip() and is_in_table(unit) and not re.search(r"[\[(]", name) and not is_stated:
+    if normalized(name) and is_in_table(unit) and not re.search(r"[\[(]", name) and not is_stated:
         name = whole  # another quantity, with its unit
     return _Cell(name, _OTHER_TEXT)
 
@@ -325,17 +326,19 @@ def _is_number(cell: str) -> bool:
     return unit != "1" and unit not in _NO_UNIT and _NUMBER.match(unit) is not None
 
 
-def _is_unit(text: str, reading: Reading) -> bool | None:
-    """Return whether a text is the unit of a header; None if it is not a unit of the header's quantity."""
+def _role_of_unit(text: str, reading: Reading) -> str:
+    """Return the role of a cell below a header with a unit; "" if the cell is not a unit of the header's quantity."""
     if text == reading.unit_text:
-        return True
+        return _A_UNIT
     unit = unit_for(text, reading.name) if reading.name else ""
     if not unit:
-        return None
+        return ""
     texts = {unit, reading.unit_text}
     if texts.isdisjoint(("1", "-")):
-        return unit_of(unit, reading.name) == unit_of(reading.unit_text, reading.name)
-    return texts == {"1", "-"}
+        is_same = unit_of(unit, reading.name) == unit_of(reading.unit_text, reading.name)
+    else:
+        is_same = texts == {"1", "-"}
+    return _A_UNIT if is_same else _ANOTHER_UNIT
 
 
 def _is_read(reading: Reading) -> bool:

@@ -40,10 +40,10 @@ def _of_lines(
     """
     is_of_blanks = form.separator == " "
     if form.name == "ndjson":
-        lines: Delimited | Ndjson = Ndjson()
+        table: Delimited | Ndjson = Ndjson()
     else:
-        lines = Delimited(form.separator, excel_safe=excel_safe, as_markdown=as_markdown)
-    stream = blocks(source.pieces(form.compression), lines.cut)
+        table = Delimited(form.separator, excel_safe=excel_safe, as_markdown=as_markdown)
+    stream = blocks(source.pieces(form.compression), table.cut)
     first = next(stream, b"")
     mark = BOM if first.startswith(BOM) else b""
     stream = chain([first.removeprefix(mark)], stream)
@@ -54,7 +54,7 @@ def _of_lines(
     if is_of_blanks:
         stream = between_tabs(stream)
     first = next(stream)
-    rows = first[lines.read_header(first, asked.stated, asked.measured) :]
+    rows = first[table.read_header(first, asked.stated, asked.measured) :]
     if not as_markdown:
-        lines.header = mark + lines.header
-    return lines, filter(None, chain([rows], stream))
+        table.header = mark + table.header
+    return table, filter(None, chain([rows], stream))

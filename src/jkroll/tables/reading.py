@@ -17,7 +17,8 @@ from ..quantities.nomenclature import NOMENCLATURE, of_sphere
 from ..quantities.units import PREFIXES, SUPERSCRIPTS, is_in_table
 from ..text import ascii_text, composed, quoted
 from . import error_words, words
-from .words import MATERIALS, Meaning, fits, headed, key, spelt_out, squeezed, unit_for
+from .unit_spellings import fits, is_like_unit, squeezed, unit_for
+from .words import MATERIALS, Meaning, headed, key, spelt_out
 
 
 class Reading(NamedTuple):
@@ -64,7 +65,7 @@ _SPELT = str.maketrans(
 )
 UNREAD = "unread"
 _SUFFIXES = ("", "%", "u", "in", "min")  # suffixes that are not units: percentage, uncertainty, inside, minimum
-_SIGNS = re.compile(r"(?<=[^\W_])\^?[+−⁺⁻-](?=$|[\s\[({<,/;:|])")  # after a word, as in γ+ and γ- [mJ/m2]
+_SIGNS = re.compile(r"(?<=[^\W_])\^?[+−⁺⁻-](?=$|[\s\[({<,/;:|])")
 _PLUS_MINUS = re.compile(r"\+\s?/?\s?[-−]")
 _ACCENTS = "[\u0300\u0301\u0303\u0308\u0327]"  # of à, é, ñ, ö, ç
 # As in $R_{1}$ [$\mu$m]; `_SPELT` then removes $ and replaces \ by a blank.
@@ -77,6 +78,7 @@ _CUT = re.compile(
 _ACRONYM = r"(?<=[A-Z]{3})(?=[A-Z][a-z]{3})"  # as in DMTModulus
 _PLAIN_GAP = re.compile(r"(?:[\s_.-]?|\s-\s)(?:(?:in|IN)[\s_.])?")
 _QUOTED = r"^([\"'])\s*(.*?)\s*\1$"
+_UNNAMED = r"^Unnamed: \d+$"  # pandas' name for an empty header
 _EDGES = " _.,:;/|-·"
 _FACTORS = r"^[\d\s.*/^+()−-]+|\s*[*/^+(−-][\d\s.()]*(?:(?<=\d)[eE][+-]?\d+)?$|[⁰¹²³]+$"
 _FACTOR_BEHIND = r"\s*(?:(?<![^\W\d_])x|[×*·/^+−-])\s*\(?\d[\d.,eE^+⁰¹²³⁴⁵⁶⁷⁸⁹⁻−-]*\)?$"  # as in radius (nm) x 10
@@ -100,11 +102,9 @@ def reading_of(text: str, measured: str = "") -> Reading:
     if len(text) > _LONGEST:
         return Reading()
     text = normalized(text)
-    unsigned = _SIGNS.sub("", text)
-    reading = reading_of(unsigned, measured) if unsigned != text else Reading()
-    if reading.is_input:
-        otherwise = Reading() if reading.is_symbol or reading.part else Reading(reading.name, problem=FACTOR)
-        return Reading(reading.name, part=UNREAD, problem=FACTOR, names=reading.names, of=unsigned, otherwise=otherwise)
+    signed = _signed(text, measured)
+    if signed is not None:
+        return signed
     known = words.meanings(measured)
     splits = [*splits_of(text)]
     for split in splits:
@@ -118,13 +118,23 @@ def reading_of(text: str, measured: str = "") -> Reading:
     return of_part._replace(otherwise=otherwise) if of_part.part else otherwise._replace(of=of_part.of)
 
 
+def _signed(text: str, measured: str) -> Reading | None:
+    """Return the refusal of an input's header with a sign after a word, as in γ+ and γ- [mJ/m2]; else None."""
+    unsigned = _SIGNS.sub("", text)
+    reading = reading_of(unsigned, measured) if unsigned != text else Reading()
+    if not reading.is_input:
+        return None
+    otherwise = Reading() if reading.is_symbol or reading.part else Reading(reading.name, problem=FACTOR)
+    return Reading(reading.name, part=UNREAD, problem=FACTOR, names=reading.names, of=unsigned, otherwise=otherwise)
+
+
 def normalized(text: str) -> str:
-    """Return a header without accents, and with a single form of its marks, blanks and brackets."""
+    """Return a header without accents, and with a single form of its marks, blanks and brackets; "" for Unnamed: 2."""
     text = decoded(text)
     for mark, plain in _LATEX.items():
         text = re.sub(mark, plain, text)
     text = re.sub(_QUOTED, r"\2", " ".join(without_accents(composed(text)).translate(_SPELT).split()))
-    return _PLUS_MINUS.sub("±", text)
+    return _PLUS_MINUS.sub("±", re.sub(_UNNAMED, "", text))
 
 
 def without_accents(text: str) -> str:
@@ -149,7 +159,7 @@ def decoded(text: str) -> str:
     if text.isascii() or "Å" in text:  # Å² would become another letter, and no Greek letter or unit is misread as Å
         return text
     try:
-        return b"".join(each.encode("latin-1" if each <= "ÿ" else "cp1252") for each in text).decode()
+        return b"".join(letter.encode("latin-1" if letter <= "ÿ" else "cp1252") for letter in text).decode()
     except UnicodeError:
         return text
 
@@ -253,9 +263,8 @@ def _of_spread(text: str, measured: str) -> Reading:
 def _unread(text: str, measured: str, whole: str = "") -> Reading:
     """Return the reading of a header about a spread: UNREAD, with the input or the unit that its other words give.
 
-    If they give neither, the reading has no part: it only keeps the other words.
-
-    `whole`: the whole header, which is not read again.
+    If they give neither, the reading has no part: it only keeps the other words. `whole`: the whole header,
+    which is not read again.
     """
     rest = text
     for pattern in (error_words.SPREAD, error_words.SPREAD_BESIDE, error_words.FILLER, error_words.SHARE):
@@ -287,15 +296,9 @@ def _scaled(text: str, measured: str) -> Reading | None:
 def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading | None:
     """Return the refusal of a header that contains a word for an input but cannot be read; None if it may pass."""
     for split in sorted(splits, key=lambda split: len(split.word), reverse=True):
-        unit = re.sub(FACTOR_OF_UNIT, "", split.unit) or split.unit
-        without_factor = split._replace(word=re.sub(_FACTORS, "", split.word), unit=unit)
-        reading = _exact(without_factor, known) if without_factor != split else None
-        if reading is not None and not reading.is_symbol:
-            unit = _with_prefix(split.unit) if split.is_explicit and without_factor.word == split.word else ""
-            meant = [headed(reading.name, unit)] if fits(unit, reading.name) else ()
-            numbered = re.search(r"\(([12])\)$", split.word)  # as in R(2)
-            name = of_sphere(int(numbered[1]), reading.name) if numbered else reading.name
-            return Reading(name, problem=FACTOR, meant=meant)
+        with_factor = _with_factor(split, known)
+        if with_factor is not None:
+            return with_factor
         word, is_slip = _word_in(split.word, known, split.unit)
         word = word or (words.with_index(split.word) if split.unit else "")
         if not word:
@@ -317,13 +320,14 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
         if meaning.names[1:]:
             names = [of_sphere(sphere, each) if sphere else each for each in meaning.names]
         if split.unit and word == key(split.word):
-            tail = re.findall(r"[a-z]+", _CUT.sub(" ", split.unit).casefold())
-            is_label = name in MATERIALS or split.unit in words.INDICES or not words.LABELS.isdisjoint(tail)
+            unit_words = re.findall(r"[a-z]+", _CUT.sub(" ", split.unit).casefold())
+            is_label = name in MATERIALS or split.unit in words.INDICES or not words.LABELS.isdisjoint(unit_words)
             is_other = is_shared and not unit_for(split.unit.casefold(), name)
             if meaning.problem or ((is_label or is_other) and not split.is_explicit):
                 return None
             of_body = names if split.is_explicit else names[:1]
-            meant = [*map(headed, of_body)] if split.unit[0].isalpha() and all(map(words.is_like_unit, tail)) else []
+            may_be_unit = split.unit[0].isalpha() and all(map(is_like_unit, unit_words))
+            meant = [*map(headed, of_body)] if may_be_unit else []
             problem = f"the text after {quoted(split.word)} is not its unit"
             return Reading(name, problem=problem, meant=meant, names=of_body)
         unit_text = unit_for(split.unit, name, is_explicit=split.is_explicit and is_in_table(split.unit))
@@ -331,6 +335,20 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
         if (unit_text and is_slip) or ((unit_text or is_telling) and not is_shared):
             return _doubtful(split, word, meaning, names, unit_text, is_slip=is_slip)
     return None
+
+
+def _with_factor(split: Split, known: Mapping[str, Meaning]) -> Reading | None:
+    """Return the refusal of an input's header whose word or unit has a factor, as in A [10^-20 J]; else None."""
+    unit = re.sub(FACTOR_OF_UNIT, "", split.unit) or split.unit
+    without_factor = split._replace(word=re.sub(_FACTORS, "", split.word), unit=unit)
+    reading = _exact(without_factor, known) if without_factor != split else None
+    if reading is None or reading.is_symbol:
+        return None
+    unit = _with_prefix(split.unit) if split.is_explicit and without_factor.word == split.word else ""
+    meant = [headed(reading.name, unit)] if fits(unit, reading.name) else ()
+    numbered = re.search(r"\(([12])\)$", split.word)  # as in R(2)
+    name = of_sphere(int(numbered[1]), reading.name) if numbered else reading.name
+    return Reading(name, problem=FACTOR, meant=meant)
 
 
 def _with_prefix(unit: str) -> str:

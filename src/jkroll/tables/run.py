@@ -15,12 +15,12 @@ from contextlib import closing
 from functools import partial
 from itertools import chain, islice
 from time import monotonic, sleep
-from typing import Any, BinaryIO, NamedTuple, TypeVar
+from typing import Any, BinaryIO, NamedTuple
 
 from ..errors import ROWS_FAILED, BadRequest, BadRow, BadTable, JkrollError, MissingExtra, missing_extra
 from ..model.limits import EVERY_DOUBT
 from ..model.rows import DOUBT, STATUS, Columns, Tally, Wanted, evaluated, worded
-from ..quantities.formatting import Format, amount
+from ..quantities.formatting import Format
 from ..quantities.laws import DEFAULT_LAW, LAWS, law_given
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, computed_as
 from ..text import quoted, say, say_wrapped, shown
@@ -38,20 +38,17 @@ from .files import (
 )
 from .ndjson import Ndjson
 from .opened import opened
+from .progress import with_progress
 from .table import Asked, Table, TableBlock, header_of
 
 MAX_PROCESSES = 16  # unless --jobs asks for more, since one process reads for all others
 ALONE = 4  # blocks that this process converts before it starts other processes
-WAIT = 0.5  # seconds before progress is shown
-WIDTH = 60  # characters in the line of progress
 MAX_NOTES = 6  # maximum number of notes at the end, on rows or on many tables
 LITTLE = 1 << 19  # bytes that a process converts while another starts
 FOLDER_ENDS = ("/", os.sep)  # a directory ends in one of them; Windows has both
 DASK_WAIT = 20.0  # seconds to wait for a Dask scheduler, and as many to wait for a worker
 DASK_CHECK = 2.0  # seconds between checks that the scheduler still has a worker
 DASK_STEP = 0.02  # seconds between checks for a converted table
-
-T = TypeVar("T")
 
 
 class Job(NamedTuple):
@@ -77,8 +74,9 @@ class Job(NamedTuple):
 
     def say(self, lines: Iterable[str]) -> None:
         """Print lines on stderr, unless the run is quiet."""
-        for line in () if self.quiet else lines:
-            say_wrapped(line, sys.stderr)
+        if not self.quiet:
+            for line in lines:
+                say_wrapped(line, sys.stderr)
 
 
 def run(path: str, job: Job) -> int:
@@ -101,12 +99,7 @@ def notes_on(tally: Tally, asked: Asked) -> Iterator[str]:
 
     if tally.inferred:
         yield _summary(asked, tally)
-    # A name that several materials share is already in a remark: its rows are not reported again.
-    said = [f"{remark.removeprefix('note: ')}: row" for remark in tally.remarks]
-    notes = []
-    for note in about_rows(tally, EVERY_DOUBT, f"column {DOUBT if asked.doubt else STATUS}"):
-        if not any(remark in note.text for remark in said):
-            notes.append(note)
+    notes = [*about_rows(tally, EVERY_DOUBT, f"column {DOUBT if asked.doubt else STATUS}")]
     for note in notes[:MAX_NOTES]:
         yield note.line
     more = len(notes) - MAX_NOTES
@@ -121,21 +114,13 @@ def _summary(asked: Asked, tally: Tally) -> str:
     """
     import numpy
 
+    from ..report.scatter import scatter_in_words
+
     name, law = asked.infer, law_given(asked.inputs.get("model"), asked.inputs.get("profile")) or DEFAULT_LAW
     values = numpy.concatenate(tally.inferred)
     known = values[~numpy.isnan(values)]
     sentence = f"note: {name} by {LAWS[law].short}: {len(known)} of {len(values)} rows"
     return sentence if len(known) < 2 else f"{sentence}; {scatter_in_words(name, known)}"
-
-
-def scatter_in_words(name: str, known: Any) -> str:
-    """Return the phrase with the median, quartiles, mean and scatter of at least two values of a quantity."""
-    import numpy
-
-    low, median, high = numpy.quantile(known, [0.25, 0.5, 0.75]).tolist()
-    middle = f"median {amount(name, median)}, quartiles {amount(name, low)} and {amount(name, high)}"
-    mean, scatter = float(known.mean()), float(known.std(ddof=1))
-    return f"{middle}; mean {amount(name, mean)}, scatter {amount(name, scatter)}"
 
 
 def about(table: Table) -> Iterator[str]:
@@ -212,6 +197,8 @@ class Converter(NamedTuple):
         added = [*table.law_words.values(), *result_columns(columns, form, table.wanted.remarks())]
         output = compressed(self.source.writer.rows(table.added, added, records.before), self.compression)
         tally = Tally.of(columns)
+        # `about` explains unclear names, so the gaps that they leave are not counted.
+        tally = tally._replace(gaps={fault: rows for fault, rows in tally.gaps.items() if fault not in table.unclear})
         unknown = table.asked.infer
         if unknown:
             tally = tally._replace(inferred=(columns.column(unknown).copy(),))
@@ -282,29 +269,6 @@ def _converted(blocks: Iterator[Any], convert: Converter, processes: int) -> Gen
     from .workers import answers  # only a large table loads multiprocessing
 
     yield from answers(processes, convert.converted, chain([block], blocks))
-
-
-def with_progress(
-    items: Iterable[T], size_of: Callable[[T], int], line_of: Callable[[int, float], str]
-) -> Generator[T]:
-    """Iterate over items, with a line of progress on the terminal that disappears at the end.
-
-    `size_of`: returns the size of an item; `line_of`: returns the line, from the size of all items so far and the
-    seconds since the beginning.
-    """
-    began, done, line = monotonic(), 0, ""
-    try:
-        for item in items:
-            done += size_of(item)
-            yield item
-            del item  # see `_convert`
-            taken = monotonic() - began
-            if taken > WAIT:
-                line = line_of(done, taken)
-                sys.stderr.write(f"\r{line:{WIDTH}}\r")
-                sys.stderr.flush()
-    finally:
-        sys.stderr.write(f"\r{'':{WIDTH}}\r" if line else "")
 
 
 def progress_of(file: Input, rows: int, taken: float) -> str:

@@ -1,4 +1,7 @@
-"""Rows of statistics in a table, such as a mean or a standard deviation below the data."""
+"""Rows of statistics in a table, such as a mean or a standard deviation below the data.
+
+The name of a new kind of statistics belongs in MEANS, in SPREADS or, if it may also be a label, in _COMPANIONS.
+"""
 
 import re
 from collections.abc import Sequence
@@ -31,8 +34,8 @@ _MOST_WORDS = 3  # maximum number of words in a name of a statistic
 _FILLERS = "of the overall grand sample arithmetic value values lower upper de la значение".split()
 _PERCENTILE = re.compile(r"\d[\d.]*\s*%|q[1-3]")
 _BESIDES = re.compile(r"\(.*\)|\[.*\]|[\d.]+\s*%|%|[=:]\s*[\d.,]*$|\bof\s+\d+$")  # (n-1), 95 %, = 0.7, of 5
-# The beginning of a cell that may name a mean or a spread. The search ends with the line: beyond, it would take a time
-# that grows as the square of the number of lines.
+# The beginning of a cell that may name a mean or a spread. It ends within a line: otherwise the time of a search would
+# grow as the square of the number of lines.
 _BEGINNINGS = sorted({name[:3] for name in MEANS | SPREADS})
 _MAY_NAME = re.compile(
     rf"\n[^a-z\n]*(?:(?:{'|'.join(_FILLERS)})[^a-z\n]+)*(?:{'|'.join(_BEGINNINGS)}|s\W?d|st\W|s\W?e\W?m)"
@@ -58,13 +61,12 @@ def statistic(cell: bytes) -> str:
     words = [word for word in re.split(r"[\s_.:=±+/-]+", _BESIDES.sub(" ", plain)) if word and word not in _FILLERS]
     first = ""
     while words:
-        names = ["".join(words[:size]) for size in range(_MOST_WORDS, 0, -1)]  # the longest first
-        name = next((name for name in names if name in _STATISTICS), "")
-        if not name:
+        sizes = range(_MOST_WORDS, 0, -1)  # the longest name first
+        size = next((size for size in sizes if "".join(words[:size]) in _STATISTICS), 0)
+        if not size:
             return ""
-        first = first or name
-        while name:
-            name = name.removeprefix(words.pop(0))
+        first = first or "".join(words[:size])
+        words = words[size:]
     return first
 
 
@@ -87,7 +89,8 @@ def are_kinds_of_data(cells: Sequence[bytes]) -> bool:
 def rows_of_statistics(cells: Sequence[bytes], *, alone: bool) -> list[int]:
     """Return the rows of statistics: adjacent rows that name statistics, among them a spread, or a mean and another.
 
-    `alone`: True if a mean is enough. A word that may be a label, such as N, counts only next to a spread or a mean.
+    `alone`: True if a mean alone is enough. A word that may be a label, such as N, counts only next to a spread or a
+    mean.
     """
     if not _may_name(cells):
         return []
@@ -107,11 +110,14 @@ def _blocks(names: Sequence[str]) -> list[list[int]]:
     """
     blocks: list[list[int]] = []
     for row in [row for row, name in enumerate(names) if name]:
-        block = blocks[-1] if blocks else [-3]
-        is_next = row - block[-1] == 1
-        is_after_one = row - block[-1] == 2 and names[row] not in {names[each] for each in block}
-        if is_next or is_after_one:
-            block += range(block[-1] + 1, row + 1)
+        if blocks and _is_in_block(row, blocks[-1], names):
+            blocks[-1] += range(blocks[-1][-1] + 1, row + 1)
         else:
             blocks.append([row])
     return blocks
+
+
+def _is_in_block(row: int, block: Sequence[int], names: Sequence[str]) -> bool:
+    """Return whether a row that names a statistic belongs to the block above it."""
+    distance = row - block[-1]
+    return distance == 1 or (distance == 2 and names[row] not in [names[other] for other in block])

@@ -107,6 +107,8 @@ class Table:
         for name, position in self.positions.items():
             cells[name] = [row[position].encode() for row in rows]
         sample = TableBlock(self, Records(rows, cells))  # the lookups then know the materials of these rows
+        # The messages on names in these rows that several materials share.
+        self.unclear = frozenset(chain.from_iterable(lookup.unclear for lookup in self.lookups.values()))
         frames = self._frames(cells)
         self.rows = rows
         try:
@@ -337,10 +339,9 @@ class TableBlock:
         for row in first.odd:
             others = [typed(self.cells[name][row].decode(errors="replace")) for name in heads]
             if others != [*heads.values()] and all(is_input(each, self.table.asked.measured) for each in others):
-                other, above = (quoted(", ".join(each)) for each in (others, heads.values()))
+                instead = f"{quoted(', '.join(others))} instead of {quoted(', '.join(heads.values()))}"
                 raise BadTable(
-                    f"a row below the header is another header: {other} instead of {above}. Split the file there, and "
-                    "convert each part"
+                    f"a row below the header is another header: {instead}. Split the file there, and convert each part"
                 )
 
     @property

@@ -159,9 +159,8 @@ def _tabled(rows: Data, asked: Asked, say: Callable[[str], object] | None, *, st
     header = header_of(source, asked)
     tell([header.reading()])
     read = Table(header, source.sample, asked)
-    remarks = [*about(read)] if say else []
-    tell(remarks)
-    convert, tally = Converter(source, read, "", strict=strict), Tally(remarks=tuple(remarks))
+    tell(about(read) if say else ())
+    convert, tally = Converter(source, read, "", strict=strict), Tally()
     blocks: list[Sequence[Any]] = []
     for start in range(0, rows.size, BLOCK) or [0]:
         try:

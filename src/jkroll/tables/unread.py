@@ -2,8 +2,8 @@
 
 The unit of a column tells which inputs it may be, and its words choose among them. If a material, an option, a default
 or sphere 1 supplies such an input, the column is refused until the user states its meaning. Lengths, forces, times and
-ratios are often not inputs, so the words of such a column must point to an input. A text column may be an input if its
-cells are materials.
+ratios are often not inputs, so the words of such a column must point to an input: `words` has these words. A text
+column may be an input if its cells are materials.
 """
 
 import re
@@ -26,14 +26,15 @@ from ..text import ascii_text, shown
 from . import words
 from .cells import has_no_value, is_number
 from .reading import FACTOR_INSIDE, FACTOR_OF_UNIT, Reading, Split, normalized, reading_of, splits_of
-from .words import INPUTS, MATERIALS, fits, headed, key, sphere_of, squeezed, tokens_of, unit_for
+from .unit_spellings import TECHNICAL_UNITS, fits, may_be_unit, squeezed, unit_for
+from .words import INPUTS, MATERIALS, headed, key, sphere_of, tokens_of
 
 # Inputs that replace each other, in addition to EXCLUSIVE.
 _OF_MODULI = tuple(("contact_modulus", name) for name in ("youngs_modulus", "youngs_modulus2"))
 # The names of the inputs, and of the formulas that compute them.
 _OF_INPUTS = {*INPUTS, *chain.from_iterable(routes_anywhere().get(name, ()) for name in INPUTS)}
 # Inputs whose columns may also have words for other quantities.
-_OF_PARTS = (
+_WITH_OTHER_WORDS = (
     "yield_strength",
     "approach_at_load",
     "atomic_spacing",
@@ -43,7 +44,7 @@ _OF_PARTS = (
     "hysteresis_fraction",
     "hamaker",
 )
-_OF_EACH_UNIT = {NOMENCLATURE[name].unit: name for name in INPUTS}  # an input with each SI unit
+_INPUT_OF_UNIT = {NOMENCLATURE[name].unit: name for name in INPUTS}  # an input with each SI unit
 NOT_READ = "not read, and "  # before the clause that names the value used instead
 _POWERS = {"sq": "2", "cu": "3"}
 _MOST_MEANT = 3  # maximum number of inputs that a message offers
@@ -52,7 +53,7 @@ _MOST_MEANT = 3  # maximum number of inputs that a message offers
 class Supply(NamedTuple):
     """The inputs supplied without a column, each with a clause that names the source."""
 
-    clauses: Mapping[str, str]  # as in "E1 is quartz's 54 GPa"; for a replaced input, on that which replaces it
+    clauses: Mapping[str, str]  # as in "E1 is quartz's 54 GPa"; for a replaced input, on the input that replaces it
     direct: Collection[str]  # the supplied inputs, without the replaced ones
     solids: Sequence[str]  # the columns of materials that could supply a property
     known: Materials
@@ -97,13 +98,12 @@ def _replaced(names: Sequence[str], columns: Set[str], clauses: Mapping[str, str
     """Return the inputs that a supplied input replaces, each with a clause on the supplied input."""
     replaced: dict[str, str] = {}
     for group in (*EXCLUSIVE, *_OF_MODULI):
-        if columns.isdisjoint(group):
-            for other in group:
-                if other in clauses:
-                    source = clauses[other].replace(" is ", ", which is ", 1)
-                    for name in names:
-                        if name in group:
-                            replaced[name] = f"{symbol_of(name).removesuffix('1')} follows from {source}"
+        if not columns.isdisjoint(group):
+            continue
+        for other in filter(clauses.__contains__, group):
+            source = clauses[other].replace(" is ", ", which is ", 1)
+            for name in filter(group.__contains__, names):
+                replaced[name] = f"{symbol_of(name).removesuffix('1')} follows from {source}"
     return replaced
 
 
@@ -202,7 +202,7 @@ def offered(text: str, cells: Sequence[str], names: Sequence[str]) -> list[str]:
 def _candidates(text: str, cells: Sequence[str], supply: Supply) -> tuple[Split, Mapping[str, str]]:
     """Return the word and the unit of a header, and the supplied inputs that it may mean, with their units."""
     split = _with_unit(text)
-    units = {unit: _unit(split, name) for unit, name in _OF_EACH_UNIT.items()}
+    units = {unit: _unit(split, name) for unit, name in _INPUT_OF_UNIT.items()}
     candidates: dict[str, str] = {}
     for name in supply.clauses:
         unit = units.get(NOMENCLATURE[name].unit, "")
@@ -216,7 +216,8 @@ def _candidates(text: str, cells: Sequence[str], supply: Supply) -> tuple[Split,
     if _is_result(split):
         return split, {}
     tokens = tokens_of(split.word)
-    spheres = {0, sphere_of(tokens) or 1, sphere_of(tokens) or 2}
+    sphere = sphere_of(tokens)
+    spheres = (0, sphere) if sphere else (0, 1, 2)
     possible = [name for name in candidates if NOMENCLATURE[name].sphere in spheres]
     if not _is_unreadable(split.word):
         possible = [name for name in possible if _points_to(tokens, name)]
@@ -236,8 +237,8 @@ def _unit(split: Split, name: str) -> str:
     if unit:
         return unit
     has_sphere_first = re.match(r"[12][\W_]*(?!e[-\d])[^\W\d]", split.unit)
-    spelt = re.sub(FACTOR_OF_UNIT, "", split.unit) + "_" * split.is_mangled
-    return "UNIT" if not has_sphere_first and words.may_be_unit(spelt, name) else ""
+    spelt = re.sub(FACTOR_OF_UNIT, "", split.unit) + ("_" if split.is_mangled else "")
+    return "UNIT" if not has_sphere_first and may_be_unit(spelt, name) else ""
 
 
 def _without_unit(text: str, cells: Sequence[str], supply: Supply) -> list[str]:
@@ -274,7 +275,7 @@ def _with_unread_unit(text: str) -> tuple[Split, Sequence[str]]:
 
 def _is_technical(unit: str, name: str) -> bool:
     """Return whether a text means a unit of an input in a technical system, as kg/mm² does for a pressure."""
-    spelt = {squeezed(text) for text in words.TECHNICAL_UNITS.get(NOMENCLATURE[name].unit, ())}
+    spelt = {squeezed(text) for text in TECHNICAL_UNITS.get(NOMENCLATURE[name].unit, ())}
     return squeezed(unit) in spelt
 
 
@@ -349,7 +350,7 @@ def _is_unit(split: Split) -> bool:
         return False  # the g of specific gravity
     if not split.is_explicit and re.search(r"\s(?:in|[/,;:|])\s|[\s_.][\[({<]", split.unit):
         return False  # the unit is at the end: r_m / nm, A_22 [J]
-    return is_in_table(split.unit) or any(_unit(split, name) for name in _OF_EACH_UNIT.values())
+    return is_in_table(split.unit) or any(_unit(split, name) for name in _INPUT_OF_UNIT.values())
 
 
 def _is_result(split: Split) -> bool:
@@ -388,7 +389,7 @@ def _points_to(tokens: Sequence[str], name: str) -> bool:
 def _is_of_other(tokens: Sequence[str], name: str) -> bool:
     """Return whether the words of a header show that it is another quantity than this input."""
     first = of_sphere(1, name)
-    if first not in _OF_PARTS:
+    if first not in _WITH_OTHER_WORDS:
         symbol = words.with_symbol(tokens[0]) if tokens else None
         if not words.LABELS.isdisjoint(tokens) and not (symbol and name in symbol.names):
             return True  # but E (lit.) is a modulus

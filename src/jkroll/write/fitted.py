@@ -5,9 +5,10 @@ from math import isfinite
 from typing import Any, TextIO
 
 from .. import __version__
+from ..fitting.branches import TRAVEL
 from ..fitting.result import RESULTS, Fit
 from ..quantities.formatting import Format, amount
-from ..quantities.laws import JKR_OF_SPHERE, LAWS
+from ..quantities.laws import JKR_OF_SPHERE, LAWS, SPHERE
 from ..quantities.markup import as_latex
 from ..quantities.nomenclature import NOMENCLATURE, bracketed
 from ..quantities.shown import Part
@@ -152,7 +153,7 @@ def _laws_cited(fitted: Fit) -> list[Mapping[str, str]]:
     known, cited = references(), []
     if fitted.largest_adhesion is None:
         cited.append(known[fitted.known.law])
-    if fitted.known.profile == "sphere":
+    if fitted.known.profile == SPHERE:
         cited.append(known[JKR_OF_SPHERE])
     return cited
 
@@ -163,7 +164,7 @@ def _methods(fitted: Fit) -> Iterator[str]:
     theory = "Hertz' theory"
     if fitted.largest_adhesion is None:
         theory = f"the {LAWS[known.law].title} theory"
-    shape = "a rigid sphere" if known.profile == "sphere" else "a paraboloid"
+    shape = "a rigid sphere" if known.profile == SPHERE else "a paraboloid"
     if known.radius is not None:
         radius = amount("reduced_radius", _with_error(known.radius, known.radius_error))
         shape += as_latex(f" of radius {radius}")
@@ -172,7 +173,7 @@ def _methods(fitted: Fit) -> Iterator[str]:
         f"With jkroll {__version__}{program} we fitted the {fitted.kind} and the force of the curve by {theory} for "
         f"{shape}{of_law}."
     )
-    if isfinite(known.stiffness) and fitted.kind == "travel":
+    if isfinite(known.stiffness) and fitted.kind == TRAVEL:
         stiffness = amount("lever_stiffness", _with_error(known.stiffness, known.stiffness_error))
         yield as_latex(f"The lever has a stiffness of {stiffness}.")
     form = Format(digits=3)
@@ -219,10 +220,11 @@ def heads_of(*, is_scaled: bool) -> list[str]:
 
 
 def row_of(path: str, fitted: Fit | None, reason: str = "") -> list[Any]:
-    """Return the row of a file, with empty cells for missing results."""
-    row: list[Any] = [path]
+    """Return the row of a file, with None for missing results. `reason`: why there is no fit."""
     if fitted is None:
-        return [*row, *[None] * (len(heads_of(is_scaled=False)) - 2), reason or None]
+        empty = [None] * (len(heads_of(is_scaled=False)) - 2)  # all columns but the file and the reason
+        return [path, *empty, reason or None]
+    row: list[Any] = [path]
     for name in RESULTS:
         row.append(_finite(fitted.values.get(name)))
         if not name.startswith("pull_off"):

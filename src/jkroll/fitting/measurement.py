@@ -1,4 +1,4 @@
-"""The problem of a fit: the curve and known data, starts and minima, the fitted range, the energy release rate G.
+"""A measurement, the minima of its branches from their starts, the fitted range, and the energy release rate G.
 
 The unloading branch gives w of opening, E* and the contact point z_c. With these E* and z_c, the loading branch gives w
 of closing; without them, a loading branch hardly separates w from E*.
@@ -9,6 +9,7 @@ from typing import NamedTuple, Self
 import numpy
 from numpy import exp, inf, pi, sqrt
 
+from ..quantities.laws import JKR, PARABOLOID
 from .branches import (
     APPROACH,
     LEAST_POINTS,
@@ -20,10 +21,10 @@ from .branches import (
     Branch,
     Branches,
     LoadRange,
-    running_median,
+    largest_tension,
 )
 from .force_curves import PROFILES, Array, Grip, curve_law
-from .minimum import ADHESION, MODULUS, POINT, Minimum, Points, Setting, best_of, minimum, with_point
+from .minimum import ADHESION, MODULUS, POINT, Minimum, Points, Setting, best_of, minimum, robust_deviation, with_point
 from .result import Known
 
 FIRST_RANGE = LoadRange(-1.0, 0.3, True)
@@ -40,7 +41,7 @@ _ROOT = 1e-6  # a contact radius is a root if its load has at most this relative
 NAMES = {UNLOADING: "work_of_adhesion_opening", LOADING: "work_of_adhesion_closing"}
 
 
-class Problem(NamedTuple):
+class Measurement(NamedTuple):
     """The branches of a curve, and the known data of the contact and the instrument."""
 
     kind: str
@@ -62,7 +63,7 @@ class Problem(NamedTuple):
         """The setting for the chosen law."""
         return self.by_law(self.known.law, self.known.profile)
 
-    def by_law(self, law: str, profile: str = "paraboloid", spacing: float | None = None) -> Setting:
+    def by_law(self, law: str, profile: str = PARABOLOID, spacing: float | None = None) -> Setting:
         """Return the setting for a law and a profile. `spacing`: the atomic spacing, by default the known one."""
         grip = Grip(self.stiffness, self.kind == RADIUS)
         return Setting(curve_law(law, profile), self.radius, spacing or self.known.spacing, grip)
@@ -70,7 +71,7 @@ class Problem(NamedTuple):
     @property
     def without_adhesion(self) -> Setting:
         """The setting for Hertz' contact: that of JKR, to be used with a w next to 0."""
-        return self.by_law("jkr", self.known.profile)
+        return self.by_law(JKR, self.known.profile)
 
     @property
     def largest_adhesion(self) -> float:
@@ -79,8 +80,7 @@ class Problem(NamedTuple):
 
     def has_adhesion(self, branch: Branch) -> bool:
         """Return whether the tension of a branch exceeds the noise; contact radii show w even without tension."""
-        tension = -float(running_median(branch.in_contact.force, 3).min())
-        return self.kind == RADIUS or tension >= _NO_ADHESION * self.branches.scatter
+        return self.kind == RADIUS or largest_tension(branch.in_contact) >= _NO_ADHESION * self.branches.scatter
 
     def range_of(self, branch: Branch, default: LoadRange) -> slice:
         """Return the slice of the given or a default range; the whole contact if the default has too few points.
@@ -95,7 +95,7 @@ class Problem(NamedTuple):
             return branch.contact
 
 
-class Solved(NamedTuple):
+class FittedBranch(NamedTuple):
     """A branch with its fitted points, their minimum, and the unknowns that were fitted (`free`)."""
 
     branch: Branch
@@ -116,96 +116,96 @@ class Solved(NamedTuple):
 # --- Minima -----------------------------------------------------------------------------------------------------------
 
 
-def solved(problem: Problem, branch: Branch) -> Solved:
+def fitted_branch(measurement: Measurement, branch: Branch) -> FittedBranch:
     """Return the minimum of a branch over all unknowns, in the given range or a default one. Raises BadCurve.
 
     The default is FIRST_RANGE for loading, and the plateau of G for unloading; for contact radii, see
-    `_solved_by_radii`. A first minimum shows how far the contact holds after the least load.
+    `_fitted_by_radii`. A first minimum shows how far the contact holds after the least load.
     """
-    asked, free = problem.known.range, problem.setting.names
-    if problem.kind == RADIUS and asked is None:
-        return _solved_by_radii(problem, branch)
-    points = branch.points.chosen(problem.range_of(branch, FIRST_RANGE))
-    first = Solved(branch, points, _first_minimum(problem, points), free)
-    branch = extended(problem, branch, first.unknowns)
+    asked, free = measurement.known.range, measurement.setting.names
+    if measurement.kind == RADIUS and asked is None:
+        return _fitted_by_radii(measurement, branch)
+    points = branch.points.chosen(measurement.range_of(branch, FIRST_RANGE))
+    first = FittedBranch(branch, points, _first_minimum(measurement, points), free)
+    branch = extended(measurement, branch, first.unknowns)
     if asked is not None or branch.name == LOADING:
-        within = problem.range_of(branch, FIRST_RANGE)
+        within = measurement.range_of(branch, FIRST_RANGE)
     else:
-        within = _plateau(problem, branch, first.unknowns)
+        within = _plateau(measurement, branch, first.unknowns)
     points = branch.points.chosen(within)
-    return Solved(branch, points, minimum(points, problem.setting, first.unknowns), free)
+    return FittedBranch(branch, points, minimum(points, measurement.setting, first.unknowns), free)
 
 
-def _solved_by_radii(problem: Problem, branch: Branch) -> Solved:
+def _fitted_by_radii(measurement: Measurement, branch: Branch) -> FittedBranch:
     """Return the minimum for contact radii. For unloading, only the part in which the edge recedes is fitted.
 
     Iteration finds the start of this part.
     """
     points = branch.in_contact
-    found = _first_minimum(problem, points)
+    found = _first_minimum(measurement, points)
     for _ in range(_PLATEAUS if branch.name == UNLOADING else 0):
-        points = branch.points.chosen(_plateau(problem, branch, found.unknowns))
-        found = minimum(points, problem.setting, found.unknowns)
-    return Solved(branch, points, found, problem.setting.names)
+        points = branch.points.chosen(_plateau(measurement, branch, found.unknowns))
+        found = minimum(points, measurement.setting, found.unknowns)
+    return FittedBranch(branch, points, found, measurement.setting.names)
 
 
-def solved_with(problem: Problem, branch: Branch, main: Solved) -> Solved:
+def fitted_with(measurement: Measurement, branch: Branch, main: FittedBranch) -> FittedBranch:
     """Return the minimum of a branch over w only, with E* and z_c of another branch. Raises BadCurve."""
-    branch = extended(problem, branch, main.unknowns)
-    points = branch.points.chosen(problem.range_of(branch, EVERYTHING))
-    found = minimum(points, problem.setting, main.unknowns, free=[ADHESION])
-    return Solved(branch, points, found, (ADHESION,))
+    branch = extended(measurement, branch, main.unknowns)
+    points = branch.points.chosen(measurement.range_of(branch, EVERYTHING))
+    found = minimum(points, measurement.setting, main.unknowns, free=[ADHESION])
+    return FittedBranch(branch, points, found, (ADHESION,))
 
 
-def solved_without_adhesion(problem: Problem, branch: Branch) -> Solved:
+def fitted_without_adhesion(measurement: Measurement, branch: Branch) -> FittedBranch:
     """Return the minimum for Hertz' contact. Raises BadCurve."""
-    points = branch.points.chosen(problem.range_of(branch, EVERYTHING))
-    setting = problem.without_adhesion
-    w = _NEXT_TO_NOTHING * problem.largest_adhesion
+    points = branch.points.chosen(measurement.range_of(branch, EVERYTHING))
+    setting = measurement.without_adhesion
+    w = _NEXT_TO_NOTHING * measurement.largest_adhesion
     depth = float(numpy.ptp(points.z)) or 1e-9
-    modulus = 0.75 * float(points.force.max()) / (sqrt(problem.radius) * depth**1.5)
+    modulus = 0.75 * float(points.force.max()) / (sqrt(measurement.radius) * depth**1.5)
     starts = [with_point(points, setting, w, modulus * factor) for factor in (1.0, 10.0)]
     try:
         found = best_of(starts, points, setting, (MODULUS, POINT))
     except ValueError:
-        raise BadCurve(f"no contact resembles {_fitted_part(problem)}", "no minimum") from None
-    return Solved(branch, points, found, (MODULUS, POINT))
+        raise BadCurve(f"no contact resembles {_fitted_part(measurement)}", "no minimum") from None
+    return FittedBranch(branch, points, found, (MODULUS, POINT))
 
 
-def _first_minimum(problem: Problem, points: Points) -> Minimum:
+def _first_minimum(measurement: Measurement, points: Points) -> Minimum:
     """Return the best minimum from some starts; laws other than JKR also start from JKR's minimum. Raises BadCurve."""
-    starts, setting = _starts(problem, points), problem.setting
+    starts, setting = _starts(measurement, points), measurement.setting
     try:
-        if problem.known.law != "jkr":
-            by_jkr = best_of(starts, points, problem.by_law("jkr")).unknowns
+        if measurement.known.law != JKR:
+            by_jkr = best_of(starts, points, measurement.by_law(JKR)).unknowns
             starts.append(with_point(points, setting, *exp(by_jkr[:POINT]).tolist()))
         found = best_of(starts, points, setting)
     except ValueError:
         found = None
-    if found is None or not (abs(found.unknowns[:POINT]) < _LARGEST).all() or _hides_adhesion(problem, found):
-        raise BadCurve(f"no contact of this law resembles {_fitted_part(problem)}", "no minimum")
+    if found is None or not (abs(found.unknowns[:POINT]) < _LARGEST).all() or _hides_adhesion(measurement, found):
+        raise BadCurve(f"no contact of this law resembles {_fitted_part(measurement)}", "no minimum")
     return found
 
 
-def _hides_adhesion(problem: Problem, found: Minimum) -> bool:
+def _hides_adhesion(measurement: Measurement, found: Minimum) -> bool:
     """Return whether w at a minimum has a pull-off force below the noise; contact radii show any w."""
-    return problem.kind != RADIUS and float(exp(found.unknowns[ADHESION])) < problem.largest_adhesion
+    return measurement.kind != RADIUS and float(exp(found.unknowns[ADHESION])) < measurement.largest_adhesion
 
 
-def _fitted_part(problem: Problem) -> str:
+def _fitted_part(measurement: Measurement) -> str:
     """Return the name of the part of the curve that was fitted, and what to change if no contact resembles it."""
-    if problem.known.range is not None:
+    if measurement.known.range is not None:
         return "the points in the range: w and E* need points in tension, as in --range -100%:30%"
     return "the curve: check the radius, the spring and the units, or give another --model"
 
 
-def _starts(problem: Problem, points: Points) -> list[Array]:
+def _starts(measurement: Measurement, points: Points) -> list[Array]:
     """Return two starts, the second with a larger modulus.
 
     w and E* come from the depth and the width of the tensile part, or for contact radii from a linear fit.
     """
-    setting, radius = problem.setting, problem.radius
-    tension = max(-float(running_median(points.force, 3).min()), 0.1 * float(abs(points.force).max()))
+    setting, radius = measurement.setting, measurement.radius
+    tension = max(largest_tension(points), 0.1 * float(abs(points.force).max()))
     w = tension / (1.5 * pi * radius)
     if setting.grip.is_radius:
         shape = 4 / 3 / radius * points.z**1.5
@@ -218,6 +218,7 @@ def _starts(problem: Problem, points: Points) -> list[Array]:
     least = int(numpy.argmin(points.force))
     pressed = points.force > 0.3 * points.force.max()
     zero = int(numpy.argmin(abs(points.force)))
+    # In units of a0²/R, JKR's approach is 1/3 without load and −(1/3)/4^(2/3) at pull-off.
     width = abs(float(approach[zero] - approach[least])) / (1 / 3 + 1 / 3 / 4 ** (2 / 3))
     if width == 0 and pressed.any():
         width = float(numpy.ptp(approach))
@@ -226,11 +227,11 @@ def _starts(problem: Problem, points: Points) -> list[Array]:
     return [with_point(points, setting, w, modulus * factor) for factor in (1.0, 5.0)]
 
 
-def extended(problem: Problem, branch: Branch, unknowns: Array) -> Branch:
+def extended(measurement: Measurement, branch: Branch, unknowns: Array) -> Branch:
     """Return a branch; for an approach, its contact extends as far as fixed grips hold it. `unknowns`: at a minimum."""
-    if problem.kind != APPROACH:
+    if measurement.kind != APPROACH:
         return branch  # a lever snaps off after the least load
-    setting = problem.setting
+    setting = measurement.setting
     contact, grip, law = setting.contact(unknowns), setting.grip, setting.law
     x_last = float(grip.x(law.values(numpy.float64(law.last(contact, grip)), contact)[0]))
     return branch.extended(unknowns[POINT] + x_last)
@@ -239,17 +240,17 @@ def extended(problem: Problem, branch: Branch, unknowns: Array) -> Branch:
 # --- The energy release rate ------------------------------------------------------------------------------------------
 
 
-def _plateau(problem: Problem, branch: Branch, unknowns: Array) -> slice:
+def _plateau(measurement: Measurement, branch: Branch, unknowns: Array) -> slice:
     """Return the slice from the start of the plateau of the energy release rate to the last point in contact."""
-    rate, _ = release_rate(problem, branch.in_contact, unknowns)
+    rate, _ = release_rate(measurement, branch.in_contact, unknowns)
     size = max(LEAST_POINTS, len(rate) // _BINS)
     middles = [_median(rate[start : start + size]) for start in range(0, len(rate) - size + 1, size)]
-    lower = middles[len(middles) // 2 :]
-    if len(lower) < 2:
+    lower = numpy.array(middles[len(middles) // 2 :])
+    known = lower[numpy.isfinite(lower)]
+    if len(lower) < 2 or not len(known):
         return branch.contact
-    level = _median(numpy.array(lower))
-    scatter = 1.4826 * _median(abs(numpy.array(lower) - level))
-    tolerance = max(_PLATEAU * level, 3 * scatter)
+    level = float(numpy.median(known))
+    tolerance = max(_PLATEAU * level, 3 * robust_deviation(known - level))
     off = [index for index, value in enumerate(middles[:-3]) if abs(value - level) > tolerance]
     first = (off[-1] + 1) * size if off else 0
     start = min(branch.contact.start + first, branch.contact.stop - 4 * LEAST_POINTS)
@@ -262,30 +263,30 @@ def _median(values: Array) -> float:
     return float(numpy.median(numbers)) if len(numbers) else numpy.nan
 
 
-def release_rate(problem: Problem, points: Points, unknowns: Array) -> tuple[Array, Array]:
+def release_rate(measurement: Measurement, points: Points, unknowns: Array) -> tuple[Array, Array]:
     """Return the energy release rate G and contact radius of measured points, from E* and z_c by JKR's formulas.
 
     Both are nan where no contact radius fits the approach and load of a point.
     """
-    modulus, radius, grip = float(exp(unknowns[MODULUS])), problem.radius, problem.setting.grip
-    depth_of = PROFILES[problem.known.profile]
+    modulus, radius, grip = float(exp(unknowns[MODULUS])), measurement.radius, measurement.setting.grip
+    profile = PROFILES[measurement.known.profile]
     if grip.is_radius:
         a = points.z
-        hertz = modulus * depth_of.without_adhesion(a, radius)[3]
+        hertz = modulus * profile.without_adhesion(a, radius)[3]
         return (hertz - points.force) ** 2 / (8 * pi * modulus * a**3), a
     approach = points.z - unknowns[POINT] - points.force / grip.stiffness
     root = sqrt(numpy.maximum(radius * approach, 0))
     a = numpy.maximum(1.5 * root, numpy.cbrt(abs(points.force) * radius * 3 / modulus)) + 2 * root
-    a = numpy.clip(a, 1e-9 * radius, 0.999999 * depth_of.most * radius)
+    a = numpy.clip(a, 1e-9 * radius, 0.999999 * profile.most * radius)
     for _ in range(_ROOT_STEPS):
-        depth, _, _, hertz = depth_of.without_adhesion(a, radius)
+        depth, _, _, hertz = profile.without_adhesion(a, radius)
         excess = 2 * modulus * a * (depth - approach) - modulus * hertz + points.force
         new = numpy.maximum(a - excess / (2 * modulus * (depth - approach)), 1e-9 * radius)
         is_done = bool((abs(new - a) <= 1e-10 * a).all())
         a = new
         if is_done:
             break
-    depth, _, _, hertz = depth_of.without_adhesion(a, radius)
+    depth, _, _, hertz = profile.without_adhesion(a, radius)
     pull = 2 * modulus * a * (depth - approach)
     has_root = abs(pull - modulus * hertz + points.force) <= _ROOT * (abs(pull) + abs(points.force))
     rate = modulus * (depth - approach) ** 2 / (2 * pi * a)

@@ -1,4 +1,4 @@
-"""The picture of a user's request, a field or curves, with its caption, notes, and the limits that are exceeded."""
+"""`jkroll map`: a quantity over one input as curves, or over two as a field, with a caption, notes and limits."""
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
@@ -23,7 +23,8 @@ from ..quantities.formatting import AS_USUAL, Format, amount, in_words, symbol_o
 from ..quantities.laws import BETWEEN
 from ..quantities.markup import marked, symbol
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, as_input, computed_as
-from ..quantities.values import QuantityError, between, parse_quantity
+from ..quantities.spreads import between
+from ..quantities.values import QuantityError, parse_quantity
 from ..report.answer import equation_of
 from ..report.best_ranges import range_in_words
 from ..report.notes import about_assumed, about_data, about_given, about_idle, about_middles, assumed, entering
@@ -31,7 +32,6 @@ from ..report.questions import quantity_named
 from ..text import capital, quoted
 from .bands import band_of
 from .picture import (
-    CURVE_ROWS,
     SAME,
     Axis,
     Curve,
@@ -47,15 +47,15 @@ from .picture import (
     extent,
     is_flat,
     over,
-    shown_values,
 )
+from .picture_as_text import CURVE_ROWS, shown_values
 
 MAX_CURVES = 24  # more cannot be distinguished
 SIDE = 201  # points along each side of the grid for captions and limits; also the default for a map's numbers
 MOST_BANDS = 4  # largest number of curves with bands of best ranges; more bands cannot be distinguished
 ALONG = 1001  # points of a curve, unless its axis has another number
-# The limits that can have a region on a map, each with its sign in a terminal and its hatch on a page. A pattern means
-# the same limit on every map. No two patterns together look like a third.
+# The limits whose regions are hatched, each with its sign in a terminal and its hatch on a page; other regions are
+# bounded by lines. A hatch means the same limit on every map. No two hatches together look like a third.
 SIGNS = {
     "contact_radius_in_spacings": ("x", "...."),
     "displacement_ratio": ("/", "////"),
@@ -63,13 +63,13 @@ SIGNS = {
     "tabor_parameter": ("|", "||||||"),
 }
 SLIGHT = ("'", "||")  # where a law is slightly off; this hatch is part of the hatch for a law that is far off
-UNDRAWN = ("", "")
-DRAWN_LIMITS = tuple(limit for limit in LIMITS if limit.name in SIGNS and not limit.conclusion)
-_FARTHEST = log(1e3)  # largest excess of a limit on a map
+UNHATCHED = ("", "")
+HATCHED_LIMITS = tuple(limit for limit in LIMITS if limit.name in SIGNS and not limit.conclusion)
+_FARTHEST = log(1e3)  # largest distance from a threshold on a map
 _TWO, _THREE, _FOUR = (Format(digits=digits) for digits in (2, 3, 4))
 
 
-class PlotRequest(NamedTuple):
+class MapRequest(NamedTuple):
     """A quantity to draw, over one axis as curves or over two as a field."""
 
     quantity: str
@@ -83,15 +83,16 @@ class PlotRequest(NamedTuple):
     has_best: bool = True  # True to draw the best ranges
 
 
-def picture_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
+def picture_of(request: MapRequest) -> tuple[Picture, tuple[str, ...]]:
     """Return the picture of a request, and its notes."""
     return _curves_of(request) if request.y is None else _map_of(request, request.y)
 
 
-def _map_of(request: PlotRequest, upright: Axis) -> tuple[Picture, tuple[str, ...]]:
+def _map_of(request: MapRequest, y: Axis) -> tuple[Picture, tuple[str, ...]]:
     """Return the picture of a field, with its limits as regions, and its notes."""
-    quantity, ((_, frame),) = request.quantity, request.frames
-    x, y = (axis._replace(size=axis.size or SIDE) for axis in (request.x, upright))
+    quantity = request.quantity
+    ((_, frame),) = request.frames
+    x, y = (axis._replace(size=axis.size or SIDE) for axis in (request.x, y))
     layer = Layer(request, "", frame, [x._replace(size=SIDE), y._replace(size=SIDE)])
     drawn: list[Region] = []
     everywhere: list[Region] = []
@@ -105,12 +106,13 @@ def _map_of(request: PlotRequest, upright: Axis) -> tuple[Picture, tuple[str, ..
     of_materials, left_out = _material_marks(request.materials, x, y) if frame.material is None else ([], ())
     panel = Panel(x, y, marks=(*of_materials, *marks), field=field)
     unit = field.in_words([])[1]
-    caption, beyond = (*_opening(quantity, [layer], unit),), (*left_out, *_sentences({"": everywhere}))
+    caption = tuple(_opening(quantity, [layer], unit))
+    below = (*left_out, *_sentences({"": everywhere}))
     remarks = (f"{'; '.join(_about_marks(request, panel))}.",) if panel.marks else ()
-    return Picture(described(quantity, unit), (panel,), caption, beyond, remarks), tuple(layer.notes)
+    return Picture(described(quantity, unit), (panel,), caption, below, remarks), tuple(layer.notes)
 
 
-def _curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
+def _curves_of(request: MapRequest) -> tuple[Picture, tuple[str, ...]]:
     """Return the picture of curves, and its notes."""
     quantity, x = request.quantity, request.x._replace(size=request.x.size or ALONG)
     layers: list[Layer] = []
@@ -129,11 +131,12 @@ def _curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
     marks = tuple(mark_at(text, request.materials, request.frames[0][1], x, y) for text in request.marks)
     farthest = _farthest_off(x, layers[0]) if len(layers) == 1 else ()
     regions_of = {layer.text: [*layer.regions()] for layer in layers}
-    caption, beyond = (*_opening(quantity, layers),), (*_sentences(regions_of), *farthest)
+    caption = tuple(_opening(quantity, layers))
+    below = (*_sentences(regions_of), *farthest)
     notes = [f"no curve: {text}: {error}" for text, error in errors.items()]
     for layer in layers:
         notes += layer.notes
-    return Picture("", (Panel(x, y, curves, marks),), caption, beyond), tuple(dict.fromkeys(notes))
+    return Picture("", (Panel(x, y, curves, marks),), caption, below), tuple(dict.fromkeys(notes))
 
 
 def _values_of(curves: Sequence[Curve]) -> list[Any]:
@@ -193,7 +196,10 @@ def axis_of(text: str, option: str) -> Axis:
 
 
 def check_axes(quantity: str, axes: Sequence[Axis], given: Iterable[str], models: tuple[str, ...]) -> None:
-    """Raise BadRequest for an axis that the quantity does not depend on, or that is also given as an input."""
+    """Raise BadRequest if an axis cannot be drawn over.
+
+    The quantity has to depend on each axis, and no axis is the quantity, a given input, or the other axis.
+    """
     within, fixed = depends_on((quantity,), models), {*map(computed_as, given)}
     for axis in axes:
         if computed_as(axis.name) in fixed:
@@ -210,7 +216,7 @@ def check_axes(quantity: str, axes: Sequence[Axis], given: Iterable[str], models
 
 
 def mark_at(text: str, materials: Materials, frame: Frame, x: Axis, y: Axis) -> Mark:
-    """Return the mark for `MATERIAL@RADIUS`, `MATERIAL` or `@RADIUS` within the axes."""
+    """Return the mark for `MATERIAL@RADIUS`, `MATERIAL` or `@RADIUS`. Raises BadRequest if it is outside the axes."""
     numbers = _frame_at(text, materials, frame).numbers(x.name, y.name)
     if not numbers or not all(axis.has(numbers.get(axis.name, axis.low)) for axis in (x, y)):
         raise BadRequest(f"--mark {quoted(text)} is outside the axes of {x.name} and {y.name}")
@@ -229,7 +235,7 @@ def _name_of(text: str) -> str:
 
 
 def _frame_at(text: str, materials: Materials, frame: Frame) -> Frame:
-    """Return the frame of a marked grain."""
+    """Return the frame of a marked grain; what the mark does not give is as in `frame`."""
     name, _, radius = text.partition("@")
     material = materials[name] if name else None
     values = {"radius": parse_quantity(radius, "radius")} if radius else {}
@@ -237,7 +243,7 @@ def _frame_at(text: str, materials: Materials, frame: Frame) -> Frame:
 
 
 def _material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[list[Mark], tuple[str, ...]]:
-    """Return marks for the materials with a position on an axis, and the sentence of a caption about all others.
+    """Return marks for the materials with a position on an axis, and a sentence of the caption about all others.
 
     Materials with a state are left out: the states of one substance would crowd the edge.
     """
@@ -254,12 +260,14 @@ def _material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[list[Mark],
     return placed, (f"Not shown: {', '.join(others)}.",) if placed and others else ()
 
 
-def _about_marks(request: PlotRequest, panel: Panel) -> Iterator[str]:
+def _about_marks(request: MapRequest, panel: Panel) -> Iterator[str]:
     """Iterate over texts: the position of a mark on one axis, or the value for a marked grain with its own inputs."""
-    quantity, ((_, frame),) = request.quantity, request.frames
+    quantity = request.quantity
+    ((_, frame),) = request.frames
     typed = {_name_of(text): text for text in request.marks}
     for mark in panel.marks:
-        numbers = {axis.name: at for axis, at in ((panel.x, mark.x), (panel.y, mark.y)) if at is not None}
+        positions = ((panel.x.name, mark.x), (panel.y.name, mark.y))
+        numbers = {name: position for name, position in positions if position is not None}
         if len(numbers) == 2:
             drawn = frame.replace(**panel.x.inputs(mark.x), **panel.y.inputs(mark.y)).numbers(quantity)
             numbers = _frame_at(typed.get(mark.text, mark.text), request.materials, frame).numbers(quantity) or drawn
@@ -278,7 +286,7 @@ class Layer:
     Raises MissingInput if the quantity cannot be computed, and NoResult if it has no value.
     """
 
-    def __init__(self, request: PlotRequest, text: str, frame: Frame, axes: Sequence[Axis]) -> None:
+    def __init__(self, request: MapRequest, text: str, frame: Frame, axes: Sequence[Axis]) -> None:
         """Evaluate the quantity of a request in a frame. `text`: the label of the curve."""
         quantity = request.quantity
         self.text, self.given, self.quantity, self.axes = text, frame, quantity, axes
@@ -295,17 +303,18 @@ class Layer:
                 missing.append(doubt.error)
                 continue
             self.doubts.append(doubt)
-            if doubt.limit in DRAWN_LIMITS:
+            if doubt.limit in HATCHED_LIMITS:
                 names.append(doubt.limit.name)
         inputs, used = self.frame.inputs_of(*names), self.frame.inputs_of(quantity)
         # Limits may need an assumed load; it is not shown if the quantity does not depend on the load.
         shown = [name for name in inputs if name in used or name != "load" or name in self.frame.given]
         self.inputs = inputs_as_texts(self.frame, self._fixed(shown, drawn.keys()))
         self.unjudged: list[str] = []
-        if missing and quantity == "pull_off_force" and frame.law.is_default and len(axes) > 1:
-            self.unjudged.append("DMT's law, for small, hard spheres, gives 4/3 of this force.")
         if missing:
-            self.unjudged.append(f"Which law holds, and other limits, are not judged: {_without(missing[0])}.")
+            if quantity == "pull_off_force" and frame.law.is_default and len(axes) > 1:
+                self.unjudged.append("DMT's law, for small, hard spheres, gives 4/3 of this force.")
+            reason = _why_not_judged(missing[0])
+            self.unjudged.append(f"Which law holds, and other limits, are not judged: {reason}.")
         self.notes = [note.text for note in about_idle(entering(self.frame, names, judges=False)[1])]
         self.notes += notes_on(points, self.frame, shown, names)
         remark = NOMENCLATURE[quantity].note
@@ -314,10 +323,10 @@ class Layer:
         self.values = evaluate(frame, quantity, *axes)
         self.known = numpy.isfinite(self.values)
         if not self.known.any():
-            text = "no value anywhere on these axes"
+            problem = "no value anywhere on these axes"
             for error in self.frame.errors(self.frame.columns([quantity])).values():
-                text += f": {explanation_of(quantity, error)}"
-            raise Failure(Cause("", text), quantity)
+                problem += f": {explanation_of(quantity, error)}"
+            raise Failure(Cause("", problem), quantity)
         self.gaps = _phrases(points.column(quantity).reasons)
 
     def _fixed(self, inputs: Iterable[str], drawn: Collection[str]) -> list[str]:
@@ -337,18 +346,17 @@ class Layer:
         """Return the curve of the quantity along its axis, with the band of its best ranges and the rows to show."""
         (x,) = self.axes
         shown = shown_values(x, CURVE_ROWS)
-        here = self.given.replace(**x.inputs(shown))
-        values = numpy.broadcast_to(values_of(here, [self.quantity])[self.quantity], shown.shape)
+        at_shown = self.given.replace(**x.inputs(shown))
+        values = numpy.broadcast_to(values_of(at_shown, [self.quantity])[self.quantity], shown.shape)
         known = numpy.isfinite(values)
         rows = Rows(shown[known], values[known]) if known.any() else None
         band = band_of(over(self.given, x), self.quantity, self.values.shape) if has_best else None
         if band is None:
             return Curve(self.text, x.values(), self.values, colour, rows=rows)
-        best = band_of(here, self.quantity, shown.shape) if rows is not None else None
+        best = band_of(at_shown, self.quantity, shown.shape) if rows is not None else None
         if rows is not None and best is not None:
-            every = [*compress(best.estimates(), known)]
             ranges, rules = [], []
-            for estimate in every:
+            for estimate in compress(best.estimates(), known):
                 ranges.append(range_in_words(self.quantity, estimate))
                 rules.append(WORDS[estimate.by])
             rows = rows._replace(best=tuple(ranges), by=tuple(rules))
@@ -357,33 +365,34 @@ class Layer:
         return Curve(self.text, x.values(), self.values, colour, band=band, key=key, rows=rows)
 
     def regions(self) -> Iterator[Region]:
-        """For each limit, iterate over the region beyond its last threshold, and the one beyond its first threshold.
+        """Iterate over the regions of each limit: beyond its last threshold, then beyond its first one, if they differ.
 
-        If all points lie beyond the last threshold, there is no region for the first one.
+        A region without a point is left out, and so is the second one if all points lie in the first one.
         """
         for doubt in self.doubts:
             limit = doubt.limit
             first, *_, last = (limit.threshold, *limit.codes)
             for threshold in dict.fromkeys((last, first)):
-                step = limit.excess(threshold)
-                is_beyond = self.known & (doubt.excess > step)
-                if is_beyond.any():
-                    text, where = self._beyond(limit, threshold), self._where(is_beyond)
-                    look = UNDRAWN
-                    if limit in DRAWN_LIMITS:
-                        look = SLIGHT if limit.factor is not None and step == 0 else SIGNS[limit.name]
-                    name, colon, _ = text.partition(":")
-                    if not colon:
-                        name = limit.codes[threshold].replace("-", " ")
-                    yield Region(text, where, *look, name, partial(_excess_over, limit, step, self.quantity))
-                    if not where:
-                        break
+                excess_there = limit.excess(threshold)
+                is_beyond = self.known & (doubt.excess > excess_there)
+                if not is_beyond.any():
+                    continue
+                text, where = self._beyond(limit, threshold), self._where(is_beyond)
+                look = UNHATCHED
+                if limit in HATCHED_LIMITS:
+                    look = SLIGHT if limit.factor is not None and threshold == first else SIGNS[limit.name]
+                name, colon, _ = text.partition(":")
+                if not colon:
+                    name = limit.codes[threshold].replace("-", " ")
+                yield Region(text, where, *look, name, partial(_excess_over, limit, excess_there, self.quantity))
+                if not where:
+                    break
 
     def _beyond(self, limit: Limit, threshold: float) -> str:
-        """Return the text of a region: the consequence of its limit.
+        """Return the text of the region beyond a threshold: the consequence of its limit.
 
-        For the limit of the law, the text is how far the law is off; for a limit without `factor`, the threshold comes
-        first.
+        For the limit of the law, it says how far the law is off; for other limits without a `factor`, it begins with
+        the threshold.
         """
         if limit is LAW:
             size = f"{100 * (threshold - 1):.0f} %" if threshold < 2 else f"a factor of {threshold:g}"
@@ -392,7 +401,8 @@ class Layer:
         if limit.factor is not None:
             return meaning
         number, unit = AS_USUAL.rounded(limit.name, threshold)
-        return f"⟦{NOMENCLATURE[limit.name].symbol} {limit.sign[0]} {number}⟧{unit and f' {unit}'}: {meaning}"
+        condition = f"⟦{NOMENCLATURE[limit.name].symbol} {limit.sign[0]} {number}⟧ {unit}".rstrip()
+        return f"{condition}: {meaning}"
 
     def _where(self, is_beyond: Any) -> str:
         """Return in words where a condition holds; an empty text if it holds at all points with a value."""
@@ -428,27 +438,27 @@ def _phrases(reasons: Any) -> tuple[str, ...]:
     return tuple(phrases)
 
 
-def _without(error: JkrollError) -> str:
+def _why_not_judged(error: JkrollError) -> str:
     """Return the reason why a limit is not judged, in words."""
     return f"that {error.explanation()}" if isinstance(error, MissingInput) else str(error)
 
 
-def _doubts(here: Frame, quantity: str, limits: Iterable[Limit]) -> list[Doubt]:
+def _doubts(points: Frame, quantity: str, limits: Iterable[Limit]) -> list[Doubt]:
     """Return the doubts about a quantity, one for each limit."""
-    return doubts(here, here.columns([quantity]), limits)
+    return doubts(points, points.columns([quantity]), limits)
 
 
-def _excess_over(limit: Limit, step: float, quantity: str, here: Frame) -> Any:
-    """Return the excess of a limit over a step as a logarithm, clipped at the largest excess on a map."""
-    (doubt,) = _doubts(here, quantity, [limit])
-    return numpy.clip(doubt.excess - step, -_FARTHEST, _FARTHEST)
+def _excess_over(limit: Limit, excess_there: float, quantity: str, points: Frame) -> Any:
+    """Return by how much the excess of a limit is above the excess at a threshold, clipped at ±_FARTHEST."""
+    (doubt,) = _doubts(points, quantity, [limit])
+    return numpy.clip(doubt.excess - excess_there, -_FARTHEST, _FARTHEST)
 
 
 # --- Sentences of a caption -------------------------------------------------------------------------------------------
 
 
 def inputs_as_texts(frame: Frame, names: Iterable[str]) -> tuple[str, ...]:
-    """Return texts with the materials of a frame, and with inputs and their values."""
+    """Return texts with the materials of a frame, and with the values of these inputs."""
     materials = [frame.material.name] if frame.material is not None else []
     if frame.material2 is not None:
         materials.append(f"material2 = {frame.material2.name}")
@@ -474,7 +484,7 @@ def fixed_inputs(inputs: Sequence[str]) -> tuple[str, ...]:
 
 
 def _opening(quantity: str, layers: Sequence[Layer], unit: str = "") -> Iterator[str]:
-    """Iterate over the first sentences of a caption, about the quantity, its fixed inputs and its values.
+    """Iterate over the first sentences of a caption: quantity, fixed inputs, values, and limits that are not judged.
 
     `unit`: the unit of all numbers of the picture; empty if each number has its own.
     """
@@ -532,11 +542,12 @@ def _farthest_off(x: Axis, layer: Layer) -> Iterator[str]:
             continue
         excess = numpy.where(layer.known, doubt.excess, -numpy.inf)
         value = float(x.values()[excess.argmax()])
-        quantity, here = layer.quantity, layer.given.replace(**x.inputs(value))
-        best = estimates(Results(here, here.columns([quantity])), [quantity]).get(quantity)
+        quantity, farthest = layer.quantity, layer.given.replace(**x.inputs(value))
+        best = estimates(Results(farthest, farthest.columns([quantity])), [quantity]).get(quantity)
         if excess.max() > 0 and best is not None and best.by == BETTER_LAW:
-            place, shown = amount(x.name, value, _TWO), amount(quantity, here[quantity], _THREE)
+            place, shown = amount(x.name, value, _TWO), amount(quantity, farthest[quantity], _THREE)
+            law = farthest.law.title
             yield (
-                f"{here.law.title} is farthest off at {symbol(x.name)} = {place}: {symbol(quantity)} = "
-                f"{range_in_words(quantity, best)} by Maugis' law, {shown} by {here.law.title}."
+                f"{law} is farthest off at {symbol(x.name)} = {place}: {symbol(quantity)} = "
+                f"{range_in_words(quantity, best)} by Maugis' law, {shown} by {law}."
             )
