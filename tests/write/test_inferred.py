@@ -184,6 +184,7 @@ def test_lists_and_sweeps_have_the_best_range_of_an_inferred_value(run: Run, rad
         ("pull-off quartz 100nm --material2 mica", "R1 = 100 nm on a plane of mica"),
         ("pull-off 100nm --gamma 25mJ/m2", "R1 = 100 nm on a plane of the same solid"),
         ("pull-off 100nm --gamma 25mJ/m2 --gamma2 50mJ/m2", "R1 = 100 nm on a plane, γ1"),
+        ("pull-off 100nm --work-of-adhesion 50mJ/m2 --contact-modulus 1MPa", "R1 = 100 nm on a plane, w"),
         ("pull-off quartz,mica 100nm", "R1 = 100 nm on a plane of the same solid"),
         ("pull-off quartz 100nm --material2 mica,gold", "R1 = 100 nm on a plane"),
     ],

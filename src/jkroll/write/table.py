@@ -53,6 +53,7 @@ _ON_SURFACE = "surface"  # the rule shown for a pull-off force of real spheres
 _OF_LAW = f" by {LAWS[DEFAULT_LAW].short}"  # suffix of the header of JKR's column, which is adjacent to the best range
 _CODES = 24  # codes with more characters are shortened in a narrow table
 _OF_MATERIALS = {"material": [*PROPERTIES], "material2": [of_sphere(2, name) for name in PROPERTIES]}
+_OF_PAIR = {"work_of_adhesion", "contact_modulus"}  # inputs that tell nothing of each solid
 # Inputs that follow from others have no column unless they were typed. γ of a material keeps its column.
 _FOLLOWING = {"radius2", "energy"}.union(*_OF_MATERIALS.values()) - {"surface_energy"}
 
@@ -103,12 +104,14 @@ def _about_inputs(
 
 
 def _of_solid(inputs: "Mapping[str, float | str | Uncertain]", several: Sequence[str]) -> str:
-    """Return the solid of sphere 2 in words; empty if it differs between rows, or if only its properties are known."""
-    of_sphere_2 = {name for name in (*inputs, *several) if NOMENCLATURE[name].sphere == 2} - {"radius2", "diameter2"}
-    solid = inputs.get("material2" if "material2" in of_sphere_2 else "material")
+    """Return the solid of a plane in words; empty if it differs between rows, or if only properties are known."""
+    names = {*inputs, *several}
+    of_plane = {name for name in names if NOMENCLATURE[name].sphere == 2} - {"radius2", "diameter2"}
+    solid = inputs.get("material2" if "material2" in of_plane else "material")
     if solid is not None:
         return f" of {solid}"
-    return "" if of_sphere_2 else " of the same solid"
+    is_of_pair = not names.isdisjoint(_OF_PAIR) and names.isdisjoint(PROPERTIES)
+    return "" if of_plane or is_of_pair else " of the same solid"
 
 
 class Row(NamedTuple):
