@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from invariants import MATERIALS, TARGETS, TYPED, kept
 from jkroll.errors import JkrollError
 from jkroll.materials.library import MAX_BYTES, MaterialsFileError
-from jkroll.quantities.formatting import Format
+from jkroll.quantities.formatting import Format, ShownUnit
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.units import PREFIXABLE, PREFIXES, dimension_of
 from jkroll.quantities.values import QuantityError, parse_quantity, unit_of
@@ -204,7 +204,7 @@ PREFIXED = [
 @example(-1.7976931348623157e308, "YN")
 def test_a_written_number_reads_back(value: float, unit: str) -> None:
     """Every finite double in the SI unit reads back exactly; in another unit, the number is rounded twice."""
-    as_usual, in_unit = Format(), Format({"load": (unit, unit_of(unit, "load"))})
+    as_usual, in_unit = Format(), Format({"load": ShownUnit(unit, unit_of(unit, "load"))})
     assert parse_quantity(f"{spelled(as_usual.number('load', value))} {as_usual.unit('load')}", "load") == value
     try:
         written = in_unit.number("load", value)

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from jkroll.errors import JkrollError
 from jkroll.model.containers import Reader
-from jkroll.quantities.formatting import Format, amount
+from jkroll.quantities.formatting import Format, ShownUnit, amount
 from jkroll.quantities.values import (
     Interval,
     Measured,
@@ -227,5 +227,5 @@ def test_a_range_too_narrow_for_its_digits_is_written_as_a_number() -> None:
 
 
 def test_an_uncertain_value_is_written_in_a_chosen_unit() -> None:
-    form = Format({"radius": ("um", unit_of("um", "radius"))})
+    form = Format({"radius": ShownUnit("um", unit_of("um", "radius"))})
     assert amount("radius", Measured(1e-7, 1e-8, 1e-8), form) == "0.100 ± 0.010 um"

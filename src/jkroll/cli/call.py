@@ -14,11 +14,11 @@ from ..model.accepted import check_range
 from ..model.frame import check_exclusive
 from ..model.reasons import MissingInput
 from ..model.sweep import Pair, Sweep
-from ..quantities.formatting import Format, amount, as_typed
+from ..quantities.formatting import Format, ShownUnit, amount, as_typed
 from ..quantities.laws import law_given
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE
 from ..quantities.spreads import Spread, spreads_of
-from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
+from ..quantities.units import BadUnit, dimension_of, parse_unit
 from ..quantities.values import QuantityError
 from ..report.questions import QUESTIONS, quantity_named
 from ..text import ending, quoted, say_wrapped, shown
@@ -255,9 +255,9 @@ def _is_written_as_csv(path: str) -> bool:
     return named is None or named.name == "csv"
 
 
-def _units_of(quantities: Sequence[str], text: str) -> dict[str, tuple[str, Unit]]:
+def _units_of(quantities: Sequence[str], text: str) -> dict[str, ShownUnit]:
     """Return the units for quantities, from a list with at most one unit for each dimension."""
-    units: dict[str, tuple[str, Unit]] = {}
+    units: dict[str, ShownUnit] = {}
     si = {name: NOMENCLATURE[name].unit for name in quantities}
     for word in text.split(","):
         try:
@@ -272,9 +272,9 @@ def _units_of(quantities: Sequence[str], text: str) -> dict[str, tuple[str, Unit
             si_units = ", ".join(dict.fromkeys(si.values()))
             raise BadRequest(f"--to: {quoted(word)} fits none of the results, which are in: {si_units}")
         if fitting[0] in units:
-            both = f"{quoted(units[fitting[0]][0])} and {quoted(word)}"
+            both = f"{quoted(units[fitting[0]].text)} and {quoted(word)}"
             raise BadRequest(f"--to: {both} are units of one dimension; give one of them")
-        units |= dict.fromkeys(fitting, (" ".join(word.split()), unit))
+        units |= dict.fromkeys(fitting, ShownUnit(" ".join(word.split()), unit))
     return units
 
 

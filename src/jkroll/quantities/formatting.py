@@ -3,6 +3,7 @@
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from math import floor, isinf, log10
+from typing import NamedTuple
 
 from ..text import first_of
 from .nomenclature import INFINITY, NOMENCLATURE, header
@@ -24,12 +25,23 @@ _ON_AXES = range(-15, 13)  # powers of ten written as a prefix on axes, from f t
 WITH_PREFIXES = ("m", "s", "N", "J", "Pa", "Hz", "rad", "m/s", "N m", "N/m", "J/m^2", "N m/rad")
 
 
+class ShownUnit(NamedTuple):
+    """A unit with its name in a text for readers."""
+
+    text: str
+    unit: Unit
+
+    def convert(self, value: float) -> float:
+        """Return the number of an SI value in this unit."""
+        return convert(value, self.unit)
+
+
 class Format:
     """The units and digits of written values, and the texts of inputs as typed."""
 
     def __init__(
         self,
-        units: Mapping[str, tuple[str, Unit]] | None = None,  # by quantity: the unit to convert to
+        units: Mapping[str, ShownUnit] | None = None,  # by quantity: the unit to convert to
         digits: int | None = None,
         typed: Mapping[str, str] | None = None,  # inputs as typed; an empty text if an input has several values
     ) -> None:
@@ -41,7 +53,7 @@ class Format:
 
     def unit(self, name: str) -> str:
         """Return the unit of a quantity in output for programs."""
-        return self.units[name][0] if name in self.units else NOMENCLATURE[name].unit
+        return self.units[name].text if name in self.units else NOMENCLATURE[name].unit
 
     def changes(self, name: str) -> bool:
         """Return whether the numbers of a quantity are rounded, or converted to a chosen unit."""
@@ -50,7 +62,7 @@ class Format:
     def number(self, name: str, value: float) -> float:
         """Return the number to write for an SI value: in its unit, with its digits."""
         if name in self.units:
-            value = convert(value, self.units[name][1])
+            value = self.units[name].convert(value)
         value += 0.0  # -0.0 becomes 0.0
         return value if self.digits is None else float(f"{value:.{self.digits}g}")
 
@@ -65,25 +77,25 @@ class Format:
         if isinstance(value, str):
             return value, ""
         unit = self.common_unit(name, [value])
-        return self.in_unit(value, unit), unit[0]
+        return self.in_unit(value, unit), unit.text
 
-    def common_unit(self, name: str, values: Sequence[float | str | Uncertain | None]) -> tuple[str, Unit]:
+    def common_unit(self, name: str, values: Sequence[float | str | Uncertain | None]) -> ShownUnit:
         """Return the chosen unit of a quantity, or else that which suits the median of values; words are ignored."""
         if name in self.units:
             return self.units[name]
         si = NOMENCLATURE[name].unit
         sizes = _sizes(values)
         if si in ("", "1") or not sizes:
-            return pretty(si.removeprefix("1")), (1, 1, ())
+            return ShownUnit(pretty(si.removeprefix("1")), (1, 1, ()))
         power = _power(sizes[(len(sizes) - 1) // 2], si, self.digits or DIGITS)
-        return pretty(_multiple(si, power)), (*power_of_ten(power), ())
+        return ShownUnit(pretty(_multiple(si, power)), (*power_of_ten(power), ()))
 
-    def in_unit(self, value: float | Uncertain, unit: tuple[str, Unit]) -> str:
+    def in_unit(self, value: float | Uncertain, unit: ShownUnit) -> str:
         """Return a rounded value in a unit, with its uncertainty if it has one, without the name of the unit."""
         if isinstance(value, Measured):
             numbers = value.value, value.minus, value.plus
-            return _plus_minus(*[convert(number, unit[1]) for number in numbers])
-        ends = [significant(convert(end, unit[1]), self.digits or DIGITS) for end in ends_of(value)]
+            return _plus_minus(*map(unit.convert, numbers))
+        ends = [significant(unit.convert(end), self.digits or DIGITS) for end in ends_of(value)]
         return " to ".join(dict.fromkeys(ends))
 
 
@@ -197,8 +209,8 @@ def span(name: str, low: float, high: float, form: Format = AS_USUAL) -> str:
     >>> span("well_energy", 1e-18, 3e-18), span("atomic_spacing", 4e-10, 4e-10)
     ('(1–3)e-18 J', '400 pm')
     """
-    unit, scale = form.common_unit(name, [high if high > 0 else low])
-    return with_unit(from_to(convert(low, scale), convert(high, scale), form.digits), unit)
+    unit = form.common_unit(name, [high if high > 0 else low])
+    return with_unit(from_to(unit.convert(low), unit.convert(high), form.digits), unit.text)
 
 
 def from_to(low: float, high: float, digits: int | None = None) -> str:

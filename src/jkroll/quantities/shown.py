@@ -7,10 +7,9 @@ from itertools import chain
 from typing import Any
 
 from ..text import TextColumn, html_table, say, write_table
-from .formatting import RESULT_DIGITS, Format, from_to, significant
+from .formatting import RESULT_DIGITS, Format, ShownUnit, from_to, significant
 from .markup import as_latex
 from .nomenclature import NOMENCLATURE
-from .units import Unit, convert
 from .values import Interval, Uncertain
 
 Value = float | str | Uncertain | None  # the value of a cell: a number, a word, or None
@@ -92,22 +91,22 @@ def _tabular(columns: Sequence[TextColumn]) -> str:
 # --- Cells ------------------------------------------------------------------------------------------------------------
 
 
-def cell(value: Value, unit: tuple[str, Unit], form: Format) -> str:
+def cell(value: Value, unit: ShownUnit, form: Format) -> str:
     """Return a value as text in a unit; by default, a number without uncertainty has exactly four digits."""
     if value is None or isinstance(value, str):
         return value or "–"
     if isinstance(value, Interval):
-        return from_to(convert(value.low, unit[1]), convert(value.high, unit[1]), form.digits)
+        return from_to(unit.convert(value.low), unit.convert(value.high), form.digits)
     if isinstance(value, float):
         zeros = form.digits is None and value != 0
-        return significant(convert(value, unit[1]), form.digits or RESULT_DIGITS, zeros=zeros)
+        return significant(unit.convert(value), form.digits or RESULT_DIGITS, zeros=zeros)
     return form.in_unit(value, unit)
 
 
 def columns_of(name: str, values: Mapping[str, Sequence[Value]], form: Format) -> list[TextColumn]:
     """Return columns of values of a quantity in a common unit. `values`: the values of each column, by its head."""
     unit = form.common_unit(name, [*chain.from_iterable(values.values())])
-    in_unit = f" [{unit[0]}]" if unit[0] else ""
+    in_unit = f" [{unit.text}]" if unit.text else ""
     columns = []
     for head, of_column in values.items():
         cells = [cell(value, unit, form) for value in of_column]

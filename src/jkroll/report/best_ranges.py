@@ -45,6 +45,7 @@ from ..quantities.formatting import (
     AS_USUAL,
     RESULT_DIGITS,
     Format,
+    ShownUnit,
     amount,
     from_to,
     significant,
@@ -53,7 +54,6 @@ from ..quantities.formatting import (
     with_unit,
 )
 from ..quantities.nomenclature import INFINITY, XI
-from ..quantities.units import Unit, convert
 from ..quantities.values import middle
 from ..text import first_of
 from .answer import Answer
@@ -78,15 +78,15 @@ def range_in_words(name: str, estimate: Estimate, form: Format = AS_USUAL) -> st
         return "none"
     unit = form.common_unit(name, [high if high > 0 else low])
     sign, text = range_in_unit(estimate, unit, form)
-    return sign.removeprefix("≈ ") + with_unit(text, unit[0])
+    return sign.removeprefix("≈ ") + with_unit(text, unit.text)
 
 
-def range_in_unit(estimate: Estimate, unit: tuple[str, Unit], form: Format) -> tuple[str, str]:
+def range_in_unit(estimate: Estimate, unit: ShownUnit, form: Format) -> tuple[str, str]:
     """Return a sign such as "≥ ", or an empty text, and the numbers of a range in a unit; "–" for a range without ends.
 
     A range with equal ends is a number with as many digits as a result, unless it is only approximate.
     """
-    low, high = (end if isnan(end) else convert(end, unit[1]) for end in (estimate.low, estimate.high))
+    low, high = (end if isnan(end) else unit.convert(end) for end in (estimate.low, estimate.high))
     digits = form.digits or 2
     if estimate.by in (LAW_ONLY, KELVIN) and form.digits is None:
         return "≈ ", from_to(low, high)

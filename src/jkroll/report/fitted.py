@@ -126,8 +126,8 @@ def _unit_of(fitted: Fit, name: str, value: float, error: float) -> tuple[str, f
     """Return the unit that suits a result and its error, and the factor to this unit from SI units."""
     unit = unit_of_result(fitted, name)
     if unit == NOMENCLATURE[RESULTS[name]].unit:
-        unit, scale = Format().common_unit(RESULTS[name], [max(abs(value), error)])
-        return unit, scale[1] / scale[0]
+        shown = Format().common_unit(RESULTS[name], [max(abs(value), error)])
+        return shown.text, shown.convert(1.0)
     power = 3 * floor(log10(abs(value)) / 3) if value else 0
     if power in (0, 3):
         return unit, 1.0
@@ -241,8 +241,8 @@ def _about_baselines(fitted: Fit) -> str:
     """Return the sentence on the baselines."""
     texts = []
     for name, base in fitted.baselines.items():
-        unit, scale = Format().common_unit("load", [max(abs(base["force"]), base["error"])])
-        value, error = base["force"] * scale[1] / scale[0], base["error"] * scale[1] / scale[0]
+        unit = Format().common_unit("load", [max(abs(base["force"]), base["error"])])
+        value, error = unit.convert(base["force"]), unit.convert(base["error"])
         where = "before the contact" if name == LOADING else "after the contact"
-        texts.append(f"{_rounded(value, error)} ± {significant(error, 2, zeros=True)} {unit} {where}")
+        texts.append(f"{_rounded(value, error)} ± {significant(error, 2, zeros=True)} {unit.text} {where}")
     return f"baseline: {', '.join(texts)}"

@@ -87,7 +87,7 @@ def advice_on_inputs(answer: Answer) -> Iterator[str]:
     for name in _FORCE_AND_MOMENT:
         best = answer.estimates[name]
         unit = _THREE.common_unit(name, [best.high])
-        value = with_unit(_THREE.in_unit(answer.frame[name], unit), unit[0])
+        value = with_unit(_THREE.in_unit(answer.frame[name], unit), unit.text)
         texts.append(f"{symbol_among(name, answer.inputs)} = {value} (best {range_in_words(name, best)})")
     law = answer.frame.law.short
     yield f"Plain {law}: {listed(texts)}."

@@ -25,6 +25,7 @@ from ..quantities.formatting import (
     DIGITS,
     RESULT_DIGITS,
     Format,
+    ShownUnit,
     amount,
     in_words,
     symbol_among,
@@ -33,7 +34,6 @@ from ..quantities.formatting import (
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, STATE_OR_LOAD, XI, of_sphere
 from ..quantities.shown import Rows, cell, columns_of
-from ..quantities.units import Unit, convert
 from ..quantities.values import Uncertain, middle, with_sides
 from ..report.best_ranges import about_surfaces, lines_on_rules, range_in_unit
 from ..report.inferred import about_library, laws_of, library_values, solids_of
@@ -201,7 +201,6 @@ class _Cells(NamedTuple):
 
 
 _Rows = dict[str, _Cells]  # the cells of results, by name
-_ShownUnit = tuple[str, Unit]  # the unit of a row: its name, and the unit
 
 
 def _rows(answer: "Report", form: Format) -> _Rows:
@@ -213,7 +212,7 @@ def _rows(answer: "Report", form: Format) -> _Rows:
     rows: _Rows = {}
     names = answer.names_in_table
     shown: set[tuple[Any, str]] = set()
-    units: dict[str, _ShownUnit] = {}  # the last unit used, by SI unit
+    units: dict[str, ShownUnit] = {}  # the last unit used, by SI unit
     for result in answer.results:
         name, quantity = result.name, NOMENCLATURE[result.name]
         key = result.value, quantity.unit
@@ -232,7 +231,7 @@ def _rows(answer: "Report", form: Format) -> _Rows:
         value = cell(result.value, unit, form) if has_law else "–"
         measure = cell(result.measure, unit, form)
         symbol = symbol_among(name, answer.inputs)
-        rows[name] = _Cells(quantity.sentence, symbol, best, by, value, measure, unit[0])
+        rows[name] = _Cells(quantity.sentence, symbol, best, by, value, measure, unit.text)
     return _with_surfaces(rows, answer, form) if answer.shows_surfaces else rows
 
 
@@ -244,9 +243,9 @@ def _sizes(measure: "float | Uncertain | None", estimate: "Estimate | None") -> 
     return sorted(sizes) if any(sizes) else [abs(middle(measure or 0.0))]
 
 
-def _suits(unit: _ShownUnit, sizes: Sequence[float]) -> bool:
+def _suits(unit: ShownUnit, sizes: Sequence[float]) -> bool:
     """Return whether a row with these sorted sizes keeps the unit of the rows above."""
-    return _LEAST <= convert(sizes[0], unit[1]) < _MOST and convert(sizes[-1], unit[1]) <= _LARGEST
+    return _LEAST <= unit.convert(sizes[0]) < _MOST and unit.convert(sizes[-1]) <= _LARGEST
 
 
 def _grouped(rows: _Rows, question: "Question") -> list[_Cells]:
@@ -270,7 +269,7 @@ def _with_surfaces(rows: _Rows, answer: "Report", form: Format) -> _Rows:
             unit = form.common_unit(name, [most])
             for surface, ends in surfaces.items():
                 held, _ = _range(Estimate(*ends, SCALED), unit, form)
-                extended[surface] = _Cells(surface, row.symbol, held, _ON_SURFACE, "–", "–", unit[0])
+                extended[surface] = _Cells(surface, row.symbol, held, _ON_SURFACE, "–", "–", unit.text)
             extended[name] = row._replace(quantity=f"{row.quantity}, limit")
         else:
             extended[name] = row
@@ -293,7 +292,7 @@ def _of_results(rows: Sequence[_Cells], law: str, *, has_ranges: bool) -> list[T
     return [column._replace(is_right=column.head in ("best range", law)) for column in columns]
 
 
-def _range(estimate: "Estimate | None", unit: _ShownUnit, form: Format) -> tuple[str, str]:
+def _range(estimate: "Estimate | None", unit: ShownUnit, form: Format) -> tuple[str, str]:
     """Return the best range of a result and its rule, in words; "–" for an estimate without a range."""
     if estimate is None or not estimate.by > NONE:  # by is nan in a row without this quantity
         return "–", "–"
@@ -325,7 +324,7 @@ def _of_inferred(answer: "Report", form: Format) -> list[TextColumn]:
             if known is not None:
                 of_library = Format(form.units, form.digits or RESULT_DIGITS).in_unit(known, unit)
             quantity, symbol = NOMENCLATURE[name].sentence, symbol_among(name, answer.inputs)
-            rows.append([quantity, symbol, short, inferred, of_library, unit[0]])
+            rows.append([quantity, symbol, short, inferred, of_library, unit.text])
     solids: dict[str, None] = {}
     for name in library:
         solids |= dict.fromkeys(solids_of(answer.described, name))
@@ -472,8 +471,8 @@ def _best(columns: "Columns", name: str, form: Format) -> tuple[list[TextColumn]
         ranges.append(text)
         words.append(WORDS[NONE] if isnan(by) else WORDS[int(by)])
     head = f"best {symbol_among(name, columns.inputs)}"
-    if unit[0]:
-        head += f" [{unit[0]}]"
+    if unit.text:
+        head += f" [{unit.text}]"
     return [TextColumn(head, ranges), TextColumn("by", words, is_right=False)], rules
 
 
