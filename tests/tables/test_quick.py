@@ -74,7 +74,7 @@ def test_quick_and_careful_reading_agree(
     separator = SEPARATORS[dialect]
     text = (end.join(separator.join(row) for row in table) + last).encode()
     quick = converted(dialect, end, text, excel_safe=excel_safe)
-    with patch.object(Delimited, "_cut", return_value=None), patch.object(cells, "plain_numbers", return_value=None):
+    with patch.object(Delimited, "_split", return_value=None), patch.object(cells, "plain_numbers", return_value=None):
         careful = converted(dialect, end, text, excel_safe=excel_safe)
     assert quick == careful
 
@@ -82,7 +82,7 @@ def test_quick_and_careful_reading_agree(
 def test_usual_rows_are_read_quickly() -> None:
     text = b"a,quartz,100,1,0.2,50 nm\n" * 300 + b"b,quartz,-5,0,0.2,50 nm\n"
     convert = converter("csv", "\n", excel_safe=False)
-    with patch.object(Delimited, "_read", side_effect=AssertionError), patch.object(cells, "_meaning") as careful:
+    with patch.object(Delimited, "_parsed", side_effect=AssertionError), patch.object(cells, "_meaning") as careful:
         found = convert.converted(text)
     assert (found.tally.rows, found.tally.failed, found.tally.with_doubts(EVERY_DOUBT)) == (301, 1, 300)
     assert found.output.splitlines()[300].endswith(b",bad radius")

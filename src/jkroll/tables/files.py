@@ -68,7 +68,7 @@ ROW_OF_UNITS, ROW_OF_COMMENTS = "row of units", "row of comments"  # phrases of 
 _OPEN = "a quote is not closed"
 _MISQUOTED = "a quote is not closed, or text follows it"
 _CARRIAGE_RETURN = "there is a carriage return outside quotes; lines end in line feeds"
-# A spreadsheet takes a cell for a formula if the cell begins with one of these signs, which may have full width, or
+# A spreadsheet may take a cell for a formula if the cell begins with one of these signs, which may have full width, or
 # with a character that the spreadsheet drops.
 _BEGIN_FORMULAS = (*"=+-@\t\r\n\0", *(letter.encode().decode(BYTES) for letter in "＝＋－＠"))
 _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)([eE][+-]?\d+)?")
@@ -108,7 +108,7 @@ def input_format(path: str, target: str, stated: str = "", delimiter: str = "") 
 
     `stated`, `delimiter`: the values of the two options, at most one of which is given. Raises BadTable.
     """
-    named, text = format_of_name(stated.lstrip(".") or path), format_of_name(path, {"txt": "csv"})
+    named, of_txt = format_of_name(stated.lstrip(".") or path), format_of_name(path, {"txt": "csv"})
     if stated and named is None:
         raise BadTable(f"--format: {quoted(stated)} is not csv, tsv or ndjson, with .gz or .zst or without, or parquet")
     if path == "-" and not stated:  # a table from a pipe is not compressed, even if the output is
@@ -117,7 +117,7 @@ def input_format(path: str, target: str, stated: str = "", delimiter: str = "") 
         mark = DELIMITERS.get(delimiter, delimiter)
         if mark not in DELIMITERS.values():
             raise BadTable(f"--delimiter: {quoted(delimiter)} is not one of: {', '.join(DELIMITERS)}")
-        known = named or text
+        known = named or of_txt
         return _divided(mark, known.compression if known else "")
     if named is not None:
         return named
@@ -128,10 +128,10 @@ def input_format(path: str, target: str, stated: str = "", delimiter: str = "") 
         begin = _beginning(path, compression)
         if is_dump(begin):
             return FileFormat("tsv", compression, " ")
-        if text is not None:
-            return _with_separator(text, _separators_of(as_lines(begin)), path)
-    if text is not None:
-        return text
+        if of_txt is not None:
+            return _with_separator(of_txt, _separators_of(as_lines(begin)), path)
+    if of_txt is not None:
+        return of_txt
     remedy = "save it as CSV, or give --format csv, tsv, ndjson or parquet, or --delimiter blank"
     raise BadTable(f"{quoted(path)}: its name has no known extension; {remedy}")
 
@@ -158,12 +158,12 @@ def _separators_of(lines: Sequence[str]) -> list[str]:
     return found
 
 
-def _with_separator(text: FileFormat, words: Sequence[str], path: str) -> FileFormat:
-    """Return the format of a text from the names of its possible separators. Raises BadTable if there are several."""
+def _with_separator(form: FileFormat, words: Sequence[str], path: str) -> FileFormat:
+    """Return a format with its separator, from the names of the possible ones. Raises BadTable if there are several."""
     if len(words) > 1:
         divided = " or by ".join(f"{word}s" for word in words)
         raise BadTable(f"{quoted(path)} may be divided by {divided}; write --delimiter {' or '.join(words)}")
-    return _divided(DELIMITERS[words[0]] if words else text.separator, text.compression)
+    return _divided(DELIMITERS[words[0]] if words else form.separator, form.compression)
 
 
 def _divided(mark: str, compression: str) -> FileFormat:
@@ -283,7 +283,8 @@ def blocks(pieces: Iterator[bytes], cut: Callable[[bytes], int]) -> Iterator[byt
         if not end and size <= len(text) and size < MAX_RECORD:
             size *= 2
             continue
-        end = end or text.rfind(b"\n", 0, CHUNK) + 1 or text.find(b"\n") + 1
+        if not end:  # the lines in the first CHUNK bytes, or the first line if it is longer
+            end = max(text.rfind(b"\n", 0, CHUNK), text.find(b"\n")) + 1
         if not end:
             raise BadTable(f"a line is longer than {MAX_RECORD >> 20} MiB: this is not a table")
         yield text[:end]
@@ -461,7 +462,8 @@ class Delimited:
         passed = compress(columns, map(not_, are_read))
         is_doubtful = self.separator == ";" or (self.separator != "," and any(map(have_decimal_commas, passed)))
         mark = decimal_mark(compress(columns, are_read), self.separator, points_may_group=is_doubtful)
-        self.has_decimal_commas, self.is_open = mark == ",", not mark and is_doubtful
+        self.has_decimal_commas = mark == ","
+        self.has_unclear_points = not mark and is_doubtful
         if self.has_decimal_commas:
             if self.separator == ",":
                 raise BadTable("decimal commas between commas: write decimal points, or semicolons between columns")
@@ -478,7 +480,8 @@ class Delimited:
         """Return the names of the columns. `cells`, `line`, `problem`: from the first record. Raises BadTable."""
         if not line.strip(self.blanks):
             raise BadTable("the table has no header; begin with a line of the columns' names")
-        text, *names = map(text_of, (line.strip(_BLANKS), *(cells or [line])))
+        text = text_of(line.strip(_BLANKS))
+        names = [text_of(cell) for cell in cells] if cells else [text_of(line)]
         if "\0" in text or "\ufffd" in text:  # the latter replaces bytes that are not UTF-8
             raise BadTable(_problem_of_encoding(line.encode(BYTES)))
         if not any(map(is_read, names)):
@@ -503,12 +506,12 @@ class Delimited:
 
     def read(self, text: bytes, table: Table) -> Records:
         """Return the records of a block."""
-        records = self._cut(text, table.positions) or self._read(text, table.positions)
+        records = self._split(text, table.positions) or self._parsed(text, table.positions)
         if self.has_decimal_commas:
             return with_decimal_points(records)
-        return without_unclear(records) if self.is_open and b"." in text else records
+        return without_unclear(records) if self.has_unclear_points and b"." in text else records
 
-    def _cut(self, text: bytes, positions: Mapping[str, int]) -> Records | None:
+    def _split(self, text: bytes, positions: Mapping[str, int]) -> Records | None:
         """Return the records of lines without quotes that all have the width of the header.
 
         Return None for other lines, and in all cases for `--excel-safe` or Markdown.
@@ -529,7 +532,7 @@ class Delimited:
         columns = {name: cells[position : -1 : width + 1] for name, position in positions.items()}
         return Records(lines, columns, {}, range(len(lines)), len(lines))
 
-    def _read(self, text: bytes, positions: Mapping[str, int]) -> Records:
+    def _parsed(self, text: bytes, positions: Mapping[str, int]) -> Records:
         """Return the records of any lines."""
         width = len(self.names)
         before: list[bytes] = []
