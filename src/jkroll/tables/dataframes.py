@@ -60,7 +60,7 @@ class Data:
         return next(iter(sizes.values()), 1)
 
     def use(self, heads: Iterable[str]) -> None:
-        """Take the headers of the columns to read, on which only the rows of an xarray Dataset depend."""
+        """Take the headers of the columns to read. Only the rows of an xarray Dataset depend on them."""
 
     def with_columns(self, added: Added) -> Any:
         """Return a table of the same type with more columns."""

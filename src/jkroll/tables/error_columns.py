@@ -129,7 +129,7 @@ def _error_column(name: str, unit_text: str, values: Mapping[str, Reading]) -> s
 
 
 def _uncertain_instead(reading: Reading, values: Mapping[str, Reading]) -> str:
-    """Return the input of which a header such as Δγ gives an uncertainty; "" if there is none.
+    """Return the input whose uncertainty a header such as Δγ gives; "" if there is none.
 
     Δγ is first read as w. In a table with a column of γ, which excludes w, it is an uncertainty of γ.
     """

@@ -46,7 +46,8 @@ _MARKS = {"both": "± ", "minus": "− ", "plus": "+ ", "low": "from ", "high": 
 _HEADER_AND_INPUT = r"(.*)(?<!\(k)(?<!\(k )=(.*)"  # the = of (k=2) is part of a header
 _SHAPES = (("", "both"), ("", "minus", "plus"), ("",), ENDS)  # the parts whose columns together give one value
 _Parts = Mapping[str, Reading]  # the columns of an input by part (see `Reading`); "" for the value
-_VALUE, _UNIT, _NO_UNIT = "value", "unit", "no unit in the header or in the first cell"  # kinds of cells
+# Kinds of cells. The last is also the problem that a message states.
+_VALUE, _UNIT, _NO_UNIT = "value", "unit", "no unit in the header or in the first cell"
 
 
 class Header(NamedTuple):
@@ -72,7 +73,7 @@ class Header(NamedTuple):
         return positions
 
     def reading(self, *remarks: str) -> str:
-        """Return the sentence that says how the table is read, with remarks on its lines and units."""
+        """Return the sentence that says how the table is read, with remarks on its layout."""
         sentence = f"read: {', '.join(map(self._from, (*self.materials, *self.inputs))) or 'no input'}"
         sentence = "; ".join([sentence, *remarks])
         used = {*self.positions.values()}
@@ -88,7 +89,7 @@ class Header(NamedTuple):
         return f" ({self.clauses[position]})" if position in self.clauses else ""
 
     def _from(self, column: Column) -> str:
-        """Return the standard header of an input, its header in the table if another, and those of its uncertainty."""
+        """Return the standard header of an input, that in the table if it differs, and those of its uncertainty."""
         text = self.texts[column.position]
         parts = [head_of(column.name, column.unit_text)]
         if not column.is_range and typed(text) not in (parts[0], column.name):
@@ -103,7 +104,7 @@ def typed(text: str) -> str:
 
 
 def _as_shown(text: str) -> str:
-    """Return a header as messages show it: in quotes if it is empty, or a blank or bracket would confuse."""
+    """Return a header as messages show it: in quotes if it is empty, or has a ( or a blank that is not before a [."""
     text = typed(text)
     if text and " " not in text.replace(" [", "[") and "(" not in text:
         return text
@@ -167,12 +168,12 @@ def understood(
         supply = supply_of(used)
         clauses = supply.clauses
         readings = _judged(readings, rows, supply)
-    left = _without_passing(readings, held, known)
-    refused = [] if pass_rest else [*left]
+    blocked = _blocked(readings, held, known)
+    refused = [] if pass_rest else [*blocked]
     if refused and supply_of is not None:  # judge the other columns as if the refused ones were read
-        meant = {reading.name for reading in refused if reading.name}
-        readings = _judged(readings, rows, supply_of({*used, *meant}))
-        refused = _without_passing(readings, held, known)
+        likeliest = {reading.name for reading in refused if reading.name}
+        readings = _judged(readings, rows, supply_of({*used, *likeliest}))
+        refused = _blocked(readings, held, known)
     refused += [reading for reading in map(_with_problem, values) if reading.problem]
     refused += [] if pass_rest else _contradicting(inputs, used, rows)
     for name, columns in inputs.items():
@@ -185,7 +186,7 @@ def understood(
     for name, parts in used.items():
         group = materials if name in MATERIALS else numbers
         group.append(_column(name, parts))
-    passed = {reading.position: clauses[reading.name] for reading in left if reading.name in clauses}
+    passed = {reading.position: clauses[reading.name] for reading in blocked if reading.name in clauses}
     return Header(tuple(texts), tuple(numbers), tuple(materials), passed)
 
 
@@ -256,7 +257,7 @@ def _is_doubled(name: str, used: Mapping[str, _Parts], rows: Sequence[Sequence[s
 
 
 def _contradicting(inputs: Mapping[str, _Parts], used: Collection[str], rows: Sequence[Sequence[str]]) -> list[Reading]:
-    """Return the columns of diameters that repeat a radius, but are not twice the radius in one of the rows."""
+    """Return the columns of diameters that repeat a radius, but in some row are not twice the radius."""
     contradicting = []
     for name in ("diameter", "diameter2"):
         diameter = inputs.get(name, {}).get("")
@@ -286,7 +287,7 @@ def _are_empty(row: Sequence[str], positions: Iterable[int]) -> bool:
 
 
 def _with_suffix(reading: Reading, known: Mapping[str, str], measured: str) -> Reading:
-    """Return the reading, with a problem if the header names a known input, or its symbol, with an unread suffix.
+    """Return the reading, with a problem if unread text follows the name or the symbol of a known input.
 
     `known`: the header of each known input, "" for one given by an option.
     """
@@ -318,7 +319,7 @@ def _with_symbol(symbol: str, known: Mapping[str, str]) -> list[str]:
     return names
 
 
-def _without_passing(readings: Iterable[Reading], held: Collection[str], known: Collection[str]) -> list[Reading]:
+def _blocked(readings: Iterable[Reading], held: Collection[str], known: Collection[str]) -> list[Reading]:
     """Return the columns with a problem that may not pass through; `held`, `known`: see `_may_pass`."""
     return [reading for reading in readings if reading.problem and not _may_pass(reading, held, known)]
 
@@ -429,8 +430,8 @@ def _used(name: str, columns: _Parts) -> _Parts:
     """
     shape = next((shape for shape in _SHAPES if columns.keys() >= {*shape}), ())
     others = [reading for part, reading in columns.items() if part not in shape]
-    is_end = "" not in columns and not columns.keys().isdisjoint(ENDS)
-    if others and ((is_end and not shape) or any(reading.is_stated for reading in others)):
+    is_half_range = not shape and not columns.keys().isdisjoint(ENDS)
+    if is_half_range or any(reading.is_stated for reading in others):
         raise BadTable(f"header: {quoted(others[0].text)} does not complete an uncertainty of {name}: {_NOT_USED}")
     return {part: columns[part] for part in shape}
 

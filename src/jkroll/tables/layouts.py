@@ -262,9 +262,9 @@ class Headers(NamedTuple):
 class _Cell(NamedTuple):
     """A header, and the role of the cell below it, which may be part of a row of units."""
 
-    name: str  # the header with the unit
+    name: str  # the header, with the unit if the cell adds it
     role: str  # the role of the cell below
-    meaning: str = ""  # the meaning that `--column` gives, with the unit
+    meaning: str = ""  # the meaning that `--column` gives, if the cell adds the unit
 
 
 _A_UNIT, _ANOTHER_UNIT, _OTHER_TEXT, _NO_ROW_OF_UNITS = "unit", "another unit than the header", "text", "anything else"

@@ -33,7 +33,7 @@ class Reading(NamedTuple):
     names: Sequence[str] = ()  # the possible inputs
     of: str = ""  # the header without its words for a spread
     otherwise: "Reading | None" = None  # if the part is UNREAD: the meaning in a table without a column of the value
-    is_relative: bool = False  # True for an uncertainty relative to the value; 5 % of a value in % is unclear
+    is_relative: bool = False  # True if a word such as RSD says that the uncertainty is relative to the value
     coverage: float = 1.0  # the coverage factor of the uncertainty
     is_stated: bool = False  # True if `--column` gives the meaning
     position: int = 0  # the position of the column in the table
@@ -196,10 +196,10 @@ def _exact(split: Split, known: Mapping[str, Meaning]) -> Reading | None:
     if meaning is None or not meaning.names or (unit in words.INDICES and not is_explicit):
         return None
     name, unit_text = "", ""
-    for each in meaning.names:
-        text_of_unit = unit_for(unit, each, is_explicit=is_explicit) if unit else ""
+    for possible in meaning.names:
+        text_of_unit = unit_for(unit, possible, is_explicit=is_explicit) if unit else ""
         if text_of_unit or not unit:
-            name, unit_text = each, text_of_unit
+            name, unit_text = possible, text_of_unit
             break
     if not name or (is_mangled and is_in_table(f"u{unit_text}")):  # µm may have become m
         return None
@@ -312,7 +312,7 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
         behind = re.findall(r"[a-z]{3,}|(?<=[#(])[12]", split.unit.casefold())  # as in modulus of the wall, GPa
         sphere = words.sphere_of(words.tokens_of(split.word)) or words.sphere_of(behind)
         name = of_sphere(sphere, name) if sphere else name
-        # A large sphere may be either, but its other quantities may also be two quantities of sphere 1.
+        # A "large sphere" may be sphere 1 or 2, so its radius may be R1 or R2. Its other quantities are of sphere 1.
         is_size = name in ("radius", "diameter") and "1" not in split.word
         is_either = is_size and not _beside(split.word, word) <= words.NEUTRAL
         is_open = (not sphere or (sphere == 1 and is_either)) and not is_slip and NOMENCLATURE[name].sphere == 1
@@ -383,7 +383,8 @@ def _doubtful(
         names = []
     is_last = key(split.word).endswith(word) and not split.is_mangled and not is_slip
     is_whole = split.is_explicit or is_last
-    meant = [headed(each, (is_whole and unit_text) or "UNIT") for each in names if is_neutral]
+    unit_meant = unit_text if is_whole and unit_text else "UNIT"
+    meant = [headed(each, unit_meant) for each in names] if is_neutral else []
     return Reading(name, problem=problem, meant=meant, names=names)
 
 
@@ -403,7 +404,7 @@ def plain_words(text: str) -> list[str]:
 
 
 def _word_in(text: str, known: Mapping[str, Meaning], unit: str) -> tuple[str, bool]:
-    """Return the known word in a text, which may stand among other words or be misspelt, and whether it is misspelt.
+    """Return the known word in a text, alone, among other words or misspelt, and whether it is misspelt.
 
     The word is "" if there is none. The longest known word counts, preferably among those that fit the unit.
     """

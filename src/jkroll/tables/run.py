@@ -354,7 +354,7 @@ def _outcome(job: Job, pair: Pair) -> Outcome:
 
 
 def _by_processes(count: int, task: Task, pairs: list[Pair]) -> Iterator[Outcome]:
-    """Return the outcomes of tables converted by several processes."""
+    """Iterate over the outcomes of tables converted by up to `count` processes."""
     size = sum(os.path.getsize(table) for table, _ in pairs if os.path.exists(table))
     count = min(count, len(pairs), 1 + size // LITTLE)
     if count < 2:

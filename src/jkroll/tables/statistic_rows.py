@@ -105,8 +105,8 @@ def rows_of_statistics(cells: Sequence[bytes], *, alone: bool) -> list[int]:
 def _blocks(names: Sequence[str]) -> list[list[int]]:
     """Return blocks of rows that name statistics. `names`: the statistic that each row names, or "".
 
-    A single other row within a block belongs to it, unless the row below repeats a statistic: it then begins the data
-    of another group.
+    A single other row within a block belongs to it, unless the row below repeats a statistic of the block: the other
+    row is then the data of a new group.
     """
     blocks: list[list[int]] = []
     for row in [row for row, name in enumerate(names) if name]:

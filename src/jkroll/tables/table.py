@@ -121,7 +121,7 @@ class Table:
         solids = chain.from_iterable(lookup.known for lookup in self.lookups.values())
         if any(solid and solid.displacement for solid in solids):
             self.given |= {XI}  # a material states the yield displacement
-        # A frame for each group of rows, with the quantities whose limits apply to the results.
+        # The empty frames, each with the quantities whose limits apply to the results.
         self.groups = [(frame.filled, frame.judged(self.names)) for frame in frames]
         for text in columns.texts:
             if text.strip() in self.added:
@@ -194,7 +194,8 @@ class Table:
         some = LABEL._replace(properties=dict.fromkeys(PROPERTIES, _NO_ROWS))
         solids, labels = dict[str, Material | None](), dict[str, Material | None]()
         if columns.materials:  # each row decides whether both spheres are of a solid with a displacement
-            solids = {name: solid and solid._replace(displacement=None) for name, solid in self.spheres.items()}
+            for name, solid in self.spheres.items():
+                solids[name] = solid._replace(displacement=None) if solid else None
         for column in columns.materials:
             texts = {text for text in cells[column.name] if text.strip()}
             if texts and texts <= self.lookups[column.name].errors.keys():
@@ -233,7 +234,7 @@ class Table:
                     shown_in_all.append(name)  # some rows show the quantity, so all rows do
         names = [*dict.fromkeys((*explicit, *possible))]
         if not names:
-            frames[0].plans(offered[0])
+            frames[0].plans(offered[0])  # raises MissingInput if an input is missing
             raise BadRequest("--quantities: known for identical spheres only, but the table describes sphere 2")
         return names, shown_in_all
 

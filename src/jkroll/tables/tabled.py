@@ -73,7 +73,8 @@ def table(
     infer, measured
         The input to infer in each row, and the quantity that was measured.
     best, doubt, uncertainty
-        True to add columns of best ranges, of doubts, and of uncertainties even if the first rows have none.
+        True to add columns of best ranges, of doubts, and of uncertainties. Columns of uncertainties are also added if
+        the first rows or the arguments have uncertainties.
     strict
         True to raise an error for the first row without a result.
     say
@@ -152,17 +153,18 @@ def _tabled(rows: Data, asked: Asked, say: Callable[[str], object] | None, *, st
     """Return the table with its results."""
 
     def tell(lines: Iterable[str]) -> None:
-        for line in lines if say else ():
-            say(_in_python(line))  # type: ignore[misc]
+        if say is not None:
+            for line in lines:
+                say(_in_python(line))
 
     source = Memory(rows, asked)
     header = header_of(source, asked)
     tell([header.reading()])
     read = Table(header, source.sample, asked)
-    tell(about(read) if say else ())
+    tell(about(read))
     convert, tally = Converter(source, read, "", strict=strict), Tally()
     blocks: list[Sequence[Any]] = []
-    for start in range(0, rows.size, BLOCK) or [0]:
+    for start in range(0, rows.size, BLOCK) or [0]:  # a table without rows has an empty block
         try:
             converted = convert.converted(range(start, min(start + BLOCK, rows.size)))
         except BadRow as error:
@@ -170,7 +172,7 @@ def _tabled(rows: Data, asked: Asked, say: Callable[[str], object] | None, *, st
             raise BadRequest(f"row {row}, counted from 0: {reason}") from None
         blocks.append(converted.output)
         tally = tally.plus(converted.tally)
-    tell(notes_on(tally, asked) if say else ())
+    tell(notes_on(tally, asked))
     columns = zip(read.added, *blocks, strict=True)
     return rows.with_columns({head: _joined(parts) for head, *parts in columns})
 

@@ -53,7 +53,7 @@ _MOST_MEANT = 3  # maximum number of inputs that a message offers
 class Supply(NamedTuple):
     """The inputs supplied without a column, each with a clause that names the source."""
 
-    clauses: Mapping[str, str]  # as in "E1 is quartz's 54 GPa"; for a replaced input, on the input that replaces it
+    clauses: Mapping[str, str]  # as in "E is quartz's 54 GPa"; for a replaced input, on the input that replaces it
     direct: Collection[str]  # the supplied inputs, without the replaced ones
     solids: Sequence[str]  # the columns of materials that could supply a property
     known: Materials
@@ -169,7 +169,8 @@ def judged(reading: Reading, cells: Sequence[str], supply: Supply) -> Reading:
     elif cells_have_units and not split.unit:
         meant = names
     else:
-        meant = [headed(name, (not is_mangled and candidates[name]) or "UNIT") for name in names]
+        units = {} if is_mangled else candidates
+        meant = [headed(name, units.get(name) or "UNIT") for name in names]
     first = names[0] if names else next(iter(candidates))
     return reading._replace(name=first, problem=problem, meant=meant[:_MOST_MEANT], names=names or [*candidates])
 
@@ -291,7 +292,7 @@ def _is_known(unit: str) -> bool:
 
 
 def _of_solids(reading: Reading, cells: Sequence[str], supply: Supply) -> Reading | None:
-    """Return the refusal of a column whose cells are all known materials; None for another column."""
+    """Return the refusal of a column of materials; None if it has other cells, is a label, or is not needed."""
     tokens = tokens_of(normalized(reading.text))
     is_label = not words.LABELS.isdisjoint({*tokens} - {"name", "names"})
     if not supply.solids or is_label or not all(_is_material(cell, supply.known) for cell in dict.fromkeys(cells)):

@@ -1,7 +1,7 @@
 """The words and symbols of headers: for inputs, for quantities that may be inputs, and for other quantities.
 
-Another name of a quantity belongs in `quantities.synonyms`. The reason to refuse a doubtful name, a symbol, and a word
-that changes the meaning of a header belong here; words for uncertainties in `error_words`, units in `unit_spellings`.
+Another name of a quantity belongs in `quantities.synonyms`. Symbols, words that change the meaning of a header, and
+reasons to refuse a doubtful name belong here; words for uncertainties in `error_words`, units in `unit_spellings`.
 """
 
 import re
@@ -85,7 +85,7 @@ _DISTANCE = {  # but r1 and r2 are radii
     "r": Meaning(["radius"], "r may be a radius or a distance"),
     "s": Meaning(["asperity_radius"], "s may be an asperity radius or a distance"),
 }
-# Symbols that mean another quantity if their case changes: δ becomes Δ, D0 is a diameter, and Rh is rhodium.
+# Symbols that mean another quantity if their case changes: Δ is not δ, d0 may be a diameter, and Rh is rhodium.
 _OTHER_IN_CASE = ("d0", "delta", "deltaw", "rh")
 
 # The symbol of a property with an index for the solid: E_s, rho_p, Es. After nu there must be a gap, and after R a gap
@@ -196,11 +196,11 @@ def symbols() -> dict[str, Meaning]:
 @cache
 def symbols_in_any_case() -> dict[str, Meaning]:
     """Return the meanings of symbols in lower case, except symbols such as R and r, whose meaning depends on case."""
-    meanings: dict[str, list[Meaning]] = {}
+    by_letters: dict[str, list[Meaning]] = {}
     for symbol, meaning in symbols().items():
-        meanings.setdefault(symbol.casefold(), []).append(meaning)
+        by_letters.setdefault(symbol.casefold(), []).append(meaning)
     unique = {}
-    for symbol, (first, *others) in meanings.items():
+    for symbol, (first, *others) in by_letters.items():
         if symbol not in _OTHER_IN_CASE and all(other == first for other in others):
             unique[symbol] = first
     return unique
