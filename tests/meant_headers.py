@@ -428,7 +428,7 @@ _OF_ALL = ("R", "MATLAB", "MATLAB, joined", "janitor", "SQL, small", "SQL, capit
 
 
 def _with_body(term: Term, chance: Random) -> tuple[str, tuple[str, ...], bool]:
-    """Return a word with its body, if it has one, its meanings, and whether it means sphere 2 only."""
+    """Return a word, possibly with a body or an index, its meanings, and whether it means sphere 2 only."""
     text = term.text
     if not term.names:
         return text, (), False
@@ -481,7 +481,7 @@ def _header(term: Term, chance: Random) -> Header:
 
 
 def meant_headers(seed: int, count: int = 12_000) -> list[Header]:
-    """Return distinct headers, half of them for an input; the same for the same seed."""
+    """Return distinct headers, about half of them for an input; the same for the same seed."""
     chance, found = Random(seed), dict[str, Header]()
     groups: dict[tuple[str, ...], list[Term]] = {}
     for term in _terms():
@@ -520,7 +520,7 @@ def _understood(text: str) -> Understood:
 
 
 def advice_for(text: str) -> set[str]:
-    """Return the inputs that the refusal of a header names; none if the header is not refused."""
+    """Return the inputs that the refusal of a header suggests; none if the header is not refused."""
     try:
         _understood(text)
     except BadTable as error:

@@ -3,6 +3,7 @@
 import csv
 import re
 import shlex
+from itertools import product
 from math import pi
 from pathlib import Path
 from typing import Any
@@ -91,7 +92,9 @@ def meanings(line: str) -> dict[str, tuple[str, float]]:
     return {text: (name, float(unit)) for text in texts.split(" | ")}
 
 
-READ = {text: meaning for line in _READ.strip().splitlines() for text, meaning in meanings(line).items()}
+READ: dict[str, tuple[str, float]] = {}
+for _line in _READ.strip().splitlines():
+    READ |= meanings(_line)
 READ |= dict.fromkeys((' "gamma [mJ/m2]"', "\u200fsurface energy [mJ∙m⁻²]\u200e"), ("surface_energy", 1e-3))
 _LACKING = "(first cell '100'): no unit in the header or in the first cell. Write --column"
 _FACTOR = "the name of the quantity or its unit has a sign or a factor"
@@ -327,7 +330,7 @@ def test_a_line_with_the_separator_for_a_spreadsheet_is_skipped(run: Run, name: 
 def test_a_chosen_meaning_outranks_the_header(run: Run, end: str) -> None:
     row = {"tip (µm)": 2.0, "R1 (nm)": 100.0, "E": 70.0, "radius [nm]": 3.0}
     chosen = ("tip (µm)=radius2 [um]", "R1 (nm)=radius [nm]", "radius [nm]=", "E=young [GPa]")
-    columns = [word for choice in chosen for word in ("--column", choice)]
+    columns = [f"--column={choice}" for choice in chosen]
     options = ["--material", "quartz", "--quantities", "contact_radius", "-o", f"out.{end}"]
     ran = run("batch", write_rows([row], f"x.{end}"), *columns, *options)
     assert ran.err.splitlines()[0] == (
@@ -469,8 +472,8 @@ def test_the_name_of_the_measured_quantity_matches_no_other_column() -> None:
 @pytest.mark.parametrize(
     ("columns", "ending"),
     [
-        *((columns, "csv") for columns in PARTS),
-        *((columns, ending) for ending in ("ndjson", "parquet") for columns in [*PARTS][::7]),
+        *product(PARTS, ["csv"]),
+        *product([*PARTS][::7], ["ndjson", "parquet"]),
     ],
 )
 def test_columns_of_a_value_and_its_uncertainty_equal_a_cell_with_both(
@@ -685,7 +688,7 @@ DIVIDED = [
 
 @pytest.mark.parametrize(
     ("word", "mark", "ending", "point"),
-    [(*one, point) for one in DIVIDED for point in ".," if (one[0], point) != ("comma", ",")],
+    [*((*divided, ".") for divided in DIVIDED), *((*divided, ",") for divided in DIVIDED if divided[0] != "comma")],
 )
 def test_the_delimiter_option_divides_columns(run: Run, word: str, mark: str, ending: str, point: str) -> None:
     head, *rows = PLAIN
@@ -706,7 +709,7 @@ def test_the_delimiter_option_divides_columns(run: Run, word: str, mark: str, en
 
 
 def test_a_row_that_begins_with_a_comment_mark_fails(run: Run) -> None:
-    """Only the header and the lines above it may begin with #."""
+    """Only the header, the lines above it and a row of units may begin with #."""
     Path("x.txt").write_text("# R1_nm name\n#100 a\n200 b\n", encoding="utf-8")
     assert run("batch x.txt --delimiter blank --material quartz -o out.tsv --quantities pull_off_force").code == 1
     _, marked, row = Path("out.tsv").read_text(encoding="utf-8").splitlines()
@@ -757,10 +760,10 @@ def test_thousands_separators_are_not_read_as_decimal_marks(run: Run, rows: list
     ran = run("batch x.tsv --quantities pull_off_force --no-doubt -o out.tsv")
     assert ran.code == ("" in forces), ran.err
     gamma = 0.0255 if "25.5" in rows[0] else 0.025
-    for cells, force in zip(
-        (one.split("\t") for one in Path("out.tsv").read_text().splitlines()[1:]), forces, strict=True
-    ):
-        found, mark = cells[width], "," if "," in cells[width] else "."
+    found_rows = Path("out.tsv").read_text(encoding="utf-8").splitlines()[1:]
+    for row, force in zip(found_rows, forces, strict=True):
+        found = row.split("\t")[width]
+        mark = "," if "," in found else "."
         assert bool(found) == bool(force)
         if found:
             radius = 1e-9 * float(force.replace(",", "."))

@@ -385,9 +385,8 @@ def test_a_row_of_units_is_read(run: Run, head: str, units: str, row: str, mark:
     assert (ran.code, "; units: line 2" in ran.err, "failed" in ran.err) == (0, True, False), ran.err
     found = written(target)
     assert [line[: len(given)] for line, given in zip(found, lines, strict=True)] == lines
-    of_units, *results = [line.removeprefix(given).split(mark)[1:] for line, given in zip(found, lines, strict=True)][
-        1:
-    ]
+    below = zip(found[1:], lines[1:], strict=True)
+    of_units, *results = [line.removeprefix(given).split(mark)[1:] for line, given in below]
     assert of_units == [*[""] * (len(results[0]) - 1), "row of units"]
     assert [(float(result[0]), result[-1]) for result in results] == [(approx(OF_25), "")] * 2
 
