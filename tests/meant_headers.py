@@ -378,12 +378,12 @@ _GREEK = {
     "Δ": "Delta",
     "σ": "sigma",
 }
-_IS_GREEK = f"[{''.join(_GREEK)}]"
+_ANY_GREEK = f"[{''.join(_GREEK)}]"
 
 
 def _ascii(text: str) -> str:
     """Return a text with Greek letters spelt out and without accents; other alphabets are kept."""
-    spelt = re.sub(_IS_GREEK, lambda found: _GREEK[found[0]], text)
+    spelt = re.sub(_ANY_GREEK, lambda found: _GREEK[found[0]], text)
     return (
         re.sub(r"[\u0300-\u036f]", "", normalize("NFKD", re.sub("[µμ]", "u", spelt)))
         .replace("ß", "ss")
@@ -413,8 +413,8 @@ _MANGLINGS: Mapping[str, Callable[[str], str]] = {
     "small": str.lower,
     "mistaken": _mistaken,
     "mistaken as Latin-1": lambda text: text.encode().decode("latin-1"),
-    "LaTeX": lambda text: re.sub(_IS_GREEK, lambda found: f"$\\{_GREEK[found[0]]}$", text),
-    "HTML": lambda text: re.sub(_IS_GREEK, lambda found: f"&{_GREEK[found[0]]};", text),
+    "LaTeX": lambda text: re.sub(_ANY_GREEK, lambda found: f"$\\{_GREEK[found[0]]}$", text),
+    "HTML": lambda text: re.sub(_ANY_GREEK, lambda found: f"&{_GREEK[found[0]]};", text),
     "lost": lambda text: text.encode("ascii", "replace").decode(),
     "decomposed": lambda text: normalize("NFD", text),
     "quoted": lambda text: f'"{text}"',
@@ -422,6 +422,7 @@ _MANGLINGS: Mapping[str, Callable[[str], str]] = {
     "joined": lambda text: text.replace(" ", ""),
     "underlined": lambda text: text.replace(" ", "_"),
 }
+# The manglings of headers with letters outside ASCII, and of headers that can be written in ASCII.
 _OF_GREEK = ("mistaken", "mistaken", "mistaken as Latin-1", "LaTeX", "HTML", "lost", "decomposed")
 _OF_ALL = ("R", "MATLAB", "MATLAB, joined", "janitor", "SQL, small", "SQL, capital", "small", "quoted", "padded",
     "joined", "underlined")  # fmt: skip
@@ -474,8 +475,8 @@ def _header(term: Term, chance: Random) -> Header:
         how = "decomposed" if how == "lost" and not text.isascii() else how
     mangled = _MANGLINGS[how](whole) if how else whole
     in_metres = re.search("[µμ]", whole) and re.search(r"[^\W_][_.]m$", mangled)  # everyone reads radius_m as metres
-    is_lost = in_metres or ("*" in text and "*" not in mangled)  # without its star, E* is E
-    whole = whole if is_lost else mangled
+    has_other_meaning = in_metres or ("*" in text and "*" not in mangled)  # without its star, E* is E
+    whole = whole if has_other_meaning else mangled
     name, *others = names or ("",)
     return Header(whole, name, factor * term.share, is_plain and not how, is_of_2, tuple(others), term.share)
 
@@ -542,8 +543,10 @@ def outcome(header: Header) -> str:
     if not header.name and column.name.startswith("shear_modulus"):
         return PASSED  # an input, although its words are in _NONE
     is_meant = computed_as(column.name) in {header.name, *header.others} - {""}
-    factor = column.unit[0] / column.unit[1] if column.unit else 1.0
-    factor *= 0.5 if column.name.startswith("diameter") else 1.0
+    factor = 0.5 if column.name.startswith("diameter") else 1.0
+    if column.unit is not None:
+        numerator, denominator, _ = column.unit
+        factor *= numerator / denominator
     is_right = is_meant and factor == approx(header.factor, rel=1e-9)
     return READ if is_right else MISREAD
 

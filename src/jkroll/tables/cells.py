@@ -206,7 +206,10 @@ def _exponent(unit_text: bytes, name: str) -> int | None:
         unit = None if not text or has_uncertainty(text) else unit_of(text, name)
     except (QuantityError, UnicodeDecodeError):
         return None
-    return exponent_of(unit) if unit and unit[2] == dimension_of(NOMENCLATURE[name].unit) else None
+    if unit is None:
+        return None
+    *_, dimension = unit
+    return exponent_of(unit) if dimension == dimension_of(NOMENCLATURE[name].unit) else None
 
 
 def cell_of(value: object) -> str:

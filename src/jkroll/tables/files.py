@@ -138,8 +138,10 @@ def input_format(path: str, target: str, stated: str = "", delimiter: str = "") 
 
 def _beginning(path: str, compression: str) -> bytes:
     """Return the first whole lines of a file, without a byte order mark; an empty text if the file cannot be read."""
-    with suppress(BadTable), (file := Input(path)).file:
-        text = _filled(b"", file.pieces(compression), CHUNK // 64)
+    with suppress(BadTable):
+        source = Input(path)
+        with source.file:
+            text = _filled(b"", source.pieces(compression), CHUNK // 64)
         return text[: text.rfind(b"\n") + 1].removeprefix(BOM)
     return b""
 

@@ -477,7 +477,7 @@ def _refusal(readings: Sequence[Reading]) -> BadTable:
     for reading in readings:
         cell = f" (first cell {quoted(reading.cell)})" if reading.cell else ""
         texts.setdefault(reading.problem, []).append(f"{quoted(reading.text)}{cell}")
-    problems = [f"{listed(each)}: {problem}" for problem, each in texts.items()]
+    problems = [f"{listed(headers)}: {problem}" for problem, headers in texts.items()]
     options = " ".join([option_of(reading.text, "") for reading in readings])
     if len(readings) > 1:
         passing = f"{options} to pass them through (--pass-rest passes all unread columns)"

@@ -32,7 +32,7 @@ def opened(
 
 
 def _of_lines(
-    source: Input, form: FileFormat, asked: Asked, *, excel_safe: bool, as_markdown: bool
+    file: Input, form: FileFormat, asked: Asked, *, excel_safe: bool, as_markdown: bool
 ) -> tuple[Delimited | Ndjson, Iterator[bytes]]:
     """Return a table made of lines, with its header already read, and its blocks of rows. Raises BadTable.
 
@@ -43,14 +43,14 @@ def _of_lines(
         table: Delimited | Ndjson = Ndjson()
     else:
         table = Delimited(form.separator, excel_safe=excel_safe, as_markdown=as_markdown)
-    stream = blocks(source.pieces(form.compression), table.cut)
+    stream = blocks(file.pieces(form.compression), table.cut)
     first = next(stream, b"")
     mark = BOM if first.startswith(BOM) else b""
     stream = chain([first.removeprefix(mark)], stream)
     if is_dump(first):
         if not is_of_blanks:
             raise BadTable("this is a dump of LAMMPS, with blanks between its columns; write --delimiter blank")
-        stream = as_table(stream, source.path, form.compression)
+        stream = as_table(stream, file.path, form.compression)
     if is_of_blanks:
         stream = between_tabs(stream)
     first = next(stream)

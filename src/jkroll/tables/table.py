@@ -317,7 +317,10 @@ class TableBlock:
     def __init__(self, table: Table, records: Records) -> None:
         """`records`: the cells of the columns that the table reads."""
         self.table, self.cells, self.odd = table, records.cells, records.odd
-        self.numbers: Mapping[str, Numbers] = {each.name: each.numbers(self.cells) for each in table.columns.inputs}
+        numbers: dict[str, Numbers] = {}
+        for column in table.columns.inputs:
+            numbers[column.name] = column.numbers(self.cells)
+        self.numbers: Mapping[str, Numbers] = numbers
         self._check_header()
         self.indices = {name: table.lookups[name].indices(self.cells[name]) for name in MATERIALS if name in self.cells}
         are_rows = numpy.zeros(len(records.before), dtype=numpy.int64)
@@ -339,7 +342,7 @@ class TableBlock:
         heads = {name: typed(texts[position]) for name, position in positions.items() if name not in MATERIALS}
         for row in first.odd:
             others = [typed(self.cells[name][row].decode(errors="replace")) for name in heads]
-            if others != [*heads.values()] and all(is_input(each, self.table.asked.measured) for each in others):
+            if others != [*heads.values()] and all(is_input(text, self.table.asked.measured) for text in others):
                 instead = f"{quoted(', '.join(others))} instead of {quoted(', '.join(heads.values()))}"
                 raise BadTable(
                     f"a row below the header is another header: {instead}. Split the file there, and convert each part"

@@ -63,11 +63,14 @@ def fits(unit_text: str, name: str) -> bool:
     unit = NOMENCLATURE[name].unit
     if unit == "1" and unit_text in ("1", "-"):
         return True
+    if not unit or not unit_text:
+        return False
+    needed = dimension_of(unit)
     try:
-        dimension = dimension_of(unit)
-        return bool(unit and unit_text) and unit_meant(unit_text, dimension)[2] == dimension
+        *_, dimension = unit_meant(unit_text, needed)
     except BadUnit:
         return False
+    return dimension == needed
 
 
 def unit_for(text: str, name: str, *, is_explicit: bool = False) -> str:
