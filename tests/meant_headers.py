@@ -500,7 +500,7 @@ def meant_headers(seed: int, count: int = 12_000) -> list[Header]:
 # --- Outcomes ---------------------------------------------------------------------------------------------------------
 
 READ, MISREAD, REFUSED, PASSED = "read", "misread", "refused", "passed"
-ADVISED = "refused, and the advice names other inputs alone"
+MISLED = "refused, and the advice names other inputs alone"
 IDLE = "passed, and no other number stands in"
 _ASKED = Asked({"radius": "1 um"}, known_materials(), offered=BY_DEFAULT)
 
@@ -535,7 +535,7 @@ def outcome(header: Header) -> str:
         found = _understood(header.text)
     except BadTable as error:
         meanings = advised(str(error))
-        return ADVISED if meanings and header.name and meanings.isdisjoint(header.advice) else REFUSED
+        return MISLED if meanings and header.name and meanings.isdisjoint(header.advice) else REFUSED
     if not found.inputs:
         supplied = _supply(frozenset({"material"})).clauses
         return IDLE if header.name and supplied.keys().isdisjoint({header.name, *header.others}) else PASSED
@@ -579,7 +579,7 @@ def groups_of(headers: Sequence[Header]) -> dict[str, list[Header]]:
 
 def main(seeds: Iterable[int]) -> None:
     """Print the outcomes for some seeds, and the headers that are misread."""
-    columns = {"read": READ, "misread": MISREAD, "refused": REFUSED, "advised": ADVISED, "passed": PASSED, "idle": IDLE}
+    columns = {"read": READ, "misread": MISREAD, "refused": REFUSED, "misled": MISLED, "passed": PASSED, "idle": IDLE}
     print(f"{'seed':>4}  {'headers':10} {'all':>6}", *(f"{head:>8}" for head in columns))
     for seed in seeds:
         headers = meant_headers(seed)

@@ -7,8 +7,7 @@ from pathlib import Path
 import pytest
 
 from harness import Run
-from meant_headers import ADVISED as ADVISED_OTHERS
-from meant_headers import IDLE, MISREAD, PASSED, REFUSED, Header, advice_for, groups_of, meant_headers, outcome
+from meant_headers import IDLE, MISLED, MISREAD, PASSED, REFUSED, Header, advice_for, groups_of, meant_headers, outcome
 from relative import approx
 
 OTHERS = "material,radius [nm]"  # the other columns; the material is quartz
@@ -218,7 +217,7 @@ def test_few_headers_that_mean_an_input_pass_through(seed: int, count: int) -> N
         assert len(passed) <= most * len(groups[group]), (group, passed)
     none = [each.text for each in groups["none"] if outcomes[each.text] in (PASSED, IDLE)]
     assert len(none) > 0.68 * len(groups["none"])
-    assert [*outcomes.values()].count(ADVISED_OTHERS) <= 0.012 * len(groups["inputs"])
+    assert [*outcomes.values()].count(MISLED) <= 0.012 * len(groups["inputs"])
 
 
 def test_a_header_with_a_factor_or_function_gets_no_advice(run: Run) -> None:

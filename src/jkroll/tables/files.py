@@ -52,7 +52,7 @@ from .layouts import (
 )
 from .table import Records, Table
 
-# The extensions of files that only other programs write.
+# The extensions of files to which no table is written, such as workbooks and pictures.
 NOT_WRITTEN = "xlsx xls ods json svg pdf png jpg jpeg gif tif tiff eps ps svgz bmp webp".split()
 FORMATS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}
 WRITTEN = {**FORMATS, "md": "md"}
@@ -176,7 +176,7 @@ def _divided(mark: str, compression: str) -> FileFormat:
 def output_format(target: str, usual: str, *, quiet: bool) -> FileFormat:
     """Return the format of the output from the file's name, or else the `usual` format, uncompressed.
 
-    Prints a note about an unknown extension, unless `quiet`. Raises BadRequest for a format of other programs.
+    Prints a note about an unknown extension, unless `quiet`. Raises BadRequest for an extension in NOT_WRITTEN.
     """
     form = format_of_name(target, WRITTEN | ({"txt": usual} if usual in SEPARATORS else {}))
     if form is not None:
