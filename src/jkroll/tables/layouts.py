@@ -61,7 +61,12 @@ def _cells(line: bytes, number: int) -> list[bytes]:
             f"line {number}: a quote is not closed in {quoted(line.decode(errors='replace').strip())}. Between blanks, "
             "text in quotes ends in its line: write tabs between the columns, and --format tsv"
         )
-    return [cell[:-1].replace(rb"\"", b'""') + b'"' if cell.startswith(b'"') else cell for cell in cells]
+    return [*map(_with_double_quotes, cells)]
+
+
+def _with_double_quotes(cell: bytes) -> bytes:
+    r"""Return a cell with "" in place of \". The last quote closes the cell, even after a backslash."""
+    return cell[:-1].replace(rb"\"", b'""') + b'"' if cell.startswith(b'"') else cell
 
 
 # --- Dumps of LAMMPS --------------------------------------------------------------------------------------------------
