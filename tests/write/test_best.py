@@ -177,10 +177,11 @@ REASONED = (
 )  # fmt: skip
 # Each kind of reason occurs for one of these, in its longest form.
 LONGEST = (
-    "quartz 2nm", "quartz 100nm", "quartz 20um", "silica-dry 100nm", "ice-warm 20um", "polystyrene 20um", "mica 2nm",
+    "quartz 2nm", "quartz 100nm", "quartz 20um", "silica-dry 100nm", "ice-warm 1um", "ice-warm 20um",
+    "polystyrene 20um", "mica 2nm",
 )  # fmt: skip
 MATERIALS = ("quartz", "silica-dry", "iron", "ice-warm", "polystyrene", "mica")
-EVERY = tuple(f"{material} {size}" for material, size in product(MATERIALS, ("2nm", "100nm", "20um")))
+EVERY = tuple(f"{material} {size}" for material, size in product(MATERIALS, ("2nm", "100nm", "1um", "20um")))
 
 
 @pytest.mark.parametrize(
