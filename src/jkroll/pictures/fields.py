@@ -196,7 +196,7 @@ class Scale(tuple[Patch, ...]):
 
 
 class Drawing(NamedTuple):
-    """What remains to be done on axes when the lines and areas of a panel are drawn: its legend and texts."""
+    """The remaining work on axes after the lines and areas of a panel: the legend and the texts."""
 
     keys: list[Any]  # of the legend
     label: Callable[[Labels], list[Any]]  # writes the texts of contours; returns further keys, for those without a text

@@ -305,7 +305,7 @@ def _scaled(answer: Answer) -> Iterator[str]:
     what = f"{'ξ = ' if rolled.name == XI else 'forces of '}{span(rolled.name, rolled.low, rolled.high)}"
     measured = f"{what} on {solid} of R = {amount('radius', rolled.radius)}"
     is_alike = abs(radius / rolled.radius - 1) < _ALIKE
-    yield f"{measured}, as measured" if is_alike else f"{measured}, as R^n, n = 2/3 to 1"
+    yield f"{measured}, as measured" if is_alike else f"from {measured}, as R^n, n = 2/3–1"
     yield f"source: {rolled.source}"
     if is_alike:
         return
