@@ -19,7 +19,7 @@ from ..physics.elementary import NUMBER, absolute, at_least, at_most, hypot, is_
 from ..quantities.nomenclature import INFINITY, XI
 from ..quantities.values import Interval, Measured, Uncertain
 from .column import Column, at_row
-from .frame import Frame, Variant, itself
+from .frame import Frame, Variant, itself, once_a_frame
 from .plan import in_order
 from .reasons import NoErrorBar, explanation_of
 
@@ -192,7 +192,7 @@ def _at_points(
     """Return a column for each quantity, whose first axis runs over points; for a single row, a list over points."""
     moved = {}
     if not frame.shape and len(points) <= frame.few:
-        rows = [made_of(frame.replace(**point)).columns(names) for point in points]
+        rows = [made_of(_at_point(frame, point)).columns(names) for point in points]
         for name in names:
             cells = [row[name] for row in rows]
             moved[name] = Column([cell.values for cell in cells], [cell.reasons for cell in cells])
@@ -210,6 +210,20 @@ def _at_points(
         values, reasons = (numpy.broadcast_to(array, shape) for array in column)
         moved[name] = Column(values, reasons) if frame.shape else Column(values.tolist(), reasons.tolist())
     return moved
+
+
+@once_a_frame
+def _frames_at_points(_: Frame) -> dict[tuple[tuple[str, Any], ...], Frame]:
+    """Return the store of a frame for itself at other points, by the names and values of each point."""
+    return {}
+
+
+def _at_point(frame: Frame, point: Mapping[str, Any]) -> Frame:
+    """Return the frame at a point; the same one for each variant, so that variants share what they compute."""
+    frames, key = _frames_at_points(frame), tuple(point.items())
+    if key not in frames:
+        frames[key] = frame.replace(**point)
+    return frames[key]
 
 
 def _error_bar(column: Column, moved: Column, sources: Sources) -> ErrorBar | None:
