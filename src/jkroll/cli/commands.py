@@ -196,10 +196,10 @@ def _by_flag(options: Iterable[Option[Any]]) -> dict[str, Option[Any]]:
 
 
 def _options_of_export() -> tuple[Option[Any], ...]:
-    from ..write.exports import THRESHOLDS, USUAL
+    from ..write.exports import OF_ANY_LAW, OF_JKR
 
     law = Option(None, "--model", "Law of attraction, jkr (the default) or dmt", "dmt", name="model")
-    inputs = [option for option in input_options(USUAL + THRESHOLDS) if option.name != law.name]
+    inputs = [option for option in input_options(OF_ANY_LAW + OF_JKR) if option.name != law.name]
     return (*inputs, law, Options.file, Options.quiet)
 
 

@@ -1,4 +1,4 @@
-"""Lists of materials and of quantities as text, and sheets with all facts about a single material or quantity."""
+"""Materials and quantities in each format: lists and rows, and sheets with all facts about a single one."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cache
@@ -145,7 +145,7 @@ def material_as_object(material: Material) -> dict[str, Any]:
 
 
 def _write_lines(material: Material, out: TextIO) -> None:
-    """Write a line `name value unit` for each property and each side of its uncertainty, then lines on its origin."""
+    """Write the name, the state and each property: a line `name value unit`, also for its uncertainty, and its origin."""
     say(f"material {material.name}", out)
     if material.state:
         say(f"state {material.state}", out)
@@ -184,7 +184,7 @@ def write_quantities(
     commands_taking: Callable[[str], Sequence[str]],
     most: int | None = None,
 ) -> None:
-    """Write a list of quantities in a format, or a single one in full.
+    """Write quantities in a format; as a table or lines, a single one is written in full.
 
     `commands_taking`: returns the commands that take a quantity as an input; `most`: the number of quantities that a
     table describes; a line below the table names the others.
@@ -221,7 +221,7 @@ def _write_tables(names: Sequence[str], out: TextIO, most: int) -> None:
 
 
 def quantity_as_object(name: str) -> dict[str, Any]:
-    """Return the JSON object of a quantity, with all facts; the other forms show some of them."""
+    """Return the JSON object of a quantity."""
     quantity, formula = NOMENCLATURE[name], formula_of(name)
     fields: Mapping[str, str] = {}
     follows_from: list[str] = []
@@ -252,7 +252,7 @@ def quantity_as_object(name: str) -> dict[str, Any]:
 
 
 def _related(name: str) -> list[str]:
-    """Return the other quantities, without variants, whose names have each word of a name or a word that begins so."""
+    """Return the other quantities, except variants, that have each word of a name as the beginning of a word."""
     prefixes = words_in(name)
     related = []
     for other, words in _words_of_names().items():
@@ -273,7 +273,7 @@ def _is_prefix(prefix: str, words: Iterable[str]) -> bool:
 
 
 def commands_of(name: str) -> tuple[str, ...]:
-    """Return the commands with a question that show a quantity, or that compute results from it as an input."""
+    """Return the commands that show a quantity by default, or whose results depend on it as an input."""
     is_input = bool(NOMENCLATURE[name].option) or formula_of(name) is None
     commands = []
     for command, question in QUESTIONS.items():
@@ -294,7 +294,7 @@ def quantity_table(title: str, names: Iterable[str]) -> Iterator[tuple[str, str,
 
 
 def groups_of_quantities() -> dict[str, list[str]]:
-    """Return all quantities except variants in groups that fit a screen, each in the first group that matches."""
+    """Return all quantities except variants by the title of a group; each is in the first group that matches."""
     groups: dict[str, Collection[str]] = {}
     for sphere in (1, 2):
         groups[f"of sphere {sphere}"] = [name for name in NOMENCLATURE if NOMENCLATURE[name].sphere == sphere]

@@ -25,9 +25,9 @@ LEAST_SKIN = 0.4  # least skin, over the approach without load; LAMMPS breaks a 
 WIDTH = 78  # of comments, after "# "
 NO_SLIP = 1e9  # a coefficient of friction that prevents slip, for laws without a sliding force
 
-USUAL = ("yield_moment", "pull_off_force", "rolling_stiffness", "tangential_stiffness", "time_step")
-THRESHOLDS = ("sliding_force", "twisting_stiffness", "twisting_moment")  # by JKR
-_STATED = ("work_of_adhesion", "yield_displacement", "load")
+OF_ANY_LAW = ("yield_moment", "pull_off_force", "rolling_stiffness", "tangential_stiffness", "time_step")
+OF_JKR = ("sliding_force", "twisting_stiffness", "twisting_moment")
+_IN_COMMENTS = ("work_of_adhesion", "yield_displacement", "load")
 
 # --- LAMMPS -----------------------------------------------------------------------------------------------------------
 
@@ -72,13 +72,13 @@ above only.
 def lammps_input(frame: Frame) -> str:
     """Return input for LAMMPS: the coefficients of each pair of types and of any wall, the time step, and comments."""
     is_jkr = frame.law.is_default
-    names = [*USUAL]
+    names = [*OF_ANY_LAW]
     if is_jkr:
-        names += [*THRESHOLDS, "shear_strength"]
-    names += ["contact_shear_modulus", "density", "density2", *_STATED]
+        names += [*OF_JKR, "shear_strength"]
+    names += ["contact_shear_modulus", "density", "density2", *_IN_COMMENTS]
     values = {name: frame[name] for name in names}
-    grains = _grains(frame)
-    pairs = {f"pair_coeff {grain} {grain} {{}}": pair for grain, pair in grains.items()}
+    like_pairs = _like_pairs(frame)
+    pairs = {f"pair_coeff {grain} {grain} {{}}": pair for grain, pair in like_pairs.items()}
     bodies, place = "two spheres", ""
     if _is_at_wall(frame):
         bodies, place = "a sphere and a plane", " at the wall, which is put at z = 0"
@@ -92,10 +92,10 @@ def lammps_input(frame: Frame) -> str:
             coefficients.append(command.format(_coefficients(pair)))
             steps.append(pair["time_step"])
         except JkrollError as error:  # a pair of like spheres may be rigid, or lack an input
-            coefficients.append(f"# {command.partition(' {')[0]}: {explanation_of(command, error)}")
+            coefficients.append(f"# {command.partition(' {')[0]}: {explanation_of('', error)}")
     at_rest = "Like spheres touch without load. " if values["load"] else ""
     types = []
-    for grain, pair in grains.items():
+    for grain, pair in like_pairs.items():
         types.append(f"# set type {grain} diameter {2 * pair['radius']:.12g} density {pair['density']:.12g}")
     return (_LAMMPS + _REMARKS_ON[frame.law.name]).format(
         **values,
@@ -137,8 +137,8 @@ def _is_at_wall(frame: Frame) -> bool:
     return bool(frame.values.get("radius2") == INFINITY)
 
 
-def _grains(frame: Frame) -> dict[int, Frame]:
-    """Return a pair of like grains for each type, by the number of the type; a sphere at a wall gives one type."""
+def _like_pairs(frame: Frame) -> dict[int, Frame]:
+    """Return a pair of like spheres for each type, by the number of the type; a wall has no such pair."""
     if frame.is_identical:
         return {1: frame}
     types = (1,) if _is_at_wall(frame) else (1, 2)
@@ -203,8 +203,8 @@ def liggghts_input(frame: Frame) -> str:
         raise BadRequest("export: liggghts needs a finite Young's modulus of each body")
     pairs = [frame]
     if not frame.is_identical:
-        grains = _grains(frame)
-        pairs = [grains[1], frame, frame, grains.get(2, frame)]
+        like_pairs = _like_pairs(frame)
+        pairs = [like_pairs[1], frame, frame, like_pairs.get(2, frame)]  # no wall meets itself
     steps: list[float] = []
     for pair in pairs:
         steps += pair.numbers("time_step").values()
@@ -284,6 +284,7 @@ def dust_simulation_material(frame: Frame) -> str:
 
 def _about_dust_simulation(frame: Frame) -> tuple[str, str]:
     """Return the notes on a material file: on its lines, and on the size of grains that stick at every speed."""
+    # T* is proportional to R^(-7/6).
     ratio = frame.replace(viscous_time=float(_DAMPING[1]))["viscosity_number"]
     largest = amount("radius", frame["radius"] * (ratio / STICKS_FROM) ** (6 / 7), Format(digits=3))
     sticks = f"with this viscous time all grains below {largest} stick at every speed"
@@ -316,7 +317,7 @@ PROGRAMS: Mapping[str, Program] = {
     "lammps": Program(
         "LAMMPS",
         lammps_input,
-        (*USUAL, *THRESHOLDS),
+        (*OF_ANY_LAW, *OF_JKR),
         tuple(_REMARKS_ON),
         to_write="damping (now 0) and friction (now that of adhesion)",
     ),
@@ -325,7 +326,7 @@ PROGRAMS: Mapping[str, Program] = {
         "DustCollider", dust_collider_material, ("pull_off_force", "yield_moment"), to_write="viscous time (now 0)"
     ),
     "dust-simulation": Program(
-        "DustSimulation", dust_simulation_material, (*USUAL, *THRESHOLDS), about=_about_dust_simulation
+        "DustSimulation", dust_simulation_material, (*OF_ANY_LAW, *OF_JKR), about=_about_dust_simulation
     ),
 }
 

@@ -58,7 +58,7 @@ class Passage(NamedTuple):
     section: Section
     text: str  # Markdown
     head: str  # the header of the table; empty for text
-    is_first: bool  # True for the first passage of a section, which answers the heading
+    is_first: bool  # True in the first block of a section, which answers the heading
 
 
 def topics() -> tuple[str, ...]:
@@ -151,8 +151,8 @@ def section_meant(text: str) -> Section | None:
 class Hits(NamedTuple):
     """The results of a search, the best first."""
 
-    passages: Sequence[Passage]  # one, or two with similar scores
-    pages: Sequence[str]  # pages with the words
+    passages: Sequence[Passage]  # at most two, with similar scores; none if only a quantity or a material matches
+    pages: Sequence[str]  # pages of passages with at least LEAST_NAMED of the best score
     quantities: Sequence[str]
     materials: Sequence[str]
 

@@ -42,7 +42,7 @@ def whole_file(path: str, mark: str = "") -> Iterator[BinaryIO]:
         real = os.path.realpath(path)
         folder, name = os.path.split(real)
         temporary = os.path.join(folder, f".{name[:MAX_KEPT]}.{mark}{os.urandom(4).hex()}")
-        with _removed_at_last(temporary) as begun:
+        with _temporary_file(temporary) as begun:
             with begun:
                 yield begun
             if os.path.exists(real):
@@ -54,7 +54,7 @@ def whole_file(path: str, mark: str = "") -> Iterator[BinaryIO]:
 
 
 @contextmanager
-def _removed_at_last(path: str) -> Iterator[BinaryIO]:
+def _temporary_file(path: str) -> Iterator[BinaryIO]:
     """Open a new file; unless the block renames it, remove it after the block, or if a signal ends the process."""
     ours = [path]  # set before `open`, since a signal may arrive between the creation of the file and the return
 

@@ -46,7 +46,7 @@ class Lines:
         self.has_header, self.is_plain, self.has_commas = has_header, is_plain, has_commas
 
     def header(self, heads: Sequence[str], before: Sequence[bytes] = ()) -> bytes:
-        """Return the line of the headers. `before`: encoded cells that precede them."""
+        """Return the line of the headers, if the format has one. `before`: encoded cells that precede them."""
         if not self.has_header:
             return b"".join(before)
         return self.separator.join([*before, *map(self._text, heads)]) + self.end
