@@ -1,6 +1,6 @@
-"""Metadata hook: the URLs of the project, and its README with whole links, from the one `address` in `pyproject.toml`.
+"""Metadata hook: the URLs of the project and its README with absolute links, both from `address` in `pyproject.toml`.
 
-While the repository has no public address, there are no URLs, and the links stay as they are.
+If `address` is empty, there are no URLs, and the links stay relative.
 """
 
 from pathlib import Path

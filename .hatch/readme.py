@@ -1,9 +1,9 @@
-"""The README for a page elsewhere, such as that of a package index: its links and its picture have whole addresses."""
+"""The README for the page of a package index: its links and its pictures become absolute."""
 
 import re
 
 
 def absolute(text: str, address: str, tag: str) -> str:
-    """Return Markdown whose relative links lead to a tag of the repository at an address."""
+    """Return Markdown with its relative links made absolute: they lead to a tag of the repository at an address."""
     text = re.sub(r"!\[([^]]*)\]\((?!https?:)([^)#]+)\)", rf"![\1]({address}/raw/{tag}/\2)", text)
     return re.sub(r"(?<!!)\[([^]]*)\]\((?!https?:|#)([^)]+)\)", rf"[\1]({address}/blob/{tag}/\2)", text)

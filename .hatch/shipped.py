@@ -1,7 +1,7 @@
 """Build hook: writes the materials of `materials.toml` into the wheel as a Python module.
 
-A call that names a shipped material then reads no file, as the interpreter compiles the module once. The file stays the
-only copy in the repository; a checkout, where it may be edited, has no such module.
+A call that names a shipped material then parses no TOML; Python compiles the module only once. A checkout has no such
+module, since its `materials.toml` may be edited.
 """
 
 import sys
@@ -19,7 +19,7 @@ class ShippedMaterials(BuildHookInterface[Any]):
     """Adds the module to a wheel."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
-        """Write the module to a temporary directory and have it included."""
+        """Write the module to a temporary directory, from which the build copies it."""
         if version == "editable":
             return
         sys.path.insert(0, str(Path(self.root, "src")))
