@@ -145,7 +145,7 @@ def material_as_object(material: Material) -> dict[str, Any]:
 
 
 def _write_lines(material: Material, out: TextIO) -> None:
-    """Write the name, the state and each property: a line `name value unit`, also for its uncertainty, and its origin."""
+    """Write name and state, and lines for each property: its value, the sides of its uncertainty, and its origin."""
     say(f"material {material.name}", out)
     if material.state:
         say(f"state {material.state}", out)
