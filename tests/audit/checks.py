@@ -17,7 +17,7 @@ ROUNDING = 1e-9  # largest relative difference of two routes to one number
 
 
 class Check(NamedTuple):
-    """A claim of the paper, as printed and as it follows; at arbitrary values, only equal formulas agree."""
+    """A claim of the paper: the printed number, and the number that follows from the premises."""
 
     equation: str  # numbers of equations, or the place in the prose
     claim: str
@@ -66,11 +66,11 @@ def _agree(printed: tuple[float, ...], follows: tuple[float, ...], within: float
 
 Function = Callable[[float], float]
 
-_NODES = 40
+_NODES = 40  # of Gauss' rule, each with its weight
 _RULE: list[tuple[float, float]] = [
     *zip(*map(numpy.ndarray.tolist, numpy.polynomial.legendre.leggauss(_NODES)), strict=True)
 ]
-_DIRECTIONS = 24
+_DIRECTIONS = 24  # of the radii along which `over_disc` integrates
 
 
 def integral(function: Function, low: float, high: float) -> float:

@@ -56,7 +56,7 @@ def _pressure() -> tuple[Check, ...]:
         Check("10 text", "two spheres: M = Q R, R reduced", "wrong", "the lever arm is R1",
               printed=pair.r, follows=pair.lever),
         Check("11", "M = 0 if p(x) = p(−x)", "holds", "halves cancel: their ratio",
-              printed=-1.0, follows=_sector_moment(pi / 2) / _sector_moment(-pi / 2)),
+              printed=-1.0, follows=_half_circle(pi / 2) / _half_circle(-pi / 2)),
         Check("12-15", "p(r, a, δ) dents to δ − r²/(2R)", "holds", "half-space, chord by chord",
               printed=pair.delta - R_INSIDE**2 / (2 * pair.r),
               follows=pair.depth(_pressure_at, 0.6 * R_INSIDE, 0.8 * R_INSIDE)),
@@ -97,24 +97,24 @@ def _half_circles() -> tuple[Check, ...]:
 
 
 def _rigid_pull_off() -> float:
-    """Return the pull-off force of rigid spheres that attract by 4γ(1 − h) per area at a gap h up to 1, of work 2γ."""
+    """Return the pull-off force of rigid spheres that attract by 4γ(1 − h) per area at a gap h < 1, so that w = 2γ."""
     return integral(lambda r: 2 * pi * r * 4 * pair.gamma * (1 - r**2 / (2 * pair.r)), 0, sqrt(2 * pair.r))
 
 
 def _pressure_at(x: float, y: float) -> float:
     """Return the pressure of Eq (12)."""
-    depth = sqrt(1 - (x * x + y * y) / pair.a**2)
-    return P_H * depth + P_B / depth
+    profile = sqrt(1 - (x * x + y * y) / pair.a**2)
+    return P_H * profile + P_B / profile
 
 
-def _sector_moment(start: float) -> float:
-    """Return the moment of the symmetric pressure over the half of the circle that begins at an angle."""
+def _half_circle(start: float) -> float:
+    """Return the moment of the symmetric pressure over half of the circle, which begins at an angle."""
     around = integral(cos, start, start + pi)
     return around * to_rim(lambda r: r * r * pair.pressure(r, pair.a), pair.a)
 
 
 def _half_disc(a: float, start: float) -> float:
-    """Return the moment of the pressure (15) over half of a circle, by Eq (17)."""
+    """Return the moment of the pressure (15) over half of a circle, which begins at an angle, by Eq (17)."""
     return integral(
         lambda angle: to_rim(lambda r: r * cos(angle) * pair.pressure_at_approach(r, a) * r, a), start, start + pi
     )
@@ -148,7 +148,7 @@ def _symmetric() -> tuple[Check, ...]:
                        -pi * E / 2 * slope(lambda x: -((x - XI) ** 2) / (2 * R), X)),
               follows=(_transform(0, X), _transform(XI, X))),
         Check("54-56", "p_s of Hertz and (C − a²/2)", "holds", "(53), its C2 being −C",
-              printed=symmetric(X, A), follows=-E / (2 * R * sqrt(A**2 - X**2)) * (-C + _hertz_tilt(X) / pi)),
+              printed=symmetric(X, A), follows=-E / (2 * R * sqrt(A**2 - X**2)) * (-C + _integral_81(X) / pi)),
         Check("57-59", "P = πEC/(2R)", "holds", "(56), integrated",
               printed=pi * E / (2 * R) * C, follows=across(lambda x: symmetric(x, A), A)),
     )  # fmt: skip
@@ -161,7 +161,7 @@ def _shifted() -> tuple[Check, ...]:
               printed=-((X - XI) ** 2) / (2 * R), follows=sqrt(R**2 - (X - XI) ** 2) - R, within=(X / R) ** 2 / 2),
         Check("63, 64", "p_a is p_s plus a term ξX/√(a² − X²)", "holds", "(53), its C being −C",
               printed=shifted(X),
-              follows=-E / (2 * R * sqrt(A**2 - X**2)) * (-C + (_hertz_tilt(X) - XI * _punch_tilt(X)) / pi)),
+              follows=-E / (2 * R * sqrt(A**2 - X**2)) * (-C + (_integral_81(X) - XI * _integral_82(X)) / pi)),
         Check("65", "P = πEC/(2R)", "holds", "(64), integrated",
               printed=pi * E / (2 * R) * C, follows=load),
         Check("66-68", "M(X = 0) = πa²Eξ/(4R)", "holds", "X p_a, integrated",
@@ -193,9 +193,9 @@ def _integrals() -> tuple[Check, ...]:
         Check("79, 84", "W1 integrates to ½πa²", "holds", "(79) should be W1(x, a)",
               printed=pi * A**2 / 2, follows=across(_w1, A)),
         Check("81", "P.V. s W1/(x − s): π(x² − ½a²)", "holds", "quadrature off the pole",
-              printed=pi * (X**2 - A**2 / 2), follows=_hertz_tilt(X)),
+              printed=pi * (X**2 - A**2 / 2), follows=_integral_81(X)),
         Check("82", "P.V. W1/(x − s): πx", "holds", "quadrature off the pole",
-              printed=pi * X, follows=_punch_tilt(X)),
+              printed=pi * X, follows=_integral_82(X)),
         Check("83", "1/W1: π", "holds", "quadrature",
               printed=pi, follows=across(lambda x: 1 / _w1(x), A)),
         Check("85, 86", "x W1: a³/3; x/W1: a", "holds", "quadrature",
@@ -223,7 +223,7 @@ def half_moment(a: float) -> float:
 
 
 def halves_moment(xi: float) -> float:
-    """Return the moment of two halves, Eq (73)."""
+    """Return the moment of two halves of a strip, Eq (73)."""
     return half_moment(A - xi) - half_moment(A + xi)
 
 
@@ -237,11 +237,13 @@ def _dent_slope(xi: float, x: float) -> float:
     return -integral(cos, -pi / 2, pi / 2) / (pi * E) * _transform(xi, x)
 
 
-def _hertz_tilt(x: float) -> float:
+def _integral_81(x: float) -> float:
+    """Return the principal value of ∫ s W1/(x − s) ds."""
     return principal_value(lambda s: s * (A**2 - s**2), x, A)
 
 
-def _punch_tilt(x: float) -> float:
+def _integral_82(x: float) -> float:
+    """Return the principal value of ∫ W1/(x − s) ds."""
     return principal_value(lambda s: A**2 - s**2, x, A)
 
 

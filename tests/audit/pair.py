@@ -29,7 +29,7 @@ class Pair:
         gravity: float = 0.0021,
         energy: float = 0.0037,
     ) -> None:
-        """Evaluate Eqs 1-6 at a load, and the masses and moments of inertia."""
+        """Evaluate Eqs 1-6 at a contact radius, and the masses and moments of inertia."""
         self.r1, self.r2, self.e, self.gamma, self.rho, self.xi = r1, r2, e, gamma, rho, xi
         self.stretch, self.gravity, self.energy = stretch, gravity, energy
         self.r = 1 / (1 / r1 + 1 / r2)  # reduced radius
@@ -57,23 +57,23 @@ class Pair:
 
     def pressure(self, r: float, a: float) -> float:
         """Return the sum of the pressures of Hertz and of a flat punch at a distance r from the centre."""
-        depth = sqrt((1 - r / a) * (1 + r / a))
-        return self.hertz(a) * depth + self.griffith(a) / depth
+        profile = sqrt((1 - r / a) * (1 + r / a))
+        return self.hertz(a) * profile + self.griffith(a) / profile
 
     def pressure_at_approach(self, r: float, a: float) -> float:
         """Return the pressure in a circle of any radius at the approach of the pair, Eq (15)."""
-        depth = sqrt((1 - r / a) * (1 + r / a))
-        return self.hertz(a) * depth + (self.e * self.delta / (pi * a) - self.hertz(a) / 2) / depth
+        profile = sqrt((1 - r / a) * (1 + r / a))
+        return self.hertz(a) * profile + (self.e * self.delta / (pi * a) - self.hertz(a) / 2) / profile
 
     def shifted_pressure(self, x: float, y: float, delta: float) -> float:
         """Return the exact pressure in a circle whose centre, x = y = 0, lags ξ behind the apex.
 
         With the pressure of a tilted punch, the dent has the depth δ − ((x − ξ)² + y²)/(2R).
         """
-        depth = sqrt(1 - hypot(x, y) ** 2 / self.a**2)
+        profile = sqrt(1 - hypot(x, y) ** 2 / self.a**2)
         punch = self.e / (pi * self.a) * (delta - self.xi**2 / (2 * self.r)) - self.hertz(self.a) / 2
         tilt = 2 * self.e * self.xi / (pi * self.r)
-        return self.hertz(self.a) * depth + (punch + tilt * x / self.a) / depth
+        return self.hertz(self.a) * profile + (punch + tilt * x / self.a) / profile
 
     def load_of(self, a: float) -> float:
         """Return the load of a circle: the integral of its pressure."""
@@ -253,7 +253,7 @@ def vibrations() -> tuple[Check, ...]:
 
 
 def _slope(spheres: Pair) -> float:
-    """Return dU/dδ, from the area U under (5) over (6), in y = √â."""
+    """Return dU/dδ, from the energy U = ∫P dδ by (5) and (6), in y = √â."""
 
     def energy(y: complex) -> complex:
         return spheres.p_c * spheres.delta0 * (24 / 5 * y**10 - 8 * y**7 + 2 * y**4)
