@@ -6,12 +6,12 @@
 
 The last command makes a force curve as an instrument measures it, with noise and an unknown zero of the approach.
 
-The gap is h/z0 = H = ρ²/2 − D + μ^(3/2) u(ρ), with ρ = r/√(Rz0), the approach D in units of z0, Tabor's parameter μ,
-and the displacement u of an elastic half-space under the traction (8/3)(H^-3 − H^-9) w/z0. Traction is constant on
+The gap is h/z0 = H = ρ²/2 − D − μ^(3/2) u(ρ), with ρ = r/√(Rz0), the approach D in units of z0, Tabor's parameter μ,
+and the displacement u by which the attraction (8/3)(H^-3 − H^-9) w/z0 closes the gap. The attraction is constant on
 rings; the displacement by a ring is that by a disc minus that by a smaller disc (elliptic integrals). Newton's method
 finds the state at each of a series of gaps at the centre, and so passes the turning points of D; a parabola through the
-three largest tensions gives the pull-off force. The far traction is added in closed form. Above μ = 2 the gap at the
-centre no longer falls along the whole curve, so the table ends there.
+three largest tensions gives the pull-off force. The attraction beyond the last ring is added in closed form. Above μ =
+2 the gap at the centre no longer falls along the whole curve, so the table ends there.
 """
 
 import sys
@@ -21,6 +21,8 @@ from typing import Any
 import numpy
 from scipy.interpolate import CubicSpline  # type: ignore[import-untyped]
 from scipy.special import ellipe, ellipk  # type: ignore[import-untyped]
+
+from jkroll.formulas import pull_off_force_lennard_jones
 
 # The pull-off force over πwR.
 TABLE = {
@@ -38,7 +40,7 @@ ENERGIES = {
 
 def fit(tabor: float) -> float:
     """Return the pull-off force over πwR that the program gives."""
-    return float(1.5 + 0.5 / (1 + 1.95 * tabor**1.4))
+    return float(pull_off_force_lennard_jones(work_of_adhesion=1.0, reduced_radius=1 / numpy.pi, tabor_parameter=tabor))
 
 
 def disc(r: Any, radius: Any) -> Any:
@@ -59,16 +61,19 @@ def states(tabor: float, rings: int, gaps: Iterable[float]) -> Iterator[tuple[fl
         [numpy.linspace(0, 6 * scale, 3 * rings // 4), numpy.geomspace(6 * scale, 60 * scale, rings // 4)[1:]]
     )
     middle = (edges[1:] + edges[:-1]) / 2
-    reach = disc(middle[:, None], edges[None, 1:]) - numpy.where(
+    # The displacement at the middle of each ring by a unit traction on each ring.
+    influence = disc(middle[:, None], edges[None, 1:]) - numpy.where(
         edges[:-1] > 0, disc(middle[:, None], numpy.maximum(edges[None, :-1], 1e-9)), 0
     )
-    reach *= tabor**1.5
+    influence *= tabor**1.5
     areas = edges[1:] ** 2 - edges[:-1] ** 2
 
     def traction(h: numpy.ndarray) -> tuple[numpy.ndarray, numpy.ndarray]:
+        """Return the attraction at a gap, and its derivative."""
         return 8 / 3 * (h**-3 - h**-9), 8 / 3 * (9 * h**-10 - 3 * h**-4)
 
-    def load(h: numpy.ndarray, d: float) -> float:  # over πwR
+    def tension(h: numpy.ndarray, d: float) -> float:
+        """Return the tension over πwR."""
         far = 8 / 3 * 2 / (2 * (edges[-1] ** 2 / 2 - d) ** 2)
         return float((traction(h)[0] * areas).sum() + far)
 
@@ -79,15 +84,15 @@ def states(tabor: float, rings: int, gaps: Iterable[float]) -> Iterator[tuple[fl
         for _ in range(60):
             pull, slope = traction(h)
             jacobian = numpy.eye(count + 1)
-            jacobian[:count, :count] += reach * slope
+            jacobian[:count, :count] += influence * slope
             jacobian[:count, count], jacobian[count, 0], jacobian[count, count] = 1, 1, 0
-            change = numpy.linalg.solve(jacobian, numpy.append(h - middle**2 / 2 + d + reach @ pull, h[0] - gap))
+            change = numpy.linalg.solve(jacobian, numpy.append(h - middle**2 / 2 + d + influence @ pull, h[0] - gap))
             h, d = h - change[:count], d - change[count]
             if abs(change).max() < 1e-11:
                 break
         else:
             raise ArithmeticError(f"no solution at a gap of {gap}")
-        yield float(d), load(h, d)
+        yield float(d), tension(h, d)
 
 
 def pull_off(tabor: float, rings: int) -> float:
@@ -117,11 +122,11 @@ def energies(tabor: float, rings: int) -> tuple[float, float]:
     at_rest = before + (beyond - before) * pull / (pull - push)
     approach, tension = numpy.array([*found[:-1], (at_rest, 0.0)]).T
     by_approach, by_tension = (CubicSpline(range(len(each)), each) for each in (approach, tension))
-    places = numpy.linspace(0, len(approach) - 1, 40001)
-    power = by_tension(places) * by_approach(places, 1)
-    largest = int(numpy.argmax(by_tension(places)))
-    well = numpy.trapezoid(power, places) + 8 / 3 * (1 / gaps[0] - 1 / (28 * gaps[0] ** 7))
-    return float(well), float(numpy.trapezoid(power[largest:], places[largest:]))
+    positions = numpy.linspace(0, len(approach) - 1, 40001)  # along the curve
+    power = by_tension(positions) * by_approach(positions, 1)
+    largest = int(numpy.argmax(by_tension(positions)))
+    well = numpy.trapezoid(power, positions) + 8 / 3 * (1 / gaps[0] - 1 / (28 * gaps[0] ** 7))
+    return float(well), float(numpy.trapezoid(power[largest:], positions[largest:]))
 
 
 # --- A force curve ----------------------------------------------------------------------------------------------------
@@ -137,7 +142,7 @@ def force_curve(rings: int = 300) -> Iterator[tuple[float, float]]:
     tabor = float(numpy.cbrt(RADIUS * w**2 / (modulus**2 * SPACING**3)))
     gaps = [*numpy.linspace(3, 1.2, 19), *numpy.linspace(1.19, 1.02, 35), *numpy.linspace(1.019, 0.94, 80)]
     found = [*states(tabor, rings, gaps)]
-    best = max(range(len(found)), key=lambda place: found[place][1])
+    best = max(range(len(found)), key=lambda index: found[index][1])
     random = numpy.random.default_rng(1995)
     for approach, tension in reversed(found[best:]):
         yield SPACING * approach + ZERO, -numpy.pi * w * RADIUS * tension + NOISE * random.standard_normal()

@@ -9,7 +9,7 @@ SOURCE = Path(__file__).parents[2] / "src/jkroll"
 
 
 def stubs() -> dict[Path, str]:
-    """Return the texts of the stubs: each public name from its module, and all names of the modules of formulas."""
+    """Return the texts of the stubs: imports of each public name, and of all names in the modules of formulas."""
     homes = {name: vars(jkroll)["_HOMES"][name] for name in vars(jkroll)["__all__"] if name != "formulas"}
     order = sorted(homes, key=lambda name: (homes[name], not name.isupper(), not name[0].isupper(), name))
     public = [f"from .{homes[name]} import {name} as {name}" for name in order]

@@ -2,8 +2,8 @@
 
     python tests/tools/measurements.py
 
-renews the table in the page. A row has only numbers that were read in the source itself or in a text that cites the
-source; `read` states which of the two. The remark names assumptions, such as the shape of the other body.
+renews the table in the page. A row has only numbers that were read in the abstract of the source or in a text that
+cites the source; `read` states which of the two. The remark names assumptions, such as the shape of the other body.
 """
 
 from collections.abc import Iterator, Mapping

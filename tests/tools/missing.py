@@ -98,6 +98,7 @@ def _is_of_derivation(name: str) -> bool:
 
 
 def _is_made_by_a_law(name: str) -> bool:
+    """Return whether a quantity has a variant, by which a law computes it."""
     return any(quantity.variant_of == name for quantity in NOMENCLATURE.values())
 
 
@@ -153,7 +154,7 @@ def records_without(name: str) -> list[str]:
     """Return the repositories whose found tables have a column of an input, while their record does not name the input.
 
     Inputs that are converted to another input, such as a shear modulus, are left out: their column passes through in a
-    table with this other input.
+    table with this other input. Tables that are refused in any case (`ends`) are left out, too.
     """
     if name in CONVERTED:
         return []
@@ -219,7 +220,7 @@ def _reference_of(module: str) -> str:
 def _of_values(name: str) -> Iterator[Lack]:
     """Iterate over at most one part: an accuracy, if the errors in random scenes are larger than the stated one.
 
-    Formulas of other laws are left out: test_accuracy.py draws more inputs for them than the scenes here have.
+    Formulas in law_reference.py are left out: test_accuracy.py draws more inputs for them than the scenes here have.
     """
     if name in law_reference.EQUATIONS:
         return
@@ -238,7 +239,7 @@ def _drawn_scenes() -> list[reference.Values]:
 
 
 def _error_in(name: str, values: reference.Values) -> float | None:
-    """Return the error of a formula in a scene, in ulp; None where the scene has no values of its parameters."""
+    """Return the error of a formula in a scene, in ulp; None if a parameter or the formula has no value there."""
     random, arguments = Random(2026), {}
     for parameter in parameters_of(FORMULAS[name]):
         value = values.get_exact(parameter)
@@ -282,7 +283,7 @@ def _is_old(block: str) -> bool:
 
 
 def _of_format(name: str) -> Iterator[Lack]:
-    """Iterate over the parts that a format of tables lacks, given the suffix of its files."""
+    """Iterate over the parts that a format of tables lacks. `name`: the suffix of its files."""
     form = FORMATS[name]
     if form not in help_of("batch"):
         yield Lack("src/jkroll/cli/options.py", f"{form} in the help of --format")

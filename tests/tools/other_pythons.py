@@ -19,7 +19,7 @@ CHECKOUT = Path(__file__).resolve().parents[2]
 PROJECT = tomllib.loads((CHECKOUT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 TESTS = ("tests/physics", "tests/model", "tests/write", "tests/quantities")
 CORPUS = ("tests/tools/run_command_lines.py", "check", "60")
-# This program fails under a shim without a Python behind it, and where no environment can be made.
+# A program that fails under a shim without a Python behind it, and under a Python that cannot make environments.
 ASK = "import sys, ensurepip, venv; print(sys.implementation.name, *sys.version_info[:2])"
 
 Version = tuple[int, ...]
