@@ -20,7 +20,7 @@ from scenes import QUARTZ
         ("quartz 1um", "slides or peels off at 180–220 nN"),
         ("quartz 1um --shear-strength 10MPa", "if it cannot roll, it slides at"),
         ("quartz 100nm --xi 1nm", "a pushed sphere rolls first"),
-        # πa0²τ, a0 = 3.991 nm · 10^(2/3), which is less than the 0.7 nN at which SiO2 rolled
+        # πa0²τ with a0 = 3.991 nm · 10^(2/3); measured SiO2 rolled at 0.7 nN or more
         ("quartz 1um --shear-strength 0.4MPa", "since it slides at 430 pN"),
         ("quartz 100nm --shear-strength 584.5MPa", "at 22 nN"),  # the whole area slides at 29.2 nN
         ("steel-304 1mm --load 5kN", "its adhesion alone peels off at 1.3–1.8 N"),  # the load still holds it
@@ -89,7 +89,7 @@ def test_a_contact_that_slides_before_it_rolls_is_not_said_to_break_first(run: R
     assert "breaks before it rolls" not in said
 
 
-def test_explanations_name_missing_inputs_of_an_aggregate_and_invalid_inputs_are_refused(run: Run) -> None:
+def test_explanations_name_missing_inputs_of_an_aggregate(run: Run) -> None:
     ran = run("aggregates quartz 100nm")
     assert ran.code == 0
     explained = run("aggregates quartz 100nm --explain").out
@@ -97,14 +97,16 @@ def test_explanations_name_missing_inputs_of_an_aggregate_and_invalid_inputs_are
     assert "give --filling-factor 0.1" in explained
     assert "n_c = N = 10 (--contacts)" in run("aggregates quartz 100nm --monomers 10 --explain").out
     assert "(--contacts)" not in run("aggregates quartz 100nm --monomers 10 --contacts 12 --explain").out
-    for words, message in {
-        "--radius2 1um": "identical",
-        "--filling-factor 0.74": "--filling-factor",
-        "--monomers 0": "monomers",
-    }.items():
-        refused = run(f"aggregates quartz 100nm --monomers 10 {words}")
-        assert refused.code, words
-        assert message in refused.err
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [("--radius2 1um", "identical"), ("--filling-factor 0.74", "--filling-factor"), ("--monomers 0", "monomers")],
+)
+def test_invalid_inputs_of_an_aggregate_are_refused(run: Run, words: str, message: str) -> None:
+    refused = run(f"aggregates quartz 100nm --monomers 10 {words}")
+    assert refused.code
+    assert message in refused.err
 
 
 def test_sources_of_aggregates_are_cited(run: Run) -> None:
