@@ -44,7 +44,7 @@ DERIVATION = {"pressure", "boussinesq_pressure_at_approach", "initial_angular_sp
 
 
 def part(path: Path) -> str:
-    """Return the folder that a file belongs to."""
+    """Return the folder of a file; "ground" for a file outside of folders."""
     inside = path.relative_to(SOURCE).parts
     return inside[0] if len(inside) > 1 else "ground"
 
@@ -71,10 +71,16 @@ def imports(path: Path) -> dict[str, str]:
         else:
             continue
         for target in targets:
-            top, *inside = target.split(".")
-            is_folder = bool(inside) and (SOURCE / inside[0]).is_dir()
-            found[target] = "" if top != "jkroll" else inside[0] if is_folder else "ground"
+            found[target] = folder_of(target)
     return found
+
+
+def folder_of(module: str) -> str:
+    """Return the folder of an imported module; "" for a library."""
+    top, *inside = module.split(".")
+    if top != "jkroll":
+        return ""
+    return inside[0] if inside and (SOURCE / inside[0]).is_dir() else "ground"
 
 
 @pytest.mark.parametrize("path", MODULES, ids=lambda path: str(path.relative_to(SOURCE)))
@@ -115,7 +121,7 @@ def test_each_library_is_imported_only_in_its_folders(library: str) -> None:
 
 
 def test_no_private_name_of_a_library_is_imported() -> None:
-    """A name that begins with an underscore may be gone in the next version."""
+    """The next version of a library may lack a private name."""
     for path in MODULES:
         parts = {part for target, folder in imports(path).items() if not folder for part in target.split(".")}
         assert [part for part in parts if part.startswith("_") and not part.startswith("__")] == [], path.name
@@ -149,6 +155,7 @@ def test_the_top_level_has_only_the_allowed_files_and_folders() -> None:
 
 # --- Types ------------------------------------------------------------------------------------------------------------
 
+# The code of a user; a type checker must refuse its last four lines.
 USER = """
 import numpy
 import jkroll
@@ -265,8 +272,8 @@ def test_a_test_imports_internal_names_of_one_folder_at_most() -> None:
         ".".join(target.split(".")[1:3]) for path in MODULES for target, folder in imports(path).items()
         if folder not in ("", part(path))
     }  # fmt: skip
-    tests, inside = Path(__file__).parent, {name for name in names - fronts if not name.endswith("__init__")}
-    known = {path: modules_of_tests(path) & inside for path in tests.rglob("*.py") if path.name != "tuning.py"}
+    tests, internal = Path(__file__).parent, {name for name in names - fronts if not name.endswith("__init__")}
+    known = {path: modules_of_tests(path) & internal for path in tests.rglob("*.py") if path.name != "tuning.py"}
     folders = {str(path.relative_to(tests)): {name.split(".")[0] for name in each} for path, each in known.items()}
-    assert 10 < len(inside) < len(fronts)
+    assert 10 < len(internal) < len(fronts)
     assert {name: each for name, each in folders.items() if len(each) > 1} == {}

@@ -22,8 +22,8 @@ from jkroll.quantities.units import parse_unit
 
 EMPTY_CELL = "..."
 ROUNDING = 1e-9  # largest relative distance of a formula from the printed one, and distance of an exponent
-INPUTS = NOMENCLATURE.keys() | {name for formula in FORMULAS.values() for name in parameters_of(formula)}
-NAMES = INPUTS | FORMULAS.keys()
+ARGUMENTS = NOMENCLATURE.keys() | {name for formula in FORMULAS.values() for name in parameters_of(formula)}
+NAMES = ARGUMENTS | FORMULAS.keys()
 
 Given = Mapping[str, Any]  # SI numbers, or texts for `solve` to read
 Interval = tuple[float, float]
@@ -116,7 +116,7 @@ def value(name: str, given: Given) -> float:
 
 
 def understood(texts: Mapping[str, str]) -> Given:
-    """Return the given values: texts for `solve`, or SI values of products of earlier values."""
+    """Return the given values: texts for `solve`, and SI values for products and for parameters of formulas."""
     given: dict[str, Any] = {}
     for name, text in texts.items():
         if is_product(text):
@@ -171,8 +171,8 @@ def test_references_are_those_of_the_paper(material: str) -> None:
 # --- The records themselves ------------------------------------------------------------------------------------------
 
 
-def test_every_given_name_is_an_input() -> None:
-    assert {name for _, record in RECORDS for name in record.given} <= INPUTS
+def test_every_given_name_is_an_argument_of_solve_or_of_a_formula() -> None:
+    assert {name for _, record in RECORDS for name in record.given} <= ARGUMENTS
 
 
 def test_every_record_has_its_own_place() -> None:
