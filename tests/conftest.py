@@ -44,7 +44,7 @@ settings.load_profile("same")
 
 
 def pytest_configure() -> None:
-    """Choose one seed for the slow accuracy test in all processes, and let processes keep compiled modules.
+    """Choose one seed for the slow random tests in all processes, and let processes keep compiled modules.
 
     Garbage is collected far less often, since each collection goes through all objects of pytest.
     """
@@ -54,7 +54,7 @@ def pytest_configure() -> None:
 
 
 def pytest_report_header() -> str:
-    """Print the seed, so that a failure can be repeated."""
+    """Return the seed for the header of the run, so that a failure can be repeated."""
     return f"ACCURACY_SEED={os.environ['ACCURACY_SEED']}"
 
 

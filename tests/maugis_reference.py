@@ -26,6 +26,7 @@ pi = digits.pi  # to as many digits as needed
 
 
 def arcsec(t: Exact) -> Exact:
+    """Return arcsec m, which is arctan t."""
     return digits.atan(t)
 
 
@@ -74,10 +75,15 @@ def folds_in_contact(transition: Exact) -> bool:
     return bool(transition > cbrt(9 * pi / (16 * (pi - 1))))
 
 
+def zone_at_touch(transition: Exact) -> Exact:
+    """Return c̄ of spheres that first touch: Ā is 0, and the first equation gives c̄, the limit of Ām."""
+    second = 4 * transition**2 / 3 * (pi / 2 - 1)
+    return 2 / (second + sqrt(second**2 + pi * transition))
+
+
 def touch_approach(transition: Exact) -> Exact:
-    """Return the approach at which the spheres first touch: Ā is 0, and the first equation gives c̄, the limit of Ām."""
-    both = 4 * transition**2 / 3 * (pi / 2 - 1)
-    return -4 * transition / 3 * 2 / (both + sqrt(both**2 + pi * transition))
+    """Return the approach at which the spheres first touch."""
+    return -4 * transition / 3 * zone_at_touch(transition)
 
 
 def zone_apart(transition: Exact, delta: Exact) -> Exact:
@@ -163,16 +169,14 @@ def energy_by_quadrature(t: Exact, transition: Exact) -> Exact:
     The path begins where attraction begins, without contact, and leads through the first touch to the state.
     """
     b = 8 * transition / (3 * pi)
-    quarter = pi * transition / 4
-    slope = 4 * transition**2 / 3 * (pi / 2 - 1)
-    touch = 2 / (slope + sqrt(slope**2 + 4 * quarter))
-    apart = digits.quad(lambda c: -2 * quarter * c * c * (c - b), [0, touch])
+    apart = digits.quad(lambda c: -pi * transition / 2 * c * c * (c - b), [0, zone_at_touch(transition)])
 
     def power(angle: Exact) -> Exact:
+        """Return the load times dδ̄/d(angle), with t = tan(angle)."""
         at = digits.tan(angle)
-        return load(radius_of(at, transition), at, transition) * slope_of(angle)
+        return load(radius_of(at, transition), at, transition) * slope_of_approach(angle)
 
-    def slope_of(angle: Exact) -> Exact:
+    def slope_of_approach(angle: Exact) -> Exact:
         step = mpf(10) ** (-digits.dps // 3)
         here, there = (digits.tan(angle + side) for side in (step, -step))
         first, last = (approach(radius_of(each, transition), each, transition) for each in (here, there))

@@ -58,7 +58,7 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
     results = {name: values.get_exact(name) for name in sorted(names - given.keys())}
     if abs(values["load_margin"]) < 1e-7:  # rounding of the load may put it at pull-off
         del results["rolling_over_sliding"]
-    if values["load"] / values["pull_off_force"] < 1e-12:  # within the rounding of an approach
+    if values["load"] / values["pull_off_force"] < 1e-12:  # the load at an approach is 0 but for rounding
         del results["rolling_resistance_coefficient"]
     return {name: value for name, value in results.items() if value is not None}
 
@@ -116,8 +116,8 @@ ENERGIES = {  # in P_cδ0
 def conditions(given: Mapping[str, float], results: Mapping[str, Exact]) -> dict[str, float]:
     """Return κ of each result: the factor from a relative error of another number to that of the result.
 
-    This number is the given load or approach; a pressure for speeds at which a solid yields; and v_stick for the
-    restitution.
+    The other number is the given load or approach; for the speeds at which a solid yields, a pressure; and for the
+    restitution, v_stick.
     """
     state = "approach_at_load" if "approach_at_load" in given else "load"
     found = dict.fromkeys(results, 0.0)
@@ -259,7 +259,7 @@ def _held(s: Exact) -> Exact:
     return s
 
 
-def _given_way(T_peel: Exact, T_over_slide: Exact, s: Exact) -> Exact:
+def _sliding_or_peeling(T_peel: Exact, T_over_slide: Exact, s: Exact) -> Exact:
     """Return the force T = T_peel sin φ that reaches the strength of the remaining area; T_peel if no force does."""
     if T_over_slide <= 1:
         return T_peel
@@ -289,6 +289,7 @@ def _gained(y: Exact) -> Exact:
 
 
 def _pressure_in_units(y: Exact) -> Exact:
+    """Return the pressure at the centre of a contact with √â = y, in P_c/(πa0²)."""
     return 6 * y**2 - 2 / y
 
 
@@ -327,14 +328,14 @@ def _largest_stress(nu: Exact) -> Exact:
 
 def _shifted_pressure(X_c: Exact, a: Exact, E: Exact, R: Exact, xi: Exact, p_H: Exact, p_B: Exact) -> list[Exact]:
     """Return the pressures of Hertz, of a flat punch and of a tilted one."""
-    depth = sqrt(1 - (X_c / a) ** 2)
-    return [p_H * depth, p_B / depth, 2 * E * xi / (pi * R) * X_c / a / depth]
+    profile = sqrt(1 - (X_c / a) ** 2)
+    return [p_H * profile, p_B / profile, 2 * E * xi / (pi * R) * X_c / a / profile]
 
 
 def _half_circle_pressure(r: Exact, A: Exact, delta: Exact, E: Exact, R: Exact) -> list[Exact]:
     """Return the terms of Eq (15), with p_H of Eq (8)."""
-    depth, hertz = sqrt(1 - (r / A) ** 2), 2 * A * E / (pi * R)
-    return [hertz * depth, E * delta / (pi * A) / depth, -hertz / 2 / depth]
+    profile, hertz = sqrt(1 - (r / A) ** 2), 2 * A * E / (pi * R)
+    return [hertz * profile, E * delta / (pi * A) / profile, -hertz / 2 / profile]
 
 
 # The equation of each formula.
@@ -458,7 +459,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "twisting_friction_coefficient": lambda M_twist, P, P_c: M_twist / (P + 2 * P_c),
     "peeling_force": lambda P_c, s, G, E: 4 * P_c * _held(s) * sqrt(G / E),
     "peeling_radius": lambda w, R, E, s: cbrt(9 * pi * w * R**2 / (2 * E) * (1 + _held(s) ** 2) / 4),
-    "sliding_or_peeling_force": lambda T_peel, T_over_slide, s: _given_way(T_peel, T_over_slide, _held(s)),
+    "sliding_or_peeling_force": lambda T_peel, T_over_slide, s: _sliding_or_peeling(T_peel, T_over_slide, _held(s)),
     "rolling_over_sliding": lambda Q, T_first: Q / T_first,
     "peeling_over_sliding": lambda T_peel, tau, a_peel: T_peel / (pi * a_peel**2 * tau),
     # aggregates

@@ -134,13 +134,11 @@ def frequency(samples: list[float], interval: float) -> float:
 
 
 def rolling_frequencies(lammps: Any, sphere: Body, sphere2: Body, *, held: bool = False) -> tuple[float, ...]:
-    """Return rolling frequencies: of the motion in LAMMPS, and by jkroll from Eq (40), Eq (41) and without slip.
+    """Return rolling frequencies: of the motion in LAMMPS, and by jkroll from Eq (40) and without slip.
 
-    A held body 2 has a nearly infinite density.
-
-    The rolling spring, M/R per displacement ξ of the contact, is 4P_c/R. The tangential spring prevents slip: it makes
-    the contact vibrate sideways, with 2/7 of the reduced mass, 1000 times as fast. Sphere 1 starts to roll with an
-    angular speed of 1e-5 times the angular frequency.
+    A held body 2 has a nearly infinite density. The rolling spring, M/R per displacement ξ of the contact, is 4P_c/R.
+    The tangential spring prevents slip: it makes the contact vibrate sideways, with 2/7 of the reduced mass, 1000 times
+    as fast. Sphere 1 starts to roll with an angular speed of 1e-5 times the angular frequency.
     """
     scene = both(sphere, {**sphere2, "density": 1e30} if held else sphere2)
     names = ("pull_off_force", "reduced_radius", "approach", "reduced_mass", "rolling_mass")
@@ -150,8 +148,7 @@ def rolling_frequencies(lammps: Any, sphere: Body, sphere2: Body, *, held: bool 
     friction = f"tangential linear_history {tangential} 0 1e9 rolling sds {rolling} 0 1e9"
     spheres = Spheres(lammps, sphere, sphere2, friction)
     spheres.force(approach)
-    eq_40, eq_41 = jkroll.solve(("rolling_frequency", "rolling_frequency_as_printed"), **scene).values()
-    no_slip = jkroll.solve("rolling_frequency_no_slip", **scene)
+    eq_40, no_slip = jkroll.solve(("rolling_frequency", "rolling_frequency_no_slip"), **scene).values()
     period = 1 / no_slip
     spheres.omega[0, 1] = 1e-5 * 2 * math.pi / period
     spheres.v[0, 0] = spheres.omega[0, 1] * sphere["radius"]
@@ -160,7 +157,7 @@ def rolling_frequencies(lammps: Any, sphere: Body, sphere2: Body, *, held: bool 
     for _ in range(80):
         samples.append(spheres.spin())
         spheres.run(1000)
-    return frequency(samples, period / 20), eq_40, eq_41, no_slip
+    return frequency(samples, period / 20), eq_40, no_slip
 
 
 # --- tamaas: the surface of an elastic body ---------------------------------------------------------------------------
@@ -237,6 +234,6 @@ def import_jkr() -> Any:
 
 
 def solid(scene: Mapping[str, Any]) -> dict[str, float]:
-    """Return a scene under the names that Adhesion uses."""
+    """Return the reduced radius, E* and w of a scene under the names that Adhesion uses."""
     names = ("reduced_radius", "contact_modulus", "work_of_adhesion")
     return dict(zip(("radius", *names[1:]), jkroll.solve(names, **scene).values(), strict=True))

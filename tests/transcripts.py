@@ -82,7 +82,10 @@ def transcripts(text: str) -> list[str]:
 
 
 def copied(text: str) -> Iterator[str]:
-    """Iterate over the commands of a text outside of transcripts, without pipes, redirections and those in _NOT_RUN."""
+    """Iterate over the commands of a text outside of transcripts, each up to a pipe or a redirection.
+
+    Commands in _NOT_RUN, and those with an ellipsis, are left out.
+    """
     lines = "".join(_COPIED.findall(text)).splitlines()
     lines += _IN_TEXT.findall(_BLOCK.sub("", text))
     for line in lines:
@@ -91,7 +94,10 @@ def copied(text: str) -> Iterator[str]:
 
 
 def copied_once(*texts: str) -> list[Any]:
-    """Return the commands of texts outside of transcripts, as test parameters; commands that draw a file are slow."""
+    """Return the commands of texts outside of transcripts, each once, as test parameters.
+
+    Commands that draw a file are slow.
+    """
     import pytest
 
     every = dict.fromkeys(chain.from_iterable(map(copied, texts)))
