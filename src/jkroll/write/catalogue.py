@@ -340,7 +340,7 @@ def _write_quantity(name: str, out: TextIO, taking: Sequence[str]) -> None:
 def _facts_of_use(name: str, commands: Iterable[str], taking: Sequence[str]) -> Iterator[tuple[str, str]]:
     """Iterate over the default of a quantity, the commands that show it, and the commands that take it as an input."""
     if name in DEFAULTS:
-        yield "default", amount(name, DEFAULTS[name]) if DEFAULTS[name] else "0"
+        yield "default", (amount(name, DEFAULTS[name]) if DEFAULTS[name] else "0")
     computing = [command for command in commands if name in QUESTIONS[command].quantities]
     if computing:
         yield "shown by", ", ".join(computing)

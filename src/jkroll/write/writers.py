@@ -130,7 +130,7 @@ class Objects(Lines):
         return divided(columns)
 
     def _leads(self, heads: Sequence[str], *, is_begun: bool) -> list[bytes]:
-        """Return the names of the members as prefixes. A given beginning of a row already ends with a comma."""
+        """Return the names of the members as prefixes. A given beginning ends with a comma if it has members."""
         first, *others = [self._text(head) + b":" for head in heads]
         if not is_begun:
             first = b"{" + first
