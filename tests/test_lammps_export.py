@@ -242,7 +242,8 @@ class Grains:
         )
         types = len(set(radii))
         self.code.command(f"create_box {types} box")
-        for kind, height in enumerate((radii[0] - overlap, *(-radius for radius in radii[1:])), 1):
+        heights = [radii[0] - overlap, *(-radius for radius in radii[1:])]
+        for kind, height in enumerate(heights, 1):
             self.code.command(f"create_atoms {min(kind, types)} single 0 0 {height}")
         for kind in range(1, types + 1):
             self.code.command(f"set type {kind} diameter {2 * radii[kind - 1]} density {density}")
