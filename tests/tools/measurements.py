@@ -23,13 +23,13 @@ END = "\n*abstract*:"  # the beginning of the text below the table and its origi
 
 _OF_RATIOS = "yield_force_ratio"  # a quantity without a unit, to read and print ratios
 _ROUNDED = Format(digits=3)
-_STATED = (  # the inputs of a scene that the table states
+_STATED = (  # the inputs of a frame that the table states
     "radius", "radius2", "surface_energy", "surface_energy2", "yield_displacement", "humidity", "contact_angle"
 )  # fmt: skip
 
 
 class Measurement(NamedTuple):
-    """A measured value, and the scene for which it is computed."""
+    """A measured value, and the inputs for which it is computed."""
 
     solids: str
     quantity: str
@@ -49,7 +49,7 @@ class Compared(NamedTuple):
     row: Measurement
     measured: float
     computed: float
-    scene: str  # the inputs of the computation, in words
+    inputs: str  # of the computation, in words
 
     @property
     def ratio(self) -> float:
@@ -237,7 +237,7 @@ def measurements_table() -> str:
             significant(compared.ratio, 2),
         )
         rows.append(f"| {' | '.join(cells)} |")
-        origins.append(f"{number}. {row.source} ({row.read}). Computed for {compared.scene}. {row.remark}.")
+        origins.append(f"{number}. {row.source} ({row.read}). Computed for {compared.inputs}. {row.remark}.")
     return HEAD + "\n".join([*rows, "", *origins, ""])
 
 
@@ -249,25 +249,26 @@ def with_table(page: str) -> str:
 
 def _compared(row: Measurement) -> Compared:
     unit_of = _OF_RATIOS if row.other_radius else row.quantity
-    scene = _scene(row, row.given)
-    computed = scene[row.quantity]
-    computed_for = ", ".join(_inputs_of(scene, row))
+    frame = _frame(row, row.given)
+    computed = frame[row.quantity]
+    computed_for = ", ".join(_inputs_of(frame, row))
     if row.other_radius:
-        computed /= _scene(row, {**row.given, "radius": row.other_radius})[row.quantity]
+        computed /= _frame(row, {**row.given, "radius": row.other_radius})[row.quantity]
         computed_for += f", over that at R1 = {amount('radius', value_of(row.other_radius, 'radius'))}"
-    law = "the first order of a meniscus" if row.quantity == "meniscus_force" else scene.law.name.upper()
+    law = "the first order of a meniscus" if row.quantity == "meniscus_force" else frame.law.name.upper()
     return Compared(row, _middle(row.measured, unit_of), computed, f"{computed_for}, by {law}")
 
 
-def _scene(row: Measurement, given: Mapping[str, str]) -> Frame:
+def _frame(row: Measurement, given: Mapping[str, str]) -> Frame:
+    """Return the frame for which a measured value is computed."""
     materials = known_materials()
     other = materials[row.material2] if row.material2 else None
     return Frame({name: value_of(text, name) for name, text in given.items()}, materials[row.material], other)
 
 
-def _inputs_of(scene: Frame, row: Measurement) -> Iterator[str]:
+def _inputs_of(frame: Frame, row: Measurement) -> Iterator[str]:
     """Iterate over the inputs of a computation in words: the materials, and the inputs in _STATED that enter."""
-    for name, value in scene.echo({*row.given, row.quantity, *scene.inputs_of(row.quantity)}).items():
+    for name, value in frame.echo({*row.given, row.quantity, *frame.inputs_of(row.quantity)}).items():
         if name in ("material", "material2"):
             yield value
         elif name in _STATED:
