@@ -133,8 +133,13 @@ ALL_STICK = mpf("0.681745209228707968370096573791593022995682283322922")  # leas
 def slowed(T_star: Exact) -> Exact:
     """Return the ratio of the sticking speeds with and without viscous damping, from the fit."""
     L = -digits.log(1 - T_star / ALL_STICK)
-    p, q = (sum(mpf(number) * L**power for power, number in enumerate(row.split())) for row in FITTED)
-    return (p / q) ** 3
+    numerator, denominator = FITTED
+    return (_polynomial(numerator, L) / _polynomial(denominator, L)) ** 3
+
+
+def _polynomial(coefficients: str, x: Exact) -> Exact:
+    """Return the value of a polynomial, given its coefficients as a text, the lowest power first."""
+    return sum(mpf(number) * x**power for power, number in enumerate(coefficients.split()))
 
 
 def _rigid_on_soft_plane(R1: Exact, R2: Exact, E1: Exact, E2: Exact, nu2: Exact) -> Exact:
@@ -158,7 +163,8 @@ def sphere_approach(L: Exact, kappa: Exact) -> list[Exact]:
 
 def sphere_stiffness(L: Exact, kappa: Exact) -> Exact:
     """Return dP/dδ over E*R, from the slopes of load and approach along L."""
-    load, approach = (digits.diff(lambda L, of=of: sum(of(L, kappa)), L) for of in (sphere_load, sphere_approach))
+    load = digits.diff(lambda L: sum(sphere_load(L, kappa)), L)
+    approach = digits.diff(lambda L: sum(sphere_approach(L, kappa)), L)
     return load / approach
 
 

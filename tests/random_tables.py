@@ -67,7 +67,7 @@ def random_table(size: int, seed: int) -> str:
 
 
 # A program that runs jkroll with small blocks, so that tests can kill a short run at every stage. With --jobs, all
-# blocks of a table except the first two go to other processes.
+# blocks of a table except the first two go to other processes, but those of Parquet stay in one.
 IN_SMALL_BLOCKS = """
 import signal
 import jkroll.__main__
