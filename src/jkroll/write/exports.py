@@ -54,7 +54,7 @@ _OF_COLLISIONS = """\
 # LAMMPS drops a contact at the largest pull, where fixed grips would hold it on: its grains stick only below \
 {slow:.3g} m/s{place}, {early} of JKR's v_stick.
 """
-_REMARKS_ON = {  # by law
+_COMMENTS_ON = {  # by law
     "jkr": """\
 # twisting sds: stiffness [N m], damping, coefficient M_twist/(P + 2P_c) [m].
 # Friction is F_slide/(P + 2P_c), with tau = {shear_strength:.6g} Pa{place}; if a brittle contact peels off first, \
@@ -97,7 +97,7 @@ def lammps_input(frame: Frame) -> str:
     types = []
     for grain, pair in like_pairs.items():
         types.append(f"# set type {grain} diameter {2 * pair['radius']:.12g} density {pair['density']:.12g}")
-    return (_LAMMPS + _REMARKS_ON[frame.law.name]).format(
+    return (_LAMMPS + _COMMENTS_ON[frame.law.name]).format(
         **values,
         law=frame.law.name,
         title=frame.law.name.upper(),
@@ -318,7 +318,7 @@ PROGRAMS: Mapping[str, Program] = {
         "LAMMPS",
         lammps_input,
         (*OF_ANY_LAW, *OF_JKR),
-        tuple(_REMARKS_ON),
+        tuple(_COMMENTS_ON),
         to_write="damping (now 0) and friction (now that of adhesion)",
     ),
     "liggghts": Program("LIGGGHTS", liggghts_input, ("pull_off_force",)),
