@@ -72,13 +72,13 @@ MANGLINGS: Mapping[str, Callable[[str], str]] = {
 
 
 class Spelling(NamedTuple):
-    """A header, its input, the factor of its unit, whether it may pass as a bare symbol, and how it is mangled."""
+    """A header, and what it means."""
 
     text: str
-    name: str
-    factor: float
-    may_pass: bool
-    how: str
+    name: str  # of the input
+    factor: float  # of the unit
+    may_pass: bool  # True for a bare symbol, which a table may pass through instead of reading it as the input
+    how: str  # a key of MANGLINGS
 
 
 def words_of(name: str) -> Iterator[tuple[str, bool]]:

@@ -23,7 +23,7 @@ SECTIONS = {
     title: text for title, text in re.findall(r"^## (.*)\n((?:(?!## ).*\n)*)", PAGE, re.MULTILINE) if "```diff" in text
 }
 COUNTED = {1: "one place", 2: "two places", 3: "three places"}
-# The tests that require something of a new entry, except LIST_ALL, whose tests list all laws or all materials.
+# Tests that require something of a new entry, and tests in them to leave out, since they list all laws or materials.
 ASK = ("tests/physics/test_accuracy.py", "tests/model/test_laws.py", "tests/materials", "tests/test_architecture.py")
 LIST_ALL = ("test_an_inferred_value_is_also_given_by_the_other_laws", "test_shipped_materials_form_five_sets")
 TRANSCRIBE = "import sys; from transcripts import transcript; print(''.join(map(transcript, sys.argv[1:])), end='')"

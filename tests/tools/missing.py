@@ -56,7 +56,7 @@ class Lack(NamedTuple):
 
 
 def missing(name: str) -> list[Lack]:
-    """Return what is missing for a quantity, an input or a format of tables, in the order in which to write it."""
+    """Return the missing parts of a quantity, an input or a format of tables, in the order in which to write them."""
     if name in FORMATS:
         return [*_of_format(name)]
     formula = FORMULAS.get(name)
