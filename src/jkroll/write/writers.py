@@ -54,16 +54,20 @@ class Lines:
     def rows(self, heads: Sequence[str], columns: Sequence[Any], before: Sequence[bytes] = ()) -> bytes:
         """Return rows as text. `before`: the encoded beginning of each row."""
         size = len(before) or max(map(length, columns), default=0)
-        leads = self._leads(heads, is_begun=bool(before))
-        columns = [self._texts(column, lead, size) for column, lead in zip(self._divided(columns), leads, strict=False)]
+        prefixes = self._prefixes(heads, is_begun=bool(before))
+        # An array has one prefix but several headers, so there may be fewer columns than prefixes.
+        columns = [
+            self._texts(column, prefix, size) for column, prefix in zip(self._divided(columns), prefixes, strict=False)
+        ]
         strips = []
         for start in range(0, size, STRIP):
             part = slice(start, start + STRIP)
             cells = [before[part]] if before else []
-            cells += [self._cells(column, lead, part) for column, lead in zip(columns, leads, strict=False)]
-            pieces = [self.end] * ((len(cells) + 1) * len(cells[0]))
+            cells += [self._cells(column, prefix, part) for column, prefix in zip(columns, prefixes, strict=False)]
+            width = len(cells) + 1  # pieces of a row: its cells and its end
+            pieces = [self.end] * (width * len(cells[0]))
             for number, column in enumerate(cells):
-                pieces[number :: len(cells) + 1] = column
+                pieces[number::width] = column
             strips.append(b"".join(pieces))
         return b"".join(strips)
 
@@ -77,30 +81,30 @@ class Lines:
         """Return the columns to write one after another; an array with several columns stays whole."""
         return columns
 
-    def _leads(self, heads: Sequence[str], *, is_begun: bool) -> list[bytes]:
+    def _prefixes(self, heads: Sequence[str], *, is_begun: bool) -> list[bytes]:
         """Return the prefix of the cells of each column. `is_begun`: True if rows have a given beginning."""
-        leads = [self.separator] * len(heads)
-        if leads and not is_begun:
-            leads[0] = b""
-        return leads
+        prefixes = [self.separator] * len(heads)
+        if prefixes and not is_begun:
+            prefixes[0] = b""
+        return prefixes
 
-    def _texts(self, column: Any, lead: bytes, size: int) -> Any:
-        """Return the cells of a column of texts with their prefix; an array is returned unchanged."""
+    def _texts(self, column: Any, prefix: bytes, size: int) -> Any:
+        """Return the cells of a list, or of a single text, with their prefix; an array is returned unchanged."""
         if column is None or isinstance(column, str):
-            return [lead + self._cell(column)] * size
+            return [prefix + self._cell(column)] * size
         if isinstance(column, list):
-            cells = {value: lead + self._cell(value) for value in {*column}}
+            cells = {value: prefix + self._cell(value) for value in {*column}}
             return [*map(cells.__getitem__, column)]
         return column
 
-    def _cells(self, column: Any, lead: bytes, part: slice) -> list[bytes]:
+    def _cells(self, column: Any, prefix: bytes, part: slice) -> list[bytes]:
         """Return the cells of a part of a column with their prefix; the cells of a row of an array are one text."""
         if isinstance(column, list):
             return column[part]
         rows = numbers_in_lines(column[..., part], self.separator, self.gap)
         if self.has_commas:
             rows = [row.replace(b".", b",") for row in rows]
-        return rows if lead == self.separator else [lead + row[len(self.separator) :] for row in rows]
+        return rows if prefix == self.separator else [prefix + row[len(self.separator) :] for row in rows]
 
     def _cell(self, value: str | float | None) -> bytes:
         if value is None:
@@ -129,7 +133,7 @@ class Objects(Lines):
     def _divided(self, columns: Sequence[Any]) -> Sequence[Any]:
         return divided(columns)
 
-    def _leads(self, heads: Sequence[str], *, is_begun: bool) -> list[bytes]:
+    def _prefixes(self, heads: Sequence[str], *, is_begun: bool) -> list[bytes]:
         """Return the names of the members as prefixes. A given beginning ends with a comma if it has members."""
         first, *others = [self._text(head) + b":" for head in heads]
         if not is_begun:
@@ -160,9 +164,9 @@ class Markdown(Lines):
         line = super().header(heads, before) + rule + b"|\n"
         return line if before else b"| " + line
 
-    def _leads(self, heads: Sequence[str], *, is_begun: bool) -> list[bytes]:
+    def _prefixes(self, heads: Sequence[str], *, is_begun: bool) -> list[bytes]:
         """Return the prefix of the cells of each column."""
-        first, *others = super()._leads(heads, is_begun=is_begun)
+        first, *others = super()._prefixes(heads, is_begun=is_begun)
         return [first or b"| ", *others]
 
     def _number(self, value: float) -> bytes:
