@@ -1,1 +1,1 @@
-"""The fit of measured force curves: the contact's work of adhesion and moduli, with their errors."""
+"""The fit of measured force curves: work of adhesion, contact modulus and contact point, with their errors."""

@@ -69,7 +69,7 @@ def baseline_of(z: Array, force: Array, floor: float, *, tilt: bool) -> Baseline
 
 
 def _scatter(values: Array, floor: float) -> float:
-    """Return the standard deviation of values by a robust estimate: `floor` or more."""
+    """Return a robust estimate of the standard deviation of values, at least `floor`."""
     return max(robust_deviation(values - numpy.median(values)), floor)
 
 

@@ -19,7 +19,7 @@ from ..quantities.laws import DMT, JKR, MAUGIS, PARABOLOID, SPHERE
 from .baseline import Baseline
 from .branches import LEAST_POINTS
 from .force_curves import Array
-from .measurement import NAMES, FittedBranch, Measurement
+from .measurement import WORK_OF_ADHESION, FittedBranch, Measurement
 from .minimum import ADHESION, MODULUS, POINT, Minimum, Points, Setting, minimum, with_point
 from .result import HALF_SPACING, STRONG, Errors, best_law, key_of
 
@@ -61,13 +61,13 @@ class Minima(NamedTuple):
         values: dict[str, float] = {}
         w, modulus = exp(main.unknowns[:POINT]).tolist()
         if ADHESION in self.main.free:
-            values[NAMES[self.main.branch.name]] = w
+            values[WORK_OF_ADHESION[self.main.branch.name]] = w
         values["contact_modulus"] = modulus
         if POINT in self.main.free:
             values["contact_point"] = self.measurement.branches.sign * float(main.unknowns[POINT])
         if self.other is not None and other is not None:
             closing = float(exp(other.unknowns[ADHESION]))
-            values[NAMES[self.other.branch.name]] = closing
+            values[WORK_OF_ADHESION[self.other.branch.name]] = closing
             values |= {"adhesion_hysteresis": w - closing, "hysteresis_fraction": 1 - closing / w}
         return values
 
@@ -101,7 +101,7 @@ class Minima(NamedTuple):
 def covariance_of(minima: Minima) -> tuple[tuple[str, ...], Array]:
     """Return the names of the fitted results, and their covariance from noise."""
     main, other = minima.main, minima.other
-    name_of = {ADHESION: NAMES[main.branch.name], MODULUS: "contact_modulus", POINT: "contact_point"}
+    name_of = {ADHESION: WORK_OF_ADHESION[main.branch.name], MODULUS: "contact_modulus", POINT: "contact_point"}
     scales = {ADHESION: exp(main.unknowns[ADHESION]), MODULUS: exp(main.unknowns[MODULUS])}
     scale = numpy.array([scales.get(unknown, minima.measurement.branches.sign) for unknown in main.free])
     names, matrix = tuple(name_of[unknown] for unknown in main.free), main.minimum.covariance
@@ -117,7 +117,7 @@ def covariance_of(minima: Minima) -> tuple[tuple[str, ...], Array]:
     variance = (float(found.covariance[0, 0]) + float(pulls @ matrix @ pulls)) * w * w
     column = matrix @ pulls * scale * w
     covariance = numpy.block([[covariance, column[:, None]], [column[None], variance]])
-    return (*names, NAMES[other.branch.name]), covariance
+    return (*names, WORK_OF_ADHESION[other.branch.name]), covariance
 
 
 def with_baselines(few: Minima, names: tuple[str, ...], covariance: Array) -> Array:

@@ -92,10 +92,10 @@ class CurveLaw(Protocol):
 
 
 def state_at(law: CurveLaw, x: Array, contact: Contact, grip: Grip) -> tuple[Array, float, float]:
-    """Return q of the stable states at x, with q and x of the last state. An x below the last state gets its q.
+    """Return q of the stable states at x, with q and x of the last state, whose q also stands for a smaller x.
 
-    Newton's method runs between bounds, and bisects where a step would leave the bounds. In JKR with a paraboloid, no
-    step leaves the bounds, since x is convex in a.
+    Newton's method runs between bounds. Where a step would leave them, the next q is their middle, or twice the last q
+    if there is no upper bound. In JKR with a paraboloid, no step leaves the bounds, since x is convex in a.
     """
     last, most = law.last(contact, grip), law.most(contact)
     x_last = float(grip.x(law.values(last, contact)[0]))
@@ -137,7 +137,7 @@ def _root(excess: Callable[[float], float], low: float, high: float) -> float:
             high, above, below, side = middle, value, below / 2 if side > 0 else below, 1
         else:
             return middle
-        if abs(value) <= 1e-14 * max(below, above, -below, abs(above)):
+        if abs(value) <= 1e-14 * max(-below, above):
             break
     return middle
 
@@ -178,8 +178,8 @@ class Jkr(NamedTuple):
         a, modulus = q, contact.contact_modulus
         values, slopes = self.values(a, contact)
         u = sqrt(2 * pi * contact.work_of_adhesion / modulus * a)
-        pull, zero = modulus * a * u, 0 * a
-        return States(values, slopes, Values(zero, -u / 2, -pull), Values(zero, u / 2, values.load + pull))
+        pull, zero = 2 * modulus * a * u, 0 * a
+        return States(values, slopes, Values(zero, -u / 2, -pull / 2), Values(zero, u / 2, values.load + pull / 2))
 
     def values(self, q: Array, contact: Contact) -> tuple[Values, Values]:
         """Return states and their derivatives by a."""
@@ -208,17 +208,17 @@ class Jkr(NamedTuple):
         return _root(slope, low, high)
 
     def start(self, x: Array, contact: Contact, grip: Grip, last: float, x_last: float) -> Array:
-        """Return an approximate radius at x, from the curvature at the last state; x itself if x is a radius."""
+        """Return an approximate radius at x, from d²x/da² at the last state; x itself if x is a radius."""
         if grip.is_radius:
             return x
         radius, modulus = contact.reduced_radius, contact.contact_modulus
         _, slope, bend, _ = self.profile.without_adhesion(last, radius)
         u = sqrt(2 * pi * contact.work_of_adhesion * last / modulus)
-        turn = bend + u / (4 * last * last)
-        load_turn = 2 * modulus * (slope - 1.5 * u / last + last * bend + 0.75 * u / last)
-        curvature = turn + load_turn / grip.stiffness
+        approach_bend = bend + u / (4 * last * last)
+        load_bend = 2 * modulus * (slope + last * bend - 0.75 * u / last)
+        x_bend = approach_bend + load_bend / grip.stiffness
         most = self.most(contact)
-        return numpy.minimum(last + sqrt(2 * numpy.maximum(x - x_last, 0) / curvature), (last + most) / 2)
+        return numpy.minimum(last + sqrt(2 * numpy.maximum(x - x_last, 0) / x_bend), (last + most) / 2)
 
     def most(self, contact: Contact) -> float:
         """Return the largest contact radius on the profile."""

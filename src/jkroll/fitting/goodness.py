@@ -9,7 +9,7 @@ from ..quantities.formatting import Format, amount, significant
 from ..quantities.laws import LAWS
 from .branches import LEAST_POINTS, LOADING, RADIUS, running_median
 from .error_budget import ByResult, Minima
-from .measurement import NAMES
+from .measurement import WORK_OF_ADHESION
 from .minimum import ADHESION, FEW_INDEPENDENT, robust_deviation
 from .result import Errors, Fit, Known
 
@@ -67,7 +67,7 @@ def remarks_on(minima: Minima, result: Fit, by_spring: list[ByResult]) -> Iterat
             ),
         )
     if result.better_law:
-        yield LAW_OFF, _on_law(result, NAMES[main.branch.name])
+        yield LAW_OFF, _on_law(result, WORK_OF_ADHESION[main.branch.name])
     modulus = result.values["contact_modulus"]
     if not (errors["contact_modulus"].statistical or 0.0) < _UNDETERMINED * modulus:
         yield (
@@ -145,7 +145,7 @@ def on_profile(
     `values`: the results for a paraboloid by JKR, whichever law is fitted. The sentence has the options for a fit of
     the sphere, which needs a Poisson's ratio.
     """
-    adhesion = [name for name in NAMES.values() if name in values][:1]
+    adhesion = [name for name in WORK_OF_ADHESION.values() if name in values][:1]
     symbols = {**dict.fromkeys(adhesion, "w"), "contact_modulus": "E*"}
     if not any(abs(sphere[name] - values[name]) > errors[name].total for name in symbols):
         return

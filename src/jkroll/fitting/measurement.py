@@ -1,4 +1,4 @@
-"""A measurement, the minima of its branches from their starts, the fitted range, and the energy release rate G.
+"""Fit the branches of a measured curve: the range and the start of each fit, and the energy release rate G.
 
 The unloading branch gives w of opening, E* and the contact point z_c. With these E* and z_c, the loading branch gives w
 of closing; without them, a loading branch hardly separates w from E*.
@@ -30,15 +30,16 @@ from .result import Known
 FIRST_RANGE = LoadRange(-1.0, 0.3, True)
 EVERYTHING = LoadRange(-inf, inf, False)
 _PLATEAU = 0.03  # relative variation of the energy release rate on its plateau
-_PLATEAUS = 4  # rounds, each of a plateau and a fit, for contact radii
+_PLATEAUS = 4  # rounds of finding the plateau and fitting it, for contact radii
 _BINS = 24  # bins along a branch, in which the plateau is sought
-_LARGEST = 60.0  # ln w or ln E* beyond which a minimum is rejected
-_NO_ADHESION = 5.0  # least tension that counts as adhesion, in standard deviations of the noise
+_LARGEST = 60.0  # |ln w| or |ln E*| above which a minimum is rejected
+_NO_ADHESION = 5.0  # least tension that counts as adhesion, in units of the scatter out of contact
 _NEXT_TO_NOTHING = 1e-12  # w of Hertz' contact, as a share of `largest_adhesion`; so little adhesion has no effect
-_ROOT_STEPS = 60  # steps of Newton's method for the contact radius of a point
+_ROOT_STEPS = 60  # most steps of Newton's method for the contact radius of a point
 _ROOT = 1e-6  # a contact radius is a root if its load has at most this relative error
 
-NAMES = {UNLOADING: "work_of_adhesion_opening", LOADING: "work_of_adhesion_closing"}
+# The name of the result that is w of a branch.
+WORK_OF_ADHESION = {UNLOADING: "work_of_adhesion_opening", LOADING: "work_of_adhesion_closing"}
 
 
 class Measurement(NamedTuple):
@@ -79,7 +80,7 @@ class Measurement(NamedTuple):
         return _NO_ADHESION * self.branches.scatter / (1.5 * pi * self.radius)
 
     def has_adhesion(self, branch: Branch) -> bool:
-        """Return whether the tension of a branch exceeds the noise; contact radii show w even without tension."""
+        """Return whether a branch has tension above the noise; contact radii show w even without tension."""
         return self.kind == RADIUS or largest_tension(branch.in_contact) >= _NO_ADHESION * self.branches.scatter
 
     def range_of(self, branch: Branch, default: LoadRange) -> slice:
@@ -96,7 +97,7 @@ class Measurement(NamedTuple):
 
 
 class FittedBranch(NamedTuple):
-    """A branch with its fitted points, their minimum, and the unknowns that were fitted (`free`)."""
+    """A branch with its fitted points, their minimum, and the indices of the unknowns that were fitted (`free`)."""
 
     branch: Branch
     points: Points
@@ -120,9 +121,10 @@ def fitted_branch(measurement: Measurement, branch: Branch) -> FittedBranch:
     """Return the minimum of a branch over all unknowns, in the given range or a default one. Raises BadCurve.
 
     The default is FIRST_RANGE for loading, and the plateau of G for unloading; for contact radii, see
-    `_fitted_by_radii`. A first minimum shows how far the contact holds after the least load.
+    `_fitted_by_radii`. A first minimum gives the E* and z_c from which G is computed, and the end of contact in a curve
+    of approaches.
     """
-    asked, free = measurement.known.range, measurement.setting.names
+    asked, free = measurement.known.range, measurement.setting.free
     if measurement.kind == RADIUS and asked is None:
         return _fitted_by_radii(measurement, branch)
     points = branch.points.chosen(measurement.range_of(branch, FIRST_RANGE))
@@ -139,14 +141,14 @@ def fitted_branch(measurement: Measurement, branch: Branch) -> FittedBranch:
 def _fitted_by_radii(measurement: Measurement, branch: Branch) -> FittedBranch:
     """Return the minimum for contact radii. For unloading, only the part in which the edge recedes is fitted.
 
-    Iteration finds the start of this part.
+    This part is the plateau of G; plateau and fit are found in turn.
     """
     points = branch.in_contact
     found = _first_minimum(measurement, points)
     for _ in range(_PLATEAUS if branch.name == UNLOADING else 0):
         points = branch.points.chosen(_plateau(measurement, branch, found.unknowns))
         found = minimum(points, measurement.setting, found.unknowns)
-    return FittedBranch(branch, points, found, measurement.setting.names)
+    return FittedBranch(branch, points, found, measurement.setting.free)
 
 
 def fitted_with(measurement: Measurement, branch: Branch, main: FittedBranch) -> FittedBranch:
@@ -216,11 +218,10 @@ def _starts(measurement: Measurement, points: Points) -> list[Array]:
         return [with_point(points, setting, w, abs(modulus) * factor) for factor in (1.0, 3.0)]
     approach = points.z - points.force / setting.grip.stiffness
     least = int(numpy.argmin(points.force))
-    pressed = points.force > 0.3 * points.force.max()
     zero = int(numpy.argmin(abs(points.force)))
     # In units of a0²/R, JKR's approach is 1/3 without load and −(1/3)/4^(2/3) at pull-off.
     width = abs(float(approach[zero] - approach[least])) / (1 / 3 + 1 / 3 / 4 ** (2 / 3))
-    if width == 0 and pressed.any():
+    if width == 0 and points.force.max() > 0:
         width = float(numpy.ptp(approach))
     unloaded = sqrt(radius * max(width, 1e-6 * float(numpy.ptp(points.z))))
     modulus = 9 * pi * w * radius**2 / (2 * unloaded**3)
@@ -241,13 +242,17 @@ def extended(measurement: Measurement, branch: Branch, unknowns: Array) -> Branc
 
 
 def _plateau(measurement: Measurement, branch: Branch, unknowns: Array) -> slice:
-    """Return the slice from the start of the plateau of the energy release rate to the last point in contact."""
+    """Return the slice from the start of the plateau of the energy release rate to the last point in contact.
+
+    The level of the plateau is the median of G over the second half of the contact. The plateau starts after the last
+    bin off this level; the last three bins do not count. The slice has at least 20 points of the contact.
+    """
     rate, _ = release_rate(measurement, branch.in_contact, unknowns)
     size = max(LEAST_POINTS, len(rate) // _BINS)
     middles = [_median(rate[start : start + size]) for start in range(0, len(rate) - size + 1, size)]
-    lower = numpy.array(middles[len(middles) // 2 :])
-    known = lower[numpy.isfinite(lower)]
-    if len(lower) < 2 or not len(known):
+    second_half = numpy.array(middles[len(middles) // 2 :])
+    known = second_half[numpy.isfinite(second_half)]
+    if len(second_half) < 2 or not len(known):
         return branch.contact
     level = float(numpy.median(known))
     tolerance = max(_PLATEAU * level, 3 * robust_deviation(known - level))
@@ -278,7 +283,7 @@ def release_rate(measurement: Measurement, points: Points, unknowns: Array) -> t
     root = sqrt(numpy.maximum(radius * approach, 0))
     a = numpy.maximum(1.5 * root, numpy.cbrt(abs(points.force) * radius * 3 / modulus)) + 2 * root
     a = numpy.clip(a, 1e-9 * radius, 0.999999 * profile.most * radius)
-    for _ in range(_ROOT_STEPS):
+    for _ in range(_ROOT_STEPS):  # dP_H/da = 2E*a dδ_H/da, so the slope of `excess` is 2E*(δ_H − δ)
         depth, _, _, hertz = profile.without_adhesion(a, radius)
         excess = 2 * modulus * a * (depth - approach) - modulus * hertz + points.force
         new = numpy.maximum(a - excess / (2 * modulus * (depth - approach)), 1e-9 * radius)

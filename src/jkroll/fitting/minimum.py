@@ -12,7 +12,7 @@ state of the model has r = (x − x_last)/σ_x.
 Noise is white, or autoregressive of first order, r_i = φr_(i−1) + e_i. Residuals are whitened, and φ is corrected for
 the bias that the fit of smooth functions causes (Kendall). The residuals themselves give the scale of e. If fewer than
 20 points are independent, the residuals are a misfit of the model; the fit takes them as white, and multiplies the
-variances by the correlation time. Residuals beyond 3 standard deviations have Huber's weights.
+covariance by the correlation time. Residuals beyond 3 standard deviations have Huber's weights.
 """
 
 from collections.abc import Sequence
@@ -33,7 +33,7 @@ _ROUNDS = 5  # most rounds, each with a minimum and its noise
 _SAME_PHI = 0.01  # the rounds end at smaller changes of φ and smaller relative changes of the noise
 FEW_INDEPENDENT = 20.0  # independent points, n/τ; with fewer, residuals count as a misfit of the model
 _STEPS = 100  # most steps of the minimiser
-_SAME = 1e-6  # relative decrease of the sum of squares at which the minimiser stops
+_SAME = 1e-6  # relative decrease of the cost at which the minimiser stops
 _FIRST_DAMPING, _LEAST_DAMPING, _MOST_DAMPING = 1e-3, 1e-12, 1e10
 _SINGULAR = 1e13  # condition number above which a scaled matrix counts as singular
 _LONGEST = 4.0  # the longest step of ln w and ln E*, a factor of 55
@@ -73,8 +73,8 @@ class Setting(NamedTuple):
         return Contact(w, modulus, self.reduced_radius, self.atomic_spacing)
 
     @property
-    def names(self) -> tuple[int, ...]:
-        """The unknowns of this setting: z_c only if x is an approach or a travel."""
+    def free(self) -> tuple[int, ...]:
+        """The indices of the unknowns that a fit can move: that of z_c only if x is an approach or a travel."""
         return (ADHESION, MODULUS) if self.grip.is_radius else (ADHESION, MODULUS, POINT)
 
 
@@ -197,10 +197,10 @@ def minimum(
 ) -> Minimum:
     """Return the minimum that is reached from a start. The residuals give the noise unless `noise` is given.
 
-    `free`: the unknowns to move, by default all of the setting. `rounds`: most rounds, each of which finds the minimum
-    and then the noise; the first round assumes white noise.
+    `free`: the indices of the unknowns to move, by default all of the setting. `rounds`: most rounds, each of which
+    finds the minimum and then the noise; the first round assumes white noise.
     """
-    chosen = [*(setting.names if free is None else free)]
+    chosen = [*(setting.free if free is None else free)]
     unknowns = numpy.array(start, float)
 
     def white_noise() -> Noise:
@@ -275,7 +275,7 @@ def _descended(points: Points, setting: Setting, start: Array, free: Sequence[in
 
 
 def _solved(matrix: Array, target: Array) -> Array:
-    """Return the minima of a linear system; by least squares if it is singular."""
+    """Return the solution of a linear system, by least squares if it is singular."""
     try:
         return numpy.linalg.solve(matrix, target)
     except numpy.linalg.LinAlgError:
@@ -297,9 +297,9 @@ def _inverse(matrix: Array) -> Array:
 
 
 def with_point(points: Points, setting: Setting, w: float, modulus: float) -> Array:
-    """Return the unknowns for w and E*, with z_c as the median of z − x over points.
+    """Return the unknowns for w and E*, with z_c estimated from points; 0 for contact radii.
 
-    The curve of the law has the force of a point at x. For contact radii, z_c is 0.
+    Each point gives z − x, where x is the position at which the law has the force of the point; z_c is the median.
     """
     unknowns = numpy.array([log(w), log(modulus), 0.0])
     if setting.grip.is_radius:
@@ -318,7 +318,7 @@ def with_point(points: Points, setting: Setting, w: float, modulus: float) -> Ar
 
 
 def best_of(starts: Sequence[Array], points: Points, setting: Setting, free: Sequence[int] | None = None) -> Minimum:
-    """Return the minimum from the best of some starts, that with the least spread of residuals after one round.
+    """Return the minimum from the best of some starts: the start with the least spread of residuals after one round.
 
     Raises ValueError if no minimum is finite.
     """

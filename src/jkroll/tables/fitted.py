@@ -8,7 +8,7 @@ from typing import Any
 from ..errors import BadRequest, BadTable
 from ..fitting.branches import TRAVEL, BadCurve, LoadRange
 from ..fitting.fit import fit_curve
-from ..fitting.measurement import NAMES
+from ..fitting.measurement import WORK_OF_ADHESION
 from ..fitting.result import BODIES, Fit, Known
 from ..materials.library import Materials, materials_of_user
 from ..model.accepted import check_range
@@ -120,7 +120,7 @@ def _check_sizes(fitted: Fit, reading: str) -> None:
     """
     values, (softest, stiffest) = fitted.values, SIZES["youngs_modulus"]
     modulus, width = values["contact_modulus"], fitted.goodness["contact_over_radius"]
-    w = max((values[name] for name in NAMES.values() if name in values), default=0.0)
+    w = max((values[name] for name in WORK_OF_ADHESION.values() if name in values), default=0.0)
     force = values.get("pull_off_force_measured", 0.0)
     # If the contact is much stiffer than the lever, any larger E* fits as well. Such a fit is accepted if its pull-off
     # force is close to the measured one.
