@@ -377,6 +377,15 @@ def test_the_advice_on_a_sphere_has_the_options_that_it_needs(run: Run, curve: s
     assert run(f"fit curve.csv {KNOWN} {given} {said.partition('with ')[2]}").code == 0
 
 
+@pytest.mark.parametrize("given", ["--radius 7.5um --radius2 plane --poisson2 0.3", "--radius 15um"])
+def test_a_sphere_is_not_advised_where_its_profile_is_refused(run: Run, curve: str, given: str) -> None:
+    assert curve
+    out = " ".join(run(f"fit curve.csv {given} --spring 3.01N/m", terminal=True).out.split())
+    assert "w +2.6%, E* -0.5% by JKR for a rigid sphere on a plane that keeps its volume" in out
+    assert "--profile" not in out
+    assert run(f"fit curve.csv {given} --spring 3.01N/m --profile sphere").code == 2
+
+
 def test_fit_in_python_takes_files_and_columns(run: Run, curve: str) -> None:
     known = {"radius": "7.5 um", "radius2": "plane", "spring": "3.01 N/m"}
     fitted = jkroll.fit("curve.csv", **known)

@@ -5,13 +5,14 @@ from collections.abc import Iterator, Mapping
 import numpy
 from numpy import exp, inf, isfinite, sqrt
 
+from ..physics.sphere import INCOMPRESSIBLE
 from ..quantities.formatting import Format, amount, significant
 from ..quantities.laws import LAWS
 from .branches import LEAST_POINTS, LOADING, RADIUS, running_median
 from .error_budget import ByResult, Minima
 from .measurement import WORK_OF_ADHESION
 from .minimum import ADHESION, FEW_INDEPENDENT, robust_deviation
-from .result import Errors, Fit, Known
+from .result import Errors, Fit, Known, is_on_plane, ratio_of_plane
 
 LAW_OFF = "law-off"  # the code of a law that does not hold
 USUAL_ERROR = 0.05  # relative error of a spring, if none is given
@@ -143,15 +144,20 @@ def on_profile(
     """Yield a sentence if w or E* for a sphere by JKR differs from that for a paraboloid by more than its error.
 
     `values`: the results for a paraboloid by JKR, whichever law is fitted. The sentence has the options for a fit of
-    the sphere, which needs a Poisson's ratio.
+    the sphere, unless such a fit would be refused.
     """
     adhesion = [name for name in WORK_OF_ADHESION.values() if name in values][:1]
     symbols = {**dict.fromkeys(adhesion, "w"), "contact_modulus": "E*"}
     if not any(abs(sphere[name] - values[name]) > errors[name].total for name in symbols):
         return
     moved = ", ".join(f"{symbol} {_percent(sphere[name] / values[name] - 1)}" for name, symbol in symbols.items())
-    ratio = "" if {"poisson_ratio", "poisson_ratio2"} & known.given.keys() else " --poisson2 0.5"
-    yield f"a/R is up to {width:.2f}, where a sphere is no paraboloid: {moved} by JKR with --profile sphere{ratio}"
+    ratio = ratio_of_plane(known.given)
+    how = "for a rigid sphere on a plane that keeps its volume"
+    if is_on_plane(known.given) and ratio is None:
+        how = "with --profile sphere --poisson2 0.5"
+    elif is_on_plane(known.given) and ratio >= INCOMPRESSIBLE:
+        how = "with --profile sphere"
+    yield f"a/R is up to {width:.2f}, where a sphere is no paraboloid: {moved} by JKR {how}"
 
 
 def _percent(share: float) -> str:

@@ -57,6 +57,17 @@ class Known(NamedTuple):
         return {name: float(middle(self.given[name])) for name in BODIES if name in self.given}
 
 
+def ratio_of_plane(given: Mapping[str, Any]) -> float | None:
+    """Return Poisson's ratio of body 2 among inputs: that of body 1 if only one is given, None without any."""
+    ratio = given.get("poisson_ratio2", given.get("poisson_ratio"))
+    return None if ratio is None else float(middle(ratio))
+
+
+def is_on_plane(given: Mapping[str, Any]) -> bool:
+    """Return whether radii among inputs are those of a sphere on a plane; a reduced radius counts as such."""
+    return "reduced_radius" in given or middle(given.get("radius2", given.get("diameter2", 0.0))) == inf
+
+
 class Errors(NamedTuple):
     """The standard deviations of a result by cause; None for a cause that was not computed."""
 

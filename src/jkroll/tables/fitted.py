@@ -9,7 +9,7 @@ from ..errors import BadRequest, BadTable
 from ..fitting.branches import TRAVEL, BadCurve, LoadRange
 from ..fitting.fit import fit_curve
 from ..fitting.measurement import WORK_OF_ADHESION
-from ..fitting.result import BODIES, Fit, Known
+from ..fitting.result import BODIES, Fit, Known, is_on_plane, ratio_of_plane
 from ..materials.library import Materials, materials_of_user
 from ..model.accepted import check_range
 from ..model.containers import Reader, warn_of_metres
@@ -208,15 +208,15 @@ def _check_sphere(given: Mapping[str, Any]) -> None:
 
     On any other plane, the error of half-space theory is larger than the correction for the profile of a sphere.
     """
-    ratio = middle(given.get("poisson_ratio2", given.get("poisson_ratio", 0.0)))
-    if not ratio >= INCOMPRESSIBLE:
+    ratio = ratio_of_plane(given)
+    if ratio is None or not ratio >= INCOMPRESSIBLE:
         raise BadRequest(
             "--profile sphere holds for a rigid sphere on a body that keeps its volume: give its Poisson's ratio, 0.45 "
             "or more, as in --poisson2 0.5"
         )
     if not any(name in given for name in _RADII):
         raise BadRequest("--profile sphere needs --radius")
-    if "reduced_radius" not in given and middle(given.get("radius2", given.get("diameter2", 0.0))) != inf:
+    if not is_on_plane(given):
         raise BadRequest("--profile sphere needs a sphere on a plane: give --radius2 plane")
 
 
