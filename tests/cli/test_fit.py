@@ -528,6 +528,19 @@ def test_marks_for_missing_values_and_comments_between_rows_are_gaps(run: Run, c
     assert note == "6 of 506 points have no number and are left out"
 
 
+def test_rows_without_numbers_need_no_branch_and_no_time(run: Run, curve: str) -> None:
+    head, *rows = curve.splitlines()
+    lines = [f"{row},{'extend' if number < 250 else 'retract'},{number}" for number, row in enumerate(rows)]
+    lines[250:250] = ["# segment: retract", ",,,"]
+    del lines[300:330]
+    Path("curve.csv").write_text("\n".join([f"{head},segment,time [s]", *lines]), encoding="utf-8")
+    ran = run(f"fit curve.csv {KNOWN} --json")
+    check(values(ran.out))
+    notes = {note["code"]: note["text"] for note in json.loads(ran.out)["notes"]}
+    assert notes["gaps"] == "2 of 472 points have no number and are left out"
+    assert notes["time-gaps"].startswith("unloading: the time has 1 gap of 31 usual steps")
+
+
 def test_a_text_that_is_no_number_in_a_python_table_is_refused_with_its_row() -> None:
     columns = {"z [um]": [1.0, 2.0, 3.0], "F [nN]": ["1.0", "-2.0", "-1'144.4"]}
     with pytest.raises(jkroll.JkrollError, match=r"^row 2, counted from 0: lever_force: '-1'144\.4' is not a number"):

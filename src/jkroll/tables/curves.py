@@ -30,9 +30,11 @@ MEASURED = "contact_radius_at_load,approach_at_load,lever_travel,lever_force,lev
 _SAME = 0.01  # relative range of a column below which all its numbers are the same, except for rounding
 _INDICES = ("k", "K")  # headers that, without a unit, number the rows
 _BRANCH, _TIME = "branch", "time"
+# Columns that label the points, by the pattern of their headers.
 _LABELS = {_BRANCH: r"(?i)branch|segment|direction", _TIME: r"(?i)(time|t)\s*([\[(].*)?"}
 _VOLTS = r"([\[(/_.\d]|\s|^)\s*([mµμu]?V|(milli)?[vV]olts?)\s*[\])]?$"  # at the end of a header or a cell
-_WORDS = {
+# The branch that a word in a column of branches names.
+_BRANCHES = {
     **dict.fromkeys("loading load approach approaching extend extension trace advance closing in".split(), LOADING),
     **dict.fromkeys("unloading unload retract retraction withdraw retrace opening out".split(), UNLOADING),
     **dict.fromkeys("pause dwell hold holding".split(), PAUSE),
@@ -233,8 +235,9 @@ def _curve(table: CurveTable, rows: list[_Rows], stiffness: float | None) -> For
     if is_deflection and stiffness is not None:
         force = force * stiffness
         force_error = None if force_error is None else force_error * stiffness
-    branch = _branch_of(table, rows) if _BRANCH in table.labels else None
-    time = _time_of(rows) if _TIME in table.labels else None
+    are_points = numpy.isfinite(z) & numpy.isfinite(force)
+    branch = _branch_of(table, rows, are_points) if _BRANCH in table.labels else None
+    time = _time_of(rows, are_points) if _TIME in table.labels else None
     ratio = None
     if not is_deflection and _DEFLECTION in table.positions:
         ratio = _slope(_joined([block.numbers[_DEFLECTION] for block in rows])[0], force)
@@ -283,27 +286,32 @@ def _joined(blocks: list[Numbers]) -> tuple[Any, Any]:
     return joined, numpy.where(known, bars, numpy.median(bars[known]))
 
 
-def _branch_of(table: CurveTable, rows: list[_Rows]) -> Any:
-    """Return the branch of each row, from the word in its cell. Raises BadTable for a number or any other cell.
+def _branch_of(table: CurveTable, rows: list[_Rows], are_points: Any) -> Any:
+    """Return the branch of each row, from the word in its cell. Raises BadTable if a point has no known word.
 
     Numbers are refused, since instruments differ: 1 may be the retraction, the approach or a pause.
     """
     cells = [cell.decode(errors="replace").strip() for cell in _cells(rows, _BRANCH)]
-    for cell in dict.fromkeys(cells):
-        if cell.casefold() not in _WORDS:
+    branches = [_BRANCHES.get(cell.casefold()) for cell in cells]
+    for cell, branch, is_point in zip(cells, branches, are_points, strict=True):
+        if is_point and branch is None:
             head = typed(table.names[table.labels[_BRANCH]])
             known = "loading and unloading, approach and retract, pause"
             remedy = f"write these words, or --column {quoted(f'{head}=')} to divide the curve where it turns"
             raise BadTable(f"branch: {quoted(cell)} is not one of: {known}; {remedy}")
-    return numpy.array([_WORDS[cell.casefold()] for cell in cells], dtype=object)
+    return numpy.array(branches, dtype=object)
 
 
-def _time_of(rows: list[_Rows]) -> Any:
-    """Return the time of each row, in the unit of the column; None if a cell is not a number."""
+def _time_of(rows: list[_Rows], are_points: Any) -> Any:
+    """Return the time of each row, in the unit of the column; None if the cell of a point is not a number."""
+    times = numpy.full(len(are_points), numpy.nan)
     try:
-        return numpy.array([*map(float, _cells(rows, _TIME))])
+        for row, cell in enumerate(_cells(rows, _TIME)):
+            if are_points[row]:
+                times[row] = float(cell)
     except ValueError:
         return None
+    return times
 
 
 def _cells(rows: list[_Rows], label: str) -> Iterator[bytes]:
