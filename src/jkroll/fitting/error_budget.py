@@ -21,7 +21,7 @@ from .branches import LEAST_POINTS
 from .force_curves import Array
 from .measurement import WORK_OF_ADHESION, FittedBranch, Measurement
 from .minimum import ADHESION, MODULUS, POINT, Minimum, Points, Setting, minimum, with_point
-from .result import HALF_SPACING, STRONG, Errors, best_law, key_of
+from .result import HALF_SPACING, LEAST_TABOR, Errors, best_law, key_of
 
 _FEW = 300  # largest number of points of a branch in a refit that computes moves
 _ALIKE = 50.0  # Tabor parameter above which Maugis' law equals JKR's
@@ -99,7 +99,10 @@ class Minima(NamedTuple):
 
 
 def covariance_of(minima: Minima) -> tuple[tuple[str, ...], Array]:
-    """Return the names of the fitted results, and their covariance from noise."""
+    """Return the names of the fitted results, and their covariance from noise.
+
+    The covariance of w of the other branch includes the errors of E* and z_c, which it takes from the main branch.
+    """
     main, other = minima.main, minima.other
     name_of = {ADHESION: WORK_OF_ADHESION[main.branch.name], MODULUS: "contact_modulus", POINT: "contact_point"}
     scales = {ADHESION: exp(main.unknowns[ADHESION]), MODULUS: exp(main.unknowns[MODULUS])}
@@ -111,11 +114,11 @@ def covariance_of(minima: Minima) -> tuple[tuple[str, ...], Array]:
     found = other.minimum
     rows = found.noise.whitened(found.residuals.derivatives)
     weighted = rows[:, ADHESION] * found.weights
-    pulls = -(weighted @ rows[:, [*main.free]]) / (weighted @ rows[:, ADHESION])  # d(ln w)/d(main unknowns)
-    pulls[main.free.index(ADHESION)] = 0.0
+    slopes = -(weighted @ rows[:, [*main.free]]) / (weighted @ rows[:, ADHESION])  # d(ln w)/d(main unknowns)
+    slopes[main.free.index(ADHESION)] = 0.0
     w = float(exp(found.unknowns[ADHESION]))
-    variance = (float(found.covariance[0, 0]) + float(pulls @ matrix @ pulls)) * w * w
-    column = matrix @ pulls * scale * w
+    variance = (float(found.covariance[0, 0]) + float(slopes @ matrix @ slopes)) * w * w
+    column = matrix @ slopes * scale * w
     covariance = numpy.block([[covariance, column[:, None]], [column[None], variance]])
     return (*names, WORK_OF_ADHESION[other.branch.name]), covariance
 
@@ -130,7 +133,7 @@ def with_baselines(few: Minima, names: tuple[str, ...], covariance: Array) -> Ar
 
 
 def _baseline_changes(minima: Minima) -> Iterator[tuple[Baseline, float, float]]:
-    """Iterate over the uncertain baselines, each with a change of its force by an error, then with one of its slope."""
+    """Iterate over changes by one standard error: a baseline, and the offset and the slope that are added to it."""
     for base in dict.fromkeys(part.branch.baseline for part in minima.parts):
         if base is not None and base.error:
             yield base, base.error, 0.0
@@ -190,8 +193,8 @@ def largest(moves: Sequence[ByResult]) -> ByResult:
 def by_range(few: Minima) -> ByResult:
     """Return half the spread of the results over ranges of the main branch; empty if there is only one range.
 
-    Two shorter ranges end at half the largest load, and at a tenth of the largest tension; without adhesion, at half
-    and at a quarter of the largest load. A range with too few points is left out.
+    Two shorter ranges reach up to half the largest load, and up to a tenth of the largest tension; without adhesion, up
+    to half and to a quarter of the largest load. A range with too few points is left out.
     """
     points, here = few.main.points, few.values
     spread = {name: [0.0] for name in here}
@@ -218,11 +221,12 @@ class Models(NamedTuple):
 def by_models(minima: Minima, few: Minima, width: float) -> Models:
     """Return the results by each law and for a sphere, and the moves that count as errors of the model.
 
-    Without a radius, other laws are left out; without adhesion, all but JKR. If the contact is wide (`width` is a/R),
-    JKR is also fitted for a sphere. The results by another law are those of the fit plus their moves in a refit of
-    fewer points.
+    Without a radius, other laws are left out; without adhesion, all but JKR. At a large Tabor parameter, the results by
+    Maugis' law are those by JKR. If the contact is wide (`width` is a/R), JKR is also fitted for a sphere. The results
+    by another law are those of the fit plus their moves in a refit of fewer points.
     """
-    measurement, known, values, here = minima.measurement, minima.measurement.known, minima.values, few.values
+    measurement, values, here = minima.measurement, minima.values, few.values
+    known = measurement.known
     has_adhesion = ADHESION in few.main.free
     own = key_of(known.law if has_adhesion else JKR, known.profile)
     by_law: dict[str, ByResult] = {own: values}
@@ -232,7 +236,7 @@ def by_models(minima: Minima, few: Minima, width: float) -> Models:
         there = _refitted_anew(few, setting) if DMT in (law, known.law) else few.refitted(setting)
         return {name: values[name] + there[name] - here[name] for name in there}
 
-    if measurement.known.radius is None:
+    if known.radius is None:
         return Models(by_law, [])
     contact = minima.setting.contact(minima.main.unknowns)
     tabor = float(tabor_parameter(**contact._asdict())) if has_adhesion else inf
@@ -242,7 +246,7 @@ def by_models(minima: Minima, few: Minima, width: float) -> Models:
             by_law[law] = moved(law)
     if has_adhesion:
         by_law.setdefault(MAUGIS, by_law[JKR])
-    if has_adhesion and tabor < STRONG:
+    if has_adhesion and tabor < LEAST_TABOR:
         at_half = by_law[key_of(MAUGIS, HALF_SPACING)] = moved(MAUGIS, spacing=known.spacing / 2)
         moves.append(difference(at_half, by_law[MAUGIS]))
     best = best_law(tabor)

@@ -13,7 +13,7 @@ from ..quantities.values import middle
 from .branches import RADIUS, LoadRange
 from .force_curves import Array
 
-STRONG = 5.0  # least Tabor parameter at which JKR gives the best w and E*
+LEAST_TABOR = 5.0  # least Tabor parameter at which JKR gives the best w and E*
 HALF_SPACING = "z0/2"  # a variant of Maugis' law: at half the atomic spacing
 
 # The inputs that are elastic constants of the bodies.
@@ -90,7 +90,7 @@ class Errors(NamedTuple):
 
 def best_law(tabor_parameter: float) -> str:
     """Return the law that gives the best w and E*: Maugis' law if the Tabor parameter is small, otherwise JKR."""
-    return JKR if tabor_parameter >= STRONG else MAUGIS
+    return JKR if tabor_parameter >= LEAST_TABOR else MAUGIS
 
 
 def key_of(law: str, variant: str = PARABOLOID) -> str:
@@ -108,9 +108,10 @@ def law_and_variant(key: str) -> tuple[str, str]:
 class Fit:
     """The fit of a curve, in SI units.
 
-    The keys of `values` and `errors` are the names of `RESULTS`. `covariance` is the statistical covariance of the
-    results in `names`, in their units. `remarks` are sentences by code; `baselines` and `fitted_loads` (least, largest)
-    are by branch. `largest_adhesion` is the upper limit of w for a curve without adhesion.
+    The keys of `values` and `errors` are the names of `RESULTS`, and `by_law` has the values of other laws under the
+    keys of `key_of`. `covariance` is the statistical covariance of the results in `names`, in their units. `remarks`
+    are sentences by code; `baselines` and `fitted_loads` (least, largest) are by branch. `largest_adhesion` is the
+    upper limit of w for a curve without adhesion.
     """
 
     known: Known
@@ -156,9 +157,9 @@ class Fit:
 
     @property
     def other_modulus(self) -> tuple[str, float] | None:
-        """The name and the value of the unknown Young's modulus; None if other elastic constants are missing.
+        """The name and the value of the one unknown Young's modulus; None if it does not follow from E*.
 
-        (1 − ν²)/E = 1/E* − (1 − ν'²)/E', where E' and ν' are those of the other body; a rigid body needs no ν'.
+        (1 − ν²)/E = 1/E* − (1 − ν'²)/E', where E' and ν' are those of the known body; a rigid body needs no ν'.
         """
         bodies = self.known.bodies
         for known, sought in (("", "2"), ("2", "")):
@@ -167,8 +168,8 @@ class Fit:
                 continue
             if f"poisson_ratio{known}" not in bodies and modulus < inf:
                 continue
-            other = bodies.get(f"poisson_ratio{known}", 0.0)
-            compliance = 1 / self.values["contact_modulus"] - (1 - other**2) / modulus
+            known_ratio = bodies.get(f"poisson_ratio{known}", 0.0)
+            compliance = 1 / self.values["contact_modulus"] - (1 - known_ratio**2) / modulus
             if compliance > 0:
                 return f"youngs_modulus{sought}", (1 - ratio**2) / compliance
         return None

@@ -10,7 +10,7 @@ from ..fitting.branches import QUANTITIES
 from ..fitting.result import Fit
 from ..quantities.laws import DEFAULT_LAW, PARABOLOID
 from ..quantities.shown import Part, Shown
-from ..report.fitted import findings, in_words, line_on_known, sentence_of, symbol_of_result
+from ..report.fitted import findings, in_words, line_on_known, name_in_sentence, symbol_of_result
 from ..tables.fitted import fit_given
 from ..text import capital, listed
 from ..write.fitted import parts_of_fit
@@ -18,10 +18,12 @@ from .drawn import Drawn
 from .picture import Curve, Panel, Picture, axis_around
 
 _RESULTS = ("work_of_adhesion_opening", "work_of_adhesion_closing", "contact_modulus")
+# Advice on options in a line of a terminal: in parentheses, or after a colon or semicolon.
 _ADVICE = (re.compile(r" \(--[^()]*\)"), re.compile(r"[:;] [^:;()]*--[^:;()]*"))
+# The symbols in a line, apart from parts of words and formulas.
 _SYMBOL = re.compile(r"(?<![\w/*])(?:wR?_open|wR?_close|wR?|E\*√R|E\*|E[12]|a0?/R|P_c|R|G|k|z0/2)(?![\w*/'])")
 _INK = -1  # colour of measured points under the coloured line of their fit
-_MOST = 600  # curves of twice as many points are thinned to this number or more
+_MOST = 600  # of twice as many points or more, every n-th is drawn, and at least this number
 
 
 class FittedCurve(Shown, Fit):
@@ -88,8 +90,8 @@ def fit(
 
     Raises
     ------
-    BadCurve, BadRequest, BadTable, QuantityError
-        The curve cannot be fitted, an argument is wrong, or the table has no curve.
+    BadCurve, BadRequest, BadRow, BadTable, QuantityError
+        The curve cannot be fitted, an argument is wrong, or the table has no curve or a bad row.
 
     >>> import numpy
     >>> a = numpy.linspace(80e-6, 40e-6, 30)
@@ -107,7 +109,7 @@ def caption_of_fit(fitted: Fit) -> list[str]:
     results = []
     for name in _RESULTS:
         if name in fitted.values:
-            results.append(f"{sentence_of(name)}, {symbol_of_result(fitted, name)} = {in_words(fitted, name)}")
+            results.append(f"{name_in_sentence(name)}, {symbol_of_result(fitted, name)} = {in_words(fitted, name)}")
     texts = (line_on_known(fitted), "; ".join(results), *findings(fitted), *fitted.remarks.values())
     return [_as_sentence(text) for text in texts]
 

@@ -5,11 +5,12 @@ from math import floor, isfinite, isnan, log10, nan
 
 from ..fitting.branches import LOADING, RADIUS, TRAVEL
 from ..fitting.goodness import LAW_OFF
-from ..fitting.result import HALF_SPACING, RESULTS, STRONG, Fit, law_and_variant
+from ..fitting.result import HALF_SPACING, LEAST_TABOR, RESULTS, Fit, law_and_variant
 from ..quantities.formatting import RESULT_DIGITS, Format, amount, rounded_at_error, significant, with_unit
 from ..quantities.laws import LAWS, PARABOLOID, SPHERE
 from ..quantities.nomenclature import NOMENCLATURE
 
+# The name in words and the symbol of each result.
 WORDS = {
     "work_of_adhesion_opening": ("adhesion on opening", "w_open"),
     "work_of_adhesion_closing": ("adhesion on closing", "w_close"),
@@ -24,6 +25,7 @@ HEADS = ("quantity", "symbol", "fit", "unit", "noise", "calibration", "model")
 _ROUNDING = 1e-4  # share of the total below which a part of an error is shown as 0
 _ABSENT, _UNBOUNDED = "–", "∞"
 _SCALED = {"J/m^2": "J/m", "Pa": "Pa m^0.5"}  # units of wR and E*√R, by those of w and E*
+# The symbols of results that are fitted without a radius.
 _WITHOUT_RADIUS = {"work_of_adhesion_opening": "wR_open", "work_of_adhesion_closing": "wR_close",
     "adhesion_hysteresis": "ΔwR", "contact_modulus": "E*√R"}  # fmt: skip
 _VARIANTS = {PARABOLOID: "", SPHERE: " for a sphere", HALF_SPACING: " at z0/2"}  # variants of a law, in words
@@ -40,7 +42,7 @@ def unit_without_radius(name: str) -> str:
     return _SCALED.get(unit, unit)
 
 
-def sentence_of(name: str) -> str:
+def name_in_sentence(name: str) -> str:
     """Return the name of a result for a sentence."""
     return WORDS[name][0].replace("adhesion on", "work of adhesion on")
 
@@ -200,7 +202,7 @@ def _about_laws(fitted: Fit) -> Iterator[str]:
         number = amount("work_of_adhesion", fitted.by_law[key][name], Format(digits=3))
         texts.append(f"{LAWS[law].short}{_VARIANTS[variant]} {number}")
     tabor = significant(fitted.goodness["tabor_parameter"], 2)
-    yield f"w by law, the best one first: {', '.join(texts)} (Tabor parameter {tabor}; JKR needs {STRONG:.0f})"
+    yield f"w by law, the best one first: {', '.join(texts)} (Tabor parameter {tabor}; JKR needs {LEAST_TABOR:.0f})"
     if profile == SPHERE:
         yield "only JKR is known for a sphere: the other laws are fitted for a paraboloid"
 

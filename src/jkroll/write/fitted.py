@@ -18,8 +18,8 @@ from ..report.fitted import (
     WORDS,
     in_words,
     line_on_known,
+    name_in_sentence,
     rows_of_results,
-    sentence_of,
     sentences,
     unit_of_result,
     unit_without_radius,
@@ -194,7 +194,7 @@ def _methods(fitted: Fit) -> Iterator[str]:
         "Residuals were whitened as an autoregression of first order, and those beyond three standard deviations have "
         "Huber's weights."
     )
-    results = [f"{sentence_of(name)} {in_words(fitted, name)}" for name in RESULTS if name in fitted.errors]
+    results = [f"{name_in_sentence(name)} {in_words(fitted, name)}" for name in RESULTS if name in fitted.errors]
     yield as_latex(f"Results: {listed(results)}.")
     yield "Errors are standard deviations: of noise, of the calibration (radius, stiffness) and of the model."
 
