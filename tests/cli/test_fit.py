@@ -264,11 +264,21 @@ def test_a_fit_cites_its_law_and_describes_its_method(run: Run, curve: str) -> N
     method = " ".join(run("fit curve.csv --radius 7.5um --radius2 plane --spring 3.01±0.1N/m --cite --tex").out.split())
     assert r"the JKR theory for a paraboloid of radius 7.5~${\mu}$m~\cite{johnson-kendall-roberts-1971}" in method
     assert r"stiffness of 3.01~${\pm}$~0.10~N/m" in method
-    values = jkroll.fit("curve.csv", radius="7.5 um", radius2="plane", spring="3.01±0.1 N/m")
-    error = 1e3 * values.errors["work_of_adhesion_opening"].total
-    assert f"work of adhesion on opening {1e3 * values.values['work_of_adhesion_opening']:.1f}" in method
+    fitted = jkroll.fit("curve.csv", radius="7.5 um", radius2="plane", spring="3.01±0.1 N/m")
+    error = 1e3 * fitted.errors["work_of_adhesion_opening"].total
+    assert f"work of adhesion on opening {1e3 * fitted.values['work_of_adhesion_opening']:.1f}" in method
+    assert "Residuals were whitened as an autoregression of first order" in method
     assert rf"${{\pm}}$~{error:.1f}~mJ/m$^{{2}}$" in method
     assert run("fit curve.csv curve.csv --cite").code == 2
+
+
+def test_the_method_of_a_fit_of_few_points_names_white_residuals(run: Run) -> None:
+    a = numpy.linspace(3e-4, 1e-4, 15)
+    load = 4 / 3 * 2e6 * a**3 / 1e-3 - numpy.sqrt(8 * numpy.pi * 0.045 * 2e6 * a**3)
+    Path("radii.csv").write_text(table(a, load, "a [um],load [nN]"), encoding="utf-8")
+    method = " ".join(run("fit radii.csv --radius 1mm --radius2 plane --cite --tex").out.split())
+    assert "Residuals were taken as white" in method
+    assert "whitened" not in method
 
 
 def test_a_fit_in_python_has_its_points_and_a_picture(curve: str) -> None:

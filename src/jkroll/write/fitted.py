@@ -190,10 +190,12 @@ def _methods(fitted: Fit) -> Iterator[str]:
         yield f"The zero of the force is {line} of the force out of contact."
     else:
         yield "The force was not shifted."
-    yield (
-        "Residuals were whitened as an autoregression of first order, and those beyond three standard deviations have "
-        "Huber's weights."
-    )
+    huber = "those beyond three standard deviations have Huber's weights"
+    if "few-independent" in fitted.remarks:
+        yield f"Residuals were taken as white, and {huber}."
+        yield "Variances were multiplied by the correlation time of the residuals, as few points are independent."
+    else:
+        yield f"Residuals were whitened as an autoregression of first order, and {huber}."
     results = [f"{name_in_sentence(name)} {in_words(fitted, name)}" for name in RESULTS if name in fitted.errors]
     yield as_latex(f"Results: {listed(results)}.")
     yield "Errors are standard deviations: of noise, of the calibration (radius, stiffness) and of the model."
