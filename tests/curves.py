@@ -67,6 +67,14 @@ def jkr_curve(
     return numpy.concatenate(travels), numpy.concatenate(forces)
 
 
+def soft_lever_curve() -> Any:
+    """Return travel and force of a lever softer than the contact, without adhesion hysteresis and without noise."""
+    return jkr_curve(
+        opening=0.045, closing=0.045, modulus=2.667e6, radius=5e-6, stiffness=0.6, point=0.7e-6, baseline=0.0,
+        count=250, low=-4e-6, high=1.5e-6,
+    )  # fmt: skip
+
+
 def autoregression(seed: Any, count: Any, scale: Any, phi: Any) -> Any:
     """Return noise of standard deviation scale/√(1 − φ²), in which neighbours have the correlation φ."""
     steps = numpy.random.default_rng(seed).normal(0, scale, count)

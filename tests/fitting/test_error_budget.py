@@ -1,4 +1,4 @@
-"""The errors of a fit: by scatter, by the calibration of the instrument, and by the model."""
+"""The errors of a fit, by noise, by the calibration of the instrument and by the model, and its remarks."""
 
 from pathlib import Path
 from typing import Any
@@ -7,7 +7,7 @@ import numpy
 import pytest
 from numpy import pi
 
-from curves import autoregression, jkr_curve, jkr_force, ramp
+from curves import autoregression, jkr_curve, jkr_force, ramp, soft_lever_curve
 from jkroll import fit
 from jkroll.fitting.baseline import Baseline, baseline_of
 from jkroll.fitting.branches import (
@@ -69,8 +69,8 @@ def test_the_calibration_error_is_absent_if_radius_and_stiffness_have_no_errors(
 
 
 def soft_lever() -> ForceCurve:
-    """Return a curve without adhesion hysteresis; its fitted E* depends strongly on the stiffness of the lever."""
-    z, force = jkr_curve(0.045, 0.045, 2.667e6, 5e-6, 0.6, 0.7e-6, 0.0, 250, -4e-6, 1.5e-6)
+    """Return a noisy curve without adhesion hysteresis; its fitted E* depends strongly on the lever's stiffness."""
+    z, force = soft_lever_curve()
     return ForceCurve(TRAVEL, z, force + numpy.random.default_rng(3).normal(0, 1.5e-9, len(z)))
 
 
@@ -150,9 +150,7 @@ def sloping(force: Any, z: Any, slope: float) -> ForceCurve:
     return ForceCurve(TRAVEL, z, force + slope * z + noise)
 
 
-@pytest.mark.parametrize(
-    "last", [-0.6e-6, pytest.param(-2.5e-6, marks=pytest.mark.slow)]
-)  # without a jump-off, and with
+@pytest.mark.parametrize("last", [-0.6e-6, pytest.param(-2.5e-6, marks=pytest.mark.slow)])  # before, after jump-off
 def test_a_sloping_baseline_has_a_remark_until_a_line_is_subtracted(last: float) -> None:
     z, force = jkr_curve(count=500)
     is_kept = (numpy.arange(len(z)) < 500) | (z > last)
@@ -299,8 +297,7 @@ def test_points_without_a_contact_radius_have_no_release_rate() -> None:
     curve = ForceCurve(TRAVEL, z, force)
     measurement = Measurement(TRAVEL, PROBE, branches_of(curve, 3.01))
     points = measurement.branches.by_name[UNLOADING].in_contact
-    unknowns = numpy.log([0.06, 1.75e6, 1.0])
-    unknowns[2] = 2e-7
+    unknowns = numpy.array([numpy.log(0.06), numpy.log(1.75e6), 2e-7])
     rate, radius = release_rate(measurement, points._replace(force=points.force + 1e-5), unknowns)
     assert numpy.isnan(rate).all()
     assert numpy.isnan(radius).all()
