@@ -594,7 +594,7 @@ def test_a_force_that_is_not_the_deflection_times_the_spring_has_a_code(run: Run
 def test_words_for_a_load_in_other_languages_are_read(run: Run) -> None:
     for word in ("Last", "Charge", "Auflast"):
         Path("curve.csv").write_text(f"a (um),{word} (mN)\n1,2\n", encoding="utf-8")
-        assert "the curve has 1 points" in run(f"fit curve.csv {KNOWN}").err
+        assert "and the curve has 1" in run(f"fit curve.csv {KNOWN}").err
 
 
 def broken(text: str, seed: int) -> bytes:

@@ -29,9 +29,9 @@ _RISE = 0.05  # rise of the force where a lever lets go, as a share of the depth
 _SHORT = 0.03  # least share of the points in a branch
 _STEEPER = 5.0  # ratio of the rises of force at both ends above which the flatter end is free
 _NEAR_ONCE = 1.5  # largest ratio of the path of z to that of one approach and one retraction
-_PAUSED = 10.0  # least length of a gap in time, in median steps
+_GAP = 10.0  # least length of a gap in time, in median steps
 _LEAST_NOISE = 1e-9  # least noise of computed curves, as a share of the range of forces
-_FLAT = 5  # least number of equal extreme readings, mostly in a row, that shows a saturated sensor
+_FLAT = 5  # least number of equal extreme readings that shows a saturated sensor; nearly all follow each other
 _LONG = 0.2  # least length of the free end of a curve without a minimum, as a share of the travel
 _SETTLES = 0.1  # fraction of the free part in which the lever still swings after the jump
 
@@ -110,11 +110,11 @@ class Branch(NamedTuple):
 
 
 class Branches(NamedTuple):
-    """The branches of a curve by name, the noise of the force, its scatter out of contact, and remarks by code."""
+    """The branches of a curve by name, the noise of the force, and remarks by code."""
 
     by_name: Mapping[str, Branch]
-    noise: float
-    scatter: float
+    noise: float  # around the line through the points out of contact
+    scatter: float  # around the baseline
     remarks: Mapping[str, str]
     sign: float  # the factor of z that makes z rise into the contact
 
@@ -180,7 +180,7 @@ def _check_time(parts: Mapping[str, ForceCurve], remarks: dict[str, str]) -> Non
             continue
         steps = abs(numpy.diff(part.time))
         usual = float(numpy.median(steps))
-        count = int((steps > _PAUSED * usual).sum()) if usual > 0 else 0
+        count = int((steps > _GAP * usual).sum()) if usual > 0 else 0
         if count:
             longest = float(steps.max()) / usual
             many = "1 gap" if count == 1 else f"{count} gaps, the longest"
@@ -203,7 +203,7 @@ def _finite(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
         lacking = "no positive radius or no load" if curve.kind == RADIUS else "no number"
         remarks["gaps"] = f"{left_out} of {len(is_known)} points have {lacking} and are left out"
     if count < LEAST_POINTS:
-        raise BadCurve(f"the curve has {count} points, and a fit needs {LEAST_POINTS}", "too few points")
+        raise BadCurve(f"a fit needs {LEAST_POINTS} points, and the curve has {count}", "too few points")
     curve = curve.chosen(is_known)
     if not (numpy.ptp(curve.z) > 0 and numpy.ptp(curve.force) > 0):
         which = curve.kind if numpy.ptp(curve.z) == 0 else "force"
@@ -241,7 +241,7 @@ def _sign(curve: ForceCurve) -> float:
     count = max(3, len(order) // 10)
     ends = [curve.force[which] for which in (order[:count], order[-count:])]
     low, high = (float(numpy.median(end)) for end in ends)
-    rise_low, rise_high = (abs(float(numpy.polyfit(numpy.arange(count), end, 1)[0])) * count for end in ends)
+    rise_low, rise_high = (abs(_rise(end)) for end in ends)
     spread = float(numpy.ptp(curve.force))
     if max(rise_low, rise_high) > max(_STEEPER * min(rise_low, rise_high), 0.02 * spread):
         return 1.0 if rise_high > rise_low else -1.0
@@ -273,7 +273,12 @@ def _is_concave(z: Array, force: Array) -> bool:
 
 def _is_flat(end: Array, spread: float) -> bool:
     """Return whether the force hardly changes over some points, relative to the range of all forces."""
-    return abs(float(numpy.polyfit(numpy.arange(len(end)), end, 1)[0])) * len(end) < _FLATTER * spread
+    return abs(_rise(end)) < _FLATTER * spread
+
+
+def _rise(force: Array) -> float:
+    """Return the rise of the best line over the forces of consecutive points."""
+    return float(numpy.polyfit(numpy.arange(len(force)), force, 1)[0]) * len(force)
 
 
 def _with_pull_negative(curve: ForceCurve, remarks: dict[str, str]) -> ForceCurve:
@@ -377,33 +382,41 @@ def _white_noise(force: Array) -> float:
 
 
 def _free(part: ForceCurve, name: str, noise: float) -> slice:
-    """Return the slice of a branch that is out of contact, or an empty slice."""
-    force = part.force if name == UNLOADING else part.force[::-1]
+    """Return the slice of a branch that is out of contact; empty if it has too few points."""
+    count = len(part.force)
+    outward = part if name == UNLOADING else part.chosen(slice(None, None, -1))
+    first = _first_free(outward.z, outward.force, noise)
+    if count - first < LEAST_POINTS:
+        return slice(0, 0)
+    return slice(first, count) if name == UNLOADING else slice(0, count - first)
+
+
+def _first_free(z: Array, force: Array, noise: float) -> int:
+    """Return the index of the first free point of a branch that begins in contact; the number of points without one.
+
+    With tension, the branch is free from where the force is back at the level of the end, otherwise from the last
+    pressed point. The first tenth of the free part is left out, since the lever still swings there.
+    """
     count = max(LEAST_POINTS, int(_END * len(force)))
     if len(force) < 2 * count:
-        return slice(0, 0)
+        return len(force)
     end = force[-count:]
+    if abs(_rise(end)) > max(_FLATTER * float(numpy.ptp(force)), 3 * noise):
+        return len(force)  # the branch ends in contact
     level = float(numpy.median(end))
     spread = max(noise, robust_deviation(end - level))
     smooth = running_median(force, 5)
     least = int(numpy.argmin(smooth))
     depth = level - float(smooth[least])
-    slope = numpy.polyfit(numpy.arange(count), end, 1)[0] * count
-    if abs(slope) > max(_FLATTER * float(numpy.ptp(force)), 3 * noise):
-        return slice(0, 0)  # the branch ends in contact
     if depth > _NOISE * spread:
         above = numpy.nonzero(smooth[least:] > level - max(_NOISE * spread, 0.1 * depth))[0]
         first = least + int(above[0]) if len(above) else len(force)
     else:
         pressed = numpy.nonzero(smooth > level + _NOISE * spread)[0]
         first = int(pressed[-1]) + 1 if len(pressed) else len(force)
-        z = part.z if name == UNLOADING else part.z[::-1]
         if not len(z[first:]) or numpy.ptp(z[first:]) < _LONG * numpy.ptp(z):
-            return slice(0, 0)  # a curve that ends at its least force looks the same
-    first += int(_SETTLES * (len(force) - first))
-    if len(force) - first < LEAST_POINTS:
-        return slice(0, 0)
-    return slice(first, len(force)) if name == UNLOADING else slice(0, len(force) - first)
+            return len(force)  # a curve that ends at its least force looks the same
+    return first + int(_SETTLES * (len(force) - first))
 
 
 def _errors(part: ForceCurve, noise: float, give: float) -> tuple[Array, Array]:
@@ -418,20 +431,21 @@ def _errors(part: ForceCurve, noise: float, give: float) -> tuple[Array, Array]:
 
 
 def _in_contact(load: Array, name: str, noise: float) -> tuple[slice, slice]:
-    """Return the slice of a branch in contact, and the slice that may be in contact, both up to an end.
+    """Return the slice of a branch in contact, and the slice that may be in contact.
 
-    If a branch has tension, the first slice ends just past the least load, and the second where half of the tension is
-    lost: there a stiff lever still holds the contact, while a soft lever is already snapping off. Otherwise both slices
-    end at the last pressed point, and are empty if there is none.
+    On the way out of a contact with tension, the first slice ends just past the least load, and the second where half
+    of the tension is lost: there a stiff lever still holds the contact, while a soft lever is already snapping off.
+    Without tension, both slices end at the last pressed point, and are empty if there is none. In loading, the slices
+    begin where they end on the way out.
     """
-    forward = load if name == UNLOADING else load[::-1]
-    smooth = running_median(forward, 5)
+    outward = load if name == UNLOADING else load[::-1]
+    smooth = running_median(outward, 5)
     least = int(numpy.argmin(smooth))
     depth = -float(smooth[least])
     count = len(load)
     if depth > _NOISE * noise:
-        lost = numpy.nonzero(forward[least:] > -_LOST * depth)[0]
-        risen = numpy.nonzero(forward[least:] > -(1 - _RISE) * depth)[0]
+        lost = numpy.nonzero(outward[least:] > -_LOST * depth)[0]
+        risen = numpy.nonzero(outward[least:] > -(1 - _RISE) * depth)[0]
         ends = tuple(least + int(beyond[0]) if len(beyond) else count for beyond in (risen, lost))
     else:
         pressed = numpy.nonzero(smooth > _NOISE * noise)[0]
@@ -455,9 +469,9 @@ def _check(branches: dict[str, Branch], noise: float, remarks: dict[str, str]) -
     load = branch.points.force
     if not branch.has_free_part and float(load.min()) < -_NOISE * noise:
         remarks["no-jump-off"] = "no points after the jump-off: the curve may end before its least force"
-    behind = load[branch.reach.stop :]
-    if len(behind) > 2 * _SMOOTH:
-        smooth = running_median(behind)[_SMOOTH:]
+    after = load[branch.reach.stop :]
+    if len(after) > 2 * _SMOOTH:
+        smooth = running_median(after)[_SMOOTH:]
         if float(smooth.min()) < min(-4 * _NOISE * noise, 0.2 * float(load.min())):
             remarks["several-minima"] = "several minima after the jump-off (strands, or asperities that let go late)"
 
@@ -513,7 +527,7 @@ class LoadRange(NamedTuple):
         below = numpy.nonzero(order <= high)[0]
         first = int(below[0]) if len(below) else len(load)
         is_whole = self.is_share and self.low <= -1  # then the slice ends at the last point in contact
-        beyond = numpy.nonzero(order[first:] < (-numpy.inf if is_whole else low))[0]
+        beyond = numpy.nonzero(order[first:] < (-inf if is_whole else low))[0]
         last = first + int(beyond[0]) if len(beyond) else len(load)
         if last - first < LEAST_POINTS:
             raise BadCurve(f"{branch.name}: the range has fewer than {LEAST_POINTS} points", "too few points")

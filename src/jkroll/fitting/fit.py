@@ -1,4 +1,4 @@
-"""Fit a measured curve: work of adhesion of each branch, contact modulus and contact point, each with three errors.
+"""Fit a measured curve: work of adhesion of each branch, contact modulus and contact point, with their errors.
 
 `branches` divides the curve, `measurement` finds the minima of its branches, `error_budget` computes the errors, and
 `goodness` measures how well the fit describes the points.
@@ -48,7 +48,7 @@ def fit_curve(curve: ForceCurve, known: Known) -> Fit:
 def _minima(curve: ForceCurve, known: Known) -> tuple[Minima, dict[str, str]]:
     """Return the minima of the branches of a curve, and remarks by code. Raises BadCurve."""
     only = {"load": LOADING, "unload": UNLOADING}.get(known.branch, "")
-    stiffness = known.stiffness if curve.kind == TRAVEL else numpy.inf
+    stiffness = known.stiffness if curve.kind == TRAVEL else inf
     branches = branches_of(curve, stiffness, tilt=known.tilt, only=only)
     measurement = Measurement(curve.kind, known, branches)
     remarks = {**branches.remarks, **dict(on_deflection(curve.force_over_deflection, known.stiffness))}
@@ -183,10 +183,9 @@ def _points_of(minima: Minima) -> dict[str, Array]:
 
 
 def _columns_of(minima: Minima, part: FittedBranch) -> dict[str, Array]:
-    """Return the points in contact of one branch as columns.
+    """Return the points in contact of one branch as columns; z has the sign of the table.
 
-    Besides z and the load, the columns are the fitted load, the difference of both loads, the energy release rate and
-    the contact radius.
+    The energy release rate and the contact radius follow from E* and z_c of the main branch.
     """
     points, main = part.branch.in_contact, minima.main.unknowns
     loads = residuals(points, part.unknowns, minima.setting).loads

@@ -48,7 +48,7 @@ def _longest_run(misfit: numpy.ndarray) -> int:
 def remarks_on(minima: Minima, result: Fit, by_spring: list[ByResult]) -> Iterator[tuple[str, str]]:
     """Iterate over remarks as codes and sentences.
 
-    `by_spring`: the changes of the results for a softer and a stiffer spring; empty if they were not computed.
+    `by_spring`: the moves of the results for a softer and a stiffer spring; empty if no spring enters.
     """
     main, good, errors = minima.main, result.goodness, result.errors
     has_adhesion = ADHESION in main.free
@@ -99,9 +99,12 @@ def _on_noise(good: Mapping[str, float]) -> Iterator[tuple[str, str]]:
     """Iterate over remarks on few or correlated points, and on a trend in the residuals."""
     count, tau = good["points"], good["correlation_time"]
     if good["independent_points"] < FEW_INDEPENDENT:
-        cause = "the misfit is one trend" if tau > count / 2 else f"residuals are correlated over {tau:.0f} points"
-        few = f"{count:.0f} points are few" if tau < 2 else cause
-        yield "few-independent", f"{few}: the statistical error is unreliable"
+        cause = f"residuals are correlated over {tau:.0f} points"
+        if tau < 2:
+            cause = f"{count:.0f} points are few"
+        elif tau > count / 2:
+            cause = "the misfit is one trend"
+        yield "few-independent", f"{cause}: the statistical error is unreliable"
     elif tau > 1 and good["longest_run"] > 0.1 * count + 10:
         run = f"residuals have one sign over {good['longest_run']:.0f} points in a row"
         yield "residual-trend", f"{run}: the model, not the noise, limits the fit"
@@ -110,8 +113,8 @@ def _on_noise(good: Mapping[str, float]) -> Iterator[tuple[str, str]]:
 def _on_spring(result: Fit, softer: ByResult, stiffer: ByResult) -> Iterator[tuple[str, str]]:
     """Yield a remark if the error of the spring moves E* by more than both the statistical and the model error of E*.
 
-    `softer`, `stiffer`: the changes of the results if the spring is softer or stiffer by its error, or by 5 % if no
-    error is given; the remark then asks for the error.
+    `softer`, `stiffer`: the moves of the results if the spring is softer or stiffer by its error, or by 5 % if no error
+    is given; the remark then asks for the error.
     """
     known, errors, modulus = result.known, result.errors["contact_modulus"], result.values["contact_modulus"]
     shares = [move["contact_modulus"] / modulus for move in (softer, stiffer)]

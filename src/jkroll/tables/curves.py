@@ -26,6 +26,7 @@ from .table import Asked, Records
 _X = {quantity: kind for kind, quantity in QUANTITIES.items()}
 _FORCES = ("load", "lever_force", "lever_deflection")
 _DEFLECTION = "lever_deflection"
+# The quantities whose columns a curve reads, as `--measured` of `batch` names them.
 MEASURED = "contact_radius_at_load,approach_at_load,lever_travel,lever_force,lever_deflection,lever_stiffness"
 _SAME = 0.01  # relative range of a column below which all its numbers are the same, except for rounding
 _INDICES = ("k", "K")  # headers that, without a unit, number the rows
@@ -48,7 +49,7 @@ class CurveTable(NamedTuple):
     columns: Header  # x, the force, and then inputs that the options must not contradict
     asked: Asked
     positions: Mapping[str, int]
-    labels: Mapping[str, int]
+    labels: Mapping[str, int]  # the positions of the columns of branch and time
     added: tuple[str, ...] = ()
 
     @property
@@ -185,9 +186,10 @@ class _Rows(NamedTuple):
 
 
 def _rows(table: CurveTable, records: Records) -> _Rows:
-    """Return the rows of a block. Raises BadRow for the first row with a filled cell that is not a number.
+    """Return the rows of a block. Raises BadRow for the first row with too many or too few cells, or with a bad number.
 
-    The line in the error is counted from 0 in the block. Lines with comments become rows without numbers.
+    A bad number is a filled cell in the column of x or the force that has no value. The line in the error is counted
+    from 0 in the block. Lines with comments become rows without numbers.
     """
     numbers = {column.name: column.numbers(records.cells) for column in table.columns.inputs}
     problems = dict(records.odd)
@@ -206,7 +208,7 @@ def _rows(table: CurveTable, records: Records) -> _Rows:
 
 
 def _problem_in(column: Column, records: Records, row: int) -> JkrollError | None:
-    """Return the error of a value that is not a number; None for an empty cell, or a mark for a missing value."""
+    """Return the error of a value that is not a number; None for an empty cell or a mark for a missing value."""
     text = column.joined(*(records.cells[name][row].decode(errors="replace") for name in column.positions))
     if has_no_value(text):
         return None

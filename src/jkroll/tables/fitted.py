@@ -51,7 +51,7 @@ def fit_given(curve: Any, words: Mapping[str, str | None], spring: Any, given: M
         known = known_of(words, spring, read)
         if isinstance(curve, str | os.PathLike):
             return fit_of_file(os.fspath(curve), known)[0]
-        return _fitted(curve_of_columns(curve, materials_of_user(None), _stiffness(known)), known)
+        return _fitted(curve_of_columns(curve, materials_of_user(None), _known_stiffness(known)), known)
     except (BadCurve, BadRequest, BadTable) as error:
         error.args = (as_arguments(str(error)),)
         raise
@@ -67,12 +67,12 @@ def fit_of_file(
 ) -> tuple[Fit, str]:
     """Return the fit of the curve in a file, and the sentence that says how the file was read."""
     materials = materials or materials_of_user(None)
-    read = read_curve(path, materials, _stiffness(known), columns, form, mark)
+    read = read_curve(path, materials, _known_stiffness(known), columns, form, mark)
     return _fitted(read, known), read.reading
 
 
 def _fitted(read: ReadCurve, known: Known) -> Fit:
-    """Return the fit of a curve. Raises BadCurve.
+    """Return the fit of a curve. Raises BadCurve, and BadTable if a column contradicts an option.
 
     With a known radius, a fit is refused if no solid has its values. With the profile of a sphere, it is refused if the
     moduli are known and the sphere is not STIFFER times as stiff as the plane.
@@ -123,7 +123,7 @@ def _check_sizes(fitted: Fit, reading: str) -> None:
     w = max((values[name] for name in WORK_OF_ADHESION.values() if name in values), default=0.0)
     force = values.get("pull_off_force_measured", 0.0)
     # If the contact is much stiffer than the lever, any larger E* fits as well. Such a fit is accepted if its pull-off
-    # force is close to the measured one.
+    # force is at most twice the measured one.
     is_too_stiff = modulus > stiffest and values.get("pull_off_force_fitted", inf) > 2 * force
     if w > SIZES["work_of_adhesion"][1]:
         problem = f"w = {amount('work_of_adhesion', w, _FORM)}, which no solid has"
@@ -141,23 +141,23 @@ def _check_sizes(fitted: Fit, reading: str) -> None:
     raise BadCurve(f"the fit gives {problem}: {listed(causes, 'or')}? {reading}", "no solid")
 
 
-def _stiffness(known: Known) -> float | None:
+def _known_stiffness(known: Known) -> float | None:
     return known.stiffness if known.stiffness < inf else None
 
 
 def known_of(words: Mapping[str, str | None], spring: Any, given: Mapping[str, Any]) -> Known:
-    """Return what is known of the contact and the lever, and the choices for the fit. Raises BadRequest, QuantityError.
+    """Return the known data of the contact and the lever, and the options of the fit. Raises BadRequest, QuantityError.
 
     `words`, `spring`, `given`: the arguments of `jkroll.fit`; `given` has inputs in SI units, some with uncertainties.
     """
-    for name, choices in (("branch", _BRANCHES), ("baseline", _BASELINES)):
-        if words.get(name) not in choices:
-            raise BadRequest(f"--{name}: {quoted(str(words.get(name)))} is not one of: {listed(choices)}")
+    for option, choices in (("branch", _BRANCHES), ("baseline", _BASELINES)):
+        if words.get(option) not in choices:
+            raise BadRequest(f"--{option}: {quoted(str(words.get(option)))} is not one of: {listed(choices)}")
     name = law_given(words["model"], words["profile"]) or DEFAULT_LAW
     law, profile = (DEFAULT_LAW, SPHERE) if name == JKR_OF_SPHERE else (name, PARABOLOID)
     if profile == SPHERE:
         _check_sphere(given)
-    stiffness = _stiffness_of(spring)
+    stiffness = _stiffness_in_si(spring)
     radius = _radius(given)
     if law == MAUGIS and radius is None:
         raise BadRequest("--model maugis needs --radius: its curve depends on R and the atomic spacing")
@@ -177,7 +177,7 @@ def known_of(words: Mapping[str, str | None], spring: Any, given: Mapping[str, A
     )
 
 
-def _stiffness_of(spring: Any) -> Any:
+def _stiffness_in_si(spring: Any) -> Any:
     if spring is None:
         return None
     is_text = isinstance(spring, str)
@@ -221,7 +221,7 @@ def _check_sphere(given: Mapping[str, Any]) -> None:
 
 
 def _range(text: str | None) -> LoadRange | None:
-    """Return the range that a text FROM:TO gives, in percent of the largest load or in forces; None without a text."""
+    """Return the range of a text FROM:TO, in percent of the largest tension and load or in forces; None without one."""
     if text is None:
         return None
     ends = [end.strip() for end in text.split(":")]
