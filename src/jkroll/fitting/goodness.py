@@ -156,10 +156,10 @@ def on_profile(
     moved = ", ".join(f"{symbol} {_percent(sphere[name] / values[name] - 1)}" for name, symbol in symbols.items())
     ratio = ratio_of_plane(known.given)
     how = "for a rigid sphere on a plane that keeps its volume"
-    if is_on_plane(known.given) and ratio is None:
-        how = "with --profile sphere --poisson2 0.5"
-    elif is_on_plane(known.given) and ratio >= INCOMPRESSIBLE:
+    if is_on_plane(known.given) and (ratio is None or ratio >= INCOMPRESSIBLE):
         how = "with --profile sphere"
+        if ratio is None:
+            how += " --poisson2 0.5"
     yield f"a/R is up to {width:.2f}, where a sphere is no paraboloid: {moved} by JKR {how}"
 
 
