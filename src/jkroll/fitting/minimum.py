@@ -181,8 +181,8 @@ class Minimum(NamedTuple):
     covariance: Array
     noise: Noise
     residuals: Residuals
-    cost: float  # half the sum of Huber's loss of the whitened residuals
-    weights: Array
+    cost: float  # the sum of Huber's loss of the whitened residuals
+    weights: Array  # of Huber's loss
     correlation_time: float = 1.0  # of the residuals, in points
 
 
@@ -310,6 +310,7 @@ def with_point(points: Points, setting: Setting, w: float, modulus: float) -> Ar
     x = x_last + numpy.linspace(0, 1, 200) ** 2 * 2 * reach + 1e-12 * reach
     q, *_ = state_at(setting.law, x, contact, grip)
     loads = setting.law.values(q, contact)[0].load
+    # Past the fold of fixed grips the load falls before it rises, and `interp` needs rising loads.
     rising = numpy.maximum.accumulate(loads) if loads[-1] > loads[0] else loads
     which = points.force >= loads[0]
     chosen = points.chosen(which) if which.any() else points

@@ -108,7 +108,7 @@ def law_and_variant(key: str) -> tuple[str, str]:
 class Fit:
     """The fit of a curve, in SI units.
 
-    The keys of `values` and `errors` are the names of `RESULTS`, and `by_law` has the values of other laws under the
+    The keys of `values` and `errors` are the names of `RESULTS`, and `by_law` has the values by each law under the
     keys of `key_of`. `covariance` is the statistical covariance of the results in `names`, in their units. `remarks`
     are sentences by code; `baselines` and `fitted_loads` (least, largest) are by branch. `largest_adhesion` is the
     upper limit of w for a curve without adhesion.

@@ -84,7 +84,7 @@ def json_of(fitted: Fit, path: str, reading: str, following: str, *, curve: bool
 
 
 def _inputs(fitted: Fit) -> dict[str, Any]:
-    """Return the inputs of a fit, with the standard deviations of those that are measured."""
+    """Return the radius and the stiffness with their standard deviations, the spacing and the options of a fit."""
     known = fitted.known
     inputs: dict[str, Any] = {
         "reduced_radius": known.radius,
