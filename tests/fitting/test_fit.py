@@ -168,7 +168,9 @@ def test_without_a_radius_the_fit_gives_products_with_the_radius() -> None:
     fit = fit_curve(ForceCurve(TRAVEL, z, force), Known(stiffness=3.01))
     assert fit.values["work_of_adhesion_opening"] == approx(0.06 * 7.5e-6, rel=1e-3)
     assert fit.values["contact_modulus"] == approx(1.75e6 * 7.5e-6**0.5, rel=3e-3)
-    assert "radius-free" in fit.remarks
+    assert fit.remarks["radius-free"].endswith("w is wR and E* is E*√R, for a paraboloid by JKR")
+    by_dmt = fit_curve(ForceCurve(TRAVEL, z, force), Known(stiffness=3.01, law="dmt"))
+    assert by_dmt.remarks["radius-free"].endswith(" by DMT")
 
 
 def test_a_curve_by_dmt_gives_back_its_inputs() -> None:

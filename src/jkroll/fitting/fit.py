@@ -130,7 +130,8 @@ def _result(minima: Minima, remarks: dict[str, str], by_spring: list[ByResult]) 
     models = by_models(minima, few, width)
     result.by_law = {law: dict(each) for law, each in models.by_law.items()}
     if measurement.known.radius is None:
-        result.remarks["radius-free"] = "no radius is given: w is wR and E* is E*√R, for a paraboloid by JKR"
+        scaled = f"w is wR and E* is E*√R, for a paraboloid by {result.theory}"
+        result.remarks["radius-free"] = f"no radius is given: {scaled}"
     elif has_adhesion:
         result.goodness["tabor_parameter"] = models.tabor_parameter
     sphere = models.by_law.get(key_of(JKR, SPHERE))

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple, Self
 
 from numpy import inf, sqrt
 
-from ..quantities.laws import DEFAULT_LAW, JKR, MAUGIS, PARABOLOID
+from ..quantities.laws import DEFAULT_LAW, JKR, LAWS, MAUGIS, PARABOLOID
 from ..quantities.nomenclature import DEFAULTS
 from ..quantities.values import middle
 from .branches import RADIUS, LoadRange
@@ -143,6 +143,11 @@ class Fit:
     def is_scaled(self) -> bool:
         """True if no radius is known, so that w stands for wR, and E* for E*√R."""
         return self.known.radius is None
+
+    @property
+    def theory(self) -> str:
+        """The short name of the fitted law: Hertz without adhesion."""
+        return LAWS[self.known.law].short if self.largest_adhesion is None else "Hertz"
 
     @property
     def law_that_holds(self) -> str:

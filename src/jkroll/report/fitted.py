@@ -59,8 +59,7 @@ def line_on_known(fitted: Fit, *, on_radius: str = "", stiffness: str = "") -> s
     `on_radius`: the text after the radius; `stiffness`: the stiffness of the lever, as typed.
     """
     known = fitted.known
-    law = LAWS[known.law].short if fitted.largest_adhesion is None else "Hertz"
-    texts = [f"{fitted.kind} and force, by {law}"]
+    texts = [f"{fitted.kind} and force, by {fitted.theory}"]
     if known.radius is not None:
         texts.append(f"R = {amount('reduced_radius', known.radius)}{on_radius}")
     if fitted.kind == TRAVEL:
