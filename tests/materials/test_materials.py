@@ -785,6 +785,9 @@ def test_a_rigid_material_is_rigid_in_every_form(run: Run, tmp_path: Path) -> No
     assert json.loads(run(f"{words} --json").out)["youngs_modulus"] == "rigid"
     assert "\nyoungs_modulus rigid\n" in run(words).out
     assert ",rigid," in run(f"{words} --csv").out
+    of_several = run(f"materials hard,quartz --materials {tmp_path / 'hard.toml'}", terminal=True)
+    assert re.search(r"^hard +– +rigid ", of_several.out, re.MULTILINE)
+    assert ">rigid</td>" in Materials(tmp_path / "hard.toml")._repr_html_()
 
 
 def test_output_to_a_pipe_has_the_sides_and_the_origin_of_each_property(run: Run) -> None:

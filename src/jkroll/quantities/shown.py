@@ -7,7 +7,7 @@ from itertools import chain
 from typing import Any
 
 from ..text import TextColumn, html_table, say, write_table
-from .formatting import RESULT_DIGITS, Format, ShownUnit, from_to, significant
+from .formatting import RESULT_DIGITS, Format, ShownUnit, from_to, in_words, significant
 from .markup import as_latex
 from .nomenclature import NOMENCLATURE
 from .values import Interval, Uncertain
@@ -109,6 +109,7 @@ def columns_of(name: str, values: Mapping[str, Sequence[Value]], form: Format) -
     in_unit = f" [{unit.text}]" if unit.text else ""
     columns = []
     for head, of_column in values.items():
-        cells = [cell(value, unit, form) for value in of_column]
+        shown = [in_words(name, value) if isinstance(value, float) else value for value in of_column]
+        cells = [cell(value, unit, form) for value in shown]
         columns.append(TextColumn(f"{head}{in_unit}", cells, is_right=not NOMENCLATURE[name].is_word))
     return columns
