@@ -6,22 +6,22 @@ from typing import TYPE_CHECKING
 
 from ..quantities.formatting import DIGITS, Format, amount, symbol_among
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI
-from ..quantities.shown import Part, Rows, columns_of
+from ..quantities.shown import Part, Table, columns_of
 from ..text import TextColumn
 
 if TYPE_CHECKING:
     from .library import Material
 
-EXACT = Format(digits=DIGITS)  # for values in a table
+SIX_DIGITS = Format(digits=DIGITS)  # for values in a table
 _REFERENCE = ("author", "title", "journal", "volume", "pages", "year", "eprint", "doi", "url", "note")
 
 
-def values_of_materials(chosen: "Sequence[Material]") -> Rows:
+def values_of_materials(chosen: "Sequence[Material]") -> Table:
     """Return the names of materials, and the columns of their properties."""
     columns: list[TextColumn] = []
     for name in PROPERTIES:
         values = [material.measures.get(name) for material in chosen]
-        columns += columns_of(name, {symbol_among(name, ()): values}, EXACT)
+        columns += columns_of(name, {symbol_among(name, ()): values}, SIX_DIGITS)
     return [TextColumn("material", [material.name for material in chosen], is_right=False)], columns
 
 

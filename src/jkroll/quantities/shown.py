@@ -13,8 +13,8 @@ from .nomenclature import NOMENCLATURE
 from .values import Interval, Uncertain
 
 Value = float | str | Uncertain | None  # the value of a cell: a number, a word, or None
-Rows = tuple[list[TextColumn], list[TextColumn]]  # columns repeated in each part of a wide table, and the others
-Part = str | Rows  # a line, or a table
+Table = tuple[list[TextColumn], list[TextColumn]]  # columns repeated in each part of a wide table, and the others
+Part = str | Table  # a line, or a table
 
 
 class Shown:
@@ -69,7 +69,7 @@ def as_tabular(parts: Iterable[Part]) -> str:
     return "\n\n".join(texts)
 
 
-def _joined(table: Rows) -> list[TextColumn]:
+def _joined(table: Table) -> list[TextColumn]:
     """Return all columns of a table."""
     leading, others = table
     return [*leading, *others]

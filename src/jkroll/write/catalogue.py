@@ -6,7 +6,7 @@ from itertools import chain
 from typing import Any, TextIO
 
 from ..materials.library import ORIGIN, Material
-from ..materials.sheet import EXACT, sheet_of, values_of_materials
+from ..materials.sheet import SIX_DIGITS, sheet_of, values_of_materials
 from ..model.limits import LIMITS
 from ..model.plan import arguments_of, depends_on, formula_of
 from ..model.rows import Wanted
@@ -93,7 +93,7 @@ def _write_values(chosen: Sequence[Material], out: TextIO) -> None:
 def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
     """Write a table of materials, grouped by set, with the surface energy of each and its state or a note."""
     measures = [material.measures.get("surface_energy") for material in chosen]
-    ((head, energies, _),) = columns_of("surface_energy", {"γ": measures}, EXACT)
+    ((head, energies, _),) = columns_of("surface_energy", {"γ": measures}, SIX_DIGITS)
     rows: dict[str, list[tuple[str, str, str]]] = {}
     without: dict[str, list[str]] = {}
     for material, energy in zip(chosen, energies, strict=True):

@@ -33,7 +33,7 @@ from ..quantities.formatting import (
 )
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, STATE_OR_LOAD, XI, of_sphere
-from ..quantities.shown import Rows, cell, columns_of
+from ..quantities.shown import Part, Table, cell, columns_of
 from ..quantities.values import Uncertain, middle, with_sides
 from ..report.best_ranges import about_surfaces, lines_on_rules, range_in_unit
 from ..report.inferred import about_library, laws_of, library_values, solids_of
@@ -352,7 +352,7 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
             write_table(*in_width(*part), out)
 
 
-def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str], lead: str = "") -> Iterator[str | Rows]:
+def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str], lead: str = "") -> Iterator[Part]:
     """Iterate over the parts of a list: lines on common inputs and assumptions, a table, and lines that explain it.
 
     The `lead` stands above the table. The table has a row for each pair; the lines below it give the meaning of rules
@@ -406,7 +406,7 @@ def _count(number: int, inputs: Collection[str]) -> str:
     return count
 
 
-def in_width(leading: list[TextColumn], results: list[TextColumn]) -> Rows:
+def in_width(leading: list[TextColumn], results: list[TextColumn]) -> Table:
     """Return the columns of a list in a form that suits the terminal.
 
     Codes are shortened if they do not fit, and a pair becomes a column if only that fits.
