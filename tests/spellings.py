@@ -6,7 +6,7 @@ from typing import NamedTuple
 from unicodedata import normalize
 
 from jkroll.quantities.nomenclature import NOMENCLATURE, OPTION_WORDS
-from jkroll.quantities.synonyms import SYNONYMS
+from jkroll.quantities.synonyms import CERTAIN_SYNONYMS
 from jkroll.quantities.units import dimension_of
 from jkroll.tables.words import INPUTS, NO_HEADERS
 
@@ -86,7 +86,7 @@ def words_of(name: str) -> Iterator[tuple[str, bool]]:
     option = next((word for word, meant in OPTION_WORDS.items() if meant == name and word not in NO_HEADERS), name)
     first, *others = name.split("_")
     camel = first + "".join(map(str.title, others))
-    synonyms = (word.replace("_", " ") for word in SYNONYMS.get(name, ()))
+    synonyms = (word.replace("_", " ") for word in CERTAIN_SYNONYMS.get(name, ()))
     for word in dict.fromkeys((name, name.replace("_", " ").title(), option, *synonyms, camel)):
         yield word, False
         if f"{name}2" in NOMENCLATURE:

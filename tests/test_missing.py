@@ -118,7 +118,7 @@ def test_a_found_table_whose_record_omits_a_new_input_is_named(monkeypatch: pyte
 
 
 def test_a_synonym_that_has_become_an_option_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(tool, "SYNONYMS", {"pull_off_force": ["adhesion", "gravity"]})
+    monkeypatch.setattr(tool, "CERTAIN_SYNONYMS", {"pull_off_force": ["adhesion", "gravity"]})
     line = "pull_off_force without gravity, which is an option now"
     assert missing("gravity") == [Lack("src/jkroll/quantities/synonyms.py", line)]
 

@@ -31,7 +31,7 @@ from jkroll.physics import FORMULAS
 from jkroll.physics.accuracy import accuracy_of
 from jkroll.quantities.laws import routes_anywhere
 from jkroll.quantities.nomenclature import CONVERTED, OF_CURVES
-from jkroll.quantities.synonyms import SYNONYMS
+from jkroll.quantities.synonyms import CERTAIN_SYNONYMS
 from jkroll.quantities.values import QuantityError, parse_quantity
 from jkroll.report.questions import QUESTIONS
 from jkroll.tables.files import FORMATS
@@ -126,7 +126,7 @@ def _of_input(name: str) -> Iterator[Lack]:
     if too_long:
         yield Lack("src/jkroll/cli/commands.py", f'WITHOUT_TEXT: "{name}", as the help of {too_long[0]} is too long')
     word = _word_of(name)
-    for other, words in SYNONYMS.items():
+    for other, words in CERTAIN_SYNONYMS.items():
         if other != name and word in words:
             yield Lack("src/jkroll/quantities/synonyms.py", f"{other} without {word}, which is an option now")
     for repository in records_without(name):

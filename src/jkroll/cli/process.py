@@ -18,7 +18,7 @@ from typing import Any
 from .. import __version__
 from ..errors import FAILED, BadRequest, JkrollError
 from ..quantities.nomenclature import ALIKE, NOMENCLATURE, as_input, named, nearest
-from ..quantities.synonyms import QUANTITY_SYNONYMS
+from ..quantities.synonyms import QUANTITY_OF_SYNONYM
 from ..text import closest, first_of, quoted, say, say_wrapped, shown
 from .commands import COMMANDS, Action, Command, flags_of, help_of
 from .options import DEBUG, HELP, VERSION, Option
@@ -328,7 +328,7 @@ def _meant(flag: str, flags: Mapping[str, Option[Any]]) -> str | None:
     if option is not None:
         return option.flag
     spellings = {option.name: spelling for spelling, option in flags.items()}
-    of_synonym = spellings.get(QUANTITY_SYNONYMS.get(name, ""))
+    of_synonym = spellings.get(QUANTITY_OF_SYNONYM.get(name, ""))
     if of_synonym is not None:
         return of_synonym
     known = {spelling.lstrip("-").replace("-", "_"): spelling for spelling in flags}

@@ -12,7 +12,7 @@ from ..errors import BadRequest, JkrollError
 from ..text import ascii_text, closest, listed, quoted
 from .laws import MODELS, PROFILES, routes_anywhere
 from .quantity import Quantity, Range
-from .synonyms import QUANTITY_SYNONYMS
+from .synonyms import QUANTITY_OF_SYNONYM
 
 INFINITY = float("inf")
 POSITIVE = Range(0.0, INFINITY, False, False, "must be positive")
@@ -22,7 +22,7 @@ POISSON = Range(-1.0, 0.5, False, True, "must lie above -1, and be at most 0.5")
 LOOSE = Range(0.0, 0.74, False, False, "must lie between 0 and 0.74, the value of the closest packing")
 FRACTION = Range(0.0, 1.0, False, True, "must lie between 0 and 1 (100 %)")
 HUMIDITY = Range(0.0, 1.0, True, True, "must lie between 0 and 1 (100 %)")
-WETTING = Range(0.0, 3.1415926535897936, True, True, "must lie between 0 and 180deg")  # π and its rounding
+WETTING = Range(0.0, 3.1415926535897936, True, True, "must lie between 0 and 180deg")  # up to the double above π
 SEVERAL = Range(2.0, INFINITY, True, False, "must be at least 2")
 ABOVE_MINUS_1 = Range(-1.0, INFINITY, False, False, "must lie above -1")
 FINITE = Range(-INFINITY, INFINITY, False, False, "must be finite")
@@ -105,7 +105,7 @@ OF_DEM: Mapping[str, Quantity] = {
     "twisting_angle": Quantity("φ_twist", "rad", "angle where twisting begins"),
     "twisting_energy": Quantity("E_twist", "J", "energy to begin twisting"),
     "twisting_frequency": Quantity("f_twist", "Hz", "twisting vibration", may_be_zero=True),
-    # of pair_style granular in LAMMPS
+    # coefficients of codes: of pair_style granular in LAMMPS, and of rolling resistance in LIGGGHTS and Lethe
     "rolling_spring_constant": Quantity("k_roll", "N/m", "spring constant of rolling in LAMMPS"),
     "rolling_friction_coefficient": Quantity("μ_roll", "1", "coefficient of rolling friction in LAMMPS"),
     "rolling_resistance_coefficient": Quantity("μ_r", "1", "rolling moment over the load and R",
@@ -309,6 +309,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
     "gravity_moment": Quantity("M_grav", "N m", "moment of a level chain", "29", shown_with=["monomers"]),
     "n_grav": Quantity("N_grav", "1", "spheres in a level chain", "30"),
     "bond_number": Quantity("Bo", "1", "pull-off force over weight"),
+    # adhesive force, and hysteresis of adhesion
     "adhesion_hysteresis": Quantity("Δw", "J/m^2", "w of opening minus closing",
         range=POSITIVE, option="--adhesion-hysteresis", example="5mJ/m2"),
     "hysteresis_fraction": Quantity("Δw/w", "1", "adhesion hysteresis as a part of the work of adhesion",
@@ -409,7 +410,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
 
 
 def _variants() -> dict[str, Quantity]:
-    """Return the formulas of routes that have no entry above, by name, as variants of the quantities of the routes."""
+    """Return the entries of formulas without one above, by name: variants of the quantities whose routes name them."""
     variants = {}
     for name, quantity in _QUANTITIES.items():
         symbol, unit, sentence, may_be_zero = quantity.symbol, quantity.unit, quantity.sentence, quantity.may_be_zero
@@ -439,7 +440,7 @@ def of_sphere(sphere: int, name: str) -> str:
     return name if quantity is None or quantity.sphere in (0, sphere) else quantity.twin
 
 
-# The names of inputs, by the words of their options.
+# The names of inputs by the words of their options: by "z0" for --z0, by "viscous_time" for --viscous-time.
 OPTION_WORDS = {
     quantity.option[2:].replace("-", "_"): name for name, quantity in NOMENCLATURE.items() if quantity.option
 }
@@ -448,7 +449,8 @@ OPTION_WORDS = {
 def as_input(word: str) -> str:
     """Return the name of the input that a word means; "approach" means `--approach`, not the result of that name.
 
-    Raises BadRequest for R, which is the reduced radius here, but often the radius of a sphere.
+    An unknown word is returned unchanged. Raises BadRequest for R, which is the reduced radius here, but often the
+    radius of a sphere.
     >>> as_input("approach"), as_input("radius")
     ('approach_at_load', 'radius')
     """
@@ -459,7 +461,7 @@ def as_input(word: str) -> str:
     return OPTION_WORDS.get(name, name if name in NOMENCLATURE else word)
 
 
-XI = "yield_displacement"  # the input on which the moment and the force of rolling depend
+XI = "yield_displacement"  # ξ, which a material may have in addition to its `PROPERTIES`
 
 # Inputs that are converted to others before formulas use them: R = D/2, E = 2G(1 + ν).
 CONVERTED = {
@@ -545,10 +547,11 @@ ALIKE = 0.65
 def nearest(word: str) -> str | None:
     """Return the quantity that a word probably means; None if no quantity is similar.
 
-    The first rule that gives a quantity decides: the word is its symbol, with or without the index of sphere 1; the
-    word is its name, option or synonym; its name begins with the word; its name, option or synonym is the most similar.
+    The first rule that finds a quantity decides. The word is the symbol of the quantity, with or without the index of
+    sphere 1; or its name, option or synonym; or the beginning of its name; or most similar to its name, option or
+    synonym.
     """
-    meanings = {**OPTION_WORDS, **QUANTITY_SYNONYMS, **{name: name for name in NOMENCLATURE}}
+    meanings = {**OPTION_WORDS, **QUANTITY_OF_SYNONYM, **{name: name for name in NOMENCLATURE}}
     name = word.strip().lstrip("-").replace("-", "_").replace(" ", "_").casefold()
     of_symbol = with_symbol(word)
     if of_symbol:

@@ -1,4 +1,4 @@
-"""Names of quantities in other programs and languages, without accents."""
+"""Other names of quantities, as in other programs and languages, without accents."""
 
 from typing import NamedTuple
 
@@ -6,8 +6,8 @@ from typing import NamedTuple
 class Words(NamedTuple):
     """Other names of a quantity, separated by blanks."""
 
-    certain: str = ""  # headers with these names are read
-    likely: str = ""  # names that may also mean something else
+    certain: str = ""  # a column with such a header is read as the quantity
+    likely: str = ""  # names that may also mean something else; they are used in a search and in suggestions
 
 
 WORDS_OF_OTHERS = {
@@ -111,5 +111,6 @@ WORDS_OF_OTHERS = {
     ),
 }
 
-SYNONYMS = {name: words.certain.split() for name, words in WORDS_OF_OTHERS.items()}
-QUANTITY_SYNONYMS = {word: name for name, words in WORDS_OF_OTHERS.items() for word in " ".join(words).split()}
+CERTAIN_SYNONYMS = {name: words.certain.split() for name, words in WORDS_OF_OTHERS.items()}
+# The quantity of each name, certain or likely; "force", which two quantities have, means the later one.
+QUANTITY_OF_SYNONYM = {word: name for name, words in WORDS_OF_OTHERS.items() for word in " ".join(words).split()}

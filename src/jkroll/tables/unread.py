@@ -19,7 +19,7 @@ from ..model.plan import depends_on, formula_of
 from ..quantities.formatting import amount, symbol_of
 from ..quantities.laws import DEFAULT_LAW, law_given, routes_anywhere
 from ..quantities.nomenclature import DEFAULTS, NOMENCLATURE, OPTION_WORDS, PROPERTIES, computed_as, of_sphere
-from ..quantities.synonyms import QUANTITY_SYNONYMS
+from ..quantities.synonyms import QUANTITY_OF_SYNONYM
 from ..quantities.units import BadUnit, dimension_of, is_in_table
 from ..quantities.values import QuantityError, value_of
 from ..text import ascii_text, shown
@@ -456,7 +456,7 @@ def _is_one_of(token: str, symbols: Collection[str], vocabulary: Collection[str]
 def _vocabulary(name: str) -> Collection[str]:
     """Return the words for an input from its name, its option and its synonyms, without generic ones."""
     texts = [name]
-    for name_of in (OPTION_WORDS, QUANTITY_SYNONYMS):
+    for name_of in (OPTION_WORDS, QUANTITY_OF_SYNONYM):
         texts += [text for text, meant in name_of.items() if meant == name]
     tokens = {token for token in chain.from_iterable(map(tokens_of, texts)) if len(token) > 1}
     return tokens - words.GENERIC | {*words.WORDS_BESIDES.get(name, ())}

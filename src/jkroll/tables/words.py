@@ -11,7 +11,7 @@ from itertools import chain
 from typing import NamedTuple
 
 from ..quantities.nomenclature import NOMENCLATURE, OF_CURVES, OPTION_WORDS
-from ..quantities.synonyms import SYNONYMS
+from ..quantities.synonyms import CERTAIN_SYNONYMS
 from ..text import ascii_text
 
 MATERIALS = ("material", "material2")
@@ -165,7 +165,7 @@ def meanings(measured: str) -> dict[str, Meaning]:
     names = {name: name for name in (*INPUTS, *MATERIALS)} | OPTION_WORDS
     for word in NO_HEADERS:
         del names[word]
-    for name, others in SYNONYMS.items():
+    for name, others in CERTAIN_SYNONYMS.items():
         names |= dict.fromkeys(others, name)
     inputs, plurals = {}, {}
     for word, name in names.items():
@@ -176,7 +176,7 @@ def meanings(measured: str) -> dict[str, Meaning]:
     for name in filter(None, measured.split(",")):
         spelt = [name, NOMENCLATURE[name].symbol]
         if name in _OF_CURVES:
-            spelt += [*SYNONYMS.get(name, []), *_OF_CURVES[name].split()]
+            spelt += [*CERTAIN_SYNONYMS.get(name, []), *_OF_CURVES[name].split()]
         known |= dict.fromkeys(filter(None, map(key, spelt)), Meaning([name]))
     return {word.replace("_", ""): meaning for word, meaning in known.items() if word}
 

@@ -9,7 +9,7 @@ from typing import ClassVar, NamedTuple, TextIO
 from ..errors import BadRequest
 from ..materials.library import Material
 from ..quantities.nomenclature import NOMENCLATURE, named, with_symbol
-from ..quantities.synonyms import QUANTITY_SYNONYMS, WORDS_OF_OTHERS, Words
+from ..quantities.synonyms import QUANTITY_OF_SYNONYM, WORDS_OF_OTHERS, Words
 from ..text import closest, quoted, say, say_wrapped, terminal_width, wrapped
 from .search import Field, Search, words_in, words_sought
 
@@ -219,7 +219,7 @@ def _with_synonym(text: str, names: Sequence[str]) -> list[str]:
     """
     quantities = [name for name in names if not NOMENCLATURE[name].variant_of]
     variants = [name for name in names if NOMENCLATURE[name].variant_of]
-    meant = QUANTITY_SYNONYMS.get("_".join(text.split()).casefold())
+    meant = QUANTITY_OF_SYNONYM.get("_".join(text.split()).casefold())
     if meant:
         quantities.insert(0, meant)
     return without_variants([*dict.fromkeys([*quantities, *variants])])
