@@ -140,12 +140,12 @@ def input_options(quantities: tuple[str, ...] = ()) -> tuple[Option[Any], ...]:
 def _depends_on(quantities: tuple[str, ...]) -> set[str]:
     """Return quantities and all names on which they depend under any law; `model` and `profile` if these matter."""
     from ..model.plan import depends_on
-    from ..quantities.laws import LAWS, has_profile, varies_by_law
+    from ..quantities.laws import LAWS, has_formula_for_sphere, varies_by_law
 
     used = {*depends_on(quantities, tuple(LAWS))}
     if any(map(varies_by_law, depends_on(quantities))):
         used.add("model")
-    if has_profile(quantities[0]):  # the question is about the contact itself
+    if has_formula_for_sphere(quantities[0]):  # the question is about the contact itself
         used.add("profile")
     return used
 

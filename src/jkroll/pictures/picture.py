@@ -8,7 +8,7 @@ import numpy
 
 from ..model.frame import Frame
 from ..model.solver import values_of
-from ..quantities.formatting import in_units
+from ..quantities.formatting import texts_on_scale
 from ..quantities.markup import marked
 from ..quantities.nomenclature import NOMENCLATURE, bracketed, header
 from ..quantities.quantity import Quantity
@@ -60,7 +60,7 @@ class Axis(NamedTuple):
     def in_words(self, values: Sequence[float], digits: int) -> tuple[list[str], str]:
         """Return values on the axis as texts, and their unit, which is empty if each text has its own."""
         every = [*values, *((self.low, self.high) if self.is_log else ())]  # so that all numbers of the axis look alike
-        texts, unit = in_units(quantity_of(self.name).unit, every, digits, is_log=self.is_log)
+        texts, unit = texts_on_scale(quantity_of(self.name).unit, every, digits, is_log=self.is_log)
         return texts[: len(values)], unit
 
 
@@ -140,7 +140,7 @@ class Field(NamedTuple):
     def in_words(self, values: Sequence[float], digits: int = 12) -> tuple[list[str], str]:
         """Return values as texts, and the unit of all numbers of the field, which is empty if each has its own."""
         every = [*values, *extent(self.values)]
-        texts, unit = in_units(NOMENCLATURE[self.quantity].unit, every, digits, is_log=self.is_log)
+        texts, unit = texts_on_scale(NOMENCLATURE[self.quantity].unit, every, digits, is_log=self.is_log)
         return texts[: len(values)], unit
 
 

@@ -224,16 +224,16 @@ def from_to(low: float, high: float, digits: int | None = None) -> str:
         digits = 3 if 0 < abs(high - low) < _NARROW * abs(high) else 2
     shift = _shift(max(abs(low), abs(high)))
     ends = low * 10.0**-shift, high * 10.0**-shift
-    texts = _alike(ends, digits)
+    texts = _distinct(ends, digits)
     if low != high and len(texts) == 1:
-        texts = _alike(ends, digits + 1)
+        texts = _distinct(ends, digits + 1)
     text = (" to " if low < 0 else "–").join(texts)
     if not shift:
         return text
     return f"({text})e{shift}" if len(texts) > 1 else f"{text}e{shift}"
 
 
-def _alike(ends: Iterable[float], digits: int) -> list[str]:
+def _distinct(ends: Iterable[float], digits: int) -> list[str]:
     """Return the distinct ends of a range, rounded. Trailing zeros are dropped only if every end has them."""
     short, full = [], []
     for end in ends:
@@ -272,16 +272,18 @@ def in_words(name: str, value: float | str) -> float | str:
     return NOMENCLATURE[name].infinity or "infinite"
 
 
-def in_units(unit: str, values: Sequence[float], digits: int = ROUND_DIGITS, *, is_log: bool) -> tuple[list[str], str]:
-    """Return the values of an axis as texts, and their common unit.
+def texts_on_scale(
+    unit: str, values: Sequence[float], digits: int = ROUND_DIGITS, *, is_log: bool
+) -> tuple[list[str], str]:
+    """Return the values on a scale, such as an axis, as texts, and their common unit.
 
     The common unit is empty if each text has a unit, or needs none.
     On a logarithmic scale, all texts have the same form: numbers with prefixed units, with exponents, or with neither.
-    >>> in_units("Hz", [1e9, 1e12], is_log=True), in_units("J", [1e-18, 1e-15], is_log=True)
+    >>> texts_on_scale("Hz", [1e9, 1e12], is_log=True), texts_on_scale("J", [1e-18, 1e-15], is_log=True)
     ((['1 GHz', '1 THz'], ''), (['1e-18', '1e-15'], 'J'))
-    >>> in_units("1", [0.01, 1000.0], is_log=True), in_units("1", [1000.0, 2e6], is_log=True)
+    >>> texts_on_scale("1", [0.01, 1000.0], is_log=True), texts_on_scale("1", [1000.0, 2e6], is_log=True)
     ((['0.01', '1000'], ''), (['1e3', '2e6'], ''))
-    >>> in_units("kg/m^3", [10.0, 1000.0], is_log=True), in_units("N", [-1e-8, 0.0, 1e-8], is_log=False)
+    >>> texts_on_scale("kg/m^3", [10.0, 1000.0], is_log=True), texts_on_scale("N", [-1e-8, 0.0, 1e-8], is_log=False)
     ((['10', '1000'], 'kg/m³'), (['-10', '0', '10'], 'nN'))
     """
     if not is_log:
@@ -301,7 +303,7 @@ def in_units(unit: str, values: Sequence[float], digits: int = ROUND_DIGITS, *, 
 
 
 def _on_linear_scale(unit: str, values: Sequence[float], digits: int) -> tuple[list[str], str]:
-    """Return the values of a linear axis as texts, and the unit that suits the largest of them."""
+    """Return the values on a linear scale as texts, and the unit that suits the largest of them."""
     largest = max(map(abs, values), default=0.0)
     power = _power(largest, unit, 3)
     scale = (*power_of_ten(power), ())

@@ -312,8 +312,8 @@ def law_of(formula: str) -> str | None:
 
 
 @cache
-def has_profile(name: str) -> bool:
-    """Return whether the law of a sphere of true shape has its own formula for a quantity."""
+def has_formula_for_sphere(name: str) -> bool:
+    """Return whether a quantity has its own formula for a sphere of true shape."""
     return _OF_SPHERE.tables[ALWAYS].get(name) is not None
 
 

@@ -50,7 +50,7 @@ class Spread:
         return 0.0 if is_rounding_error else to_15_digits(value)
 
 
-_LIST_OR_NUMBER = r"[+-]?[0-9]+,[0-9]+|[+-]?[0-9]{1,3}(?:,[0-9]{3})+"  # 1,5 and 2,500,000
+_LIST_OR_NUMBER = r"[+-]?[0-9]+,[0-9]+|[+-]?[0-9]{1,3}(?:,[0-9]{3})+"  # 1,5 and 2,500,000 may be either
 
 
 def spreads_of(text: str, name: str) -> list[Spread]:
