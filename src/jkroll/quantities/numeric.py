@@ -41,9 +41,9 @@ def _backward(operation: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]
 
 
 class Numeric:
-    """A quantity that acts as its number in SI units, with its uncertainty in arithmetic.
+    """A quantity that acts as its number in SI units, with its uncertainty in sums, products, quotients and `==`.
 
-    `float`, formats, comparisons by size and numpy's functions use the number without its uncertainty.
+    `float`, `abs`, `round`, format specifications, `<` and `>`, and numpy's functions leave the uncertainty out.
     """
 
     name: str
@@ -67,14 +67,14 @@ class Numeric:
 
         A result of 11.78 nN gives 11.78 for "nN" and 0.01178 for "uN".
         """
-        read, si = unit_of(unit, self.name), NOMENCLATURE[self.name].unit
-        _, _, dimension = read
+        wanted, si = unit_of(unit, self.name), NOMENCLATURE[self.name].unit
+        _, _, dimension = wanted
         if dimension != dimension_of(si):
             raise QuantityError(self.name, unit, "is a unit of the wrong dimension", f"it is in {si}")
         number = self.number
         if isinstance(number, Uncertain):
-            return number.changed(lambda value: convert(float(value), read))
-        return convert(float(number), read)
+            return number.changed(lambda value: convert(float(value), wanted))
+        return convert(float(number), wanted)
 
     def __float__(self) -> float:
         return float(middle(self.number))

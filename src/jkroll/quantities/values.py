@@ -241,9 +241,9 @@ def _checked_number(owner: str, value: object) -> float:
     """Return a number as a float; raise BadRequest for anything else."""
     may_have_unit = any(hasattr(value, word) for word in ("attrs", "dims", "unit", "units"))
     dtype = getattr(value, "dtype", None)
-    is_other = isinstance(value, bool) or getattr(dtype, "kind", "f") not in "fiu"  # a boolean, or numpy's duration
+    is_real = not isinstance(value, bool) and getattr(dtype, "kind", "f") in "fiu"  # not numpy's duration, for example
     number = nan
-    if hasattr(value, "__float__") and not is_other and not may_have_unit:
+    if hasattr(value, "__float__") and is_real and not may_have_unit:
         with suppress(TypeError, ValueError, OverflowError):
             number = float(value)
     if isnan(number):
@@ -280,7 +280,7 @@ def with_sides(value: float, sides: Mapping[str, float]) -> float | Uncertain:
 _Decimal = tuple[int, int]  # an integer and a power of ten
 _UnitIn = Callable[[str], Unit]  # returns the unit that a text means; an empty text means the default unit, if any
 _NUMBER = re.compile(r"([+-]?)([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?")
-_LETTER_AND_DIGITS = re.compile(r"([^\W\d_])([+-]?[0-9]+)")  # directly after a number, as d1 in 1.25d1; never a unit
+_LETTER_AND_DIGITS = re.compile(r"([^\W\d_])([+-]?[0-9]+)")  # refused after a number, as d1 in 1.25d1; also m2 in 5m2
 # The text after a number, if it has a second number: -6 nm in 5-6 nm, nm-6nm in 5nm-6nm
 _SECOND = re.compile(r" ?(?:[-–—…] ?)+[0-9]| ?([^-–—…]+?) ?[-–—…] ?[0-9.]+ ?\1$")
 _MARKS = ("±", "(", "+-", "+−", "/-", "/−", "/ -", "/ −", " to ")  # /- occurs in +/- and in +6/-4
@@ -321,7 +321,7 @@ def value_of(text: str, name: str, unit: Unit | None = None) -> float | Uncertai
 
 
 def checked(value: float | Uncertain, name: str, text: str) -> float | Uncertain:
-    """Return a valid value; an uncertainty of 0 is removed. Raises QuantityError for a bad value or uncertainty."""
+    """Return a value without an uncertainty of 0. Raises QuantityError for a bad value or a bad uncertainty."""
     limits = NOMENCLATURE[name].range
     if not limits.admits(middle(value)):
         raise QuantityError(name, text, limits.words)
@@ -351,8 +351,8 @@ def normalized_value(text: str) -> str:
     if has_uncertainty(text) and ("e" in text or "E" in text):
         match = re.match(_TWO_POWERS, text)
         if match is not None:
-            value, mark, bar, power = match.groups()
-            mistake = f"can be read as ({value}{mark}{bar}){power} or as {value}{mark}({bar}{power})"
+            value, mark, side, power = match.groups()
+            mistake = f"can be read as ({value}{mark}{side}){power} or as {value}{mark}({side}{power})"
             raise BadUnit(mistake, "write the one that is meant")
     return text
 
@@ -443,20 +443,23 @@ _TWO_SIDES = rf"{_SIGNED} ?\+ ?{_SIGNED} ?/ ?- ?{_SIGNED}( ?[^±()]*)"  # 25 +6/
 
 
 def _read(text: str, unit_in: _UnitIn) -> float | Uncertain:
-    """Return a value with any uncertainty, in a notation above or as 25±5 nm, 25 nm ± 20% or 20 to 30 nm."""
+    """Return the value of a text, with its uncertainty if it states one.
+
+    The notations are those of the patterns above, and 25±5 nm, 25 nm ± 20% and 20 to 30 nm.
+    """
     if not has_uncertainty(text):
         return _value(text, unit_in)
     if match := re.fullmatch(_IN_BRACKETS, text):
-        value, bar, end = match.groups()
-        return _measured(_value(value + end, unit_in), _value(bar + end, unit_in))
+        value, side, end = match.groups()
+        return _measured(_value(value + end, unit_in), _value(side + end, unit_in))
     if match := re.fullmatch(_LAST_DIGITS, text):
         value, digits, end = match.groups()
         decimals = len(value.partition(".")[2])
-        bar = f"{int(digits) / 10**decimals:.{decimals}f}"
+        side = f"{int(digits) / 10**decimals:.{decimals}f}"
         may_be_power = 2 * int(digits) > abs(float(value)) and not re.match(r"[eE][+-]?[0-9]", end)
         if may_be_power:  # as in 3.4(9), which is 3.4e9 in the paper
-            raise BadUnit(f"can be read as {value}±{bar} or as {value}e{digits}", "write the one that is meant")
-        return _measured(_value(value + end, unit_in), _value(bar + end, unit_in))
+            raise BadUnit(f"can be read as {value}±{side} or as {value}e{digits}", "write the one that is meant")
+        return _measured(_value(value + end, unit_in), _value(side + end, unit_in))
     if match := re.fullmatch(_TWO_SIDES, text):
         value, plus, minus, end = match.groups()
         return _measured(_value(value + end, unit_in), _value(minus + end, unit_in), _value(plus + end, unit_in))
@@ -500,13 +503,13 @@ def _with_unit_of(other: str, text: str) -> str:
 
 def _plus_minus(left: str, right: str, unit_in: _UnitIn) -> Measured:
     """Return a value with an uncertainty that is given in a unit or in percent of the value."""
-    (_, unit), (_, unit_of_bar) = split_number(left), split_number(right)
-    if unit_of_bar.startswith("%"):
-        if unit_of_bar != "%" or unit_in(unit) == parse_unit("%"):
+    (_, unit), (_, unit_of_side) = split_number(left), split_number(right)
+    if unit_of_side.startswith("%"):
+        if unit_of_side != "%" or unit_in(unit) == parse_unit("%"):
             raise BadUnit("has a % that can be read in two ways", "write 25 mJ/m2 ± 20%, or (17±1) %")
         value = _value(left, unit_in)
         return _measured(value, to_15_digits(abs(value) * _value(right, parse_unit)))
-    if unit and not unit_of_bar:
+    if unit and not unit_of_side:
         raise BadUnit("has an uncertainty without a unit")
     return _measured(_value(_with_unit_of(right, left), unit_in), _value(right, unit_in))
 
