@@ -125,7 +125,7 @@ def test_wrong_texts_are_refused_with_a_message(text: str) -> None:
 
 
 @pytest.mark.parametrize("unit", ["kkph", "mmph", "kmkmh", "kknot", "kfps", "mc", "kMPH"])
-def test_a_speed_takes_no_prefix(unit: str) -> None:
+def test_no_unit_of_speed_but_mps_takes_a_prefix(unit: str) -> None:
     with pytest.raises(QuantityError, match="unknown unit"):
         parse_quantity(f"5 {unit}", "speed")
 
@@ -137,6 +137,7 @@ def test_a_speed_takes_no_prefix(unit: str) -> None:
         ("5 MPA", "youngs_modulus", "MPa"),
         ("5 mNm", "energy", "mN m"),
         ("1.6 gAl", "gravity", "Gal"),
+        ("30 %%", "poisson_ratio", "%"),
     ],
 )
 def test_a_suggested_unit_gives_the_dimension_of_the_quantity(text: str, name: str, guess: str) -> None:

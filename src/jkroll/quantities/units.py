@@ -230,9 +230,11 @@ def similar_unit(word: str, dimensions: frozenset[Dimension]) -> str | None:
     >>> similar_unit("Gpa", frozenset([dimension_of("Pa")])), similar_unit("Nm", frozenset([dimension_of("N m")]))
     ('GPa', 'N m')
     """
-    for position in range(1, len(word)):  # two units written as one word
+    for position in range(1, len(word)):  # two units written as one word, but not %%
         first, second = _in_table(word[:position]), _in_table(word[position:])
-        if first and second and tuple(map(add, first[2], second[2])) in dimensions:
+        if not first or not second or NUMBER in (first[2], second[2]):
+            continue
+        if tuple(map(add, first[2], second[2])) in dimensions:
             return f"{word[:position]} {word[position:]}"
     known = {**PREFIXABLE, **PLAIN}
     for unit, meaning in PREFIXABLE.items():
@@ -272,8 +274,8 @@ def _term(text: str) -> Term:
     power = stated.translate(SUPERSCRIPTS)
     is_name = name != "" and all((letter.isascii() and letter.isalpha()) or letter in "Å°%_" for letter in name)
     is_power = power.removeprefix("+" if power.startswith("+") else "-").isdigit() and int(power) != 0
-    has_two_alphabets = not stated.isascii() and not {*stated}.isdisjoint(power)
-    if not is_name or not is_power or has_two_alphabets:
+    is_partly_raised = not stated.isascii() and not {*stated}.isdisjoint(power)  # as in m²3
+    if not is_name or not is_power or is_partly_raised:
         raise BadUnit("is not a number and a unit")
     return name, int(power)
 
@@ -322,8 +324,8 @@ _UNLIKE = frozenset(
     proton_mass quarter rod rydberg rydberg_constant square_league square_rod thomson_cross_section
     unified_atomic_mass_unit unit_pole vacuum_permeability vacuum_permittivity x_unit_Cu x_unit_Mo""".split()
 )
-# Names that mean something else to most people: the astronomical unit, the grain, the short ton, units of surveyors and
-# printers, and units named like objects, such as hand and point.
+# Names that most people read in another way than pint, in which they are the astronomical unit, the grain, the short
+# ton, units of surveyors and printers, and units named like objects, such as hand and point.
 _OTHER_WORDS = frozenset(
     """au ch gr ton tons chain chains hand hands link links perch point points pole poles rod rods bp fur li pp rd sft
     smi th""".split()
@@ -347,10 +349,9 @@ def lookup(name: str) -> Unit | None:
     Return None if the name is unknown, too long or excluded, or if its unit has no simple factor.
 
     Temperatures with an offset, logarithmic units and units that are no product of SI units (a bit) have no simple
-    factor to an SI unit. Some meanings are excluded because nobody intends them: a prefix before a speed (kmph is not a
-    kilo-mile per hour), the plural of a symbol (GPas is not a pressure), the yarn count Nm, the px of a screen, and
-    words with another meaning in this field or for most people. Units that depend on the version of pint are also
-    excluded.
+    factor to an SI unit. Some meanings are excluded because nobody intends them: a prefix before a speed other than mps
+    (kmph is not a kilo-mile per hour), the plural of a symbol (GPas is not a pressure), the yarn count Nm, the px of a
+    screen, and words that most people read in another way. Units that depend on the version of pint are also excluded.
     >>> lookup("nm")
     (1, 1000000000, (0, 1, 0, 0, 0, 0, 0, 0))
     """
