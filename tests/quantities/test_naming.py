@@ -7,7 +7,7 @@ import pytest
 
 import jkroll
 from harness import Run
-from jkroll.quantities.nomenclature import NOMENCLATURE, UnknownQuantity, named, of_sphere, with_symbol
+from jkroll.quantities.nomenclature import NOMENCLATURE, UnknownQuantity, named, nearest, of_sphere, with_symbol
 from jkroll.text import ascii_text
 from relative import approx
 
@@ -45,6 +45,25 @@ def test_a_symbol_leads_to_its_quantity() -> None:
 )
 def test_words_lead_to_the_names_of_quantities(word: str, name: str) -> None:
     assert named(word) == name
+
+
+@pytest.mark.parametrize(
+    ("word", "meant"),
+    [
+        ("E", "youngs_modulus"),
+        ("P_c", "pull_off_force"),
+        ("R", "reduced_radius"),
+        ("rolling_force", "yield_force"),
+        ("Rolling-Friction", "yield_force"),
+        ("adhesion force", "pull_off_force"),
+        ("pulloff", "pull_off_force"),
+        ("n_rol", "n_roll"),
+        ("gama", "surface_energy"),
+        ("xyzzy", None),
+    ],
+)
+def test_a_word_leads_to_the_quantity_that_it_most_likely_means(word: str, meant: str | None) -> None:
+    assert nearest(word) == meant
 
 
 def test_a_symbol_of_several_quantities_is_not_guessed() -> None:

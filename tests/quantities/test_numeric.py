@@ -1,4 +1,4 @@
-"""Results and uncertain values act as numbers."""
+"""Results and uncertain values as numbers; answers and materials as mappings and as DataFrames."""
 
 import copy
 import math
@@ -21,7 +21,7 @@ def force() -> Any:
     return jkroll.answer("P_c", material="quartz", radius="100 nm")["P_c"]
 
 
-BARE = 3 * math.pi * 0.025 * 50e-9  # 3/2 π w R with w = 2γ and R = R1/2
+BARE = 3 * math.pi * 0.025 * 50e-9  # the number of this result: 3πγR, R = R1/2
 
 
 @pytest.mark.parametrize("operation", [operator.add, operator.sub, operator.mul, operator.truediv, operator.pow])
