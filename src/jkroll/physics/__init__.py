@@ -1,8 +1,8 @@
 """The formulas of Dominik & Tielens, and of other laws of attraction: plain functions of SI numbers, floats or arrays.
 
-The names of formulas and of their parameters are names of the nomenclature, which alone connects the formulas; only
-derivations use the few other names. Parameters are passed by name, because three radii, two energies per area (γ and
-w = 2γ) and five forces are easily exchanged.
+The names of formulas and of their parameters are names of the nomenclature, which alone connects the formulas; the few
+others, such as `pressure` at a `distance`, serve pictures and comparisons. Parameters are passed by name, because three
+radii, two energies per area (γ and w = 2γ) and five forces are easily exchanged.
 
 A formula gives a float for floats, and an array for arrays, which broadcast. Its annotations are dimensions, with their
 SI units in `dimensions`. "As Eq (25)" after "Valid:" means: as the formula that has Eq (25) after "Source:". Unless a

@@ -1,6 +1,6 @@
 """The accuracy of every formula: its error in units of the last place (ulp), without the errors of its arguments.
 
-The tests check this accuracy for floats and for arrays, against references of 50 to 120 digits.
+The tests check this accuracy for floats and for arrays, against equations in 120-digit arithmetic.
 """
 
 USUAL = "3 ulp"

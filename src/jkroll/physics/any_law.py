@@ -223,8 +223,8 @@ def pull_off_force_rough(
 
     Source:   Rumpf 1990, as MFiX (des) cites and codes it for a wall: van der Waals' force on the asperity and on the
               sphere behind it.
-    Valid:    Nothing deforms; one asperity, on the line of centres, s well below R. Within 3 % of the pairwise sum on a
-              plane. It is P_DMT for s → 0.
+    Valid:    Nothing deforms; one asperity, on the line of centres, s well below R. On a plane, it exceeds the pairwise
+              sum by up to 3.2 % for R = 1 µm and 8 % for 100 nm (D0 = 0.165 nm). It is P_DMT for s → 0.
     """
     gap = 1 + asperity_radius / cutoff
     return pull_off_force_dmt * (asperity_radius / (asperity_radius + reduced_radius) + 1 / (gap * gap))

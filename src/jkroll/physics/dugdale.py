@@ -143,7 +143,7 @@ def energy(transition: FloatOrArray, ring: Shape, span: FloatOrArray, approach: 
 
 
 def pull_off_ratio(transition: FloatOrArray) -> FloatOrArray:
-    """Return v where the tension is largest; the start is a fit within 4e-4."""
+    """Return v where the tension is largest; the start is a fit within 5e-4."""
     square = 0.2900717 / transition - 0.7981143
     square = square / (1 + transition * (1.456039 + transition * (0.960759 + transition * 0.109797)))
     v = transition / sqrt(1.3103706971044482 + square)
@@ -209,7 +209,7 @@ def ratio_at_load(
     """Return v of the stable contact at a load. Beyond pull-off, a float raises ValueError and an array holds nan.
 
     `least` and `tension` are v and −P at pull-off. A load beyond pull-off by no more than rounding counts as pull-off.
-    The start is a fit within 15 % up to 10³ pull-off forces, and follows from Hertz' radius beyond; the steps reduce
+    The start is a fit within 25 % up to 10³ pull-off forces, and follows from Hertz' radius beyond; the steps reduce
     its error to 1e-16.
     """
     margin = load_in_units + tension

@@ -39,7 +39,7 @@ from .elementary import (
 
 _SMALL = 0.3  # a/R below which Hertz' load is a series
 _TERMS = 16  # of the series; the terms left out are below 1e-17 of it
-_STEPS = 40  # of Newton's method at most; 5 to 10 are usual
+_STEPS = 40  # of Newton's method at most; 2 to 10 are usual
 _NEAR = 1e-9  # relative step after which the next one is rounding, as each squares the error
 
 # --- A state without adhesion -----------------------------------------------------------------------------------------
