@@ -44,7 +44,7 @@ class UnclearMaterial(BadRequest):
 
     @property
     def fault(self) -> str:
-        """The message: a note counts failed rows by their names, as each name needs another remedy."""
+        """The message, so that a note counts the failed rows of each name: another name needs another remedy."""
         return str(self)
 
 
@@ -74,7 +74,7 @@ class Material(NamedTuple):
     """A material: its properties in SI units, and their sources."""
 
     name: str
-    title: str  # the title of its set: "Table 1"
+    title: str  # the title of its set: "Table 1 of D&T"
     path: str
     properties: Mapping[str, float] = read_only({})
     aliases: tuple[str, ...] = ()
@@ -201,7 +201,10 @@ def materials_in(path: str) -> list[Material]:
 
 
 def _check_names(materials: Sequence[Material]) -> None:
-    """Raise BadRequest for a word that cannot name a material, or that names two materials."""
+    """Raise BadRequest for a word that cannot name a material, or for a name that another material has, too.
+
+    Several materials may share an alias, but not a name.
+    """
     names = {material.name.casefold(): material.name for material in reversed(materials)}
     for material in materials:
         for key, word in material.words.items():
@@ -253,13 +256,14 @@ def _values(name: str, table: Mapping[str, Any]) -> tuple[dict[str, Any], dict[s
         if key not in table:
             continue
         where, needed = f"{name}.{key}", ["value", "radius"] if key == XI else ["value"]
-        given = table[key] if isinstance(table[key], dict) else {"value": table[key]}
+        has_fields = isinstance(table[key], dict)
+        given = table[key] if has_fields else {"value": table[key]}
         _refuse_unknown_keys(f"{where}.", given, (*needed, *ORIGIN))
         for field in needed:
             if field not in given:
                 raise BadRequest(f"{shown(where)} has no {field}")
         values[key] = _value(key, given["value"], name, where)
-        if given is table[key]:
+        if has_fields:
             stated = {field: given[field] for field in ORIGIN if given.get(field, "") != ""}
             origins[key] = texts(stated, dict, where)
     return values, origins
@@ -349,7 +353,7 @@ class Materials:
     def _add(self, materials: Sequence[Material], *, takes: bool) -> None:
         """Add the materials of a file, which take over earlier names. `takes`: True to take over even shipped names."""
         meanings: dict[str, list[Material]] = {}
-        unshared: dict[str, Material] = {}  # by name, case folded: the materials that their names mean alone
+        unshared: dict[str, Material] = {}  # by name, case folded: the materials that share their names with no other
         for material in materials:
             overrides: dict[str, None] = {}
             for key, word in material.words.items():
@@ -364,7 +368,7 @@ class Materials:
             key = material.name.casefold()
             if len(meanings[key]) == 1:
                 unshared[key] = material
-        for others in self._meanings.values():  # whoever takes over a material's name also takes over its aliases
+        for others in self._meanings.values():  # a material that takes over a name takes over the aliases of its owner
             others[:] = [unshared.get(other.name.casefold(), other) for other in others]
         self._materials |= unshared
         self._meanings |= meanings
@@ -372,8 +376,8 @@ class Materials:
     def __getitem__(self, word: str) -> Material:
         """Return a material by its name or alias, in any case.
 
-        Raises UnknownMaterial, UnclearMaterial for a name that several materials share or continue with a hyphen, and
-        MaterialsFileError for a material with a mistake.
+        Raises UnknownMaterial, UnclearMaterial for a name that several materials share or extend (as ice-warm and
+        ice-cold extend ice), and MaterialsFileError for a material with a mistake.
         """
         word = str(word)
         key = word.strip().casefold()

@@ -42,7 +42,9 @@ class Law:
         source: str,  # the reference of results without an equation in the paper
         tables: Mapping[str, Routes],
         omits: frozenset[str] = frozenset(),  # quantities not shown under this law
-        by_spacing: frozenset[str] = frozenset(),  # formulas whose values rest on the atomic spacing if Maugis' λ < 1
+        by_spacing: frozenset[
+            str
+        ] = frozenset(),  # formulas whose values are set by the atomic spacing if Maugis' λ < 1
         profile: str = PARABOLOID,
         set_by: str = "load",  # the input that sets a state of the force curve
     ) -> None:
@@ -125,7 +127,7 @@ _OUTSIDE_JKR: Routes = {
     "displacement_limit": None,
     "viscosity_number": None,
     **dict.fromkeys(_PEAK_OF_JKR),
-    # the area that slides may be the contact, or the zone of attraction, 6 times as large for quartz spheres of 100 nm
+    # the area that slides may be the contact or the zone of attraction, which is 6 times as large for 100 nm of quartz
     "sliding_force": None,
     "sliding_displacement": None,
     "sliding_energy": None,
@@ -284,7 +286,7 @@ def tables_of(law: Law) -> list[tuple[str, Routes]]:
 
 @cache
 def routes(model: str, known: frozenset[str]) -> Routes:
-    """Return the routes of a law that apply if some inputs are known."""
+    """Return the routes of a law that apply with these known inputs."""
     formulas: dict[str, str | None] = {}
     for key, table in tables_of(LAWS[model]):
         if key == ALWAYS or key in known:
