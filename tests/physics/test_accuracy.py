@@ -384,16 +384,16 @@ OF_ROOTS = [
 
 @pytest.mark.parametrize("name", FORMULAS)
 def test_formula_is_as_accurate_as_stated(name: str) -> None:
-    is_accurate_in(name, values_of(name, FEW)[: FEW_ROOTS if name in OF_ROOTS else FEW])
+    check_accuracy_in(name, values_of(name, FEW)[: FEW_ROOTS if name in OF_ROOTS else FEW])
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", FORMULAS)
 def test_formula_is_as_accurate_as_stated_in_every_scene(name: str) -> None:
-    is_accurate_in(name, values_of(name, COUNT))
+    check_accuracy_in(name, values_of(name, COUNT))
 
 
-def is_accurate_in(name: str, values_of_scenes: Iterable[Scene]) -> None:
+def check_accuracy_in(name: str, values_of_scenes: Iterable[Scene]) -> None:
     """Check the accuracy of a formula in scenes, for floats and for arrays."""
     formula, parameters = FORMULAS[name], parameters_of(FORMULAS[name])
     bound = float(accuracy_of(name).partition(" ulp")[0])

@@ -72,11 +72,10 @@ def test_a_plane_is_the_limit_of_a_large_sphere() -> None:
 
 
 def test_stating_that_sphere_2_is_like_sphere_1_changes_nothing() -> None:
-    same: dict[str, Any] = {**QUARTZ, "radius": 1e-7} | {
-        name + "2": value for name, value in {**QUARTZ, "radius": 1e-7}.items()
-    }
+    one: dict[str, Any] = {**QUARTZ, "radius": 1e-7}
+    same = one | {name + "2": value for name, value in one.items()}
     for name in (*OF_THE_PAIR, *OF_SPHERE_1):
-        assert close(solve(name, **same), solve(name, radius=1e-7, **QUARTZ), 3), name
+        assert close(solve(name, **same), solve(name, **one), 3), name
 
 
 # --- Dimensions -----------------------------------------------------------------------------------------------------
