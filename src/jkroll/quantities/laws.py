@@ -4,7 +4,8 @@ A law consists of tables of routes, from the name of a quantity to the formula t
 "pull_off_force_maugis" under Maugis' law. A plan follows the routes wherever a name occurs, so quantities that depend
 on others (`n_grav` on the moment, `vertical_frequency` on the stiffness) need no route of their own. None marks a
 quantity that the law does not have. A name without a route has the formula of the same name. A formula to which only
-one law has a route belongs to that law. Other laws refuse the formula, since it would mix two laws.
+one law has a route belongs to that law. Another law refuses the formula if it needs values that the two laws compute
+differently.
 
 The profile of body 1 is also part of a law: JKR's law of a paraboloid and JKR's law of a true sphere are two `Law`s,
 and the profile selects one.
