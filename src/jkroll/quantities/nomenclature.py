@@ -540,7 +540,7 @@ def _plain_spelling(symbol: str) -> str:
     return ascii_text(symbol.casefold()).replace("_", "").replace(" ", "")
 
 
-# Least similarity of a mistyped name: "moment" matches "yield_moment", but "restitution" does not match "friction".
+# Least similarity of a mistyped name: "moment" is similar to "yield_moment", but not "restitution" to "friction".
 ALIKE = 0.65
 
 
