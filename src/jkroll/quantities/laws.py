@@ -43,9 +43,7 @@ class Law:
         source: str,  # the reference of results without an equation in the paper
         tables: Mapping[str, Routes],
         omits: frozenset[str] = frozenset(),  # quantities not shown under this law
-        by_spacing: frozenset[
-            str
-        ] = frozenset(),  # formulas whose values are set by the atomic spacing if Maugis' λ < 1
+        by_spacing: frozenset[str] = frozenset(),  # formulas that the atomic spacing decides if Maugis' λ < 1
         profile: str = PARABOLOID,
         set_by: str = "load",  # the input that sets a state of the force curve
     ) -> None:

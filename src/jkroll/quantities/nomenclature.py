@@ -22,7 +22,7 @@ POISSON = Range(-1.0, 0.5, False, True, "must lie above -1, and be at most 0.5")
 LOOSE = Range(0.0, 0.74, False, False, "must lie between 0 and 0.74, the value of the closest packing")
 FRACTION = Range(0.0, 1.0, False, True, "must lie between 0 and 1 (100 %)")
 HUMIDITY = Range(0.0, 1.0, True, True, "must lie between 0 and 1 (100 %)")
-WETTING = Range(0.0, 3.1415926535897936, True, True, "must lie between 0 and 180deg")  # up to the double above π
+WETTING = Range(0.0, 3.1415926535897936, True, True, "must lie between 0 and 180deg")  # π, rounded up
 SEVERAL = Range(2.0, INFINITY, True, False, "must be at least 2")
 ABOVE_MINUS_1 = Range(-1.0, INFINITY, False, False, "must lie above -1")
 FINITE = Range(-INFINITY, INFINITY, False, False, "must be finite")
@@ -410,7 +410,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
 
 
 def _variants() -> dict[str, Quantity]:
-    """Return the entries of formulas without one above, by name: variants of the quantities whose routes name them."""
+    """Return an entry for each formula that only a route names, as a variant of the quantity of the route."""
     variants = {}
     for name, quantity in _QUANTITIES.items():
         symbol, unit, sentence, may_be_zero = quantity.symbol, quantity.unit, quantity.sentence, quantity.may_be_zero

@@ -6,7 +6,7 @@ from typing import NamedTuple
 class Words(NamedTuple):
     """Other names of a quantity, separated by blanks."""
 
-    certain: str = ""  # a column with such a header is read as the quantity
+    certain: str = ""  # read in the headers of inputs and of measured curves
     likely: str = ""  # names that may also mean something else; they are used in a search and in suggestions
 
 

@@ -1,8 +1,9 @@
 """Units: their texts, read as exact multiples of SI units, and the conversion of SI values to other units.
 
 A unit has at most eight names with integer powers. pint never sees a user's text: it is asked only for the meaning of
-a single, validated name that is not in the table below. Names that both have mean the same, except kmph, which is km/h
-here. Names that mean different units in different versions of pint are defined in the table, or refused.
+a single, validated name that is not in the table below. A name that the table shares with pint has the same meaning,
+except kmph, which is km/h here. Names that mean different units in different versions of pint are defined in the table,
+or refused.
 """
 
 import re
