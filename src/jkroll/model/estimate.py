@@ -1,8 +1,8 @@
 """The best range of each result, and the rule that gives it.
 
-A result has the value that the law in use gives. Its best range may come from a better law, from measurements on the
-same solid, or from the likely values of an assumed input. Otherwise both ends are the value, or those of its
-uncertainty. In each row, the first rule that applies gives the range.
+A result has the value that the law in use gives. Its best range may come from a better law, from measurements, or from
+the likely values of an assumed input; if the laws agree, the range spans their values. Otherwise both ends are the
+value, or those of its uncertainty. In each row, the first rule that applies gives the range.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
@@ -57,9 +57,9 @@ _OF_COLLISIONS = ("restitution", "lost_energy")
 _SHIFTED_BY_LOSSES = frozenset({"restitution", "sticking_speed"})
 _ACT_LIKE_LOSSES = ("surface_energy", "work_of_adhesion", "hamaker", "viscous_time")
 _AS_PULL_OFF = ("pull_off_force", "bond_number")  # in proportion to the pull-off force
-_BREAKING = ("disruption_energy", "disruption_speed")  # from fits to simulations and from a work of separation
+_BREAKING = ("disruption_energy", "disruption_speed")  # conventions, but they follow from `pull_off_work`
 # For each result, proportional to b^p: the power p, the quantity b, and the quantity that is b by Lennard-Jones' law.
-# Without a jump, the work with fixed grips is the depth of the well.
+# If the contact opens without a jump, `pull_off_work` is the depth of the well, `well_energy`.
 _BY_LENNARD_JONES = {
     **dict.fromkeys(_AS_PULL_OFF, (1.0, "pull_off_force", "pull_off_force_lennard_jones")),
     "well_energy": (1.0, "well_energy", "well_energy_lennard_jones"),
@@ -72,7 +72,7 @@ _BY_LENNARD_JONES = {
 }  # fmt: skip
 FRICTION_FACTOR = 3.0  # the assumed shear strength may be too low or too high by this factor
 _SAME = 1e-9  # relative difference of two ends that counts as rounding
-_TOO_WIDE = reason(ENDS[CONTACT_EXCEEDS_SPHERE.codes[1.0]])
+_EXCEEDS_SPHERE = reason(ENDS[CONTACT_EXCEEDS_SPHERE.codes[1.0]])
 
 
 class Estimate(NamedTuple):
@@ -86,7 +86,7 @@ class Estimate(NamedTuple):
     by: Any
 
 
-Ends = tuple[Any, Any]  # the lower and the upper end of a range, nan where there is none
+Ends = tuple[Any, Any]  # the lower and the upper end of a range, nan where the range is open
 Rule = tuple[Any, Any, Any, int]  # the rows to which it applies, the two ends there, its index in WORDS
 
 
@@ -111,7 +111,7 @@ class Ranges:
     def __init__(self, results: Results) -> None:
         self.results, self.frame = results, results.frame
         self.names = [name for name, column in results.computed.items() if not column.is_empty]
-        self._made: dict[Variant, Mapping[str, tuple[Any, Any, Any]]] = {}
+        self._ends_of: dict[Variant, Mapping[str, tuple[Any, Any, Any]]] = {}  # see `_ends`
 
     @classmethod
     def of(cls, frame: Frame, *names: str) -> "Ranges":
@@ -126,18 +126,20 @@ class Ranges:
         """
         low, high, by = _first(self._rules(name))
         has_end = (low <= inf) | (high <= inf)  # false for nan
-        is_wide = self.results.meant[name].reasons == _TOO_WIDE
-        has_none: Any = where(has_end, (self.results.computed[name].reasons != 0) | is_wide, True)
+        exceeds_sphere = self.results.meant[name].reasons == _EXCEEDS_SPHERE
+        has_none: Any = where(has_end, (self.results.computed[name].reasons != 0) | exceeds_sphere, True)
         return Estimate(where(has_none, nan, low), where(has_none, nan, high), where(has_none, NONE, by))
 
     def _rules(self, name: str) -> Iterator[Rule]:
         """Iterate over the rules that may apply to a result, with their ranges; the last one applies to all rows."""
-        own, is_rolling = self.hull(name, itself), bool(rolling([name]))
+        own = self.hull(name, itself)  # the ends by the law in use
+        is_rolling = bool(rolling([name]))
+        is_convention = NOMENCLATURE[name].reference and name not in (*_STICKING, *_OF_COLLISIONS, *_BREAKING)
         if name in _LAWS_THEMSELVES:
             yield True, nan, nan, NONE
         elif name in _OF_WATER:
             yield self._of_water(name, own)
-        elif NOMENCLATURE[name].reference and not is_rolling and name not in (*_STICKING, *_OF_COLLISIONS, *_BREAKING):
+        elif is_convention and not is_rolling:
             yield True, *own, DEFINITION
         elif self._is_from_losses(name):
             yield True, nan, own[1], ADHESION_ONLY
@@ -165,7 +167,7 @@ class Ranges:
         return is_computed and other.formulas_to(name) == self.frame.formulas_to(name)
 
     def _is_from_losses(self, name: str) -> bool:
-        """Return whether a result is an input inferred from a collision as the cause of every loss."""
+        """Return whether a result is an input that was inferred from a collision as if it caused every loss."""
         is_unknown = name in _ACT_LIKE_LOSSES and name in self.results.described.unknowns
         return is_unknown and not _SHIFTED_BY_LOSSES.isdisjoint(self.results.judged)
 
@@ -190,13 +192,13 @@ class Ranges:
         yield columns[0].reasons != 0, *own, LAW_ONLY
         low, high = self.by_better_law(name)
         low_of_all, high_of_all = self.hull(name, itself, *_BETTER)
-        theirs = [column.or_zero() for column in columns]
+        by_others = [column.or_zero() for column in columns]
         if name in _BY_LENNARD_JONES:
-            value, most = self._by_lennard_jones(name)
-            theirs.append(value)
+            by_lennard_jones, most = self._by_lennard_jones(name)
+            by_others.append(by_lennard_jones)
             high, high_of_all = at_least(high, most), at_least(high_of_all, most)
-        ours = self.results.computed[name].or_zero()
-        yield farthest((value, ours) for value in theirs) > LAW_MATTERS, low, high, BETTER_LAW
+        value = self.results.computed[name].or_zero()
+        yield farthest((other, value) for other in by_others) > LAW_MATTERS, low, high, BETTER_LAW
         yield True, low_of_all, high_of_all, LAW_IN_USE
 
     def _of_water(self, name: str, own: Ends) -> Rule:
@@ -213,7 +215,7 @@ class Ranges:
         return True, own[0], own[1] * where(size > 0.05, 1 + 2 * size * size, 1.0), KELVIN
 
     def _of_sticking(self, name: str, own: Ends) -> Iterator[Rule]:
-        """Iterate over the rules, from measurements, for the largest speed or energy at which hard spheres stick."""
+        """Iterate over the rules that measurements give for the largest speed, or energy, at which spheres stick."""
         if VISCOUS_TIME in self.frame.stated:
             return
         power, stuck = _STICKING[name], what_stuck(self.frame)
@@ -246,42 +248,44 @@ class Ranges:
     def _of_rolling(self, name: str) -> Iterator[Rule]:
         """Iterate over the rules for a rolling quantity with an assumed ξ: scaled measurements, then limits of ξ.
 
-        Far from the measured sizes, if the surface energy is that of the measurement, the range covers both.
+        The range between the limits of ξ includes the scaled measurements of a solid with this surface energy, even if
+        they are of sizes too different for the first rule.
         """
         rolled = what_rolled(self.frame)
         least, most, is_known = nan, nan, False
         if rolled is not None:
-            ends = (then(law, end) for law in (itself, *_BETTER) for end in rolled.ends)
-            least, most = self.hull(name, *ends)
+            variants = (then(law, displaced) for law in (itself, *_BETTER) for displaced in rolled.variants)
+            least, most = self.hull(name, *variants)
             is_known = rolled.has_energy(self.frame)
             yield rolled.can_be_scaled(self.frame), least, most, SCALED
         laws = _BETTER if name in self._ends(_between) else (itself,)
         at_an_atom = self.hull(name, *laws)
         low, high = self.at_full_hysteresis(name, *laws)
         loses_all = self.hull("hysteresis_ratio", *laws)[1] >= 1  # the assumed ξ loses all of w, or more
-        rises = self._most(name, *(then(law, _at_twice) for law in laws)) > self._most(name, *laws)
-        low = where(rises, where(loses_all, nan, at_an_atom[0]), low)
-        high = where(rises, high, where(loses_all, nan, at_an_atom[1]))
+        at_twice_xi = (then(law, _at_twice_xi) for law in laws)
+        rises_with_xi = self._most(name, *at_twice_xi) > self._most(name, *laws)
+        low = where(rises_with_xi, where(loses_all, nan, at_an_atom[0]), low)
+        high = where(rises_with_xi, high, where(loses_all, nan, at_an_atom[1]))
         low, high = where(is_known & (least < low), least, low), where(is_known & (most > high), most, high)
         yield True, low, high, XI_UNKNOWN
 
     def at_full_hysteresis(self, name: str, *laws: Variant) -> Ends:
         """Return the ends of a result if all of the work of adhesion is lost, by `laws` or else by the better law."""
-        makers = (then(law, at_full_hysteresis) for law in laws or _BETTER)
-        return self.hull(name, *makers, needs="hysteresis_ratio")
+        variants = (then(law, at_full_hysteresis) for law in laws or _BETTER)
+        return self.hull(name, *variants, needs="hysteresis_ratio")
 
     def of_laws(self, name: str, by: int) -> list[Ends]:
         """Return the ends of a result for a rule, by the law in use and by Maugis' law at z0 and z0/2.
 
         With a given z0, the last two are the same.
         """
-        ends: tuple[Variant, ...] = (itself,)
+        displacements: tuple[Variant, ...] = (itself,)
         if by == XI_UNKNOWN:
-            ends = (itself, at_full_hysteresis)
+            displacements = (itself, at_full_hysteresis)
         elif by == SCALED:
             rolled = what_rolled(self.frame)
-            ends = rolled.ends if rolled is not None else ends
-        return [self.hull(name, *(then(law, end) for end in ends)) for law in (itself, *_BETTER)]
+            displacements = rolled.variants if rolled is not None else displacements
+        return [self.hull(name, *(then(law, displaced) for displaced in displacements)) for law in (itself, *_BETTER)]
 
     # --- Other laws and measurements ---
 
@@ -289,7 +293,7 @@ class Ranges:
         """Return the ends of a result by Maugis' law at the atomic spacing z0, and at z0/2 if z0 is assumed."""
         return self.hull(name, *_BETTER)
 
-    def hull(self, name: str, *makers: Variant, needs: str = "") -> Ends:
+    def hull(self, name: str, *variants: Variant, needs: str = "") -> Ends:
         """Return the least and the largest value of a result over variants of the frame, uncertainties included.
 
         An end is open in rows where the value of some variant lies beyond it but has no meaning. If `needs` names a
@@ -298,7 +302,7 @@ class Ranges:
         low: Any = inf
         high: Any = -inf
         without_meaning = []
-        for ends in map(self._ends, makers):
+        for ends in map(self._ends, variants):
             if name not in ends or (needs and needs not in ends):
                 continue
             least, most, is_ended = ends[name]
@@ -314,30 +318,28 @@ class Ranges:
             low, high = where(is_lower, inf, low), where(is_higher, -inf, high)
         return where(low < inf, low, nan), where(high > -inf, high, nan)
 
-    def _most(self, name: str, *makers: Variant) -> Any:
+    def _most(self, name: str, *variants: Variant) -> Any:
         """Return the largest value of a result over variants of the frame, whether or not it has a meaning."""
         most: Any = -inf
-        for ends in map(self._ends, makers):
+        for ends in map(self._ends, variants):
             if name in ends:
                 most = at_least(most, ends[name][1])
         return most
 
-    def _ends(self, make: Variant) -> Mapping[str, tuple[Any, Any, Any]]:
-        """Return the ends of results in a variant of the frame, with the rows in which they have no meaning.
-
-        The ends are those of the uncertainty; without one, both are the value. Each variant is computed once.
-        """
-        if make not in self._made:
-            self._made[make] = {}
+    def _ends(self, variant: Variant) -> Mapping[str, tuple[Any, Any, Any]]:
+        """Return `_ends_by` for the results, computed once for each variant; empty if the variant does not exist."""
+        if variant not in self._ends_of:
+            self._ends_of[variant] = {}
             with suppress(MissingInput, NoResult):
                 names = dict.fromkeys((*self.names, XI, "hysteresis_ratio"))
                 for name in self.names:
                     names |= dict.fromkeys(_BY_LENNARD_JONES.get(name, ())[1:])
-                self._made[make] = _ends_by(make, self.results.described, names)
-        return self._made[make]
+                self._ends_of[variant] = _ends_by(variant, self.results.described, names)
+        return self._ends_of[variant]
 
     @property
     def _tabor_parameter(self) -> Any:
+        """The Tabor parameter, infinite if it is unknown."""
         return self.frame.numbers("tabor_parameter").get("tabor_parameter", INFINITY)
 
     @property
@@ -361,29 +363,29 @@ class Ranges:
         For energies and speeds, this law applies only to contacts without a jump. Elsewhere the result is that of the
         law in use, and its upper end is −∞.
         """
-        power, base, by_law = _BY_LENNARD_JONES[name]
-        own, ours, theirs = (self.frame.column(each).values for each in (name, base, by_law))
-        own_most, most, most_of_law = (self.hull(each, itself)[1] for each in (name, base, by_law))
+        power, *bases = _BY_LENNARD_JONES[name]
+        own, base, base_by_law = (self.frame.column(each).values for each in (name, *bases))
+        own_most, base_most, base_most_by_law = (self.hull(each, itself)[1] for each in (name, *bases))
+        by_law, most = base_by_law, base_most_by_law
+        if name not in bases:
+            by_law, most = own * (base_by_law / base) ** power, own_most * (base_most_by_law / base_most) ** power
         applies = True if name in _AS_PULL_OFF else self._tabor_parameter < JUMP
-        value, largest = theirs, most_of_law
-        if name != base:
-            value, largest = own * (theirs / ours) ** power, own_most * (most_of_law / most) ** power
-        return where(applies, value, own), where(applies, largest, -inf)
+        return where(applies, by_law, own), where(applies, most, -inf)
 
 
-def _ends_by(make: Variant, frame: Frame, names: Iterable[str]) -> dict[str, tuple[Any, Any, Any]]:
+def _ends_by(variant: Variant, frame: Frame, names: Iterable[str]) -> dict[str, tuple[Any, Any, Any]]:
     """Return the ends of quantities in a variant of a frame, with the rows in which a limit makes them meaningless.
 
     The ends are those of the uncertainty; without one, both are the value. If uncertainties cannot be computed, an
     error is raised for a frame of several rows, and a single row gets no uncertainty.
     """
-    other = make(frame)
+    other = variant(frame)
     columns, bars = other.columns(other.possible(names)), dict[str, ErrorBar]()
     if frame.uncertainties:
         try:
-            bars = error_bars(frame, columns, make)
+            bars = error_bars(frame, columns, variant)
         except JkrollError:
-            if frame.shape:  # the error may concern one row only
+            if frame.shape:  # the error may concern one row only; the caller then computes each row alone
                 raise
     ended, ends = Results(other, columns).ended, {}
     for name, column in columns.items():
@@ -411,7 +413,7 @@ def _between_at_half(frame: Frame) -> Frame:
     return at_half_spacing(_between(frame)) if frame.assumes_spacing else _between(frame)
 
 
-def _at_twice(frame: Frame) -> Frame:
+def _at_twice_xi(frame: Frame) -> Frame:
     """Return the frame with twice the displacement."""
     return frame.replace(**{XI: 2 * frame[XI]})
 

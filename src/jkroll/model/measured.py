@@ -49,7 +49,7 @@ class Rolled(NamedTuple):
     low: float  # the least measured value minus its error
     high: float  # the largest plus its error
     radius: float  # of the measured spheres
-    radii: tuple[float, float]  # of the pairs
+    radii: tuple[float, float]  # of the pairs: twice their reduced radii
     energies: tuple[float, float] = (0.0, INFINITY)  # surface energies of the pairs
 
     def least(self, radius: Any) -> Any:
@@ -61,7 +61,7 @@ class Rolled(NamedTuple):
         return self.high * at_least(*_scales(radius / self.radius))
 
     @property
-    def ends(self) -> tuple[Variant, Variant]:
+    def variants(self) -> tuple[Variant, Variant]:
         """The functions that set a frame's displacement to the least and to the largest measured value."""
         return _end_of(self, Rolled.least), _end_of(self, Rolled.most)
 
@@ -100,10 +100,11 @@ def _rolled_at(rolled: Rolled, end: Callable[[Rolled, Any], Any], frame: Frame) 
     frame then keeps the assumed one.
     """
     radius = 2 * frame["reduced_radius"]
-    displacement = end(rolled, radius)
-    if rolled.name != XI:  # a force at the centre of a sphere
-        displacement = frame[XI] * (displacement * radius / frame["unloaded_moment"])
-    return _with_displacement(frame, at_least(displacement, frame[XI]))
+    measured = end(rolled, radius)
+    if rolled.name == XI:
+        return _with_displacement(frame, at_least(measured, frame[XI]))
+    moment = measured * radius  # the force acts at the centre of a sphere
+    return _with_displacement(frame, at_least(frame[XI] * (moment / frame["unloaded_moment"]), frame[XI]))
 
 
 ROLLED: Mapping[str, Rolled] = {
@@ -135,16 +136,16 @@ def what_rolled(frame: Frame) -> Rolled | None:
 class Stuck(NamedTuple):
     """The largest speed at which spheres of some radii stuck to a plane, as a power of the radius.
 
-    For other pairs, in the wider range of radii `scaled`, this speed is scaled in proportion to the sticking speed by
-    the law in use. It does not count for pairs whose properties are outside the ranges in `properties`.
+    For other pairs, this speed is scaled in proportion to the sticking speed by the law in use. It does not count for
+    pairs whose properties are outside the ranges in `properties`.
     """
 
     speed: float
     radius: float
     exponent: float
     error: float  # relative
-    radii: tuple[float, float]
-    scaled: tuple[float, float]
+    radii: tuple[float, float]  # of the measured spheres
+    scaled: tuple[float, float]  # twice the reduced radii of the pairs to which the speed is scaled
     properties: Mapping[str, tuple[float, float]]  # the least and the largest value of each
 
     def at(self, radius: Any) -> Any:
@@ -243,7 +244,7 @@ def on_surfaces(frame: Frame, ends: tuple[float, float] | None = None) -> Mappin
     another solid, or a sphere smaller than 1 µm, one range covers all the fractions measured for SiO2.
     """
     radius, energy = frame["reduced_radius"], frame["work_of_adhesion"]
-    force = float(pull_off_force(work_of_adhesion=energy, reduced_radius=radius))  # in a frame, rigid bodies have none
+    force = float(pull_off_force(work_of_adhesion=energy, reduced_radius=radius))  # a frame of rigid bodies has none
     low, high = (force, force) if ends is None else ends
     is_silica = solid_of_pair(frame) == SIO2
     if is_silica and not has_given_energy(frame):
