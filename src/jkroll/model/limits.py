@@ -41,12 +41,12 @@ class Limit:
         consequence: str,  # in words: the meaning of a number beyond the threshold
         applies: Callable[[Frame, Collection[str]], bool] | None = None,  # whether it applies to results; None: always
         ends_meaning: bool = False,  # results beyond the limit have no meaning
-        conclusion: str = "",  # the quantity that states the verdict if the number does not: "has_jump"
-        # Computes the number to judge in place of the named one, such as the ratio of two answers.
+        conclusion: str = "",  # in JSON, the name of the verdict, which is true within the limit
+        # Computes the number to judge instead of the named number, such as the factor between the results of two laws.
         factor: Callable[[Frame, Mapping[str, Column]], Any] | None = None,
-        where: Callable[[Frame], Any] | None = None,  # the rows in which the limit is judged
+        where: Callable[[Frame], Any] | None = None,  # the rows in which the limit, with sign ">" or ">=", is judged
         is_shown: bool = True,  # in answers; if False, only in explanations
-        has_remedy: Callable[[Frame], bool] | None = None,  # True if the sentence names a remedy, and so comes first
+        has_remedy: Callable[[Frame], bool] | None = None,  # True if the sentence names a remedy; answers prefer it
         gives_number: bool = True,  # whether the sentence ends with the judged number and its limit
     ) -> None:
         self.name, self.touches, self.sign, self.codes = name, touches, sign, codes
@@ -69,7 +69,7 @@ class Limit:
 
     @property
     def needs_threshold(self) -> bool:
-        """True if the text must give the first threshold: not an evident one, 0 or 1, nor that of a `factor`."""
+        """True if the text must give the first threshold: 0 and 1 are evident, and that of a `factor` is left out."""
         return self.factor is None and self.threshold not in (0.0, 1.0)
 
     @property
@@ -117,7 +117,8 @@ class Doubt:
     def text(self) -> str:
         """The consequence with the number, for an answer: "contact radius below 3 atoms (a/z0 = 2.15, limit 3)".
 
-        It is "within the limit" if the limit is not exceeded. A number that has no meaning itself is left out.
+        It is "within the limit" if the limit is not exceeded. A number that has no meaning itself is left out, and so
+        is the number of a limit without `gives_number`.
         """
         if not self.is_exceeded:
             return "within the limit"
@@ -140,7 +141,7 @@ class Doubt:
         if self.error is not None:
             return NOT_JUDGED
         (_, code), *others = self.limit.codes.items()
-        bits = _bits_where(self.is_beyond, BITS.get(code, 0), 0)
+        bits = _bits_where(self.is_beyond, BITS[code], 0)
         if self.is_beyond is not False:
             for threshold, code in others:
                 bits = _bits_where(self.limit.is_beyond(self.judged, threshold), BITS[code], bits)
@@ -178,7 +179,7 @@ _IMPACT = frozenset({"restitution", "lost_energy", "impact_pressure"})
 
 LAW_MATTERS = 1.05  # factor between the results of two laws, above which the law matters
 SOFT = 1e8  # contact modulus in Pa below which solids (rubbers, gels) flatten their roughness
-RUBBERY = 0.49  # Poisson's ratio above which a solid stretches rather than yields
+RUBBERY = 0.49  # Poisson's ratio from which on a solid stretches rather than yields
 
 
 @once_a_frame
@@ -222,7 +223,7 @@ def _has_speed(frame: Frame, names: Collection[str]) -> bool:  # noqa: ARG001
 
 
 def _too_slow(name: str, least: float, code: str, energy: str) -> Limit:
-    """Return the limit of a rolling distance: the energy, in units of the yield energy, above which a sphere rolls."""
+    """Return the limit of a number of turns. `least`: the energy that starts rolling, in units of the yield energy."""
     consequence = f"{energy} too little to start rolling"
     of_turns = frozenset({name})
     return Limit("energy_over_yield", of_turns, "<=", {least: code}, consequence, ends_meaning=True, gives_number=False)
@@ -413,7 +414,7 @@ BITS = {code: 1 << position for position, code in enumerate((*CODES, UNCHECKED))
 ENDING_MEANING = sum(limit.bits for limit in ENDING)
 NOT_JUDGED = BITS[UNCHECKED]
 EVERY_DOUBT = sum(BITS.values())
-# The meanings of UNCHECKED and of the codes that make results meaningless, which are also reasons for empty cells.
+# The meanings of codes that make results meaningless, which are also reasons for empty cells, and of UNCHECKED.
 MEANINGS = {code: limit.consequence.partition(";")[0] for limit in ENDING for code in limit.codes.values()}
 ENDS = {code: register(EndOfMeaning(words, words, code=code)) for code, words in MEANINGS.items()}
 MEANINGS[UNCHECKED] = "a limit needs an input that is not given"
@@ -429,10 +430,10 @@ def doubts(frame: Frame, columns: Mapping[str, Column], limits: Iterable[Limit] 
 
     A limit is left out if its number does not exist for the law or the contact.
     """
-    concerned = touched(frame, columns, limits)
-    numbers = frame.columns(limit.name for limit in concerned)
+    to_judge = concerning(frame, columns, limits)
+    numbers = frame.columns(limit.name for limit in to_judge)
     judged_limits = []
-    for limit in concerned:
+    for limit in to_judge:
         values, reasons = column = numbers[limit.name]
         if column.is_empty:
             cause, _ = cause_and_step(reasons)
@@ -443,32 +444,32 @@ def doubts(frame: Frame, columns: Mapping[str, Column], limits: Iterable[Limit] 
             continue
         judged = values if limit.factor is None else where(reasons == 0, limit.factor(frame, columns), nan)
         if limit.where is not None:
-            judged = where(limit.where(frame), judged, 0.0)
+            judged = where(limit.where(frame), judged, 0.0)  # 0 is within every such limit
         judged_limits.append(Doubt(limit, values, judged, unjudged=reasons == reason(RESTS_ON_SPACING, limit.name)))
     return judged_limits
 
 
-def touched(frame: Frame, names: Collection[str], limits: Iterable[Limit] = LIMITS) -> list[Limit]:
-    """Return the limits that concern some results."""
+def concerning(frame: Frame, names: Collection[str], limits: Iterable[Limit] = LIMITS) -> list[Limit]:
+    """Return the limits that concern some results, without those that `where` excludes in all rows at once."""
     concerned = (limit for limit in limits if concerns(limit, frame, names))
     return [limit for limit in concerned if limit.where is None or limit.where(frame) is not False]
 
 
 def concerns(limit: Limit, frame: Frame, names: Collection[str]) -> bool:
-    """Return whether a limit touches some results, and applies to them."""
+    """Return whether a limit concerns some results, and applies to them."""
     if limit.touches.isdisjoint(taken_by(tuple(names), *frame.plan_key)):
         return False
     return limit.applies is None or limit.applies(frame, names)
 
 
-def bits_of(frame: Frame, judged: Sequence[tuple[Any, Sequence[str]]], every: Iterable[Doubt]) -> Any:
+def bits_of(frame: Frame, judged: Sequence[tuple[Any, Sequence[str]]], judged_limits: Iterable[Doubt]) -> Any:
     """Return the codes of doubts as bits. A limit counts in the rows in which it concerns a judged quantity.
 
     `judged`: pairs of rows and the quantities that are judged in these rows.
     """
     bits: Any = 0
     is_in_all_rows = all(rows is True for rows, _ in judged)
-    for doubt in every:
+    for doubt in judged_limits:
         if not isinstance(doubt.bits, int) or doubt.bits:
             rows = True if is_in_all_rows else rows_of(doubt.limit, frame, judged)
             bits = bits | where(rows, doubt.bits, 0)

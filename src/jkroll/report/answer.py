@@ -15,8 +15,8 @@ from ..model.limits import (
     LAW_MATTERS,
     Doubt,
     Limit,
+    concerning,
     may_be_rough,
-    touched,
 )
 from ..model.measured import on_surfaces
 from ..model.other_law import at_half_spacing, factor_of_law, has_other_formulas
@@ -316,7 +316,7 @@ class Answer(Results):
         names = [name for name in self.values if name in self.question.headline]
         if limit is LAW:
             return bool(factor_of_law(self.frame, {name: self.columns[name] for name in names}) > LAW_MATTERS)
-        return bool(touched(self.frame, names, [limit]))
+        return bool(concerning(self.frame, names, [limit]))
 
     @cached_property
     def _entering(self) -> tuple[set[str], list[str]]:

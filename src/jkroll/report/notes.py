@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
 
 from ..errors import JkrollError
 from ..model.frame import Frame
-from ..model.limits import ENDING, ENDING_MEANING, LAW, LIMITS, MEANINGS, Doubt, doubts, touched
+from ..model.limits import ENDING, ENDING_MEANING, LAW, LIMITS, MEANINGS, Doubt, concerning, doubts
 from ..model.measured import SIO2, rolling, solid_of_pair
 from ..model.plan import depends_on
 from ..model.reasons import MissingInput, grouped
@@ -74,7 +74,7 @@ def entering(frame: Frame, names: Sequence[str], *, judges: bool = True) -> tupl
     A load or state that changes only limits counts as idle, because the user expected it to change a result.
     `judges`: True to count all limits, False to count only those that make a result meaningless.
     """
-    limits = touched(frame, frame.possible(names), LIMITS if judges else ENDING)
+    limits = concerning(frame, frame.possible(names), LIMITS if judges else ENDING)
     judged = [*names, *(limit.name for limit in limits)]
     inputs = {*frame.inputs_of(*frame.possible(names))}
     of_limits_only = {*frame.inputs_of(*frame.possible(judged))} - inputs

@@ -24,8 +24,8 @@ from ..model.limits import (
     WIDE_CONTACT,
     Doubt,
     Limit,
+    concerning,
     may_be_rough,
-    touched,
 )
 from ..model.measured import rolling
 from ..model.uncertainty import Sources, error_bars
@@ -182,7 +182,7 @@ class Report(Answer):
         if not (doubt.is_exceeded and doubt.limit.ends_meaning):
             return ()
         judged = self.described.judged
-        return tuple(name for name in self.ended if touched(self.frame, judged([name]), [doubt.limit]))
+        return tuple(name for name in self.ended if concerning(self.frame, judged([name]), [doubt.limit]))
 
     def about(self, doubt: Doubt) -> str:
         """Return the sentence on a limit: its consequence for the results, or for inferred values."""
