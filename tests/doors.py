@@ -307,8 +307,8 @@ def bits_agree(scene: Frame, names: Sequence[str], one: int, other: int) -> bool
 
 def _is_at_threshold(limit: Limit, scene: Frame, names: Sequence[str]) -> bool:
     """Return whether the number that a limit judges, or the factor that it computes, is at a threshold."""
-    if limit.factor is not None:
-        factor, error = limit.factor(scene, scene.columns(names)), 0.0
+    if limit.number is not None:
+        factor, error = limit.number(scene, scene.columns(names)), 0.0
         for by_law in (scene, scene.by_law):
             for name, value in by_law.numbers(*names).items():
                 error += STATED * ULP * (1 + _condition(by_law, name, value))

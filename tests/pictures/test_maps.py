@@ -573,7 +573,7 @@ def test_a_caption_has_every_doubt_of_the_rows(run: Run, words: str, axis: str) 
     conditions: dict[str, str] = {}
     for limit in LIMITS:
         condition = f"{NOMENCLATURE[limit.name].symbol}{limit.sign[0]}"
-        if limit.factor is not None:
+        if limit.number is not None:
             condition = re.sub(r"\s", "", limit.consequence.partition(";")[0])
         conditions |= dict.fromkeys(limit.codes.values(), condition)
     for code in codes:

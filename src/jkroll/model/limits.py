@@ -43,7 +43,7 @@ class Limit:
         ends_meaning: bool = False,  # results beyond the limit have no meaning
         conclusion: str = "",  # in JSON, the name of the verdict, which is true within the limit
         # Computes the number to judge instead of the named number, such as the factor between the results of two laws.
-        factor: Callable[[Frame, Mapping[str, Column]], Any] | None = None,
+        number: Callable[[Frame, Mapping[str, Column]], Any] | None = None,
         where: Callable[[Frame], Any] | None = None,  # the rows in which the limit, with sign ">" or ">=", is judged
         is_shown: bool = True,  # in answers; if False, only in explanations
         has_remedy: Callable[[Frame], bool] | None = None,  # True if the sentence names a remedy; answers prefer it
@@ -51,7 +51,7 @@ class Limit:
     ) -> None:
         self.name, self.touches, self.sign, self.codes = name, touches, sign, codes
         self.consequence, self.applies, self.ends_meaning = consequence, applies, ends_meaning
-        self.conclusion, self.factor, self.where, self.is_shown = conclusion, factor, where, is_shown
+        self.conclusion, self.number, self.where, self.is_shown = conclusion, number, where, is_shown
         self.has_remedy, self.gives_number = has_remedy, gives_number
         self.threshold = next(iter(codes))  # the first threshold
 
@@ -69,8 +69,8 @@ class Limit:
 
     @property
     def needs_threshold(self) -> bool:
-        """True if the text must give the first threshold: 0 and 1 are evident, and that of a `factor` is left out."""
-        return self.factor is None and self.threshold not in (0.0, 1.0)
+        """True if the text must give the first threshold: not 0 or 1, which are evident, nor that of a `number`."""
+        return self.number is None and self.threshold not in (0.0, 1.0)
 
     @property
     def bits(self) -> int:
@@ -275,7 +275,7 @@ ENDING = (
         "no meniscus: the gap fills only at a higher humidity",
         lambda frame, _: {"humidity", "roughness_gap"} <= frame.stated.keys(),
         ends_meaning=True,
-        factor=lambda frame, _: frame["humidity"] / frame["threshold_humidity"],
+        number=lambda frame, _: frame["humidity"] / frame["threshold_humidity"],
     ),
     Limit(
         "speed_over_sound", _IMPACT, ">", {1.0: "faster-than-sound"},
@@ -288,7 +288,7 @@ LAW = Limit(
     "tabor_parameter", _ELASTICITY, ">",
     {LAW_MATTERS: "law-off-5%", 1.25: "law-off-25%", 2.0: "law-off-2x"},
     "Maugis' law, the better one, differs by more than this",
-    factor=factor_of_law,
+    number=factor_of_law,
 )  # fmt: skip
 INEXACT = (
     LAW,
@@ -300,7 +300,7 @@ INEXACT = (
     Limit(
         "yield_force_fixed_load", frozenset({"yield_force_fixed_load"}), ">", {1.0: "rolls-by-itself"},
         "a load of fixed direction is enough to roll sphere 1; Q_P is then the force that holds it back",
-        factor=lambda frame, _: 1 - frame["yield_force_fixed_load"] / frame["yield_force"],  # driving/resisting force
+        number=lambda frame, _: 1 - frame["yield_force_fixed_load"] / frame["yield_force"],  # driving/resisting force
     ),
     Limit(
         "peeling_over_sliding", frozenset({"sliding_force"}), "<", {1.0: PEELS_FIRST},
@@ -357,19 +357,19 @@ INEXACT = (
         "radius", _PULLED, ">=", {SURFACES_FROM: ROUGH_MATTERS},
         f"real surfaces hold less: SiO2 held {FRACTION_HELD} at 25 mJ/m²",
         lambda _, names: not _PULLED.isdisjoint(names),
-        factor=lambda frame, _: at_most(frame["radius"], frame["radius2"]),
+        number=lambda frame, _: at_most(frame["radius"], frame["radius2"]),
         where=may_be_rough,
     ),
     Limit(
         "contacts", frozenset({"disruption_energy"}), ">", {1.0: "contacts-out-of-range"},
         "a connected aggregate of N grains has at least N - 1 contacts, and at most 6N",
         lambda frame, _: {"contacts", "monomers"} <= frame.stated.keys(),
-        factor=_miscounted_contacts,
+        number=_miscounted_contacts,
     ),
     Limit(
         "filling_factor", frozenset({"tensile_strength"}), ">", {1.0: "filling-out-of-range"},
         "the formula of P_tens was fitted to filling factors of 0.01 to 0.5",
-        factor=lambda frame, _: at_least(frame["filling_factor"] / 0.5, 0.01 / frame["filling_factor"]),
+        number=lambda frame, _: at_least(frame["filling_factor"] / 0.5, 0.01 / frame["filling_factor"]),
     ),
     Limit(
         "filling_factor", frozenset({"compressive_strength"}), ">", {0.1: "slides-and-twists"},
@@ -382,7 +382,7 @@ INEXACT = (
     Limit(
         "kelvin_radius", frozenset({"kelvin_radius"}), "<", {1.0: "few-molecules"},
         "the radius of the meniscus is 3 molecules of water or less, too few for a surface tension",
-        factor=lambda frame, _: frame["kelvin_radius"] / 1e-9,
+        number=lambda frame, _: frame["kelvin_radius"] / 1e-9,
     ),
     Limit(
         "contact_radius_in_spacings", _ELASTICITY, "<", {3.0: "few-atoms"},
@@ -442,7 +442,7 @@ def doubts(frame: Frame, columns: Mapping[str, Column], limits: Iterable[Limit] 
             elif cause is RESTS_ON_SPACING:
                 judged_limits.append(Doubt(limit, nan, nan, Failure(cause, next(iter(limit.codes.values())))))
             continue
-        judged = values if limit.factor is None else where(reasons == 0, limit.factor(frame, columns), nan)
+        judged = values if limit.number is None else where(reasons == 0, limit.number(frame, columns), nan)
         if limit.where is not None:
             judged = where(limit.where(frame), judged, 0.0)  # 0 is within every such limit
         judged_limits.append(Doubt(limit, values, judged, unjudged=reasons == reason(RESTS_ON_SPACING, limit.name)))

@@ -380,7 +380,7 @@ class Layer:
                 text, where = self._beyond(limit, threshold), self._where(is_beyond)
                 look = UNHATCHED
                 if limit in HATCHED_LIMITS:
-                    look = SLIGHT if limit.factor is not None and threshold == first else SIGNS[limit.name]
+                    look = SLIGHT if limit.number is not None and threshold == first else SIGNS[limit.name]
                 name, colon, _ = text.partition(":")
                 if not colon:
                     name = limit.codes[threshold].replace("-", " ")
@@ -391,14 +391,14 @@ class Layer:
     def _beyond(self, limit: Limit, threshold: float) -> str:
         """Return the text of the region beyond a threshold: the consequence of its limit.
 
-        For the limit of the law, it says how far the law is off; for other limits without a `factor`, it begins with
-        the threshold.
+        For the limit of the law, it says how far the law is off; for other limits that do not compute their number, it
+        begins with the threshold.
         """
         if limit is LAW:
             size = f"{100 * (threshold - 1):.0f} %" if threshold < 2 else f"a factor of {threshold:g}"
             return f"{self.given.law.title} is off by more than {size}"
         meaning = marked(limit.consequence.partition(";")[0])
-        if limit.factor is not None:
+        if limit.number is not None:
             return meaning
         number, unit = AS_USUAL.rounded(limit.name, threshold)
         condition = f"⟦{NOMENCLATURE[limit.name].symbol} {limit.sign[0]} {number}⟧ {unit}".rstrip()
