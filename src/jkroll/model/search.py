@@ -28,7 +28,7 @@ from .unknowns import (
     SeveralSolutions,
     Undetermined,
     Unseparated,
-    equal,
+    equations,
 )
 
 Values = Mapping[str, Any]  # by name: numbers, or arrays with a value for each row
@@ -44,7 +44,7 @@ _ROUNDING = 1e-13  # relative change of a quantity that may come from rounding
 _TOGETHER = 1000  # rows in one scan
 _WIDEST = (1.01 * LEAST, MOST / 1.01)  # sizes to scan if no usual size is a solution
 _AHEAD = 1e-8  # relative step that shows whether a function rises or falls
-_MANY = 64  # most intervals of a row; more come from rounding
+_MANY = 64  # a row with more intervals to bisect has those that come from rounding
 
 # For two unknowns, in the coordinates of `Pairs`.
 MAX_CONDITION = 1e8  # above it, rounding leaves the numerical derivatives too few digits
@@ -54,8 +54,8 @@ _NEAR = 1e-9  # largest residual of a solution, in logarithms of the measured va
 _SAME = 1e-5  # pairs that differ by less are the same
 _LINEAR = 1e-6  # below this fraction of its measured value a quantity enters linearly, above it by logarithm
 _AT_ZERO = 1e-12  # the same limit for a measured value of 0, in SI units: 1 pm for an approach
-_SAMPLED = 7  # cells of the grid between tests of whether the quantities separate the unknowns
-_TO_GAP = 20  # bisections towards the edge of a region in which a quantity has no value
+_SAMPLED = 7  # every seventh value on each axis of the grid shows whether the quantities separate the unknowns
+_TO_GAP = 20  # bisections towards the edge of a gap, a region in which a quantity has no value
 _LEFT_OPEN = 1e-4  # smaller exponents of an unknown count as 0
 
 
@@ -82,7 +82,7 @@ class Problem:
     """
 
     def __init__(self, unknowns: Sequence[str], levels: Values, frame: Frame) -> None:
-        """`levels`: the values of the quantities, by name."""
+        """`levels`: the measured values, by quantity."""
         self.unknowns, self.levels, self.frame = tuple(unknowns), levels, frame
         of_levels = {name: level for name, level in levels.items() if not isinstance(level, NUMBER)}
         self.arrays = {**frame.arrays, **of_levels}
@@ -142,7 +142,7 @@ class Problem:
                 raise NoDependence(self, f"{quantity} does not depend on {unknowns} here")
 
     def failure(self) -> JkrollError:
-        """Return the error of a measured quantity that has no value for any values of the unknowns."""
+        """Return the error of the first measured quantity without a value at the placeholders of the unknowns."""
         columns = self.filled.columns(self.levels)
         return next(iter(self.filled.errors(columns).values()))
 
@@ -255,7 +255,7 @@ class Scan:
         """Return the root of a row, or the error if it does not have exactly one."""
         (least, most), (first, last) = self.span[:, row].tolist(), self.stretch[:, row].tolist()
         varies = most - least > _ROUNDING * max(abs(least), abs(most))
-        stays = first > 0 and last >= 10 * first
+        stays = first > 0 and last >= 10 * first  # at the level over a decade at least
         if len(roots) == 1 and varies and not stays:
             return roots[0]
         problem = self.problem.rows(row)
@@ -265,7 +265,7 @@ class Scan:
             return NoDependence(problem, f"{next(iter(problem.levels))} does not depend on the unknown here")
         if stays:
             ends = f"{amount(self.unknown, first)} to {amount(self.unknown, last)}"
-            return Undetermined(problem, f"every value from {ends} gives {equal(problem.levels)}", (first, last))
+            return Undetermined(problem, f"every value from {ends} gives {equations(problem.levels)}", (first, last))
         values = [{self.unknown: root} for root in roots]
         return SeveralSolutions(problem, values) if values else NoSolution(problem, [(least, most)])
 
@@ -297,7 +297,7 @@ class Scan:
         return rows.astype(int), roots
 
     def _points(self, rows: Any, x: Any) -> "Points":
-        """Return the points at values of the unknown in rows."""
+        """Return the points at values of the unknown in rows; `span` and `stretch` are extended to include them."""
         every = {self.unknown: numpy.concatenate([x, x + _AHEAD * abs(x)])}
         y, ahead = self.problem.rows(numpy.tile(rows, 2)).quantities(every).reshape(2, -1)
         level, change = self.levels[rows], numpy.nan_to_num(ahead - y)
@@ -315,7 +315,7 @@ class Points(NamedTuple):
     row: Any
     x: Any  # the value of the unknown
     y: Any  # the measured quantity at x, nan where it has no value
-    side: Any  # -1 below the level, 1 above it, 0 at it
+    side: Any  # -1 below the level, 0 at a point of the grid exactly at it, otherwise 1, also where y is nan
     stays: Any  # True if the quantity stays at its level
     slope: Any  # the sign of the derivative by the unknown
 
@@ -370,11 +370,11 @@ _VALUES, _GROWTHS, _CONDITION, _POSITIONS = slice(0, 2), slice(2, 4), 4, slice(5
 
 
 class Linear(NamedTuple):
-    """The unknowns and the residuals at positions, and a matrix for each position: their derivatives by coordinate."""
+    """The unknowns and the residuals at positions, and their derivatives by coordinate: a matrix for each position."""
 
     values: Any
     residuals: Any
-    of_values: Any
+    of_values: Any  # derivatives
     of_residuals: Any
 
 
@@ -431,9 +431,9 @@ class Pairs:
         return numpy.array([*values, *growths, numpy.linalg.cond(matrices), *positions])
 
     def improved(self, start: Any) -> tuple[Any, Any]:
-        """Return the positions that Newton's method reaches from a start, and their distances from solutions.
+        """Return the positions that Newton's method reaches from a start, and the distances of the residuals from 0.
 
-        The distance is infinite if there is no solution, or none within the sizes of the search.
+        A distance is infinite if the method reaches no solution within the sizes of the search.
         """
         best, steps, distance = start, numpy.zeros_like(start), numpy.full(start.shape[1], inf)
         for _ in range(_ROUNDS):

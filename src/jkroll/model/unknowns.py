@@ -73,7 +73,7 @@ class NoSolution(Unsolved):
             texts.append(f"between {amount(name, low)} and {amount(name, high)}")
         between = listed(texts)
         sizes = sizes_in_words(problem.unknowns)
-        super().__init__(problem, f"{none} gives {equal(problem.levels)}; {lie} {between} for {sizes}", spans[0])
+        super().__init__(problem, f"{none} gives {equations(problem.levels)}; {lie} {between} for {sizes}", spans[0])
 
 
 class SeveralSolutions(Unsolved):
@@ -96,9 +96,9 @@ class SeveralSolutions(Unsolved):
             texts.append(", ".join(amount(name, value, form) for name, value in values.items()))
         all_of_them = "all" if len(texts) > 2 else "both"
         if len(self.problem.unknowns) == 1:
-            return f"{listed(texts)} {all_of_them} give {equal(self.problem.levels)}"
+            return f"{listed(texts)} {all_of_them} give {equations(self.problem.levels)}"
         pairs = listed(f"({text})" for text in texts)
-        return f"the pairs {pairs} {all_of_them} give {equal(self.problem.levels)}"
+        return f"the pairs {pairs} {all_of_them} give {equations(self.problem.levels)}"
 
 
 class Unseparated(Unsolved):
@@ -139,6 +139,6 @@ def sizes_in_words(unknowns: Iterable[str]) -> str:
     return listed(texts)
 
 
-def equal(values: Mapping[str, float], word_of: Callable[[str], str] = str) -> str:
+def equations(values: Mapping[str, float], word_of: Callable[[str], str] = str) -> str:
     """Return equations of quantities and values in words; `word_of` returns the word for a quantity."""
     return listed(f"{word_of(name)} = {amount(name, float(value))}" for name, value in values.items())

@@ -7,7 +7,7 @@ from ..model.estimate import ADHESION_ONLY, BETTER_LAW, LAW_ONLY
 from ..model.frame import Frame
 from ..model.limits import ROUGH_MATTERS, Doubt
 from ..model.reasons import explanation_of
-from ..model.unknowns import SIZES, equal, sizes_in_words
+from ..model.unknowns import SIZES, equations, sizes_in_words
 from ..quantities.formatting import Format, amount, from_to, symbol_among, symbol_of
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES
@@ -118,14 +118,16 @@ def about_inferred(answer: Answer) -> Iterator[Note]:
     used = frame.data_used(frame.inputs_of(*forward))
     for name, value in values.items():
         if value and not SIZES[name][0] <= abs(value) <= SIZES[name][1]:  # a unit may be wrong
-            yield Note("warning", f"{equal({name: value}, symbol_of)} is beyond usual values, {sizes_in_words([name])}")
+            yield Note(
+                "warning", f"{equations({name: value}, symbol_of)} is beyond usual values, {sizes_in_words([name])}"
+            )
         replaced = "surface_energy" if name == "work_of_adhesion" else name
         for material, _ in frame.materials:
             if replaced in material.properties and (material, replaced) not in used:
                 symbol = NOMENCLATURE[replaced].symbol.rstrip("1")
                 yield Note("more", f"{symbol} of {material.name} is not used")
     verb = "give" if answer.condition else "gives"
-    check = f"{equal(values, symbol_of)} {verb} {equal(forward, symbol_of)}"
+    check = f"{equations(values, symbol_of)} {verb} {equations(forward, symbol_of)}"
     if "surface_energy" in values and "radius2" in frame.stated and "surface_energy2" not in frame.given:
         check += f" if γ2 = γ1, so w = {amount('work_of_adhesion', frame['work_of_adhesion'])}"
     if answer.condition:
