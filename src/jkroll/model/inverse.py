@@ -108,7 +108,8 @@ class Inverse(Frame):
     def solution(self) -> Solution:
         """The values of the unknowns, with the reasons of rows without a solution.
 
-        Raises BadRequest if the solids vary by row and an unknown is a property, as its sphere is not known then.
+        Raises BadRequest if two solids vary by row and an unknown is a property, which may then be of one sphere or of
+        both.
         """
         solids = [solid.name for solid, _ in self.materials]
         if solids[1:] and not all(solids) and not {*PROPERTIES}.isdisjoint(self.unknowns):

@@ -89,8 +89,8 @@ def solve(
 ) -> Any:
     """Compute quantities of the nomenclature from the known inputs of a scene.
 
-    Only values are returned, without assumptions, exceeded limits, notes on a material's source, or the uncertainties
-    of shipped materials. `jkroll.answer` has all of these, for one scene.
+    Only values are returned, without assumptions, exceeded limits, or notes on a material's source. The uncertainties
+    of materials enter only if an input is uncertain, too. `jkroll.answer` has all of these, for one scene.
 
     Parameters
     ----------
@@ -128,8 +128,9 @@ def solve(
 
     Raises
     ------
-    MissingInput, UnknownMaterial, UnknownQuantity, QuantityError
-        An input is wrong or missing. Magnitudes must be between 1e-30 and 1e30 in SI units.
+    MissingInput, UnknownMaterial, UnknownQuantity, QuantityError, BadRequest
+        An input is wrong or missing, or inputs do not go together. Magnitudes must be between 1e-30 and 1e30 in SI
+        units.
     NoResult
         The physics has no answer (a tension beyond pull-off, two rigid bodies), or a number exceeds the range of
         doubles. Arrays have nan in such elements instead.
@@ -179,7 +180,7 @@ def is_list(word: Any) -> bool:
 def _values_by_word(
     names: Sequence[str], words: Mapping[str, Any], materials: Materials | None, described: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """Return the values of quantities if materials or laws differ between elements.
+    """Return the values of quantities for lists of materials or laws, `words`, which may differ between elements.
 
     Elements with the same materials and law form one frame.
     """
@@ -334,8 +335,8 @@ def _of_python(formula: Callable[..., Any]) -> Callable[..., Any]:
                 raise ValueError("a power of a negative number")
         except (ArithmeticError, ValueError):
             are_finite = all(isinstance(number, float) and isfinite(number) for number in numbers.values())
-            number = reason_for(formula.__name__, numbers) if are_finite else 0
-            error = failure_of(number, numbers) if number else Failure(NO_DOUBLE, formula.__name__)
+            reason = reason_for(formula.__name__, numbers) if are_finite else 0
+            error = failure_of(reason, numbers) if reason else Failure(NO_DOUBLE, formula.__name__)
             raise OutsideDomain(error.cause, error.name, error.numbers) from None
         if reader.quantity is not None:
             return reader.quantity(value, units_of(formula)["return"])

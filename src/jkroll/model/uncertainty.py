@@ -23,7 +23,7 @@ from .frame import Frame, Variant, itself, once_a_frame
 from .plan import in_order
 from .reasons import NoErrorBar, explanation_of
 
-MAX_RANGES = 8  # of quantities that are computed together, since every corner of the box is computed
+MAX_RANGES = 8  # that enter the quantities computed together, since every corner of the box is computed
 ASYMMETRIC = 0.1  # relative difference of minus and plus above which they are not replaced by their mean
 STEPS = 64  # along each edge of the box of ranges; with sources of both kinds, fewer on an edge shorter than a decade
 ROUNDING = 4e-15  # relative change of a value that may come from rounding
@@ -104,7 +104,7 @@ def _sources(frame: Frame) -> list[Source]:
 
 
 def sources_of_results(frame: Frame, names: Sequence[str]) -> Sources:
-    """Return the sources of those of the quantities that the frame determines."""
+    """Return the sources of the quantities, without quantities that the frame does not determine."""
     return sources_of(frame, frame.inputs_of(*frame.possible(names)))
 
 
@@ -116,7 +116,8 @@ class ErrorBar(NamedTuple):
 
     type: type[Uncertain]
     sides: Mapping[str, Any]
-    # By the first input of each source: the size of the change that it causes or, for a range, the mean width.
+    # By the first input of each source: the size of the change that it causes or, if the result has a range, the mean
+    # width.
     parts: Mapping[str, Any] = MappingProxyType({})
     open_at: Any = 0  # the number, from 1, of the first point where the quantity has no value; 0 if there is none
 
@@ -154,19 +155,19 @@ def number_of_points(frame: Frame, names: Sequence[str]) -> int:
 
 
 def error_bars(
-    frame: Frame, names: Iterable[str], made_of: Variant = itself, sources: Sources | None = None
+    frame: Frame, names: Iterable[str], variant: Variant = itself, sources: Sources | None = None
 ) -> dict[str, ErrorBar]:
     """Return the uncertainties of quantities of a frame, or of a variant of it.
 
-    Quantities without a finite value in any row are left out, and so are quantities that no source changes. `sources`:
-    the sources to move, by default all that enter the quantities.
+    Quantities without a value are left out. So are infinite values and values that no source changes in a single row;
+    in arrays, their sides are nan. `sources`: the sources to move, by default all that enter the quantities.
     """
-    middle, names = made_of(frame), [*names]
+    middle, names = variant(frame), [*names]
     columns = {name: column for name, column in middle.columns(names).items() if not column.is_empty}
     sources = sources or sources_of_results(middle, names)
     if not (sources.entering and columns):
         return {}
-    moved = _at_points(frame, points_of(frame, sources), made_of, [*columns])
+    moved = _at_points(frame, points_of(frame, sources), variant, [*columns])
     bars = {}
     for name, column in columns.items():
         bar = _error_bar(column, moved[name], sources)
@@ -179,7 +180,7 @@ def no_error_bar(frame: Frame, name: str, bar: ErrorBar, row: int = 0, sources: 
     """Return the error of a row without an uncertainty, which states why the quantity has no value at a point."""
     points = points_of(frame, sources or sources_of_results(frame, [name]))
     index = at_row(bar.open_at, row) - 1
-    # Computed on its own, the row may have a value at this point because of rounding.
+    # The reason is that of all points computed together: alone, the point may have a value, by rounding.
     reasons = _at_points(frame, points, itself, [name])[name].reasons
     moved = frame.replace(**points[index])
     moved.column(name)
@@ -187,12 +188,12 @@ def no_error_bar(frame: Frame, name: str, bar: ErrorBar, row: int = 0, sources: 
 
 
 def _at_points(
-    frame: Frame, points: Sequence[Mapping[str, Any]], made_of: Variant, names: Sequence[str]
+    frame: Frame, points: Sequence[Mapping[str, Any]], variant: Variant, names: Sequence[str]
 ) -> dict[str, Column]:
     """Return a column for each quantity, whose first axis runs over points; for a single row, a list over points."""
     moved = {}
     if not frame.shape and len(points) <= frame.few:
-        rows = [made_of(_at_point(frame, point)).columns(names) for point in points]
+        rows = [variant(_at_point(frame, point)).columns(names) for point in points]
         for name in names:
             cells = [row[name] for row in rows]
             moved[name] = Column([cell.values for cell in cells], [cell.reasons for cell in cells])
@@ -206,7 +207,7 @@ def _at_points(
             array = array.reshape(-1, *[1] * len(frame.shape))
         arrays[name] = array
     shape = len(points), *frame.shape
-    for name, column in made_of(frame.replace(**arrays)).columns(names).items():
+    for name, column in variant(frame.replace(**arrays)).columns(names).items():
         values, reasons = (numpy.broadcast_to(array, shape) for array in column)
         moved[name] = Column(values, reasons) if frame.shape else Column(values.tolist(), reasons.tolist())
     return moved
@@ -214,7 +215,7 @@ def _at_points(
 
 @once_a_frame
 def _frames_at_points(_: Frame) -> dict[tuple[tuple[str, Any], ...], Frame]:
-    """Return the store of a frame for itself at other points, by the names and values of each point."""
+    """Return an empty dictionary that keeps the frame at each point, by the names and values of the point."""
     return {}
 
 
@@ -227,16 +228,19 @@ def _at_point(frame: Frame, point: Mapping[str, Any]) -> Frame:
 
 
 def _error_bar(column: Column, moved: Column, sources: Sources) -> ErrorBar | None:
-    """Return the uncertainty of a column, from its values at all points; None if no row has an uncertainty."""
+    """Return the uncertainty of a column, from its values at all points.
+
+    A single row without an uncertainty gives None, or `open_at` without sides if its value is missing at some point.
+    """
     value, combined = column.values, _range if sources.ranges else _quadrature
     bar = combined(value, moved.values, sources)
-    is_still = reduce(at_least, bar.parts.values()) <= ROUNDING * absolute(value)
+    is_unchanged = reduce(at_least, bar.parts.values()) <= ROUNDING * absolute(value)
     lacks_value = (column.reasons != 0) | (absolute(value) == INFINITY)
     open_at = where(lacks_value, 0, _first(moved.reasons))
-    is_open = is_still | lacks_value | (open_at != 0)
-    if is_open is True:
+    has_none: Any = is_unchanged | lacks_value | (open_at != 0)
+    if has_none is True:
         return ErrorBar(bar.type, {}, open_at=open_at) if open_at else None
-    return bar.without(is_open)._replace(open_at=open_at)
+    return bar.without(has_none)._replace(open_at=open_at)
 
 
 def _largest(values: Any) -> float:
@@ -268,7 +272,7 @@ _POSITION = Interval(0.5, 0.0, 1.0)  # within a range, on a logarithmic scale
 
 
 def _at_position(frame: Frame, point: Mapping[str, Any]) -> dict[str, Any]:
-    """Return a point that has ξ in place of its position within the range of the material's ξ."""
+    """Return a point with a value of ξ, in place of the position of ξ within the range of the material."""
     radii = {name: point[name] for name in ("radius", "radius2") if name in point}
     displacement: Any = (frame.replace(**radii) if radii else frame).displacement
     return {**point, XI: displacement.low * (displacement.high / displacement.low) ** point[XI]}
@@ -308,7 +312,7 @@ def _steps_of(sources: Sources) -> list[int]:
         return [STEPS] * len(sources.ranges)
     steps = []
     for source in sources.ranges:
-        ratio = _ratio(source.given.low, source.given.high, otherwise=10.0)
+        ratio = _ratio(source.given.low, source.given.high, otherwise=10.0)  # a range across 0 counts as a decade
         decades = log10(_largest(at_least(ratio, 1 / ratio)))
         steps.append(max(1, min(ceil(STEPS * decades), STEPS)))
     return steps
