@@ -115,10 +115,10 @@ def hard_loads(force: float) -> Iterator[float]:
 
 
 def hard_approaches(approach: float, fold: float) -> Iterator[float]:
-    """Iterate over approaches near the fold, 0, δ0 and the borders between formulas, and of any magnitude."""
+    """Iterate over approaches near the fold, 0 and δ0, and of any magnitude. `fold`: the fold as a part of `approach`."""
     yield from (approach * (fold + 10.0**power) for power in range(-14, 0))
-    borders = (0.5 / 6 ** (1 / 3) + fold, 3 / 6 ** (1 / 3) + fold)
-    for middle in (1.0, *borders):
+    border = 3 / 6 ** (1 / 3) + fold  # where `jkr` changes to another start for Newton's method
+    for middle in (1.0, border):
         yield from (approach * ratio for ratio in steps_from(middle, 1, 1e3, 1e6, 1e9))
     yield from (approach * 10.0**power for power in range(-24, 25, 4))
     yield from (-approach * 10.0**power for power in range(-24, 0, 4))

@@ -60,7 +60,10 @@ def test_range_includes_uncertainty_which_does_not_change_the_rule() -> None:
     assert (low, high, by) == (approx(least), approx(most), "Maugis")
     of_iron = best("pull_off_force", "iron", radius=1e-3, surface_energy=value_of("1 to 2 J/m2", "surface_energy"))
     assert of_iron["pull_off_force"].by == "JKR"
-    # R_min = R1R2/ξ and δ_α = ξ/R do not depend on a law, so these need no modulus, even if ξ has a range.
+
+
+def test_bends_and_angles_with_a_range_of_xi_have_the_rule_any_law_even_without_a_modulus() -> None:
+    """R_min = R1R2/ξ and δ_α = ξ/R do not depend on a law."""
     for name in ("r_min", "yield_angle"):
         displacement = value_of("1 to 3 nm", "yield_displacement")
         assert best(name, radius=1e-7, surface_energy=0.025, yield_displacement=displacement)[name].by == "any law"

@@ -120,7 +120,7 @@ def compared(random: Random) -> str:
             pair,
         )
     expected = scanned(names, measured, scene)
-    for pair in expected or [tuple(given[name] for name in names)]:
+    for pair in expected or [tuple(given[name] for name in names)]:  # without pairs by the scan, only the known one
         assert any(is_near(pair, other) for other in pairs), (problem, pairs, pair)
     return "several" if len(pairs) > 1 else "one"
 

@@ -93,7 +93,7 @@ def test_arrays_that_do_not_broadcast_are_refused(name: str) -> None:
 
 
 def test_every_parameter_leads_back_to_an_input() -> None:
-    """The formulas of the nomenclature lead back to inputs that a user can give, or to a name with routes."""
+    """The formulas of the nomenclature lead back to inputs that a user can give, or to names that have routes."""
     wanted = [name for name in NOMENCLATURE if name in FORMULAS]
     ends = {name for name in depends_on(tuple(wanted)) if formula_of(name) is None}
     without_option = {name for name in ends if name not in NOMENCLATURE or not NOMENCLATURE[name].option}

@@ -326,42 +326,6 @@ def test_solve_and_infer_return_uncertain_values() -> None:
     assert isinstance(infer("xi", measured={"r_min": "50±5 um"}, radius=1e-7), Measured)
 
 
-# --- Measurements of pint ---------------------------------------------------------------------------------------------
-
-
-def test_measurements_of_pint_are_read_in_any_unit() -> None:
-    pytest.importorskip("uncertainties")
-    units: Any = pint.application_registry
-    energy = units.Measurement(25, 5, "mJ/m^2")
-    force = solve("pull_off_force", surface_energy=energy, radius="100 nm")
-    assert force == solve("pull_off_force", surface_energy=units.Quantity(25, "mJ/m^2").plus_minus(5), radius="100 nm")
-    for other in ("25±5 mJ/m2", units.Measurement(25, 5, "erg/cm^2")):
-        found = solve("pull_off_force", surface_energy=other, radius="100 nm")
-        assert [found.value, *found.sides.values()] == approx([force.value, *force.sides.values()], rel=1e-15)
-    assert force.plus == approx(3 * math.pi * 0.005 * 50e-9)
-    both = solve("pull_off_force", surface_energy=energy, radius=units.Measurement(100, 10, "nm"))
-    assert both.plus == approx(both.value * math.hypot(0.2, 0.1))
-    given: dict[str, Any] = {"radius": "2 um", "radius2": "plane"}
-    found = infer("gamma", measured={"pull_off_force": units.Measurement(300, 20, "nN")}, **given)
-    again = infer("gamma", measured={"pull_off_force": "300±20 nN"}, **given)
-    assert [found.value, *found.sides.values()] == approx([again.value, *again.sides.values()], rel=1e-14)
-
-
-@pytest.mark.filterwarnings("ignore:This function will be removed:DeprecationWarning")  # from pint, in its texts
-@pytest.mark.parametrize(
-    ("uncertainty", "unit", "reason"),
-    [(5, "N", "has the wrong dimension"), (15, "mJ/m^2", "has an uncertainty of half the value or more")],
-)
-def test_measurements_of_pint_with_a_wrong_unit_or_a_large_error_are_refused(
-    uncertainty: float, unit: str, reason: str
-) -> None:
-    pytest.importorskip("uncertainties")
-    units: Any = pint.application_registry
-    energy = units.Measurement(25, uncertainty, unit)
-    with pytest.raises(QuantityError, match=reason):
-        solve("pull_off_force", surface_energy=energy, radius="100 nm")
-
-
 def test_lists_of_uncertain_values_are_refused() -> None:
     for energies in (["25±5 mJ/m2", "30 mJ/m2"], [Measured(0.025, 0.005, 0.005)]):
         with pytest.raises(QuantityError, match="holds uncertain values, and arrays have no uncertainty"):
@@ -416,3 +380,39 @@ def test_shares_are_right_even_if_squares_of_changes_are_beyond_the_range_of_dou
 def test_bare_numbers_of_a_force_curve_have_no_error_bars(run: Run) -> None:
     rows = run("contact quartz 100±5nm --curve --bare --quiet").out.splitlines()
     assert {row.count("\t") for row in rows} == {1}
+
+
+# --- Measurements of pint ---------------------------------------------------------------------------------------------
+
+
+def test_measurements_of_pint_are_read_in_any_unit() -> None:
+    pytest.importorskip("uncertainties")
+    units: Any = pint.application_registry
+    energy = units.Measurement(25, 5, "mJ/m^2")
+    force = solve("pull_off_force", surface_energy=energy, radius="100 nm")
+    assert force == solve("pull_off_force", surface_energy=units.Quantity(25, "mJ/m^2").plus_minus(5), radius="100 nm")
+    for other in ("25±5 mJ/m2", units.Measurement(25, 5, "erg/cm^2")):
+        found = solve("pull_off_force", surface_energy=other, radius="100 nm")
+        assert [found.value, *found.sides.values()] == approx([force.value, *force.sides.values()], rel=1e-15)
+    assert force.plus == approx(3 * math.pi * 0.005 * 50e-9)
+    both = solve("pull_off_force", surface_energy=energy, radius=units.Measurement(100, 10, "nm"))
+    assert both.plus == approx(both.value * math.hypot(0.2, 0.1))
+    given: dict[str, Any] = {"radius": "2 um", "radius2": "plane"}
+    found = infer("gamma", measured={"pull_off_force": units.Measurement(300, 20, "nN")}, **given)
+    again = infer("gamma", measured={"pull_off_force": "300±20 nN"}, **given)
+    assert [found.value, *found.sides.values()] == approx([again.value, *again.sides.values()], rel=1e-14)
+
+
+@pytest.mark.filterwarnings("ignore:This function will be removed:DeprecationWarning")  # from pint, in its texts
+@pytest.mark.parametrize(
+    ("uncertainty", "unit", "reason"),
+    [(5, "N", "has the wrong dimension"), (15, "mJ/m^2", "has an uncertainty of half the value or more")],
+)
+def test_measurements_of_pint_with_a_wrong_unit_or_a_large_error_are_refused(
+    uncertainty: float, unit: str, reason: str
+) -> None:
+    pytest.importorskip("uncertainties")
+    units: Any = pint.application_registry
+    energy = units.Measurement(25, uncertainty, unit)
+    with pytest.raises(QuantityError, match=reason):
+        solve("pull_off_force", surface_energy=energy, radius="100 nm")
