@@ -36,7 +36,7 @@ def near_example(name: str, random: Random) -> float:
 
 
 def _inputs_of_every_scene() -> list[str]:
-    """Return the inputs of a pair that have no default, exclude no other input and change no formula."""
+    """Return the inputs of a pair that have neither a formula nor a default, exclude no input and change no formula."""
     others = {*DEFAULTS}.union(*EXCLUSIVE, *(law.tables for law in LAWS.values()))
     return [
         name
@@ -115,7 +115,7 @@ def hard_loads(force: float) -> Iterator[float]:
 
 
 def hard_approaches(approach: float, fold: float) -> Iterator[float]:
-    """Iterate over approaches near the fold, 0 and δ0, and of any magnitude. `fold`: the fold as a part of `approach`."""
+    """Iterate over approaches near the fold, 0 and δ0, and of any magnitude. `fold`: the fold over `approach`, δ0."""
     yield from (approach * (fold + 10.0**power) for power in range(-14, 0))
     border = 3 / 6 ** (1 / 3) + fold  # where `jkr` changes to another start for Newton's method
     for middle in (1.0, border):

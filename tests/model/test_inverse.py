@@ -312,24 +312,32 @@ def test_an_inferred_value_is_also_given_by_the_other_laws(run: Run) -> None:
     assert solve("yield_force", material="quartz", radius=1e-6, adhesion_hysteresis=hysteresis) == approx(8.5e-10)
 
 
-def test_infer_answers_on_the_command_line(run: Run) -> None:
-    words = ["infer", "gamma", "quartz", "2um", "--radius2", "plane", "--measured"]
-    ran = run(*words, "pull-off-force=300±20 nN", "--to", "mJ/m2", "--digits", "4")
+OF_A_PLANE = ["infer", "gamma", "quartz", "2um", "--radius2", "plane", "--measured"]
+
+
+def test_an_inferred_value_and_both_sides_of_its_uncertainty_have_a_line_each(run: Run) -> None:
+    ran = run(*OF_A_PLANE, "pull-off-force=300±20 nN", "--to", "mJ/m2", "--digits", "4")
     assert (ran.code, ran.out) == (
         0,
         "surface_energy 15.92 mJ/m2\nsurface_energy_minus 1.061 mJ/m2\nsurface_energy_plus 1.061 mJ/m2\n",
     )
-    explained = run(*words, "pull-off-force=300±20 nN", "--explain").out
+
+
+def test_the_explanation_says_what_is_not_used_and_what_the_value_gives(run: Run) -> None:
+    explained = run(*OF_A_PLANE, "pull-off-force=300±20 nN", "--explain").out
     assert "note: γ of quartz is not used\n" in explained
     assert "gives P_c = 300 nN if γ2 = γ1, so w = 31.831 mJ/m²\n" in explained.partition(" is multiplied by κ = 1\n")[2]
-    table = run(*words, "pull_off_force=300nN,1e26N", "--csv")
+
+
+def test_a_list_of_measured_values_gives_rows_with_doubts_or_failures(run: Run) -> None:
+    table = run(*OF_A_PLANE, "pull_off_force=300nN,1e26N", "--csv")
     assert table.out.splitlines() == [
         "material,radius [m],radius2 [m],pull_off_force [N],surface_energy [J/m^2],doubt,status",
         "quartz,2e-6,plane,3e-7,0.015915494309189534,law-off-5% rough-matters,",
         "quartz,2e-6,plane,1e26,,,no value gives it",
     ]
     assert "no value gives pull_off_force = 1e26 N" in table.err
-    doubted = run(*words, "pull_off_force=300nN,310nN", "--csv").err
+    doubted = run(*OF_A_PLANE, "pull_off_force=300nN,310nN", "--csv").err
     assert "(jkroll guide doubts; best ranges: --best): law-off-5% 2, rough-matters 2" in doubted
     assert (table.code, table.err.splitlines()[-1]) == (1, "jkroll: 1 of 2 rows failed")
 

@@ -42,7 +42,7 @@ LACKING = [
     ("adhesion_hysteresis", "dmt"),
     *((name, law) for name in ("shear_strength", "viscous_time") for law in ("maugis", "dmt")),
 ]
-COUNT = 6
+COUNT = 6  # elements of an array
 
 
 def solution(name: str, quantity: str, measured: float, scene: Frame) -> Solution:

@@ -231,7 +231,10 @@ class Ranges:
         yield self._is_hard, own[0], MOST_SEEN**power * own[1], SEEN
 
     def _of_restitution(self) -> Iterator[Rule]:
-        """Iterate over the rules for the coefficient of restitution, which any further loss lowers."""
+        """Iterate over the rules for the coefficient of restitution, which any further loss lowers.
+
+        It is 0 below the least speed at which spheres stick by measurements.
+        """
         of_speed = self
         if "sticking_speed" not in self.names:  # a question about e alone needs the range of the speed, too
             of_speed = Ranges.of(self.results.described, "sticking_speed")
@@ -344,7 +347,7 @@ class Ranges:
 
     @property
     def _is_hard(self) -> Any:
-        """The rows whose solids are too stiff to flatten their roughness."""
+        """The rows whose solids are too stiff to flatten their roughness; those without a modulus are left out."""
         return self.frame.numbers("contact_modulus").get("contact_modulus", 0.0) >= SOFT
 
     @property

@@ -109,7 +109,7 @@ class Doubt:
     def factor(self) -> float | None:
         """The factor by which the number is beyond the first threshold, below 1 within the limit.
 
-        None if the factor is infinite, or if the threshold is 0.
+        None if the factor is infinite or unknown, or if the threshold is 0.
         """
         return exp(self.excess) if self.limit.threshold and self.excess < inf else None
 
