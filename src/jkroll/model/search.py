@@ -278,23 +278,33 @@ class Scan:
         exact = numpy.array([points.row, points.x])[:, is_exact]
         left, right = points.each(lambda column: column.reshape(size, -1)).ends()
         for _ in range(_ROUNDS):
-            crosses = (numpy.isnan(left.y) != numpy.isnan(right.y)) | (left.side * right.side < 0)
-            differs = crosses | (left.stays != right.stays) | (left.slope * right.slope < 0)
-            differs &= crosses | (numpy.bincount(left.row[differs], minlength=size)[left.row] <= _MANY)
+            differs = self._differs(left, right)
             left, right = left.at(differs), right.at(differs)
             middle = (left.x + right.x) / 2
             if ((middle == left.x) | (middle == right.x)).all():
                 break
             points = self._points(left.row, middle)
             left, right = left.with_more(points), points.with_more(right)
-        # A crossing is a root unless it is a jump, where no value is close to the level.
+        rows, roots = numpy.unique(numpy.concatenate([exact, self._crossings(left, right)], axis=1), axis=1)
+        return rows.astype(int), roots
+
+    def _differs(self, left: "Points", right: "Points") -> Any:
+        """Return the intervals to bisect: those whose ends differ, without those that come from rounding."""
+        crosses = (numpy.isnan(left.y) != numpy.isnan(right.y)) | (left.side * right.side < 0)
+        differs = crosses | (left.stays != right.stays) | (left.slope * right.slope < 0)
+        counts = numpy.bincount(left.row[differs], minlength=len(self.levels))
+        return differs & (crosses | (counts[left.row] <= _MANY))
+
+    def _crossings(self, left: "Points", right: "Points") -> Any:
+        """Return the rows and the roots of intervals in which the quantity crosses its level.
+
+        A jump across the level is no root, since neither end has a value close to the level.
+        """
         level = self.levels[left.row]
         off = abs(numpy.array([left.y, right.y]) - level)
         is_near = off.min(axis=0) <= _AS_SHOWN * numpy.where(level == 0, off.max(axis=0), abs(level))
-        crossings = numpy.array([left.row, numpy.where(off[0] < off[1], left.x, right.x)])
-        every = [exact, crossings[:, (left.side * right.side < 0) & is_near]]
-        rows, roots = numpy.unique(numpy.concatenate(every, axis=1), axis=1)
-        return rows.astype(int), roots
+        ends = numpy.array([left.row, numpy.where(off[0] < off[1], left.x, right.x)])
+        return ends[:, (left.side * right.side < 0) & is_near]
 
     def _points(self, rows: Any, x: Any) -> "Points":
         """Return the points at values of the unknown in rows; `span` and `stretch` are extended to include them."""
@@ -414,6 +424,7 @@ class Pairs:
         count = positions.shape[1]
         steps = _STEP * numpy.array([[0, -1, 1, 0, 0], [0, 0, 0, -1, 1]])
         values, _, residuals = self.points(numpy.tile(positions, 5) + steps.repeat(count, axis=1))
+        # A block of four rows, two values and two residuals, for each of the five steps.
         here, *stepped = numpy.concatenate([values, residuals]).reshape(4, 5, count).swapaxes(0, 1)
         matrices = []
         for below, above in (stepped[:2], stepped[2:]):
