@@ -111,7 +111,7 @@ class Ranges:
     def __init__(self, results: Results) -> None:
         self.results, self.frame = results, results.frame
         self.names = [name for name, column in results.computed.items() if not column.is_empty]
-        self._ends_of: dict[Variant, Mapping[str, tuple[Any, Any, Any]]] = {}  # see `_ends`
+        self._kept: dict[Variant, Mapping[str, tuple[Any, Any, Any]]] = {}  # what `_ends` returns
 
     @classmethod
     def of(cls, frame: Frame, *names: str) -> "Ranges":
@@ -233,7 +233,7 @@ class Ranges:
     def _of_restitution(self) -> Iterator[Rule]:
         """Iterate over the rules for the coefficient of restitution, which any further loss lowers.
 
-        It is 0 below the least speed at which spheres stick by measurements.
+        It is 0 below the range of the sticking speed, if this range is by measurements.
         """
         of_speed = self
         if "sticking_speed" not in self.names:  # a question about e alone needs the range of the speed, too
@@ -251,8 +251,7 @@ class Ranges:
     def _of_rolling(self, name: str) -> Iterator[Rule]:
         """Iterate over the rules for a rolling quantity with an assumed ξ: scaled measurements, then limits of ξ.
 
-        The range between the limits of ξ includes the scaled measurements of a solid with this surface energy, even if
-        they are of sizes too different for the first rule.
+        If the solid has the surface energy of the measurements, the range by the second rule covers them as well.
         """
         rolled = what_rolled(self.frame)
         least, most, is_known = nan, nan, False
@@ -330,15 +329,15 @@ class Ranges:
         return most
 
     def _ends(self, variant: Variant) -> Mapping[str, tuple[Any, Any, Any]]:
-        """Return `_ends_by` for the results, computed once for each variant; empty if the variant does not exist."""
-        if variant not in self._ends_of:
-            self._ends_of[variant] = {}
+        """Return the ends of results in a variant of the frame, see `_ends_by`; none if the variant does not exist."""
+        if variant not in self._kept:
+            self._kept[variant] = {}
             with suppress(MissingInput, NoResult):
                 names = dict.fromkeys((*self.names, XI, "hysteresis_ratio"))
                 for name in self.names:
                     names |= dict.fromkeys(_BY_LENNARD_JONES.get(name, ())[1:])
-                self._ends_of[variant] = _ends_by(variant, self.results.described, names)
-        return self._ends_of[variant]
+                self._kept[variant] = _ends_by(variant, self.results.described, names)
+        return self._kept[variant]
 
     @property
     def _tabor_parameter(self) -> Any:

@@ -450,7 +450,7 @@ def doubts(frame: Frame, columns: Mapping[str, Column], limits: Iterable[Limit] 
 
 
 def concerning(frame: Frame, names: Collection[str], limits: Iterable[Limit] = LIMITS) -> list[Limit]:
-    """Return the limits that concern some results, without those that `where` excludes in all rows at once."""
+    """Return the limits that concern some results, without limits whose `where` is False."""
     concerned = (limit for limit in limits if concerns(limit, frame, names))
     return [limit for limit in concerned if limit.where is None or limit.where(frame) is not False]
 

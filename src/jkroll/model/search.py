@@ -44,7 +44,7 @@ _ROUNDING = 1e-13  # relative change of a quantity that may come from rounding
 _TOGETHER = 1000  # rows in one scan
 _WIDEST = (1.01 * LEAST, MOST / 1.01)  # sizes to scan if no usual size is a solution
 _AHEAD = 1e-8  # relative step that shows whether a function rises or falls
-_MANY = 64  # a row with more intervals to bisect has those that come from rounding
+_MANY = 64  # if more intervals of a row have ends that differ, rounding causes the differences
 
 # For two unknowns, in the coordinates of `Pairs`.
 MAX_CONDITION = 1e8  # above it, rounding leaves the numerical derivatives too few digits
@@ -54,7 +54,7 @@ _NEAR = 1e-9  # largest residual of a solution, in logarithms of the measured va
 _SAME = 1e-5  # pairs that differ by less are the same
 _LINEAR = 1e-6  # below this fraction of its measured value a quantity enters linearly, above it by logarithm
 _AT_ZERO = 1e-12  # the same limit for a measured value of 0, in SI units: 1 pm for an approach
-_SAMPLED = 7  # every seventh value on each axis of the grid shows whether the quantities separate the unknowns
+_SAMPLED = 7  # every seventh value on each axis of the grid is tested: do the quantities separate the unknowns?
 _TO_GAP = 20  # bisections towards the edge of a gap, a region in which a quantity has no value
 _LEFT_OPEN = 1e-4  # smaller exponents of an unknown count as 0
 
@@ -289,7 +289,10 @@ class Scan:
         return rows.astype(int), roots
 
     def _differs(self, left: "Points", right: "Points") -> Any:
-        """Return the intervals to bisect: those whose ends differ, without those that come from rounding."""
+        """Return the intervals to bisect: those whose ends differ.
+
+        In a row with too many of them, only crossings of the level and edges of gaps count.
+        """
         crosses = (numpy.isnan(left.y) != numpy.isnan(right.y)) | (left.side * right.side < 0)
         differs = crosses | (left.stays != right.stays) | (left.slope * right.slope < 0)
         counts = numpy.bincount(left.row[differs], minlength=len(self.levels))

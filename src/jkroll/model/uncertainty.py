@@ -104,7 +104,7 @@ def _sources(frame: Frame) -> list[Source]:
 
 
 def sources_of_results(frame: Frame, names: Sequence[str]) -> Sources:
-    """Return the sources of the quantities, without quantities that the frame does not determine."""
+    """Return the sources of the quantities in `names` that the frame determines."""
     return sources_of(frame, frame.inputs_of(*frame.possible(names)))
 
 
@@ -160,7 +160,7 @@ def error_bars(
     """Return the uncertainties of quantities of a frame, or of a variant of it.
 
     Quantities without a value are left out. So are infinite values and values that no source changes in a single row;
-    in arrays, their sides are nan. `sources`: the sources to move, by default all that enter the quantities.
+    in arrays, the sides are nan in such rows. `sources`: the sources to move, by default all that enter the quantities.
     """
     middle, names = variant(frame), [*names]
     columns = {name: column for name, column in middle.columns(names).items() if not column.is_empty}
@@ -180,7 +180,7 @@ def no_error_bar(frame: Frame, name: str, bar: ErrorBar, row: int = 0, sources: 
     """Return the error of a row without an uncertainty, which states why the quantity has no value at a point."""
     points = points_of(frame, sources or sources_of_results(frame, [name]))
     index = at_row(bar.open_at, row) - 1
-    # The reason is that of all points computed together: alone, the point may have a value, by rounding.
+    # Take the reason from all points computed together; computed alone, the point may have a value, by rounding.
     reasons = _at_points(frame, points, itself, [name])[name].reasons
     moved = frame.replace(**points[index])
     moved.column(name)
