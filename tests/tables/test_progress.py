@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from harness import Run, Stream
-from jkroll.model.rows import Tally
+from jkroll.model.tally import Tally
 from jkroll.tables.files import Input
 from jkroll.tables.progress import with_progress
 from jkroll.tables.run import Converted, progress_of

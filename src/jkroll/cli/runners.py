@@ -129,7 +129,7 @@ def _write_columns(
 
     `groups`: the groups of the rows; `single`: the answer that provides the notes; None if the rows do.
     """
-    from ..model.rows import Tally, tallied
+    from ..model.tally import Tally, tallied
 
     tallies: list[Tally] = []
     blocks = tallied(blocks, tallies, symbol_of)  # adds to `tallies` as the blocks are written

@@ -45,7 +45,7 @@ from .reasons import (
 
 # --- Frames -----------------------------------------------------------------------------------------------------------
 
-IN_ITS_PLACE = (XI, "adhesion_hysteresis", "hysteresis_fraction")  # alternative inputs that set where rolling begins
+ROLLING_ONSET = (XI, "adhesion_hysteresis", "hysteresis_fraction")  # alternative inputs that set where rolling begins
 # Special values of inputs (a plane, a rigid body, no load), and the values of other quantities that follow.
 FOLLOWS: Mapping[str, tuple[float, Mapping[str, float]]] = {
     "diameter2": (INFINITY, {}),  # converted to a radius
@@ -62,14 +62,14 @@ EXCLUSIVE = (
     ("energy", "energy_ratio", "speed"),
     *product(("surface_energy", "surface_energy2"), ("work_of_adhesion",), ("hamaker", "hamaker2")),
     ("load", *sorted(STATE)),
-    IN_ITS_PLACE,
+    ROLLING_ONSET,
     ("contact_modulus", "modulus_over_energy"),
     *product(("radius", "diameter", "radius2", "diameter2"), ("reduced_radius",)),
     *((other, name) for name, other in CONVERTED.items()),
 )
 
 # Inputs that replace the yield displacement of a solid, or give sphere 2 another solid.
-_OTHER_DISPLACEMENT = frozenset((*IN_ITS_PLACE, *(of_sphere(2, name) for name in OF_A_SOLID)))
+_OTHER_DISPLACEMENT = frozenset((*ROLLING_ONSET, *(of_sphere(2, name) for name in OF_A_SOLID)))
 
 # Quantities that need a contact area. If both bodies are rigid, these and the results computed from them have no value.
 _ON_AREA = frozenset({"contact_modulus", "contact_shear_modulus", "shear_strength", "pull_off_force", "load_factor",
@@ -95,7 +95,7 @@ class Frame:
     1e-07
     """
 
-    few = 300  # up to this many points of uncertain inputs, floats are faster than importing numpy; two ranges have 260
+    few = 300  # up to this many points of uncertain inputs, floats are faster than importing numpy; two ranges have 256
     unknowns: Sequence[str] = ()  # inputs that are inferred from measured quantities
     solution: Any = None  # the inferred values of the unknowns
 
@@ -258,7 +258,7 @@ class Frame:
 
     @cached_property
     def is_rigid(self) -> Any:
-        """True if both bodies are rigid and no contact modulus is given; row by row for arrays, unless False in all."""
+        """True if both bodies are rigid and no contact modulus is given; by row for arrays, or False for all rows."""
         modulus = self.given.get("youngs_modulus")
         modulus2 = self.given.get("youngs_modulus2", modulus if self.material2 is None else None)
         is_rigid = (modulus == INFINITY) & (modulus2 == INFINITY) & ("contact_modulus" not in self.given)

@@ -9,7 +9,7 @@ from ..physics.contact import pull_off_force
 from ..physics.elementary import at_least, at_most, cbrt, where
 from ..quantities.nomenclature import INFINITY, XI
 from .accepted import takes
-from .frame import IN_ITS_PLACE, Frame, Variant
+from .frame import ROLLING_ONSET, Frame, Variant
 from .plan import depends_on
 
 VISCOUS_TIME = "viscous_time"  # an input that decides the losses if it is given
@@ -277,7 +277,7 @@ def rolling(names: Iterable[str]) -> list[str]:
 
 def assumes_displacement(frame: Frame) -> bool:
     """Return whether the paper's displacement is assumed, under a law that relates displacements to forces."""
-    return XI in frame.values and frame.given.keys().isdisjoint(IN_ITS_PLACE) and not frame.plan("yield_force").lacking
+    return XI in frame.values and frame.given.keys().isdisjoint(ROLLING_ONSET) and not frame.plan("yield_force").lacking
 
 
 def at_full_hysteresis(frame: Frame) -> Frame:

@@ -21,9 +21,9 @@ from .accepted import takes
 from .column import Column, at_row
 from .estimate import BEST_BY, BEST_KEYS, estimates
 from .frame import FOLLOWS, Frame
-from .limits import BITS, EVERY_DOUBT, LAW, NOT_JUDGED
+from .limits import EVERY_DOUBT, LAW, NOT_JUDGED
 from .reasons import HIDDEN, Failure, MissingInput, grouped, needs_in_words, reason
-from .results import ROW, Results, has_code, is_end_of_meaning
+from .results import ROW, Results, is_end_of_meaning
 from .uncertainty import ErrorBar, number_of_points, sources_of_results
 
 if TYPE_CHECKING:
@@ -38,14 +38,13 @@ AT_ONCE = 1 << 15  # most elements in one frame: rows times points of uncertain 
 SIDES = ("minus", "plus", "low", "high")  # minus and plus of a standard uncertainty, low and high of a range
 _MOST = 1 << 62  # largest integer for keys in an array
 BAD = -1  # the mark of a row or cell that no frame of arrays accepts
-_EMPTY, _PLAIN, _SPECIAL, _MEASURED, _INTERVAL = range(5)  # marks of cells
+# Marks of cells; other values follow from that of a special cell, such as an infinite radius2.
+_EMPTY, _PLAIN, _SPECIAL, _MEASURED, _INTERVAL = range(5)
 DOUBT = "doubt"  # the column with the codes of exceeded limits
 STATUS = "status"  # the column with reasons
 UNCERTAINTY = "±"  # the key of a reason about uncertainties
-_NO_DOUBTS: Counter[int] = Counter()
 _WITH_TEXTS = {DOUBT, STATUS, *(name for name, quantity in NOMENCLATURE.items() if quantity.is_word)}
 Reasons = Mapping[str, JkrollError]  # for the empty cells of a row, by column
-_NONE: Mapping[str, Any] = {}  # an empty mapping that can be pickled, unlike a MappingProxyType
 
 
 class Wanted:
@@ -94,7 +93,7 @@ class Wanted:
                 heads.append(key if key.endswith(BEST_BY) else header(name).replace(name, key, 1))
         return heads
 
-    def remarks(self, *, doubt: bool = True) -> tuple[str, ...]:
+    def last_keys(self, *, doubt: bool = True) -> tuple[str, ...]:
         """Return the keys of the last columns: codes and reasons. `doubt`: include codes, if limits are judged."""
         return (DOUBT, STATUS) if doubt and self.doubts else (STATUS,)
 
@@ -193,9 +192,8 @@ class Columns:
 
     def put(self, rows: Any, results: Results) -> None:
         """Store the results of a frame. `rows`: an array with the indices of its rows, or the index of a single row."""
-        wanted, span = self.wanted, rows
-        if not isinstance(rows, int) and len(rows) == len(self):
-            span = slice(None)
+        wanted = self.wanted
+        span = slice(None) if not isinstance(rows, int) and len(rows) == len(self) else rows  # a slice is faster
         bars = results.bars if wanted.has_bars(results) else {}
         for name, column in results.columns.items():
             self.column(name)[span] = column.values
@@ -239,7 +237,7 @@ class Columns:
         is_in_all_rows = left_out is not None or any(number for number in distinct if isinstance(number, int))
         if not arrays and not is_in_all_rows:
             return
-        parts = {0: rows}  # by the first row of each part in the frame: the indices of its rows
+        parts = {0: rows}  # the indices of rows with the same reasons, by the position of the first one in the frame
         if not isinstance(rows, int):
             import numpy
 
@@ -274,7 +272,7 @@ class Columns:
             keys += self.wanted.sides_of(name).values()
         for row, error in rows.items():
             gap = self.gap_of(row)
-            reasons = _NONE if gap is None else gap.reasons
+            reasons: Reasons = {} if gap is None else gap.reasons
             if error_of_row(reasons) is None:
                 is_failed = gap is not None and gap.is_failed
                 self._put_gap(row, {**reasons, UNCERTAINTY: error}, is_failed=is_failed)
@@ -532,67 +530,3 @@ def worded(reasons: Reasons, word_of: Callable[[str], str] = str) -> str:
     if UNCERTAINTY in reasons:
         clauses.append(str(reasons[UNCERTAINTY]))
     return "; ".join(clauses)
-
-
-# --- Counts -----------------------------------------------------------------------------------------------------------
-
-
-class Fault(NamedTuple):
-    """The rows whose empty cells have the same faults."""
-
-    rows: int  # their number
-    first: int  # the number of the first row, from 1
-    words: str  # the reasons of the first row in full
-
-
-class Tally(NamedTuple):
-    """The number of rows of a run, and how many failed, have empty cells, or exceed limits."""
-
-    rows: int = 0
-    failed: int = 0
-    gaps: Mapping[str, Fault] = _NONE  # rows with empty cells, by their faults
-    doubts: Counter[int] = _NO_DOUBTS  # numbers of rows, by the bits of their doubts
-    inferred: tuple[Any, ...] = ()  # the inferred values of a table, in parts
-    remarks: tuple[str, ...] = ()  # on whole tables
-
-    @classmethod
-    def of(cls, columns: Columns, word_of: Callable[[str], str] = str) -> "Tally":
-        """Return the counts of some rows; `word_of`: see `worded`."""
-        gaps: dict[str, Fault] = {}
-        for gap, number in columns.counted_gaps:
-            # Results without a meaning are reported by a code, with its own count.
-            reported = {name: error for name, error in gap.reasons.items() if not has_code(error)}
-            if reported:
-                faults = faults_of(reported)
-                if faults not in gaps:
-                    gaps[faults] = Fault(0, gap.first + 1, worded(reported, word_of))
-                gaps[faults] = gaps[faults]._replace(rows=gaps[faults].rows + number)
-        failed = sum(number for gap, number in columns.counted_gaps if gap.is_failed)
-        return cls(len(columns), failed, gaps, columns.counted_doubts)
-
-    def plus(self, other: "Tally", table: str = "") -> "Tally":
-        """Return the sum of the counts. `table`: a prefix that names the other table; its rows are numbered from 1."""
-        gaps = dict(self.gaps)
-        rows_before = 0 if table else self.rows
-        for faults, more in other.gaps.items():
-            known = gaps.get(faults, Fault(0, rows_before + more.first, f"{table}{more.words}"))
-            gaps[faults] = known._replace(rows=known.rows + more.rows)
-        others = [name for name in self._fields if name != "gaps"]
-        sums: dict[str, Any] = {name: getattr(self, name) + getattr(other, name) for name in others}
-        return Tally(gaps=gaps, **sums)
-
-    def with_doubts(self, bits: int) -> int:
-        """Return the number of rows with any of the doubts in `bits`."""
-        return sum(rows for doubts, rows in self.doubts.items() if doubts & bits)
-
-    def counted(self, bits: int) -> list[tuple[str, int]]:
-        """Return the codes in `bits` with their numbers of rows, the most frequent first."""
-        counts = {code: self.with_doubts(bit) for code, bit in BITS.items() if bit & bits}
-        return [(code, rows) for code, rows in sorted(counts.items(), key=lambda item: -item[1]) if rows]
-
-
-def tallied(blocks: Iterable[Columns], tallies: list[Tally], word_of: Callable[[str], str] = str) -> Iterator[Columns]:
-    """Iterate over blocks, and append the counts of each to `tallies`; `word_of`: see `worded`."""
-    for columns in blocks:
-        tallies.append(Tally.of(columns, word_of))
-        yield columns

@@ -14,9 +14,10 @@ from ..model.containers import Reader, warn_of_metres
 from ..model.estimate import WORDS, Estimate
 from ..model.frame import Frame
 from ..model.labels import axes_of
-from ..model.rows import Columns, Tally, Wanted, as_list
+from ..model.rows import Columns, Wanted, as_list
 from ..model.solver import Solids, is_list, materials_of, words_in
 from ..model.sweep import Sweep
+from ..model.tally import Tally
 from ..quantities.formatting import AS_USUAL, Format, amount, symbol_of
 from ..quantities.laws import law_given
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, named

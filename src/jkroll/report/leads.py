@@ -16,7 +16,7 @@ from ..model.estimate import (
     Estimate,
     Ranges,
 )
-from ..model.frame import IN_ITS_PLACE, Frame
+from ..model.frame import ROLLING_ONSET, Frame
 from ..model.limits import FLIES_OFF, GAP_STAYS_DRY, ROUGH_MATTERS, may_be_rough
 from ..model.measured import FRACTION_HELD, SIZES_HELD, has_given_energy, what_rolled, what_stuck
 from ..physics.elementary import is_anywhere
@@ -107,7 +107,7 @@ def _options_for_middle(answer: Answer, fraction: float = 1.0) -> str:
     frame = answer.frame
     found = [answer.estimates[name] for name in _FORCE_AND_MOMENT if name in answer.estimates]
     middles = [sqrt(estimate.low * estimate.high) for estimate in found]  # nan where an end is open
-    is_chosen = frame.stated_model or not frame.given.keys().isdisjoint({"work_of_adhesion", *IN_ITS_PLACE})
+    is_chosen = frame.stated_model or not frame.given.keys().isdisjoint({"work_of_adhesion", *ROLLING_ONSET})
     is_known = len(middles) == len(_FORCE_AND_MOMENT) and not any(map(isnan, middles))
     if not is_known or is_chosen or not frame.is_identical or frame["load"]:
         return ""

@@ -17,7 +17,7 @@ from ..quantities.nomenclature import DEFAULTS, INFINITY, NOMENCLATURE, STATE_OR
 from ..text import first_of, listed
 
 if TYPE_CHECKING:
-    from ..model.rows import Tally
+    from ..model.tally import Tally
     from ..quantities.values import Interval, Uncertain
 
 # The severities, the most important first. Notes of one severity keep the order in which they are made.

@@ -19,7 +19,8 @@ from typing import Any, BinaryIO, NamedTuple
 
 from ..errors import ROWS_FAILED, BadRequest, BadRow, BadTable, JkrollError, MissingExtra, missing_extra
 from ..model.limits import EVERY_DOUBT
-from ..model.rows import DOUBT, STATUS, Columns, Tally, Wanted, evaluated, worded
+from ..model.rows import DOUBT, STATUS, Columns, Wanted, evaluated, worded
+from ..model.tally import Tally
 from ..quantities.formatting import Format
 from ..quantities.laws import DEFAULT_LAW, LAWS, law_given
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, computed_as
@@ -194,7 +195,7 @@ class Converter(NamedTuple):
         if failed is not None:
             raise BadRow(records.starts[failed.first], worded(failed.reasons))
         form = Format(digits=self.source.writer.digits)
-        added = [*table.law_words.values(), *result_columns(columns, form, table.wanted.remarks())]
+        added = [*table.law_words.values(), *result_columns(columns, form, table.wanted.last_keys())]
         output = compressed(self.source.writer.rows(table.added, added, records.before), self.compression)
         tally = Tally.of(columns)
         # `about` explains unclear names, so the gaps that they leave are not counted.

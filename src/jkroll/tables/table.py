@@ -159,7 +159,7 @@ class Table:
     @property
     def added(self) -> list[str]:
         """The headers of all added columns."""
-        return [*self.law_words, *self.wanted.heads(header), *self.wanted.remarks()]
+        return [*self.law_words, *self.wanted.heads(header), *self.wanted.last_keys()]
 
     def frame(self, given: Mapping[str, Any], solids: Mapping[str, Material | None]) -> Frame:
         """Return the frame of some inputs and of the materials in cells, completed by the options.

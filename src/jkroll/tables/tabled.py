@@ -10,8 +10,9 @@ import numpy
 from ..errors import BadRequest, BadRow, JkrollError
 from ..materials.library import Material, Materials, known_materials
 from ..model.containers import Reader
-from ..model.rows import BLOCK, Tally
+from ..model.rows import BLOCK
 from ..model.solver import materials_of, refuse_arrays, words_in
+from ..model.tally import Tally
 from ..model.unknowns import inputs_named
 from ..report.questions import BY_DEFAULT, quantities_named, quantity_named
 from ..text import as_arguments

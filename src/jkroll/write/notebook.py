@@ -11,7 +11,8 @@ from ..text import as_arguments
 from .table import parts_of_frame, parts_of_rows
 
 if TYPE_CHECKING:
-    from ..model.rows import Columns, Tally, Wanted
+    from ..model.rows import Columns, Wanted
+    from ..model.tally import Tally
     from ..report.report import Report
 
 

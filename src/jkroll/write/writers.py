@@ -276,15 +276,15 @@ def written(
 
     `doubt`: True for a column of doubts, if doubts are judged.
     """
-    remarks = () if writer.is_plain else wanted.remarks(doubt=doubt)
-    heads = [*map(header, wanted.inputs), *wanted.heads(form.header), *remarks]
+    last_keys = () if writer.is_plain else wanted.last_keys(doubt=doubt)
+    heads = [*map(header, wanted.inputs), *wanted.heads(form.header), *last_keys]
     of_results = Format(form.units, form.digits or writer.digits)
     yield writer.header(heads)
     for columns in blocks:
         inputs = []
         for name, column in zip(wanted.inputs, columns.inputs.values(), strict=True):
             inputs.append(_input_column(name, column, writer, form))
-        yield writer.rows(heads, [*inputs, *result_columns(columns, of_results, remarks)])
+        yield writer.rows(heads, [*inputs, *result_columns(columns, of_results, last_keys)])
 
 
 def _input_column(name: str, column: Any, writer: Any, form: Format) -> Any:
@@ -301,9 +301,9 @@ def _rounded(column: Any, digits: int) -> list[Cell]:
     return [float(f"{cell:.{digits}g}") if isinstance(cell, float) else cell for cell in as_list(column)]
 
 
-def result_columns(columns: Columns, form: Format, remarks: Sequence[str]) -> list[Any]:
+def result_columns(columns: Columns, form: Format, last_keys: Sequence[str]) -> list[Any]:
     """Return the columns of results in a format, then those of codes and reasons."""
-    texts = [_codes(columns) if name == DOUBT else columns.status for name in remarks]
+    texts = [_codes(columns) if name == DOUBT else columns.status for name in last_keys]
     if columns.few or columns.wanted.best or any(map(form.changes, columns.wanted.names)):
         return [*_formatted(columns, form), *texts]
     return [columns.numbers, *texts]
