@@ -355,7 +355,7 @@ def run_export(call: Call) -> int:
     names = tuple(name for name in program.quantities if name not in lacking)
     answer = Report(Question(names, names), frame)
     ranges = Note("lead", f"best ranges: {answer.best_ranges}")
-    lines = [note.line for note in (ranges, *about_middles(answer.uncertain))]
+    lines = [note.line for note in (ranges, *about_middles(answer.uncertain_inputs))]
     lines += [note.line for note in by_severity(answer.every_sentence) if note.severity != "more"]
     if program.about:
         sys.stdout.write(text)

@@ -95,7 +95,7 @@ class Answered(Shown):
     @cached_property
     def inputs(self) -> Mapping[str, float | str | Uncertain]:
         """The inputs that were given or enter the results, in SI units, with their error bars."""
-        return self._answer.measures
+        return self._answer.input_measures
 
     @cached_property
     def inputs_in_words(self) -> Mapping[str, str]:

@@ -188,19 +188,19 @@ class Answer(Results):
         return all(result.value is None for result in self.results if result.name in self.question.headline)
 
     @cached_property
-    def measures(self) -> Mapping[str, float | str | Uncertain]:
+    def input_measures(self) -> Mapping[str, float | str | Uncertain]:
         """The inputs that were stated or enter the results, as understood, with their uncertainties."""
         return {name: in_words(name, value) for name, value in self.inputs_shown([*self.columns]).items()}
 
     @cached_property
     def inputs(self) -> Mapping[str, float | str]:
-        """`measures` without uncertainties."""
-        return {name: middle(value) for name, value in self.measures.items()}
+        """`input_measures` without uncertainties."""
+        return {name: middle(value) for name, value in self.input_measures.items()}
 
     @property
-    def uncertain(self) -> Mapping[str, Uncertain]:
+    def uncertain_inputs(self) -> Mapping[str, Uncertain]:
         """The inputs that are uncertain."""
-        return {name: value for name, value in self.measures.items() if is_uncertain(value)}
+        return {name: value for name, value in self.input_measures.items() if is_uncertain(value)}
 
     @cached_property
     def results(self) -> tuple[Result, ...]:

@@ -264,7 +264,7 @@ def _stick_or_bounce(answer: Answer) -> str:
     limit = _as_shown("sticking_speed", answer)
     above = order(_estimate(answer.frame, "speed"), sticking)
     verdict = {-1: "stick", 0: "may stick or bounce", 1: "bounce"}[above]
-    speed = amount("speed", answer.measures.get("speed", answer.frame["speed"]))
+    speed = amount("speed", answer.input_measures.get("speed", answer.frame["speed"]))
     stuck = what_stuck(answer.frame)
     is_carried = stuck is not None and stuck.can_be_scaled(answer.frame) and not stuck.is_near(answer.frame)
     source = "scaled from measured speeds" if is_carried and sticking.by == MEASURED else WORDS[sticking.by]

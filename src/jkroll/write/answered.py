@@ -81,8 +81,9 @@ def as_object(answer: Report, form: Format) -> dict[str, Any]:
     from .. import __version__
 
     entry: dict[str, Any] = {"inputs": dict(answer.inputs)}
-    if answer.uncertain:
-        entry["uncertainties"] = {name: bar_object(name, bar) for name, bar in answer.uncertain.items()}
+    if answer.uncertain_inputs:
+        uncertain = answer.uncertain_inputs
+        entry["uncertainties"] = {name: uncertainty_object(name, value) for name, value in uncertain.items()}
     entry["results"] = [_result_object(result, answer, form) for result in answer.results]
     if answer.condition is not None:
         entry["condition"] = answer.condition

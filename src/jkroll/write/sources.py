@@ -313,7 +313,7 @@ def _values(answer: Report) -> str:
     if "energy_ratio" in answer.inputs:
         omitted.add("energy")  # the energy follows from the ratio
     texts = []
-    for name, value in answer.measures.items():
+    for name, value in answer.input_measures.items():
         if name in omitted:
             continue
         quantity = NOMENCLATURE[name]

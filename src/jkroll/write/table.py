@@ -139,7 +139,7 @@ def frame_table(answer: "Report", out: TextIO, form: Format) -> None:
 
 def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextColumn]]:
     """Iterate over lines and a table: the inputs of an answer, its results with best ranges, and their reasons."""
-    stated = {name: value for name, value in answer.measures.items() if name not in answer.assumed}
+    stated = {name: value for name, value in answer.input_measures.items() if name not in answer.assumed}
     yield from _about_inputs("", stated, _assumptions(answer), form)
     yield from lines_above(answer.sentences)
     if answer.described.unknowns:
