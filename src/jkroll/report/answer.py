@@ -39,7 +39,7 @@ from ..quantities.values import Uncertain, is_uncertain, middle
 from .notes import assumed, entering
 from .questions import Question
 
-_OF_ONE_LAW = (NONE, DEFINITION, ANY_LAW)  # rules for which the value of the law in use suffices
+_NO_RANGE_NEEDED = (NONE, DEFINITION, ANY_LAW)  # rules for which the value of the law in use suffices
 
 # --- Results ----------------------------------------------------------------------------------------------------------
 
@@ -61,8 +61,8 @@ class Result(Numeric):
         code: str = "",  # the code of the reason
         error: float | None = None,
         bar: ErrorBar | None = None,  # the uncertainty, if an input has one
-        law: str = "",  # the law of attraction, unless it is JKR or has the same formula as JKR
-        equation: str = "",  # by `law`: the number of the equation in the paper, or the source of the law
+        law: str = "",  # the law of attraction; empty for JKR, for a formula that JKR shares, and for inferred values
+        equation: str = "",  # with a `law`: the number of the equation in the paper, or the source of the law
     ) -> None:
         self.name, self.value, self.reason, self.code, self.error = name, value, reason, code, error
         self.bar, self.law = bar, law
@@ -83,7 +83,7 @@ class Result(Numeric):
 
     @property
     def source(self) -> str:
-        """The equation as a text: "Eq 6", or the source of the law."""
+        """The equation as a text, "Eq 6", or the source of the law; empty if JKR's formula is not in the paper."""
         return f"Eq {self.equation}" if self.equation.isdigit() else self.equation
 
     @property
@@ -114,7 +114,7 @@ _MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_app
 def model_error(name: str, frame: Frame) -> float | None:
     """Return the relative error of an approximate moment; None for the exact moment and for other quantities.
 
-    Eq (25) is exact at a fixed load. At a fixed approach the exact moment has a further term in ξ³.
+    At a fixed load the exact moment is that of Eq (25). At a fixed approach it has a further term in ξ³.
     """
     exact_model = "fixed_approach_moment" if "approach_at_load" in frame.stated else "yield_moment"
     if name not in _MOMENTS or name == exact_model:
@@ -126,7 +126,7 @@ def model_error(name: str, frame: Frame) -> float | None:
 
 
 def with_force_by_maugis(error: Failure, frame: Frame) -> Failure:
-    """Return the error for a load beyond pull-off; for JKR, with Maugis' pull-off force if that is known."""
+    """Return the error for a load beyond pull-off; under JKR, with Maugis' pull-off force if that is known."""
     if not frame.law.is_default:
         return error
     by_maugis = frame.replace(model=BETWEEN)
@@ -209,7 +209,7 @@ class Answer(Results):
 
     @property
     def results_to_explain(self) -> tuple[Result, ...]:
-        """The results, and after inferred values the measured quantities, from whose formulas these follow."""
+        """The results; after inferred values also the measured quantities, whose formulas were solved for them."""
         measured = tuple(name for name in self.judged if name not in self.computed)
         if not measured or self.failure is not None:
             return self.results
@@ -282,8 +282,8 @@ class Answer(Results):
         """The limits of the model that are exceeded, the most important first.
 
         Limits that make results meaningless come first, led by a contact wider than its sphere, then the other limits.
-        In each of these two groups, limits on the headline precede the rest, then limits on a state (with threshold 0),
-        then limits with a remedy, then limits with a larger excess.
+        Each of these two groups begins with the limits on the headline. Among them, and among the rest, limits on a
+        state (with threshold 0) precede limits with a remedy, then come the others. Ties go to the larger excess.
         """
         return sorted((doubt for doubt in self.validity if doubt.is_exceeded), key=self._rank)
 
@@ -308,8 +308,8 @@ class Answer(Results):
     def _is_of_headline(self, limit: Limit) -> bool:
         """Return whether a limit concerns the headline.
 
-        The limit of the law concerns the headline if a better law gives it a different value. A limit on the size of a
-        result, such as a negative force, always concerns the headline.
+        The limit of the law concerns the headline if a better law gives it a different value. A limit on the value of
+        a result itself, such as a negative force, always counts as one on the headline.
         """
         if limit.name in limit.touches and limit.name in self.values:
             return True
@@ -362,7 +362,7 @@ class Answer(Results):
         the uncertainties.
         """
         words = {WORDS[self.estimates[name].by] for name in self.names_in_table if name in self.estimates}
-        return self.shows_surfaces or not words <= {self.frame.law.short, *(WORDS[by] for by in _OF_ONE_LAW)}
+        return self.shows_surfaces or not words <= {self.frame.law.short, *(WORDS[by] for by in _NO_RANGE_NEEDED)}
 
     @cached_property
     def held(self) -> Mapping[str, Ends]:
@@ -382,7 +382,7 @@ class Answer(Results):
 
     @cached_property
     def failure(self) -> JkrollError | None:
-        """The reason why there is no result, or no contact."""
+        """The reason why there is no result, or no contact; otherwise None."""
         for error in self.reasons.values():
             if isinstance(error, Failure) and not error.cause.has_contact:
                 return with_force_by_maugis(error, self.frame) if error.cause == BEYOND_PULL_OFF else error
