@@ -203,10 +203,10 @@ def about_values(frame: Frame, names: Collection[str]) -> Iterator[Note]:
             yield Note("more", f"to roll at ξ = {amount(XI, values[XI])}, {condition}")
 
 
-# --- Missing inputs ---------------------------------------------------------------------------------------------------
+# --- Unjudged limits and missing values -------------------------------------------------------------------------------
 
 
-def about_limits(every: Iterable[Doubt]) -> Iterator[Note]:
+def about_unjudged(every: Iterable[Doubt]) -> Iterator[Note]:
     """Iterate over notes on limits that were not judged, one for all limits that lack the same inputs.
 
     The first code of a limit stands for the limit.
@@ -307,7 +307,7 @@ def notes_below(groups: Sequence[Noted], tally: "Tally", reported: int, *, is_ta
     for frame, names in groups:
         possible = frame.possible(names)
         every += about_given(frame, possible, frame.inputs_of(*possible))
-        every += about_limits(doubts(frame, frame.columns(possible)))
+        every += about_unjudged(doubts(frame, frame.columns(possible)))
     return [*dict.fromkeys(every), *about_idle(idle_in(groups)), *about_assumed(assumed_in(groups))]
 
 

@@ -45,8 +45,8 @@ from .notes import (
     about_assumed,
     about_given,
     about_idle,
-    about_limits,
     about_missing,
+    about_unjudged,
     about_values,
     by_severity,
 )
@@ -116,7 +116,7 @@ class Report(Answer):
             *about_idle(idle),
             *about_values(self.frame, self._valued),
             *self._about_pull(),
-            *about_limits(self.validity),
+            *about_unjudged(self.validity),
             *_about_lost_contacts(self),
         )
         notes = dict.fromkeys(every)
