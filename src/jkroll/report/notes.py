@@ -196,7 +196,7 @@ def about_values(frame: Frame, names: Collection[str]) -> Iterator[Note]:
     if frame.law.name == BETWEEN and "contact_radius_at_load" in names and frame["contact_radius_at_load"] == 0:
         yield Note("remark", "a = 0: the spheres are bound without touching")
     if rolling(names):
-        values = frame.numbers(XI, "hysteresis_ratio", "displacement_ratio")
+        values = frame.numbers(XI, "hysteresis_ratio")
         lost = values.get("hysteresis_ratio", 1.0)
         if lost < 1 and XI in values:
             condition = f"{significant(100 * lost, 2)} % of w must be lost where the contact opens and closes"
