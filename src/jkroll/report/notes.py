@@ -48,17 +48,17 @@ class Note(NamedTuple):
         return f"{'warning' if self.severity == 'warning' else 'note'}: {self.text}"
 
 
-_RULES = {  # assumed formulas, by the input that each replaces
+_FORMULAS = {  # assumed formulas, by the input that each replaces
     "contacts": "an aggregate has as many contacts as grains, n_c = N",
     "shear_strength": "τ = G/4π²",
     "work_of_adhesion": "w = 2√(γ1γ2)",
 }
-_DEFAULTS = {"load": "no load", "contact_angle": "θ_c = 0, water that wets"}
+_DEFAULTS_IN_WORDS = {"load": "no load", "contact_angle": "θ_c = 0, water that wets"}
 FRICTION = Note(
     "remark", "sliding and twisting are known only within an order of magnitude: τ = G/4π² (--shear-strength)"
 )
 _UNLIKE = 3.0  # ratio of two surface energies above which their geometric mean is too high
-_MAX_NOTES = 1  # answering sentences below results, and as many other notes, in addition to the warning
+_MAX_NOTES = 1  # answering sentences shown below results; as many other notes are shown
 _MAX_LENGTH = 154  # characters of a note: two lines of a terminal
 _MAX_CODES = 4  # codes of doubts in a note
 MORE = "more: --explain"  # the last line, if there is more
@@ -71,7 +71,8 @@ _MOST_IN_WORDS = 2  # largest number of quantities that a note names in words; i
 def entering(frame: Frame, names: Sequence[str], *, judges: bool = True) -> tuple[set[str], list[str]]:
     """Return the inputs of some quantities, and the given inputs that change neither a quantity nor a limit.
 
-    A load or state that changes only limits counts as idle, because the user expected it to change a result.
+    An input that a missing quantity needs is not idle. A load or state that changes only limits is idle, because the
+    user expected it to change a result.
     `judges`: True to count all limits, False to count only those that make a result meaningless.
     """
     limits = concerning(frame, frame.possible(names), LIMITS if judges else ENDING)
@@ -89,7 +90,7 @@ def assumed(frame: Frame, inputs: Collection[str], names: Sequence[str], *, has_
     `has_values`: True if the frame is a single row, so that an assumed formula gives one value.
     """
     steps = frame.formulas_to(*names)
-    texts = {name: rule for name, rule in _RULES.items() if name in steps}
+    texts = {name: formula for name, formula in _FORMULAS.items() if name in steps}
     if "hamaker" in inputs:
         texts["work_of_adhesion"] = "w = A/12πD0²"
     elif "surface_energy2" not in inputs:
@@ -100,7 +101,7 @@ def assumed(frame: Frame, inputs: Collection[str], names: Sequence[str], *, has_
     for name, value in DEFAULTS.items():
         if name not in inputs or name in frame.given:
             continue
-        texts[name] = _DEFAULTS.get(name, f"{symbol_of(name)} = {amount(name, value)}")
+        texts[name] = _DEFAULTS_IN_WORDS.get(name, f"{symbol_of(name)} = {amount(name, value)}")
         if name == "energy_ratio" and len(names) > 1:
             texts[name] = f"n_roll at {texts[name]}"
         if name == "energy_ratio" and has_values:
@@ -169,7 +170,7 @@ def about_idle(names: Sequence[str]) -> Iterator[Note]:
 
 
 def about_middles(uncertain: "Mapping[str, Uncertain]") -> Iterator[Note]:
-    """Iterate over at most one note: the uncertain inputs for which a picture or an export uses the middle."""
+    """Iterate over at most one note: the uncertain inputs, of which a picture or an export uses the middle."""
     if uncertain:
         middles = ", ".join(f"{symbol_of(name)} = {amount(name, value)}" for name, value in uncertain.items())
         yield Note("remark", f"computed with the middle of {middles}")
@@ -245,23 +246,23 @@ Noted = tuple[Frame, Sequence[str]]  # the frame of rows with the same inputs, a
 def about_rows(tally: "Tally", reported: int, where: str, hint: str = "") -> Iterator[Note]:
     """Iterate over notes on rows: how many have results without a meaning or in doubt, and why cells are empty.
 
-    `reported`: the bits of the doubts to report; `where`: the place in which the codes stand or are explained; `hint`:
-    a text after `where`, for results in doubt only.
+    `reported`: the bits of the doubts to report; `where`: the column with the codes, or the page that explains
+    them; `hint`: a text after `where`, for results in doubt only.
     """
-    severities: tuple[tuple[Severity, str, int, int, str], ...] = (
+    subjects: tuple[tuple[Severity, str, int, int, str], ...] = (
         ("warning", "numbers have no meaning", reported & ENDING_MEANING, 2, where),  # few codes: each is explained
         ("remark", "doubts", reported & ~ENDING_MEANING, _MAX_CODES, where + hint),
     )
-    for severity, subject, bits, most, where_told in severities:
+    for severity, subject, bits, most_codes, place in subjects:
         texts = []
         for code, rows in tally.counted(bits):
             meaning = f" ({MEANINGS[code]})" if code in MEANINGS else ""
             texts.append(f"{code} {rows}{meaning}")
         if texts:
             fraction = f"{tally.with_doubts(bits)} of {tally.rows} rows"
-            yield Note(severity, f"{subject} in {fraction} ({where_told}): {first_of(texts, most)}")
+            yield Note(severity, f"{subject} in {fraction} ({place}): {first_of(texts, most_codes)}")
     for number, first, words in tally.gaps.values():
-        others = f" and {number - 1} other{'s' * (number > 2)}" if number > 1 else ""
+        others = "" if number == 1 else f" and {number - 1} other{'s' if number > 2 else ''}"
         yield Note("gap", f"{words}: row {first}{others}")
 
 

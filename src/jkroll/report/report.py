@@ -79,7 +79,7 @@ class Report(Answer):
                 yield f"{WORDS[by]}: {reason}"
 
     def notes_on_ranges(self) -> Iterator[Note]:
-        """Iterate over a note for each rule that gives a range to take and has a reason, for output as lines."""
+        """Iterate over a note for each rule that gives a range to take and has a reason, for output without a table."""
         texts: dict[int, list[str]] = {}
         for name, estimate in self._estimates_to_take.items():
             text = f"{symbol_among(name, self.inputs)}: {range_in_words(name, estimate, self.form)}"
@@ -145,18 +145,18 @@ class Report(Answer):
         return notes
 
     def _by_law_alone(self, doubt: Doubt) -> str:
-        """Return the law, and its ξ if that matters, as the prefix of a warning about results that have best ranges.
+        """Return the prefix of a warning: the law, and ξ if the limit depends on it, since best ranges have a meaning.
 
-        It is empty if one of the results has no best range.
+        The prefix is empty if one of the meaningless results has no best range.
         """
         if any(self.estimates[name].by == NONE for name in self.ended_by(doubt)):
             return ""
-        depends_on_shift = rolling([doubt.limit.name]) and XI not in doubt.limit.touches
-        with_shift = f" with ξ = {amount(XI, self.frame[XI])}" if depends_on_shift else ""
-        return f"by {self.frame.law.short}{with_shift}, "
+        depends_on_xi = rolling([doubt.limit.name]) and XI not in doubt.limit.touches
+        with_xi = f" with ξ = {amount(XI, self.frame[XI])}" if depends_on_xi else ""
+        return f"by {self.frame.law.short}{with_xi}, "
 
     def _is_in_leads(self, doubt: Doubt) -> bool:
-        """Return whether the answering sentences already say whether the energy is enough for rolling."""
+        """Return whether a lead already has the consequence of a limit: the energy is too little for rolling."""
         return doubt.limit.name == "energy_over_yield" and self.question.headline == ("n_roll",)
 
     def _is_in_ranges(self, doubt: Doubt) -> bool:
@@ -194,16 +194,14 @@ class Report(Answer):
 
     @property
     def every_sentence(self) -> list[Note]:
-        """All sentences about the answer, for output without its table."""
+        """All sentences about the answer."""
         return [*self.notes, *self.doubts(has_leads=True)]
 
     @property
     def sentences(self) -> list[Note]:
-        """All sentences about the answer, each once."""
-        above = set[str]()
-        if self.shows_surfaces:
-            above.add(held_on_surfaces(self))  # a part of the first sentence, or rows of the table
-        return [note for note in self.every_sentence if note.severity in ABOVE or note.text not in above]
+        """The sentences about the answer, without the doubt that a lead, or rows of the table for surfaces, repeat."""
+        repeated = held_on_surfaces(self) if self.shows_surfaces else None
+        return [note for note in self.every_sentence if note.severity in ABOVE or note.text != repeated]
 
     @property
     def sentences_below(self) -> list[Note]:
@@ -222,18 +220,18 @@ class Report(Answer):
         if not any(pull.high > low for low, _ in self.held.values()):
             return
         smooth = Ranges.of(self.frame, *self.frame.possible(["pull_off_force"]))
-        held = "rough spheres may have parted at this pull; "
+        verdict = "rough spheres may have parted at this pull"
         for name in smooth.names:
             force = smooth.estimate(name)
-            part = "" if name in self.question.headline else f" (they part at {range_in_words(name, force, self.form)})"
+            at = "" if name in self.question.headline else f" (they part at {range_in_words(name, force, self.form)})"
             pulls_off = order(pull, force)
             if pulls_off < 0:
-                held = f"smooth spheres hold this pull{part}; "
+                verdict = f"smooth spheres hold this pull{at}"
             elif pulls_off == 0:
-                held = f"even smooth spheres may have parted at this pull{part}; "
+                verdict = f"even smooth spheres may have parted at this pull{at}"
         may_hold = any(pull.low <= high for _, high in self.held.values())
         parted = f"real ones {'may have' if may_hold else 'have'} parted, as they hold"
-        yield Note("lead", f"{held}{held_on_surfaces(self, parted)}")
+        yield Note("lead", f"{verdict}; {held_on_surfaces(self, parted)}")
 
     @property
     def _lacking_in_table(self) -> Mapping[str, JkrollError]:
@@ -279,5 +277,5 @@ def _about_lost_contacts(answer: Answer) -> Iterator[Note]:
 
 
 def every_line(report: Report) -> list[str]:
-    """Return all sentences of a report as lines, the most important first."""
+    """Return the sentences of a report as lines, the most important first."""
     return [note.line for note in by_severity(report.sentences)]
