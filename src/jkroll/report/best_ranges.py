@@ -61,7 +61,7 @@ from .inferred import lack_by_better_law
 
 _MOST = 3  # results in a note
 _SAME = 1e-12  # a range with a smaller relative width is shown as one number
-_ALIKE = 0.01  # relative difference of radii below which a measurement is not scaled
+_ALIKE = 0.01  # relative difference of radii below which a reason does not mention that a measurement was scaled
 
 
 def lines_on_rules(rules: Iterable[int]) -> Iterator[str]:
@@ -72,7 +72,7 @@ def lines_on_rules(rules: Iterable[int]) -> Iterator[str]:
 
 
 def range_in_words(name: str, estimate: Estimate, form: Format = AS_USUAL) -> str:
-    """Return a best range with its unit, as in a table: "14–15 nN", "≥ 1.5e-18 J", or "none"."""
+    """Return a best range with its unit, for a sentence: "14–15 nN", "≥ 1.5e-18 J", or "none"."""
     low, high = estimate.low, estimate.high
     if isnan(low) and isnan(high):
         return "none"
@@ -82,9 +82,10 @@ def range_in_words(name: str, estimate: Estimate, form: Format = AS_USUAL) -> st
 
 
 def range_in_unit(estimate: Estimate, unit: ShownUnit, form: Format) -> tuple[str, str]:
-    """Return a sign such as "≥ ", or an empty text, and the numbers of a range in a unit; "–" for a range without ends.
+    """Return the sign "≥ ", "≤ " or "≈ ", or an empty text, and the numbers of a range in a unit; "–" without ends.
 
-    A range with equal ends is a number with as many digits as a result, unless it is only approximate.
+    A range by a rule that is only approximate has the sign "≈ ". Any other range with equal ends is a number with as
+    many digits as a result.
     """
     low, high = (end if isnan(end) else unit.convert(end) for end in (estimate.low, estimate.high))
     digits = form.digits or 2
@@ -102,7 +103,7 @@ def range_in_unit(estimate: Estimate, unit: ShownUnit, form: Format) -> tuple[st
 
 
 def order(first: Estimate, second: Estimate) -> int:
-    """Return -1 or 1 if the first range lies below or above the second, or 0 if they overlap or an end is open."""
+    """Return -1 or 1 if the first range surely lies below or above the second; 0 if they may overlap."""
     if first.high < second.low:
         return -1
     return 1 if first.low > second.high else 0
@@ -110,25 +111,25 @@ def order(first: Estimate, second: Estimate) -> int:
 
 def reasons_for(by: int, answer: Answer) -> Iterator[str]:
     """Iterate over the reasons for the ranges by one rule: first the line for a table, then the details."""
-    if by in _OF_ANSWER:
-        yield from filter(None, _OF_ANSWER[by](answer))
+    if by in _REASONS_OF_ANSWER:
+        yield from filter(None, _REASONS_OF_ANSWER[by](answer))
     elif by in _REASONS:
         yield _REASONS[by]
 
 
 def made_of(name: str, answer: Answer) -> str:
-    """Return the ranges that make up a best range: by the law in use, and by Maugis' law at each spacing.
+    """Return the ranges that make up a best range, as a text: by the law in use, and by Maugis' law at each spacing.
 
-    A pull-off force also has its value by Lennard-Jones. The text is empty for ranges by other rules.
+    A pull-off force also has its value by Lennard-Jones. The text is empty for rules that compare no laws.
     """
     estimate = answer.estimates[name]
     if estimate.by not in (SCALED, XI_UNKNOWN, BETTER_LAW, LAW_IN_USE):
         return ""
-    laws, spacing = [answer.frame.law.short], answer.frame.numbers("atomic_spacing").get("atomic_spacing", 0.0)
-    laws.append(f"Maugis at {_angstroms(spacing, spacing)}")
+    spacing = answer.frame.numbers("atomic_spacing").get("atomic_spacing", 0.0)
+    laws = [answer.frame.law.short, f"Maugis at {_angstroms(spacing, spacing)}"]
     if answer.frame.assumes_spacing:
         laws.append(f"at {_angstroms(spacing / 2, spacing / 2)}")
-    parts = zip(laws, answer.ranges.of_laws(name, estimate.by), strict=False)
+    parts = zip(laws, answer.ranges.of_laws(name, estimate.by), strict=False)  # a given spacing repeats the last range
     texts = [f"{law} {range_in_words(name, Estimate(*ends, estimate.by), answer.form)}" for law, ends in parts]
     if name == "pull_off_force":
         for force in answer.frame.numbers("pull_off_force_lennard_jones").values():
@@ -140,7 +141,7 @@ def made_of(name: str, answer: Answer) -> str:
 
 
 def held_on_surfaces(answer: Answer, hold: str = "real spheres hold") -> str:
-    """Return the pull-off force of real surfaces: as measured, or else a guess from SiO2 after the words `hold`."""
+    """Return the clause on the pull-off force of real surfaces: as measured, or a guess that begins with `hold`."""
     forces = {surface: span("pull_off_force", *ends, answer.form) for surface, ends in answer.held.items()}
     if LIKE_SIO2 in forces:
         is_small = is_below_scaled(answer.frame)
@@ -159,8 +160,9 @@ def about_surfaces(frame: Frame) -> str:
     return f"fractions of JKR's force{of_energy}, scaled to {amount('radius', frame['radius'])}: {parts}"
 
 
-# --- Rules, for many rows ---------------------------------------------------------------------------------------------
+# --- Reasons in general -----------------------------------------------------------------------------------------------
 
+# By rule, for many rows; also for a single answer if _REASONS_OF_ANSWER has no function for the rule.
 _REASONS: Mapping[int, str] = {
     MEASURED: "speeds at which SiO2 stuck, at other sizes scaled like JKR's speed",
     SEEN: f"hard spheres were seen to stick at 1 to {MOST_SEEN} times JKR's speed",
@@ -178,7 +180,7 @@ _REASONS: Mapping[int, str] = {
 }
 
 
-# --- Rules, for one answer --------------------------------------------------------------------------------------------
+# --- Reasons of one answer --------------------------------------------------------------------------------------------
 
 
 def _kelvin(answer: Answer) -> Iterator[str]:
@@ -210,10 +212,10 @@ def _friction(answer: Answer) -> Iterator[str]:
 
 def _better_law(answer: Answer) -> Iterator[str]:
     frame = answer.frame
-    low, high = least_spacing(frame), frame["atomic_spacing"]
+    least, spacing = least_spacing(frame), frame["atomic_spacing"]
     parameter = frame.numbers("tabor_parameter").get("tabor_parameter", 0.0)  # rigid bodies have none
-    where = f"at Tabor's μ = {from_to(parameter, high / low * parameter)}" if parameter else "for rigid bodies"
-    over = f"z0 = {_angstroms(low, high)}{' (--z0)' if frame.assumes_spacing else ''}"
+    where = f"at Tabor's μ = {from_to(parameter, spacing / least * parameter)}" if parameter else "for rigid bodies"
+    over = f"z0 = {_angstroms(least, spacing)}{' (--z0)' if frame.assumes_spacing else ''}"
     if answer.described.uncertainties:
         over = "z0 (--z0) and the errors" if frame.assumes_spacing else "the errors"
     yield f"the better law {where}, over {over}"
@@ -222,8 +224,8 @@ def _better_law(answer: Answer) -> Iterator[str]:
         symbols = ", ".join(symbol_among(name, answer.inputs) for name in of_side)
         if percent:
             yield f"{frame.law.short} is {from_to(min(percent), max(percent))} % too {side} ({symbols})"
-    is_told = answer.is_in_doubt(ROUGH_MATTERS) or answer.is_on_pull_off
-    if "pull_off_force" in answer.estimates and may_be_rough(frame) and not is_told:
+    is_elsewhere = answer.is_in_doubt(ROUGH_MATTERS) or answer.is_on_pull_off  # in a doubt, or in rows of the table
+    if "pull_off_force" in answer.estimates and may_be_rough(frame) and not is_elsewhere:
         yield f"P_c is that of smooth, dry spheres; {held_on_surfaces(answer)}"
 
 
@@ -233,8 +235,10 @@ _Errors = Mapping[str, dict[str, list[float]]]  # by side and name: relative err
 def _errors(answer: Answer) -> _Errors:
     """Return the relative errors of the law in use, too high or too low, at both ends of the better law's ranges.
 
-    The mapping is empty if a value lies inside its range, or if an input is uncertain.
+    The mapping is empty if a value lies inside its range, if a range has an open end, or if an input is uncertain.
     """
+    if answer.described.uncertainties:
+        return {}
     errors: _Errors = {"high": {}, "low": {}}
     seen = set[float]()  # equal values have one row in the table, so they count once
     for name, estimate in answer.estimates.items():
@@ -244,7 +248,7 @@ def _errors(answer: Answer) -> _Errors:
         seen.add(value)
         ratios = [value / end if end else nan for end in (estimate.low, estimate.high)]
         is_outside = min(ratios) >= 1 or 0 < max(ratios) <= 1
-        if not is_outside or any(map(isnan, ratios)) or answer.described.uncertainties:
+        if not is_outside or any(map(isnan, ratios)):
             return {}
         errors["high" if max(ratios) > 1 else "low"][name] = [abs(ratio - 1) for ratio in ratios]
     return errors
@@ -275,15 +279,15 @@ def _measured(answer: Answer) -> Iterator[str]:
     assert stuck is not None  # the rule applies to a solid whose speeds were measured
     first, last = (significant(stuck.at(radius), 2) for radius in stuck.radii)
     small, large = (amount("radius", radius) for radius in stuck.radii)
-    solid, bar = solid_of_pair(answer.frame), f"±{100 * stuck.error:.0f} %"
-    seen = f"{first} m/s at R = {small}, {last} m/s at {large} on {solid}"
+    solid = solid_of_pair(answer.frame)
+    seen = f"{first} m/s at R = {small}, {last} m/s at {large} on {solid}, ±{100 * stuck.error:.0f} %"
     if stuck.is_near(answer.frame):
-        yield f"{seen}, {bar}"
+        yield seen
         yield f"the spheres stuck to a plane; the speed is proportional to R^{stuck.exponent}"
         yield _above_law(answer)
         return
     yield f"from {first} m/s on {solid} of R = {small} in vacuum, by size alone: R^(-5/6)"
-    yield f"{seen}, {bar}; the spheres stuck to a plane; scaled to this pair like {answer.frame.law.short}'s speed"
+    yield f"{seen}; the spheres stuck to a plane; scaled to this pair like {answer.frame.law.short}'s speed"
     yield _above_law(answer)
     yield "the effect of γ was not measured"
 
@@ -344,18 +348,21 @@ def _xi_unknown(answer: Answer) -> Iterator[str]:
     ends = f"ξ from 2 Å (one atom) to {limit}"
     if most < frame[XI]:
         ends = f"ξ of at most {limit}"
-    what = "not measured"
+    lack = "not measured"
     if rolled is not None:
-        what += " at this size" if rolled.has_energy(frame) else " at this γ"
+        lack += " at this size" if rolled.has_energy(frame) else " at this γ"
         if rolled.has_energy(frame) and any(high > most for _, high in answer.ranges.of_laws(XI, SCALED)):
             ends = f"ξ from 2 Å (one atom) to that of R = {amount('radius', rolled.radius)}, scaled"
     yield ends
-    yield f"{what}; ξ is how far the contact shifts before it rolls"
+    yield f"{lack}; ξ is how far the contact shifts before it rolls"
     yield _of_measured_solid(answer)
 
 
-def of_silica(answer: Answer) -> str:
-    """Return the headline's ranges for SiO2, on which rolling was measured; empty if none is a scaled measurement."""
+def if_silica(answer: Answer) -> str:
+    """Return the sentence with the headline's ranges for SiO2, on which rolling was measured.
+
+    The sentence is empty without a radius, or if no range is a scaled measurement.
+    """
     silica = Frame(answer.frame.stated, known_materials()["quartz"])
     if not isinstance(answer.frame.given.get("radius"), float):
         return ""
@@ -369,7 +376,7 @@ def of_silica(answer: Answer) -> str:
 
 
 def _of_measured_solid(answer: Answer) -> str:
-    """Return the sentence on forces measured on spheres of the same solid, but another size or surface energy."""
+    """Return the sentence on forces or ξ measured on spheres of the same solid, but another size or surface energy."""
     rolled, solid = what_rolled(answer.frame), solid_that_rolled(answer.frame)
     if rolled is None:
         return ""
@@ -419,7 +426,7 @@ def _law_only(answer: Answer) -> Iterator[str]:
         yield _REASONS[LAW_ONLY]
 
 
-_OF_ANSWER: Mapping[int, Callable[[Answer], Iterable[str]]] = {
+_REASONS_OF_ANSWER: Mapping[int, Callable[[Answer], Iterable[str]]] = {
     BETTER_LAW: _better_law,
     KELVIN: _kelvin,
     BOUNDS: _bounds,

@@ -25,7 +25,7 @@ from ..quantities.nomenclature import XI
 from ..quantities.values import Interval, Measured, ends_of
 from ..text import listed
 from .answer import Answer
-from .best_ranges import held_on_surfaces, of_silica, order, range_in_words
+from .best_ranges import held_on_surfaces, if_silica, order, range_in_words
 from .inferred import about_library
 from .notes import Note, Noted
 
@@ -51,14 +51,14 @@ def leads(answer: Answer) -> Iterator[Note]:
     if "impact_pressure" in answer.values:
         is_known = not answer.frame.missing(["first_yield_pressure"])
         yield Note("lead" if is_known else "more", _elastic_or_not(answer))
-    answers = [*filter(None, (_filled(sentence, answer) for sentence in answer.question.leads))]
+    answers = [*filter(None, (_completed(sentence, answer) for sentence in answer.question.leads))]
     yield from (Note("lead", lead) for lead in answers)
     if answers and _is_from_forces(answer):
         yield Note("lead", "this range comes from measured rolling forces, not from your γ or the assumed ξ")
     if XI_UNKNOWN in answer.rules and answer.frame.missing(["work_of_adhesion"]):
-        silica = of_silica(answer)
-        if silica:
-            yield Note("lead", silica)
+        sentence = if_silica(answer)
+        if sentence:
+            yield Note("lead", sentence)
     is_asked = "tabor_parameter" in answer.question.named and answer.frame.stated_model is None
     if is_asked and "tabor_parameter" in answer.values:
         yield Note("lead", _law_that_holds(answer))
@@ -72,7 +72,8 @@ def lead_of_rows(groups: Sequence[Noted], names: Collection[str]) -> str:
     is_wet = "meniscus_force" in names
     if any(is_anywhere(may_be_rough(frame)) for frame, _ in groups):
         sentences.append(f"real spheres hold {FRACTION_HELD}: measured on SiO2 of {SIZES_HELD}, a guess for others")
-        sentences.append(f"P_c below is the upper limit, for ideally smooth{', dry' * is_wet} spheres")
+        kind = "ideally smooth, dry spheres" if is_wet else "ideally smooth spheres"
+        sentences.append(f"P_c below is the upper limit, for {kind}")
     if is_wet:
         sentences.append(f"F_men {_LIMIT_OF_WATER}")
     return "; ".join(sentences)
@@ -113,8 +114,8 @@ def _options_for_middle(answer: Answer, fraction: float = 1.0) -> str:
         return ""
     force, moment = middles
     energy = fraction * frame["work_of_adhesion"] / 2 * force / frame["pull_off_force"]
-    lag = frame[XI] * moment / frame.replace(surface_energy=energy)["yield_moment"]
-    options = (("--gamma", "surface_energy", energy), ("--xi", XI, lag))
+    displacement = frame[XI] * moment / frame.replace(surface_energy=energy)["yield_moment"]
+    options = (("--gamma", "surface_energy", energy), ("--xi", XI, displacement))
     return " ".join(f"{option} {amount(name, value, _THREE).replace(' ', '')}" for option, name, value in options)
 
 
@@ -141,14 +142,16 @@ def _what_it_means(answer: Answer) -> str:
 def _pulled_apart(answer: Answer) -> Iterator[Note]:
     """Iterate over at most one sentence: the pull-off force of real surfaces, and that of smooth ones as its limit.
 
-    In humid air, the force of a meniscus is a second limit. Its sentence is part of every answer with both forces.
+    In humid air the sentence also has the force of a meniscus as a second limit, or the humidity that fills a gap.
+    Without water, only an answer on the pull-off force alone has the sentence.
     """
     dry, wet = (answer.estimates.get(name) for name in ("pull_off_force", "meniscus_force"))
     stays_dry = answer.is_in_doubt(GAP_STAYS_DRY)
     if dry is None or dry.by == NONE or not (answer.is_on_pull_off or stays_dry or wet):
         return
     smooth = f"ideally smooth spheres hold {range_in_words('pull_off_force', dry, answer.form)}"
-    fills, held = _filled_gap(answer.frame), held_on_surfaces(answer) if answer.shows_surfaces else ""
+    fills = _filled_gap(answer.frame)
+    held = held_on_surfaces(answer) if answer.shows_surfaces else ""
     if stays_dry:
         fills, limit = f"the dry contact alone pulls: {fills}", f"{smooth}, the upper limit"
     elif wet:
@@ -159,8 +162,8 @@ def _pulled_apart(answer: Answer) -> Iterator[Note]:
     yield Note("lead", "; ".join(filter(None, [fills, held, limit])))
 
 
-def _filled(sentence: str, answer: Answer) -> str:
-    """Return a sentence of the question, with best ranges filled in; empty if a necessary one is missing."""
+def _completed(sentence: str, answer: Answer) -> str:
+    """Return a sentence of the question with the best ranges in place of names; empty if a range is missing."""
     found = {name: estimate for name, estimate in answer.estimates.items() if estimate.by != NONE}
     words = {name: _as_shown(name, answer) for name in found}
     if "{or_none}" in sentence:  # the sentence can say "none", but is left out if no result has a meaning
@@ -233,7 +236,7 @@ def _first_to_give_way(answer: Answer) -> str:
     if first > 0:
         return f"a pushed sphere does not roll, since {gives}; rolling would take {rolls}"
     assumed = {"ξ": rolling.by in (XI_UNKNOWN, SCALED), "τ": sliding.by == FRICTION_ASSUMED}
-    decides = [symbol for symbol, is_open in assumed.items() if is_open]
+    decides = [symbol for symbol, is_assumed in assumed.items() if is_assumed]
     if not decides:
         return f"a pushed sphere may roll first, at {rolls}, or not: {gives}"
     return f"whether a pushed sphere rolls first ({rolls}) depends on {listed(decides)}; if it does not, {gives}"
@@ -266,16 +269,16 @@ def _stick_or_bounce(answer: Answer) -> str:
     verdict = {-1: "stick", 0: "may stick or bounce", 1: "bounce"}[above]
     speed = amount("speed", answer.input_measures.get("speed", answer.frame["speed"]))
     stuck = what_stuck(answer.frame)
-    is_carried = stuck is not None and stuck.can_be_scaled(answer.frame) and not stuck.is_near(answer.frame)
-    source = "scaled from measured speeds" if is_carried and sticking.by == MEASURED else WORDS[sticking.by]
+    is_scaled = stuck is not None and stuck.can_be_scaled(answer.frame) and not stuck.is_near(answer.frame)
+    source = "scaled from measured speeds" if is_scaled and sticking.by == MEASURED else WORDS[sticking.by]
     text = f"at {speed} the spheres {verdict}: the sticking speed is {limit} ({source})"
     best, by_law = answer.estimates["restitution"], answer.values["restitution"]
     if above < 0 and by_law > 0:
         return f"{text}; without losses in the solids they would bounce (e = {significant(by_law, 2)})"
     if above < 0 or isnan(best.high) or best.by != ADHESION_ONLY:
         return text
-    if_needed = "" if above > 0 else "if they bounce, "
-    return f"{text}; {if_needed}adhesion alone leaves e = {from_to(by_law, best.high)}"
+    condition = "" if above > 0 else "if they bounce, "
+    return f"{text}; {condition}adhesion alone leaves e = {from_to(by_law, best.high)}"
 
 
 def _enough_to_roll(frame: Frame, form: Format) -> Iterator[Note]:
@@ -317,10 +320,10 @@ def _elastic_or_not(answer: Answer) -> str:
         f"the peak pressure is {peak}; yielding starts below the surface at {words['first_yield_pressure']}, and is "
         f"complete at {words['plastic_pressure']}"
     )
-    yields = order(found["impact_pressure"], first)
-    if yields < 0:
+    order_to_first = order(found["impact_pressure"], first)
+    if order_to_first < 0:
         return f"the impact stays elastic: {limits}"
-    if yields == 0:
+    if order_to_first == 0:
         return f"the spheres may or may not yield; if they do, e is an upper bound: {limits}"
     how = {-1: "below the surface", 0: "below the surface or fully", 1: "fully"}[order(found["impact_pressure"], full)]
     at_rest = ", even if they touch at zero speed" if order(found["touch_pressure"], first) > 0 else ""
