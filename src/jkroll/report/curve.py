@@ -17,12 +17,13 @@ from ..text import quoted
 from .questions import Question
 from .report import Report
 
+# The question of each state, and that of the curve as a whole.
 FORCE_CURVE = Question(
     ("approach_at_load", "load"),
     ("approach_at_load", "load", "contact_radius_at_load", "stiffness"),
 )
-_OF_CURVE = ("pull_off_force", "contact_radius", "approach")
-WHOLE_CURVE = Question(_OF_CURVE, _OF_CURVE)
+_OF_WHOLE = ("pull_off_force", "contact_radius", "approach")
+WHOLE_CURVE = Question(_OF_WHOLE, _OF_WHOLE)
 NAMED = {FOLD: 1 / 6, PULL_OFF: 1 / 2, JUMP_IN: 2 / 3, EQUILIBRIUM: 1.0}  # the load factor of each named state of JKR
 STEPS, FEW_STEPS = 40, 12  # along the stable branch, in a file and on a terminal
 MAX_LOAD = 16 / 9  # largest load of a curve if no loads are given, over the pull-off force of the law
@@ -68,9 +69,10 @@ def loads_of(text: str) -> Loads:
 def states(frame: Frame, loads: Loads | None = None, steps: int = STEPS) -> list[State]:
     """Return the states of a frame's force curve, by rising value of the input that sets a state, see `Law.set_by`.
 
-    Without `loads` the curve ends at (16/9)P_c. It has the named states, `steps` steps along the stable branch and, if
-    the law has such states, half as many between a vanishing contact and pull-off, and half as many without contact. If
-    the pull-off force is unknown, or if even the last load is beyond it, the curve has one state.
+    The curve has `steps` steps along the stable branch, from pull-off to the load (16/9)P_c, and the named states. If
+    the law has such states, it also has half as many between a vanishing contact and pull-off, and half as many without
+    contact. With `loads`, the steps lie between them, and states outside them are left out. If the pull-off force is
+    unknown, or if even the last load is beyond it, the curve has one state.
     """
     try:
         set_by = frame.law.set_by
@@ -115,9 +117,9 @@ def _named(frame: Frame) -> dict[str, float]:
     return {PULL_OFF: -frame["pull_off_force"], EQUILIBRIUM: unloaded}
 
 
-def _without_contact(frame: Frame, ratio: float, steps: int) -> Iterator[State]:
-    """Iterate over Maugis' states without contact, from the fold to the contact with this edge ratio (excluded)."""
-    fold, touch = frame["fold_approach_maugis"], frame.replace(edge_ratio=ratio)["approach_at_load"]
+def _without_contact(frame: Frame, edge_ratio: float, steps: int) -> Iterator[State]:
+    """Iterate over Maugis' states without contact, from the fold up to the contact with an edge ratio, excluded."""
+    fold, touch = frame["fold_approach_maugis"], frame.replace(edge_ratio=edge_ratio)["approach_at_load"]
     for step in range(steps):
         yield State("approach_at_load", fold + (touch - fold) * step / steps, WITHOUT_CONTACT if step else FOLD)
 
@@ -137,7 +139,10 @@ def lead_of_curve(report: Report) -> str:
 
 
 def answer_at_state(question: Question, frame: Frame) -> Report:
-    """Return the answer at a state. The quantity that sets the state is an input, not a result."""
+    """Return the answer at a state.
+
+    The quantity that sets the state is an input, not a result, unless it is all that the question asks for.
+    """
     sets_state = STATE_OR_LOAD & frame.stated.keys()
     names = tuple(name for name in question.quantities if name not in sets_state)
     if not names:

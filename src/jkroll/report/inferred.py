@@ -16,8 +16,8 @@ from ..text import listed
 from .answer import Answer
 from .notes import Note
 
-# By property: the factor between an inferred value and the library's above which a note reports the inferred value, and
-# the end of the note.
+# By property: the factor between the inferred value and the library's from which a note reports them, and the remark
+# in this note.
 _FAR = {
     **dict.fromkeys(
         ("surface_energy", "work_of_adhesion"),
@@ -31,7 +31,7 @@ _FAR = {
 
 
 def laws_of(answer: Answer) -> list[str]:
-    """Return the laws whose inferred values are shown: Maugis', if it is better or has no value, and the law in use."""
+    """Return the laws with rows of inferred values: Maugis', if it is better or gives no value, and the law in use."""
     in_use = answer.frame.law.name
     if BETTER_LAW in answer.rules or lack_by_better_law(answer):
         return [BETWEEN, in_use]

@@ -127,17 +127,17 @@ _QUESTIONS = {
         "it rolls in steps, with half of that as the mean moment, {mean_rolling_moment}",
     ),
 }
+# The quantities for a table of the user, if none are named.
 BY_DEFAULT = tuple(dict.fromkeys(chain.from_iterable(question.quantities for question in _QUESTIONS.values())))
 _CONTRARY = ("n_roll_energy_balance", "n_roll_after_impact")  # other numbers of turns, which contradict `n_roll`
 _TURNS = ("n_roll", *_CONTRARY)
 
 
 def _quantities_of_report() -> Iterator[str]:
-    """Iterate over the headlines of the questions above and the other numbers of turns; two quantities are added."""
+    """Iterate over the headlines of the questions above, the other numbers of turns, and two further quantities."""
     for question in _QUESTIONS.values():
-        for name in question.quantities:
-            if name in (*question.headline, *_CONTRARY):
-                yield name
+        shown = {*question.headline, *_CONTRARY}
+        yield from (name for name in question.quantities if name in shown)
     yield from ("roll_energy_quarter_turn", "sticking_speed")
 
 
