@@ -50,7 +50,7 @@ def write_measure(quantity: str, measures: Mapping[str, float | Uncertain | None
         value = in_words(quantity, number)
         if not isinstance(value, str):
             value = f"{spelled(form.number(quantity, number))} {form.unit(quantity)}"
-        say(f"{name} {value}".removesuffix(" 1"), out)
+        say(f"{name} {value}".removesuffix(" 1"), out)  # no unit for a pure number
 
 
 def numbers_of(measures: Mapping[str, float | Uncertain | None]) -> dict[str, float]:
@@ -106,7 +106,7 @@ def _result_object(result: Result, answer: Report, form: Format) -> dict[str, An
     }
     if result.law:
         jkr = _number(name, answer.of_jkr.get(name), form)
-        entry |= {"model": DEFAULT_LAW, **LAWS[result.law].words, "jkr": jkr}
+        entry |= {"model": DEFAULT_LAW, **LAWS[result.law].words, "jkr": jkr}  # the words name another model or profile
     best = answer.estimates.get(name)
     if best is not None and best.by != NONE:
         low, high = _number(name, best.low, form), _number(name, best.high, form)
@@ -118,11 +118,11 @@ def _result_object(result: Result, answer: Report, form: Format) -> dict[str, An
     if not result.law:
         further |= {"definition": quantity.definition, "reference": quantity.reference}
     if result.uncertain:
-        further["uncertainty"] = bar_object(name, result.uncertain, form)
+        further["uncertainty"] = uncertainty_object(name, result.uncertain, form)
     if result.bar:
         further["shares"] = result.bar.shares
     further |= {
-        "condition" if answer.condition is None else "growth": result.growth,
+        "condition" if answer.condition is None else "growth": result.growth,  # for a single unknown, they are equal
         "by_law": {law: form.number(name, value) for law, value in result.by_law.items()},
         "reason": result.reason,
         "reason_code": result.code,
@@ -136,10 +136,10 @@ def _number(name: str, value: float | None, form: Format) -> float | None:
     return None if value is None or isnan(value) else form.number(name, value)
 
 
-def bar_object(name: str, bar: Uncertain, form: Format = AS_USUAL) -> dict[str, Any]:
+def uncertainty_object(name: str, uncertain: Uncertain, form: Format = AS_USUAL) -> dict[str, Any]:
     """Return an uncertainty as an object: its kind and its sides, in the unit of a quantity."""
-    sides = {side: form.number(name, number) for side, number in bar.sides.items()}
-    return {"kind": bar.kind, **sides}
+    sides = {side: form.number(name, number) for side, number in uncertain.sides.items()}
+    return {"kind": uncertain.kind, **sides}
 
 
 def _doubt_object(doubt: "Doubt", text: str) -> dict[str, Any]:

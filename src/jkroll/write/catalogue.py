@@ -28,7 +28,7 @@ from ..quantities.nomenclature import (
 from ..quantities.shown import columns_of
 from ..report.questions import QUESTIONS
 from ..text import json_text, say, say_wrapped, write_table, write_texts
-from .answered import bar_object, numbers_of, write_measure
+from .answered import numbers_of, uncertainty_object, write_measure
 from .manual import without_variants
 from .search import words_in
 from .sources import bibtex, docstring_fields
@@ -135,10 +135,10 @@ def material_as_object(material: Material) -> dict[str, Any]:
         "aliases": list(material.aliases),
         **properties,
         "state": material.state,
-        "uncertainties": {name: bar_object(name, bar) for name, bar in material.uncertainties.items()},
+        "uncertainties": {name: uncertainty_object(name, bar) for name, bar in material.uncertainties.items()},
         "origins": origins,
         "notes": dict(material.notes),
-        "note_radii": {name: bar_object("radius", radii) for name, radii in material.note_radii.items()},
+        "note_radii": {name: uncertainty_object("radius", radii) for name, radii in material.note_radii.items()},
         "references": [*map(dict, material.references)],
         "source": material.title,
     }
