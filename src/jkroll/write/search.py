@@ -16,7 +16,7 @@ COMMON = frozenset(
     "means much must my need of on or please program should show so such tell than that the their them then there "
     "these they this those to use want was we what when where which who why will with would you your".split()
 )
-LONG = 60  # number of words at which the score of a text is halved; a word counts less in a longer text
+LONG = 60  # words; the score of a text of this length is halved, since a word counts less in a longer text
 PREFIX = 0.5  # weight of a longer word that begins with the stem of the word sought
 
 Thing = TypeVar("Thing")

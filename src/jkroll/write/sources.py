@@ -140,7 +140,7 @@ def _power_law(name: str, frame: Frame) -> str:
     The text is empty if the quantity loses its value or changes its sign with an input; the power is then unknown.
     """
     texts = []
-    moduli = {name: frame.stated[name] for name in CONVERTED.values() if name in frame.stated}  # fixed while ν changes
+    moduli = {each: frame.stated[each] for each in CONVERTED.values() if each in frame.stated}  # fixed while ν changes
     for given in frame.inputs_of(name):
         value = frame[given]
         if 0 < abs(value) < INFINITY:
@@ -178,7 +178,7 @@ Entry = Mapping[str, str]  # a BibTeX entry: its key, its type and its fields
 
 @cache
 def references() -> Mapping[str, Entry]:
-    """Return the BibTeX entries of this program, of the paper, of laws and of conventions, by name."""
+    """Return the BibTeX entries by name: this program, the paper, each law, and the authors or code of a convention."""
     entries = {**data_of(os.path.join(os.path.dirname(__file__), "references.toml"))}
     entries["program"] = {**entries["program"], "howpublished": f"Computer program, version {__version__}"}
     return entries
@@ -193,13 +193,13 @@ class Cited:
         self.equations = {NOMENCLATURE[name].equation for name in formulas} - {""}
         known = references()
         self.law: list[Entry] = []
-        by_maugis = answer.frame.replace(model=BETWEEN)
+        by_maugis = answer.frame.replace(model=BETWEEN)  # without other formulas, the results hold under any law
         if any(has_other_formulas(by_maugis, name) for name in by_maugis.possible(self.names)):
             self.law.append(known[answer.frame.law.name])
         self.conventions: list[Entry] = []
         for name in self.names:
             reference = NOMENCLATURE[name].reference
-            self.conventions += [entry for words, entry in known.items() if words in reference]
+            self.conventions += [entry for authors, entry in known.items() if authors in reference]
         self.data: list[Entry] = []
         for material, name in answer.frame.data_used(answer.inputs):
             self.data += material.sources_of(name)
@@ -317,14 +317,14 @@ def _values(answer: Report) -> str:
         if name in omitted:
             continue
         quantity = NOMENCLATURE[name]
-        lead = "" if quantity.is_word else f"{symbol(name)} = "
+        prefix = "" if quantity.is_word else f"{symbol(name)} = "
         meaning = quantity.sentence
         if name in answer.assumed:
             meaning += "; assumed"
         data: list[Entry] = []
         for material, of_material in answer.frame.data_used([name]):
             data += material.sources_of(of_material)
-        texts.append(as_latex(f"{lead}{amount(name, value)} ({meaning})") + cite_command(data))
+        texts.append(as_latex(f"{prefix}{amount(name, value)} ({meaning})") + cite_command(data))
     return f"Values used: {', '.join(texts)}."
 
 
