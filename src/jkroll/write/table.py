@@ -467,9 +467,9 @@ def _best(columns: "Columns", name: str, form: Format) -> tuple[list[TextColumn]
     unit = form.common_unit(name, _measures(columns, name))
     ranges, words = [], []
     for low, high, by in zip(lows, highs, rules, strict=True):
-        text, _ = _range(Estimate(low, high, by), unit, form)
+        text, word = _range(Estimate(low, high, by), unit, form)
         ranges.append(text)
-        words.append(WORDS[NONE] if isnan(by) else WORDS[int(by)])
+        words.append(word)
     head = f"best {symbol_among(name, columns.inputs)}"
     if unit.text:
         head += f" [{unit.text}]"
