@@ -49,8 +49,9 @@ if TYPE_CHECKING:
 # A row keeps the unit of the rows above if its smallest number in that unit lies between _LEAST and _MOST, and its
 # largest is at most _LARGEST.
 _LEAST, _MOST, _LARGEST = 0.25, 2000, 10000
-_ON_SURFACE = "surface"  # the rule shown for a pull-off force of real spheres
-_OF_LAW = f" by {LAWS[DEFAULT_LAW].short}"  # suffix of the header of JKR's column, which is adjacent to the best range
+_ON_SURFACE = "surface"  # the word in the column "by" for a pull-off force of real spheres
+_BY_LAW = f" by {LAWS[DEFAULT_LAW].short}"  # suffix of the header of JKR's column, which follows the best range
+_OVER_SPACINGS = {SCALED, XI_UNKNOWN, SPACING_ASSUMED, BETTER_LAW}  # rules whose ranges vary the atomic spacing
 _CODES = 24  # codes with more characters are shortened in a narrow table
 _OF_MATERIALS = {"material": [*PROPERTIES], "material2": [of_sphere(2, name) for name in PROPERTIES]}
 _OF_PAIR = {"work_of_adhesion", "contact_modulus"}  # inputs that tell nothing of each solid
@@ -62,7 +63,7 @@ _FOLLOWING = {"radius2", "energy"}.union(*_OF_MATERIALS.values()) - {"surface_en
 
 
 def _about_inputs(
-    lead: str,
+    prefix: str,
     inputs: "Mapping[str, float | str | Uncertain]",
     assumed: Mapping[str, str],
     form: Format,
@@ -96,7 +97,7 @@ def _about_inputs(
                 values.append(texts.pop(name))
         if values:
             texts[material] += f" ({', '.join(values)})"
-    line = ", ".join(filter(None, [lead, *texts.values()]))
+    line = ", ".join(filter(None, [prefix, *texts.values()]))
     if line:
         yield line
     if assumed:
@@ -171,7 +172,7 @@ def _in_unit(text: str, unit: str) -> str:
 
 
 def _assumptions(answer: "Report") -> dict[str, str]:
-    """Return the assumptions of an answer by name, as its table needs them.
+    """Return the assumptions to state above the table of an answer, by name.
 
     If ranges use other values of ξ, the text says that the assumed ξ applies to the column of the law. The energy ratio
     is left out if no row depends on it, and the atomic spacing if ranges vary it.
@@ -206,8 +207,8 @@ _Rows = dict[str, _Cells]  # the cells of results, by name
 def _rows(answer: "Report", form: Format) -> _Rows:
     """Return the rows of results, and those of real surfaces.
 
-    Unless it was asked for by name, a result is left out if it repeats another one, or if it lacks an input, which a
-    note reports.
+    Unless it was asked for by name, a result is left out if it repeats another one, or if a note has the reason why it
+    has no value.
     """
     rows: _Rows = {}
     names = answer.names_in_table
@@ -260,7 +261,10 @@ def _grouped(rows: _Rows, question: "Question") -> list[_Cells]:
 
 
 def _with_surfaces(rows: _Rows, answer: "Report", form: Format) -> _Rows:
-    """Return the rows of results, with a row for each measured surface before that of the pull-off force."""
+    """Return the rows of results, with a row for each kind of real surface before that of the pull-off force.
+
+    The pull-off force of smooth spheres is then called a limit.
+    """
     extended: _Rows = {}
     for name, row in rows.items():
         surfaces = answer.surfaces_of(name)
@@ -386,8 +390,8 @@ def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str], 
     if any(shown):
         results.append(TextColumn(DOUBT, shown, is_right=False))
     if to_take:
-        is_compared = any(_OF_LAW in column.head for column in results)
-        others = f"; columns{_OF_LAW} are for comparison" if is_compared else ""
+        is_compared = any(_BY_LAW in column.head for column in results)
+        others = f"; columns{_BY_LAW} are for comparison" if is_compared else ""
         yield f"take {listed([f'best {symbol}' for symbol in to_take])}{others}"
     if lead:
         yield lead
@@ -447,7 +451,7 @@ def _of_quantity(
     best, rules = _best(columns, name, form)
     head = symbol_among(name, columns.inputs)
     if best and "model" not in columns.inputs and not {by for by in rules if by > NONE} <= {KELVIN, GAP}:
-        head += _OF_LAW
+        head += _BY_LAW
     (values,) = columns_of(name, {head: _measures(columns, name)}, form)
     if best and has_models:
         return [_with_ranges(values, best[0], rules)], rules
@@ -457,7 +461,7 @@ def _of_quantity(
 def _best(columns: "Columns", name: str, form: Format) -> tuple[list[TextColumn], list[float]]:
     """Return the columns of the best range of a quantity and of its rule, and the rule of each row.
 
-    The columns are left out if all ranges come from a definition, from the law in use or from any law.
+    The columns are left out if all ranges come from a definition, from the law in use or a given one, or from any law.
     """
     if not columns.wanted.best_of(name):
         return [], []
