@@ -258,6 +258,17 @@ def test_a_list_with_long_names_fits_the_terminal_and_is_complete(run: Run, monk
     assert "variantofrolling_frequency_no_slip" in "".join(line[left:].replace(" ", "") for line in lines)
 
 
+@pytest.mark.parametrize(
+    ("words", "is_in_head"),
+    [("--quantities P_LJ", True), ("--quantities P_LJ --z0 4angstrom", False), ("--model maugis", False)],
+)
+def test_the_head_has_the_assumed_atomic_spacing_unless_ranges_vary_it(
+    run: Run, words: str, *, is_in_head: bool
+) -> None:
+    out = run(f"pull-off quartz 100nm {words}", terminal=True).out
+    assert ("assumed: z0 = 400 pm (--z0)" in out) is is_in_head
+
+
 @pytest.mark.parametrize("is_table", [True, False])
 @pytest.mark.parametrize(
     ("line", "note"),

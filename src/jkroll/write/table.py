@@ -7,11 +7,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 from ..model.estimate import (
     BETTER_LAW,
     DEFINITION,
-    FRICTION_ASSUMED,
     GAP,
     KELVIN,
     LAW_IN_USE,
-    LAW_ONLY,
     NONE,
     SCALED,
     SPACING_ASSUMED,
@@ -180,8 +178,7 @@ def _assumptions(answer: "Report") -> dict[str, str]:
     texts, rules = {**answer.assumed}, {*answer.rules}
     if "energy_ratio" not in answer.frame.inputs_of(*answer.frame.possible(answer.names_in_table)):
         texts.pop("energy_ratio", None)
-    better_rules = {by for by in rules if by < LAW_IN_USE}
-    if better_rules - {DEFINITION, FRICTION_ASSUMED, LAW_ONLY}:
+    if rules & _OVER_SPACINGS:
         texts.pop("atomic_spacing", None)
     if XI in texts and not rules.isdisjoint((SCALED, XI_UNKNOWN)):
         text, _, option = texts.pop(XI).rpartition(" ")
