@@ -366,7 +366,7 @@ def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str], 
     common = {name: next(iter(values)) for name, values in distinct.items() if len(values) == 1}
     several = [name for name in inputs if name not in common]
     models = distinct.get("model", set())
-    count = _count(len(columns) // max(len(models), 1), inputs)
+    count = _count(len(columns) // max(len(models), 1), inputs)  # a pair has a row for each law
     if "radius2" in several and "radius2" not in form.typed:
         count += " of equal spheres (R2 = R1)"
     if any(map(columns.wanted.best_of, names)):  # ranges vary the atomic spacing
@@ -377,11 +377,7 @@ def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str], 
     if BETWEEN in models and "model" in several:
         of_parameter = "; μ is the Tabor parameter" if "tabor_parameter" in names else ""
         yield f"of these laws, {BETWEEN} is the better one; best ranges: leave out --model{of_parameter}"
-    exact, leading = Format(form.units, form.digits or DIGITS), list[TextColumn]()
-    following = _FOLLOWING | STATE_OR_LOAD if "state" in inputs else _FOLLOWING
-    for name in several:
-        if name in form.typed or name not in following:
-            leading += columns_of(name, {symbol_among(name, inputs): inputs[name]}, exact)
+    leading = _input_columns({name: inputs[name] for name in several}, inputs, form)
     results, rules, to_take = _result_columns(columns, form, has_models="model" in several)
     shown = [codes(bits & columns.wanted.reported_doubts) for bits in as_list(columns.doubts)]
     if any(shown):
@@ -395,6 +391,16 @@ def parts_of_rows(columns: "Columns", form: Format, assumed: Mapping[str, str], 
     yield leading, results
     yield from lines_on_rules([int(by) for by in rules if not isnan(by)])
     yield from lines_on_codes(" ".join(shown).split())
+
+
+def _input_columns(several: Mapping[str, list[Any]], inputs: Collection[str], form: Format) -> list[TextColumn]:
+    """Return the columns of the inputs that differ between rows; inputs that follow from others have none."""
+    exact, columns = Format(form.units, form.digits or DIGITS), list[TextColumn]()
+    following = _FOLLOWING | STATE_OR_LOAD if "state" in inputs else _FOLLOWING
+    for name, values in several.items():
+        if name in form.typed or name not in following:
+            columns += columns_of(name, {symbol_among(name, inputs): values}, exact)
+    return columns
 
 
 def _count(number: int, inputs: Collection[str]) -> str:
