@@ -210,6 +210,13 @@ def test_a_contact_wider_than_its_sphere_is_the_first_warning_and_leaves_no_resu
     assert run(f"export lammps {GEL} --density 1g/cm3 --density2 1g/cm3").out.count(f"# warning: {WIDE}") == 1
 
 
+def test_no_law_holds_for_a_contact_wider_than_its_sphere(run: Run) -> None:
+    out = run(f"report {GEL} --quantities tabor_parameter", terminal=True).out
+    assert f"\nwarning: {WIDE}" in out.replace("\n  ", " ")
+    assert "holds here" not in out
+    assert "JKR holds here" in run(f"report {GEL.replace('3kPa', '1MPa')} --quantities μ", terminal=True).out
+
+
 def test_a_load_widens_a_contact_beyond_its_sphere(run: Run) -> None:
     """Without load a0 is 11.7 µm. Even without adhesion, 1.2 µN presses a sphere of 15 µm to a = R (Hertz)."""
     soft = "15um --radius2 plane --work-of-adhesion 2mJ/m2 --young rigid --young2 3kPa --poisson2 0.5"

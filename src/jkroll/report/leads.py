@@ -61,7 +61,7 @@ def leads(answer: Answer) -> Iterator[Note]:
             yield Note("lead", sentence)
     is_asked = "tabor_parameter" in answer.question.named and answer.frame.stated_model is None
     if is_asked and "tabor_parameter" in answer.values:
-        yield Note("lead", _law_that_holds(answer))
+        yield from _law_that_holds(answer)
 
 
 def lead_of_rows(groups: Sequence[Noted], names: Collection[str]) -> str:
@@ -294,11 +294,13 @@ def _enough_to_roll(frame: Frame, form: Format) -> Iterator[Note]:
     yield Note("lead", f"the sphere {verdict}: it has {has}, and to begin rolling it needs {needs}")
 
 
-def _law_that_holds(answer: Answer) -> str:
+def _law_that_holds(answer: Answer) -> Iterator[Note]:
+    """Iterate over at most one sentence: the law that holds for the pull-off force, if this force has a meaning."""
     force = _estimate(answer.frame, "pull_off_force")
     if force.by == BETTER_LAW:
-        return "Maugis' law holds here: the pull-off force of JKR is more than 5 % off"
-    return "JKR holds here: Maugis' law is within 5 % of its pull-off force"
+        yield Note("lead", "Maugis' law holds here: the pull-off force of JKR is more than 5 % off")
+    if force.by == LAW_IN_USE:
+        yield Note("lead", "JKR holds here: Maugis' law is within 5 % of its pull-off force")
 
 
 def _estimate(frame: Frame, name: str) -> Estimate:

@@ -147,9 +147,10 @@ class Report(Answer):
     def _by_law_alone(self, doubt: Doubt) -> str:
         """Return the prefix of a warning: the law, and ξ if the limit depends on it, since best ranges have a meaning.
 
-        The prefix is empty if one of the meaningless results has no best range.
+        The prefix is empty without meaningless results, or if one of them has no best range.
         """
-        if any(self.estimates[name].by == NONE for name in self.ended_by(doubt)):
+        ended = self.ended_by(doubt)
+        if not ended or any(self.estimates[name].by == NONE for name in ended):
             return ""
         depends_on_xi = rolling([doubt.limit.name]) and XI not in doubt.limit.touches
         with_xi = f" with ξ = {amount(XI, self.frame[XI])}" if depends_on_xi else ""
