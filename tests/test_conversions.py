@@ -27,12 +27,12 @@ FORCE = 3 * math.pi * GAMMA * 50e-9  # Eq (1), two spheres of 200 nm in diameter
 SHEAR = {"shear_modulus": 30e9, "poisson_ratio": RATIO, "surface_energy": GAMMA, "radius": 1e-7}
 
 
-def circle(modulus: float, reduced: float = 50e-9) -> float:
+def contact_radius(modulus: float, reduced: float = 50e-9) -> float:
     """Return the contact radius without load by Eq (2), for a contact modulus."""
     return math.cbrt(9 * math.pi * GAMMA * reduced**2 / modulus)
 
 
-CIRCLE = circle(30e9 / (1 - RATIO))  # of two equal spheres with G = 30 GPa
+A0 = contact_radius(30e9 / (1 - RATIO))  # of two equal spheres with G = 30 GPa
 
 
 # --- Python -----------------------------------------------------------------------------------------------------------
@@ -48,7 +48,7 @@ def test_a_diameter_is_twice_the_radius(diameter: Any) -> None:
 
 def test_a_given_shear_modulus_replaces_youngs_modulus_of_the_material() -> None:
     given: dict[str, Any] = {"material": "quartz", "diameter": "200 nm", "shear_modulus": "30 GPa"}
-    assert solve("contact_radius", **given) == approx(CIRCLE, rel=1e-14)
+    assert solve("contact_radius", **given) == approx(A0, rel=1e-14)
     assert dict(answer("contact", **given).inputs) == {
         "material": "quartz", "radius": 1e-7, "radius2": 1e-7, "surface_energy": GAMMA,
         "youngs_modulus": approx(70.2e9), "poisson_ratio": RATIO, "load": 0.0,
@@ -68,30 +68,30 @@ def test_the_shear_modulus_of_sphere_2_is_converted_with_its_poissons_ratio() ->
         ({"material2": "iron", "surface_energy2": GAMMA, "poisson_ratio2": 0.4}, 0.4),
     ):
         found = solve("contact_radius", **quartz, **given, shear_modulus2=80e9)
-        assert found == approx(circle(1 / (of_1 + (1 - ratio) / 160e9)), rel=1e-14)
+        assert found == approx(contact_radius(1 / (of_1 + (1 - ratio) / 160e9)), rel=1e-14)
 
 
 def test_sphere_2_has_the_shear_modulus_of_sphere_1_and_its_own_poissons_ratio() -> None:
-    scene = Frame({**SHEAR, "poisson_ratio2": 0.3})
-    assert scene["contact_radius"] == approx(circle(1 / ((1 - RATIO) / 60e9 + (1 - 0.3) / 60e9)), rel=1e-14)
-    assert scene["youngs_modulus2"] == approx(78e9)
-    assert scene.replace(poisson_ratio2=RATIO).is_identical
+    frame = Frame({**SHEAR, "poisson_ratio2": 0.3})
+    assert frame["contact_radius"] == approx(contact_radius(1 / ((1 - RATIO) / 60e9 + (1 - 0.3) / 60e9)), rel=1e-14)
+    assert frame["youngs_modulus2"] == approx(78e9)
+    assert frame.replace(poisson_ratio2=RATIO).is_identical
     with pytest.raises(BadRequest, match="give --shear-modulus2, or --shear-modulus without an error bar"):
-        scene.replace(shear_modulus=Measured(30e9, 1e9))
+        frame.replace(shear_modulus=Measured(30e9, 1e9))
 
 
 def test_arrays_of_diameters_and_shear_moduli_broadcast() -> None:
     diameters, moduli = numpy.array([[1e-7], [2e-7]]), numpy.array([10e9, 30e9, 50e9])
     found = solve("contact_radius", material="quartz", diameter=diameters, shear_modulus=moduli.tolist())
     for row, (diameter,) in zip(found, diameters, strict=True):
-        assert row == approx([circle(modulus / (1 - RATIO), diameter / 4) for modulus in moduli], rel=1e-14)
+        assert row == approx([contact_radius(modulus / (1 - RATIO), diameter / 4) for modulus in moduli], rel=1e-14)
     with pytest.raises(BadRequest, match=r"these arrays do not broadcast: shear_modulus \(3,\), poisson_ratio \(2,\)"):
         solve("contact_radius", material="quartz", radius=1e-7, shear_modulus=moduli, poisson_ratio=[0.1, 0.2])
 
 
-def test_a_scene_with_replaced_inputs_is_converted_again() -> None:
-    scene = Frame(SHEAR)
-    assert scene.replace(poisson_ratio=0.3)["contact_modulus"] == approx(30e9 / 0.7)
+def test_a_frame_with_replaced_inputs_is_converted_again() -> None:
+    frame = Frame(SHEAR)
+    assert frame.replace(poisson_ratio=0.3)["contact_modulus"] == approx(30e9 / 0.7)
     quartz = Frame({"shear_modulus": 30e9, "diameter": 2e-7}, known_materials()["quartz"])
     assert quartz.replace(poisson_ratio=0.3)["contact_modulus"] == approx(30e9 / 0.7)
     assert quartz.replace(youngs_modulus=70e9).stated == {"radius": 1e-7, "youngs_modulus": 70e9}
@@ -132,9 +132,9 @@ def test_a_shear_modulus_needs_poissons_ratio() -> None:
 def test_youngs_modulus_of_a_material_does_not_replace_a_given_shear_modulus() -> None:
     quartz = known_materials()["quartz"]
     bare = quartz._replace(properties={"surface_energy": GAMMA, "youngs_modulus": 54e9})
-    scene = Frame({"radius": 1e-7, "shear_modulus": 30e9}, bare)
-    assert "youngs_modulus" not in scene.known
-    assert scene.replace(poisson_ratio=RATIO)["contact_radius"] == approx(CIRCLE)
+    frame = Frame({"radius": 1e-7, "shear_modulus": 30e9}, bare)
+    assert "youngs_modulus" not in frame.known
+    assert frame.replace(poisson_ratio=RATIO)["contact_radius"] == approx(A0)
     made = quartz._replace(properties={**quartz.properties, "shear_modulus": 1e9})
     with pytest.raises(QuantityError, match="is not a property of a material"):
         solve("contact_radius", material=made, radius=1e-7)
@@ -162,7 +162,7 @@ def test_uncertainties_of_diameters_and_shear_moduli_propagate() -> None:
     force = solve("pull_off_force", material="quartz", diameter="180 to 220 nm")
     assert (force.low, force.high) == approx((0.9 * FORCE, 1.1 * FORCE), rel=1e-12)
     found = solve("contact_radius", material="quartz", radius=1e-7, shear_modulus=Interval(30e9, 20e9, 40e9))
-    assert (found.low, found.high) == approx((CIRCLE * 0.75 ** (1 / 3), CIRCLE * 1.5 ** (1 / 3)), rel=1e-12)
+    assert (found.low, found.high) == approx((A0 * 0.75 ** (1 / 3), A0 * 1.5 ** (1 / 3)), rel=1e-12)
     one_side = solve("pull_off_force", surface_energy=GAMMA, diameter="200 +20/-10 nm", diameter2="plane")
     assert (one_side.minus, one_side.plus) == approx((FORCE / 10, FORCE / 5), rel=1e-12)
 
@@ -172,7 +172,7 @@ def test_a_range_of_poissons_ratio_also_enters_the_converted_modulus() -> None:
     glass = "glass-soda-lime-air"
     found = answer("contact", material=glass, radius=1e-6, surface_energy=GAMMA, shear_modulus=30e9)["contact_radius"]
     assert found.uncertain is not None
-    ends = circle(30e9 / 0.77, 5e-7), circle(30e9 / 0.8, 5e-7)
+    ends = contact_radius(30e9 / 0.77, 5e-7), contact_radius(30e9 / 0.8, 5e-7)
     assert (found.uncertain.low, found.uncertain.high) == approx(ends, rel=1e-12)
 
 
@@ -212,7 +212,7 @@ def test_lists_and_sweeps_of_diameters_have_a_column_of_radii(run: Run) -> None:
         assert float(row["pull_off_force [N]"]) == approx(3 * math.pi * GAMMA * reduced, rel=1e-14)
     found = rows(run("contact quartz 100nm --shear-modulus 30GPa,60GPa --csv --quiet").out)
     assert [float(row["youngs_modulus [Pa]"]) for row in found] == approx([70.2e9, 140.4e9])
-    assert [float(row["contact_radius [m]"]) for row in found] == approx([CIRCLE, CIRCLE / 2 ** (1 / 3)], rel=1e-14)
+    assert [float(row["contact_radius [m]"]) for row in found] == approx([A0, A0 / 2 ** (1 / 3)], rel=1e-14)
 
 
 def test_long_lists_of_diameters_are_computed_as_arrays(run: Run) -> None:
@@ -291,7 +291,7 @@ def test_maps_take_diameters_as_axes_and_a_fixed_shear_modulus(run: Run) -> None
     for solid in ("--gamma 25mJ/m2", "quartz"):
         found = rows(run(f"map contact_radius {solid} --diameter 200nm {words} --data - --quiet").out)
         radii = [float(row["contact_radius [m]"]) for row in found]
-        assert radii == approx([circle(30e9 / (1 - nu)) for nu in (0.1, 0.2, 0.3)], rel=1e-12)
+        assert radii == approx([contact_radius(30e9 / (1 - nu)) for nu in (0.1, 0.2, 0.3)], rel=1e-12)
         assert "G1 = 30 GPa" in run(f"map contact_radius {solid} --diameter 200nm {words}").out
     said = run("map pull-off --x diameter=10nm:1um --y gamma=1mJ/m2:100mJ/m2 --mark quartz@100nm").out
     assert "quartz, 100 nm: P_c = 11.78 nN" in said
@@ -380,14 +380,14 @@ def test_a_column_of_shear_moduli_is_read(run: Run) -> None:
     words = ("--gamma", "25mJ/m2", "--radius", "100nm", "--quantities", "contact_radius")
     table = "material,G [GPa],nu\nquartz,30,\n,30,0.17\n,30,\ngold,30,\n,30±3,0.17±0.01\n"
     _, found = results(run, table, *words)
-    assert [float(row["contact_radius [m]"]) for row in found[:2]] == approx([CIRCLE, CIRCLE], rel=1e-14)
+    assert [float(row["contact_radius [m]"]) for row in found[:2]] == approx([A0, A0], rel=1e-14)
     assert [row["status"] for row in found[2:]] == ["needs poisson_ratio"] * 2 + ["correlated error bars"]
     err, found = results(run, "E [GPa],G [GPa],nu\n54,23,0.17\n70.2,30,0.17\n", *words)
     assert err.splitlines()[0].endswith("passed through: G [GPa]")
-    assert float(found[1]["contact_radius [m]"]) == approx(CIRCLE, rel=1e-12)
+    assert float(found[1]["contact_radius [m]"]) == approx(A0, rel=1e-12)
     _, found = results(run, "G [GPa],nu,nu2\n30,0.17,\n30,0.17,0.3\n", *words)
-    unlike = circle(1 / ((1 - RATIO) / 60e9 + 0.7 / 60e9))
-    assert [float(row["contact_radius [m]"]) for row in found] == approx([CIRCLE, unlike], rel=1e-14)
+    unlike = contact_radius(1 / ((1 - RATIO) / 60e9 + 0.7 / 60e9))
+    assert [float(row["contact_radius [m]"]) for row in found] == approx([A0, unlike], rel=1e-14)
 
 
 def test_a_surface_energy_is_inferred_in_a_table_of_diameters(run: Run) -> None:

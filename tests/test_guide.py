@@ -94,7 +94,7 @@ def test_words_about_contact_angles_lead_to_their_page(run: Run, words: str) -> 
 
 
 @pytest.mark.parametrize(
-    ("question", "begins", "page"),
+    ("question", "begins", "place"),
     [
         ("fixed grips", "- **Fixed grips**: a stiff machine", "words, Pressed and pulled"),
         ("what does fixed grips mean", "- **Fixed grips**: a stiff machine", "words, Pressed and pulled"),
@@ -108,10 +108,10 @@ def test_words_about_contact_angles_lead_to_their_page(run: Run, words: str) -> 
         ("time step lammps", "- The time step is the shorter of two.", "dem"),
     ],
 )
-def test_a_question_is_answered_by_a_passage(run: Run, question: str, begins: str, page: str) -> None:
+def test_a_question_is_answered_by_a_passage(run: Run, question: str, begins: str, place: str) -> None:
     out = run("guide", *question.split()).out
     assert out.startswith(begins)
-    assert f"\nfrom the page {page}: jkroll guide {page.partition(',')[0]}\n" in out
+    assert f"\nfrom the page {place}: jkroll guide {place.partition(',')[0]}\n" in out
 
 
 QUESTIONS = ("humidity", "fixed grips", "error bars", "sticking", "ice", "which law holds", "load", "json", "z0")
@@ -250,8 +250,8 @@ def test_claims_about_contact_angles_and_rolling_in_lethe_follow_from_the_formul
 
     assert both(40, 0, 12) == approx((80, 92), rel=5e-3)
     assert both(34, 1, 40) == approx((93, 122), rel=5e-3)
-    page = " ".join(PAGES["contact-angle"].split())
-    assert re.search(r"it is 80 mJ/m².* Owens and Wendt gives 92\. For 34, 40 and 1 mJ/m², .* give 93 and 122", page)
+    text = " ".join(PAGES["contact-angle"].split())
+    assert re.search(r"it is 80 mJ/m².* Owens and Wendt gives 92\. For 34, 40 and 1 mJ/m², .* give 93 and 122", text)
     for load in (0.0, 5e-9):
         scene = {"material": "quartz", "radius": 1e-7, "load": load, "model": "dmt"}
         moment, force = solve(["yield_moment", "pull_off_force"], **scene).values()
