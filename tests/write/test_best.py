@@ -26,7 +26,7 @@ def cells(run: Run, words: str, symbol: str) -> list[str]:
 def test_a_table_has_the_best_range_before_the_value_by_jkr(run: Run) -> None:
     """SiO2 spheres of 0.95 µm rolled at 0.69 to 1.57 nN. Scaled to 100 nm as R and R^(2/3), this gives 73 and 350 pN.
 
-    The angle ξ/R is 4 mrad at 2 Å by every law.
+    By every law, the angle ξ/R is 4 mrad for ξ = 2 Å and R = 50 nm.
     """
     assert approx([72.6, 350.0], rel=1e-3) == [0.69e3 * 1 / 9.5, 1.57e3 * (1 / 9.5) ** (2 / 3)]
     assert cells(run, "yield-force quartz 100nm", "Q") == ["Q", "73–350", "scaled", "94.25", "pN"]

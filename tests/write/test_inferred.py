@@ -103,8 +103,10 @@ def test_a_note_says_why_a_law_has_no_solution(run: Run) -> None:
 
 
 def test_a_value_without_a_meaning_is_not_compared_with_the_library(run: Run) -> None:
+    """γ = P_c/3πR is 2.1 J/m², 100 times that of PDMS; the contact is then wider than the sphere."""
     ran = run("infer gamma pdms 5um --radius2 plane --measured P_c=100uN", terminal=True)
     assert (ran.code, "contact is wider than the smaller sphere" in ran.out) == (0, True)
+    assert "times pdms's" not in ran.out
 
 
 def test_without_a_material_there_is_no_column_of_its_values(run: Run) -> None:

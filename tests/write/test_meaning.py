@@ -318,9 +318,7 @@ def test_doubts_about_the_headline_precede_other_doubts(run: Run) -> None:
         ("pull-off 10um --gamma 30mJ/m2", True),  # nothing is known of the solid
     ],
 )
-def test_forces_measured_on_rough_glass_are_reported_for_hard_rough_solids(
-    run: Run, words: str, *, is_rough: bool
-) -> None:
+def test_forces_on_real_surfaces_are_reported_for_hard_rough_solids(run: Run, words: str, *, is_rough: bool) -> None:
     answer = run(f"{words} --quantities P_c --json").out
     assert bool(re.search("real surfaces hold|real spheres hold", answer)) is is_rough
     [row] = csv.DictReader(run(f"{words} --csv").out.splitlines())

@@ -20,7 +20,7 @@ from tuning import computed, tables_on_a_terminal
     ("columns", "rows"),
     [("400", 2), ("100", 14), ("72", 14), ("30", 2)],
 )
-def test_scenes_are_rows_columns_or_several_tables_depending_on_the_width_of_the_terminal(
+def test_pairs_are_rows_columns_or_several_tables_depending_on_the_width_of_the_terminal(
     run: Run, monkeypatch: pytest.MonkeyPatch, columns: str, rows: int
 ) -> None:
     """The table has thirteen results and the doubts; it has no best ranges, because the law is given."""
@@ -38,7 +38,7 @@ def test_scenes_are_rows_columns_or_several_tables_depending_on_the_width_of_the
         assert all(len(line) <= int(columns) for line in lines)
 
 
-def test_scenes_as_columns_have_a_line_for_each_input_that_differs(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_pairs_as_columns_have_a_line_for_each_input_that_differs(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COLUMNS", "120")
     table = run("report quartz,iron 50nm 100nm --gamma 75mJ/m2 --quiet", terminal=True).out.splitlines()
     table = table[next(index for index, line in enumerate(table) if line.startswith("material ")) :]
@@ -114,8 +114,8 @@ def test_one_warning_has_all_reasons_why_numbers_have_no_meaning_even_with_quiet
     exceeded = [limit for limit in limits if not limit["holds"]]
     assert len(exceeded) > 7
     for limit in exceeded:
-        is_told = f"({limit['symbol']} = " in explained
-        assert is_told or limit["code"].startswith(("law", "does-not-roll")), limit["symbol"]
+        is_explained = f"({limit['symbol']} = " in explained
+        assert is_explained or limit["code"].startswith(("law", "does-not-roll")), limit["symbol"]
 
 
 def test_doubts_are_sorted_by_the_factor_beyond_their_limit(run: Run) -> None:
@@ -128,7 +128,7 @@ def test_doubts_are_sorted_by_the_factor_beyond_their_limit(run: Run) -> None:
 @pytest.mark.parametrize(
     "command", ["yield-force", *(pytest.param(each, marks=pytest.mark.slow) for each in ("n-grav", "report"))]
 )
-def test_the_best_range_calls_xi_unknown_for_a_solid_that_was_never_rolled(run: Run, command: str) -> None:
+def test_the_best_range_calls_xi_unknown_for_a_surface_energy_that_was_never_rolled(run: Run, command: str) -> None:
     name = "n_grav" if command == "n-grav" else "yield_force"
     for solid, by in (("silica-dry", "ξ unknown"), ("silica-humid", "scaled")):
         results = json.loads(run(f"{command} {solid} 100nm --json").out)["results"]
