@@ -249,21 +249,23 @@ def about_rows(tally: "Tally", reported: int, where: str, hint: str = "") -> Ite
     `reported`: the bits of the doubts to report; `where`: the column with the codes, or the page that explains
     them; `hint`: a text after `where`, for results in doubt only.
     """
-    subjects: tuple[tuple[Severity, str, int, int, str], ...] = (
-        ("warning", "numbers have no meaning", reported & ENDING_MEANING, 2, where),  # few codes: each is explained
-        ("remark", "doubts", reported & ~ENDING_MEANING, _MAX_CODES, where + hint),
-    )
-    for severity, subject, bits, most_codes, place in subjects:
-        texts = []
-        for code, rows in tally.counted(bits):
-            meaning = f" ({MEANINGS[code]})" if code in MEANINGS else ""
-            texts.append(f"{code} {rows}{meaning}")
-        if texts:
-            fraction = f"{tally.with_doubts(bits)} of {tally.rows} rows"
-            yield Note(severity, f"{subject} in {fraction} ({place}): {first_of(texts, most_codes)}")
+    about_meaning = _about_codes(tally, reported & ENDING_MEANING, "numbers have no meaning", where, most=2)
+    about_doubts = _about_codes(tally, reported & ~ENDING_MEANING, "doubts", where + hint, most=_MAX_CODES)
+    yield from (Note("warning", text) for text in about_meaning)
+    yield from (Note("remark", text) for text in about_doubts)
     for number, first, words in tally.gaps.values():
         others = "" if number == 1 else f" and {number - 1} other{'s' if number > 2 else ''}"
         yield Note("gap", f"{words}: row {first}{others}")
+
+
+def _about_codes(tally: "Tally", bits: int, subject: str, where: str, *, most: int) -> Iterator[str]:
+    """Iterate over at most one sentence: some codes, each with its number of rows and any explanation in MEANINGS."""
+    texts = []
+    for code, rows in tally.counted(bits):
+        meaning = f" ({MEANINGS[code]})" if code in MEANINGS else ""
+        texts.append(f"{code} {rows}{meaning}")
+    if texts:
+        yield f"{subject} in {tally.with_doubts(bits)} of {tally.rows} rows ({where}): {first_of(texts, most)}"
 
 
 def lines_on_codes(codes: Iterable[str]) -> Iterator[str]:
