@@ -4,6 +4,7 @@ import csv
 import json
 import math
 import re
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -54,12 +55,21 @@ def words_of(call: tuple[str, str, str], *, last: bool = False) -> str:
     return f"{words} {option} {values.split(',')[-1] if last else values}"
 
 
+def shown_at_the_last_value(run: Run, call: tuple[str, str, str]) -> set[str]:
+    """Return the names of the results that a call shows at its last value."""
+    return {one["name"] for one in json.loads(run(f"{words_of(call, last=True)} --json").out)["results"]}
+
+
+def heads_of(row: Iterable[str]) -> dict[str, str]:
+    """Return the headers of quantities in a row, by the name of the quantity."""
+    return {head.partition(" ")[0]: head for head in row if head.partition(" ")[0] in NOMENCLATURE}
+
+
 @pytest.mark.parametrize("name", CALLS)
-def test_only_bare_numbers_and_plain_lines_show_a_number_without_a_meaning(run: Run, name: str) -> None:
+def test_tables_and_files_have_the_reason_instead_of_a_number_without_a_meaning(run: Run, name: str) -> None:
     call, ended, code, phrase = CALLS[name]
     rows = [*csv.DictReader(run(f"{words_of(call)} --csv").out.splitlines())]
-    heads = {head.partition(" ")[0]: head for head in rows[0] if head.partition(" ")[0] in NOMENCLATURE}
-    shown = {one["name"] for one in json.loads(run(f"{words_of(call, last=True)} --json").out)["results"]}
+    heads, shown = heads_of(rows[0]), shown_at_the_last_value(run, call)
     ended = shown if ended is None else ended
     # A list as CSV: the first row has the values, the last row has gaps and the reason.
     assert all(rows[0][heads[quantity]] for quantity in ended)
@@ -95,7 +105,12 @@ def test_only_bare_numbers_and_plain_lines_show_a_number_without_a_meaning(run: 
     *_, last = map(json.loads, Path("out.ndjson").read_text(encoding="utf-8").splitlines())
     assert all(last[heads[quantity]] is None for quantity in ended)
     assert phrase in last["status"]
-    # Bare numbers and plain lines keep the numbers, with a warning on stderr.
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_bare_numbers_and_plain_lines_keep_a_number_without_a_meaning_and_warn(run: Run, name: str) -> None:
+    call, ended, _, phrase = CALLS[name]
+    ended = shown_at_the_last_value(run, call) if ended is None else ended
     bare, plain = run(f"{words_of(call, last=True)} --bare"), run(words_of(call, last=True))
     assert (bare.code, plain.code) == (0, 0)
     assert re.search(rf"warning: (by JKR, )?(n_roll: )?{re.escape(phrase)}", plain.err)
