@@ -118,8 +118,10 @@ class Search(Generic[Thing]):
             rarity[word] = log(1 + len(matched) / (1 + number))
         matches = []
         for (thing, fields), of_thing in zip(self._things, matched, strict=True):
+            if not of_thing:
+                continue
             score = 0.0
-            for weight, text in fields if of_thing else ():
+            for weight, text in fields:
                 if text:
                     of_text = _weight_of(words, [near[other] for other in text], rarity)
                     score += weight * of_text / (1 + len(text) / LONG)
