@@ -179,7 +179,7 @@ class Answer(Results):
 
     @property
     def lacking(self) -> Mapping[str, JkrollError]:
-        """The errors of quantities without a value, except meaningless results, which a warning reports."""
+        """The errors of quantities without a value, except results that a warning reports as meaningless."""
         return {name: error for name, error in self.reasons.items() if not has_code(error)}
 
     @property

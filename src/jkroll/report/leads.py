@@ -108,6 +108,7 @@ def _options_for_middle(answer: Answer, fraction: float = 1.0) -> str:
     frame = answer.frame
     found = [answer.estimates[name] for name in _FORCE_AND_MOMENT if name in answer.estimates]
     middles = [sqrt(estimate.low * estimate.high) for estimate in found]  # nan where an end is open
+    # If the user chose the law, w, ξ or an input that sets ξ, no other γ and ξ are proposed.
     is_chosen = frame.stated_model or not frame.given.keys().isdisjoint({"work_of_adhesion", *ROLLING_ONSET})
     is_known = len(middles) == len(_FORCE_AND_MOMENT) and not any(map(isnan, middles))
     if not is_known or is_chosen or not frame.is_identical or frame["load"]:

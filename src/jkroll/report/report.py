@@ -125,8 +125,9 @@ class Report(Answer):
         return tuple(notes)
 
     def doubts(self, *, has_leads: bool = False) -> list[Note]:
-        """Return a note for each limit in `exceeded`, except the limit of the law, which the best ranges show.
+        """Return a note for each limit in `exceeded`, except the limit of the law.
 
+        Best ranges show how far the law is off, unless the law was stated.
         `has_leads`: True if the sentences that answer the question are shown, too.
         """
         notes = []

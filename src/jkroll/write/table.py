@@ -103,7 +103,10 @@ def _about_inputs(
 
 
 def _of_solid(inputs: "Mapping[str, float | str | Uncertain]", several: Sequence[str]) -> str:
-    """Return the solid of a plane in words; empty if it differs between rows, or if only properties are known."""
+    """Return the solid of a plane in words.
+
+    The text is empty if the solid differs between rows, or if only properties of the plane or of the pair are given.
+    """
     names = {*inputs, *several}
     of_plane = {name for name in names if NOMENCLATURE[name].sphere == 2} - {"radius2", "diameter2"}
     solid = inputs.get("material2" if "material2" in of_plane else "material")
