@@ -40,6 +40,7 @@ from ..text import TextColumn, first_of, fit_terminal, listed, say_wrapped, text
 
 if TYPE_CHECKING:
     from ..model.rows import Columns
+    from ..report.answer import Result
     from ..report.questions import Question
     from ..report.report import Report
 
@@ -313,22 +314,7 @@ def _of_inferred(answer: "Report", form: Format) -> list[TextColumn]:
     no law is called the best.
     """
     library = library_values(answer.described)
-    best = "" if any(about_library(answer)) else " (best)"
-    rows = []
-    for law in laws_of(answer):
-        for result in answer.results:
-            name, known = result.name, library.get(result.name)
-            unit = form.common_unit(name, [result.measure if known is None else known])
-            inferred, short = cell(result.measure, unit, form), LAWS[law].short
-            if law != answer.frame.law.name:
-                better = Estimate(*answer.ranges.by_better_law(name), BETTER_LAW)
-                inferred, _ = _range(better, unit, form)
-                short += best
-            of_library = "–"
-            if known is not None:
-                of_library = Format(form.units, form.digits or RESULT_DIGITS).in_unit(known, unit)
-            quantity, symbol = NOMENCLATURE[name].sentence, symbol_among(name, answer.inputs)
-            rows.append([quantity, symbol, short, inferred, of_library, unit.text])
+    rows = [_inferred_row(result, law, library, answer, form) for law in laws_of(answer) for result in answer.results]
     solids: dict[str, None] = {}
     for name in library:
         solids |= dict.fromkeys(solids_of(answer.described, name))
@@ -342,6 +328,22 @@ def _of_inferred(answer: "Report", form: Format) -> list[TextColumn]:
     if not library:
         del columns[index]
     return columns
+
+
+def _inferred_row(
+    result: "Result", law: str, library: "Mapping[str, float | Uncertain]", answer: "Report", form: Format
+) -> list[str]:
+    """Return the cells of an inferred value by a law: the value by the law in use, the range by Maugis' law."""
+    name, known = result.name, library.get(result.name)
+    unit = form.common_unit(name, [result.measure if known is None else known])
+    inferred, short = cell(result.measure, unit, form), LAWS[law].short
+    if law != answer.frame.law.name:
+        inferred, _ = _range(Estimate(*answer.ranges.by_better_law(name), BETTER_LAW), unit, form)
+        short += "" if any(about_library(answer)) else " (best)"
+    of_library = "–"
+    if known is not None:
+        of_library = Format(form.units, form.digits or RESULT_DIGITS).in_unit(known, unit)
+    return [NOMENCLATURE[name].sentence, symbol_among(name, answer.inputs), short, inferred, of_library, unit.text]
 
 
 # --- Lists ------------------------------------------------------------------------------------------------------------
