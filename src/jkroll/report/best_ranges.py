@@ -84,8 +84,8 @@ def range_in_words(name: str, estimate: Estimate, form: Format = AS_USUAL) -> st
 def range_in_unit(estimate: Estimate, unit: ShownUnit, form: Format) -> tuple[str, str]:
     """Return the sign "≥ ", "≤ " or "≈ ", or an empty text, and the numbers of a range in a unit; "–" without ends.
 
-    A range by a rule that is only approximate has the sign "≈ ". Any other range with equal ends is a number with as
-    many digits as a result.
+    Unless the format sets the digits, a range by a rule that is only approximate has the sign "≈ ". Any other range
+    with equal ends is a number with as many digits as a result.
     """
     low, high = (end if isnan(end) else unit.convert(end) for end in (estimate.low, estimate.high))
     digits = form.digits or 2
