@@ -231,6 +231,12 @@ def test_resume_keeps_a_result_that_is_not_older_than_its_table(run: Run, later:
     assert (Path("out/a.csv").read_text(encoding="utf-8") == "kept") is is_kept
 
 
+@pytest.mark.parametrize("words", ["quartz 100nm --model dmt", "iron 1um --model dmt", "pdms 10um --model maugis"])
+def test_a_force_curve_has_a_load_of_exactly_0_at_equilibrium(run: Run, words: str) -> None:
+    loads = {row["state"]: row["load [N]"] for row in rows(run(f"contact {words} --curve --csv").out)}
+    assert loads["equilibrium"] == "0.0"
+
+
 def test_quartiles_and_scatter_of_inferred_values_are_those_of_a_sample(run: Run) -> None:
     """γ = F/3πR, with 3πR = 18.85 µm for 2 µm on a plane.
 

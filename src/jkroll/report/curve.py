@@ -37,10 +37,12 @@ class State(NamedTuple):
     name: str
 
     def in_frame(self, frame: Frame) -> Frame:
-        """Return a frame at the state."""
+        """Return a frame at the state, without the rounding errors of an infinite stiffness and of a load of 0."""
         frame = frame.replace(**{self.set_by: self.value}, state=self.name)
-        if self.name == FOLD:  # the stiffness is infinite at the fold; the formula would give a rounding error
+        if self.name == FOLD:
             frame.drop("stiffness", NO_STIFFNESS)
+        if self.name == EQUILIBRIUM:
+            frame.values[frame.plan("load").name] = 0.0
         return frame
 
 
