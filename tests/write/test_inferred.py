@@ -94,6 +94,14 @@ def test_two_unknowns_have_a_block_of_rows_for_each_law(run: Run) -> None:
     assert found[2][2] == f"{1e3 * BY_JKR:.2f}"  # the pull-off force of JKR does not depend on a modulus
 
 
+def test_the_answer_has_a_range_for_each_of_two_unknowns(run: Run) -> None:
+    """By JKR E is 34.8 GPa, by Maugis' law up to 35.1 GPa: the range covers both."""
+    words = f"{ON_PLANE.replace('gamma', 'gamma,young')} P_c=300nN --measured stiffness=1kN/m"
+    assert [row[2] for row in rows(run, words)][1::2] == ["35.0–35.1", "34.82"]
+    said = " ".join(run(words, terminal=True).out.split())
+    assert "the measurement implies γ = 14–15 mJ/m² and E = 34.8–35.1 GPa;" in said
+
+
 def test_a_note_says_why_a_law_has_no_solution(run: Run) -> None:
     words = "infer young quartz 1um --measured yield_force=100pN --hysteresis-fraction 40%"
     assert [row[:-2] for row in rows(run, words)] == [["E", "Maugis", "–"], ["E", "JKR", "2746"]]

@@ -121,13 +121,18 @@ def _options_for_middle(answer: Answer, fraction: float = 1.0) -> str:
 
 
 def _what_it_means(answer: Answer) -> str:
-    """Return the sentence on inferred values: best ranges, or values with uncertainties by the law in use."""
+    """Return the sentence on inferred values: best ranges, or values with uncertainties by the law in use.
+
+    A value within 5 % of that by Maugis' law is a range, too, if another value is and if no uncertainty is known.
+    """
     texts = []
     for result in answer.results:
         if result.name not in answer.described.unknowns:
             continue
         estimate, symbol = answer.estimates[result.name], symbol_among(result.name, answer.inputs)
-        if estimate.by in (BETTER_LAW, ADHESION_ONLY) or isinstance(result.measure, Interval):
+        is_range = estimate.by in (BETTER_LAW, ADHESION_ONLY) or isinstance(result.measure, Interval)
+        is_hull = estimate.by == LAW_IN_USE and BETTER_LAW in answer.rules and not isinstance(result.measure, Measured)
+        if is_range or is_hull:
             text = range_in_words(result.name, estimate, answer.form)
             texts.append(f"{symbol} {text}" if text.startswith("≤") else f"{symbol} = {text}")
         else:
