@@ -88,7 +88,7 @@ class Sweep:
         """Return the value of an input by its index among the values of all its lists and ranges."""
         starts = self.starts[name]
         number = bisect(starts, position) - 1
-        return _value_at(self.spreads[name][number], position - starts[number])
+        return self.spreads[name][number].at(position - starts[number])
 
     def __len__(self) -> int:
         """Return the number of rows."""
@@ -155,7 +155,7 @@ class Sweep:
     def noted(self, wanted: Wanted) -> Iterable[tuple[Frame, Sequence[str]]]:
         """Return a frame of each group of rows, with the quantities that notes judge.
 
-        These are the quantities to show, with the measured quantities in place of an inferred input.
+        These are the quantities to show; the measured quantities stand for an inferred input.
         """
         return [(frame.filled, frame.judged(self.shown(frame, wanted.names, wanted.named))) for frame in self.groups]
 
@@ -208,11 +208,6 @@ class Sweep:
             yield evaluated(wanted, BlockOfSweep(self, start, min(start + BLOCK, size)))
 
 
-def _value_at(spread: Spread, position: int) -> float | Uncertain:
-    """Return a value of a list or range by its index, with its uncertainty if it has one."""
-    return spread.value(position) if spread.uncertain is None else spread.uncertain
-
-
 def _examples(name: str, spreads: Sequence[Spread], radii_of_notes: Iterable[Interval] = ()) -> list[Any]:
     """Return an example of each kind of value that an input has.
 
@@ -242,7 +237,7 @@ def _value_in(low: float, high: float, spreads: Iterable[Spread]) -> float | Unc
         rising = positions if spread.low <= spread.high else positions[::-1]
         from_low = rising[bisect_left(rising, low, key=spread.value) :]
         if from_low and spread.value(from_low[0]) <= high:
-            return _value_at(spread, from_low[0])
+            return spread.at(from_low[0])
     return None
 
 

@@ -19,6 +19,7 @@ from ..physics.cylinder import asymmetric_pressure, contact_point_moment, half_s
 from ..physics.maugis import edge_ratio_at_pull_off, pull_off_force_maugis
 from ..physics.shifted import exact_pressure, half_circle_pressure, unloaded_half_width
 from ..quantities.formatting import amount
+from ..quantities.laws import MAUGIS
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import DEFAULTS, NOMENCLATURE, bracketed
 from ..text import quoted
@@ -229,7 +230,7 @@ def figure_laws(materials: Materials, marks: Sequence[str]) -> Picture:
         Curve("DMT", ends, numpy.array([2.0, 2.0]), 2),
         Curve("JKR", ends, numpy.array([1.5, 1.5]), 3),
     )
-    points = tuple(mark_at(text, materials, Frame({}, model="maugis"), _TABOR, _RATIO) for text in marks)
+    points = tuple(mark_at(text, materials, Frame({}, model=MAUGIS), _TABOR, _RATIO) for text in marks)
     fit = "the Lennard-Jones curve is a fit to numerical solutions, within 0.3 % for ⟦0.01 ≤ μ ≤ 2⟧"
     caption = [f"Pull-off force over ⟦πwR⟧ by each law; {fit}."]
     if points:

@@ -32,12 +32,14 @@ class Spread:
         return self.size
 
     def __iter__(self) -> Iterator[float | Uncertain]:
-        if self.uncertain is not None:
-            return iter([self.uncertain])
-        return map(self.value, range(self.size))
+        return map(self.at, range(self.size))
+
+    def at(self, index: int) -> float | Uncertain:
+        """Return the value at an index, with its uncertainty if it has one."""
+        return self.value(index) if self.uncertain is None else self.uncertain
 
     def value(self, index: int) -> float:
-        """Return the value at an index, rounded to 15 digits: four values from 1e-9 to 1e-6 include 1e-8 and 1e-7."""
+        """Return the number at an index, rounded to 15 digits: four values from 1e-9 to 1e-6 include 1e-8 and 1e-7."""
         if index == 0:
             return self.low
         if index == self.size - 1:

@@ -53,6 +53,7 @@ from ..quantities.formatting import (
     symbol_among,
     with_unit,
 )
+from ..quantities.laws import DMT
 from ..quantities.nomenclature import INFINITY, XI
 from ..quantities.values import middle
 from ..text import first_of
@@ -410,7 +411,7 @@ def _adhesion_only(answer: Answer) -> Iterator[str]:
 def _by_dmt(answer: Answer) -> str:
     """Return the clause on inferred values by DMT's law, which needs no modulus; it may be empty."""
     texts = []
-    for name, measure in answer.by_law.get("dmt", {}).items():
+    for name, measure in answer.by_law.get(DMT, {}).items():
         value = middle(measure)
         texts.append(f"{symbol_among(name, answer.inputs)} = {span(name, value, value)}")
     return f"; by DMT's law, for hard spheres, {', '.join(texts)}" if texts else ""

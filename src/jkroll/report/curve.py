@@ -10,7 +10,19 @@ from ..model.frame import Frame
 from ..model.plan import in_order
 from ..model.reasons import NO_STIFFNESS, MissingInput
 from ..model.rows import Wanted, sides_in
-from ..quantities.laws import EQUILIBRIUM, FIXED_GRIPS, FOLD, JUMP_IN, PULL_OFF, STABLE, UNSTABLE, WITHOUT_CONTACT
+from ..quantities.laws import (
+    DMT,
+    EQUILIBRIUM,
+    FIXED_GRIPS,
+    FOLD,
+    JKR,
+    JUMP_IN,
+    MAUGIS,
+    PULL_OFF,
+    STABLE,
+    UNSTABLE,
+    WITHOUT_CONTACT,
+)
 from ..quantities.nomenclature import STATE_OR_LOAD
 from ..quantities.values import parse_quantity
 from ..text import quoted
@@ -108,12 +120,12 @@ def states(frame: Frame, loads: Loads | None = None, steps: int = STEPS) -> list
 
 def _named(frame: Frame) -> dict[str, float]:
     """Return the value of the input that sets each named state; it is 0 for a fold without contact."""
-    if frame.law.name == "jkr":
+    if frame.law.name == JKR:
         return {**NAMED}
     unloaded = frame.replace(load=0.0)[frame.law.set_by]
-    if frame.law.name == "dmt":
+    if frame.law.name == DMT:
         return {PULL_OFF: 0.0, EQUILIBRIUM: unloaded}
-    if frame.law.name == "maugis":
+    if frame.law.name == MAUGIS:
         ends = {FOLD: frame["edge_ratio_at_fold"], PULL_OFF: frame["edge_ratio_at_pull_off"]}
         return {**ends, EQUILIBRIUM: unloaded}
     return {PULL_OFF: -frame["pull_off_force"], EQUILIBRIUM: unloaded}

@@ -16,7 +16,7 @@ from ..model.reasons import OF_IDENTICAL_SPHERES, Failure, explanation_of
 from ..physics.motion import STICKS_FROM
 from ..physics.tangential import sliding_friction_coefficient
 from ..quantities.formatting import Format, amount, significant
-from ..quantities.laws import DEFAULT_LAW
+from ..quantities.laws import DEFAULT_LAW, DMT, JKR
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, STATE_OR_LOAD, of_sphere
 from ..text import ascii_text, wrapped
 
@@ -55,13 +55,13 @@ _OF_COLLISIONS = """\
 {slow:.3g} m/s{place}, {early} of JKR's v_stick.
 """
 _COMMENTS_ON = {  # by law
-    "jkr": """\
+    JKR: """\
 # twisting sds: stiffness [N m], damping, coefficient M_twist/(P + 2P_c) [m].
 # Friction is F_slide/(P + 2P_c), with tau = {shear_strength:.6g} Pa{place}; if a brittle contact peels off first, \
 write T_first/(P + 2P_c) = {peels:.6g}. Both are due to adhesion at the P above: for harder pushes write the \
 coefficient of your solid.
 """,
-    "dmt": """\
+    DMT: """\
 # P_c is 4 pi gamma R here. The rolling moment is 4 pi gamma R xi at any load; the one in LAMMPS equals it at the P \
 above only.
 # The contact does not slip: for the 1e9, write your coefficient of friction. Twisting is left out.
