@@ -213,6 +213,7 @@ def of_table(run: Run, sheet: Sheet, *, sample: int = 200) -> Converted:
 
 
 def _frame_at(block: Block, row: int, _: int = 0) -> Frame:
+    """Return the scene of a row in a block; `_`: its index among the single rows to put, which is always 0."""
     frame: Frame = block.frame_of(row)
     return frame
 
@@ -306,13 +307,13 @@ def bits_agree(scene: Frame, names: Sequence[str], one: int, other: int) -> bool
 
 
 def _is_at_threshold(limit: Limit, scene: Frame, names: Sequence[str]) -> bool:
-    """Return whether the number that a limit judges, or the factor that it computes, is at a threshold."""
+    """Return whether the number that a limit judges is at one of its thresholds, within its accuracy."""
     if limit.number is not None:
-        factor, error = limit.number(scene, scene.columns(names)), 0.0
+        number, error = limit.number(scene, scene.columns(names)), 0.0
         for by_law in (scene, scene.by_law):
             for name, value in by_law.numbers(*names).items():
                 error += STATED * ULP * (1 + _condition(by_law, name, value))
-        return any(abs(factor - threshold) <= error * threshold for threshold in limit.codes)
+        return any(abs(number - threshold) <= error * threshold for threshold in limit.codes)
     value = outcomes(scene, (limit.name,))[limit.name]
     if isinstance(value, JkrollError):
         return False

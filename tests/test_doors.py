@@ -102,7 +102,7 @@ def _in_refusals(run: Run, ask: Ask, error: JkrollError) -> Iterator[str]:
 
     A table refuses it row by row. So do arrays if a value is out of range only after its conversion.
     """
-    # Without the name of the input, in whose place a command line has the option.
+    # A command line names the option instead of the input, so only the text after the name is compared.
     problem = str(error).partition(": ")[2] or str(error)
     refusals: set[str] = set()
     for form in ("--json", "--csv", "ndjson"):
@@ -274,7 +274,7 @@ def test_doors_agree_on_best_ranges_of_a_few_random_questions(run: Run) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("numbers", PARTS[:2], ids=str)  # with some 1500 scenes
+@pytest.mark.parametrize("numbers", PARTS[:2], ids=str)  # about 1500 scenes
 def test_doors_agree_on_best_ranges_of_fresh_questions(run: Run, numbers: range) -> None:
     check_best(run, seed=int(os.environ["ACCURACY_SEED"]), numbers=numbers)
 
@@ -429,7 +429,7 @@ LENNARD_JONES = {
     "pull_off_work": "well_energy_lennard_jones",
     "pull_off_work_at_dead_load": "dead_load_work_lennard_jones",
 }
-# In proportion to a quantity in LENNARD_JONES, or to its square root.
+# Results that are proportional to a quantity in LENNARD_JONES, or to its square root.
 IN_PROPORTION = ("bond_number", "disruption_energy", "disruption_speed")
 
 
@@ -549,7 +549,7 @@ def _in_outputs(run: Run, ask: Ask, rows: Rows, unit: str, files: Sequence[str],
 
 
 def _in_bare(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
-    """Iterate over the bare numbers that differ from those of rows; rows have no numbers of inputs to compare."""
+    """Iterate over the bare numbers that differ from those of rows, for quantities with a column in the rows."""
     call = call_of(ask.words())
     names = question_of(call, QUESTIONS[call.command]).headline
     lines, scenes = answered(run, *ask.words("--bare")).out.splitlines(), scenes_of(ask)
@@ -592,7 +592,7 @@ def _as_cell(key: str, values: Mapping[str, float]) -> float | str | None:
 
 
 def _read(cell: Any, head: str) -> Any:
-    """Return a cell of any output: a number, a text or None; the word of an infinite input, as `plane`, is infinity."""
+    """Return a cell of any output as a number, a text or None; a word for an infinite input, such as plane, as inf."""
     if cell in ("", None):
         return None
     name = head.partition(" ")[0]
