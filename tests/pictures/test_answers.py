@@ -17,7 +17,7 @@ from relative import approx
 SOLIDS, RADII = ["quartz", "iron"], ["100 nm", "1 um"]
 
 
-def test_lists_are_combined_as_by_the_command() -> None:
+def test_lists_give_an_answer_for_each_combination() -> None:
     answers = jkroll.answer("pull-off", material=SOLIDS, radius=RADII)
     assert len(answers) == 4
     singles = [jkroll.answer("pull-off", material=solid, radius=radius) for solid in SOLIDS for radius in RADII]
@@ -66,7 +66,7 @@ def test_answer_takes_arrays_and_materials_made_by_hand() -> None:
         "P_c", material=[[solid], ["iron"]], material2="quartz", radius=numpy.geomspace(1e-8, 1e-6, 3)
     )
     assert answers["P_c"].tolist() == forces.reshape(-1).tolist()
-    # So many scenes are computed as arrays.
+    # As many scenes as here are computed as arrays.
     many = jkroll.answer("P_c", material=SOLIDS, radius=numpy.geomspace(1e-8, 1e-6, 400))
     assert many["P_c"][::50].tolist() == [float(many[position]["P_c"]) for position in range(0, 800, 50)]
 
@@ -115,9 +115,10 @@ def test_invalid_scenes_are_refused(scene: dict[str, Any], words: str) -> None:
         jkroll.answer("pull-off", **scene)
 
 
-def test_a_radius_of_100_m_in_a_list_gives_a_warning() -> None:
+@pytest.mark.parametrize("radii", [[100, 50], ["100 nm", 100]])
+def test_a_radius_of_100_m_in_a_list_gives_a_warning(radii: list[Any]) -> None:
     with pytest.warns(UserWarning, match="100 is a sphere of 100 m") as warned:
-        jkroll.answer("P_c", gamma=0.025, radius=[100, 200])
+        jkroll.answer("P_c", gamma=0.025, radius=radii)
     assert [warning.filename for warning in warned] == [__file__]
 
 

@@ -3,7 +3,7 @@
 import csv
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy
 import pytest
@@ -100,9 +100,6 @@ def test_without_axes_plot_makes_a_new_figure() -> None:
     assert len(jkroll.curve(material="quartz", radius="100 nm", panel=None).plot()) == 3
 
 
-plot_curve: Any = jkroll.curve(material="quartz", radius=1e-7).plot
-
-
 @pytest.mark.parametrize(
     ("call", "words"),
     [
@@ -111,12 +108,14 @@ plot_curve: Any = jkroll.curve(material="quartz", radius=1e-7).plot
         (lambda: jkroll.figure("3a", as_printed=True), "figure 3a takes no as_printed"),
         (lambda: jkroll.curve(material="quartz", radius=1e-7, panel="forces"), "choose one of force, pressure"),
         (lambda: jkroll.curve(material="quartz", radius=1e-7, load=(1e-9, -1e-9)), "the lower end first"),
+        (lambda: jkroll.curve(material="quartz", radius=1e-7, model=["jkr", "JKR"], panel=None), "are one law"),
+        (lambda: jkroll.curve(material="quartz", radius=1e-7, model=[]), "is an empty list"),
         (lambda: jkroll.curve(material="quartz", radius=[1e-7, 2e-7]), "describes more than one contact"),
         (lambda: jkroll.curve(material="quartz", radius=1e-7).plot(style="pink"), "is not a style"),
         (lambda: jkroll.map("P_c", x="radius=1nm:1um", radius=1e-7), "leave out its single value"),
         (lambda: jkroll.map("P_c", x="density=1g/cm3:2g/cm3"), "pull_off_force does not depend on density"),
         (lambda: jkroll.map("P_c", x="radius"), "x: write a quantity and its range"),
-        (lambda: plot_curve([1, 2]), "has 1 panels, and 2 axes were given"),
+        (lambda: jkroll.figure("laws").plot(cast("Any", [1, 2])), "has 1 panels, and 2 axes were given"),
     ],
 )
 def test_invalid_calls_for_pictures_are_refused(call: Any, words: str) -> None:

@@ -18,8 +18,9 @@ from ..model.rows import Columns, Wanted, as_list
 from ..model.solver import Solids, is_list, materials_of, words_in
 from ..model.sweep import Sweep
 from ..model.tally import Tally
+from ..physics.elementary import NUMBER
 from ..quantities.formatting import AS_USUAL, Format, amount, symbol_of
-from ..quantities.laws import law_given
+from ..quantities.laws import law_given, laws_given
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, named
 from ..quantities.numeric import Numeric
 from ..quantities.shown import Part, Shown, as_text
@@ -72,8 +73,8 @@ class Exceeded:
 class Answered(Shown):
     """The answer to a question about one scene.
 
-    `values` holds the results by name, `inputs` the inputs that were given or assumed, `doubts` the limits of the
-    model that are exceeded, `best` the best ranges of the values, `surfaces` the pull-off forces of real surfaces, and
+    `values` holds the results by name, `inputs` the inputs that were given or used, `doubts` the limits of the model
+    that are exceeded, `best` the best ranges of the results, `surfaces` the pull-off forces of real surfaces, and
     `notes` all other notes. `as_dict()` returns the object that `--json` prints. Iteration gives the names of the
     results, as in a dict.
     """
@@ -94,7 +95,7 @@ class Answered(Shown):
 
     @cached_property
     def inputs(self) -> Mapping[str, float | str | Uncertain]:
-        """The inputs that were given or enter the results, in SI units, with their error bars."""
+        """The inputs that were given or used, in SI units, with their uncertainties."""
         return self._answer.input_measures
 
     @cached_property
@@ -152,7 +153,7 @@ class Answered(Shown):
 
     @property
     def drawn(self) -> "Drawn":
-        """The force against the approach, as in `jkroll contact --curve`, with a mark at the state of the answer."""
+        """The force against the approach, as in `jkroll contact --curve`, with a mark at a given load or state."""
         from .drawn import curve_with_state
 
         return curve_with_state(self._answer.frame)
@@ -242,7 +243,7 @@ class Answers(Shown):
 
     @cached_property
     def _all(self) -> tuple[Wanted, Sequence[Columns]]:
-        """The columns of all quantities with their best ranges."""
+        """The wanted columns, which are all quantities with their best ranges, and the values in blocks of rows."""
         wanted = self._sweep.wanted(self._question.quantities, self._question.named)
         wanted = wanted.with_best(wanted.names)
         return wanted, [*self._sweep.columns(wanted)]
@@ -261,8 +262,8 @@ class Answers(Shown):
     def drawn(self) -> "Drawn":
         """A picture of the first quantity over the input with the most values, as `jkroll map` draws it.
 
-        If no input has several values, the picture has the force curves by each law for a single pair of materials; for
-        several pairs, BadRequest is raised.
+        If no input has several values, it shows the force curve by each law. Raises BadRequest for several pairs of
+        materials without such an input.
         """
         from .drawn import lines_over_input
 
@@ -276,12 +277,12 @@ class Answers(Shown):
 
     @cached_property
     def _in_table(self) -> Wanted:
-        """The columns of the table."""
+        """The wanted columns of the table."""
         return columns_in_table(self._question, self._sweep)
 
     @cached_property
     def _blocks(self) -> Sequence[Columns]:
-        """The rows of the table."""
+        """The values of the table, in blocks of rows."""
         return [*self._sweep.columns(self._in_table)]
 
     @cached_property
@@ -299,7 +300,7 @@ class Answers(Shown):
 
     @property
     def _form(self) -> Format:
-        """The number format, which depends on the inputs that were given."""
+        """The number format, which names the given inputs, without their texts, as each may have several values."""
         typed: dict[str, str] = {}
         for name in self._sweep.spreads:
             typed[name] = ""
@@ -365,9 +366,8 @@ def answer(
         A command, such as "pull-off" or "report", or names of quantities, as for `solve`.
     material, material2, materials, model, profile, **given
         The scene, as in `solve`. Lists of materials, laws and values stand for several scenes: all their combinations,
-        as in the command, not element by element. `jkroll.table` answers a table row by row.
-
-    A bare number of a metre or more for a radius gives a warning: 100 means 100 m.
+        as in the command, not element by element. `jkroll.table` answers a table row by row. A radius or diameter of
+        a metre or more, given as a number without a unit, raises a warning: 100 means 100 m.
 
     Returns
     -------
@@ -405,13 +405,11 @@ def answer(
         return Answered(answered)
     _refuse_rows({**words, **given})
     solids, solids2, models = (_listed(name, word) for name, word in words.items())
-    firsts = [materials_of(solid, None, materials)[0] for solid in solids]
-    seconds = [materials_of(None, solid, materials)[1] for solid in solids2]
-    laws = [law_given(name, profile) for name in models]
-    if len({*laws}) < len(laws):
-        raise BadRequest(f"model: {listed(models)} are one law; give each law once")
-    spreads = {name: _spreads(name, of_input) for name, of_input in values.items()}
-    sweep = Sweep([*product(firsts, seconds)], spreads, laws)
+    materials1 = [materials_of(solid, None, materials)[0] for solid in solids]
+    materials2 = [materials_of(None, solid, materials)[1] for solid in solids2]
+    laws = laws_given(models, profile)
+    spreads = {name: _spreads(name, numbers) for name, numbers in values.items()}
+    sweep = Sweep([*product(materials1, materials2)], spreads, laws)
     count = len(sweep)
     if count > sweep.sizes.most_in_table:
         raise BadRequest(f"{count} scenes are more than {sweep.sizes.most_in_table}; jkroll.solve takes any number")
@@ -437,14 +435,13 @@ def _is_several(value: Any) -> bool:
 def _values(given: Mapping[str, Any]) -> dict[str, list[Any]]:
     """Return the values of inputs in SI units, by name, in the order of the nomenclature. Raises QuantityError."""
     lists = {word: [*value] if isinstance(value, list | tuple) else [value] for word, value in given.items()}
-    for word, of_word in lists.items():
-        if not of_word:
+    for word, items in lists.items():
+        if not items:
             raise QuantityError(word, "[]", "is an empty list")
-        if isinstance(of_word[0], list | tuple):
-            raise QuantityError(word, str(of_word), "is a list of lists", "give a list of values")
-    reader, firsts = Reader(), {word: of_word[0] for word, of_word in lists.items()}
+        if isinstance(items[0], list | tuple):
+            raise QuantityError(word, str(items), "is a list of lists", "give a list of values")
+    reader, firsts = Reader(), {word: items[0] for word, items in lists.items()}
     read = reader.in_si(firsts)  # in the order of the words
-    warn_of_metres({name: value for name, value in read.items() if isinstance(value, float)}, firsts)
     values: dict[str, list[Any]] = {}
     for (name, first), (_, *others) in zip(read.items(), lists.values(), strict=True):
         values[name] = []
@@ -452,7 +449,19 @@ def _values(given: Mapping[str, Any]) -> dict[str, list[Any]]:
             if getattr(value, "ndim", 0) > 1:
                 raise QuantityError(name, "an array", "has more than one dimension", "give a list of values")
             values[name] += value.tolist() if hasattr(value, "tolist") else [value]
+    largest = _largest_numbers(lists)
+    warn_of_metres(reader.in_si(largest), largest)
     return {name: values[name] for name in NOMENCLATURE if name in values}
+
+
+def _largest_numbers(lists: Mapping[str, Iterable[Any]]) -> dict[str, float]:
+    """Return the largest number without a unit in each list that has such numbers."""
+    largest = {}
+    for word, values in lists.items():
+        numbers = [value for value in values if isinstance(value, NUMBER)]
+        if numbers:
+            largest[word] = max(numbers)
+    return largest
 
 
 def _spreads(name: str, values: Iterable[Any]) -> list[Spread]:

@@ -12,9 +12,10 @@ from ..model.frame import Frame
 from ..model.solver import materials_of, refuse_arrays
 from ..model.sweep import Sweep
 from ..quantities.formatting import amount
-from ..quantities.laws import DEFAULT_LAW, law_given
+from ..quantities.laws import DEFAULT_LAW, law_given, laws_given
 from ..quantities.markup import plain, symbol
 from ..quantities.nomenclature import STATE_OR_LOAD
+from ..quantities.values import QuantityError
 from ..report.curve import Loads, loads_of
 from ..report.questions import quantity_named
 from ..text import as_arguments, listed, quoted
@@ -83,7 +84,7 @@ class Drawn:
         if ax is None:
             first, *others = self.figure(style).axes[: len(self._picture.panels)]
             return [first, *others] if others else first
-        _check(style)
+        _check_style(style)
         with missing_extra("plot"):
             from .page import draw_on
         given, panels = [*ax] if isinstance(ax, Iterable) else [ax], self._picture.panels
@@ -94,29 +95,29 @@ class Drawn:
         return ax
 
     def figure(self, style: str = "paper", *, caption: bool = False) -> "Figure":
-        """Return the page that the command draws, as a matplotlib figure: figure.savefig("a.pdf").
+        """Return the page as a matplotlib figure, to save it: figure.savefig("a.pdf").
 
-        `caption`: True for titles and a caption.
+        `caption`: True for titles and a caption, as on the command's page.
         """
-        _check(style)
+        _check_style(style)
         with missing_extra("plot"):
             from .page import figure_of, settings
         with settings(STYLES[style]):
             return figure_of(self._picture, None, STYLES[style], has_caption=caption)
 
     def _repr_png_(self) -> tuple[bytes, dict[str, int]]:
-        """Return the PNG for notebooks, shown at half its width in pixels, so that letters match the text around."""
+        """Return the PNG for notebooks, and half its width in pixels, at which letters match the surrounding text."""
         with missing_extra("plot"):
             from .page import draw
         content = draw(self._picture, "png", None, "paper", has_caption=True)
-        width_in_pixels = int.from_bytes(content[16:20])  # these four bytes of a PNG
+        width_in_pixels = int.from_bytes(content[16:20])  # where the header of a PNG has the width
         return content, {"width": width_in_pixels // 2}
 
     def __repr__(self) -> str:
         return f"<Drawn: {listed([*self.lines] or [plain(self._picture.title)])}>"
 
 
-def _check(style: str) -> None:
+def _check_style(style: str) -> None:
     if style not in STYLES:
         raise BadRequest(f"style: {quoted(style)} is not a style; choose one of {listed(STYLES)}")
 
@@ -158,8 +159,8 @@ def curve(
 
     Raises
     ------
-    BadRequest, MissingInput, QuantityError, UnknownMaterial
-        An argument is wrong or missing.
+    BadRequest, MissingInput, NoResult, QuantityError, UnknownMaterial
+        An argument is wrong or missing, or the loads are beyond pull-off.
 
     >>> drawn = curve(material="quartz", radius="100 nm")
     >>> approach, force = drawn.lines["stable"]
@@ -171,7 +172,9 @@ def curve(
     described = _inputs_of_one_contact(given)
     solids = materials_of(material, material2, materials)
     models = [model] if model is None or isinstance(model, str) else [*model]
-    frames = [Frame(described, *solids, model=law_given(name, profile)) for name in models]
+    if not models:
+        raise QuantityError("model", "[]", "is an empty list")
+    frames = [Frame(described, *solids, model=law) for law in laws_given(models, profile)]
     return Drawn(*curves_of_contact(frames, _loads(load), panel))
 
 
@@ -292,7 +295,8 @@ def _unloaded(frame: Frame) -> Frame:
 def lines_over_input(quantity: str, sweep: Sweep) -> Drawn:
     """Return a picture of a quantity over the input with the most values, with a line for each combination of the rest.
 
-    If no input has several values, the laws of one contact are compared by their force curves.
+    If no input has several values, the picture has the force curve of the contact by each law. Raises BadRequest for
+    several pairs of materials without such an input, and for more lines than can be told apart.
     """
     counts = {}
     for name, spreads in sweep.spreads.items():

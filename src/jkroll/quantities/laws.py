@@ -16,12 +16,12 @@ lacks quantities, `model.reasons` must give the reasons. The nomenclature takes 
 routes.
 """
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from functools import cache
 from itertools import chain
 
 from ..errors import BadRequest
-from ..text import closest, quoted
+from ..text import closest, listed, quoted
 
 Routes = Mapping[str, str | None]
 
@@ -267,6 +267,14 @@ def law_given(model: str | None, profile: str | None = None) -> str | None:
     if name not in (None, DEFAULT_LAW):
         raise BadRequest(f"profile {SPHERE}: only JKR has it; leave out model {name}, or take the profile {PARABOLOID}")
     return JKR_OF_SPHERE
+
+
+def laws_given(models: Sequence[str | None], profile: str | None = None) -> list[str | None]:
+    """Return the names of the laws for several models, see `law_given`. Raises BadRequest if two are one law."""
+    laws = [law_given(name, profile) for name in models]
+    if len({*laws}) < len(laws):
+        raise BadRequest(f"model: {listed(map(str, models))} are one law; give each law once")
+    return laws
 
 
 def _one_of(words: Collection[str], option: str, word: str) -> str:
