@@ -1,7 +1,8 @@
 """Draw the field of a quantity over two inputs: contours, best ranges, limits of the model, the part without values.
 
-All lines are found on a fine mesh. Positions on the mesh are counted in steps, so that both axes are linear. The edge
-of the part without values is found by bisection between the points of the mesh.
+Lines are found on a fine mesh, to which best ranges are interpolated from a coarser one. A position on a mesh is
+counted in steps from its first point, so that it is linear on the page, even along a logarithmic axis. The edge of the
+part without values is found by bisection between the points of the mesh.
 """
 
 from collections.abc import Callable, Sequence
@@ -27,20 +28,20 @@ from ..model.solver import values_of
 from ..quantities.markup import lines, symbol
 from .bands import Band, band_of, spacing
 from .labels import Bound, Labels
-from .picture import Axis, Panel, Style, evaluate, one_further, over
+from .picture import Axis, Panel, Style, evaluate, extended, over
 
 FINE = 401  # points along each side of a field
 _THIN, _THICK = 0.7, 1.1  # contours, in points
 _TOLERANCE = 0.005  # largest error of a line, in steps of the mesh
 _HALVINGS = 24  # bisections that find the edge of the part without values
-_BOUNDS = ((0, (4, 2)), (0, (7, 2, 1.5, 2)), (0, (10, 3)), (0, (5, 1.5, 1, 1.5, 1, 1.5)))  # dashes of lines with names
+_DASHES = ((0, (4, 2)), (0, (7, 2, 1.5, 2)), (0, (10, 3)), (0, (5, 1.5, 1, 1.5, 1, 1.5)))  # of lines that bound regions
 _ABOUT_TEETH = "the teeth of a line point to where its limit is exceeded"
-_LEAST_LABELLED = 2 / 3  # if fewer of the contours have a text, the legend has a scale
+_LEAST_LABELLED = 2 / 3  # fraction of contours with a text below which the legend has a scale
 _PALE = 0.55  # opacity of the paper's colour in a band of best ranges
-_CERTAIN, _UNCERTAIN = 201, 41  # points along each side for best ranges, without and with uncertain inputs
-_ROUGH = 0.1  # second difference, over the distance of contours, above which an end of best ranges is not linear
+_CERTAIN, _UNCERTAIN = 201, 41  # points along each side of the coarser mesh, without and with uncertain inputs
+_BENT = 0.1  # second difference, over the distance of contours, above which an end of best ranges is not linear
 _TOOTH, _APART = 2.5, 6.0  # length and distance of the teeth of a bound, in points
-_FARTHEST = 20.0  # an infinite end of a band is drawn farther than this from every contour
+_FARTHEST = 20.0  # least distance from every contour of the number that stands for an infinite end of a best range
 
 
 # --- Lines on a mesh --------------------------------------------------------------------------------------------------
@@ -74,7 +75,7 @@ class Mesh:
         return numpy.stack(positions, axis=1)
 
     def lines(self, values: Any, level: float) -> list[Any]:
-        """Return the contour lines of values on the mesh at a level, in points of the picture."""
+        """Return the contour lines of values on the mesh at a level, as points of the picture."""
         return [self.points(simplified(line)) for line in _lines(values, level)]
 
     def area(self, values: Any, low: float, high: float) -> Path:
@@ -91,10 +92,12 @@ class Mesh:
 
 
 def _lines(values: Any, level: float) -> Any:
+    """Return the contour lines of values on a mesh at a level, in steps."""
     return contour_generator(z=numpy.ma.masked_invalid(values), line_type="Separate").lines(level)
 
 
 def _rings(values: Any, low: float, high: float) -> list[Any]:
+    """Return the outlines of the areas in which values on a mesh are between two levels, in steps."""
     generator: Any = contour_generator(z=numpy.ma.masked_invalid(values), fill_type="OuterOffset")
     areas, offsets = generator.filled(low, high)
     rings = []
@@ -123,9 +126,9 @@ def simplified(points: Any) -> Any:
     return points[kept]
 
 
-def finer(values: Any) -> Any:
+def on_fine_mesh(values: Any) -> Any:
     """Return values on the fine mesh, interpolated linearly from a coarser one."""
-    for _ in range(2):
+    for _ in range(2):  # along y and, transposed, along x
         positions = numpy.linspace(0, len(values) - 1, FINE)
         before = numpy.floor(positions).astype(int).clip(0, len(values) - 2)
         share = (positions - before)[:, None]
@@ -133,10 +136,10 @@ def finer(values: Any) -> Any:
     return values
 
 
-def rough(values: Any, heights: Sequence[float]) -> Any:
-    """Return True for points of the fine mesh in cells of a coarser one where values cross a height and are not linear.
+def bent_at_contours(values: Any, heights: Sequence[float]) -> Any:
+    """Return a mask of the fine mesh: True in cells of a coarser mesh that a contour crosses and where values bend.
 
-    `values`: those on the coarser mesh.
+    `values`: those on the coarser mesh; `heights`: those of the contours.
     """
     bend = numpy.zeros(values.shape)
     bend[1:-1] = abs(numpy.diff(values, 2, axis=0))
@@ -145,9 +148,9 @@ def rough(values: Any, heights: Sequence[float]) -> Any:
     is_crossed = numpy.zeros(bends.shape[1:], dtype=bool)
     for height in heights:
         is_crossed |= (corners.min(axis=0) <= height) & (height <= corners.max(axis=0))
-    is_rough = is_crossed & (bends.max(axis=0) > _ROUGH * numpy.ptp(heights) / len(heights))
-    fold = (FINE - 1) // (len(values) - 1)
-    return numpy.pad(numpy.kron(is_rough, numpy.ones((fold, fold), dtype=bool)), ((0, 1), (0, 1)), mode="edge")
+    is_bent = is_crossed & (bends.max(axis=0) > _BENT * numpy.ptp(heights) / len(heights))
+    steps = (FINE - 1) // (len(values) - 1)  # of the fine mesh along each side of a cell
+    return numpy.pad(numpy.kron(is_bent, numpy.ones((steps, steps), dtype=bool)), ((0, 1), (0, 1)), mode="edge")
 
 
 def _corners(values: Any) -> Any:
@@ -162,7 +165,7 @@ class Edge:
         self.mesh, self.frame, self.quantity, self.known = mesh, frame, quantity, known
 
     def lines(self) -> list[Any]:
-        """Return the lines of the edge, in points of the picture."""
+        """Return the lines of the edge, as points of the picture."""
         unknown = (~self.known).astype(float)
         return [self.mesh.points(simplified(self._refined(line))) for line in _lines(unknown, 0.5)]
 
@@ -199,12 +202,12 @@ class Drawing(NamedTuple):
     """The remaining work on axes after the lines and areas of a panel: the legend and the texts."""
 
     keys: list[Any]  # of the legend
-    label: Callable[[Labels], list[Any]]  # writes the texts of contours; returns further keys, for those without a text
+    label: Callable[[Labels], list[Any]]  # writes texts; returns further keys, for contours without one
     ground: Callable[[Any], str]  # returns the colour of the picture in a box in pixels
 
 
 def draw_field(axes: Any, panel: Panel, levels: Sequence[float], style: Style, letters: int) -> Drawing:
-    """Draw a field, except for the texts inside the axes.
+    """Draw the areas and lines of a field; return its legend and the functions for its texts.
 
     `levels`: the values of its contours; `letters`: the number of letters in a line of the legend.
     """
@@ -216,13 +219,13 @@ def draw_field(axes: Any, panel: Panel, levels: Sequence[float], style: Style, l
 
 
 def _teeth() -> list[Any]:
-    """Return the short strokes on the left of a line, where the excess that it bounds is positive."""
+    """Return the path effects that draw teeth on the left of a line, where a limit is exceeded."""
     solid = {"dash_offset": 0, "dash_list": None}
     return [withTickedStroke(spacing=_APART, angle=90, length=_TOOTH / _APART, dashes=solid)]
 
 
 def mixed(colour: str, other: str, share: float) -> str:
-    """Return a mixture of two colours. `share`: that of the other colour."""
+    """Return a mixture of two colours; `share`: the part of the other colour."""
     red, green, blue = (1 - share) * numpy.array(to_rgb(colour)) + share * numpy.array(to_rgb(other))
     return str(to_hex((red, green, blue)))
 
@@ -236,9 +239,9 @@ class _FieldDrawing:
         self.axes, self.panel, self.levels, self.style, self.letters = axes, panel, levels, style, letters
         self.mesh, self.field = Mesh(panel.x, panel.y), panel.field
         field = panel.field
-        self.heights = [float(self._scaled(level)) for level in self.levels]
+        self.heights = [float(self._scaled(level)) for level in self.levels]  # the levels as `_scaled` values
         self.values = self._scaled(evaluate(field.frame, field.quantity, self.mesh.x, self.mesh.y))
-        self.known, self.around = numpy.isfinite(self.values), one_further(self.values)
+        self.known, self.extended = numpy.isfinite(self.values), extended(self.values)
         self.keys: list[Any] = []
         self.bounds: list[Bound] = []
         self.contours: list[list[Any]] = []
@@ -246,21 +249,21 @@ class _FieldDrawing:
         axes.set_axisbelow(False)  # ticks stay visible where there is no value
         shares = numpy.linspace(0, 1, len(self.heights) + 1)
         self.colours = [to_hex(colour) for colour in LinearSegmentedColormap.from_list("", style.scale)(shares)]
-        ends = [numpy.nanmin(self.around) - 1, *self.heights, numpy.nanmax(self.around) + 1]
+        ends = [numpy.nanmin(self.extended) - 1, *self.heights, numpy.nanmax(self.extended) + 1]
         for colour, (low, high) in zip(self.colours, pairwise(ends), strict=True):
-            self._fill(self.mesh.area(self.around, low, high), facecolor=colour, zorder=1)
+            self._fill(self.mesh.area(self.extended, low, high), facecolor=colour, zorder=1)
 
     def draw_regions(self) -> None:
         """Draw the regions beyond limits of the model: hatched, or bounded by a line with a name."""
-        here, dashes = over(self.field.frame, self.mesh.x, self.mesh.y), cycle(_BOUNDS)
+        here, dashes = over(self.field.frame, self.mesh.x, self.mesh.y), cycle(_DASHES)
         for region in self.field.regions:
             excess = numpy.where(self.known, region.excess(here), numpy.nan)
-            around = one_further(excess)
-            paths = self.mesh.lines(around, 0.0)
+            wider = extended(excess)
+            paths = self.mesh.lines(wider, 0.0)
             if region.hatch:
                 self._line(paths, linewidth=0.5, linestyle="dotted")
                 hatched: dict[str, Any] = {"facecolor": "none", "hatch": region.hatch, "edgecolor": self.style.hatch}
-                area = self.mesh.area(around, 0.0, max(1.0, float(numpy.nanmax(around)) + 1))
+                area = self.mesh.area(wider, 0.0, max(1.0, float(numpy.nanmax(wider)) + 1))
                 self._fill(area, zorder=1.2, **hatched)
                 self.keys.append(Patch(label=self._in_lines(region.text), linewidth=0.4, **hatched))
             else:
@@ -273,8 +276,11 @@ class _FieldDrawing:
             self.keys.append(Line2D([], [], linestyle="", label=self._in_lines(_ABOUT_TEETH)))
 
     def draw_contours(self) -> None:
-        """Draw the contours of the quantity, its contours as the paper prints them, and the bands of best ranges."""
-        self.contours = [self.mesh.lines(self.around, height) for height in self.heights]
+        """Draw the bands of best ranges, the contours, and the contours as the paper prints them.
+
+        If only some contours have a band, these contours are thick.
+        """
+        self.contours = [self.mesh.lines(self.extended, height) for height in self.heights]
         step = self._draw_bands() if self.field.has_best and self.levels else 0
         for position, paths in enumerate(self.contours):
             has_band = step > 1 and position % step == step // 2
@@ -287,9 +293,9 @@ class _FieldDrawing:
             self.keys.append(Line2D([], [], color=self.style.ink, label="as printed", **look))
 
     def _draw_bands(self) -> int:
-        """Draw bands in which the best range includes the value of a contour, as far as there is room.
+        """Draw bands, and return n if every n-th contour has one; 0 if there are no bands.
 
-        Return n if every n-th contour has a band; 0 if there are no bands.
+        In the band of a contour, the best range includes the value of the contour.
         """
         size = _UNCERTAIN if self.field.frame.uncertainties else _CERTAIN
         coarse = Mesh(self.panel.x, self.panel.y, size)
@@ -298,14 +304,15 @@ class _FieldDrawing:
             return 0
         far = 2 * float(abs(numpy.array(self.heights)).max()) + _FARTHEST  # stands for an infinite end
         low, high = self._ends(best, far)
+        # positive within the band of each contour
         inside = numpy.array([numpy.minimum(high - height, height - low) for height in self.heights])
         step = spacing(inside)
         if step == 0:
             return 0
         with_band = slice(step // 2, None, step)
         self.is_pale = numpy.any(inside[with_band] > 0, axis=0)
-        for excess, height in zip(inside[with_band], self.heights[with_band], strict=True):
-            self._fill(self.mesh.area(excess, 0.0, 3 * far), facecolor=self.style.paper, alpha=_PALE, zorder=1.1)
+        for within, height in zip(inside[with_band], self.heights[with_band], strict=True):
+            self._fill(self.mesh.area(within, 0.0, 3 * far), facecolor=self.style.paper, alpha=_PALE, zorder=1.1)
             for end in (low, high):
                 paths = self.mesh.lines(numpy.where(abs(end) < far, end, numpy.nan), height)
                 self._line(paths, color=self.style.hatch, linewidth=0.35, zorder=1.1, gid="band")
@@ -316,20 +323,20 @@ class _FieldDrawing:
         return step
 
     def _ends(self, best: Band, far: float) -> list[Any]:
-        """Return both ends of best ranges on the fine mesh: interpolated from a coarser one, but exact where they bend.
+        """Return both ends of best ranges on the fine mesh, clipped at ±far.
 
-        `far`: the largest absolute value of an end.
+        They are interpolated from the coarser mesh, but exact where an end bends at a contour.
         """
-        known = [one_further(self._scaled(end).clip(-far, far)) for end in (best.low, best.high)]
-        ends = [*map(finer, known)]
-        is_rough = rough(known[0], self.heights) | rough(known[1], self.heights)
-        rows, columns = numpy.nonzero(is_rough)
+        low, high = (extended(self._scaled(end).clip(-far, far)) for end in (best.low, best.high))
+        ends = [on_fine_mesh(low), on_fine_mesh(high)]
+        is_bent = bent_at_contours(low, self.heights) | bent_at_contours(high, self.heights)
+        rows, columns = numpy.nonzero(is_bent)
         x, y = self.mesh.x.values()[columns], self.mesh.y.values()[rows]
         here = self.field.frame.replace(**self.mesh.x.inputs(x), **self.mesh.y.inputs(y))
         exact = band_of(here, self.field.quantity, x.shape) if x.size else None
         if exact is not None:
             for end, values in zip(ends, (exact.low, exact.high), strict=True):
-                end[is_rough] = self._scaled(values).clip(-far, far)
+                end[is_bent] = self._scaled(values).clip(-far, far)
         return ends
 
     def draw_edge(self) -> None:
@@ -358,7 +365,7 @@ class _FieldDrawing:
         return [Scale(Patch(facecolor=colour, linewidth=0, label=label) for colour in self.colours)]
 
     def ground(self, box: Any) -> str:
-        """Return the colour in the middle of a box in pixels, which is pale if a band covers most of the box."""
+        """Return the colour in the middle of a box in pixels; a pale one if bands cover most of the box."""
         middle = (box.min + box.max) / 2
         (value,) = self._at(self.values, [middle])
         if not numpy.isfinite(value):
@@ -374,6 +381,7 @@ class _FieldDrawing:
         return values[rows, columns]
 
     def _scaled(self, values: Any) -> Any:
+        """Return values on the scale of the contours: as logarithms if the field is logarithmic."""
         with numpy.errstate(invalid="ignore", divide="ignore"):
             return numpy.log10(values) if self.field.is_log else numpy.asarray(values)
 

@@ -218,10 +218,10 @@ def evaluate(frame: Frame, quantity: str, x: Axis, y: Axis | None = None) -> Any
     return numpy.broadcast_to(values_of(over(frame, x, y), [quantity])[quantity], shape)
 
 
-def one_further(values: Any) -> Any:
-    """Return values in which each missing value next to known ones is the mean of its known neighbours.
+def extended(values: Any) -> Any:
+    """Return values on a mesh in which each missing value next to known ones is the mean of its known neighbours.
 
-    Lines then extend beyond the edge of the part with values; the picture cuts them off at the edge.
+    Lines then extend beyond the part with values; the picture cuts them off at its edge.
     """
     known = numpy.isfinite(values)
     total, count = numpy.zeros(values.shape), numpy.zeros(values.shape)
