@@ -12,12 +12,12 @@ from .picture import Mark, Style
 _EDGE = 4.0  # width that the ticks take inside the frame, in points of the page
 _APART = 2.0  # gap between two texts, or between a line and its name, in points of the page
 _CLEAR = 4.0  # least distance of the name of a line from other lines with names, in points of the page
-_ASIDE = 20.0  # cost of a distance from the contour, over that of a distance from the middle of the axes
-_DOT = 3.0  # half the size of a point, in points of the page
-_STEP = 1.5  # between the points of a line, in points of the page
-# Directions of a text from its point, the best first.
+_ASIDE = 20.0  # weight of a distance from the contour, over that of a distance from the middle of the axes
+_DOT = 3.0  # half the size of the dot of a mark, in points of the page
+_STEP = 1.5  # between positions along a line, in points of the page
+# Directions of a text from its dot, the best first.
 _WAYS = ((0.7, 0.7), (0.7, -0.7), (-0.7, 0.7), (-0.7, -0.7), (1, 0), (-1, 0), (0, 1), (0, -1))
-_REACH = (7.0, 11.0, 16.0, 22.0, 30.0, 42.0, 56.0, 75.0)  # distances of a text from its point, in points of the page
+_REACH = (7.0, 11.0, 16.0, 22.0, 30.0, 42.0, 56.0, 75.0)  # distances of a text from its dot, in points of the page
 
 Ground = Callable[[Any], str]  # colour of the picture in a box in pixels
 
@@ -37,11 +37,11 @@ class Labels:
         self.axes, self.style, self.ground = axes, style, ground
         self.scale = axes.figure.dpi / 72
         self.frame = axes.get_window_extent().padded(-_EDGE * self.scale)
-        self.drawn = _joined(map(self._dense, _paths_on(axes)))
-        self.taken: list[Any] = []
+        self.drawn = _joined(map(self._dense, _paths_on(axes)))  # positions along all lines
+        self.taken: list[Any] = []  # the boxes of dots and texts
 
     def of_marks(self, marks: Sequence[Mark]) -> None:
-        """Draw marked points with their texts at free positions, and leaders to the texts."""
+        """Draw a dot for each mark with two coordinates, its text at a free position, and a leader between them."""
         points = []
         for mark in marks:
             if mark.x is not None and mark.y is not None:
@@ -65,22 +65,22 @@ class Labels:
             self._put(text, box)
 
     def _cost(self, box: Any, dot: Any) -> int:
-        """Return the cost of a text in a box, with a leader from its marked point, the dot.
+        """Return the cost of a text in a box, with a leader from its dot.
 
-        It is 3 if lines cross the text, and 1 if lines cross the leader, plus 2 for each text that the leader crosses.
+        It is the sum of 3 if a line crosses the text, 1 if a line crosses the leader, and 2 for each other text or dot
+        that the leader crosses.
         """
         leader = self._dense(numpy.array([dot, dot.clip(box.min, box.max)]))
         leader = leader[numpy.hypot(*(leader - dot).T) > 2 * _DOT * self.scale]
-        texts = sum(bool(other.count_contains(leader)) for other in self.taken)
+        crossed = sum(bool(other.count_contains(leader)) for other in self.taken)
         near = abs(self.drawn[None] - leader[:, None]).max(axis=2) < self.scale
-        return 3 * int(box.padded(1).count_contains(self.drawn) > 0) + int(near.any()) + 2 * texts
+        return 3 * int(box.padded(1).count_contains(self.drawn) > 0) + int(near.any()) + 2 * crossed
 
     def of_contours(self, texts: Sequence[str], contours: Sequence[Sequence[Any]]) -> int:
-        """Write each label horizontally onto its contour, at the free position nearest to the middle of the axes.
+        """Write each label onto its contour, as near to the middle of the axes as possible; return how many have room.
 
-        A label stands on a patch in the picture's colour at that point, so that no hatch runs through it and its minus
-        sign cannot be taken for the contour. A contour without room for a label has none. Return the number of
-        labels.
+        A label is horizontal, on a patch in the picture's colour there, so that no hatch runs through it and its minus
+        sign cannot be taken for the contour.
         """
         count = 0
         every = [_joined(self._dense(self._pixels(path)) for path in paths) for paths in contours]
@@ -121,7 +121,7 @@ class Labels:
             self._put(text, boxes[int(numpy.argmin(crossings))] if boxes else None)
 
     def _next_to(self, path: Any, half: Any, has: Callable[[Any], Any]) -> Iterable[Any]:
-        """Iterate over boxes next to a path, on the side of its region, within the frame, beginning in its middle."""
+        """Iterate over boxes in the frame next to a path, on the side of its region, from its middle outwards."""
         along = numpy.diff(path, axis=0)
         across = numpy.stack([-along[:, 1], along[:, 0]], axis=1)
         across /= numpy.maximum(numpy.hypot(*across.T), 1e-12)[:, None]
@@ -134,18 +134,18 @@ class Labels:
                 yield _box(position, half)
 
     def _free(self, boxes: Iterable[Any], apart: float = _APART) -> list[Any]:
-        """Return the boxes that are clear of the existing texts."""
+        """Return the boxes that are clear of the existing dots and texts."""
         return [box for box in boxes if not any(map(box.padded(apart * self.scale).overlaps, self.taken))]
 
     def _pixels(self, points: Any) -> Any:
         return self.axes.transData.transform(points)
 
     def _dense(self, points: Any) -> Any:
-        """Return points at equal distances along a line."""
+        """Return positions at equal distances along a line of points."""
         lengths = numpy.hypot(*numpy.diff(points, axis=0).T)
-        away = numpy.concatenate([[0.0], numpy.cumsum(lengths)])
-        steps = numpy.linspace(0, away[-1], int(away[-1] / (_STEP * self.scale)) + 2)
-        return numpy.stack([numpy.interp(steps, away, of_axis) for of_axis in numpy.asarray(points).T], axis=1)
+        along = numpy.concatenate([[0.0], numpy.cumsum(lengths)])
+        steps = numpy.linspace(0, along[-1], int(along[-1] / (_STEP * self.scale)) + 2)
+        return numpy.stack([numpy.interp(steps, along, of_axis) for of_axis in numpy.asarray(points).T], axis=1)
 
     def _text(self, label: str, zorder: int) -> tuple[Any, Any]:
         """Return a new text, centred on its position, and half its size."""
@@ -167,9 +167,9 @@ def _paths_on(axes: Any) -> Iterable[Any]:
     """Iterate over the lines on axes, in pixels, including those in collections without a fill."""
     for line in axes.lines:
         yield line.get_transform().transform_path(line.get_path()).vertices
-    for drawing in axes.collections:
-        if not drawing.get_facecolor().size:
-            for path in drawing.get_paths():
+    for collection in axes.collections:
+        if not collection.get_facecolor().size:
+            for path in collection.get_paths():
                 yield axes.transData.transform(path.vertices)
 
 
@@ -178,5 +178,5 @@ def _joined(paths: Iterable[Any]) -> Any:
 
 
 def _box(middle: Any, half: Any) -> Any:
-    """Return the box around a position."""
+    """Return the box around its middle; `half`: half its width and height."""
     return Bbox([middle - half, middle + half])
