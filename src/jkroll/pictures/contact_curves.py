@@ -21,7 +21,7 @@ from .maps import fixed_inputs, inputs_as_texts, notes_on
 from .picture import Axis, Curve, Mark, Panel, Picture, axis_around, clipped
 
 POINTS = 401  # of a curve
-AREA_AND_PRESSURES = ("contact_radius_at_load", "hertz_pressure", "boussinesq_pressure")
+RADIUS_AND_PRESSURES = ("contact_radius_at_load", "hertz_pressure", "boussinesq_pressure")
 _FORCE = ("approach_at_load", "load")
 # The names of the models of the moment without load, short enough for a legend below a panel.
 _OF_MOMENTS = {
@@ -59,15 +59,16 @@ def _force(frames: Sequence[Frame], loads: Loads | None) -> Panel:
             raise Failure(BEYOND_PULL_OFF, numbers=(loads.high, least))
     x = axis_around("approach_at_load", [curve.x for curve in curves])
     y = axis_around("load", [curve.y for curve in curves], margin=0.15)
-    ends = Axis("load", *loads, is_log=False) if loads is not None else y
+    if loads is not None:
+        y = Axis("load", *loads, is_log=False)
     title = "force, Eqs (5) and (6)" if is_one and frames[0].law.is_default else f"force{_of_law(frames)}"
-    return Panel(x, ends, tuple(curves), tuple(points), title)
+    return Panel(x, y, tuple(curves), tuple(points), title)
 
 
 def _branches(frame: Frame, most: float) -> Iterator[tuple[str, Any, Any]]:
-    """Iterate over the branches and named states of a force curve up to a load, as name, approaches and loads.
+    """Iterate over the named states of a force curve up to a load, then over its branches, the stable one first.
 
-    A branch begins at the last state of the previous branch.
+    Each has a name, an approach and a load, or arrays of them. A branch begins at the last state of the previous one.
     """
     path = states(frame, Loads(-inf, most), POINTS)
     groups = []
@@ -87,20 +88,21 @@ def _branches(frame: Frame, most: float) -> Iterator[tuple[str, Any, Any]]:
 
 
 def _pressure(frames: Sequence[Frame], _: Loads | None) -> Panel:
-    """Return the panel of pressure across the contact, without load and at pull-off. Only JKR gives it."""
+    """Return the panel of the pressure across the contact, without load and at pull-off. Only JKR has pressures."""
     (frame,) = frames
     curves = []
     for text, name, branch in ((_NO_LOAD, EQUILIBRIUM, STABLE), (PULL_OFF, PULL_OFF, FIXED_GRIPS)):
-        state = values_of(frame.replace(load_factor=NAMED[name]), AREA_AND_PRESSURES)
+        state = values_of(frame.replace(load_factor=NAMED[name]), RADIUS_AND_PRESSURES)
         x = across(-state["contact_radius_at_load"], state["contact_radius_at_load"])
         curves.append(Curve(text, x, pressure(distance=abs(x), **state), _BRANCHES.index(branch)))
-    return pressure_panel(curves, state["hertz_pressure"], f"pressure, Eq (12){_of_law(frames)}")
+    at_pull_off = state["hertz_pressure"]
+    return pressure_panel(curves, at_pull_off, f"pressure, Eq (12){_of_law(frames)}")
 
 
 def _moment(frames: Sequence[Frame], _: Loads | None) -> Panel:
     """Return the panel of the moment without load against displacement.
 
-    It ends where, by JKR, the bodies begin to interpenetrate at the leading edge of the contact.
+    The displacements end where, by JKR, the bodies begin to interpenetrate at the leading edge of the contact.
     """
     limit = frames[0].replace(model=DEFAULT_LAW)["displacement_limit"]
     points: list[Mark] = []
@@ -144,7 +146,7 @@ class ContactPanel(NamedTuple):
 
     draw: Callable[[Sequence[Frame], Loads | None], Panel]
     needed: tuple[str, ...]  # each law must have them
-    further: tuple[str, ...] = ()  # also drawn for a single law, if it has them
+    further: tuple[str, ...] = ()  # also used for a single law, if it has them
 
     def missing(self, frames: Sequence[Frame]) -> list[NotInLaw]:
         """Return the errors for frames whose laws lack a quantity of the panel."""
@@ -154,7 +156,7 @@ class ContactPanel(NamedTuple):
 
 PANELS: Mapping[str, ContactPanel] = {
     "force": ContactPanel(_force, (*_FORCE, "pull_off_force")),
-    "pressure": ContactPanel(_pressure, AREA_AND_PRESSURES),
+    "pressure": ContactPanel(_pressure, RADIUS_AND_PRESSURES),
     "moment": ContactPanel(_moment, ("yield_moment",), (*_OF_MOMENTS, "displacement_limit")),
 }
 
@@ -203,7 +205,7 @@ def across(first: float, last: float) -> Any:
     return first + (last - first) * shares
 
 
-def pressure_panel(curves: Sequence[Curve], highest: float, title: str) -> Panel:
-    """Return a panel of pressures, which diverge at the rim, from −2.5 to 1.5 times the highest Hertz pressure."""
+def pressure_panel(curves: Sequence[Curve], central: float, title: str) -> Panel:
+    """Return a panel of pressures, which diverge at the rim, from −2.5 to 1.5 times a central Hertz pressure."""
     x = axis_around("position_across", [curve.x for curve in curves])
-    return Panel(x, Axis("pressure_across", -2.5 * highest, 1.5 * highest, is_log=False), tuple(curves), (), title)
+    return Panel(x, Axis("pressure_across", -2.5 * central, 1.5 * central, is_log=False), tuple(curves), (), title)

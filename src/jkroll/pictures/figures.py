@@ -1,6 +1,7 @@
 """The figures of the paper, and two that are not in it: the pull-off force by each law, and a sketch of the symbols.
 
-Of the paper's figures, the maps and Figs. 2 and 9 (the shifted contact) show computed values; the others are sketches.
+The figures of the paper are its maps, and the shifted contact of Figs. 2 and 9. Its other figures, which are sketches,
+are left out.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -23,7 +24,7 @@ from ..quantities.laws import MAUGIS
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import DEFAULTS, NOMENCLATURE, bracketed
 from ..text import quoted
-from .contact_curves import AREA_AND_PRESSURES, POINTS, across, pressure_panel
+from .contact_curves import POINTS, RADIUS_AND_PRESSURES, across, pressure_panel
 from .geometry import sketch
 from .maps import HATCHED_LIMITS, MapRequest, mark_at, picture_of
 from .picture import Axis, Curve, Mark, Panel, Picture
@@ -115,23 +116,24 @@ def paper_map(
 
 # --- Figs. 2 and 9: the shifted contact in three and two dimensions ---------------------------------------------------
 
-SPHERES = {"radius": 2e-8}  # in Figs. 2 and 9; small enough that ξ is visible
+SPHERES = {"radius": 2e-8}  # of the spheres in Fig. 2 and the cylinder in Fig. 9; so small that ξ is visible
 
 
 def figure_2(materials: Materials) -> Picture:
     """Return Fig. 2: the shifted contact from above with its half-circles, and its exact and simplified pressure."""
     frame = Frame(SPHERES, materials["quartz"])
     moduli = ("contact_modulus", "reduced_radius")
-    state = values_of(frame, (*AREA_AND_PRESSURES, *moduli, "approach_at_load", "yield_moment", "half_circles_moment"))
+    moments = ("yield_moment", "half_circles_moment")
+    state = values_of(frame, (*RADIUS_AND_PRESSURES, *moduli, *moments, "approach_at_load"))
     pair = {name: state[name] for name in moduli}
-    circle = {name: state[name] for name in AREA_AND_PRESSURES}
+    circle = {name: state[name] for name in RADIUS_AND_PRESSURES}
     a, shift = state["contact_radius_at_load"], float(frame["yield_displacement"])
     angle = numpy.linspace(-numpy.pi, numpy.pi, POINTS)
-    half = angle / 2 + numpy.pi
+    behind = angle / 2 + numpy.pi  # the angles of the half behind the contact point
     outlines = (
         Curve("contact, shifted by ⟦ξ⟧", a * numpy.cos(angle) - shift, a * numpy.sin(angle), 0),
-        Curve("half-circle ⟦a + ξ⟧", (a + shift) * numpy.cos(half), (a + shift) * numpy.sin(half), 1),
-        Curve("half-circle ⟦a − ξ⟧", -(a - shift) * numpy.cos(half), (a - shift) * numpy.sin(half), 2),
+        Curve("half-circle ⟦a + ξ⟧", (a + shift) * numpy.cos(behind), (a + shift) * numpy.sin(behind), 1),
+        Curve("half-circle ⟦a − ξ⟧", -(a - shift) * numpy.cos(behind), (a - shift) * numpy.sin(behind), 2),
     )
     reach = 1.5 * (a + shift)
     x, y = (Axis(name, -reach, reach, is_log=False) for name in ("position_across", "position_beside"))
@@ -150,7 +152,7 @@ def figure_2(materials: Materials) -> Picture:
         Curve("not shifted", centred, pressure(distance=abs(centred), **circle), 3),
     ]
     along = pressure_panel(curves, state["hertz_pressure"], "pressure along the rolling direction")
-    moment, half_circles = (amount(name, state[name]) for name in ("yield_moment", "half_circles_moment"))
+    moment, half_circles = (amount(name, state[name]) for name in moments)
     caption = (
         f"Two quartz spheres of 20 nm that have rolled by ⟦ξ⟧ = {amount('yield_displacement', shift)}, without load.",
         f"Moment: exact {moment}, Eq (25); half-circles {half_circles}, Eq (19).",
@@ -178,19 +180,19 @@ def figure_9(materials: Materials) -> Picture:
     quartz = materials["quartz"].properties
     modulus = quartz["youngs_modulus"] / (1 - quartz["poisson_ratio"] ** 2)
     radius, shift = SPHERES["radius"], float(Frame(SPHERES).values["yield_displacement"])
-    size = {"cylinder_radius": radius, "plane_strain_modulus": modulus}
-    a = float(unloaded_half_width(work_of_adhesion=2 * quartz["surface_energy"], **size))
-    size["load_constant"] = 0.0
+    cylinder = {"cylinder_radius": radius, "plane_strain_modulus": modulus}
+    a = float(unloaded_half_width(work_of_adhesion=2 * quartz["surface_energy"], **cylinder))
+    cylinder["load_constant"] = 0.0
 
     def strip(position: Any, width: float, shift: float = 0.0) -> Any:
         given = {"position_in_strip": position, "contact_half_width": width, "yield_displacement": shift}
-        return asymmetric_pressure(**given, **size)
+        return asymmetric_pressure(**given, **cylinder)
 
     centred, shifted = across(-a, a), across(-a - shift, a - shift)
     symmetric = Curve("exact, Eq (56)", centred, strip(centred, a))
     exact = Curve("exact, Eq (64)", shifted, strip(shifted + shift, a, shift))
     curves = [exact, *_halves("half-strip", a, shift, strip)]
-    shifted_strip = {"contact_half_width": a, "yield_displacement": shift, **size}
+    shifted_strip = {"contact_half_width": a, "yield_displacement": shift, **cylinder}
     exact_moment, half_strips = contact_point_moment(**shifted_strip), half_strips_moment(**shifted_strip)
     shifted_by = amount("yield_displacement", shift)
     ratio = f"{exact_moment / half_strips:.3f}"
@@ -204,8 +206,8 @@ def figure_9(materials: Materials) -> Picture:
         f"Moment per length about the contact point: exact {exact_moment:.3g} N, Eq (70) with its sign corrected.",
         f"Half-strips {half_strips:.3g} N, Eq (77): lower by a factor of {ratio}, which tends to ⟦π/2⟧ for ⟦ξ⟧ ≪ ⟦a⟧.",
     )
-    highest = modulus * a / (2 * radius)
-    panels = (pressure_panel([symmetric], highest, "symmetric"), pressure_panel(curves, highest, "shifted by ⟦ξ⟧"))
+    central = modulus * a / (2 * radius)
+    panels = (pressure_panel([symmetric], central, "symmetric"), pressure_panel(curves, central, "shifted by ⟦ξ⟧"))
     return Picture("Fig. 9: the line contact", panels, caption, remarks=remarks)
 
 

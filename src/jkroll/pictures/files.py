@@ -25,12 +25,12 @@ _FAMILY = re.compile(rf" ?font-family: '{FONT}'")
 _DOTS = re.compile(
     r'(<pattern [^>]*width=")72(" height=")72(">\s*<rect [^>]*/>\s*<path d=")([^"]*C[^"]*)(")', re.DOTALL
 )
-_JOINED = 0.02  # largest gap within a word, over the size of its letters
+_LARGEST_GAP = 0.02  # between adjacent letters, over their size
 _TILE = 6  # period of the dots of a hatch, in points
 
 
 class _Run(NamedTuple):
-    """Adjacent letters of one style; `end` is the position after the last letter."""
+    """Adjacent letters of one style, from `x` to `end`, at the height `y`."""
 
     x: float
     y: str
@@ -68,9 +68,9 @@ def content_of(figure: Any, file_format: str, about: About, **layout: Any) -> by
 
 
 def _readable(svg: str, about: About) -> str:
-    """Return an SVG with whole lines as texts, a description, an embedded font, and small hatch patterns."""
+    """Return an SVG with joined letters, a description, an embedded font, and small tiles of hatches."""
     svg = re.sub(r"\s*<!--.*?-->", "", svg, flags=re.DOTALL)
-    svg = _TEXT.sub(lambda match: f"<text>{_in_lines(match[1])}</text>", svg)
+    svg = _TEXT.sub(lambda match: f"<text>{_joined(match[1])}</text>", svg)
     svg = _DOTS.sub(lambda match: f"{match[1]}{_TILE}{match[2]}{_TILE}{match[3]}{_tile(match[4])}{match[5]}", svg)
     fonts = "".join(_face(style, letters) for style, letters in _letters(svg).items())
     rules = f"{fonts}text{{font-family: '{FONT}', {_OTHERS}; white-space: pre}}"
@@ -79,8 +79,8 @@ def _readable(svg: str, about: About) -> str:
     return svg.replace("<metadata>", described, 1).replace(' version="1.1">', ' version="1.1" role="img">', 1)
 
 
-def _in_lines(spans: str) -> str:
-    """Return the spans of a line of text, in which adjacent letters of one style share a span."""
+def _joined(spans: str) -> str:
+    """Return the spans of a text, of which each has one letter, with adjacent letters of one style in one span."""
     letters = []
     for x_as_text, y, style, text in _SPAN.findall(spans):
         letters.append((float(x_as_text), y, style, unescape(text).replace(NO_BREAK_SPACE, " ")))
@@ -89,7 +89,7 @@ def _in_lines(spans: str) -> str:
         size = float(_SIZE.findall(style)[0])
         end = x + _advance(text, "italic" if "italic" in style else "normal", size)
         last = runs[-1] if runs else None
-        if last is not None and (last.y, last.style) == (y, style) and abs(x - last.end) < _JOINED * size:
+        if last is not None and (last.y, last.style) == (y, style) and abs(x - last.end) < _LARGEST_GAP * size:
             runs[-1] = last._replace(text=last.text + text, end=end)
         else:
             runs.append(_Run(x, y, style, text, end))
@@ -111,7 +111,7 @@ def _path_of(style: Any) -> str:
 
 
 def _letters(svg: str) -> dict[str, set[str]]:
-    """Return the letters of an SVG in its font, by their style."""
+    """Return the letters that an SVG has in `FONT`, by their style."""
     letters: dict[str, set[str]] = {}
     for style, text in re.findall(r'<t(?:ext|span)[^>]* style="([^"]*)"[^>]*>([^<]+)<', svg):
         if _FAMILY.search(style):
@@ -120,7 +120,7 @@ def _letters(svg: str) -> dict[str, set[str]]:
 
 
 def _face(style: str, letters: Iterable[str]) -> str:
-    """Return the font, reduced to some letters, as a rule of a style sheet."""
+    """Return a rule of a style sheet that embeds the font, reduced to some letters."""
     options = subset.Options(hinting=False, layout_features=[], notdef_outline=True, name_IDs=[])
     options.drop_tables += ["FFTM", "GDEF", "GPOS", "GSUB"]
     font = ttLib.TTFont(_path_of(style), recalcTimestamp=False)

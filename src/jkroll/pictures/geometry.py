@@ -33,8 +33,8 @@ class _Pair(NamedTuple):
         curves = []
         for radius, height, side in zip((self.above, self.below), self.heights(), (-1, 1), strict=True):
             opening = acos(sqrt(radius**2 - self.half**2) / radius)
-            of_both = (_OUTLINE, self.lag, opening, 2 * pi - opening), (_UNDEFORMED, 0.0, -opening, opening)
-            for text, lag, first, last in of_both:
+            arcs = (_OUTLINE, self.lag, opening, 2 * pi - opening), (_UNDEFORMED, 0.0, -opening, opening)
+            for text, lag, first, last in arcs:
                 angle = numpy.linspace(first, last, _POINTS)
                 x, y = radius * numpy.sin(angle) - lag, height + side * radius * numpy.cos(angle)
                 curves.append(Curve(text, x, y, _INK))
@@ -55,11 +55,12 @@ def sketch() -> Picture:
 
 
 def _panel(pair: _Pair, arrows: tuple[Arrow, ...], title: str, ends: tuple[tuple[float, float], ...]) -> Panel:
-    """Return a panel of a pair, without axes; `ends`: its lowest and highest positions, across and upwards."""
+    """Return a panel of a pair, without axes; `ends`: those of x and of y."""
     across, upwards = ends
     x, y = Axis("position_across", *across, is_log=False), Axis("position_upwards", *upwards, is_log=False)
-    centres = numpy.array([max(y.low, pair.heights()[1] - 0.15), min(y.high, pair.heights()[0] + 0.15)])
-    curves = (*pair.outlines(), Curve(_AXIS, 0 * centres, centres, _INK))
+    up, down = pair.heights()
+    line = numpy.array([max(y.low, down - 0.15), min(y.high, up + 0.15)])
+    curves = (*pair.outlines(), Curve(_AXIS, 0 * line, line, _INK))
     return Panel(x, y, curves, title=title, is_true_to_scale=True, has_axes=False, arrows=arrows)
 
 
@@ -83,17 +84,15 @@ def _lengths(pair: _Pair) -> tuple[Arrow, ...]:
     up, down = pair.heights()
     lowest, highest, low, right = up - pair.above, down + pair.below, -0.62, 1.62
     middle, end = -pair.lag, pair.half - pair.lag
+    lines = (
+        ((middle, low - 0.06), (middle, 0.7)),
+        ((end, low - 0.06), (end, 0)),
+        ((0, lowest), (right + 0.06, lowest)),
+        ((0, highest), (right + 0.06, highest)),
+    )
     return (
         Arrow((middle, low), (end, low), symbol("contact_radius_at_load"), ((middle + end) / 2, low - 0.2), ends=2),
         Arrow((middle, 0.62), (0, 0.62), symbol("yield_displacement"), (middle / 2, 0.84), ends=2),
         Arrow((right, lowest), (right, highest), symbol("approach_at_load"), (right + 0.2, 0.0), ends=2),
-        *(
-            Arrow(start, stop, ends=0)
-            for start, stop in (
-                ((middle, low - 0.06), (middle, 0.7)),
-                ((end, low - 0.06), (end, 0)),
-                ((0, lowest), (right + 0.06, lowest)),
-                ((0, highest), (right + 0.06, highest)),
-            )
-        ),
+        *(Arrow(start, stop, ends=0) for start, stop in lines),
     )

@@ -1,7 +1,8 @@
 """Draw pictures into SVG, PDF and PNG files, for a journal's page or a dark slide.
 
-Only this module and the modules that it imports load matplotlib. The same picture gives the same bytes: a file has no
-date, its ids depend on the content alone, and the user's own matplotlib settings are ignored.
+Only this module, `fields`, `files` and `labels` import matplotlib; the others import this module where they draw. The
+same picture gives the same bytes: a file has no date, its ids depend on the content alone, and the user's own settings
+of matplotlib are ignored.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -37,7 +38,7 @@ MARKERS = "os^Dv*"
 DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
 _HEADS = ("-", "-|>", "<|-|>")  # by the number of an arrow's heads
 _HANDLERS = {Scale: HandlerTuple(ndivide=None, pad=0.0)}  # how a legend draws keys that matplotlib does not know
-_OPAQUE = 0.22  # opacity of a band of best ranges
+_BAND_OPACITY = 0.22  # of the best ranges of a curve
 _ONE_PANEL, _MORE_PANELS = 85 / 25.4, 180 / 25.4  # default widths in inches: one column of a journal, or two
 _NARROWEST = 2.0  # least width of a panel in a row with others, in inches
 _ASPECT, _ASPECT_BESIDE = 0.75, 1.0  # height over width: of axes alone in a row, and of several in a row
@@ -140,7 +141,10 @@ def draw_on(axes: Any, panel: Panel, style: Style) -> None:
 
 
 def _drawing_on(axes: Any, panel: Panel, style: Style, letters: int) -> Drawing:
-    """Draw a panel, except for the texts inside the axes. `letters`: the number of letters in a line of the legend."""
+    """Draw the lines and areas of a panel; return its legend and the functions for its texts.
+
+    `letters`: the number of letters in a line of the legend.
+    """
     if panel.field is not None:
         return draw_field(axes, panel, levels_of(panel.field), style, letters)
     return _draw_curves(axes, panel, style, letters)
@@ -192,7 +196,7 @@ def _put_legend(axes: Any, keys: Sequence[Any], corner: Any) -> None:
 
 @contextmanager
 def settings(style: Style) -> Iterator[None]:
-    """Replace the user's settings of matplotlib by matplotlib's defaults and the settings of these pages."""
+    """In this context, use matplotlib's defaults and the settings of these pages in place of the user's settings."""
     ours: dict[Any, Any] = {
         "font.size": LETTER_SIZE, "font.family": FONT, "mathtext.fontset": "stix",
         "axes.linewidth": 0.6, "xtick.major.width": 0.6, "ytick.major.width": 0.6, "hatch.linewidth": 0.35,
@@ -242,7 +246,7 @@ def _set_axis(axes: Any, axis: Axis, which: str, most: int, letters: int) -> Non
     else:
         end = max(abs(axis.low), abs(axis.high))
         (number,), unit = axis.in_words([end], 15)
-        scale = end / float(number)
+        scale = end / float(number)  # the size of the unit
         side.set_major_locator(ticker.MaxNLocator(min(most, 8), steps=[1, 2, 5, 10]))
         side.set_major_formatter(lambda value, _: f"{value / scale:.12g}".replace("-", "−"))
         side.set_minor_locator(ticker.AutoMinorLocator())
@@ -251,7 +255,7 @@ def _set_axis(axes: Any, axis: Axis, which: str, most: int, letters: int) -> Non
 
 
 def _mark_edge(axes: Any, which: str, marks: Sequence[tuple[Any, str]]) -> None:
-    """Put ticks with texts on the upper or right edge of axes."""
+    """Put marks of x on the upper edge of axes, or marks of y on the right edge, as ticks with texts."""
     if not marks:
         return
     side = axes.secondary_xaxis("top") if which == "x" else axes.secondary_yaxis("right")
@@ -265,7 +269,7 @@ def _mark_edge(axes: Any, which: str, marks: Sequence[tuple[Any, str]]) -> None:
 
 
 def levels_of(field: Field) -> list[float]:
-    """Return the values of the contours: round values within the range of a field."""
+    """Return the values of the contours: round values within the range of a field; none if the field is flat."""
     low, high = extent(field.values)
     if is_flat(field.values):
         return []
@@ -276,7 +280,7 @@ def levels_of(field: Field) -> list[float]:
 
 
 def _draw_curves(axes: Any, panel: Panel, style: Style, letters: int) -> Drawing:
-    """Draw arrows, and curves that differ in colour and dashes."""
+    """Draw curves that differ in colour and dashes, and arrows; return their legend."""
     handles: dict[str, Any] = {}
     of_lines, of_points = dict[str, int](), dict[str, int]()  # numbers by label: equal labels look the same
     has_bands = any(curve.band is not None for curve in panel.curves)
@@ -300,14 +304,17 @@ def _draw_curves(axes: Any, panel: Panel, style: Style, letters: int) -> Drawing
 
 def _draw_band(axes: Any, panel: Panel, curve: Curve, band: Band, label: str, style: Style) -> Any:
     """Draw the band of a curve's best ranges, whose open ends extend to the frame; return its key."""
-    look = {"facecolor": line_of(curve, 0, style)["color"], "linewidth": 0, "alpha": _OPAQUE}
+    look = {"facecolor": line_of(curve, 0, style)["color"], "linewidth": 0, "alpha": _BAND_OPACITY}
     ends = [numpy.clip(end, panel.y.low, panel.y.high) for end in (band.low, band.high)]
     axes.fill_between(curve.x, *ends, zorder=1, **look)
     return Patch(label=label, **look)
 
 
 def line_of(curve: Curve, number: int, style: Style) -> dict[str, Any]:
-    """Return the style of a curve, given its number, as matplotlib options. A curve of one point is a marker."""
+    """Return the colour, and the dashes or marker, of a curve with a number, as matplotlib options.
+
+    A curve of one point has a marker, as measured points have.
+    """
     colour = style.lines[curve.colour % len(style.lines)]
     if curve.has_points:
         pale, marker = mixed(colour, style.paper, 0.5), MARKERS[number % len(MARKERS)]
