@@ -14,9 +14,9 @@ from ..model.results import Results
 from ..quantities.markup import marked
 from ..text import listed
 
-_HAS_WIDTH = 1e-6  # relative width below which a range is drawn as a line
+_HAS_WIDTH = 1e-6  # relative width up to which a range counts as a single number
 _OVERLAP = 0.02  # largest part of a map in which bands may overlap
-_COVERED = 0.6  # largest part of a map that bands may cover: between wider ones, the gaps look like the bands
+_COVERED = 0.6  # largest part of a map that bands may cover: if they cover more, the gaps look like bands
 _SEEN = 0.01  # least part of a map, or of the height of an axis, that a band must cover to be seen
 
 
@@ -28,16 +28,15 @@ class Band(NamedTuple):
     by: Any  # the rule of each range, as an index into WORDS
 
     def rules(self, where: Callable[[Any], str] = lambda _: "") -> str:
-        """Return the clause that names the rules in order of appearance, each with the place that `where` gives it.
+        """Return the clause that names the rules in order of appearance, each with its place if it has one.
 
-        `where`: takes an array that is True where a rule applies; by default, no place is given.
+        `where`: returns the place of a rule, given an array that is True where the rule applies.
         """
-        rules = [rule for rule in dict.fromkeys(self.by.ravel().tolist()) if rule != NONE]
-        words: dict[str, int] = {marked(WORDS[rule]): rule for rule in rules}
         texts = []
-        for word, rule in words.items():
-            place = where(self.by == rule)
-            texts.append(f"“{word}” ({place})" if place else f"“{word}”")
+        for rule in dict.fromkeys(self.by.ravel().tolist()):
+            if rule != NONE:
+                place = where(self.by == rule)
+                texts.append(f"“{marked(WORDS[rule])}”" + (f" ({place})" if place else ""))
         return f"by the rule{'s' if texts[1:] else ''} {listed(texts)}"
 
     def key_of_map(self, step: int, law: str) -> str:
@@ -61,7 +60,7 @@ class Band(NamedTuple):
 def band_of(points: Frame, quantity: str, shape: tuple[int, ...]) -> Band | None:
     """Return the best ranges at the points of a frame of arrays; None if there are none, or all are single numbers."""
     best: Estimate | None = None
-    with suppress(JkrollError):  # error bars cannot be computed at some points
+    with suppress(JkrollError):  # raised if some point has no error bars
         best = estimates(Results(points, points.columns([quantity])), [quantity]).get(quantity)
     if best is None:
         return None
@@ -76,8 +75,8 @@ def band_of(points: Frame, quantity: str, shape: tuple[int, ...]) -> Band | None
 def spacing(inside: Any) -> int:
     """Return the smallest n for which the bands of every n-th contour, beginning at index n // 2, stand apart.
 
-    Bands stand apart if they hardly overlap and leave a part of the map free. Without such an n, the number of contours
-    is returned, and 0 if the bands are too narrow to be seen. `inside`: for each contour of a map, an array that is
+    Bands stand apart if they hardly overlap and leave a part of the map free. Without such an n, return the number of
+    contours; return 0 if the bands are too narrow to be seen. `inside`: for each contour of a map, an array that is
     positive within its band.
     """
     for step in range(1, len(inside) + 1):
