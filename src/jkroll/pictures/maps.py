@@ -54,8 +54,8 @@ MAX_CURVES = 24  # more cannot be distinguished
 SIDE = 201  # points along each side of the grid for captions and limits; also the default for a map's numbers
 MOST_BANDS = 4  # largest number of curves with bands of best ranges; more bands cannot be distinguished
 ALONG = 1001  # points of a curve, unless its axis has another number
-# The limits whose regions are hatched, each with its sign in a terminal and its hatch on a page; other regions are
-# bounded by lines. A hatch means the same limit on every map. No two hatches together look like a third.
+# By quantity: the sign in a terminal and the hatch on a page for regions beyond its limits; lines bound other regions. A
+# hatch means the same quantity on every map. No two hatches together look like a third.
 SIGNS = {
     "contact_radius_in_spacings": ("x", "...."),
     "displacement_ratio": ("/", "////"),
@@ -64,6 +64,7 @@ SIGNS = {
 }
 SLIGHT = ("'", "||")  # where a law is slightly off; this hatch is part of the hatch for a law that is far off
 UNHATCHED = ("", "")
+# The limit below which contacts open without a jump is on Tabor's parameter, too, but is not hatched.
 HATCHED_LIMITS = tuple(limit for limit in LIMITS if limit.name in SIGNS and not limit.conclusion)
 _FARTHEST = log(1e3)  # largest distance from a threshold on a map
 _TWO, _THREE, _FOUR = (Format(digits=digits) for digits in (2, 3, 4))
@@ -140,7 +141,7 @@ def _curves_of(request: MapRequest) -> tuple[Picture, tuple[str, ...]]:
 
 
 def _values_of(curves: Sequence[Curve]) -> list[Any]:
-    """Return the values of curves and of their bands' ends; only positive ends if the axis may be logarithmic."""
+    """Return the values of curves and of their bands' ends; only positive ends if all curves are positive."""
     values = [curve.y for curve in curves]
     is_positive = min(extent(of_curve)[0] for of_curve in values) > 0
     for curve in curves:
@@ -281,7 +282,7 @@ def _about_marks(request: MapRequest, panel: Panel) -> Iterator[str]:
 
 
 class Layer:
-    """A quantity of one frame over one axis or two: values, fixed inputs, exceeded limits, and notes.
+    """A quantity of one frame over one axis or two: values, fixed inputs, judged limits, and notes.
 
     Raises MissingInput if the quantity cannot be computed, and NoResult if it has no value.
     """
@@ -306,15 +307,10 @@ class Layer:
             if doubt.limit in HATCHED_LIMITS:
                 names.append(doubt.limit.name)
         inputs, used = self.frame.inputs_of(*names), self.frame.inputs_of(quantity)
-        # Limits may need an assumed load; it is not shown if the quantity does not depend on the load.
+        # A load that only limits need is shown if it was given, but not if it was assumed.
         shown = [name for name in inputs if name in used or name != "load" or name in self.frame.given]
         self.inputs = inputs_as_texts(self.frame, self._fixed(shown, drawn.keys()))
-        self.unjudged: list[str] = []
-        if missing:
-            if quantity == "pull_off_force" and frame.law.is_default and len(axes) > 1:
-                self.unjudged.append("DMT's law, for small, hard spheres, gives 4/3 of this force.")
-            reason = _why_not_judged(missing[0])
-            self.unjudged.append(f"Which law holds, and other limits, are not judged: {reason}.")
+        self.unjudged = [*self._about_unjudged(missing[0])] if missing else []
         self.notes = [note.text for note in about_idle(entering(self.frame, names, judges=False)[1])]
         self.notes += notes_on(points, self.frame, shown, names)
         remark = NOMENCLATURE[quantity].note
@@ -323,11 +319,21 @@ class Layer:
         self.values = evaluate(frame, quantity, *axes)
         self.known = numpy.isfinite(self.values)
         if not self.known.any():
-            problem = "no value anywhere on these axes"
-            for error in self.frame.errors(self.frame.columns([quantity])).values():
-                problem += f": {explanation_of(quantity, error)}"
-            raise Failure(Cause("", problem), quantity)
+            raise self._failure()
         self.gaps = _phrases(points.column(quantity).reasons)
+
+    def _about_unjudged(self, error: JkrollError) -> Iterator[str]:
+        """Iterate over the sentences of a caption with limits that are not judged; `error` is the reason."""
+        if self.quantity == "pull_off_force" and self.given.law.is_default and len(self.axes) > 1:
+            yield "DMT's law, for small, hard spheres, gives 4/3 of this force."
+        yield f"Which law holds, and other limits, are not judged: {_why_not_judged(error)}."
+
+    def _failure(self) -> Failure:
+        """Return the error about a quantity without any value, with the reason at the upper ends of the axes."""
+        problem = "no value anywhere on these axes"
+        for error in self.frame.errors(self.frame.columns([self.quantity])).values():
+            problem += f": {explanation_of(self.quantity, error)}"
+        return Failure(Cause("", problem), self.quantity)
 
     def _fixed(self, inputs: Iterable[str], drawn: Collection[str]) -> list[str]:
         """Return the inputs that are not drawn on an axis.
@@ -377,22 +383,22 @@ class Layer:
                 is_beyond = self.known & (doubt.excess > excess_there)
                 if not is_beyond.any():
                     continue
-                text, where = self._beyond(limit, threshold), self._where(is_beyond)
+                text, where = self._text_beyond(limit, threshold), self._where(is_beyond)
                 look = UNHATCHED
                 if limit in HATCHED_LIMITS:
                     look = SLIGHT if limit.number is not None and threshold == first else SIGNS[limit.name]
-                name, colon, _ = text.partition(":")
+                name, colon, _ = text.partition(":")  # a condition, or the first words of a consequence
                 if not colon:
                     name = limit.codes[threshold].replace("-", " ")
                 yield Region(text, where, *look, name, partial(_excess_over, limit, excess_there, self.quantity))
                 if not where:
                     break
 
-    def _beyond(self, limit: Limit, threshold: float) -> str:
-        """Return the text of the region beyond a threshold: the consequence of its limit.
+    def _text_beyond(self, limit: Limit, threshold: float) -> str:
+        """Return the text of the region beyond a threshold.
 
-        For the limit of the law, it says how far the law is off; for other limits that do not compute their number, it
-        begins with the threshold.
+        For the limit of the law, it says how far the law is off. For other limits it is the consequence, which follows
+        the condition, such as "a/z0 < 3", unless the limit computes another number than the named quantity.
         """
         if limit is LAW:
             size = f"{100 * (threshold - 1):.0f} %" if threshold < 2 else f"a factor of {threshold:g}"
@@ -439,7 +445,7 @@ def _phrases(reasons: Any) -> tuple[str, ...]:
 
 
 def _why_not_judged(error: JkrollError) -> str:
-    """Return the reason why a limit is not judged, in words."""
+    """Return the reason why a limit is not judged, as a clause."""
     return f"that {error.explanation()}" if isinstance(error, MissingInput) else str(error)
 
 
@@ -449,7 +455,7 @@ def _doubts(points: Frame, quantity: str, limits: Iterable[Limit]) -> list[Doubt
 
 
 def _excess_over(limit: Limit, excess_there: float, quantity: str, points: Frame) -> Any:
-    """Return by how much the excess of a limit is above the excess at a threshold, clipped at ±_FARTHEST."""
+    """Return the excess of a limit minus its excess at a threshold, clipped at ±_FARTHEST."""
     (doubt,) = _doubts(points, quantity, [limit])
     return numpy.clip(doubt.excess - excess_there, -_FARTHEST, _FARTHEST)
 
@@ -467,7 +473,7 @@ def inputs_as_texts(frame: Frame, names: Iterable[str]) -> tuple[str, ...]:
 
 
 def notes_on(given: Frame, frame: Frame, inputs: Collection[str], names: Sequence[str]) -> list[str]:
-    """Return notes on uncertain inputs (a picture uses their middle values), on assumptions and on material data.
+    """Return notes on uncertain inputs (a picture uses their middle values), assumptions, given inputs and their data.
 
     `given`: the frame as the user gave it, or the frame of all points of a picture; `frame`: the frame of one point.
     """

@@ -159,7 +159,7 @@ def _columns(panel: Panel) -> list[TextColumn]:
 
 
 def _some_of(curve: Curve, panel: Panel) -> Rows:
-    """Return points of a curve within the axes, at equal steps along its arrays."""
+    """Return some points of a curve within the axes, at equal steps along its arrays."""
     x, y = (values[panel.x.has(curve.x) & panel.y.has(curve.y)] for values in (curve.x, curve.y))
     some = numpy.linspace(0, len(x) - 1, min(CURVE_ROWS, len(x))).round().astype(int)
     return Rows(x[some], y[some])
