@@ -46,9 +46,7 @@ from jkroll.pictures.picture import DARK, PAPER, STYLES, Style
 
 POWERS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 _TEXT = re.compile(r"<text[^>]*>(.*?)</text>", re.DOTALL)
-
-
-# The figures of the paper; the fast run draws one of them.
+# The maps of the paper; the fast run draws one of them.
 PAPER_FIGURES = [pytest.param(name, marks=pytest.mark.slow) if name != "8" else name for name in PAPER_MAPS]
 
 
@@ -121,10 +119,8 @@ def contours(field: Field, page: Figure) -> list[tuple[float, Any]]:
     for position, level in enumerate(levels_of(field)):
         points = []
         for line in lines_of(page, f"contour-{position}"):
-            ends = axes.transData.transform(line)
-            points += [
-                start + (end - start) * share for start, end in itertools.pairwise(ends) for share in (0, 0.3, 0.7, 1)
-            ]
+            for start, end in itertools.pairwise(axes.transData.transform(line)):
+                points += [start + (end - start) * share for share in (0, 0.3, 0.7, 1)]
         points_at.append((level, axes.transData.inverted().transform(points).T))
     return points_at
 
@@ -164,9 +160,10 @@ def test_contours_of_a_users_map_follow_the_formula(
         assert abs(values / value - 1).max() < 1e-3 or abs(values - value).max() < 1e-3 * spacing
 
 
-@pytest.mark.parametrize("kind", [pytest.param(kind, marks=pytest.mark.slow) for kind in ("svg", "pdf", "png")])
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", ["svg", "pdf", "png"])
 def test_a_command_always_writes_the_same_bytes(run: Run, tmp_path: Path, kind: str) -> None:
-    """The bytes do not depend on the process, the time, or the user's settings of matplotlib."""
+    """The bytes depend neither on the process nor on the user's settings of matplotlib."""
     words = ["figure", "3a", "--mark", "quartz@100nm", "-o"]
     assert run(*words, f"one.{kind}").code == 0
     (tmp_path / "matplotlibrc").write_text("font.size: 20\nlines.linewidth: 9\n", encoding="utf-8")
@@ -183,7 +180,8 @@ def test_every_figure_has_the_description_that_the_command_prints(run: Run, tmp_
     ran = run("figure", name, "-o", "figure.svg", "--width", "85mm", "--style", "dark")
     assert (ran.code, ran.err) == (0, "")
     text = (tmp_path / "figure.svg").read_text(encoding="utf-8")
-    assert f'<svg xmlns:xlink="http://www.w3.org/1999/xlink" width="{0.085 / 0.0254 * 72:.5f}'[:-2] in text
+    (width,) = re.findall(r'<svg [^>]*width="([\d.]+)pt"', text)
+    assert float(width) == approx(85 / 25.4 * 72, rel=1e-5)
     shown = " ".join(texts_of(text))
     words = {word for word in " ".join(ran.out.splitlines()[:2]).split() if re.fullmatch(r"[A-Za-z]{3,}[:,.]?", word)}
     assert words <= {*unescape(shown).split()}
@@ -201,7 +199,7 @@ def test_a_file_names_the_program_and_the_command_that_drew_it(run: Run, tmp_pat
 
 
 def test_an_svg_has_its_texts_as_text_in_embedded_fonts(run: Run, tmp_path: Path) -> None:
-    """Words are whole, the letters of each text are in order, and straight lines take few bytes."""
+    """Words are whole, the letters of each text are in order, and the file is small."""
     run("figure 3a -o out.svg --quiet")
     svg = (tmp_path / "out.svg").read_text(encoding="utf-8")
     assert {"surface energy per surface, γ1", "100 mJ/m2", "10 mN", "graphite"} <= {*texts_of(svg)}
@@ -245,6 +243,7 @@ def test_at_the_edge_of_a_band_a_best_range_ends_at_the_value_of_a_contour() -> 
     assert max(misses) < 3e-3
 
 
+# A map with bands of best ranges, and with several limits that are bounded by lines.
 IMPACT = "restitution silica-dry --gamma 200±50mJ/m2 --x radius=10nm:100um --y speed=1mm/s:1km/s"
 
 
@@ -289,7 +288,7 @@ def test_the_name_of_a_limit_is_clear_of_the_lines_of_other_limits() -> None:
         x, y = axes.transData.inverted().transform(box.corners()).T
         for other, region in bounds.items():
             is_beyond = region.excess(field.frame.replace(radius=x, speed=y)) > 0
-            assert is_beyond.all() if other == name else len({*is_beyond.tolist()}) == 1
+            assert is_beyond.all() or (other != name and not is_beyond.any())
 
 
 def test_the_teeth_of_a_line_point_to_where_its_limit_is_exceeded() -> None:
@@ -338,12 +337,12 @@ def test_the_key_of_a_curve_by_a_stated_law_does_not_name_the_law_twice() -> Non
     assert curve.key == "line; band: best range by the rule “⟦z0⟧ assumed”"
 
 
-def test_symbols_in_the_words_of_a_limit_are_typeset() -> None:
+def test_symbols_in_the_words_of_a_limit_are_marked() -> None:
     _, field = field_of(paper_map("8", known_materials()))
     assert "⟦ξ/ξ_max > 1⟧: ⟦ξ⟧ is too large for the formula" in [region.text for region in field.regions]
 
 
-def test_no_line_of_a_limit_is_named_by_a_code() -> None:
+def test_the_line_of_the_limit_on_roughness_is_named_by_its_consequence_not_by_its_code() -> None:
     _, _, field = map_drawn("P_c quartz --x radius=10nm:10um --y gamma=1mJ/m2:1J/m2".split())
     names = [region.name for region in field.regions]
     assert "real surfaces hold less" in names
@@ -439,9 +438,10 @@ def test_each_limit_has_its_own_strokes_of_hatching() -> None:
     of_law = [hatch_of.pop(f"JKR is off by more than {least}") for least in ("5 %", "a factor of 2")]
     assert of_law == [{"||"}, {"||||||"}]  # the hatch is denser, by whole multiples, where the law is worse
     hatch_of["JKR"] = of_law[0]
-    both = {"x": "/\\", "+": "-|"}
-    strokes = [{stroke for sign in hatch for stroke in both.get(sign, sign)} for (hatch,) in hatch_of.values()]
-    assert sum(map(len, strokes)) == len(set.union(*strokes))
+    every: list[str] = []
+    for (hatch,) in hatch_of.values():
+        every += {*hatch.replace("x", "/\\").replace("+", "-|")}  # these signs are two strokes each
+    assert len(every) == len({*every})
 
 
 @pytest.mark.parametrize("style", [PAPER, DARK])
@@ -616,14 +616,11 @@ def test_a_mark_on_the_edge_is_a_whole_dot() -> None:
 @pytest.mark.parametrize("name", ["8", pytest.param("3a", marks=pytest.mark.slow)])
 def test_letters_and_their_subscripts_have_a_size_of_at_least_six_points(name: str) -> None:
     _, page = paper_map_on_page(name)
-    parser = MathTextParser("path")
-    sizes = [
-        size
-        for text in page.findobj(Text)
-        if isinstance(text, Text) and "$" in text.get_text()
-        for line in text.get_text().splitlines()
-        for _, size, *_ in parser.parse(line, 72, text.get_fontproperties()).glyphs
-    ]
+    parser, sizes = MathTextParser("path"), list[float]()
+    for text in page.findobj(Text):
+        if isinstance(text, Text) and "$" in text.get_text():
+            for line in text.get_text().splitlines():
+                sizes += [size for _, size, *_ in parser.parse(line, 72, text.get_fontproperties()).glyphs]
     assert len({*sizes}) > 1
     assert min(sizes) >= 6
 
@@ -867,7 +864,8 @@ def test_a_million_points_take_less_time_than_importing_matplotlib() -> None:
     assert least["map"] < least["import"]
 
 
-# --- The pictures of the README: written anew by `PYTHONPATH=tests python tests/pictures/test_drawing.py` -------------
+# --- The pictures of the README and the manual ------------------------------------------------------------------------
+# `PYTHONPATH=tests python tests/pictures/test_drawing.py` writes them anew.
 
 README = Path(__file__).parents[2] / "README.md"
 KEPT = Path(__file__).parents[1] / "data"
@@ -920,13 +918,13 @@ def test_labels_of_marks_overlap_neither_each_other_nor_labels_of_contours_nor_t
     assert not any(one.overlaps(other) for one, other in itertools.combinations([*boxes, *contours], 2))
     frame = axes.get_window_extent().padded(1)
     assert all(frame.count_contains(box.corners()) == 4 for box in boxes)
-    places = {mark.text: (mark.x, mark.y) for mark in panel.marks}
-    led = [axes.transData.transform(line.get_xydata()[0]) for line in axes.lines if len(line.get_xydata()) == 2]
-    dots = {text: axes.transData.transform(places[text]) for text in texts}
+    positions = {mark.text: (mark.x, mark.y) for mark in panel.marks}
+    starts = [axes.transData.transform(line.get_xydata()[0]) for line in axes.lines if len(line.get_xydata()) == 2]
+    dots = {text: axes.transData.transform(positions[text]) for text in texts}
     for text, box in zip(texts, boxes, strict=True):
-        far = {other: math.hypot(*(np.clip(dot, box.min, box.max) - dot)) for other, dot in dots.items()}
-        assert far[text] == min(far.values()) or any(np.allclose(start, dots[text]) for start in led)
-    assert len(led) >= 2
+        distances = {other: math.hypot(*(np.clip(dot, box.min, box.max) - dot)) for other, dot in dots.items()}
+        assert distances[text] == min(distances.values()) or any(np.allclose(start, dots[text]) for start in starts)
+    assert len(starts) >= 2
 
 
 if __name__ == "__main__":
