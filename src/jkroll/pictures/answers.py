@@ -367,7 +367,7 @@ def answer(
     material, material2, materials, model, profile, **given
         The scene, as in `solve`. Lists of materials, laws and values stand for several scenes: all their combinations,
         as in the command, not element by element. `jkroll.table` answers a table row by row. A radius or diameter of
-        a metre or more, given as a number without a unit, raises a warning: 100 means 100 m.
+        a metre or more, given as a number without a unit, gives a warning: 100 means 100 m.
 
     Returns
     -------
@@ -399,10 +399,10 @@ def answer(
     if is_single:
         one = {name: value for name, (value,) in values.items()}
         pair = materials_of(words["material"], words["material2"], materials)
-        answered = Report(question, Frame(one, *pair, model=law_given(words["model"], profile)))
-        if answered.failure is not None and answered.has_no_headline:
-            raise answered.failure
-        return Answered(answered)
+        report = Report(question, Frame(one, *pair, model=law_given(words["model"], profile)))
+        if report.failure is not None and report.has_no_headline:
+            raise report.failure
+        return Answered(report)
     _refuse_rows({**words, **given})
     solids, solids2, models = (_listed(name, word) for name, word in words.items())
     materials1 = [materials_of(solid, None, materials)[0] for solid in solids]

@@ -73,7 +73,7 @@ class Drawn:
 
     @property
     def caption(self) -> str:
-        """The caption, followed by the limits of the model that are exceeded and by remarks."""
+        """The caption, followed by exceeded limits of the model, materials left out, and remarks."""
         return plain(" ".join([*self._picture.caption, *self._picture.doubts, *self._picture.remarks]))
 
     def plot(self, ax: "Axes | Sequence[Axes] | None" = None, style: str = "paper") -> Any:

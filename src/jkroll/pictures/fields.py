@@ -107,7 +107,10 @@ def _rings(values: Any, low: float, high: float) -> list[Any]:
 
 
 def simplified(points: Any) -> Any:
-    """Return a line with fewer points; each point of the given line is within the tolerance of the new one."""
+    """Return a line with fewer points, from which the given points are off by at most the tolerance.
+
+    This is the algorithm of Ramer, Douglas and Peucker.
+    """
     kept = numpy.zeros(len(points), dtype=bool)
     kept[[0, -1]] = True
     spans = [(0, len(points) - 1)]

@@ -164,7 +164,7 @@ class Picture(NamedTuple):
     title: str
     panels: tuple[Panel, ...]
     caption: tuple[str, ...]
-    doubts: tuple[str, ...] = ()  # below the caption, each on a new line
+    doubts: tuple[str, ...] = ()  # exceeded limits and materials left out, each on a new line below the caption
     remarks: tuple[str, ...] = ()  # shown in a terminal and in Python, but not on a page
 
 
