@@ -82,7 +82,8 @@ def _branches(frame: Frame, most: float) -> Iterator[tuple[str, Any, Any]]:
             yield state.name, float(x[position]), float(y[position])
         else:
             starts.setdefault(state.name, max(position - 1, 0))
-    ends = [*[*starts.values()][1:], len(path) - 1]
+    _, *next_starts = starts.values()
+    ends = [*next_starts, len(path) - 1]
     for (name, start), end in reversed([*zip(starts.items(), ends, strict=True)]):
         yield name, x[start : end + 1], y[start : end + 1]
 

@@ -270,9 +270,9 @@ def _about_marks(request: MapRequest, panel: Panel) -> Iterator[str]:
         positions = ((panel.x.name, mark.x), (panel.y.name, mark.y))
         numbers = {name: position for name, position in positions if position is not None}
         if len(numbers) == 2:
-            drawn = frame.replace(**panel.x.inputs(mark.x), **panel.y.inputs(mark.y)).numbers(quantity)
-            numbers = _frame_at(typed.get(mark.text, mark.text), request.materials, frame).numbers(quantity) or drawn
-            if drawn and not isclose(numbers[quantity], drawn[quantity], rel_tol=SAME):
+            on_map = frame.replace(**panel.x.inputs(mark.x), **panel.y.inputs(mark.y)).numbers(quantity)
+            numbers = _frame_at(typed.get(mark.text, mark.text), request.materials, frame).numbers(quantity) or on_map
+            if on_map and not isclose(numbers[quantity], on_map[quantity], rel_tol=SAME):
                 yield f"{mark.text} has other inputs than those fixed here"
         for name, value in numbers.items():
             yield f"{mark.text}: {symbol(name)} = {amount(name, value, _FOUR)}"
@@ -294,7 +294,7 @@ class Layer:
         drawn: dict[str, Any] = {}
         for axis in axes:
             drawn |= axis.inputs(axis.high)
-        self.frame = frame.replace(**drawn)  # at an end; a quantity needs the same inputs all along an axis
+        self.frame = frame.replace(**drawn)  # at the upper ends; a quantity needs the same inputs all along an axis
         points = over(frame, *axes)
         self.doubts: list[Doubt] = []
         missing: list[JkrollError] = []
