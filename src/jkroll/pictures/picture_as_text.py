@@ -77,9 +77,9 @@ def shown_values(axis: Axis, most: int) -> Any:
 
 
 def _write_field(panel: Panel, field: Field, out: TextIO) -> None:
-    """Write a row for each value of y, with the signs of its regions after each number, and a key of the signs below.
+    """Write a table with some values of x across and of y down, and the key of its signs.
 
-    The table has as many columns as fit the terminal.
+    Each number is followed by the signs of its regions. The table has as many columns as fit the terminal.
     """
     y = shown_values(panel.y, ROWS)[::-1]
     heads_of_y, unit_of_y = panel.y.in_words(y.tolist(), DIGITS + 1)
@@ -104,11 +104,16 @@ def _write_field(panel: Panel, field: Field, out: TextIO) -> None:
     for (head_of_row, *texts), numbers in zip(rows, values, strict=True):
         shown = _painted(field, texts, numbers) if has_colours else texts
         say(_GAP.join([head_of_row, *shown]).rstrip(), out)
+    say_texts(_keys(field, values, signs), out)
+    say_texts([f"{capital(region.text)} ({region.where})." for region in field.regions if not region.sign], out)
+
+
+def _keys(field: Field, values: Any, signs: str) -> list[str]:
+    """Return the meanings of the signs in a table, and the reasons for its missing values, if it has any."""
     keys = [f"{region.sign} {region.text}" for region in field.regions if region.sign and region.sign in signs]
     if not numpy.isfinite(values).all():
         keys.append(": ".join(filter(None, (f"{NO_VALUE} no value", "; ".join(field.gaps)))))
-    say_texts(keys, out)
-    say_texts([f"{capital(region.text)} ({region.where})." for region in field.regions if not region.sign], out)
+    return keys
 
 
 def _cells(field: Field, frame: Frame, values: Any) -> tuple[list[list[str]], str]:
