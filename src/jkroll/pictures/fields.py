@@ -307,7 +307,7 @@ class _FieldDrawing:
             return 0
         far = 2 * float(abs(numpy.array(self.heights)).max()) + _FARTHEST  # stands for an infinite end
         low, high = self._ends(best, far)
-        # positive within the band of each contour
+        # Each is positive within the band of its contour.
         inside = numpy.array([numpy.minimum(high - height, height - low) for height in self.heights])
         step = spacing(inside)
         if step == 0:

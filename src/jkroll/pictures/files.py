@@ -80,7 +80,7 @@ def _readable(svg: str, about: About) -> str:
 
 
 def _joined(spans: str) -> str:
-    """Return the spans of a text, of which each has one letter, with adjacent letters of one style in one span."""
+    """Return the spans of a text with adjacent letters of one style joined into one span."""
     letters = []
     for x_as_text, y, style, text in _SPAN.findall(spans):
         letters.append((float(x_as_text), y, style, unescape(text).replace(NO_BREAK_SPACE, " ")))
