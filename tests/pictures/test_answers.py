@@ -66,7 +66,10 @@ def test_answer_takes_arrays_and_materials_made_by_hand() -> None:
         "P_c", material=[[solid], ["iron"]], material2="quartz", radius=numpy.geomspace(1e-8, 1e-6, 3)
     )
     assert answers["P_c"].tolist() == forces.reshape(-1).tolist()
-    # As many scenes as here are computed as arrays.
+
+
+def test_values_of_many_scenes_equal_those_of_single_answers() -> None:
+    """So many scenes are computed as arrays, but a single answer is not."""
     many = jkroll.answer("P_c", material=SOLIDS, radius=numpy.geomspace(1e-8, 1e-6, 400))
     assert many["P_c"][::50].tolist() == [float(many[position]["P_c"]) for position in range(0, 800, 50)]
 

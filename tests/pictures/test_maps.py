@@ -135,12 +135,15 @@ def test_a_table_has_rounded_values_or_the_requested_number_of_points(
     np.testing.assert_allclose(shown_values(axis, most), wanted, rtol=1e-3, atol=1e-20)
 
 
-def test_the_axis_of_a_flat_curve_does_not_enlarge_rounding_errors(run: Run) -> None:
+def test_the_axis_of_a_flat_curve_does_not_enlarge_rounding_errors() -> None:
     """Q does not depend on R1: its values differ only by rounding."""
     forces = evaluate(Frame({}, known_materials()["quartz"]), "yield_force", Axis("radius", 1e-8, 1e-6, size=1001))
     assert is_flat(forces)
     axis = axis_around("yield_force", [forces], may_be_log=True)
     assert (axis.low, axis.high) == approx((0, 2 * forces[0]), rel=1e-6)
+
+
+def test_a_caption_has_the_value_of_each_flat_curve(run: Run) -> None:
     out = " ".join(run("map yield-force quartz --x radius=10nm:1um").out.split())
     assert " Q is the same everywhere: 94.25 pN (quartz)." in out
     several = " ".join(run("map yield-force quartz,iron --x radius=10nm:1um").out.split())
