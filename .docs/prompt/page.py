@@ -25,9 +25,9 @@ from jkroll.pictures.picture import (
     Style,
     described,
     evaluate,
+    extended,
     extent,
     is_flat,
-    one_further,
     over,
 )
 from jkroll.pictures.picture_as_text import shown_values
@@ -189,7 +189,7 @@ class _Axes:
         scaled: Any = numpy.log10 if field.is_log else numpy.asarray
         with numpy.errstate(invalid="ignore", divide="ignore"):
             values: Any = scaled(evaluate(field.frame, field.quantity, x, y))
-        known, around = numpy.isfinite(values), one_further(values)
+        known, around = numpy.isfinite(values), extended(values)
         ends = Axis(field.quantity, *extent(field.values), is_log=field.is_log)
         levels = [] if is_flat(field.values) else _round_values(ends, CONTOURS)
         heights = [float(scaled(level)) for level in levels]
@@ -223,7 +223,7 @@ class _Axes:
         """Iterate over the regions beyond limits of the model as SVG: hatched, or bounded by a line."""
         dashes = cycle(DASHES[1:])
         for number, region in enumerate(field.regions):
-            excess = one_further(numpy.where(known, region.excess(here), numpy.nan))
+            excess = extended(numpy.where(known, region.excess(here), numpy.nan))
             if not (excess > 0).any():
                 continue
             if region.hatch:
@@ -250,7 +250,7 @@ class _Axes:
             return 1, []
         far = 2 * float(abs(numpy.array(heights)).max()) + FARTHEST
         with numpy.errstate(invalid="ignore", divide="ignore"):
-            low, high = (one_further(scaled(end).clip(-far, far)) for end in (best.low, best.high))
+            low, high = (extended(scaled(end).clip(-far, far)) for end in (best.low, best.high))
         inside = numpy.array([numpy.minimum(high - height, height - low) for height in heights])
         step = spacing(inside)
         if step == 0:
