@@ -153,7 +153,8 @@ def test_a_dropped_table_is_read_and_the_results_can_be_saved(
     window.click("#written a")
     while not (saved / "forces.csv").exists():
         window.wait("true")
-    assert (saved / "forces.csv").read_bytes() == Path("forces.csv").read_bytes()
+    in_page, in_process = ((folder / "forces.csv").read_text(encoding="utf-8") for folder in (saved, expected))
+    assert rounded(in_page) == rounded(in_process)  # the last digits depend on the processor
 
 
 def test_a_dropped_table_remains_after_a_line_is_stopped(page: tuple[Browser, str]) -> None:
