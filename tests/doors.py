@@ -85,7 +85,7 @@ def _is_empty(key: str, number: float) -> bool:
 
 
 def _by_key(reasons: Mapping[str, JkrollError]) -> Iterator[tuple[str, JkrollError]]:
-    """Iterate over reasons by key; a value without an uncertainty has the key of one of the sides."""
+    """Iterate over reasons by key; the reason for a missing uncertainty has the key of its first side."""
     for name, error in reasons.items():
         yield f"{name}_{SIDES[0]}" if isinstance(error, NoErrorBar) else name, error
 
@@ -133,7 +133,7 @@ def of_list(ask: Ask, *, by_arrays: bool, best: bool = False) -> Rows:
 
 
 def printed(run: Run, ask: Ask, form: str, *more: str, by_arrays: bool) -> tuple[Ran, list[dict[str, Any]]]:
-    """Return the output of a call, and the cells of each row by header, or its object of JSON.
+    """Return the output of a call, and each row: its cells by header or, in JSON, its object.
 
     `form`: `--csv` or `--json`, or the suffix of a file.
     """
@@ -245,7 +245,7 @@ def _rounding(scene: Frame, name: str) -> float:
 
 
 def _condition(scene: Frame, name: str, value: float) -> float:
-    """Return κ: the factor from relative errors of the inputs to that of a quantity; infinite where a contact ends."""
+    """Return κ: the sum over the inputs of the factor from the relative error of an input to that of a quantity."""
     condition = 0.0
     for source in scene.inputs_of(name):
         given = scene.given.get(source, 0.0)
@@ -255,7 +255,7 @@ def _condition(scene: Frame, name: str, value: float) -> float:
 
 
 def _growth(scene: Frame, name: str, value: float, source: str, given: float) -> float:
-    """Return the factor from the relative error of one input to that of a quantity."""
+    """Return the factor for one input, the larger of a step up and a step down; infinite if both have no value."""
     growths = []
     for factor in (1 + STEP, 1 - STEP):
         with suppress(JkrollError):
