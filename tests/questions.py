@@ -109,7 +109,7 @@ def sheet_of(ask: Ask) -> Sheet:
 
 
 def mixed_sheet(random: Random, asks: Sequence[Ask]) -> Sheet:
-    """Return a table with rows from several questions and some odd cells, by the law of the first question."""
+    """Return a table of rows from several questions, with odd cells, for the quantities and law of the first."""
     rows = [*chain.from_iterable(ask.rows() for ask in asks)]
     random.shuffle(rows)
     names = {*chain.from_iterable(rows)}
@@ -130,7 +130,7 @@ def mixed_sheet(random: Random, asks: Sequence[Ask]) -> Sheet:
 
 
 def any_ask(random: Random, command: str = "", model: str | None = "") -> Ask:
-    """Return a random question. `command`, `model`: those of the question, random ones if empty."""
+    """Return a random question. `command`, `model`: random if empty; None stands for the default law."""
     command = command or random.choice([*QUESTIONS, "contact", "moment", "report"])  # some commands are likelier
     taken = {option.name for option in COMMANDS[command].options()} | {"material", "radius"}
     model = random.choice([None, None, *MODELS]) if model == "" else model
@@ -255,7 +255,7 @@ class _Values:
         return repr(self.random.choice([0.5, -0.99, 0.3, self.random.uniform(-0.9, 0.5)]))
 
     def _sizes(self, name: str, low: float, high: float, special: str = "") -> None:
-        """Add values of any size, some with few digits, some equal to those of sphere 1, and some special values."""
+        """Add values from low to high, widened by `wider`: some of one digit, some equal to sphere 1, some special."""
         low, high = low / self.wider, high * self.wider
         first = self.texts.get(name.removesuffix("2"), ())
 

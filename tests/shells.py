@@ -63,7 +63,7 @@ class Shell:
         return self.words.read_text(encoding="utf-8").splitlines()
 
     def close(self) -> None:
-        """Close the terminal."""
+        """Close the terminal, and wait until the shell has ended."""
         os.close(self.terminal)
         os.waitpid(self.process, 0)
 
