@@ -290,7 +290,7 @@ def explanation_of(name: str, error: JkrollError) -> str:
 def grouped(errors: Mapping[str, JkrollError]) -> Iterator[tuple[list[str], str]]:
     """Iterate over reasons in words, each with the quantities that it leaves without a value.
 
-    Quantities that lack the same inputs share the shortest of their reasons, although some have an alternative input.
+    Quantities that lack the same inputs share the shortest of their reasons, which may leave out alternative inputs.
     """
     explanations = {name: explanation_of(name, error) for name, error in errors.items()}
     groups: dict[object, list[str]] = {}

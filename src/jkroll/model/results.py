@@ -70,17 +70,17 @@ class Results:
             meant[name] = self.meant[name] if name in self.meant else self.without_meaning(column, [name])
         return meant
 
-    def without_meaning(self, column: Column, touching: Iterable[str]) -> Column:
-        """Return a column with reasons instead of values where a limit makes a quantity in `touching` meaningless.
+    def without_meaning(self, column: Column, names: Iterable[str]) -> Column:
+        """Return a column with reasons instead of values where a limit makes one of the quantities meaningless.
 
         A quantity of identical spheres is also meaningless where sphere 2 differs.
         """
         if column.is_empty:
             return column
         reasons: Any = 0
-        for touched in touching:
-            reasons = first_reasons(reasons, self._ends_of(touched))
-            if NOMENCLATURE[touched].of_identical:
+        for name in names:
+            reasons = first_reasons(reasons, self._ends_of(name))
+            if NOMENCLATURE[name].of_identical:
                 of_another_pair = where(self.frame.is_identical, 0, reason(OF_ANOTHER_PAIR))
                 reasons = first_reasons(reasons, of_another_pair)
         if isinstance(reasons, int) and not reasons:
