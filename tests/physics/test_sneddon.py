@@ -24,7 +24,7 @@ PROFILE: dict[Callable[..., Any], Callable[[Exact], Exact]] = {
     sneddon.indentation: lambda x: x * digits.atanh(x),
     sneddon.indentation_slope: lambda x: digits.atanh(x) + x / (1 - x**2),
     sneddon.indentation_curvature: lambda x: 2 / (1 - x**2) + 2 * x**2 / (1 - x**2) ** 2,
-    sneddon.hertz_load: lambda x: (1 + x**2) / 2 * digits.log((1 + x) / (1 - x)) - x,
+    sneddon.load_without_adhesion: lambda x: (1 + x**2) / 2 * digits.log((1 + x) / (1 - x)) - x,
 }
 # g and c of the sum gδ + cP that a machine holds constant.
 MACHINES = {"fixed grips": (1.0, 0.0), "dead load": (0.0, 1.0), "lever": (1.0, 3.7)}
@@ -37,7 +37,7 @@ def approach(x: Exact, ratio: Exact) -> Exact:
 
 def load(x: Exact, ratio: Exact) -> Exact:
     """Return P/(E*R²) at x = a/R; the ratio is w/(E*R)."""
-    return PROFILE[sneddon.hertz_load](x) - 2 * x * sqrt(2 * pi * ratio * x)
+    return PROFILE[sneddon.load_without_adhesion](x) - 2 * x * sqrt(2 * pi * ratio * x)
 
 
 def held(x: Exact, ratio: Exact, machine: str) -> Exact:
@@ -66,7 +66,7 @@ def test_load_and_approach_are_those_of_the_energy_release_rate() -> None:
     """By Griffith, (P_H − P)² = 8πwE*a³ and 2E*a(δ_H − δ) = P_H − P."""
     for x in (0.01, 0.29, 0.31, 0.7, 0.999):
         artanh, ratio = sneddon.artanh_of_contact(x, 1.0), 0.02
-        pulled = sneddon.hertz_load(artanh) - sneddon.load(ratio, artanh)
+        pulled = sneddon.load_without_adhesion(artanh) - sneddon.load(ratio, artanh)
         assert pulled**2 == approx(8 * math.pi * ratio * x**3, rel=1e-13)
         assert 2 * x * (sneddon.indentation(artanh) - sneddon.approach(ratio, artanh)) == approx(pulled, rel=1e-13)
 
@@ -146,7 +146,7 @@ def test_wide_contact_tends_to_the_radius_of_the_sphere() -> None:
         y = 1 - (1 - y)  # the rounded value
         assert artanh == approx(math.log(2 / y) / 2, rel=y)
         assert sneddon.indentation(artanh) == approx(artanh, rel=2 * y)
-        assert sneddon.hertz_load(artanh) == approx(2 * artanh - 1, rel=2 * y)
+        assert sneddon.load_without_adhesion(artanh) == approx(2 * artanh - 1, rel=2 * y)
         assert sneddon.indentation_slope(artanh) == approx(0.5 / y, rel=40 * y)
     for ratio in (1e9, 1e15):  # stronger adhesion widens the last contact, but no contact covers the sphere
         assert sneddon.last_state(ratio, 0.0, 1.0) == approx(math.log(72 * math.pi * ratio) / 4, rel=1e-3)

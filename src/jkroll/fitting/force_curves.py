@@ -162,7 +162,7 @@ def _sphere(a: Array, radius: float) -> tuple[Array, Array, Array, Array]:
     """Return δ_H of a rigid sphere and its derivatives, and P_H/E*, by Sneddon's formulas."""
     artanh = sneddon.artanh_of_contact(a, radius)
     depth, curvature = radius * sneddon.indentation(artanh), sneddon.indentation_curvature(artanh) / radius
-    return depth, sneddon.indentation_slope(artanh), curvature, radius * radius * sneddon.hertz_load(artanh)
+    return depth, sneddon.indentation_slope(artanh), curvature, radius * radius * sneddon.load_without_adhesion(artanh)
 
 
 PROFILES: Mapping[str, Profile] = {PARABOLOID: Profile(_paraboloid, inf), SPHERE: Profile(_sphere, _WIDEST)}

@@ -1,4 +1,4 @@
-"""The ranges of numbers that a frame accepts as inputs, and that it gives as results."""
+"""The ranges of numbers that a `Frame`, two spheres and their quantities, accepts as inputs and gives as results."""
 
 from math import isfinite, isnan
 from typing import Any
@@ -71,7 +71,7 @@ OF_A_PLANE = [
 def is_answer(name: str, value: Any) -> Any:
     """Return whether doubles are valid results: normal numbers, or zero or infinity where the quantity allows it."""
     size = abs(value)
-    has_digits = size >= SMALLEST
+    is_valid = size >= SMALLEST
     if name not in OF_A_PLANE:
-        has_digits = has_digits & (size < INFINITY)
-    return has_digits | (size == 0) if NOMENCLATURE[name].may_be_zero else has_digits
+        is_valid = is_valid & (size < INFINITY)
+    return is_valid | (size == 0) if NOMENCLATURE[name].may_be_zero else is_valid

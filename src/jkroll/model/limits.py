@@ -25,9 +25,9 @@ _COMPARISONS = {"<": lt, "<=": le, ">": gt, ">=": ge}
 
 
 class Limit:
-    """A number that limits the model, the quantities that it touches, and the consequence beyond the limit.
+    """A number to judge, the quantities that the limit affects directly (`touches`), and the consequence beyond it.
 
-    The limit concerns the quantities that it touches, and all results that are computed from them. `sign` is the
+    The limit concerns these quantities, and all results that are computed from them. `sign` is the
     comparison that puts a number in doubt: with "<", a number below a threshold is in doubt. A number may have several
     thresholds, each with its code, in the order in which the number crosses them.
     """
@@ -44,10 +44,11 @@ class Limit:
         conclusion: str = "",  # in JSON, the name of the verdict, which is true within the limit
         # Computes the number to judge instead of the named number, such as the factor between the results of two laws.
         number: Callable[[Frame, Mapping[str, Column]], Any] | None = None,
-        where: Callable[[Frame], Any] | None = None,  # the rows in which the limit, with sign ">" or ">=", is judged
+        where: Callable[[Frame], Any] | None = None,  # the rows in which the limit is judged; only for ">" and ">="
         is_shown: bool = True,  # in answers; if False, only in explanations
-        has_remedy: Callable[[Frame], bool] | None = None,  # True if the sentence names a remedy; answers prefer it
-        gives_number: bool = True,  # whether the sentence ends with the judged number and its limit
+        has_remedy: Callable[[Frame], bool]
+        | None = None,  # True if the report can name a remedy; answers prefer such limits
+        gives_number: bool = True,  # whether texts give the value of the named quantity, and the threshold
     ) -> None:
         self.name, self.touches, self.sign, self.codes = name, touches, sign, codes
         self.consequence, self.applies, self.ends_meaning = consequence, applies, ends_meaning
@@ -69,7 +70,7 @@ class Limit:
 
     @property
     def needs_threshold(self) -> bool:
-        """True if the text must give the first threshold: not 0 or 1, which are evident, nor that of a `number`."""
+        """True if the text must give the first threshold; 0 and 1 are evident, and `number` has no name in the text."""
         return self.number is None and self.threshold not in (0.0, 1.0)
 
     @property
@@ -149,7 +150,7 @@ class Doubt:
 
     @cached_property
     def ends(self) -> Any:
-        """The reasons of rows in which the limit makes results meaningless, 0 for other rows."""
+        """In each row, the reason as an integer if the limit makes results meaningless there, else 0."""
         return where(self.is_beyond, reason(ENDS[next(iter(self.limit.codes.values()))]), 0)
 
 
@@ -162,9 +163,9 @@ def _bits_where(condition: Any, bits: int, otherwise: Any) -> Any:
     return numpy.where(condition, numpy.int64(bits), otherwise)
 
 
-# Every quantity that depends on the law or on elasticity needs one of these. The work of adhesion alone is not enough:
-# the radius at an approach and Q/P_c without load do not need it in DMT.
-_ELASTICITY = frozenset({"work_of_adhesion", "contact_radius_at_load", "yield_force_ratio"})
+# Every quantity that depends on the law or on elasticity is computed from one of these. The work of adhesion alone
+# would miss two of them in DMT: the contact radius at an approach, and Q/P_c without load.
+_LAW_OR_ELASTICITY = frozenset({"work_of_adhesion", "contact_radius_at_load", "yield_force_ratio"})
 _DISPLACEMENT = frozenset({"yield_displacement"})
 JUMP = 0.7  # Tabor parameter below which contacts by Lennard-Jones' 3-9 law have no jump at fixed grips
 PEELS_FIRST, STICKING_UNSURE = "peels-before-sliding", "sticking-unsure"
@@ -179,7 +180,7 @@ _IMPACT = frozenset({"restitution", "lost_energy", "impact_pressure"})
 
 LAW_MATTERS = 1.05  # factor between the results of two laws, above which the law matters
 SOFT = 1e8  # contact modulus in Pa below which solids (rubbers, gels) flatten their roughness
-RUBBERY = 0.49  # Poisson's ratio from which on a solid stretches rather than yields
+RUBBERY = 0.49  # lowest Poisson's ratio of solids that stretch rather than yield, such as rubbers
 
 
 @once_a_frame
@@ -231,7 +232,7 @@ def _too_slow(name: str, least: float, code: str, energy: str) -> Limit:
 
 # Limits that make results meaningless come first, then the law of attraction, then causes of inexact results.
 CONTACT_EXCEEDS_SPHERE = Limit(
-    "contact_over_sphere", _ELASTICITY | _DISPLACEMENT, ">", {1.0: "contact-exceeds-sphere"},
+    "contact_over_sphere", _LAW_OR_ELASTICITY | _DISPLACEMENT, ">", {1.0: "contact-exceeds-sphere"},
     "the contact is wider than the smaller sphere; the surface tension of the solid matters then",
     ends_meaning=True,
 )  # fmt: skip
@@ -285,7 +286,7 @@ ENDING = (
     ),
 )  # fmt: skip
 LAW = Limit(
-    "tabor_parameter", _ELASTICITY, ">",
+    "tabor_parameter", _LAW_OR_ELASTICITY, ">",
     {LAW_MATTERS: "law-off-5%", 1.25: "law-off-25%", 2.0: "law-off-2x"},
     "Maugis' law, the better one, differs by more than this",
     number=factor_of_law,
@@ -385,21 +386,21 @@ INEXACT = (
         number=lambda frame, _: frame["kelvin_radius"] / 1e-9,
     ),
     Limit(
-        "contact_radius_in_spacings", _ELASTICITY, "<", {3.0: "few-atoms"},
+        "contact_radius_in_spacings", _LAW_OR_ELASTICITY, "<", {3.0: "few-atoms"},
         "contact radius below 3 atoms",
     ),
     Limit(
-        "hertz_pressure_over_modulus", _ELASTICITY, ">", {0.1: "may-yield"},
+        "hertz_pressure_over_modulus", _LAW_OR_ELASTICITY, ">", {0.1: "may-yield"},
         "the pressure exceeds even the strength of a flawless solid: numbers are rough; no plasticity is modelled",
         where=_is_not_rubbery,
     ),
     Limit(
-        "hertz_pressure_over_modulus", _ELASTICITY, ">", {0.1: "large-strain"},
+        "hertz_pressure_over_modulus", _LAW_OR_ELASTICITY, ">", {0.1: "large-strain"},
         "strains too large for linear elasticity",
         where=_is_rubbery,
     ),
     Limit(
-        "profile_error", _ELASTICITY, ">", {0.01: WIDE_CONTACT},
+        "profile_error", _LAW_OR_ELASTICITY, ">", {0.01: WIDE_CONTACT},
         "contact too wide for the formulas; the profile that they assume for a sphere is off by e_h at the edge",
         has_remedy=may_be_sphere,
     ),
@@ -414,13 +415,13 @@ BITS = {code: 1 << position for position, code in enumerate((*CODES, UNCHECKED))
 ENDING_MEANING = sum(limit.bits for limit in ENDING)
 NOT_JUDGED = BITS[UNCHECKED]
 EVERY_DOUBT = sum(BITS.values())
-# The meanings of codes that make results meaningless, which are also reasons for empty cells, and of UNCHECKED.
+# Explanations of the codes that make results meaningless; they are also reasons for empty cells.
 MEANINGS = {code: limit.consequence.partition(";")[0] for limit in ENDING for code in limit.codes.values()}
 ENDS = {code: register(EndOfMeaning(words, words, code=code)) for code, words in MEANINGS.items()}
 MEANINGS[UNCHECKED] = "a limit needs an input that is not given"
-# Numbers that keep their meaning beyond every limit: w, and the numbers that limits judge, unless a limit touches them
-# for a reason other than elasticity.
-NUMBERS_OF_LIMITS = {"work_of_adhesion", *(limit.name for limit in LIMITS)}.difference(
+# Quantities that keep their meaning beyond every limit: w, and the named quantity of each limit, unless a limit other
+# than those of the law and of elasticity touches it.
+MEANINGFUL_BEYOND_LIMITS = {"work_of_adhesion", *(limit.name for limit in LIMITS)}.difference(
     *(limit.touches for limit in LIMITS if "work_of_adhesion" not in limit.touches)
 )
 
@@ -462,23 +463,23 @@ def concerns(limit: Limit, frame: Frame, names: Collection[str]) -> bool:
     return limit.applies is None or limit.applies(frame, names)
 
 
-def bits_of(frame: Frame, judged: Sequence[tuple[Any, Sequence[str]]], judged_limits: Iterable[Doubt]) -> Any:
-    """Return the codes of doubts as bits. A limit counts in the rows in which it concerns a judged quantity.
+def bits_of(frame: Frame, results: Sequence[tuple[Any, Sequence[str]]], judged_limits: Iterable[Doubt]) -> Any:
+    """Return the codes of doubts as bits. A limit counts in the rows in which it concerns one of the results.
 
-    `judged`: pairs of rows and the quantities that are judged in these rows.
+    `results`: pairs of rows and the names of the results in these rows.
     """
     bits: Any = 0
-    is_in_all_rows = all(rows is True for rows, _ in judged)
+    is_in_all_rows = all(rows is True for rows, _ in results)
     for doubt in judged_limits:
         if not isinstance(doubt.bits, int) or doubt.bits:
-            rows = True if is_in_all_rows else rows_of(doubt.limit, frame, judged)
+            rows = True if is_in_all_rows else rows_of(doubt.limit, frame, results)
             bits = bits | where(rows, doubt.bits, 0)
     return bits
 
 
-def rows_of(limit: Limit, frame: Frame, judged: Sequence[tuple[Any, Sequence[str]]]) -> Any:
-    """Return the rows in which a limit concerns a judged quantity."""
-    return reduce(or_, (rows for rows, names in judged if concerns(limit, frame, names)), False)
+def rows_of(limit: Limit, frame: Frame, results: Sequence[tuple[Any, Sequence[str]]]) -> Any:
+    """Return the rows in which a limit concerns one of the results; `results`: see `bits_of`."""
+    return reduce(or_, (rows for rows, names in results if concerns(limit, frame, names)), False)
 
 
 @cache  # many rows share their doubts

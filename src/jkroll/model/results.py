@@ -14,8 +14,8 @@ from .limits import (
     ENDING,
     ENDING_MEANING,
     INEXACT,
+    MEANINGFUL_BEYOND_LIMITS,
     NOT_JUDGED,
-    NUMBERS_OF_LIMITS,
     Doubt,
     bits_of,
     concerns,
@@ -89,7 +89,7 @@ class Results:
 
     def _ends_of(self, name: str) -> Any:
         """Return the reasons of rows where limits make a quantity meaningless, computed once for each set of limits."""
-        ending = () if name in NUMBERS_OF_LIMITS else self.ending
+        ending = () if name in MEANINGFUL_BEYOND_LIMITS else self.ending
         concerned = tuple(index for index, doubt in enumerate(ending) if concerns(doubt.limit, self.frame, [name]))
         if concerned not in self._ends:
             self._ends[concerned] = reduce(first_reasons, (ending[index].ends for index in concerned), 0)

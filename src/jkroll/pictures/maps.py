@@ -51,10 +51,11 @@ from .picture import (
 from .picture_as_text import CURVE_ROWS, shown_values
 
 MAX_CURVES = 24  # more cannot be distinguished
-SIDE = 201  # points along each side of the grid for captions and limits; also the default for a map's numbers
+SIDE = 201  # points along each side of the grid for captions and limits, and along an axis without a count
 MOST_BANDS = 4  # largest number of curves with bands of best ranges; more bands cannot be distinguished
 ALONG = 1001  # points of a curve, unless its axis has another number
-# By quantity: the sign in a terminal and the hatch on a page for regions beyond its limits; lines bound other regions.
+# By quantity: the sign in a terminal and the hatch on a page for regions beyond its limits. Regions
+# beyond the limits of other quantities are only outlined.
 # A hatch means the same quantity on every map. No two hatches together look like a third.
 SIGNS = {
     "contact_radius_in_spacings": ("x", "...."),
@@ -66,7 +67,7 @@ SLIGHT = ("'", "||")  # where a law is slightly off; this hatch is part of the h
 UNHATCHED = ("", "")
 # The limit below which contacts open without a jump is on Tabor's parameter, too, but is not hatched.
 HATCHED_LIMITS = tuple(limit for limit in LIMITS if limit.name in SIGNS and not limit.conclusion)
-_FARTHEST = log(1e3)  # largest distance from a threshold on a map
+_MOST_EXCESS = log(1e3)  # the excess over a threshold is clipped at plus or minus this
 _TWO, _THREE, _FOUR = (Format(digits=digits) for digits in (2, 3, 4))
 
 
@@ -80,7 +81,7 @@ class MapRequest(NamedTuple):
     marks: Sequence[str]
     materials: Materials
     limits: Sequence[Limit] = LIMITS  # drawn, or named in sentences, if they concern the quantity
-    printed: str = ""  # the name of the quantity as the paper prints it, if the paper differs
+    printed: str = ""  # the quantity by the formula as printed in the paper, if that formula differs
     has_best: bool = True  # True to draw the best ranges
 
 
@@ -246,7 +247,8 @@ def _frame_at(text: str, materials: Materials, frame: Frame) -> Frame:
 def _material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[list[Mark], tuple[str, ...]]:
     """Return marks for the materials with a position on an axis, and a sentence of the caption about all others.
 
-    Materials with a state are left out: the states of one substance would crowd the edge.
+    Materials in one of several states, such as "below 175 K", are left out: the marks of one substance would crowd the
+    edge of the picture.
     """
     placed, others = [], []
     for material in materials.materials.values():
@@ -262,7 +264,11 @@ def _material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[list[Mark],
 
 
 def _about_marks(request: MapRequest, panel: Panel) -> Iterator[str]:
-    """Iterate over texts: the position of a mark on one axis, or the value for a marked grain with its own inputs."""
+    """Iterate over texts about marks.
+
+    A mark on one axis only gets its position there. A mark on both axes gets the value of the quantity, computed with
+    its own inputs, and a remark if that differs from the value on the map.
+    """
     quantity = request.quantity
     ((_, frame),) = request.frames
     typed = {_name_of(text): text for text in request.marks}
@@ -373,7 +379,7 @@ class Layer:
     def regions(self) -> Iterator[Region]:
         """Iterate over the regions of each limit: beyond its last threshold, then beyond its first one, if they differ.
 
-        A region without a point is left out, and so is the second one if all points lie in the first one.
+        An empty region is left out. So is the wider region if the narrower one covers all points with a value.
         """
         for doubt in self.doubts:
             limit = doubt.limit
@@ -397,8 +403,8 @@ class Layer:
     def _text_beyond(self, limit: Limit, threshold: float) -> str:
         """Return the text of the region beyond a threshold.
 
-        For the limit of the law, it says how far the law is off. For other limits it is the consequence, which follows
-        the condition, such as "a/z0 < 3", unless the limit computes another number than the named quantity.
+        For the limit of the law, it says how far the law is off. For other limits it is the condition and the
+        consequence, as in "a/z0 < 3: …", or only the consequence if the limit computes the number that it judges.
         """
         if limit is LAW:
             size = f"{100 * (threshold - 1):.0f} %" if threshold < 2 else f"a factor of {threshold:g}"
@@ -455,9 +461,9 @@ def _doubts(points: Frame, quantity: str, limits: Iterable[Limit]) -> list[Doubt
 
 
 def _excess_over(limit: Limit, excess_there: float, quantity: str, points: Frame) -> Any:
-    """Return the excess of a limit minus its excess at a threshold, clipped at ±_FARTHEST."""
+    """Return the excess of a limit minus its excess at a threshold, clipped at ±_MOST_EXCESS."""
     (doubt,) = _doubts(points, quantity, [limit])
-    return numpy.clip(doubt.excess - excess_there, -_FARTHEST, _FARTHEST)
+    return numpy.clip(doubt.excess - excess_there, -_MOST_EXCESS, _MOST_EXCESS)
 
 
 # --- Sentences of a caption -------------------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-"""Layouts of tables of lines: blanks between cells, comments, dumps of LAMMPS, row names of R, and rows of units.
+"""Layouts of text tables: cells between blanks, comments, dumps of LAMMPS, row names of R, and rows of units.
 
 A dump has several items above the names of its columns, which are without units. Other programs write comments, and
 the last of these may be the header. R writes no name above its row names.
@@ -32,8 +32,8 @@ _MARK = re.compile(rb"^[ \t]*(#+)[ \t]+", re.MULTILINE)  # the mark of a comment
 _CELL = rb'"(?:[^"\\]++|\\.|"")*+"(?!\S)|"[^"]*+"(?!\S)|[^\s"]\S*'
 
 
-def between_tabs(blocks: Iterable[bytes]) -> Iterator[bytes]:
-    """Iterate over blocks with tabs in place of blanks. Raises BadTable."""
+def with_tabs(blocks: Iterable[bytes]) -> Iterator[bytes]:
+    """Iterate over the blocks, with the blanks between cells replaced by tabs. Raises BadTable."""
     line = 0
     for block in blocks:
         yield tabbed(block, line)
@@ -41,9 +41,9 @@ def between_tabs(blocks: Iterable[bytes]) -> Iterator[bytes]:
 
 
 def tabbed(block: bytes, line: int = 0) -> bytes:
-    """Return a block with tabs in place of blanks. Raises BadTable for a quote that is not closed in its line.
+    """Return a block, with the blanks between cells replaced by tabs.
 
-    `line`: the number of lines above the block.
+    Raises BadTable for a quote that is not closed in its line. `line`: the number of lines above the block.
     """
     lines = _MARK.sub(rb"\1", block).split(b"\n")
     if b'"' not in block:
@@ -142,7 +142,7 @@ def _several_steps(number: int, line: bytes, path: str, compression: str) -> str
 
 
 def header_position(lines: Sequence[str], separator: str, is_read: Callable[[str], bool]) -> int:
-    """Return the number of lines above the header: comments, and a line sep=; in which a spreadsheet names a separator.
+    """Return the number of lines above the header: comments, and a line such as `sep=;`, which names a separator.
 
     The first line below the comments is the header if it has a column to read; otherwise, the last comment with such a
     column is. If no line has a column to read, the last comment can still be the header: there must be blanks or tabs
@@ -162,7 +162,7 @@ def header_position(lines: Sequence[str], separator: str, is_read: Callable[[str
 
 
 def text_of(cell: str) -> str:
-    """Return the text of a cell that has a character for each byte."""
+    """Return the text of a cell that was read with a character for each byte."""
     return cell.encode(BYTES).decode("utf-8", "replace")
 
 
@@ -264,8 +264,8 @@ class Headers(NamedTuple):
     stated: Mapping[str, str]
 
 
-class _Cell(NamedTuple):
-    """A header, and the role of the cell below it, which may be part of a row of units."""
+class _Heading(NamedTuple):
+    """What a header and the cell below it say together, if the cell is part of a row of units."""
 
     name: str  # the header, with the unit if the cell adds it
     role: str  # the role of the cell below
@@ -278,8 +278,10 @@ _A_UNIT, _ANOTHER_UNIT, _OTHER_TEXT, _NO_ROW_OF_UNITS = "unit", "another unit th
 def with_units(names: Sequence[str], row: Row, stated: Mapping[str, str], measured: str) -> Headers | None:
     """Return headers with the units in a row below; None if the row is not clearly a row of units.
 
-    A row of units has no numbers, and its cells in columns to read are units or empty. `stated`, `measured`: see
-    `meaning_of`. Raises BadTable if a header and the row state different units.
+    A row of units has no numbers, and its cells in columns to read are units or empty. `stated`: the meanings that
+    `--column` gives headers; `measured`: see `reading_of`.
+
+    Raises BadTable if a header and the row state different units.
     """
     below = [*map(text_of, row.cells)]
     if len(below) != len(names) or any(map(_is_number, below)):  # as in most tables
@@ -296,33 +298,33 @@ def with_units(names: Sequence[str], row: Row, stated: Mapping[str, str], measur
     return Headers(tuple(cell.name for cell in cells), {**stated, **meanings})
 
 
-def _below(name: str, text: str, stated: Mapping[str, str], measured: str) -> _Cell:
-    """Return a header and the cell below it, with the role of the cell."""
+def _below(name: str, text: str, stated: Mapping[str, str], measured: str) -> _Heading:
+    """Return what a header and the cell below it say together."""
     unit = _without_brackets(text)
     mark = PLUS_MINUS.match(unit)
     if mark and not normalized(name):
         name, unit = "±", unit[mark.end() :]  # as in ± nm
     if unit in _NO_UNIT:
-        return _Cell(name, _OTHER_TEXT)
+        return _Heading(name, _OTHER_TEXT)
     whole = f"{name.strip()} [{unit}]"
     if typed(name) not in stated and typed(whole) in stated:  # as an earlier message suggested
         name = whole
     is_stated, meaning = typed(name) in stated, stated.get(typed(name), name)
     reading, with_unit = reading_of(meaning, measured), reading_of(f"{meaning} [{unit}]", measured)
     if unit == "1" and not with_unit.unit_text:
-        return _Cell(name, _NO_ROW_OF_UNITS)
+        return _Heading(name, _NO_ROW_OF_UNITS)
     if reading.unit_text:
         role = _role_of_unit(unit, reading) or _NO_ROW_OF_UNITS
         if is_stated:
             role = _OTHER_TEXT if role == _NO_ROW_OF_UNITS else _A_UNIT
-        return _Cell(name, role)
+        return _Heading(name, role)
     if meaning.strip() and with_unit.unit_text:
-        return _Cell(name, _A_UNIT, f"{meaning} [{unit}]") if is_stated else _Cell(whole, _A_UNIT)
+        return _Heading(name, _A_UNIT, f"{meaning} [{unit}]") if is_stated else _Heading(whole, _A_UNIT)
     if _is_read(reading):
-        return _Cell(name, _NO_ROW_OF_UNITS)
+        return _Heading(name, _NO_ROW_OF_UNITS)
     if normalized(name) and is_in_table(unit) and not re.search(r"[\[(]", name) and not is_stated:
         name = whole  # another quantity, with its unit
-    return _Cell(name, _OTHER_TEXT)
+    return _Heading(name, _OTHER_TEXT)
 
 
 def _is_number(cell: str) -> bool:

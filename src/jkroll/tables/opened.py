@@ -6,7 +6,7 @@ from typing import Any
 
 from ..errors import BadTable, missing_extra
 from .files import BOM, Delimited, FileFormat, Input, blocks
-from .layouts import as_table, between_tabs, is_dump
+from .layouts import as_table, is_dump, with_tabs
 from .ndjson import Ndjson
 from .table import Asked
 
@@ -52,7 +52,7 @@ def _of_lines(
             raise BadTable("this is a dump of LAMMPS, with blanks between its columns; write --delimiter blank")
         stream = as_table(stream, file.path, form.compression)
     if is_of_blanks:
-        stream = between_tabs(stream)
+        stream = with_tabs(stream)
     first = next(stream)
     rows = first[table.read_header(first, asked.stated, asked.measured) :]
     if not as_markdown:
