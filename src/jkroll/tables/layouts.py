@@ -265,7 +265,7 @@ class Headers(NamedTuple):
 
 
 class _Heading(NamedTuple):
-    """What a header and the cell below it say together, if the cell is part of a row of units."""
+    """The meaning of a header together with the cell below it, which may be part of a row of units."""
 
     name: str  # the header, with the unit if the cell adds it
     role: str  # the role of the cell below
@@ -299,7 +299,7 @@ def with_units(names: Sequence[str], row: Row, stated: Mapping[str, str], measur
 
 
 def _below(name: str, text: str, stated: Mapping[str, str], measured: str) -> _Heading:
-    """Return what a header and the cell below it say together."""
+    """Return the meaning of a header together with the cell below it."""
     unit = _without_brackets(text)
     mark = PLUS_MINUS.match(unit)
     if mark and not normalized(name):
