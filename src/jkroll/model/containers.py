@@ -222,16 +222,16 @@ class Reader:
         raise QuantityError(name, str(value), "is not a number", remedy)
 
 
-def warn_of_metres(described: Mapping[str, Any], given: Mapping[str, Any]) -> None:
+def warn_of_metres(given: Mapping[str, Any]) -> None:
     """Warn about a radius, diameter or reduced radius of a metre or more, given as a number without a unit.
 
-    `described`: the inputs in SI units; `given`: the inputs as the caller wrote them.
+    `given`: the inputs as the caller wrote them; such a number is in SI units.
     """
-    for name in described.keys() & {"radius", "diameter", "reduced_radius"}:
-        words = [word for word, value in given.items() if as_input(str(word)) == name and isinstance(value, NUMBER)]
-        if words and described[name] >= 1.0:
-            text = f"{words[0]}={given[words[0]]} is a sphere of {described[name]:g} m: numbers are in SI units"
-            text += f'; write {words[0]}="{given[words[0]]} nm" for nanometres'
+    for word, value in given.items():
+        is_size = as_input(str(word)) in ("radius", "diameter", "reduced_radius")
+        if is_size and isinstance(value, NUMBER) and value >= 1.0:
+            text = f"{word}={value} is a sphere of {value:g} m: numbers are in SI units"
+            text += f'; write {word}="{value} nm" for nanometres'
             warnings.warn(text, stacklevel=_level_of_caller())
 
 

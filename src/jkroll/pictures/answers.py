@@ -449,8 +449,7 @@ def _values(given: Mapping[str, Any]) -> dict[str, list[Any]]:
             if getattr(value, "ndim", 0) > 1:
                 raise QuantityError(name, "an array", "has more than one dimension", "give a list of values")
             values[name] += value.tolist() if hasattr(value, "tolist") else [value]
-    largest = _largest_numbers(lists)
-    warn_of_metres(reader.in_si(largest), largest)
+    warn_of_metres(_largest_numbers(lists))
     return {name: values[name] for name in NOMENCLATURE if name in values}
 
 

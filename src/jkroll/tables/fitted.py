@@ -46,7 +46,7 @@ def fit_given(curve: Any, words: Mapping[str, str | None], spring: Any, given: M
         if getattr(middle(value), "shape", ()):
             raise BadRequest(f"{name}: a curve takes a single value, not an array")
         check_range(name, middle(value))
-    warn_of_metres({name: middle(value) for name, value in read.items()}, given)
+    warn_of_metres(given)
     try:
         known = known_of(words, spring, read)
         if isinstance(curve, str | os.PathLike):
