@@ -155,7 +155,7 @@ class Frame:
         self.steps: dict[str, Plan] = {}  # the steps that computed these results
         # Computed arrays and reasons, by step and ids of its arguments, which are kept alive so that no id is reused.
         self._shared: dict[tuple[object, ...], tuple[tuple[Any, Any], Any]] = {}
-        self.derived: dict[Any, Any] = {}  # results of functions of the frame: see `once_a_frame`
+        self.derived: dict[Any, Any] = {}  # kept results of functions of the frame, by function
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle the description; results are computed again."""

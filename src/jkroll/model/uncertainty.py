@@ -19,7 +19,7 @@ from ..physics.elementary import NUMBER, absolute, at_least, at_most, hypot, is_
 from ..quantities.nomenclature import INFINITY, XI
 from ..quantities.values import Interval, Measured, Uncertain
 from .column import Column, at_row
-from .frame import Frame, Variant, itself, once_a_frame
+from .frame import Frame, Variant, itself
 from .plan import in_order
 from .reasons import NoErrorBar, explanation_of
 
@@ -213,18 +213,13 @@ def _at_points(
     return moved
 
 
-@once_a_frame
-def _frames_at_points(_: Frame) -> dict[tuple[tuple[str, Any], ...], Frame]:
-    """Return an empty dictionary that keeps the frame at each point, by the names and values of the point."""
-    return {}
-
-
 def _at_point(frame: Frame, point: Mapping[str, Any]) -> Frame:
     """Return the frame at a point; the same one for each variant, so that variants share what they compute."""
-    frames, key = _frames_at_points(frame), tuple(point.items())
+    frames, key = frame.derived.setdefault(_at_point, {}), tuple(point.items())
     if key not in frames:
         frames[key] = frame.replace(**point)
-    return frames[key]
+    at_point: Frame = frames[key]
+    return at_point
 
 
 def _error_bar(column: Column, moved: Column, sources: Sources) -> ErrorBar | None:
