@@ -314,7 +314,14 @@ def _of_inferred(answer: "Report", form: Format) -> list[TextColumn]:
     no law is called the best.
     """
     library = library_values(answer.described)
-    rows = [_inferred_row(result, law, library, answer, form) for law in laws_of(answer) for result in answer.results]
+    best = "" if any(about_library(answer)) else " (best)"
+    rows = []
+    for law in laws_of(answer):
+        is_better = law != answer.frame.law.name
+        by = LAWS[law].short + (best if is_better else "")
+        for result in answer.results:
+            cells = _inferred_cells(result, library.get(result.name), answer, form, is_better=is_better)
+            rows.append([NOMENCLATURE[result.name].sentence, symbol_among(result.name, answer.inputs), by, *cells])
     solids: dict[str, None] = {}
     for name in library:
         solids |= dict.fromkeys(solids_of(answer.described, name))
@@ -330,20 +337,18 @@ def _of_inferred(answer: "Report", form: Format) -> list[TextColumn]:
     return columns
 
 
-def _inferred_row(
-    result: "Result", law: str, library: "Mapping[str, float | Uncertain]", answer: "Report", form: Format
+def _inferred_cells(
+    result: "Result", known: "float | Uncertain | None", answer: "Report", form: Format, *, is_better: bool
 ) -> list[str]:
-    """Return the cells of an inferred value by a law: the value by the law in use, the range by Maugis' law."""
-    name, known = result.name, library.get(result.name)
-    unit = form.common_unit(name, [result.measure if known is None else known])
-    inferred, short = cell(result.measure, unit, form), LAWS[law].short
-    if law != answer.frame.law.name:
-        inferred, _ = _range(Estimate(*answer.ranges.by_better_law(name), BETTER_LAW), unit, form)
-        short += "" if any(about_library(answer)) else " (best)"
+    """Return the cells of an inferred value: the value, or the range by the better law; the library's; the unit."""
+    unit = form.common_unit(result.name, [result.measure if known is None else known])
+    inferred = cell(result.measure, unit, form)
+    if is_better:
+        inferred, _ = _range(Estimate(*answer.ranges.by_better_law(result.name), BETTER_LAW), unit, form)
     of_library = "–"
     if known is not None:
         of_library = Format(form.units, form.digits or RESULT_DIGITS).in_unit(known, unit)
-    return [NOMENCLATURE[name].sentence, symbol_among(name, answer.inputs), short, inferred, of_library, unit.text]
+    return [inferred, of_library, unit.text]
 
 
 # --- Lists ------------------------------------------------------------------------------------------------------------
