@@ -3,8 +3,8 @@
 The statistical error comes from the noise of the points, and of the baselines that are subtracted from them. The
 calibration error comes from the radius and the spring: each is changed by its error, down and up, and adds the larger
 of the two changes of a result. The model error comes from changes of the fitted range, the shape of the sphere, the law
-and the atomic spacing. A change of a result is called its move. To save time, all moves but the
-spring's are computed from few points, see `Minima.thinned`.
+and the atomic spacing. A change of a result is called its move. To save time, all moves but the spring's are computed
+from few points, see `Minima.thinned`.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence

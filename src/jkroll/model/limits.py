@@ -27,9 +27,9 @@ _COMPARISONS = {"<": lt, "<=": le, ">": gt, ">=": ge}
 class Limit:
     """A number to judge, the quantities that the limit affects directly (`touches`), and the consequence beyond it.
 
-    The limit concerns these quantities, and all results that are computed from them. `sign` is the
-    comparison that puts a number in doubt: with "<", a number below a threshold is in doubt. A number may have several
-    thresholds, each with its code, in the order in which the number crosses them.
+    The limit concerns these quantities, and all results that are computed from them. `sign` is the comparison that puts
+    a number in doubt: with "<", a number below a threshold is in doubt. A number may have several thresholds, each with
+    its code, in the order in which the number crosses them.
     """
 
     def __init__(
@@ -46,8 +46,7 @@ class Limit:
         number: Callable[[Frame, Mapping[str, Column]], Any] | None = None,
         where: Callable[[Frame], Any] | None = None,  # the rows in which the limit is judged; only for ">" and ">="
         is_shown: bool = True,  # in answers; if False, only in explanations
-        has_remedy: Callable[[Frame], bool]
-        | None = None,  # True if the report can name a remedy; answers prefer such limits
+        has_remedy: Callable[[Frame], bool] | None = None,  # whether the report can name a remedy; answers prefer it
         gives_number: bool = True,  # whether texts give the value of the named quantity, and the threshold
     ) -> None:
         self.name, self.touches, self.sign, self.codes = name, touches, sign, codes

@@ -54,9 +54,9 @@ MAX_CURVES = 24  # more cannot be distinguished
 SIDE = 201  # points along each side of the grid for captions and limits, and along an axis without a count
 MOST_BANDS = 4  # largest number of curves with bands of best ranges; more bands cannot be distinguished
 ALONG = 1001  # points of a curve, unless its axis has another number
-# By quantity: the sign in a terminal and the hatch on a page for regions beyond its limits. Regions
-# beyond the limits of other quantities are only outlined.
-# A hatch means the same quantity on every map. No two hatches together look like a third.
+# By quantity: the sign in a terminal and the hatch on a page for regions beyond its limits. Regions beyond the limits
+# of other quantities are only outlined. A hatch means the same quantity on every map. No two hatches together look like
+# a third.
 SIGNS = {
     "contact_radius_in_spacings": ("x", "...."),
     "displacement_ratio": ("/", "////"),

@@ -315,7 +315,7 @@ class Delimited:
     """A table whose cells are divided by separators."""
 
     def __init__(self, separator: str, *, excel_safe: bool = False, as_markdown: bool = False) -> None:
-        """`separator`: the mark between cells. If it is a blank, the blocks must come from `between_tabs`.
+        """`separator`: the mark between cells. If it is a blank, the blocks must come from `with_tabs`.
 
         `excel_safe`: True to write text so that a spreadsheet does not take it for a formula.
         `as_markdown`: True to write Markdown.
